@@ -1,5 +1,5 @@
-//! What relations cost, beside engine shape casts: CPU time of the thread, on the scenes
-//! physics is timed on. Run with `cargo bench -p vc-relations`.
+//! Costs of relations, compared with shape casts of a physics engine: CPU time of the thread, on the scenes
+//! used for timing physics. Run with `cargo bench -p vc-relations`.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
 
@@ -22,7 +22,8 @@ use vc_relations::{Evidence, Relations, Rule};
 
 const SIZES: [u32; 3] = [100, 500, 2000];
 
-/// A scene of the peers, or one as large of the tests' own where those are not at hand.
+/// A scene of the peer comparison, or, if those are not available, one of the tests' own scenes of the same
+/// size.
 fn scene(objects: u32) -> (SceneGraph, Evidence, Vec<NodeId>) {
     if let Some(peers) = shared::peers::read(objects) {
         return (peers.graph, peers.evidence, peers.truth.iter().map(|t| t.0).collect());
@@ -82,7 +83,7 @@ fn moved(c: &mut Criterion<Cpu>) {
     group.finish();
 }
 
-/// Moves objects to and fro by a centimetre.
+/// Moves objects back and forth by a centimetre.
 fn nudge(graph: &mut SceneGraph, ids: &[NodeId], turn: usize) {
     let mut edit = graph.edit();
     for &id in ids {
@@ -136,7 +137,7 @@ impl Engine {
         Self { shapes, wholes }
     }
 
-    /// The six traces of every object by the engine's shape casts, after a check of boxes.
+    /// Casts the six traces of every object as shapes in the engine, after a check of boxes.
     fn trace_all(&self) -> usize {
         let mut hits = 0;
         for (index, (pose, whole)) in self.wholes.iter().enumerate() {

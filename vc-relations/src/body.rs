@@ -1,4 +1,4 @@
-//! One node's geometry in the world.
+//! A body: the geometry of one node in the world.
 
 use std::sync::Arc;
 
@@ -10,32 +10,32 @@ use crate::region::Region;
 use crate::solid::{Round, Solid};
 use crate::threshold::{CORNER_SHARE, CORNERS_WITHIN, LYING_TILT, RIM_MARGIN, ROUND_CORNER_SHARE};
 
-/// How an agent holds itself.
+/// Posture of an agent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Posture {
     Sitting,
     Lying,
-    /// Neither is said; geometry decides.
+    /// Not stated; geometry decides.
     Unsaid,
 }
 
-/// What rules ask about a node beside its geometry.
+/// Properties of a node, beside its geometry, that the rules use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Traits {
-    /// Walls, floors, ceilings.
+    /// Walls, floors and ceilings.
     pub(crate) structure: bool,
-    /// Those, doors and windows: they rest on nothing.
+    /// Structure, doors and windows: they rest on nothing.
     pub(crate) fixed: bool,
     pub(crate) door: bool,
     pub(crate) agent: bool,
-    /// People move it, or it moves itself.
+    /// People can move it, or it moves by itself.
     pub(crate) moves: bool,
     pub(crate) sittable: bool,
     pub(crate) lieable: bool,
     pub(crate) lookable: bool,
     /// Only its box is known.
     pub(crate) boxed: bool,
-    /// Only its box is known, and things are put on it: at what height is unknown.
+    /// Only its box is known and things can be put on it, at an unknown height.
     pub(crate) vague: bool,
 }
 
@@ -69,18 +69,18 @@ pub(crate) struct Body {
     pub(crate) posture: Posture,
     pub(crate) form: Arc<Form>,
     pub(crate) solids: Vec<Solid>,
-    /// The box around the whole, turned with it.
+    /// The oriented bounding box of the whole body.
     pub(crate) whole: Solid,
-    /// The world-aligned box around everything.
+    /// The axis-aligned box in the world around everything.
     pub(crate) region: Region,
     /// The node's own axes.
     pub(crate) heading: Matrix3<f32>,
-    /// Whether its box is upright and has these axes.
+    /// Whether its box is upright and aligned with these axes.
     pub(crate) level: bool,
-    /// From the world to the asset's frame.
+    /// The map from the world to the asset's frame.
     inverse: Isometry3<f32>,
     scale: Vector3<f32>,
-    /// Where its moving parts are.
+    /// Positions of its joints.
     positions: Vec<f32>,
     pub(crate) room: Option<NodeId>,
 }
@@ -91,7 +91,7 @@ impl Body {
         let pose = node.pose()?;
         let spec = node.spec();
         let own = *pose.rotation.to_rotation_matrix().matrix();
-        // A box aligned with the world does not turn with its node.
+        // A world-aligned box does not turn with its node.
         let still = spec.asset.is_none() && spec.bounds.is_some_and(|b| b.frame == Frame::World);
         let (rotation, turn) =
             if still { (UnitQuaternion::identity(), Matrix3::identity()) } else { (pose.rotation, own) };
@@ -119,8 +119,8 @@ impl Body {
         Some(body)
     }
 
-    /// The point that is in its room: its middle; of an agent the one above its feet, which stays
-    /// where it is when the body turns.
+    /// The point that determines its room: its centre; for an agent the point at that height above its feet,
+    /// which stays in place when the body turns.
     pub(crate) fn midst(&self) -> Vector3<f32> {
         let centre = self.whole.centre;
         if !self.traits.agent {
@@ -143,7 +143,7 @@ impl Body {
         self.region = region;
     }
 
-    /// How a moving part has moved, in the asset's frame.
+    /// Motion of a joint's parts, in the asset's frame.
     fn motion(&self, link: Option<u32>) -> Option<Isometry3<f32>> {
         let link = link? as usize;
         let position = self.positions.get(link).copied().filter(|&p| p != 0.0)?;
@@ -154,7 +154,7 @@ impl Body {
         (self.inverse.rotation * point + self.inverse.translation.vector).component_div(&self.scale)
     }
 
-    /// Which of its cavities has this body in it: its centre, and half of its corners.
+    /// The cavity of this body that contains another body: its centre, and half of its corners.
     pub(crate) fn cavity_with(&self, content: &Self) -> Option<usize> {
         let own = Some(self.to_own(&content.whole.centre)).filter(|own| self.form.may_hold(own))?;
         let half = CORNERS_WITHIN as usize;
@@ -162,7 +162,7 @@ impl Body {
             .find(|&index| self.has_centre(index, &own) && self.corners_within(index, content).nth(half - 1).is_some())
     }
 
-    /// Whether a point of the asset's frame is in a cavity, or a little over its rim.
+    /// Whether a point of the asset's frame is in a cavity, or a little above its rim.
     fn has_centre(&self, cavity: usize, own: &Vector3<f32>) -> bool {
         let cavity = &self.form.cavities()[cavity];
         cavity.contains(&self.before_motion(cavity.link, *own), RIM_MARGIN / self.scale.z.max(1e-3))
@@ -176,14 +176,14 @@ impl Body {
         corners.into_iter().map(own).filter(|own| cavity.admits(own))
     }
 
-    /// For each cavity, whether it has a content's centre and how many of its corners.
+    /// For each cavity, whether it contains a content's centre, and how many of its corners.
     pub(crate) fn cavities_with(&self, content: &Self) -> Vec<(bool, u32)> {
         let own = self.to_own(&content.whole.centre);
         let judge = |index| (self.has_centre(index, &own), self.corners_within(index, content).count() as u32);
         (0..self.form.cavities().len()).map(judge).collect()
     }
 
-    /// Where a point of the asset's frame was before a moving part moved it.
+    /// Position of a point of the asset's frame before a joint moved it.
     fn before_motion(&self, link: Option<u32>, point: Vector3<f32>) -> Vector3<f32> {
         self.motion(link).map_or(point, |m| (m.inverse() * nalgebra::Point3::from(point)).coords)
     }
@@ -193,7 +193,7 @@ impl Body {
         if round { ROUND_CORNER_SHARE } else { CORNER_SHARE }
     }
 
-    /// Where its hooks are, in the world.
+    /// Positions of its hooks in the world.
     pub(crate) fn hooks(&self) -> impl Iterator<Item = Vector3<f32>> + '_ {
         let frame = self.inverse.inverse();
         self.form.hooks.iter().map(move |(at, link)| {
@@ -202,7 +202,7 @@ impl Body {
         })
     }
 
-    /// Lowest point, metres.
+    /// Height of its lowest point, metres.
     pub(crate) fn base(&self) -> f32 {
         self.region.low.z
     }
@@ -224,8 +224,8 @@ fn placed(piece: &Piece, frame: &Isometry3<f32>, scale: &Vector3<f32>) -> Solid 
     put(piece, frame.rotation.to_rotation_matrix().matrix(), &frame.translation.vector, scale)
 }
 
-/// A piece in the world. Scaling is along the asset's axes; a piece turned against them
-/// keeps right angles and gets the lengths of its scaled axes.
+/// Places a piece in the world. Scaling is along the asset's axes; a piece turned against them keeps its right
+/// angles and gets the lengths of its scaled axes.
 fn put(piece: &Piece, turn: &Matrix3<f32>, at: &Vector3<f32>, scale: &Vector3<f32>) -> Solid {
     if *scale == Vector3::repeat(1.0) {
         return Solid::new(turn * piece.centre + at, turn * piece.axes, piece.half, piece.round);

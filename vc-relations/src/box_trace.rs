@@ -7,8 +7,8 @@
 //! then it is inside of it, otherwise it is under what the +Z trace hits. The rest of the
 //! box traces are used to determine an object's proximity to other objects."
 //!
-//! As the engine does it: the whole box is swept, the first hit counts, and what overlaps the
-//! box at the start is hit at once.
+//! As in the game engine, the whole box is swept, the first hit counts, and anything that overlaps the box at
+//! the start is hit at once.
 
 use nalgebra::Vector3;
 use vc_graph::{Edge, NodeId, Relation};
@@ -25,16 +25,16 @@ use crate::world::World;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Trace {
-    /// To a side of the object.
+    /// Towards a side of the object.
     Side(Side),
-    /// Up, whichever way the object is turned.
+    /// Up in the world, however the object is turned.
     Up,
-    /// Down, whichever way the object is turned.
+    /// Down in the world, however the object is turned.
     Down,
 }
 
 impl Trace {
-    /// All six.
+    /// All six traces.
     pub const ALL: [Self; 6] = [
         Self::Side(Side::Front),
         Self::Side(Side::Back),
@@ -57,7 +57,7 @@ impl Trace {
     }
 }
 
-/// What a trace hit first, and how far it went, metres.
+/// The first body that a trace hits, and the distance to it, metres.
 pub(crate) fn trace(world: &World, index: usize, trace: Trace) -> Option<(usize, f32)> {
     let body = world.bodies[index].as_deref()?;
     let (along, limit) = trace.way(body);
@@ -83,7 +83,7 @@ fn nearest(whole: &Solid, target: &Body, along: &Vector3<f32>, limit: f32, regio
     hits.min_by(f32::total_cmp)
 }
 
-/// All relations by the thesis's rule, sorted. The building is supported by nothing.
+/// All relations by the thesis's rule, sorted. The building has no supports.
 pub(crate) fn edges(world: &World) -> Vec<Edge> {
     let mut edges = Vec::new();
     for index in 0..world.ids.len() {

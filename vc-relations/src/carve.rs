@@ -1,5 +1,5 @@
-//! Concave shapes as convex pieces: the fewest that keep hollows hollow and tops where
-//! they are, not a faithful likeness.
+//! Concave shapes as convex pieces: the fewest that keep hollows hollow and top surfaces in place, not a
+//! faithful approximation.
 
 use nalgebra::{Matrix3, Point3, Vector3};
 use vc_graph::portable::Portable;
@@ -9,18 +9,18 @@ use crate::region::{less, more};
 use crate::solid::Round;
 use crate::threshold::{AXIS_HOLE, COLUMNS, FULL_MESH, SLICES, STAVES, THIN_SLICE};
 
-/// How far beside a triangle, in columns, it is still asked what is over it.
+/// Extra width around a triangle, in columns, for the search of columns below or above it.
 const BESIDE: f32 = 0.01;
 
 type Put<'a> = &'a mut dyn FnMut(Vector3<f32>, Matrix3<f32>, Vector3<f32>, Round);
 
-/// A turned profile: discs where it is full, rings of staves where it is hollow.
+/// A lathe shape: discs where it is solid, rings of staves where it is hollow.
 pub(crate) fn lathe(profile: &[(f32, f32)], put: Put<'_>) {
     for (low, high) in slices(profile.iter().map(|p| p.1)) {
         let (centre, half) = (f32::midpoint(low, high), (high - low) / 2.0);
         let cuts = crossings(profile, centre);
         let Some(&outer) = cuts.last() else { continue };
-        // Closed to the axis by flat discs: an odd number of crossings is a full middle.
+        // The profile is closed to the axis by flat discs: an odd number of crossings means a solid middle.
         let inner = if cuts.len() % 2 == 1 { 0.0 } else { cuts[0] };
         let at = Vector3::z() * centre;
         if inner < AXIS_HOLE * outer {
@@ -41,7 +41,7 @@ fn ring(at: Vector3<f32>, inner: f32, outer: f32, half: f32, put: Put<'_>) {
     }
 }
 
-/// Heights between which a shape is cut: its own, thinned out where there are many.
+/// Heights at which a shape is sliced: its own levels, thinned out where there are many.
 fn slices(levels: impl Iterator<Item = f32>) -> Vec<(f32, f32)> {
     let mut levels: Vec<f32> = levels.collect();
     levels.sort_by(f32::total_cmp);
@@ -52,7 +52,7 @@ fn slices(levels: impl Iterator<Item = f32>) -> Vec<(f32, f32)> {
     levels.windows(2).map(|w| (w[0], w[1])).collect()
 }
 
-/// Where a line at `height` crosses a path, the second coordinate being the height.
+/// The crossings of a horizontal line at `height` with a path, whose second coordinate is the height.
 fn crossings(path: &[(f32, f32)], height: f32) -> Vec<f32> {
     let edges = path.windows(2).map(|w| (w[0], w[1]));
     let mut cuts: Vec<f32> = edges.filter_map(|(a, b)| crossing(a, b, height)).collect();
@@ -65,7 +65,7 @@ fn crossing(a: (f32, f32), b: (f32, f32), height: f32) -> Option<f32> {
     crosses.then(|| a.0 + (b.0 - a.0) * (height - a.1) / (b.1 - a.1))
 }
 
-/// An outline drawn up: boxes over slices of the outline, exact for right-angled ones.
+/// An extruded outline as boxes over slices of the outline; exact for right-angled ones.
 pub(crate) fn extrusion(outline: &[(f32, f32)], height: f32, put: Put<'_>) {
     let mut closed = outline.to_vec();
     closed.extend(outline.first());
@@ -79,7 +79,7 @@ pub(crate) fn extrusion(outline: &[(f32, f32)], height: f32, put: Put<'_>) {
     }
 }
 
-/// A mesh: its box where it nearly fills that, else columns over a grid.
+/// A mesh as its box if it nearly fills that, otherwise as columns over a grid.
 pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_>) {
     let Some(first) = vertices.first() else { return };
     let (low, high) = vertices.iter().fold((*first, *first), |(l, h), v| (l.inf(v), h.sup(v)));
@@ -112,8 +112,8 @@ pub(crate) fn mesh(vertices: &[Point3<f32>], triangles: &[[u32; 3]], put: Put<'_
     }
 }
 
-/// Where the vertical lines in the middles of all columns cross a mesh, by column and from below:
-/// each triangle is asked only about columns that its own box reaches.
+/// Heights at which the vertical lines through the centres of all columns cross a mesh, by column and from
+/// below. Each triangle is tested only against columns within its bounding box.
 fn crossings_of_columns(
     corners: &[[Point3<f32>; 3]],
     low: &Point3<f32>,
@@ -123,7 +123,7 @@ fn crossings_of_columns(
     let mut found = Vec::with_capacity(4 * COLUMNS * COLUMNS);
     let per = step.map(|s| 1.0 / s.max(f32::MIN_POSITIVE));
     for triangle in corners {
-        // The middles between its ends, and a little more: rounding.
+        // The column centres within its bounds, and a little more to allow for rounding.
         let range = |axis: usize| {
             let [a, b, c] = triangle.map(|p| (p[axis] - low[axis]) * per[axis]);
             let first = (less(less(a, b), c) + (0.5 - BESIDE)).max(0.0) as usize;

@@ -1,24 +1,22 @@
-//! Distance between two boxes that may lean.
+//! Distance between two oriented boxes.
 
 use nalgebra::Vector3;
 
 use crate::region::less;
 use crate::solid::Solid;
 
-/// How far two boxes are apart, metres; zero where they overlap. Exact. Costs about a
-/// microsecond.
+/// Distance between two boxes, metres; zero if they overlap. Exact. Costs about a microsecond.
 pub(crate) fn distance(a: &Solid, b: &Solid) -> f32 {
     let apart = crate::solid::gap(a, b, f32::INFINITY);
     if apart <= 0.0 { 0.0 } else { features(a, b, apart) }
 }
 
-/// The least distance of corners from boxes and edges from edges, of boxes that do not
-/// overlap.
+/// The least distance of corners from boxes and of edges from edges, for boxes that do not overlap.
 ///
-/// Where two edges are nearest between their ends, the way from one to the other is across both,
-/// and no other edge of either box is farther along it. So for each two axes only the edges that
-/// lie outermost across both are measured; none where a corner is as near as the boxes are apart
-/// along some axis.
+/// If two edges are nearest between their ends, the segment that connects the nearest points is perpendicular
+/// to both, and no other edge of either box lies farther along it. So for each pair of axes only the edges that
+/// lie outermost along their cross product are measured. No edges are measured if a corner is as near as the
+/// boxes are apart along some axis.
 fn features(a: &Solid, b: &Solid, apart: f32) -> f32 {
     let corner = |of: &Solid, to: &Solid| {
         of.corners(1.0).iter().map(|c| (to.nearest(c) - c).norm_squared()).fold(f32::INFINITY, less)
@@ -40,15 +38,15 @@ fn features(a: &Solid, b: &Solid, apart: f32) -> f32 {
     least.sqrt()
 }
 
-/// How much farther than that a corner may be by rounding, metres.
+/// Rounding error by which a corner may be farther away than that, metres.
 const ROUNDING: f32 = 1e-6;
-/// Square of the sine up to which axes are parallel: then corners are as near as edges.
+/// Square of the sine up to which axes count as parallel: corners are then as near as edges.
 const PARALLEL: f32 = 1e-10;
-/// Sine of the angle up to which edges lie as far out as others.
+/// Sine of the angle up to which edges count as equally far out.
 const LEVEL: f32 = 1e-3;
 
-/// Calls `visit` with the edges along an axis that lie farthest in a direction: with one, or
-/// with all that are about as far.
+/// Calls `visit` with the edges parallel to an axis that lie farthest in a direction: with one, or with all
+/// that are about equally far.
 fn each_outermost(s: &Solid, along: usize, towards: &Vector3<f32>, mut visit: impl FnMut(&Segment)) {
     let axis = |i: usize| s.axes.column(i % 3) * s.half[i % 3];
     let (long, slack) = (axis(along), LEVEL * towards.norm());
@@ -67,7 +65,7 @@ fn each_outermost(s: &Solid, along: usize, towards: &Vector3<f32>, mut visit: im
 
 type Segment = (Vector3<f32>, Vector3<f32>);
 
-/// Square of the distance of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
+/// Squared distance between two segments (Ericson, Real-Time Collision Detection, 5.1.9).
 fn between_squared(e: &Segment, f: &Segment) -> f32 {
     let (d1, d2, r) = (e.1 - e.0, f.1 - f.0, e.0 - f.0);
     let (a, c, b) = (d1.norm_squared(), d2.norm_squared(), d1.dot(&d2));

@@ -1,4 +1,4 @@
-//! From facts to relations: the repaired rule.
+//! The repaired rule: relations from pair facts.
 
 use vc_graph::{Edge, Relation};
 
@@ -30,8 +30,7 @@ impl<'w> Reader<'w> {
         self.supports.world
     }
 
-    /// All edges that start at a body, sorted. They come about in their order, so that
-    /// sorting has little to do.
+    /// Adds all edges that start at a body, sorted. They are produced nearly in order, so that sorting is fast.
     pub(crate) fn edges(&self, index: usize, out: &mut Vec<Edge>) {
         let start = out.len();
         let Some(body) = &self.world().bodies[index] else { return };
@@ -53,7 +52,7 @@ impl<'w> Reader<'w> {
         out[start..].sort_unstable();
     }
 
-    /// On, inside, sitting and lying: of two nodes at most one of these.
+    /// On, inside, sitting and lying: at most one of these holds between two nodes.
     fn placed(&self, index: usize, body: &Body, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
         let world = self.world();
         let seat = self.seat(index, body);
@@ -71,7 +70,7 @@ impl<'w> Reader<'w> {
         }
     }
 
-    /// What an agent sits or lies on.
+    /// The seat or bed of an agent that sits or lies.
     pub(crate) fn seat(&self, index: usize, body: &Body) -> Option<(Relation, usize)> {
         if !body.traits.agent {
             return None;
@@ -90,8 +89,8 @@ impl<'w> Reader<'w> {
         Some((Relation::SittingOn, seat.other as usize))
     }
 
-    /// What a body is under: the nearest thing above that does not rest on it or in it.
-    /// What holds or carries it shades it from all further.
+    /// The body that another is under: the nearest thing above that does not rest on it or in it. A container
+    /// or support above it shields it from everything further up.
     pub(crate) fn over(&self, index: usize) -> Option<usize> {
         let world = self.world();
         let above = world.pairs[index].iter().filter(|p| p.over.is_finite());
@@ -124,7 +123,7 @@ impl<'w> Reader<'w> {
         }
     }
 
-    /// Things to look at that an agent or seat faces: within its field, not behind a wall.
+    /// Lookable things that an agent or a seat faces: within its field of view, and not behind a wall.
     fn facing(&self, index: usize, body: &Body, add: &mut impl FnMut(Relation, vc_graph::NodeId)) {
         if !sight::can_face(body) {
             return;
@@ -141,7 +140,7 @@ impl<'w> Reader<'w> {
     }
 }
 
-/// The relation for near at a side.
+/// The relation of being near at a side.
 pub(crate) fn toward(side: Side) -> Relation {
     match side {
         Side::Front => Relation::NearFront,

@@ -1,4 +1,4 @@
-//! What cannot be read: numbers that no scene can have.
+//! Input errors: numbers that no scene can have.
 
 use std::fmt;
 use std::sync::Arc;
@@ -8,65 +8,65 @@ use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Label, Node, NodeId, Relation
 use crate::evidence::Evidence;
 use crate::threshold::{ROTATION_SLACK, WORLD_REACH};
 
-/// One thing that is wrong with a scene or with what is said about it.
+/// A flaw of a scene, or of the evidence about it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Flaw {
     /// A number is not finite.
     #[error("{what} of {node} is not finite")]
     NotFinite {
-        /// Which node.
+        /// The node.
         node: Label,
-        /// What of it.
+        /// The quantity.
         what: &'static str,
     },
-    /// A place or size beyond what single precision resolves to a millimetre.
+    /// A coordinate or size at which single precision no longer resolves a millimetre.
     #[error("{what} of {node} is {} m, more than {WORLD_REACH} m", short(*.value))]
     TooFar {
-        /// Which node.
+        /// The node.
         node: Label,
-        /// What of it.
+        /// The quantity.
         what: &'static str,
-        /// What it is, metres.
+        /// Its value, metres.
         value: f32,
     },
-    /// A size below zero, or a scale of zero.
-    #[error("{what} of {node} is {}: nothing is of that size", short(*.value))]
+    /// A negative size, or a scale of zero.
+    #[error("{what} of {node} is {}, which is not a valid size", short(*.value))]
     NoSize {
-        /// Which node.
+        /// The node.
         node: Label,
-        /// What of it.
+        /// The quantity.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: f32,
     },
-    /// A shape beyond what single precision resolves to a millimetre.
+    /// An asset so large that single precision no longer resolves a millimetre.
     #[error("asset `{name}` reaches {} m from its origin, more than {WORLD_REACH} m", short(*.value))]
     HugeAsset {
         /// The asset's name.
         name: Arc<str>,
-        /// How far it reaches, metres.
+        /// Its greatest coordinate, metres.
         value: f32,
     },
-    /// The rotation of a pose is none.
+    /// The rotation of a pose is not a unit quaternion.
     #[error("the rotation of {node} has length {length} instead of 1")]
     NoRotation {
-        /// Which node.
+        /// The node.
         node: Label,
         /// Length of its quaternion.
         length: f32,
     },
-    /// An edge of the evidence says neither who holds nor who wears something.
+    /// An edge of the evidence has a relation other than holding and wearing.
     #[error("evidence: {} {:?} {} is neither holding nor wearing", .0.from, .0.relation, .0.to)]
     NotHolding(Edge),
 }
 
-/// A number in a few digits.
+/// Formats a number with few digits.
 fn short(value: f32) -> String {
     if value == 0.0 || (1e-3..1e7).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
-/// Everything that keeps a scene from being read; never empty.
+/// All flaws that keep a scene from being read; never empty.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InputError {
     /// All flaws, by node.
@@ -97,7 +97,7 @@ pub(crate) fn check_scene(graph: &SceneGraph) -> Result<(), InputError> {
 }
 
 /// # Errors
-/// Every flaw of these nodes; those that are not there have none.
+/// Every flaw of these nodes; nodes that do not exist have none.
 pub(crate) fn check_nodes(graph: &SceneGraph, ids: &[NodeId]) -> Result<(), InputError> {
     let mut flaws = Vec::new();
     ids.iter().filter_map(|id| graph.node(*id)).for_each(|node| check_node(node, &mut flaws));
@@ -105,7 +105,7 @@ pub(crate) fn check_nodes(graph: &SceneGraph, ids: &[NodeId]) -> Result<(), Inpu
 }
 
 /// # Errors
-/// Every asset that is too large; other figures the library has checked when it got them.
+/// Every asset that is too large; the library has already checked the other numbers of its assets.
 pub(crate) fn check_assets(library: &AssetLibrary) -> Result<(), InputError> {
     let asset = |i: usize| library.get(AssetId(i as u32));
     let flaw = |asset: &Arc<Asset>| {
@@ -144,8 +144,7 @@ fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f
 }
 
 /// # Errors
-/// Every flaw of what is said beside the geometry. Nodes that the scene does not have are
-/// passed over: they may come later.
+/// Every flaw of the evidence. Nodes that are not in the scene are ignored, as they may be added later.
 pub(crate) fn check_evidence(graph: &SceneGraph, evidence: &Evidence) -> Result<(), InputError> {
     let not_finite = |id, what| Flaw::NotFinite { node: graph.label(id), what };
     let contacts = evidence.contacts.iter().filter(|c| !c.impulse.iter().all(|v| v.is_finite()));

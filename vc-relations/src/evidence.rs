@@ -1,32 +1,32 @@
-//! What geometry cannot tell and the caller may: contacts, joints, what is held.
+//! Evidence: facts that geometry cannot provide but the caller may, about contacts, joints and held things.
 
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 use vc_graph::{Edge, NodeId};
 
-/// One contact between two things, as a physics world reports it.
+/// A contact between two things, as reported by a physics engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// The two things.
     pub between: (NodeId, NodeId),
-    /// Impulse (or force) on the second of them, in world axes, newton seconds; only
-    /// ratios between contacts of one thing count.
+    /// Impulse (or force) on the second thing, in world axes, newton seconds; only the ratios between contacts
+    /// of one thing matter.
     pub impulse: Vector3<f32>,
 }
 
-/// A thing that a joint holds to another: a door node to its wall, a drawer node to its
-/// cabinet. The joint takes the place of a support.
+/// A joint that attaches one thing to another: a door node to its wall, a drawer node to its cabinet. The joint
+/// takes the place of a support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Attachment {
-    /// What is held.
+    /// The attached thing.
     pub child: NodeId,
-    /// What holds it.
+    /// The thing that it is attached to.
     pub parent: NodeId,
 }
 
-/// Plain data beside the geometry. All of it is optional; without any, relations come
-/// from poses and shapes alone, and from what the graph itself says to be held and worn.
+/// Plain data beside the geometry. All of it is optional: without any, relations are read only from poses and
+/// shapes, and from the graph's own edges of holding and wearing.
 ///
 /// ```
 /// use vc_graph::NodeId;
@@ -37,21 +37,20 @@ pub struct Attachment {
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Evidence {
-    /// Contacts of a physics world, sleeping ones included. A thing that has contacts here
-    /// rests on those that push it up, whatever the traces say.
+    /// Contacts of a physics engine, sleeping ones included. A thing that has contacts here rests on those that
+    /// push it up, regardless of the traces.
     pub contacts: Vec<Contact>,
-    /// What joints hold.
+    /// Attachments by joints.
     pub attachments: Vec<Attachment>,
-    /// Where the moving parts of an asset are: by node and number of the joint (in the
-    /// order in which the asset's parts name different ones), metres or radians. Missing
-    /// ones are at zero.
+    /// Positions of joints within assets, by node and joint number (in the order in which the asset's parts
+    /// first use different joints), metres or radians. Missing ones are zero.
     pub positions: BTreeMap<(NodeId, u32), f32>,
-    /// Edges that are so by fiat: holds right or left, worn by. They add to the graph's.
+    /// Given edges: held in the right or left hand, worn by. They are added to the graph's.
     pub held: Vec<Edge>,
 }
 
 impl Evidence {
-    /// Adds what a joint holds.
+    /// Adds an attachment by a joint.
     #[must_use]
     pub fn attached(mut self, attachment: Attachment) -> Self {
         self.attachments.push(attachment);
@@ -65,14 +64,14 @@ impl Evidence {
         self
     }
 
-    /// Sets where a moving part is.
+    /// Sets the position of a joint.
     #[must_use]
     pub fn positioned(mut self, node: NodeId, joint: u32, position: f32) -> Self {
         self.positions.insert((node, joint), position);
         self
     }
 
-    /// Adds something held or worn.
+    /// Adds an edge of holding or wearing.
     #[must_use]
     pub fn holding(mut self, edge: Edge) -> Self {
         self.held.push(edge);

@@ -1,4 +1,4 @@
-//! Finding out why a relation holds between two things, or does not.
+//! Explanations of why a relation between two things holds or does not.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Edge, NodeId};
@@ -16,12 +16,12 @@ use crate::support::Ground;
 use crate::threshold::{HOOK_REACH, ROOM_MARGIN, SUPPORT_NORMAL, SUPPORT_SINK, UNDER_REACH};
 
 impl Relations {
-    /// Why relations hold from one thing to another or to a room, or do not. `None` if the
-    /// thing has no pose or no shape, or the other is neither a room nor has both. Costs some
+    /// Explains which relations hold from one thing to another or to a room, and why others do not. `None` if
+    /// the thing has no pose or no shape, or if the other is neither a room nor a thing with both. Costs some
     /// ten microseconds.
     ///
-    /// Hits, supports, seats, hooks and looks are those of the repaired rule, and empty by
-    /// another; [`Rule::BoxTrace`] has its six traces instead.
+    /// Hits, supports, seats, hooks and sights are those of the repaired rule, and empty under another rule;
+    /// [`Rule::BoxTrace`] has its six traces instead.
     pub fn explain(&self, from: NodeId, to: NodeId) -> Option<Explanation> {
         let (i, j) = (self.world.index(from)?, self.world.index(to)?);
         let (a, b) = (self.world.bodies[i].as_deref()?, self.world.bodies[j].as_deref());
@@ -34,7 +34,7 @@ impl Relations {
         Some(why)
     }
 
-    /// What one thing is by itself and among all others.
+    /// The facts about one thing by itself and among all others.
     fn alone(&self, index: usize, body: &Body, to: NodeId) -> Explanation {
         let repaired = self.rule() == Rule::Repaired;
         let reader = Reader::new(&self.world, &self.facts);
@@ -66,7 +66,7 @@ impl Relations {
         }
     }
 
-    /// What it is to the other.
+    /// Adds the facts about the pair of the two things.
     fn beside(&self, (i, a): (usize, &Body), (j, b): (usize, &Body), why: &mut Explanation) {
         let pair = self.world.pair(i, j);
         let finite = |v: Option<f32>| v.filter(|v| v.is_finite());
@@ -179,7 +179,7 @@ impl Relations {
     }
 }
 
-/// The middle of what is over both of two regions, at some height.
+/// Centre of the overlap of two regions in plan, at a given height.
 fn over_both(a: &Region, b: &Region, height: f32) -> Point3<f32> {
     let (low, high) = (a.low.sup(&b.low), a.high.inf(&b.high));
     Point3::new(f32::midpoint(low.x, high.x), f32::midpoint(low.y, high.y), height)

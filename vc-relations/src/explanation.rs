@@ -1,4 +1,4 @@
-//! Why a relation holds between two things, or does not: as data and in sentences.
+//! Why a relation between two things holds or does not, as data and in sentences.
 
 use std::fmt;
 
@@ -10,148 +10,147 @@ use crate::near::Side;
 use crate::support::{Ground, Support};
 use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, TOUCH_GAP};
 
-/// What became of a hit, a look, a seat or a hook.
+/// The outcome for a hit, a sight, a seat or a hook.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Verdict {
-    /// It makes the relation.
+    /// It establishes the relation.
     Counts,
-    /// It is farther than it may be.
+    /// It is too far away.
     TooFar,
-    /// It is sunk in deeper than a support gives.
+    /// It has sunk in deeper than a support gives way.
     TooDeep,
     /// The contact is too steep to carry: the thing leans there.
     TooSteep,
-    /// What was hit is inside the traced thing, or in its hull.
+    /// The hit thing is inside the traced thing, or in its hull.
     Content,
     /// Something else is a nearer support or seat, or joints, contacts or hands decide.
     Outranked,
-    /// What was hit rests on the traced thing.
+    /// The hit thing rests on the traced thing.
     Carried,
-    /// What was hit holds or carries the traced thing, or is the building.
+    /// The hit thing contains or supports the traced thing, or is part of the building.
     Shade,
     /// Something nearer is above.
     Shaded,
-    /// It is outside the field that is faced, or not under who might sit on it.
+    /// It is outside the field of view, or not under the agent that might sit on it.
     Aside,
-    /// Part of the building is between.
+    /// Part of the building is in between.
     Walled,
-    /// The seat is not at the height of the hips, or the hook at the lower half.
+    /// The seat is not at hip height, or the hook is at the lower half.
     WrongHeight,
-    /// One of the two is not made for it: no seat, nothing to look at, nobody who looks.
+    /// One of the two is unsuitable: not a seat, not lookable, or not an agent or seat that looks.
     Unfit,
 }
 
-/// Where a vertical trace met something.
+/// A hit of a vertical trace.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
-    /// What it met.
+    /// The thing that it hit.
     pub what: NodeId,
-    /// Number of the traced thing's convex piece, none where the middle of its box was traced,
-    /// and of the one that was met.
+    /// Index of the traced thing's convex piece (none if the centre of its box was traced), and of the piece
+    /// that was hit.
     pub pieces: (Option<usize>, usize),
-    /// How far it went from the face (down) or from the middle (up), metres; negative where
-    /// one is sunk into the other.
+    /// Distance from the piece's face (down) or from the centre (up), metres; negative if one has sunk into the
+    /// other.
     pub distance: f32,
-    /// About where, in the world, metres.
+    /// Approximate point in the world, metres.
     pub at: Point3<f32>,
-    /// The contact's normal, towards the traced thing.
+    /// Normal of the contact, towards the traced thing.
     pub normal: Vector3<f32>,
-    /// What became of it.
+    /// Its outcome.
     pub verdict: Verdict,
 }
 
-/// How far a thing is within one of another's hollows.
+/// The extent to which a thing is within one of another's hollows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Within {
-    /// Whether its centre is in it, or over its rim by no more than content may be.
+    /// Whether its centre is in the hollow, or above its rim by no more than content may be.
     pub centre: bool,
-    /// How many of its eight corners are in it; four are needed.
+    /// Number of its eight corners that are in the hollow; four are needed.
     pub corners: u32,
 }
 
-/// How one thing is to another's front, from above.
+/// Position of one thing relative to another's front, in plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sight {
-    /// Angle between the front and the way to the other, radians; half a turn where the front
-    /// points straight up or down.
+    /// Angle between the front and the direction to the other thing, radians; half a turn if the front points
+    /// straight up or down.
     pub angle: f32,
-    /// From centre to centre, metres.
+    /// Distance between the centres, metres.
     pub distance: f32,
-    /// Whether it is faced.
+    /// Whether the thing is faced, or why not.
     pub verdict: Verdict,
 }
 
-/// How something is to sit or lie on.
+/// A seat or bed for an agent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seat {
-    /// Where its top is under the agent's middle, as a share of the agent's height from below;
-    /// none where it is not under the middle.
+    /// Height of its top under the agent's centre, as a share of the agent's height from below; none if it is
+    /// not under the centre.
     pub share: Option<f32>,
-    /// Whether the agent sits or lies there.
+    /// Whether the agent sits or lies there, or why not.
     pub verdict: Verdict,
 }
 
-/// The hook of another thing on which one hangs, or comes nearest to hanging.
+/// The hook of another thing on which a thing hangs, or comes nearest to hanging.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hook {
-    /// Where it is, metres.
+    /// Its position, metres.
     pub at: Point3<f32>,
-    /// How far from the box of what might hang on it, metres.
+    /// Distance from the box of the thing that might hang on it, metres.
     pub distance: f32,
-    /// Whether it hangs there.
+    /// Whether the thing hangs there, or why not.
     pub verdict: Verdict,
 }
 
-/// One of the thesis's six traces, and what it hit first.
+/// One of the thesis's six traces, and its first hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Traced {
-    /// Which way it went.
+    /// The direction of the trace.
     pub trace: Trace,
-    /// What it hit, and after how many metres; zero for what overlapped at the start.
+    /// The thing it hit and the distance, metres; zero if they overlapped at the start.
     pub hit: Option<(NodeId, f32)>,
 }
 
-/// Everything that decides about the relations from one thing to another. What only the
-/// repaired rule asks is empty by another rule.
+/// Everything that decides the relations from one thing to another. Facts used only by the repaired rule are
+/// empty under another rule.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explanation {
-    /// The thing asked about.
+    /// The thing in question.
     pub from: NodeId,
-    /// The other.
+    /// The other thing, or a room.
     pub to: NodeId,
-    /// The relations that hold from one to the other.
+    /// The relations that hold from the first to the second.
     pub holds: Vec<Relation>,
     /// By the thesis's rule, its six traces.
     pub traces: Vec<Traced>,
-    /// What the traces down from the thing's pieces met, nearest first: for each other
-    /// thing its best contact. By the repaired rule.
+    /// Hits of the traces down from the thing's pieces, nearest first: for each other thing the best contact.
+    /// By the repaired rule.
     pub down: Vec<Hit>,
-    /// What the trace up from its middle met, nearest first. By the repaired rule.
+    /// Hits of the trace up from its centre, nearest first. By the repaired rule.
     pub up: Vec<Hit>,
-    /// What it rests on in the end, and how that is known. By the repaired rule.
+    /// The supports that it rests on in the end, and how they are known. By the repaired rule.
     pub supports: Vec<Support>,
-    /// The hands and bodies that hold or wear it: then it rests on nothing.
+    /// Edges of holding or wearing it; if there are any, it rests on nothing.
     pub held: Vec<Edge>,
-    /// How an agent is on the other as on a seat or bed; none for what is no agent. By the
-    /// repaired rule.
+    /// The other thing as a seat or bed of an agent; none if the thing is not an agent. By the repaired rule.
     pub seat: Option<Seat>,
-    /// How it is to the nearest hook of the other, if that has any. By the repaired rule.
+    /// The nearest hook of the other thing, if it has any. By the repaired rule.
     pub hook: Option<Hook>,
-    /// How the other is to its front; none between a thing and a room. By the repaired rule.
+    /// The other thing relative to the front; none between a thing and a room. By the repaired rule.
     pub sight: Option<Sight>,
-    /// How far its centre is within rooms, metres, negative outside, the deepest first: those
-    /// that it may be in, and the one asked about.
+    /// Depth of its centre within rooms, metres, negative outside, the deepest first: the rooms that it may be
+    /// in, and the one in question.
     pub rooms: Vec<(NodeId, f32)>,
-    /// For a door, where rooms are looked for on its two sides, metres, and those that are there.
+    /// For a door, the points at which rooms are searched on its two sides, metres, and the rooms found.
     pub sides: Vec<(Point3<f32>, Option<NodeId>)>,
-    /// How far it is within each hollow of the other.
+    /// The extent to which it is within each hollow of the other thing.
     pub within: Vec<Within>,
     /// Gap between the nearest parts, metres; none beyond the distance at which things hang.
     pub gap: Option<f32>,
-    /// Distance of the boxes, metres; none beyond reach or behind a wall.
+    /// Distance between the boxes, metres; none beyond reach or behind a wall.
     pub distance: Option<f32>,
-    /// At which side of the thing the other is.
+    /// The side of the thing at which the other is.
     pub side: Option<Side>,
     /// Whether part of the building stands between them.
     pub walled: bool,
@@ -186,7 +185,7 @@ fn how(ground: Ground) -> &'static str {
     }
 }
 
-/// Centimetres with a tenth; none are shown as none, not as minus none.
+/// Centimetres with one decimal; adding zero avoids minus zero.
 fn cm(metres: f32) -> f32 {
     (metres * 1000.0).round() / 10.0 + 0.0
 }
@@ -202,7 +201,7 @@ fn way(trace: Trace) -> &'static str {
     }
 }
 
-/// Some sentences for people.
+/// A few readable sentences.
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let holds: Vec<&str> = self.holds.iter().map(|&r| vc_graph::Word::as_str(r)).collect();

@@ -1,4 +1,4 @@
-//! What is known beside the geometry: by joints, contacts and hands.
+//! Facts known beside the geometry: from joints, contacts and hands.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,21 +6,21 @@ use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 
 use crate::evidence::Evidence;
 
-/// The evidence in the order in which it is asked.
+/// The evidence, arranged for look-ups.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Facts {
     pub(crate) attached: BTreeMap<NodeId, Vec<NodeId>>,
-    /// The other way round: by what holds, what joints hold to it.
+    /// The inverse: for each parent the things attached to it.
     hinged: BTreeMap<NodeId, Vec<NodeId>>,
-    /// Upward impulse on a thing by each other.
+    /// Upward impulse on each thing by each other.
     pub(crate) pushed: BTreeMap<NodeId, BTreeMap<NodeId, f32>>,
-    /// What agents hold and wear: by thing, the edge.
+    /// Edges of holding and wearing, by thing.
     held: BTreeMap<NodeId, Vec<Edge>>,
     holding: BTreeMap<NodeId, Vec<Edge>>,
 }
 
 impl Facts {
-    /// What the caller says, and what agents hold and wear.
+    /// Collects the evidence, and the graph's edges of holding and wearing.
     pub(crate) fn of(graph: &SceneGraph, evidence: &Evidence) -> Self {
         let mut facts = Self::new(evidence);
         graph.agents().iter().flat_map(|&agent| hands_of(graph, agent)).for_each(|edge| facts.hold(edge));
@@ -29,7 +29,7 @@ impl Facts {
 
     fn new(evidence: &Evidence) -> Self {
         let mut facts = Self::default();
-        // Two hinges hold a door to one wall.
+        // A door with two hinges is attached to its wall once.
         for a in evidence.attachments.iter().collect::<BTreeSet<_>>() {
             facts.attached.entry(a.child).or_default().push(a.parent);
             facts.hinged.entry(a.parent).or_default().push(a.child);
@@ -47,7 +47,7 @@ impl Facts {
         facts
     }
 
-    /// Notes that something is held or worn; other relations do not count.
+    /// Adds an edge of holding or wearing; other relations are ignored.
     pub(crate) fn hold(&mut self, edge: Edge) {
         let thing = match edge.relation {
             Relation::HoldsRight | Relation::HoldsLeft => edge.to,
@@ -62,8 +62,7 @@ impl Facts {
         }
     }
 
-    /// Forgets what a node holds, wears, and is held and worn by, and says which edges these
-    /// were.
+    /// Removes all edges of holding and wearing at a node, and returns them.
     pub(crate) fn forget(&mut self, id: NodeId) -> Vec<Edge> {
         let mut forgotten = Vec::new();
         for map in [&mut self.held, &mut self.holding] {
@@ -76,13 +75,13 @@ impl Facts {
         forgotten
     }
 
-    /// What may rest on a node by joint or contact, wherever it is.
+    /// The nodes that may rest on a node by joint or contact, wherever they are.
     pub(crate) fn carried(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         let hinged = self.hinged.get(&id).into_iter().flatten().copied();
         hinged.chain(self.pushed.get(&id).into_iter().flat_map(|others| others.keys().copied()))
     }
 
-    /// By what hand or body a thing is held or worn.
+    /// The edges by which a thing is held or worn.
     pub(crate) fn held(&self, thing: NodeId) -> &[Edge] {
         self.held.get(&thing).map_or(&[], Vec::as_slice)
     }
@@ -93,7 +92,7 @@ impl Facts {
     }
 }
 
-/// Edges of holding and wearing at a node, whichever end it is.
+/// Edges of holding and wearing at a node, in either direction.
 pub(crate) fn hands_of(graph: &SceneGraph, id: NodeId) -> impl Iterator<Item = Edge> + '_ {
     let kinds = [Relation::HoldsRight, Relation::HoldsLeft, Relation::WornBy];
     let out = move |relation| graph.related(id, relation).map(move |to| Edge::new(id, relation, to));

@@ -1,5 +1,4 @@
-//! What relations need of an asset: convex pieces, hollows, hooks. Found once for each
-//! asset.
+//! The form of an asset: convex pieces, hollows and hooks, computed once for each asset.
 
 use std::sync::OnceLock;
 
@@ -12,14 +11,14 @@ use crate::hollow::{self, Cells};
 use crate::solid::{Round, Solid};
 use crate::threshold::{HOLLOW_LEAST, ROOF_LEAST};
 
-/// A convex piece in the asset's frame, joints at zero, metres.
+/// A convex piece in the asset's frame, with joints at zero, metres.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Piece {
     pub(crate) centre: Vector3<f32>,
     pub(crate) axes: Matrix3<f32>,
     pub(crate) half: Vector3<f32>,
     pub(crate) round: Round,
-    /// Which of the asset's joints it moves with.
+    /// Index of the joint that it moves with.
     pub(crate) link: Option<u32>,
 }
 
@@ -29,11 +28,11 @@ impl Piece {
     }
 }
 
-/// Room in an asset that holds things.
+/// A space in an asset that can hold things.
 #[derive(Debug, Clone)]
 pub(crate) struct Cavity {
     pub(crate) space: Space,
-    /// Whether nothing closes it above.
+    /// Whether it is open above.
     pub(crate) open: bool,
     pub(crate) link: Option<u32>,
 }
@@ -42,13 +41,13 @@ pub(crate) struct Cavity {
 pub(crate) enum Space {
     /// A box with the asset's axes.
     Box { centre: Vector3<f32>, half: Vector3<f32> },
-    /// Cells of a grid with one label.
+    /// The cells of a grid that have a label.
     Cells(std::sync::Arc<Cells>, u16),
 }
 
 impl Cavity {
-    /// Whether a point of the asset's frame is in it. `above` lets it be so far above the
-    /// rim, if it is open, metres.
+    /// Whether a point of the asset's frame is in the cavity. If the cavity is open, the point may also be up
+    /// to `above` metres above its rim.
     pub(crate) fn contains(&self, point: &Vector3<f32>, above: f32) -> bool {
         let above = if self.open { above } else { 0.0 };
         match &self.space {
@@ -60,7 +59,7 @@ impl Cavity {
         }
     }
 
-    /// Whether a corner may be there: in it, or in the wall around it.
+    /// Whether a content's corner may be at a point: in the cavity, or in the walls around it.
     pub(crate) fn admits(&self, point: &Vector3<f32>) -> bool {
         match &self.space {
             Space::Box { .. } => self.contains(point, 0.0),
@@ -69,14 +68,14 @@ impl Cavity {
     }
 }
 
-/// All of one asset.
+/// All relation-relevant geometry of an asset.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Form {
     pub(crate) pieces: Vec<Piece>,
     cavities: OnceLock<Vec<Cavity>>,
     pub(crate) hooks: Vec<(Vector3<f32>, Option<u32>)>,
     pub(crate) joints: Vec<Joint>,
-    /// Corners of the box around all pieces, joints at zero.
+    /// Corners of the box around all pieces, with joints at zero.
     pub(crate) low: Vector3<f32>,
     pub(crate) high: Vector3<f32>,
 }
@@ -105,14 +104,14 @@ impl Form {
         form
     }
 
-    /// Where it holds things: what its asset states, else what is found between its parts
-    /// when first asked for, which costs some ten microseconds.
+    /// Its cavities: those that the asset states, otherwise those found between its parts. The search runs on
+    /// first use and costs some ten microseconds.
     pub(crate) fn cavities(&self) -> &[Cavity] {
         self.cavities.get_or_init(|| hollow::find(self))
     }
 
-    /// Whether a point of the asset's frame may be in some cavity or over its rim: it is not
-    /// beside or below all of the asset.
+    /// Whether a point of the asset's frame may be in some cavity or above its rim; if false, it is beside or
+    /// below the whole asset.
     pub(crate) fn may_hold(&self, point: &Vector3<f32>) -> bool {
         let within = |i: usize| (self.low[i]..=self.high[i]).contains(&point[i]);
         match self.cavities.get() {
@@ -121,7 +120,7 @@ impl Form {
         }
     }
 
-    /// A container of which only the box is known.
+    /// The form of a node of which only the box is known.
     pub(crate) fn boxed(low: Vector3<f32>, high: Vector3<f32>, container: bool) -> Self {
         let (centre, half) = ((low + high) / 2.0, (high - low) / 2.0);
         let piece = Piece { centre, axes: Matrix3::identity(), half, round: Round::No, link: None };
@@ -144,7 +143,7 @@ impl Form {
         (self.low, self.high) = boxes.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1))).unwrap_or_default();
     }
 
-    /// The room over a surface that holds things inside.
+    /// The space above a surface that holds things inside.
     fn compartment(&self, surface: &Surface, link: Option<u32>) -> Option<Cavity> {
         let floor = surface.centre.z;
         let top = surface.clearance.map_or(self.high.z, |c| floor + c).max(floor + HOLLOW_LEAST);
@@ -155,7 +154,7 @@ impl Form {
         sound.then_some(Cavity { space: Space::Box { centre, half }, open, link })
     }
 
-    /// Whether something of the asset is above a point.
+    /// Whether a part of the asset is above a point.
     fn is_roofed(&self, point: &Vector3<f32>) -> bool {
         let over = |s: Solid| {
             (s.low.x..=s.high.x).contains(&point.x)
@@ -166,7 +165,7 @@ impl Form {
     }
 }
 
-/// Convex pieces that about fill a part's shape.
+/// Splits a part's shape into convex pieces that approximately fill it.
 fn pieces(part: &Part, push: &mut dyn FnMut(Piece)) {
     let turn = *part.pose.rotation.to_rotation_matrix().matrix();
     let at = part.pose.translation.vector;

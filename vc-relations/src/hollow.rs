@@ -1,4 +1,4 @@
-//! Hollows found from geometry: where an asset has a floor below and walls around.
+//! Hollows found from geometry: spaces in an asset with a floor below and walls around.
 
 use std::sync::Arc;
 
@@ -10,11 +10,11 @@ use crate::threshold::{
     GRID_EVENLY, GRID_FILL, GRID_PLANES, GRID_THINNEST, HOLLOW_DEPTH, HOLLOW_VOLUME, THROUGH_SHARE,
 };
 
-/// Label of a cell in which there is something of the asset.
+/// Label of a cell that contains part of the asset.
 const SOLID: u16 = u16::MAX;
 
-/// A grid over an asset, its planes where parts begin and end, so that for parts that are
-/// boxes it is exact. Each cell is free (zero), solid, or in a hollow.
+/// A grid over an asset with planes where its parts begin and end, so that it is exact for box-shaped parts.
+/// Each cell is free (zero), solid, or in a hollow.
 #[derive(Debug, Clone)]
 pub(crate) struct Cells {
     planes: [Vec<f32>; 3],
@@ -30,15 +30,14 @@ impl Cells {
         (z * self.count(1) + y) * self.count(0) + x
     }
 
-    /// The cell of a point, if it is in the grid.
+    /// The cell that contains a point, if it is in the grid.
     fn find(&self, point: &Vector3<f32>) -> Option<[usize; 3]> {
         let cell: [usize; 3] = std::array::from_fn(|i| self.planes[i].partition_point(|&p| p <= point[i]));
         let inside = |i: usize| cell[i] >= 1 && cell[i] <= self.count(i);
         (0..3).all(inside).then(|| cell.map(|c| c - 1))
     }
 
-    /// Whether a point is in the hollow of a label, or at most `above` over it with
-    /// nothing between.
+    /// Whether a point is in the hollow with a label, or at most `above` over it with nothing in between.
     pub(crate) fn contains(&self, point: &Vector3<f32>, label: u16, above: f32) -> bool {
         let top = self.planes[2][self.count(2)];
         let low = Vector3::new(point.x, point.y, point.z.min(top - GRID_THINNEST / 2.0));
@@ -55,7 +54,7 @@ impl Cells {
         false
     }
 
-    /// Whether a point is in the hollow or in what surrounds it.
+    /// Whether a point is in the hollow or in its walls.
     pub(crate) fn admits(&self, point: &Vector3<f32>, label: u16) -> bool {
         let here = self.find(point).map(|cell| self.labels[self.at(cell)]);
         here.is_some_and(|l| l == label || l == SOLID)
@@ -80,8 +79,8 @@ impl Cells {
         [at % self.count(0), at / self.count(0) % self.count(1), at / (self.count(0) * self.count(1))]
     }
 
-    /// Marks the cells that a solid reaches into. Of an upright prism, which most are, the
-    /// outline is the same at every height, and is asked once for each column of cells.
+    /// Marks the cells that a solid reaches into. Most solids are upright prisms; their outline is the same at
+    /// every height, and is tested once for each column of cells.
     fn fill(&mut self, solid: &Solid) {
         let range = |i: usize| {
             let start = self.planes[i].partition_point(|&p| p <= solid.low[i]).saturating_sub(1);
@@ -110,14 +109,14 @@ impl Cells {
         self.labels[at] = SOLID;
     }
 
-    /// What of a cell has to be met to count, a little less than all.
+    /// The part of a cell that a solid must reach into: a little less than all of it.
     fn probe(&self, cell: [usize; 3]) -> Solid {
         let centre = Vector3::from_fn(|i, _| self.middle(i, cell[i]));
         Solid::new(centre, Matrix3::identity(), self.size(cell) * (0.5 - GRID_FILL), Round::No)
     }
 
-    /// For every cell whether something solid is on its way out along an axis, one bit
-    /// for each of -X, +X, -Y, +Y, -Z, +Z.
+    /// For every cell, whether something solid lies in each direction, one bit for each of -X, +X, -Y, +Y, -Z,
+    /// +Z.
     fn walls(&self) -> Vec<u8> {
         let mut seen = vec![0_u8; self.labels.len()];
         let strides = [1, self.count(0), self.count(0) * self.count(1)];
@@ -139,7 +138,7 @@ impl Cells {
         seen
     }
 
-    /// Gives a label to all of the hollow around a cell and returns its cells.
+    /// Labels the whole hollow around a cell, and returns its cells.
     fn flood(&mut self, start: usize, label: u16, hollow: &[bool]) -> Vec<usize> {
         let mut met = vec![start];
         self.labels[start] = label;
@@ -164,7 +163,7 @@ impl Cells {
         met
     }
 
-    /// Whether some cells go through most of the asset along an axis.
+    /// Whether some cells span most of the asset along an axis.
     fn goes_through(&self, cells: &[usize], axis: usize) -> bool {
         let along = cells.iter().map(|&at| self.cell(at)[axis]);
         let (low, high) = along.fold((usize::MAX, 0), |(l, h), i| (l.min(i), h.max(i)));
@@ -183,7 +182,7 @@ impl Cells {
     }
 }
 
-/// Where parts begin and end along an axis, and some planes between.
+/// Planes where parts begin and end along an axis, and some planes in between.
 fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
     let (low, high) = (form.low[axis], form.high[axis]);
     let even = (0..=GRID_EVENLY).map(|i| low + (high - low) * i as f32 / GRID_EVENLY as f32);
@@ -192,7 +191,7 @@ fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
     planes.sort_by(f32::total_cmp);
     planes.dedup_by(|b, a| *b - *a < GRID_THINNEST);
     thin_out(&mut planes, GRID_PLANES);
-    // Even planes fill what is wide and free; faces are never lost to them.
+    // Evenly spaced planes subdivide wide free space; they never displace the planes of faces.
     let space = (high - low) / GRID_EVENLY as f32;
     let far = |p: &f32| planes.iter().all(|q| (p - q).abs() > space / 2.0);
     let more: Vec<f32> = even.filter(far).collect();
@@ -201,7 +200,7 @@ fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
     planes
 }
 
-/// Takes out planes where they are densest until at most `most` are left; both ends stay.
+/// Removes planes where they are densest until at most `most` are left; both ends stay.
 pub(crate) fn thin_out(planes: &mut Vec<f32>, most: usize) {
     while planes.len() > most.max(2) {
         let width = |i: &usize| planes[i + 1] - planes[i - 1];
@@ -210,11 +209,11 @@ pub(crate) fn thin_out(planes: &mut Vec<f32>, most: usize) {
     }
 }
 
-/// The hollows of an asset: free cells with something below and either four walls, or
-/// three walls and a roof (a shelf is open in front); then what is left with two walls that face each
-/// other and a roof, if it goes through most of the asset (a bookcase without a back, but not the strip
-/// between two legs over a table's lower board). Under a table nothing is below; on a
-/// sofa is no roof. Costs some hundred microseconds.
+/// Finds the hollows of an asset. These are free cells with something below and either four walls, or three
+/// walls and a roof (a shelf is open in front). Then, of the remaining cells, those with a floor, a roof and
+/// two opposite walls, if they span most of the asset (a bookcase without a back, but not the strip between two
+/// legs above a table's lower board). There is nothing below the space under a table, and no roof above a sofa.
+/// Costs some hundred microseconds.
 pub(crate) fn find(form: &Form) -> Vec<Cavity> {
     let solids: Vec<Solid> = form.pieces.iter().map(|p| Solid::new(p.centre, p.axes, p.half, p.round)).collect();
     let Some(mut cells) = Cells::over(form, &solids) else { return Vec::new() };
@@ -249,7 +248,7 @@ fn is_enclosed(walls: u8) -> bool {
     walls & FLOOR != 0 && (sides == 4 || (sides == 3 && walls & ROOF != 0))
 }
 
-/// Whether what is open along one level axis has walls along the other, a floor and a roof.
+/// Whether a cell that is open along one horizontal axis has walls along the other, a floor and a roof.
 fn is_tunnel(walls: u8, axis: usize) -> bool {
     let sides = 0b11 << (2 * (1 - axis));
     walls & FLOOR != 0 && walls & ROOF != 0 && walls & sides == sides

@@ -1,10 +1,10 @@
-//! Boxes side by side, of which several are compared at once.
+//! Boxes in structure-of-arrays layout, compared several at a time.
 
 use wide::f32x8;
 
 use crate::region::{Region, less, more};
 
-/// How many boxes are compared at once.
+/// Number of boxes compared together.
 pub(crate) const LANES: usize = 8;
 
 /// Eight boxes, coordinate by coordinate.
@@ -14,7 +14,7 @@ pub(crate) struct Group {
     high: [f32x8; 3],
 }
 
-/// A box with which groups are compared.
+/// A box to compare with groups.
 #[derive(Debug)]
 pub(crate) struct Probe {
     low: [f32x8; 3],
@@ -40,14 +40,14 @@ impl Group {
         }
     }
 
-    /// Which of the boxes meet another.
+    /// The boxes of the group that overlap another.
     #[inline]
     pub(crate) fn meeting(&self, probe: &Probe) -> Lanes {
         let along = |axis: usize| self.low[axis].simd_le(probe.high[axis]) & self.high[axis].simd_ge(probe.low[axis]);
         Lanes((along(0) & along(1) & along(2)).to_bitmask())
     }
 
-    /// The box around all.
+    /// The bounding box of the group.
     pub(crate) fn whole(&self) -> Region {
         let mut whole = Region::EMPTY;
         for axis in 0..3 {
@@ -58,19 +58,19 @@ impl Group {
     }
 }
 
-/// Boxes in groups, in their order; what is left of the last group meets nothing.
+/// Packs boxes into groups, in their order; unused lanes of the last group overlap nothing.
 pub(crate) fn grouped(regions: impl ExactSizeIterator<Item = Region>) -> Vec<Group> {
     let mut groups = vec![Group::EMPTY; regions.len().div_ceil(LANES)];
     regions.enumerate().for_each(|(at, region)| groups[at / LANES].put(at % LANES, &region));
     groups
 }
 
-/// Some boxes of a group, by number: one bit each.
+/// A subset of a group's boxes as a bit mask.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lanes(u32);
 
 impl Lanes {
-    /// Without those up to a number.
+    /// The subset without the lanes up to a number.
     pub(crate) fn after(self, lane: usize) -> Self {
         Self(self.0 & (u32::MAX << lane << 1))
     }

@@ -1,4 +1,4 @@
-//! How far two boxes are apart, and at which side of each other they are.
+//! Distance between two boxes, and the sides of each other at which they are.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 
@@ -26,11 +26,11 @@ pub enum Side {
 pub(crate) struct Beside {
     /// Metres.
     pub(crate) distance: f32,
-    /// At which side of the first the second is, and of the second the first.
+    /// The side of the first at which the second is, and the side of the second at which the first is.
     pub(crate) sides: [Option<Side>; 2],
 }
 
-/// Measures two bodies' boxes; `None` where they are too far apart.
+/// Measures the boxes of two bodies; `None` if they are too far apart.
 pub(crate) fn beside(a: &Body, b: &Body) -> Option<Beside> {
     let rise = more(a.whole.low.z - b.whole.high.z, b.whole.low.z - a.whole.high.z);
     let plan = (a.whole.upright && b.whole.upright).then(|| Plan::new(&a.whole, &b.whole));
@@ -48,8 +48,8 @@ pub(crate) fn beside(a: &Body, b: &Body) -> Option<Beside> {
     (distance <= NEAR_REACH).then(|| Beside { distance, sides: [seen[0].side(rise), seen[1].side(rise)] })
 }
 
-/// Another box along the own X and Y of one: where its centre is, and how far the two reach
-/// together, metres.
+/// Another box in a box's own X and Y: the position of its centre, and the sum of the half extents of the two,
+/// metres.
 #[derive(Clone, Copy)]
 struct Seen {
     at: Vector2<f32>,
@@ -68,9 +68,8 @@ impl Seen {
         self.at.abs() - self.reach
     }
 
-    /// At which side the other is: the one towards which it is farthest apart; where they
-    /// overlap, the one towards which its centre is off. None if it is above or below rather
-    /// than beside.
+    /// The side at which the other is: the one along which they are farthest apart; if they overlap, the one
+    /// towards which its centre is displaced. None if it is above or below rather than beside.
     fn side(&self, rise: f32) -> Option<Side> {
         let gaps = self.gaps();
         let apart = more(gaps.x, gaps.y);
@@ -90,10 +89,10 @@ impl Seen {
     }
 }
 
-/// Two upright boxes from above.
+/// Two upright boxes in plan view.
 struct Plan {
     seen: [Seen; 2],
-    /// The second's axes along the first's.
+    /// The second's axes relative to the first's.
     turn: Matrix2<f32>,
 }
 
@@ -109,7 +108,7 @@ impl Plan {
         Self { seen: [first, second], turn }
     }
 
-    /// Square of the distance of the two footprints.
+    /// Squared distance between the two footprints.
     fn distance_squared(&self, a: &Solid, b: &Solid) -> f32 {
         let [first, second] = self.seen.map(|s| s.gaps().map(|gap| more(gap, 0.0)));
         let cosine = self.turn[(0, 0)].abs();
@@ -119,13 +118,13 @@ impl Plan {
         if first.x + first.y + second.x + second.y == 0.0 {
             return 0.0;
         }
-        // Turned rectangles are apart where a corner of one is nearest to the other.
+        // For rotated rectangles the distance is that of a corner of one from the other.
         let back = self.turn.transpose();
         less(corner_distance(&self.seen[0], &self.turn, b, a), corner_distance(&self.seen[1], &back, a, b))
     }
 }
 
-/// Square of the least distance of a footprint's corners from the one it is seen from.
+/// Squared least distance of a footprint's corners from the footprint that `seen` refers to.
 fn corner_distance(seen: &Seen, turn: &Matrix2<f32>, corners_of: &Solid, from: &Solid) -> f32 {
     let (x, y) = (turn.column(0) * corners_of.half.x, turn.column(1) * corners_of.half.y);
     let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).map(|gap| more(gap, 0.0)).norm_squared();

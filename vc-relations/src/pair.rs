@@ -1,7 +1,7 @@
-//! What two bodies are to each other: everything that depends on just the two.
+//! Pair facts: everything that depends on just two bodies.
 //!
-//! All other modules only read these facts. So a moved body needs its own pairs measured
-//! again and nothing else, and the result is that of a full rebuild.
+//! All other modules only read these facts. After a body has moved, it therefore suffices to measure its own
+//! pairs again, and the result is that of a full rebuild.
 
 use nalgebra::Vector3;
 
@@ -15,22 +15,22 @@ use crate::threshold::{
 };
 use crate::walls::Among;
 
-/// What one body is to another. Fields that do not apply are infinite.
+/// Facts about one body in relation to another. Fields that do not apply are infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair {
-    /// Which body the other is.
+    /// Index of the other body.
     pub(crate) other: u32,
-    /// How far their parts are apart, metres; known up to [`HANG_GAP`].
+    /// Gap between their parts, metres; known up to [`HANG_GAP`].
     pub(crate) gap: f32,
-    /// How far their boxes are apart, metres; known up to [`NEAR_REACH`].
+    /// Distance between their boxes, metres; known up to [`NEAR_REACH`].
     pub(crate) distance: f32,
-    /// How far the other is below what rests on it, metres; negative if sunk in.
+    /// Distance from this body down to the other that it may rest on, metres; negative if sunk in.
     pub(crate) rest: f32,
-    /// How far the other is above the middle of this, metres.
+    /// Distance of the other above the centre of this body, metres.
     pub(crate) over: f32,
-    /// At which side of this the other is.
+    /// The side of this body at which the other is.
     pub(crate) side: Option<Side>,
-    /// Whether this is over the other.
+    /// Whether the other is below this body.
     pub(crate) is_below: bool,
     pub(crate) inside: bool,
     pub(crate) hooked: bool,
@@ -61,8 +61,8 @@ impl Pair {
     }
 }
 
-/// Measures two bodies, each from its own point of view; `None` where there is nothing to
-/// say from either. The walls are those that can be between the two.
+/// Measures two bodies, each from its own point of view; `None` if there are no facts for either. `walls` are
+/// those that can be between the two.
 pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Among<'_>) -> Option<(Pair, Pair)> {
     if a.traits.fixed && b.traits.fixed {
         return None;
@@ -91,7 +91,7 @@ pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Am
     (ab.says_something() || ba.says_something()).then_some((ab, ba))
 }
 
-/// Everything that needs them to be at each other.
+/// Measures all facts that require the two to be in contact or nearly so.
 fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
     (ab.inside, ba.inside) = (holds(b, a), holds(a, b));
     let apart = parts_gap(a, b);
@@ -115,8 +115,8 @@ pub(crate) fn holds(container: &Body, content: &Body) -> bool {
         && container.cavity_with(content).is_some()
 }
 
-/// Whether one body is in the hull of another, begins no lower and is no thin layer below
-/// it: books in a shelf whose board they nearly reach do not carry it.
+/// Whether one body is in the hull of another, does not begin lower, and is not just a thin layer at its
+/// bottom: books in a shelf that nearly reach the board above do not carry it.
 pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
     let own = outer.whole.axes.tr_mul(&(inner.whole.centre - outer.whole.centre)).abs();
     own.x <= outer.whole.half.x
@@ -126,7 +126,7 @@ pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
         && inner.region.high.z >= outer.base() + SUPPORT_SINK
 }
 
-/// The least gap between parts, up to [`HANG_GAP`]; negative where they overlap.
+/// The least gap between parts, up to [`HANG_GAP`]; negative if they overlap.
 fn parts_gap(a: &Body, b: &Body) -> f32 {
     let mut least = f32::INFINITY;
     let near: Vec<&Solid> = b.solids.iter().filter(|t| t.meets(&a.region, HANG_GAP)).collect();
@@ -135,7 +135,7 @@ fn parts_gap(a: &Body, b: &Body) -> f32 {
     }
     for s in a.solids.iter().filter(|s| s.meets(&b.region, HANG_GAP)) {
         for t in near.iter().filter(|t| t.meets(&s.region(), HANG_GAP)) {
-            // How much more than the least it is does not matter.
+            // The exact value matters only below the least gap so far.
             let apart = gap(s, t, least.min(HANG_GAP));
             if apart <= HANG_GAP {
                 least = least.min(apart);
@@ -148,7 +148,7 @@ fn parts_gap(a: &Body, b: &Body) -> f32 {
 /// A contact of one body's part on another's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Contact {
-    /// How far down it is, metres; negative if sunk in.
+    /// Distance down to the contact, metres; negative if sunk in.
     pub(crate) down: f32,
     /// The two parts.
     pub(crate) parts: (usize, usize),
@@ -168,7 +168,7 @@ pub(crate) fn rest(a: &Body, b: &Body) -> f32 {
             best = c.down;
         }
     });
-    // The seat of a sofa of which only the box is known is somewhere in its upper half.
+    // If only the box of a sofa is known, its seat is somewhere in the upper half.
     if best.is_infinite() && b.traits.vague && is_over_middle(a, b) { -SUPPORT_SINK } else { best }
 }
 
@@ -177,8 +177,8 @@ fn is_over_middle(a: &Body, b: &Body) -> bool {
     own.x <= b.whole.half.x && own.y <= b.whole.half.y && (b.whole.centre.z..=b.region.high.z).contains(&a.base())
 }
 
-/// Calls `found` with every contact that a trace down from a part finds within `limit` with
-/// one whose middle is lower.
+/// Calls `found` with every contact that a trace down from a part finds, within `limit`, with a part whose
+/// centre is lower.
 pub(crate) fn contacts(a: &Body, b: &Body, limit: f32, mut found: impl FnMut(Contact)) {
     let over = |s: &Solid| s.region().meets_in_plan(&b.region) && s.low.z - b.region.high.z <= limit;
     let under = |t: &Solid| t.region().meets_in_plan(&a.region) && a.region.low.z - t.high.z <= limit;
@@ -204,8 +204,7 @@ fn plans_apart(s: &Solid, t: &Solid) -> bool {
     s.low.x > t.high.x || s.high.x < t.low.x || s.low.y > t.high.y || s.high.y < t.low.y
 }
 
-/// How far a part is above another and the contact's normal, by a trace of its core
-/// straight down.
+/// Height of a part above another and the contact's normal, by a vertical trace of its core.
 fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, Vector3<f32>)> {
     let (full, thin) = ((part.high.z - part.low.z) / 2.0, (core.high.z - core.low.z) / 2.0);
     let raise = (TRACE_START - (full - thin)).max(0.0);
@@ -214,8 +213,8 @@ fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, 
     (strike.way >= 0.0).then_some((strike.way - raise - (full - thin), strike.normal))
 }
 
-/// How far another body is above the middle of this one and with which of its pieces, by a
-/// trace of the middle of its box straight up.
+/// Distance of another body above the centre of this one, and the piece of it that is hit, by a trace of the
+/// middle of this body's box straight up.
 pub(crate) fn over(a: &Body, b: &Body) -> Option<(f32, usize)> {
     let middle = a.whole.centre.z;
     if a.traits.structure || b.region.high.z <= middle || b.region.low.z > a.region.high.z + UNDER_REACH {
@@ -237,19 +236,19 @@ pub(crate) fn over(a: &Body, b: &Body) -> Option<(f32, usize)> {
     met.reduce(|best, other| if other.0 < best.0 { other } else { best })
 }
 
-/// What the trace up carries: the middle of the box, flat.
+/// The shape swept by the trace up: the middle of the box, flattened.
 pub(crate) fn middle_of(a: &Body) -> Solid {
     let mut half = a.whole.half * UNDER_CORE;
     half[a.whole.axes.row(2).abs().transpose().imax()] = 0.0;
     Solid::new(a.whole.centre, a.whole.axes, half, a.whole.round)
 }
 
-/// A hook of one body, from another that may hang on it.
+/// A hook of one body, relative to another body that may hang on it.
 pub(crate) struct Hooked {
     pub(crate) at: Vector3<f32>,
-    /// How far it is from the other's box, metres.
+    /// Its distance from the other's box, metres.
     pub(crate) distance: f32,
-    /// Whether it is at the upper half of that.
+    /// Whether it is at the upper half of that box.
     pub(crate) is_high: bool,
 }
 
@@ -259,7 +258,7 @@ impl Hooked {
     }
 }
 
-/// The hooks of one body as they are to another.
+/// The hooks of body `b` relative to body `a`.
 pub(crate) fn hooks(a: &Body, b: &Body) -> impl Iterator<Item = Hooked> {
     b.hooks().map(|at| {
         let distance = (a.whole.nearest(&at) - at).norm();
@@ -272,15 +271,14 @@ fn hooked(a: &Body, b: &Body) -> bool {
     !b.form.hooks.is_empty() && !a.traits.fixed && hooks(a, b).any(|h| h.holds())
 }
 
-/// Whether an agent's box has a seat of the other at the height of its hips, under its
-/// middle.
+/// Whether an agent's box has a seat of the other at hip height, under its centre.
 fn seated(a: &Body, b: &Body) -> bool {
     let may = a.traits.agent && b.traits.sittable && a.posture != Posture::Lying;
     may && seat_share(a, b).is_some_and(|share| past_hips(share) == 0.0)
 }
 
-/// The top of what of another is under a body's middle, as a share of the body's height: of
-/// several pieces the one nearest to the hips.
+/// Height of the top of the other body under this one's centre, as a share of this one's height; if there are
+/// several pieces, the one nearest to the hips.
 pub(crate) fn seat_share(a: &Body, b: &Body) -> Option<f32> {
     let (low, height, centre) = (a.region.low.z, a.region.high.z - a.region.low.z, a.whole.centre);
     let is_below = |s: &&Solid| (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
@@ -288,7 +286,7 @@ pub(crate) fn seat_share(a: &Body, b: &Body) -> Option<f32> {
     shares.reduce(|best, other| if past_hips(other) < past_hips(best) { other } else { best })
 }
 
-/// How far a share of the height is past those at which seats are.
+/// Distance of a share of the height from the range of seats.
 fn past_hips(share: f32) -> f32 {
     (SEAT_RANGE.0 - share).max(share - SEAT_RANGE.1).max(0.0)
 }

@@ -1,4 +1,4 @@
-//! How near two things are, told apart by name.
+//! Named degrees of nearness between two things.
 
 use vc_graph::NodeId;
 
@@ -6,9 +6,9 @@ use crate::near;
 use crate::relations::Relations;
 use crate::threshold::{ARMS_REACH, NEAR_REACH, TOUCHING_DISTANCE};
 
-/// How near two things are: by the distance of their boxes, and by what is between.
+/// Degree of nearness between two things, by the distance of their boxes and by the walls in between.
 ///
-/// The relation [`Near`](vc_graph::Relation::Near) holds of the first three, and of [`Proximity::BehindWall`]
+/// The relation [`Near`](vc_graph::Relation::Near) holds for the first three, and for [`Proximity::BehindWall`]
 /// if both are in one room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -20,15 +20,15 @@ pub enum Proximity {
     ArmsReach,
     /// At most [`NEAR_REACH`](crate::threshold::NEAR_REACH) apart: a step and an arm.
     Near,
-    /// As near as that, but a part of the building is between their middles, be they in one room or in two.
+    /// Equally near, but part of the building is between their centres, whether they are in one room or in two.
     BehindWall,
     /// Farther apart.
     Far,
 }
 
 impl Relations {
-    /// How near two things are; `None` if one is not in the scene, has no pose or no shape, or is a part of
-    /// the building. Costs a microsecond and a look at the walls between.
+    /// The degree of nearness between two things; `None` if one is not in the scene, has no pose or no shape,
+    /// or is part of the building. Costs a microsecond and a search of the walls in between.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};

@@ -2,21 +2,19 @@
 
 use nalgebra::Vector3;
 
-/// The lesser of two numbers, of which neither is "not a number": one instruction, which
-/// `f32::min` is not.
+/// The lesser of two numbers, neither of them NaN: a single instruction, unlike `f32::min`.
 #[inline]
 pub(crate) fn less(a: f32, b: f32) -> f32 {
     if b < a { b } else { a }
 }
 
-/// The larger of two numbers, as [`less`].
+/// The larger of two numbers; see [`less`].
 #[inline]
 pub(crate) fn more(a: f32, b: f32) -> f32 {
     if b > a { b } else { a }
 }
 
-/// Sorts items by a number, and by their own number where that is the same: a whole number is
-/// compared faster.
+/// Sorts items by a number, and by their index where it is equal; integer keys compare faster.
 pub(crate) fn sorted(keys: impl Iterator<Item = (f32, u32)>) -> Vec<u32> {
     let key = |(value, item): (f32, u32)| {
         let bits = value.to_bits();
@@ -36,7 +34,7 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// A box that nothing meets.
+    /// A box that overlaps nothing.
     pub(crate) const EMPTY: Self = Self {
         low: Vector3::new(f32::INFINITY, f32::INFINITY, f32::INFINITY),
         high: Vector3::new(f32::NEG_INFINITY, f32::NEG_INFINITY, f32::NEG_INFINITY),
@@ -47,7 +45,7 @@ impl Region {
         self.meets_in_plan(other) && self.low.z <= other.high.z && self.high.z >= other.low.z
     }
 
-    /// Whether some of one is above or below some of the other.
+    /// Whether the two overlap in plan.
     #[inline]
     pub(crate) fn meets_in_plan(&self, other: &Self) -> bool {
         (self.low.x <= other.high.x)
@@ -56,7 +54,7 @@ impl Region {
             & (self.high.y >= other.low.y)
     }
 
-    /// The square of how far two are apart, square metres.
+    /// Squared distance between two boxes, square metres.
     #[inline]
     pub(crate) fn distance_squared(&self, other: &Self) -> f32 {
         let apart = |i: usize| more(more(self.low[i] - other.high[i], other.low[i] - self.high[i]), 0.0);

@@ -1,4 +1,4 @@
-//! The relations of a scene, and their upkeep.
+//! The relations of a scene, and their incremental update.
 
 use std::sync::Arc;
 
@@ -18,11 +18,11 @@ use crate::{box_trace, virtual_home};
 /// A thing near another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
-    /// What is near.
+    /// The nearby thing.
     pub to: NodeId,
-    /// Distance of the two boxes, metres; zero where they overlap.
+    /// Distance between the two boxes, metres; zero if they overlap.
     pub distance: f32,
-    /// At which side of the thing asked for it is; none if above, below or around.
+    /// The side of the queried thing at which it is; none if above, below or around.
     pub side: Option<Side>,
 }
 
@@ -55,16 +55,16 @@ pub struct Relations {
     pub(crate) world: World,
     pub(crate) evidence: Evidence,
     pub(crate) facts: Facts,
-    /// The edges by the rules of others, sorted; ours are read when asked for.
+    /// The edges by the other rules, sorted; those of the repaired rule are read on request.
     fixed: Arc<Vec<Edge>>,
 }
 
 impl Relations {
-    /// Reads all relations. Costs one to two milliseconds for five hundred objects, and
-    /// some hundred microseconds for each asset that does not say where it holds things.
+    /// Reads all relations. Costs one to two milliseconds for five hundred objects, and some hundred
+    /// microseconds for each asset that does not declare its hollows.
     ///
     /// # Errors
-    /// [`InputError`] with every number that is not finite, too large, or no size or rotation.
+    /// [`InputError`] with every number that is not finite, too large, or not a valid size or rotation.
     pub fn new(graph: &SceneGraph, rule: Rule, evidence: Evidence) -> Result<Self, InputError> {
         check_evidence(graph, &evidence)?;
         let mut relations =
@@ -78,13 +78,13 @@ impl Relations {
         self.rule
     }
 
-    /// What the caller has said beside the geometry.
+    /// The evidence that the caller has given beside the geometry.
     pub fn evidence(&self) -> &Evidence {
         &self.evidence
     }
 
-    /// The room of a point, metres: that whose floors it is over; in a doorway, and within a
-    /// wall's thickness, the nearest.
+    /// The room of a point, metres: the one whose floors it is above; in a doorway, and within the thickness of
+    /// a wall, the nearest.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -101,10 +101,10 @@ impl Relations {
         self.world.rooms.at(&point.coords)
     }
 
-    /// Reads everything anew; what was found out about assets is kept.
+    /// Reads everything anew; the computed forms of assets are kept.
     ///
     /// # Errors
-    /// [`InputError`] as for [`Self::new`]; then nothing is changed.
+    /// [`InputError`] as for [`Self::new`]; nothing is changed then.
     pub fn rebuild(&mut self, graph: &SceneGraph) -> Result<(), InputError> {
         check_scene(graph)?;
         if !self.world.knows(graph.assets()) {
@@ -120,20 +120,20 @@ impl Relations {
         Ok(())
     }
 
-    /// Says what contacts, joints and held things there are now. Nodes of which positions
-    /// of moving parts changed are read anew.
+    /// Replaces the evidence: contacts, joints and held things. Nodes whose joint positions have changed are
+    /// read again.
     ///
     /// # Errors
-    /// [`InputError`] if a number of the evidence, or of a node that has to be read, cannot be.
+    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
     pub fn set_evidence(&mut self, graph: &SceneGraph, evidence: Evidence) -> Result<(), InputError> {
         self.update_with(graph, &[], evidence).map(drop)
     }
 
-    /// [`Self::set_evidence`] and [`Self::update`] at once: a door that has turned is read once.
-    /// Returns all whose relations may be different now, by number.
+    /// [`Self::set_evidence`] and [`Self::update`] in one step, which reads a door that has turned only once.
+    /// Returns all nodes whose relations may have changed, by number.
     ///
     /// # Errors
-    /// [`InputError`] if a number of the evidence, or of a node that has to be read, cannot be.
+    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
     pub fn update_with(
         &mut self,
         graph: &SceneGraph,
@@ -152,17 +152,16 @@ impl Relations {
         self.update(graph, &changed)
     }
 
-    /// Reads nodes again that have moved, been added or removed, or changed state or hands,
-    /// and returns all whose relations may be different now, by number. Of what changes hands
-    /// either the thing has to be named or whose hands they were and are.
+    /// Reads nodes again that have moved, been added or removed, or changed their state or the things they
+    /// hold, and returns all nodes whose relations may have changed, by number. If a thing changes hands,
+    /// either the thing or its former and present holders must be given.
     ///
-    /// The result is that of [`Self::rebuild`], bit for bit. A moved object costs about ten
-    /// microseconds among its usual number of neighbours. Rooms, parts of the building and
-    /// new nodes cost a rebuild, as does any change under a rule other than
-    /// [`Rule::Repaired`].
+    /// The result is that of [`Self::rebuild`], bit for bit. A moved object with the usual number of neighbours
+    /// costs about ten microseconds. Changes of rooms, parts of the building and new nodes cost a rebuild, as
+    /// does any change under a rule other than [`Rule::Repaired`].
     ///
     /// # Errors
-    /// [`InputError`] as for [`Self::new`], of the changed nodes; then nothing is changed.
+    /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then.
     pub fn update(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Result<Vec<NodeId>, InputError> {
         check_nodes(graph, changed)?;
         let mut changed = changed.to_vec();
@@ -193,9 +192,9 @@ impl Relations {
         Some(self.world.spread(met, &self.facts))
     }
 
-    /// Reads again what a node holds and wears and what holds and wears it, and the same of
-    /// these: what it took may have been in another's hand. Returns all these edges as they
-    /// were and are: what either end rests on may be different.
+    /// Reads again the edges of holding and wearing at a node and at the other ends of these, as a thing it
+    /// took may have been in another's hand. Returns all these edges, old and new: the supports of both ends
+    /// may have changed.
     fn look_at_hands(&mut self, graph: &SceneGraph, id: NodeId) -> Vec<Edge> {
         let mut edges = self.look_at_hand(graph, id);
         for end in 0..edges.len() {
@@ -214,7 +213,7 @@ impl Relations {
         edges
     }
 
-    /// Who may face a body, where it was and is.
+    /// The bodies that may face a body, at its old and new places.
     fn watchers(&self, index: usize, before: Option<crate::region::Region>) -> Vec<u32> {
         let now = self.world.bodies[index].as_deref();
         let mut watchers = Vec::new();
@@ -233,7 +232,7 @@ impl Relations {
         watchers
     }
 
-    /// All relations, sorted by start, kind and end; symmetric ones occur both ways.
+    /// All relations, sorted by start, kind and end; symmetric ones occur in both directions.
     pub fn edges(&self) -> Vec<Edge> {
         if self.rule != Rule::Repaired {
             return self.fixed.to_vec();
@@ -258,8 +257,8 @@ impl Relations {
         edges
     }
 
-    /// All relations that start at some nodes, as [`Self::of`] has them. For most of a scene,
-    /// what things rest on is found once for all.
+    /// All relations that start at some nodes, as given by [`Self::of`]. If these are most of a scene, all
+    /// supports are found in one pass.
     pub(crate) fn of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
         if self.rule != Rule::Repaired {
             return nodes.iter().map(|&id| (id, self.of(id))).collect();
@@ -282,20 +281,19 @@ impl Relations {
         self.of(edge.from).binary_search(&edge).is_ok()
     }
 
-    /// Which relations hold from one node to another.
+    /// The relations that hold from one node to another.
     pub fn between(&self, from: NodeId, to: NodeId) -> Vec<Relation> {
         self.of(from).into_iter().filter(|e| e.to == to).map(|e| e.relation).collect()
     }
 
-    /// What a thing rests on and how that is known, also where the relation is inside,
-    /// sitting or lying; empty for what falls and for what is unknown. By the repaired rule,
-    /// whichever is selected.
+    /// The supports of a thing and how they are known, also if the relation is inside, sitting or lying; empty
+    /// for things that fall and for unknown nodes. By the repaired rule, whichever is selected.
     pub fn supports(&self, id: NodeId) -> Vec<Support> {
         let supports = Supports::new(&self.world, &self.facts);
         self.world.index(id).map_or_else(Vec::new, |index| supports.of(index))
     }
 
-    /// What is near a thing, by number. By the repaired rule, whichever is selected.
+    /// The things near a thing, by number. By the repaired rule, whichever is selected.
     pub fn near(&self, id: NodeId) -> Vec<Near> {
         let pairs = self.world.index(id).map_or(&[][..], |index| &self.world.pairs[index]);
         let near = pairs.iter().filter(|p| p.distance.is_finite());

@@ -1,4 +1,4 @@
-//! Which room something is in, also where rooms are not rectangles.
+//! The room of a thing, also if rooms are not rectangles.
 
 use std::collections::BTreeMap;
 
@@ -11,12 +11,12 @@ use crate::solid::{Round, Solid};
 use crate::threshold::{BESIDE_DOOR, DOOR_SQUARE, ROOM_MARGIN, STOREY};
 use crate::tree::Tree;
 
-/// Rooms as boxes over their floors, turned as these are.
+/// Rooms as oriented boxes above their floors.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rooms {
     boxes: Vec<(Solid, NodeId)>,
     tree: Tree,
-    /// Of which room a floor is.
+    /// The room of each floor.
     floors: BTreeMap<NodeId, NodeId>,
 }
 
@@ -24,7 +24,7 @@ pub(crate) struct Rooms {
 pub(crate) type Beyond = (Vector3<f32>, Option<NodeId>);
 
 impl Rooms {
-    /// A room is where its floors are, else its own shape, else its box.
+    /// A room extends over its floors, otherwise over its own shape, otherwise over its box.
     pub(crate) fn new(graph: &SceneGraph, body: impl Fn(NodeId) -> Option<Body>) -> Self {
         let (mut boxes, mut of_rooms) = (Vec::new(), BTreeMap::new());
         for &room in graph.rooms() {
@@ -44,19 +44,19 @@ impl Rooms {
         Self { boxes, tree, floors: of_rooms }
     }
 
-    /// The room of a thing: the one its midst is in. A floor is of its own room: the middle of
-    /// one with corners can be in the next.
+    /// The room of a thing: the one that contains its reference point. A floor belongs to its own room, as the
+    /// centre of an L-shaped one can be in the next.
     pub(crate) fn of(&self, body: &Body) -> Option<NodeId> {
         self.floors.get(&body.id).copied().or_else(|| self.at(&body.midst()))
     }
 
-    /// Whether a node is a room that is somewhere.
+    /// Whether a node is a room with an extent.
     pub(crate) fn has(&self, id: NodeId) -> bool {
         self.boxes.iter().any(|b| b.1 == id)
     }
 
-    /// The room of a point: of several the one in which it is deepest; of none the
-    /// nearest, if it is within a wall's thickness.
+    /// The room of a point: if it is in several, the one in which it is deepest; if it is in none, the nearest
+    /// one within the thickness of a wall.
     pub(crate) fn at(&self, point: &Vector3<f32>) -> Option<NodeId> {
         let mut best: Option<(f32, NodeId)> = None;
         self.tree.each(&Region { low: *point, high: *point }, |index| {
@@ -69,7 +69,7 @@ impl Rooms {
         best.filter(|(depth, _)| *depth >= -ROOM_MARGIN).map(|(_, room)| room)
     }
 
-    /// How deep a point is in each room, metres, negative outside of it: the deepest first.
+    /// Depth of a point in each room, metres, negative outside; the deepest first.
     pub(crate) fn depths(&self, point: &Vector3<f32>) -> Vec<(NodeId, f32)> {
         let mut depths: BTreeMap<NodeId, f32> = BTreeMap::new();
         for (over, room) in &self.boxes {
@@ -81,8 +81,7 @@ impl Rooms {
         depths
     }
 
-    /// The rooms on the two sides of a door, smaller number first; only one if the other side
-    /// is outside.
+    /// The rooms on the two sides of a door, the smaller number first; only one if the other side is outside.
     pub(crate) fn beside(&self, door: &Body) -> Vec<NodeId> {
         let mut rooms: Vec<NodeId> = self.sides(door).into_iter().filter_map(|s| s.1).collect();
         rooms.sort_unstable();
@@ -90,9 +89,9 @@ impl Rooms {
         rooms
     }
 
-    /// What is on the two sides of a door. The box around a leaf that stands open is about as
-    /// thick as wide and does not say which way the door leads: the way on which there are two
-    /// rooms.
+    /// The points and rooms on the two sides of a door. The box around a leaf that stands open is about as
+    /// thick as wide and does not show which way the door leads; then the axis with a room at both ends is
+    /// taken.
     pub(crate) fn sides(&self, door: &Body) -> [Beyond; 2] {
         let half = &door.whole.half;
         let thin = usize::from(half.x > half.y);
@@ -104,7 +103,7 @@ impl Rooms {
         if joins_two(&other) { other } else { across }
     }
 
-    /// What is at the two ends of an axis of a door.
+    /// The points and rooms at the two ends of an axis of a door.
     fn along(&self, door: &Body, axis: usize) -> [Beyond; 2] {
         let whole = &door.whole;
         let across: Vector3<f32> = whole.axes.column(axis).into();
@@ -117,8 +116,7 @@ fn joins_two([one, other]: &[Beyond; 2]) -> bool {
     one.1.is_some() && other.1.is_some() && one.1 != other.1
 }
 
-/// The box over a piece of floor from one height to another; over one that leans, the
-/// world-aligned box.
+/// The box above a piece of floor from one height to another; for a tilted piece, its world-aligned box.
 fn over(floor: &Solid, (low, high): (f32, f32)) -> Solid {
     let lying = (Matrix3::identity(), (floor.high - floor.low) / 2.0);
     let (axes, half) = if floor.upright { (floor.axes, floor.half) } else { lying };
@@ -135,8 +133,7 @@ fn floors_of(graph: &SceneGraph, room: NodeId) -> impl Iterator<Item = NodeId> +
     graph.relating(Relation::InRoom, room).filter(is_floor)
 }
 
-/// How far a point is from the sides of a box it is in; the negative distance to one it is
-/// not in.
+/// Distance of a point from the sides of a box that contains it; outside, the negative distance to the box.
 fn depth(over: &Solid, point: &Vector3<f32>) -> f32 {
     let inner = over.half - over.axes.tr_mul(&(point - over.centre)).abs();
     let outside = inner.inf(&Vector3::zeros()).norm();

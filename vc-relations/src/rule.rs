@@ -1,11 +1,11 @@
-//! Which rule decides.
+//! The rule that decides.
 
-/// How relations are read from geometry.
+/// A rule by which relations are read from geometry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Rule {
-    /// The repaired traces, as the front page defines them.
+    /// The repaired traces, as defined on the front page.
     #[default]
     Repaired,
     /// The thesis's six box traces, to the letter.

@@ -1,4 +1,4 @@
-//! Who faces what.
+//! Facing: agents and seats that look at things.
 
 use vc_graph::portable::Portable;
 
@@ -7,7 +7,7 @@ use crate::explanation::{Sight, Verdict};
 use crate::threshold::{FACING_COSINE, FACING_REACH};
 use crate::walls::Walls;
 
-/// Agents and seats face things; all else has a front and looks nowhere.
+/// Agents and seats face things; all others have a front but do not look anywhere.
 pub(crate) fn can_face(body: &Body) -> bool {
     body.traits.agent || body.traits.sittable
 }
@@ -28,18 +28,18 @@ pub(crate) fn verdict(body: &Body, target: &Body, walls: &Walls) -> Verdict {
     }
 }
 
-/// The same with its figures.
+/// The verdict with its figures.
 pub(crate) fn sight(body: &Body, target: &Body, walls: &Walls) -> Sight {
     let front = Front::new(body, target);
     Sight { angle: front.angle(), distance: front.far, verdict: verdict(body, target, walls) }
 }
 
-/// The way to another thing and the front of one, from above.
+/// The direction to another thing and a body's front, in plan.
 struct Front {
-    /// Product of the two, and the part of the way across the front times its length.
+    /// Dot product of the two, and the perpendicular component times the length of the front.
     along: f32,
     across: f32,
-    /// Length of the way, metres, and of the front: less than one where it leans.
+    /// Length of the direction, metres, and of the front, which is less than one if it is tilted.
     far: f32,
     length: f32,
 }
@@ -51,7 +51,7 @@ impl Front {
         Self { along: way.dot(&front), across: front.perp(&way), far: way.norm(), length: front.norm() }
     }
 
-    /// Whether there is a front to look from.
+    /// Whether the front has a horizontal component.
     fn is_level(&self) -> bool {
         self.length > 1e-3
     }

@@ -1,23 +1,23 @@
-//! Convex pieces in the world, and the separating axes between two of them.
+//! Convex solids in the world, and separating-axis tests between two of them.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::region::{Region, less, more};
 use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
 
-/// How a piece is rounded within its box.
+/// Shape of a solid within its box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Round {
     /// A box.
     #[default]
     No,
-    /// A cylinder along the third axis, its base an ellipse.
+    /// A cylinder along the third axis, with an elliptic base.
     Turned,
     /// An ellipsoid.
     Ball,
 }
 
-/// A box, cylinder or ellipsoid somewhere in the world, metres.
+/// A box, cylinder or ellipsoid in the world, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Solid {
     pub(crate) centre: Vector3<f32>,
@@ -25,8 +25,8 @@ pub(crate) struct Solid {
     pub(crate) axes: Matrix3<f32>,
     pub(crate) half: Vector3<f32>,
     pub(crate) round: Round,
-    /// Whether the third axis is the world's: then fewer axes can separate. A box's axes are
-    /// named so that it is where any of them is.
+    /// Whether the third axis is vertical, which leaves fewer possible separating axes. A box's axes are
+    /// reordered so that this holds if any of them is vertical.
     pub(crate) upright: bool,
     pub(crate) low: Vector3<f32>,
     pub(crate) high: Vector3<f32>,
@@ -58,13 +58,13 @@ impl Solid {
         Region { low: self.low, high: self.high }
     }
 
-    /// Whether its world-aligned box is at most so far from a region, metres.
+    /// Whether its world-aligned box is within a margin of a region, metres.
     #[inline]
     pub(crate) fn meets(&self, region: &Region, margin: f32) -> bool {
         (0..3).all(|k| self.low[k] <= region.high[k] + margin && self.high[k] + margin >= region.low[k])
     }
 
-    /// How far it reaches from its centre along a direction of unit length.
+    /// Half extent along a direction of unit length.
     #[inline]
     pub(crate) fn reach(&self, along: &Vector3<f32>) -> f32 {
         let own = self.axes.tr_mul(along).component_mul(&self.half);
@@ -75,7 +75,7 @@ impl Solid {
         }
     }
 
-    /// How far the two level axes of an upright piece reach along a level direction.
+    /// Half extents of the two horizontal axes of an upright solid along a horizontal direction.
     #[inline]
     fn level(&self, along: &Vector3<f32>) -> (f32, f32) {
         let x = (self.axes[(0, 0)] * along.x + self.axes[(1, 0)] * along.y) * self.half.x;
@@ -83,19 +83,19 @@ impl Solid {
         (x, y)
     }
 
-    /// Whether nothing of it leans: its outline is the same at every height.
+    /// Whether its outline is the same at every height.
     #[inline]
     pub(crate) fn is_prism(&self) -> bool {
         self.upright && self.round != Round::Ball
     }
 
-    /// How far two upright prisms are apart along the vertical, negative where they overlap.
+    /// Vertical gap between two upright prisms, negative if they overlap.
     #[inline]
     pub(crate) fn rise(&self, other: &Self) -> f32 {
         (other.centre.z - self.centre.z).abs() - self.half.z - other.half.z
     }
 
-    /// How far the outlines of two upright prisms are apart, as [`gap`] has it.
+    /// Gap between the outlines of two upright prisms; see [`gap`].
     #[inline]
     pub(crate) fn level_gap(&self, other: &Self, enough: f32) -> f32 {
         level_gap(self, other, enough)
@@ -107,8 +107,8 @@ impl Solid {
         self.centre + self.axes * own.zip_map(&self.half, |at, half| less(more(at, -half), half))
     }
 
-    /// Whether a way from a point goes through its box: the times at which it enters and
-    /// leaves each pair of faces.
+    /// Whether a segment from a point crosses its box, by the parameters at which it enters and leaves each
+    /// pair of faces.
     pub(crate) fn is_crossed(&self, from: &Vector3<f32>, way: &Vector3<f32>) -> bool {
         let (at, way) = (self.axes.tr_mul(&(from - self.centre)), self.axes.tr_mul(way));
         let (mut enters, mut leaves) = (0.0_f32, 1.0_f32);
@@ -125,7 +125,7 @@ impl Solid {
         enters <= leaves
     }
 
-    /// The eight corners of the box, drawn in to a share of the half size.
+    /// The eight corners of the box, scaled to a share of the half size.
     pub(crate) fn corners(&self, share: f32) -> [Vector3<f32>; 8] {
         let half = self.half * share;
         std::array::from_fn(|i| {
@@ -134,8 +134,8 @@ impl Solid {
         })
     }
 
-    /// What a vertical trace of the piece carries: its middle plane where it is about
-    /// upright, else the piece a little smaller.
+    /// The shape swept by a vertical trace: the middle plane if the solid is nearly upright, otherwise the
+    /// solid a little shrunk.
     pub(crate) fn core(&self) -> Self {
         let vertical = self.axes.row(2).abs().transpose().imax();
         let flat = self.axes[(2, vertical)].abs() >= UPRIGHT;
@@ -160,18 +160,18 @@ fn turned_on(axes: &Matrix3<f32>, order: [usize; 3]) -> Matrix3<f32> {
     Matrix3::from_columns(&order.map(|axis| axes.column(axis)))
 }
 
-/// Where a trace met something.
+/// The hit of a trace.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Strike {
-    /// How far the trace went, metres; negative where the two overlapped at the start.
+    /// Distance that the trace went, metres; negative if the two overlapped at the start.
     pub(crate) way: f32,
-    /// Direction of the contact's normal, towards the traced piece, unit length.
+    /// Unit normal of the contact, towards the traced solid.
     pub(crate) normal: Vector3<f32>,
 }
 
-/// Calls `visit` with directions of which some separates the two, if they are apart.
-/// Exact for two boxes (Gottschalk, Lin and Manocha 1996), for upright cylinders with
-/// boxes and with each other, and for balls; else a little too near.
+/// Calls `visit` with directions, at least one of which separates the two if they are apart. Exact for two
+/// boxes (Gottschalk, Lin and Manocha 1996), for upright cylinders with boxes and with each other, and for
+/// balls; otherwise distances come out a little too small.
 #[inline]
 fn each_axis(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool) -> bool {
     let both_upright = a.upright && b.upright;
@@ -201,7 +201,7 @@ fn each_axis(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool) 
     (a.round == Round::No && b.round == Round::No) || round_axes(a, b, visit)
 }
 
-/// The directions in which curved sides are nearest to the other piece.
+/// The directions in which curved sides are nearest to the other solid.
 fn round_axes(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool) -> bool {
     let mut toward = |round: &Solid, other: &Solid| {
         let goal = if other.round == Round::No { other.nearest(&round.centre) } else { other.centre };
@@ -216,7 +216,7 @@ fn round_axes(a: &Solid, b: &Solid, mut visit: impl FnMut(Vector3<f32>) -> bool)
     (a.round == Round::No || toward(a, b)) && (b.round == Round::No || toward(b, a))
 }
 
-/// How far the outlines of two upright prisms are apart, as [`gap`] has it.
+/// Gap between the outlines of two upright prisms; see [`gap`].
 #[inline]
 fn level_gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     let way = b.centre - a.centre;
@@ -238,8 +238,8 @@ fn level_gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     most
 }
 
-/// How far two pieces are apart along the direction that separates them most; negative
-/// where they overlap. Stops looking once it is more than `enough`.
+/// Gap between two solids along the direction that separates them most; negative if they overlap. The search
+/// stops once the gap exceeds `enough`.
 pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     let way = b.centre - a.centre;
     if a.is_prism() && b.is_prism() {
@@ -254,7 +254,7 @@ pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     most
 }
 
-/// [`sweep`] straight up (1) or down (-1): upright prisms meet where their outlines do.
+/// [`sweep`] straight up (1) or down (-1); upright prisms collide if their outlines overlap.
 #[inline]
 pub(crate) fn sweep_upright(a: &Solid, b: &Solid, up: f32, limit: f32) -> Option<Strike> {
     let along = Vector3::z() * up;
@@ -266,9 +266,8 @@ pub(crate) fn sweep_upright(a: &Solid, b: &Solid, up: f32, limit: f32) -> Option
     meets.then_some(Strike { way: way - reach, normal: -along })
 }
 
-/// Moves `a` in a direction of unit length until it meets `b`: exact for boxes, by the
-/// times at which each axis stops and starts separating them. `None` where it passes by,
-/// where `b` lies behind, or farther than `limit` metres.
+/// Moves `a` in a direction of unit length until it hits `b`. Exact for boxes, by the intervals in which each
+/// axis does not separate them. `None` if it passes by, if `b` lies behind, or beyond `limit` metres.
 pub(crate) fn sweep(a: &Solid, b: &Solid, along: &Vector3<f32>, limit: f32) -> Option<Strike> {
     let way = b.centre - a.centre;
     let mut strike = Strike { way: f32::NEG_INFINITY, normal: -along };

@@ -1,4 +1,4 @@
-//! What a body rests on, from its pairs and the evidence.
+//! The supports of a body, from its pairs and the evidence.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -11,7 +11,7 @@ use crate::pair::Pair;
 use crate::threshold::{HANG_GAP, IMPULSE_SHARE, SUPPORT_SINK, SUPPORT_TIE, TOUCH_GAP};
 use crate::world::World;
 
-/// How it is known that one thing rests on another.
+/// The reason why one thing is known to rest on another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -20,32 +20,31 @@ pub enum Ground {
     Joint,
     /// A contact pushes it up.
     Contact,
-    /// The trace down meets it.
+    /// The trace down hits it.
     Trace,
     /// It hangs on a hook.
     Hook,
-    /// It is inside, and nothing is found below: of the container only the box is known.
+    /// It is inside, and nothing is found below: only the container's box is known.
     Container,
     /// Nothing is below, and it touches this at the side or above.
     Hanging,
 }
 
-/// One thing on which another rests.
+/// A thing on which another rests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support {
-    /// What carries.
+    /// The supporting thing.
     pub by: NodeId,
-    /// How that is known.
+    /// How the support is known.
     pub ground: Ground,
-    /// Its share of the upward impulse where contacts are known, else an equal share.
+    /// Its share of the upward impulse if contacts are known, otherwise an equal share.
     pub share: f32,
-    /// Gap between the two, metres; negative where one is sunk into the other. Zero for
-    /// joints and contacts.
+    /// Gap between the two, metres; negative if one has sunk into the other. Zero for joints and contacts.
     pub gap: f32,
 }
 
-/// Supports before cycles are looked for. `soft` ones do not go downwards and could close
-/// a cycle.
+/// A possible support, before cycles are excluded. A `soft` one does not lead downwards and could close a
+/// cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Candidate {
     pub(crate) support: Support,
@@ -53,11 +52,11 @@ pub(crate) struct Candidate {
     pub(crate) soft: bool,
 }
 
-/// What bodies may rest on, one after the other.
+/// Possible supports of all bodies, one after the other.
 #[derive(Debug, Default)]
 struct Known {
     list: Vec<Candidate>,
-    /// Where in the list each body's end.
+    /// End of each body's supports in the list.
     ends: Vec<u32>,
 }
 
@@ -71,19 +70,19 @@ impl Known {
 pub(crate) struct Supports<'w> {
     pub(crate) world: &'w World,
     pub(crate) facts: &'w Facts,
-    /// Of all bodies, where all are asked about.
+    /// The supports of all bodies, if they were requested together.
     known: Option<Known>,
-    /// Kept between walks down.
+    /// Work list, reused between searches.
     met: Cell<Vec<usize>>,
 }
 
 impl<'w> Supports<'w> {
-    /// For a few bodies: what they rest on is found when asked for.
+    /// For a few bodies, whose supports are found on request.
     pub(crate) fn new(world: &'w World, facts: &'w Facts) -> Self {
         Self { world, facts, known: None, met: Cell::default() }
     }
 
-    /// For all bodies: what they rest on is found once.
+    /// For all bodies, whose supports are found once.
     pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
         let mut supports = Self::new(world, facts);
         let mut known = Known::default();
@@ -104,14 +103,13 @@ impl<'w> Supports<'w> {
         found.into()
     }
 
-    /// By what hands and bodies a thing is held or worn. Those that the scene does not have
-    /// hold nothing.
+    /// The edges by which a thing is held or worn, by nodes that are in the scene.
     pub(crate) fn held(&self, thing: NodeId) -> impl Iterator<Item = &'w Edge> {
         let is_there = |id: NodeId| self.world.index(id).is_some();
         self.facts.held(thing).iter().filter(move |e| is_there(e.from) && is_there(e.to))
     }
 
-    /// What a body rests on: by joint, else by contact, else by trace. Held and worn things
+    /// Finds the supports of a body: by joint, otherwise by contact, otherwise by trace. Held and worn things
     /// rest on nothing, nor does the building.
     fn find(&self, index: usize, out: &mut Vec<Candidate>) {
         let Some(body) = &self.world.bodies[index] else { return };
@@ -172,8 +170,8 @@ impl<'w> Supports<'w> {
         out[start..].iter_mut().for_each(|c| c.support.share = share);
     }
 
-    /// Whether one body may rest on the other of a pair: with a hand goes only what people move, and not the
-    /// switch on the wall that a full laundry basket brushes, or the chair that a cushion does.
+    /// Whether one body may rest on the other of a pair. Only movable things are carried in hands: not the
+    /// light switch that a full laundry basket brushes, nor the chair that a cushion touches.
     fn may_carry(&self, index: usize, pair: &Pair) -> bool {
         let other = pair.other as usize;
         let Some(body) = self.world.bodies[index].as_deref().filter(|b| b.traits.moves) else {
@@ -183,7 +181,7 @@ impl<'w> Supports<'w> {
         !furniture || !self.is_held(other)
     }
 
-    /// Whether a body is somebody's, or somebody holds or wears it or what it rests on.
+    /// Whether a body is an agent, or an agent holds or wears it or something below it.
     fn is_in_hand(&self, index: usize) -> bool {
         let (mut below, mut next) = (vec![index], 0);
         while let Some(&at) = below.get(next) {
@@ -199,13 +197,14 @@ impl<'w> Supports<'w> {
         false
     }
 
-    /// Those of several supports that have none of the others between them and the body.
+    /// The supports that have no other one of them between themselves and the body.
     fn uncovered(&self, tied: &[Candidate]) -> Vec<Candidate> {
         let is_covered = |c: &&Candidate| tied.iter().any(|other| self.covers(other, c));
         tied.iter().filter(|c| !is_covered(c)).copied().collect()
     }
 
-    /// Whether something carries a body that no hand holds: a hand carries nothing that rests elsewhere too.
+    /// Whether something that is not held carries a body: a hand does not carry things that also rest
+    /// elsewhere.
     fn stands(&self, index: usize) -> bool {
         self.world.pairs[index].iter().any(|p| p.rest.is_finite() && !self.is_held(p.other as usize))
     }
@@ -214,8 +213,8 @@ impl<'w> Supports<'w> {
         self.held(self.world.ids[index]).next().is_some()
     }
 
-    /// Whether one support lies between and is rested on: the cup is on the saucer, however
-    /// thin that is, and not on the table.
+    /// Whether one support lies between and rests on the other: the cup is on the saucer, however thin, and not
+    /// on the table.
     fn covers(&self, between: &Candidate, deeper: &Candidate) -> bool {
         between.support.gap < deeper.support.gap
             && self.world.pair(between.index, deeper.index).is_some_and(|p| p.rest.is_finite())
@@ -226,8 +225,8 @@ impl<'w> Supports<'w> {
         self.candidate(index, other, Support { by: self.world.ids[other], ground, share: 1.0, gap })
     }
 
-    /// What rests on nothing hangs: on a hook, else in its container, else on the wall or
-    /// ceiling, else on the nearest thing it touches that stands or hangs itself.
+    /// The support of a hanging thing: a hook, otherwise its container, otherwise the wall or ceiling,
+    /// otherwise the nearest thing it touches that is itself supported.
     fn hung(&self, index: usize, out: &mut Vec<Candidate>) {
         if self.world.bodies[index].as_deref().is_none_or(|b| b.traits.agent) {
             return;
@@ -242,7 +241,7 @@ impl<'w> Supports<'w> {
         out.push(self.found(index, pair, ground, gap));
     }
 
-    /// How good another body is to hang on; `None` if one cannot.
+    /// Rank of another body as a thing to hang on; `None` if it is unsuitable.
     fn rank(&self, index: usize, pair: &Pair) -> Option<u8> {
         let other = pair.other as usize;
         let back = self.world.pair(other, index);
@@ -264,7 +263,7 @@ impl<'w> Supports<'w> {
         pair.gap <= HANG_GAP && other.is_some_and(|b| b.traits.structure)
     }
 
-    /// Whether a body is held by something other than what merely touches it.
+    /// Whether a body is supported by more than mere touch.
     fn is_firm(&self, index: usize) -> bool {
         let id = self.world.ids[index];
         self.world.bodies[index].as_deref().is_some_and(|b| b.traits.fixed)
@@ -293,12 +292,12 @@ impl<'w> Supports<'w> {
         found
     }
 
-    /// Whether a candidate is one: it closes no cycle.
+    /// Whether a candidate is valid: it closes no cycle.
     pub(crate) fn is_sound(&self, index: usize, candidate: &Candidate) -> bool {
         !(candidate.soft && self.reaches(candidate.index, index))
     }
 
-    /// What a body rests on, without those that would close a cycle.
+    /// The supports of a body, without those that would close a cycle.
     pub(crate) fn of(&self, index: usize) -> Vec<Support> {
         let all = self.candidates(index);
         all.iter().filter(|c| self.is_sound(index, c)).map(|c| c.support).collect()

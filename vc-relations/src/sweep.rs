@@ -1,20 +1,19 @@
-//! Every two boxes that meet, found for a whole scene at once.
+//! All pairs of overlapping boxes of a scene, found at once.
 
 use crate::lanes::{Group, LANES, Probe, grouped};
 use crate::region::{Region, sorted};
 
-/// For each box of a scene the later ones that it meets, by number.
+/// For each box of a scene, the later boxes that it overlaps, by number.
 #[derive(Debug)]
 pub(crate) struct Meetings {
-    /// Where in the list those of each box end.
+    /// End of each box's part of the list.
     ends: Vec<u32>,
     others: Vec<u32>,
 }
 
 impl Meetings {
-    /// Compares each box with those that begin before it ends along the axis on which the
-    /// scene is longest: sort and sweep (Baraff 1992). Of boxes spread over a plane that are
-    /// about the square root of all.
+    /// Compares each box with those that begin before it ends along the axis on which the scene is longest:
+    /// sort and sweep (Baraff 1992). For boxes spread over a plane, these are about the square root of all.
     pub(crate) fn new(boxes: &[Region]) -> Self {
         let row = Row::new(boxes);
         let mut pairs = Vec::with_capacity(16 * boxes.len());
@@ -29,7 +28,7 @@ impl Meetings {
         pairs.iter().for_each(|p| ends[p.0 as usize] += 1);
         let mut sum = 0;
         for end in &mut ends {
-            // Until the lists are filled this is where each starts.
+            // While the lists are filled, this is the next free place of each.
             sum += std::mem::replace(end, sum);
         }
         let mut others = vec![0; pairs.len()];
@@ -51,18 +50,18 @@ impl Meetings {
         start as usize..self.ends[one] as usize
     }
 
-    /// The boxes after one that meet it, sorted.
+    /// The boxes after one that overlap it, sorted.
     pub(crate) fn of(&self, one: usize) -> &[u32] {
         &self.others[self.range(one)]
     }
 }
 
-/// Boxes in the order in which they begin along an axis.
+/// Boxes sorted by their start along an axis.
 struct Row {
     axis: usize,
     /// Their numbers.
     order: Vec<u32>,
-    /// Where they begin.
+    /// Their start coordinates.
     starts: Vec<f32>,
     groups: Vec<Group>,
 }
@@ -78,7 +77,7 @@ impl Row {
         Self { axis, order, starts, groups }
     }
 
-    /// Calls `found` with every box after a place that meets the one there.
+    /// Calls `found` with every box after a place that overlaps the one there.
     fn after(&self, place: usize, region: &Region, mut found: impl FnMut(u32)) {
         let probe = Probe::new(region);
         let own = place / LANES;

@@ -1,4 +1,4 @@
-//! What can be looked at.
+//! Targets: things that can be looked at.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use crate::body::Body;
 use crate::region::Region;
 use crate::tree::Tree;
 
-/// The bodies of a scene that can be looked at, few of all.
+/// The lookable bodies of a scene, a small part of all.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Targets {
     /// Their numbers, sorted.
@@ -21,7 +21,7 @@ impl Targets {
         Self { items, tree: Tree::new(&regions) }
     }
 
-    /// A body has moved, come or gone. `None` if it was no target before and is one now.
+    /// Updates a body that has moved, come or gone. `None` if it was not a target before and is one now.
     pub(crate) fn set(&mut self, item: usize, body: &Option<Arc<Body>>) -> Option<()> {
         match (self.items.binary_search(&(item as u32)), region(body)) {
             (Ok(place), now) => self.tree.set(place, now.unwrap_or(Region::EMPTY)),
@@ -31,13 +31,13 @@ impl Targets {
         Some(())
     }
 
-    /// Calls `found` with every target that meets a region, in no useful order.
+    /// Calls `found` with every target that overlaps a region, in unspecified order.
     pub(crate) fn each(&self, region: &Region, mut found: impl FnMut(usize)) {
         self.tree.each(region, |place| found(self.items[place] as usize));
     }
 }
 
-/// Where a body is, if it can be looked at.
+/// The region of a body, if it is lookable.
 fn region(body: &Option<Arc<Body>>) -> Option<Region> {
     body.as_ref().filter(|b| b.traits.lookable).map(|b| b.region)
 }

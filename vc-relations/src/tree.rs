@@ -1,18 +1,18 @@
-//! A tree of boxes for finding what is in a region.
+//! A tree of boxes for region queries.
 
 use crate::lanes::{Group, LANES, Probe, grouped};
 use crate::region::{Region, sorted};
 
-/// A tree over boxes in which every node has eight below it, but the last of a level. A box
-/// that moves keeps its place and what is above it is measured again, so that answers stay
-/// exact and only the speed suffers from long ways.
+/// A tree over boxes in which every node has eight children, except the last one of a level. A box that moves
+/// keeps its place, and the nodes above it are measured again, so that answers stay exact and only the speed
+/// suffers if it moves far.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tree {
-    /// The boxes themselves in groups, then the groups' boxes, up to a single group.
+    /// Groups of the boxes themselves, then groups of the groups' boxes, up to a single group.
     levels: Vec<Vec<Group>>,
-    /// The number of the box at each place of the lowest level.
+    /// Number of the box at each place of the lowest level.
     items: Vec<u32>,
-    /// And where each box is there.
+    /// Place of each box there.
     places: Vec<u32>,
 }
 
@@ -28,7 +28,7 @@ impl Tree {
         Self { levels, items, places }
     }
 
-    /// A box has moved.
+    /// Updates a box that has moved.
     pub(crate) fn set(&mut self, item: usize, to: Region) {
         let (mut place, mut region) = (self.places[item] as usize, to);
         for level in &mut self.levels {
@@ -38,7 +38,7 @@ impl Tree {
         }
     }
 
-    /// Calls `found` with every box that meets a region, in no useful order.
+    /// Calls `found` with every box that overlaps a region, in unspecified order.
     #[inline]
     pub(crate) fn each(&self, region: &Region, mut found: impl FnMut(usize)) {
         if !self.items.is_empty() {
@@ -58,8 +58,8 @@ impl Tree {
     }
 }
 
-/// The numbers of boxes in an order in which every eight, and every eight of those, are close:
-/// strips along X, each cut along Y (sort-tile-recursive; Leutenegger, Edgington and Lopez 1997).
+/// Orders boxes so that every eight, and every eight of those, are close together: strips along X, each sorted
+/// along Y (sort-tile-recursive; Leutenegger, Edgington and Lopez 1997).
 fn in_tiles(boxes: &[Region]) -> Vec<u32> {
     let middle = |item: u32, axis: usize| (boxes[item as usize].low + boxes[item as usize].high)[axis];
     let by = |items: &mut dyn Iterator<Item = u32>, axis: usize| sorted(items.map(|item| (middle(item, axis), item)));

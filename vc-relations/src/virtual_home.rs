@@ -1,18 +1,18 @@
 //! VirtualHome's definitions, on the world-aligned boxes of nodes.
 //!
-//! As its Unity program computes edges, as far as boxes can tell:
+//! They follow its Unity program's computation of edges, as far as boxes allow:
 //!
 //! | relation | rule |
 //! |---|---|
-//! | near (CLOSE) | from one's centre to the other's box at most 1.5 m, either way; centres at most 5 m apart; rooms excluded |
-//! | inside | the other's box contains both corners; the other is no part of the building |
-//! | on | a box cast 5 cm down from the bottom meets the other; the other's centre is no higher than the bottom; over half of the footprint is over it; neither contains the other |
-//! | between | a door, or a jamb without a door, whose box meets exactly two rooms |
+//! | near (CLOSE) | at most 1.5 m from one's centre to the other's box, either way; centres at most 5 m apart; rooms excluded |
+//! | inside | the other's box contains both corners; the other is not part of the building |
+//! | on | a box cast 5 cm down from the bottom hits the other; the other's centre is no higher than the bottom; over half of the footprint is above it; neither contains the other |
+//! | between | a door, or a jamb without a door, whose box overlaps exactly two rooms |
 //! | in room | the room in whose box the centre is deepest |
 //!
-//! The boxes of a file are not the colliders that VirtualHome casts. For on and between
-//! several readings of its sources fit; those here are the ones that agree best with the
-//! five scenes they are tested on, so their scores are not held-out ones.
+//! The boxes of a file are not the colliders that VirtualHome casts. For on and between, several readings of
+//! its sources are possible; the ones used here agree best with the five scenes that they are tested on, so
+//! their scores are not held-out ones.
 
 use nalgebra::Point3;
 use vc_graph::{Aabb, Edge, Kind, Node, NodeId, Relation, SceneGraph};
@@ -98,8 +98,8 @@ fn contains(outer: &Aabb, inner: &Aabb) -> bool {
     outer.contains(&inner.min) && outer.contains(&inner.max)
 }
 
-/// The box cast meets what the bottom is in, too (a pillow on a sofa, whose box goes up to
-/// its back), so that only the support's centre says how deep is too deep.
+/// The box cast also hits a thing that contains the bottom (a pillow on a sofa, whose box goes up to its back),
+/// so that only the support's centre limits the depth.
 fn on(a: &Item<'_>, b: &Item<'_>) -> bool {
     let bottom = a.aabb.min.z;
     let meets = bottom - b.aabb.max.z <= VH_CAST && b.centre.z <= bottom + VH_ROUNDING;
@@ -122,7 +122,7 @@ fn in_room(a: &Item<'_>, rooms: &[Item<'_>], edges: &mut Vec<Edge>) {
     edges.extend(deepest.map(|room| Edge::new(a.id, Relation::InRoom, room.id)));
 }
 
-/// A door, or a jamb without one, is between two rooms if its box meets just them.
+/// A door, or a jamb without one, is between two rooms if its box overlaps exactly these.
 fn between(door: &Item<'_>, things: &[Item<'_>], rooms: &[Item<'_>], edges: &mut Vec<Edge>) {
     let leaf = |other: &Item<'_>| other.is_door() && !other.is_jamb() && other.meets(door);
     if !door.is_door() || (door.is_jamb() && things.iter().any(leaf)) {

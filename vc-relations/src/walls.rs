@@ -1,11 +1,11 @@
-//! The building between things.
+//! Walls between things.
 
 use crate::body::Body;
 use crate::region::Region;
 use crate::solid::Solid;
 use crate::tree::Tree;
 
-/// Pieces of walls, floors and ceilings.
+/// Solids of walls, floors and ceilings.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Walls {
     pieces: Vec<Solid>,
@@ -20,7 +20,7 @@ impl Walls {
         Self { pieces, tree }
     }
 
-    /// Whether part of the building is between the middles of bodies that are not in one room.
+    /// Whether part of the building is between the centres of two bodies that are not in one room.
     pub(crate) fn between(&self, a: &Body, b: &Body) -> bool {
         let mut among = Among::new(self);
         among.gather(a, std::iter::once(b));
@@ -29,7 +29,7 @@ impl Walls {
 }
 
 impl Walls {
-    /// Whether part of the building is between the middles of bodies, whatever room they are in.
+    /// Whether part of the building is between the centres of two bodies, whatever rooms they are in.
     pub(crate) fn is_between(&self, a: &Body, b: &Body) -> bool {
         let (from, to) = (a.whole.centre, b.whole.centre);
         let (way, region) = (to - from, Region::around(&from, &to));
@@ -42,7 +42,7 @@ impl Walls {
     }
 }
 
-/// The pieces that can be between one body and some others.
+/// The wall solids that can be between one body and some others.
 #[derive(Debug)]
 pub(crate) struct Among<'w> {
     walls: &'w Walls,
@@ -54,7 +54,7 @@ impl<'w> Among<'w> {
         Self { walls, near: Vec::new() }
     }
 
-    /// Finds them.
+    /// Collects them.
     pub(crate) fn gather<'b>(&mut self, a: &Body, others: impl Iterator<Item = &'b Body>) {
         let middle = |b: &Body| Region { low: b.whole.centre, high: b.whole.centre };
         let apart = others.filter(|b| are_apart(a, b) && !b.traits.structure);
@@ -65,7 +65,7 @@ impl<'w> Among<'w> {
         }
     }
 
-    /// Whether one is between the middles of the two, if they are not in one room.
+    /// Whether one of them is between the centres of the two, if these are not in one room.
     pub(crate) fn between(&self, a: &Body, b: &Body) -> bool {
         if self.near.is_empty() || !are_apart(a, b) {
             return false;

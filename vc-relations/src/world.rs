@@ -1,4 +1,4 @@
-//! All bodies of a scene, their rooms, and the facts of every pair: kept up to date.
+//! The world: all bodies of a scene, their rooms, and the facts of every pair, kept up to date.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -18,13 +18,13 @@ use crate::threshold::{NEAR_REACH, REACH_SLACK, UNDER_REACH};
 use crate::tree::Tree;
 use crate::walls::{Among, Walls};
 
-/// Bodies are numbered in the order of their nodes' numbers.
+/// The bodies of a scene, in the order of their node numbers.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct World {
     pub(crate) ids: Vec<NodeId>,
-    /// Nodes that have been removed since all was built; they keep their number.
+    /// Nodes removed since the last rebuild; they keep their index.
     gone: BTreeSet<NodeId>,
-    /// `None` for nodes without geometry, and for rooms; shared by copies that have not moved.
+    /// `None` for nodes without geometry, and for rooms; clones share bodies that have not moved.
     pub(crate) bodies: Vec<Option<Arc<Body>>>,
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
@@ -34,7 +34,7 @@ pub(crate) struct World {
     forms: Forms,
 }
 
-/// Forms by asset, found when first asked for.
+/// Forms by asset, computed on first use.
 #[derive(Debug, Clone, Default)]
 struct Forms {
     library: Arc<AssetLibrary>,
@@ -68,12 +68,12 @@ fn is_container(node: &Node) -> bool {
 }
 
 impl World {
-    /// Whether its forms are those of a library.
+    /// Whether its forms belong to a library.
     pub(crate) fn knows(&self, library: &Arc<AssetLibrary>) -> bool {
         Arc::ptr_eq(&self.forms.library, library)
     }
 
-    /// Builds all anew; what is known of assets is kept.
+    /// Rebuilds everything; the forms of assets are kept.
     pub(crate) fn rebuild(&mut self, graph: &SceneGraph, evidence: &Evidence) {
         if !self.knows(graph.assets()) {
             self.forms = Forms { library: graph.assets().clone(), known: BTreeMap::new() };
@@ -117,7 +117,7 @@ impl World {
         Some(Arc::new(body))
     }
 
-    /// The number of the body of a node that is there.
+    /// Index of the body of an existing node.
     pub(crate) fn index(&self, id: NodeId) -> Option<usize> {
         self.ids.binary_search(&id).ok().filter(|_| !self.gone.contains(&id))
     }
@@ -145,9 +145,9 @@ impl World {
         self.pairs = pairs;
     }
 
-    /// Reads one node again and measures its pairs. Returns what it had to do with before
-    /// and has now; `None` if the scene has to be built anew: a room or part of the building, a
-    /// node of which nothing was known, or one that could not be looked at.
+    /// Reads one node again and measures its pairs. Returns the bodies it had pairs with before and has now;
+    /// `None` if the scene must be rebuilt, as for a room or part of the building, an unknown node, or one that
+    /// was not lookable before.
     pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence) -> Option<Vec<u32>> {
         let index = self.index(id)?;
         let node = graph.node(id);
@@ -174,7 +174,7 @@ impl World {
         Some(met)
     }
 
-    /// The pairs of one body; the other ends are put into their lists.
+    /// Measures the pairs of one body; the opposite directions are put into the others' lists.
     fn measure_one(&mut self, index: usize) -> Vec<Pair> {
         let Some(a) = self.bodies[index].as_deref() else { return Vec::new() };
         let mut met = Vec::new();
@@ -184,7 +184,7 @@ impl World {
         walls.gather(a, others().map(|(_, b)| b));
         let (mut own, mut theirs) = (Vec::new(), Vec::new());
         for (j, b) in others() {
-            // In the order of a full build, so that the figures are the same to the last bit.
+            // Measured in the order of a full build, so that the figures are the same to the last bit.
             let (first, second) = if index < j { ((index, a), (j, b)) } else { ((j, b), (index, a)) };
             if let Some((p, q)) = pair::measure(first, second, &walls) {
                 let (ab, ba) = if index < j { (p, q) } else { (q, p) };
@@ -201,7 +201,7 @@ impl World {
         own
     }
 
-    /// The bodies that are somewhere below one, or beside and not above it, by number.
+    /// The bodies below one, or beside but not above it, by number.
     pub(crate) fn below(&self, index: usize) -> Vec<usize> {
         let Some(body) = &self.bodies[index] else { return Vec::new() };
         let mut column = body.region;
@@ -216,9 +216,9 @@ impl World {
         found
     }
 
-    /// Adds what touches bodies or may rest on them by joint or contact, directly or through
-    /// others, but for the building, and what is below any of these: what they rest on, and
-    /// what they are under, depends on each other. Returns the nodes, by number.
+    /// Extends a set of bodies by those that touch them or may rest on them by joint or contact, directly or
+    /// through others, but not through the building, and by those below any of these, as their supports and the
+    /// things they are under depend on each other. Returns the nodes, by number.
     pub(crate) fn spread(&self, mut met: Vec<u32>, facts: &Facts) -> Vec<NodeId> {
         let mut known = vec![false; self.bodies.len()];
         met.retain(|&m| !std::mem::replace(&mut known[m as usize], true));
@@ -259,7 +259,7 @@ fn region(body: &Option<Arc<Body>>) -> Region {
     body.as_ref().map_or(Region::EMPTY, |b| b.region)
 }
 
-/// Where something has to be for a body to have to do with it, or a share of the way there.
+/// The region in which other bodies can affect a body, or a share of its margin.
 fn zone(body: &Option<Arc<Body>>, share: f32) -> Region {
     region(body).grown(share * (NEAR_REACH + REACH_SLACK), share * (UNDER_REACH + REACH_SLACK))
 }

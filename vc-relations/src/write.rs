@@ -6,7 +6,7 @@ use vc_graph::{ChangeSet, Edge, EditError, Kind, NodeId, Place, Relation, SceneG
 
 use crate::relations::Relations;
 
-/// What geometry decides anew each time, beside where a thing rests and its room.
+/// Relations that are read from geometry anew each time, beside supports and rooms.
 const FREE: [Relation; 9] = [
     Relation::Under,
     Relation::Touching,
@@ -20,13 +20,12 @@ const FREE: [Relation; 9] = [
 ];
 
 impl Relations {
-    /// Writes the relations that start at some nodes into the graph, in place of those it
-    /// has there; what is held and worn stays. Give it what [`Self::update`] returned, or all
-    /// nodes. A thing of which nothing is known to carry it keeps its place.
+    /// Writes the relations that start at some nodes into the graph, in place of its present ones; holding and
+    /// wearing stay. Pass the nodes that [`Self::update`] returned, or all nodes. A thing without any known
+    /// support keeps its place.
     ///
     /// # Errors
-    /// [`EditError`] if the graph is not the one the relations were read from; then nothing
-    /// is changed.
+    /// [`EditError`] if the graph is not the one the relations were read from; nothing is changed then.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, NodeId, Pose, SceneBuilder};
@@ -46,11 +45,12 @@ impl Relations {
         self.write_but(graph, nodes, |_, _| None)
     }
 
-    /// As [`Self::write`]; of some things the caller knows where they rest, whatever geometry says: `known` is given
-    /// the graph as it was and a node, and names its places. Such a thing stays in the room that the graph has it in.
+    /// Like [`Self::write`], for callers that know the places of some things regardless of geometry: `known` is
+    /// given the original graph and a node, and returns its places. Such a thing stays in its room of the
+    /// graph.
     ///
     /// # Errors
-    /// As [`Self::write`].
+    /// Those of [`Self::write`].
     pub fn write_but(
         &self,
         graph: &mut SceneGraph,
@@ -68,8 +68,7 @@ impl Relations {
             }
         }
         let own = carriers_first(own);
-        // All that go elsewhere leave their old places first, so that no old place makes a new
-        // one a cycle.
+        // All things that move leave their old places first, so that no old place turns a new one into a cycle.
         for (id, edges) in &own {
             if edges.iter().any(rests) && !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
                 edit.detach(*id)?;
@@ -85,8 +84,8 @@ impl Relations {
     }
 }
 
-/// Nodes with their edges, each after those of them that it rests on: what changes rooms together with its
-/// support finds that there already, and stays on it.
+/// Orders nodes so that each comes after the ones it rests on: a thing that changes rooms together with its
+/// support then finds it there already, and stays on it.
 fn carriers_first(own: Vec<(NodeId, Vec<Edge>)>) -> Vec<(NodeId, Vec<Edge>)> {
     let mut open: Vec<(NodeId, Option<Vec<Edge>>)> = own.iter().rev().map(|(id, _)| (*id, None)).collect();
     let mut left: BTreeMap<NodeId, Vec<Edge>> = own.into_iter().collect();
@@ -103,8 +102,8 @@ fn carriers_first(own: Vec<(NodeId, Vec<Edge>)>) -> Vec<(NodeId, Vec<Edge>)> {
     ordered
 }
 
-/// Writes the relations of one kind that start at a node, if the graph has others. Those that go
-/// both ways may be there from the other end.
+/// Writes the relations of one kind that start at a node, if the graph has others. Symmetric ones may already
+/// exist from the other end.
 fn replace(edit: &mut vc_graph::Edit<'_>, id: NodeId, relation: Relation, edges: &[Edge]) -> Result<(), EditError> {
     let new = || edges.iter().filter(|e| e.relation == relation);
     let old: Vec<NodeId> = edit.graph().related(id, relation).collect();
@@ -115,8 +114,8 @@ fn replace(edit: &mut vc_graph::Edit<'_>, id: NodeId, relation: Relation, edges:
     new().filter(|e| !old.contains(&e.to)).try_for_each(|e| edit.relate(*e))
 }
 
-/// Whether a graph has a node in the room and at the places that edges say, and these places
-/// in the same room.
+/// Whether a graph has a node in the room and at the places that the edges give, with these places in the same
+/// room.
 fn is_placed(graph: &SceneGraph, id: NodeId, edges: &[Edge]) -> bool {
     let room = edges.iter().find(|e| e.relation == Relation::InRoom).map(|e| e.to);
     let mut new: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
@@ -144,7 +143,7 @@ fn rests(edge: &Edge) -> bool {
 }
 
 fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge]) -> Result<(), EditError> {
-    // Of a thing that keeps its place the graph may say that it rests on this one.
+    // The graph may have a thing that keeps its place resting on this one.
     let carried = |p: &Place| edit.graph().rests_at(p.at, id);
     let places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).filter(|p| !carried(p)).collect();
     if !places.is_empty() {

@@ -1,5 +1,5 @@
-//! The thesis's rule to the letter: all relations of small scenes, worked out by hand from
-//! its definition, wrong as some of them are.
+//! The thesis's rule to the letter: all relations of small scenes, worked out by hand from its definition,
+//! including those that are wrong in reality.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 

@@ -1,4 +1,4 @@
-//! Why relations hold or do not, for any pair and by any rule: every verdict once.
+//! Explanations of relations that hold or do not, for any pair and by any rule: every verdict once.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -38,8 +38,8 @@ fn hits_tell_what_was_met_where() {
     assert!(why.to_string().contains("by the trace down"));
 }
 
-/// A ball on the floor below the edge of a table, which is the fifth of its pieces: the trace
-/// of the ball's middle, 5 cm wide, meets only what is over the edge's side of it.
+/// A ball lies on the floor below the edge of a table, whose top is the fifth of its pieces: the trace from the
+/// middle of the ball, 5 cm wide, hits only the part of the table above it.
 #[test]
 fn hits_upwards_tell_which_piece_was_met_and_where() {
     let why = why(&["floor = floor 4 4", "table = table 0.8 1.2 0.75", "ball = ball 0.1 @ 0.39 0 0"], "ball", "table");
@@ -136,7 +136,7 @@ fn every_verdict_on_hanging() {
         lines.extend(more);
         why(&lines, "c", "h").hook.unwrap()
     };
-    // A narrow one, which only one of the hooks is at.
+    // A narrow coat, which only one of the hooks touches.
     let hangs = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180 s 1 0.3 1", &[]);
     assert_eq!((hangs.verdict, hangs.distance), (Verdict::Counts, 0.0));
     assert!((hangs.at - Point3::new(2.945, 0.1, 1.69)).norm() < 1e-4, "{hangs:?}");
@@ -195,7 +195,7 @@ fn points_beside_a_door_tell_what_it_is_between() {
     assert!((sides[1].0 - Point3::new(0.13, 0.0, 1.0)).norm() < 1e-4, "{why}");
 }
 
-/// By another rule nothing is told that the rule has not asked.
+/// Under another rule, the explanation has only facts that this rule uses.
 #[test]
 fn other_rules_are_explained_by_what_they_ask() {
     let lines = ["f = floor 4 4", "a = box 0.4 0.4 0.3 @ 0 0 0.01", "b = box 0.2 0.2 0.2 @ 0.5 0 0.02"];

@@ -1,5 +1,5 @@
-//! The traces, distances and hollows behind the relations, held against slow and obvious
-//! versions of them, through the public interface.
+//! The traces, distances and hollows behind the relations, compared with slow and simple versions of them,
+//! through the public interface.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -39,15 +39,14 @@ fn nearest(half: &Vector3<f32>, pose: &Pose, point: &Point3<f32>) -> Point3<f32>
     pose * Point3::from(own.sup(&-half).inf(half))
 }
 
-/// Distance of two boxes by going to and fro between them until nothing changes
-/// (alternating projections, Cheney and Goldstein 1959).
+/// Distance between two boxes by alternating projections until convergence (Cheney and Goldstein 1959).
 fn slow_distance(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose)) -> f32 {
     slow_bounds(a, b).1
 }
 
-/// Between what the distance of two boxes is: two points of them are no nearer than the boxes, and
-/// no farther than these is the gap between them along the same line. Where boxes nearly touch at a
-/// slant, going to and fro takes long, and the two differ.
+/// Lower and upper bounds of the distance between two boxes. The upper bound is the distance of two of their
+/// points, the lower one the gap between the boxes along the line through these. Where boxes nearly touch at a
+/// slant, projections converge slowly and the bounds differ.
 fn slow_bounds(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose)) -> (f32, f32) {
     let mut at = Point3::from(b.1.translation.vector);
     let mut other = at;
@@ -64,8 +63,8 @@ fn slow_bounds(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose)) -> (f32, f32)
     (gap.max(0.0), way.norm())
 }
 
-/// How far one box falls until it meets another: it falls by their distance again and again,
-/// which cannot take it past.
+/// Distance that one box falls until it hits another: it repeatedly falls by their distance, which cannot take
+/// it past.
 fn slow_drop(a: &(Vector3<f32>, Pose), b: &(Vector3<f32>, Pose), limit: f32) -> Option<f32> {
     let mut down = 0.0;
     while down < limit {
@@ -99,7 +98,7 @@ proptest! {
         prop_assert_eq!(back, relations.near(NodeId(1)).first().map(|n| n.distance));
     }
 
-    /// The swept box of the thesis's down trace meets what the dropped box meets.
+    /// The swept box of the thesis's down trace hits exactly what the dropped box hits.
     #[test]
     fn sweeps_meet_what_a_dropped_box_meets(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
@@ -107,16 +106,16 @@ proptest! {
         let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default()).unwrap();
         let hit = relations.between(NodeId(1), NodeId(2)).contains(&Relation::On);
         let slow = slow_drop(&one, &two, 2.9);
-        // Grazing hits may go either way: the slow one must be as sure with a thicker or
-        // thinner box.
+        // Grazing hits may go either way, so the slow result must be the same with a thicker and with a thinner
+        // box.
         let sure = |by: f32| slow_drop(&(a.map(|h| h + by), p), &two, 2.9).is_some();
         if sure(0.004) == sure(-0.004) {
             prop_assert_eq!(hit, slow.is_some());
         }
     }
 
-    /// Whatever the scene, relations are sorted, symmetric where they should be, free of
-    /// cycles, and nobody is on and in the same thing.
+    /// In any scene, relations are sorted, symmetric where they should be, free of cycles, and no node is both
+    /// on and in the same thing.
     #[test]
     fn relations_are_sound_in_any_heap(
         list in prop::collection::vec((half(), pose()), 2..14),
@@ -160,7 +159,7 @@ fn hostile(worst: &'static [f32]) -> impl Strategy<Value = f32> {
     prop_oneof![4 => 0.0_f32..2.0, 1 => prop::sample::select(worst)]
 }
 
-/// A size of any kind, and a place: graphs take no poses that are not finite.
+/// A size that may be invalid, and a position; graphs accept no poses that are not finite.
 fn hostile_box() -> impl Strategy<Value = [f32; 6]> {
     let size = prop::array::uniform3(hostile(&[f32::NAN, f32::INFINITY, -1.0, 1e30, f32::MIN_POSITIVE, 0.0]));
     let place = prop::array::uniform3(hostile(&[1e30, -1e30, -2.0, 9_999.0, 10_001.0]));
@@ -170,7 +169,7 @@ fn hostile_box() -> impl Strategy<Value = [f32; 6]> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Either every number is sound, or all that are not are named; never a panic.
+    /// Either all numbers are valid, or all invalid ones are named; never a panic.
     #[test]
     fn hostile_numbers_are_refused_by_name(numbers in prop::collection::vec(hostile_box(), 1..6)) {
         let number = |n: &[f32; 6]| (Vector3::new(n[0], n[1], n[2]), Pose::translation(n[3], n[4], n[5]));

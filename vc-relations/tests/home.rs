@@ -1,4 +1,4 @@
-//! A home whose every support and container is known, geometry alone.
+//! A home in which every support and container is known, read from geometry alone.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -7,7 +7,7 @@ mod shared;
 use vc_graph::{Edge, Relation};
 use vc_relations::{Evidence, Relations, Rule};
 
-/// Supports right, containments found, false containments.
+/// Correct supports of all, containments of all and those found, and false containments.
 fn score(objects: usize, rule: Rule) -> (usize, usize, usize, usize, usize) {
     let (home, truth) = shared::home::home(objects);
     let relations = Relations::new(&home.graph, rule, Evidence::default()).unwrap();

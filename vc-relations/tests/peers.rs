@@ -1,4 +1,4 @@
-//! The prototype's scenes: what carries each of up to 2,000 objects, and what it is in.
+//! The prototype's scenes: the supports and containers of up to 2,000 objects.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -7,7 +7,7 @@ mod shared;
 use vc_graph::{NodeId, Relation};
 use vc_relations::{Relations, Rule};
 
-/// Of all supports those found, of all containments those found, and false containments.
+/// Supports found of all, containments found of all, and the number of false containments.
 #[derive(Debug, PartialEq, Eq)]
 struct Score {
     supports: (usize, usize),

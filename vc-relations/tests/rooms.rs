@@ -1,4 +1,4 @@
-//! Rooms with corners keep their floors, however often they are read.
+//! L-shaped rooms keep their floors, however often they are read.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -8,7 +8,7 @@ use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Bounds, Draft, NodeId, Pose, SceneBuilder};
 use vc_relations::{Evidence, Relations, Rule};
 
-/// The middle of a floor around a corner is in the other room.
+/// The centre of an L-shaped floor is in the other room.
 #[test]
 fn a_floor_is_of_its_own_room() {
     let mut library = AssetLibrary::default();

@@ -1,5 +1,5 @@
-//! Hand-specified configurations: a small scene, a pair, and the relations that people say
-//! hold between the two.
+//! Hand-specified configurations: a small scene, a pair, and the relations that people say hold between the
+//! two.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -11,8 +11,8 @@ use serde_json::Value;
 use vc_graph::Relation;
 use vc_relations::{Proximity, Relations, Rule};
 
-/// Relations of which a configuration names all that hold; the others it names if it
-/// wants them to hold, or to `not` hold.
+/// Relations of which a configuration must list all that hold; other relations are listed only if they must
+/// hold, or must `not` hold.
 const COMPLETE: [Relation; 10] = [
     Relation::On,
     Relation::Inside,
@@ -39,8 +39,8 @@ fn words(value: &Value) -> Vec<String> {
     value.as_array().into_iter().flatten().map(|v| v.as_str().unwrap().to_owned()).collect()
 }
 
-/// All lines of a file. A scene is a list of lines; one that starts with `+` names a scene
-/// of `scenes.json` that it goes on from.
+/// All configurations of a file. A scene is a list of lines; a line that starts with `+` names a scene of
+/// `scenes.json` to include.
 fn configurations(file: &str) -> Vec<Configuration> {
     let bases: BTreeMap<String, Value> = serde_json::from_str(include_str!("data/scenes.json")).unwrap();
     let relations = |value: &Value| words(value).iter().map(|w| w.parse().unwrap()).collect();
@@ -65,7 +65,7 @@ fn configurations(file: &str) -> Vec<Configuration> {
     file.lines().enumerate().filter(|(_, l)| !l.trim().is_empty()).map(read).collect()
 }
 
-/// What is wrong, if anything.
+/// The deviation from the expected relations, if any.
 fn judge(c: &Configuration, rule: Rule) -> Option<String> {
     let relations = Relations::new(&c.scene.graph, rule, c.scene.evidence.clone()).unwrap();
     let [from, to] = [0, 1].map(|i| c.scene.id(&c.pair[i]));
@@ -97,7 +97,7 @@ fn low_rims_and_missing_backs_hold_things() {
     assert!(all.len() == 10 && wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Near in four ways, each by its name, from both sides.
+/// The named degrees of nearness, in both directions.
 #[test]
 fn nearness_has_names() {
     use Proximity::{ArmsReach, BehindWall, Far, Near, TouchingDistance};
@@ -132,8 +132,8 @@ fn names_are_unique() {
     assert_eq!(names.len(), all.len());
 }
 
-/// The share the thesis's rule gets right, by theme; near and touching do not count against
-/// it, as it has no touching and sees only the first thing at each side.
+/// The share of configurations that the thesis's rule gets right, by theme. Near and touching do not count
+/// against it, as it has no touching and sees only the first thing on each side.
 #[test]
 fn the_box_traces_are_reported_beside_it() {
     let mut table: BTreeMap<String, (usize, usize)> = BTreeMap::new();
@@ -149,7 +149,7 @@ fn the_box_traces_are_reported_beside_it() {
         eprintln!("{theme:>24}: box traces {right:>3} of {of}");
     }
     eprintln!("{:>24}: box traces {right:>3} of {of}", "all");
-    // What the benches' front page reports.
+    // The numbers reported in the benches' README.
     assert_eq!((right, of), (135, 318));
     let theme = |name: &str| table[name];
     assert_eq!([theme("cupboards"), theme("two supports"), theme("open containers")], [(3, 18), (1, 9), (9, 49)]);

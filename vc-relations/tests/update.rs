@@ -1,4 +1,4 @@
-//! Upkeep equals a full rebuild, after any edits.
+//! Incremental updates equal a full rebuild, after any edits.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -76,7 +76,7 @@ proptest! {
     }
 }
 
-/// At the very edge of reach, rounding must not make it matter which of two was asked first.
+/// At the very limit of reach, rounding must not make the result depend on which of two nodes is updated.
 #[test]
 fn exactly_in_reach_is_the_same_after_an_update() {
     for step in 0..200 {

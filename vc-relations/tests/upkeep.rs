@@ -1,5 +1,5 @@
-//! Upkeep equals a full rebuild, whatever changes: poses, states, hands, drawers, contacts,
-//! joints, and what there is at all.
+//! Incremental updates equal a full rebuild, whatever changes: poses, states, hands, drawers, contacts, joints,
+//! and the set of nodes itself.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, Edge, Kind, NodeId, Pose, Relation, SceneGraph, Seed, State, Stream};
 use vc_relations::{Attachment, Contact, Evidence, Relations, Rule};
 
-/// Beside the rooms of objects: people, things to look at, to sit on, to hang on, to pull.
+/// In addition to the rooms of objects: people, and things to look at, sit on, hang on and pull.
 const MORE: [&str; 11] = [
     "tv = tv 0.1 1.2 0.7 @ 1.8 0.5 0.8 r 0 0 180",
     "sofa = sofa 2 @ -1 1.2 0",
@@ -27,13 +27,13 @@ const MORE: [&str; 11] = [
     "me holds_right sock",
 ];
 
-/// A scene that changes, and what is known beside it.
+/// A changing scene and its evidence.
 struct Life {
     graph: SceneGraph,
     evidence: Evidence,
-    /// Assets with moving parts, and how many.
+    /// Assets with joints, and how many each has.
     moving: Vec<(NodeId, usize)>,
-    /// Nodes that the last changes were about.
+    /// Nodes that the last changes affected.
     changed: Vec<NodeId>,
     rng: Stream,
 }
@@ -45,7 +45,7 @@ impl Life {
         Self { graph: home.graph, evidence: home.evidence, moving, changed: Vec::new(), rng: seed.stream() }
     }
 
-    /// Something that is no part of the building.
+    /// A random node that is not part of the building.
     fn thing(&mut self, wanted: impl Fn(Kind) -> bool) -> NodeId {
         let building = |n: &vc_graph::Node| &*n.spec().category == "structure";
         let all: Vec<NodeId> =
@@ -90,14 +90,14 @@ impl Life {
         self.changed.push(id);
     }
 
-    /// Takes something in a hand or lets it go; either the thing is said to have changed, or
-    /// those whose hands it left and came to.
+    /// Takes something in a hand or lets it go; reports either the thing as changed, or its present and former
+    /// holders.
     fn takes(&mut self) {
         let (agent, thing, lets_go) = (self.thing(|kind| kind == Kind::Agent), self.object(), self.rng.chance(0.5));
         let own = self.graph.related(agent, Relation::HoldsRight).next().filter(|_| lets_go);
         let thing = own.unwrap_or(thing);
         let before = self.graph.holder(thing).map(|p| p.at);
-        // Full hands and cycles are refused.
+        // Full hands and cycles are rejected.
         self.edit(|edit| drop(if own.is_some() { edit.detach(thing) } else { edit.hold(agent, thing) }));
         if self.rng.chance(0.5) {
             self.changed.push(thing);
@@ -124,7 +124,7 @@ impl Life {
         self.changed.push(id);
     }
 
-    /// Says something else beside the geometry.
+    /// Changes the evidence at random.
     fn is_said(&mut self) {
         let (agent, one, other) = (self.thing(|kind| kind == Kind::Agent), self.object(), self.object());
         let (node, links) = self.moving[self.rng.below(self.moving.len())];
@@ -149,7 +149,7 @@ impl Life {
         }
     }
 
-    /// A few changes; whether anything was said beside the geometry.
+    /// Makes a few changes; returns whether the evidence changed.
     fn goes_on(&mut self) -> bool {
         self.changed.clear();
         let said = self.rng.chance(0.5);
@@ -177,7 +177,7 @@ fn by_node(edges: &[Edge]) -> BTreeMap<NodeId, BTreeSet<Edge>> {
     map
 }
 
-/// Whether two say the same of everything, in every way one can ask.
+/// Checks that two agree about everything, in all queries.
 fn compare(updated: &Relations, fresh: &Relations, life: &mut Life) -> Result<(), TestCaseError> {
     let (ours, theirs): (BTreeSet<Edge>, BTreeSet<Edge>) =
         (updated.edges().into_iter().collect(), fresh.edges().into_iter().collect());
@@ -204,7 +204,7 @@ fn compare(updated: &Relations, fresh: &Relations, life: &mut Life) -> Result<()
     Ok(())
 }
 
-/// Ten times a few changes, upkeep and a rebuild.
+/// Ten rounds of a few changes, an incremental update and a rebuild.
 fn live(seed: Seed) -> Result<(), TestCaseError> {
     let mut life = Life::new(seed);
     let mut relations = Relations::new(&life.graph, Rule::Repaired, life.evidence.clone()).unwrap();
@@ -240,7 +240,7 @@ proptest! {
     }
 }
 
-/// Rooms that come and go change what is in them.
+/// Rooms that come and go change the room relations of the things in them.
 #[test]
 fn rooms_come_and_go() {
     let mut scene = shared::scene(["old = room 4 4", "cup = box 0.1 0.1 0.1 @ 1 1 0", "door = door 0.9 2 @ 2 0 0"]);
@@ -266,7 +266,7 @@ fn rooms_come_and_go() {
     assert!(!relations.has(Edge::new(cup, Relation::InRoom, old)));
 }
 
-/// They may come later.
+/// Such nodes may be added later.
 #[test]
 fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     let mut scene =
@@ -283,7 +283,7 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     let supports = relations.supports(cup);
     assert!(supports.len() == 1 && supports[0].by == table && (supports[0].share - 1.0).abs() < 1e-6, "{supports:?}");
     assert!(relations.of(me).iter().all(|e| e.to != none) && relations.explain(cup, table).unwrap().held.is_empty());
-    // Who holds something may go, too.
+    // The holder of a thing may disappear, too.
     evidence = Evidence::default().holding(Edge::new(me, Relation::HoldsRight, cup));
     relations.set_evidence(&scene.graph, evidence).unwrap();
     assert!(relations.supports(cup).is_empty());
@@ -294,8 +294,8 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     assert!(met.contains(&cup) && relations.has(Edge::new(cup, Relation::On, table)));
 }
 
-/// Things in a container stay in it when both change rooms, whichever of them comes first: the graph written to
-/// step by step says the same as one written anew.
+/// Things in a container stay in it when both change rooms, in whatever order they are written: the graph
+/// updated step by step equals one written anew.
 #[test]
 fn contents_change_rooms_with_their_container() {
     for seed in 0..8 {
@@ -346,7 +346,7 @@ fn contents_change_rooms_with_their_container() {
     }
 }
 
-/// The switch on a wall does not rest on what somebody holds below it, nor on what lies in that; a cup does.
+/// A wall switch does not rest on a thing held below it, nor on its contents; a cup does.
 #[test]
 fn a_hand_carries_nothing_built_in() {
     let scene = shared::scene([

@@ -1,5 +1,5 @@
-//! VirtualHome's exported scenes, boxes only: its own definitions against its own edges, and
-//! the default rule beside them.
+//! VirtualHome's exported scenes, with boxes only: its own definitions compared with its own edges, and the
+//! default rule with both.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -10,14 +10,14 @@ use std::path::PathBuf;
 use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph};
 use vc_relations::{Evidence, Relations, Rule};
 
-/// How many pairs, and what they were taken for.
+/// Number of pairs, and their classes.
 type Confusion = (usize, BTreeMap<String, usize>);
 
 fn scenes() -> Vec<SceneGraph> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
     let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
     if !folder.is_dir() {
-        // Past the harness, which keeps what passing tests print.
+        // Written past the test harness, which captures the output of passing tests.
         let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
         std::io::stderr().write_all(told.as_bytes()).unwrap();
         return Vec::new();
@@ -61,7 +61,7 @@ impl Score {
 const COMPARED: [Relation; 6] =
     [Relation::Near, Relation::Between, Relation::Inside, Relation::On, Relation::InRoom, Relation::Facing];
 
-/// Edges of a kind from objects; characters' are written by VirtualHome's actions.
+/// Edges of a kind that start at objects; those of characters are written by VirtualHome's actions.
 fn of_kind(graph: &SceneGraph, edges: impl Iterator<Item = Edge>, relation: Relation) -> BTreeSet<Edge> {
     let agent = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::Kind::Agent);
     let room = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::Kind::Room);
@@ -100,7 +100,7 @@ fn its_own_definitions_give_its_own_edges() {
     assert_eq!(format!("{:.3} {:.3}", inside.f1(), in_room.f1()), "1.000 0.965");
 }
 
-/// What a pair is by an edge list, as far as where things rest goes.
+/// The placement relation of a pair in an edge list.
 fn place(edges: &BTreeSet<Edge>, from: NodeId, to: NodeId) -> &'static str {
     let has = |relation| edges.contains(&Edge::new(from, relation, to));
     match (has(Relation::Inside), has(Relation::On), has(Relation::Under)) {
@@ -111,12 +111,12 @@ fn place(edges: &BTreeSet<Edge>, from: NodeId, to: NodeId) -> &'static str {
     }
 }
 
-/// Precision and recall of the default rule, to the digits the benches' front page reports.
+/// Precision and recall of the default rule, to the digits reported in the benches' README.
 ///
-/// Facing is hardly the same thing: theirs is from every object with a clear view of a thing to
-/// look at, floors, ceilings and plates among them, and to picture frames for the most part.
-/// Ours is from agents, of which these scenes have none that counts here, and from seats, and
-/// asks not for the view of a corner but for no wall between.
+/// The two kinds of facing are hardly comparable. Theirs is from every object with a clear view of a thing to
+/// look at, floors, ceilings and plates among them, and mostly to picture frames. Ours is from agents, of which
+/// these scenes have none that counts here, and from seats, and requires only that no wall is in between, not a
+/// view of a corner.
 #[test]
 fn the_default_rule_scores_what_is_reported() {
     let Some(scores) = scores(Rule::Repaired) else { return };
@@ -128,7 +128,7 @@ fn the_default_rule_scores_what_is_reported() {
     }
 }
 
-/// Which relation of theirs is which of ours, as the benches' front page has it.
+/// Confusion between their relations and ours, as reported in the benches' README.
 #[test]
 fn pairs_are_taken_for_what_is_reported() {
     let mut table: BTreeMap<(&str, &str), Confusion> = BTreeMap::new();

@@ -1,9 +1,9 @@
-//! What pictures cost against triangles, objects and pixels, and the memory they take.
+//! Costs of pictures by number of triangles, objects and pixels, and the memory they take.
 //!
-//! `cargo bench -p vc-render --bench costs` prints tables and writes them as a plot, `costs.svg`, into the
-//! folder that `VC_OUT` names, or the working folder; beside it the home of 300 objects as `reference.obj`,
-//! for `benches/peers/render.py --obj`. CPU time of one thread, the mean over sixteen views of
-//! the median of seven; light is made once and not counted.
+//! `cargo bench -p vc-render --bench costs` prints tables and plots them as `costs.svg` in the folder named by
+//! `VC_OUT`, or in the working folder; it also writes the home of 300 objects as `reference.obj`, for
+//! `benches/peers/render.py --obj`. Times are CPU time of one thread: the mean over sixteen views of the median
+//! of seven runs. Light is computed once and not counted.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
@@ -22,10 +22,10 @@ use rayon::ThreadPool;
 use stage::{LABELS, SIX, Stage, single, sky};
 use vc_graph::Pose;
 
-/// What is timed.
+/// The sets of modalities that are timed.
 const SETS: [&str; 2] = ["labels, depth, flow", "all six"];
 
-/// A home of objects that are so fine, ready to be looked at.
+/// A stage with a home of `objects` objects, whose meshes have `fine` cells along an edge.
 fn ready(fine: i32, objects: usize) -> Stage {
     let home = home(fine, objects);
     Stage::new(&home.graph, &home.lamps)
@@ -36,7 +36,7 @@ fn times(stage: &Stage, (width, height): (u32, u32), threads: &ThreadPool) -> [f
     [LABELS, SIX].map(|wanted| stage.one(&cameras(width, height), wanted, threads))
 }
 
-/// Megabytes of the process at its peak, where the system says.
+/// Peak memory of the process in megabytes, where the system reports it.
 fn peak() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM"))?;
@@ -74,7 +74,7 @@ fn of_pixels(threads: &ThreadPool) -> Panel {
     panel
 }
 
-/// Milliseconds on the wall, all threads, of light made, and brought up to date.
+/// Wall-clock milliseconds, on all threads, for computing light and for updating it.
 fn of_light() {
     let home = home(6, 300);
     let Stage { renderer, mut snapshot, mut lighting, .. } = Stage::new(&home.graph, &home.lamps);

@@ -1,9 +1,9 @@
-//! Rays a second of one core, through the home of 300 objects that pictures are timed in, and through as many objects
-//! in one room, a third of them glass, which has a tree of its own.
+//! Rays a second on one core, in the home of 300 objects used for timing pictures, and with as many objects in
+//! one room, a third of them glass, which has a tree of its own.
 //!
-//! `cargo bench -p vc-render --bench rays`. Primary rays go through the pixels of sixteen views in
-//! order; bounces leave what those met, by the cosine, in any direction; shadow rays go to points of the
-//! ceiling. The throughput is in rays of one thread. Then a tenth of the bodies moves.
+//! Run with `cargo bench -p vc-render --bench rays`. Primary rays go through the pixels of sixteen views in
+//! order; bounce rays leave the hits of these in cosine-distributed directions; shadow rays go to points of the
+//! ceiling. The throughput is in rays of one thread. Finally a tenth of the bodies moves.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "a bench")]
 
@@ -31,7 +31,7 @@ fn cameras() -> Vec<Camera> {
     (0..16).map(view).collect()
 }
 
-/// Through all pixels, in order.
+/// Primary rays through all pixels, in order.
 fn primary(cameras: &[Camera]) -> Vec<Ray> {
     let through = |camera: &Camera| {
         let (camera, eye) = (*camera, camera.eye());
@@ -43,7 +43,7 @@ fn primary(cameras: &[Camera]) -> Vec<Ray> {
     cameras.iter().flat_map(through).collect()
 }
 
-/// From what rays met, by the cosine.
+/// Bounce rays from the hits of other rays, in cosine-distributed directions.
 fn bounced(caster: &RayCaster, rays: &[Ray]) -> Vec<Ray> {
     let mut chance = Seed(3).stream();
     let mut bounce = |(from, along): &Ray| {
@@ -61,7 +61,7 @@ fn bounced(caster: &RayCaster, rays: &[Ray]) -> Vec<Ray> {
     rays.iter().filter_map(&mut bounce).collect()
 }
 
-/// Rays of all kinds through a scene.
+/// Times rays of all kinds in a scene.
 fn rays(c: &mut Criterion, name: &str, snapshot: &Snapshot, cameras: &[Camera]) {
     let caster = RayCaster::new(snapshot);
     let first = primary(cameras);
@@ -89,7 +89,7 @@ fn room(c: &mut Criterion) {
     moving(c, &snapshot);
 }
 
-/// A tenth of the bodies moves.
+/// Times rays and updates when a tenth of the bodies moves.
 fn moving(c: &mut Criterion, snapshot: &Snapshot) {
     let (caster, first) = (RayCaster::new(snapshot), primary(&cameras()));
     let (mut other, mut moved) = (caster, snapshot.clone());

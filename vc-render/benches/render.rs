@@ -1,11 +1,11 @@
-//! What pictures cost: sixteen views of a home of 130,000 and of a million triangles, in four sizes. Run with
-//! `cargo bench -p vc-render --bench render`; `-- first` leaves the million out. Light is the sun and three lamps,
-//! and in rows of their own two lamps alone, and fifty things that have moved by the next moment. Another row is for
-//! what is hidden then, which the six leave out.
+//! Costs of pictures: sixteen views of a home of 130,000 and of a million triangles, in four sizes. Run with
+//! `cargo bench -p vc-render --bench render`; `-- first` leaves out the million. The light is the sun and three
+//! lamps; separate rows have two lamps alone, and fifty things that have moved by the next moment. Another row
+//! is for occlusion at the next moment, which is not among the six modalities.
 //!
-//! CPU time of one thread, the time on the wall when all threads make a picture together, and when they make
-//! many side by side. The mean over the views of the median of seven; light is made once and not
-//! counted, frames are used again.
+//! Times are CPU time of one thread, wall-clock time if all threads make one picture together, and wall-clock
+//! time if they make many pictures side by side: the mean over the views of the median of seven runs. Light is
+//! computed once and not counted, and frames are reused.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
@@ -42,7 +42,7 @@ fn main() {
     }
 }
 
-/// Moves fifty things by a few centimetres, and prints what that costs.
+/// Moves fifty things by a few centimetres, and prints the cost of that.
 fn move_some(stage: &mut Stage, home: &Home) {
     let things = home.graph.nodes().filter(|node| node.kind() == Kind::Object);
     let moved: Vec<_> = things

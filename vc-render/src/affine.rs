@@ -1,18 +1,18 @@
-//! Maps of space that keep lines straight and parallel.
+//! Affine maps of space.
 
 use nalgebra::{Isometry3, Vector3};
 
-/// A linear map and a shift, rows first.
+/// A linear map and a translation, as rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Affine(pub(crate) [[f64; 4]; 3]);
 
-/// The same in single precision, for inner loops.
+/// An affine map in single precision, for inner loops.
 pub(crate) type Narrow = [[f32; 4]; 3];
 
 impl Affine {
     pub(crate) const IDENTITY: Self = Self([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
 
-    /// First scaled along the own axes, then moved and turned.
+    /// The map that first scales along the node's own axes, then rotates and translates.
     pub(crate) fn placed(pose: &Isometry3<f32>, scale: &Vector3<f32>) -> Self {
         let pose = pose.cast::<f64>();
         let turn = pose.rotation.to_rotation_matrix();
@@ -23,12 +23,12 @@ impl Affine {
         Self([row(0), row(1), row(2)])
     }
 
-    /// Of a pose alone.
+    /// The map of a pose alone.
     pub(crate) fn of(pose: &Isometry3<f32>) -> Self {
         Self::placed(pose, &Vector3::repeat(1.0))
     }
 
-    /// Everything nearer to a point, which stays.
+    /// Scales everything towards a point, which stays fixed.
     pub(crate) fn shrunk(to: [f64; 3], by: f64) -> Self {
         let row = |r: usize| {
             let mut row = [0.0; 4];
@@ -39,7 +39,7 @@ impl Affine {
         Self([row(0), row(1), row(2)])
     }
 
-    /// First `first`, then this.
+    /// The composition: first `first`, then this.
     pub(crate) fn after(&self, first: &Self) -> Self {
         let row = |r: usize| {
             let own = &self.0[r];
@@ -49,7 +49,7 @@ impl Affine {
         Self([row(0), row(1), row(2)])
     }
 
-    /// Where a point goes.
+    /// Maps a point.
     pub(crate) fn point(&self, p: [f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|r: usize| {
             let row = &self.0[r];
@@ -62,7 +62,7 @@ impl Affine {
         a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
     }
 
-    /// The map back; none where a direction is lost.
+    /// The inverse map; none where the map is singular.
     pub(crate) fn inverse(&self) -> Option<Self> {
         let determinant = self.determinant();
         if !determinant.is_normal() {
@@ -89,25 +89,25 @@ impl Affine {
     }
 
     pub(crate) fn is_finite(&self) -> bool {
-        // Narrow enough for single precision, squares included.
+        // Small enough for single precision, squares included.
         self.0.iter().flatten().all(|v| v.abs() < 1e15)
     }
 }
 
-/// Three of a kind by index. A list's own `map` is not always inlined, and then not compiled for the
-/// vectors that the loop around it has.
+/// An array of three values by index. An array's own `map` is not always inlined, and is then not vectorized
+/// with the loop around it.
 #[inline(always)]
 pub(crate) fn three<T>(part: impl Fn(usize) -> T) -> [T; 3] {
     [part(0), part(1), part(2)]
 }
 
-/// So many times a vector.
+/// A vector times a scalar.
 #[inline(always)]
 pub(crate) fn scaled(v: [f32; 3], by: f32) -> [f32; 3] {
     [v[0] * by, v[1] * by, v[2] * by]
 }
 
-/// Where a point goes.
+/// Maps a point.
 #[inline(always)]
 pub(crate) fn point(m: &Narrow, p: [f32; 3]) -> [f32; 3] {
     three(
@@ -116,7 +116,7 @@ pub(crate) fn point(m: &Narrow, p: [f32; 3]) -> [f32; 3] {
     )
 }
 
-/// Where a direction goes.
+/// Maps a direction.
 #[inline(always)]
 pub(crate) fn vector(m: &Narrow, v: [f32; 3]) -> [f32; 3] {
     three(
@@ -125,7 +125,7 @@ pub(crate) fn vector(m: &Narrow, v: [f32; 3]) -> [f32; 3] {
     )
 }
 
-/// Where a normal goes, given the map's inverse; not of unit length.
+/// Maps a normal, given the inverse of the map; the result is not of unit length.
 #[inline(always)]
 pub(crate) fn normal(inverse: &Narrow, n: [f32; 3]) -> [f32; 3] {
     three(
@@ -134,7 +134,7 @@ pub(crate) fn normal(inverse: &Narrow, n: [f32; 3]) -> [f32; 3] {
     )
 }
 
-/// The axis along which a vector reaches farthest, either way.
+/// The axis along which a vector has its largest component, by absolute value.
 #[inline(always)]
 pub(crate) fn longest(v: [f32; 3]) -> u8 {
     let [x, y, z] = v.map(f32::abs);
@@ -142,13 +142,13 @@ pub(crate) fn longest(v: [f32; 3]) -> u8 {
     if x >= y && x >= z { 0 } else { others }
 }
 
-/// What stands upright on two vectors, as long as the area between them.
+/// The cross product: perpendicular to both vectors, as long as the area of the parallelogram between them.
 #[inline(always)]
 pub(crate) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The volume between three vectors; negative if they go around the other way.
+/// The volume spanned by three vectors (their triple product); negative if they are left-handed.
 pub(crate) fn volume(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
     a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 }

@@ -10,16 +10,16 @@ use crate::affine::Affine;
 /// Longest side of an image, pixels.
 pub const MAX_SIDE: u32 = 8192;
 
-/// How far ahead one looks along a way, metres, and at how many places.
+/// How far ahead a camera looks along a path, metres, and the number of points there whose mean it looks at.
 const AHEAD: f32 = 1.4;
 const LOOKS: usize = 8;
-/// How many pixels are looked at where not all of a picture is.
+/// Number of pixels sampled where a whole picture is not needed.
 pub(crate) const STREWN: usize = 192;
 
-/// A way with its corners cut off.
+/// A path with its corners cut off.
 struct Way {
     points: Vec<Point3<f32>>,
-    /// Metres up to each point.
+    /// Length of the path up to each point, metres.
     gone: Vec<f32>,
 }
 
@@ -50,14 +50,14 @@ pub struct Camera {
     pub centre: (f32, f32),
     /// The optical frame in the world.
     pub pose: Pose,
-    /// What is nearer than this along the axis is not seen, metres.
+    /// Near plane: surfaces nearer than this along the axis are not seen, metres.
     pub near: f32,
 }
 
 impl Camera {
-    /// A camera at the origin that looks along X, with a vertical field of view in
-    /// radians and square pixels. No picture is made with a field of view that is not above 0 and below half a turn:
-    /// [`RenderError::BadCamera`].
+    /// A camera at the origin that looks along X, with a vertical field of view in radians and square pixels.
+    /// Rendering fails with [`RenderError::BadCamera`] unless the field of view is above 0 and below half a
+    /// turn.
     pub fn with_fov(width: u32, height: u32, vertical: f32) -> Self {
         let vertical = if vertical > 0.0 && vertical < std::f32::consts::PI { vertical } else { f32::NAN };
         let focal = 0.5 * height as f32 / (0.5 * vertical).tangent();
@@ -70,7 +70,7 @@ impl Camera {
         Self { width, height, focal, centre, pose: Pose::identity(), near: 0.01 }.mounted(&Pose::identity())
     }
 
-    /// The camera on a body: it looks along the pose's X, its left is the pose's Y.
+    /// The camera mounted on a body: it looks along the pose's X, and its left is the pose's Y.
     #[must_use]
     pub fn mounted(self, on: &Pose) -> Self {
         let axes = Matrix3::new(0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0);
@@ -78,8 +78,8 @@ impl Camera {
         Self { pose: on * turn, ..self }
     }
 
-    /// The camera at `eye`, with `target` in the middle of the image and the world's
-    /// Z up in it; looking straight up or down, the world's X is up.
+    /// The camera at `eye`, with `target` in the middle of the image and the world's Z pointing up in it; if it
+    /// looks straight up or down, the world's X points up.
     #[must_use]
     pub fn looking(self, eye: Point3<f32>, target: Point3<f32>) -> Self {
         let forward = (target - eye).try_normalize(1e-12).unwrap_or_else(Vector3::x);
@@ -98,7 +98,7 @@ impl Camera {
         self.looking(at + Vector3::new(0.0, 0.0, up), at)
     }
 
-    /// The same view in another number of pixels: what was at the border is at the border.
+    /// The same view in another number of pixels, with the same field of view.
     #[must_use]
     pub fn resized(self, width: u32, height: u32) -> Self {
         let across = width as f32 / self.width.max(1) as f32;
@@ -107,8 +107,8 @@ impl Camera {
         Self { width, height, focal: scaled(self.focal), centre: scaled(self.centre), ..self }
     }
 
-    /// Where a point of the world is in the image: pixels across and down, and depth
-    /// along the axis in metres. None if it is nearer than the near plane.
+    /// Projects a point of the world into the image: pixels across and down, and depth along the axis in
+    /// metres. None if it is nearer than the near plane.
     pub fn project(&self, point: &Point3<f32>) -> Option<Point3<f32>> {
         let seen = self.pose.inverse_transform_point(point);
         (seen.z >= self.near).then(|| {
@@ -134,12 +134,12 @@ impl Camera {
         self.pose.inverse().to_homogeneous()
     }
 
-    /// From the world, homogeneous, to the image, homogeneous.
+    /// The projection matrix, from homogeneous world coordinates to homogeneous image coordinates.
     pub fn projection(&self) -> Matrix3x4<f32> {
         self.intrinsics() * self.extrinsics().fixed_rows::<3>(0)
     }
 
-    /// Cameras on a circle around a point, all looking at it, `steps` of them.
+    /// `steps` cameras on a circle around a point, all looking at it.
     ///
     /// `elevation` is the angle above the horizon, radians.
     pub fn around(self, target: Point3<f32>, distance: f32, elevation: f32, steps: usize) -> Vec<Self> {
@@ -151,11 +151,12 @@ impl Camera {
         (0..steps).map(view).collect()
     }
 
-    /// Cameras along a way, evenly spaced and as many as wanted, each looking to the mean of what is next, so
-    /// that the eye turns smoothly. Corners of the way are cut off, three times over (Chaikin 1974).
+    /// `count` cameras evenly spaced along a path. Each looks at the mean of the next points on it, so that the
+    /// view turns smoothly. Corners of the path are cut off, three times over (Chaikin 1974).
     ///
-    /// The last looks to the end of the way from a little over a metre before it, or from halfway along a short
-    /// one. A way of one point is stood on, looking along X; none has no cameras.
+    /// The last camera looks at the end of the path from a little over a metre before it, or from halfway along
+    /// a short path. On a path of one point all cameras stand there, looking along X; a path without points has
+    /// no cameras.
     ///
     /// ```
     /// use nalgebra::Point3;
@@ -178,13 +179,13 @@ impl Camera {
         (0..count).map(view).collect()
     }
 
-    /// Direction through a place in the image, in the optical frame, with z = 1.
+    /// Direction of the ray through a point of the image, in the optical frame, with z = 1.
     pub(crate) fn ray(&self, across: f32, down: f32) -> Vector3<f32> {
         Vector3::new((across - self.centre.0) / self.focal.0, (down - self.centre.1) / self.focal.1, 1.0)
     }
 
-    /// Middles of pixels strewn evenly over the picture (Roberts's sequence), so that a straight edge does not pass
-    /// many at once, as it would on a grid of rows and columns.
+    /// Centres of pixels scattered evenly over the picture (Roberts's sequence), so that a straight edge does
+    /// not cross many at once, as it would on a grid of rows and columns.
     pub(crate) fn strewn(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
         const STEP: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
         let size = [self.width, self.height];
@@ -195,17 +196,17 @@ impl Camera {
         (0..STREWN as u32).map(move |i| [place(0, i), place(1, i)])
     }
 
-    /// Where the eye is.
+    /// Position of the camera in the world.
     pub fn eye(&self) -> Point3<f32> {
         self.pose.translation.vector.into()
     }
 
-    /// From the world to the optical frame.
+    /// The map from the world to the optical frame.
     pub(crate) fn view(&self) -> Affine {
         Affine::of(&self.pose).inverse().unwrap_or(Affine::IDENTITY)
     }
 
-    /// The same view with so many times the pixels along each side.
+    /// The same view with `times` as many pixels along each side.
     pub(crate) fn finer(&self, times: u32) -> Self {
         let by = times as f32;
         Self {
@@ -256,12 +257,12 @@ impl Way {
         Self { gone: gone.take(points.len()).collect(), points }
     }
 
-    /// Metres, if there is a way at all.
+    /// Length of the path, metres; `None` if it has no points.
     fn length(&self) -> Option<f32> {
         self.gone.last().copied()
     }
 
-    /// Where one is after so many metres.
+    /// The point of the path at a distance from its start, metres.
     fn at(&self, gone: f32) -> Point3<f32> {
         let next = self.gone.partition_point(|g| *g <= gone).clamp(1, self.points.len().max(2) - 1);
         let (Some(a), Some(b)) = (self.points.get(next - 1), self.points.get(next)) else { return self.points[0] };
@@ -271,7 +272,7 @@ impl Way {
     }
 }
 
-/// Cuts corners off, a quarter of each side from either end.
+/// Cuts corners off, a quarter of each side from either end (one step of Chaikin's algorithm).
 fn cut(points: &[Point3<f32>]) -> Vec<Point3<f32>> {
     let (Some(first), [.., last]) = (points.first(), points) else { return Vec::new() };
     let quarters = points.windows(2).flat_map(|p| [0.25, 0.75].map(|share| p[0] + (p[1] - p[0]) * share));

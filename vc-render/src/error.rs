@@ -1,8 +1,8 @@
-//! What can be wrong with what is to be rendered.
+//! Errors of rendering.
 
 use vc_graph::NodeId;
 
-/// Why there is no picture.
+/// The reason why nothing was rendered.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
@@ -14,58 +14,58 @@ pub enum RenderError {
         /// Pixels down.
         height: u32,
     },
-    /// Focal lengths, principal point, near plane or pose of the camera are no numbers, or absurd ones: what is wrong,
-    /// and how it is to be.
+    /// The camera's focal lengths, principal point, near plane or pose are not finite or out of range; the text
+    /// says which, and the range.
     #[error("the camera cannot be used: its {0}")]
     BadCamera(&'static str),
-    /// A node's pose, scale or joint is not finite, or it would be farther away than 1e15 metres.
-    #[error("the pose, scale or joint of {0} is not finite, or is beyond 1e15 metres: mend it where it was set")]
+    /// A node's pose, scale or joint is not finite, or the node would be farther away than 1e15 metres.
+    #[error("the pose, scale or joint of {0} is not finite, or is beyond 1e15 metres: correct it where it was set")]
     BadPose(NodeId),
     /// A node points to an asset that its library does not have.
     #[error(
         "{node} has asset {asset}, which is not in its scene's library: add it there, or let the node have a box only"
     )]
     NoSuchAsset {
-        /// Which node.
+        /// The node.
         node: NodeId,
-        /// Which asset.
+        /// Number of the missing asset.
         asset: u32,
     },
-    /// Something is asked for that needs what is not there.
+    /// A wanted modality needs an input that was not given.
     #[error("{wanted} needs {needs}, and there is none: give it, or do not ask for {wanted}")]
     Missing {
-        /// What is asked for.
+        /// The modality.
         wanted: &'static str,
-        /// What it needs, and how that is given.
+        /// The input it needs, and the method that gives it.
         needs: &'static str,
     },
-    /// Two things are used together that are not of the same scene.
+    /// Two things are used together that belong to different scenes.
     #[error(
         "the {what} is of another scene ({there} meshes are in it, {here} in this one, and not of the same nodes): \
          make both from one snapshot, or from snapshots of the same nodes"
     )]
     OtherScene {
-        /// What is of another scene.
+        /// The thing that belongs to another scene.
         what: &'static str,
-        /// Meshes in the scene it is used with.
+        /// Meshes in the scene that it is used with.
         here: usize,
-        /// Meshes in its own.
+        /// Meshes in its own scene.
         there: usize,
     },
     /// Something was made by another renderer, whose meshes and materials this one does not have.
     #[error("the {0} was made by another renderer: use it with the one that made its snapshot")]
     OtherRenderer(&'static str),
-    /// A colour of the daylight is no number or absurd, or the direction to the sun has not unit length: what is wrong,
-    /// and how it is to be.
+    /// A colour of the daylight is not finite or out of range, or the direction to the sun is not of unit
+    /// length; the text says which, and the range.
     #[error("the daylight cannot be used: its {0}")]
     BadDaylight(&'static str),
-    /// There is no node of this number in the snapshot, or it has no body.
+    /// There is no such node in the snapshot, or it has no body.
     #[error("{0} has no body in this snapshot: only nodes with a pose and an asset or a box have one")]
     NoBody(NodeId),
-    /// There is no room of this number in the snapshot, or the graph knows no box around it.
-    #[error("{0} is no room of this snapshot, or has no box around it: ask for one of the graph's rooms")]
+    /// There is no such room in the snapshot, or the graph has no box for it.
+    #[error("{0} is not a room of this snapshot, or has no bounding box: ask for one of the graph's rooms")]
     NoRoom(NodeId),
-    /// As many frames as shots are needed.
+    /// The number of frames differs from the number of shots.
     #[error("{shots} shots need as many frames, but {frames} are given")]
     FrameCount {
         /// Shots given.
@@ -73,14 +73,14 @@ pub enum RenderError {
         /// Frames given.
         frames: usize,
     },
-    /// There are more classes than numbers for them.
+    /// The scene has more classes than the label format can tell apart.
     #[error("the class table has {classes} classes, and pictures can tell {most} apart: leave out some", most = 1 << 15)]
     TooManyClasses {
-        /// Classes of the scene's table.
+        /// Number of classes in the scene's table.
         classes: usize,
     },
-    /// An array is not of the shape that it is said to have.
-    #[error("{numbers} numbers are no array of shape {shape:?}")]
+    /// The length of an array does not match its shape.
+    #[error("{numbers} numbers do not make an array of shape {shape:?}")]
     BadShape {
         /// Numbers given.
         numbers: usize,

@@ -1,7 +1,7 @@
 #![doc = include_str!("../FRONT.md")]
 #![warn(clippy::disallowed_methods)]
 
-// What tests have in common names the crate as its users do.
+// Lets the tests' shared module refer to the crate by its public name, as users do.
 #[cfg(test)]
 extern crate self as vc_render;
 #[cfg(test)]

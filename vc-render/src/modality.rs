@@ -1,11 +1,11 @@
-//! What can be asked of a camera.
+//! The modalities: kinds of images and labels that a camera can produce.
 
 use std::fmt;
 use std::ops::{BitOr, BitOrAssign};
 
 macro_rules! modalities {
     ($($(#[$doc:meta])* $name:ident = $bit:literal;)*) => {
-        /// What one camera gives. Sets are made with `|`.
+        /// A kind of image or label that a camera produces. Sets are made with `|`.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Modality {
@@ -32,11 +32,11 @@ modalities! {
     Depth = 1;
     /// Distance along the ray: [`Frame::distance`](crate::Frame::distance).
     Distance = 2;
-    /// Node of every pixel: [`Frame::instance`](crate::Frame::instance).
+    /// Node at each pixel: [`Frame::instance`](crate::Frame::instance).
     Instance = 3;
-    /// Part of the node's asset: [`Frame::part`](crate::Frame::part).
+    /// Part of the node's asset at each pixel: [`Frame::part`](crate::Frame::part).
     Part = 4;
-    /// Class of every pixel: [`Frame::class`](crate::Frame::class).
+    /// Class at each pixel: [`Frame::class`](crate::Frame::class).
     Class = 5;
     /// Normals of the surface: [`Frame::normal`](crate::Frame::normal).
     Normal = 6;
@@ -46,15 +46,16 @@ modalities! {
     FlowForward = 8;
     /// Motion from the moment before: [`Frame::flow_backward`](crate::Frame::flow_backward).
     FlowBackward = 9;
-    /// Which pixels cannot be seen at the other moment, for the next one and the one before where the shot has them:
-    /// [`Frame::occluded_forward`](crate::Frame::occluded_forward),
-    /// [`Frame::occluded_backward`](crate::Frame::occluded_backward). Costs a rendering of depth there.
+    /// Pixels whose surface cannot be seen at the other moment, for the next and the previous one as far as the
+    /// shot has them: [`Frame::occluded_forward`](crate::Frame::occluded_forward),
+    /// [`Frame::occluded_backward`](crate::Frame::occluded_backward). Costs a rendering of depth at each of
+    /// these.
     Occlusion = 10;
-    /// Boxes: [`Frame::boxes`](crate::Frame::boxes).
+    /// Bounding boxes: [`Frame::boxes`](crate::Frame::boxes).
     Boxes = 11;
-    /// Visible masks: [`Frame::masks`](crate::Frame::masks).
+    /// Masks of the visible pixels: [`Frame::masks`](crate::Frame::masks).
     Masks = 12;
-    /// Masks as if nothing hid the object, and with them the visible fraction:
+    /// Masks of whole objects as if nothing occluded them, and with them the visible fraction:
     /// [`Frame::amodal_masks`](crate::Frame::amodal_masks). Costs a rendering of every visible object alone.
     Amodal = 13;
 }
@@ -71,11 +72,11 @@ modalities! {
 pub struct Modalities(u32);
 
 impl Modalities {
-    /// Nothing.
+    /// The empty set.
     pub const NONE: Self = Self(0);
 
-    /// The six: RGB, segmentation by instance and class, flow to the next moment,
-    /// depth, boxes, masks.
+    /// The six modalities: RGB, segmentation by instance and class, flow to the next moment, depth, boxes,
+    /// masks.
     pub const SIX: Self = Self(
         Modality::Rgb.bit()
             | Modality::Instance.bit()
@@ -86,22 +87,22 @@ impl Modalities {
             | Modality::Masks.bit(),
     );
 
-    /// Whether it is in the set.
+    /// Whether a modality is in the set.
     pub const fn has(self, one: Modality) -> bool {
         self.0 & one.bit() != 0
     }
 
-    /// Whether any of another set is in this.
+    /// Whether the two sets have a modality in common.
     pub const fn any(self, of: Self) -> bool {
         self.0 & of.0 != 0
     }
 
-    /// Those of a list.
+    /// The set of the modalities in a list.
     pub fn of(list: &[Modality]) -> Self {
         list.iter().fold(Self::NONE, |all, one| all | *one)
     }
 
-    /// The set without one.
+    /// The set without one modality.
     #[must_use]
     pub const fn without(self, one: Modality) -> Self {
         Self(self.0 & !one.bit())

@@ -1,4 +1,4 @@
-//! The renderer: uploaded meshes, and what is made of them.
+//! The renderer: it owns uploaded meshes and renders scenes with them.
 
 use rayon::prelude::*;
 use vc_graph::asset::Joint;
@@ -14,11 +14,11 @@ use crate::shade::{self, Shading};
 use crate::view::{Shot, View};
 use crate::{RenderError, simd};
 
-/// Owns uploaded meshes and surfaces, and renders with them.
+/// Owns uploaded meshes and surface materials, and renders with them.
 ///
-/// Uploading happens in [`snapshot`](Self::snapshot), once for each asset. Rendering takes `&self`: many
-/// threads may share a renderer. A picture does not depend on how many threads make it;
-/// they are those of the [rayon](https://docs.rs/rayon) pool it is called in.
+/// [`snapshot`](Self::snapshot) uploads meshes, once for each asset. Rendering takes `&self`, so many threads
+/// may share a renderer. It runs on the threads of the [rayon](https://docs.rs/rayon) pool it is called in, and
+/// its result does not depend on their number.
 #[derive(Debug)]
 pub struct Renderer {
     pub(crate) store: Store,
@@ -31,7 +31,7 @@ impl Default for Renderer {
     }
 }
 
-/// What stands for pixels, of nodes and their bodies.
+/// Modalities that are written run by run: neighbouring pixels of a row that show one instance.
 const RUNS: [Modality; 8] = [
     Modality::Instance,
     Modality::Class,
@@ -44,28 +44,30 @@ const RUNS: [Modality; 8] = [
 ];
 
 impl Renderer {
-    /// A renderer that knows no meshes yet.
+    /// A renderer without uploaded meshes.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Sets the largest error of a curve's outline when a coarser mesh is drawn, pixels:
-    /// a quarter if not said. Zero draws the finest mesh always.
+    /// Sets the largest screen-space error of a curved outline at which a coarser mesh may be drawn, pixels: a
+    /// quarter by default. At zero the finest mesh is always drawn.
     ///
-    /// Depth and ids agree with a ray caster on the finest meshes, depth within 1e-4 of itself, only at zero:
-    /// coarser ones cut curves short, by up to this much in the image, and depth there is off by more.
+    /// Depth and ids agree with a ray caster on the finest meshes (depth to a relative error of 1e-4) only at
+    /// zero: coarser meshes deviate from curves by up to this many pixels in the image, and their depth is off
+    /// by more.
     #[must_use]
     pub fn with_detail(self, pixels: f32) -> Self {
         Self { detail: pixels, ..self }
     }
 
-    /// A scene as it is now: nodes with a pose and a shape, or at least a box, and
-    /// joints open or closed as the nodes' states say.
+    /// Takes a snapshot of a scene in its current state: all nodes with a pose and a shape, or at least a box,
+    /// and joints open or closed according to the nodes' states.
     ///
-    /// Assets not seen before are uploaded, which takes time with their triangles, and most where meshes are made
-    /// coarser; the rest takes about a microsecond for each node. Curves are cut finer or coarser for each of five
-    /// levels of detail; meshes get coarser by collapsing edges, cheapest first by the distance to the planes that
-    /// were there (Garland and Heckbert 1997). [`Snapshot`] has an example.
+    /// Assets not seen before are uploaded. This takes time proportional to their triangles, most of it for
+    /// simplifying meshes; the rest takes about a microsecond for each node. Each asset gets five levels of
+    /// detail: curves are tessellated finer or coarser, and meshes are simplified by edge collapse in the order
+    /// of the quadric error, the distance to the original planes (Garland and Heckbert 1997). [`Snapshot`] has
+    /// an example.
     ///
     /// # Errors
     /// [`RenderError::BadPose`], [`RenderError::NoSuchAsset`], [`RenderError::TooManyClasses`].
@@ -73,8 +75,9 @@ impl Renderer {
         self.snapshot_with(graph, |_, _| None)
     }
 
-    /// As [`Self::snapshot`], with positions of joints (radians or metres) from who knows
-    /// them better than the nodes' states: `None` leaves a joint to these, and so does what is not finite.
+    /// Like [`Self::snapshot`], with joint positions (radians or metres) from a callback, for callers that know
+    /// them more exactly than the nodes' states say. Where it returns `None` or a number that is not finite,
+    /// the state decides.
     ///
     /// ```
     /// # use std::sync::Arc;
@@ -115,7 +118,7 @@ impl Renderer {
     /// # let scene = scene.build();
     /// # let mut renderer = Renderer::new();
     /// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(3.0, 0.0, 0.6), Point3::new(0.0, 0.0, 0.6));
-    /// // A drawer that is 0.2 metres out, whatever the node's state says.
+    /// // The drawer is 0.2 metres out, whatever the node's state says.
     /// let snapshot = renderer.snapshot_with(&scene, |node, _| (node == dresser).then_some(0.2))?;
     /// let mut frame = Frame::new();
     /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Depth), &mut frame)?;
@@ -133,31 +136,32 @@ impl Renderer {
         Snapshot::new(&mut self.store, graph, &mut joint)
     }
 
-    /// Uploaded triangles of assets at the finest level of detail, and bytes of all levels. Boxes that stand for nodes
-    /// without an asset, and what vessels may be filled with, are not counted.
+    /// Number of uploaded triangles of assets at the finest level of detail, and bytes of all levels. Boxes
+    /// that stand for nodes without an asset, and the liquids that vessels may be filled with, are not counted.
     pub fn size(&self) -> (usize, usize) {
         self.store.size()
     }
 
-    /// Renders a shot into a frame. What is not wanted costs nothing, and a frame that is used again for pictures of
-    /// its size allocates nothing.
+    /// Renders a shot into a frame. Modalities that are not requested cost nothing, and a frame that is reused
+    /// for pictures of the same size allocates nothing.
     ///
-    /// Of 130,000 triangles in 640 by 480 pixels labels, depth and flow took 3.2 to 4.7 ms of one core and all six
-    /// modalities 15.8 to 23 ms, on two shared machines; both grow about as pixels do. `benches/README.md` has the
-    /// tables, and what that is at the pace of a third. What needs light has it from [`Self::light`]. [`Frame`] and
-    /// [`Shot`] have examples.
+    /// For 130,000 triangles at 640 by 480 pixels, labels, depth and flow took 3.2 to 4.7 ms on one core and
+    /// all six modalities 15.8 to 23 ms, on two shared machines; both times grow about linearly with the number
+    /// of pixels. `benches/README.md` has the tables, and these times scaled to the speed of a third machine.
+    /// Modalities that need light take it from [`Self::light`]. [`Frame`] and [`Shot`] have examples.
     ///
-    /// Labels are read off a visibility buffer (Burns and Hunt 2013), filled by edge functions (Pineda 1988) after
-    /// clusters were culled against a coarse depth buffer (Greene, Kass and Miller 1993). Of colours the edges of
-    /// shadows are found by what is in the way (Fernando 2005) and averaged (Reeves, Salesin and Cook 1987), occlusion
-    /// by comparing depth with a plane's (after Bavoil and Sainz 2009), the reflection of what is around by Karis's
-    /// fit (2014), the film's response by Naka and Rushton (1966), and edges are smoothed by how far triangles
-    /// reach between pixels (after Persson 2011).
+    /// Labels are read from a visibility buffer (Burns and Hunt 2013), which is filled with edge functions
+    /// (Pineda 1988) after clusters have been culled against a coarse depth buffer (Greene, Kass and Miller
+    /// 1993). For colours, the widths of penumbrae are found by a blocker search (Fernando 2005) and shadows
+    /// filtered by averaging (Reeves, Salesin and Cook 1987); ambient occlusion compares depth with the
+    /// surface's plane (after Bavoil and Sainz 2009); reflections of the surroundings use Karis's fit (2014);
+    /// the tone curve is that of Naka and Rushton (1966); and edges are smoothed by how far triangles reach
+    /// between pixels (after Persson 2011).
     ///
     /// # Errors
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::Missing`],
-    /// [`RenderError::OtherScene`], [`RenderError::OtherRenderer`], [`RenderError::BadDaylight`]; the frame is then as
-    /// it was.
+    /// [`RenderError::OtherScene`], [`RenderError::OtherRenderer`], [`RenderError::BadDaylight`]; the frame is
+    /// then unchanged.
     pub fn render(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
         if shot.finer > 1 && shot.wanted.has(Modality::Rgb) {
             return self.render_finer(shot, frame);
@@ -186,7 +190,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Labels as ever, and colours from more pixels.
+    /// Renders labels at the shot's size and colours at a finer one, which are then shrunk.
     fn render_finer(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
         let View { snapshot, camera } = shot.view;
         let camera = camera.finer(shot.finer);
@@ -204,8 +208,8 @@ impl Renderer {
         Ok(())
     }
 
-    /// Renders several shots, each into its frame, on the threads there are. Takes the time of [`Self::render`] for
-    /// each; many small pictures side by side keep threads busier than one after the other.
+    /// Renders several shots in parallel, each into its own frame. Each takes the time of [`Self::render`];
+    /// many small pictures rendered side by side keep threads busier than one after the other.
     ///
     /// ```
     /// # use nalgebra::{Point3, Vector3};
@@ -228,7 +232,7 @@ impl Renderer {
     /// ```
     ///
     /// # Errors
-    /// As [`Self::render`], for the first shot that fails; [`RenderError::FrameCount`].
+    /// Those of [`Self::render`], for the first shot that fails; [`RenderError::FrameCount`].
     pub fn render_all(&self, shots: &[Shot<'_>], frames: &mut [Frame]) -> Result<(), RenderError> {
         if shots.len() != frames.len() {
             return Err(RenderError::FrameCount { shots: shots.len(), frames: frames.len() });
@@ -237,7 +241,7 @@ impl Renderer {
         results.into_iter().collect()
     }
 
-    /// Bands of rows, halved among the threads.
+    /// Renders bands of rows, splitting them in half recursively among the threads.
     fn bands(&self, shot: &Shot<'_>, strip: Strip<'_>, bands: &mut [Band], other: &[Other; 2]) {
         if let [band] = bands {
             return self.band(shot, strip, band, other);
@@ -246,7 +250,7 @@ impl Renderer {
         rayon::join(|| self.bands(shot, upper, first, other), || self.bands(shot, lower, last, other));
     }
 
-    /// Colours of what has been drawn.
+    /// Shades the visible surfaces of all bands.
     fn colours(&self, lighting: &Lighting, shot: &Shot<'_>, frame: &mut Frame) {
         let view = shot.view;
         let (strip, memory) = Strip::of(frame);
@@ -262,7 +266,7 @@ impl Renderer {
     fn band(&self, shot: &Shot<'_>, mut strip: Strip<'_>, band: &mut Band, other: &[Other; 2]) {
         let View { snapshot, camera } = shot.view;
         let wanted = shot.wanted;
-        // One row more for colours, whose edges are smoothed.
+        // Colours need one more row, for the smoothing of edges.
         let rgb = wanted.has(Modality::Rgb);
         let last = if rgb { (strip.rows.end + 1).min(camera.height as i32) } else { strip.rows.end };
         let rows = strip.rows.start..last;
@@ -281,7 +285,7 @@ impl Renderer {
         flow(shot, &mut strip, band, other);
     }
 
-    /// Draws everything into some rows of an image.
+    /// Draws all instances into some rows of an image.
     fn draw(&self, view: View<'_>, rows: std::ops::Range<i32>, layers: &mut Layers, apart: bool) {
         let View { snapshot, camera } = view;
         let frustum = Frustum::new(camera, &rows);
@@ -290,7 +294,7 @@ impl Renderer {
         layers.draw(&drawing, all, (camera.width as usize, rows), apart);
     }
 
-    /// What is seen at the moments after and before.
+    /// Draws the moments after and before, to find what is hidden there.
     fn others(&self, views: [Option<View<'_>>; 2], other: &mut [Other; 2]) {
         let draw = |other: &mut Other, view: Option<View<'_>>| {
             if let Some(view) = view {
@@ -302,7 +306,7 @@ impl Renderer {
     }
 }
 
-/// The rooms seen at places strewn over a picture, through glass.
+/// The rooms seen at sample pixels scattered over a picture, including those seen through glass.
 fn seen_rooms<'a>(
     lighting: &'a Lighting,
     View { snapshot, camera }: View<'a>,
@@ -315,7 +319,7 @@ fn seen_rooms<'a>(
     })
 }
 
-/// Flow of a band, and what is hidden at the other moments.
+/// Computes a band's optical flow and its occlusion at the other moments.
 fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other; 2]) {
     let Band { layers, runs, motion, faces, .. } = band;
     let (width, seen) = (strip.width, (&*layers, runs.as_slice()));
@@ -345,7 +349,8 @@ fn shade_bands(shading: &Shading<'_>, mut strip: Strip<'_>, bands: &mut [Band]) 
     rayon::join(|| shade_bands(shading, upper, first), || shade_bands(shading, lower, last));
 }
 
-/// The upper and the lower half of some bands, at a row from which light may be found.
+/// Splits a strip and its bands into an upper and a lower half, at a row where the lattice of light samples may
+/// start.
 fn halves<'a, 'b>(strip: Strip<'a>, bands: &'b mut [Band]) -> [(Strip<'a>, &'b mut [Band]); 2] {
     let middle = bands.len() / 2;
     let rows = strip.rows.len() * middle / bands.len() / shade::ALIGNED * shade::ALIGNED;
@@ -354,7 +359,7 @@ fn halves<'a, 'b>(strip: Strip<'a>, bands: &'b mut [Band]) -> [(Strip<'a>, &'b m
     [(upper, first), (lower, last)]
 }
 
-/// Bands for an image: one on one thread, and none lower than 32 rows.
+/// Number of bands for an image: one on a single thread, and none lower than 32 rows.
 fn count(height: u32) -> usize {
     let threads = rayon::current_num_threads();
     let most = if threads == 1 { 1 } else { 2 * threads };

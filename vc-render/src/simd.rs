@@ -1,12 +1,12 @@
-//! Loops with the widest vectors the processor has.
+//! Loops compiled for the widest vector instructions of the processor.
 //!
-//! The code is plain Rust, compiled several times and chosen when it runs. Sums and
-//! products are never fused, so every version gives the same bits.
+//! The code is plain Rust, compiled several times; the version is chosen at run time. Sums and products are
+//! never fused, so every version gives the same bits.
 
 use pulp::{Simd, WithSimd};
 
-/// Runs `work` in the version for this processor. What is to profit must be inlined
-/// into it, the closure itself first of all: `widest(#[inline(always)] || ...)`.
+/// Runs `work` in the version for this processor. Code that is to be vectorized must be inlined into it, the
+/// closure itself first of all: `widest(#[inline(always)] || ...)`.
 #[inline]
 pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
     struct Work<F>(F);
@@ -20,8 +20,9 @@ pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
     dispatch(Work(work))
 }
 
-/// Runs work with vectors of at most eight numbers: lists of eight are looked at as whole vectors, and would be less
-/// than one of the next wider kind, which another crate may have asked `pulp` for.
+/// Runs work with vectors of at most eight numbers. Loops here process lists of eight as whole vectors; with
+/// the next wider instructions, which another crate may have enabled in `pulp`, such a list would be less than
+/// a vector.
 #[inline]
 pub(crate) fn dispatch<W: WithSimd>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
@@ -34,7 +35,7 @@ pub(crate) fn dispatch<W: WithSimd>(work: W) -> W::Output {
     pulp::Arch::new().dispatch(work)
 }
 
-/// The instructions for vectors of eight numbers, where there are any.
+/// The instruction set for vectors of eight numbers, if the processor has it.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(crate) fn wide() -> Option<pulp::x86::V3> {
@@ -45,19 +46,19 @@ pub(crate) fn wide() -> Option<pulp::x86::V3> {
     pulp::x86::V3::try_new()
 }
 
-/// Added to a number of less than 2^22, leaves the nearest whole number in the low bits.
+/// Added to a number of magnitude below 2^22, leaves the nearest integer in the low bits.
 const ROUNDER: f32 = 12_582_912.0;
 
-/// The nearest whole number of one of less than 2^22, negative ones as two's complement.
+/// Rounds a number of magnitude below 2^22 to the nearest integer, in two's complement.
 #[inline(always)]
 pub(crate) fn whole(v: f32) -> u32 {
     (v + ROUNDER).to_bits().wrapping_sub(ROUNDER.to_bits())
 }
 
-/// Which of eight numbers are no greater than others, a bit each.
+/// Compares eight numbers with eight others: bit i is set if the i-th is at most the other.
 #[inline(always)]
 pub(crate) fn at_most<S: Simd>(simd: S, these: &[f32; 8], others: &[f32; 8]) -> u32 {
-    // One instruction, which the compiler does not find by itself.
+    // A single instruction, which the compiler does not find by itself.
     #[cfg(target_arch = "x86_64")]
     if let Some(v3) = (&simd as &dyn std::any::Any).downcast_ref::<pulp::x86::V3>() {
         let mask = v3.cmp_le_f32x8(pulp::cast(*these), pulp::cast(*others));
@@ -66,7 +67,7 @@ pub(crate) fn at_most<S: Simd>(simd: S, these: &[f32; 8], others: &[f32; 8]) -> 
     (0..8).fold(0, |all, lane| all | u32::from(these[lane] <= others[lane]) << lane)
 }
 
-/// Which of eight numbers differ from others, a bit each.
+/// Compares eight numbers with eight others: bit i is set if the i-th differs.
 #[inline(always)]
 fn differ<S: Simd>(simd: S, these: &[u32; 8], others: &[u32; 8]) -> u32 {
     #[cfg(target_arch = "x86_64")]
@@ -77,7 +78,7 @@ fn differ<S: Simd>(simd: S, these: &[u32; 8], others: &[u32; 8]) -> u32 {
     (0..8).fold(0, |all, lane| all | u32::from(these[lane] != others[lane]) << lane)
 }
 
-/// As [`runs`], where vectors are the compiler's business.
+/// Like [`runs`], for loops that leave vectorization to the compiler.
 #[inline(always)]
 pub(crate) fn stretches(row: &[u32], mut stretch: impl FnMut(u32, usize, usize)) {
     const PART: usize = 8;
@@ -102,7 +103,8 @@ pub(crate) fn stretches(row: &[u32], mut stretch: impl FnMut(u32, usize, usize))
     }
 }
 
-/// Cuts a row into runs of equal numbers, by their first positions and those after their last.
+/// Splits a row into runs of equal numbers, and calls `run` with the number, the first position and the one
+/// after the last.
 #[inline(always)]
 pub(crate) fn runs<S: Simd>(simd: S, row: &[u32], mut run: impl FnMut(u32, usize, usize)) {
     let (mut from, mut at) = (0, 0);
@@ -134,10 +136,10 @@ mod tests {
 
     use crate::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot, common};
 
-    /// Whether the processor is one without such vectors.
+    /// Makes `wide` report a processor without vectors of eight.
     pub(super) static PLAIN: AtomicBool = AtomicBool::new(false);
 
-    /// All of a picture, by day and by lamplight, and what a path tracer makes of it.
+    /// All modalities by day and by lamplight, and reference pictures of the path tracer.
     fn pictures() -> Vec<Vec<u32>> {
         let mut renderer = Renderer::new();
         let mut snapshot = renderer.snapshot(&common::lamplit()).unwrap();

@@ -1,4 +1,4 @@
-//! What is rendered: who sees what, and what of it is wanted.
+//! Views and shots: which scene is rendered, from which camera, with which modalities.
 
 use crate::RenderError;
 use crate::affine::three;
@@ -7,7 +7,7 @@ use crate::light::Lighting;
 use crate::modality::{Modalities, Modality};
 use crate::scene::{Snapshot, Store};
 
-/// A camera and what is before it.
+/// A camera and the scene before it.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -21,7 +21,7 @@ use crate::scene::{Snapshot, Store};
 /// # let mut renderer = Renderer::new();
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
-/// // Two eyes.
+/// // A stereo pair.
 /// let other = camera.looking(Point3::new(0.0, -0.065, 1.0), Point3::new(2.0, -0.065, 1.0));
 /// let left = Shot::new(&snapshot, &camera, Modality::Depth);
 /// let right = Shot { view: View { camera: &other, ..left.view }, ..left };
@@ -34,12 +34,12 @@ use crate::scene::{Snapshot, Store};
 pub struct View<'a> {
     /// The scene at that moment.
     pub snapshot: &'a Snapshot,
-    /// Who looks at it.
+    /// The camera that looks at it.
     pub camera: &'a Camera,
 }
 
-/// One picture to be: a view, the views before and after it for optical flow, the
-/// light for colours, and what is wanted.
+/// One picture to render: a view, the views before and after it for optical flow, the light for colours, and
+/// the wanted modalities.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -62,31 +62,32 @@ pub struct View<'a> {
 /// let [right, down] = frame.flow_forward[24 * 64 + 32];
 /// assert!((right + 2.58).abs() < 0.02 && down.abs() < 0.01);
 /// assert_eq!(frame.occluded_forward[24 * 64 + 32], 0);
-/// // What a modality needs has to be there.
+/// // The views and the light that a modality needs must be given.
 /// assert!(renderer.render(&Shot::new(&snapshot, &camera, wanted), &mut frame).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct Shot<'a> {
-    /// What is seen.
+    /// The view to render.
     pub view: View<'a>,
-    /// The moment before, which backward flow needs; of the same scene.
+    /// The previous moment, which backward flow needs; of the same scene.
     pub before: Option<View<'a>>,
     /// The next moment, which forward flow needs; of the same scene.
     pub after: Option<View<'a>>,
     /// The light, which colours need.
     pub lighting: Option<&'a Lighting>,
-    /// What is wanted.
+    /// The wanted modalities.
     pub wanted: Modalities,
-    /// How many times finer colours are made along each side, before they are shrunk.
+    /// Supersampling factor of colours: they are rendered this many times finer along each side, then shrunk.
     pub finer: u32,
-    /// Colours without shadows.
+    /// Whether to leave shadows and occlusion out of the colours.
     pub plain: bool,
-    /// The light that the eye is used to, if it comes from another picture.
+    /// The exposure that the camera is still adapted to, if it continues from another picture.
     pub adapts: Option<Adaptation>,
 }
 
-/// An eye that comes from other light: it gets used to what it sees little by little.
+/// Gradual adaptation of the exposure: a camera that comes from other light gets used to what it sees little by
+/// little.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -105,24 +106,26 @@ pub struct Shot<'a> {
 /// for camera in &cameras {
 ///     let shot = Shot { adapts, ..Shot::new(&snapshot, camera, Modality::Rgb).lit(&lighting) };
 ///     renderer.render(&shot, &mut frame)?;
-///     // Twelve pictures a second.
+/// // Twelve frames a second.
 ///     adapts = Some(Adaptation::after(frame.exposure, 1.0 / 12.0));
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Adaptation {
-    /// The exposure it is used to: [`Frame::exposure`](crate::Frame::exposure) of the picture before.
+    /// The exposure that the camera is adapted to: [`Frame::exposure`](crate::Frame::exposure) of the previous
+    /// picture.
     pub from: [f32; 3],
-    /// How far it goes from there to the exposure for the light it sees now: 0 not at all, 1 all the way.
+    /// How far the exposure goes from there to the one for the light seen now: 0 not at all, 1 all the way.
     pub share: f32,
 }
 
-/// Seconds in which an eye comes two thirds of the way to other light: quicker than human eyes, as cameras are.
+/// Seconds in which the exposure adapts two thirds of the way: quicker than human eyes, as cameras are.
 const GETS_USED: f32 = 0.35;
 
 impl Adaptation {
-    /// An eye that was used to an exposure some seconds ago; for a film, that of the picture before.
+    /// The adaptation of a camera whose exposure was `from` some seconds ago; for a film, that of the previous
+    /// picture.
     ///
     /// ```
     /// use vc_render::Adaptation;
@@ -134,7 +137,7 @@ impl Adaptation {
         Self { from, share: 1.0 - (-seconds.max(0.0) / GETS_USED).exponential() }
     }
 
-    /// The exposure of a picture for this eye, from the exposure that the picture would have by itself.
+    /// The exposure of a picture with this adaptation, from the exposure that the picture would have by itself.
     pub(crate) fn towards(&self, now: [f32; 3]) -> [f32; 3] {
         use vc_graph::portable::Portable;
         let share = self.share.clamp(0.0, 1.0);
@@ -145,7 +148,7 @@ impl Adaptation {
 }
 
 impl<'a> Shot<'a> {
-    /// A picture of a moment.
+    /// A picture of one moment.
     pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, wanted: impl Into<Modalities>) -> Self {
         let view = View { snapshot, camera };
         Self {
@@ -160,41 +163,41 @@ impl<'a> Shot<'a> {
         }
     }
 
-    /// With the moment before.
+    /// Adds the previous moment, for backward flow and occlusion.
     #[must_use]
     pub fn before(self, snapshot: &'a Snapshot, camera: &'a Camera) -> Self {
         Self { before: Some(View { snapshot, camera }), ..self }
     }
 
-    /// With the next moment.
+    /// Adds the next moment, for forward flow and occlusion.
     #[must_use]
     pub fn after(self, snapshot: &'a Snapshot, camera: &'a Camera) -> Self {
         Self { after: Some(View { snapshot, camera }), ..self }
     }
 
-    /// In a light.
+    /// Adds the light, for colours.
     #[must_use]
     pub fn lit(self, lighting: &'a Lighting) -> Self {
         Self { lighting: Some(lighting), ..self }
     }
 
-    /// With colours made so many times finer along each side and then shrunk: seams and bars
-    /// thinner than a pixel, which otherwise break up into dashes, are whole. Colours
-    /// cost that number's square times as much; labels stay as they are.
+    /// Supersamples colours: they are rendered `times` finer along each side and then shrunk. Seams and bars
+    /// thinner than a pixel, which otherwise break up into dashes, stay whole. Colours cost the square of
+    /// `times` as much; labels stay as they are.
     #[must_use]
     pub fn finer(self, times: u32) -> Self {
         Self { finer: times.max(1), ..self }
     }
 
-    /// With colours without shadows and occlusion, for who learns from many pictures that need not look real:
-    /// light from all sides as ever, that of lamps on all that faces them in their rooms, that of the sun on
-    /// what is in no room. Colours take four fifths to nine tenths of the time.
+    /// Leaves shadows and occlusion out of the colours, for learning from many pictures that need not look
+    /// real. Indirect light stays; lamps light every surface that faces them in their rooms; the sun lights
+    /// only surfaces that are in no room. Colours then take four fifths to nine tenths of the time.
     #[must_use]
     pub fn plain(self) -> Self {
         Self { plain: true, ..self }
     }
 
-    /// The same shot by an eye that comes from other light.
+    /// The same shot by a camera that is still adapting to the light.
     #[must_use]
     pub fn adapting(self, adapts: Adaptation) -> Self {
         Self { adapts: Some(adapts), ..self }

@@ -1,4 +1,4 @@
-//! Where to stand to see a room.
+//! Viewpoints that show a room well.
 
 use nalgebra::Point3;
 use vc_graph::NodeId;
@@ -12,31 +12,34 @@ use crate::renderer::Renderer;
 use crate::scene::{Instance, Snapshot};
 use crate::view::Shot;
 
-/// Height of the eye, and of what it looks at, over the floor, metres.
+/// Height of the camera, and of the point it looks at, above the floor, metres.
 const EYE: f32 = 1.55;
 const TARGET: f32 = 0.95;
-/// How far from the walls the eye keeps, metres.
+/// Distance that the camera keeps from the walls, metres.
 const OFF: f32 = 0.3;
-/// How far from the boxes of things, metres, and what places are worth that are nearer.
+/// Distance to keep from the boxes of things, metres, and the score of places that are nearer than this.
 const CLEAR: f32 = 0.1;
 const WITHIN: f32 = -1e3;
-/// What is farther away shows a room, metres.
+/// Surfaces farther away than this show a room, metres.
 const FAR: f32 = 2.2;
-/// Places along each wall.
+/// Candidate places along each wall.
 const PLACES: usize = 5;
-/// What share of a picture windows of the room should have, and by how much things are worth more in their light.
+/// Share of a picture that windows of the room should fill, and the factor by which their light adds to the
+/// score of things.
 const WINDOWS: f32 = 0.03;
 const DAYLIGHT: f32 = 0.7;
-/// Longer side of the pictures by which places are compared, pixels.
+/// Longer side of the pictures in which candidates are compared, pixels.
 const SIDE: f32 = 80.0;
 
 impl Renderer {
-    /// A camera in a room that sees most of it: of places in its corners and along its walls, at the height of
-    /// eyes, the one from which most things of the room are seen, and farthest, with a window, and least that stands
-    /// close before it or belongs to other rooms. It looks past the middle of the room or along a wall, from within
-    /// a thing's box only where there is no other place. All but the pose is that of `camera`.
+    /// Finds a camera pose in a room that shows most of it. The candidates are places in the room's corners and
+    /// along its walls, at eye height, looking past the middle of the room or along a wall. The best one sees
+    /// most things of the room, is far from what it sees, has a window in view, and has little in view that
+    /// stands close before it or belongs to other rooms. It is inside a thing's box only where there is no
+    /// other place. All but the pose is taken from `camera`.
     ///
-    /// The room must have a box in the graph. Costs 64 renderings of ids and depth in 80 pixels across.
+    /// The room must have a box in the graph. The search costs 64 renderings of ids and depth, 80 pixels
+    /// across.
     ///
     /// # Errors
     /// [`RenderError::NoRoom`], [`RenderError::BadSize`], [`RenderError::BadCamera`],
@@ -82,7 +85,7 @@ impl Renderer {
     }
 }
 
-/// The same view with few pixels.
+/// The same view at a low resolution.
 fn coarse(camera: &Camera) -> Camera {
     let by = SIDE / camera.width.max(camera.height) as f32;
     let side = |pixels: u32| ((pixels as f32 * by) as u32).max(1);
@@ -95,11 +98,11 @@ fn coarse(camera: &Camera) -> Camera {
     }
 }
 
-/// Places in the corners of a box and along its walls.
+/// Candidate camera positions in the corners of a box and along its walls.
 fn eyes(low: &Point3<f32>, high: &Point3<f32>) -> impl Iterator<Item = Point3<f32>> {
     let (low, high, last) = (*low, *high, PLACES - 1);
     let place = move |k: usize, low: f32, high: f32| {
-        // In rooms that are narrow, the middle.
+        // Narrow rooms use their middle.
         let off = OFF.min(0.5 * (high - low));
         low + off + k as f32 / last as f32 * (high - low - 2.0 * off)
     };
@@ -108,7 +111,7 @@ fn eyes(low: &Point3<f32>, high: &Point3<f32>) -> impl Iterator<Item = Point3<f3
     outer.map(move |(i, j)| Point3::new(place(i, low.x, high.x), place(j, low.y, high.y), low.z + EYE))
 }
 
-/// Whether a place is in no thing and not right before one.
+/// Whether a position is neither inside a thing nor right before one.
 fn is_free(snapshot: &Snapshot, eye: Point3<f32>) -> bool {
     let within = |instance: &Instance| {
         let (bounds, own) = (&instance.link.levels[0].bounds, affine::point(&instance.inverse, eye.into()));
@@ -117,14 +120,15 @@ fn is_free(snapshot: &Snapshot, eye: Point3<f32>) -> bool {
     !snapshot.instances.iter().any(within)
 }
 
-/// To where one may look from a place: the middle, a little beyond it, and along the walls, for rooms with corners
-/// whose middle is in another.
+/// Points to look at from a position: the middle, a little beyond it, and along the walls, for rooms that are
+/// not convex and whose middle lies in another room.
 fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
     let beyond = middle + (middle - eye) * 0.35;
     [[middle.x, middle.y], [beyond.x, beyond.y], [middle.x, eye.y], [eye.x, middle.y]]
 }
 
-/// Things of the room that are seen, more where a window is, and how much of it is far, less what stands in the way.
+/// Score of a view: the number of visible things of the room, weighted up by windows, plus the share that is
+/// far away, minus what stands in the way or belongs to other rooms.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
     let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.class(body.class));
@@ -135,7 +139,7 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let daylight = 1.0 + DAYLIGHT * (windows / WINDOWS).min(1.0);
     seen.sort_unstable();
     seen.dedup();
-    // At the sides walls are near where rooms are narrow, and in nobody's way.
+    // At the sides of the picture walls are near where rooms are narrow, but they hide nothing there.
     let middle = frame.width / 4..frame.width - frame.width / 4;
     let ahead = || frame.depth.chunks(frame.width).flat_map(|row| &row[middle.clone()]);
     let nearer = |than: f32| ahead().filter(|d| **d < than).count() as f32 / ahead().count().max(1) as f32;

@@ -1,4 +1,4 @@
-//! Boxes and masks as if nothing hid a thing, where it reaches behind the eye, against a slow way.
+//! Amodal boxes and masks of things that reach behind the eye, compared with a slow computation.
 
 #![allow(clippy::unwrap_used)]
 
@@ -11,7 +11,7 @@ use vc_graph::asset::Shape;
 use vc_graph::{NodeId, SceneGraph};
 use vc_render::{Camera, Frame, Modality, PixelBox, Renderer, Shot};
 
-/// A long table before the eye and behind it, a mat on it, a tall box in front, a ring the eye is in.
+/// A long table in front of the eye and behind it, a mat on it, a tall box in front, and a ring around the eye.
 fn long() -> (SceneGraph, Vec<Camera>) {
     let mut stage = Stage::new();
     stage.one("table", block([4.0, 0.5, 0.02]), pose([0.5, 0.1, 0.7], 0.2, 0.03), 0);
@@ -33,7 +33,7 @@ fn long() -> (SceneGraph, Vec<Camera>) {
     (stage.build(), cameras)
 }
 
-/// Around what faces the eye of a node's triangles, cut at the near plane, in pixels and not rounded.
+/// Bounds of the front-facing triangles of a node, clipped at the near plane, in pixels without rounding.
 fn slow(caster: &Caster, camera: &Camera, node: NodeId) -> Option<[[f64; 2]; 2]> {
     let back = camera.pose.cast::<f64>().inverse();
     let near = f64::from(camera.near);
@@ -43,7 +43,7 @@ fn slow(caster: &Caster, camera: &Camera, node: NodeId) -> Option<[[f64; 2]; 2]>
         if (own[1] - own[0]).cross(&(own[2] - own[0])).dot(&own[0].coords) >= 0.0 {
             continue;
         }
-        // Walk along its sides in small steps: what lies beyond the plane counts.
+        // Corners beyond the near plane count, and intersections of edges with it.
         for i in 0..3 {
             let (a, b) = (own[i], own[(i + 1) % 3]);
             let cut = if (a.z < near) == (b.z < near) { 0.0 } else { (near - a.z) / (b.z - a.z) };
@@ -64,7 +64,7 @@ fn slow(caster: &Caster, camera: &Camera, node: NodeId) -> Option<[[f64; 2]; 2]>
     ends
 }
 
-/// Whether a box has the pixels whose centres are between two places, up to a pixel and a thousandth.
+/// Checks that a box covers the pixels whose centres lie between two points, up to a pixel and a thousandth.
 fn assert_around(found: PixelBox, [low, high]: [[f64; 2]; 2], what: &str) {
     let own = [[found.x, found.x + found.width], [found.y, found.y + found.height]];
     for axis in 0..2 {

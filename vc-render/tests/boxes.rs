@@ -1,4 +1,4 @@
-//! Boxes in space, classes, points and cameras agree with what is put into the scene.
+//! Oriented boxes, classes, points and cameras agree with the scene.
 
 #![allow(clippy::unwrap_used)]
 
@@ -35,11 +35,11 @@ fn boxes_in_space_turn_with_things_and_grow_with_drawers() {
             (low[axis], high[axis]) = (low[axis].min(seen[axis]), high[axis].max(seen[axis]));
         }
     }
-    // A box is its own box: what is seen of it is within its corners, up to the pixel they lie in.
+    // A box is its own bounding box: its visible pixels are within its corners, up to the pixel these lie in.
     let amodal = label.amodal;
     assert!((amodal.x as f32 - low[0]).abs() < 1.0 && (amodal.y as f32 - low[1]).abs() < 1.0, "{amodal:?}");
     assert!(((amodal.x + amodal.width) as f32 - high[0]).abs() < 1.0);
-    // A ball's box has corners outside of it.
+    // The box of a ball has corners outside of the ball.
     assert!(frame.boxes.iter().any(|b| b.node != node && (b.oriented.half - Vector3::repeat(0.1)).norm() < 1e-3));
 }
 
@@ -56,7 +56,7 @@ fn corners_behind_the_camera_are_left_out_and_open_drawers_count() {
         renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes), &mut frame).unwrap();
         frame.boxes.iter().find(|b| b.node == dresser).unwrap().oriented.half.x
     };
-    // From 0.25 behind to 0.02 + 0.2 + 0.3 in front; shut, the top is longest.
+    // It reaches from 0.25 behind to 0.02 + 0.2 + 0.3 in front; shut, the top is longest.
     let (open, shut) = (length(false), length(true));
     assert!((shut - 0.25).abs() < 1e-3 && (open - 0.385).abs() < 1e-3, "{shut} and {open}");
     let walls = frame.boxes.iter().filter(|b| b.oriented.corners.iter().any(Option::is_none)).count();
@@ -114,7 +114,7 @@ fn points_are_what_the_camera_saw_and_matrices_take_them_back() {
     }
     assert_eq!(count, frame.instance.iter().filter(|n| **n != NOTHING).count());
     assert!(count > 5000);
-    // Extrinsics are the pose's inverse; a projection is intrinsics after extrinsics.
+    // The extrinsics are the pose's inverse; a projection is the intrinsics after the extrinsics.
     assert!((camera.pose.to_homogeneous() * extrinsics - nalgebra::Matrix4::identity()).norm() < 1e-5);
     assert!((camera.intrinsics() * extrinsics.fixed_rows::<3>(0) - projection).norm() < 1e-3);
 }
@@ -176,13 +176,13 @@ fn views_along_a_way_are_even_and_turn_smoothly() {
     assert_eq!(views.len(), 200);
     let steps: Vec<f32> = views.windows(2).map(|v| (v[1].eye() - v[0].eye()).norm()).collect();
     let longest = steps.iter().copied().fold(0.0, f32::max);
-    // Across a corner that is cut a step is a little shorter.
+    // A step across a cut corner is a little shorter.
     assert!(steps.iter().all(|s| *s > 0.9 * longest), "{steps:?}");
     let looks = |v: &Camera| v.unproject(4.0, 4.0, 1.0) - v.eye();
     let turns = views.windows(2).map(|v| looks(&v[0]).normalize().dot(&looks(&v[1]).normalize()).min(1.0).acos());
     let most = turns.fold(0.0, f32::max);
     assert!(most < 0.08, "the eye turns by {most} at once, of a quarter turn in all");
-    // Near the way all along: a corner is cut by no more than a quarter of its sides.
+    // The views stay near the path: a corner is cut by no more than a quarter of its sides.
     assert!((views[0].eye() - way[0]).norm() < 1e-5);
     assert!((looks(&views[0]).normalize() - Vector3::x()).norm() < 1e-3);
     assert!(camera.along(&[], 5).is_empty() && camera.along(&way, 0).is_empty());
@@ -205,7 +205,7 @@ fn a_viewpoint_sees_more_of_its_room_than_others() {
         let draft = vc_graph::Draft { asset: Some(asset), ..vc_graph::Draft::new("thing") };
         stage.builder.add_in(den, draft.at(pose(at, 0.0, 0.0))).unwrap();
     };
-    // A screen across the room; things behind it are seen from the far side only.
+    // A screen across the room: the things behind it are only visible from the far side.
     put(tall, [-0.9, 0.5, 1.2]);
     put(tall, [0.7, 0.5, 1.2]);
     for i in 0..10 {
@@ -240,7 +240,7 @@ fn a_viewpoint_sees_a_window() {
             let draft = vc_graph::Draft { asset: Some(asset), ..vc_graph::Draft::new(class) };
             stage.builder.add_in(den, draft.at(pose(at, 0.0, 0.0))).unwrap()
         };
-        // As many things from everywhere, and at the other wall a board as wide as the window.
+        // Everything looks the same from both sides, with a board as wide as the window at the other wall.
         let window = put(wide, "window", [side * 2.45, 0.0, 1.4]);
         put(wide, "painting", [side * -2.45, 0.0, 1.4]);
         for i in 0..8 {
@@ -261,7 +261,7 @@ fn a_viewpoint_is_in_no_cupboard() {
     let mut stage = Stage::new();
     let size = vc_graph::Bounds::standing(Vector3::new(2.4, 4.0, 2.5));
     let kitchen = stage.builder.add(vc_graph::Draft::new("kitchen").at(Pose::identity()).bounds(size)).unwrap();
-    // Their fronts are a millimetre before where eyes are along the wall: too near to be seen.
+    // Their fronts are a millimetre before the candidate eyes along the wall, too near to be seen.
     let cupboard = stage.asset(vec![common::part("board", block([0.15, 0.3, 0.4]), [0.0; 3], 0)]);
     let cup = stage.asset(vec![common::part("box", block([0.05; 3]), [0.0; 3], 1)]);
     let mut put = |asset, at: [f32; 3]| {
@@ -309,7 +309,7 @@ fn lamps_are_told_by_their_class() {
     assert_eq!(snapshot.lamps().collect::<Vec<_>>(), [made[0], made[2]]);
 }
 
-/// Class numbers of the things before the camera, by class.
+/// Class numbers of the things in front of the camera, by class.
 fn numbers(classes: &[&str]) -> Vec<(String, u16)> {
     let mut scene = SceneBuilder::new("shelf");
     for (class, y) in classes.iter().zip([-0.6_f32, 0.0, 0.6]) {

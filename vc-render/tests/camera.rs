@@ -1,4 +1,4 @@
-//! Where cameras look: what lies at the borders of their pictures, and which way is up and left.
+//! Orientation of cameras: what lies at the borders of their pictures, and which way is up and left.
 
 mod common;
 
@@ -8,7 +8,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose, SceneBuilder};
 use vc_render::{Camera, Frame, Modality, RenderError, Renderer, Shot};
 
-/// Where a point is on the image.
+/// The image position of a point.
 fn seen(camera: &Camera, point: Point3<f32>) -> [f32; 2] {
     camera.project(&point).map_or([f32::NAN; 2], |p| [p.x, p.y])
 }
@@ -47,7 +47,7 @@ fn a_mounted_camera_looks_along_x_with_y_to_its_left_and_z_up() {
         assert!(camera.project(&(on * Point3::new(-1.0, 0.0, 0.0))).is_none(), "behind");
         assert!((camera.eye() - on * Point3::origin()).norm() < 1e-5);
     }
-    // Where it was mounted before does not matter.
+    // An earlier mounting does not matter.
     assert_eq!(base.mounted(&pose([1.0, 2.0, 3.0], 0.5, 0.1)).mounted(&Pose::identity()), base);
 }
 
@@ -75,7 +75,7 @@ fn looking_has_its_target_in_the_middle_and_the_worlds_z_up() {
     assert_near(seen(&camera, target), [32.0, 24.0], "the target");
     let [x, y] = seen(&camera, target + nalgebra::Vector3::z() * 0.2);
     assert!((x - 32.0).abs() < 0.01 && y < 23.0, "{x}, {y} above the target");
-    // Straight up the world's X is up as well.
+    // When looking straight up, the world's X is up as well.
     let up = Camera::with_fov(64, 48, 1.0).looking(eye, eye + nalgebra::Vector3::z());
     let [x, y] = seen(&up, eye + nalgebra::Vector3::new(0.2, 0.0, 1.0));
     assert!((x - 32.0).abs() < 0.01 && y < 20.0, "{x}, {y} towards X");
@@ -92,7 +92,7 @@ fn what_was_at_the_border_is_there_in_another_size() {
     }
 }
 
-/// The mean place of a node's pixels, counted from the middle of the picture.
+/// Mean image position of a node's pixels, relative to the centre of the picture.
 fn middle(frame: &Frame, node: NodeId) -> [f32; 2] {
     let own = || (0..frame.instance.len()).filter(|i| frame.instance[*i] == node);
     let count = own().count() as f32;
@@ -103,7 +103,7 @@ fn middle(frame: &Frame, node: NodeId) -> [f32; 2] {
 
 #[test]
 fn pictures_show_things_on_that_side() -> Result<(), RenderError> {
-    // One ahead of a robot and to its left, one ahead and above.
+    // One box is ahead of a robot and to its left, the other ahead and above.
     let on = pose([0.5, 1.0, 0.8], 0.7, 0.0);
     let mut stage = Stage::new();
     let mut put = |x: f32, y: f32, z: f32| stage.one("box", block([0.1; 3]), on * Pose::translation(x, y, z), 0);
@@ -116,7 +116,7 @@ fn pictures_show_things_on_that_side() -> Result<(), RenderError> {
     let ([x, y], [u, v]) = (middle(&frame, left), middle(&frame, above));
     assert!(x < -8.0 && y.abs() < 1.0, "{x}, {y}: to the left");
     assert!(u.abs() < 1.0 && v < -8.0, "{u}, {v}: above");
-    // From overhead the robot's X, turned to the left by 0.7, leads up and to the left.
+    // Seen from overhead, the robot's X, which is turned to the left by 0.7, points up and to the left.
     let camera = Camera::with_fov(64, 48, 1.0).overhead(on * Point3::origin(), 6.0);
     renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance), &mut frame)?;
     let [u, v] = middle(&frame, above);
@@ -124,7 +124,7 @@ fn pictures_show_things_on_that_side() -> Result<(), RenderError> {
     Ok(())
 }
 
-/// There is no picture with a field of view of nothing, of half a turn or more, or of no number.
+/// No picture is made with a field of view of zero, of half a turn or more, or that is not finite.
 #[test]
 fn fields_of_view_are_angles() -> Result<(), RenderError> {
     let scene = SceneBuilder::new("empty").build();

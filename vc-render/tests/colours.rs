@@ -1,10 +1,10 @@
-//! Colours of the palette tell numbers apart.
+//! Colours of the palette distinguish numbers.
 
 use std::collections::BTreeMap;
 
 use vc_render::picture::Palette;
 
-/// Consecutive numbers that are told apart, from any.
+/// Number of consecutive numbers with distinct colours, from any start.
 const MANY: u32 = 100_000;
 
 #[test]
@@ -13,7 +13,7 @@ fn a_hundred_thousand_numbers_in_a_row_have_as_many_colours_and_none_is_black() 
         let mut known = BTreeMap::new();
         for number in first..first + MANY {
             let colour = Palette.colour(number);
-            // Black is nothing.
+            // Black is reserved for empty pixels.
             assert_ne!(colour, [0; 3], "{number}");
             if let Some(other) = known.insert(colour, number) {
                 panic!("{number} has the colour of {other}: {colour:?}");

@@ -1,4 +1,5 @@
-//! Blinds and curtains: drawn over their window in labels, and between it and the room for light.
+//! Blinds and curtains: labels show them drawn over their window, and light passes them on its way into the
+//! room.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,7 +11,7 @@ use vc_graph::asset::Material;
 use vc_graph::{NodeId, Pose, State};
 use vc_render::{Camera, Daylight, Exposure, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
 
-/// A closed room with a window at x = 2 that is covered from inside.
+/// A closed room with a window at x = 2, covered from inside.
 struct Room {
     renderer: Renderer,
     snapshot: Snapshot,
@@ -39,7 +40,7 @@ impl Room {
         stage.one("wall", block([0.1, 0.5, 0.45]), Pose::translation(2.1, 0.0, 0.45), 1);
         stage.one("wall", block([0.1, 0.5, 0.25]), Pose::translation(2.1, 0.0, 2.35), 1);
         let window = stage.one("window", block([0.003, 0.5, 0.6]), Pose::translation(2.1, 0.0, 1.5), 2);
-        // They face into the room.
+        // The covers face into the room.
         let at = |y: f32, z: f32| common::pose([1.95, y, z], std::f32::consts::PI, 0.0);
         let covers = match kind {
             Kind::Blinds => vec![stage.one("blinds", block([0.004, 0.53, 0.15]), at(0.0, 1.97), cloth)],
@@ -111,13 +112,13 @@ fn a_drawn_cover_hides_its_window_and_an_open_one_is_as_it_was() {
             let wide = |frame: &Frame| frame.boxes.iter().find(|b| b.node == *cover).unwrap().visible;
             assert!(wide(&closed) != wide(&open));
         }
-        // Elsewhere nothing changes.
+        // Everything else stays visible where it was.
         let around = |f: &Frame| f.instance.iter().filter(|id| !room.covers.contains(id)).count();
         assert!(around(&open) > around(&closed));
         let mut again = room.drawn(true);
         room.covers.iter().for_each(|cover| again.draw(*cover, false).unwrap());
         assert!(is_same(&room.frame(&again, &lighting, &camera), &open));
-        // As the graph's states say.
+        // A graph's states draw covers, too.
         let made = Room::new(kind, true);
         let lighting = made.renderer.light(&made.snapshot, &sunny());
         assert_eq!(made.frame(&made.snapshot, &lighting, &camera).instance, closed.instance);
@@ -136,7 +137,7 @@ fn drawn_covers_darken_reference_pictures_but_not_to_black() {
     }
 }
 
-/// Mean brightness of the floor where it is in the sun, and where it is not.
+/// Mean brightness of the floor in the sun, and beside it.
 fn floor(frame: &Frame) -> [f64; 2] {
     let mean = |from: f32, to: f32, aside: f32| {
         let here = |p: &[f32; 3]| p[2].abs() < 0.01 && (from..to).contains(&p[0]) && (p[1] - aside).abs() < 0.2;
@@ -175,13 +176,14 @@ fn fast_light_follows_a_blind_when_it_is_made_anew() {
 
 #[test]
 fn fast_light_through_a_drawn_cover_is_about_that_of_the_reference() {
-    // Both are exposed for what fast light there is: were it too bright behind a cover, the reference would be too dark.
+    // Both pictures are exposed for the fast light: if it were too bright behind a cover, the reference would
+    // be too dark.
     for (kind, day) in [(Kind::Blinds, Daylight::overcast()), (Kind::Curtains, Daylight::overcast())] {
         let room = Room::new(kind, false);
         let level = |closed: bool| {
             let snapshot = room.drawn(closed);
             let lighting = room.renderer.light(&snapshot, &day);
-            // Noise would make pictures darker, as film has it.
+            // The tone curve would turn noise into a loss of brightness.
             let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
             let photograph =
                 room.renderer.photograph(&lighting, &at_the_floor().resized(32, 24), &how, |_| true).unwrap();

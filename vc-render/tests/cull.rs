@@ -1,4 +1,4 @@
-//! What is not in view is left out and makes no difference.
+//! Things out of view are culled, and do not change the picture.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,7 +10,8 @@ use vc_graph::asset::Shape;
 use vc_graph::{NodeId, Pose, Seed};
 use vc_render::{Camera, Frame, Modality, Renderer, Shot};
 
-/// Things before the camera; beside, behind and before its near plane; and behind a wall that fills the view.
+/// Things in front of the camera; with `others`, also things beside the view, behind the camera and before its
+/// near plane, and behind a wall that fills the view.
 fn scene(others: bool) -> (Stage, Vec<NodeId>) {
     let mut stage = Stage::new();
     let mut chance = Seed(23).stream();
@@ -25,7 +26,7 @@ fn scene(others: bool) -> (Stage, Vec<NodeId>) {
         let (x, far) = (chance.between(-8.0, 5.0), chance.between(0.5, 3.0));
         let (side, up) = (chance.between(-1.0, 1.0), if i % 2 == 0 { 1.0 } else { -1.0 });
         let at = match i % 4 {
-            // Beyond the wall, behind the eye, beside the view and over it.
+            // Beyond the wall, behind the eye, beside the view, and above or below it.
             0 => [7.0 + far, 3.0 * side, 2.0 * side * up],
             1 => [-0.5 - far, side, 0.5 * side],
             2 => [x, up * (1.2 * x.max(0.0) + 0.6 + far), side],
@@ -68,7 +69,7 @@ fn labels_are_the_same_with_things_out_of_view() {
             assert!(!b.instance.iter().any(|n| added.contains(n)), "something out of view is seen");
             assert!(a.instance == b.instance && a.part == b.part && a.depth == b.depth);
             assert!(a.normal == b.normal && a.position == b.position);
-            // Numbers of classes are by the names that there are.
+            // Class numbers depend on the names in the scene.
             let boxes = |f: &Frame| f.boxes.iter().map(|b| (b.node, b.visible, b.amodal, b.area)).collect::<Vec<_>>();
             assert_eq!(boxes(a), boxes(b));
             let masks = |f: &Frame| f.masks().chain(f.amodal_masks()).map(|m| m.rle()).collect::<Vec<_>>();

@@ -1,4 +1,4 @@
-//! Levels of detail: coarser meshes far away, by no more than promised; and meshes that many nodes share.
+//! Levels of detail: meshes are coarser far away, within the promised error; and many nodes share a mesh.
 
 #![allow(clippy::unwrap_used)]
 
@@ -22,7 +22,7 @@ fn seen(graph: &SceneGraph, camera: &Camera, detail: Option<f32>) -> Frame {
     frame
 }
 
-/// Shapes with curves, each at another distance, seen from the origin along X.
+/// Shapes with curves at several distances, seen from the origin along X.
 fn row(made: impl Fn(Shape) -> Shape) -> (SceneGraph, Vec<NodeId>) {
     let mut stage = Stage::new();
     let shapes = |r: f32| {
@@ -47,7 +47,7 @@ fn ahead() -> Camera {
     Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 1.1).looking(Point3::origin(), Point3::new(1.0, 0.0, 0.0))
 }
 
-/// Pixels up to one away.
+/// The pixel and its neighbours.
 fn around(index: usize) -> impl Iterator<Item = usize> {
     let (x, y) = (index % SIZE.0, index / SIZE.0);
     let near = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
@@ -91,13 +91,13 @@ fn outlines_are_off_by_less_than_a_pixel_and_ids_stay_what_they_are() {
         }
         let pixels = fine.instance.len();
         eprintln!("{other} of {pixels} ids differ, {strays} of them not at an outline");
-        // A piece of a thing that is smaller than a pixel is hit in one of the two.
+        // A piece of a thing smaller than a pixel may be hit in only one of the two pictures.
         assert!(strays <= 2, "{strays} ids differ that are not at an outline");
         assert!(other * 200 < pixels, "{other} of {pixels} ids differ");
     }
 }
 
-/// From outside of the room, through its open side: the crowd is small.
+/// A view from outside of the room, through its open side, in which the crowd is small.
 fn far() -> Camera {
     Camera { near: 9.0, ..Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.4) }
         .looking(Point3::new(-12.0, 0.0, 1.5), Point3::new(0.0, 0.0, 1.2))
@@ -111,13 +111,13 @@ fn coarser_meshes_are_drawn_far_away_and_the_finest_close_up() {
         let own = (0..frame.depth.len()).filter(|i| frame.instance[*i] == node && fine.instance[*i] == node);
         own.filter(|i| frame.depth[*i] != fine.depth[*i]).count()
     };
-    // A curve is a millimetre off its chords at the second level: with a tenth of a pixel allowed that is not
-    // before a metre and a half here.
+    // At the second level a curve is up to a millimetre off its chords: with a tolerance of a tenth of a pixel,
+    // that level starts at a metre and a half here.
     let usual = seen(&graph, &ahead(), Some(0.1));
     let other: Vec<usize> = nodes.chunks(4).map(|ring| ring.iter().map(|n| count(&usual, *n)).sum()).collect();
     assert!(other[0] == 0 && other[1] == 0, "{other:?} pixels of each ring differ");
     assert!(other[4] > 100 && other[5] > 100, "{other:?} pixels of each ring differ");
-    // The more is allowed, the coarser.
+    // The greater the tolerance, the coarser the mesh.
     let off = |detail: f32| {
         let frame = seen(&graph, &ahead(), Some(detail));
         let same = (0..frame.depth.len()).filter(|i| frame.instance[*i] == fine.instance[*i] && fine.depth[*i] < 1e9);
@@ -135,13 +135,13 @@ fn a_detail_that_cannot_be_draws_the_finest_mesh() {
         let own = seen(&graph, &ahead(), Some(detail));
         assert!(own.instance == fine.instance && own.depth == fine.depth && own.normal == fine.normal, "{detail}");
     }
-    // Where all is allowed the coarsest is drawn, which is something still.
+    // With an infinite tolerance the coarsest mesh is drawn, which is still visible.
     let coarse = seen(&graph, &ahead(), Some(f32::INFINITY));
     let count = |frame: &Frame| frame.instance.iter().filter(|n| **n != NOTHING).count();
     assert!(coarse.depth != fine.depth && 10 * count(&coarse) > 8 * count(&fine));
 }
 
-/// Balls and cups in a row, each of an asset of its own or all of two; and a floor, for their shadows.
+/// Balls and cups in a row, with an asset each or two assets for all; and a floor, for their shadows.
 fn twins(count: usize, shared: bool) -> SceneGraph {
     let mut stage = Stage::new();
     stage.one("floor", common::block([3.0, 3.0, 0.05]), Pose::translation(2.0, 0.0, -0.6), 1);
@@ -184,7 +184,7 @@ fn pictures_are_the_same_whether_meshes_are_shared_or_not() {
         frame
     };
     let (a, b) = (of(true), of(false));
-    // Where nothing is seen it is no number.
+    // Empty pixels are NaN, so bits are compared.
     let flow = |frame: &Frame| frame.flow_forward.as_flattened().iter().map(|v| v.to_bits()).collect::<Vec<u32>>();
     assert!(a.instance.iter().filter(|id| **id != NOTHING).count() > 3000);
     assert!(a.instance == b.instance && a.class == b.class && a.part == b.part && a.depth == b.depth);

@@ -1,4 +1,4 @@
-//! A door stands between two rooms, and each of its sides is in the light of one.
+//! A door stands between two rooms, and each of its sides is lit by one of them.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,17 +10,17 @@ use vc_graph::asset::{Material, Shape};
 use vc_graph::{Draft, NodeId, Pose, SceneGraph};
 use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 
-/// The lamps' light before and behind the wall: reddish and bluish.
+/// The lamps' light on the two sides of the wall: reddish and bluish.
 const GLOW: [[f32; 3]; 2] = [[30.0, 10.0, 4.0], [4.0, 10.0, 30.0]];
 
-/// Two rooms with a lamp each, a wall between them, and a closed door in it that belongs to the second.
+/// Two rooms with a lamp each, a wall between them, and a closed door in it that belongs to the second room.
 fn home() -> (SceneGraph, Vec<NodeId>) {
     home_with(|stage| {
         stage.one("door", block([0.02, 0.5, 1.0]), Pose::translation(0.0, 0.0, 1.0), 1);
     })
 }
 
-/// The same with another door.
+/// The same home with another door.
 fn home_with(door: impl Fn(&mut Stage)) -> (SceneGraph, Vec<NodeId>) {
     let mut stage = Stage::new();
     let mut lamps = Vec::new();
@@ -39,7 +39,7 @@ fn home_with(door: impl Fn(&mut Stage)) -> (SceneGraph, Vec<NodeId>) {
         slab("wall", [0.05, 1.5, 1.25], [3.05, 0.0, 1.25]);
         slab("wall", [1.5, 0.05, 1.25], [1.5, 1.55, 1.25]);
         slab("wall", [1.5, 0.05, 1.25], [1.5, -1.55, 1.25]);
-        // Around the door.
+        // The wall around the door.
         slab("wall", [0.04, 0.5, 1.25], [0.04, 1.0, 1.25]);
         slab("wall", [0.04, 0.5, 1.25], [0.04, -1.0, 1.25]);
         slab("wall", [0.04, 0.5, 0.25], [0.04, 0.0, 2.25]);
@@ -71,8 +71,8 @@ fn each_side_of_a_door_is_in_the_light_of_its_room() {
     }
 }
 
-/// A door whose leaf is flush with one side of the wall, with panels: all that is seen of it from either room is in the
-/// light of that room. And a room behind a closed door without any light of its own is dim, not black.
+/// A panelled door whose leaf is flush with one side of the wall: everything seen of it from either room is lit
+/// by that room. Also, a room without any light of its own behind a closed door is dim, not black.
 #[test]
 fn a_panelled_door_is_in_the_light_of_the_room_it_is_seen_from() {
     let leaf = |stage: &mut Stage| {

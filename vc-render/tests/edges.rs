@@ -1,4 +1,4 @@
-//! Triangles that share an edge cover every pixel of both once.
+//! Triangles that share an edge cover every pixel of both exactly once.
 
 #![allow(clippy::unwrap_used)]
 
@@ -11,7 +11,7 @@ use vc_graph::asset::Shape;
 use vc_graph::{Pose, Seed};
 use vc_render::{Camera, Frame, Modality, Renderer, Shot};
 
-/// Triangles around a middle, each a node of its own, on a plane before the camera.
+/// Triangles around a common point, each a separate node, on a plane in front of the camera.
 fn fan(corners: &[Point3<f32>], middle: Point3<f32>) -> Stage {
     let mut stage = Stage::new();
     for (i, a) in corners.iter().enumerate() {
@@ -28,7 +28,7 @@ fn neighbours_leave_no_gap_and_do_not_overlap() {
     let mut covered = 0;
     for round in 0..60 {
         let mut near = |v: f32| chance.between(-v, v);
-        // Steps of the grid that vertices snap to, and of pixels, among the places: ties.
+        // In some rounds, points lie on the grid that vertices snap to and on pixel centres, which gives ties.
         let snap = |v: f32| if round % 3 == 0 { (v * 32.0).round() / 32.0 } else { v };
         let tilt = [near(0.5), near(0.5)];
         let mut place = |x: f32, y: f32| {
@@ -52,7 +52,7 @@ fn neighbours_leave_no_gap_and_do_not_overlap() {
             for x in 0..64 {
                 let owners: Vec<_> = frame.amodal_masks().filter(|m| m.has(x, y)).map(|m| m.node()).collect();
                 assert!(owners.len() <= 1, "round {round}: pixel {x}, {y} is in {owners:?}");
-                // All around it belongs to some triangle: so does it.
+                // If everything around the pixel's centre belongs to some triangle, so does the centre.
                 let at = |dx: f64, dy: f64| caster.cast(&camera, f64::from(x) + 0.5 + dx, f64::from(y) + 0.5 + dy);
                 let inside = [(0.02, 0.01), (-0.02, 0.01), (0.01, -0.02), (-0.01, 0.02)];
                 if inside.iter().all(|(dx, dy)| at(*dx, *dy).is_some()) {
@@ -65,7 +65,8 @@ fn neighbours_leave_no_gap_and_do_not_overlap() {
     assert!(covered > 10_000, "{covered}");
 }
 
-/// A body whose front is a strip of so many triangles on a plane before the camera, and that ends in a point far behind.
+/// A solid whose front is a strip of `count` triangles on a plane in front of the camera, and which ends in a
+/// point far behind.
 fn strip(count: u32) -> Shape {
     let corner = |i: u32| {
         Point3::new(4.0, 1.9 - 3.8 * i as f32 / (count + 1) as f32, if i.is_multiple_of(2) { -0.4 } else { 0.4 })

@@ -1,4 +1,4 @@
-//! Ids, depth and normals against a ray caster at every pixel's centre.
+//! Ids, depth and normals compared with a ray caster at every pixel's centre.
 
 #![allow(clippy::unwrap_used)]
 
@@ -11,7 +11,7 @@ use vc_graph::asset::Shape;
 use vc_graph::{Pose, SceneGraph};
 use vc_render::{Camera, Frame, Modalities, Modality, NO_LABEL, NOTHING, Renderer, Shot};
 
-/// Whether a part of what is seen at a place lies in the plane that is seen there.
+/// Whether the given part also lies in the plane that is visible at a place.
 fn shared(caster: &Caster, camera: &vc_render::Camera, (x, y): (f64, f64), depth: f64, part: u16) -> bool {
     caster.pierce(camera, x, y).iter().any(|h| h.part == part && (h.depth / depth - 1.0).abs() < 1e-6)
 }
@@ -40,7 +40,7 @@ fn ids_depths_and_normals_are_those_of_a_ray_caster() {
             deep += u32::from(error > 1e-4);
             let along = frame.depth[i] * nalgebra::distance(&camera.unproject(x as f32, y as f32, 1.0), &camera.eye());
             assert!((frame.distance[i] / along - 1.0).abs() < 1e-5);
-            // Another part at the same depth lies in the other's plane.
+            // Another part at the same depth lies in the same plane.
             other_parts +=
                 u32::from(hit.part != frame.part[i] && !shared(&caster, &camera, (x, y), hit.depth, frame.part[i]));
             turned += u32::from(hit.normal.cast::<f32>().dot(&Vector3::from(frame.normal[i])) < 0.75);
@@ -55,8 +55,8 @@ fn ids_depths_and_normals_are_those_of_a_ray_caster() {
     assert!(f64::from(turned) < 0.001 * f64::from(pixels), "{turned} of {pixels} normals differ");
 }
 
-/// What is met at a place, if all around it, up to a 64th of a pixel, is the same plane of the same part: vertices
-/// snap to less than that.
+/// The hit at a place, if everything around it, within a 64th of a pixel, is in the same plane of the same
+/// part: vertices snap by less than that.
 fn inside(caster: &Caster, camera: &Camera, (x, y): (f64, f64)) -> Option<Hit> {
     const STEP: f64 = 1.0 / 64.0;
     let own = caster.cast(camera, x, y)?;
@@ -68,11 +68,11 @@ fn inside(caster: &Caster, camera: &Camera, (x, y): (f64, f64)) -> Option<Hit> {
     [(STEP, 0.0), (-STEP, 0.0), (0.0, STEP), (0.0, -STEP)].into_iter().all(same).then_some(own)
 }
 
-/// Whether what is met is flat, and so the same at all levels of detail.
+/// Whether the hit surface is flat, and so the same at all levels of detail.
 fn is_flat(graph: &SceneGraph, hit: &Hit) -> bool {
     match &**graph.node(hit.node).unwrap().class() {
         "wall" | "book" => true,
-        // Its top has round edges.
+        // Its top has rounded edges.
         "dresser" => hit.part < 2,
         _ => false,
     }
@@ -94,7 +94,8 @@ fn away_from_edges_depths_and_the_normals_of_what_is_flat_are_all_right() {
             let Some(hit) = inside(&caster, &camera, ((i % 96) as f64 + 0.5, (i / 96) as f64 + 0.5)) else { continue };
             let flat = is_flat(&graph, &hit);
             for (which, frame) in frames.iter().enumerate() {
-                // Coarser meshes of what bends are elsewhere by up to a quarter of a pixel, and so hide a little else.
+                // Coarser meshes of curves are displaced by up to a quarter of a pixel, and so occlude slightly
+                // different pixels.
                 if (frame.instance[i], frame.part[i]) != (hit.node, hit.part) {
                     foreign += usize::from(which == 0);
                     continue;

@@ -1,4 +1,4 @@
-//! Files are read back by readers that know their formats and nothing else.
+//! Files are read back by independent readers of their formats.
 
 #![allow(clippy::unwrap_used)]
 
@@ -18,7 +18,7 @@ fn rendered(wanted: impl Into<Modalities>) -> (Snapshot, Frame) {
     (snapshot, frame)
 }
 
-/// Runs down the columns to a picture by rows.
+/// Decodes runs down the columns into a picture in rows.
 fn unrolled(size: [u32; 2], counts: &[u32]) -> Vec<u8> {
     let columns: Vec<u8> =
         counts.iter().enumerate().flat_map(|(i, n)| std::iter::repeat_n((i % 2) as u8, *n as usize)).collect();
@@ -27,8 +27,9 @@ fn unrolled(size: [u32; 2], counts: &[u32]) -> Vec<u8> {
     (0..width * height).map(|i| columns[i % width * height + i / width]).collect()
 }
 
-/// The counts in COCO's text: five bits a character from the lowest, a sixth says that more follow, the highest
-/// of the last is the sign; from the fourth on, differences to the count before last.
+/// Decodes the counts in COCO's text: five bits a character, lowest first; a sixth bit marks that more follow,
+/// and the highest bit of the last character is the sign. From the fourth count on, each is a difference to the
+/// count before the last.
 fn counts(text: &str) -> Vec<u32> {
     let (mut counts, mut value, mut shift) = (Vec::<i64>::new(), 0_i64, 0);
     for byte in text.bytes() {
@@ -56,10 +57,10 @@ fn run_lengths_are_read_back() {
         assert_eq!(rle.size, [70, 90]);
         assert_eq!(unrolled(rle.size, &rle.counts), mask.bitmap(), "{}", mask.node());
         assert_eq!(counts(&rle.compressed()), rle.counts);
-        // No empty runs, but for the first.
+        // Only the first run may be empty.
         assert!(rle.counts[1..].iter().all(|n| *n > 0));
     }
-    // The first and the last pixel, nothing, everything, long runs.
+    // The first and the last pixel, an empty mask, a full one, and long runs.
     for list in [vec![0, 1, 98, 1], vec![100], vec![0, 100], vec![99_999, 3, 1, 1_000_000, 5, 6, 7]] {
         let rle = Rle { size: [10, 10], counts: list.clone() };
         assert_eq!(counts(&rle.compressed()), list);
@@ -91,7 +92,7 @@ fn coco_documents_are_read_back() {
         let bits = unrolled([70, 90], &runs);
         assert_eq!(bits, mask.bitmap());
         assert_eq!(number(&one["area"]), bits.iter().map(|b| i64::from(*b)).sum::<i64>());
-        // The box from the pixels themselves.
+        // The box computed from the pixels themselves.
         let set: Vec<usize> = (0..bits.len()).filter(|i| bits[*i] == 1).collect();
         let ends = |of: fn(usize) -> usize| {
             let (low, high) = (set.iter().map(|i| of(*i)).min().unwrap(), set.iter().map(|i| of(*i)).max().unwrap());
@@ -115,7 +116,7 @@ fn frames_without_boxes_or_masks_are_refused_and_empty_pictures_are_not() {
         assert!(matches!(refused, Err(RenderError::Missing { wanted: "COCO", .. })), "{wanted:?}: {refused:?}");
         assert_eq!(coco.pictures(), 0, "{wanted:?}");
     }
-    // A picture in which nothing is seen is one nevertheless.
+    // A picture in which nothing is visible still counts as a picture.
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&Stage::new().build()).unwrap();
     assert!(coco.add("a.png", &Frame::new(), &snapshot).is_err(), "a frame that was never rendered into");
@@ -129,7 +130,7 @@ fn frames_without_boxes_or_masks_are_refused_and_empty_pictures_are_not() {
     assert_eq!(document["annotations"].as_array().map(Vec::len), Some(0));
 }
 
-/// A cube of a class, some metres ahead.
+/// A cube of some class, some metres ahead.
 fn seen(class: &str) -> (Snapshot, Frame) {
     let mut scene = vc_graph::SceneBuilder::new("one");
     let cube = vc_graph::Bounds::standing([0.5; 3].into());
@@ -144,7 +145,7 @@ fn seen(class: &str) -> (Snapshot, Frame) {
 #[test]
 fn one_document_is_of_many_scenes() {
     let mut coco = Coco::default();
-    // The class table knows one of these; the others have the same number in their scenes.
+    // The class table has one of these classes; the others have the same number in their scenes.
     for (name, class) in [("a", "florbel"), ("b", "grumkin"), ("c", "sofa"), ("d", "grumkin"), ("e", "florbel")] {
         let (snapshot, frame) = seen(class);
         coco.add(format!("{name}.png"), &frame, &snapshot).unwrap();
@@ -165,7 +166,7 @@ fn one_document_is_of_many_scenes() {
     assert!(document["info"]["version"].is_string() && document["licenses"].is_array());
 }
 
-/// What numpy's page on the format says: magic, version, length of the header, header, numbers.
+/// Reads an array by NumPy's description of the format: magic, version, length of the header, header, numbers.
 fn array(file: &[u8]) -> (String, Vec<usize>, &[u8]) {
     assert_eq!(file[..8], *b"\x93NUMPY\x01\x00");
     let length = usize::from(u16::from_le_bytes([file[8], file[9]]));
@@ -206,7 +207,7 @@ fn numpy_arrays_are_read_back() {
     assert_eq!(array(&npy(&[1_u8, 2, 3], &[3, 1]).unwrap()).2, [1, 2, 3]);
 }
 
-/// A reader of OpenEXR's scan lines without compression: attributes by name, and channels by name.
+/// A reader of OpenEXR's uncompressed scan lines: attributes by name, and channels by name.
 struct Exr {
     attributes: std::collections::BTreeMap<String, (String, Vec<u8>)>,
     channels: std::collections::BTreeMap<String, Vec<f32>>,
@@ -235,7 +236,7 @@ impl Exr {
         }
         let own = |name: &str, i: usize| i32::from_le_bytes(attributes[name].1[4 * i..4 * i + 4].try_into().unwrap());
         let size = [own("dataWindow", 2) + 1, own("dataWindow", 3) + 1].map(|v| v as usize);
-        // Of each channel the name, its kind of number, a flag with three bytes unused, and its steps.
+        // For each channel its name, its pixel type, a flag with three unused bytes, and its sampling.
         let (list, mut names) = (&attributes["channels"].1, Vec::new());
         let mut next = 0;
         while list[next] != 0 {
@@ -269,13 +270,13 @@ fn floats_of_openexr_are_read_back() {
     for (name, wanted) in [("Z", &frame.depth), ("forward.u", &u), ("forward.v", &v)] {
         assert!(same(&read.channels[name], wanted), "{name}");
     }
-    // What the format's page says every file must have.
+    // The attributes that every file must have according to the documentation of the format.
     let must = ["channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio"];
     assert!(must.iter().all(|name| read.attributes.contains_key(*name)));
     assert_eq!(read.attributes["compression"].1, [0]);
 }
 
-/// A GIF has all pictures at their time, each in nearly its colours.
+/// A GIF has all pictures with their times, each in nearly its colours.
 #[test]
 fn gifs_are_read_back() {
     use vc_render::picture::{self, Picture};

@@ -1,4 +1,4 @@
-//! Colours from more pixels than there are: thin things are whole, labels are what they were.
+//! Supersampled colours: thin things are whole, and labels are unchanged.
 
 #![allow(clippy::unwrap_used)]
 
@@ -14,7 +14,7 @@ fn bars_thinner_than_a_pixel_do_not_break_up() {
     let mut stage = Stage::new();
     let white = stage.library.add_material(material("plain", [0.9; 3])).unwrap();
     let black = stage.library.add_material(material("plain", [0.01; 3])).unwrap();
-    // A pixel is 2 cm wide there, the bar 8 mm, and a little aslant.
+    // A pixel is 2 cm wide there, the bar 8 mm and slightly tilted.
     stage.one("wall", block([0.1, 4.0, 4.0]), Pose::translation(2.2, 0.0, 0.0), black);
     stage.one("floor", block([4.0, 4.0, 0.1]), Pose::translation(0.0, 0.0, -2.0), white);
     let turn = nalgebra::UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.06);
@@ -47,7 +47,7 @@ fn labels_are_what_they_were_and_colours_nearly() {
     let shot = Shot::new(&snapshot, &camera, wanted).lit(&lighting).after(&snapshot, &camera);
     let (mut plain, mut fine) = (Frame::new(), Frame::new());
     renderer.render(&shot, &mut plain).unwrap();
-    // A frame that has been used for other things is as good.
+    // A frame that was used for other pictures before works as well.
     renderer.render(&shot.finer(3), &mut fine).unwrap();
     renderer.render(&shot, &mut fine).unwrap();
     assert!(fine.rgb == plain.rgb);
@@ -57,7 +57,7 @@ fn labels_are_what_they_were_and_colours_nearly() {
     assert!(fine.boxes == plain.boxes);
     let off = |(a, b): (&[u8; 3], &[u8; 3])| a[1].abs_diff(b[1]) > 12;
     let far = fine.rgb.iter().zip(&plain.rgb).filter(|pair| off(*pair)).count();
-    // At edges only.
+    // Only pixels at edges differ.
     assert!(far * 5 < plain.rgb.len(), "{far} pixels differ");
 }
 

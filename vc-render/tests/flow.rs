@@ -1,4 +1,4 @@
-//! Optical flow and what is hidden, of the camera, of things that turn and of drawers, against a ray caster.
+//! Optical flow and occlusion for a moving camera, turning things and drawers, compared with a ray caster.
 
 #![allow(clippy::unwrap_used)]
 
@@ -12,13 +12,13 @@ use vc_render::{Camera, Frame, Modality, NOTHING, RenderError, Renderer, Shot, S
 
 const SIZE: (usize, usize) = (160, 120);
 
-/// Two moments of a room: the camera steps and turns, a drawer slides in, things turn and move.
+/// Two moments of a room: the camera moves and turns, a drawer slides in, things turn and move.
 struct Moments {
     now: (Snapshot, Camera, Caster),
     then: (Snapshot, Camera, Caster),
     renderer: Renderer,
     dresser: NodeId,
-    /// Things that have turned, and how.
+    /// Nodes that have turned, with their motions.
     turned: Vec<(NodeId, Isometry3<f64>)>,
     slid: Vector3<f64>,
 }
@@ -55,7 +55,7 @@ fn loose(graph: &SceneGraph) -> Vec<NodeId> {
         .collect()
 }
 
-/// How a part moves from now to then.
+/// Motion of a part from now to then.
 fn motion(
     turned: &[(NodeId, Isometry3<f64>)],
     dresser: NodeId,
@@ -70,7 +70,8 @@ fn motion(
 }
 
 impl Moments {
-    /// Where a pixel of a moment is at the other, by the caster: the node and part, and pixels and depth there.
+    /// Position of a pixel's point at the other moment, by the caster: node and part, and pixels and depth
+    /// there.
     fn followed(&self, forward: bool, index: usize) -> Option<(NodeId, u16, [f64; 3])> {
         let ((_, camera, caster), (_, other, _)) =
             if forward { (&self.now, &self.then) } else { (&self.then, &self.now) };
@@ -82,7 +83,7 @@ impl Moments {
         Some((hit.node, hit.part, projected(other, &point)))
     }
 
-    /// Whether the caster sees something before a place of the other moment; none where that differs nearby.
+    /// Whether the caster sees something in front of a point of the other moment; none if that differs nearby.
     fn hidden(&self, forward: bool, [x, y, z]: [f64; 3]) -> Option<bool> {
         let (_, camera, caster) = if forward { &self.then } else { &self.now };
         let verdict = |x: f64, y: f64, nearer: f64| {
@@ -90,7 +91,7 @@ impl Moments {
             !inside || caster.cast(camera, x, y).is_some_and(|h| h.depth < z * nearer)
         };
         let own = verdict(x, y, 0.998);
-        // Beside the place its own surface may be nearer, by its slope.
+        // Beside the point its own surface may be nearer, because of its slope.
         let nearer = if own { 0.998 } else { 0.93 };
         let near = [(-0.8, 0.0), (0.8, 0.0), (0.0, -0.8), (0.0, 0.8)];
         near.iter().all(|(dx, dy)| verdict(x + dx, y + dy, nearer) == own).then_some(own)
@@ -118,7 +119,7 @@ fn flow_is_where_a_ray_caster_finds_points_again() {
         let (mut kinds, mut wrong, mut all) = ([0; 3], 0, 0);
         for (i, flow) in flow.iter().enumerate() {
             let Some((node, part, [x, y, z])) = made.followed(forward, i) else { continue };
-            // At edges another thing may be seen.
+            // At edges another thing may be visible.
             if (node, part) != (frame.instance[i], frame.part[i]) || z < 0.05 {
                 continue;
             }
@@ -136,7 +137,7 @@ fn flow_is_where_a_ray_caster_finds_points_again() {
         assert!(wrong * 2000 < all, "{wrong} of {all} pixels go elsewhere");
         assert!(kinds[0] > 1000 && kinds[2] > 500, "{kinds:?}");
     }
-    // A drawer is seen to slide.
+    // The drawer is visible while it slides.
     let made = moments(0);
     let frame = made.rendered(true, Modality::FlowForward | Modality::Instance | Modality::Part);
     let drawer = (0..frame.part.len()).filter(|i| (frame.instance[*i], frame.part[*i]) == (made.dresser, 1)).count();
@@ -184,7 +185,7 @@ fn occlusion_needs_a_moment_but_no_flow() {
         assert_eq!([frame.occluded_forward.len(), frame.occluded_backward.len()], lengths);
         assert!(frame.flow_forward.is_empty() && frame.flow_backward.is_empty());
     }
-    // The same mask whether flow is asked for or not.
+    // The mask is the same whether flow is requested or not.
     made.renderer.render(&shot.after(then, later), &mut frame).unwrap();
     let alone = frame.occluded_forward.clone();
     let both = Shot { wanted: Modality::Occlusion | Modality::FlowForward, ..shot };

@@ -1,7 +1,8 @@
 //! Small pictures of all modalities, compared byte by byte with those in `tests/golden`.
 //!
-//! A change of them is meant or a mistake. If it is meant, `VC_GOLDEN=write cargo test -p vc-render
-//! --test golden` writes them anew: look at them before they are committed.
+//! A change in them is either intended or a bug. If it is intended,
+//! `VC_GOLDEN=write cargo test -p vc-render --test golden` rewrites them: look at them before they are
+//! committed.
 
 #![allow(clippy::unwrap_used)]
 
@@ -15,7 +16,7 @@ use vc_graph::State;
 use vc_render::picture::{self, Picture};
 use vc_render::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot};
 
-/// Rows from the top of a PNG file.
+/// Decodes a PNG file.
 fn read(bytes: &[u8]) -> Picture {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
@@ -36,7 +37,7 @@ fn compare(name: &str, made: &Picture) {
     assert!(other == 0, "{name}: {other} of {} pixels differ; see the head of this file", made.pixels.len());
 }
 
-/// Cameras of the room, and the light there.
+/// Cameras of the room, with the daylight of each.
 fn views() -> Vec<(&'static str, Camera, Daylight)> {
     let cameras = cameras(64, 48);
     let above = Camera::with_fov(64, 48, 1.5).looking([-1.5, 1.0, 2.5].into(), [-0.4, 0.0, 0.0].into());
@@ -53,7 +54,7 @@ fn modalities_are_as_they_were() {
     let scene = lamplit();
     let mut snapshot = renderer.snapshot(&scene).unwrap();
     scene.nodes().filter(|n| &**n.class() == "ceiling_lamp").for_each(|n| snapshot.switch(n.id(), true).unwrap());
-    // The next moment: a step, and the drawer shut.
+    // The next moment: the camera has moved, and the drawer is shut.
     let mut next = snapshot.clone();
     let dresser = scene.nodes().find(|n| n.is(State::Open)).unwrap().id();
     next.articulate(dresser, |_| Some(0.0)).unwrap();

@@ -1,4 +1,4 @@
-//! A home of three rooms at the level of detail that pictures have by default, against a ray caster.
+//! A home of three rooms at the default level of detail, compared with a ray caster.
 
 #![allow(clippy::unwrap_used)]
 
@@ -26,7 +26,7 @@ fn ids_and_depths_at_the_usual_detail_are_those_of_a_ray_caster() {
             let (x, y) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
             let hit = seen(x, y);
             let own = hit.map_or(NOTHING, |h| h.node);
-            // Edges, where outlines differ by a quarter of a pixel and what is thin may be missed.
+            // Skips edges, where outlines differ by a quarter of a pixel and thin things may be missed.
             let around = [(0.3, 0.0), (-0.3, 0.0), (0.0, 0.3), (0.0, -0.3)];
             if around.iter().any(|(dx, dy)| seen(x + dx, y + dy).map_or(NOTHING, |h| h.node) != own) {
                 continue;
@@ -41,7 +41,7 @@ fn ids_and_depths_at_the_usual_detail_are_those_of_a_ray_caster() {
     eprintln!("{pixels} pixels: {foreign} other ids, {deep} other depths, {far} far off");
     assert!(pixels > 15_000);
     assert!(foreign * 2000 < pixels, "{foreign} of {pixels} ids differ");
-    // Curves are as coarse as an image of this size lets them be: with finer meshes there is no difference.
+    // Curves are as coarse as an image of this size permits: with finer meshes there is no difference.
     assert!(deep * 100 < pixels, "{deep} of {pixels} depths differ");
     assert!(far * 2000 < pixels, "{far} of {pixels} depths are far off");
 }

@@ -1,4 +1,4 @@
-//! Blinds and curtains keep their heads when they are drawn, and keep off the sills of windows and what stands below.
+//! Drawn blinds and curtains keep their heads, and clear window sills and the things that stand below.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,10 +10,10 @@ use vc_graph::asset::{Part, Shape};
 use vc_graph::{NodeId, Pose};
 use vc_render::{RayCaster, RayHit, Renderer, Snapshot};
 
-/// How far a sill stands out into the room, from x = 2, and where its upper side is.
+/// The sill's front edge, which stands out into the room from x = 2, and the height of its upper side.
 const SILL: [f32; 2] = [1.9, 0.92];
 
-/// A window from z = 0.9 to 2.1 in a wall whose face is at x = 2, with a sill, and what covers it.
+/// A window from z = 0.9 to 2.1 in a wall whose face is at x = 2, with a sill, and its covers.
 fn hung(parts: Vec<Part>, places: &[[f32; 3]]) -> (Snapshot, NodeId, Vec<NodeId>) {
     hung_on(Stage::new(), parts, places)
 }
@@ -27,7 +27,7 @@ fn hung_on(mut stage: Stage, parts: Vec<Part>, places: &[[f32; 3]]) -> (Snapshot
     let window = stage.put("window", window, Pose::translation(2.1, 0.0, 0.9));
     let cover = stage.asset(parts);
     let class = if places.len() > 1 { "curtain" } else { "blinds" };
-    // They face into the room.
+    // The covers face into the room.
     let covers = places.iter().map(|at| stage.put(class, cover, pose(*at, std::f32::consts::PI, 0.0))).collect();
     (Renderer::new().snapshot(&stage.build()).unwrap(), window, covers)
 }
@@ -60,7 +60,7 @@ fn a_blind_comes_down_from_its_roller() {
         assert_eq!(seen(z), Some((blinds, 1)), "cloth at {z}");
     }
     assert_eq!(seen(SILL[1] - 0.01), Some((window, 1)));
-    // From below the roller is as thick as it was.
+    // Seen from below, the roller is as thick as before.
     let below = straight(&snapshot, [1.96, 0.1, 0.95], [0.0, 0.0, 1.0]).unwrap();
     assert!(below.part == 0 && (below.point.z - 2.108).abs() < 0.01, "{below:?}");
 }
@@ -85,7 +85,7 @@ fn curtains_are_drawn_before_the_sill() {
         for y in [-0.45, -0.2, 0.1, 0.3, 0.48] {
             let before = straight(&snapshot, [0.0, y, SILL[1] - 0.01], [1.0, 0.0, 0.0]).unwrap();
             assert!(curtains.contains(&before.node) && before.point.x < SILL[0], "{before:?}");
-            // Up through the sill no cloth is met.
+            // Rays up through the sill hit no cloth.
             for x in [SILL[0] + 0.002, 1.95, 1.98] {
                 let below = straight(&snapshot, [x, y, 0.01], [0.0, 0.0, 1.0]).unwrap();
                 assert_eq!((below.node, below.part), (window, 1), "at {x}, {y}");
@@ -106,8 +106,8 @@ fn curtains_that_end_above_the_sill_hang_straight() {
     assert!(curtains.contains(&closed.node) && (closed.point.x - open.point.x).abs() < 1e-4);
 }
 
-/// A pair of curtains down to the floor, drawn, and something that stands below the window, so high and so far off
-/// the wall at its front.
+/// A pair of drawn curtains that reach down to the floor, and a thing of a given height below the window whose
+/// front is at a given distance from the wall.
 fn before(high: f32, front: f32) -> (Snapshot, NodeId, Vec<NodeId>) {
     let mut stage = Stage::new();
     let half = [0.5 * (front - 0.02), 0.45, 0.5 * high];
@@ -128,7 +128,7 @@ fn curtains_are_drawn_before_a_radiator() {
         assert!(curtains.contains(&before.node) && before.point.x < 1.87, "{before:?}");
         let behind = straight(&snapshot, [1.868, y, 0.3], [1.0, 0.0, 0.0]).unwrap();
         assert!(behind.node == radiator && (behind.point.x - 1.87).abs() < 1e-4, "{behind:?}");
-        // Down to the floor all the same.
+        // The curtains still reach down to the floor.
         assert!(straight(&snapshot, [0.0, y, 0.03], [1.0, 0.0, 0.0]).is_some_and(|hit| curtains.contains(&hit.node)));
     }
 }
@@ -146,7 +146,7 @@ fn curtains_end_above_a_desk() {
 
 #[test]
 fn tied_curtains_are_untied_where_they_are_drawn() {
-    // Wide above the band, and below it at one side.
+    // Wide above the band, and narrow and to one side below it.
     let parts = vec![
         part("cloth", block([0.04, 0.14, 0.6]), [0.0, 0.0, 1.55], 1),
         part("cloth", block([0.04, 0.04, 0.5]), [0.0, 0.1, 0.5], 1),

@@ -1,4 +1,4 @@
-//! Labels agree with each other, with other threads, and survive bad input.
+//! Labels agree with each other, do not depend on the number of threads, and survive bad input.
 
 #![allow(clippy::unwrap_used)]
 
@@ -37,7 +37,7 @@ fn masks_boxes_and_ids_agree_exactly() {
 
 #[test]
 fn triangles_that_share_an_edge_leave_no_gap_and_do_not_overlap() {
-    // From within a ball every pixel looks at the wall behind it: one thing, and nothing missing.
+    // Seen past a ball, the wall behind it fills every other pixel: nothing is missing.
     let mut stage = Stage::new();
     stage.one("ball", Shape::Sphere { radius: 0.5 }, Pose::identity(), 0);
     stage.one("wall", block([0.1, 30.0, 30.0]), pose([5.0, 0.0, 0.0], 0.0, 0.0), 1);
@@ -50,7 +50,7 @@ fn triangles_that_share_an_edge_leave_no_gap_and_do_not_overlap() {
         let wanted = Modality::Instance | Modality::Boxes;
         renderer.render(&Shot::new(&snapshot, &camera, wanted), &mut frame).unwrap();
         assert!(frame.instance.iter().all(|n| *n != NOTHING));
-        // No hole in the ball: every row of it is one run.
+        // The ball has no hole: every row of it is one run.
         let ball = frame.boxes[0].node;
         for row in frame.instance.chunks(301) {
             let runs = row.chunk_by(|a, b| (*a == ball) == (*b == ball)).filter(|run| run[0] == ball).count();
@@ -133,7 +133,7 @@ fn a_grey_ball_in_even_light_is_grey() {
     let how = Exposure { samples: 128, denoise: false, ..Exposure::default() };
     let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).unwrap();
     let middle = photograph.light[12 * 24 + 12];
-    // Of a reflectance of 0.8, with a little gloss; never more than there is.
+    // The reflectance is 0.8, with a little gloss; the light is never more than that of the surroundings.
     assert!(middle.iter().all(|v| (0.7..=1.0).contains(v)), "{middle:?}");
     assert!((photograph.light[0][0] - 1.0).abs() < 0.15);
 }
@@ -157,7 +157,7 @@ fn bad_input_is_an_error_or_a_right_picture() {
     }
     let missing = renderer.render(&Shot::new(&snapshot, &camera, Modality::FlowForward), &mut frame);
     assert!(matches!(missing, Err(RenderError::Missing { .. })));
-    // Inside of things, far away, with odd lenses, of one pixel.
+    // Cameras inside of things, far away, with unusual lenses, and with a single pixel.
     let lighting = renderer.light(&snapshot, &Daylight::noon());
     for eye in [[3.05, 0.0, 1.0], [2.0, 1.0, 0.5], [1e6, 0.0, 0.0], [0.0, 0.0, 0.0]] {
         for (width, height, fov) in [(1, 1, 1.0), (33, 7, 3.1), (7, 65, 0.01)] {

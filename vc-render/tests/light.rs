@@ -1,4 +1,4 @@
-//! Light is neither lost nor made: furnaces, and a box whose light is known by another way.
+//! Energy is conserved: furnace tests, and a box whose light is known from a radiosity solution.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,12 +10,12 @@ use vc_graph::asset::{Material, Shape};
 use vc_graph::{NodeId, Pose};
 use vc_render::{Camera, Daylight, Exposure, Renderer, Snapshot};
 
-/// Everything a path can find, without smoothing.
+/// Settings that find all light of paths, without denoising.
 fn exact(samples: u32) -> Exposure {
     Exposure { samples, bounces: 200, brightest: f32::INFINITY, denoise: false, seed: 1 }
 }
 
-/// The same light from all sides.
+/// Equal light from all directions.
 fn even() -> Daylight {
     let one = Vector3::repeat(1.0);
     Daylight { sun: Vector3::zeros(), zenith: one, horizon: one, ground: one, ..Daylight::noon() }
@@ -25,7 +25,7 @@ fn mean(light: &[[f32; 3]]) -> f32 {
     light.iter().map(|c| c[1]).sum::<f32>() / light.len() as f32
 }
 
-/// Mean light of a ball of a material, seen in the middle, where light is even.
+/// Mean light from the centre of a ball of a material in uniform light.
 fn ball(made: Material) -> f32 {
     let mut stage = Stage::new();
     let number = stage.library.add_material(made).unwrap();
@@ -43,7 +43,7 @@ fn balls_in_even_light_are_as_bright_as_their_material_says() {
         for share in [0.0, 0.4, 0.8] {
             let plain = Material { roughness, ..material("plain", [share; 3]) };
             let dull = ball(plain.clone());
-            // The coat throws back some light, the base its share of all other.
+            // The coat reflects some light, and the base its share of the rest.
             let coat = if roughness == 1.0 { 0.0..0.001 } else { 0.02..0.065 };
             let wanted = share + coat.start * (1.0 - share)..share + coat.end * (1.0 - share);
             assert!(
@@ -51,7 +51,7 @@ fn balls_in_even_light_are_as_bright_as_their_material_says() {
                 "share {share}, roughness {roughness}: {dull}, not in {wanted:?}"
             );
             let metal = ball(Material { metallic: 1.0, ..plain });
-            // Between facets light meets the metal twice and more often.
+            // Between facets light hits the metal twice or more often.
             let least = if roughness < 0.4 { 0.95 * share } else { 0.9 * share * share };
             let wanted = least..share + 0.12 * (1.0 - share);
             assert!(
@@ -62,11 +62,11 @@ fn balls_in_even_light_are_as_bright_as_their_material_says() {
     }
 }
 
-/// Lengths of a box's room.
+/// Lengths of the box-shaped room.
 const SIZE: [f32; 3] = [3.0, 2.0, 2.5];
 
-/// A closed box of matt walls from the origin to [`SIZE`], those along X at 0 glowing or all of them,
-/// and its renderer.
+/// A closed box of matt walls from the origin to [`SIZE`], with its renderer. Either the wall at x = 0 glows or
+/// all of them do.
 fn closed(share: f32, all: bool) -> (Renderer, Snapshot) {
     let mut stage = Stage::new();
     let glow = Material { roughness: 1.0, emission: [300.0; 3], ..material("plain", [share; 3]) };
@@ -88,7 +88,7 @@ fn closed(share: f32, all: bool) -> (Renderer, Snapshot) {
     (renderer, snapshot)
 }
 
-/// Light at pixels of a picture of the box, from its middle.
+/// Light at pixels of a picture taken inside the box.
 fn seen((renderer, snapshot): &(Renderer, Snapshot), camera: &Camera, samples: u32) -> Vec<f32> {
     let lighting = renderer.light(snapshot, &Daylight::night());
     let photograph = renderer.photograph(&lighting, camera, &exact(samples), |_| true).unwrap();
@@ -106,7 +106,7 @@ fn a_furnace_of_glowing_walls_is_as_bright_as_the_sum_of_all_its_light() {
     let own = black[0];
     assert!(own > 0.1 && black.iter().all(|v| (v - own).abs() < 1e-4 * own), "walls glow evenly: {black:?}");
     for share in [0.3, 0.6, 0.85] {
-        // Own light, thrown back again and again.
+        // Emission plus all its reflections.
         let wanted = own / (1.0 - share);
         let light = seen(&closed(share, true), &camera, 512);
         let mean = light.iter().sum::<f32>() / light.len() as f32;
@@ -117,15 +117,15 @@ fn a_furnace_of_glowing_walls_is_as_bright_as_the_sum_of_all_its_light() {
 /// Patches of the box's walls.
 struct Patches {
     places: Vec<([f64; 3], usize, f64)>,
-    /// Light that leaves each patch, of one that glows with one.
+    /// Light that leaves each patch, where the emission of a glowing one is one.
     light: Vec<f64>,
 }
 
-/// Patches along each side of a wall.
+/// Number of patches along each side of a wall.
 const CUTS: usize = 10;
 
-/// What share of light from a patch comes to a point that looks along an axis, not yet scaled: the
-/// patch is cut finer the nearer it is.
+/// Unnormalized form factor from a patch to a point whose normal is along an axis; the nearer the patch, the
+/// finer it is subdivided.
 fn sees(at: [f64; 3], axis: usize, (middle, facing, area): &([f64; 3], usize, f64)) -> f64 {
     let (u, v) = ((facing + 1) % 3, (facing + 2) % 3);
     if *facing == axis && (middle[axis] - at[axis]).abs() < 1e-9 {
@@ -145,7 +145,7 @@ fn sees(at: [f64; 3], axis: usize, (middle, facing, area): &([f64; 3], usize, f6
 }
 
 impl Patches {
-    /// Solves for the light of the box's patches by throwing it back and forth (Goral and others 1984).
+    /// Solves for the light of the box's patches by iteration (radiosity; Goral and others 1984).
     fn solved(share: f64) -> Self {
         let mut places = Vec::new();
         for (axis, end) in (0..3).flat_map(|axis| [(axis, 0.0), (axis, 1.0)]) {
@@ -173,7 +173,7 @@ impl Patches {
         made
     }
 
-    /// Mean light from all that a point on a wall sees, by the cosine.
+    /// Cosine-weighted mean of the light that a point on a wall receives.
     fn falls(&self, at: [f64; 3], axis: usize) -> f64 {
         let (mut sum, mut total) = (0.0, 0.0);
         for (patch, light) in self.places.iter().zip(&self.light) {
@@ -227,7 +227,7 @@ fn progress_is_told_and_may_end_it() {
         made.rounds < 3
     });
     assert_eq!(told.iter().map(|t| t.0).collect::<Vec<_>>(), [1, 2, 3]);
-    // Without smoothing the last is the picture.
+    // Without denoising, the last one is the final picture.
     assert!(ended.as_ref().is_ok_and(|made| *made == told[2].1) && told[0].1 != told[1].1);
     let three = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(3), |_| true);
     assert!(ended == three, "what is there counts");
@@ -248,7 +248,7 @@ fn smoothing_keeps_the_light_there_is() {
         };
         let (noisy, smooth) = (of(false), of(true));
         assert!((mean(&smooth) / mean(&noisy) - 1.0).abs() < 0.01, "{} and {}", mean(&smooth), mean(&noisy));
-        // And it does smooth: neighbours differ far less.
+        // It does smooth: neighbouring pixels differ far less.
         let rough = |light: &[[f32; 3]]| light.windows(2).map(|w| (w[0][1] - w[1][1]).abs()).sum::<f32>();
         assert!(rough(&smooth) < 0.6 * rough(&noisy), "{} and {}", rough(&smooth), rough(&noisy));
     }

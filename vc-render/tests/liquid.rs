@@ -1,4 +1,4 @@
-//! What is in vessels is seen in them, and nowhere else.
+//! The contents of vessels are visible in them, and nowhere else.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,10 +10,10 @@ use vc_graph::asset::Shape;
 use vc_graph::{NodeId, Pose};
 use vc_render::{Camera, Daylight, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
 
-/// Pixels of a side.
+/// Side of the picture in pixels, and index of its centre.
 const SIDE: u32 = 64;
 const MIDDLE: usize = (SIDE / 2 * SIDE + SIDE / 2) as usize;
-/// Height of the table, and thickness and height of the mug on it, metres.
+/// Height of the table, and wall thickness and height of the mug on it, metres.
 const TABLE: f32 = 0.5;
 const WALL: f32 = 0.004;
 const HEIGHT: f32 = 0.1;
@@ -68,7 +68,7 @@ fn hollow() -> Shape {
     Shape::Lathe { profile: vec![(outer, 0.0), (outer, HEIGHT), (inner, HEIGHT), (inner, WALL)] }
 }
 
-/// Nearly straight down.
+/// Eye position from which the camera looks nearly straight down.
 const ABOVE: [f32; 3] = [0.001, 0.0, TABLE + 0.6];
 
 #[test]
@@ -101,7 +101,7 @@ fn walls_and_bottoms_hide_it() {
         let (before, after) = (shown.frame(&shown.snapshot, eye), shown.frame(&full, eye));
         assert_eq!((before.instance, before.depth), (after.instance, after.depth), "{eye:?}");
     }
-    // Without the table, from below.
+    // Seen from below, without the table.
     let mut lifted = [shown.snapshot.clone(), full];
     lifted.iter_mut().for_each(|s| s.place(shown.mug, &Pose::translation(0.0, 0.0, 3.0)).unwrap());
     let camera = Camera::with_fov(SIDE, SIDE, 0.5).looking(Point3::new(0.001, 0.0, 2.4), Point3::new(0.0, 0.0, 3.0));
@@ -133,7 +133,7 @@ fn what_is_solid_holds_nothing() {
 
 #[test]
 fn a_bail_is_no_lid() {
-    // Over the middle, and over the rim.
+    // The bail goes over the middle and over the rim.
     let bail = [[0.06, 0.003], [0.003, 0.06]].map(|[x, y]| {
         let corners = [-1.0, 1.0].into_iter().flat_map(|i| [-1.0, 1.0].map(|j| (i * x, j * y)));
         let points = corners.flat_map(|(x, y)| [HEIGHT, HEIGHT + 0.005].map(|z| Point3::new(x, y, z)));

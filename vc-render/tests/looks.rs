@@ -1,5 +1,5 @@
-//! Colours show what light does: mirrors, glass, the sun's patch on the floor, dark corners; and the two ways to
-//! make them agree.
+//! Colours show the effects of light: mirrors, glass, the sun's patch on the floor, dark corners; and the two
+//! kinds of pictures agree.
 
 #![allow(clippy::unwrap_used)]
 
@@ -20,7 +20,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// A scene with everything in it that can be switched on.
+    /// A scene with everything switched on that can be.
     fn new(stage: Stage, daylight: &Daylight) -> Self {
         let graph = stage.build();
         let mut renderer = Renderer::new();
@@ -38,14 +38,14 @@ impl Shown {
         frame
     }
 
-    /// What a ray from a point meets, and how far away.
+    /// The first hit of a ray from a point, and its distance.
     fn met(&self, from: Point3<f32>, along: Vector3<f32>) -> Option<(NodeId, f64)> {
         let camera = Camera { near: 1e-4, ..Camera::with_fov(1, 1, 0.1) }.looking(from, from + along);
         self.caster.cast(&camera, 0.5, 0.5).map(|hit| (hit.node, hit.depth))
     }
 }
 
-/// A floor, a ceiling and walls around 4 by 4 by 2.6 metres, but for the one at x = 2.
+/// A floor, a ceiling and walls around 4 by 4 by 2.6 metres, without the wall at x = 2.
 fn three_walls() -> Stage {
     let mut stage = Stage::new();
     stage.one("floor", block([2.0, 2.0, 0.1]), Pose::translation(0.0, 0.0, -0.1), 1);
@@ -57,7 +57,7 @@ fn three_walls() -> Stage {
     stage
 }
 
-/// The same with a wall at x = 2 that has an opening of 1 by 1.2 metres.
+/// The same room with a wall at x = 2 that has an opening of 1 by 1.2 metres.
 fn windowed() -> Stage {
     let mut stage = three_walls();
     for side in [-1.0, 1.0] {
@@ -124,7 +124,7 @@ fn glass_is_a_thing_that_is_seen_through() {
     let (a, b) = (through.rgb[middle], bare.rgb[middle]);
     assert!(2 * i32::from(a[0]) > 3 * i32::from(a[1]) && b[0] / 2 > b[1], "{a:?} and {b:?}");
     assert!(sum(a) > 0.7 * sum(b) && sum(a) < 1.3 * sum(b), "{a:?} through glass, {b:?} without");
-    // The same in the reference picture.
+    // The reference picture agrees.
     let how = Exposure { samples: 64, ..Exposure::default() };
     let [a, b] =
         [&clear, &open].map(|s| s.renderer.photograph(&s.lighting, &camera, &how, |_| true).unwrap().light[middle]);
@@ -143,7 +143,7 @@ fn the_sun_throws_the_windows_shape_on_the_floor() {
     for (i, rgb) in frame.rgb.iter().enumerate().filter(|(i, _)| frame.instance[*i] == floor) {
         let at = Point3::from(frame.position[i]);
         let own = sunny(at);
-        // The sun is a disc: edges of its patch are soft.
+        // The sun is a disc, so the edges of its patch are soft.
         let around = [(0.08, 0.0), (-0.08, 0.0), (0.0, 0.08), (0.0, -0.08)];
         if around.iter().all(|(x, y)| sunny(at + Vector3::new(*x, *y, 0.0)) == own) {
             if own { &mut lit } else { &mut dark }.push(sum(*rgb));
@@ -215,7 +215,7 @@ fn smoothing_takes_noise_away_and_leaves_the_light() {
         renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().light
     };
     let truth = of(1024, 9, false);
-    // Relative to how bright it is there.
+    // Relative to the brightness at each pixel.
     let error = |light: &[[f32; 3]]| {
         let square = |(a, b): (&[f32; 3], &[f32; 3])| f64::from((a[1] - b[1]) / (b[1] + 0.1)).powi(2);
         light.iter().zip(&truth).map(square).sum::<f64>() / light.len() as f64
@@ -230,13 +230,13 @@ fn smoothing_takes_noise_away_and_leaves_the_light() {
             mean(&raw),
             mean(&smooth)
         );
-        // Specks are dimmed, which takes a little light.
+        // Fireflies are dimmed, which takes a little light.
         assert!(error(&smooth) < left * error(&raw), "{} to {}", error(&raw), error(&smooth));
         assert!((mean(&smooth) / mean(&raw) - 1.0).abs() < loss, "{} to {}", mean(&raw), mean(&smooth));
     }
 }
 
-/// A thin closed pane, each side cut into so many by as many squares.
+/// A thin closed pane, each side divided into `cuts` by `cuts` squares.
 fn pane(cuts: u32, half: [f32; 2], thick: f32) -> Shape {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     let row = cuts + 1;
@@ -251,7 +251,7 @@ fn pane(cuts: u32, half: [f32; 2], thick: f32) -> Shape {
         let back = square.map(|v| v + row * row);
         triangles.extend([[square[0], square[1], square[2]], [square[0], square[2], square[3]]]);
         triangles.extend([[back[2], back[1], back[0]], [back[3], back[2], back[0]]]);
-        // Its rim, so that it is closed.
+        // The rim, which closes it.
         let ends = [i / row == 0, i % row == cuts - 1, i / row == cuts - 1, i % row == 0];
         for side in (0..4).filter(|side| ends[*side]) {
             let next = (side + 1) % 4;
@@ -263,7 +263,7 @@ fn pane(cuts: u32, half: [f32; 2], thick: f32) -> Shape {
 
 #[test]
 fn light_through_windows_is_the_same_however_it_is_looked_for() {
-    // Large triangles of panes are looked through on purpose, small ones met by chance: the light is the same.
+    // Large pane triangles are sampled deliberately, small ones are hit by chance: the light is the same.
     let floor = |cuts: u32| {
         let mut stage = windowed();
         stage.one("window", pane(cuts, [0.5, 0.6], 0.003), Pose::translation(2.1, 0.0, 1.5), 2);
@@ -283,8 +283,8 @@ fn light_through_windows_is_the_same_however_it_is_looked_for() {
 
 #[test]
 fn panes_dim_fast_light_as_they_dim_the_references() {
-    // Both are exposed for what fast light there is: where it were dimmed more or less than the reference's, one of
-    // them would be darker behind dark glass than behind clear glass.
+    // Both pictures are exposed for the fast light: if panes dimmed it more or less than the reference's light,
+    // the difference between the two pictures would change from clear to dark glass.
     let dark = |smoked: bool, sun: bool| {
         let mut stage = windowed();
         let (transmission, share) = if smoked { (0.5, 0.8) } else { (1.0, 0.9) };
@@ -312,7 +312,7 @@ fn panes_dim_fast_light_as_they_dim_the_references() {
 
 #[test]
 fn an_eye_that_sees_a_brighter_room_gets_used_to_it() {
-    // Two rooms side by side, one with three strong lamps, one with a candle's; only a doorway between them.
+    // Two rooms side by side, one with a strong lamp, one with a candle, connected only by a doorway.
     let mut stage = Stage::new();
     let dim = stage.room;
     let bright = stage.builder.add(Draft::new("kitchen")).unwrap();
@@ -338,7 +338,7 @@ fn an_eye_that_sees_a_brighter_room_gets_used_to_it() {
     lamps.iter().for_each(|lamp| snapshot.switch(*lamp, true).unwrap());
     let lighting = renderer.light(&snapshot, &Daylight::night());
     let eye = Point3::new(-2.0, 0.0, 1.4);
-    // The same piece of floor, seen with the doorway above it and without.
+    // The same piece of floor, seen with and without the doorway above it.
     let look = |target: Point3<f32>| Camera::with_fov(80, 60, 1.2).looking(eye, target);
     let mut frame = Frame::new();
     let mut seen = |camera: &Camera| {

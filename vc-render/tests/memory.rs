@@ -1,6 +1,6 @@
-//! Frames that are used again allocate nothing, and huge rooms take no more memory than others.
+//! Reused frames allocate nothing, and huge rooms take no more memory than others.
 //!
-//! One test, as the allocator counts what all threads do.
+//! This is a single test, as the allocator counts the allocations of all threads.
 
 #![allow(clippy::unwrap_used, unsafe_code, reason = "an allocator that counts")]
 
@@ -14,27 +14,27 @@ use nalgebra::Point3;
 use vc_graph::Pose;
 use vc_render::{Camera, Daylight, Frame, Modalities, Modality, Renderer, Shot};
 
-/// The system's allocator, counting.
+/// The system's allocator with counters.
 struct Counting;
 
-/// Allocations so far, bytes now, and most bytes so far.
+/// Number of allocations so far, bytes in use, and peak bytes.
 static COUNT: AtomicUsize = AtomicUsize::new(0);
 static BYTES: AtomicUsize = AtomicUsize::new(0);
 static MOST: AtomicUsize = AtomicUsize::new(0);
 
-// SAFETY: everything is handed to the system's allocator as it came.
+// SAFETY: everything is passed on to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         COUNT.fetch_add(1, Relaxed);
         let now = BYTES.fetch_add(layout.size(), Relaxed) + layout.size();
         MOST.fetch_max(now, Relaxed);
-        // SAFETY: the caller's promise.
+        // SAFETY: guaranteed by the caller.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
         BYTES.fetch_sub(layout.size(), Relaxed);
-        // SAFETY: the caller's promise.
+        // SAFETY: guaranteed by the caller.
         unsafe { System.dealloc(at, layout) }
     }
 }
@@ -42,7 +42,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Allocations and most megabytes more than before while something is done.
+/// Number of allocations and the peak of additional megabytes while a function runs.
 fn during<T>(done: impl FnOnce() -> T) -> (usize, f64, T) {
     let (count, bytes) = (COUNT.load(Relaxed), BYTES.load(Relaxed));
     MOST.store(bytes, Relaxed);
@@ -73,7 +73,7 @@ fn frames_used_again_allocate_nothing() {
                 let shot = Shot::new(&snapshot, camera, wanted).lit(&lighting).finer(finer);
                 renderer.render(&shot.after(&then, camera).before(&then, camera), &mut frame).unwrap();
             };
-            // From all sides, until all buffers have their length.
+            // All cameras are rendered until all buffers have their final lengths.
             let cameras = cameras(160, 120);
             for _ in 0..2 {
                 cameras.iter().for_each(&mut render);
@@ -97,7 +97,7 @@ fn huge_rooms_take_no_more_memory() {
         let (_, megabytes, lighting) = during(|| renderer.light(&snapshot, &Daylight::night()));
         eprintln!("a room of {} m: {megabytes:.0} MB", 2.0 * half);
         assert!(megabytes < most, "light in a room of {} m takes {megabytes} MB", 2.0 * half);
-        // There is light below the lamp, and less far away.
+        // It is bright below the lamp, and darker far away.
         let camera = Camera::with_fov(64, 48, 1.2).looking(Point3::new(-2.0, 0.0, 1.5), Point3::new(0.0, 0.0, 0.0));
         let mut frame = Frame::new();
         renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();

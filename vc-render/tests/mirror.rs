@@ -1,4 +1,4 @@
-//! Reference pictures show in a mirror what stands before it.
+//! In reference pictures, a mirror shows the things in front of it.
 
 #![allow(clippy::unwrap_used)]
 
@@ -12,8 +12,8 @@ use vc_render::{Camera, Daylight, Exposure, Renderer};
 
 const SIZE: (usize, usize) = (64, 48);
 
-/// Light at pixels, seen from a place towards another. There is nothing but three things that glow, about x = -1, and a
-/// mirror at x = 2 or none: what glows has no noise.
+/// Light at pixels, seen from one point towards another. The scene consists of three luminous things around x =
+/// -1 and, if wanted, a mirror at x = 2; direct emission has no noise.
 fn seen(mirror: bool, eye: [f32; 3], target: [f32; 3]) -> Vec<[f32; 3]> {
     let mut stage = Stage::new();
     let mut glow = |emission: [f32; 3]| {
@@ -38,7 +38,7 @@ fn seen(mirror: bool, eye: [f32; 3], target: [f32; 3]) -> Vec<[f32; 3]> {
     renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().light
 }
 
-/// The light of a pixel, if that of the eight around it is the same: it is at no edge.
+/// The light of a pixel, if its eight neighbours have the same light, so that it is not at an edge.
 fn even(light: &[[f32; 3]], x: usize, y: usize) -> Option<[f32; 3]> {
     let own = light[y * SIZE.0 + x];
     let alike = |at: [f32; 3]| (0..3).all(|c| (at[c] - own[c]).abs() <= 1e-3 * own[c]);
@@ -53,12 +53,12 @@ fn a_mirror_shows_what_an_eye_behind_it_would_see_the_other_way_round() {
     let eye = [0.3, 0.1, -0.1];
     let shown = seen(true, eye, [2.0, 0.1, -0.1]);
     let wanted = seen(false, [4.0 - eye[0], eye[1], eye[2]], [2.0, 0.1, -0.1]);
-    // By colour, and nothing at all.
+    // Counts by colour, the last one for dark pixels.
     let mut counts = [0; 4];
     for (x, y) in (1..SIZE.1 - 1).flat_map(|y| (1..SIZE.0 - 1).map(move |x| (x, y))) {
         let Some(light) = even(&wanted, SIZE.0 - 1 - x, y) else { continue };
         let own = shown[y * SIZE.0 + x];
-        // The mirror throws back nine tenths.
+        // The mirror reflects nine tenths.
         for c in 0..3 {
             let share = 0.9 * light[c];
             assert!((own[c] - share).abs() <= 0.01 * share, "pixel {x}, {y}: {own:?}, not 0.9 of {light:?}");

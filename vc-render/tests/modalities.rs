@@ -1,5 +1,5 @@
-//! Each modality is alone what it is among all others, the same for any number of threads, and stays as it was
-//! where a picture is refused.
+//! Each modality is the same alone as among all others, and for any number of threads, and a frame is unchanged
+//! if a picture is refused.
 
 #![allow(clippy::unwrap_used)]
 
@@ -26,7 +26,7 @@ impl Moments {
         Self { renderer, now, then }
     }
 
-    /// With all that any modality needs.
+    /// A shot with everything that any modality needs.
     fn shot<'a>(
         &'a self,
         lighting: &'a Lighting,
@@ -37,7 +37,7 @@ impl Moments {
     }
 }
 
-/// A camera, and where it is a moment later.
+/// A camera, and the same camera a moment later.
 fn pair(camera: Camera) -> [Camera; 2] {
     [camera, Camera { pose: camera.pose * Pose::translation(0.04, 0.01, 0.05), ..camera }]
 }
@@ -54,7 +54,7 @@ fn all(frame: &Frame) -> Vec<Vec<u32>> {
 fn each_alone_is_what_it_is_among_all() {
     let made = Moments::new();
     let lighting = made.renderer.light(&made.now, &Daylight::noon());
-    // One frame for all, so that each must take away what the one before it left.
+    // One frame is reused, so that each render must clear the leftovers of the one before.
     let (mut whole, mut alone) = (Frame::new(), Frame::new());
     for camera in cameras(64, 48).into_iter().take(2) {
         let cameras = pair(camera);
@@ -67,7 +67,7 @@ fn each_alone_is_what_it_is_among_all() {
             assert_eq!(alone.holds, Modalities::from(*one));
             assert!(contents(&alone, *one) == wanted, "{one:?} alone is not what it is among all");
             for other in Modality::ALL.iter().filter(|other| *other != one) {
-                // The visible fraction, which comes with amodal masks, is in boxes.
+                // The visible fraction, which comes with amodal masks, is stored in boxes.
                 let goes_along = (*one, *other) == (Modality::Amodal, Modality::Boxes);
                 assert!(goes_along || contents(&alone, *other).is_empty(), "{one:?} alone has {other:?} too");
             }
@@ -103,7 +103,7 @@ fn threads_do_not_change_a_byte_of_any() {
             let shots: Vec<Shot<'_>> = views.iter().map(|view| made.shot(&lighting, view, everything())).collect();
             let mut frames: Vec<Frame> = shots.iter().map(|_| Frame::new()).collect();
             made.renderer.render_all(&shots, &mut frames).unwrap();
-            // The first by itself as well.
+            // The first one is also rendered by itself.
             let mut alone = Frame::new();
             made.renderer.render(&shots[0], &mut alone).unwrap();
             frames.push(alone);
@@ -130,7 +130,7 @@ fn a_refused_picture_leaves_the_frame_as_it_was() {
     let lighting = made.renderer.light(&made.now, &Daylight::noon());
     let gone = made.renderer.light(&made.now, &Daylight::clear(f32::NAN, 0.0));
     let views = pair(cameras(64, 48)[0]);
-    // Of another size, so that a frame made ready for it would show.
+    // The refused shots have another size, so that a frame prepared for them would be noticed.
     let small = Camera { width: 20, height: 10, ..views[0] };
     let [bad, none] = [Camera { near: 0.0, ..small }, Camera { width: 0, ..small }];
     let whole = made.shot(&lighting, &views, everything());
@@ -162,7 +162,7 @@ fn a_refused_picture_leaves_the_frame_as_it_was() {
         assert_eq!((frame.width, frame.height, frame.holds), (64, 48, everything()), "shot {number}");
         assert!(all(&frame) == before, "shot {number} was refused and changed the frame");
     }
-    // Of many shots each has its own frame: the good ones are rendered.
+    // Each of several shots has its own frame: the valid ones are rendered.
     let mut frames = [frame, Frame::new()];
     let result = made.renderer.render_all(&[refused[7], whole], &mut frames);
     assert!(matches!(result, Err(RenderError::Missing { .. })), "{result:?}");

@@ -1,4 +1,4 @@
-//! Rays follow what moves, and meet what they would in a tree built anew.
+//! Rays follow moving things, and hit the same as in a rebuilt tree.
 
 #![allow(clippy::unwrap_used)]
 
@@ -17,7 +17,7 @@ fn rays(count: usize) -> Vec<Ray> {
     (0..count).map(|_| (Point3::from(place()), place() - place())).collect()
 }
 
-/// Every third thing elsewhere, and the drawer halfway in.
+/// Moves every third thing elsewhere, and the drawer halfway in.
 fn moved(scene: &SceneGraph, snapshot: &mut Snapshot, seed: u64) {
     let mut chance = Seed(seed).stream();
     let loose = |id: &NodeId| scene.node(*id).is_some_and(|n| !["wall", "dresser"].contains(&&**n.class()));
@@ -30,7 +30,7 @@ fn moved(scene: &SceneGraph, snapshot: &mut Snapshot, seed: u64) {
     snapshot.articulate(dresser, |_| Some(chance.between(0.0, 0.3))).unwrap();
 }
 
-/// Both casters meet the same on all rays but those that graze an edge.
+/// Checks that both casters give the same hits for all rays except those that graze an edge.
 fn assert_alike(one: &RayCaster, other: &RayCaster) {
     let rays = rays(20_000);
     let mut differ = 0;
@@ -61,7 +61,7 @@ fn rays_meet_what_has_moved_where_it_is() {
         caster.follow(&snapshot).unwrap();
         assert_alike(&caster, &RayCaster::new(&snapshot));
     }
-    // And back to where all began.
+    // Finally, everything moves back to its original place.
     caster.follow(&start.0).unwrap();
     assert_alike(&caster, &start.1);
 }
@@ -106,7 +106,7 @@ fn reference_pictures_show_what_has_moved() {
         let far = |(a, b): &(&[f32; 3], &[f32; 3])| (a[1] - b[1]).abs() > 0.02 * (a[1] + b[1]);
         wanted.iter().zip(other).filter(far).count()
     };
-    // Where rounding sends a path another way pixels differ.
+    // Pixels differ where rounding sends a path another way.
     assert!(off(&own) * 20 < wanted.len(), "{} of {} pixels differ", off(&own), wanted.len());
     assert!(off(&before) * 4 > wanted.len());
 }

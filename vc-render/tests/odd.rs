@@ -1,4 +1,4 @@
-//! Odd input gives an error or a right picture, never a panic.
+//! Unusual input gives an error or a correct picture, never a panic.
 
 #![allow(clippy::unwrap_used)]
 
@@ -17,7 +17,7 @@ fn everything() -> Modalities {
     Modality::ALL.iter().fold(Modalities::SIX, |all, one| all | *one)
 }
 
-/// Renders everything there is.
+/// Renders all modalities, and a reference picture.
 fn rendered(renderer: &Renderer, snapshot: &Snapshot, camera: &Camera) -> Frame {
     let lighting = renderer.light(snapshot, &Daylight::noon());
     let mut frame = Frame::new();
@@ -70,7 +70,7 @@ fn from_inside_of_things_is_seen_what_a_ray_caster_sees() {
     let mut renderer = Renderer::new().with_detail(0.0);
     let snapshot = renderer.snapshot(&graph).unwrap();
     let ball: [f32; 3] = graph.node(graph.of_class("ball")[0]).unwrap().pose().unwrap().translation.vector.into();
-    // In a wall, in the floor, in the cabinet and its drawer, in a ball.
+    // The eyes are in a wall, in the floor, in the cabinet, in its drawer, and in a ball.
     let eyes = [[3.05, 0.2, 1.0], [0.3, 0.1, -0.1], [2.0, 1.0, 0.25], [1.8, 1.0, 0.6], ball];
     let (mut pixels, mut foreign, mut deep) = (0, 0, 0);
     for (eye, near) in eyes.into_iter().flat_map(|eye| [(eye, 0.01), (eye, 0.4)]) {
@@ -92,13 +92,13 @@ fn from_inside_of_things_is_seen_what_a_ray_caster_sees() {
         assert!(seen > 2000, "{seen} pixels show something from {eye:?}");
     }
     eprintln!("{pixels} pixels: {foreign} other ids, {deep} other depths");
-    // At edges, as vertices snap to parts of a pixel.
+    // They differ at edges, as vertices snap to fractions of a pixel.
     assert!(foreign * 1000 < pixels && deep * 1000 < pixels, "{foreign} ids and {deep} depths of {pixels} differ");
 }
 
 #[test]
 fn triangles_across_the_eye_are_cut_at_the_near_plane() {
-    // A floor that goes on behind the camera fills the lower half of the picture.
+    // A floor that continues behind the camera fills the lower half of the picture.
     let mut stage = Stage::new();
     stage.one("floor", block([500.0, 500.0, 0.1]), Pose::translation(0.0, 0.0, -0.1), 0);
     let mut renderer = Renderer::new();
@@ -159,7 +159,7 @@ fn rays_that_cannot_be_meet_nothing() {
 
 #[test]
 fn triangles_each_a_tenth_smaller_than_the_one_before_are_all_met() {
-    // Wherever a set is cut, most are on one side.
+    // Wherever such a set is split, most triangles are on one side.
     let sizes: Vec<f32> = (0..800).map(|k| 4.0 * 0.9_f32.powi(k)).collect();
     let axes = [Point3::new(1.0, 0.0, 0.0), Point3::new(0.0, 1.0, 0.0), Point3::new(0.0, 0.0, 1.0)];
     let vertices = sizes.iter().flat_map(|size| axes.map(|axis| axis * *size)).collect();
@@ -181,7 +181,7 @@ fn triangles_each_a_tenth_smaller_than_the_one_before_are_all_met() {
 
 #[test]
 fn glass_with_glass_in_it_ends() {
-    // Balls of glass, one in the other, and a mirror around: paths go on and on.
+    // Nested balls of glass with mirrors around: paths go on and on.
     let mut stage = Stage::new();
     let hall = Material { metallic: 1.0, roughness: 0.01, ..material("mirror", [1.0; 3]) };
     let mirror = stage.library.add_material(hall).unwrap();
@@ -213,7 +213,7 @@ fn cameras_that_are_nowhere_are_refused_when_they_look() {
         cameras.extend([good.looking(off, at), good.mounted(&Pose::translation(value, 0.0, 0.0))]);
         cameras.push(Camera::with_fov(16, 12, value));
     }
-    // One that cannot be told where to look.
+    // The direction of this camera is undefined.
     cameras.push(good.looking(at, Point3::new(f32::NAN, 0.0, 0.0)));
     let mut frame = Frame::new();
     for (number, camera) in cameras.iter().enumerate() {
@@ -241,7 +241,7 @@ fn exposures_that_cannot_be_give_some_picture() {
             true
         });
         let light = photograph.unwrap().light;
-        // No path at all would be no picture.
+        // At least one path is traced, as there would be no picture otherwise.
         assert_eq!(rounds, samples.max(1), "{how:?}");
         assert_eq!(light.len(), 16 * 12);
         assert!(light.iter().flatten().all(|v| v.is_finite()), "{how:?}");
@@ -291,8 +291,8 @@ fn what_is_pasted_outside_is_left_out() {
     assert_eq!(black.pixels.iter().filter(|p| **p == [255; 3]).count(), 2);
 }
 
-/// So many layers of a hundred by a hundred boxes, looked at from close by: wherever no edge is near, the picture has
-/// what a ray meets.
+/// Renders `layers` layers of a hundred by a hundred boxes from close by, and checks that the picture agrees
+/// with ray hits wherever no edge is near.
 fn boxes_are_seen(layers: u32) {
     let mut stage = Stage::new();
     let asset = stage.asset(vec![common::part("box", block([0.02; 3]), [0.0; 3], 0)]);

@@ -1,4 +1,4 @@
-//! What does not belong together is refused, and what is no number.
+//! Things that do not belong together, and numbers that are not finite, are refused.
 
 #![allow(clippy::unwrap_used)]
 
@@ -9,7 +9,7 @@ use nalgebra::{Isometry3, Quaternion, Translation3, Unit, Vector3};
 use vc_graph::{Draft, NodeId, Pose, SceneBuilder, State};
 use vc_render::{Daylight, Exposure, Frame, Modalities, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
 
-/// What is said where something is of another scene.
+/// The thing named in an error about another scene.
 fn other<T>(result: Result<T, RenderError>) -> &'static str {
     match result {
         Err(RenderError::OtherScene { what, here, there }) if here != there => what,
@@ -30,7 +30,7 @@ fn light_and_moments_of_another_scene_are_refused() {
         let colours = Shot::new(one, &camera, Modality::Rgb).lit(&light);
         assert_eq!(other(renderer.render(&colours, &mut frame)), "light");
         assert_eq!(other(renderer.render(&colours.finer(2), &mut frame)), "light");
-        // Light that is not asked for does not matter.
+        // Light that is not requested does not matter.
         renderer.render(&Shot::new(one, &camera, Modality::Depth).lit(&light), &mut frame).unwrap();
         let flow = Modality::FlowForward | Modality::FlowBackward | Modality::Occlusion;
         let shot = Shot::new(one, &camera, flow);
@@ -46,7 +46,7 @@ fn light_and_moments_of_another_scene_are_refused() {
 
 #[test]
 fn snapshots_of_the_same_scene_made_one_after_the_other_go_together() {
-    // Of assets, and of things of which only the box is known.
+    // With assets, and with nodes of which only the box is known.
     let mut boxes = SceneBuilder::new("boxes");
     let room = boxes.add(Draft::new("kitchen")).unwrap();
     let size = vc_graph::Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
@@ -62,7 +62,7 @@ fn snapshots_of_the_same_scene_made_one_after_the_other_go_together() {
     }
 }
 
-/// A snapshot with so many materials, and its renderer.
+/// A snapshot with that many materials, and its renderer.
 fn many(materials: usize) -> (Renderer, Snapshot) {
     let mut stage = Stage::new();
     for i in 0..materials {
@@ -149,7 +149,7 @@ fn poses_that_cannot_be_are_refused_and_change_nothing() {
     }
     assert_eq!(snapshot.place(NodeId(9999), &Pose::identity()), Err(RenderError::NoBody(NodeId(9999))));
     assert!(picture(&renderer, &snapshot) == before);
-    // A joint that is nowhere when the scene is taken is where its node's state says.
+    // If a joint's position is not finite when the snapshot is taken, the node's state decides.
     let again = renderer.snapshot_with(&scene, |_, _| Some(f32::NAN)).unwrap();
     assert!(picture(&renderer, &again) == before);
 }
@@ -170,7 +170,7 @@ fn scenes_with_things_that_are_nowhere_are_refused() {
         let refused = renderer.snapshot(&graph).map(|_| ());
         assert_eq!(refused, Err(RenderError::BadPose(node)), "at {x}, scaled by {scale}");
     }
-    // What is flat is not seen; the renderer is as good as before.
+    // Flat things are not visible, and the renderer still works.
     let camera = vc_render::Camera::with_fov(32, 24, 1.0);
     let mut frame = Frame::new();
     for (scale, seen) in [(0.0, false), (1.0, true)] {

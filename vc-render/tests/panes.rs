@@ -1,5 +1,5 @@
-//! Light through openings: the same pane as a box or as a sheet, the sun through no pane at all, and what rooms make
-//! of it in fast pictures.
+//! Light through openings: the same pane as a box or as a sheet, the sun through an opening without a pane, and
+//! the resulting light of rooms in fast pictures.
 
 #![allow(clippy::unwrap_used)]
 
@@ -27,7 +27,7 @@ impl Lit {
         Self { renderer, snapshot, lighting }
     }
 
-    /// Mean light by colour of a reference picture.
+    /// Mean light in each colour of a reference picture.
     fn reference(&self, camera: &Camera, how: Exposure) -> [f64; 3] {
         let light = self.renderer.photograph(&self.lighting, camera, &how, |_| true).unwrap().light;
         [0, 1, 2].map(|i: usize| light.iter().map(|c| f64::from(c[i])).sum::<f64>() / light.len() as f64)
@@ -41,7 +41,7 @@ impl Lit {
     }
 }
 
-/// A closed room of 4 by 4 by 2.6 metres of one material but for an opening of 1 by 1.2 metres at x = 2.
+/// A closed room of 4 by 4 by 2.6 metres of one material, except for an opening of 1 by 1.2 metres at x = 2.
 fn room(walls: Material, floor: Material) -> (Stage, u32) {
     let mut stage = Stage::new();
     let [walls, floor] = [walls, floor].map(|m| stage.library.add_material(m).unwrap());
@@ -98,7 +98,7 @@ fn what_is_seen_through_a_pane_is_the_same_through_a_box_and_through_a_sheet() {
     a.iter().zip(&b).for_each(|(a, b)| assert!((b / a - 1.0).abs() < 0.03, "{a} and {b}"));
 }
 
-/// The sun alone.
+/// Daylight with the sun only.
 fn sun() -> Daylight {
     let (towards_sun, dark) = (Vector3::from(TOWARDS).normalize(), Vector3::zeros());
     Daylight { towards_sun, zenith: dark, horizon: dark, ground: dark, ..Daylight::noon() }
@@ -108,7 +108,8 @@ fn sun() -> Daylight {
 fn the_sun_through_a_bare_opening_is_as_bright_as_it_is() {
     let (black, grey) = (matt(0.0), matt(0.5));
     let lit = Lit::new(room(black, grey).0, &sun());
-    // The middle of the opening is 1.5 metres high; its image on the floor is where the sun's ray from there comes down.
+    // The centre of the opening is 1.5 metres high; its image on the floor is where the sun's ray through it
+    // ends.
     let day = sun();
     let along = day.towards_sun / day.towards_sun.z;
     let at = Point3::new(2.1 - 1.5 * along.x, -1.5 * along.y, 0.0);
@@ -123,7 +124,7 @@ fn the_sun_through_a_bare_opening_is_as_bright_as_it_is() {
 #[test]
 fn what_the_sun_lights_through_a_bare_opening_lights_the_room() {
     let lit = Lit::new(room(matt(0.7), matt(0.7)).0, &sun());
-    // Of the ceiling, which the sun does not reach.
+    // Measured at the ceiling, which the sun does not reach.
     let camera = Camera::with_fov(8, 6, 0.6).looking(Point3::new(-1.0, 0.0, 1.0), Point3::new(0.4, 0.0, 2.6));
     let of = |samples: u32, brightest: f32| {
         let how = Exposure { samples, brightest, denoise: false, ..Exposure::default() };
@@ -136,7 +137,7 @@ fn what_the_sun_lights_through_a_bare_opening_lights_the_room() {
 
 #[test]
 fn what_is_seen_through_a_pane_is_smooth() {
-    // Within a room, as the door of a cupboard.
+    // The pane is within a room, like the door of a cupboard.
     let noise = |pane: bool| {
         let (mut stage, _) = room(matt(0.7), matt(0.7));
         if pane {
@@ -154,11 +155,12 @@ fn what_is_seen_through_a_pane_is_smooth() {
     };
     let [bare, behind] = [false, true].map(noise);
     eprintln!("noise {bare:.4} without a pane, {behind:.4} behind one");
-    // What it reflects of the window is left. Were reflections left to chance it would be 26 times as much.
+    // Noise from its reflection of the window remains. If reflections were left to chance, it would be 26 times
+    // as much.
     assert!(behind < 4.0 * bare, "{behind} behind a pane, {bare} without");
 }
 
-/// The light that the film shows so, by halving.
+/// Inverts the tone curve by bisection.
 fn film_undone(shown: f64) -> f64 {
     let film = |light: f64| {
         let strength = light.powf(1.2) / (1.0 + (light / 2.0).powi(4)).powf(0.15);
@@ -171,7 +173,7 @@ fn film_undone(shown: f64) -> f64 {
     (0..60).fold((0.0, 1e3), |within, _| half(within)).0
 }
 
-/// Mean light by colour for a picture's bytes, up to what it is exposed by: the film's curve undone.
+/// Mean light in each colour of a picture's bytes, up to its exposure, by inverting the tone curve.
 fn undone(pixels: &[[u8; 3]]) -> [f64; 3] {
     let light = |byte: u8| {
         let v = f64::from(byte) / 255.0;
@@ -181,7 +183,8 @@ fn undone(pixels: &[[u8; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|c: usize| pixels.iter().map(|p| light(p[c])).sum::<f64>() / pixels.len() as f64)
 }
 
-/// How many times brighter a fast picture is than the reference, and by colour against green.
+/// The ratio of a fast picture's brightness to the reference's, and the ratios of red and blue relative to
+/// green.
 fn brighter(lit: &Lit, camera: &Camera) -> [f64; 3] {
     let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
     let reference = lit.renderer.photograph(&lit.lighting, camera, &how, |_| true).unwrap().picture();
@@ -192,7 +195,7 @@ fn brighter(lit: &Lit, camera: &Camera) -> [f64; 3] {
 
 #[test]
 fn fast_light_in_a_room_of_wood_and_cloth_has_the_references_hue() {
-    // Patterns darken both, and most of the light has been thrown back often.
+    // Patterns darken both, and most of the light has been reflected many times.
     let walls = Material { roughness: 0.9, ..material("linen", [0.9, 0.85, 0.75]) };
     let floor = Material { roughness: 0.5, ..material("oak", [0.6, 0.4, 0.2]) };
     let lit = Lit::new(room(walls, floor).0, &Daylight::overcast());
@@ -208,7 +211,7 @@ fn a_shade_keeps_away_as_much_of_a_lamps_fast_light_as_of_the_references() {
     let (mut stage, _) = room(matt(0.7), matt(0.5));
     let bulb = Material { emission: [30.0; 3], ..material("bulb", [0.9; 3]) };
     let [bulb, dark] = [bulb, matt(0.1)].map(|m| stage.library.add_material(m).unwrap());
-    // Black and open below.
+    // The shade is black and open below.
     let side = |x: f32, y: f32| {
         let half = [if x == 0.0 { 0.1 } else { 0.004 }, if y == 0.0 { 0.1 } else { 0.004 }, 0.1];
         part("housing", block(half), [0.1 * x, 0.1 * y, 0.0], dark)

@@ -1,4 +1,4 @@
-//! Edges of shadows in fast pictures are the softer the farther away it is what throws them.
+//! In fast pictures, penumbrae widen with the distance of the blocker.
 
 #![allow(clippy::unwrap_used)]
 
@@ -13,7 +13,7 @@ use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 const WIDTH: usize = 96;
 const HEIGHT: usize = 48;
 
-/// Colours along the middle row, of a floor with or without a board over it.
+/// Brightness along the middle row, for a floor with or without a board above it.
 fn row(lamp: Option<f32>, board: Option<[f32; 2]>, day: &Daylight, camera: &Camera) -> Vec<f64> {
     let mut stage = Stage::new();
     let matt = Material { roughness: 1.0, ..material("plain", [0.6; 3]) };
@@ -35,9 +35,9 @@ fn row(lamp: Option<f32>, board: Option<[f32; 2]>, day: &Daylight, camera: &Came
     own.iter().map(|rgb| rgb.iter().map(|v| f64::from(*v)).sum()).collect()
 }
 
-/// How many pixels of a row have between a tenth and nine tenths of the light that is missing in the shadow.
+/// Number of pixels in a row that lack between a tenth and nine tenths of the light missing in the shadow.
 fn width(shaded: &[f64], bare: &[f64]) -> usize {
-    // Against the floor without a board, so that light may fall off along it.
+    // Relative to the floor without a board, so that light may fall off along it.
     let shares: Vec<f64> = shaded.iter().zip(bare).map(|(own, all)| own / all).collect();
     let low = shares.iter().copied().fold(f64::INFINITY, f64::min);
     let high = shares.iter().copied().fold(0.0, f64::max);
@@ -45,7 +45,7 @@ fn width(shaded: &[f64], bare: &[f64]) -> usize {
     shares.iter().filter(|v| (0.1..0.9).contains(&((**v - low) / (high - low)))).count()
 }
 
-/// A strip of floor so many metres wide about a place on the y axis, from above.
+/// An overhead view of a strip of floor of a given width in metres around a point on the y axis.
 fn above(y: f32, wide: f32) -> Camera {
     let span = wide * HEIGHT as f32 / WIDTH as f32;
     Camera::with_fov(WIDTH as u32, HEIGHT as u32, 0.5).overhead(Point3::new(0.0, y, 0.0), span)
@@ -53,14 +53,14 @@ fn above(y: f32, wide: f32) -> Camera {
 
 #[test]
 fn the_suns_shadows_widen_with_distance() {
-    // From halfway up over y: a board's shadow lies beside it as far as it is high.
+    // The sun is halfway up in the direction of y: a board's shadow is displaced by its height.
     let day = Daylight { towards_sun: Vector3::new(0.0, 1.0, 1.0).normalize(), ..Daylight::noon() };
     let [near, far] = [0.1, 1.6].map(|height: f32| {
         let camera = above(-0.3 - height, 0.16);
         width(&row(None, Some([0.0, height]), &day, &camera), &row(None, None, &day, &camera))
     });
     eprintln!("{near} and {far} pixels");
-    // Of 32 mm across the light, and of less than a texel of the shadow map.
+    // The penumbrae are 32 mm across the light, and less than a texel of the shadow map.
     assert!(near >= 1 && far > 2 * near, "an edge of {near} pixels from near, of {far} from afar");
 }
 
@@ -71,7 +71,7 @@ fn a_lamps_shadows_widen_with_distance() {
     let edge = 1.35;
     let camera = above(edge, 0.48);
     let [near, far] = [0.3, 1.2].map(|height: f32| {
-        // The board ends where its shadow's edge falls on one place.
+        // The board ends where its shadow's edge falls on the same place each time.
         let end = edge * (UP - height) / UP;
         let board = Some([end - 0.3, height]);
         width(&row(Some(UP), board, &day, &camera), &row(Some(UP), None, &day, &camera))

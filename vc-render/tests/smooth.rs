@@ -1,4 +1,4 @@
-//! Edges of colours are smooth without more pixels; labels are not mixed.
+//! Edges of colours are smooth without supersampling; labels are not mixed.
 
 #![allow(clippy::unwrap_used)]
 
@@ -12,7 +12,7 @@ use vc_graph::asset::Material;
 use vc_render::picture::{self, Picture};
 use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 
-/// How many times finer along each side the picture is that is compared with.
+/// Supersampling factor along each side of the picture to compare with.
 const FINER: usize = 8;
 const SIZE: (usize, usize) = (64, 48);
 
@@ -44,7 +44,7 @@ fn edges_have_colours_by_how_much_of_a_pixel_they_cover_and_labels_have_one() {
     };
     let (own, fine) = (rendered(&camera), rendered(&large));
     let wanted: Picture = picture::rgb(&fine).shrunk(FINER);
-    // How much of a pixel is the board's.
+    // Share of a pixel that the board covers.
     let cover = |i: usize| {
         let (x, y) = (i % SIZE.0 * FINER, i / SIZE.0 * FINER);
         let inside = |k: &usize| fine.instance[(y + k / FINER) * FINER * SIZE.0 + x + k % FINER] == bright;
@@ -54,7 +54,7 @@ fn edges_have_colours_by_how_much_of_a_pixel_they_cover_and_labels_have_one() {
     let range = light - dark;
     assert!(range > 100.0, "{dark} and {light}");
     let (mut crossed, mut half, mut between) = (0, 0, 0);
-    // Against the fine picture: colours there are, and colours that were not smoothed.
+    // Errors relative to the fine picture, of the rendered colours and of colours without smoothing.
     let (mut off, mut hard, mut worst) = (0.0_f32, 0.0_f32, 0.0_f32);
     for i in 0..SIZE.0 * SIZE.1 {
         let (share, colour, truth) = (cover(i), f32::from(own.rgb[i][1]), f32::from(wanted.pixels[i][1]));
@@ -77,9 +77,9 @@ fn edges_have_colours_by_how_much_of_a_pixel_they_cover_and_labels_have_one() {
     eprintln!("{crossed} pixels are off by {off}, {worst} at worst, of {range}; {hard} if they were not smoothed");
     assert!(crossed > 60 && half > 30, "{crossed} pixels at edges, {half} of them about halfway");
     assert!(10 * between >= 8 * half, "{between} of {half} pixels are between the colours");
-    // Corners are where it is worst: a pixel there is known from one edge.
+    // Corners are worst: a pixel there is known from one edge only.
     assert!(off < 0.03 * range && worst < 0.6 * range && 8.0 * off < hard, "off by {off}, {hard} if not smoothed");
-    // Labels are those of the pixel's middle, and nothing between.
+    // Labels are those at the pixel's centre, never a mixture.
     let mut foreign = 0;
     for (i, node) in own.instance.iter().enumerate() {
         assert!([wall, bright].contains(node));

@@ -1,4 +1,4 @@
-//! Outlines in reference pictures.
+//! Outlines in reference pictures have no fireflies.
 
 #![allow(clippy::unwrap_used)]
 
@@ -25,7 +25,7 @@ fn brightness((renderer, lighting): &(Renderer, Lighting), camera: &Camera, samp
     light.iter().map(|c| 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]).collect()
 }
 
-/// Least and greatest of a pixel and the eight around it.
+/// The least and the greatest of a pixel and its eight neighbours.
 fn range(light: &[f32], index: usize) -> [f32; 2] {
     let (x, y) = (index % SIZE.0, index / SIZE.0);
     let around = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
@@ -48,11 +48,11 @@ fn outlines_are_free_of_specks() {
         }
     }
     eprintln!("{dark} dark and {bright} bright specks in {} pixels", 2 * SIZE.0 * SIZE.1);
-    // Smoothed without regard to them it is six and fifteen.
+    // Smoothing that ignores outlines leaves six and fifteen.
     assert!(dark == 0 && bright < 12, "{dark} dark and {bright} bright specks");
 }
 
-/// Pillars before each other under a grey sky.
+/// Pillars in front of each other under a grey sky.
 fn pillars() -> (Renderer, Lighting) {
     let mut stage = common::Stage::new();
     stage.one("floor", common::block([4.0, 4.0, 0.05]), common::pose([0.0, 0.0, -0.05], 0.0, 0.0), 1);

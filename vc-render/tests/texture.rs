@@ -1,4 +1,4 @@
-//! Pictures on surfaces are where their coordinates say, in fast colours and in reference pictures.
+//! Image textures follow their coordinates, in fast colours and in reference pictures.
 
 #![allow(clippy::unwrap_used)]
 
@@ -18,7 +18,7 @@ const BLOCKS: [[[u8; 3]; 4]; 3] = [
     [[90, 90, 90], [250, 250, 20], [20, 250, 250], [250, 20, 250]],
     [[20, 20, 20], [160, 90, 40], [40, 90, 160], [200, 140, 200]],
 ];
-/// Texels along a side of a block.
+/// Number of texels along a side of a block.
 const SIDE: usize = 8;
 
 fn linear(byte: u8) -> f32 {
@@ -32,7 +32,7 @@ fn blocks() -> Texture {
     Texture { name: "blocks".into(), width: width as u32, height: height as u32, pixels }
 }
 
-/// A board of 0.8 by 0.6 metres that faces -x, its texture upright and the right way round.
+/// A board of 0.8 by 0.6 metres that faces -x, its texture upright and not mirrored.
 fn board(uvs: bool) -> Shape {
     // Seen from -x, +y is to the left.
     let corner = |u: f32, v: f32| Point3::new(0.0, 0.4 - 0.8 * u, 0.3 - 0.6 * v);
@@ -42,7 +42,7 @@ fn board(uvs: bool) -> Shape {
     Shape::Mesh { vertices, triangles: vec![[0, 1, 2], [0, 2, 3]], uvs }
 }
 
-/// A scene with nothing but a shape of a material.
+/// A scene with nothing but one shape of a material.
 fn alone(shape: Shape, made: Material, texture: Option<Texture>, scale: f32) -> SceneGraph {
     let mut stage = Stage::new();
     let texture = texture.map(|t| stage.library.add_texture(Arc::new(t)).unwrap());
@@ -54,7 +54,7 @@ fn alone(shape: Shape, made: Material, texture: Option<Texture>, scale: f32) -> 
     stage.build()
 }
 
-/// A board that glows by a picture, and nothing else than a matt wall beside it.
+/// A board that glows with an image texture, and beside it only a matt wall.
 fn screen(texture: Option<Texture>) -> Shown {
     let mut stage = Stage::new();
     let texture = texture.map(|t| stage.library.add_texture(Arc::new(t)).unwrap());
@@ -91,7 +91,7 @@ fn what_a_picture_takes_from_a_glow_is_missing_on_the_wall_beside_it() {
     }
 }
 
-/// Of each block what its colour says, by paths and in fast pictures.
+/// Each block has the light that its colour implies, in path tracing and in fast pictures.
 #[test]
 fn pictures_that_glow_give_their_own_light() {
     let shown = screen(Some(blocks()));
@@ -99,7 +99,7 @@ fn pictures_that_glow_give_their_own_light() {
     let light_at = traced(&shown, &camera);
     let fast = shown.fast(&camera);
     let (mut most, mut compared) = (0.0_f32, 0);
-    // A block that is all but white.
+    // A nearly white block.
     let white = light_at[pixel(&camera, 3, 0)].map(|v| v / linear(250));
     for (block, colour) in BLOCKS.as_flattened().iter().enumerate() {
         let at = pixel(&camera, block % 4, block / 4);
@@ -112,7 +112,7 @@ fn pictures_that_glow_give_their_own_light() {
             );
         }
         most = most.max(light[1]);
-        // Fast pictures rank the channels as the light does.
+        // Fast pictures rank the channels in the same order.
         let near = fast[at];
         for (a, b) in [(0, 1), (1, 2), (0, 2)].into_iter().filter(|(a, b)| light[*a] > 1.5 * light[*b]) {
             assert!(near[a] > near[b], "block {block}: {near:?} for {light:?}");
@@ -152,21 +152,21 @@ impl Shown {
         frame.rgb
     }
 
-    /// Light without a second surface, so that only the board's own colour tells.
+    /// Light with a single bounce, so that only the board's own colour matters.
     fn photograph(&self, camera: &Camera) -> Vec<[f32; 3]> {
         let how = Exposure { samples: 16, bounces: 1, denoise: false, ..Exposure::default() };
         self.renderer.photograph(&self.lighting, camera, &how, |_| true).unwrap().light
     }
 }
 
-/// Head on, and aslant from below.
+/// Cameras head on, and obliquely from below.
 fn cameras() -> [Camera; 2] {
     let camera = Camera::with_fov(96, 72, 0.7);
     let target = Point3::new(0.1, -0.05, 0.02);
     [[-1.0, -0.05, 0.02], [-0.7, 0.55, -0.4]].map(|eye| camera.looking(eye.into(), target))
 }
 
-/// Where the middle of a block is on the image.
+/// Index of the pixel at the centre of a block.
 fn pixel(camera: &Camera, column: usize, row: usize) -> usize {
     let (u, v) = ((column as f32 + 0.5) / 4.0, (row as f32 + 0.5) / 3.0);
     let at = Point3::new(0.1, -0.05 + 0.4 - 0.8 * u, 0.02 + 0.3 - 0.6 * v);
@@ -177,7 +177,7 @@ fn pixel(camera: &Camera, column: usize, row: usize) -> usize {
 #[test]
 fn every_texel_is_where_its_coordinates_say() {
     let tint = [0.8, 0.6, 0.9];
-    // A scaled board has its picture scaled with it.
+    // The texture multiplies the material's colour.
     let pictured = Shown::new(&alone(board(true), matt(tint), Some(blocks()), 1.0));
     for camera in cameras() {
         let (fast, photograph) = (pictured.fast(&camera), pictured.photograph(&camera));
@@ -187,7 +187,7 @@ fn every_texel_is_where_its_coordinates_say() {
             let plain = Shown::new(&alone(board(false), matt(colour), None, 1.0));
             let at = pixel(&camera, column, row);
             let (own, wanted) = (fast[at], plain.fast(&camera)[at]);
-            // What the board throws back lights it a little, and differs.
+            // Light reflected by the board lights it a little, and differs.
             assert!((0..3).all(|i| own[i].abs_diff(wanted[i]) <= 6), "{row} {column}: {own:?}, not {wanted:?}");
             let (own, wanted) = (photograph[at], plain.photograph(&camera)[at]);
             let off = (0..3).map(|i| (own[i] - wanted[i]).abs()).fold(0.0, f32::max);
@@ -203,12 +203,12 @@ fn far_away_a_fine_board_is_grey() {
     let scale = 4.0;
     let pictured = Shown::new(&alone(board(true), matt([0.8; 3]), Some(fine), scale));
     let plain = Shown::new(&alone(board(false), matt([0.4; 3]), None, scale));
-    // Some ten texels to a pixel, head on and aslant.
+    // Some ten texels to a pixel, head on and obliquely.
     let camera = Camera::with_fov(64, 48, 1.0);
     for eye in [[-6.0, 0.0, 0.0], [-5.0, 2.0, 2.0]] {
         let camera = camera.looking(eye.into(), Point3::origin());
         let (own, wanted) = (pictured.fast(&camera), plain.fast(&camera));
-        // The outermost pixels are mixed with what is behind.
+        // The outermost pixels are mixed with the background.
         let middle = |p: &usize| (20..44).contains(&(p % 64)) && (16..32).contains(&(p / 64));
         let off = (0..64 * 48).filter(middle).map(|p| own[p][1].abs_diff(wanted[p][1])).max().unwrap();
         assert!(off <= 12, "{off}");
@@ -238,7 +238,7 @@ fn any_coordinates_are_taken() {
     }
 }
 
-/// Courses of bricks lie level on a pillar as on a long wall.
+/// Courses of bricks are level on a pillar as well as on a long wall.
 #[test]
 fn bricks_lie_level_however_long_their_wall_is() {
     for (half, made) in [([0.05, 0.3, 1.2], "wall"), ([0.05, 1.5, 0.4], "wall"), ([0.05, 0.3, 1.2], "chimney")] {
@@ -252,7 +252,7 @@ fn bricks_lie_level_however_long_their_wall_is() {
         let camera = Camera::with_fov(96, 96, 0.4).looking(Point3::new(-1.0, 0.0, 0.0), Point3::origin());
         let mut frame = Frame::new();
         renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
-        // Joints go through along courses: means of rows differ more than means of columns.
+        // Joints run along courses: means of rows differ more than means of columns.
         let mean = |at: &dyn Fn(usize, usize) -> usize, i: usize| {
             (0..96).map(|j| f32::from(frame.rgb[at(i, j)][1])).sum::<f32>() / 96.0
         };

@@ -1,4 +1,4 @@
-//! More light is never darker, in reference pictures and in fast ones.
+//! More light never gives darker pixels, in reference pictures and in fast ones.
 
 #![allow(clippy::unwrap_used)]
 
@@ -15,7 +15,7 @@ fn even() -> Daylight {
     Daylight { sun: Vector3::zeros(), zenith: one, horizon: one, ground: one, ..Daylight::noon() }
 }
 
-/// A photograph of nothing much, for its exposure.
+/// A photograph of a plain scene, for its exposure.
 fn photograph() -> Photograph {
     let mut stage = Stage::new();
     stage.one("box", block([0.5; 3]), Pose::translation(2.0, 0.0, 0.0), 1);
@@ -29,7 +29,7 @@ fn photograph() -> Photograph {
 #[test]
 fn more_light_is_never_darker_on_film() {
     let mut made = photograph();
-    // From a millionth up, a hundredth more each time.
+    // From a millionth up, in steps of one percent.
     let steps = std::iter::successors(Some(1e-6_f32), |v| Some(1.01 * v)).take(4000);
     made.light = steps.map(|v| [v, 0.5 * v, 3.0 * v]).collect();
     (made.width, made.height) = (4000, 1);
@@ -38,7 +38,7 @@ fn more_light_is_never_darker_on_film() {
         assert!((0..3).all(|c| pair[0][c] <= pair[1][c]), "step {i}: {:?} and then {:?}", pair[0], pair[1]);
     }
     assert_eq!((picture.pixels[0], picture.pixels[3999]), ([0; 3], [255; 3]));
-    // In small steps: nearly all bytes are there.
+    // The steps are small: nearly all byte values occur.
     let bytes: std::collections::BTreeSet<u8> = picture.pixels.iter().map(|p| p[0]).collect();
     assert!(bytes.len() > 200, "{} bytes of 256", bytes.len());
 }
@@ -53,7 +53,7 @@ fn light_that_cannot_be_has_a_colour() {
 
 #[test]
 fn more_light_is_never_darker_in_fast_pictures() {
-    // Patches side by side that glow, each four fifths brighter than the one before it.
+    // Luminous patches side by side, each 1.8 times as bright as the one before it.
     let mut stage = Stage::new();
     let places: Vec<Point3<f32>> =
         (0..24).map(|i| Point3::new(0.0, 0.35 - 0.1 * (i % 8) as f32, 0.1 - 0.1 * (i / 8) as f32)).collect();
@@ -82,7 +82,8 @@ fn more_light_is_never_darker_in_fast_pictures() {
     assert!(shown[23] - shown[0] > 150, "{shown:?}");
 }
 
-/// Several times as bright as walls in the room's light, the sky is not white: it is blue, and the horizon lighter.
+/// The sky is several times as bright as walls in the room's light, but not white: it is blue, and the horizon
+/// is lighter.
 #[test]
 fn the_sky_is_seen_from_a_room() {
     let stage = Stage::new();
@@ -100,7 +101,7 @@ fn the_sky_is_seen_from_a_room() {
     assert!(high.iter().chain(&low).all(|v| *v < 246), "{high:?} high up, {low:?} low");
 }
 
-/// The lower the sun, the warmer its light and that of the sky, and the less of it.
+/// The lower the sun, the warmer its light and the sky's, and the less of it.
 #[test]
 fn evenings_are_warm() {
     let warmth = |of: Vector3<f32>| of.x / of.z;

@@ -1,9 +1,9 @@
-//! A home of modules: 25 objects in a room of 4 by 4 m, each with what carries and what
-//! holds it, for benches and random edits.
+//! A home of modules for benches and random edits: rooms of 4 by 4 m with 25 objects each, with the support and
+//! the container of every object.
 
 use super::Named;
 
-/// What the builder knows of an object: its name, its support, its container.
+/// Ground truth about an object: its name, its support, its container.
 #[derive(Debug)]
 pub(crate) struct Truth {
     pub(crate) name: String,
@@ -11,12 +11,12 @@ pub(crate) struct Truth {
     pub(crate) inside: Option<String>,
 }
 
-/// A home with at least `objects` objects, and what is true in it.
+/// A home with at least `objects` objects, and its ground truth.
 pub(crate) fn home(objects: usize) -> (Named, Vec<Truth>) {
     home_with(objects, &[])
 }
 
-/// The same with more things in it.
+/// The same home with more things in it.
 pub(crate) fn home_with(objects: usize, more: &[&str]) -> (Named, Vec<Truth>) {
     let modules = objects.div_ceil(25);
     let side = (modules as f32).sqrt().ceil() as usize;

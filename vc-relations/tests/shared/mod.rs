@@ -1,6 +1,6 @@
 //! Test scenes from text, one thing a line:
-//! `name = shape measures... @ x y z r roll pitch yaw s x y z class c state open joint 0 0.3`.
-//! `shape!` says where it holds things; `boxed x y z` has no parts, only a box.
+//! `name = shape measures... @ x y z r roll pitch yaw s x y z class c state open joint 0 0.3`. `shape!`
+//! declares its hollows; `boxed x y z` has only a box, no parts.
 
 #![allow(dead_code, clippy::unwrap_used, reason = "each test uses a part, and tests may unwrap")]
 
@@ -69,7 +69,7 @@ pub(crate) fn library() -> AssetLibrary {
     library
 }
 
-/// One line of a scene: its name and draft, and the positions of its joints.
+/// Parses one line of a scene into a name, a draft, and the positions of its joints.
 pub(crate) fn thing(line: &str, library: &mut AssetLibrary) -> (String, Draft, Vec<(u32, f32)>) {
     let mut words = Words(line.split_whitespace().peekable());
     let name = words.next().to_owned();
@@ -111,8 +111,8 @@ pub(crate) fn thing(line: &str, library: &mut AssetLibrary) -> (String, Draft, V
     (name, draft, joints)
 }
 
-/// A scene of lines; edges such as `me holds_right cup` among them, and `floor in kitchen`
-/// for the room of a floor.
+/// Builds a scene from lines. Lines may also be edges such as `me holds_right cup`, or `floor in kitchen` for
+/// the room of a floor.
 pub(crate) fn scene<'a>(lines: impl IntoIterator<Item = &'a str>) -> Named {
     let mut builder = SceneBuilder::new("truth");
     let (mut library, mut ids, mut evidence) = (library(), BTreeMap::new(), Evidence::default());

@@ -1,6 +1,5 @@
-//! The scenes on which physics is timed beside its peers: rooms of 25 objects, of each of which
-//! the file says what carries it and what it is in. Doors are nodes of their own here, held by
-//! joints.
+//! The scenes used to compare physics with its peers: rooms of 25 objects, with the support and the container
+//! of each given by the file. Doors are separate nodes here, attached by joints.
 
 use std::io::{Read, Write};
 use std::sync::Arc;
@@ -47,24 +46,24 @@ struct Hinge {
     parent: usize,
 }
 
-/// A scene, and what is true in it.
+/// A scene and its ground truth.
 #[derive(Debug)]
 pub(crate) struct Peers {
     pub(crate) graph: SceneGraph,
     /// The joints of its doors.
     pub(crate) evidence: Evidence,
-    /// Each object, what carries it and what it is in.
+    /// Each object with its support and its container.
     pub(crate) truth: Vec<(NodeId, NodeId, Option<NodeId>)>,
 }
 
-/// The scene of so many objects (100, 500 or 2000), in `../shared/peers/physics` or where
-/// `VC_PEERS` points; `None`, with a message, where there is none.
+/// The scene with that many objects (100, 500 or 2000), from `../shared/peers/physics` or the folder that
+/// `VC_PEERS` names; `None`, with a message, if there is none.
 pub(crate) fn read(objects: u32) -> Option<Peers> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/peers/physics");
     let folder = std::env::var_os("VC_PEERS").map_or_else(|| beside.into(), std::path::PathBuf::from);
     let path = folder.join(format!("scene_{objects}.json.gz"));
     let Ok(file) = std::fs::File::open(&path) else {
-        // Past the harness, which keeps what passing tests print.
+        // Written past the test harness, which captures the output of passing tests.
         let told = format!("SKIPPED: no scene at {}; set VC_PEERS to the folder that has it\n", path.display());
         std::io::stderr().write_all(told.as_bytes()).unwrap();
         return None;

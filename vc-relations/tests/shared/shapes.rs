@@ -1,6 +1,6 @@
-//! Named shapes with measures: what test scenes are made of. Origin at the middle of the
-//! base, X to the front. With `slots`, containers say where they hold things; without, it
-//! has to be found from their parts.
+//! Named shapes with measures, the building blocks of test scenes. The origin is the centre of the base, and X
+//! points to the front. With `slots`, containers declare their hollows; without, these must be found from the
+//! parts.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Joint, JointKind, Part, Shape, Surface};
@@ -8,7 +8,7 @@ use vc_graph::{Asset, Pose};
 
 type P = [f32; 3];
 
-/// An asset in the making.
+/// An asset under construction.
 pub(crate) struct Kit {
     pub(crate) asset: Asset,
     slots: bool,
@@ -22,7 +22,7 @@ impl Kit {
         self
     }
 
-    /// A box by two corners.
+    /// A box between two corners.
     fn block(&mut self, low: P, high: P) -> &mut Self {
         let (low, high) = (Vector3::from(low), Vector3::from(high));
         let shape = Shape::Box { half: (high - low) / 2.0 };
@@ -61,7 +61,7 @@ impl Kit {
         self.surface(Hold::Inside, [cx, cy, z0 + t], half, Some(z1 - z0 - t))
     }
 
-    /// A case open to the front with boards: `n` compartments over each other.
+    /// A case with boards, open in front: `n` compartments one above the other.
     fn case(&mut self, x: f32, y: f32, h: f32, n: usize) -> &mut Self {
         let t = 0.02;
         self.block([-x / 2.0, -y / 2.0, 0.0], [-x / 2.0 + t, y / 2.0, h]);
@@ -98,7 +98,7 @@ pub(crate) fn make(name: &str, m: &[f32], slots: bool) -> (&'static str, Asset) 
     let class = match name {
         "floor" => (k.block([-m(0) / 2.0, -m(1) / 2.0, -0.2], [m(0) / 2.0, m(1) / 2.0, 0.0]), "floor").1,
         "l_floor" => {
-            // Square, without the corner at +X and +Y: arms `m(1)` wide.
+            // A square without the corner at +X and +Y: its arms are `m(1)` wide.
             let (far, near) = (m(0) / 2.0, m(1) - m(0) / 2.0);
             let outline = vec![(far, -far), (far, near), (near, near), (near, far), (-far, far), (-far, -far)];
             k.shape(Shape::Extrusion { outline, height: 0.2 }, [0.0, 0.0, -0.2]);

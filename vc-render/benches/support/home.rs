@@ -1,5 +1,5 @@
-//! The home that rendering is timed in: 10 by 8 by 2.7 metres, three rooms, three hundred
-//! objects or as many as wanted, every one a mesh of its own, sixteen views at the height of eyes.
+//! The home for timing rendering: 10 by 8 by 2.7 metres, three rooms, three hundred objects or any other
+//! number, each with its own mesh, and sixteen views at eye height.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
 use vc_render::Camera;
 
-/// The home, its lamps, and who looks at it.
+/// The home and its lamps.
 pub(crate) struct Home {
     pub(crate) graph: SceneGraph,
     pub(crate) lamps: Vec<NodeId>,
@@ -29,14 +29,14 @@ const NAMES: [(&str, [f32; 3], f32, f32); 10] = [
 const GLASS: u32 = NAMES.len() as u32;
 const BULB: u32 = GLASS + 1;
 
-/// Where windows are, in walls across X (at y) from x to x.
+/// Windows in the walls along X: the wall's y, and the range of x.
 const WINDOWS: [(f32, f32, f32); 3] = [(4.0, -3.6, -1.4), (4.0, 1.6, 3.4), (-4.0, 1.6, 3.4)];
 
 struct Site {
     library: AssetLibrary,
     builder: SceneBuilder,
     rooms: [NodeId; 3],
-    /// Cells along an edge of a mesh.
+    /// Number of cells along an edge of a mesh.
     fine: i32,
     count: usize,
 }
@@ -56,7 +56,7 @@ fn material((name, colour, roughness, metallic): (&str, [f32; 3], f32, f32)) -> 
     }
 }
 
-/// A cube of `fine` by `fine` cells a side, each of its points moved.
+/// A cube with `fine` by `fine` cells on each side, each of its vertices mapped by `place`.
 fn lattice(fine: i32, place: impl Fn(Vector3<f32>) -> Vector3<f32>) -> Shape {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for side in 0..6_usize {
@@ -96,14 +96,14 @@ impl Site {
         self.put(class, shape, Pose::from((low + high) * 0.5), material)
     }
 
-    /// Something round, flattened more or less, standing on a point.
+    /// A rounded shape with given half lengths, standing on a point.
     fn round(&mut self, class: &str, on: [f32; 3], half: [f32; 3], material: u32) -> NodeId {
         let half = Vector3::from(half);
         let shape = lattice(self.fine, |p| (p.normalize() * 0.75 + p * 0.25).component_mul(&half));
         self.put(class, shape, Pose::translation(on[0], on[1], on[2] + half.z), material)
     }
 
-    /// A wall across X with its windows.
+    /// A wall along X with its windows.
     fn wall(&mut self, y: f32) {
         let thick = [y.min(y + 0.2 * y.signum()), y.max(y + 0.2 * y.signum())];
         let mut from = -5.0;
@@ -128,7 +128,7 @@ impl Site {
         [-4.0, 4.0].into_iter().for_each(|y| self.wall(y));
         self.block("wall", ([-5.2, -4.2, 0.0], [-5.0, 4.2, 2.7]), 0);
         self.block("wall", ([5.0, -4.2, 0.0], [5.2, 4.2, 2.7]), 0);
-        // Inner walls, with a way through each.
+        // Inner walls, each with a passage.
         for (from, to) in [(-4.0, -2.2), (-1.3, 1.3), (2.2, 4.0)] {
             self.block("wall", ([-0.05, from, 0.0], [0.05, to, 2.7]), 0);
         }
@@ -137,8 +137,8 @@ impl Site {
     }
 }
 
-/// The home with so many objects, each a mesh of 12 `fine` squared triangles: of 300, 6 or 7 for 150,000
-/// triangles, 17 for a million.
+/// The home with `objects` objects, each a mesh of 12 `fine` squared triangles: with 300 objects, 6 or 7 give
+/// 150,000 triangles and 17 a million.
 pub(crate) fn home(fine: i32, objects: usize) -> Home {
     let mut library = AssetLibrary::default();
     for known in NAMES {
@@ -157,7 +157,7 @@ pub(crate) fn home(fine: i32, objects: usize) -> Home {
     let mut rng = Seed(7).stream();
     let mut piece = 0;
     while site.count < objects {
-        // A piece of furniture along the walls or free in a room, with things on it.
+        // A piece of furniture along the walls or free-standing in a room, with things on it.
         let at = [rng.between(-4.5, 4.5), rng.between(-3.6, 3.6)];
         if at[0].abs() < 0.6 || (at[0] > 0.0 && at[1].abs() < 0.6) {
             continue;
@@ -185,8 +185,8 @@ pub(crate) fn home(fine: i32, objects: usize) -> Home {
     Home { graph: site.builder.build(), lamps }
 }
 
-/// The triangles of a home in the world, an object for each node, as an OBJ file for others to render; in comments
-/// its cameras (eye, target, degrees upwards), its lamps and the direction to the sun.
+/// The triangles of a home in the world as an OBJ file for other renderers, with an object for each node;
+/// comments give its cameras (eye, target, vertical degrees), its lamps and the direction to the sun.
 #[allow(dead_code, reason = "one bench writes it")]
 pub(crate) fn obj(home: &Home, towards_sun: Vector3<f32>) -> String {
     use std::fmt::Write;
@@ -217,13 +217,13 @@ pub(crate) fn obj(home: &Home, towards_sun: Vector3<f32>) -> String {
     text
 }
 
-/// Sixteen views, 60 degrees high.
+/// Sixteen views with a vertical field of view of 60 degrees.
 pub(crate) fn cameras(width: u32, height: u32) -> Vec<Camera> {
     let camera = Camera::with_fov(width, height, 60_f32.to_radians());
     eyes().map(|(eye, target)| camera.looking(eye, target)).collect()
 }
 
-/// From where to where they look.
+/// Eye and target points of the views.
 fn eyes() -> impl Iterator<Item = (Point3<f32>, Point3<f32>)> {
     let eyes = [[-4.3, -3.3], [-4.3, 3.3], [-0.7, 3.0], [-0.7, -3.0], [0.8, 3.4], [4.4, 0.8], [4.4, -3.4], [0.8, -0.8]];
     eyes.into_iter().flat_map(|[x, y]| {

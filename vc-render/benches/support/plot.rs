@@ -1,12 +1,12 @@
-//! Lines over two axes, both logarithmic, as SVG.
+//! Line plots with two logarithmic axes, as SVG.
 
 use std::fmt::Write;
 
-/// Width and height of a panel's axes, and what is around them.
+/// Width and height of a panel's axes, and the margin around them.
 const SIZE: [f64; 2] = [280.0, 240.0];
 const MARGIN: f64 = 56.0;
 const COLOURS: [&str; 2] = ["#1f6fb4", "#c8401f"];
-/// Milliseconds upwards, the same in all panels.
+/// Range of milliseconds on the vertical axis, the same in all panels.
 const UPWARDS: [f64; 2] = [0.1, 100.0];
 
 /// A plot of two lines.
@@ -50,14 +50,14 @@ impl Panel {
     }
 }
 
-/// Ones, twos and fives of an axis.
+/// Ticks of an axis: ones, twos and fives of each decade.
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
     let powers = low.log10().floor() as i32..=high.log10().ceil() as i32;
     let all = powers.flat_map(|power| [1.0, 2.0, 5.0].map(|one| one * 10_f64.powi(power)));
     all.filter(|v| (low * 0.999..=high * 1.001).contains(v)).collect()
 }
 
-/// A number with few digits.
+/// Formats a number with few digits.
 fn short(v: f64) -> String {
     match v {
         v if v > 0.999e6 => format!("{:.0}M", v / 1e6),
@@ -67,7 +67,7 @@ fn short(v: f64) -> String {
     }
 }
 
-/// Panels side by side, milliseconds upwards.
+/// Panels side by side, with milliseconds on the vertical axes.
 pub(crate) fn svg(panels: &[Panel], lines: &[&str; 2]) -> String {
     let (width, height) = (MARGIN + panels.len() as f64 * (SIZE[0] + MARGIN), SIZE[1] + 2.0 * MARGIN);
     let mut out = format!(

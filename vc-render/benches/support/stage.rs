@@ -1,4 +1,4 @@
-//! A home that is ready to be looked at, and the clocks that time its pictures.
+//! A home ready to be rendered, and the timing of its pictures.
 
 use std::time::{Duration, Instant};
 
@@ -7,32 +7,32 @@ use rayon::ThreadPool;
 use vc_graph::{NodeId, Pose, SceneGraph};
 use vc_render::{Camera, Daylight, Frame, Lighting, Modalities, Modality, Renderer, Shot, Snapshot};
 
-/// What is wanted of pictures, and whether colours are plain.
+/// The modalities of pictures, and whether colours are plain.
 pub(crate) type Wanted = (Modalities, bool);
 
-/// Labels, depth and flow; and all six.
+/// Labels, depth and flow; and all six modalities.
 pub(crate) const LABELS: Wanted = (Modalities::SIX.without(Modality::Rgb), false);
 pub(crate) const SIX: Wanted = (Modalities::SIX, false);
 
-/// How often each picture is made; the middle one counts.
+/// Number of times that each picture is made; the median counts.
 const RUNS: usize = 7;
 
-/// The light outside.
+/// The daylight of the benches.
 pub(crate) fn sky() -> Daylight {
     Daylight::clear(0.6, 1.2)
 }
 
-/// A home that is ready to be looked at: the light outside, and lamps that are on.
+/// A home ready to be rendered, with its light computed and its lamps on.
 pub(crate) struct Stage {
     pub(crate) renderer: Renderer,
     pub(crate) snapshot: Snapshot,
-    /// The next moment: the same, unless something is moved there.
+    /// The next moment: the same, unless something is moved in it.
     pub(crate) next: Snapshot,
     pub(crate) lighting: Lighting,
 }
 
 impl Stage {
-    /// In the sun, with these lamps.
+    /// The stage in sunlight, with these lamps on.
     pub(crate) fn new(graph: &SceneGraph, lamps: &[NodeId]) -> Self {
         Self::lit(graph, lamps, &sky())
     }
@@ -50,17 +50,17 @@ impl Stage {
         if plain { shot.plain() } else { shot }
     }
 
-    /// Milliseconds of CPU of a picture made by one thread: the mean over the cameras of the median.
+    /// CPU milliseconds of a picture on one thread: the mean over the cameras of the median.
     pub(crate) fn one(&self, cameras: &[Camera], wanted: Wanted, threads: &ThreadPool) -> f64 {
         threads.install(|| self.mean(cameras, wanted, ThreadTime::now, |t| t.elapsed()))
     }
 
-    /// Milliseconds of a clock on the wall of a picture that all threads make together.
+    /// Wall-clock milliseconds of a picture that all threads make together.
     pub(crate) fn together(&self, cameras: &[Camera], wanted: Wanted) -> f64 {
         self.mean(cameras, wanted, Instant::now, |t| t.elapsed())
     }
 
-    /// Milliseconds on the wall for each of many pictures that threads make side by side.
+    /// Wall-clock milliseconds for each of many pictures that threads make side by side.
     #[allow(dead_code, reason = "not all benches time it")]
     pub(crate) fn beside(&self, cameras: &[Camera], wanted: Wanted) -> f64 {
         let shots: Vec<Shot<'_>> = cameras.iter().map(|camera| self.shot(camera, wanted)).collect();
@@ -77,7 +77,7 @@ impl Stage {
     fn mean<T>(&self, cameras: &[Camera], wanted: Wanted, now: fn() -> T, since: fn(&T) -> Duration) -> f64 {
         let mut frame = Frame::new();
         let mut times = vec![Vec::new(); cameras.len()];
-        // The first round makes buffers, and is not counted.
+        // The first round allocates buffers, and is not counted.
         for round in 0..=RUNS {
             for (camera, times) in cameras.iter().zip(&mut times) {
                 let shot = self.shot(camera, wanted);
@@ -90,7 +90,7 @@ impl Stage {
     }
 }
 
-/// Milliseconds.
+/// The median in milliseconds.
 fn median(mut times: Vec<Duration>) -> f64 {
     times.sort_unstable();
     1e3 * times[times.len() / 2].as_secs_f64()
@@ -101,7 +101,7 @@ pub(crate) fn single() -> ThreadPool {
     rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap()
 }
 
-/// Prints what a home's pictures from some poses cost, for all sets and sizes.
+/// Prints the costs of a home's pictures from some poses, for all sets and sizes.
 #[allow(dead_code, reason = "not all benches print it")]
 pub(crate) fn table(title: &str, stage: &Stage, poses: &[Pose]) {
     let seen = Modality::Depth | Modality::Instance;
@@ -117,7 +117,7 @@ pub(crate) fn table(title: &str, stage: &Stage, poses: &[Pose]) {
     sets.into_iter().for_each(|set| row(stage, poses, set));
 }
 
-/// Prints what one set costs in all sizes.
+/// Prints the costs of one set in all sizes.
 #[allow(dead_code, reason = "not all benches print it")]
 pub(crate) fn row(stage: &Stage, poses: &[Pose], (name, wanted): (&str, Wanted)) {
     let threads = single();

@@ -1,4 +1,4 @@
-//! Boxes and masks as COCO has them.
+//! Bounding boxes and masks in the COCO format.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,12 +10,12 @@ use crate::frame::Frame;
 use crate::modality::Modality;
 use crate::scene::Snapshot;
 
-/// Boxes and masks of pictures, of one scene or of many, as a COCO document for `pycocotools`, picture by
-/// picture: it keeps the text of the document and not the pictures.
+/// A COCO document for `pycocotools` with the boxes and masks of pictures, of one scene or of many. It is built
+/// picture by picture and keeps only the document's data, not the pictures.
 ///
-/// Category numbers are class numbers. If the number of a class that the class table lacks is taken by another
-/// class, it gets a number of its own. `supercategory` is the class's category. COCO's `area` counts pixels that
-/// are seen. It keeps some hundred bytes for each object seen in a picture, and the text of its mask.
+/// Category numbers are class numbers. A class that the class table lacks gets a new number if its own is taken
+/// by another class. `supercategory` is the class's category. COCO's `area` counts visible pixels. The document
+/// keeps some hundred bytes for each object visible in a picture, and the text of its mask.
 ///
 /// ```
 /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -37,22 +37,22 @@ use crate::scene::Snapshot;
 pub struct Coco {
     images: Vec<Image>,
     annotations: Vec<Annotation>,
-    /// Number and category of every class that was seen, by name.
+    /// Number and category of every class seen so far, by name.
     classes: BTreeMap<Arc<str>, (u32, Arc<str>)>,
 }
 
 impl Coco {
-    /// Adds the objects seen in a frame under the name of its picture's file; a snapshot of its scene has the names
-    /// of the classes. Linear in the pixels of all boxes, as [`Mask::rle`](crate::Mask::rle) is.
+    /// Adds the objects visible in a frame under the file name of its picture. The snapshot of its scene
+    /// provides the names of classes. Linear in the pixels of all boxes, like [`Mask::rle`](crate::Mask::rle).
     ///
     /// # Errors
-    /// [`RenderError::Missing`] for a frame without boxes or masks; then nothing is added.
+    /// [`RenderError::Missing`] for a frame without boxes or masks; nothing is added then.
     pub fn add(&mut self, file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<(), RenderError> {
         self.push(CocoPicture::of(file_name, frame, snapshot)?);
         Ok(())
     }
 
-    /// Adds a picture by what was seen in it.
+    /// Adds the record of a picture.
     pub fn push(&mut self, picture: CocoPicture) {
         let image_id = self.images.len() + 1;
         let CocoPicture { file_name, width, height, objects } = picture;
@@ -66,7 +66,7 @@ impl Coco {
         }
     }
 
-    /// The number of a class's category, which is the class's own unless another class has it.
+    /// The category number of a class: the class's own, unless another class has it.
     fn category(&mut self, class: u16, name: Arc<str>, category: Arc<str>) -> u32 {
         if let Some((id, _)) = self.classes.get(&name) {
             return *id;
@@ -78,12 +78,12 @@ impl Coco {
         id
     }
 
-    /// How many pictures it has. Costs nothing.
+    /// Number of pictures added.
     pub fn pictures(&self) -> usize {
         self.images.len()
     }
 
-    /// The document, JSON. Linear in all that has been added.
+    /// The document as JSON. Linear in its contents.
     ///
     /// # Errors
     /// [`RenderError::Encoding`].
@@ -98,7 +98,7 @@ impl Coco {
     }
 }
 
-/// All that a document says of one picture. It can be kept as JSON and added later, also by another process.
+/// The record of one picture in a document. It can be stored as JSON and added later, also by another process.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CocoPicture {
     file_name: String,
@@ -108,8 +108,8 @@ pub struct CocoPicture {
 }
 
 impl CocoPicture {
-    /// The objects seen in a frame, under the name of its picture's file; a snapshot of its scene has the names of
-    /// the classes. Costs as [`Coco::add`].
+    /// Records the objects visible in a frame, under the file name of its picture. The snapshot of its scene
+    /// provides the names of classes. Costs as much as [`Coco::add`].
     ///
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks.
@@ -138,7 +138,7 @@ impl CocoPicture {
     }
 }
 
-/// An object seen in a picture.
+/// An object visible in a picture.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct SeenObject {
     class: u16,
@@ -151,7 +151,7 @@ struct SeenObject {
     bbox: [i32; 4],
 }
 
-/// The document's `info`, without a date: the same pictures give the same bytes.
+/// The document's `info`; it has no date, so that the same pictures give the same bytes.
 const INFO: Info =
     Info { description: "homes of VirtualCity", version: env!("CARGO_PKG_VERSION"), contributor: "VirtualCity" };
 

@@ -1,16 +1,17 @@
-//! Floats as OpenEXR keeps them.
+//! OpenEXR files of floats.
 
 use crate::RenderError;
 
-/// A picture of floats as an OpenEXR file: scan lines, no compression, 32 bits. Channels have a name
-/// (`Z` for depth, `forward.u` for flow) and `height * width` numbers each, rows from the top.
+/// Encodes floats as an OpenEXR file: scan lines, no compression, 32 bits. Each channel has a name (`Z` for
+/// depth, `forward.u` for flow) and `height * width` numbers, rows from the top.
 ///
-/// Infinity and NaN are kept. The layout is that of the OpenEXR file format's page, version 2. One pass over the
-/// numbers; four bytes for each, 16 for each row and a header of some hundred bytes.
+/// Infinity and NaN are kept. The layout follows the documentation of the OpenEXR file format, version 2. The
+/// cost is one pass over the numbers; the file has four bytes for each, 16 for each row and a header of some
+/// hundred bytes.
 ///
 /// # Errors
-/// [`RenderError::Encoding`] for no channels, two of one name, names that are empty or longer than
-/// 31 bytes, and channels that are not all of `width * height` numbers.
+/// [`RenderError::Encoding`] if there are no channels, two have the same name, a name is empty or longer than
+/// 31 bytes, or a channel does not have `width * height` numbers.
 ///
 /// ```
 /// let depth = [1.0_f32, 2.0, f32::INFINITY, 4.0, 5.0, 6.0];
@@ -22,7 +23,7 @@ use crate::RenderError;
 /// ```
 pub fn exr(width: usize, height: usize, channels: &[(&str, &[f32])]) -> Result<Vec<u8>, RenderError> {
     let mut channels = channels.to_vec();
-    // Readers expect them in this order.
+    // The format requires channels in alphabetical order.
     channels.sort_by_key(|c| c.0);
     check(width, height, &channels)?;
     let mut file = header(width as i32, height as i32, &channels);
@@ -58,7 +59,7 @@ fn header(width: i32, height: i32, channels: &[(&str, &[f32])]) -> Vec<u8> {
     let mut list = Vec::new();
     for (name, _) in channels {
         list.extend(name.bytes().chain([0]));
-        // Kind of number, whether it is linear to the eye, and every pixel of every row.
+        // Pixel type, flag for perceptually linear values, and sampling of every pixel in x and y.
         list.extend(numbers(&[FLOAT, 0, 1, 1]));
     }
     list.push(0);

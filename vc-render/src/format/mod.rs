@@ -1,4 +1,4 @@
-//! Files that other programs read: numpy's arrays, OpenEXR's floats and COCO's labels.
+//! Files for other programs: NumPy arrays, OpenEXR floats and COCO labels.
 
 mod coco;
 mod exr;

@@ -1,12 +1,12 @@
-//! Arrays as numpy keeps them.
+//! NumPy array files.
 
 use crate::RenderError;
 
-/// A number that numpy knows, for [`npy`]: `f32`, `u32`, `u16` and `u8`.
+/// A number type that NumPy has, for [`npy`]: `f32`, `u32`, `u16` and `u8`.
 pub trait Number: Copy {
-    /// numpy's name of it, `<f4`.
+    /// NumPy's name of the type, such as `<f4`.
     const NAME: &'static str;
-    /// Its bytes, the lowest first.
+    /// Appends its bytes, the lowest first.
     fn bytes(self, out: &mut Vec<u8>);
 }
 
@@ -23,11 +23,11 @@ macro_rules! numbers {
 
 numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 
-/// An array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the
-/// slowest first. One pass over the numbers; the header is a multiple of 64 bytes.
+/// Encodes an array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the slowest
+/// first. One pass over the numbers; the header is a multiple of 64 bytes.
 ///
 /// # Errors
-/// [`RenderError::BadShape`] where there are not as many numbers as their product.
+/// [`RenderError::BadShape`] if the count of numbers is not the product of the lengths.
 ///
 /// ```
 /// let depth = [1.0_f32, 2.0, f32::INFINITY, 4.0];
@@ -43,7 +43,7 @@ pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Result<Vec<u8>, RenderE
     }
     let lengths: String = shape.iter().map(|n| format!("{n},")).collect();
     let mut header = format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({lengths}), }}", T::NAME);
-    // Header and what is before it fill blocks of 64 bytes.
+    // The header and the bytes before it fill blocks of 64 bytes.
     let length = (header.len() + 11).next_multiple_of(64) - 10;
     while header.len() + 1 < length {
         header.push(' ');

@@ -1,9 +1,9 @@
-//! Boxes around what is seen.
+//! Bounding boxes of visible objects.
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 
-/// A box of whole pixels; it may reach over the border of the image.
+/// A box of whole pixels; it may reach beyond the border of the image.
 ///
 /// ```
 /// use vc_render::PixelBox;
@@ -38,12 +38,12 @@ pub struct PixelBox {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Box3 {
-    /// Its middle and axes in the world.
+    /// Pose of its centre and axes in the world.
     pub pose: Pose,
     /// Half its lengths along its own axes, metres.
     pub half: Vector3<f32>,
-    /// Its corners in the image, pixels, those behind the camera left out: the corner
-    /// with bits `zyx` has the sign plus along the axes whose bit is set.
+    /// Its corners in the image, pixels; those behind the camera are `None`. Corner number `zyx` in binary lies
+    /// on the positive side of the axes whose bit is set.
     pub corners: [Option<Point2<f32>>; 8],
 }
 
@@ -61,46 +61,46 @@ pub struct Box3 {
 /// # let mut renderer = Renderer::new();
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
-/// // A fridge of 0.6 by 0.6 by 1.8 metres, two metres away.
+/// // The fridge measures 0.6 by 0.6 by 1.8 metres and is two metres away.
 /// let mut frame = Frame::new();
 /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes), &mut frame)?;
 /// let label = &frame.boxes[0];
 /// assert_eq!((label.node, label.area), (fridge, 16 * 45));
 /// assert_eq!(label.visible, PixelBox { x: 24, y: 3, width: 16, height: 45 });
-/// // Its foot is below the border of the image.
+/// // The amodal box reaches below the border of the image.
 /// assert_eq!(label.amodal, PixelBox { height: 47, ..label.visible });
 /// assert!((label.oriented.half - Vector3::new(0.3, 0.3, 0.9)).norm() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoxLabel {
-    /// Which node.
+    /// The node.
     pub node: NodeId,
     /// Class number, see [`Snapshot::class`](crate::Snapshot::class).
     pub class: u16,
-    /// Around what is seen of it.
+    /// The box around its visible pixels.
     pub visible: PixelBox,
-    /// Around what would be seen of it if nothing hid it and the image had no border.
-    /// What is behind the camera's near plane is left out.
+    /// The box around the pixels it would cover if nothing occluded it and the image had no border. Parts
+    /// behind the camera's near plane are left out.
     pub amodal: PixelBox,
-    /// Pixels in which it is seen.
+    /// Number of its visible pixels.
     pub area: u32,
-    /// Seen pixels over those in the image it would have if nothing hid it; if
-    /// [`Modality::Amodal`](crate::Modality::Amodal) was asked for: to count them it has to be drawn alone, which
-    /// is what amodal masks cost.
+    /// Visible pixels as a share of those that it would cover in the image if nothing occluded it. Only with
+    /// [`Modality::Amodal`](crate::Modality::Amodal): to count these pixels the object is drawn alone, which is
+    /// the cost of amodal masks.
     pub visible_fraction: Option<f32>,
-    /// The box turned with it.
+    /// The oriented bounding box in the world.
     pub oriented: Box3,
 }
 
 impl PixelBox {
-    /// From the first and last pixel, both included.
+    /// The box from a first to a last pixel, both included.
     pub(crate) fn between(low: [i32; 2], high: [i32; 2]) -> Self {
         let length = |i: usize| high[i].saturating_sub(low[i]).saturating_add(1);
         Self { x: low[0], y: low[1], width: length(0), height: length(1) }
     }
 
-    /// Whether another box is in this one.
+    /// Whether another box is within this one.
     pub fn contains(&self, other: &Self) -> bool {
         let inside = |at: i32, length: i32, from: i32, all: i32| {
             at >= from && i64::from(at) + i64::from(length) <= i64::from(from) + i64::from(all)
@@ -108,7 +108,7 @@ impl PixelBox {
         inside(other.x, other.width, self.x, self.width) && inside(other.y, other.height, self.y, self.height)
     }
 
-    /// The smallest box with both in it.
+    /// The smallest box that contains both.
     #[must_use]
     pub fn joined(&self, other: &Self) -> Self {
         let last = |b: &Self| [b.x.saturating_add(b.width) - 1, b.y.saturating_add(b.height) - 1];
@@ -116,7 +116,7 @@ impl PixelBox {
         Self::between([self.x.min(other.x), self.y.min(other.y)], [a[0].max(b[0]), a[1].max(b[1])])
     }
 
-    /// What of it is in an image of this size, if anything.
+    /// The part of the box within an image of this size, if any.
     pub(crate) fn within(&self, width: usize, height: usize) -> Option<Self> {
         let (x, y) = (self.x.max(0), self.y.max(0));
         let right = self.x.saturating_add(self.width).min(width as i32);
@@ -126,7 +126,8 @@ impl PixelBox {
 }
 
 impl Box3 {
-    /// The corner of a number (0 to 7) in the world, metres: its bits `zyx` are as in [`corners`](Self::corners).
+    /// The corner of a number (0 to 7) in the world, metres. The number's bits `zyx` are as in
+    /// [`corners`](Self::corners).
     pub fn corner(&self, number: usize) -> Point3<f32> {
         let sign = |axis: usize| if number >> axis & 1 == 1 { 1.0 } else { -1.0 };
         self.pose * Point3::new(sign(0) * self.half.x, sign(1) * self.half.y, sign(2) * self.half.z)

@@ -1,4 +1,4 @@
-//! Which pixels are an object's.
+//! Masks: the pixels of each object.
 
 use vc_graph::NodeId;
 
@@ -39,7 +39,7 @@ impl Masks {
         self.bits.resize(self.bits.len() + words * within.height as usize, 0);
     }
 
-    /// Sets pixels of a row, the last not included, in the mask of a position.
+    /// Sets the pixels `from..to` of a row in a mask.
     #[inline]
     pub(crate) fn set(&mut self, mask: usize, y: i32, from: i32, to: i32) {
         let Entry { within, first, words, .. } = self.entries[mask];
@@ -77,9 +77,9 @@ impl Masks {
 /// let mask = frame.masks().next().ok_or("nothing is seen")?;
 /// assert_eq!((mask.node(), mask.area()), (fridge, 16 * 45));
 /// assert!(mask.has(24, 3) && !mask.has(23, 3));
-/// // Rows from the top, as in all buffers.
+/// // Rows start at the top, as in all buffers.
 /// assert_eq!(mask.bitmap()[24 * 64 + 32], 1);
-/// // Down the columns, from the left.
+/// // Runs go down the columns, starting at the left.
 /// assert_eq!(mask.rle().counts[..3], [24 * 48 + 3, 45, 3]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -90,7 +90,7 @@ pub struct Mask<'a> {
 }
 
 impl Mask<'_> {
-    /// Whose it is.
+    /// The node whose pixels these are.
     pub fn node(&self) -> NodeId {
         self.entry.node
     }
@@ -100,7 +100,7 @@ impl Mask<'_> {
         self.entry.within
     }
 
-    /// Whether a pixel of the image is in it; false for places that are not in the image. Costs a look at one word.
+    /// Whether a pixel of the image is in the mask; false outside the image. Costs a look at one word.
     pub fn has(&self, x: i32, y: i32) -> bool {
         let PixelBox { x: left, y: top, width, height } = self.entry.within;
         let (x, y) = (x - left, y - top);
@@ -111,22 +111,22 @@ impl Mask<'_> {
         self.masks.bits[word] >> (x % 64) & 1 == 1
     }
 
-    /// Number of its pixels. Costs one step for 64 pixels of each row of [`within`](Self::within).
+    /// Number of pixels in the mask. Costs one step for 64 pixels of each row of [`within`](Self::within).
     pub fn area(&self) -> u32 {
         let words = self.entry.words * self.entry.within.height as usize;
         self.masks.bits[self.entry.first..self.entry.first + words].iter().map(|w| w.count_ones()).sum()
     }
 
-    /// One byte for each pixel of the image, 1 where it is and 0 elsewhere: `height * width` of them, row-major, rows
-    /// from the top. Costs a step for every pixel of the image, also where the object is small.
+    /// The mask as one byte for each pixel of the image, 1 inside and 0 outside: `height * width` bytes,
+    /// row-major, rows from the top. Costs a step for every pixel of the image, even if the object is small.
     pub fn bitmap(&self) -> Vec<u8> {
         let (width, height) = (self.masks.width as i32, self.masks.height as i32);
         (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| u8::from(self.has(x, y))).collect()
     }
 
-    /// As COCO has it: lengths of runs down the columns, from the left, of pixels
-    /// outside and inside in turn. Costs a step for every pixel of [`within`](Self::within), and takes four bytes for
-    /// each run.
+    /// The mask in COCO's run-length encoding: lengths of runs down the columns, from the left, alternately of
+    /// pixels outside and inside. Costs a step for every pixel of [`within`](Self::within), and takes four
+    /// bytes for each run.
     pub fn rle(&self) -> Rle {
         let within = self.entry.within;
         let (height, total) = (self.masks.height as u32, (self.masks.width * self.masks.height) as u32);
@@ -162,7 +162,7 @@ impl Mask<'_> {
     }
 }
 
-/// A mask as run lengths, column by column.
+/// A mask in run-length encoding, column by column.
 ///
 /// ```
 /// use vc_render::Rle;
@@ -175,18 +175,19 @@ impl Mask<'_> {
 pub struct Rle {
     /// Height and width of the image, pixels.
     pub size: [u32; 2],
-    /// Lengths of runs, pixels outside first.
+    /// Lengths of runs, alternately of pixels outside and inside, outside first.
     pub counts: Vec<u32>,
 }
 
 impl Rle {
-    /// Number of pixels inside. Costs a step for each run.
+    /// Number of pixels in the mask. Costs a step for each run.
     pub fn area(&self) -> u32 {
         self.counts.iter().skip(1).step_by(2).sum()
     }
 
-    /// The counts in COCO's compressed text: differences to the count before last, five
-    /// bits to a character (pycocotools' `rleToString`). Linear in the runs, mostly one or two characters each.
+    /// The counts in COCO's compressed text: each is written as the difference to the count before the last,
+    /// five bits to a character (pycocotools' `rleToString`). Linear in the runs, mostly one or two characters
+    /// each.
     pub fn compressed(&self) -> String {
         let mut text = String::new();
         for (i, &count) in self.counts.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What a camera has seen: typed buffers, reused from picture to picture.
+//! Frames: typed buffers of a camera's images and labels, reused from picture to picture.
 
 mod boxes;
 mod mask;
@@ -16,19 +16,20 @@ use crate::modality::{Modalities, Modality};
 use crate::raster::Layers;
 use crate::shade::Openness;
 
-/// Node of a pixel where nothing is seen, in [`Frame::instance`].
+/// Node of a pixel where nothing is visible, in [`Frame::instance`].
 pub const NOTHING: NodeId = NodeId(u32::MAX);
 
-/// Class and part of a pixel where nothing is seen, in [`Frame::class`] and [`Frame::part`].
+/// Class and part of a pixel where nothing is visible, in [`Frame::class`] and [`Frame::part`].
 pub const NO_LABEL: u16 = u16::MAX;
 
-/// What was asked for of one view. Buffers hold rows from the top, pixels from the
-/// left, `height * width` of them; those not asked for are empty.
+/// A rendered view: the wanted modalities in typed buffers. Each buffer holds `height * width` pixels, row by row
+/// from the top left; buffers of modalities not requested are empty.
 ///
-/// A frame that is rendered into again keeps its memory. Bytes for each pixel: colours 3, depth and distance 4 each,
-/// nodes 4, parts and classes 2 each, normals and points 12 each, flow 8 for each direction, what is hidden 1 for each;
-/// masks a bit for each pixel of an object's box, its rows filled up to 64 bits. What rendering itself needs is kept too:
-/// 8 bytes for each pixel and more for colours, and with [`Shot::finer`](crate::Shot::finer) a larger frame of colours.
+/// A frame that is rendered into again keeps its memory. Bytes for each pixel: colours 3, depth and distance 4
+/// each, nodes 4, parts and classes 2 each, normals and points 12 each, flow 8 for each direction, occlusion 1
+/// for each; masks take a bit for each pixel of an object's box, its rows filled up to 64 bits. The renderer's
+/// working memory is kept too: 8 bytes for each pixel and more for colours, and with
+/// [`Shot::finer`](crate::Shot::finer) a larger frame of colours.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -62,44 +63,47 @@ pub struct Frame {
     pub width: usize,
     /// Pixels down.
     pub height: usize,
-    /// What it holds.
+    /// The modalities in this frame.
     pub holds: Modalities,
     /// Colours in sRGB.
     pub rgb: Vec<[u8; 3]>,
-    /// The factors by which light was multiplied to become these colours, linear RGB; zero without colours.
+    /// The exposure: factors by which light was multiplied to give these colours, linear RGB; zero without
+    /// colours.
     pub exposure: [f32; 3],
-    /// Depth along the optical axis, metres; infinite where nothing is seen.
+    /// Depth along the optical axis, metres; infinite where nothing is visible.
     pub depth: Vec<f32>,
-    /// Distance from the eye, metres; infinite where nothing is seen.
+    /// Distance from the eye, metres; infinite where nothing is visible.
     pub distance: Vec<f32>,
-    /// The graph's node; [`NOTHING`] where nothing is seen.
+    /// The graph's node; [`NOTHING`] where nothing is visible.
     pub instance: Vec<NodeId>,
-    /// Position of the part in the node's asset; [`NO_LABEL`] where nothing is seen.
+    /// Position of the part in the node's asset; [`NO_LABEL`] where nothing is visible.
     pub part: Vec<u16>,
-    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`] where nothing is seen.
+    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`] where nothing is visible.
     pub class: Vec<u16>,
-    /// Normal of the surface in the world, unit length; zero where nothing is seen.
+    /// Normal of the surface in the world, unit length; zero where nothing is visible.
     pub normal: Vec<[f32; 3]>,
-    /// Point of the surface in the world, metres; infinite where nothing is seen.
+    /// Point of the surface in the world, metres; infinite where nothing is visible.
     pub position: Vec<[f32; 3]>,
-    /// Pixels right and down to where what is seen here is at the next moment; NaN where
-    /// nothing is seen or it is then behind the camera.
+    /// Forward flow: pixels right and down from here to where this surface point is at the next moment; NaN
+    /// where nothing is visible or the point is then behind the camera.
     pub flow_forward: Vec<[f32; 2]>,
-    /// Pixels right and down to where what is seen here was at the moment before; NaN as above.
+    /// Backward flow: pixels right and down from here to where this surface point was at the moment before; NaN
+    /// as above.
     pub flow_backward: Vec<[f32; 2]>,
-    /// 1 where what is seen here cannot be seen at the next moment: hidden or out of the image; and where nothing
-    /// is seen. What hides it by less than a thousandth of its depth, or between the centres of pixels, does not count.
+    /// 1 where the surface point seen here is not visible at the next moment, because it is occluded or out of
+    /// the image, and where nothing is visible now. Surfaces that occlude it by less than a thousandth of its
+    /// depth, or only between the centres of pixels, do not count.
     pub occluded_forward: Vec<u8>,
-    /// 1 where what is seen here could not be seen at the moment before.
+    /// 1 where the surface point seen here was not visible at the moment before.
     pub occluded_backward: Vec<u8>,
-    /// Boxes of everything seen, in the order of nodes.
+    /// Bounding boxes of all visible nodes, in the order of nodes.
     pub boxes: Vec<BoxLabel>,
     pub(crate) visible_masks: Masks,
     pub(crate) whole_masks: Masks,
     pub(crate) memory: Memory,
 }
 
-/// What rendering needs besides its results.
+/// Working memory of rendering.
 #[derive(Default)]
 pub(crate) struct Memory {
     pub(crate) bands: Vec<Band>,
@@ -107,13 +111,13 @@ pub(crate) struct Memory {
     pub(crate) alone: Layers,
     pub(crate) tally: Vec<crate::label::Tally>,
     pub(crate) open: Openness,
-    /// What mixes colours at edges.
+    /// The smoother of coloured edges.
     pub(crate) smoother: crate::shade::Smoother,
-    /// Colours before they are shrunk.
+    /// The frame of finer colours, before they are shrunk.
     pub(crate) finer: Option<Box<Frame>>,
 }
 
-/// What the rendering of a band of rows needs.
+/// Working memory for a band of rows.
 #[derive(Default)]
 pub(crate) struct Band {
     pub(crate) rows: std::ops::Range<i32>,
@@ -130,25 +134,24 @@ impl Frame {
         Self::default()
     }
 
-    /// The visible masks, in the order of nodes, if they were asked for.
+    /// Masks of the visible pixels, in the order of nodes, if they were requested.
     pub fn masks(&self) -> impl ExactSizeIterator<Item = Mask<'_>> {
         self.visible_masks.iter()
     }
 
-    /// The masks as if nothing hid the object, in the order of nodes, if they were asked for.
+    /// Masks of whole objects as if nothing occluded them, in the order of nodes, if they were requested.
     pub fn amodal_masks(&self) -> impl ExactSizeIterator<Item = Mask<'_>> {
         self.whole_masks.iter()
     }
 
-    /// The points of all pixels where something is seen, metres, with their pixel's
-    /// position in the buffers; needs [`Modality::Position`], without which there are none. Costs a step for every
-    /// pixel, and no memory.
+    /// The world points of all pixels where something is visible, metres, each with its pixel's position in the
+    /// buffers. Without [`Modality::Position`] there are none. Costs a step for every pixel, and no memory.
     pub fn points(&self) -> impl Iterator<Item = (usize, nalgebra::Point3<f32>)> + '_ {
         let seen = |(_, p): &(usize, &[f32; 3])| p[0].is_finite();
         self.position.iter().enumerate().filter(seen).map(|(i, p)| (i, (*p).into()))
     }
 
-    /// Gives the buffers their length.
+    /// Resizes the buffers.
     pub(crate) fn prepare(&mut self, width: usize, height: usize, wanted: Modalities, [next, last]: [bool; 2]) {
         (self.width, self.height, self.holds) = (width, height, wanted);
         let pixels = width * height;

@@ -1,4 +1,4 @@
-//! Some rows of a frame's buffers.
+//! Strips: some rows of a frame's buffers.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use super::Frame;
 
 macro_rules! strips {
     ($($name:ident: $of:ty),* $(,)?) => {
-        /// Rows of all buffers of a frame; buffers not asked for are empty.
+        /// Rows of all buffers of a frame; buffers of modalities not requested are empty.
         pub(crate) struct Strip<'a> {
             pub(crate) width: usize,
             pub(crate) rows: Range<i32>,
@@ -22,7 +22,7 @@ macro_rules! strips {
                 (Self { width: *width, rows: 0..*height as i32, $($name,)* }, memory)
             }
 
-            /// The first rows and the others.
+            /// Splits off the first rows.
             pub(crate) fn split(self, rows: i32) -> (Self, Self) {
                 let (start, end) = (self.rows.start, self.rows.end);
                 let count = rows as usize * self.width;
@@ -52,7 +52,7 @@ strips! {
 }
 
 impl Strip<'_> {
-    /// Pixels of a row of the image in the strip's buffers.
+    /// Range of an image row's pixels in the strip's buffers.
     #[inline(always)]
     pub(crate) fn row(&self, y: i32) -> Range<usize> {
         let at = (y - self.rows.start) as usize * self.width;

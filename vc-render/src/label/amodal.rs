@@ -1,11 +1,11 @@
-//! Masks as if nothing hid the object.
+//! Amodal masks: whole objects as if nothing occluded them.
 
 use crate::camera::Camera;
 use crate::frame::{Frame, PixelBox};
 use crate::raster::{Drawing, Frustum, Layers, NONE};
 use crate::scene::Snapshot;
 
-/// Draws every body that has a label alone, and fills in its mask and visible fraction.
+/// Draws every labelled body alone, and fills in its mask and visible fraction.
 pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &mut Frame) {
     let (width, height) = (frame.width, frame.height);
     let Frame { memory, boxes, whole_masks, .. } = frame;
@@ -15,7 +15,7 @@ pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &
     memory.alone.front.reset(width, 0..height as i32);
     for label in boxes {
         let Some(body) = snapshot.body_of(label.node) else { continue };
-        // One pixel more on every side, against rounding.
+        // One pixel more on every side allows for rounding.
         let PixelBox { x, y, width: w, height: h } = label.amodal;
         let roomy = PixelBox {
             x: x.saturating_sub(1),
@@ -36,7 +36,7 @@ pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &
     }
 }
 
-/// Hands on the runs of covered pixels, and counts them.
+/// Passes on the runs of covered pixels, and counts these pixels.
 fn copy(layers: &Layers, within: PixelBox, mut set: impl FnMut(i32, i32, i32)) -> u32 {
     let mut area = 0;
     for y in within.y..within.y + within.height {

@@ -1,4 +1,4 @@
-//! Boxes and masks of what is seen.
+//! Boxes and masks of visible objects.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -14,7 +14,7 @@ use crate::modality::Modality;
 use crate::raster::{Frustum, refill};
 use crate::scene::{Body, Instance, Snapshot};
 
-/// Where a body is seen.
+/// The visible pixels of a body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tally {
     low: [i32; 2],
@@ -35,7 +35,7 @@ pub(crate) fn boxes(camera: &Camera, snapshot: &Snapshot, frame: &mut Frame) {
     for run in memory.bands.iter().flat_map(|b| &b.runs) {
         tally[body(run)].add(run);
     }
-    // Amodal boxes and masks are those of labels.
+    // Amodal boxes and masks need the labels, too.
     let labelled = holds.has(Modality::Boxes) || holds.has(Modality::Amodal);
     let masked = holds.has(Modality::Masks);
     if masked {
@@ -66,7 +66,7 @@ impl Tally {
         self.area += (run.to - run.from) as u32;
     }
 
-    /// The box around what is seen.
+    /// The box around the visible pixels.
     fn within(&self) -> PixelBox {
         PixelBox::between(self.low, self.high)
     }
@@ -90,15 +90,15 @@ fn label(camera: &Camera, frustum: &Frustum, snapshot: &Snapshot, body: &Body, t
     }
 }
 
-/// Vertices that are looked at together.
+/// Number of vertices processed together.
 const LANES: usize = 8;
 
-/// The least and the greatest of places in the image.
+/// The least and the greatest image coordinates.
 type Sides = [[f32; 2]; 2];
 
 const NOWHERE: Sides = [[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]];
 
-/// The box around all meshes beyond the near plane.
+/// The box around the projection of all meshes beyond the near plane.
 #[inline(always)]
 fn outline(frustum: &Frustum, instances: &[Instance]) -> Option<PixelBox> {
     let [mut low, mut high] = NOWHERE;
@@ -117,7 +117,7 @@ fn outline(frustum: &Frustum, instances: &[Instance]) -> Option<PixelBox> {
     })
 }
 
-/// Around all vertices of a mesh in front of the eye, and the depth of the nearest.
+/// The extent of all vertices of a mesh in front of the eye, and the depth of the nearest.
 #[inline(always)]
 fn around(map: &Narrow, mesh: &Mesh) -> (Sides, f32) {
     let mut found = Found {
@@ -130,7 +130,7 @@ fn around(map: &Narrow, mesh: &Mesh) -> (Sides, f32) {
         found.add(map, [xs, ys, zs]);
     }
     if !x.is_empty() {
-        // The first of what is left again, where there are fewer.
+        // Missing lanes repeat the first remaining vertex.
         let [x, y, z] = [x, y, z].map(|rest| std::array::from_fn(|i| rest[if i < rest.len() { i } else { 0 }]));
         found.add(map, [&x, &y, &z]);
     }
@@ -139,7 +139,8 @@ fn around(map: &Narrow, mesh: &Mesh) -> (Sides, f32) {
     ([found.low.map(least), found.high.map(most)], least(found.nearest))
 }
 
-/// What is around vertices, in lanes that are put together at the end: none waits for the one before it.
+/// The extent of vertices, one for each lane and merged at the end, so that no lane waits for the one before
+/// it.
 struct Found {
     low: [[f32; LANES]; 2],
     high: [[f32; LANES]; 2],
@@ -161,7 +162,7 @@ impl Found {
     }
 }
 
-/// Around what is left beyond the near plane of triangles that are seen from the front.
+/// The extent of front-facing triangles, clipped at the near plane.
 #[cold]
 #[inline(never)]
 fn beyond(map: &Affine, near: f32, instance: &Instance) -> Sides {
@@ -189,9 +190,9 @@ fn beyond(map: &Affine, near: f32, instance: &Instance) -> Sides {
     sides
 }
 
-/// Whether the eye, from which corners are given as pixels times depth and depth, sees a triangle's back.
+/// Whether a triangle faces away from the eye, given its corners as pixels times depth, and depth.
 fn faces_away([a, b, c]: &[[f64; 3]; 3], mirrored: bool) -> bool {
-    // Corners go around counter-clockwise seen from outside: the normal looks at the eye where this is negative.
+    // Corners are counter-clockwise seen from outside: the front faces the eye where the volume is negative.
     (volume(a, b, c) >= 0.0) != mirrored
 }
 

@@ -1,11 +1,11 @@
-//! Depth, distance and points.
+//! Depth, distance and points of pixels.
 
 use crate::affine;
 use crate::camera::Camera;
 use crate::frame::Strip;
 use crate::raster::Layers;
 
-/// Writes what is asked for of depth, distance and points.
+/// Writes depth, distance and points, as far as they are requested.
 #[inline(always)]
 pub(crate) fn depths(camera: &Camera, layers: &Layers, strip: &mut Strip<'_>) {
     for y in strip.rows.clone() {

@@ -6,10 +6,10 @@ use crate::raster::{Frustum, Layers, NONE, refill};
 use crate::scene::Instance;
 use crate::view::View;
 
-/// For every instance how pixels move, found when it is asked for.
+/// Motion of pixels for every instance, computed on first use.
 #[derive(Default)]
 pub(crate) struct Motions {
-    /// Position in the list below.
+    /// For each instance the index of its map.
     known: Vec<u32>,
     maps: Vec<Narrow>,
 }
@@ -20,7 +20,7 @@ impl Motions {
         refill(&mut self.known, NONE, instances);
     }
 
-    /// From (x, y, 1, inverse depth) now to pixels times something, and that, then.
+    /// The map from (x, y, 1, inverse depth) now to homogeneous pixel coordinates at the other moment.
     pub(super) fn map(&mut self, index: usize, now: (&Instance, &Affine), then: (&Instance, &Affine)) -> Narrow {
         if self.known[index] == NONE {
             let own = then.0.world.after(&now.0.world.inverse().unwrap_or(Affine::IDENTITY));
@@ -44,7 +44,7 @@ pub(crate) fn flows(
     let rows = layers.front.rows.clone();
     let [from, to] = [now, then].map(|m| Frustum::new(m.camera, &(0..m.camera.height as i32)));
     motions.reset(now.snapshot.instances.len());
-    // Where nothing is seen, nothing moves.
+    // Pixels where nothing is visible have no flow.
     let mut past = 0;
     for run in runs {
         let at = run.instance as usize;
@@ -59,7 +59,7 @@ pub(crate) fn flows(
     out[past..].fill([f32::NAN; 2]);
 }
 
-/// Pixels that are followed at once.
+/// Number of pixels processed together.
 pub(super) const PART: usize = 64;
 
 #[inline(always)]
@@ -71,9 +71,9 @@ fn follow(map: &Narrow, (x, y): (f32, f32), inverse: &[f32], out: &mut [[f32; 2]
         let count = out.len().min(PART);
         vs[..count].copy_from_slice(&inverse[..count]);
         let x = x + (part * PART as u32) as f32;
-        // Whole blocks: what is past the end is not looked at.
+        // Whole vectors are processed; lanes past the end are not used.
         for i in 0..count.next_multiple_of(8).min(PART) {
-            // Vectors of whole numbers become such of floats in one step if they are signed.
+            // Signed integers convert to floats in a single vector instruction, unsigned ones do not.
             let x = x + i as i32 as f32;
             let over = 1.0 / (over[0] * x + start[2] + over[3] * vs[i]);
             let (a, b) = (right[0] * x + start[0] + right[3] * vs[i], down[0] * x + start[1] + down[3] * vs[i]);

@@ -1,4 +1,4 @@
-//! What is hidden at another moment.
+//! Occlusion: which visible points are hidden at another moment.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -10,30 +10,30 @@ use crate::scene::Instance;
 use crate::simd::widest;
 use crate::view::View;
 
-/// Triangles at another moment, to tell what is hidden then.
+/// The visibility buffer of another moment, to tell what is hidden then.
 #[derive(Default)]
 pub(crate) struct Other {
     pub(crate) layers: Layers,
 }
 
-/// What is known of triangles at the other moment, found when it is asked for.
+/// Projected triangles at the other moment, computed on first use.
 #[derive(Default)]
 pub(crate) struct Faces {
-    /// By number, the position in the list below.
+    /// For each triangle the index of its face.
     known: Vec<u32>,
     faces: Vec<Face>,
 }
 
-/// A triangle as rays from the eye meet it.
+/// A triangle projected into the image.
 struct Face {
-    /// As pixels times depth, and depth; and the volume between them and the eye.
+    /// Corners as pixels times depth, and depth; and the volume spanned by them and the eye.
     corners: [[f64; 3]; 3],
     volume: f64,
-    /// Square pixels.
+    /// Area in the image, square pixels.
     area: f64,
 }
 
-/// Writes 1 where what is seen now cannot be seen at the other moment.
+/// Writes 1 for each pixel whose point is not visible at the other moment.
 pub(crate) fn hidden(
     now: View<'_>,
     then: View<'_>,
@@ -77,23 +77,24 @@ impl Faces {
 }
 
 impl Face {
-    /// The inverse depth at a place in the image, if it covers that.
+    /// The inverse depth at a place in the image, if the triangle covers it.
     fn covers(&self, [x, y]: [f32; 2], near: f32) -> Option<f32> {
         let (towards, [a, b, c]) = ([f64::from(x), f64::from(y), 1.0], &self.corners);
-        // Volumes between the ray and two corners each, over that between all three.
+        // Barycentric coordinates: volumes between the ray and two corners each, as shares of the whole volume.
         let shares = [volume(&towards, b, c), volume(a, &towards, c), volume(a, b, &towards)].map(|v| v / self.volume);
         let there = shares.iter().sum::<f64>() as f32;
         (shares.iter().all(|s| *s >= 0.0) && there * near <= 1.0).then_some(there)
     }
 }
 
-/// Where pixels go.
+/// Where pixels are at the other moment.
 struct Places {
     x: [f32; PART],
     y: [f32; PART],
-    /// Inverse depth there; no number where that is not in the image.
+    /// Inverse depth there; NaN outside the image.
     inverse: [f32; PART],
-    /// The first of the four pixels around in the list of all, and how far the others are to its right and below.
+    /// Index of the upper left of the four pixels around the place, and offsets to those on its right and
+    /// below.
     first: [u32; PART],
     across: [u32; PART],
     down: [u32; PART],
@@ -106,38 +107,38 @@ impl Places {
     };
 }
 
-/// What is seen at the other moment.
+/// The view at the other moment.
 struct There<'a> {
     layers: &'a Layers,
     instances: &'a [Instance],
     to: &'a Frustum,
     faces: &'a mut Faces,
-    /// Numbers of one triangle now and then.
+    /// Numbers of one triangle now and at the other moment.
     same: [u32; 2],
 }
 
-/// How much nearer what hides a point is at least, of its depth: rounding is less. Of a curve's own mesh at
-/// another level of detail, whose outlines differ; and where triangles are finer than pixels.
+/// Least ratio of inverse depths at which a triangle occludes a point: above rounding errors, and more for a
+/// curve's own mesh at another level of detail, whose outline differs, and for triangles smaller than pixels.
 const NEARER: f32 = 1.001;
 const COARSER: f32 = 1.02;
 const FINER: f32 = 1.01;
-/// The same of small triangles of its own body, which may be seen at a grazing angle.
+/// The same ratio for small triangles of the point's own body, which may be seen at a grazing angle.
 const OWN: f32 = 1.04;
 
-/// Area of triangles that tell little about a place beside their pixel, square pixels; the share of what is around a place
-/// that has to be of nearer ones to hide it.
+/// Area up to which triangles tell little about places beside their pixel, square pixels; and the weight of the
+/// pixels around a place that nearer small triangles must have to occlude it.
 const SMALL: f64 = 16.0;
 const MOSTLY: f32 = 0.5;
 
-/// What a triangle that is seen near a place says about a point there.
+/// Conclusion from a triangle visible near a place about a point there.
 #[derive(Clone, Copy, PartialEq)]
 enum Says {
-    /// It is in front of the point.
+    /// The triangle is in front of the point.
     Hides,
-    /// The point is on it or before it.
+    /// The point is on the triangle or before it.
     Covers,
-    /// It is so small that others beside it, which are not seen at a pixel's middle, may be where the point is. They hide
-    /// it if they are nearer; those of its own body only where no triangle covers it.
+    /// The triangle is so small that neighbours of it, which cover no pixel's centre, may be where the point
+    /// is. Nearer small triangles occlude the point; those of its own body only if no triangle covers it.
     Little {
         own: bool,
     },
@@ -145,14 +146,14 @@ enum Says {
 }
 
 impl There<'_> {
-    /// Where some pixels of a row go.
+    /// Projects some pixels of a row to the other moment.
     #[inline(always)]
     fn places(&self, map: &Narrow, (first, y): (usize, i32), inverse: &[f32], all: &mut Places) {
         let front = &self.layers.front;
         let (width, height, stride) = (front.width as i32, front.rows.len() as i32, front.all_triangles().1 as u32);
         let (count, y) = (inverse.len().min(PART), y as f32 + 0.5);
         all.inverse[..count].copy_from_slice(&inverse[..count]);
-        // Whole vectors: what is past the end is not looked at.
+        // Whole vectors are processed; lanes past the end are not used.
         for i in 0..count.next_multiple_of(8).min(PART) {
             let (x, v) = ((first as i32 + i as i32) as f32 + 0.5, all.inverse[i]);
             let z = map[2][0] * x + map[2][1] * y + map[2][2] + map[2][3] * v;
@@ -171,7 +172,8 @@ impl There<'_> {
         }
     }
 
-    /// Whether a point is within its own triangle, as most are; if not, that says nothing.
+    /// Whether all four pixels around a point show its own triangle, as for most points; if not, the point may
+    /// still be visible.
     #[inline(always)]
     fn shows_plainly(&self, at: &Places, i: usize, own: u32) -> bool {
         let ([now, then], triangles) = (self.same, self.layers.front.all_triangles().0);
@@ -182,10 +184,9 @@ impl There<'_> {
             && [upper, upper + across, lower, lower + across].into_iter().all(|pixel| triangles[pixel] == then)
     }
 
-    /// Whether a point is seen, given its triangle:
-    /// no triangle that is seen at one of the four pixels around covers it from before, and they are not mostly of
-    /// small ones that are nearer. If none covers it, they are finer than pixels, and it is seen unless all
-    /// four are nearer.
+    /// Whether a point is visible, given its triangle: no triangle seen at one of the four pixels around covers
+    /// it from before, and these pixels do not mostly show small triangles that are nearer. If no triangle
+    /// covers the point, they are smaller than pixels, and it is visible unless all four pixels are nearer.
     #[inline(never)]
     fn shows(&mut self, at: &Places, i: usize, (number, own): (u32, Visible)) -> bool {
         let (x, y, inverse) = (at.x[i], at.y[i], at.inverse[i]);

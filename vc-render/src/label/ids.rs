@@ -1,4 +1,4 @@
-//! Nodes, classes and parts.
+//! Labels of nodes, classes and parts.
 
 use pulp::{Simd, WithSimd};
 use vc_graph::NodeId;
@@ -17,12 +17,12 @@ pub(crate) struct Run {
     pub(crate) to: i32,
 }
 
-/// The runs of some rows, one after the other.
+/// Finds the runs of some rows, one row after the other.
 pub(crate) fn runs(layers: &Layers, rows: std::ops::Range<i32>, runs: &mut Vec<Run>) {
     crate::simd::dispatch(Find { layers, rows, runs });
 }
 
-/// Finding runs, in the version for a processor.
+/// The search for runs, compiled for the processor's vectors.
 struct Find<'a> {
     layers: &'a Layers,
     rows: std::ops::Range<i32>,
@@ -56,7 +56,7 @@ impl WithSimd for Find<'_> {
     }
 }
 
-/// Writes what is asked for of nodes, classes and parts.
+/// Writes nodes, classes and parts, as far as they are requested.
 pub(crate) fn ids(snapshot: &Snapshot, layers: &Layers, runs: &[Run], strip: &mut Strip<'_>) {
     let mut from = 0;
     for run in runs {
@@ -74,7 +74,7 @@ pub(crate) fn ids(snapshot: &Snapshot, layers: &Layers, runs: &[Run], strip: &mu
     }
 }
 
-/// Writes the node and class of some pixels, if they are asked for.
+/// Writes the node and class of some pixels, as far as they are requested.
 #[inline(always)]
 fn fill(strip: &mut Strip<'_>, pixels: std::ops::Range<usize>, (node, class): (NodeId, u16)) {
     if let Some(instance) = strip.instance.get_mut(pixels.clone()) {

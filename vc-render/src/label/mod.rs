@@ -1,4 +1,4 @@
-//! Ground truth: what is read off the triangle of every pixel.
+//! Ground-truth labels, read from the visible triangle of every pixel.
 
 mod amodal;
 mod boxes;

@@ -1,4 +1,4 @@
-//! Normals.
+//! Surface normals.
 
 use crate::affine::{self, Narrow, scaled, three};
 use crate::camera::Camera;
@@ -6,7 +6,7 @@ use crate::frame::Strip;
 use crate::raster::{Layers, Visible};
 use crate::scene::{Instance, Snapshot};
 
-/// Normals across a triangle: how they change over the image.
+/// Normals interpolated across a triangle in the image.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bent {
     /// Normal times inverse depth at the image's corner, and its change across and down.
@@ -16,7 +16,7 @@ pub(crate) struct Bent {
 }
 
 impl Bent {
-    /// Of a triangle, given its corners as pixels and inverse depth, and the normals there.
+    /// Interpolates over a triangle, given its corners as pixels and inverse depth, and the normals there.
     #[inline(always)]
     fn new(corners: [[f32; 3]; 3], normals: [[f32; 3]; 3]) -> Self {
         let [a, b, c] = corners;
@@ -33,7 +33,7 @@ impl Bent {
         Self { start, across, down }
     }
 
-    /// The same everywhere.
+    /// A constant normal.
     pub(crate) fn flat(normal: [f32; 3]) -> Self {
         Self { start: normal, across: [0.0; 3], down: [0.0; 3] }
     }
@@ -45,8 +45,8 @@ impl Bent {
     }
 }
 
-/// The normal of a flat triangle in the world, or how it bends. `map` leads from its mesh to
-/// the image.
+/// The world normal of a flat triangle, or the interpolated normals of a smooth one. `map` leads from its mesh
+/// to the image.
 #[inline(always)]
 pub(crate) fn bent(
     map: impl FnOnce() -> Narrow,
@@ -70,12 +70,12 @@ pub(crate) fn bent(
     if corners.iter().all(|c| c.0) {
         Err(Bent::new(corners.map(|c| c.1), normals))
     } else {
-        // What reaches behind the eye is taken as flat.
+        // Triangles that reach behind the eye are taken as flat.
         Ok(unit(three(|i| normals[0][i] + normals[1][i] + normals[2][i])))
     }
 }
 
-/// Of unit length; up, where there is none.
+/// Normalizes a vector; a zero vector becomes the upward one.
 #[inline(always)]
 pub(crate) fn unit(v: [f32; 3]) -> [f32; 3] {
     let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -83,7 +83,7 @@ pub(crate) fn unit(v: [f32; 3]) -> [f32; 3] {
     if over.is_finite() { scaled(v, over) } else { [0.0, 0.0, 1.0] }
 }
 
-/// Writes normals, where they are asked for.
+/// Writes normals, if they are requested.
 pub(crate) fn normals(camera: &Camera, snapshot: &Snapshot, layers: &Layers, strip: &mut Strip<'_>) {
     if strip.normal.is_empty() {
         return;

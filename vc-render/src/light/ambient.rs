@@ -1,15 +1,15 @@
-//! Light from all sides at a point.
+//! Ambient light from all directions at a point.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 use crate::affine::{scaled, three};
 
-/// Light that falls on surfaces which face along the axes, after Valve's ambient cube
-/// (McTaggart 2004): what faces a wall with a window gets nothing of the window's light.
+/// Irradiance on surfaces that face along the six axis directions, after Valve's ambient cube (McTaggart 2004):
+/// a surface that faces a wall with a window gets none of the window's light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ambient(pub(super) [f32; SIDES]);
 
-/// Four numbers each (colours, and how bright they are) for +X, +Y, +Z, -X, -Y and -Z.
+/// Four numbers (three colours and their brightness) for each of +X, +Y, +Z, -X, -Y and -Z.
 pub(super) const SIDES: usize = 24;
 
 impl Default for Ambient {
@@ -19,10 +19,11 @@ impl Default for Ambient {
 }
 
 impl Ambient {
-    /// Inside of things, where nothing is known.
+    /// The marker for points inside of things, whose light is unknown.
     pub(super) const UNKNOWN: Self = Self([f32::NAN; SIDES]);
 
-    /// Radiance from above, and less of it from each side, so that things are seen that have all one colour.
+    /// Radiance from above, with less of it from each side, so that the shapes of things of one colour remain
+    /// visible.
     pub(super) fn from_above(radiance: f32) -> Self {
         const SHARES: [f32; 6] = [0.8, 0.55, 1.0, 0.4, 0.65, 0.5];
         Self(std::array::from_fn(|i| std::f32::consts::PI * radiance * SHARES[i / 4]))
@@ -32,7 +33,7 @@ impl Ambient {
         !self.0[0].is_nan()
     }
 
-    /// Adds light from a direction, so much on a surface that faces it.
+    /// Adds light from a direction, given as the irradiance on a surface that faces it.
     pub(super) fn add(&mut self, towards: [f32; 3], light: [f32; 3]) {
         for axis in 0..3 {
             let side = axis + if towards[axis] < 0.0 { 3 } else { 0 };
@@ -43,7 +44,7 @@ impl Ambient {
         }
     }
 
-    /// Adds a share of another.
+    /// Adds a share of another ambient light.
     #[inline(always)]
     pub(super) fn mix(&mut self, other: &Self, share: f32) {
         for (sum, value) in self.0.iter_mut().zip(&other.0) {
@@ -51,7 +52,7 @@ impl Ambient {
         }
     }
 
-    /// Light that falls on a surface of this normal.
+    /// Irradiance on a surface with this normal.
     #[inline(always)]
     pub(crate) fn falls(&self, normal: [f32; 3]) -> [f32; 3] {
         let mut sum = [0.0_f32; 4];
@@ -65,20 +66,20 @@ impl Ambient {
         [sum[0], sum[1], sum[2]]
     }
 
-    /// Radiance from about a direction.
+    /// Blurred radiance from around a direction.
     #[inline(always)]
     pub(crate) fn sheen(&self, towards: [f32; 3]) -> [f32; 3] {
         scaled(self.falls(towards), 1.0 / std::f32::consts::PI)
     }
 
-    /// By how much more light falls on what faces along the axes than on what faces
-    /// the other way.
+    /// Difference of brightness between opposite axis directions: how much more light falls on a surface that
+    /// faces along each axis than on one that faces the other way.
     #[inline(always)]
     pub(crate) fn lean(&self) -> [f32; 3] {
         three(|axis| 0.5 * (self.0[4 * axis + 3] - self.0[4 * axis + 15]))
     }
 
-    /// Mean radiance by colour.
+    /// Mean radiance in each colour.
     pub(super) fn colour(&self) -> [f32; 3] {
         three(|c| self.0.chunks(4).map(|side| side[c]).sum::<f32>() / (6.0 * std::f32::consts::PI))
     }

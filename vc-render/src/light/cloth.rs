@@ -1,4 +1,4 @@
-//! What goes through blinds and curtains that are drawn: light that comes out on all sides.
+//! Light through drawn blinds and curtains, which leaves them scattered in all directions.
 
 use super::room::Seen;
 use super::{Lighting, dot};
@@ -8,17 +8,18 @@ use crate::scene::{Body, Instance};
 use crate::surface::{Pattern, Surface};
 use crate::trace::{Met, Ray};
 
-/// Shares of light that go on through one face: of cloth, and of slats, between which there are gaps.
+/// Shares of light that pass a single face: of cloth, and of slats with gaps between them.
 const CLOTH: f32 = 0.4;
 const SLATS: f32 = 0.15;
-/// Width of what is one point of them, metres: as in reference pictures, as threads are darker than cloth from afar.
+/// Diameter over which the pattern of a cover is averaged, metres: the same as in reference pictures, because threads
+/// seen close up are darker than the cloth seen from afar.
 const NEAR: f32 = 0.002;
-/// Faces of a cover that light behind it is looked for through, at most.
+/// Greatest number of a cover's faces that a ray passes to find the light behind it.
 const FOLDS: usize = 16;
-/// Places along and up a cover at which light that comes through is looked for.
+/// Sample points along and up a cover for the light through it.
 const PLACES: usize = 8;
 
-/// The share of light that goes on through a face that was met; none but of what is drawn over an opening.
+/// The share of light that passes the face of a ray hit; zero except on covers that are drawn over an opening.
 pub(crate) fn through(met: &Met<'_>, surface: &Surface) -> f32 {
     match surface.pattern {
         _ if !met.instance.covers() => 0.0,
@@ -27,8 +28,8 @@ pub(crate) fn through(met: &Met<'_>, surface: &Surface) -> f32 {
     }
 }
 
-/// What shares of light on one side are thrown back and come out of the other, by colour: through faces, and between
-/// them as often as it is thrown back there.
+/// The shares of light from one side that a cover reflects and that it transmits, by colour: through its two
+/// faces, interreflection between them included.
 pub(crate) fn parted(met: &Met<'_>, surface: &Surface) -> [[f32; 3]; 2] {
     let (share, colour) = (through(met, surface), met.look(surface, NEAR).colour);
     let (goes, back) = (colour.map(|c| share * c), colour.map(|c| (1.0 - share) * c));
@@ -36,7 +37,7 @@ pub(crate) fn parted(met: &Met<'_>, surface: &Surface) -> [[f32; 3]; 2] {
     [three(|i| back[i] + out[i] * back[i]), out]
 }
 
-/// Light that comes into its room through each body that is a cover and drawn, radiance, about the same all over it.
+/// Radiance that enters the room through each drawn cover, about the same all over it.
 pub(super) fn lit(renderer: &Renderer, lighting: &Lighting) -> Vec<(u32, [f32; 3])> {
     let snapshot = &lighting.tracer.snapshot;
     let bodies = snapshot.bodies.iter().zip(0..).filter(|(body, _)| body.covers(&snapshot.instances));
@@ -44,14 +45,14 @@ pub(super) fn lit(renderer: &Renderer, lighting: &Lighting) -> Vec<(u32, [f32; 3
 }
 
 impl Lighting {
-    /// Light that comes through a cover that is drawn, as if it fell on its surface from in front: its pattern is seen
-    /// in it. None through anything else.
+    /// Light through a drawn cover, expressed as light that falls on its surface from the front, so that its
+    /// pattern shows. None for anything else.
     pub(crate) fn through(&self, surface: &Surface, instance: &Instance) -> Option<[f32; 3]> {
         let index = self.cloth.binary_search_by_key(&instance.body, |(body, _)| *body).ok()?;
         instance.covers().then(|| surface.as_fallen(self.cloth[index].1))
     }
 
-    /// The mean of what comes through a cover, seen straight from its room.
+    /// Mean radiance through a cover, seen straight on from its room.
     fn comes(&self, renderer: &Renderer, body: &Body, number: u32) -> [f32; 3] {
         let pose = Affine::of(&body.pose).narrow();
         let (along, ways) = (affine::vector(&pose, [-1.0, 0.0, 0.0]), super::room::directions());
@@ -73,8 +74,8 @@ impl Lighting {
         scaled(sum, 1.0 / f32::max(count, 1.0))
     }
 
-    /// What is seen of a cover that is drawn over an opening: what it throws back, and what goes through it of the
-    /// light behind it, of which that from about one direction stands for all.
+    /// The light seen on a cover that is drawn over an opening: the light it reflects, and the transmitted
+    /// light from behind it, for which a single direction stands for all.
     pub(super) fn past(
         &self,
         renderer: &Renderer,
@@ -89,7 +90,7 @@ impl Lighting {
         Seen { direct: three(|i| own.direct[i] + share[i] * behind[i]), ..own }
     }
 
-    /// A place at the far side of a cover that a ray goes through.
+    /// A point just behind a cover that a ray passes.
     fn far_side(&self, cover: &Met<'_>, ray: &Ray) -> [f32; 3] {
         let step = |at: [f32; 3]| three(|i| at[i] + 1e-3 * ray.along[i]);
         let mut at = step(cover.at);
@@ -101,8 +102,8 @@ impl Lighting {
         at
     }
 
-    /// Light that falls on the far side of a cover, over pi: what is seen in a direction, or the one against it, as if
-    /// it came from all; and the sun.
+    /// Irradiance on the far side of a cover, over pi: the radiance along one direction or its opposite, taken
+    /// as that of all directions; and the sun.
     fn outside(
         &self,
         renderer: &Renderer,

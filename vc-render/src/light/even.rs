@@ -1,4 +1,4 @@
-//! Light for plans, on which bright rooms and dark rooms are seen at once.
+//! Evened light for floor plans, in which bright and dark rooms are seen at once.
 
 use std::sync::Arc;
 
@@ -7,15 +7,15 @@ use super::lamp::Lamp;
 use crate::affine::scaled;
 use crate::scene::{Body, NO_ROOM};
 
-/// Levels of light below this count as dark.
+/// Light levels below this count as dark.
 const DARK: f32 = 1e-5;
 
 impl Lighting {
-    /// The same light with the brightness of rooms, and of the outside, brought nearer to each other: `share` is 0 for
-    /// no change and 1 for all alike. For plans and maps, where an eye would get used to each room by itself. Shadows
-    /// and patches of sun stay as they are within each room; a room that is all but dark is lit from above, with half as
-    /// much light as others have. Costs a copy of the light that rooms throw back, about a millisecond. Only fast
-    /// pictures use it: mirrors and reference pictures show light as it is.
+    /// The same light with the brightness of rooms, and of the outside, brought closer together: `share` is 0
+    /// for no change and 1 for equal brightness. For plans and maps, where an eye would adapt to each room
+    /// separately. Shadows and patches of sun stay as they are within each room; a nearly dark room is lit from
+    /// above, with half as much light as the others have. Costs a copy of the indirect light, about a
+    /// millisecond. Only fast pictures use it: mirrors and reference pictures show the light unchanged.
     ///
     /// ```
     /// # use nalgebra::{Point3, Vector3};
@@ -66,7 +66,7 @@ impl Lighting {
     fn evening(&self, share: f32) -> (f32, Vec<f32>) {
         use vc_graph::portable::Portable;
         let levels: Vec<f32> = (0..self.rooms.len()).map(|room| self.level(room).0.max(DARK)).collect();
-        // The outside does not count, unless there is nothing else.
+        // The outside counts only if there are no rooms.
         let inside = &levels[..levels.len().saturating_sub(1).max(levels.len().min(1))];
         let middle = inside.iter().map(|level| level.logarithm()).sum::<f32>() / inside.len().max(1) as f32;
         let gain = |level: &f32| (share * (middle - level.logarithm())).exponential();

@@ -1,9 +1,9 @@
-//! Where rooms are.
+//! The extents of rooms.
 
 use crate::affine::{self, three};
 use crate::scene::Snapshot;
 
-/// Boxes around rooms: their floors and walls.
+/// Boxes around rooms, from their floors and walls.
 pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
     let count = snapshot.rooms.len() + 1;
     let mut all = vec![([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]); count];
@@ -15,7 +15,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
         let map = affine::Affine::of(&body.pose).narrow();
         let around = crate::scene::turned(&map, &body.bounds);
         let (low, high) = (three(|i| around.centre[i] - around.half[i]), three(|i| around.centre[i] + around.half[i]));
-        // Over the plan what the floor covers, if there is one; upwards all there is.
+        // In the plan, the floor alone gives the extent if there is one; upwards, all bodies do.
         let (from, to) = &mut all[room];
         if floor && !floors[room] {
             floors[room] = true;
@@ -28,7 +28,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
             }
         }
         from[2] = from[2].min(if floor { high[2] } else { low[2].max(from[2].min(high[2])) });
-        // Over the ceiling is no room.
+        // A room ends at its ceiling.
         let ceiling = snapshot.class(body.class).is_some_and(|c| &**c == "ceiling");
         if ceiling {
             ceilings[room] = ceilings[room].min(low[2]);
@@ -37,7 +37,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
     }
     for ((low, high), known) in all.iter_mut().zip(snapshot.bounds.iter()) {
         let Some(known) = known else { continue };
-        // Floors go on under walls and doors, behind which it may be day.
+        // Floors go on under walls and doors, beyond which there may be daylight.
         for i in 0..2 {
             let (from, to) = (low[i].max(known.min[i]), high[i].min(known.max[i]));
             (low[i], high[i]) = if from < to { (from, to) } else { (low[i], high[i]) };

@@ -1,4 +1,4 @@
-//! What leaves a lamp of the light that its bulb and its shade give: much of it meets the lamp itself.
+//! Light that leaves a lamp: much of the light of its bulb and its shade hits the lamp itself.
 
 use super::{brightness, dot};
 use crate::affine::{self, scaled, three};
@@ -8,12 +8,12 @@ use crate::renderer::Renderer;
 use crate::surface::Role;
 use crate::trace::{Ray, Tracer};
 
-/// Ways of light that are followed.
+/// Number of light paths that are traced.
 const WAYS: u32 = 512;
-/// How often light is thrown on within a lamp.
+/// Greatest number of bounces within a lamp.
 const WITHIN: u32 = 8;
 
-/// A triangle that gives light, and all light up to it.
+/// A luminous triangle, and the cumulative brightness up to it.
 struct Giver {
     corners: [[f32; 3]; 3],
     normal: [f32; 3],
@@ -21,12 +21,13 @@ struct Giver {
     sum: f32,
 }
 
-/// Light that leaves a lamp.
+/// The light that leaves a lamp.
 pub(super) struct Leaving {
     pub(super) flux: [f32; 3],
-    /// Where it goes to: a direction times how much it prefers that, zero for all alike, one for the cosine's law.
+    /// Preferred direction, times the strength of the preference: zero for uniform light, one for a cosine
+    /// distribution.
     pub(super) axis: [f32; 3],
-    /// From where, on the whole.
+    /// Mean point from which it leaves.
     pub(super) at: [f32; 3],
 }
 
@@ -37,7 +38,7 @@ impl Leaving {
     }
 }
 
-/// The light that leaves a lamp; none if all of it stays within.
+/// The light that leaves a lamp; none if all of it is absorbed within.
 pub(super) fn leaving(renderer: &Renderer, tracer: &Tracer, body: u32, gains: &[f32; 2]) -> Option<Leaving> {
     let givers = givers(renderer, tracer, body, gains);
     let all = givers.last().map_or(0.0, |giver| giver.sum);
@@ -59,7 +60,7 @@ pub(super) fn leaving(renderer: &Renderer, tracer: &Tracer, body: u32, gains: &[
             middle = three(|i| middle[i] + bright * at[i]);
         }
     }
-    // The mean direction of light by the cosine's law is two thirds long.
+    // The mean direction of cosine-distributed light has length two thirds.
     let bright = brightness(flux);
     let axis = scaled(axis, 1.5 / bright);
     let length = dot(axis, axis).sqrt();
@@ -70,7 +71,7 @@ pub(super) fn leaving(renderer: &Renderer, tracer: &Tracer, body: u32, gains: &[
     })
 }
 
-/// Light of a way when it has left the lamp, where to and from where.
+/// Traces a light path until it leaves the lamp; returns its light, direction and point of exit.
 fn out(
     renderer: &Renderer,
     tracer: &Tracer,
@@ -93,7 +94,7 @@ fn out(
     None
 }
 
-/// All triangles of a lamp that give light.
+/// All luminous triangles of a lamp.
 fn givers(renderer: &Renderer, tracer: &Tracer, body: u32, [gain, shade]: &[f32; 2]) -> Vec<Giver> {
     let (body, mut sum) = (&tracer.snapshot.bodies[body as usize], 0.0);
     let mut givers = Vec::new();

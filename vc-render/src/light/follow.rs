@@ -1,4 +1,4 @@
-//! Shadows that follow moving things, while the light that rooms throw back stays.
+//! Shadows that follow moving things while indirect light stays as it is.
 
 use std::sync::Arc;
 
@@ -11,13 +11,14 @@ use crate::renderer::Renderer;
 use crate::scene::Snapshot;
 
 impl Renderer {
-    /// Lets shadows, mirrors and reference pictures follow to another moment of the same scene: things that have moved
-    /// throw their shadows from where they are now, and lamps that were carried shine from where they are. Light that
-    /// rooms throw back stays as it was; [`relight`](Self::relight) makes that anew, too.
+    /// Updates shadows, mirrors and reference pictures to another moment of the same scene: things that have
+    /// moved cast their shadows from their new places, and lamps that were carried shine from theirs. Indirect
+    /// light stays as it was; [`relight`](Self::relight) computes it anew as well.
     ///
-    /// Shadows are then to the bit as [`light`](Self::light) would make them. Only those rows of shadow maps are drawn
-    /// again in which a thing that moved may be the nearest: some milliseconds where a person walks in the sun or
-    /// below a lamp, and less than one where nothing has moved in the light (`benches/README.md`).
+    /// The shadows are then bit for bit those that [`light`](Self::light) would make. Only those rows of shadow
+    /// maps are redrawn in which a moved thing may be the nearest: this takes some milliseconds where a person
+    /// walks in the sun or below a lamp, and less than one where nothing has moved in the light
+    /// (`benches/README.md`).
     ///
     /// ```
     /// # use nalgebra::{Point3, Vector3};
@@ -41,7 +42,7 @@ impl Renderer {
     /// ```
     ///
     /// # Errors
-    /// As [`relight`](Self::relight); the light is then as it was.
+    /// Those of [`relight`](Self::relight); the light is then unchanged.
     pub fn follow(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
         lighting.check(&self.store)?;
         lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
@@ -62,7 +63,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Makes the shadows of lamps follow, and makes lamps that have moved anew.
+    /// Updates the shadows of lamps, and rebuilds the lamps that have moved.
     fn follow_lamps(&self, lighting: &mut Lighting, moments: [&Snapshot; 2], moved: &[u32]) {
         let bodies: Vec<u32> = moved.iter().map(|i| moments[1].instances[*i as usize].body).collect();
         let stays = |lamp: &&Lamp| !bodies.contains(&lamp.body);
@@ -97,7 +98,7 @@ mod tests {
         assert!(a.blocks == b.blocks, "{name}: ends of blocks are others");
     }
 
-    /// Shadows that followed step by step are to the bit those that are made at once.
+    /// Shadows updated step by step are bit for bit those made at once.
     #[test]
     fn shadows_that_followed_are_as_if_made_anew() {
         let mut renderer = Renderer::new();
@@ -105,7 +106,7 @@ mod tests {
         let nodes: Vec<NodeId> = snapshot.nodes().collect();
         let lamp = snapshot.lamps().next().unwrap();
         snapshot.switch(lamp, true).unwrap();
-        // Low enough to shine in where a wall is left out.
+        // The sun is low enough to shine in where a wall is left out.
         snapshot.hide(nodes[2], true).unwrap();
         let daylight = Daylight::clear(0.3, 0.1);
         let mut lighting = renderer.light(&snapshot, &daylight);
@@ -116,7 +117,7 @@ mod tests {
                 let at = [0.5 * step as f32 - 2.2, 0.9 * i as f32 - 1.0, 0.4 + 0.15 * step as f32];
                 snapshot.place(*node, &crate::common::pose(at, step as f32, 0.3)).unwrap();
             }
-            // The lamp is carried, too, in the end.
+            // In the last step the lamp is carried, too.
             if step == 8 {
                 snapshot.place(lamp, &Pose::translation(0.9, 0.2, 1.9)).unwrap();
             }

@@ -1,31 +1,31 @@
-//! A room's grid of light: where its points are, the light between them, and what is known without looking.
+//! A room's grid of ambient light: its points, interpolation between them, and filling in of unknown points.
 
 use super::Ambient;
 use crate::affine::three;
 use crate::simd::whole;
 
-/// Distance of the grid's points over the floor and upwards, metres.
+/// Spacing of the grid's points along the floor and upwards, metres.
 const STEP: [f32; 3] = [0.5, 0.5, 0.6];
-/// Points of all rooms together at most, but for eight of each room: huge scenes have them farther apart. Each
-/// takes 14 kB while light is made.
+/// Greatest number of points of all rooms together, unless that is less than eight for each room: in huge
+/// scenes points are farther apart. Each takes 14 kB while light is computed.
 const MOST: usize = 1 << 14;
 
-/// The grid of a room.
+/// The grid of ambient light in a room.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     low: [f32; 3],
     over: [f32; 3],
     counts: [usize; 3],
     pub(super) points: Vec<Ambient>,
-    /// Light from all sides at a middling point: half of the room has more. The few by a
-    /// window or a lit door do not tell how bright a room is.
+    /// Median of the mean radiance at its points. The few points by a window or a lit door do not tell how
+    /// bright a room is.
     pub(super) middling: f32,
-    /// The mean colour of light from all sides.
+    /// The mean colour of the ambient light.
     pub(super) colour: [f32; 3],
 }
 
 impl Grid {
-    /// Over a room, with points so many times farther apart than usual.
+    /// A grid over a room, with its points `apart` times the usual spacing.
     fn over((low, high): ([f32; 3], [f32; 3]), apart: f32) -> Self {
         // Points keep away from walls; the floor goes on below half of them.
         const OFF: [f32; 3] = [0.3, 0.3, 0.12];
@@ -36,7 +36,7 @@ impl Grid {
         Self { low, over, counts, points: Vec::new(), middling: 0.0, colour: [0.0; 3] }
     }
 
-    /// Over all rooms, with points as near to each other as there may be so many.
+    /// Grids over all rooms, with points as dense as their greatest number allows.
     pub(super) fn over_all(rooms: &[([f32; 3], [f32; 3])]) -> Vec<Self> {
         let grids = |apart: f32| -> Vec<Self> { rooms.iter().map(|room| Self::over(*room, apart)).collect() };
         let (mut apart, mut all) = (1.0, grids(1.0));
@@ -48,7 +48,7 @@ impl Grid {
         all
     }
 
-    /// The same grid with all light multiplied by a factor, and with some radiance from above added.
+    /// The same grid with all light multiplied by a factor, and radiance from above added.
     pub(super) fn dimmed(&self, by: f32, more: f32) -> Self {
         let dimmed = |point: &Ambient| {
             let mut light = Ambient::from_above(more);
@@ -75,7 +75,7 @@ impl Grid {
         three(|i| self.low[i] + cell[i] as f32 / self.over[i])
     }
 
-    /// Incoming light at a point.
+    /// Ambient light at a point, interpolated.
     #[inline(always)]
     pub(crate) fn at(&self, p: [f32; 3]) -> Ambient {
         let mut cell = [0_usize; 3];
@@ -99,13 +99,13 @@ impl Grid {
         sum
     }
 
-    /// Points inside of things take the mean of their neighbours, again and again until all have one.
+    /// Fills in points inside of things with the mean of their neighbours, repeatedly until all are known.
     pub(super) fn mend(&mut self) {
         let [nx, ny, nz] = self.counts;
         for _ in 0..nx.max(ny).max(nz) {
             let before = self.points.clone();
             let known = |x: usize, y: usize, z: usize| {
-                // What lies beyond has no number.
+                // Points beyond the grid do not exist.
                 let p = (x < nx && y < ny && z < nz).then(|| &before[(z * ny + y) * nx + x])?;
                 p.is_known().then_some(p)
             };
@@ -128,12 +128,12 @@ impl Grid {
         self.points.iter_mut().filter(|p| !p.is_known()).for_each(|p| *p = Ambient::default());
     }
 
-    /// How much more light there is than before.
+    /// By how much the light has increased in total.
     pub(super) fn more(&self, before: &[Ambient]) -> f32 {
         self.points.iter().zip(before).map(|(point, before)| point.mean() - before.mean()).sum()
     }
 
-    /// Adds all that follows when every further bounce brings a share of what the last one has brought.
+    /// Extrapolates the remaining bounces as a geometric series, each bringing `share` of the last one's light.
     pub(super) fn go_on(&mut self, before: &[Ambient], share: f32) {
         let sum = share / (1.0 - share);
         for (point, before) in self.points.iter_mut().zip(before) {
@@ -143,15 +143,15 @@ impl Grid {
         }
     }
 
-    /// Smooths it when all light is there, and finds how bright and of which colour that is.
+    /// Smooths the finished light, and finds its median brightness and mean colour.
     pub(super) fn settle(&mut self) {
         self.smooth();
         self.middling = self.middle();
         self.colour = self.mean();
     }
 
-    /// Takes the mean with neighbours along each axis in turn: rays are few, and what they
-    /// miss differs from point to point.
+    /// Averages with neighbours along each axis in turn: rays are few, and the things they miss differ from
+    /// point to point.
     fn smooth(&mut self) {
         let [nx, ny, _] = self.counts;
         for (axis, stride) in [(0, 1), (1, nx), (2, nx * ny)] {
@@ -168,7 +168,7 @@ impl Grid {
         }
     }
 
-    /// The mean of its points' light, all sides together.
+    /// The mean colour of its points' light from all directions.
     fn mean(&self) -> [f32; 3] {
         let share = 1.0 / self.points.len() as f32;
         self.points.iter().fold([0.0; 3], |sum, point| {
@@ -177,7 +177,7 @@ impl Grid {
         })
     }
 
-    /// The middle one of its points' mean radiances.
+    /// The median of its points' mean radiances.
     fn middle(&self) -> f32 {
         let mut means: Vec<f32> = self.points.iter().map(Ambient::mean).collect();
         let middle = means.len() / 2;

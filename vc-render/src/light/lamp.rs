@@ -10,12 +10,12 @@ use crate::renderer::Renderer;
 use crate::scene::{Body, Snapshot};
 use crate::trace::Tracer;
 
-/// Lumens of one unit of light.
+/// Lumens in one unit of luminous flux.
 pub(super) const LUMENS: f32 = 5000.0;
-/// What glows and is no lamp, against what its material says.
+/// Factor for the emission of luminous things that are not lamps.
 const FAINT: f32 = 0.004;
 
-/// Words in the classes of what lights rooms.
+/// Words in the class names of things that light rooms.
 const LAMPS: [&str; 5] = ["lamp", "light", "chandelier", "lantern", "bulb"];
 
 /// Whether things of a class light rooms when they are on.
@@ -23,31 +23,31 @@ pub(crate) fn is_lamp(class: &str) -> bool {
     LAMPS.iter().any(|word| class.contains(word))
 }
 
-/// All light of a body as if it came from its middle.
+/// A lamp: all light of a body as if it came from one point.
 #[derive(Debug, Clone)]
 pub(crate) struct Lamp {
     pub(crate) body: u32,
     pub(crate) room: u16,
     pub(crate) at: [f32; 3],
-    /// Light is no stronger than so far away, metres.
+    /// Radius of the light source, metres: light does not grow stronger nearer than this.
     pub(crate) radius: f32,
-    /// Flux by colour.
+    /// Flux in each colour.
     pub(crate) flux: [f32; 3],
-    /// Where it shines to, times how much it prefers that direction, 0 to 1.
+    /// Preferred direction, times the strength of the preference, 0 to 1.
     pub(crate) axis: [f32; 3],
     pub(crate) shadows: Cube,
 }
 
-/// The bodies of a scene that shine: lamps and screens.
+/// The luminous bodies of a scene: lamps and screens.
 pub(super) struct Shining {
-    /// By body, how much its glowing parts are to be turned up, and its shade.
+    /// For each body, the factors for the emission of its luminous parts and of its shade.
     pub(super) gains: Vec<[f32; 2]>,
-    /// Bodies that glow and are no lamps, and how bright the brightest of each is by its material.
+    /// Luminous bodies that are not lamps, each with the greatest brightness of its materials.
     pub(super) screens: Vec<(u32, f32)>,
     pub(super) lamps: Vec<Lamp>,
 }
 
-/// What glows of a body.
+/// The luminous parts of a body.
 struct Glow {
     area: f32,
     most: f32,
@@ -61,7 +61,7 @@ pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32
     (0..snapshot.instances.len() as u32).filter(move |i| snapshot.instances[*i as usize].body != body)
 }
 
-/// The bodies of a scene that shine. Lamps of `kept` have their shadows already.
+/// Finds the luminous bodies of a scene. Lamps in `kept` already have their shadows.
 pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shining {
     let snapshot = &tracer.snapshot;
     let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];
@@ -75,7 +75,7 @@ pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shin
         };
         if glow.area > 0.0 {
             let gain = target / LUMENS / brightness(glow.flux).max(1e-9);
-            // A third of the light goes through the shade.
+            // A third of the light passes through the shade.
             let through = 0.35 * target / LUMENS;
             let shade = if glow.shade > 0.0 { through / (std::f32::consts::PI * glow.shade) } else { 0.0 };
             gains[index] = [gain, shade];
@@ -90,7 +90,7 @@ pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shin
     Shining { gains, screens, lamps }
 }
 
-/// Lumens of a lamp, by how large its bulbs are; none for what is no lamp.
+/// Lumens of a lamp, by the area of its bulbs; none for bodies that are not lamps.
 fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
     let class = snapshot.class(body.class)?;
     match () {
@@ -151,13 +151,13 @@ impl Lamp {
         let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();
         let Leaving { flux, axis, at } = leaving(renderer, tracer, index, gains).unwrap_or(Leaving::none(glow.middle));
         let shadows = Cube::new(renderer, snapshot, &others, at, radius);
-        // A ceiling just over a lamp is to be lit.
+        // A ceiling just above a lamp must still be lit.
         let (room, radius) = (snapshot.bodies[index as usize].room, 0.5 * radius);
         Self { body: index, room, at, radius, flux, axis, shadows }
     }
 
-    /// Light on a surface at a point that faces the lamp, and the direction to it (unit
-    /// length), shadows left out.
+    /// Direction to the lamp (unit length), and the irradiance at a point on a surface that faces the lamp, for
+    /// a unit of flux, without shadows.
     #[inline(always)]
     pub(crate) fn falls(&self, at: [f32; 3]) -> ([f32; 3], f32) {
         let to = three(|i| self.at[i] - at[i]);
@@ -167,13 +167,13 @@ impl Lamp {
         let facing = -(to[0] * self.axis[0] + to[1] * self.axis[1] + to[2] * self.axis[2]);
         let [x, y, z] = self.axis;
         let narrow = (x * x + y * y + z * z).sqrt().min(1.0);
-        // From all around, to a half space with the cosine's law.
+        // Blends uniform light with cosine-distributed light in a half space.
         let even = (1.0 - narrow) / (4.0 * std::f32::consts::PI);
         let beam = facing.max(0.0) / std::f32::consts::PI;
         (to, (even + beam) / (square + self.radius * self.radius))
     }
 
-    /// The share of the lamp that is seen from a point, 0 to 1.
+    /// The visible share of the lamp from a point, 0 to 1.
     #[inline(always)]
     pub(crate) fn seen(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
         self.shadows.lit(self.at, at, normal)

@@ -1,4 +1,4 @@
-//! The light in a scene, made once and kept while nothing moves that matters.
+//! The light in a scene: computed once, and kept until things that matter to it change.
 
 use std::sync::Arc;
 
@@ -18,10 +18,9 @@ use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
 use crate::trace::Tracer;
 
-/// Light in a scene at one moment: shadow maps of the sun and the lamps that are on, and
-/// the light that rooms throw back. Made by [`Renderer::light`], good for any number
-/// of cameras, cheap to clone; when lamps are switched, or doors, blinds and large things move, [`Renderer::relight`]
-/// brings it up to date.
+/// The light in a scene at one moment: shadow maps of the sun and of the lamps that are on, and the indirect
+/// light in rooms. [`Renderer::light`] makes it; it serves any number of cameras and is cheap to clone. When
+/// lamps are switched, or doors, blinds and large things move, [`Renderer::relight`] brings it up to date.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -35,7 +34,7 @@ use crate::trace::Tracer;
 /// # let mut renderer = Renderer::new();
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
-/// // The light of two moments, both kept.
+/// // The light of two moments; both are kept.
 /// let mut moved = snapshot.clone();
 /// moved.place(fridge, &Pose::translation(2.5, 0.0, 0.0))?;
 /// let before = renderer.light(&snapshot, &Daylight::overcast());
@@ -52,55 +51,58 @@ use crate::trace::Tracer;
 pub struct Lighting {
     pub(crate) daylight: Daylight,
     pub(crate) tracer: Tracer,
-    // What is large is shared by clones.
+    // Clones share the large members.
     pub(crate) sun: Option<Arc<ShadowMap>>,
     pub(crate) lamps: Arc<Vec<Lamp>>,
-    /// By body: what its glow and its shade's glow are multiplied with.
+    /// For each body, the factors for its own emission and for that of its shade.
     pub(super) gains: Vec<[f32; 2]>,
-    /// By body that glows and is no lamp, how much the brightest of it is to be turned up.
+    /// For each luminous body that is not a lamp, the greatest brightness of its materials.
     pub(super) screens: Vec<(u32, f32)>,
     pub(super) grids: Arc<Vec<Grid>>,
-    /// By room, what share of the sun's light panes leave.
+    /// For each room, the share of sunlight that window panes let through.
     pub(super) sunlight: Vec<f32>,
-    /// By body, what comes through drawn covers.
+    /// For each drawn cover, by body, the light through it.
     pub(super) cloth: Vec<(u32, [f32; 3])>,
-    /// Boxes of rooms, to tell in which an eye is.
+    /// Boxes of rooms, to find the room that a camera is in.
     pub(super) rooms: Vec<([f32; 3], [f32; 3])>,
-    /// The moment whose shadows these are.
+    /// The moment that the shadows show.
     pub(super) cast: Arc<Snapshot>,
 }
 
-/// How far a picture's white is that of the light in its room: lamps stay warm, and do not make all yellow.
+/// How far the white balance goes towards the colour of the room's light: lamplight stays warm, but does not
+/// turn everything yellow.
 const BALANCE: f32 = 0.6;
-/// How many times brighter than the mean of all rooms in view a room counts at most.
+/// Greatest factor by which a room counts as brighter than the mean of all rooms in view.
 const BRIGHTER: f32 = 4.0;
-/// Levels of light below which an eye does not adapt: in rooms, and outside.
+/// Light levels below which the exposure does not adapt: in rooms, and outside.
 const DARK: [f32; 2] = [1e-7, 5e-4];
-/// The level of light below which an eye adapts to a part only, so that what is dim looks dim, and to which part.
+/// The light level below which the exposure adapts only partly, so that dim rooms look dim, and the exponent of
+/// this adaptation.
 const DIM: f32 = 0.01;
 const PART: f32 = 0.75;
-/// A level of light below this part of the mean of all in view is as good as black: no eye gets used to it.
+/// Light levels below this share of the mean in view count as black: the exposure does not adapt to them.
 const BLACK: f32 = 1e-3;
-/// The brightest that a screen is shown, as often as middle grey: an eye that looks at it gets used to it.
+/// Greatest displayed brightness of a screen as a multiple of middle grey: eyes that look at a screen adapt to
+/// it.
 const SCREEN: f32 = 1.6;
 
-/// How bright a colour is to the eye (Rec. 709).
+/// Luminance of a colour (Rec. 709).
 #[inline(always)]
 pub(crate) fn brightness([r, g, b]: [f32; 3]) -> f32 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
 impl Renderer {
-    /// The light in a scene: about a microsecond a triangle for the tree of rays, tens of milliseconds for
-    /// shadows, and some for each room; of a home of 130,000 triangles 0.4 seconds on two processors
-    /// (`benches/README.md`).
+    /// Computes the light in a scene. This takes about a microsecond for each triangle to build the ray tree,
+    /// tens of milliseconds for shadows, and some for each room; 0.4 seconds for a home of 130,000 triangles on
+    /// two processors (`benches/README.md`).
     ///
-    /// Light from all sides is kept as ambient cubes (McTaggart 2004) on a grid in each room, found by rays to all
-    /// sides, and thrown on between the places that these meet. The tree of rays is cut by the surface area heuristic
-    /// over bins (Wald 2007).
+    /// Indirect light is stored as ambient cubes (McTaggart 2004) on a grid in each room. It is found by rays
+    /// in all directions, and its further bounces go between the points that these rays hit. The ray tree is
+    /// built with the surface area heuristic over bins (Wald 2007).
     ///
-    /// Of a snapshot of another renderer, or by a daylight of numbers that are not finite, there is no light:
-    /// what is made then says so when it is used.
+    /// If the snapshot is of another renderer, or the daylight contains numbers that are not finite, the result
+    /// holds no light, and its use returns an error.
     ///
     /// ```
     /// # use nalgebra::{Point3, Vector3};
@@ -113,7 +115,7 @@ impl Renderer {
     /// # let scene = scene.build();
     /// # let mut renderer = Renderer::new();
     /// # let snapshot = renderer.snapshot(&scene)?;
-    /// // Made once, for any number of cameras.
+    /// // The light is computed once, for any number of cameras.
     /// let lighting = renderer.light(&snapshot, &Daylight::noon());
     /// let mut frame = Frame::new();
     /// for camera in Camera::with_fov(64, 48, 1.0).around(Point3::new(2.0, 0.0, 1.0), 3.0, 0.3, 2) {
@@ -142,12 +144,12 @@ impl Renderer {
         lighting
     }
 
-    /// Brings light up to another moment of the same scene: lamps have been switched, doors, blinds or
-    /// furniture moved.
+    /// Brings the light up to another moment of the same scene, in which lamps have been switched, or doors,
+    /// blinds or furniture moved.
     ///
-    /// It is then as [`Self::light`] would make it, but for rays that graze an edge. The tree of rays is kept, and
-    /// where nothing has moved shadows are; what rooms throw back is found anew everywhere, as light goes
-    /// from room to room. Takes two thirds to three quarters of what it takes to make it.
+    /// The result is what [`Self::light`] would make, but for rays that graze an edge. The ray tree is kept,
+    /// and so are shadows if nothing has moved; indirect light is computed anew everywhere, as light goes from
+    /// room to room. Takes two thirds to three quarters of the time of [`Self::light`].
     ///
     /// ```
     /// # use std::sync::Arc;
@@ -188,7 +190,7 @@ impl Renderer {
     ///
     /// # Errors
     /// [`RenderError::OtherScene`] if bodies have come or gone, [`RenderError::OtherRenderer`],
-    /// [`RenderError::BadDaylight`]; the light is then as it was.
+    /// [`RenderError::BadDaylight`]; the light is then unchanged.
     pub fn relight(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
         lighting.check(&self.store)?;
         lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
@@ -203,7 +205,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Finds the light in the scene of its tracer; shadows that are there are right.
+    /// Computes the light for the snapshot of its tracer; shadows already present are up to date.
     fn shine(&self, lighting: &mut Lighting) {
         let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
         let Shining { gains, screens, lamps } = lamps(self, &lighting.tracer, &lighting.lamps);
@@ -220,7 +222,7 @@ impl Renderer {
     }
 }
 
-/// A ball around everything.
+/// Bounding sphere of the scene.
 fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
     let corners = snapshot.instances.iter().map(|i| crate::scene::turned(&i.world.narrow(), &i.link.levels[0].bounds));
     let all = corners.reduce(|a, b| a.joined(&b)).unwrap_or_default();
@@ -229,19 +231,19 @@ fn ball(snapshot: &Snapshot) -> (Point3<f32>, f32) {
 }
 
 impl Lighting {
-    /// That it was made, and with meshes in this store.
+    /// Checks that the light was computed, with meshes of this store.
     pub(crate) fn check(&self, store: &Store) -> Result<(), RenderError> {
         if !self.tracer.snapshot.is_in(store) {
             return Err(RenderError::OtherRenderer("light"));
         }
         self.daylight.check()?;
-        // There is a grid even for what is in no room.
+        // Even things in no room have a grid, so it is only empty if the light was never computed.
         if self.grids.is_empty() { Err(RenderError::OtherRenderer("light")) } else { Ok(()) }
     }
 
-    /// Lets mirrors and reference pictures see another moment of the same scene, as
-    /// [`RayCaster::follow`](crate::RayCaster::follow) does, at its cost. The light of fast pictures and
-    /// the exposure stay as they were; [`Renderer::relight`] makes them anew too.
+    /// Lets mirrors and reference pictures show another moment of the same scene, like
+    /// [`RayCaster::follow`](crate::RayCaster::follow) and at its cost. The light of fast pictures and the
+    /// exposure stay as they were; [`Renderer::relight`] computes them anew as well.
     ///
     /// # Errors
     /// [`RenderError::OtherScene`] if bodies have come or gone.
@@ -249,34 +251,34 @@ impl Lighting {
         self.tracer.follow(snapshot)
     }
 
-    /// Light from all sides that falls on a surface, from the grid of its room.
+    /// Ambient irradiance on a surface, from the grid of its room.
     #[inline(always)]
     pub(crate) fn around(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> [f32; 3] {
         self.sides(at, normal, room).falls(normal)
     }
 
-    /// Light from all sides at a surface.
+    /// Ambient light at a surface.
     #[inline(always)]
     pub(crate) fn sides(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Ambient {
         let index = usize::from(room).min(self.grids.len() - 1);
         self.grids[index].at(three(|i| at[i] + 0.12 * normal[i]))
     }
 
-    /// How much of the sun is seen from a surface, by the cosine; none where there is no sun.
+    /// The visible share of the sun from a surface, times the cosine; none if there is no sun.
     pub(super) fn sunshine(&self, at: [f32; 3], normal: [f32; 3]) -> Option<f32> {
         let map = self.sun.as_ref()?;
         let facing = dot(self.daylight.towards_sun.into(), normal);
         Some(if facing > 0.0 { facing * map.lit(at, normal) } else { 0.0 })
     }
 
-    /// The share of the sun's light that panes leave in a room.
+    /// The share of sunlight that panes let into a room.
     #[inline(always)]
     pub(crate) fn sunlight(&self, room: u16) -> f32 {
         self.sunlight[usize::from(room).min(self.sunlight.len() - 1)]
     }
 
-    /// Light that falls straight from the sun, of which panes leave a share, and the room's lamps on a surface,
-    /// with shadows.
+    /// Direct light on a surface, with shadows: from the sun, of which panes let a share through, and from the
+    /// room's lamps.
     pub(crate) fn direct(&self, at: [f32; 3], normal: [f32; 3], room: u16, panes: f32) -> [f32; 3] {
         let share = if panes > 0.0 { panes * self.sunshine(at, normal).unwrap_or(0.0) } else { 0.0 };
         let mut sum: [f32; 3] = self.daylight.sun.map(|sun| share * sun).into();
@@ -291,7 +293,7 @@ impl Lighting {
         sum
     }
 
-    /// Light a surface of a body gives of itself; where its picture is white, if it has one.
+    /// Emission of a body's surface; with an emissive texture, that of its white texels.
     #[inline(always)]
     pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
         let [gain, shade] = self.gains[body as usize];
@@ -301,7 +303,7 @@ impl Lighting {
         }
     }
 
-    /// The same as it is shown by an exposure.
+    /// The emission as displayed at an exposure: screens are limited in brightness.
     pub(crate) fn shown(&self, surface: &Surface, body: u32, exposure: [f32; 3]) -> [f32; 3] {
         let glow = self.glow(surface, body);
         let Ok(at) = self.screens.binary_search_by_key(&body, |(body, _)| *body) else { return glow };
@@ -309,13 +311,14 @@ impl Lighting {
         scaled(glow, (SCREEN / most.max(1e-9)).min(1.0))
     }
 
-    /// The factors that bring the light that an eye sees to a picture's middle grey, and its colour partly to white.
-    /// They are for the light of the rooms in view, weighted by how much is seen of each, so that they change with the
-    /// view and do not jump in a doorway; where nothing is seen, for the light of the eye's own room. In dim light they
-    /// go a part of the way only.
+    /// The exposure: factors that bring the light in view to a picture's middle grey, and its colour part of
+    /// the way to white. They are computed from the light of the rooms in view, weighted by the visible share
+    /// of each, so that they change with the view and do not jump in a doorway; if no room is in view, from the
+    /// light of the camera's own room. In dim light they go part of the way only.
     pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
         use vc_graph::portable::Portable;
-        // Outside is as bright as it is; a little of a sunny balcony does not make its room dark.
+        // Seen from inside, the outside does not count, so that a piece of sunny balcony does not darken the
+        // room.
         let outdoors = self.room_for(eye) + 1 == self.rooms.len();
         let dark = DARK[usize::from(outdoors)];
         let inside = |room: &usize| outdoors || room + 1 < self.rooms.len();
@@ -327,7 +330,7 @@ impl Lighting {
         let count = levels.len() as f32;
         let dark = dark.max(BLACK * levels.iter().map(|(level, _)| level / count).sum::<f32>());
         let first = levels[0].0.max(dark);
-        // Relative to the first level, so that the mean of equal levels is exactly that level.
+        // Taken relative to the first level, so that the mean of equal levels is exactly that level.
         let off = levels.iter().map(|(level, _)| (level.max(dark) / first).logarithm()).sum::<f32>() / count;
         let most = BRIGHTER * first * off.exponential();
         let mean = levels.iter().map(|(level, _)| level.min(most)).sum::<f32>() / count;
@@ -340,7 +343,8 @@ impl Lighting {
         three(|c| 0.8 / adapted / (colour[c] / count).max(0.1).power(BALANCE))
     }
 
-    /// Mean radiance of a room if it were grey, thrown back and straight from its lamps, and its colour.
+    /// Light level of a room: mean radiance of grey surfaces, indirect and straight from its lamps; and the
+    /// colour of this light.
     pub(super) fn level(&self, room: usize) -> (f32, [f32; 3]) {
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == room);
         let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
@@ -354,8 +358,8 @@ impl Lighting {
         (high[0] - low[0]) * (high[1] - low[1])
     }
 
-    /// The room for whose light a picture is exposed: the one the eye is in; from above, the
-    /// one below if it fills half of the view, else the largest.
+    /// The room for whose light a picture is exposed: the one that the camera is in; seen from above, the one
+    /// below if it fills half of the view, otherwise the largest.
     fn room_for(&self, eye: [f32; 3]) -> usize {
         if let Some(around) = self.room_around(eye) {
             return around;

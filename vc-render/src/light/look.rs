@@ -1,7 +1,7 @@
-//! Looks into shadow maps, for many points at once.
+//! Shadow-map lookups for many points at once.
 //!
-//! Where nothing near a point's texel lies across its depth, one look tells; else it is at the edge of a shadow
-//! (`penumbra`).
+//! Where no depth near a point's texel lies across the point's own, one lookup decides; elsewhere the point is
+//! at the edge of a shadow (`penumbra`).
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -12,10 +12,10 @@ use crate::simd::whole;
 
 pub(super) const LANES: usize = 16;
 
-/// How far from surfaces looks begin, metres.
+/// Offset of lookups from surfaces, metres.
 const OFF: f32 = 0.015;
 
-/// Points of surfaces: places and normals.
+/// Surface points: positions and normals.
 #[derive(Clone, Copy)]
 pub(crate) struct Points<'a, const N: usize> {
     pub(crate) at: &'a [[f32; N]; 3],
@@ -23,7 +23,7 @@ pub(crate) struct Points<'a, const N: usize> {
 }
 
 impl<const N: usize> Points<'_, N> {
-    /// Goes through some of the points, so many at a time that are then side by side.
+    /// Passes a selection of the points on in groups of contiguous lanes.
     #[inline(always)]
     fn some(&self, which: &[u32], mut each: impl FnMut(&Points<'_, LANES>, &[u32])) {
         for which in which.chunks(LANES) {
@@ -39,12 +39,12 @@ impl<const N: usize> Points<'_, N> {
     }
 }
 
-/// Points as a map has them.
+/// Points projected into a shadow map.
 struct Places<const N: usize> {
     x: [f32; N],
     y: [f32; N],
     depth: [f32; N],
-    /// How depth changes along the surface, to the right and down, metres for a texel.
+    /// Depth gradient of the surface to the right and down, metres for each texel.
     slope: [[f32; N]; 2],
     texel: [u32; N],
     block: [u32; N],
@@ -52,18 +52,18 @@ struct Places<const N: usize> {
     inside: [u32; N],
 }
 
-/// More than it can be: the share of light is not known yet.
+/// A value above any share of light: not yet known.
 const UNKNOWN: f32 = 2.0;
 
 impl ShadowMap {
-    /// The share of light that comes to a point of a surface.
+    /// The share of light that reaches a surface point.
     #[inline(always)]
     pub(crate) fn lit(&self, at: [f32; 3], normal: [f32; 3]) -> f32 {
         let (at, normal) = (three(|k| [at[k]]), three(|k| [normal[k]]));
         self.shares(&Points { at: &at, normal: &normal }, 1)[0]
     }
 
-    /// Writes the share of light that comes to some points.
+    /// Writes the share of light that reaches the selected points.
     #[inline(always)]
     pub(crate) fn light<const N: usize>(&self, points: &Points<'_, N>, which: &[u32], share: &mut [f32; N]) {
         points.some(
@@ -77,7 +77,7 @@ impl ShadowMap {
         );
     }
 
-    /// The share of light that comes to the first points, so many.
+    /// The share of light that reaches the first `count` points.
     #[inline(always)]
     fn shares<const N: usize>(&self, points: &Points<'_, N>, count: usize) -> [f32; N] {
         let places = self.places(points);
@@ -88,7 +88,7 @@ impl ShadowMap {
         let (mut share, mut texel) = ([1.0_f32; N], [0_u32; N]);
         for i in 0..N {
             share[i] = self.far(places.depth[i], [least[i], greatest[i]]);
-            // What has been told need not be fetched from far away.
+            // Points that are already decided all fetch the first texel, which costs no distant memory access.
             texel[i] = if share[i] == UNKNOWN { places.texel[i] } else { 0 };
         }
         for i in 0..count.min(N) {
@@ -108,7 +108,7 @@ impl ShadowMap {
         share
     }
 
-    /// Where points are in the map.
+    /// Projects points into the map.
     #[inline(always)]
     fn places<const N: usize>(&self, points: &Points<'_, N>) -> Places<N> {
         let (zero, none) = ([0.0; N], [0; N]);
@@ -126,7 +126,7 @@ impl ShadowMap {
             all.texel[i] = self.row(row) + self::column(column);
             all.block[i] = row / BLOCK * (self.side / BLOCK) + column / BLOCK;
             let along = three(|k| dot(self.axes[k], normal));
-            // The plane's distance over depth.
+            // Distance of the surface's plane over depth.
             let facing = (along[0] * (x - centre) + along[1] * (y - centre)) * over_focal + along[2];
             let scale = if facing < -0.05 { -z * over_focal / facing } else { 0.0 };
             (all.slope[0][i], all.slope[1][i]) = (along[0] * scale, along[1] * scale);
@@ -134,18 +134,20 @@ impl ShadowMap {
         all
     }
 
-    /// The share of light at a depth which all around is in front of, or behind.
+    /// The share of light at a depth that is entirely in front of or behind all depths around; otherwise
+    /// unknown.
     #[inline(always)]
     fn far(&self, z: f32, [least, greatest]: [f32; 2]) -> f32 {
         let told = if greatest < z - 4.0 * self.slack { 0.0 } else { UNKNOWN };
         if least >= z - self.slack { 1.0 } else { told }
     }
 
-    /// The share of light at a point where one look tells.
+    /// The share of light at a point where one lookup decides; otherwise unknown.
     #[inline(always)]
     fn plain<const N: usize>(&self, all: &Places<N>, i: usize, found: f32, least: f32) -> f32 {
         let z = all.depth[i];
-        // Where all that is looked at is one plane, which the point is on or clearly behind.
+        // One lookup decides if all texels within reach show one plane and the point is on it or clearly behind
+        // it.
         let clear = (found.to_bits() & CLEAR) as i32 as f32 >= self.edge(z, least) + 2.0;
         let by = [all.x[i].floor() + 0.5 - all.x[i], all.y[i].floor() + 0.5 - all.y[i]];
         let limit = z + by[0] * all.slope[0][i] + by[1] * all.slope[1][i] - self.slack;
@@ -154,33 +156,33 @@ impl ShadowMap {
         if clear { told } else { UNKNOWN }
     }
 
-    /// Radius of a shadow's edge, texels, where what throws it is at a depth.
+    /// Radius of a shadow's edge, texels, for a blocker at the given depth.
     #[inline(always)]
     pub(super) fn edge(&self, z: f32, blocker: f32) -> f32 {
         (self.source * (z - blocker) / blocker * self.focal / z).clamp(1.0, WIDEST)
     }
 
-    /// Where a row begins in the list of depths.
+    /// Offset of a row in the array of depths.
     #[inline(always)]
     pub(super) fn row(&self, y: u32) -> u32 {
         (y & !(BLOCK - 1)) * self.side + (y & (BLOCK - 1)) * BLOCK
     }
 }
 
-/// Where a column begins in the list of depths, from its row on.
+/// Offset of a column in the array of depths, relative to its row.
 #[inline(always)]
 pub(super) fn column(x: u32) -> u32 {
     (x & !(BLOCK - 1)) * BLOCK + (x & (BLOCK - 1))
 }
 
 impl Cube {
-    /// The share of light that comes to a point of a surface, for a lamp at `eye`.
+    /// The share of light that reaches a surface point from a lamp at `eye`.
     #[inline(always)]
     pub(crate) fn lit(&self, eye: [f32; 3], at: [f32; 3], normal: [f32; 3]) -> f32 {
         self.0[face(three(|k| at[k] - eye[k])) as usize].lit(at, normal)
     }
 
-    /// Writes the share of a lamp's light that comes to some points.
+    /// Writes the share of a lamp's light that reaches the selected points.
     #[inline(always)]
     pub(crate) fn light<const N: usize>(
         &self,
@@ -210,7 +212,7 @@ impl Cube {
 /// Faces of a cube.
 const FACES: usize = 6;
 
-/// The face of a cube to which something lies.
+/// The cube face in whose direction a vector points.
 #[inline(always)]
 fn face(from: [f32; 3]) -> u32 {
     let [x, y, z] = from.map(f32::abs);

@@ -1,4 +1,4 @@
-//! Where light comes from: sun, sky, lamps, and what rooms throw back.
+//! Light: sun, sky, lamps, and indirect light in rooms.
 //!
 //! Radiance is in units of an overcast sky's, about 5000 candela per square metre.
 

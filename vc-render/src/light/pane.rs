@@ -1,18 +1,18 @@
-//! What panes leave of the light that goes straight through them. The same pane leaves as much whether it is a
-//! thin box or a sheet.
+//! Transmission of panes along straight rays. A pane transmits the same share whether it is modelled as a thin
+//! box or as a sheet.
 
 use crate::affine::three;
 use crate::light::dot;
 use crate::renderer::Renderer;
 use crate::trace::{Met, Ray, Tracer};
 
-/// Sides of panes that are looked through at most.
+/// Greatest number of pane sides that a ray passes.
 const SIDES: usize = 16;
 
 /// Refractive index of glass.
 pub(crate) const INDEX: f32 = 1.5;
 
-/// The share of light that passes panes along a ray, by colour.
+/// The share of light that passes the panes along a ray, by colour.
 pub(crate) fn passes(renderer: &Renderer, tracer: &Tracer, mut ray: Ray) -> [f32; 3] {
     let mut share = [1.0; 3];
     for _ in 0..SIDES {
@@ -29,22 +29,22 @@ pub(crate) fn passes(renderer: &Renderer, tracer: &Tracer, mut ray: Ray) -> [f32
     share
 }
 
-/// What a clear thing leaves of light where it is met, by colour: half of a solid pane, or a sheet, which is both
-/// sides of a pane at once.
+/// Colour transmission at a hit on a clear surface: of one side of a solid pane, or of a sheet, which stands
+/// for both sides at once.
 pub(crate) fn tint(renderer: &Renderer, met: &Met<'_>) -> [f32; 3] {
     let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
     let both = surface.colour.map(|c| c * surface.transmission);
     if met.face.sheet { both } else { both.map(f32::sqrt) }
 }
 
-/// The share of light that is not reflected where a pane is met, by one of its sides or a sheet's both.
+/// The share of light that a pane does not reflect at a hit: by one of its sides, or by both sides of a sheet.
 pub(crate) fn straight(met: &Met<'_>, along: [f32; 3]) -> f32 {
     let one = 1.0 - fresnel(dot(along, met.flat).abs().min(1.0), INDEX).0;
     if met.face.sheet { one * one } else { one }
 }
 
-/// The share reflected and the cosine beyond, where light meets what is so many times denser (Fresnel), both
-/// polarisations alike.
+/// Fresnel reflectance and the cosine beyond the interface, where light enters a medium with `denser` times the
+/// refractive index; the mean over both polarisations.
 pub(crate) fn fresnel(cosine: f32, denser: f32) -> (f32, f32) {
     let square = 1.0 - (1.0 - cosine * cosine) / (denser * denser);
     if square <= 0.0 {

@@ -1,7 +1,7 @@
-//! The edges of shadows.
+//! Penumbrae: the soft edges of shadows.
 //!
-//! How wide an edge is is found from what is in the way near a point (Fernando 2005); then comparisons with depths
-//! all over that width are averaged (Reeves, Salesin and Cook 1987).
+//! The width of an edge is found from the blockers near a point (Fernando 2005); then depth comparisons all
+//! over that width are averaged (Reeves, Salesin and Cook 1987).
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -9,9 +9,9 @@ use super::look::{LANES, column};
 use super::shadow::ShadowMap;
 use crate::simd::whole;
 
-/// Points strewn evenly over a disc.
+/// Number of points spread evenly over a disc.
 const POINTS: usize = 12;
-/// Vogel's spiral, and four points that only fill vectors.
+/// Vogel's spiral, padded with four points to fill vectors.
 const DISC_POINTS: [[f32; LANES]; 2] = [
     [
         0.20412, -0.26070, 0.03990, 0.32859, -0.60301, 0.57122, -0.19106, -0.36438, 0.79056, -0.82244, 0.39647,
@@ -24,11 +24,11 @@ const DISC_POINTS: [[f32; LANES]; 2] = [
 ];
 type Lanes = [f32; LANES];
 
-/// Radius of shadows' edges that are as sharp as texels allow, texels.
+/// Radius of the sharpest edges that the texels allow, texels.
 const SHARP: f32 = 1.0;
 
 impl ShadowMap {
-    /// The share of light at a point whose neighbourhood is not all in front of it or behind.
+    /// The share of light at a point whose neighbourhood is neither all in front of it nor all behind.
     #[inline(always)]
     pub(super) fn share(&self, place: [f32; 2], z: f32, slope: [f32; 2], least: f32) -> f32 {
         let widest = self.edge(z, least);
@@ -64,7 +64,7 @@ impl ShadowMap {
         self.softened(place, width, &self.limits(z, slope, width))
     }
 
-    /// What is before these depths at the points of a disc is in the way.
+    /// Depths below which a texel blocks the light, at the points of a disc.
     #[inline(always)]
     fn limits(&self, z: f32, slope: [f32; 2], radius: f32) -> Lanes {
         let mut limits = [0.0; LANES];
@@ -75,12 +75,13 @@ impl ShadowMap {
         limits
     }
 
-    /// The mean of comparisons with four by four texels, weighted by a cubic B-spline: of a disc of about a texel.
+    /// The mean of comparisons with four by four texels, weighted by a cubic B-spline: about that over a disc
+    /// of a texel's radius.
     #[inline(always)]
     fn sharp(&self, place: [f32; 2], z: f32, slope: [f32; 2]) -> f32 {
         let (mut near, mut weights) = ([[0.0_f32; 4]; 2], [[0.0_f32; 4]; 2]);
         for axis in 0..2 {
-            // From the middle of the second of four texels.
+            // Measured from the centre of the second of four texels.
             let at = place[axis] - 0.5;
             let (first, share) = (at.floor(), at - at.floor());
             weights[axis] = spline(share);
@@ -104,7 +105,8 @@ impl ShadowMap {
         total(sums)
     }
 
-    /// The mean over a disc of comparisons with four texels each, smooth from texel to texel.
+    /// The mean of comparisons with four texels each over a disc, bilinearly weighted to be smooth from texel
+    /// to texel.
     #[inline(always)]
     fn softened(&self, place: [f32; 2], width: f32, limits: &Lanes) -> f32 {
         let [x, y] = around([place[0] - 0.5, place[1] - 0.5], width, 0.0, (self.side - 2) as f32);
@@ -134,7 +136,7 @@ impl ShadowMap {
     }
 }
 
-/// The sum of all, in halves that wait for nothing.
+/// The sum of all lanes, by halves, so that no addition waits for the one before it.
 #[inline(always)]
 fn total(mut lanes: Lanes) -> f32 {
     for half in [8, 4, 2, 1] {
@@ -145,7 +147,7 @@ fn total(mut lanes: Lanes) -> f32 {
     lanes[0]
 }
 
-/// Weights of four neighbours by a cubic B-spline, at a place so far from the second to the third.
+/// Cubic B-spline weights of four neighbours, at a fraction of the way from the second to the third.
 #[inline(always)]
 fn spline(share: f32) -> [f32; 4] {
     let rest = 1.0 - share;
@@ -153,7 +155,7 @@ fn spline(share: f32) -> [f32; 4] {
     [rest * rest * rest * (1.0 / 6.0), near(share), near(rest), share * share * share * (1.0 / 6.0)]
 }
 
-/// The points of a disc around a place, within the map.
+/// The points of a disc around a place, clamped to the map.
 #[inline(always)]
 fn around(place: [f32; 2], radius: f32, low: f32, high: f32) -> [Lanes; 2] {
     let mut all = DISC_POINTS;

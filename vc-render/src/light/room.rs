@@ -1,8 +1,8 @@
-//! What rooms throw back: light from all sides, on a grid in every room.
+//! Indirect light in rooms: ambient light on a grid in every room.
 //!
-//! Each point of the grid keeps the light on surfaces that face along the axes, and every
-//! room has its own grid, so that no light leaks through walls. Light that comes straight from the sun and the room's own
-//! lamps is left out: it is shaded with its shadows.
+//! Each point of the grid keeps the light on surfaces that face along the axes. Every room has its own grid, so
+//! that no light leaks through walls. Light straight from the sun and from the room's own lamps is left out, as
+//! it is shaded with its shadows.
 
 use rayon::prelude::*;
 
@@ -14,37 +14,39 @@ use crate::renderer::Renderer;
 use crate::scene::{Body, NO_ROOM, Stands};
 use crate::trace::{Met, Ray};
 
-/// Rays from each point.
+/// Number of rays from each point.
 const RAYS: usize = 256;
-/// Width of what is one point to light thrown back, metres.
+/// Diameter over which surface patterns are averaged for indirect light, metres.
 const FAR: f32 = 0.05;
-/// Directions that come after another are this far apart behind a cover: they have nothing to do with each other.
+/// Step between the indices of a direction seen on a cover and of the one sampled behind it, so that the two
+/// are unrelated.
 pub(super) const STRIDE: usize = 97;
-/// Share of light thrown back again at most.
+/// Greatest ratio between the light of successive bounces.
 const MOST: f32 = 0.95;
-/// The share of the light on a closed door that comes around its leaf: gaps of some millimetres, of a centimetre below.
+/// The share of the light on a closed door that comes through the gaps around its leaf: some millimetres at the
+/// sides, a centimetre below.
 const GAPS: f32 = 0.01;
-/// Thickness of a leaf, metres.
+/// Thickness of a door leaf, metres.
 const LEAF: f32 = 0.05;
-/// How often light is thrown on before the rest is foreseen.
+/// Number of bounces before the rest is extrapolated.
 const BOUNCES: usize = 7;
 
-/// Where light is thrown back, which way that faces, its reflectance and room.
+/// A reflecting point: position, normal, reflectance and room.
 pub(super) type Thrown = ([f32; 3], [f32; 3], [f32; 3], u16);
 
-/// What a ray from a point of the grid has met.
+/// The hit of a ray from a grid point.
 pub(super) struct Seen {
-    /// Light it gives, and what is thrown back of direct light.
+    /// Emission, and reflected direct light.
     pub(super) direct: [f32; 3],
-    /// Where that is; none where there is nothing.
+    /// The reflecting point; none where the ray hits nothing.
     pub(super) place: Option<Thrown>,
-    /// Where light falls on the far side of a closed door, and the share of it that comes through its gaps.
+    /// The point on the far side of a closed door, and the share of its light that comes through the gaps.
     pub(super) gaps: Option<Thrown>,
-    /// The share of the sun's light that panes leave there; zero where the sun does not shine.
+    /// The share of sunlight that panes let through to the hit; zero where the sun does not shine.
     pub(super) sun: f32,
 }
 
-/// Directions spread evenly over the sphere (Fibonacci's lattice).
+/// Directions spread evenly over the sphere (Fibonacci lattice).
 pub(super) fn directions() -> Vec<[f32; 3]> {
     use vc_graph::portable::Portable;
     let direction = |i: usize| {
@@ -56,9 +58,9 @@ pub(super) fn directions() -> Vec<[f32; 3]> {
     (0..RAYS).map(direction).collect()
 }
 
-/// The grids of all rooms, and one for what is in no room, last.
+/// The grids of all rooms, and last the one for things in no room.
 ///
-/// And for each the share of the sun's light that panes leave where it shines in.
+/// Also, for each of them, the share of sunlight that panes let through where the sun shines in.
 pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
     let bounds = rooms(&lighting.tracer.snapshot);
     let mut grids = Grid::over_all(&bounds);
@@ -84,7 +86,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
             (*last, *added) = (*added, grid.more(before));
         }
     }
-    // What is still to come of it; in white rooms that is much.
+    // Adds the remaining bounces, which bring much light in white rooms.
     for ((grid, before), [last, added]) in grids.iter_mut().zip(&before).zip(sums) {
         grid.go_on(before, if last > 0.0 { (added / last).clamp(0.0, MOST) } else { 0.0 });
     }
@@ -98,7 +100,7 @@ pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec
     (grids, sunlight)
 }
 
-/// Light from all sides under the open sky.
+/// Ambient light under the open sky.
 fn open(daylight: &Daylight, directions: &[[f32; 3]]) -> Ambient {
     let mut light = Ambient::default();
     let each = 4.0 * std::f32::consts::PI / directions.len() as f32;
@@ -106,8 +108,8 @@ fn open(daylight: &Daylight, directions: &[[f32; 3]]) -> Ambient {
     light
 }
 
-/// The mean share of the sun's light that panes leave, in each room: zero in rooms where the sun does not shine, so
-/// that no light comes through the edges of shadows. Outside it is one if it was not measured.
+/// The mean share of sunlight that panes let into each room: zero in rooms where the sun does not shine, so
+/// that no light leaks in through the edges of shadows. For the outside it is one if it was not measured.
 fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> {
     let mut sums = vec![(0.0_f64, 0_u32); rooms];
     for seen in seen.filter(|seen| seen.sun > 0.0) {
@@ -125,8 +127,8 @@ fn sunlight<'a>(seen: impl Iterator<Item = &'a Seen>, rooms: usize) -> Vec<f32> 
     sums.into_iter().enumerate().map(share).collect()
 }
 
-/// Which points are over something of their room: boxes of rooms with corners reach through their walls. All
-/// points of a room without anything below them count.
+/// For each point, whether it is above a body of its room: boxes of rooms that are not convex reach through
+/// their walls. In a room that has nothing below any of its points, all points count.
 fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec<bool> {
     let tracer = &lighting.tracer;
     let over = |(g, i): &(usize, usize)| {
@@ -140,7 +142,7 @@ fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec
     places.iter().zip(over).map(|((g, _), over)| over || !any[*g]).collect()
 }
 
-/// What is seen from a point; none from inside of things.
+/// Casts rays from a point; none if the point is inside of things.
 fn look(
     renderer: &Renderer,
     lighting: &Lighting,
@@ -175,12 +177,12 @@ fn look(
 }
 
 impl Seen {
-    /// Light from where nothing throws any back.
+    /// A ray that hits no reflecting surface.
     fn only(direct: [f32; 3]) -> Self {
         Self { direct, place: None, gaps: None, sun: 0.0 }
     }
 
-    /// The same behind panes that leave a share of light.
+    /// The same, seen through panes that let a share of light through.
     pub(super) fn behind(self, share: [f32; 3]) -> Self {
         let less = |(at, normal, colour, room): Thrown| (at, normal, three(|i| colour[i] * share[i]), room);
         let (place, gaps) = (self.place.map(less), self.gaps.map(less));
@@ -199,7 +201,7 @@ impl Lighting {
             three(|i| glow[i] * shine[i])
         };
         let own = if lamp { [0.0; 3] } else { glow() };
-        // At edges shadow maps let a little light through.
+        // Shadow maps let a little light through at edges.
         let towards = || Ray {
             from: three(|i| met.at[i] + 1e-3 * met.flat[i]),
             along: self.daylight.towards_sun.into(),
@@ -224,26 +226,26 @@ impl Lighting {
         }
     }
 
-    /// The light that comes around a closed leaf from the room behind it.
+    /// The light that comes around a closed door leaf from the room behind it.
     fn gaps(&self, body: &Body, met: &Met<'_>, into: u16) -> Option<Thrown> {
         let back = met.flat.map(|v| -v);
         let from = (body.stands == Stands::Between).then(|| self.room_of(body, met.instance, met.at, back))?;
         (from != into).then(|| (three(|i| met.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
     }
 
-    /// The share of the sun's light that panes leave at a surface.
+    /// The share of sunlight that panes let through to a surface.
     fn panes(&self, renderer: &Renderer, met: &Met<'_>) -> f32 {
         self.panes_from(renderer, three(|i| met.at[i] + 1e-3 * met.flat[i]))
     }
 
-    /// The same at a place.
+    /// The share of sunlight that panes let through to a point.
     pub(super) fn panes_from(&self, renderer: &Renderer, from: [f32; 3]) -> f32 {
         let ray = Ray { from, along: self.daylight.towards_sun.into(), end: 1e4 };
         brightness(super::pane::passes(renderer, &self.tracer, ray))
     }
 }
 
-/// The light from what is seen in some directions, given the light in rooms so far.
+/// Gathers the light from the hits of rays in all directions, given the light in rooms so far.
 fn gathered(grids: &[Grid], directions: &[[f32; 3]], seen: &[Seen]) -> Ambient {
     let mut light = Ambient::default();
     let each = 4.0 * std::f32::consts::PI / RAYS as f32;

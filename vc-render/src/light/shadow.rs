@@ -1,4 +1,4 @@
-//! Shadow maps: depth as a light sees it.
+//! Shadow maps: depth as seen from a light.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -16,43 +16,43 @@ use crate::scene::{Instance, Snapshot};
 
 use super::look::column;
 
-/// Depth over an image plane, as seen from the middle of a round light.
+/// Depth over an image plane, seen from the centre of a spherical light.
 #[derive(Debug, Clone)]
 pub(crate) struct ShadowMap {
     camera: Camera,
-    /// From the world to pixels times depth, and depth.
+    /// The map from the world to pixels times depth, and depth.
     pub(super) map: Narrow,
     /// The image's axes in the world.
     pub(super) axes: [[f32; 3]; 3],
     pub(super) focal: f32,
     pub(super) side: u32,
-    /// Block by block, as texels that are looked at together are near each other. The lowest bits say how many
-    /// texels around show the same plane, [`CLEAR`] at most.
+    /// Depths, stored block by block to keep texels that are used together close in memory. The lowest bits are
+    /// the clearance: how many texels around show the same plane, [`CLEAR`] at most.
     pub(super) depth: Vec<f32>,
     /// Least and greatest depth in every block and the eight around it.
     pub(super) blocks: Vec<[f32; 2]>,
     /// Radius of the light, metres.
     pub(super) source: f32,
-    /// What counts as in front, metres.
+    /// Depth tolerance within which nothing counts as in front, metres.
     pub(super) slack: f32,
 }
 
-/// Maps in all six directions.
+/// Shadow maps in all six axis directions.
 #[derive(Debug, Clone)]
 pub(crate) struct Cube(pub(super) Vec<Arc<ShadowMap>>);
 
-/// Side of the sun's map, and of one of a lamp's, texels.
+/// Side of the sun's map, and of each face of a lamp's, texels.
 const SUN: u32 = 2048;
 const LAMP: u32 = 256;
 /// Side of a block of texels.
 pub(super) const BLOCK: u32 = 8;
-/// Widest edge of a shadow, texels; less than a block.
+/// Greatest radius of a shadow's edge, texels; less than a block.
 pub(super) const WIDEST: f32 = 6.0;
-/// Greatest clearance of a texel: bits of a depth, less than a millimetre.
+/// Greatest clearance of a texel: the bits of a depth that hold it are worth less than a millimetre.
 pub(super) const CLEAR: u32 = 15;
-/// How far clearances reach, texels.
+/// Reach of clearances, texels.
 const REACH: i32 = WIDEST as i32 + 2;
-/// How far the eye of the sun's map is, metres; its rays are as good as parallel.
+/// Distance of the eye of the sun's map, metres; its rays are nearly parallel.
 const FAR: f32 = 400.0;
 /// The sun's radius at that distance, and half as much again for haze.
 const DISC: f32 = 0.0047 * 1.5 * FAR;
@@ -82,10 +82,10 @@ impl ShadowMap {
         made
     }
 
-    /// Draws some rows anew, with everything that depends on them; the others are right already.
+    /// Redraws some rows and everything that depends on them; the other rows are up to date.
     fn draw(&mut self, renderer: &Renderer, snapshot: &Snapshot, which: impl Iterator<Item = u32>, rows: &Range<i32>) {
         let side = self.side as i32;
-        // The rows whose clearance may have changed, and the rows from which that follows.
+        // The rows whose clearance may have changed, and the rows that are needed to compute it.
         let changed = grown(rows, REACH + 1, side);
         let drawn = grown(&changed, REACH + 1, side);
         let frustum = Frustum::new(&self.camera, &drawn);
@@ -102,7 +102,7 @@ impl ShadowMap {
         self.measure(&changed);
     }
 
-    /// Finds the ends of depth of blocks anew, in some rows of texels and around.
+    /// Updates the depth ranges of the blocks in and around some rows of texels.
     fn measure(&mut self, rows: &Range<i32>) {
         let (block, across) = (BLOCK as i32, (self.side / BLOCK) as i32);
         let changed = grown(&(rows.start / block..(rows.end + block - 1) / block), 1, across);
@@ -116,7 +116,7 @@ impl ShadowMap {
         self.blocks[at(changed.start)..at(changed.end)].copy_from_slice(&found[first..first + count]);
     }
 
-    /// The map of another moment, at which some instances are elsewhere; `None` if the map is the same.
+    /// The map at another moment, at which some instances have moved; `None` if the map is unchanged.
     pub(super) fn followed(
         &self,
         renderer: &Renderer,
@@ -133,7 +133,7 @@ impl ShadowMap {
         Some(map)
     }
 
-    /// The rows in which an instance may be the nearest; `None` if everything else there is nearer.
+    /// The rows in which an instance may be the nearest; `None` if something else is nearer everywhere.
     fn rows_of(&self, frustum: &Frustum, instance: &Instance) -> Option<Range<i32>> {
         if frustum.misses(&instance.ball) {
             return None;
@@ -147,7 +147,7 @@ impl ShadowMap {
         (!hidden).then_some(seen.low[1]..seen.high[1] + 1)
     }
 
-    /// The sun's, over everything within a ball.
+    /// The sun's map of everything within a sphere.
     pub(super) fn sun(
         renderer: &Renderer,
         snapshot: &Snapshot,
@@ -164,13 +164,13 @@ impl ShadowMap {
     }
 }
 
-/// Some rows with `by` more on each side, within all there are.
+/// A range of rows extended by `by` on each side, within all there are.
 fn grown(rows: &Range<i32>, by: i32, all: i32) -> Range<i32> {
     (rows.start - by).max(0)..(rows.end + by).min(all)
 }
 
-/// Depths row by row, with their clearance in the lowest bits; a clearance is right if it does not reach beyond the
-/// rows.
+/// Depths row by row, with clearances in the lowest bits; a clearance is correct only as far as it does not
+/// reach beyond the rows.
 fn depths(target: &Target, (side, rows): (i32, &Range<i32>), slack: f32) -> Vec<f32> {
     let width = side as usize;
     let mut clear = vec![0; width * rows.len()];
@@ -188,7 +188,7 @@ fn depths(target: &Target, (side, rows): (i32, &Range<i32>), slack: f32) -> Vec<
     inverse.zip(clear).map(depth).collect()
 }
 
-/// Marks texels of a row which lie between their neighbours, up to so many metres.
+/// Marks texels of a row whose depth is the mean of their neighbours', up to a tolerance in metres.
 #[inline(always)]
 fn even([above, own, below]: [&[f32]; 3], slack: f32, out: &mut [u8]) {
     let count = out.len() - 2;
@@ -198,19 +198,19 @@ fn even([above, own, below]: [&[f32]; 3], slack: f32, out: &mut [u8]) {
     for x in 0..count {
         let twice = 2.0 * middle[x];
         let bends = ((left[x] + right[x] - twice).abs()).max((above[x] + below[x] - twice).abs());
-        // How inverse depth changes with depth.
+        // The derivative of inverse depth with respect to depth.
         out[x] = if bends <= slack * middle[x] * middle[x] { CLEAR as u8 } else { 0 };
     }
 }
 
-/// How far the nearest zero is along an axis, if it is nearer than a number says.
+/// Distance to the nearest zero along an axis, if it is less than the number there.
 fn spread(from: &[u8], stride: usize) -> Vec<u8> {
     const PART: usize = 4096;
     let mut near = from.to_vec();
     near.par_chunks_mut(PART).enumerate().for_each(|(part, near)| {
         let (start, end) = (part * PART, part * PART + near.len());
         for by in 1..=REACH as usize {
-            // Texels at the border are zero, so none beyond is missed.
+            // Texels at the border are zero, so a zero beyond them need not be found.
             let after = from.get(start + by * stride..).unwrap_or(&[]);
             let missing = (by * stride).saturating_sub(start).min(near.len());
             let before = &from[(start + missing).saturating_sub(by * stride)..end.saturating_sub(by * stride)];
@@ -226,7 +226,7 @@ fn spread(from: &[u8], stride: usize) -> Vec<u8> {
     near
 }
 
-/// Lowers numbers to others, which count for no less than so much.
+/// Lowers numbers to others, which count as no less than `least`.
 #[inline(always)]
 fn lower(these: &mut [u8], others: &[u8], least: u8) {
     these.iter_mut().zip(others).for_each(|(this, other)| *this = (*this).min((*other).max(least)));
@@ -240,7 +240,7 @@ fn blocks(depth: &[f32]) -> Vec<[f32; 2]> {
     depth.par_chunks((BLOCK * BLOCK) as usize).map(ends).collect()
 }
 
-/// The same of every block and those around it.
+/// Least and greatest depth of every block and its neighbours.
 fn widened(blocks: &[[f32; 2]], across: usize) -> Vec<[f32; 2]> {
     let around = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
     let wide = |i: usize| {
@@ -254,7 +254,7 @@ fn widened(blocks: &[[f32; 2]], across: usize) -> Vec<[f32; 2]> {
 impl Cube {
     pub(super) fn new(renderer: &Renderer, snapshot: &Snapshot, which: &[u32], at: [f32; 3], radius: f32) -> Self {
         let eye = Point3::from(at);
-        // A little more than a right angle, so that samples at the border stay within.
+        // The field of view is a little more than a right angle, so that samples at the border stay within.
         let focal = 0.5 * LAMP as f32 * 0.95;
         let centre = 0.5 * LAMP as f32;
         let camera = Camera { near: 0.02, ..Camera::with_intrinsics(LAMP, LAMP, (focal, focal), (centre, centre)) };
@@ -266,7 +266,7 @@ impl Cube {
         Self((0..6).map(face).collect())
     }
 
-    /// The maps of another moment, as [`ShadowMap::followed`] makes them.
+    /// The maps at another moment, as [`ShadowMap::followed`] makes them.
     pub(super) fn followed(
         &self,
         renderer: &Renderer,

@@ -7,13 +7,13 @@ use crate::raster::Visible;
 use crate::scene::{Body, Instance, NO_ROOM, Snapshot, Stands};
 use crate::trace::Ray;
 
-/// Distance from a door's or wall's surface at which a point is in the room before it, metres.
+/// Distance from the surface of a door or wall to a point that is in the room before it, metres.
 const AHEAD: f32 = 0.3;
-/// Cosine between a face's normal and a leaf's below which the face looks along the leaf.
+/// Cosine between a face's normal and a door leaf's below which the face looks along the leaf.
 const ALONG: f32 = 0.3;
 
 impl Lighting {
-    /// The room whose light falls on a triangle that is seen from somewhere.
+    /// The room whose light falls on a visible triangle.
     pub(crate) fn room_seen(&self, snapshot: &Snapshot, seen: &Visible, eye: [f32; 3]) -> u16 {
         let instance = &snapshot.instances[seen.instance as usize];
         let body = &snapshot.bodies[instance.body as usize];
@@ -25,14 +25,14 @@ impl Lighting {
         let at = affine::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
         let normal = unit(affine::normal(&instance.inverse, mesh.normals[index][0]));
         match body.stands {
-            // An eye sees only the near side of a body that reaches through a wall.
+            // The eye sees only the near side of a body that reaches through a wall.
             Stands::Between => self.room_beside(instance, (at, eye), normal).unwrap_or(body.room),
             _ => self.room_of(body, instance, at, normal),
         }
     }
 
-    /// The room whose light falls on a face of a body: the body's own, or, if the body stands between two rooms or
-    /// bounds its room, the one that the face looks into.
+    /// The room whose light falls on a face of a body: the body's own, or, if the body stands between two rooms
+    /// or bounds its room, the one that the face looks into.
     pub(crate) fn room_of(&self, body: &Body, instance: &Instance, at: [f32; 3], normal: [f32; 3]) -> u16 {
         match body.stands {
             Stands::Within => body.room,
@@ -41,8 +41,9 @@ impl Lighting {
         }
     }
 
-    /// The room before a face of a leaf or a frame, wherever its joint has it. A face that looks along the leaf, as
-    /// those at the edges of panels, belongs to the room on the side of it that a place is on.
+    /// The room before a face of a door leaf or frame, wherever its joint has moved it. A face that looks along
+    /// the leaf, such as one at the edge of a panel, belongs to the room on the side of the leaf where the
+    /// point `from` lies.
     fn room_beside(&self, leaf: &Instance, (at, from): ([f32; 3], [f32; 3]), normal: [f32; 3]) -> Option<u16> {
         let world = leaf.world.narrow();
         let out = unit(affine::vector(&world, [1.0, 0.0, 0.0]));
@@ -60,7 +61,8 @@ impl Lighting {
         room(ahead(normal)).or_else(open).or_else(aside)
     }
 
-    /// The room before a face of a room's wall: its own, another, or none if it looks out into the open.
+    /// The room before a face of a room's wall: its own room, another, or none if the face looks out into the
+    /// open.
     fn room_before(&self, own: u16, at: [f32; 3], normal: [f32; 3]) -> u16 {
         let ahead = three(|i| at[i] + AHEAD * normal[i]);
         if self.rooms.get(usize::from(own)).is_none_or(|(low, high)| holds(low, high, ahead)) {
@@ -70,25 +72,25 @@ impl Lighting {
         self.room_around(ahead).map_or_else(open, |room| room as u16)
     }
 
-    /// Whether it is under the open sky before a face, past the wall that it may be set in.
+    /// Whether there is open sky above a point before a face, beyond the wall that the face may be set in.
     fn is_open(&self, at: [f32; 3], normal: [f32; 3]) -> bool {
         let from = three(|i| at[i] + 2.0 * AHEAD * normal[i]);
         !self.tracer.blocked(&Ray { from, along: [0.0, 0.0, 1.0], end: 1e4 })
     }
 
-    /// The room that a place is in.
+    /// The room that contains a point.
     pub(super) fn room_around(&self, at: [f32; 3]) -> Option<usize> {
         let within = |room: &usize| {
             let (low, high) = &self.rooms[*room];
             holds(low, high, at)
         };
-        // Boxes of rooms with corners reach over their neighbours.
+        // Boxes of rooms that are not convex reach over their neighbours, so the smallest box wins.
         let rooms = (0..self.rooms.len().saturating_sub(1)).filter(within);
         rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b)))
     }
 }
 
-/// Whether a box holds a point.
+/// Whether a box contains a point.
 fn holds(low: &[f32; 3], high: &[f32; 3], at: [f32; 3]) -> bool {
     (0..3).all(|k| at[k] >= low[k] && at[k] <= high[k])
 }

@@ -1,12 +1,12 @@
-//! The sky, the sun and the ground before the house.
+//! The sky, the sun and the ground outside the house.
 
 use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 
 use crate::RenderError;
 
-/// The light outside: radiance in units of 5000 candela per square metre, about that of an overcast sky, linear
-/// RGB; light on a surface (of the sun) in those times steradians, 5000 lux.
+/// The light outside. Radiance is in units of 5000 candela per square metre, about that of an overcast sky,
+/// linear RGB; the sun's irradiance is in these units times steradians, 5000 lux.
 ///
 /// ```
 /// use vc_render::Daylight;
@@ -18,9 +18,9 @@ use crate::RenderError;
 pub struct Daylight {
     /// Direction to the sun, unit length.
     pub towards_sun: Vector3<f32>,
-    /// Light of the sun on a surface that faces it, linear RGB.
+    /// Irradiance of the sun on a surface that faces it, linear RGB.
     pub sun: Vector3<f32>,
-    /// Radiance of the sky above.
+    /// Radiance of the sky at the zenith.
     pub zenith: Vector3<f32>,
     /// Radiance of the sky at the horizon.
     pub horizon: Vector3<f32>,
@@ -32,19 +32,19 @@ pub struct Daylight {
 const NOON: (f32, f32) = (0.85, 0.7);
 /// Least elevation of the sun while it lights a home, radians.
 const LOW: f32 = 0.12;
-/// Radiance of the sky above below which people switch lamps on.
+/// Radiance of the zenith below which people switch lamps on.
 const DARK: f32 = 0.1;
-/// When dusk begins and ends, hours from midday.
+/// Beginning and end of dusk, hours from midday.
 const DUSK: (f32, f32) = (5.5, 7.5);
 
 impl Daylight {
-    /// A clear day with the sun at an elevation above the horizon and an azimuth
-    /// from X towards Y, radians. The lower the sun, the redder: by the air that its light passes (Kasten and Young's
-    /// formula, rounded).
+    /// A clear day with the sun at an elevation above the horizon and an azimuth from X towards Y, radians. The
+    /// lower the sun, the redder it is, by the air mass that its light passes (Kasten and Young's formula,
+    /// rounded).
     pub fn clear(elevation: f32, azimuth: f32) -> Self {
         let (rise, level) = elevation.sine_cosine();
         let (s, c) = azimuth.sine_cosine();
-        // Air the light passes (Kasten and Young's formula, rounded), and what each colour loses in it.
+        // The air mass (Kasten and Young's formula, rounded), and the transmission of each colour through it.
         let air = 1.0 / (rise.max(0.0) + 0.05);
         let through = Vector3::new(0.12, 0.19, 0.32).map(|k: f32| (-k * air).exponential());
         let day = (rise * 1.6).clamp(0.0, 1.0);
@@ -60,14 +60,15 @@ impl Daylight {
         }
     }
 
-    /// A clear day, the sun high.
+    /// A clear day with the sun high.
     pub fn noon() -> Self {
         Self::clear(NOON.0, NOON.1)
     }
 
-    /// A clear day's light at an hour of the day, 0 to 24: [`noon`](Self::noon) at 12, the sun half as high at 8 in the
-    /// east and at 16 in the west, dusk from 17.5 to 19.5, [`night`](Self::night), and dawn from 4.5 to 6.5. Hours
-    /// beyond 0 to 24 are those of the day before or after; an hour that is no finite number is midday.
+    /// A clear day's light at an hour of the day, 0 to 24: [`noon`](Self::noon) at 12; the sun half as high at
+    /// 8 in the east and at 16 in the west; dusk from 17.5 to 19.5; [`night`](Self::night); and dawn from 4.5
+    /// to 6.5. Hours beyond 0 to 24 wrap around to the day before or after; an hour that is not finite counts
+    /// as midday.
     ///
     /// ```
     /// use vc_render::Daylight;
@@ -88,7 +89,7 @@ impl Daylight {
         match since {
             s if s <= 0.0 => day,
             s if s < 1.0 => {
-                // Light falls off by the same share in the same time.
+                // Light falls off exponentially.
                 let between = |day: Vector3<f32>, night: Vector3<f32>| {
                     day.zip_map(&night, |day, night| day.max(night) * (night / day.max(night)).power(s))
                 };
@@ -100,20 +101,21 @@ impl Daylight {
         }
     }
 
-    /// An even grey sky, no sun.
+    /// An evenly grey sky without sun.
     pub fn overcast() -> Self {
         let grey = Vector3::new(0.95, 1.0, 1.06);
         Self { sun: Vector3::zeros(), zenith: grey * 1.2, horizon: grey * 0.7, ..Self::clear(0.85, 0.7) }
     }
 
-    /// Darkness, but for a little light of the sky.
+    /// Darkness, except for a little light of the sky.
     pub fn night() -> Self {
-        // A town's night sky, some tenths of a candela per square metre: far darker than walls by lamplight.
+        // The night sky of a town has some tenths of a candela per square metre: it is far darker than walls by
+        // lamplight.
         let dark = Vector3::new(1.0e-5, 1.5e-5, 3.0e-5);
         Self { sun: Vector3::zeros(), zenith: dark, horizon: dark * 1.8, ground: dark * 0.4, ..Self::noon() }
     }
 
-    /// Whether people would have their lamps on: after sunset and before sunrise, or under as dark a sky.
+    /// Whether people would have their lamps on: after sunset and before sunrise, or under an equally dark sky.
     ///
     /// ```
     /// use vc_render::Daylight;
@@ -140,7 +142,7 @@ impl Daylight {
         if there { Ok(()) } else { Err(RenderError::BadDaylight("direction to the sun is to be of unit length")) }
     }
 
-    /// Radiance from a direction of unit length, without the sun itself.
+    /// Radiance from a direction of unit length, without the sun's disc.
     pub(crate) fn radiance(&self, towards: [f32; 3]) -> [f32; 3] {
         let rise = towards[2];
         if rise < 0.0 {

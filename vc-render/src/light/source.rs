@@ -1,4 +1,4 @@
-//! Light as other programs know it: points and directions.
+//! Light sources for other programs: points and directions.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::NodeId;
@@ -6,7 +6,7 @@ use vc_graph::NodeId;
 use super::lamp::LUMENS;
 use super::{Lighting, brightness};
 
-/// A source of light without extent, in photometric units, from [`Lighting::sources`].
+/// A light source without extent, in photometric units, from [`Lighting::sources`].
 ///
 /// ```
 /// # use std::sync::Arc;
@@ -51,20 +51,20 @@ use super::{Lighting, brightness};
 pub enum Source {
     /// The sun.
     Sun {
-        /// Direction to it, unit length.
+        /// Direction to the sun, unit length.
         towards: Vector3<f32>,
-        /// Linear RGB, the greatest of them one.
+        /// Linear RGB; the greatest component is one.
         colour: [f32; 3],
-        /// Light on a surface that faces it, lux.
+        /// Illuminance on a surface that faces it, lux.
         lux: f32,
     },
     /// A lamp that is on.
     Lamp {
-        /// Which node.
+        /// The lamp's node.
         node: NodeId,
-        /// The middle of what glows.
+        /// Centre of its luminous parts.
         at: Point3<f32>,
-        /// Linear RGB, the greatest of them one.
+        /// Linear RGB; the greatest component is one.
         colour: [f32; 3],
         /// Mean intensity over all directions, candela.
         candela: f32,
@@ -72,11 +72,11 @@ pub enum Source {
 }
 
 impl Lighting {
-    /// The sun and the lamps that are on, as points and directions. What the sky and glowing things
-    /// that are no lamps bring is not among them. Costs a few operations for each lamp that is on.
+    /// The sun and the lamps that are on, as directions and points. Light of the sky and of luminous things
+    /// that are not lamps is not included. Costs a few operations for each lamp that is on.
     pub fn sources(&self) -> Vec<Source> {
         let hue = |c: [f32; 3]| c.map(|v| v / c.iter().fold(1e-9_f32, |m, v| m.max(*v)));
-        // Of a colour whose greatest part is one, what makes that light of it.
+        // The intensity that gives this light when multiplied with a colour whose greatest component is one.
         let strength = |c: [f32; 3]| LUMENS * brightness(c) / brightness(hue(c)).max(1e-9);
         let sun: [f32; 3] = self.daylight.sun.into();
         let shines = self.daylight.check().is_ok() && self.daylight.sun.norm_squared() > 0.0;

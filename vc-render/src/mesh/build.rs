@@ -1,4 +1,4 @@
-//! Cutting triangles into clusters.
+//! Building of meshes: triangles are split into clusters.
 
 use std::collections::HashMap;
 
@@ -8,21 +8,21 @@ use super::cluster::cone;
 use super::{Bounds, Cluster, Face, MOST, Mesh};
 use crate::affine;
 
-/// A part's triangles, in the asset's frame, and what they look like.
+/// A part's triangles, in the asset's frame, with its surface.
 pub(crate) struct Source {
     pub(crate) mesh: TriangleMesh,
     pub(crate) part: u16,
     pub(crate) surface: u16,
     pub(crate) clear: bool,
-    /// Whether it is a sheet with its two sides in one place.
+    /// Whether it is a sheet, whose two sides are in the same place.
     pub(crate) sheet: bool,
 }
 
-/// A triangle on its way into a cluster.
+/// A triangle before clustering.
 struct Loose {
     corners: [[f32; 3]; 3],
     middle: [f32; 3],
-    /// Which way it looks; zero where it has no area.
+    /// Its normal; zero if it has no area.
     normal: [f32; 3],
     face: Face,
     normals: [[f32; 3]; 3],
@@ -30,7 +30,7 @@ struct Loose {
 }
 
 impl Mesh {
-    /// Clusters of the parts' triangles, opaque parts first.
+    /// Builds clusters of the parts' triangles, opaque parts first.
     pub(crate) fn build(sources: &[Source]) -> Self {
         let mut mesh = Self::default();
         for clear in [false, true] {
@@ -47,7 +47,7 @@ impl Mesh {
         mesh
     }
 
-    /// Halves at the median of the longest side until they are small enough.
+    /// Splits at the median along the longest side until clusters are small enough.
     fn split(&mut self, loose: &mut [Loose]) {
         if loose.len() <= MOST {
             return self.push(loose);
@@ -123,7 +123,7 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
     })
 }
 
-/// Which way something faces, in steps of an eighth; never zero.
+/// The direction of a normal, quantized in steps of an eighth; never zero.
 fn facet(normal: [f32; 3]) -> u16 {
     let [x, y, z] = normal.map(|v| ((v * 8.0).round() as i32 + 9) as u16);
     x << 10 | y << 5 | z

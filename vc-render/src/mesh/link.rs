@@ -1,4 +1,4 @@
-//! Assets as links: the parts that move together.
+//! Links: groups of an asset's parts that move together.
 
 use std::sync::Arc;
 
@@ -8,39 +8,42 @@ use vc_graph::{Asset, TriangleMesh};
 use super::simplify::Simplifier;
 use super::{Mesh, Source};
 
-/// Largest distance of curves from their chords at each level of detail, metres; meshes of triangles
-/// are as they are at the first.
+/// Greatest distance of curves from their chords at each level of detail, metres; triangle meshes are unchanged
+/// at the first.
 pub(crate) const TOLERANCES: [f32; 5] = [0.0005, 0.001, 0.002, 0.008, 0.03];
 
 /// Parts of an asset that move together, at every level of detail.
 #[derive(Debug, Clone)]
 pub(crate) struct Link {
     pub(crate) joint: Option<Joint>,
-    /// Whether a cover hangs from it: it stays as it is when that is drawn.
+    /// Whether it is the head of a window cover: the cover hangs from it, and it does not move when the cover
+    /// is drawn.
     pub(crate) head: bool,
-    /// The most detailed one first.
+    /// Levels of detail, the finest first.
     pub(crate) levels: [Arc<Mesh>; TOLERANCES.len()],
 }
 
-/// What a part looks like.
+/// The surface of a part.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Finish {
     pub(crate) surface: u16,
-    /// Whether one sees through it.
+    /// Whether it is transparent.
     pub(crate) clear: bool,
-    /// Whether a picture lies on it.
+    /// Whether it has an image texture.
     pub(crate) pictured: bool,
 }
 
-/// A part's position and looks.
+/// A part's index and its surface.
 type Look = (usize, Finish);
 
-/// How far below a cover's top its head may end, metres, and what share of its height that has at most.
+/// Greatest distance of a head's upper end from the top of its cover, metres, and greatest share of the cover's
+/// height that a head has.
 const HEAD: (f32, f32) = (0.005, 0.4);
 
-/// The links of an asset, the one without a joint first where there is one; of a `cover` its head is one of its own.
+/// The links of an asset, the one without a joint first if there is one; the head of a `cover` is a separate
+/// link.
 ///
-/// `finish` tells what a part looks like.
+/// `finish` gives the surface of a part.
 pub(crate) fn links(asset: &Asset, cover: bool, mut finish: impl FnMut(&Part) -> Finish) -> Vec<Link> {
     type Key = (Option<Joint>, bool);
     let whole = if cover { asset.extent().map(|(low, high)| (low.z, high.z)) } else { None };
@@ -62,7 +65,7 @@ fn is_head(part: &Part, (bottom, top): (f32, f32)) -> bool {
     high.z > top - HEAD.0 && high.z - low.z < HEAD.1 * (top - bottom)
 }
 
-/// A part of an asset as a link of its own.
+/// A part of an asset as a separate link.
 pub(crate) fn single(asset: &Asset, part: usize, finish: Finish) -> Link {
     Link { joint: asset.parts[part].joint, head: false, levels: levels(asset, &[(part, finish)]) }
 }
@@ -78,11 +81,11 @@ fn levels(asset: &Asset, looks: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
     })
 }
 
-/// A part that gets coarser from level to level.
+/// A part that becomes coarser from level to level.
 struct Coarser<'a> {
     part: &'a Part,
     look: Look,
-    /// Of a mesh, after its first level.
+    /// For a simplified mesh, after its first level.
     simplifier: Option<Simplifier>,
 }
 
@@ -104,12 +107,12 @@ impl<'a> Coarser<'a> {
         if !pictured {
             mesh.uvs = Vec::new();
         }
-        // Pictures would slip over what gets coarser.
+        // Textured meshes are not simplified, as their textures would slip.
         if free && !pictured && self.simplifier.is_none() {
             self.simplifier = Some(Simplifier::new(&mesh));
         }
         mesh = mesh.transformed(&self.part.pose);
-        // What is not closed has two sides; all other shapes are closed.
+        // A mesh that is not closed gets a second side; all other shapes are closed.
         let sheet = free && !mesh.is_closed();
         if sheet {
             mesh.append(&turned_over(&mesh));

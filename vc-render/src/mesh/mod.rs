@@ -1,4 +1,4 @@
-//! Meshes as they are uploaded: triangles in clusters of nearby ones, once per asset.
+//! Meshes as uploaded once for each asset: clusters of nearby triangles.
 
 mod build;
 mod cluster;
@@ -14,64 +14,64 @@ pub(crate) use link::{Finish, Link, TOLERANCES, links, single};
 use crate::affine::{Affine, three};
 use crate::trace::Bvh;
 
-/// Most triangles of a cluster, so that their corners fit in a byte.
+/// Greatest number of triangles in a cluster, so that a byte can index their corners.
 pub(crate) const MOST: usize = 85;
 
 /// Triangles of one link of an asset at one level of detail, in the asset's frame.
 #[derive(Debug, Default)]
 pub(crate) struct Mesh {
-    /// Opaque ones first.
+    /// Clusters, the opaque ones first.
     pub(crate) clusters: Vec<Cluster>,
-    /// How many clusters are opaque.
+    /// Number of opaque clusters.
     pub(crate) opaque: usize,
     /// Vertices by cluster, one list for each axis.
     pub(crate) axes: [Vec<f32>; 3],
-    /// Corners of triangles, counted from their cluster's first vertex.
+    /// Corners of triangles as indices relative to their cluster's first vertex.
     pub(crate) corners: Vec<[u8; 3]>,
-    /// What else there is to know about a triangle.
+    /// A triangle's remaining attributes.
     pub(crate) faces: Vec<Face>,
-    /// Normals at the corners of triangles, unit length. Apart, as few ask for them.
+    /// Normals at the corners of triangles, unit length; stored separately, as they are rarely needed.
     pub(crate) normals: Vec<[[f32; 3]; 3]>,
-    /// Where the corners of triangles are in their surface's picture; empty if none has one.
+    /// Texture coordinates at the corners of triangles; empty if no surface is textured.
     pub(crate) uvs: Vec<[[f32; 2]; 3]>,
-    /// The box around all, in the asset's frame.
+    /// The bounding box in the asset's frame.
     pub(crate) bounds: Bounds,
-    /// Trees for rays, once they are needed.
+    /// Trees for ray casting, built on first use.
     pub(crate) trees: OnceLock<[Bvh; 2]>,
 }
 
-/// A box by its middle and half its lengths.
+/// A box, by its centre and half its lengths.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Bounds {
     pub(crate) centre: [f32; 3],
     pub(crate) half: [f32; 3],
 }
 
-/// Around something in the world.
+/// A bounding sphere in the world.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Ball {
     pub(crate) middle: [f32; 3],
     pub(crate) radius: f32,
 }
 
-/// What a triangle looks like and belongs to.
+/// Attributes of a triangle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Face {
     /// Index of the part in the asset.
     pub(crate) part: u16,
     /// Index in the renderer's list of surfaces.
     pub(crate) surface: u16,
-    /// Which way it faces, in steps of an eighth; zero if its normals are not all the same.
+    /// Direction of its normal in steps of an eighth; zero if its corner normals differ.
     pub(crate) facet: u16,
-    /// Whether it is of a sheet: another triangle that looks the other way is in the same place.
+    /// Whether it belongs to a sheet: another triangle that faces the other way is in the same place.
     pub(crate) sheet: bool,
-    /// The axis of the asset along which its part is longest, and the one along which it faces.
+    /// The asset's axis along which its part is longest, and the axis along which it faces.
     pub(crate) grain: u8,
     pub(crate) axis: u8,
 }
 
 impl Face {
-    /// Whether its normals are all the same.
+    /// Whether its corner normals are equal.
     #[inline(always)]
     pub(crate) fn is_flat(&self) -> bool {
         self.facet != 0
@@ -79,7 +79,7 @@ impl Face {
 }
 
 impl Bounds {
-    /// Around points; an empty box at the origin around none.
+    /// The bounding box of points; for no points, an empty box at the origin.
     pub(crate) fn around(points: impl Iterator<Item = [f32; 3]>) -> Self {
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for p in points {
@@ -93,7 +93,7 @@ impl Bounds {
         Self { centre: [0, 1, 2].map(|i: usize| low[i] + half[i]), half }
     }
 
-    /// The ball around the box where a map takes it.
+    /// The bounding sphere of the mapped box.
     pub(crate) fn ball(&self, world: &Affine) -> Ball {
         let middle = world.point(self.centre.map(f64::from)).map(|v| v as f32);
         let side = |c: usize| three(|r| world.0[r][c] as f32 * self.half[c]);
@@ -104,7 +104,7 @@ impl Bounds {
         Ball { middle, radius: square.sqrt() }
     }
 
-    /// Around two boxes.
+    /// The bounding box of two boxes.
     pub(crate) fn joined(&self, other: &Self) -> Self {
         let corners = |b: &Self| [-1.0, 1.0].map(|s| [0, 1, 2].map(|i: usize| b.centre[i] + s * b.half[i]));
         Self::around(corners(self).into_iter().chain(corners(other)))
@@ -117,7 +117,7 @@ impl Mesh {
         self.corners.len()
     }
 
-    /// Where the corners of a triangle of a cluster are.
+    /// Corners of a triangle of a cluster.
     #[inline(always)]
     pub(crate) fn triangle(&self, cluster: &Cluster, index: usize) -> [[f32; 3]; 3] {
         let corners = &self.corners[index];
@@ -133,7 +133,7 @@ impl Mesh {
         &self.clusters[after.saturating_sub(1)]
     }
 
-    /// Bytes it takes.
+    /// Its size in bytes.
     pub(crate) fn bytes(&self) -> usize {
         self.clusters.len() * size_of::<Cluster>()
             + self.axes.iter().map(|a| a.len() * 4).sum::<usize>()

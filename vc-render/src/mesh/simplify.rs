@@ -1,7 +1,8 @@
-//! Coarser meshes: edges are collapsed while the surface stays about where it was.
+//! Mesh simplification by edge collapse while the surface stays nearly in place.
 //!
-//! Vertices go to neighbours, cheapest first, by the sum of squared distances to the planes of all
-//! triangles that have been there (Garland and Heckbert 1997), which is never less than the largest of them.
+//! Vertices are moved onto neighbours, cheapest first. The cost is the sum of squared distances to the planes
+//! of all triangles that have been there (Garland and Heckbert 1997), which is never less than the square of
+//! the greatest distance.
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -13,23 +14,23 @@ use vc_graph::asset::Shape;
 /// Least cosine of the angle by which a collapse may turn a triangle.
 const TURN: f64 = 0.5;
 
-/// A sum of squared distances to planes: the upper half of a symmetric matrix.
+/// A quadric: a sum of squared distances to planes, stored as the upper half of a symmetric matrix.
 #[derive(Debug, Clone, Copy, Default)]
 struct Quadric([f64; 10]);
 
-/// A collapse that may be done: its cost as ordered bits, which vertex goes where, and how often both
-/// had changed.
+/// A candidate collapse: its cost as ordered bits, the vertex that moves and its target, and the total of
+/// changes both had seen.
 type Entry = Reverse<(u64, u32, u32, u32)>;
 
-/// A mesh on its way to fewer triangles.
+/// A mesh being simplified.
 #[derive(Debug, Default)]
 pub(super) struct Simplifier {
     points: Vec<Point3<f32>>,
     triangles: Vec<Option<[u32; 3]>>,
-    /// By vertex, its triangles.
+    /// Triangles around each vertex.
     around: Vec<Vec<u32>>,
     quadrics: Vec<Quadric>,
-    /// Vertices that stay.
+    /// Vertices that must not move.
     fixed: Vec<bool>,
     changes: Vec<u32>,
     heap: BinaryHeap<Entry>,
@@ -90,7 +91,8 @@ impl Simplifier {
         }
     }
 
-    /// Edges of one triangle stay where they are by planes across them; those of more than two stay.
+    /// Adds planes across border edges, which keep these in place, and fixes the vertices of edges with more
+    /// than two triangles.
     fn borders(&mut self) {
         let mut edges: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * self.triangles.len());
         for (index, [a, b, c]) in (0..).zip(self.triangles.iter().flatten().copied()) {
@@ -112,7 +114,7 @@ impl Simplifier {
         }
     }
 
-    /// Normal of a triangle, as long as twice its area.
+    /// Normal of a triangle, with twice its area as length.
     fn normal(&self, corners: [u32; 3]) -> Vector3<f64> {
         let [a, b, c] = corners.map(|v| self.points[v as usize].cast::<f64>());
         (b - a).cross(&(c - a))
@@ -130,7 +132,7 @@ impl Simplifier {
         all
     }
 
-    /// Puts down what it costs to collapse the edges of a vertex, either way.
+    /// Pushes the costs of collapsing a vertex's edges, in both directions.
     fn offer(&mut self, vertex: u32) {
         for other in self.neighbours(vertex) {
             let mut both = self.quadrics[vertex as usize];
@@ -145,7 +147,7 @@ impl Simplifier {
         }
     }
 
-    /// Collapses edges while the surface moves by no more than this, metres.
+    /// Collapses edges while the surface moves by at most this tolerance, metres.
     pub(super) fn collapse(&mut self, tolerance: f32) {
         let most = f64::from(tolerance) * f64::from(tolerance);
         while let Some(Reverse((cost, from, to, stamp))) = self.heap.peek().copied() {
@@ -160,7 +162,7 @@ impl Simplifier {
         }
     }
 
-    /// Whether the surface stays one surface, and none of it turns over.
+    /// Whether a collapse keeps the surface a manifold and flips no triangle.
     fn allowed(&self, from: u32, to: u32) -> bool {
         let others = self.neighbours(to);
         let shared = self.neighbours(from).iter().filter(|v| others.binary_search(v).is_ok()).count();
@@ -192,7 +194,7 @@ impl Simplifier {
         self.offer(to);
     }
 
-    /// What is left, with normals of its own.
+    /// The remaining mesh, with new normals.
     pub(super) fn mesh(&self) -> TriangleMesh {
         let triangles = self.triangles.iter().flatten().copied().collect();
         Shape::Mesh { vertices: self.points.clone(), triangles, uvs: Vec::new() }.mesh(0.0)

@@ -1,23 +1,23 @@
-//! How much of light from all sides a gloss throws back, so that none is lost or made.
+//! Albedo of the microfacet gloss: the share of diffuse light that it reflects, used to conserve energy.
 
 use std::sync::LazyLock;
 
 use super::scatter::Gloss;
 
-/// Entries by cosine and by roughness.
+/// Number of table entries by cosine and by roughness.
 const COSINES: usize = 32;
 const ROUGHNESSES: usize = 17;
-/// Directions for each entry.
+/// Number of directions sampled for each entry.
 const DIRECTIONS: usize = 1024;
 
-/// Shares of light thrown back: what there is head on and what there is more of at the edge
-/// (Karis's split of Schlick's formula, 2013).
+/// Scale and bias of the reflected share: for the reflectance at normal incidence, and the addition at grazing
+/// angles (Karis's split of Schlick's formula, 2013).
 pub(super) type Shares = [f32; 2];
 
 struct Table {
     /// By roughness, then by the square root of the cosine.
     shares: Vec<Shares>,
-    /// The mean over all cosines, by roughness.
+    /// Means over all cosines, by roughness.
     means: Vec<Shares>,
 }
 
@@ -34,7 +34,7 @@ impl Table {
     }
 }
 
-/// Twice the integral over the cosine times it.
+/// Cosine-weighted mean over the hemisphere: twice the integral of the share times the cosine.
 fn mean(row: &[Shares]) -> Shares {
     let cosine = |i: usize| (i as f32 / (COSINES - 1) as f32) * (i as f32 / (COSINES - 1) as f32);
     let piece = |k: usize, i: usize| {
@@ -44,7 +44,7 @@ fn mean(row: &[Shares]) -> Shares {
     [0, 1].map(|k: usize| (0..COSINES - 1).map(|i| piece(k, i)).sum())
 }
 
-/// The shares at a cosine and a roughness.
+/// The shares at a cosine and a roughness, interpolated.
 pub(super) fn shares(cosine: f32, roughness: f32) -> Shares {
     let (row, down) = place(roughness, ROUGHNESSES);
     let (column, across) = place(cosine.max(0.0).sqrt(), COSINES);
@@ -53,13 +53,13 @@ pub(super) fn shares(cosine: f32, roughness: f32) -> Shares {
     [0, 1].map(|k: usize| mix(mix(a[k], b[k], across), mix(c[k], d[k], across), down))
 }
 
-/// Their means over all directions.
+/// The mean shares over all directions at a roughness.
 pub(super) fn mean_shares(roughness: f32) -> Shares {
     let (row, down) = place(roughness, ROUGHNESSES);
     [0, 1].map(|k: usize| mix(TABLE.means[row][k], TABLE.means[row + 1][k], down))
 }
 
-/// The entry below a number from 0 to 1, and how far it is to the next.
+/// The table entry below a number from 0 to 1, and the fraction of the way to the next.
 fn place(x: f32, count: usize) -> (usize, f32) {
     let x = x.clamp(0.0, 1.0) * (count - 1) as f32;
     let cell = (x as usize).min(count - 2);

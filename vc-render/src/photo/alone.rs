@@ -1,6 +1,6 @@
-//! Pieces of pixels that no neighbour is like, in round glass or where things are finer than pixels: smoothing along
-//! surfaces leaves them as noisy as they are. They get the light around them, the more the noisier they are, and
-//! all together as much as was found.
+//! Isolated pieces of pixels, which resemble no neighbour: in round glass, or where things are smaller than
+//! pixels. Smoothing along surfaces would leave them noisy. They are blended with the light around them, the
+//! more the noisier they are, and then scaled so that together they stay as bright as the paths found them.
 
 use rayon::prelude::*;
 
@@ -9,18 +9,19 @@ use super::path::SCATTERED;
 use crate::affine::three;
 use crate::light::brightness;
 
-/// Pieces that are like fewer whole pixels of the eight around them are alone: along a line two are.
+/// A piece is isolated if the pieces like it around it fill less than this many whole pixels: a piece along a
+/// line has two.
 const FEW: f32 = 1.0;
-/// How far away, pixels, light is taken from, and others with which it shares what light was found.
+/// Distance up to which light is averaged, and up to which isolated pieces share their brightness, pixels.
 const REACH: i32 = 2;
 const SHARING: i32 = 3;
-/// Noise, in shares of the light, at which half is of around.
+/// Relative noise at which the light around counts half.
 const NOISY: f32 = 0.15;
-/// How many paths have to find light for it to count as much as what lies around: there is less noise in that.
+/// Number of paths needed for their light to count as much as the smoothed light, which is less noisy.
 const TRUSTED: f32 = 200.0;
 
 impl Plane<'_> {
-    /// Which pieces are like few of those around them.
+    /// For each piece, whether few pieces around are like it.
     pub(super) fn alone(&self) -> Vec<bool> {
         let kin = |index: usize| {
             let others = self.around(index, 1, 1).filter(|(dx, dy, _)| (*dx, *dy) != (0, 0));
@@ -29,7 +30,7 @@ impl Plane<'_> {
         (0..self.guides.len()).into_par_iter().map(|index| kin(index) < FEW).collect()
     }
 
-    /// Gives pieces that are alone light from around them.
+    /// Blends isolated pieces with the light around them.
     pub(super) fn mend(&self, alone: &[bool], light: &mut [[f32; 3]]) {
         let lonely: Vec<usize> = (0..alone.len()).filter(|i| alone[*i]).collect();
         let smooth = &*light;
@@ -44,7 +45,7 @@ impl Plane<'_> {
         self.even_out((alone, &lonely), light);
     }
 
-    /// Light that paths found on a piece, and the variance of its brightness in shares of that.
+    /// Light that paths found on a piece, and the variance of its brightness relative to the square of that.
     fn found(&self, index: usize) -> ([f32; 3], f32) {
         let kinds = SCATTERED.map(|kind| self.traced[index].light_of(kind));
         let light = three(|i| kinds.iter().map(|(light, _)| light[i]).sum());
@@ -52,8 +53,8 @@ impl Plane<'_> {
         (light, variance / (brightness(light) * brightness(light)).max(1e-12))
     }
 
-    /// Makes pieces that are alone as bright, together with others around that are, as what was found there: it is
-    /// darker in gaps than beside them.
+    /// Scales isolated pieces so that they, together with other isolated ones around, are as bright as the
+    /// paths found there: gaps are darker than the surfaces beside them.
     fn even_out(&self, (alone, lonely): (&[bool], &[usize]), light: &mut [[f32; 3]]) {
         let made = &*light;
         let share = |index: &usize| {
@@ -69,7 +70,7 @@ impl Plane<'_> {
         lonely.iter().zip(shares).for_each(|(index, share)| light[*index] = light[*index].map(|v| v * share));
     }
 
-    /// The mean light around a piece, on its own colour.
+    /// The mean light around a piece, recoloured with its own reflectance.
     fn mean_around(&self, light: &[[f32; 3]], index: usize) -> [f32; 3] {
         let (mut sum, mut total) = ([0.0; 3], 1e-9);
         for (.., there) in self.around(index, REACH, 1) {

@@ -1,6 +1,6 @@
-//! Covers that are drawn over windows. Light comes through them only by way of paths that go there, so that some are
-//! sent there on purpose: a path goes on in a direction that its surface chose or towards a cover, and counts with the
-//! chance of both together (one-sample multiple importance sampling, Veach 1997).
+//! Covers drawn over windows. Light comes through them only on paths that go there, so some paths are sent
+//! there deliberately: a path continues in a direction sampled either by its surface or towards a cover, and is
+//! weighted by the combined density of both (one-sample multiple importance sampling, Veach 1997).
 
 use super::path::Walk;
 use super::source::{Pane, Place, Triangle};
@@ -9,17 +9,17 @@ use crate::light::{Lighting, brightness};
 
 /// Share of paths that are sent to covers where there is no other light.
 const SENT: f32 = 0.3;
-/// How often paths are thrown back by a face, for once that light is: where there is light behind it, more paths go
-/// there, and each counts less.
+/// Probability that a path is reflected by a face, relative to the reflected share of light: more paths pass
+/// through, towards the light, and each counts less.
 const BACK: f32 = 0.5;
-/// About what share of the light behind a cover comes through.
+/// Rough share of the light behind a cover that comes through.
 const THROUGH: f32 = 0.1;
 
-/// Covers of a scene as rectangles, which need not be where the cloth is exactly.
+/// The covers of a scene as rectangles, which need not match the cloth exactly.
 #[derive(Default)]
 pub(super) struct Covers {
     halves: Vec<Pane>,
-    /// About how bright they are.
+    /// Rough estimate of their brightness.
     light: f32,
 }
 
@@ -46,18 +46,19 @@ impl Covers {
         self.halves.iter().filter(move |half| half.room == room)
     }
 
-    /// About how large the covers of its room are seen from a place; zero if there is none.
+    /// Estimated solid angle of the covers in the point's room; zero if there is none.
     pub(super) fn weight(&self, from: &Place) -> f32 {
         self.of_room(from.room).map(|half| half.weight(from)).sum()
     }
 
-    /// The share of paths that are sent to covers from a place.
+    /// The share of paths that are sent from a point towards covers.
     fn share(&self, from: &Place) -> f32 {
         let light = self.light * from.covers;
         if light > 0.0 { SENT * light / (light + from.lamps) } else { 0.0 }
     }
 
-    /// The direction to a point of a cover, chosen by about how large it is seen; none if the path is not sent there.
+    /// The direction to a point of a cover, sampled by estimated solid angle; none if the path is not sent
+    /// there.
     pub(super) fn towards(&self, from: &Place, which: f32, square: [f32; 2]) -> Option<[f32; 3]> {
         let mut left = which * from.covers / self.share(from);
         let half = self.of_room(from.room).find(|half| {
@@ -68,8 +69,8 @@ impl Covers {
         Some(crate::label::unit(affine::three(|i| at[i] - from.at[i])))
     }
 
-    /// The chance for each unit of solid angle that a path goes on in a direction, given that with which its surface
-    /// chooses it.
+    /// The probability density over solid angle that a path continues in a direction, given the density of its
+    /// surface's own sampling.
     pub(super) fn mixed(&self, own: f32, from: &Place, along: [f32; 3]) -> f32 {
         let share = self.share(from);
         if share == 0.0 {
@@ -81,7 +82,7 @@ impl Covers {
 }
 
 impl Walk {
-    /// Whether a path goes on through a face that lets a share of light through; what it counts for follows.
+    /// Decides whether a path passes a face that transmits a share of light, and adjusts the path's weight.
     pub(super) fn passes(&mut self, share: f32, choice: f32) -> bool {
         let often = 1.0 - BACK * (1.0 - share);
         let passes = choice < often;

@@ -1,12 +1,12 @@
-//! Smoothing along surfaces: an edge-avoiding wavelet (Dammertz and others 2010), that looks at
-//! how noisy each pixel is (Schied and others 2017). Light is smoothed without the colour
-//! of the surfaces, so that textures stay, and light with sharp shadows apart from all other. Each piece of a pixel
-//! in which several surfaces are is smoothed along its own, and the pixel is put together from them again; those
-//! that are like none around are left to [`alone`](super::alone).
+//! Denoising along surfaces: an edge-avoiding wavelet filter (Dammertz and others 2010) guided by the noise of
+//! each pixel (Schied and others 2017). Light is divided by surface colours before filtering, so that textures
+//! stay sharp, and light with sharp shadows is filtered apart from all other. If several surfaces meet in a
+//! pixel, each piece is filtered along its own surface, and the pixel is put together from them again; isolated
+//! pieces are left to [`alone`](super::alone).
 //!
-//! Bright pixels are rarer than dark ones where light is found by chance, and neighbours that trust what is
-//! likely would lose their light. So what smoothing has taken away is given back, spread
-//! over the surface with little regard to light.
+//! Light found by chance makes few pixels bright and many dark, and a filter that trusts typical values would
+//! lose the light of the bright ones. The energy that filtering removed is therefore given back, spread over
+//! the surface with little regard to brightness.
 
 use rayon::prelude::*;
 
@@ -15,46 +15,46 @@ use super::path::{Kind, SCATTERED};
 use crate::affine::three;
 use crate::light::brightness;
 
-/// Passes; each reaches twice as far as the one before.
+/// Number of passes; each reaches twice as far as the one before.
 const PASSES: u32 = 6;
-/// Weights of neighbours along an axis.
+/// Filter weights along an axis.
 const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
-/// Standard deviations by which light may differ in the first pass, of sharp light, of soft and of what panes reflect.
-/// It may differ more in later ones: what has been smoothed together errs together.
+/// Standard deviations by which light may differ in the first pass: for sharp light, soft light, and
+/// reflections of panes. The tolerance grows in later passes, as the errors of smoothed pixels are correlated.
 const UNLIKE: [f32; 3] = [2.0, 4.0, 2.0];
-/// Share of a piece's surroundings that is of its surface, where it goes on.
+/// Share of a piece's neighbourhood on its own surface at which energy spreads on freely.
 const ENOUGH: f32 = 0.2;
-/// How alike pieces of one surface are at least.
+/// Least similarity of pieces of one surface.
 const KIN: f32 = 0.1;
 
-/// A piece of a pixel while it is smoothed.
+/// A piece of a pixel during filtering.
 #[derive(Clone, Copy)]
 struct Soft {
-    /// Light over reflectance.
+    /// Light divided by reflectance.
     light: [f32; 3],
     /// Variance of its brightness.
     variance: f32,
-    /// How much it counts among its neighbours.
+    /// Weight among its neighbours.
     weight: f32,
 }
 
-/// What edges are told by.
+/// Features that tell edges.
 pub(super) struct Guide {
     pub(super) colour: [f32; 3],
     lie: Lie,
-    /// Share of light that glass before it reflects.
+    /// Share of light reflected by the glass in front of it.
     glass: f32,
     /// Its share of its pixel.
     pub(super) share: f32,
 }
 
-/// A picture's pieces, pixel by pixel, and how they lie.
+/// A picture's pieces, pixel by pixel, and their features.
 pub(super) struct Plane<'a> {
     pub(super) traced: Vec<&'a Traced>,
     pub(super) guides: Vec<Guide>,
     /// Pixel of each piece.
     pixels: Vec<u32>,
-    /// First piece of each pixel, and at the end how many pieces there are.
+    /// First piece of each pixel, and at the end the number of pieces.
     first: Vec<u32>,
     width: usize,
 }
@@ -86,7 +86,7 @@ pub(super) fn denoised(pixels: &[Pixel], width: usize, eye: [f32; 3]) -> Vec<[f3
 }
 
 impl Guide {
-    /// What light of a kind is coloured by.
+    /// The reflectance that colours light of a kind.
     fn under(&self, kind: Kind) -> [f32; 3] {
         if kind == Kind::Reflected { [self.glass; 3] } else { self.colour }
     }
@@ -96,7 +96,7 @@ impl Soft {
     fn of(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
         let ((light, variance), under) = (traced.light_of(kind), guide.under(kind).map(|v| v.max(1e-6)));
         let colour = brightness(under);
-        // Where there is no glass nothing is reflected, whatever it is beside it.
+        // Pieces without glass in front reflect nothing, whatever is reflected beside them.
         let weight = guide.share * if kind == Kind::Reflected { guide.glass } else { 1.0 };
         Self { light: three(|i| light[i] / under[i]), variance: variance / (colour * colour), weight }
     }
@@ -119,7 +119,8 @@ impl<'a> Plane<'a> {
         plane
     }
 
-    /// Pieces of pixels up to so many steps away that are in the picture, and how far away along both axes.
+    /// Pieces of the pixels up to `reach` steps away within the picture, with their offsets along both axes in
+    /// steps.
     #[inline(always)]
     pub(super) fn around(&self, piece: usize, reach: i32, step: i32) -> impl Iterator<Item = (i32, i32, usize)> {
         let (width, height) = (self.width as i32, (self.first.len() - 1) as i32 / self.width.max(1) as i32);
@@ -136,7 +137,7 @@ impl<'a> Plane<'a> {
         })
     }
 
-    /// How much two pieces are of the same surface, 0 to 1.
+    /// How likely two pieces are on the same surface, 0 to 1.
     #[inline(always)]
     pub(super) fn like(&self, one: usize, other: usize) -> f32 {
         self.guides[one].lie.like(&self.guides[other].lie)
@@ -145,7 +146,7 @@ impl<'a> Plane<'a> {
     /// One kind of light, smoothed.
     fn smooth(&self, kind: Kind) -> Vec<Soft> {
         let mut soft: Vec<Soft> = self.traced.iter().zip(&self.guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
-        // Few pictures show panes.
+        // Few pictures show reflections in panes.
         if soft.iter().all(|soft| soft.light == [0.0; 3]) {
             return soft;
         }
@@ -155,8 +156,8 @@ impl<'a> Plane<'a> {
         (0..PASSES).fold(soft, |soft, pass| self.smoothed(&soft, 1 << pass, unlike * (1 + pass) as f32))
     }
 
-    /// What is more than twice as bright as all of its surface in the pixels around it is as bright as the brightest
-    /// there.
+    /// Clamps fireflies: a piece more than twice as bright as all of its surface in the pixels around it
+    /// becomes as bright as the brightest of these.
     fn dim_specks(&self, soft: &mut [Soft]) {
         let bright: Vec<f32> = soft.iter().map(|s| brightness(s.light)).collect();
         soft.par_iter_mut().enumerate().for_each(|(index, piece)| {
@@ -171,8 +172,8 @@ impl<'a> Plane<'a> {
         });
     }
 
-    /// Each piece is as noisy as those around it: where paths are few, one may have found no
-    /// light at all and seem free of noise.
+    /// Averages the variance over the neighbourhood: with few paths, a pixel may have found no light at all and
+    /// seem free of noise.
     fn spread_variance(&self, soft: &mut [Soft]) {
         let own: Vec<f32> = soft.iter().map(|s| s.variance).collect();
         soft.par_iter_mut().enumerate().for_each(|(index, pixel)| {
@@ -187,7 +188,7 @@ impl<'a> Plane<'a> {
     }
 
     fn smoothed(&self, soft: &[Soft], step: i32, unlike: f32) -> Vec<Soft> {
-        // Light is compared where it is a little smoothed already.
+        // Brightness is compared after slight smoothing.
         let blurred: Vec<[f32; 2]> = (0..soft.len()).into_par_iter().map(|i| self.blurred(soft, i)).collect();
         let pixel = |index: usize| {
             let own = &soft[index];
@@ -202,7 +203,8 @@ impl<'a> Plane<'a> {
                 let apart = (bright - blurred[there][0]).abs() * over;
                 let kernel = KERNEL[(dx + 2) as usize] * KERNEL[(dy + 2) as usize];
                 let like = self.like(index, there) * other.weight;
-                // About the exponential: the sun's light outside is a thousand times that of a room.
+                // An approximation of the exponential with a longer tail: sunlight outside is a thousand times
+                // that of a room.
                 let near = 1.0 / (1.0 + 0.125 * apart);
                 let near = near * near * near * near;
                 let weight = kernel * like * near * near;
@@ -218,7 +220,7 @@ impl<'a> Plane<'a> {
         (0..soft.len()).into_par_iter().map(pixel).collect()
     }
 
-    /// Adds to smooth light what the noisy one had more or less of, spread over the surface.
+    /// Adds to the smoothed light the energy that smoothing removed or added, spread over the surface.
     fn give_back(&self, mut lost: Vec<[f32; 3]>, light: &mut [[f32; 3]]) {
         let fallen = light.iter().zip(&self.guides).map(|(l, g)| brightness(*l) / brightness(g.colour) + 1e-9);
         let fallen: Vec<f32> = fallen.collect();
@@ -229,9 +231,10 @@ impl<'a> Plane<'a> {
         light.iter_mut().zip(lost).for_each(|(light, more)| *light = three(|i| (light[i] + more[i]).max(0.0)));
     }
 
-    /// Every piece's share goes to those around that are like it and in light of about the same strength, all of it:
-    /// what is little in the sun would be much in the shade beside it. From where none is like it nearby it does not
-    /// go to others farther away: the ground behind a door would be seen on the floor before it.
+    /// Spreads every piece's remainder over the pieces around that are like it and in light of similar
+    /// strength, conserving the sum: a small remainder in the sun would be a large one in the shade beside it.
+    /// A remainder with no similar piece nearby does not go on to pieces farther away: otherwise the ground
+    /// behind a door would show up on the floor before it.
     fn spread(&self, lost: &[[f32; 3]], fallen: &[f32], reach: &mut [f32], step: i32) -> Vec<[f32; 3]> {
         let reached = &*reach;
         let taken = |from: usize, (dx, dy, to): (i32, i32, usize)| {
@@ -240,13 +243,13 @@ impl<'a> Plane<'a> {
             let reach = if from == to { 1.0 } else { reached[from] };
             reach * kernel * self.like(from, to) * ratio * ratio
         };
-        // What a piece gives to each for its share, and how much of all goes to others.
+        // The energy that a piece gives for each unit of weight, and the part of it that goes to others.
         let part = |index: usize| {
             let share = self.guides[index].share;
             let own = taken(index, (0, 0, index)) * share;
             let around = self.around(index, 2, step);
             let total: f32 = around.map(|to| taken(index, to) * self.guides[to.2].share).sum();
-            // Like nothing, not even itself.
+            // Pieces that are like nothing, not even themselves, give nothing.
             let part = if total > 1e-9 { lost[index].map(|v| share * v / total) } else { [0.0; 3] };
             (part, total - own)
         };
@@ -262,7 +265,7 @@ impl<'a> Plane<'a> {
         spread
     }
 
-    /// Brightness and variance, over the pixel and its eight neighbours, of what is on the surface.
+    /// Mean brightness and variance on the surface, over the pixel and its eight neighbours.
     #[inline(always)]
     fn blurred(&self, soft: &[Soft], index: usize) -> [f32; 2] {
         let (mut sum, mut total) = ([0.0; 2], 0.0);

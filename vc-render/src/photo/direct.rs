@@ -1,5 +1,5 @@
-//! Light that is looked for on purpose: from the sun, from lamps, from the sky through panes, and
-//! from places that the sun shines on.
+//! Direct light by next-event estimation: from the sun, from lamps, from the sky through panes, and from places
+//! lit by the sun.
 
 use super::path::{Kind, Paths, Walk, off};
 use super::sampler::Sampler;
@@ -11,10 +11,10 @@ use crate::label::unit;
 use crate::light::{brightness, dot};
 use crate::trace::{Met, Ray};
 
-/// Half the sun's width, radians: a little wider than it is, as haze makes it.
+/// Angular radius of the sun, radians: a little larger than the real one, as haze makes it.
 const SUN: f32 = 0.008;
 
-/// A surface at which a path looks for light.
+/// A surface point at which a path gathers direct light.
 pub(super) struct Point<'a> {
     pub(super) met: &'a Met<'a>,
     pub(super) place: Place,
@@ -22,7 +22,8 @@ pub(super) struct Point<'a> {
 }
 
 impl Paths<'_> {
-    /// Light at a point: of all kinds where the eye sees it and at covers, of one by chance elsewhere.
+    /// Adds direct light at a point: of all kinds at the first surface and at covers, of one randomly chosen
+    /// kind elsewhere.
     pub(super) fn direct(&self, walk: &mut Walk, point: &Point<'_>, sampler: &mut Sampler) {
         let kinds = self.kinds(point);
         let all: f32 = kinds.iter().sum();
@@ -38,8 +39,8 @@ impl Paths<'_> {
         }
     }
 
-    /// About how much light of each kind comes to a point: of the sun, of lamps, of the sky, of places
-    /// in the sun; zero for what there is none of.
+    /// Rough estimates of the light of each kind at a point: from the sun, lamps, the sky, and places lit by
+    /// the sun; zero for kinds that are absent.
     fn kinds(&self, point: &Point<'_>) -> [f32; 4] {
         let daylight = &self.lighting.daylight;
         let sun = brightness(daylight.sun.into());
@@ -57,7 +58,7 @@ impl Paths<'_> {
             2 => self.skylight(point, which, square),
             _ => self.spotlight(point, which),
         };
-        // Of the sun and lamps there may be sharp shadows.
+        // Only the sun and lamps can cast sharp shadows.
         let sharp = walk.surfaces == 0 && kind < 2;
         walk.gain(light.map(|v| v * counts), if sharp { Kind::Sharp } else { Kind::Soft });
     }
@@ -71,7 +72,7 @@ impl Paths<'_> {
         let towards = unit(three(|i| middle[i] + x * u[i] + y * v[i]));
         let way = self.reaches(point, towards, 1e4);
         let (value, _) = point.scatter.evaluate(towards);
-        // Of a surface met by chance that may also have been picked as a place in the sun.
+        // The path may also have hit this surface by sampling it as a sunlit place.
         let met = point.met;
         let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
         let crossed = if met.instance.covers() { 0 } else { way.crossed };
@@ -95,7 +96,7 @@ impl Paths<'_> {
         three(|i| value[i] * lit.light[i] * share[i] * weight)
     }
 
-    /// Light that the sun throws on something else and that throws on to the point.
+    /// Sunlight reflected by another place towards the point.
     fn spotlight(&self, point: &Point<'_>, which: f32) -> [f32; 3] {
         let Some(spot) = self.spots.pick(point.place.room, which) else { return [0.0; 3] };
         let to = three(|i| spot.at[i] - point.met.at[i]);
@@ -128,7 +129,7 @@ impl Paths<'_> {
         three(|i| value[i] * sky[i] * way.share[i] * weight)
     }
 
-    /// The way of light to a point from a direction: none passes solid things.
+    /// Traces light from a direction to a point; solid things block it.
     fn reaches(&self, point: &Point<'_>, towards: [f32; 3], end: f32) -> Way {
         let ray = Ray { from: off(point.met, towards), along: towards, end };
         if dot(point.met.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {

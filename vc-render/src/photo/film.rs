@@ -1,21 +1,22 @@
-//! What all paths of a picture have found so far.
+//! The film: the accumulated results of all paths of a picture.
 
 use super::path::{KINDS, Kind, Sample};
 use crate::affine::three;
 use crate::light::{brightness, dot};
 
-/// Surfaces of one pixel that are told apart.
+/// Greatest number of surfaces told apart within a pixel.
 const PIECES: usize = 4;
-/// How alike places on one surface are at least.
+/// Least similarity of points on one surface.
 const ALIKE: f32 = 0.3;
-/// How far a point may be off a surface, in shares of its distance from the eye.
+/// Greatest distance of a point from a surface, relative to its distance from the eye.
 const OFF: f32 = 0.004;
 
-/// What all paths of a pixel found, by the surface met first: what is smoothed together is of one.
+/// The results of all paths of a pixel, separately for each surface hit first, as smoothing works along single
+/// surfaces.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pixel {
     first: Traced,
-    // Few pixels are of several.
+    // Few pixels show several surfaces.
     others: Vec<Traced>,
 }
 
@@ -33,11 +34,11 @@ impl Pixel {
             self.others.reserve_exact(1);
             self.others.push(Traced::default());
         }
-        // Of more surfaces the last piece is a mixture.
+        // Further surfaces are mixed into the last piece.
         self.others.last_mut().unwrap_or(&mut self.first).add(one);
     }
 
-    /// What paths found on each of its surfaces.
+    /// The path results on each of its surfaces.
     pub(super) fn pieces(&self) -> impl Iterator<Item = &Traced> {
         std::iter::once(&self.first).chain(&self.others)
     }
@@ -51,19 +52,19 @@ impl Pixel {
         })
     }
 
-    /// How many paths there were.
+    /// Number of paths.
     pub(super) fn paths(&self) -> f32 {
         self.pieces().map(|piece| piece.count).sum::<f32>().max(1.0)
     }
 }
 
-/// How a piece of a surface lies.
+/// Position and orientation of a piece of surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lie {
-    /// Of unit length, or zero where there is none.
+    /// Unit length, or zero for the sky.
     normal: [f32; 3],
     at: [f32; 3],
-    /// One over how far others may be off this surface.
+    /// The inverse of the greatest distance at which points count as on this surface.
     over: f32,
 }
 
@@ -75,7 +76,7 @@ impl Lie {
         Self { normal: if length > 1e-3 { normal.map(|v| v / length) } else { [0.0; 3] }, at, over }
     }
 
-    /// How much another is of the same surface, 0 to 1.
+    /// How likely another is on the same surface, 0 to 1.
     #[inline(always)]
     pub(super) fn like(&self, other: &Self) -> f32 {
         let turned = dot(self.normal, other.normal);
@@ -93,11 +94,11 @@ impl Lie {
     }
 }
 
-/// What paths found that met one surface first.
+/// The results of paths whose first hit was on one surface.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Traced {
     sum: Sample,
-    /// Sums of squares of brightness, of all kinds of light.
+    /// Sums of squared brightness, for each kind of light.
     squares: [f32; KINDS],
     count: f32,
 }
@@ -116,7 +117,7 @@ impl Traced {
         self.count += 1.0;
     }
 
-    /// How many paths met it.
+    /// Number of paths that hit it.
     pub(super) fn count(&self) -> f32 {
         self.count
     }
@@ -136,11 +137,11 @@ impl Traced {
         let light = self.mean(self.sum.light[kind]);
         let (count, bright) = (self.count.max(1.0), brightness(light));
         let spread = (self.squares[kind] / count - bright * bright).max(0.0) / count;
-        // With few paths the spread found is not to be trusted.
+        // With few paths the measured variance is not reliable.
         (light, spread + bright * bright / (count * count))
     }
 
-    /// Mean share of light that glass before the first surface reflects.
+    /// Mean share of light reflected by the glass in front of the first surface.
     pub(super) fn glass(&self) -> f32 {
         self.sum.glass / self.count.max(1.0)
     }
@@ -150,7 +151,7 @@ impl Traced {
         self.mean(self.sum.colour)
     }
 
-    /// How the first surface lies on average.
+    /// Mean position and orientation of the first surface.
     pub(super) fn lie(&self, eye: [f32; 3]) -> Lie {
         Lie::of(self.mean(self.sum.normal), self.mean(self.sum.at), eye)
     }

@@ -1,5 +1,5 @@
-//! Glass: what the eye sees through it is refracted; what lights surfaces goes straight through,
-//! so that there are shadows of glass but no caustics. Panes are too thin to bend anything.
+//! Glass: view rays through it are refracted; light goes straight through it, so glass casts shadows but no
+//! caustics. Panes are too thin to bend rays.
 
 use super::path::{Paths, Walk, off};
 use crate::affine::three;
@@ -7,11 +7,11 @@ use crate::label::unit;
 use crate::light::{INDEX, brightness, dot, fresnel, straight, tint};
 use crate::trace::{Met, Ray};
 
-/// What glass reflects along a way: one of the reflections stands for all, the brighter the likelier.
+/// Reflections of glass along a path: one of them, sampled by brightness, stands for all.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Reflections {
     all: f32,
-    /// Where it goes, and the share of light that reaches the eye from there if it were all there is.
+    /// The reflected ray, and the share of its light that would reach the eye if it were the only reflection.
     one: Option<(Ray, [f32; 3])>,
 }
 
@@ -24,7 +24,7 @@ impl Reflections {
         }
     }
 
-    /// How bright all of it is where everything around is white.
+    /// Total brightness of the reflections under uniform white light.
     pub(super) fn all(&self) -> f32 {
         self.all
     }
@@ -40,9 +40,9 @@ pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
 }
 
 impl Paths<'_> {
-    /// Through glass or off it.
+    /// Continues through glass or reflects off it.
     pub(super) fn glass(&self, walk: &mut Walk, met: &Met<'_>, choice: f32) {
-        // What has entered a sheet has left it.
+        // A sheet is entered and left in one hit.
         let bends = walk.surfaces == 0 && self.lights.bend(met.index) && !met.face.sheet;
         let normal = if bends { met.normal } else { met.flat };
         let entering = dot(walk.ray.along, normal) < 0.0;
@@ -51,9 +51,9 @@ impl Paths<'_> {
         let (share, beyond) = fresnel(cosine, if bends && !entering { 1.0 / INDEX } else { INDEX });
         let share = if bends { share } else { 1.0 - straight(met, walk.ray.along) };
         let reflected = mirrored(walk.ray.along, normal);
-        // Glass before what the eye sees is gone through, and what it reflects is another way. Were it left to chance
-        // which of them is gone, neighbouring pixels would seem to show different things, and not be smoothed.
-        // Round glass shows too much of everything in one pixel.
+        // Glass in front of the first surface is passed, and its reflection is a separate path. If chance
+        // decided between the two, neighbouring pixels would seem to show different things and not be smoothed
+        // together. This does not apply to round glass, which shows too many directions in one pixel.
         let parts = !walk.guided && share < 1.0 && met.face.is_flat();
         if parts {
             let ray = Ray { from: off(met, reflected), along: reflected, ..walk.ray };
@@ -90,12 +90,12 @@ mod tests {
     fn fresnel_is_as_books_have_it() {
         let reflected = |cosine: f32| fresnel(cosine, INDEX).0;
         assert!((reflected(1.0) - 0.04).abs() < 1e-6);
-        // Brewster's angle: half of what is left is polarised across.
+        // At Brewster's angle the reflected light is fully polarised, in a single polarisation.
         let brewster = 1.0 / (1.0 + INDEX * INDEX).sqrt();
         let across = (INDEX * INDEX - 1.0) / (INDEX * INDEX + 1.0);
         assert!((reflected(brewster) - 0.5 * across * across).abs() < 1e-6);
         assert!(reflected(0.0) > 0.999);
-        // From within, beyond the critical angle, everything.
+        // From inside, beyond the critical angle, reflection is total.
         assert_eq!(fresnel(0.7, 1.0 / INDEX).0, 1.0);
     }
 }

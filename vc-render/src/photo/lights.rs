@@ -1,5 +1,5 @@
-//! What gives light, to be looked for on purpose: lamps, and panes through which the sky shines; which of them
-//! is looked for, and with what chance.
+//! Light sources for direct sampling: lamps, and panes through which the sky shines; which of them is sampled,
+//! and with what probability.
 
 use std::sync::Arc;
 
@@ -13,25 +13,25 @@ use crate::trace::Met;
 /// Lamps and panes of a scene.
 pub(super) struct Lights {
     lamps: Vec<Lamp>,
-    /// In the order of rooms.
+    /// Sorted by room.
     panes: Vec<Pane>,
-    /// Those of each room, in the list of all.
+    /// For each room the range of its panes.
     by_room: Vec<std::ops::Range<usize>>,
     glowing: Vec<Glowing>,
-    /// By body, its lamp; beyond the list, none.
+    /// For each body the index of its lamp; if out of range, it has none.
     by_body: Vec<u32>,
-    /// By instance, whether its clear parts are all small, so that they bend light.
+    /// For each instance whether its clear parts are all small, so that they refract rays.
     bends: Vec<bool>,
-    /// By instance, whether the sky shines through its panes: it does not into cupboards.
+    /// For each instance whether the sky shines through its panes, unlike those of cupboards.
     opens: Vec<bool>,
 }
 
-/// A point of a lamp.
+/// A sampled point of a lamp.
 pub(super) struct Lit {
     pub(super) at: [f32; 3],
     pub(super) normal: [f32; 3],
     pub(super) light: [f32; 3],
-    /// Chance for each square metre.
+    /// Probability density for each square metre.
     pub(super) density: f32,
 }
 
@@ -75,13 +75,13 @@ impl Lights {
         lights
     }
 
-    /// Panes that are looked through from a room: its own, or all if it has none.
+    /// The panes sampled from a room: its own, or all if it has none.
     fn panes_of(&self, room: u16) -> &[Pane] {
         let own = self.by_room.get(usize::from(room)).filter(|r| !r.is_empty());
         own.and_then(|r| self.panes.get(r.clone())).unwrap_or(&self.panes)
     }
 
-    /// Adds a triangle of a pane unless it is small; small ones are left to chance.
+    /// Adds a triangle of a pane unless it is small; small ones are left to chance hits.
     fn pane(&mut self, room: u16, triangle: Triangle) -> bool {
         if is_window(triangle.area, triangle.normal) {
             self.panes.push(Pane { room, triangle });
@@ -89,7 +89,7 @@ impl Lights {
         triangle.area >= SMALL
     }
 
-    /// Whether clear parts of an instance bend light.
+    /// Whether clear parts of an instance refract rays.
     pub(super) fn bend(&self, instance: u32) -> bool {
         self.bends.get(instance as usize).copied().unwrap_or(false)
     }
@@ -118,7 +118,7 @@ impl Lights {
         });
     }
 
-    /// A place that is lit.
+    /// A lit point, with the estimated weights of its light sources.
     pub(super) fn place(&self, at: [f32; 3], normal: [f32; 3], room: u16) -> Place {
         let mut place = Place { at, normal, room, lamps: 0.0, panes: 0.0, covers: 0.0 };
         place.lamps = self.lamps.iter().map(|l| l.weight(&place)).sum();
@@ -126,7 +126,7 @@ impl Lights {
         place
     }
 
-    /// A point of a lamp, chosen by about how much light it brings to a place.
+    /// Samples a point of a lamp, by its estimated contribution to a point.
     pub(super) fn lit(&self, from: &Place, which: f32, square: [f32; 2]) -> Option<Lit> {
         let mut left = which * from.lamps;
         let mut best = None;
@@ -144,13 +144,15 @@ impl Lights {
         let all = &self.glowing[lamp.triangles.clone()];
         let index = all.partition_point(|g| g.sum <= rest * lamp.power).min(all.len() - 1);
         let glowing = &all[index];
-        // By how bright it would be without its picture, so that a way that meets it by chance knows.
+        // The density uses the brightness without the texture, as a path that hits the lamp by chance can
+        // compute that, too.
         let density = weight / from.lamps * brightness(glowing.light) / lamp.power;
         let triangle = &glowing.triangle;
         Some(Lit { at: triangle.point(square), normal: triangle.normal, light: glowing.at(square), density })
     }
 
-    /// The chance for each square metre that from a place a point of a body with this light is picked.
+    /// The probability density for each square metre with which a point of a body with this emission is
+    /// sampled.
     pub(super) fn density(&self, from: &Place, body: u32, light: [f32; 3]) -> f32 {
         match self.lamps.get(self.by_body[body as usize] as usize) {
             Some(lamp) if from.lamps > 0.0 => lamp.weight(from) / from.lamps * brightness(light) / lamp.power,
@@ -158,7 +160,7 @@ impl Lights {
         }
     }
 
-    /// A point of a pane, chosen by about how large it is seen from a place.
+    /// Samples a point of a pane, by its estimated solid angle from a point.
     pub(super) fn window(&self, from: &Place, which: f32, square: [f32; 2]) -> Option<[f32; 3]> {
         let mut left = which * from.panes;
         let mut best = None;
@@ -175,18 +177,18 @@ impl Lights {
         best.map(|pane| pane.triangle.point(square))
     }
 
-    /// The triangle of a pane that was met, if it is looked through on purpose. Of a sheet one side is, but either
-    /// may be met.
+    /// The pane triangle of a hit, if it belongs to those sampled deliberately. A sheet has one sampled side,
+    /// but rays may hit either.
     pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
         let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
         let picked = picked && self.opens.get(met.index as usize).is_some_and(|opens| *opens);
         picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })
     }
 
-    /// The chance for each unit of solid angle that from a place a way through a pane is picked,
-    /// given its distance and the cosine to it.
+    /// The probability density over solid angle with which a path from a point through a pane is sampled, given
+    /// the distance and the cosine at the pane.
     pub(super) fn through(&self, from: &Place, pane: &Pane, distance: f32, cosine: f32) -> f32 {
-        // From a room with panes of its own no others are picked.
+        // From a room with panes of its own, no others are sampled.
         let others = pane.room != from.room && self.panes_of(from.room).len() != self.panes.len();
         if from.panes <= 0.0 || others {
             return 0.0;
@@ -194,7 +196,7 @@ impl Lights {
         pane.weight(from) / from.panes * distance * distance / (cosine.max(1e-4) * pane.triangle.area)
     }
 
-    /// Sums of the areas of panes as seen from far away, and the last of them.
+    /// Cumulative areas of panes projected along a direction, and their sum.
     pub(super) fn across(&self, towards: [f32; 3]) -> (Vec<f32>, f32) {
         let mut sum = 0.0;
         let area = |p: &Pane| {
@@ -205,7 +207,7 @@ impl Lights {
         (sums, sum)
     }
 
-    /// A point of the pane at which those sums reach a number, the index-th of its points.
+    /// The `index`-th point on the pane at which the cumulative area reaches a number.
     pub(super) fn pane_point(&self, sums: &[f32], at: f32, index: u32) -> Option<[f32; 3]> {
         let pane = self.panes.get(sums.partition_point(|s| *s <= at).min(sums.len().checked_sub(1)?))?;
         Some(pane.triangle.point(lattice(index)))

@@ -1,12 +1,11 @@
-//! The reference picture: paths of light, followed backwards from the eye.
+//! The reference picture: path tracing from the camera.
 //!
-//! At every point light from the sun, from lamps and through panes is looked for directly
-//! ([`direct`]), and what a path meets by chance counts with the balance of both ways (multiple
-//! importance sampling, Veach 1997); some paths are sent to drawn blinds and curtains ([`cover`]).
-//! Surfaces are Lambert's under microfacets ([`scatter`]); what
-//! the eye sees through glass is refracted, and what panes reflect is a path of its own
-//! ([`glass`]). What noise is left is smoothed along surfaces ([`denoise`]), those of a pixel apart ([`film`]);
-//! where there are none, pixels get light from around them ([`alone`]).
+//! At every hit, light from the sun, from lamps and through panes is sampled directly ([`direct`]) and combined
+//! with chance hits by the balance heuristic (multiple importance sampling, Veach 1997); some paths are sent to
+//! drawn blinds and curtains ([`cover`]). Surfaces are Lambertian under microfacets ([`scatter`]). View rays
+//! through glass are refracted, and reflections of panes are separate paths ([`glass`]). Remaining noise is
+//! smoothed along surfaces ([`denoise`]), separately for the surfaces of a pixel ([`film`]); isolated pixels
+//! take light from around them ([`alone`]).
 
 mod albedo;
 mod alone;
@@ -42,7 +41,7 @@ use spots::Spots;
 pub(crate) use sampler::lattice;
 pub(crate) use scatter::{Finish, cosine, frame};
 
-/// How a reference picture is made.
+/// Settings of a reference picture.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -59,23 +58,25 @@ pub(crate) use scatter::{Finish, cosine, frame};
 /// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
 /// let quick = Exposure { samples: 2, bounces: 3, ..Exposure::default() };
 /// let photograph = renderer.photograph(&lighting, &camera, &quick, |_| true)?;
-/// // Other noise in the same light.
+/// // The same light with different noise.
 /// let other = renderer.photograph(&lighting, &camera, &Exposure { seed: 1, ..quick }, |_| true)?;
 /// assert_eq!(photograph.light.len(), other.light.len());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exposure {
-    /// Paths for each pixel.
+    /// Number of paths for each pixel.
     pub samples: u32,
-    /// Surfaces that throw light at most, from its source to the eye; panes and mirrors do not count.
+    /// Greatest number of surfaces that reflect light on its way from its source to the camera; panes and
+    /// mirrors do not count.
     pub bounces: u32,
-    /// Brightest light that a path may bring by way of a second surface, against middle grey:
-    /// brighter is cut off, as it would only be specks. Infinite for no loss at all; less than none is none.
+    /// Greatest brightness that a path may contribute by way of a second surface, relative to middle grey;
+    /// brighter contributions are cut off, as they would only be fireflies. Infinite for no loss at all; a
+    /// negative number counts as zero.
     pub brightest: f32,
-    /// Chooses among pictures that differ in their noise.
+    /// Random seed: it changes only the noise.
     pub seed: u32,
-    /// Whether noise is smoothed at the end.
+    /// Whether the final picture is denoised.
     pub denoise: bool,
 }
 
@@ -85,7 +86,7 @@ impl Default for Exposure {
     }
 }
 
-/// A picture by its light, made by [`Renderer::photograph`].
+/// The light of a reference picture, made by [`Renderer::photograph`].
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -102,7 +103,7 @@ impl Default for Exposure {
 /// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
 /// let how = Exposure { samples: 2, ..Exposure::default() };
 /// let photograph = renderer.photograph(&lighting, &camera, &how, |_| true)?;
-/// // The sky in the corner, candela per square metre (Rec. 709).
+/// // Luminance of the sky in the corner, candela per square metre (Rec. 709).
 /// let [red, green, blue] = photograph.light[0];
 /// assert!(5000.0 * (0.2126 * red + 0.7152 * green + 0.0722 * blue) > 100.0);
 /// let file = picture::png(&photograph.picture())?;
@@ -121,7 +122,7 @@ pub struct Photograph {
     exposure: [f32; 3],
 }
 
-/// A reference picture in the making, which [`Renderer::photograph`] shows after each round.
+/// A reference picture in the making, which [`Renderer::photograph`] passes on after each round.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -146,7 +147,7 @@ pub struct Photograph {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Progress<'a> {
-    /// Paths for each pixel so far.
+    /// Number of paths for each pixel so far.
     pub rounds: u32,
     traced: &'a [Pixel],
     width: usize,
@@ -154,7 +155,7 @@ pub struct Progress<'a> {
 }
 
 impl Progress<'_> {
-    /// The picture so far, not smoothed. Linear in the pixels; a path costs far more.
+    /// The picture so far, not denoised. Linear in the pixels; a path costs far more.
     pub fn photograph(&self) -> Photograph {
         let light: Vec<[f32; 3]> = self.traced.iter().map(Pixel::light).collect();
         let height = light.len() / self.width.max(1);
@@ -163,15 +164,15 @@ impl Progress<'_> {
 }
 
 impl Photograph {
-    /// The picture as film would have it: exposed for the rooms that are seen, and bright light compressed as fast
-    /// colours are (Naka and Rushton 1966). Costs three powers a pixel.
+    /// The displayable picture: exposed for the rooms in view, with bright light compressed like fast colours
+    /// (Naka and Rushton 1966). Costs three powers for each pixel.
     pub fn picture(&self) -> Picture {
         let pixels = self.light.iter().map(|c| encoded(three(|i| film(c[i] * self.exposure[i])))).collect();
         Picture { width: self.width, height: self.height, pixels }
     }
 }
 
-/// Rooms of what is seen at places strewn over a picture, through glass.
+/// The rooms seen at sample pixels scattered over a picture, including those seen through glass.
 fn seen_rooms(lighting: &Lighting, camera: &Camera) -> impl Iterator<Item = u16> {
     let pose = Affine::of(&camera.pose).narrow();
     camera.strewn().filter_map(move |[x, y]| {
@@ -182,18 +183,20 @@ fn seen_rooms(lighting: &Lighting, camera: &Camera) -> impl Iterator<Item = u16>
 }
 
 impl Renderer {
-    /// The reference picture of the scene that a lighting was made for.
+    /// Renders the reference picture of a lighting's scene by path tracing.
     ///
-    /// `progress` hears after each round of one path for every pixel how many are done, may look at the picture
-    /// so far, and may end it by returning false. The picture is the same for any number of
-    /// threads. Costs a microsecond or two for each path and surface met, and 132 bytes a pixel while paths are
-    /// followed, more at edges. [`Exposure`], [`Photograph`] and [`Progress`] have examples.
+    /// `progress` is called after each round of one path for every pixel, with the number of rounds so far; it
+    /// may look at the picture so far, and stops rendering by returning false. The picture is the same for any
+    /// number of threads. Costs a microsecond or two for each path and surface hit, and 132 bytes for each
+    /// pixel while paths are traced, more at edges. [`Exposure`], [`Photograph`] and [`Progress`] have
+    /// examples.
     ///
-    /// Light that is looked for on purpose and light that is met by chance are weighed against each other (multiple
-    /// importance sampling, Veach 1997), with Sobol's points shuffled for each pixel (Burley 2020). Surfaces are a
-    /// matt base under facets (Trowbridge and Reitz's, picked by Heitz 2018; shared as Ashikhmin and Shirley 2000
-    /// have it, what is lost between facets given back by Turquin 2019). Noise is smoothed by a wavelet that keeps
-    /// edges (Dammertz and others 2010), as far as each pixel is noisy (Schied and others 2017).
+    /// Direct sampling of light sources and chance hits are combined by multiple importance sampling (Veach
+    /// 1997), with Sobol points scrambled for each pixel (Burley 2020). Surfaces have a matt base under
+    /// microfacets (Trowbridge and Reitz; sampled by Heitz 2018; base and gloss share the light as in Ashikhmin
+    /// and Shirley 2000, and the light lost between facets is compensated by Turquin 2019). Noise is smoothed
+    /// by an edge-avoiding wavelet filter (Dammertz and others 2010), guided by the noise of each pixel (Schied
+    /// and others 2017).
     ///
     /// # Errors
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::OtherRenderer`],

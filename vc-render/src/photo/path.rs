@@ -1,4 +1,4 @@
-//! One path of light.
+//! Tracing of a single path.
 
 use super::Exposure;
 use super::cover::Covers;
@@ -17,10 +17,10 @@ use crate::renderer::Renderer;
 use crate::surface::Surface;
 use crate::trace::{Met, Ray};
 
-/// Steps of a path, those through glass included.
+/// Greatest number of steps of a path, including those through glass.
 const STEPS: u32 = 128;
 
-/// What paths go through.
+/// The scene and settings that paths are traced in.
 pub(super) struct Paths<'a> {
     pub(super) renderer: &'a Renderer,
     pub(super) lighting: &'a Lighting,
@@ -29,78 +29,78 @@ pub(super) struct Paths<'a> {
     pub(super) spots: &'a Spots,
     pub(super) covers: &'a Covers,
     pub(super) how: &'a Exposure,
-    /// Brightest light that a path may bring from afar.
+    /// Greatest brightness that a path may contribute by way of a second surface.
     pub(super) most: f32,
 }
 
-/// Kinds of light that are smoothed each in its own way.
+/// Kinds of light that are smoothed separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// With shadows that may be sharp.
+    /// Light whose shadows may be sharp.
     Sharp,
-    /// All other.
+    /// All other reflected light.
     Soft,
-    /// What glass before the first surface reflects: it has nothing of that surface's colour.
+    /// Reflections of glass in front of the first surface, which do not have that surface's colour.
     Reflected,
-    /// Of what glows where the eye sees it, and of the sky: there is no noise in it.
+    /// Directly visible emission, and the sky: free of noise.
     Own,
 }
 
-/// How many there are.
+/// Number of kinds.
 pub(super) const KINDS: usize = 4;
-/// Those in which there is noise.
+/// Kinds that are noisy.
 pub(super) const SCATTERED: [Kind; 3] = [Kind::Sharp, Kind::Soft, Kind::Reflected];
 
-/// What one path found.
+/// The result of one path.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sample {
-    /// Light by [`Kind`].
+    /// Light of each [`Kind`].
     pub(super) light: [[f32; 3]; KINDS],
-    /// Reflectance, normal and place of the first surface, which guide smoothing.
+    /// Reflectance, normal and position of the first surface, which guide denoising.
     pub(super) colour: [f32; 3],
     pub(super) normal: [f32; 3],
     pub(super) at: [f32; 3],
-    /// How much of light from all around glass before it reflects.
+    /// Share of uniform light that glass in front of it reflects.
     pub(super) glass: f32,
 }
 
 impl Sample {
-    /// Adds the light that another found.
+    /// Adds the light of another sample.
     fn brighten(&mut self, other: &Self) {
         let pairs = self.light.as_flattened_mut().iter_mut().zip(other.light.as_flattened());
         pairs.for_each(|(sum, light)| *sum += light);
     }
 }
 
-/// A path on its way.
+/// The state of a path.
 pub(super) struct Walk {
     pub(super) ray: Ray,
-    /// What share of light that is found reaches the eye.
+    /// Throughput: the share of light found that reaches the camera.
     pub(super) share: [f32; 3],
-    /// Greatest of that where a drawn cover was last gone through: it is bright beyond.
+    /// Greatest component of the throughput when the path last passed a drawn cover, beyond which it is bright.
     pub(super) dimmed: f32,
-    /// Chance of the direction taken; infinite where there was no choice.
+    /// Probability density of the direction taken; infinite if there was no choice.
     pub(super) chance: f32,
-    /// Chance that the way through the panes met since would have been picked.
+    /// Density with which the way through the panes passed since then would have been sampled.
     pub(super) through: f32,
     /// Distance since the last surface.
     pub(super) gone: f32,
     /// The last surface.
     pub(super) last: Place,
-    /// Surfaces met, panes and mirrors left out.
+    /// Number of surfaces hit, without panes and mirrors.
     pub(super) surfaces: u32,
-    /// What glass before the first surface reflects.
+    /// Reflections of glass in front of the first surface.
     pub(super) reflections: Reflections,
     most: f32,
     found: Sample,
-    /// Whether what smoothing goes by is known.
+    /// Whether the features that guide denoising are known.
     pub(super) guided: bool,
-    /// Whether it began off glass.
+    /// Whether it began as a reflection off glass.
     reflected: bool,
 }
 
 impl Paths<'_> {
-    /// One path through a pixel.
+    /// Traces one path through a pixel.
     pub(super) fn path(&self, (x, y): (usize, usize), round: u32) -> Sample {
         let mut sampler = Sampler::new((x, y), round, self.how.seed);
         let [dx, dy] = sampler.pair();
@@ -111,14 +111,14 @@ impl Paths<'_> {
         self.follow(&mut walk, &mut sampler);
         walk.found.glass = walk.reflections.all();
         if let Some(mut reflected) = walk.reflected() {
-            // By numbers that have nothing to do with those of the way through.
+            // With numbers independent of those of the transmitted path.
             self.follow(&mut reflected, &mut Sampler::new((x, y), round, !self.how.seed));
             walk.found.brighten(&reflected.found);
         }
         walk.found
     }
 
-    /// Goes on to where a path ends.
+    /// Follows a path to its end.
     fn follow(&self, walk: &mut Walk, sampler: &mut Sampler) {
         for _ in 0..STEPS {
             let Some(met) = self.lighting.tracer.first_of_all(&walk.ray) else { return self.sky(walk) };
@@ -135,7 +135,7 @@ impl Paths<'_> {
         spots::room(self.lighting, met)
     }
 
-    /// Width at a surface that is one point of it, metres: what the eye sees is sharp.
+    /// Diameter over which a surface's texture is averaged, metres; textures seen directly are sharp.
     fn footprint(&self, walk: &Walk, met: &Met<'_>) -> f32 {
         let pixel = (met.t + walk.gone) / self.camera.focal.1;
         if walk.surfaces == 0 { pixel.min(0.002) } else { 0.002 }
@@ -148,10 +148,11 @@ impl Paths<'_> {
         walk.gain(light, if walk.surfaces == 0 { Kind::Own } else { Kind::Soft });
     }
 
-    /// Light at a surface, and where to go on; false where the path ends.
+    /// Handles a surface hit: gathers light and chooses the next direction; false where the path ends.
     fn surface(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface, sampler: &mut Sampler) -> bool {
         let mut back = walk.ray.along.map(|v| -v);
-        // Sheets have two sides in one place, either of which may be met first. Within things it is dark anyway.
+        // Sheets have two sides in one place, either of which may be hit first. The inside of things is dark
+        // anyway.
         let mut met = &met.facing(back);
         let look = met.look(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
@@ -166,7 +167,7 @@ impl Paths<'_> {
         let (share, beyond) = (through(met, surface), met.facing(walk.ray.along));
         let passes = share > 0.0 && walk.passes(share, sampler.one());
         if passes {
-            // It goes on from the other side, as if it had come from there.
+            // The path continues on the other side, as if it had arrived there.
             (met, back) = (&beyond, mirrored(back, met.flat));
         }
         if walk.surfaces >= self.how.bounces {
@@ -176,7 +177,7 @@ impl Paths<'_> {
         let finish = Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness };
         let scatter = Scatter::new(&finish, normal, back);
         let mut place = self.lights.place(met.at, met.flat, self.room(met));
-        // What is in its folds is at no cover.
+        // Points in a cover's own folds are not sent towards covers.
         place.covers = if met.instance.covers() { 0.0 } else { self.covers.weight(&place) };
         let point = Point { met, place, scatter: &scatter };
         self.direct(walk, &point, sampler);
@@ -184,7 +185,7 @@ impl Paths<'_> {
         self.go_on(walk, &point, sampler)
     }
 
-    /// Light that a surface gives of itself.
+    /// Adds the emission of a surface.
     fn glow(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface) {
         let glow = self.lighting.glow(surface, met.instance.body);
         if glow != [0.0; 3] {
@@ -202,7 +203,7 @@ impl Paths<'_> {
         }
     }
 
-    /// What a surface throws on from a direction, and the chance that a path goes on there.
+    /// Reflectance times the cosine towards a direction, and the density with which a path continues there.
     pub(super) fn thrown(&self, point: &Point<'_>, towards: [f32; 3]) -> ([f32; 3], f32) {
         let (value, chance) = point.scatter.evaluate(towards);
         (value, self.covers.mixed(chance, &point.place, towards))
@@ -224,18 +225,18 @@ impl Paths<'_> {
         walk.ray.along = towards;
         walk.ray.from = off(met, towards);
         walk.surfaces += 1;
-        // What comes through a cover is bright for the little of it that reaches the eye.
+        // Light through a cover is bright, however small the path's throughput is by then.
         if walk.surfaces < 2 || sent.is_some() || met.instance.covers() {
             return true;
         }
-        // Paths that bring little end by chance, and others count for them.
+        // Russian roulette: paths with little throughput end by chance, and the others are weighted up.
         let keep = (walk.greatest() / walk.dimmed).min(0.95);
         walk.share = walk.share.map(|v| v / keep.max(1e-6));
         sampler.one() < keep
     }
 }
 
-/// A little off a surface towards a direction, so that the ray does not meet it again.
+/// A point slightly off a surface towards a direction, so that the ray does not hit it again.
 pub(super) fn off(met: &Met<'_>, towards: [f32; 3]) -> [f32; 3] {
     let by = 2e-4_f32.copysign(dot(met.flat, towards)) * (1.0 + 0.2 * met.t.min(20.0));
     three(|i| met.at[i] + by * met.flat[i])
@@ -261,24 +262,24 @@ impl Walk {
         }
     }
 
-    /// The way off some glass that the eye looks through, which stands for all of it.
+    /// The path reflected by glass in view, which stands for all such reflections.
     fn reflected(&self) -> Option<Self> {
         let (ray, share) = self.reflections.one()?;
-        // Smoothing goes by what is behind.
+        // Denoising is guided by the surface behind the glass.
         Some(Self { share, guided: true, reflected: true, ..Self::new(ray, self.most) })
     }
 
-    /// How much what was met by chance counts, given the chance to find it on purpose.
+    /// The balance-heuristic weight of a chance hit, given the density of direct sampling.
     pub(super) fn weight(&self, other: f32) -> f32 {
         if self.chance.is_finite() { self.chance / (self.chance + other) } else { 1.0 }
     }
 
-    /// The greatest of the shares of colours.
+    /// The greatest component of the throughput.
     pub(super) fn greatest(&self) -> f32 {
         self.share.iter().fold(0.0, |m, v| m.max(*v))
     }
 
-    /// Takes light up, specks from afar cut off.
+    /// Adds light; contributions by way of a second surface are limited in brightness.
     pub(super) fn gain(&mut self, light: [f32; 3], kind: Kind) {
         let mut brought = three(|i| self.share[i] * light[i]);
         let bright = brightness(brought);
@@ -292,7 +293,7 @@ impl Walk {
         }
     }
 
-    /// Notes the first surface.
+    /// Records the features of the first surface.
     fn guide(&mut self, colour: [f32; 3], normal: [f32; 3], at: [f32; 3]) {
         if !self.guided {
             self.guided = true;

@@ -1,7 +1,7 @@
-//! Numbers that fill squares evenly, in another order for each pixel and purpose.
+//! Low-discrepancy points, decorrelated between pixels and purposes.
 
-/// Points for one path: Sobol's sequence in two dimensions, shuffled and scrambled by a hash of
-/// the pixel and of what the point is for (Burley 2020), so that no two purposes go together.
+/// Sample points of one path: Sobol's sequence in two dimensions, shuffled and scrambled by a hash of the pixel
+/// and of the point's purpose (Burley 2020), so that no two purposes are correlated.
 pub(super) struct Sampler {
     pixel: u32,
     round: u32,
@@ -13,7 +13,7 @@ impl Sampler {
         Self { pixel: mixed(x as u32 ^ mixed(y as u32 ^ mixed(seed))), round, used: 0 }
     }
 
-    /// A point of the unit square.
+    /// The next point of the unit square.
     pub(super) fn pair(&mut self) -> [f32; 2] {
         self.used += 1;
         let seed = mixed(self.pixel ^ mixed(self.used));
@@ -28,16 +28,16 @@ impl Sampler {
     }
 }
 
-/// The first two dimensions of Sobol's sequence; the second is the first of Pascal's
-/// triangle, by halves.
+/// The first two dimensions of Sobol's sequence; the second is the first one multiplied by Pascal's triangle
+/// modulo 2, in steps that halve.
 fn sobol(index: u32) -> [u32; 2] {
     let masks = [(1, 0x5555_5555), (2, 0x3333_3333), (4, 0x0f0f_0f0f), (8, 0x00ff_00ff), (16, 0x0000_ffff)];
     let pascal = masks.into_iter().fold(index, |v, (shift, mask)| v ^ ((v >> shift) & mask));
     [index.reverse_bits(), pascal.reverse_bits()]
 }
 
-/// Owen's scrambling of a number's bits, each by a hash of those above it (Laine and Karras 2011,
-/// with Vegdahl's constants).
+/// Owen scrambling of a number's bits, each by a hash of the bits above it (Laine and Karras 2011, with
+/// Vegdahl's constants).
 fn scrambled(value: u32, seed: u32) -> u32 {
     let mut v = value.reverse_bits();
     v ^= v.wrapping_mul(0x3d20_adea);
@@ -48,13 +48,13 @@ fn scrambled(value: u32, seed: u32) -> u32 {
     v.reverse_bits()
 }
 
-/// Points that fill the unit square: a lattice after the plastic number (Roberts 2018).
+/// Low-discrepancy points of the unit square: a lattice from the plastic number (Roberts 2018).
 pub(crate) fn lattice(index: u32) -> [f32; 2] {
-    // Whole numbers wrap around as fractions do.
+    // Integers wrap around as fractional parts do.
     [3_242_174_889_u32, 2_447_445_414].map(|step| (index.wrapping_mul(step) >> 8) as f32 / (1 << 24) as f32)
 }
 
-/// A hash of 32 bits (Wellons's lowbias32).
+/// A 32-bit hash (Wellons's lowbias32).
 fn mixed(value: u32) -> u32 {
     let v = (value ^ (value >> 16)).wrapping_mul(0x7feb_352d);
     let v = (v ^ (v >> 15)).wrapping_mul(0x846c_a68b);
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn purposes_do_not_go_together() {
-        // The product of two purposes has the mean that chance gives it, in every pixel.
+        // The mean product of two purposes is that of independent numbers, in every pixel.
         for pixel in 0..50 {
             let product = |round| {
                 let mut sampler = Sampler::new((pixel, 1), round, 0);

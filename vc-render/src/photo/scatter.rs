@@ -1,8 +1,8 @@
-//! How a surface throws light: a matt base under a gloss of microfacets.
+//! The reflection model of surfaces: a matt base under a microfacet gloss.
 //!
-//! What the gloss does not throw back reaches the base, both ways (Ashikhmin and Shirley 2000), and
-//! what would be lost between facets is given back (Turquin 2019): a white surface throws
-//! back all light at any roughness. The roughest surfaces have no gloss at all.
+//! The light that the gloss does not reflect reaches the base, in both directions (Ashikhmin and Shirley 2000),
+//! and the light lost between facets is compensated (Turquin 2019): a white surface reflects all light at any
+//! roughness. The roughest surfaces have no gloss at all.
 
 use std::f32::consts::PI;
 
@@ -14,10 +14,10 @@ use crate::affine::three;
 use crate::label::unit;
 use crate::light::{brightness, dot};
 
-/// Reflectance of glass, lacquer and the like, head on.
+/// Reflectance of glass, lacquer and other dielectrics at normal incidence.
 const HEAD_ON: f32 = 0.04;
 
-/// What a surface looks like where light meets it.
+/// Parameters of a surface's reflection.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Finish {
     pub(crate) colour: [f32; 3],
@@ -26,7 +26,7 @@ pub(crate) struct Finish {
 }
 
 impl Finish {
-    /// What share of light from all sides is thrown back to all, by colour.
+    /// Albedo: the share of diffuse light that is reflected in all directions, by colour.
     pub(crate) fn thrown(&self) -> [f32; 3] {
         let (coat, means) = (self.coat(), albedo::mean_shares(self.roughness));
         let (matt, metal) = (1.0 - self.metallic, self.metallic);
@@ -39,33 +39,34 @@ impl Finish {
         })
     }
 
-    /// How much there is of a coat: the roughest surfaces have none.
+    /// Strength of the glossy coat: the roughest surfaces have none.
     fn coat(&self) -> f32 {
         ((1.0 - self.roughness) * 10.0).clamp(0.0, 1.0)
     }
 }
 
-/// A point of a surface, in its own frame: the normal is up.
+/// The reflection at a surface point, in its local frame: the normal is up.
 pub(super) struct Scatter {
-    /// Of the matt base, divided by pi and what reaches it from all sides.
+    /// Reflectance of the matt base, times the light that the gloss lets through, normalized by pi.
     base: [f32; 3],
-    /// Reflectance of the gloss head on and at the edge, what facets lose given back.
+    /// Reflectance of the gloss at normal incidence and at grazing angles, with compensation for losses between
+    /// facets.
     head_on: [f32; 3],
     edge: [f32; 3],
     gloss: Gloss,
     roughness: f32,
-    /// How much there is of a coat on the base.
+    /// Strength of the coat on the base.
     coat: f32,
-    /// Axes of the frame in the world.
+    /// Axes of the local frame in the world.
     axes: [[f32; 3]; 3],
-    /// To where the path came from, in the frame.
+    /// Direction to where the path came from, in the local frame.
     back: [f32; 3],
-    /// Share of paths that go by the gloss.
+    /// Share of paths that sample the gloss.
     by_gloss: f32,
 }
 
 impl Scatter {
-    /// `back` leads to where the path came from, unit length.
+    /// The reflection at a point. `back` is the direction to where the path came from, unit length.
     pub(super) fn new(finish: &Finish, normal: [f32; 3], back: [f32; 3]) -> Self {
         let Finish { colour, metallic, roughness } = *finish;
         let axes = frame(normal);
@@ -79,7 +80,7 @@ impl Scatter {
         let all = (here[0] + here[1]).max(0.05);
         let head_on = colour.map(|c| HEAD_ON * coat * (1.0 - metallic) + c * metallic);
         let at_edge = coat * (1.0 - metallic) + metallic;
-        // Light that bounces between facets comes out coloured.
+        // Light that bounces between facets is coloured.
         let given_back = head_on.map(|h| 1.0 + h * metallic * (1.0 / all - 1.0));
         let base = colour.map(|c| c * (1.0 - metallic));
         let shine = three(|i| given_back[i] * (head_on[i] * here[0] + at_edge * here[1]));
@@ -102,8 +103,8 @@ impl Scatter {
         }
     }
 
-    /// What share of light from a direction of the world is thrown back, times the cosine, by
-    /// colour; and the chance for each unit of solid angle that [`Self::sample`] goes there.
+    /// Reflectance times the cosine for light from a world direction, by colour; and the probability density
+    /// over solid angle that [`Self::sample`] chooses it.
     pub(super) fn evaluate(&self, towards: [f32; 3]) -> ([f32; 3], f32) {
         let to = self.axes.map(|axis| dot(axis, towards));
         if to[2] <= 1e-4 {
@@ -119,19 +120,19 @@ impl Scatter {
         (value, self.by_gloss * seen + (1.0 - self.by_gloss) * to[2] / PI)
     }
 
-    /// A direction of the world to go on to.
+    /// Samples a world direction to continue in.
     pub(super) fn sample(&self, choice: f32, square: [f32; 2]) -> [f32; 3] {
         let own = if choice < self.by_gloss { self.gloss.bounced(self.back, square) } else { cosine(square) };
         three(|i| own[0] * self.axes[0][i] + own[1] * self.axes[1][i] + own[2] * self.axes[2][i])
     }
 }
 
-/// What a coat throws back, given the shares of a gloss.
+/// Share of light that a coat reflects, given the shares of its gloss.
 fn reflected(coat: f32, [head_on, edge]: Shares) -> f32 {
     coat * (HEAD_ON * head_on + edge)
 }
 
-/// Facets by Trowbridge and Reitz (GGX).
+/// Microfacets by Trowbridge and Reitz (GGX).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Gloss {
     alpha: f32,
@@ -142,24 +143,24 @@ impl Gloss {
         Self { alpha: (roughness * roughness).max(2e-3) }
     }
 
-    /// How many facets look so far from up.
+    /// Density of facet normals at a cosine to up.
     fn spread(self, cosine: f32) -> f32 {
         let square = self.alpha * self.alpha;
         let bottom = cosine * cosine * (square - 1.0) + 1.0;
         square / (PI * bottom * bottom)
     }
 
-    /// Smith's masking of one direction.
+    /// Smith's masking function of one direction.
     fn masking(self, cosine: f32) -> f32 {
         let square = self.alpha * self.alpha;
         2.0 * cosine / (cosine + (square + (1.0 - square) * cosine * cosine).sqrt())
     }
 
-    /// Off a facet, of those that are seen from where the path came (Heitz 2018).
+    /// Reflects off a facet sampled from those visible from `back` (Heitz 2018).
     fn bounced(self, back: [f32; 3], [a, b]: [f32; 2]) -> [f32; 3] {
         let [x, y, z] = back;
         let stretched = unit([self.alpha * x, self.alpha * y, z]);
-        // One axis is level, the other leans as the direction does.
+        // One tangent axis is level, the other completes the frame.
         let level = stretched[0] * stretched[0] + stretched[1] * stretched[1];
         let t1 = if level > 1e-12 { unit([-stretched[1], stretched[0], 0.0]) } else { [1.0, 0.0, 0.0] };
         let [sx, sy, sz] = stretched;
@@ -176,8 +177,8 @@ impl Gloss {
         three(|i| twice * half[i] - back[i])
     }
 
-    /// What share of light from all sides it throws to where the cosine is this, if facets
-    /// reflect everything: head on, and what Schlick's edge adds.
+    /// The shares of diffuse light reflected towards a cosine if facets were perfect mirrors: for the
+    /// reflectance at normal incidence, and the addition at grazing angles.
     pub(super) fn shares(self, cosine: f32, directions: usize) -> Shares {
         let back = [(1.0 - cosine * cosine).max(0.0).sqrt(), 0.0, cosine];
         let mut sums = [0.0; 2];
@@ -194,14 +195,14 @@ impl Gloss {
     }
 }
 
-/// A direction by the cosine to up (Malley's method).
+/// A cosine-distributed direction around up (Malley's method).
 pub(crate) fn cosine([a, b]: [f32; 2]) -> [f32; 3] {
     let (s, c) = (2.0 * PI * b).sine_cosine();
     let r = a.sqrt();
     [r * c, r * s, (1.0 - a).max(0.0).sqrt()]
 }
 
-/// Three axes, the last one given (Duff and others 2017).
+/// An orthonormal frame with a given last axis (Duff and others 2017).
 pub(crate) fn frame(n: [f32; 3]) -> [[f32; 3]; 3] {
     let sign = 1.0_f32.copysign(n[2]);
     let a = -1.0 / (sign + n[2]);
@@ -213,8 +214,8 @@ pub(crate) fn frame(n: [f32; 3]) -> [[f32; 3]; 3] {
 mod tests {
     use super::*;
 
-    /// Share of light from all sides thrown back towards a cosine, by [`Scatter::evaluate`] over
-    /// an even grid of directions, and by following samples.
+    /// Share of diffuse light reflected towards a cosine: by [`Scatter::evaluate`] on a regular grid of
+    /// directions, and by sampling.
     fn thrown(finish: &Finish, cosine: f32) -> [f32; 2] {
         let back = [(1.0 - cosine * cosine).sqrt(), 0.0, cosine];
         let scatter = Scatter::new(finish, [0.0, 0.0, 1.0], back);
@@ -257,7 +258,7 @@ mod tests {
     fn what_is_thrown_on_the_whole_is_the_mean_over_all_directions() {
         for (metallic, roughness, share) in [(0.0, 0.3, 0.05), (0.0, 0.7, 0.6), (0.0, 1.0, 0.4), (1.0, 0.5, 0.6)] {
             let finish = Finish { colour: [share; 3], metallic, roughness };
-            // By the square of the cosine, rows of which are as wide.
+            // Stratified by the square of the cosine, so that all strata count the same.
             let rows: Vec<f32> = (0..8).map(|i| thrown(&finish, ((i as f32 + 0.5) / 8.0).sqrt())[1]).collect();
             let (mean, all) = (rows.iter().sum::<f32>() / 8.0, finish.thrown()[0]);
             assert!(

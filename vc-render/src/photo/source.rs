@@ -1,4 +1,4 @@
-//! Lamps and panes: what they are made of, and about how much light each brings to a place.
+//! Lamps and panes: their geometry, and estimates of how much light each brings to a point.
 
 use std::sync::Arc;
 
@@ -9,37 +9,38 @@ use crate::light::{Lighting, dot};
 use crate::surface::Picture;
 use crate::trace::Ray;
 
-/// How much a lamp in another room than the point that is lit counts.
+/// Factor for lamps in another room than the lit point.
 const ELSEWHERE: f32 = 0.05;
-/// Of the two sides of a pane the one that looks about this way is the one that is picked.
+/// The side of a pane that faces this direction is the one that is sampled.
 const SIDE: [f32; 3] = [0.53, 0.81, 0.25];
-/// Rays to each side of a pane by which is told whether the sky shines through it, and how many have to meet nothing.
+/// Number of rays to each side of a pane that test whether the sky shines through it, and how many must be
+/// unblocked.
 const OUT: u32 = 64;
 const OPEN: usize = 12;
-/// Area of triangles of panes that are looked through on purpose, square metres.
+/// Least area of pane triangles that are sampled deliberately, square metres.
 pub(super) const SMALL: f32 = 0.05;
 
-/// Everything that glows of a body.
+/// All luminous triangles of a body.
 pub(super) struct Lamp {
     pub(super) room: u16,
     pub(super) middle: [f32; 3],
-    /// Square of about half its size.
+    /// Square of the half diagonal of its box.
     pub(super) square: f32,
     pub(super) power: f32,
-    /// Its triangles, in the list of all.
+    /// The range of its triangles.
     pub(super) triangles: std::ops::Range<usize>,
 }
 
-/// A picture, and where a triangle's corners are in it.
+/// A texture, and the texture coordinates of a triangle's corners.
 pub(super) type Shown = (Arc<Picture>, [[f32; 2]; 3]);
 
-/// A triangle that glows.
+/// A luminous triangle.
 pub(super) struct Glowing {
     pub(super) triangle: Triangle,
     pub(super) light: [f32; 3],
-    /// What the light is multiplied with.
+    /// The texture that its light is multiplied with.
     pub(super) picture: Option<Shown>,
-    /// Power of it and of those of its lamp before it.
+    /// Cumulative power of this triangle and those of its lamp before it.
     pub(super) sum: f32,
 }
 
@@ -58,13 +59,13 @@ pub(super) struct Triangle {
     pub(super) area: f32,
 }
 
-/// A point that is lit: where it is, which way it faces, and its room. The camera's has no normal.
+/// A lit point: position, normal and room. The camera's has no normal.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub(super) at: [f32; 3],
     pub(super) normal: [f32; 3],
     pub(super) room: u16,
-    /// Sums of weights of all lamps, panes and covers from here.
+    /// Sums of the weights of all lamps, panes and covers as seen from here.
     pub(super) lamps: f32,
     pub(super) panes: f32,
     pub(super) covers: f32,
@@ -85,13 +86,13 @@ impl Triangle {
         }
     }
 
-    /// A point of it, evenly.
+    /// A point of the triangle, uniformly distributed.
     pub(super) fn point(&self, square: [f32; 2]) -> [f32; 3] {
         let [u, v] = weights(square);
         three(|i| self.corner[i] + u * self.edges[0][i] + v * self.edges[1][i])
     }
 
-    /// Whether much of the sky is seen from one of its sides.
+    /// Whether much of the sky is visible from one of its sides.
     pub(super) fn opens(&self, lighting: &Lighting) -> bool {
         [1.0, -1.0].into_iter().any(|side| {
             let axes = scatter::frame(self.normal.map(|v| v * side));
@@ -105,12 +106,13 @@ impl Triangle {
         })
     }
 
-    /// The chance for each unit of solid angle that its points, evenly picked, are in a direction from a place.
+    /// The probability density over solid angle of a direction from a point, if the triangle's points are
+    /// sampled uniformly.
     pub(super) fn density(&self, from: [f32; 3], along: [f32; 3]) -> f32 {
         let facing = dot(self.normal, along);
         let to = three(|i| self.corner[i] - from[i]);
         let distance = dot(self.normal, to) / facing;
-        // Where the direction meets its plane, from its corner.
+        // The intersection with its plane, relative to its corner.
         let at = three(|i| distance * along[i] - to[i]);
         let across = |a: [f32; 3], b: [f32; 3]| dot(self.normal, affine::cross(a, b));
         let [u, v] = [across(at, self.edges[1]), across(self.edges[0], at)];
@@ -119,14 +121,14 @@ impl Triangle {
     }
 }
 
-/// Weights of the second and third corner of a triangle at a point of it, evenly.
+/// Barycentric weights of the second and third corner for a uniformly distributed point.
 fn weights([a, b]: [f32; 2]) -> [f32; 2] {
     let root = a.sqrt();
     [1.0 - root, b * root]
 }
 
 impl Glowing {
-    /// Light from a point of the triangle.
+    /// Emission at a point of the triangle.
     pub(super) fn at(&self, square: [f32; 2]) -> [f32; 3] {
         let Some((picture, [a, b, c])) = &self.picture else { return self.light };
         let [u, v] = weights(square);
@@ -148,7 +150,7 @@ impl Pane {
         let to = three(|i| self.triangle.middle[i] - from.at[i]);
         let square = dot(to, to);
         let over = 1.0 / square.sqrt().max(1e-6);
-        // The pane may reach higher over the surface than its middle.
+        // The pane may reach higher above the surface than its centre does.
         let rise = (dot(to, from.normal) * over + 0.3).max(0.0);
         let turned = dot(to, self.triangle.normal).abs() * over + 0.05;
         self.triangle.area * rise * turned / (square + self.triangle.area)

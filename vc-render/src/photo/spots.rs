@@ -1,5 +1,5 @@
-//! Places that the sun shines on through panes: small and bright, and most of the light of a
-//! room by day. Paths that meet one by chance are few, so light from there is looked for on purpose.
+//! Places that the sun lights through panes: small and bright, and the source of most light in a room by day.
+//! Few paths hit one by chance, so they are sampled deliberately.
 
 use rayon::prelude::*;
 
@@ -11,33 +11,34 @@ use crate::light::{Lighting, brightness, dot, straight, tint};
 use crate::renderer::Renderer;
 use crate::trace::{Met, Ray};
 
-/// Rays sent from panes.
+/// Number of rays sent from panes.
 const RAYS: u32 = 1 << 16;
-/// Share of the choice of places in the room of the point that is lit, if there are any.
+/// Share of samples in the room of the lit point, if it has any sunlit places.
 const OWN: f32 = 0.8;
 
-/// Places in the sun.
+/// The sunlit places of a scene.
 #[derive(Default)]
 pub(super) struct Spots {
     all: Vec<Spot>,
-    /// Those of each room, in the list of all.
+    /// For each room the range of its places.
     rooms: Vec<std::ops::Range<usize>>,
-    /// Light of the sun that comes through panes, times their area.
+    /// Sunlight through panes, times their area.
     power: f32,
-    /// Chance for each square metre across the light that a place behind one pane is picked.
+    /// Probability density, for each square metre across the sunlight, with which a place behind one pane is
+    /// sampled.
     scale: f32,
 }
 
-/// A place in the sun.
+/// A sunlit place.
 pub(super) struct Spot {
     pub(super) at: [f32; 3],
     pub(super) flat: [f32; 3],
     pub(super) normal: [f32; 3],
     pub(super) finish: Finish,
-    /// Light of the sun that comes here, if it came head on.
+    /// Sunlight that reaches it, on a surface facing the sun.
     pub(super) light: [f32; 3],
     room: u16,
-    /// Triangles of panes on the way to the sun.
+    /// Number of pane triangles on the way to the sun.
     crossed: u32,
 }
 
@@ -54,18 +55,18 @@ impl Spots {
         };
         let found = if across > 0.0 { RAYS } else { 0 };
         let mut all: Vec<Spot> = (0..found).into_par_iter().filter_map(spot).collect();
-        // Stable: as they were sent within a room.
+        // The sort is stable: within a room, places stay in the order in which rays were sent.
         all.sort_by_key(|s| s.room);
         let start = |room: u16| all.partition_point(|s| s.room < room);
         let count = lighting.tracer.snapshot.rooms.len() as u16;
         let rooms = (0..count).map(|room| start(room)..start(room + 1)).collect();
-        // None are picked where there is no pane to send rays from.
+        // There are no samples if there is no pane to send rays from.
         let scale = if all.is_empty() { 0.0 } else { RAYS as f32 / (across * all.len() as f32) };
         let power = all.iter().map(|s| brightness(s.light)).sum::<f32>() * across / RAYS as f32;
         Self { all, rooms, power, scale }
     }
 
-    /// Light of the sun that comes through panes, times their area; zero if there is none.
+    /// Sunlight through panes, times their area; zero if there is none.
     pub(super) fn power(&self) -> f32 {
         self.power
     }
@@ -74,7 +75,7 @@ impl Spots {
         self.rooms.get(usize::from(room)).and_then(|r| self.all.get(r.clone())).unwrap_or_default()
     }
 
-    /// A place, for a point in a room.
+    /// Samples a sunlit place for a point in a room.
     pub(super) fn pick(&self, room: u16, which: f32) -> Option<&Spot> {
         let own = self.of_room(room);
         let (from, share) = match () {
@@ -85,8 +86,8 @@ impl Spots {
         from.get(((share * from.len() as f32) as usize).min(from.len().checked_sub(1)?))
     }
 
-    /// The chance for each square metre that from a point a place in the sun is picked, given its
-    /// room, the panes crossed on its way to the sun and the cosine of that.
+    /// The probability density for each square metre with which a sunlit place is sampled from a point, given
+    /// the place's room, the panes crossed on its way to the sun and the cosine there.
     pub(super) fn density(&self, from: &Place, room: u16, crossed: u32, cosine: f32) -> f32 {
         let own = self.of_room(from.room).len();
         let share = match () {
@@ -103,13 +104,13 @@ impl Spot {
         spots.density(from, self.room, self.crossed, dot(self.flat, towards))
     }
 
-    /// What the sun shines on behind a point of a pane; none if it does not shine on that.
+    /// The place that the sun lights through a point of a pane; none if it is not in the sun.
     fn found(renderer: &Renderer, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
         let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
-        // Of what goes through a drawn cover as much as it throws back, so that it is left to chance.
+        // A drawn cover transmits as much light as it reflects, so it is left to chance hits.
         let other = surface.is_mirror() || met.instance.covers();
         if dot(met.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
             return None;
@@ -129,18 +130,18 @@ impl Spot {
     }
 }
 
-/// A way through panes.
+/// A straight path through panes.
 pub(super) struct Way {
-    /// What share of light passes, by colour.
+    /// The share of light that passes, by colour.
     pub(super) share: [f32; 3],
-    /// The chance for each unit of solid angle that it would be picked as a way through a pane.
+    /// The probability density over solid angle with which it would be sampled as a path through a pane.
     pub(super) chance: f32,
-    /// Large triangles of panes crossed.
+    /// Number of large pane triangles crossed.
     pub(super) crossed: u32,
 }
 
 impl Way {
-    /// The way of a ray, from a place if it may be picked from there.
+    /// Follows a ray through panes; `from` is the point from which it may have been sampled.
     pub(super) fn through(
         renderer: &Renderer,
         lighting: &Lighting,

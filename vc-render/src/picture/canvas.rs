@@ -1,13 +1,13 @@
-//! A picture in memory.
+//! Pictures in memory.
 
-/// Colours in sRGB, rows from the top.
+/// A picture in sRGB colours, rows from the top.
 ///
 /// ```
 /// use vc_render::picture::Picture;
 /// let mut flag = Picture::new(4, 2, [255; 3]);
 /// flag.paste(&Picture::new(2, 2, [200, 0, 0]), 2, 0);
 /// assert_eq!(flag.pixels[..4], [[255; 3], [255; 3], [200, 0, 0], [200, 0, 0]]);
-/// // Three side by side, a white line around each.
+/// // A contact sheet of three, with a white line around each.
 /// let sheet = Picture::sheet(&[flag.clone(), flag.clone(), flag], 3, 1);
 /// assert_eq!((sheet.width, sheet.height), (3 * 5 + 1, 2 + 2));
 /// ```
@@ -27,8 +27,8 @@ impl Picture {
         Self { width, height, pixels: vec![colour; width * height] }
     }
 
-    /// Puts another picture into it, its upper left corner at a pixel; what is outside is left out. Costs a copy of
-    /// what is put in.
+    /// Pastes another picture in, with its upper left corner at a pixel; parts outside are cut off. Costs a
+    /// copy of the pasted pixels.
     pub fn paste(&mut self, other: &Self, x: usize, y: usize) {
         let width = other.width.min(self.width.saturating_sub(x));
         if width == 0 {
@@ -40,8 +40,9 @@ impl Picture {
         }
     }
 
-    /// Pictures of one size side by side, so many in a row, in white margins of so many pixels. The first tells the
-    /// size: of larger ones parts are covered by the next or left out. Costs a copy of all pixels.
+    /// Arranges pictures of one size in a grid of `columns` columns, with white margins of `margin` pixels. The
+    /// first picture determines the size: larger ones are partly covered by the next or cut off. Costs a copy
+    /// of all pixels.
     pub fn sheet(pictures: &[Self], columns: usize, margin: usize) -> Self {
         let (columns, first) = (columns.max(1), pictures.first());
         let (width, height) = first.map_or((0, 0), |p| (p.width, p.height));
@@ -53,9 +54,10 @@ impl Picture {
         all
     }
 
-    /// So many times smaller along each side, a pixel the mean light of a square of them: with colours made larger, seams
-    /// and bars thinner than a pixel do not look dashed. What is left over at the right and below is left out. Linear
-    /// in the pixels of the larger one, on the threads there are.
+    /// The picture shrunk by a factor along each side; each pixel becomes the mean light of a square of pixels.
+    /// With colours rendered at a larger size, seams and bars thinner than a pixel do not look dashed.
+    /// Remaining pixels at the right and below are dropped. Linear in the pixels of the larger picture, in
+    /// parallel.
     ///
     /// ```
     /// use vc_render::picture::Picture;
@@ -63,7 +65,7 @@ impl Picture {
     /// board.pixels[0] = [255; 3];
     /// let small = board.shrunk(2);
     /// assert_eq!((small.width, small.height), (2, 1));
-    /// // A quarter of the light, as a screen has it.
+    /// // A quarter of the light, in sRGB.
     /// assert_eq!(small.pixels, [[137; 3], [0; 3]]);
     /// ```
     #[must_use]
@@ -79,7 +81,7 @@ impl Picture {
         small
     }
 
-    /// Draws the outline of a box.
+    /// Draws the outline of a pixel box.
     pub(super) fn outline(&mut self, of: &crate::PixelBox, colour: [u8; 3]) {
         let Some(within) = of.within(self.width, self.height) else { return };
         let (x, y) = (within.x as usize, within.y as usize);
@@ -94,7 +96,7 @@ impl Picture {
         }
     }
 
-    /// Draws a line between two places, pixels.
+    /// Draws a line between two points, pixels.
     pub(super) fn line(&mut self, from: [f32; 2], to: [f32; 2], colour: [u8; 3]) {
         let far = |p: [f32; 2]| !(p[0].abs() < 1e5 && p[1].abs() < 1e5);
         if far(from) || far(to) {

@@ -1,12 +1,12 @@
-//! What colour a depth, a node or a motion has.
+//! Colour codings of depth, nodes and motion.
 
 use vc_graph::portable::Portable;
 
 use super::Picture;
 use crate::frame::{Frame, NO_LABEL, NOTHING};
 
-/// Colours that tell numbers apart: the same number has the same colour always, and no other of the
-/// first eight million has it. None is dark.
+/// Colours that tell numbers apart: a number always has the same colour, which no other of the first eight
+/// million numbers has. None is dark.
 ///
 /// ```
 /// use vc_render::picture::Palette;
@@ -16,15 +16,15 @@ use crate::frame::{Frame, NO_LABEL, NOTHING};
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Palette;
 
-/// Steps of a colour's channel.
+/// Number of steps of a colour channel.
 const STEPS: u64 = 200;
 
 impl Palette {
     /// The colour of a number.
     ///
-    /// Steps through all colours of at least 56 in each channel. By each step, channels go on by about the powers of
-    /// 0.819 of their range, so that few numbers in a row are spread evenly (Roberts' R3 sequence, 2018); as the
-    /// step has no divisor in common with the count of colours, none comes twice.
+    /// It steps through all colours of at least 56 in each channel. With each step, the channels advance by
+    /// about the powers of 0.819 of their range, so that a few consecutive numbers are spread evenly (Roberts'
+    /// R3 sequence, 2018); the step has no common divisor with the number of colours, so none occurs twice.
     pub fn colour(self, number: u32) -> [u8; 3] {
         const STEP: u64 = 163 * STEPS * STEPS + 134 * STEPS + 109;
         let place = (u64::from(number) * STEP + STEP / 3) % (STEPS * STEPS * STEPS);
@@ -46,13 +46,13 @@ fn picture(frame: &Frame, pixels: Vec<[u8; 3]>) -> Picture {
     Picture { width: frame.width, height: frame.height, pixels }
 }
 
-/// The colours, copied; black if the frame has none.
+/// A copy of the frame's colours; black if the frame has none.
 pub fn rgb(frame: &Frame) -> Picture {
     picture(frame, frame.rgb.clone())
 }
 
-/// Depth: red near by, over yellow, green and blue to nearly black at `farthest` metres and beyond, by Google's Turbo
-/// (Mikhailov 2019). Black if the frame has none.
+/// Depth: red nearby, over yellow, green and blue to nearly black at `farthest` metres and beyond, in Google's
+/// Turbo colour map (Mikhailov 2019). Black if the frame has no depth.
 ///
 /// ```
 /// use vc_render::{Frame, picture};
@@ -82,7 +82,7 @@ fn turbo(x: f32) -> [u8; 3] {
     })
 }
 
-/// Nodes in the palette's colours, nothing in black; black if the frame has none.
+/// Nodes in the palette's colours, black where nothing is visible; black if the frame has no nodes.
 ///
 /// ```
 /// use vc_graph::NodeId;
@@ -98,9 +98,10 @@ pub fn instances(frame: &Frame) -> Picture {
     picture(frame, frame.instance.iter().map(colour).collect())
 }
 
-/// Parts in the palette's colours, those of each node in their own, nothing in black; needs nodes and parts.
+/// Parts in the palette's colours, distinct for each node, black where nothing is visible; needs nodes and
+/// parts.
 pub fn parts(frame: &Frame) -> Picture {
-    // Nodes of more parts would share colours with the next.
+    // Beyond this number of parts, nodes share colours with the next.
     const MOST: u32 = 64;
     let colour = |(node, part): (&vc_graph::NodeId, &u16)| {
         if *node == NOTHING { [0; 3] } else { Palette.colour(node.0.wrapping_mul(MOST).wrapping_add(u32::from(*part))) }
@@ -108,7 +109,7 @@ pub fn parts(frame: &Frame) -> Picture {
     picture(frame, frame.instance.iter().zip(&frame.part).map(colour).collect())
 }
 
-/// Classes in the palette's colours, nothing in black; black if the frame has none.
+/// Classes in the palette's colours, black where nothing is visible; black if the frame has no classes.
 ///
 /// ```
 /// use vc_render::picture::{self, Palette};
@@ -123,7 +124,7 @@ pub fn classes(frame: &Frame) -> Picture {
     picture(frame, frame.class.iter().map(colour).collect())
 }
 
-/// Normals: X, Y and Z of the world as red, green and blue, from -1 to 1; grey where nothing is seen.
+/// Normals: X, Y and Z of the world as red, green and blue, from -1 to 1; grey where nothing is visible.
 ///
 /// ```
 /// use vc_render::{Frame, picture};
@@ -136,8 +137,8 @@ pub fn normals(frame: &Frame) -> Picture {
     picture(frame, frame.normal.iter().map(|n| n.map(|v| (127.5 + 127.5 * v) as u8)).collect())
 }
 
-/// Motion to the next moment: its direction as hue (to the right is red), its length up to `most` pixels as saturation;
-/// white where nothing moves, black where nothing is seen.
+/// Motion to the next moment: direction as hue (red is to the right), length up to `most` pixels as saturation;
+/// white where nothing moves, black where nothing is visible.
 ///
 /// ```
 /// use vc_render::{Frame, picture};
@@ -157,8 +158,8 @@ pub fn flow(frame: &Frame, most: f32) -> Picture {
     picture(frame, frame.flow_forward.iter().map(colour).collect())
 }
 
-/// The visible masks in the colours of their nodes, mixed half and half with the frame's colours as grey. Linear in the
-/// pixels of the picture and of all boxes. The module's page has an example.
+/// The visible masks in the colours of their nodes, mixed half and half with the frame's colours in grey.
+/// Linear in the pixels of the picture and of all boxes. The module's page has an example.
 pub fn masks(frame: &Frame) -> Picture {
     let mut all = picture(frame, frame.rgb.clone());
     for p in &mut all.pixels {
@@ -176,8 +177,9 @@ pub fn masks(frame: &Frame) -> Picture {
     all
 }
 
-/// Boxes over a picture: visible ones as rectangles, oriented ones as edges in space,
-/// of what has at least `least` pixels. Linear in the pixels of their lines. The module's page has an example.
+/// Draws bounding boxes over a picture: visible ones as rectangles, oriented ones as edges in space, for
+/// objects with at least `least` visible pixels. Linear in the pixels of the lines. The module's page has an
+/// example.
 pub fn with_boxes(mut picture: Picture, frame: &Frame, least: u32) -> Picture {
     for label in frame.boxes.iter().filter(|b| b.area >= least) {
         let colour = Palette.colour(label.node.0);

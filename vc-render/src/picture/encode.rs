@@ -1,4 +1,4 @@
-//! PNG, animated PNG, GIF and JPEG.
+//! PNG, animated PNG, GIF and JPEG files.
 
 use png::{BitDepth, ColorType, Compression, Encoder};
 use rayon::prelude::*;
@@ -6,7 +6,8 @@ use rayon::prelude::*;
 use super::Picture;
 use crate::RenderError;
 
-/// A picture as PNG: RGB, eight bits a channel. Linear in its pixels; deflating takes nearly all of the time.
+/// Encodes a picture as PNG: RGB, eight bits for each channel. Linear in its pixels; compression takes nearly
+/// all of the time.
 ///
 /// # Errors
 /// [`RenderError::Encoding`] for an empty picture.
@@ -22,8 +23,8 @@ pub fn png(picture: &Picture) -> Result<Vec<u8>, RenderError> {
     encoded(std::slice::from_ref(picture), None)
 }
 
-/// Pictures of one size as animated PNG, which repeats for ever, so many of them `per_second` (one at least). Each
-/// costs as much as [`png()`] of it.
+/// Encodes pictures of one size as animated PNG, which repeats forever, at `per_second` pictures a second (at
+/// least one). Each costs as much as [`png()`] of it.
 ///
 /// # Errors
 /// [`RenderError::Encoding`] for no pictures, empty ones, or pictures of different size.
@@ -40,9 +41,9 @@ pub fn apng(pictures: &[Picture], per_second: u16) -> Result<Vec<u8>, RenderErro
     encoded(pictures, Some(per_second))
 }
 
-/// Pictures of one size as GIF, which repeats for ever, `per_second` of them in a second: a GIF counts hundredths of a
-/// second, to which the time of a picture is rounded. Each picture has 256 colours of its own. Costs some 0.2
-/// microseconds a pixel on all threads; the bytes do not depend on their number.
+/// Encodes pictures of one size as GIF, which repeats forever, at `per_second` pictures a second; GIF rounds
+/// the time of a picture to hundredths of a second. Each picture has its own palette of 256 colours. Costs some
+/// 0.2 microseconds for each pixel, in parallel; the bytes do not depend on the number of threads.
 ///
 /// # Errors
 /// [`RenderError::Encoding`] for no pictures, empty ones, pictures of different size, or of more than 65,535 pixels
@@ -71,7 +72,7 @@ pub fn gif(pictures: &[Picture], per_second: u16) -> Result<Vec<u8>, RenderError
     encoder.into_inner().map_err(|e| RenderError::Encoding(e.to_string()))
 }
 
-/// A picture as JPEG of a `quality` from 1 to 100. Linear in its pixels.
+/// Encodes a picture as JPEG of a `quality` from 1 to 100. Linear in its pixels.
 ///
 /// # Errors
 /// [`RenderError::Encoding`] for an empty picture, or one of more than 65,535 pixels along a side.
@@ -92,10 +93,10 @@ pub fn jpeg(picture: &Picture, quality: u8) -> Result<Vec<u8>, RenderError> {
     Ok(bytes)
 }
 
-/// How coarsely colours of a GIF are chosen, 1 to 30: at 10 they are as good to the eye as at 1.
+/// Speed setting of the GIF encoder, 1 to 30: higher is coarser, but at 10 colours still look as good as at 1.
 const GIF_SPEED: i32 = 10;
 
-/// Width and height of a picture that is not empty, for formats that have sixteen bits for each.
+/// Width and height of a nonempty picture, for formats with sixteen bits for each.
 fn short_sides(picture: &Picture) -> Result<(u16, u16), RenderError> {
     let short = |side: usize| u16::try_from(side).ok().filter(|side| *side > 0);
     let sides = short(picture.width).zip(short(picture.height));

@@ -1,7 +1,7 @@
-//! Buffers as pictures that people can look at, and files of them: PNG, animated PNG, GIF, JPEG.
+//! Frames rendered as viewable pictures, and image files of them: PNG, animated PNG, GIF, JPEG.
 //!
-//! All are linear in the pixels, mostly a few operations each; a picture takes three bytes a pixel. Where a frame lacks
-//! what is to be shown, it is black.
+//! All functions are linear in the pixels, mostly with a few operations each; a picture takes three bytes a
+//! pixel. If the frame lacks the modality to show, the picture is black.
 //!
 //! ```
 //! # use nalgebra::{Point3, Vector3};

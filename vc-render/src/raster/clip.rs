@@ -1,11 +1,11 @@
-//! Triangles that reach behind the eye or far out of the image.
+//! Clipping of triangles that reach behind the eye or far out of the image.
 
 use super::project::{Corner, GUARD, snapped};
 
-/// Most corners of a triangle cut by five planes.
+/// Most corners of a triangle clipped by five planes.
 const MOST: usize = 8;
 
-/// A point as pixels times depth, and depth.
+/// A point in homogeneous image coordinates: pixels times depth, and depth.
 type Homogeneous = [f64; 3];
 
 /// A convex polygon in front of the eye.
@@ -15,11 +15,11 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// What is left of a triangle beyond the near plane and not far outside.
+    /// The part of a triangle beyond the near plane and within the guard band.
     pub(super) fn clipped(corners: [Homogeneous; 3], near: f32) -> Self {
         let mut polygon = Self { points: [[0.0; 3]; MOST], count: 3 };
         polygon.points[..3].copy_from_slice(&corners);
-        // A little less than the guard, as intersections are rounded.
+        // The planes are a little inside the guard band, as intersections are rounded.
         let guard = 0.99 * f64::from(GUARD);
         polygon.cut(|p| p[2] - f64::from(near));
         polygon.cut(|p| guard * p[2] - p[0]);
@@ -29,7 +29,7 @@ impl Polygon {
         polygon
     }
 
-    /// Keeps what is inside (Sutherland and Hodgman 1974).
+    /// Clips the polygon to the half space where `inside` is not negative (Sutherland and Hodgman 1974).
     fn cut(&mut self, inside: impl Fn(&Homogeneous) -> f64) {
         let (from, count) = (self.points, self.count);
         self.count = 0;
@@ -40,7 +40,7 @@ impl Polygon {
                 self.push(here);
             }
             if (a >= 0.0) != (b >= 0.0) {
-                // From inside to outside, so that both triangles at an edge get the same point.
+                // Always from inside to outside, so that both triangles at an edge get the same point.
                 self.push(if a >= 0.0 { between(here, next, a, b) } else { between(next, here, b, a) });
             }
         }
@@ -53,7 +53,7 @@ impl Polygon {
         }
     }
 
-    /// The polygon as triangles.
+    /// The polygon split into triangles.
     pub(super) fn triangles(&self) -> impl Iterator<Item = [Corner; 3]> + '_ {
         (2..self.count).map(|i| [corner(self.points[0]), corner(self.points[i - 1]), corner(self.points[i])])
     }

@@ -1,4 +1,4 @@
-//! What need not be drawn.
+//! Culling: bounding volumes outside of the view, and clusters that face away.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -6,42 +6,42 @@ use crate::affine::{self, Affine, Narrow, three};
 use crate::camera::Camera;
 use crate::mesh::{Ball, Bounds, Cluster};
 
-/// What a camera sees, or some rows of it.
+/// The view volume of a camera, or of some rows of its image.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Frustum {
-    /// From the world to pixels times depth, and depth.
+    /// The map from the world to pixels times depth, and depth.
     pub(crate) map: Affine,
     pub(crate) near: f32,
-    /// Where the eye is in the world.
+    /// Position of the eye in the world.
     pub(crate) eye: [f32; 3],
     /// The longer focal length, pixels.
     pub(crate) focal: f32,
-    /// First column and row, and those after the last.
+    /// First column and row, and the ones after the last.
     low: [i32; 2],
     high: [i32; 2],
-    /// Around the view, in the image and in the world from the eye on.
+    /// Planes around the view: in image coordinates, and in the world relative to the eye.
     sides: Sides,
     planes: Sides,
 }
 
-/// How far from planes something is to lie. Five would do; vectors have eight lanes.
+/// A number for each plane. There are five planes, but vectors have eight lanes.
 type Lanes = [f32; LANES];
 const LANES: usize = 8;
 
-/// Planes around a view.
+/// Planes around a view volume.
 #[derive(Debug, Clone, Copy)]
 struct Sides {
-    /// Their normals, which look into the view.
+    /// Normals, which point into the view.
     normals: [Lanes; 3],
     least: Lanes,
 }
 
-/// Where a box is in the image.
+/// The extent of a box in the image.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Extent {
     /// Depth of its nearest corner.
     pub(crate) nearest: f32,
-    /// First and last pixel it can touch, within the image.
+    /// First and last pixel that it can touch, within the image.
     pub(crate) low: [i32; 2],
     pub(crate) high: [i32; 2],
 }
@@ -68,11 +68,11 @@ impl Frustum {
         }
     }
 
-    /// Whether nothing within a ball can be in the image.
+    /// Whether a sphere is entirely outside of the view.
     #[inline(always)]
     pub(crate) fn misses(&self, ball: &Ball) -> bool {
         let to = three(|i| ball.middle[i] - self.eye[i]);
-        // A little more, against rounding.
+        // The radius is enlarged a little to allow for rounding.
         let far = three(|i| ball.middle[i].abs().max(self.eye[i].abs()));
         let radius = 1.0001 * ball.radius + 1e-6 * (far[0] + far[1] + far[2]);
         self.planes.any_beyond(
@@ -81,8 +81,8 @@ impl Frustum {
         )
     }
 
-    /// Where a box is in the image, if it can be in it at all. `map` leads from the
-    /// box to the image.
+    /// The extent of a box in the image, unless it is outside of the view. `map` leads from the box to the
+    /// image.
     #[inline(always)]
     pub(crate) fn extent(&self, map: &Narrow, bounds: &Bounds) -> Option<Extent> {
         let middle = affine::point(map, bounds.centre);
@@ -102,7 +102,7 @@ impl Frustum {
         self.projected(middle, sides, nearest)
     }
 
-    /// The extent of a box that is all in front of the eye.
+    /// The extent of a box that is entirely in front of the near plane.
     #[inline(always)]
     fn projected(&self, middle: [f32; 3], sides: [[f32; 3]; 3], nearest: f32) -> Option<Extent> {
         let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
@@ -125,14 +125,14 @@ impl Frustum {
             }
             (low[axis], high[axis]) = ends(at);
         }
-        // Half a pixel to the centres, a hundredth against rounding.
+        // Half a pixel to the pixel centres, and a hundredth to allow for rounding.
         let first = [0, 1].map(|i: usize| ((low[i] - 0.51).ceil() as i32).max(self.low[i]));
         let last = [0, 1].map(|i: usize| ((high[i] - 0.49).floor() as i32).min(self.high[i] - 1));
         (first[0] <= last[0] && first[1] <= last[1]).then_some(Extent { nearest, low: first, high: last })
     }
 }
 
-/// The corners of a box.
+/// Signs of the corners of a box.
 const SIGNS: [Lanes; 3] = [
     [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0],
     [-1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0],
@@ -153,8 +153,8 @@ fn ends(at: Lanes) -> (f32, f32) {
 }
 
 impl Sides {
-    /// The first is before the eye, the others go through it: left, right, above, below. Points are pixels times depth,
-    /// and depth.
+    /// The near plane, then the planes through the eye: left, right, above, below. Points are given as pixels
+    /// times depth, and depth.
     fn new(low: [i32; 2], high: [i32; 2], near: f32) -> Self {
         let (low, high) = (low.map(|v| v as f32), high.map(|v| v as f32));
         let x = [0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -163,7 +163,8 @@ impl Sides {
         Self { normals: [x, y, z], least: [near, 0.0, 0.0, 0.0, 0.0, near, near, near] }
     }
 
-    /// The same in a space from which a map leads here, normals of unit length and without its shift.
+    /// The planes in the space that a map leads from, with normals of unit length and without the map's
+    /// translation.
     fn through(&self, map: &Affine) -> Self {
         let mut normals = self.normals;
         for i in 0..LANES {
@@ -175,7 +176,7 @@ impl Sides {
         Self { normals, least: self.least }
     }
 
-    /// Whether what is told of the normals of planes is too little for any of them.
+    /// Whether `reach`, evaluated for each plane's normal, falls short of any plane.
     #[inline(always)]
     fn any_beyond(&self, reach: impl Fn([f32; 3]) -> f32) -> bool {
         let mut out = 0;
@@ -186,8 +187,7 @@ impl Sides {
     }
 }
 
-/// Whether all triangles of a cluster look away from the eye, which is given in the
-/// mesh's frame.
+/// Whether all triangles of a cluster face away from the eye, which is given in the mesh's frame.
 #[inline(always)]
 pub(super) fn looks_away(cluster: &Cluster, eye: [f32; 3]) -> bool {
     let Bounds { centre, half } = cluster.bounds;

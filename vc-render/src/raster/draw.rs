@@ -1,4 +1,4 @@
-//! Instances to the target, nearest first.
+//! Drawing of instances into the visibility buffer, nearest first.
 
 use std::ops::Range;
 
@@ -14,37 +14,37 @@ use crate::affine::{Affine, Narrow};
 use crate::mesh::{Cluster, Mesh, TOLERANCES};
 use crate::scene::Instance;
 
-/// What is drawn, from where.
+/// Instances to draw, and the view.
 #[derive(Clone, Copy)]
 pub(crate) struct Drawing<'a> {
     pub(crate) instances: &'a [Instance],
     pub(crate) frustum: Frustum,
-    /// Largest error of a curve's outline, pixels.
+    /// Largest screen-space error of a curved outline, pixels.
     pub(crate) detail: f32,
 }
 
-/// What is drawn into, with the memory drawing needs.
+/// The visibility buffers, with the working memory of drawing.
 #[derive(Default)]
 pub(crate) struct Layers {
-    /// The nearest triangles.
+    /// The nearest triangles, clear ones included.
     pub(crate) front: Target,
-    /// The nearest triangles that are not clear, in the rows where others are.
+    /// The nearest opaque triangles, in the rows that contain clear ones.
     pub(crate) behind: Target,
-    /// Whether something clear was drawn, so that the two differ.
+    /// Whether something clear was drawn, so that the two buffers differ.
     pub(crate) clear: bool,
-    /// The triangles that may be seen, by number.
+    /// Triangles that may be visible, by number.
     pub(crate) visible: Vec<Visible>,
     order: Vec<Placed>,
     points: Option<Box<Points>>,
     setup: Option<Box<Setup>>,
 }
 
-/// Drawing, in the version for a processor.
+/// A drawing pass, compiled for the processor's vectors.
 struct Pass<'a, 'b, I> {
     layers: &'a mut Layers,
     drawing: &'a Drawing<'b>,
     which: I,
-    /// Whether to draw what is clear, and if so whether to keep what is behind.
+    /// Whether to draw clear triangles, and if so whether to keep the opaque ones behind them.
     apart: Option<bool>,
 }
 
@@ -66,13 +66,13 @@ struct Placed {
 }
 
 impl Layers {
-    /// The nearest triangles that are not clear.
+    /// The nearest opaque triangles.
     pub(crate) fn solid(&self) -> Solid<'_> {
         Solid { front: &self.front, behind: &self.behind }
     }
 
-    /// Draws instances into some rows of the image. With `apart`, what is behind clear
-    /// things is kept too.
+    /// Draws instances into some rows of the image. With `apart`, the opaque triangles behind clear ones are
+    /// kept too.
     pub(crate) fn draw(
         &mut self,
         drawing: &Drawing<'_>,
@@ -85,7 +85,7 @@ impl Layers {
         self.add(drawing, which, apart);
     }
 
-    /// As [`Self::draw`], without what is clear.
+    /// Like [`Self::draw`], without clear triangles.
     pub(crate) fn draw_solid(
         &mut self,
         drawing: &Drawing<'_>,
@@ -97,7 +97,7 @@ impl Layers {
         crate::simd::dispatch(Pass { layers: self, drawing, which, apart: None });
     }
 
-    /// As [`Self::draw`], into what there is.
+    /// Like [`Self::draw`], on top of the present contents.
     pub(crate) fn add(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: bool) {
         crate::simd::dispatch(Pass { layers: self, drawing, which, apart: Some(apart) });
     }
@@ -126,7 +126,7 @@ impl Layers {
         self.order = order;
     }
 
-    /// What is in view, nearest first.
+    /// Collects the instances in view, nearest first.
     #[inline(always)]
     fn sort(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>) {
         self.order.clear();
@@ -174,11 +174,11 @@ impl Layers {
         }
     }
 
-    /// Whether a box is out of view or behind what has been drawn.
+    /// Whether a box is out of view or hidden behind drawn triangles.
     #[inline(always)]
     fn hidden(&mut self, drawing: &Drawing<'_>, map: &Narrow, bounds: &crate::mesh::Bounds) -> bool {
         let Some(extent) = drawing.frustum.extent(map, bounds) else { return true };
-        // A thousandth nearer, against rounding.
+        // A thousandth nearer, to allow for rounding.
         extent.nearest > drawing.frustum.near && self.front.hides(extent.low, extent.high, 1.001 / extent.nearest)
     }
 
@@ -218,7 +218,7 @@ impl Layers {
         }
     }
 
-    /// Draws a cluster of which some corners are astray.
+    /// Draws a cluster in which some triangles need clipping.
     #[inline(always)]
     fn with_strays<S: Simd>(&mut self, simd: S, run: &Run<'_>, triangles: &[[u8; 3]], name: impl Fn(u32) -> Visible) {
         let Some(points) = &self.points else { return };
@@ -239,7 +239,7 @@ impl Layers {
     }
 }
 
-/// A cluster on its way to the target.
+/// A cluster being drawn.
 struct Run<'a> {
     mesh: &'a Mesh,
     cluster: &'a Cluster,
@@ -263,26 +263,26 @@ impl Run<'_> {
 }
 
 impl Visible {
-    /// Bits of the triangle's number; the level is above.
+    /// Bits of the triangle's number; the level of detail is stored above.
     const BITS: u32 = 29;
 
     pub(super) fn new(instance: u32, level: u8, triangle: u32) -> Self {
         Self { instance, triangle: u32::from(level) << Self::BITS | triangle }
     }
 
-    /// The mesh it is a triangle of.
+    /// The mesh that the triangle belongs to.
     #[inline(always)]
     pub(crate) fn mesh(self, instances: &[Instance]) -> &Mesh {
         &instances[self.instance as usize].link.levels[self.level() as usize]
     }
 
-    /// Its mesh's level of detail.
+    /// Level of detail of its mesh.
     #[inline(always)]
     pub(crate) fn level(self) -> u32 {
         self.triangle >> Self::BITS
     }
 
-    /// Its position in the mesh.
+    /// Index of the triangle in the mesh.
     #[inline(always)]
     pub(crate) fn index(self) -> usize {
         (self.triangle & ((1 << Self::BITS) - 1)) as usize
@@ -290,7 +290,7 @@ impl Visible {
 }
 
 impl Drawing<'_> {
-    /// The coarsest level whose curves are off by no more than allowed.
+    /// The coarsest level of detail with an allowed screen-space error.
     #[inline(always)]
     fn level(&self, instance: &Instance, nearest: f32) -> u8 {
         let stretch = instance.world.0.iter().flat_map(|row| &row[..3]).fold(0.0_f64, |m, v| m.max(v.abs())) as f32;

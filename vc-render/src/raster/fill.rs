@@ -1,4 +1,4 @@
-//! Triangles to pixels.
+//! Rasterization of triangles.
 
 use pulp::Simd;
 
@@ -6,19 +6,19 @@ use super::project::Corner;
 use super::setup::Setup;
 use super::target::{LANES, Target};
 
-/// Longest side of the box around a small triangle, parts of a pixel: sums of
-/// products fit in 32 bits.
+/// Longest side of the bounding box of a small triangle, in 256ths of a pixel: its edge functions fit in 32
+/// bits.
 pub(super) const SMALL: i32 = 64 * 256;
-/// Parts of a pixel.
+/// Subpixel units in a pixel.
 pub(super) const PIXEL: i32 = 256;
-/// Whole numbers below the number of lanes.
+/// The index of each lane, as a float.
 const LANE: [f32; LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
-/// First and last pixel of a triangle, both included.
+/// First and last pixel of a triangle's bounding box, both included.
 type Span = ([i32; 2], [i32; 2]);
 
-/// Draws a triangle whose corners go around it as the y axis goes to the x axis
-/// (seen from the front); false if it covers no pixel's centre's column or row, or is seen from behind.
+/// Draws a triangle that is wound from the x axis towards the y axis (as seen from the front); false if its
+/// bounding box contains no pixel centre, or it is seen from behind.
 #[inline(always)]
 pub(super) fn triangle<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], number: u32) -> bool {
     let [a, b, c] = corners;
@@ -38,7 +38,8 @@ pub(super) fn triangle<S: Simd>(simd: S, target: &mut Target, corners: &[Corner;
     true
 }
 
-/// One where points on the edge are outside: of the two triangles at an edge exactly one owns it.
+/// Tie-break for points on an edge: one if they count as outside. Exactly one of two triangles that share an
+/// edge owns its points.
 #[inline(always)]
 pub(super) fn tie(dx: i32, dy: i32) -> i32 {
     i32::from(!(dy < 0 || (dy == 0 && dx > 0)))
@@ -49,8 +50,8 @@ fn range([a, b, c]: &[Corner; 3]) -> (f32, f32) {
     (a.inverse.min(b.inverse).min(c.inverse), a.inverse.max(b.inverse).max(c.inverse))
 }
 
-/// Block by block of the rows, from about where the first edge is crossed to about where
-/// the last one is.
+/// Draws a small triangle in blocks of a row, from about where the first edge is crossed to about where the
+/// last one is.
 #[inline(always)]
 pub(super) fn small<S: Simd>(simd: S, target: &mut Target, setup: &Setup, lane: usize, number: u32) {
     let (low, high) = setup.span(lane);
@@ -83,12 +84,12 @@ pub(super) fn small<S: Simd>(simd: S, target: &mut Target, setup: &Setup, lane: 
     target.mark(low, high);
 }
 
-/// What a triangle's blocks of pixels are drawn with.
+/// Values shared by all pixel blocks of a triangle.
 struct Paint<S: Simd> {
     least: S::f32s,
     most: S::f32s,
     number: S::u32s,
-    /// Changes of inverse depth and of the edge functions from a block's first pixel on.
+    /// Changes of inverse depth and of the edge functions relative to a block's first pixel.
     depths: [f32; LANES],
     edges: [[u32; LANES]; 3],
 }
@@ -107,7 +108,7 @@ impl<S: Simd> Paint<S> {
         Self { least, most, number, depths, edges: changes }
     }
 
-    /// Draws a block's pixels that are inside all edges and nearer than what is there.
+    /// Draws the pixels of a block that are inside all edges and nearer than the present ones.
     #[inline(always)]
     fn block(&self, simd: S, line: f32, values: [i32; 3], (inverse, triangle): (&mut [f32; LANES], &mut [u32; LANES])) {
         let line = simd.splat_f32s(line);
@@ -117,14 +118,15 @@ impl<S: Simd> Paint<S> {
         let depths = S::as_simd_f32s(&self.depths).0;
         let out = S::as_mut_simd_f32s(inverse).0.iter_mut().zip(S::as_mut_simd_u32s(triangle).0);
         for (((inverse, triangle), ((es, fs), gs)), depth) in out.zip(edges).zip(depths) {
-            // Limits come second: what is no number becomes one of them.
+            // The limits come second, so that NaN turns into one of them.
             let v = simd.max_f32s(simd.add_f32s(line, *depth), self.least);
             let v = simd.min_f32s(v, self.most);
             let any = simd.or_u32s(simd.add_u32s(e, *es), simd.add_u32s(f, *fs));
             let any = simd.transmute_i32s_u32s(simd.or_u32s(any, simd.add_u32s(g, *gs)));
             let inside = simd.greater_than_i32s(any, simd.splat_i32s(-1));
-            // Outside, it is as far as nothing. Both are read before one is written, else choices
-            // become masked stores, which some processors are slow at.
+            // Outside of the triangle, inverse depth is zero, as in the background. Both old values are read
+            // before one is written, as otherwise the selects become masked stores, which are slow on some
+            // processors.
             let v = simd.select_f32s(inside, v, simd.splat_f32s(0.0));
             let (far, old) = (*inverse, *triangle);
             *inverse = simd.max_f32s(far, v);
@@ -133,13 +135,13 @@ impl<S: Simd> Paint<S> {
     }
 }
 
-/// First and last block of a row that may be inside all edges, given their values at the first pixel
-/// and one over how they change from pixel to pixel.
+/// First and last block of a row that may be inside all edges, given the edge functions at the first pixel and
+/// the reciprocals of their change from pixel to pixel.
 #[inline(always)]
 fn blocks(values: [i32; 3], over: [f32; 3], last: i32) -> (i32, i32) {
     let (mut from, mut to) = (0.0_f32, (last * LANES as i32) as f32);
     for k in 0..3 {
-        // Where it is crossed; the hundredth of a pixel is for rounding.
+        // The crossing of the edge; the hundredth of a pixel allows for rounding.
         let at = -(values[k] as f32) * over[k];
         from = if over[k] > 0.0 && at - 0.01 > from { at - 0.01 } else { from };
         to = if over[k] < 0.0 && at + 0.01 < to { at + 0.01 } else { to };
@@ -147,16 +149,16 @@ fn blocks(values: [i32; 3], over: [f32; 3], last: i32) -> (i32, i32) {
     ((from as i32) / LANES as i32, if to < 0.0 { -1 } else { (to as i32) / LANES as i32 })
 }
 
-/// The whole part of a fraction of numbers of at most 50 bits, the second positive.
+/// Floor of the quotient of two integers of at most 50 bits, the second one positive.
 #[inline(always)]
 fn over(above: i64, below: i64) -> i64 {
     let part = (above as f64 / below as f64).floor() as i64;
-    // Rounding may have taken it across a whole number.
+    // Rounding may have carried the quotient across an integer.
     let left = above - part * below;
     part + i64::from(left >= below) - i64::from(left < 0)
 }
 
-/// Row by row, from where the first edge is crossed to where the last one is.
+/// Draws a large triangle row by row, from where the first edge is crossed to where the last one is.
 #[inline(always)]
 fn large<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, high): Span, number: u32) {
     let edge = |from: &Corner, to: &Corner| {
@@ -187,7 +189,7 @@ fn large<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, hig
             for block in from / LANES as i64..=to / LANES as i64 {
                 let first = block * LANES as i64;
                 let start = line + across * (first as f64 + 0.5 - f64::from(a.across));
-                // The ends of the row are its edges.
+                // The ends of the row take the place of edges.
                 let values = [(first - from) as i32, (to - first) as i32, 0];
                 let at = at + block as usize;
                 paint.block(simd, start as f32, values, (&mut target.inverse[at], &mut target.triangles[at]));
@@ -196,7 +198,7 @@ fn large<S: Simd>(simd: S, target: &mut Target, corners: &[Corner; 3], (low, hig
     }
 }
 
-/// How inverse depth changes across and down, in double precision as triangles may be long or near.
+/// Gradient of inverse depth across and down, in double precision, as triangles may be long or near.
 #[inline(always)]
 fn wide_slope(corners: &[Corner; 3]) -> (f64, f64) {
     let [a, b, c] = corners.map(|p| [p.across, p.down, p.inverse].map(f64::from));

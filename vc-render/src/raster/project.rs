@@ -1,34 +1,34 @@
-//! Vertices to the image.
+//! Projection of vertices into the image.
 
 use crate::affine::Narrow;
 
-/// Vertices of a cluster at most; a byte counts them.
+/// Greatest number of vertices of a cluster: a byte indexes them.
 pub(super) const POINTS: usize = 256;
 
-/// Parts of a pixel that vertices are snapped to.
+/// Subpixel units in a pixel, to which vertices are snapped.
 pub(super) const STEPS: f32 = 256.0;
 
-/// Farthest a vertex may be from the image's corner without being clipped, pixels.
+/// Guard band: greatest distance of an unclipped vertex from the image's corner, pixels.
 pub(super) const GUARD: f32 = 16000.0;
 
-/// Added to a number of less than 2^22, leaves the nearest whole number in the low bits.
+/// Added to a number of magnitude below 2^22, leaves the nearest integer in the low bits.
 const ROUNDER: f32 = 12_582_912.0;
 
-/// Vertices of a cluster in the image.
+/// Projected vertices of a cluster.
 pub(super) struct Points {
-    /// Snapped, in parts of a pixel.
+    /// Snapped, in subpixel units.
     pub(super) x: [i32; POINTS],
     pub(super) y: [i32; POINTS],
-    /// Not snapped, pixels.
+    /// Unsnapped, pixels.
     pub(super) across: [f32; POINTS],
     pub(super) down: [f32; POINTS],
-    /// One over depth.
+    /// Inverse depth.
     pub(super) inverse: [f32; POINTS],
-    /// Whether it is before the near plane or far outside.
+    /// Whether a vertex needs clipping: it is before the near plane or beyond the guard band.
     pub(super) stray: [u32; POINTS],
 }
 
-/// A vertex in the image.
+/// A projected vertex.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Corner {
     pub(super) x: i32,
@@ -38,8 +38,8 @@ pub(super) struct Corner {
     pub(super) inverse: f32,
 }
 
-/// The nearest whole number of parts of a pixel; anything for what is astray, and not
-/// looked at then.
+/// The nearest integer number of subpixel units. Arbitrary for vertices that need clipping, where it is not
+/// used.
 #[inline(always)]
 pub(super) fn snapped(pixels: f32) -> i32 {
     ((pixels * STEPS + ROUNDER).to_bits() as i32).wrapping_sub(ROUNDER.to_bits() as i32)
@@ -51,8 +51,7 @@ impl Points {
         Self { x: [0; POINTS], y: [0; POINTS], across: zero, down: zero, inverse: zero, stray: [0; POINTS] }
     }
 
-    /// Takes vertices to the image; `map` leads to pixels times depth, and depth.
-    /// True if some are astray.
+    /// Projects vertices; `map` leads to pixels times depth, and depth. True if some need clipping.
     #[inline(always)]
     pub(super) fn project(&mut self, [xs, ys, zs]: [&[f32]; 3], map: &Narrow, near: f32) -> bool {
         let count = xs.len().min(ys.len()).min(zs.len()).min(POINTS);
@@ -74,10 +73,10 @@ impl Points {
         any != 0
     }
 
-    /// A triangle whose corners go around it as the y axis goes to the x axis.
+    /// A triangle wound from the x axis towards the y axis.
     #[inline(always)]
     pub(super) fn triangle(&self, [a, b, c]: [u8; 3], mirrored: bool) -> [Corner; 3] {
-        // Counter-clockwise seen from outside is clockwise with y down.
+        // Counter-clockwise seen from outside becomes clockwise with y down.
         if mirrored {
             [self.corner(a), self.corner(b), self.corner(c)]
         } else {

@@ -1,4 +1,4 @@
-//! What triangles are drawn with, found for eight at once.
+//! Setup of triangles for rasterization, eight at once.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -7,39 +7,39 @@ use super::project::Points;
 use super::target::{LANES, Target};
 use crate::mesh::MOST;
 
-/// Triangles that are set up at once.
+/// Number of triangles set up together.
 pub(super) const EIGHT: usize = 8;
 
-/// Places for all triangles of a cluster, and for one that is tried after them.
+/// Space for all triangles of a cluster, and for a candidate written after them.
 pub(super) const SIFTED: usize = (MOST + 1).next_multiple_of(EIGHT);
 
-/// Corners of eight triangles, in one of a cluster's lists.
+/// Corners of eight triangles, as indices into one of a cluster's arrays.
 type Corners = [[u8; EIGHT]; 3];
 
 type Whole = [i32; EIGHT];
 type Real = [f32; EIGHT];
 
-/// Eight triangles on their way to pixels.
+/// Eight triangles set up for rasterization.
 pub(super) struct Setup {
-    /// First and last pixel.
+    /// First and last pixel of the bounding boxes.
     low: [Whole; 2],
     high: [Whole; 2],
-    /// Edge functions at the first pixel of the block and row where a triangle begins, and how they
-    /// change from pixel to pixel and from row to row.
+    /// Edge functions at the first pixel of a triangle's first block and row, and their change from pixel to
+    /// pixel and from row to row.
     pub(super) value: [Whole; 3],
     pub(super) across: [Whole; 3],
     pub(super) down: [Whole; 3],
-    /// One over the change across; zero without any.
+    /// Reciprocal of the change from pixel to pixel; zero if there is no change.
     pub(super) over: [Real; 3],
-    /// How inverse depth changes across and down, its value at the first pixel in the first corner's
-    /// row, and where that is.
+    /// Gradient of inverse depth across and down, its value at the first pixel in the row of the first corner,
+    /// and that row.
     pub(super) slope: [Real; 2],
     pub(super) start: Real,
     pub(super) top: Real,
     /// Least and greatest inverse depth.
     pub(super) least: Real,
     pub(super) most: Real,
-    /// Zero for those that are not drawn, one for small ones, two for those too large for 32 bits.
+    /// Zero for triangles not drawn, one for small ones, two for those too large for 32 bits.
     kinds: Whole,
 }
 
@@ -68,14 +68,14 @@ impl Setup {
         ([self.low[0][lane], self.low[1][lane]], [self.high[0][lane], self.high[1][lane]])
     }
 
-    /// Triangles that may cover a pixel's centre and are seen from the front, and whether they are small.
+    /// Front-facing triangles that may cover a pixel centre, and whether they are small.
     #[inline(always)]
     pub(super) fn drawn(&self) -> impl Iterator<Item = (usize, bool)> + '_ {
         self.kinds.iter().enumerate().filter(|(_, kind)| **kind > 0).map(|(lane, kind)| (lane, *kind == 1))
     }
 
-    /// Finds which triangles of a cluster are to be set up: most of the others look away, or lie between pixels'
-    /// centres. Their corners go around as the y axis goes to the x axis.
+    /// Selects the triangles of a cluster to set up: most others face away or lie between pixel centres. Their
+    /// corners are wound from the x axis towards the y axis.
     #[inline(always)]
     pub(super) fn sift<'a>(
         &mut self,
@@ -95,7 +95,7 @@ impl Setup {
         &kept[..count.min(SIFTED)]
     }
 
-    /// Sets up triangles.
+    /// Sets up the given triangles.
     #[inline(always)]
     pub(super) fn load(
         &mut self,
@@ -110,7 +110,7 @@ impl Setup {
         self.depths(&u, &v, &w);
     }
 
-    /// Finds which pixels triangles may cover, and gives their corners.
+    /// Finds the bounding boxes of triangles, and returns their corners.
     #[inline(always)]
     fn cover(
         &mut self,
@@ -118,10 +118,10 @@ impl Setup {
         triangles: impl Iterator<Item = [u8; 3]>,
         target: &Target,
     ) -> (Corners, [[Whole; 3]; 2]) {
-        // Of lanes without a triangle all corners are one, and they cover nothing.
+        // Lanes without a triangle have three equal corners and cover nothing.
         let mut at = [[0; EIGHT]; 3];
         for (lane, [a, b, c]) in (0..EIGHT).zip(triangles) {
-            // Counter-clockwise seen from outside is clockwise with y down.
+            // Counter-clockwise seen from outside becomes clockwise with y down.
             let corners = if mirrored { [a, b, c] } else { [a, c, b] };
             (0..3).for_each(|k| at[k][lane] = corners[k]);
         }
@@ -130,8 +130,8 @@ impl Setup {
         (at, [x, y])
     }
 
-    /// Which pixels triangles may cover. Those without any, or seen from behind, are not drawn;
-    /// neither are lanes without a triangle, whose corners are one.
+    /// Finds the bounding boxes of triangles. Triangles that contain no pixel centre or are seen from behind
+    /// are not drawn, nor are lanes without a triangle, whose corners are equal.
     #[inline(always)]
     fn bound(&mut self, x: &[Whole; 3], y: &[Whole; 3], target: &Target) {
         let (width, rows) = (target.width as i32, target.rows.clone());
@@ -144,7 +144,7 @@ impl Setup {
             self.high[1][i] = ((high_y - 128) >> 8).min(rows.end - 1);
             let covers = (self.low[0][i] <= self.high[0][i]) & (self.low[1][i] <= self.high[1][i]);
             let small = (high_x - low_x <= SMALL) & (high_y - low_y <= SMALL);
-            // Of large ones it is found later which way they look.
+            // The winding of large triangles is tested when they are drawn.
             let area = (x[1][i] - x[0][i])
                 .wrapping_mul(y[2][i] - y[0][i])
                 .wrapping_sub((y[1][i] - y[0][i]).wrapping_mul(x[2][i] - x[0][i]));
@@ -153,7 +153,7 @@ impl Setup {
         }
     }
 
-    /// Edge functions of small triangles.
+    /// Sets up the edge functions of small triangles.
     #[inline(always)]
     fn edges(&mut self, x: &[Whole; 3], y: &[Whole; 3]) {
         for (k, next) in [(0, 1), (1, 2), (2, 0)] {

@@ -1,17 +1,17 @@
-//! What is drawn into: inverse depth and triangle of every pixel of some rows.
+//! The visibility buffer: inverse depth and triangle of every pixel of some rows.
 
 use std::ops::Range;
 
-/// Triangle of a pixel where there is none.
+/// Triangle of an empty pixel.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Pixels that are drawn at once.
+/// Number of pixels drawn together.
 pub(super) const LANES: usize = 8;
 
 /// Side of the tiles of the coarse depth buffer, pixels.
 const TILE: usize = 16;
 
-/// A triangle that may be seen.
+/// A triangle that may be visible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Visible {
     pub(crate) instance: u32,
@@ -24,18 +24,18 @@ pub(crate) struct Visible {
 pub(crate) struct Target {
     /// Pixels across.
     pub(crate) width: usize,
-    /// Which rows of the image.
+    /// The rows of the image.
     pub(crate) rows: Range<i32>,
-    /// Blocks of pixels in a row.
+    /// Number of pixel blocks in a row.
     pub(super) stride: usize,
-    /// One over depth; zero where there is nothing.
+    /// Inverse depth; zero for empty pixels.
     pub(super) inverse: Vec<[f32; LANES]>,
-    /// Positions in a list of [`Visible`].
+    /// Triangles as indices into a list of [`Visible`].
     pub(super) triangles: Vec<[u32; LANES]>,
     tiles: Tiles,
 }
 
-/// Rows of what is not clear: where nothing clear was drawn, that is all there is.
+/// Rows of the opaque triangles; where nothing clear was drawn, these are all triangles.
 #[derive(Clone, Copy)]
 pub(crate) struct Solid<'a> {
     pub(super) front: &'a Target,
@@ -48,20 +48,20 @@ impl<'a> Solid<'a> {
         if self.behind.rows.contains(&y) { self.behind } else { self.front }
     }
 
-    /// As [`Target::inverse_row`].
+    /// Like [`Target::inverse_row`].
     #[inline(always)]
     pub(crate) fn inverse_row(self, y: i32) -> &'a [f32] {
         self.of(y).inverse_row(y)
     }
 
-    /// As [`Target::triangle_row`].
+    /// Like [`Target::triangle_row`].
     #[inline(always)]
     pub(crate) fn triangle_row(self, y: i32) -> &'a [u32] {
         self.of(y).triangle_row(y)
     }
 }
 
-/// The least inverse depth in every tile, found when it is asked for.
+/// The coarse depth buffer: the least inverse depth in every tile, updated when it is asked for.
 #[derive(Debug, Default, Clone)]
 struct Tiles {
     across: usize,
@@ -70,9 +70,9 @@ struct Tiles {
 }
 
 impl Target {
-    /// Makes it empty, with these rows of an image of this width.
+    /// Clears it for some rows of an image of this width.
     pub(crate) fn reset(&mut self, width: usize, rows: Range<i32>) {
-        // A multiple of a tile's width.
+        // Rows are padded to whole tiles.
         self.stride = width.div_ceil(TILE) * TILE / LANES;
         self.width = width;
         let height = rows.len();
@@ -86,7 +86,7 @@ impl Target {
         refill(&mut self.tiles.stale, false, tiles);
     }
 
-    /// Makes it the same as some rows of another; it cannot be drawn into then.
+    /// Makes it a copy of some rows of another; it cannot be drawn into afterwards.
     pub(super) fn copy(&mut self, other: &Self, rows: Range<i32>) {
         let rows = rows.start.max(other.rows.start)..rows.end.min(other.rows.end).max(rows.start.max(other.rows.start));
         let row = |y: i32| (y - other.rows.start) as usize * other.stride;
@@ -99,7 +99,7 @@ impl Target {
         self.rows = rows;
     }
 
-    /// Makes a part of it empty: columns and rows of the image, the first included, the last not.
+    /// Clears a rectangle of the image, given as ranges of columns and rows.
     pub(crate) fn erase(&mut self, columns: Range<i32>, rows: Range<i32>) {
         let columns =
             columns.start.max(0) as usize / LANES..(columns.end.max(0) as usize).div_ceil(LANES).min(self.stride);
@@ -117,8 +117,8 @@ impl Target {
         }
     }
 
-    /// Columns past the image are nearer than anything, so that nothing is drawn
-    /// there and tiles do not wait for them.
+    /// Makes the columns past the image nearer than anything, so that nothing is drawn there and tiles may
+    /// count as full without them.
     fn close_margin(&mut self, height: usize) {
         for x in self.width..self.stride * LANES {
             for y in 0..height {
@@ -141,13 +141,13 @@ impl Target {
         &self.triangles[at..at + self.stride].as_flattened()[..self.width]
     }
 
-    /// Triangles of all rows, and how far a row is from the next.
+    /// Triangles of all rows, and the distance from one row to the next.
     #[inline]
     pub(crate) fn all_triangles(&self) -> (&[u32], usize) {
         (self.triangles.as_flattened(), self.stride * LANES)
     }
 
-    /// Notes that pixels between two corners, both included, have changed.
+    /// Marks the pixels of a rectangle, both corners included, as changed.
     #[inline(always)]
     pub(super) fn mark(&mut self, low: [i32; 2], high: [i32; 2]) {
         let row = |y: i32| (y - self.rows.start) as usize / TILE;
@@ -158,7 +158,7 @@ impl Target {
         }
     }
 
-    /// Whether everything between two corners, both included, is nearer than this.
+    /// Whether all pixels of a rectangle, both corners included, are nearer than this.
     #[inline(always)]
     pub(super) fn hides(&mut self, low: [i32; 2], high: [i32; 2], inverse: f32) -> bool {
         let row = |y: i32| (y - self.rows.start) as usize / TILE;
@@ -197,7 +197,7 @@ impl Target {
     }
 }
 
-/// `count` times `value`, in the memory there is.
+/// Refills a list with `count` copies of `value`, reusing its memory.
 pub(crate) fn refill<T: Clone>(list: &mut Vec<T>, value: T, count: usize) {
     list.clear();
     list.resize(count, value);

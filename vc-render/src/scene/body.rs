@@ -1,4 +1,4 @@
-//! A node's body, and the instances of meshes it is made of.
+//! The body of a node, and the mesh instances it consists of.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -13,21 +13,21 @@ use crate::affine::{Affine, Narrow};
 use crate::mesh::{Ball, Bounds, Link};
 use crate::surface::Coat;
 
-/// Room of what is in none.
+/// Room index of bodies that are in no room.
 pub(crate) const NO_ROOM: u16 = u16::MAX;
 
-/// How a body stands to its room.
+/// How a body relates to its room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stands {
     Within,
-    /// It bounds the room, as walls and windows do: its outer side is not in it.
+    /// It bounds the room, as walls and windows do: its outer side is not in the room.
     Around,
-    /// It is of two rooms, as doors are.
+    /// It belongs to two rooms, as doors do.
     Between,
 }
 
 impl Stands {
-    /// By the category of its class.
+    /// Decides by the category of the node's class.
     pub(super) fn of(category: Option<Category>) -> Self {
         match category {
             Some(Category::Door) => Self::Between,
@@ -37,7 +37,7 @@ impl Stands {
     }
 }
 
-/// A node that can be seen.
+/// A node with a visible shape.
 #[derive(Debug, Clone)]
 pub(crate) struct Body {
     pub(crate) node: NodeId,
@@ -45,65 +45,64 @@ pub(crate) struct Body {
     pub(crate) class: u16,
     /// Index in the scene's list of rooms.
     pub(crate) room: u16,
-    /// How it stands to its room.
+    /// How it relates to its room.
     pub(crate) stands: Stands,
-    /// Whether what glows in it does.
+    /// Whether its luminous parts are switched on.
     pub(crate) lit: bool,
     pub(crate) pose: Pose,
     pub(crate) scale: Vector3<f32>,
     pub(crate) instances: Range<u32>,
-    /// The box around it in its own frame, scale included, joints where they are.
+    /// The bounding box in the body's own frame, scale included, with joints in their current positions.
     pub(crate) bounds: Bounds,
 }
 
-/// A mesh somewhere in the world.
+/// A mesh placed in the world.
 #[derive(Debug, Clone)]
 pub(crate) struct Instance {
     pub(crate) link: Arc<Link>,
     /// Index of its body.
     pub(crate) body: u32,
-    /// Where its joint is, radians or metres.
+    /// Position of its joint, radians or metres.
     pub(crate) joint: f32,
-    /// From the mesh to the world.
+    /// The map from the mesh to the world.
     pub(crate) world: Affine,
-    /// From the world to the mesh.
+    /// The map from the world to the mesh.
     pub(crate) inverse: Narrow,
-    /// Around it in the world.
+    /// Bounding sphere in the world.
     pub(crate) ball: Ball,
-    /// Whether the map turns triangles over.
+    /// Whether the map reverses the winding of triangles.
     pub(crate) mirrored: bool,
-    /// What lies on it.
+    /// The coat that lies on it.
     pub(crate) coat: Coat,
-    /// What is poured into a vessel, if it is that.
+    /// For the liquid in a vessel: whether it is there.
     pub(super) liquid: Option<Poured>,
-    /// What draws it over a window, if it hangs at one.
+    /// For part of a blind or curtain: the stretch that draws it over its window.
     pub(super) drawn: Option<Drawn>,
-    /// Of a curtain that may be tied, when it is there.
+    /// For part of a curtain that can be tied: when it is there.
     pub(super) tied: Option<Tied>,
-    /// Whether nothing of its body is to be seen.
+    /// Whether its body is hidden.
     pub(super) hidden: bool,
 }
 
-/// A liquid that is in a vessel or not.
+/// A liquid in a vessel, which may be empty.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Poured {
     pub(super) there: bool,
-    /// A point in the vessel's bottom.
+    /// A point inside the vessel's bottom.
     pub(super) bottom: [f64; 3],
 }
 
-/// Part of a curtain that is tied where it is not drawn.
+/// A part of a curtain that exists either only tied or only drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tied {
-    /// Whether it is there when the curtain is drawn, or else when it is not.
+    /// Whether it is there when the curtain is drawn, or otherwise when it is not.
     pub(super) drawn: bool,
-    /// A point within what is there otherwise.
+    /// A point inside the part that is there otherwise.
     pub(super) hidden: [f64; 3],
 }
 
 impl Instance {
-    /// Puts it where its body's pose and its joint say; false if it has no extent
-    /// there in some direction.
+    /// Places it according to its body's pose and its joint; false if it is then flat in some direction.
     pub(crate) fn put(&mut self, pose: &Pose, scale: &Vector3<f32>) -> bool {
         let own = self.link.joint.map_or_else(Pose::identity, |joint| joint.motion(self.joint));
         self.arrange(pose, scale, &own)
@@ -114,7 +113,7 @@ impl Instance {
         self.drawn.as_ref().is_some_and(|drawn| drawn.closed)
     }
 
-    /// Where it is a speck that is not to be seen, in the mesh's frame.
+    /// The point, in the mesh's frame, to which it is shrunk while it is not to be seen.
     fn speck(&self) -> Option<[f64; 3]> {
         match self.liquid {
             _ if self.hidden => Some([0.0; 3]),
@@ -123,12 +122,12 @@ impl Instance {
         }
     }
 
-    /// Whether there is something to be seen of it.
+    /// Whether it can be seen at all.
     pub(super) fn is_there(&self) -> bool {
         self.speck().is_none()
     }
 
-    /// Puts it where its body's pose and its own motion say.
+    /// Places it according to its body's pose and its own motion.
     pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
         let placed = match &self.drawn {
             Some(Drawn { closed: true, stretch }) => {
@@ -137,7 +136,8 @@ impl Instance {
             _ => Affine::placed(pose, scale),
         };
         let placed = placed.after(&Affine::of(own));
-        // A speck where nobody sees it: as good as not there, and known to all that know the scene.
+        // A hidden instance shrinks to an invisible speck: nothing is seen of it, but every holder of the scene
+        // keeps the same list of instances.
         self.world = self.speck().map_or(placed, |at| placed.after(&Affine::shrunk(at, SPECK)));
         self.ball = self.link.levels[0].bounds.ball(&self.world);
         self.mirrored = self.world.determinant() < 0.0;
@@ -154,7 +154,7 @@ impl Body {
         instances[own].iter().any(Instance::covers)
     }
 
-    /// The box around the body's instances in its own frame.
+    /// The box around the body's instances in the body's own frame.
     pub(crate) fn measured(&self, instances: &[Instance]) -> Bounds {
         let Some(back) = Affine::of(&self.pose).inverse() else { return Bounds::default() };
         let mut all: Option<Bounds> = None;
@@ -167,7 +167,7 @@ impl Body {
     }
 }
 
-/// The box around a box that is mapped.
+/// The bounding box of a mapped box.
 pub(crate) fn turned(map: &Narrow, bounds: &Bounds) -> Bounds {
     let half = [0, 1, 2].map(|r: usize| (0..3).map(|c| map[r][c].abs() * bounds.half[c]).sum());
     Bounds { centre: crate::affine::point(map, bounds.centre), half }

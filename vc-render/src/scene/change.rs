@@ -1,4 +1,4 @@
-//! What may change of a scene from moment to moment.
+//! Changes to a snapshot from moment to moment.
 
 use std::ops::Range;
 
@@ -29,8 +29,8 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Says in which room a body is from now on, if in any: that room's light falls on it. Without this a body that
-    /// was moved by [`place`](Self::place) is lit as in its former room. Linear in the number of rooms.
+    /// Sets the room in which a body is from now on, if any: that room's light falls on it. Without this call a
+    /// body moved by [`place`](Self::place) is lit as in its former room. Linear in the number of rooms.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -54,8 +54,8 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Moves the joints of a body: `position` gives each joint's, radians or metres,
-    /// where it is to change.
+    /// Moves the joints of a body. `position` gives the new position of a joint, radians or metres, or `None`
+    /// where it stays.
     ///
     /// # Errors
     /// [`RenderError::NoBody`], [`RenderError::BadPose`].
@@ -67,9 +67,8 @@ impl Snapshot {
         self.bend(node, |joint, _| position(joint).map(|at| (at, joint.motion(at))))
     }
 
-    /// Puts the links of a body where a chain of joints has them, as a person's limbs:
-    /// `place` gives for each joint how far what hangs on it has moved from where the
-    /// asset has it, in the asset's frame.
+    /// Places the links of a body along a chain of joints, such as a person's limbs. `place` gives for each
+    /// joint how far the link that hangs on it has moved from its rest pose in the asset, in the asset's frame.
     ///
     /// # Errors
     /// [`RenderError::NoBody`], [`RenderError::BadPose`].
@@ -77,8 +76,8 @@ impl Snapshot {
         self.bend(node, |joint, at| place(joint).map(|moved| (at, moved)))
     }
 
-    /// Gives links of a body the position of their joint, and their motion from where the asset has them; all that
-    /// are given one, or none if one of them cannot be.
+    /// Gives links of a body the positions of their joints and their motions from the rest pose in the asset.
+    /// Either all given links move or, if one of them cannot, none.
     fn bend(
         &mut self,
         node: NodeId,
@@ -104,7 +103,7 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Switches what glows of a body.
+    /// Switches the luminous parts of a body on or off.
     ///
     /// # Errors
     /// [`RenderError::NoBody`].
@@ -114,7 +113,8 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Says what lies on a body; a graph's states are there from the beginning, as [`Coat::of`] has them.
+    /// Sets the coat on a body. The coats that follow from a graph's states are there from the beginning, by
+    /// [`Coat::of`].
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -137,8 +137,9 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Says what lies on the links of a body that move on joints, where it differs from the rest of it: what a person
-    /// wears. What [`coat`](Self::coat) says later holds for all of it again. Costs next to nothing.
+    /// Sets the coat on the links of a body that move on joints, where it differs from the rest of the body,
+    /// such as a person's clothes. A later call of [`coat`](Self::coat) covers the whole body again. Costs next
+    /// to nothing.
     ///
     /// ```
     /// use vc_graph::asset::JointKind;
@@ -169,7 +170,7 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Lets a body be seen or not: what somebody wears is where its wearer is.
+    /// Hides a body or shows it again, such as a garment that is drawn as part of its wearer.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -199,8 +200,8 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Fills a vessel with a liquid of a class, or empties it; a graph's contents are there from the beginning. What
-    /// is not open above with walls around holds nothing that is seen.
+    /// Fills a vessel with a liquid of a class, or empties it. A graph's contents are there from the beginning.
+    /// A vessel that is not open above, with walls around, shows no liquid.
     ///
     /// ```
     /// use vc_graph::{Draft, Pose, SceneBuilder};
@@ -228,13 +229,14 @@ impl Snapshot {
         Ok(())
     }
 
-    /// Draws a blind or a curtain over the window or door that it hangs at, or aside: it is stretched over the opening,
-    /// down from above or from its side, to the middle where another comes from the other side. It hangs before what is
-    /// flat and stands there, as radiators do, and ends above what is deep; where that was when the snapshot was made
-    /// counts. What is tied with a band comes loose. A graph's states are there from the beginning. What hangs at
-    /// nothing stays as it is.
+    /// Draws a blind or a curtain over the window or door it hangs at, or draws it aside. It is stretched over
+    /// the opening, down from above or in from its side, and only to the middle if another one comes from the
+    /// other side. It hangs before flat things that stand there, such as radiators, and ends above deep ones;
+    /// the places where these were when the snapshot was made count. A curtain that is tied with a band is
+    /// untied. A graph's states are there from the beginning. A cover that hangs at no opening stays as it is.
     ///
-    /// Light follows when it is made anew: see [`Renderer::relight`](crate::Renderer::relight). Costs next to nothing.
+    /// Light must be computed anew to follow the change: see [`Renderer::relight`](crate::Renderer::relight).
+    /// Costs next to nothing.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};

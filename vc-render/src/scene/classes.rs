@@ -1,4 +1,4 @@
-//! Numbers of classes.
+//! Class numbers.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -10,12 +10,12 @@ use vc_graph::{SceneGraph, Seed, Word};
 use crate::RenderError;
 use crate::frame::NO_LABEL;
 
-/// The first number for classes that the class table does not know.
+/// The first number for classes that are not in the class table.
 const UNKNOWN: u16 = 1 << 15;
 
-/// Numbers of classes. A class of the scene's class table has its place there, which is the same in every
-/// scene. A class that the table does not know has a number that follows from its name alone, so that it
-/// too is the same everywhere; if two names give the same number, the later name has none.
+/// Class numbers. A class of the scene's class table is numbered by its position there, which is the same in
+/// every scene. The number of a class that the table lacks is computed from its name alone, so that it too is
+/// the same everywhere; if two names collide, the later one has no number.
 #[derive(Debug)]
 pub(crate) struct Classes {
     known: Vec<Named>,
@@ -47,7 +47,7 @@ impl Classes {
 
     fn add(&mut self, named: Named) {
         let number = by_name(&named.0);
-        // If a class is in two categories, the first counts.
+        // If a class occurs in two categories, the first one counts.
         if let Entry::Vacant(free) = self.others.entry(number) {
             self.numbers.insert(named.0.clone(), number);
             free.insert(named);
@@ -59,7 +59,7 @@ impl Classes {
         self.numbers.get(class).copied().unwrap_or(NO_LABEL)
     }
 
-    /// The class of a number, and its category.
+    /// The class and its category for a number.
     pub(crate) fn named(&self, number: u16) -> Option<&Named> {
         self.known.get(usize::from(number)).or_else(|| self.others.get(&number))
     }

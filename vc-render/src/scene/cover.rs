@@ -7,46 +7,48 @@ use super::{Body, Instance, turned};
 use crate::affine::{Affine, Narrow, point, three};
 use crate::mesh::{Bounds, Mesh};
 
-/// How far off an opening in the wall what covers it hangs at most: out of the wall, and to its side or above.
+/// Greatest distance of a cover from its opening, metres: out of the wall, and along the wall or above.
 const OFF: [f32; 2] = [0.35, 0.4];
-/// What is as wide as this share of an opening comes down over it; what is not is drawn over it from the side.
+/// A cover at least this share of an opening wide comes down over it from above; a narrower one is drawn from
+/// the side.
 const WIDE: f32 = 0.8;
-/// How far two that meet reach over each other, and how far off what stands out of an opening a cover stays, metres.
+/// Overlap of two curtains that meet, and clearance between a cover and what stands out of the opening, metres.
 const LAP: f32 = 0.005;
-/// Depth of a cover that sweeps before what stands out, at least, metres: its pleats are drawn flat.
+/// Least depth of a cover drawn before something that stands out, metres: its pleats are drawn flat.
 const FLAT: f32 = 0.03;
-/// How far off the wall a cover sweeps at most, metres: before a radiator. It ends above what reaches farther.
+/// Greatest distance from the wall at which a cover passes before a thing, such as a radiator, metres. It ends
+/// above things that stand out farther.
 const SWEEP: f32 = 0.2;
 
 /// A cover that can be drawn over an opening.
 #[derive(Debug, Clone)]
 pub(super) struct Drawn {
     pub(super) closed: bool,
-    /// What stretches it over its share of the opening, in the frame of its pose.
+    /// The map that stretches it over its share of the opening, in the frame of its pose.
     pub(super) stretch: Arc<Affine>,
 }
 
-/// The boxes of a cover and of an opening in the cover's frame: X out of the wall, Z upwards.
+/// The boxes of a cover and of its opening in the cover's frame: X out of the wall, Z upwards.
 struct Hung {
     own: Bounds,
-    /// Without the head that it hangs from.
+    /// The cover without the head that it hangs from.
     loose: Bounds,
     opening: Bounds,
-    /// Of the opening's parts, and of what stands before it.
+    /// Boxes of the opening's parts, and of things that stand before it.
     parts: Vec<Bounds>,
 }
 
-/// What covers may hang at and before, numbers of bodies.
+/// Bodies that matter to covers, by number.
 #[derive(Default)]
 pub(super) struct Around {
     /// Covers, each with whether it is closed.
     pub(super) covers: Vec<(usize, bool)>,
     pub(super) openings: Vec<usize>,
-    /// What stands in rooms and is not carried about.
+    /// Things that stand in rooms and are not carried about.
     pub(super) standing: Vec<usize>,
 }
 
-/// Finds for covers where they hang, and draws them as they are.
+/// Finds the opening of each cover, and draws covers according to their states.
 pub(super) fn hang((bodies, instances): (&mut [Body], &mut [Instance]), around: &Around) {
     for ((body, closed), stretch) in around.covers.iter().zip(stretches((bodies, instances), around)) {
         let Some((wide, stretch)) = stretch.map(|(wide, stretch)| (wide, Arc::new(stretch))) else { continue };
@@ -59,7 +61,7 @@ pub(super) fn hang((bodies, instances): (&mut [Body], &mut [Instance]), around: 
     }
 }
 
-/// Draws the cover that is a body, or draws it aside.
+/// Draws a cover over its opening, or aside.
 pub(super) fn draw((body, instances): (&mut Body, &mut [Instance]), closed: bool) {
     let own = &mut instances[body.instances.start as usize..body.instances.end as usize];
     for instance in own.iter_mut() {
@@ -70,7 +72,8 @@ pub(super) fn draw((body, instances): (&mut Body, &mut [Instance]), closed: bool
     body.bounds = body.measured(own);
 }
 
-/// For each cover what draws it over the opening nearest to it, and whether it comes down; none where none is near.
+/// For each cover, the map that stretches it over the nearest opening, and whether it comes down from above;
+/// `None` if no opening is near.
 fn stretches((bodies, instances): (&[Body], &[Instance]), around: &Around) -> Vec<Option<(bool, Affine)>> {
     let hung = |(cover, _): &(usize, bool)| {
         let cover = &bodies[*cover];
@@ -92,13 +95,13 @@ fn stretches((bodies, instances): (&[Body], &[Instance]), around: &Around) -> Ve
 }
 
 impl Hung {
-    /// None where the cover does not hang at the opening.
+    /// None if the cover does not hang at the opening.
     fn of(cover: &Body, opening: &Body, instances: &[Instance]) -> Option<Self> {
         let back = Affine::of(&cover.pose).inverse()?;
         let of = |body: &Body| &instances[body.instances.start as usize..body.instances.end as usize];
         let own = |i: &Instance| back.after(&i.world).narrow();
         let around = |i: &Instance| turned(&own(i), &i.link.levels[0].bounds);
-        // Without what swings in it.
+        // Swinging parts of the opening are left out.
         let fixed = || of(opening).iter().filter(|i| i.link.joint.is_none());
         let made = Self {
             own: cover.bounds,
@@ -107,12 +110,12 @@ impl Hung {
             parts: Vec::new(),
         };
         let near = (0..3).all(|i| made.gap(i) <= OFF[usize::from(i > 0)]);
-        // Along the wall and not across it.
+        // The cover must hang along the wall, not across it.
         let along = near && made.opening.half[1] > made.opening.half[0];
         along.then(|| Self { parts: fixed().flat_map(|i| parts(&own(i), &i.link.levels[0])).collect(), ..made })
     }
 
-    /// With the parts of what stands where it may come.
+    /// Adds the parts of things that stand where the cover may come down or pass.
     fn among<'a>(self, cover: &Body, standing: impl Iterator<Item = &'a Body>, instances: &[Instance]) -> Self {
         let Some(back) = Affine::of(&cover.pose).inverse() else { return self };
         let (all, [wall, front]) = (self.own.joined(&self.opening), ends(&self.own, 0));
@@ -137,12 +140,12 @@ impl Hung {
         self.own.half[1] >= WIDE * self.opening.half[1]
     }
 
-    /// At which side of the opening it is: one or minus one.
+    /// The side of the opening at which the cover hangs: one or minus one.
     fn side(&self) -> f32 {
         if self.own.centre[1] < self.opening.centre[1] { -1.0 } else { 1.0 }
     }
 
-    /// Down to the opening's lower edge, or to what stands out or stands there.
+    /// Stretches the cover down to the opening's lower edge, or to a thing that stands out or stands there.
     fn lowered(&self) -> Affine {
         let [low, high] = ends(&self.loose, 2);
         let way = [ends(&self.own, 0), ends(&self.own, 1), [f32::NEG_INFINITY, low]];
@@ -151,13 +154,14 @@ impl Hung {
         spanned(2, [low, high], [end.min(low), high])
     }
 
-    /// From its side to the opening's other one: to the middle, if `other` comes from there. And before what stands
-    /// out there or is flat, as a radiator is, and above what is deep.
+    /// Stretches the cover from its side to the opening's other side, or to the middle if `other` comes from
+    /// there. It passes before things that stand out there or are flat, such as radiators, and ends above deep
+    /// ones.
     fn drawn(&self, other: bool) -> Affine {
         let (side, [low, high]) = (self.side(), ends(&self.own, 1));
         let end = if other { self.opening.centre[1] } else { ends(&self.opening, 1)[usize::from(side < 0.0)] };
         let to = end - side * LAP;
-        // It may already reach farther.
+        // The cover may already reach farther.
         let across = if side < 0.0 { [low, to.max(high)] } else { [to.min(low), high] };
         let ([back, front], [bottom, top]) = (ends(&self.own, 0), ends(&self.own, 2));
         let depth = |foot: f32| match self.clear(across, [foot, top]) {
@@ -169,18 +173,21 @@ impl Hung {
         along.after(&spanned(0, [back, front], depth(foot)))
     }
 
-    /// How far out of the wall a cover is before all that is not deep, given how far it reaches across and upwards.
+    /// Distance from the wall at which a cover clears all things that are not deep, given its extent across and
+    /// upwards.
     fn clear(&self, across: [f32; 2], upwards: [f32; 2]) -> f32 {
         let back = ends(&self.own, 0)[0];
         let way = self.parts.iter().filter(|part| meets(part, &[[back, back + SWEEP], across, upwards]));
         way.map(|part| ends(part, 0)[1]).filter(|out| *out <= back + SWEEP).map(|out| out + LAP).fold(back, f32::max)
     }
 
-    /// The height at which a cover ends, given the room it takes: above what reaches into that from below.
+    /// The height at which a cover ends, given the space it occupies: above the things that reach into that
+    /// space from below.
     fn foot(&self, room: [[f32; 2]; 3]) -> f32 {
         let (most, [bottom, _]) = (self.opening.centre[2], room[2]);
         let tops = self.parts.iter().filter(|part| meets(part, &room)).map(|part| ends(part, 2)[1] + LAP);
-        // Of what is higher than half of the opening it leaves little free.
+        // Things higher than half of the opening are ignored, as the cover above them would leave little to
+        // close.
         tops.filter(|top| *top < most).fold(bottom, f32::max)
     }
 }
@@ -189,12 +196,12 @@ fn ends(bounds: &Bounds, axis: usize) -> [f32; 2] {
     [bounds.centre[axis] - bounds.half[axis], bounds.centre[axis] + bounds.half[axis]]
 }
 
-/// Whether a box reaches into another, given from where to where that goes along each axis.
+/// Whether a box overlaps another, given as the range along each axis.
 fn meets(bounds: &Bounds, other: &[[f32; 2]; 3]) -> bool {
     (0..3).all(|axis| ends(bounds, axis)[1] > other[axis][0] && ends(bounds, axis)[0] < other[axis][1])
 }
 
-/// The boxes around the parts of a mesh that is mapped.
+/// The bounding boxes of the parts of a mapped mesh.
 fn parts(map: &Narrow, mesh: &Mesh) -> Vec<Bounds> {
     let mut boxes: BTreeMap<u16, Bounds> = BTreeMap::new();
     for cluster in &mesh.clusters {
@@ -206,7 +213,7 @@ fn parts(map: &Narrow, mesh: &Mesh) -> Vec<Bounds> {
     boxes.into_values().collect()
 }
 
-/// Along an axis, so that two places come to two others.
+/// The map that stretches along an axis so that two coordinates go to two others.
 fn spanned(axis: usize, [a, b]: [f32; 2], [low, high]: [f32; 2]) -> Affine {
     let by = if a == b { 1.0 } else { f64::from(high - low) / f64::from(b - a) };
     Affine(three(|r| {

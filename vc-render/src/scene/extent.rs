@@ -6,9 +6,9 @@ use super::{Instance, Snapshot};
 use crate::affine::point;
 
 impl Snapshot {
-    /// The box along the world's axes around a node as it is drawn, metres: with doors and limbs where they are, and
-    /// curtains open or closed. `None` if it has no body or is hidden. Costs a few operations for each corner of its
-    /// triangles.
+    /// The axis-aligned box in the world around a node as it is drawn, metres: with its doors and limbs in
+    /// their current positions, and curtains open or closed. `None` if it has no body or is hidden. Costs a few
+    /// operations for each corner of its triangles.
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};

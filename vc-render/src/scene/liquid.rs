@@ -1,4 +1,4 @@
-//! What is poured into vessels: a body of liquid that fits into each.
+//! Liquids in vessels: a body of liquid is fitted into each vessel.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind, Part, Shape};
@@ -7,23 +7,24 @@ use vc_graph::{Asset, Pose};
 
 use crate::surface::Coat;
 
-/// How high a vessel is filled, as a share of its depth; of several the first that its walls enclose.
+/// Fill levels as shares of a vessel's depth; the first at which the walls enclose the liquid is taken.
 const LEVELS: [f32; 5] = [0.8, 0.65, 0.5, 0.35, 0.2];
 /// Least depth of a liquid and least width of its surface, metres.
 const LEAST: f32 = 0.006;
-/// Directions in which walls are looked for, and heights at which they are.
+/// Number of directions in which walls are searched, and number of heights.
 const AROUND: usize = 20;
 const RINGS: usize = 4;
-/// How far the liquid stays within the walls, as a share of its width.
+/// Width of the liquid as a share of the distance between the walls.
 const WITHIN: f32 = 0.985;
-/// How much farther the wall may be in one direction than in another: what is open at the side holds nothing.
+/// Greatest ratio between the distances of the wall in two directions: a vessel that is open at the side holds
+/// no liquid.
 const LOPSIDED: f32 = 5.0;
-/// Curves are this near to their chords, metres.
+/// Tolerance of curves from their chords, metres.
 const TOLERANCE: f32 = 0.001;
-/// How small is what is not to be seen, as the liquid of an empty vessel: a speck in its bottom.
+/// Scale to which hidden parts shrink, such as the liquid of an empty vessel: a speck inside its bottom.
 pub(super) const SPECK: f64 = 1e-3;
 
-/// Linear reflectance of liquids by a word of their class; others look like water.
+/// Linear reflectance of liquids by a word in the name of their class; other liquids look like water.
 const COLOURS: [(&str, [f32; 3]); 13] = [
     ("milk", [0.80, 0.78, 0.72]),
     ("cream", [0.80, 0.75, 0.62]),
@@ -41,16 +42,16 @@ const COLOURS: [(&str, [f32; 3]); 13] = [
 ];
 const WATER: [f32; 3] = [0.30, 0.45, 0.52];
 
-/// Where the liquid in a vessel is.
+/// The place of the liquid in a vessel.
 #[derive(Debug, Clone)]
 pub(super) struct Liquid {
     /// Its shape, in the vessel's frame.
     pub(super) part: Part,
-    /// A point in the vessel's bottom.
+    /// A point inside the vessel's bottom.
     pub(super) bottom: [f64; 3],
 }
 
-/// What a liquid of a class looks like.
+/// The look of a liquid of a class.
 pub(super) fn coat(class: &str) -> Coat {
     let known = |(word, _): &&(&str, [f32; 3])| class.contains(word);
     let colour = COLOURS.iter().find(known).map_or(WATER, |(_, colour)| *colour);
@@ -58,7 +59,7 @@ pub(super) fn coat(class: &str) -> Coat {
 }
 
 impl Liquid {
-    /// Of a vessel that is open above and has walls around; none of any other thing.
+    /// The liquid of a vessel that is open above and has walls around; none for any other asset.
     pub(super) fn within(asset: &Asset) -> Option<Self> {
         let walls = Walls::of(asset)?;
         walls.floors().into_iter().find_map(|bottom| Self::above(bottom, &walls))
@@ -68,7 +69,7 @@ impl Liquid {
         let depth = walls.top - bottom;
         let level = LEVELS.into_iter().map(|share| share * depth).find(|level| walls.encloses(bottom + level))?;
         let ring = |i: usize| {
-            // Just off the bottom first, then up to the level.
+            // The first ring is just above the bottom, the last at the level.
             let share = (i as f32 / (RINGS - 1) as f32).max(0.04);
             let height = bottom + share * level;
             walls.around(height).map(|ring| (height, ring))
@@ -80,7 +81,7 @@ impl Liquid {
         }
         let (x, y) = walls.axis;
         let hidden = Vector3::new(x, y, bottom - 0.0005).map(f64::from);
-        // A joint of its own makes it a link of its own.
+        // A joint of its own makes it a separate link.
         let axis = Vector3::z();
         let joint = Joint { kind: JointKind::Slide, anchor: Point3::new(x, y, bottom), axis, limits: (0.0, 0.0) };
         let shape = loft(walls.axis, &rings);
@@ -90,7 +91,7 @@ impl Liquid {
     }
 }
 
-/// The triangles of a vessel, and the axis around which it stands.
+/// The triangles of a vessel, and its vertical axis.
 struct Walls {
     triangles: Vec<[Point3<f32>; 3]>,
     axis: (f32, f32),
@@ -106,7 +107,7 @@ impl Walls {
             Some(points.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p))))
         };
         let boxes: Vec<_> = meshes.iter().filter_map(|mesh| boxed(&mesh.positions)).collect();
-        // Handles and spouts are long, but narrow.
+        // The body is the widest part: handles and spouts are long, but narrow.
         let width = |(low, high): &(Point3<f32>, Point3<f32>)| (high.x - low.x).min(high.y - low.y);
         let (low, high) = *boxes.iter().max_by(|a, b| width(a).total_cmp(&width(b)))?;
         let all = |t: &[u32; 3], mesh: &vc_graph::TriangleMesh| t.map(|i| mesh.positions[i as usize]);
@@ -115,7 +116,7 @@ impl Walls {
         Some(Self { triangles, axis, top: high.z, farthest: (high - low).norm() })
     }
 
-    /// How high what faces upwards on the axis is, from above: the bail of a bucket, then its bottom.
+    /// Heights of the faces that look upwards on the axis, from above: for a bucket its bail, then its bottom.
     fn floors(&self) -> Vec<f32> {
         let from = Point3::new(self.axis.0, self.axis.1, self.top + 1.0);
         let upwards = |[a, b, c]: &&[Point3<f32>; 3]| (b - a).cross(&(c - a)).z > 0.0;
@@ -132,7 +133,7 @@ impl Walls {
         most < LOPSIDED * least
     }
 
-    /// How far the wall is at a height, in all directions; none if it is open somewhere.
+    /// Distances to the wall at a height, in all directions; none if it is open somewhere.
     fn around(&self, height: f32) -> Option<Vec<f32>> {
         let from = Point3::new(self.axis.0, self.axis.1, height);
         let crosses = |t: &&[Point3<f32>; 3]| t.iter().any(|p| p.z >= height) && t.iter().any(|p| p.z <= height);
@@ -146,12 +147,12 @@ impl Walls {
 }
 
 fn direction(i: usize) -> Vector3<f32> {
-    // Not along the axes, on which triangles have their edges.
+    // The angle avoids the axes, on which triangles have their edges.
     let angle = std::f32::consts::TAU * (i as f32 + 0.37) / AROUND as f32;
     Vector3::new(angle.cosine(), angle.sine(), 0.0)
 }
 
-/// How far along a ray a triangle is, from either side (Möller and Trumbore 1997).
+/// Distance along a ray to a triangle, hit from either side (Möller and Trumbore 1997).
 fn struck([a, b, c]: &[Point3<f32>; 3], from: &Point3<f32>, way: &Vector3<f32>) -> Option<f32> {
     let (u, v) = (b - a, c - a);
     let p = way.cross(&v);
@@ -165,7 +166,7 @@ fn struck([a, b, c]: &[Point3<f32>; 3], from: &Point3<f32>, way: &Vector3<f32>) 
     (x >= 0.0 && y >= 0.0 && x + y <= 1.0 && far > 0.0).then_some(far)
 }
 
-/// A closed body through rings around an axis, from the lowest to the level.
+/// A closed solid through rings around an axis, from the lowest ring to the surface.
 fn loft((x, y): (f32, f32), rings: &[(f32, Vec<f32>)]) -> Shape {
     let (first, last) = (rings[0].0, rings[rings.len() - 1].0);
     let mut vertices = vec![Point3::new(x, y, first), Point3::new(x, y, last)];

@@ -1,4 +1,4 @@
-//! What is to be seen: bodies and where they are.
+//! The scene as the renderer holds it: bodies and their poses.
 
 mod body;
 mod change;

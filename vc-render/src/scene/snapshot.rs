@@ -16,11 +16,10 @@ use crate::affine::Affine;
 use crate::mesh::{Ball, Link};
 use crate::surface::Coat;
 
-/// Everything that can be seen of a scene at one moment: which meshes are where,
-/// which lamps are on.
+/// Everything visible in a scene at one moment: the meshes and their poses, and which lamps are on.
 ///
-/// A snapshot is made by [`Renderer::snapshot`](crate::Renderer::snapshot) and is cheap to clone; a clone that is
-/// moved is the state before or after that optical flow needs. It knows no more of the graph.
+/// A snapshot is made by [`Renderer::snapshot`](crate::Renderer::snapshot) and is cheap to clone. Optical flow
+/// takes a clone whose bodies were moved as the moment before or after. A snapshot keeps no link to the graph.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -41,7 +40,7 @@ use crate::surface::Coat;
 /// let middle = 24 * 64 + 32;
 /// assert_eq!(snapshot.class(frame.class[middle]), scene.node(fridge).map(|node| node.class()));
 ///
-/// // Moved in a copy: the graph and the first snapshot stay as they are.
+/// // Moves a body in a clone: the graph and the first snapshot stay as they are.
 /// let mut moved = snapshot.clone();
 /// moved.place(fridge, &Pose::translation(2.5, 0.0, 0.0))?;
 /// renderer.render(&Shot::new(&moved, &camera, Modality::Depth), &mut frame)?;
@@ -54,16 +53,16 @@ pub struct Snapshot {
     pub(crate) instances: Vec<Instance>,
     classes: Arc<Classes>,
     pub(crate) rooms: Arc<Vec<NodeId>>,
-    /// Boxes around rooms, where the graph knows them.
+    /// Boxes around rooms, where the graph has them.
     pub(crate) bounds: Arc<Vec<Option<Aabb>>>,
     by_node: Arc<HashMap<NodeId, u32>>,
-    /// That of the store its meshes are in.
+    /// Identity of the store that holds its meshes.
     store: Arc<()>,
 }
 
 impl Snapshot {
-    /// Everything in a graph that has a pose and a shape or box. `joint` gives the
-    /// position of a node's joint, where it knows it.
+    /// Takes all nodes of a graph that have a pose and a shape or box. `joint` gives the position of a node's
+    /// joint, where the caller knows it.
     pub(crate) fn new(
         store: &mut Store,
         graph: &SceneGraph,
@@ -118,8 +117,9 @@ impl Snapshot {
         Arc::ptr_eq(&self.store, &store.name)
     }
 
-    /// That another is a moment of the same scene: the same nodes in the same order, of as many meshes each.
-    /// Costs next to nothing where one is a clone of the other, else a nanosecond for each node.
+    /// Checks that another snapshot is a moment of the same scene: the same nodes in the same order, with as
+    /// many meshes each. Costs next to nothing if one is a clone of the other, otherwise a nanosecond for each
+    /// node.
     pub(crate) fn with(&self, what: &'static str, other: &Self) -> Result<(), RenderError> {
         let like = |(a, b): (&Body, &Body)| a.node == b.node && a.instances == b.instances;
         let same = || self.bodies.len() == other.bodies.len() && self.bodies.iter().zip(&other.bodies).all(like);
@@ -129,19 +129,19 @@ impl Snapshot {
         Err(RenderError::OtherScene { what, here: self.instances.len(), there: other.instances.len() })
     }
 
-    /// Whether all bodies and their parts are where they are in another moment of the same scene.
+    /// Whether all bodies and their parts have the same poses as at another moment of the same scene.
     pub(crate) fn stands_as(&self, other: &Self) -> bool {
         let (own, others) = (&self.instances, &other.instances);
         own.len() == others.len() && own.iter().zip(others).all(|(a, b)| a.world == b.world)
     }
 
-    /// The name of a class number, as [`Frame::class`](crate::Frame::class) has them; none of a number that is no
-    /// class's. A class has the same number in every scene that goes by the same class table.
+    /// The class of a number in [`Frame::class`](crate::Frame::class); `None` if no class has this number. A
+    /// class has the same number in all scenes with the same class table.
     pub fn class(&self, number: u16) -> Option<&Arc<str>> {
         self.classes.named(number).map(|(name, _)| name)
     }
 
-    /// The category of a class number, `furniture`: [`Node::spec`](vc_graph::Node::spec) has it.
+    /// The category of a class number, such as `furniture`, as in [`Node::spec`](vc_graph::Node::spec).
     pub fn category(&self, number: u16) -> Option<&Arc<str>> {
         self.classes.named(number).map(|(_, category)| category)
     }
@@ -151,14 +151,14 @@ impl Snapshot {
         self.bodies.iter().map(|b| b.node)
     }
 
-    /// Nodes that light rooms when they are on: those whose class is a lamp's, a light's, a chandelier's, a lantern's
-    /// or a bulb's, in order. Other things may glow too, candles and screens.
+    /// Nodes that light rooms when they are on, in order: their class is that of a lamp, a light, a chandelier,
+    /// a lantern or a bulb. Other things, such as candles and screens, may glow too.
     pub fn lamps(&self) -> impl Iterator<Item = NodeId> + '_ {
         let lamp = |b: &&Body| self.class(b.class).is_some_and(|class| crate::light::is_lamp(class));
         self.bodies.iter().filter(lamp).map(|b| b.node)
     }
 
-    /// Number of triangles at the finest level of detail, of all that is there to be seen. Costs a step for each mesh.
+    /// Number of visible triangles at the finest level of detail. Costs a step for each mesh.
     pub fn triangles(&self) -> usize {
         let seen = self.instances.iter().filter(|i| i.is_there());
         seen.map(|i| i.link.levels[0].len()).sum()
@@ -174,13 +174,13 @@ impl Snapshot {
     }
 }
 
-/// The category of a node's class; if the table lacks the class, the category that the scene says.
+/// The category of a node's class; if the class table lacks the class, the category that the scene gives.
 fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
     let known = graph.classes().get(node.class()).map(|class| class.category);
     known.or_else(|| Category::parse(&node.spec().category).ok())
 }
 
-/// A link, and when it is there: what can be poured, and what is tied or not.
+/// A link, and the conditions under which it is there: for liquids, and for curtains tied or untied.
 struct Piece {
     link: Arc<Link>,
     liquid: Option<Poured>,
@@ -193,7 +193,7 @@ impl Piece {
     }
 }
 
-/// The links of a node, and those of what can be poured into it and of what it is when it is untied.
+/// The links of a node, including the liquid that it can hold and its untied form.
 fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece>, RenderError> {
     let solid = |links: Vec<Arc<Link>>| links.into_iter().map(Piece::new).collect::<Vec<Piece>>();
     let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
@@ -214,7 +214,7 @@ fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece
     Ok(all)
 }
 
-/// The instance of a link; none where its scale leaves it no volume.
+/// The instance of a link; none if its scale leaves it no volume.
 fn instance(
     Piece { link, liquid, tied }: Piece,
     body: u32,
@@ -248,13 +248,13 @@ fn instance(
     (instance.put(pose, scale) && instance.world.is_finite()).then_some(instance)
 }
 
-/// The limit farther from zero.
+/// The position of an open joint: the limit farther from zero.
 fn opened(joint: &Joint) -> f32 {
     let (low, high) = joint.limits;
     if high >= -low { high } else { low }
 }
 
-/// Zero, or the limit nearest to it.
+/// The position of a closed joint: zero, or the limit nearest to it.
 fn closed(joint: &Joint) -> f32 {
     let (low, high) = joint.limits;
     0.0_f32.max(low).min(high)

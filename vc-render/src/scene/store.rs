@@ -1,4 +1,4 @@
-//! Uploaded assets: made once, kept while the renderer lives.
+//! Uploaded assets: they are built once and kept as long as the renderer lives.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -11,26 +11,27 @@ use super::untied::Untied;
 use crate::mesh::{Finish, Link, TOLERANCES, links, single};
 use crate::surface::{Picture, Role, Surface};
 
-/// Links of all assets seen so far, and the surfaces they have.
+/// Links of all assets seen so far, and their surface materials.
 #[derive(Debug, Default)]
 pub(crate) struct Store {
-    /// Told from those of other stores by its address; snapshots made with this one carry it.
+    /// Identity of the store, compared by address; snapshots made with this store carry it.
     pub(crate) name: Arc<()>,
     pub(crate) surfaces: Vec<Surface>,
-    /// By library, material, role, and whether pictures lie on it.
+    /// Surfaces by library, material, role, and whether pictures are mapped onto them.
     known_surfaces: HashMap<(usize, u32, Role, bool), u16>,
-    /// By library and position in it.
+    /// Pictures by library and position in it.
     pictures: HashMap<(usize, u32), Arc<Picture>>,
-    /// By the same, and whether it is a cover.
+    /// Links by library and asset, and whether the asset is a window cover.
     assets: HashMap<(usize, usize, bool), Vec<Arc<Link>>>,
-    /// What fits into vessels, by the same.
+    /// Liquids that fit into vessels, by library and asset.
     liquids: HashMap<(usize, usize), Option<Contained>>,
     water: Option<u16>,
-    /// Curtains without their bands, by the same.
+    /// Curtains without their bands, by library and asset.
     untied: HashMap<(usize, usize), Option<Loose>>,
-    /// Keeps what the addresses above belong to.
+    /// Keeps alive the libraries and assets whose addresses are keys above.
     kept: Vec<(Arc<AssetLibrary>, Arc<Asset>)>,
-    /// Boxes for nodes of which no more is known, by their lengths and offset, and their surface.
+    /// Links of nodes without an asset, by the half lengths and the offset of their box, and the surface of
+    /// these boxes.
     boxes: HashMap<[u32; 6], Vec<Arc<Link>>>,
     stand_in: Option<u16>,
 }
@@ -38,11 +39,11 @@ pub(crate) struct Store {
 /// A liquid that can be in a vessel, and a point in the vessel's bottom.
 pub(super) type Contained = (Arc<Link>, [f64; 3]);
 
-/// A tied curtain's cloth as it hangs when it is untied, and points within its band and within that cloth.
+/// The cloth of a tied curtain as it hangs untied, and points inside the band and inside that cloth.
 pub(super) type Loose = (Arc<Link>, [[f64; 3]; 2]);
 
 impl Store {
-    /// What can be poured into an asset whose links are there, if anything can; made if it is not there yet.
+    /// The liquid that an uploaded asset can hold, if any; built on first use.
     pub(super) fn liquid(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Contained> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
         if let Some(known) = self.liquids.get(&key) {
@@ -59,7 +60,7 @@ impl Store {
         made
     }
 
-    /// The cloth of an asset whose links are there, without its band if it has one; made if it is not there yet.
+    /// The cloth of an uploaded asset without its band, if it has one; built on first use.
     pub(super) fn untied(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Loose> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
         if let Some(known) = self.untied.get(&key) {
@@ -83,7 +84,7 @@ impl Store {
         })
     }
 
-    /// The links of an asset, which may be a cover; made if they are not there yet.
+    /// The links of an asset, which may be a window cover; built on first use.
     pub(crate) fn links(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>, cover: bool) -> Vec<Arc<Link>> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize, cover);
         if let Some(links) = self.assets.get(&key) {
@@ -96,7 +97,7 @@ impl Store {
         made
     }
 
-    /// A plain box for a node of which only the box is known; none without one.
+    /// A plain box for a node without an asset; none if the node has no box.
     pub(crate) fn stand_in(&mut self, spec: &Spec) -> Option<Vec<Arc<Link>>> {
         let bounds = spec.bounds?;
         let (half, offset) = (bounds.half, bounds.offset);
@@ -155,7 +156,7 @@ impl Store {
         Some(known)
     }
 
-    /// Triangles at the finest level, and bytes of all levels.
+    /// Number of triangles at the finest level, and bytes of all levels.
     pub(crate) fn size(&self) -> (usize, usize) {
         let all = || self.assets.values().flatten();
         let bytes = |link: &Arc<Link>| {

@@ -1,4 +1,4 @@
-//! Curtains that are tied to one side: where they are drawn they hang straight.
+//! Curtains that are tied to one side: when they are drawn, they hang straight.
 
 use std::f32::consts::TAU;
 
@@ -7,10 +7,10 @@ use vc_graph::asset::{Part, Shape};
 use vc_graph::portable::Portable;
 use vc_graph::{Asset, Pose};
 
-/// Names of parts: the band, and what it ties.
+/// Names of parts: the band, and the cloth that it ties.
 const BAND: &str = "tie";
 const CLOTH: &str = "cloth";
-/// Width of a pleat, thickness of the cloth, metres, and corners of the outline for each pleat.
+/// Width of a pleat and thickness of the cloth, metres; corners of the outline for each pleat.
 const PLEAT: f32 = 0.07;
 const THICK: f32 = 0.004;
 const CORNERS: usize = 12;
@@ -18,14 +18,15 @@ const CORNERS: usize = 12;
 /// A tied curtain's cloth without its band.
 pub(super) struct Untied {
     pub(super) cloth: Part,
-    /// The part that it is of.
+    /// Index of the tied cloth's part.
     pub(super) index: usize,
-    /// A point within the band, and one within the cloth: what is not there is a speck in the other.
+    /// Points inside the band and inside the hanging cloth: the hidden one of the two is shrunk to a speck
+    /// inside the other.
     pub(super) hidden: [[f64; 3]; 2],
 }
 
 impl Untied {
-    /// None of what is not tied.
+    /// None if the asset is not tied.
     pub(super) fn of(asset: &Asset) -> Option<Self> {
         let named = |name: &str| asset.parts.iter().position(|part| &*part.name == name);
         let (band, index) = (&asset.parts[named(BAND)?], named(CLOTH)?);
@@ -45,7 +46,7 @@ impl Untied {
     }
 }
 
-/// The outline of cloth in pleats along Y from zero, counter-clockwise, which are so deep to both sides.
+/// The counter-clockwise outline of pleated cloth along Y from zero; pleats reach `deep` to both sides.
 fn pleated(deep: f32, wide: f32, pleats: usize) -> Vec<(f32, f32)> {
     let half = (0.5 * THICK).min(0.3 * deep);
     let steps = pleats * CORNERS;

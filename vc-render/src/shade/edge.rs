@@ -1,15 +1,15 @@
-//! Where the edges of things cross pixels, so that colours may be smoothed there.
+//! Edge detection: where edges of triangles cross pixels, so that colours can be smoothed there.
 //!
-//! The nearer triangle of two neighbouring pixels tells how far it reaches between their
-//! centres, or else the other one (after Persson's geometry buffer anti-aliasing, 2011). Steep edges
-//! are looked for between neighbours of a row and flat ones between rows, so that none is met twice.
+//! The nearer triangle of two neighbouring pixels determines how far it reaches between their centres, or else
+//! the other one does (after Persson's geometry buffer anti-aliasing, 2011). Steep edges are searched between
+//! neighbours in a row and flat ones between rows, so that no edge is found twice.
 
 use super::smooth::Edge;
 use super::surfel::{Known, Writer};
 use crate::affine::three;
 use crate::raster::{NONE, Solid};
 
-/// Three lines over an image: what x, y and one are multiplied with.
+/// Three lines in an image, as coefficients of x, y and one.
 pub(super) type Lines = [[f32; 3]; 3];
 
 /// Finds edges in rows of an image.
@@ -18,20 +18,21 @@ pub(super) struct Find<'a> {
     pub(super) solid: Solid<'a>,
 }
 
-/// Colours of channels that differ by no more are as good as the same.
+/// Channel differences up to this count as equal colours.
 const SAME: u8 = 3;
-/// Pixels that are compared at once.
+/// Number of pixels compared together.
 const LANES: usize = 32;
 
-/// Colours of some pixels of a row, and those of their neighbours.
+/// Colours of some pixels of a row, and of their neighbours.
 type Colours<'a> = [&'a [[u8; 3]]; 2];
 
-/// Which pixels have other looks than their neighbours, or bend and show other triangles, a bit each.
+/// A bit mask of pixels whose look differs from their neighbour's, or that are curved and show another
+/// triangle.
 #[inline(always)]
 fn turns([here, there]: [&[u32; LANES]; 2], [look, looks]: [&[u32; LANES]; 2]) -> u32 {
     let mut all = 0;
     for i in 0..LANES {
-        // All bits of what bends.
+        // All bits are set for curved surfaces.
         let bent = (look[i] as i32 >> 31) as u32;
         let turn = (look[i] ^ looks[i]) | (bent & (here[i] ^ there[i]));
         all |= u32::from(turn != 0) << i;
@@ -39,7 +40,7 @@ fn turns([here, there]: [&[u32; LANES]; 2], [look, looks]: [&[u32; LANES]; 2]) -
     all
 }
 
-/// All but the first.
+/// All elements but the first.
 #[inline(always)]
 fn after<T>(list: &[T]) -> &[T] {
     list.get(1..).unwrap_or(&[])
@@ -64,7 +65,7 @@ impl Find<'_> {
         );
     }
 
-    /// Finds edges between a row and the next, which is in the planes too.
+    /// Finds edges between a row and the next, which must be in the planes too.
     #[inline(always)]
     pub(super) fn down(
         &self,
@@ -90,7 +91,7 @@ impl Find<'_> {
         );
     }
 
-    /// Goes through pixels that show something else than their neighbours, and are not coloured alike.
+    /// Visits pixels that show something else than their neighbour, in another colour.
     #[inline(always)]
     fn pairs(
         &self,
@@ -121,7 +122,7 @@ impl Find<'_> {
         (count / LANES * LANES..count).for_each(look_at);
     }
 
-    /// Which of two triangles is nearer, if they are of two things.
+    /// Which of two triangles is nearer, if they belong to different bodies.
     fn nearer(&self, triangles: [u32; 2], [first, second]: [f32; 2]) -> Option<u32> {
         let [a, b] = triangles.map(|triangle| {
             let visible = self.writer.visible.get(triangle as usize)?;
@@ -130,10 +131,11 @@ impl Find<'_> {
         (a != b).then_some(u32::from(first < second))
     }
 
-    /// How the edge between two pixels, the second after the first along an axis, cuts them:
-    /// positive is how much of the first is the second's.
+    /// Position of the edge between two neighbouring pixels, the second one after the first along an axis: if
+    /// positive, the share of the first pixel that the second one's surface covers.
     ///
-    /// The nearer triangle tells, or where it goes on, as a floor does under what stands on it, the other.
+    /// The nearer triangle determines it; if that one continues, as a floor does under a thing standing on it,
+    /// the other one does.
     fn between(
         &self,
         first: (u32, f32),
@@ -147,15 +149,15 @@ impl Find<'_> {
             from[axis] += if forward { 0.0 } else { 1.0 };
             let step = if forward { 1.0 } else { -1.0 };
             let reach = if triangle == NONE { None } else { self.reach(triangle, from, (axis, step), known) };
-            // Its owner ends within its own pixel.
+            // The edge's owner ends within its own pixel.
             reach.map(|(reach, across)| if across { (0.5 - reach) * step } else { 0.0 })
         };
         let forward = first.1 >= second.1;
         tells(forward).or_else(|| tells(!forward)).unwrap_or(0.0)
     }
 
-    /// How far a triangle reaches from a point in it along an axis, up to one pixel, and whether its edge there lies
-    /// rather across the axis than along it.
+    /// How far a triangle reaches from a point inside it along an axis, up to one pixel, and whether its edge
+    /// there lies across the axis rather than along it.
     #[inline(always)]
     fn reach(
         &self,
@@ -170,7 +172,7 @@ impl Find<'_> {
             let change = line[axis] * step;
             if here + change < 0.0 {
                 let (at, beside) = (here / -change, line[1 - axis]);
-                // Of edges at equal angles to both axes, those between neighbours of a row.
+                // Edges at equal angles to both axes count between neighbours in a row.
                 let across = if axis == 0 { change.abs() >= beside.abs() } else { change.abs() > beside.abs() };
                 if best.is_none_or(|best| at < best.0) {
                     best = Some((at, across));
@@ -181,7 +183,7 @@ impl Find<'_> {
     }
 }
 
-/// The lines over the image along the edges of a triangle, positive inside.
+/// The lines along a triangle's edges in the image, positive inside.
 pub(super) fn lines(corners: [[f32; 3]; 3]) -> Lines {
     let area = homogeneous(corners[0], corners[1], corners[2]).signum();
     three(|k| {
@@ -195,7 +197,7 @@ fn homogeneous(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f32 {
     a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
-/// An edge between a pixel and the one so many after it.
+/// Adds an edge between a pixel and the one `step` after it.
 #[inline(always)]
 fn push(edges: &mut Vec<Edge>, pixel: u32, step: u32, (share, nearer): (f32, Option<u32>)) {
     let (into, from) = if share > 0.0 { (pixel, pixel + step) } else { (pixel + step, pixel) };

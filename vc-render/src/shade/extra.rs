@@ -1,4 +1,4 @@
-//! What few pixels need: mirrors and panes.
+//! Mirrors and panes, which few pixels show.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -14,7 +14,7 @@ use crate::simd::stretches;
 use crate::trace::{Met, Ray};
 use crate::view::View;
 
-/// Pixels of a pane that share the light around them.
+/// Number of pixels of a pane that share ambient light.
 const SHARED: usize = 8;
 
 pub(super) struct Extra<'a> {
@@ -23,7 +23,7 @@ pub(super) struct Extra<'a> {
     pub(super) lamps: &'a Lamps<'a>,
 }
 
-/// Linear colours of a row.
+/// Linear colours of a row, by channel.
 pub(super) type Row<'a> = [&'a mut [f32]; 3];
 
 impl Extra<'_> {
@@ -33,7 +33,7 @@ impl Extra<'_> {
         (three(|i| eye[i] + towards[i] / inverse), unit(towards))
     }
 
-    /// What is seen in mirrors, in a row of the image.
+    /// Shades mirrors in a row of the image.
     pub(super) fn mirrors(&self, known: &mut Known, seen: &planes::Row, y: i32, row: &mut Row<'_>) {
         let inverse = self.lamps.solid.inverse_row(y);
         for (x, look) in seen.looks().iter().enumerate() {
@@ -61,7 +61,7 @@ impl Extra<'_> {
         three(|i| share[i] * light[i])
     }
 
-    /// What panes let through, and what they reflect, in a row of the image.
+    /// Adds the transmission and reflections of panes in a row of the image.
     pub(super) fn panes(&self, layers: &Layers, frustum: &Frustum, y: i32, row: &mut Row<'_>) {
         if !layers.behind.rows.contains(&y) {
             return;
@@ -78,7 +78,7 @@ impl Extra<'_> {
         });
     }
 
-    /// Pixels of a row that show a triangle of a pane, given what is behind it.
+    /// Shades the pixels of a row that show a triangle of a pane, over the surface behind it.
     fn pane(
         &self,
         layers: &Layers,
@@ -95,7 +95,7 @@ impl Extra<'_> {
         let room = self.view.snapshot.bodies[instance.body as usize].room;
         let map = || frustum.map.after(&instance.world).narrow();
         let bend = bent(map, frustum.near, instances, visible);
-        // Place, direction from the eye, normal and how much is reflected.
+        // Position, direction from the eye, normal and reflectance.
         let seen = |i: usize| {
             let x = columns.start + i;
             let normal = bend.unwrap_or_else(|bend| unit(bend.at(x as f32 + 0.5, y as f32 + 0.5)));
@@ -112,7 +112,7 @@ impl Extra<'_> {
             let (around, own) = (sides.sheen(along), sides.falls(normal));
             let slope = (seen(last).3 - start) / (last - first).max(1) as f32;
             for i in (first..=last).filter(|i| behind[*i] != triangle) {
-                // Over a flat pane it changes little and evenly.
+                // Across a flat pane reflectance changes slowly and almost linearly.
                 let fresnel = if bend.is_ok() { start + slope * (i - first) as f32 } else { seen(i).3 };
                 let through = surface.transmission * (1.0 - fresnel);
                 let x = columns.start + i;
@@ -126,7 +126,7 @@ impl Extra<'_> {
 }
 
 impl Lighting {
-    /// Light that a surface throws back towards any side, its sheen left out.
+    /// Emitted and diffusely reflected light of a hit surface, without gloss.
     pub(crate) fn thrown(&self, renderer: &Renderer, met: &Met<'_>, footprint: f32) -> [f32; 3] {
         let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
         let room =

@@ -1,14 +1,13 @@
-//! Where light is found, and where it is taken from neighbours.
+//! Sparse shading: light is computed at some pixels and interpolated at the others.
 //!
-//! Light is found at every fourth pixel of every fourth row. Of the pixels between, those get
-//! the mean of their neighbours' that see the same plane of the same thing under nearly the
-//! same light, those at the edge of a flat thing that of the one which does; for the others it is found as
-//! well. So smooth walls cost little, and edges of shadows and things lose nothing. Right beside
-//! pixels whose light is known, flat things get the mean however much the two differ: so shadows
-//! have smooth edges.
+//! Light is computed at every fourth pixel of every fourth row. A pixel in between gets the mean of its
+//! neighbours, if these show the same plane of the same thing in nearly the same light; a pixel at the edge of
+//! a flat thing gets the light of the neighbour on that thing; for all others light is computed as well. Smooth
+//! walls therefore cost little, and edges of shadows and things stay exact. Pixels of flat things right beside
+//! pixels with known light get the mean however much these differ, which gives shadows smooth edges.
 //!
-//! In rows whose pixels have neighbours to their sides, every fourth pixel lies side by side in memory, in four
-//! combs, so that neighbours do. The rows between those look up and down.
+//! In rows that interpolate sideways, every fourth pixel is stored contiguously, in four combs, so that
+//! neighbours are contiguous too. The rows between those interpolate vertically.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -20,11 +19,11 @@ use crate::simd::widest;
 
 pub(super) use self::between::PART;
 
-/// Light at a pixel: what falls on it (red, green, blue) and its sheen towards the eye.
+/// Numbers of light at a pixel: diffuse illumination (red, green, blue), and glossy light towards the eye.
 pub(super) const LIGHT: usize = 6;
-/// Combs of a row; and light is found in one row of so many.
+/// Number of combs of a row, and the step between rows in which light is computed first.
 pub(super) const STEP: usize = 4;
-/// Look of what is past a row's end.
+/// Look of pixels past a row's end.
 pub(super) const BEYOND: u32 = u32::MAX;
 
 /// Pixels of a strip: row and column, sixteen bits each.
@@ -41,24 +40,25 @@ pub(crate) struct Lattice {
     width: usize,
     /// Combs of every second row.
     combs: Vec<[Cells; STEP]>,
-    /// What is next to pixels where there is nothing.
+    /// Neighbours of pixels that have none.
     none: Cells,
 }
 
-/// Pixels of a comb that lie between others.
+/// Pixels of a comb that are to be interpolated.
 #[derive(Clone, Copy)]
 pub(super) struct Between {
     row: usize,
     comb: usize,
-    /// Rows and combs of the neighbours; the second may be one further on in its comb, or not be there.
+    /// Rows and combs of the neighbours. The second neighbour may be shifted by one within its comb, or be
+    /// absent.
     before: (usize, usize),
     after: Option<(usize, usize, usize)>,
-    /// Whether it is right beside them.
+    /// Whether the neighbours are adjacent pixels.
     close: bool,
 }
 
 impl Lattice {
-    /// Makes room for so many rows of this width, and one more.
+    /// Allocates `rows` rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.width = width;
         self.combs.resize_with(rows / 2 + 1, Default::default);
@@ -67,13 +67,13 @@ impl Lattice {
         self.none.prepare(width.next_multiple_of(PART));
     }
 
-    /// Makes the last row the first.
+    /// Moves the last row to the first.
     pub(super) fn turn(&mut self) {
         let last = self.combs.len() - 1;
         self.combs.swap(0, last);
     }
 
-    /// Takes note of what is seen in a row.
+    /// Stores a row's looks and inverse depths.
     #[inline(always)]
     pub(super) fn write(&mut self, row: usize, seen: &Cells) {
         if row.is_multiple_of(2) {
@@ -83,23 +83,23 @@ impl Lattice {
         }
     }
 
-    /// The pixels of a row that come first.
+    /// The pixels of a row whose light is computed first.
     pub(super) fn first(&self, row: usize, spots: &mut Spots) {
         spots.extend((0..self.width).step_by(STEP).map(|x| spot(row, x)));
     }
 
-    /// The pixels of a row half way between its first.
+    /// The pixels of a row half way between the first ones.
     pub(super) fn half(row: usize) -> Between {
         Between { row, comb: 2, before: (row, 0), after: Some((row, 0, 1)), close: false }
     }
 
-    /// The rest of a row.
+    /// The remaining pixels of a row.
     pub(super) fn quarters(row: usize) -> [Between; 2] {
         let quarter = |comb, after| Between { row, comb, before: (row, comb - 1), after: Some(after), close: true };
         [quarter(1, (row, 2, 0)), quarter(3, (row, 0, 1))]
     }
 
-    /// Every second pixel of a row between two others, two rows away; there may be no row below.
+    /// Every second pixel of a row, between pixels two rows above and below; there may be no row below.
     pub(super) fn between(row: usize, last: usize) -> impl Iterator<Item = Between> {
         (0..STEP).step_by(2).map(move |comb| {
             let after = (row + 2 <= last).then_some((row + 2, comb, 0));
@@ -107,7 +107,7 @@ impl Lattice {
         })
     }
 
-    /// Where a pixel's light is kept: its list and its place there.
+    /// The list and index that hold a pixel's light.
     #[inline(always)]
     pub(super) fn cell<'a>(&'a mut self, planes: &'a mut Planes, row: usize, x: usize) -> (&'a mut Cells, usize) {
         match row.is_multiple_of(2) {
@@ -116,7 +116,7 @@ impl Lattice {
         }
     }
 
-    /// Fills in pixels between others in combs, and notes those whose light is to be found.
+    /// Interpolates pixels of a comb, and collects those whose light must be computed.
     pub(super) fn fill(&mut self, which: Between, spots: &mut Spots) {
         let Between { row, comb, before, after, close } = which;
         let mut own = std::mem::take(&mut self.combs[row / 2][comb]);
@@ -134,7 +134,7 @@ impl Lattice {
         self.combs[row / 2][comb] = own;
     }
 
-    /// The same for a whole row right between two others; there may be no row below.
+    /// Interpolates a whole row from the adjacent rows; there may be no row below.
     pub(super) fn fill_row(&self, planes: &mut Planes, (row, last): (usize, usize), spots: &mut Spots) {
         let mut own = std::mem::take(&mut planes.0[row].cells);
         let below = if row < last { &planes.0[row + 1].cells } else { &self.none };
@@ -149,7 +149,7 @@ impl Lattice {
         planes.0[row].cells = own;
     }
 
-    /// Puts the light of a row's combs together.
+    /// Merges the light of a row's combs.
     pub(super) fn gather(&self, row: usize, cells: &mut Cells) {
         let (combs, count) = (&self.combs[row / 2], self.width.next_multiple_of(STEP));
         widest(
@@ -164,7 +164,7 @@ impl Lattice {
     }
 }
 
-/// Fills in so many pixels between others, and goes through those whose light is to be found.
+/// Interpolates the first `count` pixels, and visits those whose light must be computed.
 fn fill(own: &mut Cells, (beside, close): ([Near<'_>; 2], bool), count: usize, mut each: impl FnMut(usize)) {
     widest(
         #[inline(always)]
@@ -197,7 +197,7 @@ fn deal<T: Copy>(from: &[T], [a, b, c, d]: [&mut [T]; STEP]) {
     }
 }
 
-/// Puts together what [`deal`] has dealt out.
+/// Merges the lists that [`deal`] filled.
 #[inline(always)]
 fn collect<T: Copy>([a, b, c, d]: [&[T]; STEP], out: &mut [T]) {
     let fours = out.as_chunks_mut::<STEP>().0;

@@ -1,4 +1,4 @@
-//! Light at pixels, many at a time.
+//! Shading of pixels, many at a time.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -14,20 +14,20 @@ use crate::light::{Ambient, Lighting, brightness, dot};
 use crate::raster::Solid;
 use crate::simd::widest;
 
-/// Pixels that are lit at once.
+/// Number of pixels shaded together.
 const BATCH: usize = 64;
-/// Light that leans is kept up to so many times the light there is.
+/// Limit of the stored change of light with the normal, relative to the light itself.
 pub(super) const DRIFT: f32 = 4.0;
 
-/// Reflectance head on of what is no metal.
+/// Reflectance of dielectrics at normal incidence.
 const HEAD_ON: f32 = 0.04;
-/// What the facets of rough metals throw from one to the next, by the square of roughness and by colour: a fit to what
-/// reference pictures give back (Turquin 2019).
+/// Light scattered again between the facets of rough metals, as a factor for the square of roughness and for
+/// the colour: a fit to the compensation in reference pictures (Turquin 2019).
 const AGAIN: f32 = 0.75;
 
 type Lanes = [f32; BATCH];
 
-/// Where light comes from and who sees it.
+/// The light sources and the camera.
 pub(super) struct Lamps<'a> {
     pub(super) lighting: &'a Lighting,
     /// None for light without shadows.
@@ -35,34 +35,34 @@ pub(super) struct Lamps<'a> {
     pub(super) solid: Solid<'a>,
     pub(super) writer: &'a Writer<'a>,
     eye: [f32; 3],
-    /// From pixels to directions in the world, of depth one.
+    /// Map from pixels to world directions with depth one.
     rays: [[f32; 3]; 3],
 }
 
-/// Pixels as light meets them.
+/// A batch of pixels to shade.
 pub(crate) struct Batch {
     count: usize,
     looks: [u32; BATCH],
     rooms: [u16; BATCH],
     at: [Lanes; 3],
     normal: [Lanes; 3],
-    /// To the eye, unit length.
+    /// Direction to the eye, unit length.
     back: [Lanes; 3],
     facing: Lanes,
     roughness: Lanes,
-    /// Reflectance head on: a metal's colour comes later.
+    /// Reflectance at normal incidence; a metal's colour is applied later.
     head_on: Lanes,
-    /// What share of the light on it reaches the base under its gloss.
+    /// Share of the light that reaches the base under the gloss.
     base: Lanes,
     open: Lanes,
     sides: [Ambient; BATCH],
     light: [Lanes; LIGHT],
-    /// How light changes where the normal leans.
+    /// Change of light with the tilt of the normal.
     drift: [Lanes; 3],
     to: [Lanes; 3],
     cosine: Lanes,
     power: Lanes,
-    /// The share of the light that is being added that comes there.
+    /// Visible share of the current light source.
     share: Lanes,
 }
 
@@ -104,13 +104,13 @@ impl<'a> Lamps<'a> {
         Self { lighting: writer.lighting, open, solid, writer, eye: camera.eye().into(), rays }
     }
 
-    /// Direction through a pixel in the world; depth times it leads to what is seen.
+    /// World direction through a pixel; multiplied by depth it leads to the visible point.
     #[inline(always)]
     pub(super) fn ray(&self, x: f32, y: f32) -> [f32; 3] {
         three(|i| self.rays[0][i] * x + self.rays[1][i] * y + self.rays[2][i])
     }
 
-    /// Finds the light at pixels of a strip that begins at a row of the image.
+    /// Computes the light at pixels of a strip, whose first row is `start` in the image.
     pub(super) fn light(
         &self,
         (lattice, planes): (&mut Lattice, &mut Planes),
@@ -126,7 +126,7 @@ impl<'a> Lamps<'a> {
         }
     }
 
-    /// The same for no more than fill a batch.
+    /// Computes the light of one batch.
     #[inline(always)]
     fn some(
         &self,
@@ -148,14 +148,14 @@ impl<'a> Lamps<'a> {
     }
 }
 
-/// Row and column of a spot.
+/// Row and column of a pixel in a list of pixels of a strip.
 #[inline(always)]
 fn place(spot: u32) -> (usize, usize) {
     ((spot >> 16) as usize, (spot & 0xffff) as usize)
 }
 
 impl Batch {
-    /// Pixels of whole vectors, of which those past the end are not looked at.
+    /// Number of lanes in whole vectors; lanes past the count are not used.
     #[inline(always)]
     fn lanes(&self) -> usize {
         self.count.next_multiple_of(8).min(BATCH)
@@ -198,7 +198,7 @@ impl Batch {
         }
     }
 
-    /// Light from all sides, less what nearby things keep away.
+    /// Ambient light, reduced by ambient occlusion.
     #[inline(always)]
     fn around(&mut self, lamps: &Lamps<'_>) {
         let part = |of: &[Lanes; 3], i: usize| [of[0][i], of[1][i], of[2][i]];
@@ -207,7 +207,7 @@ impl Batch {
             let along = 2.0 * dot(part(&self.back, i), part(&self.normal, i));
             (0..3).for_each(|k| mirrored[k][i] = along * self.normal[k][i] - self.back[k][i]);
         }
-        // Step by step, so that none waits for the one before it.
+        // In separate loops, so that no step waits for the one before it.
         for i in 0..self.count {
             self.sides[i] = lamps.lighting.sides(part(&self.at, i), part(&self.normal, i), self.rooms[i]);
         }
@@ -220,7 +220,7 @@ impl Batch {
             (0..3).for_each(|k| self.light[k + 3][i] = sheen[k]);
         }
         for i in 0..self.lanes() {
-            // The roughest surfaces have no gloss at all, but metals.
+            // The roughest surfaces have no gloss, except metals.
             let coat = ((1.0 - self.roughness[i]) * 10.0).clamp(0.0, 1.0).max(self.metal(i));
             let thrown = coat * shine(self.roughness[i], self.facing[i], self.head_on[i]);
             self.base[i] = 1.0 - thrown;
@@ -233,7 +233,7 @@ impl Batch {
         }
     }
 
-    /// How much of it is metal.
+    /// Metallic share of the surface.
     #[inline(always)]
     fn metal(&self, i: usize) -> f32 {
         (self.head_on[i] - HEAD_ON) * (1.0 / (1.0 - HEAD_ON))
@@ -265,7 +265,7 @@ impl Batch {
         }
     }
 
-    /// The sky at pixels where nothing is seen.
+    /// Writes the sky into pixels where nothing is visible.
     #[inline(always)]
     fn sky(&self, lamps: &Lamps<'_>, (lattice, planes): (&mut Lattice, &mut Planes), (start, spots): (i32, &[u32])) {
         if !self.looks[..self.count].contains(&NOTHING) {
@@ -285,11 +285,11 @@ impl Batch {
     }
 }
 
-/// How much of light from all sides is reflected (Karis's fit for mobile, 2014).
+/// Reflectance for ambient light (Karis's fit for mobile, 2014).
 #[inline(always)]
 fn shine(roughness: f32, facing: f32, head_on: f32) -> f32 {
     let r = [1.0 - roughness, 0.0425 - 0.0275 * roughness, 1.04 - 0.572 * roughness, 0.022 * roughness - 0.04];
-    // 2^(-9.28 facing), by a power of what is nearly that.
+    // 2^(-9.28 facing), approximated by a power.
     let low = 1.0 - facing;
     let fall = low * low * low * low * low * low;
     let a = (r[0] * r[0]).min(fall) * r[0] + r[1];

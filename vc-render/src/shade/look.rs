@@ -1,10 +1,10 @@
-//! A surface close up: its material, touched by its texture.
+//! A surface point's look: its material modified by its texture.
 
 use crate::affine::{self, Narrow, three};
 use crate::label::unit;
 use crate::surface::{Pattern, Surface, Tile};
 
-/// What light meets at a point.
+/// The surface at a point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Look {
     pub(crate) colour: [f32; 3],
@@ -12,8 +12,8 @@ pub(crate) struct Look {
     pub(crate) normal: [f32; 3],
 }
 
-/// The look at a point: `local` is where it is and `facing` the axis along which the triangle faces,
-/// both in the frame that `axes` leads from; `footprint` is the width seen there, metres.
+/// The look at a point. `local` is its position and `facing` the axis along which the triangle faces, both in
+/// the frame that `axes` leads from; `footprint` is the diameter to average over, metres.
 #[inline(always)]
 pub(crate) fn look(
     surface: &Surface,
@@ -39,8 +39,8 @@ pub(crate) fn look(
     Look { colour, roughness, normal: unit(three(|i| normal[i] + a[i] + b[i])) }
 }
 
-/// The axes a texture lies along, across and with the grain, where a surface faces along an axis. Courses of bricks lie
-/// level on all that stands, however long it is.
+/// The axes along which a texture is laid, across and with the grain, on a surface that faces along an axis.
+/// Courses of bricks are level on all vertical surfaces, whatever their lengths.
 #[inline(always)]
 pub(super) fn plane(pattern: Pattern, (facing, grain): (u8, u8)) -> (usize, usize) {
     let (a, b) = [(1, 2), (0, 2), (0, 1)][usize::from(facing)];

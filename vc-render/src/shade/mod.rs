@@ -1,10 +1,10 @@
-//! Fast colours: a picture from the buffer of visible triangles.
+//! Fast colours: deferred shading of the visibility buffer.
 //!
-//! At half the resolution is found how much light nearby things keep away ([`occlusion`]).
-//! Then, strip by strip of a few rows that stay in the processor's cache: every pixel's
-//! surface is written down ([`surfel`]); light is found ([`light`]) where it cannot be
-//! taken from neighbours ([`lattice`]); mirrors and panes are added ([`extra`]), and light
-//! becomes colours ([`tone`]). At last edges are found ([`edge`]) and smoothed ([`smooth`]).
+//! Ambient occlusion is computed at half the resolution or a quarter ([`occlusion`]). Then the image is
+//! processed in strips of a few rows, which stay in the processor's cache: surface attributes are written for
+//! every pixel ([`surfel`]); light is computed ([`light`]) where it cannot be interpolated ([`lattice`]);
+//! mirrors and panes are added ([`extra`]); and light is converted to colours ([`tone`]). Finally edges are
+//! found ([`edge`]) and smoothed ([`smooth`]).
 
 mod edge;
 mod extra;
@@ -40,18 +40,18 @@ use crate::renderer::Renderer;
 use crate::simd::widest;
 use crate::view::View;
 
-/// Bands begin at rows that are multiples of this, so that light is found at the same pixels
-/// however many there are.
+/// Bands begin at multiples of this number of rows, so that light is computed at the same pixels however many
+/// bands there are.
 pub(crate) const ALIGNED: usize = 8;
 
-/// Pixels of a strip, or a row more: a strip is to stay in the processor's cache, and to have enough pixels
-/// to light many at a time.
+/// Approximate number of pixels in a strip: it should stay in the processor's cache and have enough pixels to shade
+/// many at a time.
 const STRIP: usize = 2560;
 
-/// Pixels of a row that are done at once.
+/// Number of pixels of a row processed together.
 const PART: usize = 64;
 
-/// What shading a band needs, and the edges found in it.
+/// Working memory of shading a band, and the edges found in it.
 #[derive(Default)]
 pub(crate) struct Scratch {
     known: Known,
@@ -65,7 +65,7 @@ pub(crate) struct Scratch {
     edges: Vec<Edge>,
 }
 
-/// What all bands are shaded with.
+/// Inputs shared by all bands.
 pub(crate) struct Shading<'a> {
     pub(crate) renderer: &'a Renderer,
     pub(crate) lighting: &'a Lighting,
@@ -75,7 +75,7 @@ pub(crate) struct Shading<'a> {
     pub(crate) exposure: [f32; 3],
 }
 
-/// Finds how open points are, for what has been drawn.
+/// Computes ambient occlusion from the visibility buffer.
 pub(crate) fn occlusion<'a>(camera: &Camera, bands: &[Band], open: &'a mut Openness) -> &'a Openness {
     open.find(camera, bands);
     open
@@ -107,7 +107,7 @@ impl Shading<'_> {
     }
 }
 
-/// A band on its way to colours, strip by strip.
+/// A band being shaded, strip by strip.
 struct Rows<'a> {
     shading: &'a Shading<'a>,
     layers: &'a Layers,
@@ -138,7 +138,7 @@ impl Rows<'_> {
         }
     }
 
-    /// Writes down what is seen in a row of the strip.
+    /// Writes the surface attributes of a row of the strip.
     fn write(&mut self, row: usize) {
         let Scratch { known, planes, lattice, .. } = &mut *self.scratch;
         let (solid, y) = (self.layers.solid(), self.start + row as i32);
@@ -151,7 +151,7 @@ impl Rows<'_> {
         );
     }
 
-    /// Light in rows by themselves: a first and a last of a strip and all such between.
+    /// Light in every fourth row, from `first` to `last`, by sideways interpolation only.
     fn lines(&mut self, first: usize, last: usize) {
         for row in (first..=last).step_by(STEP) {
             self.scratch.lattice.first(row, &mut self.scratch.spots);
@@ -161,12 +161,12 @@ impl Rows<'_> {
         self.quarters(first, last);
     }
 
-    /// The rest of the light in rows whose every second pixel has it.
+    /// The rest of the light in rows where every second pixel has it.
     fn quarters(&mut self, first: usize, last: usize) {
         self.fill((first..=last).step_by(STEP).flat_map(Lattice::quarters));
     }
 
-    /// Light in the rows after the first, so many.
+    /// Light in the rows after the first, up to `last`.
     fn rest(&mut self, last: usize) {
         self.lines(STEP, last);
         self.fill((2..=last).step_by(STEP).flat_map(|row| Lattice::between(row, last)));
@@ -177,31 +177,31 @@ impl Rows<'_> {
         self.light();
     }
 
-    /// Puts the light of every second row together.
+    /// Merges the combs of every second row.
     fn gather(&mut self, first: usize, last: usize) {
         let Scratch { lattice, planes, .. } = &mut *self.scratch;
         (first..=last).step_by(2).for_each(|row| lattice.gather(row, &mut planes.0[row].cells));
     }
 
-    /// Fills in light between pixels that have it, and finds it where that cannot be.
+    /// Interpolates pixels, and computes the light of those where that is not possible.
     fn fill(&mut self, which: impl Iterator<Item = Between>) {
         let Scratch { lattice, spots, .. } = &mut *self.scratch;
         which.for_each(|which| lattice.fill(which, spots));
         self.light();
     }
 
-    /// Finds the light where it is asked for.
+    /// Computes the light of the collected pixels.
     fn light(&mut self) {
         let Scratch { lattice, planes, spots, batch, known, .. } = &mut *self.scratch;
         self.lamps.light((lattice, planes), known, (self.start, spots), batch);
         spots.clear();
     }
 
-    /// From light to colours, and edges: up to the row after these, which is known too.
+    /// Converts light to colours and finds edges, as far as the row after the strip, which is known too.
     fn finish(&mut self, last: usize, strip: &mut Strip<'_>) {
         let mut next = std::mem::take(&mut self.scratch.next);
         next.resize(strip.width, [0; 3]);
-        // That of the first row of all others is known from the strip before.
+        // Except in the band's first strip, the first row's colours are known from the strip before.
         let known = usize::from(self.start > strip.rows.start);
         for (row, y) in (0..=last).zip(self.start..).skip(known) {
             let inside = y < strip.rows.end;
@@ -228,7 +228,7 @@ impl Rows<'_> {
         self.scratch.next = next;
     }
 
-    /// From light to colours in a row of the strip.
+    /// Converts light to colours in a row of the strip.
     fn colour(&mut self, row: usize, out: &mut [[u8; 3]]) {
         let (shading, y) = (self.shading, self.start + row as i32);
         let Scratch { planes, linear, known, .. } = &mut *self.scratch;
@@ -255,7 +255,7 @@ impl Rows<'_> {
 }
 
 impl Row {
-    /// Light that surfaces throw to the eye.
+    /// Light that surfaces reflect to the eye.
     #[inline(always)]
     fn thrown(&self, out: &mut [Vec<f32>; 3]) {
         for from in (0..self.width).step_by(PART) {
@@ -264,7 +264,7 @@ impl Row {
         }
     }
 
-    /// By how much more light falls on pixels whose texture leans.
+    /// Factors for the light on pixels whose texture tilts the normal.
     #[inline(always)]
     fn leant(&self, at: std::ops::Range<usize>) -> [f32; PART] {
         let (mut more, count) = ([1.0; PART], at.len().min(PART));
@@ -272,7 +272,7 @@ impl Row {
         if lean.iter().fold(0, |all, lean| all | lean) != 0 {
             for x in 0..count {
                 let ([a, b, c], [u, v, w]) = (unpacked(lean[x]), unpacked(drift[x]));
-                // Half as much as it would be: textures are flat, and lie.
+                // Half of the computed change, as textures are flat and only simulate relief.
                 more[x] = (1.0 + 0.5 * DRIFT * (a * u + b * v + c * w)).clamp(0.4, 1.8);
             }
         }

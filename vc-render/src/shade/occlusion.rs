@@ -1,7 +1,7 @@
-//! How much light from all sides nearby things keep away, at half the resolution or a quarter.
+//! Ambient occlusion by nearby things, at half the resolution or a quarter.
 //!
-//! By comparison with the plane that is seen at a pixel (after Bavoil and Sainz 2009), which
-//! needs no more than depth: inverse depth is linear over a plane's image.
+//! Depths around a pixel are compared with the plane that is visible there (after Bavoil and Sainz 2009). This
+//! needs only depth: inverse depth is linear over a plane's image.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -14,22 +14,22 @@ use crate::frame::Band;
 use crate::simd;
 use crate::simd::whole;
 
-/// How far things keep light away, metres.
+/// Distance up to which things occlude ambient light, metres.
 const REACH: f32 = 0.45;
-/// Comparisons for each point; sixteen neighbours look in different directions.
+/// Number of comparisons for each point; sixteen neighbours use different directions.
 const TAPS: usize = 6;
-/// Points that are found at once.
+/// Number of points processed together.
 const LANES: usize = 64;
-/// Rows given to a thread at a time.
+/// Number of rows given to a thread at a time.
 const ROWS: usize = 8;
 
-/// Pictures of fewer rows are looked at finely.
+/// Images with fewer rows use the finer resolution.
 const LARGE: u32 = 240;
 
-/// Every second or fourth pixel of every such row: inverse depth, and how open every point is, 0 to 1.
+/// Inverse depth and openness (0 to 1) at every second or fourth pixel of every such row.
 #[derive(Default)]
 pub(crate) struct Openness {
-    /// How many pixels the points are apart.
+    /// Distance between the points, pixels.
     step: usize,
     across: usize,
     down: usize,
@@ -39,7 +39,7 @@ pub(crate) struct Openness {
     blurred: Vec<f32>,
 }
 
-/// For each of four rows: where each comparison of a point looks, in radii.
+/// For each of four rows, offsets of the comparisons of each point, in radii.
 static SPIRALS: LazyLock<Vec<[[[f32; LANES]; 2]; TAPS]>> = LazyLock::new(|| {
     use vc_graph::portable::Portable;
     let tap = |turn: usize, k: usize| {
@@ -54,7 +54,7 @@ static SPIRALS: LazyLock<Vec<[[[f32; LANES]; 2]; TAPS]>> = LazyLock::new(|| {
 });
 
 impl Openness {
-    /// Finds it for what has been drawn in all bands.
+    /// Computes openness for all bands.
     pub(super) fn find(&mut self, camera: &Camera, bands: &[Band]) {
         let (width, height) = (camera.width as usize, camera.height as usize);
         self.step = if camera.height < LARGE { 2 } else { 4 };
@@ -97,7 +97,7 @@ impl Openness {
         self.blur(down);
     }
 
-    /// The mean over neighbours along an axis, whose directions differ, where they are as deep.
+    /// Averages over neighbours at the same depth along an axis, whose comparisons have different directions.
     fn blur(&mut self, means: impl Fn(&Self, usize, &mut [f32]) + Sync) {
         let mut blurred = std::mem::take(&mut self.blurred);
         blurred.par_chunks_mut(self.across * ROWS).enumerate().for_each(|(chunk, rows)| {
@@ -113,14 +113,14 @@ impl Openness {
         self.blurred = std::mem::replace(&mut self.open, blurred);
     }
 
-    /// Inverse depth of a row, and how open it is.
+    /// Inverse depth and openness of a row.
     #[inline(always)]
     fn row(&self, y: usize) -> (&[f32], &[f32]) {
         let at = y * self.across..(y + 1) * self.across;
         (&self.inverse[at.clone()], &self.open[at])
     }
 
-    /// How open a pixel is: of the four points around it the one at its depth counts.
+    /// Openness at a pixel: that of the one of the four surrounding points whose depth is nearest.
     #[inline(always)]
     pub(super) fn at(&self, x: usize, y: usize, inverse: f32) -> f32 {
         let (x0, y0) = (x / self.step, y / self.step);
@@ -134,17 +134,17 @@ impl Openness {
     }
 }
 
-/// Points whose mean is taken, and their weights: neighbours' directions differ as far as that.
+/// Number of points averaged, and their weights: the directions of comparisons repeat at that distance.
 const WINDOW: usize = 5;
 const WEIGHTS: [f32; WINDOW] = [0.5, 1.0, 1.0, 1.0, 0.5];
 
-/// Where the window of a point of so many begins; at the ends it is aside.
+/// Start of the window around a point among `count`; near the ends it is shifted.
 #[inline(always)]
 fn window(at: usize, count: usize) -> usize {
     at.saturating_sub(WINDOW / 2).min(count.saturating_sub(WINDOW))
 }
 
-/// Means along a row.
+/// Averages along a row.
 #[inline(always)]
 fn across(all: &Openness, y: usize, out: &mut [f32]) {
     let ((inverse, open), count) = (all.row(y), out.len());
@@ -159,7 +159,7 @@ fn across(all: &Openness, y: usize, out: &mut [f32]) {
     part(edge, middle);
 }
 
-/// Means along columns, for a row.
+/// Averages along columns, for a row.
 #[inline(always)]
 fn down(all: &Openness, y: usize, out: &mut [f32]) {
     let from = window(y, all.down);
@@ -167,7 +167,7 @@ fn down(all: &Openness, y: usize, out: &mut [f32]) {
     means(all.row(y).0, [rows.map(|row| row.0), rows.map(|row| row.1)], out);
 }
 
-/// Writes means of lists, of what is as deep as their own points.
+/// Writes weighted means of lists, over entries at the same depth as the own points.
 #[inline(always)]
 fn means(own: &[f32], [inverse, open]: [[&[f32]; WINDOW]; 2], out: &mut [f32]) {
     let count = own.len().min(out.len());
@@ -183,7 +183,7 @@ fn means(own: &[f32], [inverse, open]: [[&[f32]; WINDOW]; 2], out: &mut [f32]) {
 }
 
 struct Look<'a> {
-    /// Points to a pixel.
+    /// Points for each pixel.
     share: f32,
     inverse: &'a [f32],
     depth: &'a [f32],
@@ -193,14 +193,14 @@ struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// How open some points of a row are.
+    /// Computes the openness of some points of a row.
     #[inline(always)]
     fn open(&self, x0: usize, y: usize, taps: &[[[f32; LANES]; 2]; TAPS], out: &mut [f32]) {
         let count = out.len().min(LANES);
         let last = [self.across as i32 - 1, self.down as i32 - 1];
         let focal = self.share * self.camera.focal.0;
         let centre = [self.share * self.camera.centre.0, self.share * self.camera.centre.1];
-        // Whole vectors: what is past the end is not looked at.
+        // Whole vectors are processed; lanes past the end are not used.
         let lanes = count.next_multiple_of(8).min(LANES);
         let mut here = [1.0_f32; LANES];
         let mut slope = [[0.0_f32; LANES]; 2];
@@ -236,7 +236,7 @@ impl Look<'_> {
             }
             for i in 0..lanes {
                 let other = there[i];
-                // How high it is over the plane, metres, and how far away.
+                // Height above the plane, metres, and squared distance.
                 let rise = (1.0 - other * (here[i] + slope[0][i] * dx[i] + slope[1][i] * dy[i])) * over[i];
                 let (flat, deep) = (depth[i] * wide, other - depth[i]);
                 let square = (dx[i] * dx[i] + dy[i] * dy[i]) * flat * flat + deep * deep + 1e-8;
@@ -251,7 +251,7 @@ impl Look<'_> {
         }
     }
 
-    /// Inverse depths, and how they change to the right and down over the surface seen.
+    /// Inverse depths, and their gradients to the right and down over the visible surface.
     #[inline(always)]
     fn slopes(&self, x0: usize, y: usize, (here, slope): (&mut [f32; LANES], &mut [[f32; LANES]; 2]), count: usize) {
         let row = |y: usize| &self.inverse[y * self.across..(y + 1) * self.across];

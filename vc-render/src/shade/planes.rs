@@ -1,59 +1,59 @@
-//! A strip of rows as lists of numbers, one list for each thing that is known of a pixel.
+//! A strip of rows in structure-of-arrays layout, one list for each attribute of a pixel.
 
 use super::lattice::{BEYOND, LIGHT, PART};
 use crate::simd::whole;
 use crate::surface::SPAN;
 
-/// What is seen at every pixel of the rows of a strip, and of the row after it.
+/// Surface attributes at every pixel of a strip's rows, and of the row after it.
 #[derive(Default)]
 pub(crate) struct Planes(pub(super) Vec<Row>);
 
-/// What is seen at every pixel of a row, and the light there. Lists go on past its end, so that pixels are
-/// written in whole spans and parts: the next ones write over what was too much.
+/// Surface attributes and light at every pixel of a row. Lists extend past its end, so that pixels can be
+/// written in whole spans and parts; excess values are overwritten by the next ones.
 #[derive(Default)]
 pub(crate) struct Row {
     pub(super) width: usize,
     pub(super) colour: [Vec<f32>; 3],
-    /// Roughness and metal, [`gloss_of`].
+    /// Roughness and metallic share, see [`gloss_of`].
     pub(super) gloss: Vec<u32>,
-    /// How the texture leans the normal, [`packed`].
+    /// Tilt of the normal by the texture, see [`packed`].
     pub(super) lean: Vec<u32>,
     pub(super) cells: Cells,
 }
 
-/// What light between pixels is found from.
+/// Attributes from which light is interpolated.
 #[derive(Default)]
 pub(crate) struct Cells {
-    /// Which of the looks they have.
+    /// Index of the look.
     pub(super) look: Vec<u32>,
-    /// One over depth; zero where there is nothing.
+    /// Inverse depth; zero where nothing is visible.
     pub(super) inverse: Vec<f32>,
     pub(super) light: [Vec<f32>; LIGHT],
-    /// By how much more light falls on what leans one way than another, [`packed`].
+    /// Change of light with the tilt of the normal, see [`packed`].
     pub(super) drift: Vec<u32>,
 }
 
-/// Roughness and metal in a byte each.
+/// Packs roughness and metallic share into a byte each.
 #[inline(always)]
 pub(super) fn gloss_of(roughness: f32, metallic: f32) -> u32 {
     whole(roughness.clamp(0.05, 1.0) * 255.0) | whole(metallic * 255.0) << 8
 }
 
-/// Roughness and metal from what [`gloss_of`] has put together.
+/// Unpacks roughness and metallic share from [`gloss_of`].
 #[inline(always)]
 pub(super) fn gloss(v: u32) -> (f32, f32) {
     let part = |byte: u32| (v >> byte & 255) as i32 as f32 * (1.0 / 255.0);
     (part(0), part(8))
 }
 
-/// Three numbers between -1 and 1 in ten bits each.
+/// Packs three numbers between -1 and 1 into ten bits each.
 #[inline(always)]
 pub(super) fn packed(v: [f32; 3]) -> u32 {
     let part = |x: f32| whole(x.clamp(-1.0, 1.0) * 511.0) & 1023;
     part(v[0]) | part(v[1]) << 10 | part(v[2]) << 20
 }
 
-/// What [`packed`] has put together.
+/// Unpacks the numbers from [`packed`].
 #[inline(always)]
 pub(super) fn unpacked(v: u32) -> [f32; 3] {
     let part = |shift: u32| ((v << shift) as i32 >> 22) as f32 * (1.0 / 511.0);
@@ -61,7 +61,7 @@ pub(super) fn unpacked(v: u32) -> [f32; 3] {
 }
 
 impl Cells {
-    /// Makes room for so many.
+    /// Allocates `count` entries.
     pub(super) fn prepare(&mut self, count: usize) {
         for list in [&mut self.look, &mut self.drift] {
             list.clear();
@@ -83,7 +83,7 @@ impl Row {
 }
 
 impl Planes {
-    /// Makes room for so many rows of this width, and one more.
+    /// Allocates `rows` rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.0.resize_with(rows + 1, Row::default);
         let count = width.next_multiple_of(PART) + SPAN;
@@ -95,7 +95,7 @@ impl Planes {
         }
     }
 
-    /// Makes the last row the first.
+    /// Moves the last row to the first.
     pub(super) fn turn(&mut self) {
         let last = self.0.len() - 1;
         self.0.swap(0, last);

@@ -1,13 +1,13 @@
-//! Colours of a finer picture, shrunk.
+//! Downsampling of supersampled colours.
 
 use rayon::prelude::*;
 
 use super::tone::{decoded, encoded};
 
-/// Half a step of the table that encodes, which rounds down.
+/// Half a step of the encoding table, which rounds down.
 const HALF: f32 = 0.5 / 4095.0;
 
-/// Writes the mean light of each square of pixels, so many along a side, in rows of a width.
+/// Writes the mean light of each square of `times` by `times` pixels, in rows of a width.
 pub(crate) fn shrink(fine: &[[u8; 3]], times: usize, (width, rgb): (usize, &mut Vec<[u8; 3]>)) {
     rgb.resize(fine.len() / (times * times), [0; 3]);
     let over = 1.0 / (times * times) as f32;

@@ -1,4 +1,4 @@
-//! Colours mixed where edges cross pixels.
+//! Smoothing: colours are mixed where edges cross pixels.
 
 use super::tone::{decoded, encoded};
 use crate::affine::three;
@@ -7,23 +7,23 @@ use crate::raster::refill;
 /// An edge between two pixels of a picture.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Edge {
-    /// The pixel into which it reaches, and the one from which.
+    /// The pixel into which the other's surface reaches, and that other pixel.
     pub(super) into: u32,
     pub(super) from: u32,
-    /// How much of the pixel is the other's.
+    /// Share of the pixel that the other's surface covers.
     pub(super) share: f32,
-    /// The one that shows a thing before the other's thing, if they show two.
+    /// The pixel with the nearer body, if they show two bodies.
     pub(super) before: Option<u32>,
 }
 
-/// Mixes colours, and keeps the memory for it.
+/// Mixes colours at edges, and keeps its memory.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Smoother {
     edges: Vec<Edge>,
-    /// The shares to mix by.
+    /// Mixing weights of the edges.
     shares: Vec<f32>,
     changes: Vec<[f32; 3]>,
-    /// By column, the last edge across it.
+    /// For each column, the last edge across it.
     above: Vec<u32>,
 }
 
@@ -33,14 +33,14 @@ impl Edge {
         self.into.min(self.from)
     }
 
-    /// How much of a pixel is not its own, negative if it reaches into the other.
+    /// Share of a pixel that the other's surface covers; negative if it reaches into the other itself.
     fn lost(&self, pixel: u32) -> f32 {
         if self.into == pixel { self.share } else { -self.share }
     }
 }
 
 impl Smoother {
-    /// Mixes into pixels what is their neighbours', in a picture of this width.
+    /// Mixes neighbours' colours into pixels, in a picture of this width.
     pub(super) fn smooth<'a>(&mut self, edges: impl Iterator<Item = &'a [Edge]>, width: usize, rgb: &mut [[u8; 3]]) {
         self.edges.clear();
         self.shares.clear();
@@ -57,7 +57,7 @@ impl Smoother {
         }
     }
 
-    /// Keeps an edge, and looks for the one on the other side of its first pixel.
+    /// Adds an edge, and looks for the one on the other side of its first pixel.
     fn add(&mut self, edge: Edge, width: u32) {
         let number = self.edges.len();
         self.edges.push(edge);
@@ -78,9 +78,9 @@ impl Smoother {
 
     /// Fades a pixel between two edges.
     ///
-    /// What is thinner than a pixel on a thing, a groove or a bevel, or between things, a gap, is met by some
-    /// pixels and missed by others; it would be a row of dots. What is thin and in front stays, for it
-    /// has a label.
+    /// A feature thinner than a pixel (a groove or bevel on a thing, or a gap between things) is hit by some
+    /// pixels and missed by others, and would look like a row of dots. Thin things in front are kept, as they
+    /// have labels.
     fn fade(&mut self, pixel: u32, edges: [usize; 2]) {
         let lost = edges.map(|at| self.edges[at].lost(pixel));
         let wide = 1.0 - lost[0] - lost[1];

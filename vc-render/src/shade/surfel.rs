@@ -1,4 +1,4 @@
-//! What is seen at every pixel, before there is light.
+//! Surface attributes at every pixel, before shading.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -17,31 +17,31 @@ use crate::simd::stretches;
 use crate::surface::SPAN;
 use crate::view::View;
 
-/// What all pixels of an instance's surface have in common.
+/// Attributes that all pixels of an instance's surface share.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Look {
     surface: u16,
-    /// Which way it faces, so that what bends sharply has several looks.
+    /// Direction it faces; sharply curved surfaces have several looks.
     facet: u16,
     pub(super) room: u16,
     pub(super) mirror: bool,
-    /// Light it gives.
+    /// Emission.
     pub(super) glow: [f32; 3],
-    /// Light it gives by its picture, as if it fell on it and were thrown back.
+    /// Emission through its texture, expressed as light that falls on the surface and is reflected.
     pub(super) shine: [f32; 3],
     /// The next look of the same instance.
     next: u32,
-    /// By how its texture lies, its paint.
+    /// Its paint for each orientation of the texture.
     paints: [u32; 9],
 }
 
-/// Set in numbers of looks of what bends.
+/// Flag in the look numbers of curved surfaces.
 pub(super) const BENT: u32 = 1 << 31;
 
-/// Look and paint of pixels where nothing is seen.
+/// Look and paint of pixels where nothing is visible.
 pub(super) const NOTHING: u32 = 0;
 
-/// What pixels are coloured with.
+/// Colours and texture of pixels.
 #[derive(Debug, Clone)]
 struct Paint {
     look: u32,
@@ -51,30 +51,30 @@ struct Paint {
     texture: Option<Texture>,
 }
 
-/// What is known of instances and triangles of a band.
+/// Cached data of a band's instances and triangles.
 #[derive(Default)]
 pub(crate) struct Known {
-    /// By instance, the position of its maps in the list below.
+    /// For each instance, the index of its maps.
     maps: Vec<u32>,
-    /// From a mesh to the image, and from (x, y, 1) times depth to the mesh.
+    /// Maps from a mesh to the image, and from (x, y, 1) times depth to the mesh.
     pairs: Vec<[Narrow; 2]>,
-    /// By visible triangle, the position of its paint in the list below.
+    /// For each visible triangle, the index of its paint.
     triangles: Vec<u32>,
     paints: Vec<Paint>,
-    /// Stretches of a row that have one paint: the first pixel of each, and the paint.
+    /// Stretches of a row with the same paint: the first pixel of each, and the paint.
     painted: Vec<(u32, u32)>,
-    /// By visible triangle, the position of its normals in the list below.
+    /// For each visible triangle, the index of its normals.
     bent: Vec<u32>,
     bends: Vec<Bent>,
-    /// By visible triangle, the position of its edges in the list below.
+    /// For each visible triangle, the index of its edges.
     edged: Vec<u32>,
     lines: Vec<Lines>,
-    /// By instance, the first of its looks.
+    /// For each instance, the first of its looks.
     heads: Vec<u32>,
     looks: Vec<Look>,
 }
 
-/// A view whose surfaces are written down.
+/// A view whose surface attributes are written.
 pub(super) struct Writer<'a> {
     pub(super) renderer: &'a Renderer,
     pub(super) lighting: &'a Lighting,
@@ -82,7 +82,7 @@ pub(super) struct Writer<'a> {
     pub(super) exposure: [f32; 3],
     pub(super) visible: &'a [Visible],
     pub(super) frustum: Frustum,
-    /// From (x, y, 1) times depth to the world.
+    /// Map from (x, y, 1) times depth to the world.
     pub(super) world: Narrow,
 }
 
@@ -115,7 +115,7 @@ impl Known {
         self.paints.push(Paint { look: NOTHING, colour, roughness: 1.0, metallic: 0.0, texture: None });
     }
 
-    /// An instance's maps to the image and back, made when they are first asked for.
+    /// An instance's maps to the image and back, computed on first use.
     pub(super) fn maps(&mut self, index: u32, instances: &[Instance], frustum: &Frustum) -> &[Narrow; 2] {
         let known = &mut self.maps[index as usize];
         if *known == NONE {
@@ -159,7 +159,7 @@ impl<'a> Writer<'a> {
         Self { renderer, lighting, view, exposure, visible: &layers.visible, frustum, world }
     }
 
-    /// Writes down a row of the image.
+    /// Writes the surface attributes of a row of the image.
     #[inline(always)]
     pub(super) fn row(&self, solid: Solid<'_>, y: i32, known: &mut Known, row: &mut Row) {
         let triangles = solid.triangle_row(y);
@@ -191,7 +191,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The normal at a place in the image, of the triangle that is seen there; not of unit length.
+    /// The normal at a place in the image, of the triangle visible there; not of unit length.
     #[inline(always)]
     pub(super) fn normal(&self, triangle: u32, (x, y): (f32, f32), known: &mut Known) -> [f32; 3] {
         if triangle == NONE {
@@ -226,19 +226,19 @@ impl Known {
         &self.looks[(number & !BENT) as usize]
     }
 
-    /// Whether any look is a mirror's.
+    /// Whether any look is a mirror.
     pub(super) fn mirrors(&self) -> bool {
         self.looks.iter().any(|look| look.mirror)
     }
 
-    /// Keeps the paint of a triangle, and returns its number.
+    /// Stores the paint of a triangle, and returns its number.
     fn paint(&mut self, triangle: u32, paint: Paint) -> u32 {
         self.paints.push(paint);
         self.triangles[triangle as usize] = self.paints.len() as u32 - 1;
         self.paints.len() as u32 - 1
     }
 
-    /// Writes pixels of a row of the image that have one paint, and some after them.
+    /// Writes pixels of a row that have the same paint, and some after them.
     #[inline(always)]
     fn write(&self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (y, focal): (i32, f32)) {
         let Paint { look, colour, roughness, metallic, texture } = &self.paints[paint as usize];
@@ -275,7 +275,7 @@ impl Known {
 }
 
 impl Row {
-    /// Writes a span of which all pixels are the same.
+    /// Writes a span of identical pixels.
     #[inline(always)]
     fn even(&mut self, from: usize, (look, colour, gloss): (u32, [f32; 3], u32)) {
         *part_mut(&mut self.cells.look, from) = [look; SPAN];
@@ -291,7 +291,7 @@ fn part<T>(list: &[T], from: usize) -> &[T; SPAN] {
     list[from..].first_chunk().expect("rows go on past their end")
 }
 
-/// The same to write to.
+/// A mutable span of a list.
 #[inline(always)]
 fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; SPAN] {
     list[from..].first_chunk_mut().expect("rows go on past their end")

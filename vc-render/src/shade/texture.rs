@@ -1,4 +1,4 @@
-//! How textures lie on what a camera sees.
+//! Textures mapped onto visible surfaces.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -8,32 +8,32 @@ use super::planes::packed;
 use crate::affine::{self, Narrow, three};
 use crate::surface::{Picture, SPAN, Span, Tile, Touch};
 
-/// How a texture lies on a surface.
+/// A texture mapped onto a surface.
 #[derive(Debug, Clone)]
 pub(super) struct Texture {
     cloth: Cloth,
-    /// From (x, y, 1) times depth to places in it.
+    /// Map from (x, y, 1) times depth to texture coordinates.
     places: [[f32; 4]; 2],
 }
 
-/// What lies there.
+/// The texture itself.
 #[derive(Debug, Clone)]
 enum Cloth {
-    /// A pattern, and along what directions of the world it leans normals.
+    /// A pattern, and the world directions along which it tilts normals.
     Tile(&'static Tile, [[f32; 3]; 2]),
-    /// A picture, and its texels to a metre.
+    /// An image texture, and its texels for each metre.
     Picture(Arc<Picture>, f32),
 }
 
 impl Texture {
-    /// A pattern along two axes of a frame, given the map from (x, y, 1) times depth into
-    /// that frame and the one from there to the world.
+    /// A pattern along two axes of a frame, given the map from (x, y, 1) times depth into that frame and the
+    /// one from there to the world.
     pub(super) fn tile(tile: &'static Tile, (u, v): (usize, usize), (back, axes): (&Narrow, &Narrow)) -> Self {
         let column = |c: usize| [axes[0][c], axes[1][c], axes[2][c]];
         Self { cloth: Cloth::Tile(tile, [column(u), column(v)]), places: [back[u], back[v]] }
     }
 
-    /// A picture on a triangle, given its corners, where these are in the picture, and the same maps.
+    /// An image texture on a triangle, given its corners, their texture coordinates, and the same maps.
     pub(super) fn picture(
         picture: &Arc<Picture>,
         (corners, uvs): ([[f32; 3]; 3], [[f32; 2]; 3]),
@@ -58,7 +58,7 @@ impl Texture {
         Self { cloth: Cloth::Picture(picture.clone(), density), places: [place(0), place(1)] }
     }
 
-    /// What the texture is at all pixels that are so many metres wide, if it is the same.
+    /// The texture's value, if it is constant for pixels that are `footprint` metres wide.
     #[inline(always)]
     pub(super) fn even(&self, footprint: f32) -> Option<&'static Touch> {
         match &self.cloth {
@@ -67,8 +67,8 @@ impl Texture {
         }
     }
 
-    /// What the texture says at some pixels of a row that are so many metres wide, and how normals lean there,
-    /// packed. Only so many of them have it.
+    /// The texture at the first `count` of some pixels of a row, each `footprint` metres wide, and the packed
+    /// tilt of normals there.
     #[inline(always)]
     pub(super) fn touch(
         &self,
@@ -96,7 +96,7 @@ impl Texture {
         }
     }
 
-    /// Where some pixels of a row are in the texture.
+    /// Texture coordinates of some pixels of a row.
     #[inline(always)]
     fn places(&self, inverse: &[f32; SPAN], (x, y): (f32, f32)) -> [[f32; SPAN]; 2] {
         const LANE: [f32; SPAN] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
@@ -113,7 +113,7 @@ impl Texture {
     }
 }
 
-/// How normals lean in the world, packed.
+/// The packed tilt of normals in the world.
 #[inline(always)]
 fn leant([us, vs]: &[[f32; SPAN]; 2], [across, along]: &[[f32; 3]; 2]) -> [u32; SPAN] {
     let mut lean = [0; SPAN];

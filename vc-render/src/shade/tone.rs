@@ -1,4 +1,4 @@
-//! From light to colours on a screen.
+//! Tone mapping: from light to display colours.
 
 use std::sync::LazyLock;
 
@@ -18,7 +18,7 @@ static TABLE: LazyLock<Box<[u8; STEPS]>> = LazyLock::new(|| {
     Box::new(std::array::from_fn(encode))
 });
 
-/// From sRGB back to linear.
+/// The table from sRGB back to linear.
 static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
     use vc_graph::portable::Portable;
     let decode = |i: usize| {
@@ -28,9 +28,10 @@ static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
     (0..256).map(decode).collect()
 });
 
-/// A film's response, linear on a screen: that of the eye's cells (Naka and Rushton 1966), which never
-/// burns out, with a shoulder that keeps the sky and what is close to lamps apart from white. A white wall in the light
-/// of its room comes to a half, ten times that to six sevenths, a hundred times that to nineteen twentieths.
+/// The tone curve, in linear display light: the response of the eye's photoreceptors (Naka and Rushton 1966),
+/// which never saturates, with a shoulder that keeps the sky and the surroundings of lamps distinct from white.
+/// A white wall in the light of its room is displayed at a half, ten times that light at six sevenths, and a
+/// hundred times at nineteen twentieths.
 pub(crate) fn film(x: f32) -> f32 {
     use vc_graph::portable::Portable;
     let light = 1.9 * x.max(0.0);
@@ -39,41 +40,42 @@ pub(crate) fn film(x: f32) -> f32 {
     if light < 1e9 { strength / (1.0 + strength) } else { 1.0 }
 }
 
-/// How steep the film's response is in the middle, from which light on it is flatter, and by how much.
+/// Slope of the tone curve in the middle, the light from which on it is flatter, and by how much.
 const CONTRAST: f32 = 1.2;
 const SHOULDER: f32 = 2.0;
 const FLATTER: f32 = 0.6;
 
-/// A linear colour in sRGB.
+/// Encodes a linear colour in sRGB.
 #[inline(always)]
 pub(crate) fn encoded(colour: [f32; 3]) -> [u8; 3] {
     let table: &[u8; STEPS] = &TABLE;
     three(|c| table[((colour[c] * (STEPS - 1) as f32) as usize).min(STEPS - 1)])
 }
 
-/// A colour in sRGB as linear.
+/// Decodes an sRGB colour to linear.
 #[inline(always)]
 pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
     let table = &*LINEAR;
     three(|c| table[usize::from(colour[c])])
 }
 
-/// Bits of a float between neighbouring entries of the table from light to colours, and its first entry.
+/// Bits of a float between neighbouring entries of the table from light to colours, and the light of its first
+/// entry and the brightest it is used for.
 const PART: u32 = 15;
 const DARK: f32 = 1.0 / 4096.0;
 const BRIGHT: f32 = 65536.0;
 
-/// Entries of the table, a power of two; the last ones are not asked for.
+/// Number of entries of the table, a power of two; the last ones are unused.
 const ENTRIES: usize = 8192;
 
-/// From light, 256 steps to each doubling, to sRGB.
+/// The table from light, in 256 steps for each doubling, to sRGB.
 static FILM: LazyLock<Box<[u8; ENTRIES]>> = LazyLock::new(|| {
     let first = (DARK.to_bits() >> PART) as usize;
     let colour = |step: u32| encoded([film(f32::from_bits(step << PART | 1 << (PART - 1))); 3])[0];
     Box::new(std::array::from_fn(|entry| colour((first + entry) as u32)))
 });
 
-/// Colours on a screen for the light of a row's pixels.
+/// Display colours for the light of a row's pixels.
 #[allow(clippy::manual_clamp, reason = "what is no number is dark")]
 #[inline(always)]
 pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]]) {

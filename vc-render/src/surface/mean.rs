@@ -1,23 +1,23 @@
-//! Means of texels, many at a time.
+//! Bilinear means of texels, many at a time.
 //!
-//! Bytes are mixed as whole numbers, so that every processor comes to the same.
+//! Bytes are mixed in integer arithmetic, so that every processor gives the same result.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 #[cfg(target_arch = "x86_64")]
 mod v3;
 
-/// Four bytes of each of two neighbours, those of the left one first.
+/// Two horizontally neighbouring texels of four bytes, the left one first.
 pub(super) type Pair = [[u8; 4]; 2];
 
-/// Where a place is between four neighbours: what shares the right and the lower ones have, parts of 64.
+/// Position between four neighbours: weights of the right and the lower ones, in 64ths.
 #[derive(Clone, Copy)]
 pub(super) struct Shares<const N: usize> {
     pub(super) right: [u16; N],
     pub(super) lower: [u16; N],
 }
 
-/// Finds means of bytes.
+/// Computes bilinear means of bytes.
 #[derive(Clone, Copy)]
 pub(super) struct Mixer {
     #[cfg(target_arch = "x86_64")]
@@ -33,11 +33,11 @@ impl Mixer {
         }
     }
 
-    /// Eight means of four bytes each, 64 times as much: first bytes, second bytes and so on. Four neighbours are two
-    /// above and two below.
+    /// Eight means of four texels each, times 64: all first bytes, then all second bytes and so on. The four
+    /// are two texels above and the two below them.
     #[inline(always)]
     pub(super) fn means<'a>(self, four: impl Fn(usize) -> [&'a Pair; 2], shares: &Shares<8>) -> [[i16; 8]; 4] {
-        // The compiler takes byte by byte.
+        // The compiler would process single bytes.
         #[cfg(target_arch = "x86_64")]
         if let Some(v3) = self.v3 {
             return v3::means(v3, four, shares);
@@ -51,14 +51,14 @@ impl Mixer {
     }
 }
 
-/// The mean of four, 64 times as much.
+/// The mean of four texels, times 64.
 #[inline(always)]
 pub(super) fn mean([upper, lower]: [&Pair; 2], shares: [u16; 2]) -> [i16; 4] {
     let [right, down] = shares.map(i32::from);
     std::array::from_fn(|k| {
         let row = |pair: &Pair| i32::from(pair[0][k]) * (64 - right) + i32::from(pair[1][k]) * right;
         let (upper, lower) = (row(upper), row(lower));
-        // Rounded as the processor does.
+        // Rounded like the processor's instruction.
         (upper + (((((lower - upper) * (down << 9)) >> 14) + 1) >> 1)) as i16
     })
 }

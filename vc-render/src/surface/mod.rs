@@ -1,4 +1,4 @@
-//! What light does at a surface: its material and its texture.
+//! Surfaces: materials and their textures, as shading sees them.
 
 mod coat;
 mod mean;
@@ -19,10 +19,10 @@ pub(crate) use pattern::Pattern;
 pub(crate) use picture::Picture;
 pub(crate) use tile::{SPAN, Span, Tile, Touch};
 
-/// A material as light meets it.
+/// A material, prepared for shading.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Surface {
-    /// Linear reflectance; of clear things, what share of light passes by colour.
+    /// Linear reflectance; for clear materials, the transmitted share of each colour.
     pub(crate) colour: [f32; 3],
     pub(crate) roughness: f32,
     pub(crate) metallic: f32,
@@ -30,19 +30,19 @@ pub(crate) struct Surface {
     pub(crate) emission: [f32; 3],
     pub(crate) role: Role,
     pub(crate) pattern: Pattern,
-    /// What the colour is multiplied with, where triangles say where they are in it.
+    /// The texture that the colour is multiplied with, if the mesh has texture coordinates.
     pub(crate) picture: Option<Arc<Picture>>,
 }
 
-/// What a part is for, where that changes how it looks.
+/// The role of a part, as far as it changes its look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Role {
     Plain,
-    /// Light shines through it.
+    /// A lampshade: light shines through it.
     Shade,
-    /// Wood of it is laid as boards.
+    /// A floor: its wood is laid as boards.
     Floor,
-    /// A wall or ceiling: its texture goes on from piece to piece.
+    /// A wall or ceiling: its texture continues from piece to piece.
     Built,
 }
 
@@ -60,7 +60,7 @@ impl Role {
 impl Surface {
     pub(crate) fn of(material: &Material, role: Role) -> Self {
         Self {
-            // Nothing reflects everything.
+            // No material reflects all light.
             colour: material.colour.map(|c| c.min(0.9)),
             roughness: material.roughness.clamp(0.02, 1.0),
             metallic: material.metallic.min(1.0),
@@ -72,17 +72,18 @@ impl Surface {
         }
     }
 
-    /// With a picture instead of a pattern.
+    /// Replaces the pattern by a texture.
     pub(crate) fn with(self, picture: Arc<Picture>) -> Self {
         Self { pattern: Pattern::Plain, picture: Some(picture), ..self }
     }
 
-    /// Light that it gives as what would have to fall on it to be thrown back as that: its texture colours it.
+    /// Converts emitted light to the irradiance that the surface would reflect as that light, so that its
+    /// texture colours it.
     pub(crate) fn as_fallen(&self, light: [f32; 3]) -> [f32; 3] {
         three(|c| std::f32::consts::PI * light[c] / (self.colour[c] * (1.0 - self.metallic)).max(1e-3))
     }
 
-    /// What share of light from all sides it throws back on average, by colour, under a coat: its gloss has that of white.
+    /// Mean reflectance for diffuse light, by colour, under a coat; the gloss reflects white.
     pub(crate) fn thrown(&self, coat: &Coat) -> [f32; 3] {
         let (tint, roughness) = tile::mean_of(self.pattern);
         let tint = self.picture.as_ref().map_or(tint, |picture| picture.mean());
@@ -91,20 +92,20 @@ impl Surface {
         Finish { colour, metallic: self.metallic, roughness }.thrown()
     }
 
-    /// Light it gives from afar.
+    /// Emission averaged over the texture.
     pub(crate) fn mean_emission(&self) -> [f32; 3] {
         let picture = self.picture.as_ref().map_or([1.0; 3], |p| p.mean());
         three(|i| self.emission[i] * picture[i])
     }
 
-    /// With the mean of a picture, for what does not say where it is in it.
+    /// Multiplied with the mean of a texture, for meshes without texture coordinates.
     pub(crate) fn tinted(self, picture: &Picture) -> Self {
         let mean = picture.mean();
         let of = |v: [f32; 3]| three(|i| v[i] * mean[i]);
         Self { colour: of(self.colour), emission: of(self.emission), ..self }
     }
 
-    /// Grey, matt.
+    /// A matt grey surface.
     pub(crate) fn plain() -> Self {
         Self {
             colour: [0.5; 3],
@@ -118,17 +119,17 @@ impl Surface {
         }
     }
 
-    /// Whether one sees through it.
+    /// Whether it is transparent.
     pub(crate) fn is_clear(&self) -> bool {
         self.transmission > 0.3
     }
 
-    /// Whether it shows what is before it sharply.
+    /// Whether it is a mirror: its reflections are sharp.
     pub(crate) fn is_mirror(&self) -> bool {
         self.metallic > 0.9 && self.roughness < 0.06
     }
 
-    /// Whether it can give light.
+    /// Whether it emits light.
     pub(crate) fn glows(&self) -> bool {
         self.emission != [0.0; 3]
     }

@@ -1,6 +1,6 @@
-//! Noise that repeats, so that tiles fit together.
+//! Periodic noise, so that tiles fit together.
 
-/// A number from 0 to 1 for a lattice point (a multiply-xorshift hash).
+/// A hash of a lattice point as a number from 0 to 1 (multiply-xorshift).
 pub(super) fn hash(x: i32, y: i32, seed: u32) -> f32 {
     let mut h =
         (x as u32).wrapping_mul(0x9e37_79b1) ^ (y as u32).wrapping_mul(0x85eb_ca77) ^ seed.wrapping_mul(0xc2b2_ae3d);
@@ -9,7 +9,7 @@ pub(super) fn hash(x: i32, y: i32, seed: u32) -> f32 {
     ((h ^ (h >> 15)) >> 8) as f32 / (1 << 24) as f32
 }
 
-/// Smooth noise from 0 to 1 over the unit square, of so many cells across and down; it repeats.
+/// Smooth periodic noise from 0 to 1 over the unit square, with `across` by `down` cells.
 pub(super) fn value(u: f32, v: f32, (across, down): (i32, i32), seed: u32) -> f32 {
     let (x, y) = (u * across as f32, v * down as f32);
     let (cx, cy) = (x.floor(), y.floor());
@@ -20,7 +20,7 @@ pub(super) fn value(u: f32, v: f32, (across, down): (i32, i32), seed: u32) -> f3
     mix(mix(at(0, 0), at(1, 0), fx), mix(at(0, 1), at(1, 1), fx), fy)
 }
 
-/// Octaves of [`value`], each twice as fine and half as strong; 0 to 1.
+/// A sum of octaves of [`value`], each twice as fine and half as strong; 0 to 1.
 pub(super) fn octaves(u: f32, v: f32, (across, down): (i32, i32), count: u32, seed: u32) -> f32 {
     let (mut sum, mut weight, mut total) = (0.0, 1.0, 0.0);
     for octave in 0..count {
@@ -32,7 +32,7 @@ pub(super) fn octaves(u: f32, v: f32, (across, down): (i32, i32), count: u32, se
     sum / total
 }
 
-/// Distances to the nearest and the second nearest of points strewn one to a cell; it repeats.
+/// Distances to the nearest and the second nearest of random points, one in each cell (Worley noise); periodic.
 pub(super) fn cells(u: f32, v: f32, count: i32, seed: u32) -> (f32, f32) {
     let (x, y) = (u * count as f32, v * count as f32);
     let (cx, cy) = (x.floor() as i32, y.floor() as i32);

@@ -1,4 +1,4 @@
-//! Procedural textures: what a material's surface looks like close up.
+//! Procedural textures of materials.
 
 use vc_graph::asset::Material;
 use vc_graph::portable::Portable;
@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 use super::Role;
 use super::noise::{cells, hash, octaves, value};
 
-/// Kind of texture.
+/// A kind of procedural texture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Pattern {
     Plain,
@@ -24,14 +24,14 @@ pub(crate) enum Pattern {
     Wall,
 }
 
-/// A point of a texture.
+/// The texture at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sample {
-    /// What the colour is multiplied with.
+    /// Factor for the colour.
     pub(super) tint: [f32; 3],
-    /// What the roughness is multiplied with.
+    /// Factor for the roughness.
     pub(super) roughness: f32,
-    /// Height over the surface, in shares of the tile's side.
+    /// Height above the surface, as a share of the tile's side.
     pub(super) height: f32,
 }
 
@@ -71,10 +71,10 @@ impl Pattern {
         Self::Wall,
     ];
 
-    /// What suits a material, by how words in its name begin.
+    /// The pattern that suits a material, by the beginnings of words in its name.
     pub(crate) fn of(material: &Material, role: Role) -> Self {
         let name = &*material.name;
-        // What is washed is not of ash.
+        // A word counts only at its beginning: "washed" is not ash.
         let begins = |at: usize| !name[..at].ends_with(|c: char| c.is_alphabetic());
         let has = |word: &str| name.match_indices(word).any(|(at, _)| begins(at));
         let any = |words: &[&str]| words.iter().any(|word| has(word));
@@ -126,7 +126,7 @@ impl Pattern {
         }
     }
 
-    /// The texture at a place of the tile, 0 to 1; fibres run along `v`.
+    /// The texture at a point of the tile, coordinates 0 to 1; fibres run along `v`.
     pub(super) fn sample(self, u: f32, v: f32) -> Sample {
         match self {
             Self::Plain => even(1.0, 1.0, 0.0),
@@ -150,7 +150,7 @@ fn even(brightness: f32, roughness: f32, height: f32) -> Sample {
     Sample { tint: [brightness; 3], roughness, height }
 }
 
-/// Darker wood is redder.
+/// A wood colour: darker wood is redder.
 fn wood(brightness: f32, roughness: f32, height: f32) -> Sample {
     let dark = (1.0 - brightness).max(-0.3);
     Sample { tint: [brightness + 0.18 * dark, brightness, brightness - 0.12 * dark], roughness, height }
@@ -166,7 +166,7 @@ fn grain(u: f32, v: f32, seed: u32) -> Sample {
     wood(brightness, 1.0 + 0.5 * pores - 0.2 * (fibres - 0.5), 0.0006 * fibres - 0.0012 * pores)
 }
 
-/// Boards of twelve centimetres, four to a length.
+/// Boards twelve centimetres wide, two along a tile.
 fn boards(u: f32, v: f32) -> Sample {
     const ACROSS: i32 = 20;
     let column = ((u * ACROSS as f32) as i32).min(ACROSS - 1);
@@ -200,7 +200,7 @@ fn leather(u: f32, v: f32) -> Sample {
     even(0.78 + 0.16 * ridge + 0.16 * broad, 1.15 - 0.3 * ridge, 0.006 * ridge)
 }
 
-/// Four tiles a side, thirty centimetres each.
+/// Four by four tiles, thirty centimetres each.
 fn tiles(u: f32, v: f32) -> Sample {
     let (x, y) = (u * 4.0, v * 4.0);
     let edge = [x.fract(), y.fract()].map(|t| t.min(1.0 - t) * 0.3);
@@ -212,7 +212,7 @@ fn tiles(u: f32, v: f32) -> Sample {
     even(brightness, 1.0 + 4.0 * joint, -0.0014 * joint + 0.00015 * glaze)
 }
 
-/// Courses of 25 by 7 centimetres.
+/// Bricks of 25 by 7 centimetres, in courses.
 fn bricks(u: f32, v: f32) -> Sample {
     let row = (v * 14.0) as i32;
     let x = u * 4.0 + 0.5 * (row % 2) as f32;
@@ -249,7 +249,7 @@ fn rough(u: f32, v: f32, strength: f32) -> Sample {
     even(1.0 + strength * (cloud - 0.5) * 2.0 - 0.1 * (0.4 - pits).max(0.0), 1.0, 0.002 * pits + 0.003 * cloud)
 }
 
-/// Paint from a roller.
+/// Paint applied with a roller.
 fn wall(u: f32, v: f32) -> Sample {
     let cloud = octaves(u, v, (2, 2), 4, 121);
     let peel = octaves(u, v, (90, 90), 2, 127);

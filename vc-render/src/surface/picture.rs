@@ -1,4 +1,4 @@
-//! Pictures on surfaces, with coarser copies.
+//! Image textures, with coarser copies (mipmaps).
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use vc_graph::asset::Texture;
 use crate::affine::three;
 use crate::shade::decoded;
 
-/// A texture that others have made, between whose texels colours are mixed.
+/// An image texture, interpolated between its texels.
 #[derive(Debug)]
 pub(crate) struct Picture {
     texture: Arc<Texture>,
-    /// Copies of half the size each.
+    /// Coarser copies, each half the size of the one before.
     coarser: Vec<Level>,
 }
 
@@ -21,7 +21,7 @@ struct Level {
     pixels: Vec<[u8; 3]>,
 }
 
-/// Pixels of a picture and how many are across and down.
+/// A picture's size, across and down, and its pixels.
 type Pixels<'a> = ([usize; 2], &'a [[u8; 3]]);
 
 impl PartialEq for Picture {
@@ -46,21 +46,21 @@ impl Picture {
         }
     }
 
-    /// Square root of how many texels are on a triangle, given its corners in the picture.
+    /// Square root of the number of texels on a triangle, given its texture coordinates.
     pub(crate) fn texels(&self, [a, b, c]: [[f32; 2]; 3]) -> f32 {
         let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         (0.5 * twice.abs() * self.texture.width as f32 * self.texture.height as f32).sqrt()
     }
 
-    /// The copy to use where a pixel is so many texels wide.
+    /// The mipmap level for a pixel that is `texels` texels wide.
     #[inline(always)]
     pub(crate) fn level(&self, texels: f32) -> usize {
-        // The exponent of a float is the whole part of its logarithm.
+        // The exponent of a float is the integer part of its base-2 logarithm.
         let exponent = ((1.5 * texels).to_bits() >> 23 & 255) as i32 - 127;
         exponent.clamp(0, self.coarser.len() as i32) as usize
     }
 
-    /// The linear colour at a place, between the four nearest texels.
+    /// The linear colour at a place, interpolated between the four nearest texels.
     #[inline(always)]
     pub(crate) fn at(&self, level: usize, [u, v]: [f32; 2]) -> [f32; 3] {
         let ([width, height], pixels) = self.pixels(level);
@@ -74,16 +74,16 @@ impl Picture {
         })
     }
 
-    /// Its mean.
+    /// Its mean colour.
     pub(crate) fn mean(&self) -> [f32; 3] {
         self.pixels(self.coarser.len()).1.first().map_or([1.0; 3], |p| decoded(*p))
     }
 }
 
-/// The two texels around a place of a row that repeats, and the share of the second.
+/// The two texels around a place in a periodic row, and the weight of the second.
 #[inline(always)]
 fn between(share: f32, count: usize) -> ([usize; 2], f32) {
-    // From a texel's middle to its corner, one round ahead so that it is above zero.
+    // Measured from the centre of a texel, and one period ahead to stay positive.
     let at = (share - share.floor() + 1.0) * count as f32 - 0.5;
     let low = (at as usize).min(2 * count - 1);
     let first = if low >= count { low - count } else { low };
@@ -91,7 +91,7 @@ fn between(share: f32, count: usize) -> ([usize; 2], f32) {
     ([first, second], at - low as f32)
 }
 
-/// Half as large, of means; none of a single pixel.
+/// The next coarser level, by averaging; none for a single pixel.
 fn halved((size, fine): Pixels<'_>) -> Option<Level> {
     if size == [1, 1] {
         return None;
@@ -112,7 +112,7 @@ fn halved((size, fine): Pixels<'_>) -> Option<Level> {
     Some(Level { size: half, pixels: pixels.collect() })
 }
 
-/// The byte of sRGB whose light is nearest: repeated means must not drift.
+/// The sRGB byte whose linear value is nearest: repeated averaging must not drift.
 fn nearest(light: f32) -> u8 {
     let value = |byte: u8| decoded([byte; 3])[0];
     let (mut low, mut high) = (0_u8, 255_u8);
@@ -137,7 +137,7 @@ mod tests {
         let picture = picture(5, 3, pixels.clone());
         for (index, pixel) in pixels.into_iter().enumerate() {
             let (x, y) = (index % 5, index / 5);
-            // Rounds before and after the first are like it.
+            // The texture is periodic.
             for around in [-2.0, 0.0, 3.0] {
                 let place = [(x as f32 + 0.5) / 5.0 + around, (y as f32 + 0.5) / 3.0 - around];
                 let (found, wanted) = (picture.at(0, place), decoded(pixel));

@@ -1,4 +1,4 @@
-//! Textures as tiles of texels with coarser copies, made once per process.
+//! Tiles of procedural textures with coarser copies (mipmaps), made once in a process.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -9,49 +9,49 @@ use super::mean::{Mixer, Pair, Shares, mean};
 use crate::affine::three;
 use crate::simd::whole;
 
-/// A point of a texture as it is kept, a byte each: what red, green and blue are multiplied
-/// with (128 is one), and the roughness (64 is one); or how the normal leans along u and v
-/// (64 is one, 128 is none). Few look at both, and so they are apart.
+/// A stored texel of four bytes: either the factors for red, green and blue (128 is one) and roughness (64 is
+/// one), or the tilt of the normal along u and v (128 is none, 64 more is one). Few lookups need both, so they
+/// are stored apart.
 type Texel = [u8; 4];
 
-/// One copy of a texture.
+/// One mipmap level.
 #[derive(Debug)]
 struct Level {
     colours: Vec<Texel>,
-    /// None if no texel leans the normal.
+    /// None if no texel tilts the normal visibly.
     leans: Option<Vec<Texel>>,
-    /// What colours are everywhere, if nobody sees where they are otherwise.
+    /// The mean, if all texels look about the same.
     even: Option<Touch>,
 }
 
-/// A texture, and its copies of half the size each.
+/// A procedural texture and its coarser copies, each half the size of the one before.
 #[derive(Debug)]
 pub(crate) struct Tile {
-    /// Rows end with their first texel once more, and a copy with its first row.
+    /// Each row ends with a repetition of its first texel, and each level with a repetition of its first row.
     levels: Vec<Level>,
     texels: usize,
-    /// Texels to a metre.
+    /// Texels for each metre.
     density: f32,
 }
 
-/// Pixels whose texture is found at once.
+/// Number of pixels whose texture is looked up together.
 pub(crate) const SPAN: usize = 8;
 
-/// What a texture says at neighbouring pixels.
+/// The texture at neighbouring pixels.
 pub(crate) struct Span {
     pub(crate) tint: [[f32; SPAN]; 3],
     pub(crate) roughness: [f32; SPAN],
-    /// None if normals do not lean.
+    /// None if normals are not tilted.
     pub(crate) lean: Option<[[f32; SPAN]; 2]>,
 }
 
-/// By how much less a mean is than the 64 times as much that is found.
+/// Scale from the computed means, which are 64 times too large.
 const MEAN: f32 = 1.0 / 64.0;
-/// One in bytes of tints, and of roughness and lean.
+/// The byte that stands for one, in tints, and in roughness and tilt.
 const TINT: f32 = 128.0;
 const SHARE: f32 = 64.0;
 
-/// A texture's say on colour, roughness and normal.
+/// Effect of a texture on colour, roughness and normal.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Touch {
     pub(crate) tint: [f32; 3],
@@ -59,8 +59,8 @@ pub(crate) struct Touch {
     pub(crate) lean: [f32; 2],
 }
 
-/// What tints and roughness of all patterns are on average: known beforehand, as tiles take long to make, and light in
-/// rooms needs no more of them.
+/// Mean tint and roughness of each pattern. They are constants because indirect light needs only these, and
+/// tiles take long to make.
 #[rustfmt::skip]
 const MEANS: [([f32; 3], f32); 13] = [
     ([1.0, 1.0, 1.0], 1.0), // plain
@@ -78,7 +78,7 @@ const MEANS: [([f32; 3], f32); 13] = [
     ([0.9821, 0.9821, 0.9821], 1.0), // wall
 ];
 
-/// The mean of a pattern's tints, and of its roughness.
+/// The mean tint of a pattern, and its mean roughness.
 pub(crate) fn mean_of(pattern: Pattern) -> ([f32; 3], f32) {
     MEANS[pattern as usize]
 }
@@ -117,23 +117,23 @@ impl Tile {
         Self { levels: levels.collect(), texels, density: texels as f32 / pattern.side() }
     }
 
-    /// The coarser copy to use where a pixel is so many metres wide.
+    /// The mipmap level for a pixel that is `footprint` metres wide.
     #[inline(always)]
     pub(crate) fn level(&self, footprint: f32) -> usize {
-        // The exponent of a float is the whole part of its logarithm.
+        // The exponent of a float is the integer part of its base-2 logarithm.
         let texels = footprint * self.density * 1.5;
         let exponent = (texels.to_bits() >> 23) as i32 - 127;
         exponent.clamp(0, self.levels.len() as i32 - 1) as usize
     }
 
-    /// What a copy is everywhere, if nobody sees where it is otherwise.
+    /// The mean of a level, if all its texels look about the same.
     #[inline(always)]
     pub(crate) fn even(&self, level: usize) -> Option<&Touch> {
         let level = &self.levels[level];
         level.even.as_ref().filter(|_| level.leans.is_none())
     }
 
-    /// The texture at a place, metres, between the four nearest texels.
+    /// The texture at a place in metres, interpolated between the four nearest texels.
     #[inline(always)]
     pub(crate) fn at(&self, level: usize, u: f32, v: f32) -> Touch {
         let ([first], Shares { right, lower }) = self.places(level, [&[u], &[v]]);
@@ -147,7 +147,7 @@ impl Tile {
         }
     }
 
-    /// The texture at some places, metres.
+    /// The texture at several places, metres.
     #[inline(always)]
     pub(crate) fn span(&self, level: usize, at: [&[f32; SPAN]; 2]) -> Span {
         let (first, shares) = self.places(level, at);
@@ -180,23 +180,23 @@ impl Tile {
         Span { tint, roughness, lean }
     }
 
-    /// Texels of a row of a level.
+    /// Number of texels in a row of a level.
     #[inline(always)]
     fn row(&self, level: usize) -> usize {
         (self.texels >> level) + 1
     }
 
-    /// Of the four texels around each place the upper left one, and where it is between them.
+    /// The upper left of the four texels around each place, and the interpolation weights.
     #[inline(always)]
     fn places<const N: usize>(&self, level: usize, [us, vs]: [&[f32; N]; 2]) -> ([u32; N], Shares<N>) {
         let (mut first, mut shares) = ([0; N], Shares { right: [0; N], lower: [0; N] });
-        // Tiles to a metre, and parts of 256 of a texel to a tile.
+        // Scale from metres to tiles, and from a tile to 256ths of a texel.
         let side = (self.texels >> level) as u32;
         let (last, power) = (side - 1, side.trailing_zeros());
         let (scale, parts) = (self.density / self.texels as u32 as f32, (side * 256) as f32);
         for i in 0..N {
             let (u, v) = (us[i] * scale, vs[i] * scale);
-            // From a texel's middle to its corner.
+            // Measured from the centre of a texel.
             let x = whole((u - u.floor()) * parts).wrapping_sub(128);
             let y = whole((v - v.floor()) * parts).wrapping_sub(128);
             let (column, row) = (x >> 8 & last, y >> 8 & last);
@@ -207,15 +207,15 @@ impl Tile {
     }
 }
 
-/// Whether normals lean so that it is seen: by a fortieth on average or more. What light changes by is half of that.
+/// Whether the tilt of normals is visible: at least a fortieth on average. The effect on light is half of that.
 fn seen(leans: &[Texel]) -> bool {
     let square = |texel: &Texel| texel[..2].iter().map(|lean| u64::from(lean.abs_diff(128)).pow(2)).sum::<u64>();
     let all: u64 = leans.iter().map(square).sum();
     all * 40 * 40 >= leans.len() as u64 * 64 * 64
 }
 
-/// The mean of colours that differ from it by less than is seen: by three quarters of a hundredth on average, about half
-/// a step of a picture's bytes.
+/// The mean of the colours, if they differ too little from it to be visible: by three quarters of a hundredth
+/// on average, about half a step of an 8-bit colour.
 fn even(texels: &[Texel]) -> Option<Touch> {
     let (count, mean) = (texels.len() as f32, average(texels));
     let square = |v: f32| v * v;
@@ -230,12 +230,12 @@ fn average(texels: &[Texel]) -> [f32; 4] {
     std::array::from_fn(|k| texels.iter().map(|t| f32::from(t[k])).sum::<f32>() / count)
 }
 
-/// What a mean of texels says.
+/// Decodes a mean of texels.
 fn touch(mean: &[f32; 4]) -> Touch {
     Touch { tint: three(|c| mean[c] / TINT), roughness: mean[3] / SHARE, lean: [0.0; 2] }
 }
 
-/// Four texels: one and that to its right, and the two below, a row of so many further on.
+/// Four texels: one and the next to its right, and the two below, `row` texels further on.
 #[inline(always)]
 fn four(texels: &[Texel], row: usize, at: u32) -> [&Pair; 2] {
     let at = at as usize;
@@ -243,7 +243,7 @@ fn four(texels: &[Texel], row: usize, at: u32) -> [&Pair; 2] {
     [&texels[..2], &texels[row..]].map(|pair| pair.first_chunk().expect("two are left"))
 }
 
-/// Means of four texels each, at some places.
+/// Bilinear means at several places.
 #[inline(always)]
 fn means((texels, row): (&[Texel], usize), (first, shares): (&[u32; SPAN], &Shares<SPAN>)) -> [[i16; SPAN]; 4] {
     Mixer::new().means(
@@ -253,7 +253,7 @@ fn means((texels, row): (&[Texel], usize), (first, shares): (&[u32; SPAN], &Shar
     )
 }
 
-/// Texels and ever fewer, down to one.
+/// The mipmap chain of texels, down to a single one.
 fn coarser(texels: Vec<Texel>) -> Vec<Vec<Texel>> {
     let mut levels = vec![texels];
     while levels.last().is_some_and(|l| l.len() > 1) {
@@ -262,14 +262,14 @@ fn coarser(texels: Vec<Texel>) -> Vec<Vec<Texel>> {
     levels
 }
 
-/// Rows with their first texel at their end once more, and the first row once more.
+/// Appends to each row a repetition of its first texel, and at the end a repetition of the first row.
 fn closed(texels: &[Texel]) -> Vec<Texel> {
     let side = texels.len().isqrt();
     let rows = texels.chunks(side).chain([&texels[..side]]);
     rows.flat_map(|row| row.iter().chain(&row[..1]).copied()).collect()
 }
 
-/// Means of two by two.
+/// Averages blocks of two by two.
 fn halved(fine: &[Texel]) -> Vec<Texel> {
     let side = fine.len().isqrt();
     let half = side / 2;
@@ -290,7 +290,7 @@ mod tests {
     fn means_are_those_of_the_tiles() {
         for (pattern, (tint, roughness)) in Pattern::ALL.into_iter().zip(MEANS) {
             let tile = Tile::of(pattern);
-            // Without the row and the column that are there twice.
+            // Leaves out the repeated row and column.
             let rows = tile.levels[0].colours.chunks(tile.row(0)).take(tile.texels);
             let texels: Vec<Texel> = rows.flat_map(|row| &row[..tile.texels]).copied().collect();
             let (found, near) = (touch(&average(&texels)), |a: f32, b: f32| (a - b).abs() < 1e-3);

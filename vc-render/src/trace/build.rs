@@ -1,4 +1,4 @@
-//! Building the tree: the surface area heuristic over bins (Wald 2007).
+//! Building of trees by the surface area heuristic over bins (Wald 2007).
 
 use super::bvh::{Bvh, EMPTY, LEAF, Leaf, Node, WIDE};
 use crate::affine::three;
@@ -7,13 +7,15 @@ use crate::mesh;
 /// A triangle's corners.
 pub(crate) type Corners = [[f32; 3]; 3];
 
-/// Places where a set may be cut.
+/// Number of bins, at whose borders a set may be split.
 const BINS: usize = 12;
 
-/// From this depth on, sets are cut into equal parts, so that a tree has few more levels whatever the triangles.
+/// From this depth on, sets are split into equal parts, so that a tree has few further levels whatever the
+/// triangles.
 const DEEP: usize = 16;
 
-/// Most levels of a tree: below `DEEP`, each has eighths of the set above it, and there are less than 2^32.
+/// Greatest number of levels of a tree: below `DEEP`, each level has eighths of the set above it, and there are
+/// fewer than 2^32 triangles.
 pub(super) const LEVELS: usize = DEEP + 11;
 
 #[derive(Clone, Copy)]
@@ -22,7 +24,7 @@ struct Bounds {
     high: [f32; 3],
 }
 
-/// A triangle on its way into a leaf.
+/// A triangle or box to be put into a leaf.
 #[derive(Clone, Copy)]
 struct Item {
     bounds: Bounds,
@@ -48,8 +50,8 @@ impl Bounds {
 }
 
 impl Bvh {
-    /// The tree of triangles; a triangle's number is its position. Takes about a
-    /// microsecond a triangle.
+    /// Builds the tree of some triangles; a triangle's number is its index. Takes about a microsecond for each
+    /// triangle.
     pub(crate) fn build(triangles: &[Corners]) -> Self {
         let mut leaves = Vec::new();
         let item = |(corners, number): (&Corners, u32)| {
@@ -67,7 +69,7 @@ impl Bvh {
     }
 }
 
-/// Nodes over boxes; a child that is a leaf has the number that came with its box.
+/// Builds nodes over boxes; a leaf holds the number given with its box.
 pub(super) fn over(boxes: impl Iterator<Item = (u32, mesh::Bounds)>) -> Vec<Node> {
     let item = |(number, around): (u32, mesh::Bounds)| {
         let (middle, half) = (around.centre, around.half);
@@ -78,7 +80,7 @@ pub(super) fn over(boxes: impl Iterator<Item = (u32, mesh::Bounds)>) -> Vec<Node
     grown(&mut items, 1, |items| LEAF | items[0].number)
 }
 
-/// Nodes over items, with at most `fill` of them in what `leaf` makes.
+/// Builds nodes over items; `leaf` makes a leaf of at most `fill` of them.
 fn grown(items: &mut [Item], fill: usize, leaf: impl FnMut(&[Item]) -> u32) -> Vec<Node> {
     let mut growth = Growth { nodes: Vec::new(), fill, leaf };
     if !items.is_empty() {
@@ -87,7 +89,7 @@ fn grown(items: &mut [Item], fill: usize, leaf: impl FnMut(&[Item]) -> u32) -> V
     growth.nodes
 }
 
-/// A tree in the making.
+/// A tree under construction.
 struct Growth<F> {
     nodes: Vec<Node>,
     fill: usize,
@@ -98,7 +100,7 @@ impl<F: FnMut(&[Item]) -> u32> Growth<F> {
     fn node(&mut self, items: &mut [Item], depth: usize) -> u32 {
         let fill = self.fill;
         let at = self.nodes.len();
-        // Boxes that end before they begin are met by no ray.
+        // No ray hits a box whose end is before its start.
         let (low, high) = ([f32::INFINITY; WIDE], [f32::NEG_INFINITY; WIDE]);
         self.nodes.push(Node { bounds: [low, low, low, high, high, high], children: [EMPTY; WIDE] });
         let mut sets: Vec<&mut [Item]> = vec![items];
@@ -130,7 +132,7 @@ impl<F: FnMut(&[Item]) -> u32> Growth<F> {
 
 impl Leaf {
     fn of(items: &[Item], triangles: &[Corners]) -> Self {
-        // Triangles of NaN are met by no ray.
+        // No ray hits a triangle of NaN.
         let none = [[f32::NAN; WIDE]; 3];
         let mut leaf = Self { corner: none, edges: [none; 2], numbers: [EMPTY; WIDE] };
         for (lane, item) in items.iter().enumerate() {
@@ -146,7 +148,7 @@ impl Leaf {
     }
 }
 
-/// Cuts a set where boxes and numbers of triangles on both sides cost least.
+/// Splits a set where the surface areas of both sides, weighted by their numbers of leaves, cost least.
 fn cut(items: &mut [Item]) -> (&mut [Item], &mut [Item]) {
     let middles = items.iter().fold(NOWHERE, |b, i| b.with(&Bounds { low: i.middle, high: i.middle }));
     let best = (0..3).filter_map(|axis| best_cut(items, &middles, axis)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -162,7 +164,7 @@ fn bin_of(middles: &Bounds, axis: usize, item: &Item) -> usize {
     (((item.middle[axis] - low) / (high - low) * BINS as f32) as usize).min(BINS - 1)
 }
 
-/// Cost, axis and first bin of the second side.
+/// Cost, axis and first bin of the second side of the best split.
 fn best_cut(items: &[Item], middles: &Bounds, axis: usize) -> Option<(f32, usize, usize)> {
     if middles.high[axis] <= middles.low[axis] {
         return None;
@@ -181,7 +183,7 @@ fn best_cut(items: &[Item], middles: &Bounds, axis: usize) -> Option<(f32, usize
         .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Brings those for which it holds to the front, and counts them.
+/// Moves the items that satisfy a condition to the front, and returns their number.
 fn partition(items: &mut [Item], first: impl Fn(&Item) -> bool) -> usize {
     let mut count = 0;
     for i in 0..items.len() {

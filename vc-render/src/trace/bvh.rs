@@ -1,7 +1,7 @@
-//! A tree of boxes, eight to a node, with up to eight triangles in a leaf.
+//! A bounding volume hierarchy with eight children to a node and up to eight triangles in a leaf.
 //!
-//! Boxes of a node are tested at once, as are triangles of a leaf (Wald, Benthin and Boulos 2008).
-//! Triangles by Möller and Trumbore 1997.
+//! The boxes of a node are tested together, as are the triangles of a leaf (Wald, Benthin and Boulos 2008).
+//! Triangles are intersected as in Möller and Trumbore 1997.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -10,13 +10,13 @@ use pulp::Simd;
 use super::walk::{Beam, walk};
 use crate::simd::at_most;
 
-/// Children of a node, triangles of a leaf.
+/// Number of children of a node, and of triangles in a leaf.
 pub(super) const WIDE: usize = 8;
 
 /// Marks a child that is a leaf.
 pub(super) const LEAF: u32 = 1 << 31;
 
-/// A child that is not there.
+/// Marks an absent child.
 pub(super) const EMPTY: u32 = u32::MAX;
 
 pub(super) type Lanes = [f32; WIDE];
@@ -38,35 +38,35 @@ pub(super) struct Leaf {
     pub(super) numbers: [u32; WIDE],
 }
 
-/// Triangles, found along rays.
+/// A tree of triangles for ray casting.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Bvh {
     pub(super) nodes: Vec<Node>,
     pub(super) leaves: Vec<Leaf>,
 }
 
-/// A half line, or a piece of one.
+/// A ray of limited length.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Ray {
     pub(crate) from: [f32; 3],
     pub(crate) along: [f32; 3],
-    /// Where it ends, in lengths of `along`.
+    /// Its end, in lengths of `along`.
     pub(crate) end: f32,
 }
 
-/// What a ray meets.
+/// The intersection of a ray with a triangle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hit {
-    /// In lengths of the ray's direction.
+    /// Distance in lengths of the ray's direction.
     pub(crate) t: f32,
     pub(crate) number: u32,
-    /// Weights of the second and the third corner.
+    /// Barycentric weights of the second and the third corner.
     pub(crate) weights: [f32; 2],
-    /// From the first corner to the others.
+    /// Edges from the first corner to the others.
     pub(crate) edges: [[f32; 3]; 2],
 }
 
-/// Where in a tree a ray meets a triangle; little, because nearer and nearer ones are kept on the way.
+/// Compact record of a hit within a tree, as nearer and nearer hits are kept during traversal.
 #[derive(Debug, Clone, Copy)]
 struct Touch {
     leaf: u32,
@@ -75,7 +75,7 @@ struct Touch {
 }
 
 impl Bvh {
-    /// The first triangle along a ray before an end, from either side, or any of them.
+    /// The first triangle that a ray hits before an end, from either side; with `ANY`, the first one found.
     #[inline(always)]
     pub(super) fn meet<S: Simd, const ANY: bool>(
         &self,
@@ -98,7 +98,7 @@ impl Bvh {
         Some(Hit { t, number: leaf.numbers[lane], weights, edges })
     }
 
-    /// Takes triangles out; their boxes stay.
+    /// Removes triangles; the boxes around them stay.
     pub(super) fn remove(&mut self, gone: impl Fn(u32) -> bool) {
         for leaf in &mut self.leaves {
             for lane in 0..WIDE {
@@ -110,13 +110,13 @@ impl Bvh {
         }
     }
 }
-/// Some of eight numbers.
+/// The `number`-th vector of eight numbers.
 #[inline(always)]
 pub(super) fn part<S: Simd>(lanes: &Lanes, number: usize) -> S::f32s {
     S::as_simd_f32s(lanes).0[number]
 }
 
-/// Eight vectors.
+/// Three vectors: coordinates of several points.
 type Three<S> = [<S as Simd>::f32s; 3];
 
 #[inline(always)]
@@ -140,7 +140,7 @@ fn dot<S: Simd>(simd: S, a: Three<S>, b: Three<S>) -> S::f32s {
 }
 
 impl Leaf {
-    /// How far along a ray its first triangle is, which of them, and the weights of its corners.
+    /// The first hit of a ray in the leaf: its distance, the triangle's lane and the weights of its corners.
     #[inline(always)]
     fn meet<S: Simd>(&self, simd: S, ray: &Ray, end: f32) -> Option<(f32, u32, [f32; 2])> {
         let (mut t, mut u, mut v) = ([0.0; WIDE], [0.0; WIDE], [0.0; WIDE]);
@@ -176,7 +176,7 @@ impl Leaf {
             met &= met - 1;
             best = if t[lane] < t[best] { lane } else { best };
         }
-        // None, where no bit was set.
+        // None if no bit was set.
         let t = *t.get(best)?;
         Some((t, best as u32, [u[best], v[best]]))
     }

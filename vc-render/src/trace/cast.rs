@@ -1,4 +1,4 @@
-//! Rays for who measures distances: lidar, contact by sight, picking.
+//! Ray casting for distance measurements: lidar, line-of-sight tests, picking.
 
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -10,10 +10,11 @@ use crate::RenderError;
 use crate::affine::three;
 use crate::scene::Snapshot;
 
-/// Finds what rays meet in a scene, by the finest meshes.
+/// Casts rays in a scene, against the finest meshes.
 ///
-/// A tree of boxes eight wide, cut by the surface area heuristic over bins (Wald 2007), whose boxes are tested at once
-/// (Wald, Benthin and Boulos 2008); triangles by Möller and Trumbore 1997.
+/// The bounding volume hierarchy is eight wide and built by the surface area heuristic over bins (Wald 2007);
+/// the boxes of a node are tested together (Wald, Benthin and Boulos 2008); triangles are intersected as in
+/// Möller and Trumbore 1997.
 ///
 /// ```
 /// use nalgebra::{Point3, Vector3};
@@ -37,12 +38,12 @@ pub struct RayCaster {
     tracer: Tracer,
 }
 
-/// What a ray meets first.
+/// The first hit of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayHit {
-    /// From the ray's start, metres.
+    /// Distance from the ray's start, metres.
     pub distance: f32,
-    /// Where, in the world.
+    /// The hit point in the world.
     pub point: Point3<f32>,
     /// Normal of the triangle, outwards, unit length.
     pub normal: Vector3<f32>,
@@ -53,26 +54,26 @@ pub struct RayHit {
 }
 
 impl RayCaster {
-    /// For a scene at one moment. Costs about a microsecond a triangle.
+    /// A ray caster for a scene at one moment. Costs about a microsecond for each triangle.
     pub fn new(snapshot: &Snapshot) -> Self {
         Self { tracer: Tracer::new(snapshot) }
     }
 
-    /// Goes over to another moment of the same scene.
+    /// Switches to another moment of the same scene.
     ///
-    /// What stands is in one tree; what has moved since that was built gets its mesh's own tree, which
-    /// all bodies of its kind share, below boxes that are made anew each time. Costs some tens of
-    /// microseconds, more where a body moves for the first time; rays cost more the more bodies have
-    /// moved, so where most do a new caster is better.
+    /// Standing bodies are in one tree. Bodies that have moved since it was built use their mesh's own tree,
+    /// shared by all instances of the mesh, under a tree of boxes that is rebuilt each time. A call costs some
+    /// tens of microseconds, more when a body moves for the first time. Rays become slower the more bodies have
+    /// moved, so if most of them have, a new caster is better.
     ///
     /// # Errors
-    /// [`RenderError::OtherScene`] if bodies have come or gone; it is then as it was.
+    /// [`RenderError::OtherScene`] if bodies have come or gone; the caster is then unchanged.
     pub fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
         self.tracer.follow(snapshot)
     }
 
-    /// What a ray meets first within `reach` metres, glass included, from either side. None as well for
-    /// a direction without length and for numbers that are not finite.
+    /// The first hit of a ray within `reach` metres, glass included, from either side. Also `None` for a
+    /// direction of length zero and for numbers that are not finite.
     ///
     /// Costs a fraction of a microsecond.
     pub fn first(&self, from: &Point3<f32>, along: &Vector3<f32>, reach: f32) -> Option<RayHit> {
@@ -86,12 +87,12 @@ impl RayCaster {
         })
     }
 
-    /// [`Self::first`] for many rays, on the threads there are.
+    /// Calls [`Self::first`] for many rays in parallel.
     pub fn first_of_each(&self, rays: &[(Point3<f32>, Vector3<f32>)], reach: f32) -> Vec<Option<RayHit>> {
         rays.par_iter().with_min_len(256).map(|(from, along)| self.first(from, along, reach)).collect()
     }
 
-    /// Whether there is nothing solid between two points; glass is seen through.
+    /// Whether no opaque thing is between two points; glass does not block the view.
     pub fn sees(&self, from: &Point3<f32>, to: &Point3<f32>) -> bool {
         let way = to - from;
         let Some(along) = way.try_normalize(1e-12) else { return from == to };

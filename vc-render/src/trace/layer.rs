@@ -1,4 +1,4 @@
-//! Triangles of one kind: those that stand in one tree, what has moved since in trees of its own.
+//! Layers of triangles: standing ones in one tree, moved ones in trees of their own.
 
 use std::sync::Arc;
 
@@ -11,34 +11,34 @@ use crate::affine::{self, three};
 use crate::mesh::{Bounds, Mesh};
 use crate::scene::{Instance, turned};
 
-/// Solid triangles, or clear ones.
+/// The opaque triangles of a scene, or the clear ones.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Layer {
     standing: Arc<Bvh>,
-    /// By number in that tree.
+    /// Origin of each triangle in that tree.
     origins: Arc<Vec<Origin>>,
     /// Nodes over the instances that have moved.
     moving: Vec<Node>,
-    /// Whether it is of clear triangles.
+    /// Whether its triangles are the clear ones.
     clear: bool,
 }
 
-/// Whose a triangle is.
+/// The instance that a triangle belongs to.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Origin {
     pub(super) instance: u32,
-    /// Its triangle in the mesh.
+    /// Index of the triangle in the mesh.
     pub(super) triangle: u32,
-    /// Its part of the asset.
+    /// Index of its part in the asset.
     pub(super) part: u16,
 }
 
-/// What a ray has met: where, edges in the world, and whose it is.
+/// A hit with edges in the world, and the origin of its triangle.
 pub(super) type Found = (Hit, Origin);
 
 impl Mesh {
-    /// Trees of its solid and of its clear triangles, in its own frame; built when they are
-    /// asked for first, a microsecond a triangle, and shared by all its instances.
+    /// Trees of its opaque and its clear triangles, in the mesh's frame; built on first use, a microsecond for
+    /// each triangle, and shared by all instances.
     pub(super) fn trees(&self) -> &[Bvh; 2] {
         self.trees.get_or_init(|| {
             let tree = |clear: bool| {
@@ -49,21 +49,21 @@ impl Mesh {
         })
     }
 
-    /// Its solid or its clear triangles: numbers and corners.
+    /// Its opaque or its clear triangles: numbers and corners.
     fn of_kind(&self, clear: bool) -> impl Iterator<Item = (u32, [[f32; 3]; 3])> + '_ {
         let clusters = if clear { &self.clusters[self.opaque..] } else { &self.clusters[..self.opaque] };
         let each = move |cluster| move |triangle: u32| (triangle, self.triangle(cluster, triangle as usize));
         clusters.iter().flat_map(move |cluster| cluster.triangles.clone().map(each(cluster)))
     }
 
-    /// The number of its first clear triangle.
+    /// Number of its first clear triangle.
     fn first_clear(&self) -> u32 {
         self.clusters.get(self.opaque).map_or(0, |c| c.triangles.start)
     }
 }
 
 impl Layer {
-    /// All of one tree. Takes about a microsecond a triangle.
+    /// Puts all triangles into one tree. Takes about a microsecond for each triangle.
     pub(super) fn new(instances: &[Instance], clear: bool) -> Self {
         let (mut corners, mut origins) = (Vec::new(), Vec::new());
         for (instance, at) in (0..).zip(instances) {
@@ -77,13 +77,13 @@ impl Layer {
         Self { standing: Arc::new(Bvh::build(&corners)), origins: Arc::new(origins), moving: Vec::new(), clear }
     }
 
-    /// Takes instances out of the tree of what stands.
+    /// Removes instances from the tree of standing triangles.
     pub(super) fn loosen(&mut self, gone: &[bool]) {
         let origins = &self.origins;
         Arc::make_mut(&mut self.standing).remove(|number| gone[origins[number as usize].instance as usize]);
     }
 
-    /// Puts the nodes over what moves to where it is.
+    /// Rebuilds the nodes over moved instances at their present places.
     pub(super) fn arrange(&mut self, instances: &[Instance], moving: &[bool]) {
         let has = |mesh: &Mesh| if self.clear { mesh.opaque < mesh.clusters.len() } else { mesh.opaque > 0 };
         let moving = (0..).zip(instances).zip(moving).filter(|((_, i), moves)| **moves && has(&i.link.levels[0]));
@@ -91,7 +91,7 @@ impl Layer {
     }
 }
 
-/// What is met first along a ray in several layers.
+/// The first hit of a ray in several layers.
 #[inline]
 pub(super) fn first<const LAYERS: usize>(layers: [&Layer; LAYERS], instances: &[Instance], ray: &Ray) -> Option<Found> {
     let mut found = crate::simd::dispatch(Standing::<false, LAYERS> { layers, ray });
@@ -102,7 +102,7 @@ pub(super) fn first<const LAYERS: usize>(layers: [&Layer; LAYERS], instances: &[
     found
 }
 
-/// Whether anything is met along a ray in a layer.
+/// Whether a ray hits anything in a layer.
 #[inline]
 pub(super) fn any(layer: &Layer, instances: &[Instance], ray: &Ray) -> bool {
     let among = || crate::simd::dispatch(Among::<true> { layer, instances, ray });
@@ -110,7 +110,7 @@ pub(super) fn any(layer: &Layer, instances: &[Instance], ray: &Ray) -> bool {
     standing.is_some() || !layer.moving.is_empty() && among().is_some()
 }
 
-/// A search among what stands, in several layers.
+/// A search among standing triangles, in several layers.
 struct Standing<'a, const ANY: bool, const LAYERS: usize> {
     layers: [&'a Layer; LAYERS],
     ray: &'a Ray,
@@ -134,7 +134,7 @@ impl<const ANY: bool, const LAYERS: usize> WithSimd for Standing<'_, ANY, LAYERS
     }
 }
 
-/// A search among what moves.
+/// A search among moved instances.
 struct Among<'a, const ANY: bool> {
     layer: &'a Layer,
     instances: &'a [Instance],
@@ -156,7 +156,7 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
             |number, end| {
                 let instance = &instances[number as usize];
                 let (mesh, back) = (&*instance.link.levels[0], &instance.inverse);
-                // Lengths along the ray stay what they are.
+                // Lengths along the ray are the same in both frames.
                 let own = Ray { from: affine::point(back, ray.from), along: affine::vector(back, ray.along), end };
                 let hit = mesh.trees()[kind].meet::<S, ANY>(simd, (&own, end), &Beam::new(simd, &own))?;
                 let world = instance.world.narrow();
@@ -170,7 +170,7 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
     }
 }
 
-/// The box around an instance, a little larger against rounding.
+/// The bounding box of an instance, enlarged a little to allow for rounding.
 fn reach(instance: &Instance) -> Bounds {
     let around = turned(&instance.world.narrow(), &instance.link.levels[0].bounds);
     let half = three(|i| around.half[i] + 1e-5 * (1.0 + around.centre[i].abs() + around.half[i]));

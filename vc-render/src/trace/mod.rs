@@ -1,4 +1,4 @@
-//! Rays through a snapshot.
+//! Ray casting in a snapshot.
 
 mod build;
 mod bvh;

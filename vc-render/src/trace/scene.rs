@@ -1,4 +1,4 @@
-//! A snapshot's triangles in the world, for rays.
+//! All triangles of a snapshot in the world, for ray casting.
 
 use std::sync::Arc;
 
@@ -11,19 +11,19 @@ use crate::scene::{Instance, Snapshot};
 use crate::shade::{Look, look};
 use crate::surface::{Pattern, Picture, Role, Surface};
 
-/// All triangles of a snapshot: those one sees through apart from the others.
+/// All triangles of a snapshot: clear ones and opaque ones in separate layers.
 #[derive(Debug, Clone)]
 pub(crate) struct Tracer {
     pub(crate) snapshot: Snapshot,
     solid: Layer,
     clear: Layer,
-    /// By instance, whether it has moved since.
+    /// For each instance, whether it has moved since the trees were built.
     moving: Vec<bool>,
-    /// By instance, its body and whether it is mirrored.
+    /// For each instance, its body and whether it is mirrored.
     owners: Vec<(u32, bool)>,
 }
 
-/// The least that is to be known of what a ray has met.
+/// The minimal data of a hit.
 pub(super) struct Touched {
     pub(super) t: f32,
     pub(super) flat: [f32; 3],
@@ -31,7 +31,7 @@ pub(super) struct Touched {
     pub(super) part: u16,
 }
 
-/// Normal of a triangle that was hit, unit length, outwards, and its area.
+/// Outward unit normal of a hit triangle, and its area.
 #[inline(always)]
 fn flat(hit: &Hit, mirrored: bool) -> ([f32; 3], f32) {
     let [b, c] = hit.edges;
@@ -41,29 +41,29 @@ fn flat(hit: &Hit, mirrored: bool) -> ([f32; 3], f32) {
     (crate::label::unit(across.map(|v| v * out)), area)
 }
 
-/// By instance, its body and whether it is mirrored.
+/// For each instance, its body and whether it is mirrored.
 fn owners(snapshot: &Snapshot) -> Vec<(u32, bool)> {
     snapshot.instances.iter().map(|i| (i.body, i.mirrored)).collect()
 }
 
-/// What a ray has met.
+/// A hit of a ray, with its surface.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Met<'a> {
     pub(crate) t: f32,
     pub(crate) at: [f32; 3],
     pub(crate) instance: &'a Instance,
-    /// Which of the snapshot's instances that is.
+    /// Index of that instance in the snapshot.
     pub(crate) index: u32,
     pub(crate) face: &'a Face,
     /// Index of the triangle in the mesh.
     triangle: u32,
-    /// Weights of the triangle's second and third corner.
+    /// Barycentric weights of the triangle's second and third corner.
     weights: [f32; 2],
     /// Area of the triangle, square metres.
     pub(crate) area: f32,
-    /// Normal of the triangle, unit length, outwards.
+    /// Outward unit normal of the triangle.
     pub(crate) flat: [f32; 3],
-    /// Normal of the surface, unit length, outwards.
+    /// Outward unit normal of the surface, interpolated.
     pub(crate) normal: [f32; 3],
 }
 
@@ -75,8 +75,8 @@ impl Tracer {
         Self { snapshot: snapshot.clone(), solid, clear, moving, owners: owners(snapshot) }
     }
 
-    /// Goes over to another moment of the same scene. What moves for the first time leaves the
-    /// tree of what stands; after that it costs a fraction of a microsecond.
+    /// Switches to another moment of the same scene. An instance that moves for the first time leaves the tree
+    /// of standing triangles; after that it costs a fraction of a microsecond.
     pub(crate) fn follow(&mut self, snapshot: &Snapshot) -> Result<(), RenderError> {
         let (own, others) = (&self.snapshot.instances, &snapshot.instances);
         if own.len() != others.len() || own.iter().zip(others).any(|(a, b)| !Arc::ptr_eq(&a.link, &b.link)) {
@@ -100,17 +100,18 @@ impl Tracer {
         Ok(())
     }
 
-    /// The first solid thing along a ray.
+    /// The first opaque hit of a ray.
     pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'_>> {
         layer::first([&self.solid], &self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
-    /// The first thing along a ray, solid or clear.
+    /// The first hit of a ray, opaque or clear.
     pub(crate) fn first_of_all(&self, ray: &Ray) -> Option<Met<'_>> {
         self.nearest(ray).map(|found| self.met(ray, &found))
     }
 
-    /// The same, only where it is, its normal as [`Met::flat`], body and part: about a sixth less time.
+    /// The first hit with its distance, normal (as in [`Met::flat`]), body and part only: this takes about a
+    /// sixth less time.
     #[inline]
     pub(super) fn touched(&self, ray: &Ray) -> Option<Touched> {
         let (hit, origin) = self.nearest(ray)?;
@@ -123,12 +124,12 @@ impl Tracer {
         layer::first([&self.solid, &self.clear], &self.snapshot.instances, ray)
     }
 
-    /// The first clear thing along a ray.
+    /// The first clear hit of a ray.
     pub(crate) fn first_clear(&self, ray: &Ray) -> Option<Met<'_>> {
         layer::first([&self.clear], &self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
-    /// Whether something solid is on the way.
+    /// Whether an opaque thing blocks the ray.
     pub(crate) fn blocked(&self, ray: &Ray) -> bool {
         layer::any(&self.solid, &self.snapshot.instances, ray)
     }
@@ -144,7 +145,7 @@ impl Tracer {
         let bent = three(|i| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
         let normal = if face.is_flat() { n0 } else { bent };
         let normal = affine::normal(&instance.inverse, normal);
-        // Normals that cancel each other say nothing.
+        // If the corner normals cancel out, the triangle's normal is used.
         let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         Met {
             t: hit.t,
@@ -162,7 +163,7 @@ impl Tracer {
 }
 
 impl Met<'_> {
-    /// The same of the side that faces a direction.
+    /// The hit as seen on the side that faces a direction.
     pub(crate) fn facing(&self, towards: [f32; 3]) -> Self {
         if crate::light::dot(self.flat, towards) >= 0.0 {
             return *self;
@@ -170,13 +171,13 @@ impl Met<'_> {
         Self { flat: self.flat.map(|v| -v), normal: self.normal.map(|v| -v), ..*self }
     }
 
-    /// The triangle in the world.
+    /// The hit triangle in the world.
     pub(crate) fn corners(&self) -> [[f32; 3]; 3] {
         let (world, mesh, at) = (self.instance.world.narrow(), &*self.instance.link.levels[0], self.triangle as usize);
         mesh.triangle(mesh.cluster_of(at), at).map(|p| affine::point(&world, p))
     }
 
-    /// The picture on the surface.
+    /// The surface's texture at the hit.
     fn shown(&self, picture: &Picture, footprint: f32) -> [f32; 3] {
         let uvs = self.instance.link.levels[0].uvs.get(self.triangle as usize).copied().unwrap_or_default();
         let [a, b, c] = uvs;
@@ -186,18 +187,18 @@ impl Met<'_> {
         picture.at(picture.level(footprint * density), place)
     }
 
-    /// What the light that a surface gives is multiplied with here.
+    /// Factor from an emissive texture for the surface's emission.
     pub(crate) fn shine(&self, surface: &Surface, footprint: f32) -> [f32; 3] {
         surface.picture.as_ref().filter(|_| surface.glows()).map_or([1.0; 3], |p| self.shown(p, footprint))
     }
 
-    /// The surface close up; `footprint` is the width seen there, metres.
+    /// The surface at the hit with its texture and coat; `footprint` is the diameter to average over, metres.
     pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
         let (coat, look) = (&self.instance.coat, self.bare(surface, footprint));
         Look { colour: coat.over(look.colour), roughness: coat.rough(look.roughness), ..look }
     }
 
-    /// The surface below what lies on it.
+    /// The surface without its coat.
     fn bare(&self, surface: &Surface, footprint: f32) -> Look {
         if let Some(picture) = &surface.picture {
             let shown = self.shown(picture, footprint);

@@ -1,4 +1,4 @@
-//! The way of a ray through a tree's nodes, nearest first.
+//! Traversal of a tree by a ray, nearest nodes first.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -9,20 +9,22 @@ use super::build::LEVELS;
 use super::bvh::{LEAF, Lanes, Node, Ray, WIDE, part};
 use crate::simd::at_most;
 
-/// Most nodes that wait to be visited: at each level but the last all children but one.
+/// Greatest number of pending nodes: at each level but the last, all children but one.
 const STACK: usize = (WIDE - 1) * LEVELS;
 
-/// A ray as boxes want it.
+/// A ray prepared for tests with boxes.
 pub(super) struct Beam<S: Simd> {
     from: [S::f32s; 3],
-    /// One over the direction, and a little more for the far sides, against rounding (Ize 2013).
+    /// Reciprocals of the direction, and slightly larger ones for the far sides, to allow for rounding (Ize
+    /// 2013).
     over: [S::f32s; 3],
     more: [S::f32s; 3],
-    /// By axis, the bounds that the ray meets first and last.
+    /// For each axis, the bounds that the ray crosses first and last.
     sides: [[usize; 2]; 3],
 }
 
-/// Goes along a ray through nodes up to an end: `meet` finds what is met in a leaf before an end, and where.
+/// Traverses nodes along a ray up to an end; `meet` intersects a leaf and returns its hit before an end, and
+/// the distance.
 #[inline(always)]
 pub(super) fn walk<S: Simd, H, const ANY: bool>(
     simd: S,
@@ -34,7 +36,7 @@ pub(super) fn walk<S: Simd, H, const ANY: bool>(
         return None;
     }
     let mut best = None;
-    // Not set up beforehand, which would cost more than a node.
+    // The stack is not zeroed beforehand, which would cost more than a node.
     let mut stack = Stack::new();
     let mut current = 0_u32;
     loop {
@@ -57,7 +59,7 @@ pub(super) fn walk<S: Simd, H, const ANY: bool>(
                 continue;
             }
         }
-        // What begins behind the nearest hit is left out.
+        // Nodes that begin behind the nearest hit are skipped.
         current = loop {
             match stack.pop() {
                 None => return best,
@@ -68,10 +70,10 @@ pub(super) fn walk<S: Simd, H, const ANY: bool>(
     }
 }
 
-/// Nodes that wait: which, and where the ray enters them.
+/// Pending nodes, each with the distance at which the ray enters it.
 type Stack = ArrayVec<(u32, f32), STACK>;
 
-/// Any of the children that are met, several of them; the others have to wait.
+/// One of several children that the ray hits; the others become pending.
 #[inline(always)]
 fn any_child(children: &[u32; WIDE], mut met: u32, stack: &mut Stack) -> u32 {
     loop {
@@ -84,7 +86,7 @@ fn any_child(children: &[u32; WIDE], mut met: u32, stack: &mut Stack) -> u32 {
     }
 }
 
-/// The nearest of the children that are met, several of them; the others have to wait, the farthest longest.
+/// The nearest of several children that the ray hits; the others become pending, the nearest on top.
 #[inline(always)]
 fn nearest_child(children: &[u32; WIDE], enters: &Lanes, mut met: u32, stack: &mut Stack) -> u32 {
     let mut next = || {
@@ -102,7 +104,7 @@ fn nearest_child(children: &[u32; WIDE], enters: &Lanes, mut met: u32, stack: &m
         let (nearer, other) = if child.1 < near.1 { (child, near) } else { (near, child) };
         near = nearer;
         stack.push(other);
-        // Nearest on top.
+        // Keeps the nearest on top.
         let mut at = stack.len() - 1;
         while at > first && stack[at - 1].1 < other.1 {
             stack[at] = stack[at - 1];
@@ -137,7 +139,7 @@ impl<S: Simd> Beam<S> {
 }
 
 impl Node {
-    /// Where the ray enters each box, and which boxes it meets at all, a bit each.
+    /// Distances at which the ray enters the boxes, and a bit mask of the boxes that it hits.
     #[inline(always)]
     fn enters<S: Simd>(&self, simd: S, beam: &Beam<S>, end: f32) -> (Lanes, u32) {
         let (mut enters, mut leaves) = ([0.0; WIDE], [0.0; WIDE]);

@@ -1,4 +1,4 @@
-//! Rays against every triangle, in double precision, without anything of the renderer.
+//! Ray casting against every triangle, in double precision and independent of the renderer.
 
 use nalgebra::{Matrix4, Point3, Vector3};
 use vc_graph::asset::{Joint, Shape};
@@ -12,7 +12,7 @@ pub struct Caster {
 }
 
 impl Hit {
-    /// Where it is in the world, for a place in the image.
+    /// Its position in the world, for a place in the image.
     pub fn point(&self, camera: &Camera, x: f64, y: f64) -> Point3<f64> {
         let f = |v: f32| f64::from(v);
         let across = (x - f(camera.centre.0)) / f(camera.focal.0);
@@ -21,7 +21,7 @@ impl Hit {
     }
 }
 
-/// Where a point is in the image, pixels, and its depth.
+/// Image position of a point in pixels, and its depth.
 pub fn projected(camera: &Camera, point: &Point3<f64>) -> [f64; 3] {
     let f = |v: f32| f64::from(v);
     let own = camera.pose.cast::<f64>().inverse() * point;
@@ -29,18 +29,18 @@ pub fn projected(camera: &Camera, point: &Point3<f64>) -> [f64; 3] {
     [f(camera.focal.0) * x + f(camera.centre.0), f(camera.focal.1) * y + f(camera.centre.1), own.z]
 }
 
-/// What a ray meets first.
+/// The first hit of a ray.
 #[derive(Debug, Clone, Copy)]
 pub struct Hit {
     pub node: NodeId,
     pub part: u16,
-    /// Along the optical axis.
+    /// Depth along the optical axis.
     pub depth: f64,
     pub normal: Vector3<f64>,
 }
 
 impl Caster {
-    /// `tolerance` is that of the finest meshes.
+    /// Casts against meshes with a tolerance, which is that of the finest level.
     pub fn new(graph: &SceneGraph, tolerance: f32) -> Self {
         let mut made = Self { triangles: Vec::new(), boxes: Vec::new() };
         for node in graph.nodes() {
@@ -72,7 +72,7 @@ impl Caster {
         self.bound(first..self.triangles.len());
     }
 
-    /// Puts a ball around some triangles.
+    /// Adds a bounding sphere around some triangles.
     fn bound(&mut self, range: std::ops::Range<usize>) {
         let corners: Vec<Point3<f64>> = self.triangles[range.clone()].iter().flat_map(|t| t.2).collect();
         let centre = corners.iter().fold(Vector3::zeros(), |s, p| s + p.coords) / corners.len().max(1) as f64;
@@ -85,7 +85,7 @@ impl Caster {
         self.triangles.iter().filter(move |t| t.0 == node).map(|t| &t.2)
     }
 
-    /// The same with every point of parts of nodes moved.
+    /// The same caster with all points of each node's parts moved.
     pub fn moved(&self, to: impl Fn(NodeId, u16, &Point3<f64>) -> Point3<f64>) -> Self {
         let mut made = Self { triangles: Vec::new(), boxes: Vec::new() };
         for (range, ..) in &self.boxes {
@@ -98,18 +98,18 @@ impl Caster {
         made
     }
 
-    /// The same with nothing but a node.
+    /// The same caster with the triangles of one node only.
     pub fn only(&self, node: NodeId) -> Self {
         let boxes = self.boxes.iter().filter(|b| self.triangles[b.0.clone()].first().is_some_and(|t| t.0 == node));
         Self { triangles: self.triangles.clone(), boxes: boxes.cloned().collect() }
     }
 
-    /// What is first seen at a place in the image, front sides only.
+    /// The first hit at a place in the image, front sides only.
     pub fn cast(&self, camera: &Camera, x: f64, y: f64) -> Option<Hit> {
         self.pierce(camera, x, y).into_iter().min_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// All that lies at a place in the image, front sides only.
+    /// All hits at a place in the image, front sides only.
     pub fn pierce(&self, camera: &Camera, x: f64, y: f64) -> Vec<Hit> {
         let f = |v: f32| f64::from(v);
         let own = Vector3::new(
@@ -138,7 +138,7 @@ impl Caster {
     }
 }
 
-/// Möller and Trumbore 1997.
+/// Intersection as in Möller and Trumbore 1997.
 fn meet(eye: Point3<f64>, ray: Vector3<f64>, [a, b, c]: &[Point3<f64>; 3]) -> Option<(f64, Vector3<f64>)> {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(&ac);

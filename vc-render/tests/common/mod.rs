@@ -1,4 +1,4 @@
-//! A room to render, and an independent ray caster to compare with.
+//! Rooms to render, and an independent ray caster to compare with.
 #![allow(dead_code, unreachable_pub, missing_docs, clippy::unwrap_used, reason = "each test file uses a part of this")]
 #![allow(unreachable_patterns, reason = "inside of the crate, all modalities are known")]
 
@@ -77,7 +77,7 @@ impl Stage {
     }
 }
 
-/// A pose from a place and a turn about Z and then another axis.
+/// A pose from a position, a rotation about Z, and one about the turned Y axis.
 pub fn pose(at: [f32; 3], yaw: f32, pitch: f32) -> Pose {
     let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw)
         * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), pitch);
@@ -89,12 +89,12 @@ pub fn furnished() -> SceneGraph {
     crowded(60)
 }
 
-/// The same with any number of shapes.
+/// The same room with any number of shapes.
 pub fn crowded(count: usize) -> SceneGraph {
     filled(Stage::new(), count)
 }
 
-/// The same with sixty shapes and a lamp, which is off.
+/// The same room with sixty shapes and a lamp, which is off.
 pub fn lamplit() -> SceneGraph {
     let mut stage = Stage::new();
     stage.one("ceiling_lamp", Shape::Sphere { radius: 0.12 }, Pose::translation(0.4, -0.3, 2.2), 3);
@@ -166,7 +166,8 @@ pub fn cameras(width: u32, height: u32) -> Vec<Camera> {
     views.iter().map(|(eye, target)| camera.looking(Point3::from(*eye), Point3::from(*target))).collect()
 }
 
-/// What a frame has of a modality as whole numbers, which differ where it does; none where it has nothing.
+/// A frame's buffer of a modality as integers, which differ wherever it differs; empty if the frame does not
+/// have the modality.
 pub fn contents(frame: &Frame, of: Modality) -> Vec<u32> {
     match of {
         Modality::Rgb => frame.rgb.as_flattened().iter().map(|v| u32::from(*v)).collect(),
@@ -182,7 +183,7 @@ pub fn contents(frame: &Frame, of: Modality) -> Vec<u32> {
         Modality::Occlusion => {
             frame.occluded_forward.iter().chain(&frame.occluded_backward).map(|v| u32::from(*v)).collect()
         }
-        // The visible fraction comes with amodal masks.
+        // The visible fraction belongs to amodal masks.
         Modality::Boxes => {
             let text = |b: &BoxLabel| format!("{:?}", BoxLabel { visible_fraction: None, ..b.clone() }).into_bytes();
             frame.boxes.iter().flat_map(text).map(u32::from).collect()
@@ -200,7 +201,7 @@ fn bits(list: &[f32]) -> Vec<u32> {
     list.iter().map(|v| v.to_bits()).collect()
 }
 
-/// The node of a mask, and which pixels of the image are in it.
+/// The node of a mask, and its pixels in the image.
 fn pixels(mask: &Mask<'_>) -> Vec<u32> {
     std::iter::once(mask.node().0).chain(mask.bitmap().into_iter().map(u32::from)).collect()
 }

@@ -1,4 +1,4 @@
-//! Light of pixels between others.
+//! Interpolation of light at pixels between others.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -6,23 +6,23 @@ use super::LIGHT;
 use crate::shade::planes::Cells;
 use crate::shade::surfel::BENT;
 
-/// How far inverse depth may be from its neighbours' mean, as a share.
+/// Greatest relative deviation of inverse depth from its neighbours' mean.
 const FLAT: f32 = 0.01;
-/// The same where there is a neighbour on one side only.
+/// Greatest relative deviation from a single neighbour.
 const LONE: f32 = 0.05;
-/// Largest share by which neighbours' light may differ.
+/// Greatest relative difference between the light of two neighbours.
 const ALIKE: f32 = 0.10;
-/// Pixels that are filled in at once.
+/// Number of pixels interpolated together.
 pub(in crate::shade) const PART: usize = 32;
 
-/// Pixels next to others, from so far on.
+/// Neighbouring pixels, from an offset on.
 #[derive(Clone, Copy)]
 pub(super) struct Near<'a> {
     pub(super) cells: &'a Cells,
     pub(super) further: usize,
 }
 
-/// Pixels on both sides.
+/// Neighbours on both sides.
 pub(super) type Beside<'a> = [Near<'a>; 2];
 
 impl<'a> Near<'a> {
@@ -46,7 +46,7 @@ impl<'a> Near<'a> {
         part(&self.cells.drift, from + self.further)
     }
 
-    /// Green light as a matt surface throws it, and sheen.
+    /// Green light reflected by a matt surface, and its gloss.
     #[inline(always)]
     fn brightness(self, from: usize) -> [f32; PART] {
         let (falls, sheen, mut all) = (self.light(1, from), self.light(LIGHT - 2, from), [0.0; PART]);
@@ -57,25 +57,26 @@ impl<'a> Near<'a> {
     }
 }
 
-/// Some pixels of a list.
+/// Some entries of a list.
 #[inline(always)]
 fn part<T>(list: &[T], from: usize) -> &[T; PART] {
     list[from..].first_chunk().expect("lists go on past their end")
 }
 
-/// The same to write to.
+/// Some mutable entries of a list.
 #[inline(always)]
 fn part_mut<T>(list: &mut [T], from: usize) -> &mut [T; PART] {
     list[from..].first_chunk_mut().expect("lists go on past their end")
 }
 
-/// All bits where it holds: what is put together of such needs no jumps.
+/// All bits set if the condition holds: combining such masks needs no branches.
 #[inline(always)]
 fn bits(holds: bool) -> u32 {
     0_u32.wrapping_sub(u32::from(holds))
 }
 
-/// Finds what share neighbours have in the light of pixels between them: none where it is to be found.
+/// Weights of the two neighbours in the light of the pixels between them: both zero where the light must be
+/// computed.
 #[inline(always)]
 pub(super) fn weigh(own: &Cells, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
     let (l0, l1, l2) = (part(&own.look, from), a.look(from), b.look(from));
@@ -95,7 +96,7 @@ pub(super) fn weigh(own: &Cells, [a, b]: Beside<'_>, close: bool, from: usize) -
     [first, second]
 }
 
-/// Writes means by shares.
+/// Writes the weighted means.
 #[inline(always)]
 pub(super) fn mix(own: &mut Cells, [a, b]: Beside<'_>, from: usize, [first, second]: &[[f32; PART]; 2]) {
     for (c, own) in own.light.iter_mut().enumerate() {
@@ -113,7 +114,7 @@ pub(super) fn mix(own: &mut Cells, [a, b]: Beside<'_>, from: usize, [first, seco
     *part_mut(&mut own.drift, from) = out;
 }
 
-/// Goes through those of the first so many that have no neighbour.
+/// Visits those of the first `count` pixels that have no weights.
 #[inline(always)]
 pub(super) fn missing([first, second]: &[[f32; PART]; 2], count: usize, mut each: impl FnMut(usize)) {
     let (mut none, mut any) = ([0_u32; PART], 0);

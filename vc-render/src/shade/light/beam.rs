@@ -1,4 +1,4 @@
-//! Light that comes straight from the sun and from lamps, less shadows.
+//! Direct light from the sun and from lamps, with shadows.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -17,7 +17,7 @@ impl Batch {
             }
             self.cosine[i] =
                 self.normal[0][i] * towards[0] + self.normal[1][i] * towards[1] + self.normal[2][i] * towards[2];
-            // What has no shadows would have the sun through its roof.
+            // Without shadows the sun would shine in through the roof.
             let inside = plain && self.rooms[i] != NO_ROOM;
             self.power[i] = if inside { 0.0 } else { lighting.sunlight(self.rooms[i]) };
         }
@@ -33,7 +33,7 @@ impl Batch {
     pub(super) fn lamp(&mut self, lamp: &Lamp, plain: bool) {
         let [x, y, z] = lamp.axis;
         let narrow = (x * x + y * y + z * z).sqrt().min(1.0);
-        // From all around, to a half space with the cosine's law.
+        // Blends uniform light with cosine-distributed light in a half space.
         let even = (1.0 - narrow) / (4.0 * std::f32::consts::PI);
         for i in 0..self.lanes() {
             let to = [lamp.at[0] - self.at[0][i], lamp.at[1] - self.at[1][i], lamp.at[2] - self.at[2][i]];
@@ -57,7 +57,7 @@ impl Batch {
         );
     }
 
-    /// Takes away what is in the shadow, and adds the rest.
+    /// Multiplies with the unshadowed share, and adds the light.
     #[inline(always)]
     fn shadow(&mut self, flux: [f32; 3], shares: impl Fn(&Points<'_, BATCH>, &[u32], &mut Lanes)) {
         let (mut which, mut count) = ([0_u32; BATCH], 0);
@@ -80,8 +80,8 @@ impl Batch {
         }
     }
 
-    /// Adds light from a direction: Lambert's law, and microfacets by Trowbridge and Reitz
-    /// with Schlick's approximations.
+    /// Adds light from a direction: Lambert's law, and microfacets by Trowbridge and Reitz with Schlick's
+    /// approximations.
     #[inline(always)]
     fn add(&mut self, flux: [f32; 3]) {
         let over = 1.0 / std::f32::consts::PI;

@@ -1,4 +1,4 @@
-//! What is found out of a triangle that is seen for the first time.
+//! Attributes derived for a triangle when it is first seen.
 
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
 use crate::affine;
@@ -67,14 +67,15 @@ impl Writer<'_> {
         });
     }
 
-    /// The number of what pixels of an instance's surface have in common, one of whose triangles is given.
+    /// The look of an instance's surface, given one of its triangles.
     fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
         let (snapshot, seen) = (self.view.snapshot, &self.visible[triangle as usize]);
         let instance = seen.instance;
         let own = &snapshot.instances[instance as usize];
         let index = own.body;
         let body = &snapshot.bodies[index as usize];
-        // A wall or a door has faces to several rooms, and the edges of a door's panels face alike on both sides.
+        // A wall or a door has faces in several rooms, and the panel edges of a door face the same direction on
+        // both sides.
         let room = self.lighting.room_seen(snapshot, seen, self.view.camera.eye().into());
         let mut at = known.heads[instance as usize];
         while let Some(look) = known.looks.get(at as usize)
@@ -87,7 +88,7 @@ impl Writer<'_> {
         }
         let of = &self.renderer.store.surfaces[usize::from(surface)];
         let glow = if body.lit { self.lighting.shown(of, index, self.exposure) } else { [0.0; 3] };
-        // A picture colours light that falls on it; so it does that which comes from behind it.
+        // A texture colours the light that falls on it, and likewise light that comes from behind.
         let (glow, shine) = match of.picture {
             Some(_) => ([0.0; 3], of.as_fallen(glow)),
             None => (glow, [0.0; 3]),

@@ -1,4 +1,4 @@
-//! Means with the processor's instructions for them, which the compiler does not find.
+//! Bilinear means by processor instructions that the compiler does not find.
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
@@ -8,7 +8,7 @@ use pulp::x86::V3;
 
 use super::{Pair, Shares};
 
-/// Weights of two columns of eight pixels each, a byte each, and those of their lower rows.
+/// Weights of the left and right columns of eight pixels, a byte each, and weights of their lower rows.
 struct Weights {
     columns: __m128i,
     down: __m128i,
@@ -25,7 +25,7 @@ impl Weights {
         Self { columns: pulp::cast(columns), down: pulp::cast(down) }
     }
 
-    /// The rows of a pixel, the upper one first, each a mean of its columns.
+    /// The upper and the lower row of a pixel, each averaged over its columns.
     #[inline(always)]
     fn rows(&self, v3: V3, i: u8, [upper, lower]: [&Pair; 2]) -> __m128i {
         let [upper, lower]: [i64; 2] = [pulp::cast(*upper), pulp::cast(*lower)];
@@ -44,7 +44,7 @@ impl Weights {
         v3.sse2._mm_add_epi16(upper, v3.ssse3._mm_mulhrs_epi16(v3.sse2._mm_sub_epi16(lower, upper), down))
     }
 
-    /// Of four pixels all first and second means, and all third and fourth ones.
+    /// For four pixels, all first and second bytes of their means, and all third and fourth ones.
     #[inline(always)]
     fn sorted(&self, v3: V3, i: u8, rows: [__m128i; 4]) -> [__m128i; 2] {
         let [a, b, c, d] = rows;
@@ -54,7 +54,7 @@ impl Weights {
     }
 }
 
-/// As [`super::Mixer::means`].
+/// Like [`super::Mixer::means`].
 #[inline(always)]
 pub(super) fn means<'a>(v3: V3, four: impl Fn(usize) -> [&'a Pair; 2], shares: &Shares<8>) -> [[i16; 8]; 4] {
     let weights = Weights::new(shares);
