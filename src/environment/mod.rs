@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 use nalgebra::{Point2, Point3};
 use vc_graph::hash::Digester;
-use vc_graph::{Action, ChangeSet, Digest, Event, History, NodeId, Observation, SceneGraph, Scope};
+use vc_graph::{Action, ChangeSet, Digest, History, NodeId, Observation, SceneGraph, Scope};
 use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
 

@@ -109,7 +109,7 @@ impl Key {
             Shape::Capsule { .. } => _ = self.hash.word(3),
             Shape::Sphere { .. } => _ = self.hash.word(4),
             Shape::RoundedBox { radius, .. } => self.measures([*radius]),
-            _ => self.hash.word(5),
+            _ => _ = self.hash.word(5),
         }
     }
 }
