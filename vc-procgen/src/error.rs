@@ -8,8 +8,8 @@ use crate::plan::RoomKind;
 pub enum Impossible {
     /// The rooms need more than the specified area.
     #[error(
-        "{rooms} rooms need at least {needed:.1} m², the wish is {wished:.1} m²: the largest need is {largest} at \
-         {share:.1} m²; wish for fewer rooms or more area"
+        "{rooms} rooms need at least {needed:.1} m², the specified area is {wished:.1} m²: the largest need is \
+         {largest} at {share:.1} m²; specify fewer rooms or more area"
     )]
     TooSmall {
         /// The number of rooms specified.
@@ -24,7 +24,7 @@ pub enum Impossible {
         share: f32,
     },
     /// The area is more than the rooms can sensibly fill.
-    #[error("{rooms} rooms fill at most {most:.1} m², the wish is {wished:.1} m²: wish for more rooms or less area")]
+    #[error("{rooms} rooms fill at most {most:.1} m², {wished:.1} m² were specified: add rooms or reduce the area")]
     TooLarge {
         /// The number of rooms specified.
         rooms: usize,

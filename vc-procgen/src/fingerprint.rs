@@ -20,7 +20,7 @@ pub struct Fingerprint(pub u128);
 
 /// A text that is not a fingerprint.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no fingerprint: it has 32 hexadecimal digits")]
+#[error("`{0}` is not a fingerprint: a fingerprint has 32 hexadecimal digits")]
 pub struct NotAFingerprint(String);
 
 impl fmt::Display for Fingerprint {

@@ -17,7 +17,7 @@ pub enum GltfError {
     #[error("buffer {0} is not in the file: export as .glb, with everything in one file")]
     ExternalBuffer(usize),
     /// The file cannot be read without an unsupported extension.
-    #[error("the file requires `{0}`, which is not read: export without it")]
+    #[error("the file requires `{0}`, which is not supported: export without it")]
     Extension(String),
     /// An index refers to nothing.
     #[error("{what} {index} does not exist")]

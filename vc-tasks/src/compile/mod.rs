@@ -60,7 +60,7 @@ pub enum CompileError {
     #[error("`{0}` is about several steps; follow it with a `Monitor`")]
     Temporal(String),
     /// The variables range over too many objects.
-    #[error("with these things the goal has more than {0} parts; let its variables range over smaller classes")]
+    #[error("for these objects the goal has more than {0} parts; let its variables range over smaller classes")]
     TooLarge(usize),
 }
 

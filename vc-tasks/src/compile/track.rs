@@ -12,7 +12,7 @@ use super::{Bits, Gate, Kind, Program, Ref};
 
 /// An object, over which the goal's variables may range, was added to the scene or removed from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("{0} came or went; compile the goal for the things there are now")]
+#[error("object {0} was added or removed; compile the goal again for the current objects")]
 pub struct Stale(pub NodeId);
 
 /// A goal's verdict, updated incrementally: a changed atom triggers only the gates that use it, and

@@ -83,7 +83,7 @@ pub(crate) fn clip(text: &str) -> String {
 
 /// An error for a goal that a format cannot express.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{format} cannot say `{part}`: {why}")]
+#[error("{format} cannot express `{part}`: {why}")]
 pub struct Unwritable {
     /// The format.
     pub format: &'static str,

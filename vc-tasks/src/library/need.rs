@@ -38,7 +38,7 @@ pub struct Spot {
 
 /// A text that cannot be parsed as a [`Need`].
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("`{text}` is no need such as `2 plate [dirty] on dining_table of kitchen`: {why}")]
+#[error("`{text}` is not a need such as `2 plate [dirty] on dining_table of kitchen`: {why}")]
 pub struct NeedError {
     /// The text.
     pub text: String,
