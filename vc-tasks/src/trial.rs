@@ -4,8 +4,8 @@ use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
 
 use crate::{Task, World, WorldError};
 
-/// An agent with a task in a world, action by action, as in reinforcement learning: each action gives an
-/// observation and a reward. The caller runs the loop; `Policy` and `run_episode` of `vc-planner` run it
+/// An agent with a task in a world, action by action, as in reinforcement learning: each action returns
+/// an observation and a reward. The caller runs the loop; `Policy` and `run_episode` of `vc-planner` run it
 /// themselves.
 ///
 /// The reward of an action is the change of [`Task::score`], so the rewards of an episode that was won sum to

@@ -112,7 +112,7 @@ impl<'a> Keeper<'a> {
         self.put_object(&object, surface)
     }
 
-    /// Puts an object at a sampled position on a surface, turned so that it fits.
+    /// Puts an object at a sampled position on a surface, rotated so that it fits.
     pub(super) fn put_object(&mut self, object: &Draft, surface: usize) -> Option<usize> {
         let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
         let aligned = hold == Hold::Inside;

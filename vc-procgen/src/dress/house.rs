@@ -26,7 +26,7 @@ pub(super) struct House<'g> {
     holders: BTreeMap<NodeId, Vec<NodeId>>,
 }
 
-/// The heights above the floor between which objects are in the way, metres.
+/// The heights above the floor between which objects obstruct a walking person, metres.
 const WAY: (f32, f32) = (0.12, 1.6);
 
 impl<'g> House<'g> {
@@ -91,7 +91,7 @@ impl<'g> House<'g> {
     }
 }
 
-/// Whether an object is in the way: it is neither part of the building, nor graspable, nor a seat that can
+/// Whether an object obstructs a walking person: it is neither part of the building, nor graspable, nor a seat that can
 /// be moved aside.
 fn stands(classes: &ClassTable, node: &Node) -> bool {
     use vc_graph::class::Category;

@@ -1,4 +1,4 @@
-//! Settling: an object built roughly in its lying pose is turned until it lies as it would fall,
+//! Settling: an object built roughly in its lying pose is rotated until it lies as it would fall,
 //! with its centre of mass above the points that touch the ground.
 
 use std::sync::LazyLock;

@@ -49,7 +49,7 @@ impl Rect {
         self.x0 >= self.x1 || self.y0 >= self.y1
     }
 
-    /// The rectangle grown by a number of cells on every side.
+    /// The rectangle enlarged by a number of cells on every side.
     #[must_use]
     pub fn grown(&self, by: i32) -> Self {
         Self { x0: self.x0 - by, y0: self.y0 - by, x1: self.x1 + by, y1: self.y1 + by }

@@ -68,7 +68,7 @@ impl Compiler {
         Self::default()
     }
 
-    /// A compiler that gives up on goals with more parts than this, each counted for every choice
+    /// A compiler that rejects goals with more than `largest` parts, each counted for every choice
     /// of objects; the default limit is 16,777,216.
     pub fn limited(largest: usize) -> Self {
         let (atoms, gates) = (Numbers::default(), Numbers::default());

@@ -207,8 +207,8 @@ impl Monitor {
         }
     }
 
-    /// The steps of a stretch at which a head is true; actions of its first step may not belong to
-    /// it.
+    /// For each step of a stretch, whether a conjunct is true; actions of the first step may not
+    /// belong to the stretch.
     fn states(&self, head: usize, on: Stretch) -> Vec<bool> {
         let mut steps: Vec<bool> = self.heads[on.from..=on.end].iter().map(|heads| heads.has(head)).collect();
         if on.from == on.since {

@@ -128,8 +128,8 @@ fn before(door: &Aabb) -> Aabb {
 /// The top or the interior of a bounding box as a surface, in its owner's frame.
 fn plain_surface(aabb: &Aabb, pose: &Pose, relation: Relation) -> Surface {
     let (centre, half) = (aabb.centre(), (aabb.max - aabb.min) / 2.0);
-    // In an upright frame the world box has the right width and depth; in a turned one the smaller
-    // of the two is safe.
+    // In an upright frame the world box has the right width and depth; in a rotated one the
+    // smaller of the two is safe.
     let side = half.x.min(half.y);
     let level = if relation == Relation::On { aabb.max.z } else { aabb.min.z };
     let point = pose.inverse_transform_point(&nalgebra::Point3::new(centre.x, centre.y, level));

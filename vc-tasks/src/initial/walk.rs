@@ -1,4 +1,4 @@
-//! Where a person can stand and which objects are within reach from there.
+//! The positions where a person can stand, and the objects within reach from there.
 
 use nalgebra::{Point2, Point3};
 use vc_graph::class::Category;

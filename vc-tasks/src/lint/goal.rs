@@ -63,7 +63,7 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     misnomers.chain(missing).chain(obstacles).collect()
 }
 
-/// One finding, if objects are to rest on each other in a cycle.
+/// A finding if the goal asks for objects that support each other in a cycle.
 fn circle(goal: &Goal) -> Option<Finding> {
     let mut literals = Vec::new();
     conjuncts(goal, &mut literals);

@@ -51,9 +51,9 @@ pub struct Run {
     pub seed: u64,
     /// The number of conditions in the goal, see [`predicates`].
     pub predicates: usize,
-    /// How it ended.
+    /// The result of the attempt.
     pub outcome: Outcome,
-    /// How much of the goal held at the end, 0 to 1.
+    /// The fraction of the goal that held at the end, 0 to 1.
     pub credit: f64,
     /// The number of actions executed.
     pub steps: usize,

@@ -11,10 +11,10 @@ use super::rules::{AIR, HANDS, HERE, LeftOut, Rules, STILL, UNSWITCHED, atoms, i
 use super::{Atom, Change, Domain, Formula, Operator, Problem, Typed};
 use crate::format::Unwritable;
 
-/// Which objects and actions a problem contains.
+/// The choice of the objects and actions that a problem contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Keep {
-    /// Those that can matter for the goal: the objects it names, the ones these are on, in or by,
+    /// Those relevant to the goal: the objects it names, the ones these are on, in or by,
     /// and the tools of actions that lead to it.
     #[default]
     Relevant,
@@ -351,7 +351,7 @@ impl Scene<'_> {
         }
     }
 
-    /// Which objects are of the goal's classes, and an order of all objects.
+    /// Adds the facts about which objects are of the goal's classes, and an order of all objects.
     fn goal_facts(&self, facts: &mut BTreeSet<Atom>) {
         let asked: BTreeSet<&str> = self.ways.iter().flat_map(|w| &w.facts).map(|f| f.predicate.as_str()).collect();
         for &id in &self.nodes {
