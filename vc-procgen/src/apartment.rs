@@ -45,7 +45,7 @@ impl Apartment {
     /// Generates an apartment for a specification. Costs some milliseconds.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be fulfilled.
+    /// [`Impossible`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         specification.check()?;
         attempts(|attempt| Self::attempt(specification, seed, attempt))

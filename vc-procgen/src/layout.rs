@@ -49,7 +49,7 @@ impl Layout {
     /// Costs about a millisecond.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be fulfilled.
+    /// [`Impossible`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         specification.check()?;
         attempts(|attempt| Self::attempt(specification, seed, attempt)).map(|(layout, _)| layout)
@@ -83,8 +83,8 @@ pub(crate) fn sub_seed(seed: Seed, attempt: u64) -> Seed {
     seed.child("apartment").nth(attempt)
 }
 
-/// The first attempt that succeeds. Contradictory wishes end it at once because every attempt would
-/// fail.
+/// The first attempt that succeeds. Contradictory requirements end it at once because every attempt
+/// would fail.
 pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, Impossible>) -> Result<T, Impossible> {
     let mut last = Impossible::Unsound { attempts: ATTEMPTS as usize, last: String::new() };
     for attempt in 0..ATTEMPTS {

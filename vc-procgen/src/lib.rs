@@ -1,10 +1,10 @@
 //! Procedural generation of objects and apartments from a seed: the same bytes on every machine.
 //!
 //! [`Apartment::from_seed`] generates a home: rooms with doors and windows, furniture, and clutter in its
-//! habitual places. [`Apartment::generate`] generates one for a [`Specification`], or reports which wish
-//! cannot be fulfilled. [`Apartment::scene`] is its scene graph with poses, relations, states and assets,
-//! [`Apartment::check`] lists its violations (none for the apartments returned), and `Apartment::floor_plan`
-//! draws it. [`Layout`] has only the rooms and the furniture, as boxes.
+//! habitual places. [`Apartment::generate`] generates one for a [`Specification`], or reports the
+//! requirement that cannot be fulfilled. [`Apartment::scene`] is its scene graph with poses, relations, states
+//! and assets, [`Apartment::check`] lists its violations (none for the apartments returned), and
+//! `Apartment::floor_plan` draws it. [`Layout`] has only the rooms and the furniture, as boxes.
 //!
 //! ```
 //! use vc_graph::Seed;

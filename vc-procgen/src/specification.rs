@@ -3,7 +3,7 @@
 use crate::Style;
 use crate::error::Impossible;
 
-/// Wishes for an apartment; anything not specified is drawn from the seed.
+/// Requirements of an apartment; anything not specified is drawn from the seed.
 ///
 /// ```
 /// use vc_procgen::Specification;

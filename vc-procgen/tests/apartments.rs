@@ -203,7 +203,7 @@ fn changed(scene: &SceneGraph, read: &SceneGraph) -> Vec<String> {
     scene.nodes().filter_map(differs).collect()
 }
 
-/// The wishes of a specification that a home does not fulfil.
+/// The requirements of a specification that a home does not fulfil.
 fn unmet(wish: &Specification, home: &Apartment) -> Vec<String> {
     let count = |is: &dyn Fn(RoomKind) -> bool| home.plan.rooms.iter().filter(|r| is(r.kind)).count();
     let number = |what: &str, wished: Option<usize>, has: usize| {

@@ -6,7 +6,7 @@ use crate::Task;
 const TEXT: &str = include_str!("../data/household.txt");
 
 /// A fixed list of everyday tasks for homes of any origin. Not every task makes sense in every
-/// scene; [`Task::obstacles`] tells.
+/// scene; [`Task::obstacles`] lists the reasons.
 ///
 /// ```
 /// assert!(vc_tasks::household().len() >= 40);

@@ -227,7 +227,7 @@ impl Plan {
     /// Generates a plan for a specification: draws a programme and lays it out.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be fulfilled.
+    /// [`Impossible`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         Self::lay_out(&Programme::draw(specification, seed)?, seed)
     }

@@ -14,7 +14,7 @@ pub struct Wish {
     pub kind: RoomKind,
     /// The net area, square metres.
     pub area: f32,
-    /// For an en-suite bathroom: the index of its bedroom's wish.
+    /// For an en-suite bathroom: the index of its bedroom's request.
     pub of: Option<usize>,
 }
 
@@ -69,7 +69,7 @@ impl Programme {
     /// Draws everything that the specification leaves open.
     ///
     /// # Errors
-    /// [`Impossible`] if the wishes contradict each other.
+    /// [`Impossible`] if the requirements contradict each other.
     pub fn draw(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         specification.check()?;
         let mut rng = seed.child("programme").stream();
@@ -207,8 +207,8 @@ impl Programme {
     }
 }
 
-/// The number of bedrooms where none is specified: the number that the other wishes need, else the
-/// usual mix.
+/// The number of bedrooms where none is specified: the number that the other requirements need,
+/// else the usual mix.
 fn draw_bedrooms(specification: &Specification, rng: &mut Stream) -> usize {
     let usual = rng.weighted([10.0, 30.0, 35.0, 20.0, 5.0].into_iter()).unwrap_or(1);
     let bathrooms = specification.bathrooms.map_or(0, |b| b.saturating_sub(1));

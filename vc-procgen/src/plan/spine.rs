@@ -41,7 +41,7 @@ impl Notch {
 /// A main room in a band, with the notches at its west and east corners.
 #[derive(Debug, Clone)]
 struct Cell {
-    /// The room's wish; `None` for a bay of the hall.
+    /// The index of the room request; `None` for a bay of the hall.
     wish: Option<usize>,
     notches: [Option<Notch>; 2],
     x: i32,
@@ -51,7 +51,7 @@ struct Cell {
 /// Rooms side by side, west to east. Hundreds of candidates are drawn for a plan, and such short
 /// lists cost more to allocate than to fill.
 type Band = SmallVec<[Cell; 8]>;
-/// A list of wishes by index.
+/// Indices of room requests.
 type Wishes = SmallVec<[usize; 8]>;
 /// The corners that a service room may be cut out of: north band or not, cell, side.
 type Hosts = SmallVec<[(bool, usize, usize); 16]>;

@@ -43,8 +43,8 @@ impl Program {
     /// The minimal sets of missing conditions that would together make the goal hold: at most `most`, the
     /// smallest first. One empty set if the goal holds, no set if nothing can make it hold.
     ///
-    /// The search ends after 16,777,216 gate visits with the sets found by then;
-    /// [`MinimalSets::complete`] tells.
+    /// The search ends after 16,777,216 gate visits and returns the sets found until then, with
+    /// [`MinimalSets::complete`] false.
     ///
     /// ```
     /// use vc_graph::goal::Situation;

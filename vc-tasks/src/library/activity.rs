@@ -101,8 +101,8 @@ impl Activity {
         self.places.iter().map(String::as_str).filter(move |place| !known(place))
     }
 
-    /// The verbs that the end asks for: each literal's own verb, and `grab` before a placement.
-    /// Plans contain more: the agent walks to everything.
+    /// The verbs that the goal and the natural end require: each literal's own verb, and `grab` before a
+    /// placement. Plans contain more: the agent walks to everything.
     pub fn verbs(&self) -> Vec<Verb> {
         let mut verbs = Vec::new();
         [&self.goal, &self.natural].into_iter().for_each(|goal| asked_verbs(goal, &mut verbs));

@@ -225,8 +225,8 @@ impl Search<'_, '_> {
         groups
     }
 
-    /// An atom or gate for which the way to a part wants another truth value than a way seen
-    /// before. Only parts of one group share atoms on which they can disagree.
+    /// An atom or gate for which the way to a part requires another truth value than an earlier
+    /// way. Only parts of one group share atoms on which they can disagree.
     fn tear(&mut self, of: Ref) -> Option<Ref> {
         let mut open = vec![of];
         let mut order = Vec::new();
