@@ -1,4 +1,4 @@
-//! Helpers shared by several test files.
+//! Functions shared by several test files.
 #![allow(dead_code, reason = "each test file uses a part")]
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
