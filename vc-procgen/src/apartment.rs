@@ -1,4 +1,4 @@
-//! Whole apartments: plan, furniture, small things, checked.
+//! Whole apartments: floor plan, furniture and clutter, checked.
 
 use vc_graph::Seed;
 
@@ -9,23 +9,23 @@ use crate::layout::{Layout, attempts, remove, sub_seed};
 use crate::plan::Plan;
 use crate::{Specification, Style, clutter, structure};
 
-/// An apartment: rooms, and everything in them.
+/// An apartment: its rooms and all items in them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Apartment {
-    /// The seed it was made from.
+    /// The seed that it was generated from.
     pub seed: Seed,
-    /// Rooms, doors and windows.
+    /// The floor plan: rooms, doors and windows.
     pub plan: Plan,
     /// Its materials.
     pub style: Style,
-    /// Everything in it: the building first, then furniture, then small things. What
-    /// carries something comes before it.
+    /// All items: the building first, then furniture, then clutter. A support or container precedes
+    /// the items on or in it.
     pub items: Vec<Item>,
 }
 
 impl Apartment {
-    /// An apartment from a seed alone: studio to four bedrooms and more, in the usual
-    /// mix.
+    /// Generates an apartment from a seed alone: from a studio to four bedrooms and more, in the
+    /// usual mix.
     ///
     /// ```
     /// use vc_graph::Seed;
@@ -42,10 +42,10 @@ impl Apartment {
         Self::generate(&Specification::default(), seed)
     }
 
-    /// An apartment after wishes. Costs some milliseconds.
+    /// Generates an apartment for a specification. Costs some milliseconds.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be met.
+    /// [`Impossible`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         specification.check()?;
         attempts(|attempt| Self::attempt(specification, seed, attempt))
@@ -65,8 +65,8 @@ impl Apartment {
         }
     }
 
-    /// Takes out what can be spared and is in the way of something; returns what is
-    /// wrong all the same. To take out what nothing needs makes nothing else wrong.
+    /// Removes optional items that violate a rule; returns a violation that remains. Removing items
+    /// that nothing else needs causes no further violation.
     fn repair(&mut self) -> Option<Violation> {
         let violations = self.check();
         let (spared, wrong): (Vec<_>, Vec<_>) = violations.into_iter().map(|v| (self.spared(&v), v)).unzip();
@@ -81,7 +81,7 @@ impl Apartment {
         None
     }
 
-    /// The item whose removal ends a violation, if it may go.
+    /// The item whose removal resolves a violation, if it may be removed.
     fn spared(&self, violation: &Violation) -> Option<usize> {
         let may_go = |item: usize| !self.items[item].required && self.items[item].rest != Rest::Built;
         let of = |items: &[usize]| items.iter().copied().filter(|&i| may_go(i)).max();
@@ -96,7 +96,7 @@ impl Apartment {
     }
 }
 
-/// Appends items whose references count from their own list's start.
+/// Appends items whose references are relative to their own list.
 fn append(items: &mut Vec<Item>, more: Vec<Item>) {
     let base = items.len();
     items.extend(more.into_iter().map(|mut item| {

@@ -1,10 +1,10 @@
-//! A grid of bits, a row a run of words: what the reachability check computes with.
+//! A grid of bits with words for rows, used by the reachability check.
 
 use std::ops::Range;
 
 use smallvec::SmallVec;
 
-/// Bits in rows.
+/// A bit grid, stored row by row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Bits {
     words: usize,
@@ -39,7 +39,7 @@ impl Bits {
         self.rows[y * self.words + x / 64] |= 1 << (x % 64);
     }
 
-    /// Sets or clears a rectangle, cut to the grid.
+    /// Sets or clears a rectangle, clipped to the grid.
     pub(crate) fn fill(&mut self, x: (i32, i32), y: (i32, i32), value: bool) {
         let Some((words, rows)) = self.cut(x, y) else { return };
         for (word, mask) in words {
@@ -50,8 +50,8 @@ impl Bits {
         }
     }
 
-    /// A rectangle, cut to the grid: its words with what of them belongs to it, and its
-    /// rows; `None` if nothing is left.
+    /// Clips a rectangle to the grid: its words with the mask of each, and its rows; `None` if
+    /// nothing is left.
     #[inline]
     fn cut(
         &self,
@@ -81,7 +81,7 @@ impl Bits {
     /// A set bit within a distance of a rectangle.
     pub(crate) fn first_within(&self, x: (i32, i32), y: (i32, i32), distance: usize) -> Option<(usize, usize)> {
         let far = distance as i32;
-        // Rows of the rectangle grown by a disc, nearest first.
+        // The rows of the rectangle dilated by a disc, nearest first.
         self.first((x.0 - far, x.1 + far), y).or_else(|| {
             (1..=far).find_map(|off| {
                 let half = ((far * far - off * off) as f32).sqrt() as i32;
@@ -92,7 +92,7 @@ impl Bits {
         })
     }
 
-    /// Whether a disc in the middle of some set bit would meet a rectangle.
+    /// Whether a disc centred at some set bit would overlap a rectangle.
     pub(crate) fn meets_within(&self, x: (i32, i32), y: (i32, i32), radius: usize) -> bool {
         self.any((x.0 - radius as i32, x.1 + radius as i32), y)
             || (1..=radius as i32).any(|off| {
@@ -102,7 +102,7 @@ impl Bits {
             })
     }
 
-    /// Clears all bits from whose middle a disc would meet a rectangle.
+    /// Clears all bits at which a centred disc would overlap a rectangle.
     pub(crate) fn clear_within(&mut self, x: (i32, i32), y: (i32, i32), radius: usize) {
         self.fill((x.0 - radius as i32, x.1 + radius as i32), y, false);
         for off in 1..=radius as i32 {
@@ -113,26 +113,26 @@ impl Bits {
         }
     }
 
-    /// How many bits are set.
+    /// The number of set bits.
     pub(crate) fn count(&self) -> usize {
         self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }
 
-    /// The bits from whose middle a disc would meet a set one.
+    /// The bits at which a centred disc would overlap a set one.
     ///
     /// Costs a few operations for each word and each row of the disc.
     pub(crate) fn dilated(&self, radius: usize) -> Self {
         let mut out = self.empty();
         let mut wide = self.clone();
         let mut reach = 0;
-        // From the disc's rim rows inwards the span only grows.
+        // From the disc's outer rows inwards the span only grows.
         for dy in (0..=radius).rev() {
             let half = meeting(radius, dy);
             while reach < half {
                 wide.widen();
                 reach += 1;
             }
-            // So many rows up and down: all rows at once.
+            // Shifts all rows at once up and down by this many.
             let skip = (dy * self.words).min(wide.rows.len());
             out.rows.iter_mut().zip(&wide.rows[skip..]).for_each(|(a, b)| *a |= b);
             out.rows[skip..].iter_mut().zip(&wide.rows).for_each(|(a, b)| *a |= b);
@@ -140,7 +140,7 @@ impl Bits {
         out
     }
 
-    /// Every set bit's neighbours left and right.
+    /// Sets the left and right neighbours of every set bit.
     fn widen(&mut self) {
         for row in self.rows.chunks_mut(self.words) {
             let mut carry = 0;
@@ -153,11 +153,10 @@ impl Bits {
         }
     }
 
-    /// Everything that can be reached from a set bit over set bits, by steps along
-    /// the axes; nothing from a bit that is not set.
+    /// The set bits connected to a given one by steps along the axes; empty if that bit is not set.
     ///
-    /// Spreads from row to row, whole runs of a row at once, up and down the grid in
-    /// turns: as many turns as the way winds.
+    /// Spreads from row to row, whole runs of a row at once, alternately up and down the grid: the
+    /// number of turns depends on how winding the region is.
     pub(crate) fn flood(&self, x: usize, y: usize) -> Self {
         let mut seen = self.empty();
         if !self.get(x, y) {
@@ -166,10 +165,10 @@ impl Bits {
         seen.set(x, y);
         seen.fill_row(self, y);
         let height = self.height();
-        // Rows whose latest bits were not yet passed on upwards, and downwards.
+        // The rows whose latest bits have not yet been passed on upwards, and downwards.
         let (mut up, mut down) = (vec![false; height], vec![false; height]);
         (up[y], down[y]) = (true, true);
-        // Rows before the first and after the last of them are settled.
+        // Rows outside this range have nothing to pass on.
         let (mut low, mut high) = (y, y);
         loop {
             let mut grew = false;
@@ -196,8 +195,8 @@ impl Bits {
         }
     }
 
-    /// Whether the set bits around a rectangle, so far off at most, hang together there:
-    /// then whoever walked through the rectangle can walk around it.
+    /// Whether the set bits within a distance of a rectangle are connected there: then a person
+    /// whose path crossed the rectangle can walk around it.
     pub(crate) fn is_whole_around(&self, x: (i32, i32), y: (i32, i32), far: usize) -> bool {
         let far = far as i32;
         let window = ((x.0 - far, x.1 + far), (y.0 - far, y.1 + far));
@@ -210,7 +209,7 @@ impl Bits {
         near.flood(x, y) == near
     }
 
-    /// A rectangle, cut to the grid, as a word for each row, if it is that small.
+    /// A rectangle, clipped to the grid, as one word per row, if it is small enough.
     fn small_window(&self, x: (i32, i32), y: (i32, i32)) -> Option<SmallVec<[u64; SMALL]>> {
         let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
         let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
@@ -226,7 +225,7 @@ impl Bits {
         Some(rows.collect())
     }
 
-    /// A rectangle, cut to the grid, as a grid of its own.
+    /// A rectangle, clipped to the grid, as a grid of its own.
     fn window(&self, x: (i32, i32), y: (i32, i32)) -> Self {
         let cut = |v: i32, most: usize| v.clamp(0, most as i32) as usize;
         let (x0, x1) = (cut(x.0, self.width), cut(x.1, self.width));
@@ -245,8 +244,8 @@ impl Bits {
         out
     }
 
-    /// Adds what of a row is reached from a neighbouring one, and the runs of `free`
-    /// that belongs to; returns whether that is more than before.
+    /// Adds the bits of a row reached from a neighbouring row, extended to their runs of `free`;
+    /// returns whether any was new.
     fn spread(&mut self, free: &Self, row: usize, from: usize) -> bool {
         let (at, from) = (row * self.words, from * self.words);
         let (mut news, mut carry) = (false, false);
@@ -264,7 +263,7 @@ impl Bits {
         news
     }
 
-    /// Grows set bits of a row to the ends of their runs of `free`.
+    /// Extends the set bits of a row to both ends of their runs of `free`.
     fn fill_row(&mut self, free: &Self, row: usize) {
         let mut carry = false;
         for i in row * self.words..(row + 1) * self.words {
@@ -273,12 +272,12 @@ impl Bits {
         self.fill_down(free, row);
     }
 
-    /// Grows set bits of a row, which reach the upper ends of their runs of `free`, to
-    /// the lower ones.
+    /// Extends the set bits of a row, which already reach the upper ends of their runs of `free`,
+    /// to the lower ends.
     fn fill_down(&mut self, free: &Self, row: usize) {
         let mut carry = false;
         for i in (row * self.words..(row + 1) * self.words).rev() {
-            // Nothing to add where all or nothing is set.
+            // There is nothing to add where all or nothing is set.
             if self.rows[i] != free.rows[i] && (self.rows[i] != 0 || carry) {
                 let (filled, over) = run_up(self.rows[i].reverse_bits(), free.rows[i].reverse_bits(), carry);
                 (self.rows[i], carry) = (filled.reverse_bits(), over);
@@ -288,8 +287,7 @@ impl Bits {
         }
     }
 
-    /// The bits from which a square of set bits, so long a side, reaches up and to the
-    /// right.
+    /// The bits that are the lower-left corner of a square of set bits with the given side.
     pub(crate) fn squares(&self, side: usize) -> Self {
         let mut out = self.clone();
         for row in out.rows.chunks_mut(self.words) {
@@ -307,8 +305,7 @@ impl Bits {
         out
     }
 
-    /// The squares that reach up and to the right from every set bit: what
-    /// [`Bits::squares`] were found in.
+    /// The union of the squares whose lower-left corners are set: the inverse of [`Bits::squares`].
     pub(crate) fn covered(&self, side: usize) -> Self {
         let mut out = self.clone();
         for row in out.rows.chunks_mut(self.words) {
@@ -326,12 +323,12 @@ impl Bits {
         out
     }
 
-    /// Whether all its bits are among those of another grid of the same size.
+    /// Whether every set bit is also set in another grid of the same size.
     pub(crate) fn is_within(&self, other: &Self) -> bool {
         self.rows.iter().zip(&other.rows).all(|(a, b)| a & !b == 0)
     }
 
-    /// The bits that two grids of one size share.
+    /// The intersection with another grid of the same size.
     pub(crate) fn and(&self, other: &Self) -> Self {
         let rows = self.rows.iter().zip(&other.rows).map(|(a, b)| a & b).collect();
         Self { rows, ..*self }
@@ -348,7 +345,7 @@ impl Bits {
         })
     }
 
-    /// The bits that are not set.
+    /// The complement.
     pub(crate) fn inverted(&self) -> Self {
         let mut out = Self { rows: self.rows.iter().map(|w| !w).collect(), ..*self };
         let tail = self.width % 64;
@@ -359,15 +356,15 @@ impl Bits {
     }
 }
 
-/// Rows of a window that stay off the heap.
+/// The number of rows of a window that are kept off the heap.
 const SMALL: usize = 96;
 
-/// Whether the bits of a grid, a word a row, hang together.
+/// Whether the bits of a grid with one word per row are connected.
 fn is_whole(rows: &[u64]) -> bool {
     let Some(first) = rows.iter().position(|row| *row != 0) else { return true };
     let mut seen: SmallVec<[u64; SMALL]> = SmallVec::from_elem(0, rows.len());
     seen[first] = filled(rows[first] & rows[first].wrapping_neg(), rows[first]);
-    // Down and up again until all is seen or nothing is new.
+    // Passes down and up until every bit is reached or nothing new is found.
     loop {
         let mut news = 0;
         let mut pass = |from: usize, to: usize| {
@@ -388,32 +385,31 @@ fn is_whole(rows: &[u64]) -> bool {
     }
 }
 
-/// Bits of a row grown to both ends of the runs of `open` that they lie in.
+/// Extends bits of a row to both ends of the runs of `open` that contain them.
 fn filled(seeds: u64, open: u64) -> u64 {
     let (up, _) = run_up(seeds, open, false);
     let (down, _) = run_up(up.reverse_bits(), open.reverse_bits(), false);
     down.reverse_bits()
 }
 
-/// How many columns away a disc in the middle of a bit still meets one so many rows
-/// off.
+/// The greatest column offset at which a disc centred in a bit still overlaps a bit in a row at the
+/// given offset.
 fn meeting(radius: usize, rows: usize) -> usize {
-    // Between the nearest points of bits so many columns and rows away, in halves.
+    // The distance between the nearest points of two bits at this offset, in half cells.
     let near = |bits: usize| (2 * bits).saturating_sub(1);
     let meets = |columns: &usize| near(*columns).pow(2) + near(rows).pow(2) < (2 * radius).pow(2);
     (0..=radius).rev().find(meets).unwrap_or(0)
 }
 
-/// The bits of `open` from `seeds` upwards, to the ends of their runs; whether the
-/// last run goes on in the next word. Adding a bit to a run of ones carries to the
-/// run's end.
+/// The bits of `open` from `seeds` upwards to the ends of their runs, and whether the last run
+/// continues in the next word. Adding a bit to a run of ones carries to the run's end.
 fn run_up(seeds: u64, open: u64, carry: bool) -> (u64, bool) {
     let (sum, first) = open.overflowing_add(seeds);
     let (sum, second) = sum.overflowing_add(u64::from(carry));
     (((sum ^ open) & open) | seeds, first || second)
 }
 
-/// The bits from `from` up to `to`, `to` excluded, of a word.
+/// A mask of the bits from `from` up to, but excluding, `to`.
 fn span(from: usize, to: usize) -> u64 {
     if to <= from {
         return 0;
@@ -421,15 +417,15 @@ fn span(from: usize, to: usize) -> u64 {
     (u64::MAX >> (64 - (to - from))) << from
 }
 
-/// The largest whole number not above another. Without the call that rounding costs on
-/// processors that are not asked for more than x86-64 has had from the start.
+/// The largest integer not greater than a number. Avoids the function call that rounding costs on
+/// baseline x86-64.
 #[inline]
 pub(crate) fn floor(v: f32) -> i32 {
     let whole = v as i32;
     whole - i32::from(whole as f32 > v)
 }
 
-/// The smallest whole number not below another.
+/// The smallest integer not less than a number.
 #[inline]
 pub(crate) fn ceiling(v: f32) -> i32 {
     let whole = v as i32;

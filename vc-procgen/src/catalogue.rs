@@ -1,4 +1,4 @@
-//! Every class's objects, counted and told apart.
+//! The catalogue: numbered instances of every class.
 
 use vc_graph::asset::{Part, Shape};
 use vc_graph::hash::Digester;
@@ -10,19 +10,19 @@ use crate::object::{Generator, Object, generators};
 /// One object of the catalogue.
 #[derive(Debug, Clone)]
 pub struct Instance {
-    /// What made it.
+    /// The generator that made it.
     pub generator: &'static Generator,
-    /// Its number within the class, from zero.
+    /// Its index within the class, from zero.
     pub index: usize,
-    /// The materials it is made in.
+    /// The style it is made in.
     pub style: Style,
     /// The object.
     pub object: Object,
 }
 
 impl Generator {
-    /// The catalogue's instance of this class with a number: of the class's usual
-    /// size, in a style of its own. Any number will do, beyond `instances` too.
+    /// Generates the catalogue's instance of this class with the given index: of the class's usual
+    /// size, in a style of its own. Any index is allowed, also beyond `instances`.
     pub fn instance(&'static self, seed: Seed, index: usize) -> Instance {
         let seed = seed.child(self.class).nth(index as u64);
         let style = Style::from_seed(seed);
@@ -30,10 +30,10 @@ impl Generator {
     }
 }
 
-/// All objects of the catalogue of a seed: for every generator as many as it says,
-/// by family.
+/// All objects of the catalogue for a seed: the number of `instances` of every generator, by
+/// family.
 ///
-/// Costs the making of one object, some microseconds, at each step.
+/// Each step costs the generation of one object, some microseconds.
 ///
 /// ```
 /// use std::collections::HashSet;
@@ -49,11 +49,11 @@ pub fn instances(seed: Seed) -> impl Iterator<Item = Instance> {
 }
 
 impl Object {
-    /// A digest of what the object's shape looks like, whatever it is made of: two
-    /// objects that share it are the same thing in other colours.
+    /// A digest of the object's shape, independent of its materials: two objects with the same
+    /// digest are the same object in other colours.
     ///
-    /// Measures count in steps of a centimetre, or of a twentieth of the object's
-    /// largest measure where that is less; names and order of parts count too.
+    /// Dimensions are rounded to a centimetre, or to a twentieth of the object's largest dimension
+    /// where that is less; names and order of parts count, too.
     pub fn shape_key(&self) -> Digest {
         let step = (self.size().max() * 0.05).min(0.01);
         let mut key = Key { hash: Digester::new(), step };

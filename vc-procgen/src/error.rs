@@ -1,74 +1,74 @@
-//! Why an apartment cannot be made.
+//! The reasons why an apartment cannot be generated.
 
 use crate::plan::RoomKind;
 
-/// A wish that cannot be met.
+/// A specification that cannot be fulfilled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Impossible {
-    /// The rooms need more than the area wished for.
+    /// The rooms need more than the specified area.
     #[error(
-        "{rooms} rooms need at least {needed:.1} m², the wish is {wished:.1} m²: the largest need is {largest} at \
-         {share:.1} m²; wish for fewer rooms or more area"
+        "{rooms} rooms need at least {needed:.1} m², the specified area is {wished:.1} m²: the largest need is \
+         {largest} at {share:.1} m²; specify fewer rooms or more area"
     )]
     TooSmall {
-        /// How many rooms were wished for.
+        /// The number of rooms specified.
         rooms: usize,
-        /// The least net area they need together, m².
+        /// The least net area that they need together, m².
         needed: f32,
-        /// The net area wished for, m².
+        /// The net area specified, m².
         wished: f32,
-        /// The room that needs most.
+        /// The room that needs the largest area.
         largest: &'static str,
-        /// What that room needs, m².
+        /// The area that room needs, m².
         share: f32,
     },
     /// The area is more than the rooms can sensibly fill.
-    #[error("{rooms} rooms fill at most {most:.1} m², the wish is {wished:.1} m²: wish for more rooms or less area")]
+    #[error("{rooms} rooms fill at most {most:.1} m², {wished:.1} m² were specified: add rooms or reduce the area")]
     TooLarge {
-        /// How many rooms were wished for.
+        /// The number of rooms specified.
         rooms: usize,
-        /// The largest net area they fill, m².
+        /// The largest net area that they can fill, m².
         most: f32,
-        /// The net area wished for, m².
+        /// The net area specified, m².
         wished: f32,
     },
-    /// A figure of the specification is out of range.
+    /// A number of the specification is out of range.
     #[error("{what} is {value}, it must be from {low} to {high}")]
     OutOfRange {
-        /// Which figure.
+        /// The name of the number.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: f32,
-        /// The least it may be.
+        /// The least value allowed.
         low: f32,
-        /// The most it may be.
+        /// The greatest value allowed.
         high: f32,
     },
-    /// No scheme holds the rooms.
+    /// No floor-plan scheme accommodates the rooms.
     #[error("no floor plan was found for {rooms} rooms on {area:.1} m²: change the area or the number of rooms")]
     NoPlan {
-        /// How many rooms.
+        /// The number of rooms.
         rooms: usize,
         /// The net area, m².
         area: f32,
     },
-    /// No furniture was found that leaves a room usable.
+    /// No arrangement of the furniture was found that leaves a room usable.
     #[error("the {} (room {room}) holds no {piece}: give the apartment more area", kind.title())]
     NoPlace {
         /// The room's kind.
         kind: RoomKind,
-        /// The room's position in the plan.
+        /// The room's index in the plan.
         room: usize,
-        /// What does not fit.
+        /// The piece that does not fit.
         piece: &'static str,
     },
-    /// Every attempt within the bound failed the check.
+    /// Every allowed attempt failed the check.
     #[error("{attempts} attempts all failed the check, the last by: {last}")]
     Unsound {
-        /// How many attempts were made.
+        /// The number of attempts.
         attempts: usize,
-        /// A violation of the last one.
+        /// A violation of the last attempt.
         last: String,
     },
 }

@@ -1,4 +1,4 @@
-//! A number that tells whether two apartments are the same, however they are turned.
+//! A digest that tells whether two apartments are the same up to rotation and mirroring.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,18 +10,18 @@ use crate::apartment::Apartment;
 use crate::furnish::Rest;
 use crate::plan::{CELLS, Opening, Plan, Rect, Room};
 
-/// A 128-bit fingerprint: equal for apartments that differ only by turning and
-/// mirroring. Written as 32 hexadecimal digits.
+/// A 128-bit fingerprint: equal for apartments that differ only by a rotation or mirroring. Written as 32
+/// hexadecimal digits.
 ///
-/// Good for noticing duplicates (two of 100,000 different homes share one with a
-/// chance of about 10⁻²⁹), no protection against an adversary.
+/// It serves to detect duplicates (two of 100,000 different homes have the same one with a probability of
+/// about 10⁻²⁹) but offers no protection against an adversary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub struct Fingerprint(pub u128);
 
-/// A text that is no fingerprint.
+/// A text that is not a fingerprint.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no fingerprint: it has 32 hexadecimal digits")]
+#[error("`{0}` is not a fingerprint: a fingerprint has 32 hexadecimal digits")]
 pub struct NotAFingerprint(String);
 
 impl fmt::Display for Fingerprint {
@@ -55,7 +55,7 @@ impl TryFrom<String> for Fingerprint {
 }
 
 impl Fingerprint {
-    /// The fingerprint of bytes, to notice files that changed.
+    /// The fingerprint of bytes, to detect changed files.
     ///
     /// ```
     /// use vc_procgen::Fingerprint;
@@ -69,9 +69,8 @@ impl Fingerprint {
 }
 
 impl Plan {
-    /// The fingerprint of rooms and openings, on the plan's grid: the same for all
-    /// eight ways to turn and mirror the plan. Thickness of walls and height of the
-    /// ceiling do not count.
+    /// The fingerprint of rooms and openings on the plan's grid: the same for all eight rotations and
+    /// mirrorings of the plan. The thickness of walls and the height of the ceiling do not count.
     ///
     /// Costs some tens of microseconds.
     ///
@@ -90,9 +89,9 @@ impl Plan {
 }
 
 impl Apartment {
-    /// The fingerprint of the plan and of all that is in it: classes, and where their
-    /// boxes' centres are to five centimetres. Materials, shapes and states do not
-    /// count, so that homes with different fingerprints differ in more than those.
+    /// The fingerprint of the plan and of all items: their classes and the centres of their boxes,
+    /// rounded to five centimetres. Materials, shapes and states do not count, so homes with different
+    /// fingerprints differ in more than those.
     ///
     /// Costs some tens of microseconds, and some hundred nanoseconds for each item.
     pub fn fingerprint(&self) -> Fingerprint {
@@ -116,12 +115,12 @@ impl Apartment {
     }
 }
 
-/// The least of the values of all eight ways.
+/// The smallest of the values for all eight orientations.
 fn smallest(value: impl Fn(usize) -> u128) -> Fingerprint {
     Fingerprint((0..8).map(value).min().unwrap_or_default())
 }
 
-/// The value of a plan turned one way. Rooms and openings are added up, so that their
+/// The value of a plan in one orientation. The values of rooms and openings are added up, so that their
 /// order does not matter.
 fn seen(plan: &Plan, way: usize) -> u128 {
     let turned = plan.turned(way);
@@ -148,14 +147,14 @@ fn rect(rect: &Rect) -> u128 {
 fn opening(opening: &Opening) -> u128 {
     let mut mixer = Mixer::new(2);
     [opening.at, opening.from, opening.to].into_iter().for_each(|v| mixer.word(v as u64));
-    // Only a leaf has a hinge.
+    // Only an opening with a leaf has a hinge.
     let leaf =
         if opening.has_leaf() { 1 + u64::from(opening.opens_high) + 2 * u64::from(opening.hinge_low) } else { 0 };
     mixer.word(opening.kind as u64 | u64::from(opening.vertical) << 8 | leaf << 16);
     mixer.value()
 }
 
-/// A thing's class, and its place in half cells from the plan's south-west corner.
+/// An item's class, and its position in half cells from the plan's south-west corner.
 struct Thing {
     class: u128,
     at: [i32; 3],
@@ -168,7 +167,7 @@ impl Thing {
         Self { class: Fingerprint::of_bytes(class.as_bytes()).0, at }
     }
 
-    /// Its value in a plan that is turned; `size` is the plan's in half cells.
+    /// Its value in one orientation of the plan; `size` is the plan's size in half cells.
     fn seen(&self, way: usize, size: [i32; 2]) -> u128 {
         let [x, y, z] = self.at;
         let x = if way & 1 != 0 { size[0] - x } else { x };
@@ -181,8 +180,8 @@ impl Thing {
     }
 }
 
-/// Cells to half cells: even for the nearest whole cell, odd for what lies just
-/// between two, so that a place and its mirror image are rounded alike.
+/// Rounds cells to half cells: even for the nearest whole cell, odd for a value midway between two, so
+/// that a position and its mirror image are rounded alike.
 fn half_cells(cells: f32) -> i32 {
     let whole = cells.round();
     let off = cells - whole;
@@ -230,7 +229,7 @@ mod tests {
     use std::collections::HashSet;
     use vc_graph::Seed;
 
-    /// Plans of seeds; now and then a seed has none.
+    /// The plans of seeds; some seeds have none.
     fn plans(seeds: std::ops::Range<u64>) -> Vec<Plan> {
         seeds.filter_map(|seed| Plan::generate(&Specification::default(), Seed(seed)).ok()).collect()
     }
@@ -267,7 +266,7 @@ mod tests {
         let hull = Rect::sized(-7, 3, 200, 150);
         let (west, east, wide) = (-7.0 / CELLS, 193.0 / CELLS, [400, 300]);
         for i in 0..400 {
-            // Quarter cells: all ties are among them.
+            // Steps of a quarter cell, which include all ties.
             let x = west + i as f32 * 0.0125;
             let there = Thing::new("cup", [x, 1.0, 0.5], &hull);
             let mirrored = Thing::new("cup", [west + east - x, 1.0, 0.5], &hull);

@@ -1,4 +1,4 @@
-//! A furnished plan before anything is made: rooms, and furniture as boxes.
+//! A furnished floor plan before any object is generated: rooms, and furniture as boxes.
 
 use vc_graph::Seed;
 
@@ -10,18 +10,17 @@ use crate::plan::{Plan, Programme, RoomKind};
 use crate::reach::Reach;
 use crate::{Specification, Style};
 
-/// How many plans are drawn before a specification is given up.
+/// The number of plans drawn before a specification is given up.
 pub(crate) const ATTEMPTS: u64 = 24;
 
-/// Plans drawn for one programme before another is drawn.
+/// The number of plans drawn for one programme before another is drawn.
 const REDRAW: u64 = 8;
 
-/// Pieces taken out at most until all is reached.
+/// The number of pieces that are removed at most to make everything reachable.
 const CLEARED: usize = 24;
 
-/// Where rooms are and where furniture stands, each piece as its box: enough for
-/// statistics, for navigation and to look at plans, at a fraction of what a home with
-/// all its objects costs.
+/// The rooms and the placement of the furniture, each piece as its box: enough for statistics, for
+/// navigation and for drawing plans, at a fraction of the cost of a home with all its objects.
 ///
 /// ```
 /// use vc_graph::Seed;
@@ -35,28 +34,28 @@ const CLEARED: usize = 24;
 pub struct Layout {
     /// Rooms, doors and windows.
     pub plan: Plan,
-    /// Its materials.
+    /// The style.
     pub style: Style,
-    /// Furniture and fixtures. Objects have bounds and a class, but no parts.
+    /// Furniture and fixtures. Their objects have bounds and a class, but no parts.
     pub furniture: Vec<Item>,
 }
 
 impl Layout {
-    /// The first layout after wishes in which all rooms hold what they need and a
-    /// person gets to every room and piece. An [`crate::Apartment`] of the same seed
-    /// has this one, or a later one where its own check finds something wrong: with
-    /// one seed in a hundred.
+    /// Generates the first layout for a specification in which all rooms have their required
+    /// furniture and every room and piece is reachable for a person. An [`crate::Apartment`] of the
+    /// same seed has this layout or, for one seed in a hundred, a later one because its own check
+    /// finds a violation.
     ///
     /// Costs about a millisecond.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be met.
+    /// [`Impossible`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         specification.check()?;
         attempts(|attempt| Self::attempt(specification, seed, attempt)).map(|(layout, _)| layout)
     }
 
-    /// One attempt, with what the furniture is to be.
+    /// One attempt, with the drafts of the furniture.
     pub(crate) fn attempt(
         specification: &Specification,
         seed: Seed,
@@ -64,11 +63,11 @@ impl Layout {
     ) -> Result<(Self, Vec<Draft>), Impossible> {
         let style = specification.style.unwrap_or_else(|| Style::from_seed(seed));
         let own = sub_seed(seed, attempt);
-        // Rooms that are hard to furnish are not given up at once: else homes would
-        // have fewer of them than were drawn.
+        // Programmes that are hard to furnish are not given up at once, otherwise homes would have
+        // fewer such rooms than were drawn.
         let programme = Programme::draw(specification, seed.nth(attempt / REDRAW))?;
         let plan = Plan::lay_out(&programme, own)?;
-        // A facade may have no room for a balcony that was wished for.
+        // A facade may have no space for a balcony that was specified.
         let balconies = plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).count();
         if specification.balconies.is_some_and(|wished| balconies < wished) {
             return Err(Impossible::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
@@ -79,13 +78,13 @@ impl Layout {
     }
 }
 
-/// What an attempt draws from.
+/// The seed of an attempt.
 pub(crate) fn sub_seed(seed: Seed, attempt: u64) -> Seed {
     seed.child("apartment").nth(attempt)
 }
 
-/// The first attempt that succeeds. Wishes that contradict each other end it at once:
-/// they do so every time.
+/// The first attempt that succeeds. Contradictory requirements end it at once because every attempt
+/// would fail.
 pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, Impossible>) -> Result<T, Impossible> {
     let mut last = Impossible::Unsound { attempts: ATTEMPTS as usize, last: String::new() };
     for attempt in 0..ATTEMPTS {
@@ -100,8 +99,7 @@ pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, Impossible>) ->
     Err(last)
 }
 
-/// Takes out pieces that can be spared until every room and every required piece can
-/// be reached.
+/// Removes optional pieces until every room and every required piece is reachable.
 fn clear_ways(plan: &Plan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Result<(), Impossible> {
     for _ in 0..CLEARED {
         let reach = Reach::of(plan, items);
@@ -112,7 +110,7 @@ fn clear_ways(plan: &Plan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Re
         let spared = far.iter().copied().find(|&i| !items[i].required);
         let room = shut.or_else(|| far.first().map(|&i| items[i].room));
         let Some(room) = room else { return Ok(()) };
-        // The last piece put on the floor of that room that may go.
+        // The last optional piece placed on the floor of that room.
         let last =
             items.iter().rposition(|i| i.room == room && !i.required && i.rest == Rest::Floor && i.corners().1.z > 0.1);
         let Some(out) = last.or(spared) else {
@@ -125,7 +123,8 @@ fn clear_ways(plan: &Plan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Re
     Ok(())
 }
 
-/// Removes items and what rests on them; `out` is sorted. Returns which are gone.
+/// Removes items and everything that rests on them; `out` is sorted. Returns for each item whether
+/// it was removed.
 pub(crate) fn remove(items: &mut Vec<Item>, out: &[usize]) -> Vec<bool> {
     let mut gone = vec![false; items.len()];
     let mut place = Vec::with_capacity(items.len());

@@ -1,11 +1,10 @@
-//! Objects and apartments from a seed: the same bytes on every machine.
+//! Procedural generation of objects and apartments from a seed: the same bytes on every machine.
 //!
-//! [`Apartment::from_seed`] makes a home: rooms with doors and windows, furniture,
-//! small things where people keep them. [`Apartment::generate`] makes one after a
-//! [`Specification`], or says which wish cannot be met. [`Apartment::scene`] is its
-//! scene graph with poses, relations, states and assets, [`Apartment::check`] lists
-//! whatever is wrong with it (nothing, for those that are returned), and
-//! `Apartment::floor_plan` draws it. [`Layout`] is rooms and furniture alone, as boxes.
+//! [`Apartment::from_seed`] generates a home: rooms with doors and windows, furniture, and clutter in its
+//! habitual places. [`Apartment::generate`] generates one for a [`Specification`], or reports the
+//! requirement that cannot be fulfilled. [`Apartment::scene`] is its scene graph with poses, relations, states
+//! and assets, [`Apartment::check`] lists its violations (none for the apartments returned), and
+//! `Apartment::floor_plan` draws it. [`Layout`] has only the rooms and the furniture, as boxes.
 //!
 //! ```
 //! use vc_graph::Seed;
@@ -17,9 +16,9 @@
 //! # Ok::<(), vc_procgen::Impossible>(())
 //! ```
 //!
-//! [`object::generator`] finds the generator of a class, [`catalogue`] lists instances
-//! of all of them, [`dress`] makes scenes of boxes look like homes, and [`gltf`] writes any asset or scene and
-//! reads models from elsewhere.
+//! [`object::generator`] finds the generator of a class, [`catalogue`] enumerates instances of all classes,
+//! [`dress`] gives scenes of boxes the look of homes, and [`gltf`] exports any asset or scene and imports
+//! models from elsewhere.
 
 #![warn(clippy::disallowed_methods)]
 

@@ -1,5 +1,4 @@
-//! What objects are made of: one table for all of them, so that assets of different
-//! origin share a library.
+//! The materials of objects: one table for all, so that assets of different origin share a library.
 
 use std::sync::LazyLock;
 
@@ -7,11 +6,11 @@ use vc_graph::AssetLibrary;
 use vc_graph::asset::{AssetError, Material};
 use vc_graph::portable::Portable;
 
-/// A material of the [table](ALL): its position in every library this crate makes.
+/// A material of the [table](ALL): its index in every library that this crate makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Mat(pub u32);
 
-/// What kind of material it is; a family shares everything but the colour.
+/// The kind of a material; the materials of a family share everything but the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Furniture wood and floor boards.
@@ -30,7 +29,7 @@ pub enum Family {
     Plastic,
     /// Clear or tinted glass.
     Glass,
-    /// A looking glass.
+    /// A mirror.
     Mirror,
     /// Paper and card.
     Paper,
@@ -42,15 +41,15 @@ pub enum Family {
     Rubber,
     /// A liquid.
     Liquid,
-    /// What shines when its object is on.
+    /// A surface that emits light while its object is on.
     Glow,
-    /// A small light or a reading, seen when its object is on: it lights nothing.
+    /// A small lamp or a display, visible while its object is on; it does not light its surroundings.
     Indicator,
-    /// Parts of a screen, which show their colour when their object is on, and are black when it is off.
+    /// Parts of a screen, which show their colour while their object is on, and are black when it is off.
     Screen,
 }
 
-/// Colour of screens that are off.
+/// The colour of screens that are off.
 const OFF: u32 = 0x0b0c0f;
 
 /// Density, friction, restitution, roughness, metallic, transmission.
@@ -76,12 +75,12 @@ const fn physics(family: Family) -> [f32; 6] {
 
 macro_rules! materials {
     ($($name:ident $text:literal $family:ident $colour:literal;)*) => {
-        /// Gives every material its number.
+        /// Gives every material its index.
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name),* }
         $(#[doc = concat!("The material `", $text, "`.")]
         pub const $name: Mat = Mat(Number::$name as u32);)*
-        /// Name, family and sRGB colour of every material.
+        /// The name, family and sRGB colour of every material.
         pub const ALL: &[(&str, Family, u32)] = &[$(($text, Family::$family, $colour)),*];
     };
 }
@@ -307,14 +306,14 @@ impl Mat {
     }
 }
 
-/// A library of all materials and no assets yet.
+/// A library of all materials, still without assets.
 ///
 /// Costs a copy of the table, a few microseconds.
 pub fn library() -> AssetLibrary {
     static LIBRARY: LazyLock<AssetLibrary> = LazyLock::new(|| {
         let mut library = AssetLibrary::default();
         for (name, family, colour) in ALL {
-            // A test adds them one by one and shows what is wrong.
+            // A test adds them one by one and reports errors.
             let _ = library.add_material(material(name, *family, *colour));
         }
         library
@@ -322,11 +321,11 @@ pub fn library() -> AssetLibrary {
     LIBRARY.clone()
 }
 
-/// Adds the [table](library)'s materials to a library, unless it begins with them, and returns the
-/// position of the first one: a material's position in the library is that plus its position in the table.
+/// Adds the materials of the [table](library) to a library, unless it begins with them, and returns the
+/// index of the first one: a material's index in the library is that plus its index in the table.
 ///
 /// # Errors
-/// [`AssetError`] if the library refuses a material; it takes all of the table.
+/// [`AssetError`] if the library refuses a material; it accepts all of the table.
 pub fn join(library: &mut AssetLibrary) -> Result<u32, AssetError> {
     let own = self::library();
     let all = |of: &AssetLibrary| (0..).map_while(|i| of.material(i)).cloned().collect::<Vec<Material>>();

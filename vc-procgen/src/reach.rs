@@ -1,36 +1,35 @@
-//! Where a person can stand: a disc of 25 cm slides over the floor, from the front
-//! door on.
+//! Reachability: a person, as a disc of 25 cm radius, moves over the floor from the front door on.
 
 use crate::apartment::Apartment;
 use crate::bits::{Bits, ceiling, floor};
 use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
-/// Radius of a person, cells.
+/// The radius of a person, in cells.
 pub(crate) const BODY: usize = 5;
-/// A person's height, metres: what hangs above does not hinder.
+/// A person's height, metres: objects that hang above it are no obstacle.
 const HEIGHT: f32 = 1.7;
-/// What one steps over, metres.
+/// The height of objects that a person steps over, metres.
 const STEP: f32 = 0.03;
-/// How far a person reaches from where they stand, cells: a metre, less what things
-/// are rounded up by.
+/// The distance that a person can reach, in cells: a metre, less the rounding of the objects'
+/// sizes.
 pub(crate) const ARM: usize = 19;
-/// Cells around the plan.
+/// The margin around the plan, in cells.
 const MARGIN: i32 = 10;
 
-/// Where a person can stand, and what they can reach from there.
+/// The positions where a person can stand, for tests of what is within reach.
 #[derive(Debug, Clone)]
 pub(crate) struct Reach {
     west: i32,
     south: i32,
     standing: Bits,
-    /// For each room where one stands within it or in its doorways.
+    /// For each room the standing positions within it or in its doorways.
     within: Vec<Bits>,
 }
 
 impl Apartment {
-    /// Floor that a person of 0.25 m radius and 1.7 m height gets to from the front
-    /// door, square metres: the places of their middle.
+    /// The floor area that a person of 0.25 m radius and 1.7 m height can reach from the front
+    /// door, square metres: the positions of the disc's centre.
     ///
     /// Costs some tens of microseconds.
     pub fn standing_area(&self) -> f32 {
@@ -39,9 +38,9 @@ impl Apartment {
 }
 
 impl Reach {
-    /// Floods the floor from the front door.
+    /// Flood-fills the floor from the front door.
     ///
-    /// Costs some tens of microseconds for a home: discs are grown a word at a time.
+    /// Costs some tens of microseconds for a home: the obstacles are dilated a word at a time.
     pub(crate) fn of(plan: &Plan, items: &[Item]) -> Self {
         let hull = plan.hull().grown(MARGIN);
         let (west, south) = (hull.x0, hull.y0);
@@ -54,7 +53,7 @@ impl Reach {
             fill(&doorway(plan, opening), true);
         }
         boards(plan).for_each(|(_, board)| fill(&board, false));
-        // Walls are what is no floor, and doors are opened.
+        // Cells without floor are walls, and doors count as open.
         for item in items.iter().filter(|i| i.rest != Rest::Built) {
             let (low, high) = item.corners();
             if is_in_the_way((low.z, high.z)) {
@@ -87,8 +86,7 @@ impl Reach {
             .any(|r| self.standing.any((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south)))
     }
 
-    /// Whether a person in a room, or in one of its doorways, reaches some point of a
-    /// rectangle.
+    /// Whether a person in a room, or in one of its doorways, can reach some point of a rectangle.
     pub(crate) fn touches(&self, room: usize, area: &Area) -> bool {
         let r = outward(area);
         let (x, y) = ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south));
@@ -96,7 +94,7 @@ impl Reach {
     }
 }
 
-/// The floor within a wall that a way leads over.
+/// The floor within the wall in an opening.
 pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
     let outer = |room: Option<usize>| room.is_none_or(|r| plan.rooms[r].kind == RoomKind::Balcony);
     let low = if outer(opening.low) { plan.shell } else { 1 };
@@ -104,14 +102,14 @@ pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
     opening.across(opening.at - low, opening.at + high)
 }
 
-/// Where the boards of window sills stand out into their rooms, by room.
+/// The areas where window sills protrude into their rooms, by room.
 pub(crate) fn boards(plan: &Plan) -> impl Iterator<Item = (usize, Rect)> {
     const DEPTH: i32 = 2;
     let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < HEIGHT);
     windows.filter_map(|o| o.high.or(o.low).map(|room| (room, o.before(o.high.is_some(), DEPTH))))
 }
 
-/// Whether somebody walking meets a thing that reaches from one height to another.
+/// Whether an object between two heights is an obstacle for a walking person.
 pub(crate) fn is_in_the_way((low, high): (f32, f32)) -> bool {
     low < HEIGHT && high > STEP
 }

@@ -1,4 +1,4 @@
-//! From an apartment to the scene graph.
+//! Conversion of an apartment to a scene graph.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -15,8 +15,8 @@ use crate::object::Object;
 use crate::plan::{Rect, metres};
 
 impl Apartment {
-    /// The apartment as a scene: rooms first, then items in their order, with poses,
-    /// boxes, assets, states and the relations in room, on, inside and between.
+    /// The apartment as a scene graph: rooms first, then the items in their order, with poses,
+    /// bounding boxes, assets, states, and the relations in room, on, inside and between.
     ///
     /// Costs some hundred microseconds.
     ///
@@ -31,7 +31,7 @@ impl Apartment {
     /// ```
     pub fn scene(&self) -> SceneGraph {
         let mut builder = SceneBuilder::new(format!("apartment_{}", self.seed.0));
-        // Fresh numbers and known ends leave nothing that could be refused.
+        // New identifiers and existing endpoints leave no reason for an error.
         let _ = self.fill(&mut builder);
         builder.build()
     }
@@ -100,8 +100,8 @@ impl Apartment {
 fn draft(item: &Item, asset: AssetId) -> Draft {
     let mut draft = Draft::new(item.object.class).at(item.pose).bounds(item.object.bounds);
     draft.asset = Some(asset);
-    // What holds things is closed where it has doors or a lid, which would hit what is
-    // above, and shelves without are open: whatever their class starts as.
+    // Storage with doors or a lid starts closed, because an open one would collide with objects
+    // above it; shelves without doors are open, whatever the initial state of their class.
     let doors = item.object.asset.parts.iter().any(|p| p.joint.is_some());
     let holds = item.object.asset.surfaces.iter().any(|s| s.hold == Hold::Inside);
     let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");

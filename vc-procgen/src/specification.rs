@@ -1,9 +1,9 @@
-//! What a user may wish for.
+//! The specification of an apartment.
 
 use crate::Style;
 use crate::error::Impossible;
 
-/// Wishes for an apartment; what is not wished for is drawn from the seed.
+/// Requirements of an apartment; anything not specified is drawn from the seed.
 ///
 /// ```
 /// use vc_procgen::Specification;
@@ -30,9 +30,9 @@ pub struct Specification {
     pub balconies: Option<usize>,
     /// Net area of all rooms but balconies, square metres, 15 to 400.
     pub area: Option<f32>,
-    /// The look.
+    /// The style.
     pub style: Option<Style>,
-    /// How many small things lie about, 0 (tidy and bare) to 1; 0.6 if not wished.
+    /// The amount of clutter, 0 (tidy and bare) to 1; 0.6 by default.
     pub clutter: Option<f32>,
 }
 
@@ -42,15 +42,15 @@ impl Specification {
         Self { bedrooms: Some(0), ..Self::default() }
     }
 
-    /// An apartment with so many bedrooms.
+    /// An apartment with the given number of bedrooms.
     pub fn with_bedrooms(bedrooms: usize) -> Self {
         Self { bedrooms: Some(bedrooms), ..Self::default() }
     }
 
-    /// Whether every figure is within its range.
+    /// Checks that every number is within its range.
     ///
     /// # Errors
-    /// [`Impossible::OutOfRange`] names the figure.
+    /// [`Impossible::OutOfRange`] names the number.
     pub fn check(&self) -> Result<(), Impossible> {
         let count = |what, value: Option<usize>, low, high| range(what, value.map(|v| v as f32), low, high);
         count("bedrooms", self.bedrooms, 0.0, 6.0)?;
@@ -64,7 +64,7 @@ impl Specification {
 
 fn range(what: &'static str, value: Option<f32>, low: f32, high: f32) -> Result<(), Impossible> {
     match value {
-        // Written so that NaN fails too.
+        // Written so that NaN is an error, too.
         Some(value) if !(value >= low && value <= high) => Err(Impossible::OutOfRange { what, value, low, high }),
         _ => Ok(()),
     }

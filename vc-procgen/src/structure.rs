@@ -12,14 +12,14 @@ use crate::object::{self, Object, Solids};
 use crate::plan::{Opening, OpeningKind, Plan, Rect, RoomKind, metres};
 use crate::reach::doorway;
 
-/// Thickness of floors and ceilings, metres.
+/// The thickness of floors and ceilings, metres.
 const SLAB: f32 = 0.2;
-/// Height and thickness of skirting boards, metres.
+/// The height and thickness of skirting boards, metres.
 const SKIRTING: (f32, f32) = (0.07, 0.012);
-/// Width of the casing around a door, metres.
+/// The width of the casing around a door, metres.
 const CASING: f32 = 0.06;
 
-/// Everything of the building, in the order walls, floors, ceilings, doors, windows.
+/// All items of the building, in the order walls, floors, ceilings, doors, windows.
 pub(crate) fn build(plan: &Plan, style: &Style, seed: Seed) -> Vec<Item> {
     let looks = Looks::new(plan, style, seed);
     let mut items = walls(plan, &looks);
@@ -30,7 +30,7 @@ pub(crate) fn build(plan: &Plan, style: &Style, seed: Seed) -> Vec<Item> {
     items
 }
 
-/// Materials of walls and floors by room.
+/// The materials of walls and floors by room.
 struct Looks {
     walls: Vec<Mat>,
     floors: Vec<Mat>,
@@ -61,16 +61,16 @@ impl Looks {
     }
 }
 
-/// A straight piece of wall: a rectangle and whose it is.
+/// A rectangular piece of wall and its owner.
 struct Piece {
     rect: Rect,
-    /// The room whose side of the wall it is; outside pieces name their neighbour.
+    /// The room whose side of the wall it is; for an outer piece, the adjacent room.
     room: usize,
     outside: bool,
 }
 
-/// Walls room by room: the ring between a room's gross and net area belongs to the
-/// room, what is outside all rooms to the building.
+/// The walls room by room: the ring between a room's gross and net area belongs to the room, the
+/// wall outside all rooms to the building.
 fn walls(plan: &Plan, looks: &Looks) -> Vec<Item> {
     let pieces = pieces(plan);
     let mut skirtings = skirtings(plan);
@@ -119,7 +119,7 @@ fn touches(board: &[f32; 6], rect: &Rect) -> bool {
     x > metres(rect.x0) - near && x < metres(rect.x1) + near && y > metres(rect.y0) - near && y < metres(rect.y1) + near
 }
 
-/// A rectangle of wall from floor to ceiling, less the openings in it.
+/// A rectangle of wall from floor to ceiling, minus the openings in it.
 fn cut(plan: &Plan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: Mat) {
     if rect.is_empty() {
         return;
@@ -145,7 +145,7 @@ fn cut(plan: &Plan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: 
     sides.into_iter().for_each(|side| cut(plan, side, rest, solids, mat));
 }
 
-/// All wall as rectangles, by a sweep over the coordinates at which it can change.
+/// Decomposes all walls into rectangles, by a sweep over the coordinates at which they can change.
 fn pieces(plan: &Plan) -> Vec<Piece> {
     let inner: Vec<&crate::plan::Room> = plan.rooms.iter().collect();
     let nets: Vec<Vec<Rect>> = inner.iter().map(|r| r.net()).collect();
@@ -171,7 +171,7 @@ fn pieces(plan: &Plan) -> Vec<Piece> {
         if nets[room].iter().any(home) {
             return None;
         }
-        // A balcony's edge at the house is the house's wall.
+        // The edge of a balcony at the house is the house's wall.
         let house = if inner[room].kind == RoomKind::Balcony { near() } else { None };
         Some(house.map_or((room, false), |house| (house, true)))
     };
@@ -183,7 +183,7 @@ fn pieces(plan: &Plan) -> Vec<Piece> {
     merge(&grid, &xs, &ys)
 }
 
-/// Joins equal neighbours to rectangles, rows first.
+/// Merges equal neighbouring cells into rectangles, rows first.
 fn merge(grid: &[Option<(usize, bool)>], xs: &[i32], ys: &[i32]) -> Vec<Piece> {
     let columns = xs.len() - 1;
     let mut done = vec![false; grid.len()];
@@ -213,7 +213,7 @@ fn merge(grid: &[Option<(usize, bool)>], xs: &[i32], ys: &[i32]) -> Vec<Piece> {
     pieces
 }
 
-/// Skirting boards of all rooms, as boxes, with their rooms.
+/// The skirting boards of all rooms, as boxes, with their rooms.
 fn skirtings(plan: &Plan) -> Vec<([f32; 6], usize)> {
     let mut boards = Vec::new();
     for (index, room) in plan.rooms.iter().enumerate().filter(|(_, r)| r.kind != RoomKind::Balcony && !r.kind.is_wet())
@@ -231,7 +231,7 @@ fn skirtings(plan: &Plan) -> Vec<([f32; 6], usize)> {
                 .collect();
             gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
             gaps.push((to, to));
-            // Boards along Y make room at the corners for those along X.
+            // At the corners, boards along Y leave space for those along X.
             let trim = if edge.vertical { SKIRTING.1 } else { 0.0 };
             from += trim;
             for (low, high) in gaps {
@@ -255,7 +255,7 @@ fn board(edge: &crate::plan::Edge, from: f32, to: f32) -> [f32; 6] {
     }
 }
 
-/// A room's floor, with the sills of its outer doors.
+/// A room's floor, with the thresholds of its outer doors.
 fn floor(plan: &Plan, room: usize, looks: &Looks) -> Item {
     let mut solids = Solids::new("floor");
     let own = &plan.rooms[room];
@@ -264,7 +264,7 @@ fn floor(plan: &Plan, room: usize, looks: &Looks) -> Item {
         let outer = plan.openings.iter().filter(|o| o.is_way() && o.touches(room));
         for way in outer.filter(|o| o.low.is_none() || o.high.is_none() || o.kind == OpeningKind::BalconyDoor) {
             let sill = doorway(plan, way);
-            // The part within the outer wall; the room's own floor reaches the wall's middle.
+            // The part within the outer wall; the room's own floor reaches the wall's centre line.
             let out = if way.vertical {
                 if way.low == Some(room) { Rect { x0: way.at, ..sill } } else { Rect { x1: way.at, ..sill } }
             } else if way.low == Some(room) {
@@ -294,7 +294,7 @@ fn shorter(rect: Rect, way: &Opening, room: usize) -> Rect {
     }
 }
 
-/// A room without rectangles has no floor to speak of: an empty one.
+/// A placeholder for a room without rectangles: an empty floor.
 fn unreachable_floor(room: usize) -> Item {
     let object = Object {
         class: "floor",
@@ -329,7 +329,7 @@ impl Solids {
     }
 }
 
-/// A door or window in its hole.
+/// A door or window in its opening.
 fn opening(plan: &Plan, opening: &Opening, style: &Style, seed: Seed) -> Option<Item> {
     let class = match opening.kind {
         OpeningKind::Entrance => "main_door",
@@ -350,8 +350,8 @@ fn opening(plan: &Plan, opening: &Opening, style: &Style, seed: Seed) -> Option<
         (true, false) => Facing(2),
         (false, false) => Facing(3),
     };
-    // Made with the hinge on its left, which is at the higher coordinate when it
-    // looks along X, and at the lower when along Y.
+    // It is generated with the hinge on its left, which is at the higher coordinate when it faces
+    // along X, and at the lower one when it faces along Y.
     let hinge_high = matches!(facing.0, 0 | 3);
     if hinge_high == opening.hinge_low {
         made = made.mirrored();

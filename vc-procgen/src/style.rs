@@ -1,15 +1,15 @@
-//! The look that a home keeps: which material plays which part.
+//! The style of a home: the material for each purpose.
 
 use vc_graph::Seed;
 
 use crate::material::*;
 
-/// Materials by the part they play; one style dresses a whole home.
+/// The materials by purpose; one style applies to a whole home.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// Wood of tables, chairs, shelves.
     pub wood: Mat,
-    /// A second wood or lacquer that goes with it: cabinets, wardrobes.
+    /// A second, matching wood or lacquer: cabinets, wardrobes.
     pub cabinet: Mat,
     /// Fronts of kitchen units.
     pub front: Mat,
@@ -47,7 +47,7 @@ pub struct Style {
     pub tile: Mat,
 }
 
-/// Woods that go together, and the lacquer and cloth that go with them.
+/// Matching woods, lacquers and cloths.
 struct Palette {
     woods: &'static [Mat],
     cabinets: &'static [Mat],
@@ -106,7 +106,7 @@ const PALETTES: [Palette; 5] = [
 ];
 
 impl Style {
-    /// The style of a seed: one of five palettes, and a choice within it.
+    /// Draws a style from a seed: one of five palettes, and materials within it.
     pub fn from_seed(seed: Seed) -> Self {
         let mut rng = seed.child("style").stream();
         let palette = &PALETTES[rng.below(PALETTES.len())];

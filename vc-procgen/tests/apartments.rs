@@ -1,8 +1,7 @@
-//! Apartments over many seeds, looked at by a checker that shares nothing with the
-//! generator.
+//! Apartments of many seeds, tested by a checker that shares nothing with the generator.
 //!
-//! All violations are printed, by classes. `VC_SEEDS=1000` looks at so many seeds,
-//! `VC_FIRST_SEED=500` at those from there on.
+//! All violations are printed, by classes. `VC_SEEDS=1000` tests that many seeds, `VC_FIRST_SEED=500` those
+//! from there on.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -18,10 +17,10 @@ use vc_graph::{ClassTable, Node, SceneGraph, Seed};
 use vc_procgen::plan::RoomKind;
 use vc_procgen::{Apartment, Impossible, Specification};
 
-/// How many seeds are looked at where nobody says.
+/// The default number of seeds tested.
 const SEEDS: u64 = 40;
 
-/// What is wrong with all apartments looked at, by seed.
+/// The violations of all tested apartments, by seed.
 static FINDINGS: LazyLock<Vec<Finding>> = LazyLock::new(all);
 
 fn number(variable: &str, usual: u64) -> u64 {
@@ -97,7 +96,7 @@ fn rooms_have_what_makes_them_one() {
     holds(&[Rule::Incomplete, Rule::Passage]);
 }
 
-/// Rooms that want a window and how many of them have one, over all seeds.
+/// The rooms that should have a window, and those that do, over all seeds.
 #[test]
 fn bedrooms_and_living_rooms_have_windows() {
     let first = number("VC_FIRST_SEED", 0);
@@ -112,7 +111,7 @@ fn bedrooms_and_living_rooms_have_windows() {
     assert!(dark.len() * 100 <= rooms, "{} of {rooms} have no window:\n{}", dark.len(), dark.join("\n"));
 }
 
-/// Bedrooms and living rooms: how many there are, and those without a window.
+/// The number of bedrooms and living rooms, and those without a window.
 fn windows(home: &Apartment) -> (usize, Vec<String>) {
     let scene = home.scene();
     let lit = |room| scene.in_room(room).any(|id| matches!(&*scene.label(id).class, "window" | "balcony_door"));
@@ -126,7 +125,7 @@ fn written(seed: u64) -> String {
     native::write(&Apartment::from_seed(Seed(seed)).unwrap().scene())
 }
 
-/// Many seeds on so many threads, taken in an order of their own.
+/// Generates many seeds on a number of threads, in a given order.
 fn written_on(threads: usize, order: &[u64]) -> Vec<(u64, String)> {
     let next = AtomicUsize::new(0);
     let work = || {
@@ -185,7 +184,8 @@ fn the_thesis_format_keeps_classes_and_poses() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Nodes of another class, turned, or with their box elsewhere: the format's locations are those of its base.
+/// Nodes with another class, rotated, or with their box elsewhere: the format's locations are those of its
+/// base.
 fn changed(scene: &SceneGraph, read: &SceneGraph) -> Vec<String> {
     let off = |a: &Node, b: &Node| {
         let shift = match a.aabb().zip(b.aabb()) {
@@ -203,7 +203,7 @@ fn changed(scene: &SceneGraph, read: &SceneGraph) -> Vec<String> {
     scene.nodes().filter_map(differs).collect()
 }
 
-/// What a home has of what was wished for.
+/// The requirements of a specification that a home does not fulfil.
 fn unmet(wish: &Specification, home: &Apartment) -> Vec<String> {
     let count = |is: &dyn Fn(RoomKind) -> bool| home.plan.rooms.iter().filter(|r| is(r.kind)).count();
     let number = |what: &str, wished: Option<usize>, has: usize| {
@@ -254,7 +254,7 @@ fn wishes() -> impl Strategy<Value = Specification> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever is wished for: that, or a reason that can be read.
+    /// Any specification is fulfilled or refused with a readable reason.
     #[test]
     fn any_wish_is_met_or_refused(wish in wishes(), seed in any::<u64>()) {
         match Apartment::generate(&wish, Seed(seed)) {
@@ -268,7 +268,7 @@ proptest! {
     }
 }
 
-/// A wish that cannot be met, and words that its refusal must have.
+/// Specifications that cannot be fulfilled, and words that each refusal must contain.
 fn impossible() -> Vec<(Specification, &'static [&'static str])> {
     let of = |bedrooms, area| Specification { bedrooms, area, ..Specification::default() };
     let bathrooms = |n| Specification { bathrooms: Some(n), ..Specification::with_bedrooms(1) };

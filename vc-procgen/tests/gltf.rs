@@ -1,4 +1,4 @@
-//! glTF both ways: what is written reads back, and nothing read causes a panic.
+//! Writing and reading glTF: files that are written read back, and no input causes a panic.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -54,7 +54,7 @@ fn shapes() -> Vec<Shape> {
     ]
 }
 
-/// Every shape, two links, three surfaces; its base is centred on the origin.
+/// Every shape, two links, three surfaces; the base is centred on the origin.
 fn cabinet() -> Asset {
     let hinge =
         Joint { kind: JointKind::Hinge, anchor: Point3::new(0.5, -0.5, 0.2), axis: Vector3::z(), limits: (0.0, 1.6) };
@@ -208,7 +208,7 @@ fn document(file: &[u8]) -> Value {
     serde_json::from_slice(&file[20..20 + length]).unwrap()
 }
 
-/// The file with its JSON changed.
+/// The file with its JSON edited.
 fn edited(file: &[u8], edit: impl FnOnce(&mut Value)) -> Vec<u8> {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let mut document = document(file);
@@ -222,7 +222,7 @@ fn edited(file: &[u8], edit: impl FnOnce(&mut Value)) -> Vec<u8> {
     out
 }
 
-/// The last node is the one that turns all others.
+/// The last node is the root, which rotates all others.
 fn root(document: &mut Value) -> &mut Value {
     document["nodes"].as_array_mut().unwrap().last_mut().unwrap()
 }
@@ -262,7 +262,7 @@ fn what_is_wrong_is_said() {
     assert_eq!(gltf::asset(&cabinet(), &AssetLibrary::default()), Err(GltfError::NoSuchMaterial(0)));
 }
 
-/// Triangles with positions of any value.
+/// Triangles with arbitrary positions.
 fn soup(positions: &[[f32; 3]]) -> Vec<u8> {
     let bytes: Vec<u8> = positions.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
     let accessor = json!([{"bufferView": 0, "componentType": 5126, "count": positions.len(), "type": "VEC3"}]);
@@ -281,7 +281,7 @@ fn container(json: Value, bytes: &[u8]) -> Vec<u8> {
     file
 }
 
-/// The triangles of files, by name; the first one is plain, the others come out the same.
+/// The triangles of files, by name; the first file is plain, the others must give the same.
 macro_rules! files {
     ($($name:literal),*) => { [$(($name, &include_bytes!(concat!("data/gltf/", $name))[..])),*] };
 }
@@ -320,7 +320,7 @@ fn vertices_may_be_sparse_or_quantised() {
     let own = gltf::read(&soup(&corners), &plain()).unwrap();
     let shape = |file: &[u8]| gltf::read(file, &plain()).map(|m| m.asset.parts[0].shape.clone());
     let same = |file: &[u8]| assert_eq!(shape(file).unwrap(), own.asset.parts[0].shape);
-    // Zeros, of which the second and third are replaced: by the first two of these.
+    // Zeros, the second and third of which are replaced by the first two of these.
     let mut bytes: Vec<u8> = corners[1..].as_flattened().iter().flat_map(|v| v.to_le_bytes()).collect();
     bytes.extend([1, 0, 2, 0]);
     let sparse = json!({
@@ -331,7 +331,7 @@ fn vertices_may_be_sparse_or_quantised() {
     let views = json!([{"buffer": 0, "byteLength": 24}, {"buffer": 0, "byteOffset": 24, "byteLength": 4}]);
     let accessor = json!([{"componentType": 5126, "count": 3, "type": "VEC3", "sparse": sparse}]);
     same(&triangles(&accessor, &views, &bytes));
-    // Shares of the greatest number of their type, each vertex in four bytes.
+    // Fractions of their type's maximum, each vertex in four bytes.
     let (view, quantised) = (json!([{"buffer": 0, "byteLength": 12, "byteStride": 4}]), [0_i8, 127, -128]);
     let [zero, one, less] = quantised.map(|v| v as u8);
     let bytes = [zero, zero, zero, 0, one, zero, zero, 0, zero, less, zero, 0];
@@ -401,7 +401,7 @@ proptest! {
 
 #[test]
 fn triangles_of_which_voxels_have_no_hull_get_one_piece() {
-    // Found by the test above: of voxels between these parry3d 0.31 finds no hull.
+    // Found by the test above: for voxels between these points parry3d 0.31 finds no hull.
     let positions = [
         [0.0, 1e-30, 1.0],
         [0.892077, 1.0, 1e-30],

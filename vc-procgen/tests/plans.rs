@@ -1,4 +1,4 @@
-//! Floor plans alone, and what no machine may change.
+//! Floor plans, and digests that must be the same on every machine.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -6,8 +6,8 @@ use vc_graph::Seed;
 use vc_procgen::plan::{OpeningKind, Plan, Rect, Room, RoomKind, Scheme};
 use vc_procgen::{Apartment, Specification};
 
-/// Digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every
-/// machine; who changes what is generated puts the new ones here.
+/// The digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every machine; a
+/// change of the generated content must update them.
 const DIGESTS: [&str; 4] = ["8ddc615364341bf4", "b5d2fe0999a842a7", "cd9c2432839f5efc", "30350635c337181e"];
 
 #[test]

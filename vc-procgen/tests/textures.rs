@@ -1,4 +1,4 @@
-//! glTF with pictures: written pictures read back, and those that cannot be read are left out and named.
+//! glTF with images: written images read back, and unreadable ones are left out and reported.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -13,7 +13,7 @@ use vc_procgen::gltf::{self, Imported, Options};
 
 const JPEG: &[u8] = include_bytes!("data/four.jpg");
 
-/// Corners of two triangles in a picture; they share an edge of the mesh but not of the picture.
+/// Texture coordinates of two triangles; the triangles share an edge of the mesh but not of the image.
 const UVS: [[[f32; 2]; 3]; 2] = [[[0.0, 1.0], [0.5, 1.0], [0.5, 0.0]], [[0.25, 0.0], [0.75, 1.0], [1.5, -0.5]]];
 
 fn plain() -> Options {
@@ -25,10 +25,10 @@ fn picture() -> Texture {
     Texture { name: "label".into(), width: 7, height: 5, pixels }
 }
 
-/// A square with a picture, and a ball of the same material.
+/// A square with an image, and a ball of the same material.
 fn sign() -> (Asset, AssetLibrary) {
     let mut library = AssetLibrary::default();
-    // Another one, so that numbers are not all zero.
+    // Another texture, so that indices are not all zero.
     library.add_texture(Arc::new(Texture { name: "other".into(), ..picture() })).unwrap();
     let texture = library.add_texture(Arc::new(picture())).unwrap();
     let material = Material {
@@ -51,7 +51,7 @@ fn sign() -> (Asset, AssetLibrary) {
     (Asset { name: "sign".into(), parts, ..Asset::default() }, library)
 }
 
-/// The same, of a material that glows by its picture.
+/// The same, with a material whose emission uses the image.
 fn screen() -> Vec<u8> {
     let (asset, mut library) = sign();
     let glowing = Material { emission: [40.0, 20.0, 10.0], ..library.material(0).unwrap().clone() };
@@ -65,7 +65,7 @@ fn written() -> Vec<u8> {
     gltf::asset(&asset, &library).unwrap()
 }
 
-/// Corners of the triangles that have a picture, with their places in it.
+/// The corners of the triangles that have an image, with their texture coordinates.
 fn corners(asset: &Asset) -> Vec<([f32; 3], [f32; 2])> {
     let mut all = Vec::new();
     for part in &asset.parts {
@@ -82,7 +82,8 @@ fn chunk(kind: &[u8; 4], mut content: Vec<u8>) -> Vec<u8> {
     [&(content.len() as u32).to_le_bytes()[..], kind, &content].concat()
 }
 
-/// The file with its JSON changed and its first picture put in place of the last one in the bytes.
+/// The file with its JSON edited and its first image, the last of its binary data, replaced by
+/// `picture`.
 fn edited(picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Vec<u8> {
     changed(&written(), picture, edit)
 }
@@ -114,7 +115,7 @@ fn pictures_read_back() {
     let model = gltf::read(&written(), &plain()).unwrap();
     assert_eq!(model.textures, [library.texture(1).unwrap().clone()]);
     assert_eq!(corners(&model.asset), corners(&asset));
-    // The square shares its vertices again, whatever the picture does there.
+    // The square shares its vertices again, whatever its texture coordinates.
     let squares = model.asset.parts.iter().filter_map(|p| match &p.shape {
         Shape::Mesh { vertices, uvs, .. } if !uvs.is_empty() => Some(vertices.len()),
         _ => None,
@@ -124,7 +125,7 @@ fn pictures_read_back() {
     let id = model.add_to(&mut mine).unwrap();
     let material = mine.get(id).unwrap().parts.iter().find_map(|p| mine.material(p.material)?.texture);
     assert_eq!(mine.texture(material.unwrap()).map(|t| &**t), Some(&picture()));
-    // What has no coordinates is written without the picture, or no program could show it.
+    // A part without coordinates is written without the image, otherwise no program could show it.
     let text = String::from_utf8_lossy(&written()).into_owned();
     assert_eq!(text.matches("baseColorTexture").count(), 1);
     assert_eq!(text.matches("TEXCOORD_0").count(), 1);
@@ -144,7 +145,7 @@ fn pictures_that_glow_read_back() {
     let text = String::from_utf8_lossy(&file).into_owned();
     assert_eq!(text.matches("emissiveTexture").count(), 1, "what has no coordinates glows evenly");
     assert!(!String::from_utf8_lossy(&written()).contains("emissiveTexture"), "what does not glow has none");
-    // Other programs write screens without a colour of their own.
+    // Other programs write screens without a base colour.
     let alone = changed(&file, None, |d| {
         for material in d["materials"].as_array_mut().unwrap() {
             material["pbrMetallicRoughness"].as_object_mut().unwrap().remove("baseColorTexture");
@@ -196,7 +197,7 @@ fn coordinates_are_found_and_moved_as_the_file_says() {
     let wanted: Vec<[f32; 2]> = UVS.as_flattened().iter().map(|[u, v]| [2.0 * u + 0.5, 0.25 - v]).collect();
     let found: Vec<[f32; 2]> = corners(&moved.unwrap().asset).into_iter().map(|c| c.1).collect();
     assert_eq!(found, wanted);
-    // Coordinates that are not there are no reason to refuse the model.
+    // Missing coordinates are no reason to refuse the model.
     let set = |d: &mut Value, number: u32| {
         for material in d["materials"].as_array_mut().unwrap() {
             if let Some(texture) = material["pbrMetallicRoughness"].get_mut("baseColorTexture") {

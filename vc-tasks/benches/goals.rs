@@ -1,11 +1,11 @@
-//! Goals: compiling, judging, scoring, and following one change.
+//! Goals: compiling, evaluating, scoring, and tracking one change.
 //!
-//! Python's figures are those of the `bddl` package, 3.6.0, on one thread of the same
-//! kind of machine, for its 1,016 goals: compile 45 ms (114 with its ways), evaluate
-//! once 14.9 ms, partial credit 29 ms (inexact, after 251 ms to prepare).
+//! The times of Python are those of the `bddl` package, 3.6.0, on one thread of the same kind of
+//! machine, for its 1,016 goals: compile 45 ms (114 with its ways), evaluate once 14.9 ms, partial
+//! credit 29 ms (inexact, after 251 ms to prepare).
 //!
-//! `VC_BDDL=FOLDER cargo bench -p vc-tasks --bench goals` measures those goals as
-//! well, in their initial states, where the folder holds the unpacked package.
+//! `VC_BDDL=FOLDER cargo bench -p vc-tasks --bench goals` also measures those goals in their
+//! initial states, where the folder holds the unpacked package.
 
 #[path = "support/activities.rs"]
 mod activities;
@@ -20,7 +20,7 @@ use vc_tasks::compile::{Bits, Compiler, Program, Tracker};
 use vc_tasks::format::bddl::{Activity, Facts, Objects};
 use vc_tasks::score::Scorer;
 
-/// A table with things on it, some of them where they belong.
+/// A table with objects on it, some of them in their goal places.
 fn scene() -> SceneGraph {
     let mut scene = SceneBuilder::new("table");
     let build = |scene: &mut SceneBuilder| -> Result<(), vc_graph::EditError> {
@@ -39,7 +39,7 @@ fn scene() -> SceneGraph {
     scene.build()
 }
 
-/// Goals of the forms that BDDL's have, about as many and as large.
+/// Goals of the same forms as those of BDDL, about as many and as large.
 fn generated() -> Vec<Goal> {
     let forms = [
         "forall ?x: A. On(?x, kitchen_table.2)",
@@ -59,7 +59,7 @@ fn generated() -> Vec<Goal> {
     (0..1016).map(|n| with(n).expect("the forms are goals")).collect()
 }
 
-/// A set of goals with the things they are about, and the atoms that are true.
+/// A set of compiled goals with their states.
 struct Set {
     name: &'static str,
     programs: Vec<Arc<Program>>,

@@ -1,10 +1,10 @@
-//! Random states of BEHAVIOR's activities with our verdicts, as JSON Lines, for
-//! `peers/bddl_verdicts.py` to compare.
+//! Random states of BEHAVIOR's activities with our verdicts, as JSON Lines, for comparison by
+//! `peers/bddl_verdicts.py`.
 //!
-//! `cargo run --release -p vc-tasks --example bddl_verdicts -- FOLDER [STATES [SEED]]`
-//! prints for each activity under the folder so many lines (10): the file, the facts
-//! that hold of those the goal is about, and which parts of the goal are met,
-//! `marginal` as the reference implementation judges pairs and `matching` strictly.
+//! `cargo run --release -p vc-tasks --example bddl_verdicts -- FOLDER [STATES [SEED]]` prints for
+//! each activity under the folder a number of lines (10): the file, the facts of the goal that
+//! hold, and the conjuncts of the goal that are fulfilled, `marginal` with pairs evaluated as in
+//! the reference implementation and `matching` strictly.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -30,7 +30,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let matching = Facts::of(&activity, Pairing::Matching).map_err(located)?;
         for state in 0..states {
             let mut dice = Seed(seed).nth(number as u64).nth(state).stream();
-            // From states where nearly nothing holds to some where nearly all does.
+            // The probability rises from states where nearly nothing holds to states where nearly
+            // everything does.
             let often = (state + 1) as f32 / (states + 1) as f32;
             let holds: Vec<bool> = marginal.names().iter().map(|_| dice.unit() < often).collect();
             let met = |facts: &Facts| facts.heads(|i| holds.get(i).copied().unwrap_or(false));

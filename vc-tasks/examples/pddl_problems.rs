@@ -1,10 +1,10 @@
-//! Problems in PDDL for planners of others, and what their plans come to here.
+//! PDDL problems for external planners, and the results of their plans in our simulator.
 //!
-//! `cargo run --release -p vc-tasks --example pddl_problems -- write FOLDER [SCENE]`
-//! writes a folder with a domain and a problem for each of some everyday goals, in a
-//! small home or in the scene of a file. `peers/pddl_plans.py FOLDER` lets planners
-//! solve them. `... -- check FOLDER [SCENE]` reads every `*.plan` beside a problem
-//! back and carries it out: it counts if no step is refused and the goal holds.
+//! `cargo run --release -p vc-tasks --example pddl_problems -- write FOLDER [SCENE]` writes a
+//! folder with a domain and a problem for each of some everyday goals, in a small home or in the
+//! scene of a file. `peers/pddl_plans.py FOLDER` lets planners solve them. `... -- check FOLDER
+//! [SCENE]` reads every `*.plan` next to a problem back and executes it: a plan is valid if no step
+//! is refused and the goal holds.
 
 use std::error::Error;
 use std::fs;
@@ -15,7 +15,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{ClassTable, Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Simulator};
 use vc_tasks::format::pddl::{self, Keep};
 
-/// Goals of the small home.
+/// The goals in the small home.
 const GOALS: &[&str] = &[
     "Open(fridge)",
     "Holds(me, apple)",
@@ -105,7 +105,7 @@ fn check(graph: &SceneGraph, me: NodeId, goal: &Goal, folder: &Path) -> Result<(
     Ok(())
 }
 
-/// A kitchen and a living room with what the goals need.
+/// A kitchen and a living room with the objects that the goals need.
 fn home() -> Result<(SceneGraph, NodeId), Box<dyn Error>> {
     let mut scene = SceneBuilder::new("home");
     let kitchen = scene.add(Draft::new("kitchen"))?;

@@ -1,21 +1,19 @@
-//! Household tasks: what is to be done, whether it makes sense in a scene, and how
-//! it came out.
+//! Household tasks: their goals, whether a goal makes sense in a scene, and how well an attempt
+//! fulfilled it.
 //!
-//! A [`Task`] is a goal with a title and a limit of steps. [`Task::obstacles`] says
-//! why a goal cannot make sense in a scene before anybody tries, an [`Outcome`]
-//! says how an attempt ended, and [`household`] is a list of everyday tasks. A
-//! [`World`] is where they are done, symbolic or with bodies; a [`Trial`] does a task
-//! action by action, with observations and rewards. The [`library`] has the
-//! thesis's hundred tasks and the benchmark of 145, and [`initial`] makes a scene
-//! ready for one of them.
+//! A [`Task`] is a goal with a title and a step limit. [`Task::obstacles`] lists the reasons why a
+//! goal cannot make sense in a scene before any attempt, an [`Outcome`] says how an attempt ended,
+//! and [`household`] is a list of everyday tasks. A [`World`] is the environment in which tasks are
+//! executed, symbolic or with bodies; a [`Trial`] executes a task action by action, with
+//! observations and rewards. The [`library`] holds the thesis's hundred tasks and the benchmark of
+//! 145, and [`initial`] prepares a scene for one of them.
 //!
-//! [`compile`] makes a goal a flat program over the atoms that matter, kept up to
-//! date while a scene changes; [`score`] says how much of it holds, [`explain`] and
-//! [`first_held`] what is missing and since when the rest has held. [`report`] sums up
-//! many attempts.
+//! [`compile`] turns a goal into a flat program over the atoms that matter, kept up to date while a
+//! scene changes. [`score`] says how much of a goal holds, [`explain`] which parts are missing, and
+//! [`first_held`] since when the other parts have held. [`report`] summarises many attempts.
 //!
-//! [`mod@format`] reads and writes tasks of others: BDDL, PDDL, Watch-And-Help, EAI,
-//! ALFRED, the thesis. [`lint`] says what is wrong with a task.
+//! [`mod@format`] reads and writes the task formats of others: BDDL, PDDL, Watch-And-Help, EAI,
+//! ALFRED, the thesis. [`lint`] finds mistakes in a task.
 //!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder};

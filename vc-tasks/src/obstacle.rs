@@ -1,4 +1,4 @@
-//! Why a goal cannot make sense in a scene.
+//! The reasons why a goal cannot make sense in a scene.
 
 use std::fmt;
 
@@ -7,30 +7,30 @@ use vc_graph::{Node, Property, Relation, SceneGraph, State, did_you_mean};
 
 use crate::Task;
 
-/// Something that keeps a goal from making sense in a scene, whoever tries.
+/// A reason why a goal cannot be reached in a scene by any agent.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Obstacle {
-    /// There are too few things of a class.
+    /// The scene has too few objects of a class.
     TooFew {
         /// The part of the goal.
         part: String,
         /// The class.
         class: String,
-        /// How many it takes.
+        /// The number of objects needed.
         needs: usize,
-        /// How many there are.
+        /// The number of objects in the scene.
         has: usize,
         /// Classes of the scene that may have been meant, if the class table does not know the class.
         nearest: Vec<String>,
     },
-    /// There are things of the class, but too few that afford what is asked.
+    /// The scene has objects of the class, but too few with the affordance that is asked for.
     NotAfforded {
         /// The part of the goal.
         part: String,
         /// The class.
         class: String,
-        /// What they would have to be.
+        /// The affordance that they lack.
         must_be: &'static str,
     },
 }
@@ -50,8 +50,8 @@ impl fmt::Display for Obstacle {
 }
 
 impl Task {
-    /// Why the goal makes no sense in a scene; empty if it does. Looks at the
-    /// parts that must hold, not at negations; of alternatives one must do.
+    /// The reasons why the goal makes no sense in a scene; empty if it does make sense. Considers the
+    /// parts that must hold, but not negations; one alternative of a disjunction must be possible.
     pub fn obstacles(&self, graph: &SceneGraph) -> Vec<Obstacle> {
         obstacles(&self.goal, graph)
     }
@@ -98,7 +98,7 @@ fn look_at(part: &Goal, literal: &Literal, number: usize, graph: &SceneGraph, fo
 
 type Fits = fn(&Node) -> bool;
 
-/// What a predicate asks of the thing in a position.
+/// The affordance that a predicate demands of the object in a position.
 fn demand(predicate: Predicate, position: usize) -> (Fits, &'static str) {
     let any: (Fits, &'static str) = (|_| true, "");
     match (predicate, position) {

@@ -7,14 +7,14 @@ use vc_graph::{Goal, NodeId};
 
 use crate::World;
 
-/// Something to be done in a scene.
+/// A goal to be reached in a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Task {
-    /// What it is called, `set the table`.
+    /// The task's name, `set the table`.
     pub title: String,
-    /// What is to hold at the end.
+    /// The goal, which is to hold at the end.
     pub goal: Goal,
-    /// After how many actions an attempt is over.
+    /// The number of actions after which an attempt is over.
     #[serde(default = "default_limit")]
     pub step_limit: usize,
 }
@@ -38,23 +38,23 @@ pub enum Outcome {
     Lost,
     /// The step limit was reached first.
     TimedOut,
-    /// The agent's action was refused and it had no other.
+    /// The agent's action was refused, and the agent had no other.
     Aborted,
 }
 
-/// Where a list of tasks is wrong.
+/// A mistake in a list of tasks.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TaskError {
     /// A line is not `title: goal`.
     #[error("line {0}: a task is written `title: goal`")]
     NoTitle(usize),
-    /// A goal is not one.
+    /// A goal cannot be parsed.
     #[error("line {line}: {error}")]
     Goal {
         /// Line, counted from one.
         line: usize,
-        /// What is wrong with it.
+        /// The mistake in the goal.
         error: GoalError,
     },
 }
@@ -65,12 +65,13 @@ impl Task {
         Self { title: title.into(), goal, step_limit: STEP_LIMIT }
     }
 
-    /// Whether its goal holds for an agent in a world as it is: in the true scene, not in anybody's belief.
+    /// Whether the goal holds for an agent in the world's current state: in the true scene, not in
+    /// anybody's belief.
     pub fn holds(&self, world: &dyn World, agent: NodeId) -> bool {
         self.goal.holds(&Situation::new(world.graph(), agent, world.history()))
     }
 
-    /// How much of its goal holds, 0 to 1, for an agent: [`Goal::score`].
+    /// How much of the goal holds for an agent, 0 to 1: [`Goal::score`].
     pub fn score(&self, world: &dyn World, agent: NodeId) -> f64 {
         self.goal.score(&Situation::new(world.graph(), agent, world.history()))
     }
@@ -89,10 +90,10 @@ impl Task {
         Self::read_lines(text).collect()
     }
 
-    /// As [`Task::read_list`], but goes on after lines that are no task.
+    /// As [`Task::read_list`], but continues after lines that are not tasks.
     ///
     /// # Errors
-    /// Each line that is no task gives a [`TaskError`].
+    /// Each line that is not a task gives a [`TaskError`].
     pub fn read_lines(text: &str) -> impl Iterator<Item = Result<Self, TaskError>> + '_ {
         let lines = unmarked(text).lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
         let tasks = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));

@@ -1,15 +1,15 @@
-//! A task done action by action, by a program that asks for rewards.
+//! Executing a task action by action, for programs that ask for rewards.
 
 use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
 
 use crate::{Task, World, WorldError};
 
-/// An agent in a world with a task, action by action, as in reinforcement learning: each action gives an
-/// observation and a reward. Here the loop is the caller's; with `Policy` and `run_episode` of `vc-planner` the
-/// loop is theirs.
+/// An agent with a task in a world, action by action, as in reinforcement learning: each action returns
+/// an observation and a reward. The caller runs the loop; `Policy` and `run_episode` of `vc-planner` run it
+/// themselves.
 ///
-/// The reward of an action is the change of [`Task::score`], so the rewards of an episode that was won sum to the
-/// part of the goal that did not hold at first. Costs of actions and the like are the caller's to add.
+/// The reward of an action is the change of [`Task::score`], so the rewards of an episode that was won sum to
+/// the part of the goal that did not hold at first. Action costs and the like are left to the caller.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
@@ -53,26 +53,28 @@ pub struct Feedback {
     pub reward: f64,
     /// Whether the goal holds: the trial is over.
     pub terminated: bool,
-    /// Whether the task's limit of steps is reached and the goal does not hold: the trial is over.
+    /// Whether the task's step limit is reached without the goal holding: the trial is over.
     pub truncated: bool,
-    /// Why the action was not done, if so; it counts as a step, and nothing else has changed.
+    /// The reason why the action was refused or failed, if it was; it counts as a step. A refused action
+    /// changes nothing else.
     pub refused: Option<WorldError>,
 }
 
 impl<W: World> Trial<W> {
-    /// Begins a task in a world as it is; the agent sees the room it is in.
+    /// Begins a task in a world in its current state; the agent observes the room it is in.
     pub fn new(world: W, task: Task, agent: NodeId) -> Self {
         let (start, score) = (world.graph().clone(), task.score(&world, agent));
         Self { world, start, task, agent, scope: Scope::Room, score, steps: 0 }
     }
 
-    /// The same trial with another scope of what the agent sees.
+    /// Sets which part of the scene the agent observes.
     #[must_use]
     pub fn seeing(self, scope: Scope) -> Self {
         Self { scope, ..self }
     }
 
-    /// Lets the agent act. It may act after the end, too: the feedback is about the world as it is then.
+    /// Executes an action of the agent. Actions are accepted after the end, too; the feedback then describes
+    /// the world after them.
     pub fn step(&mut self, action: &Action) -> Feedback {
         let refused = self.world.step(self.agent, action).err();
         self.steps += 1;
@@ -82,7 +84,7 @@ impl<W: World> Trial<W> {
         Feedback { observation: self.observation(), reward: self.score - before, terminated, truncated, refused }
     }
 
-    /// Puts the world back to where the trial began, and gives the agent's view there.
+    /// Resets the world to the scene in which the trial began and returns the agent's first observation.
     ///
     /// # Errors
     /// As [`World::reset`]; then nothing has changed.
@@ -92,7 +94,7 @@ impl<W: World> Trial<W> {
         Ok(self.observation())
     }
 
-    /// The agent's view of the world as it is.
+    /// The agent's observation of the world's current state.
     pub fn observation(&self) -> Observation {
         self.world.graph().observe(self.agent, self.scope)
     }
@@ -102,12 +104,12 @@ impl<W: World> Trial<W> {
         self.score
     }
 
-    /// How many actions were done or tried.
+    /// The number of actions executed or attempted.
     pub fn steps(&self) -> usize {
         self.steps
     }
 
-    /// The world as it is.
+    /// The world.
     pub fn world(&self) -> &W {
         &self.world
     }

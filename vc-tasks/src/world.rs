@@ -1,4 +1,4 @@
-//! What tasks need of a place where things can be done.
+//! The interface that tasks need of an environment.
 
 use vc_graph::{Action, ChangeSet, History, NodeId, Refusal, SceneGraph, Simulator};
 
@@ -28,34 +28,34 @@ pub trait World {
     /// The scene as it is.
     fn graph(&self) -> &SceneGraph;
 
-    /// What has been done since the last reset.
+    /// The history of the actions executed since the last reset.
     fn history(&self) -> &History;
 
-    /// Lets an agent act.
+    /// Executes an agent's action.
     ///
     /// # Errors
-    /// [`WorldError::Refused`] with every reason why it cannot; then nothing has
-    /// changed. [`WorldError::Failed`] if the world went wrong in doing it.
+    /// [`WorldError::Refused`] with every reason why the agent cannot do it; [`WorldError::Failed`]
+    /// if executing it went wrong in the world. After a refusal nothing has changed.
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError>;
 
-    /// Puts a scene in force and forgets what was done.
+    /// Replaces the world's scene and clears the history.
     ///
-    /// A world with bodies lets them come to rest, so that [`World::graph`] may
-    /// differ afterwards from what was asked.
+    /// A world with bodies lets them come to rest, so that [`World::graph`] may afterwards differ
+    /// from the scene given.
     ///
     /// # Errors
-    /// [`WorldError::Failed`] if it cannot; then nothing has changed.
+    /// [`WorldError::Failed`] if the world cannot take the scene; then nothing has changed.
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError>;
 }
 
-/// Why a world did not do what it was asked.
+/// The reason why a world did not execute a request.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum WorldError {
-    /// The transition rule forbids the action, for these reasons.
+    /// The transition rules forbid the action, for these reasons.
     #[error("refused: {}", listed(.0))]
     Refused(Vec<Refusal>),
-    /// The world could not do what the rule allows; the text says what happened.
+    /// The world could not do what the rules allow; the text says what happened.
     #[error("{0}")]
     Failed(String),
 }

@@ -1,4 +1,4 @@
-//! The activities of BEHAVIOR, as the PyPI packages bddl 3.6.0 and 1.0.1 ship them.
+//! The activities of BEHAVIOR from the PyPI packages bddl 3.6.0 and 1.0.1.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod shared;

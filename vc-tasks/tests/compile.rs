@@ -1,4 +1,4 @@
-//! Compiled goals against the plain reading of them.
+//! Compiled goals compared with direct evaluation.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -108,7 +108,7 @@ proptest! {
     }
 }
 
-/// What a room has been flipped to and what was done in it, step by step.
+/// A trace of a room with the given flips and actions, step by step.
 fn course(first: &[common::Flip], then: &[(common::Flip, usize)]) -> (Room, Trace) {
     let mut room = Room::new(first);
     let mut trace = Trace::new(room.graph.clone(), room.me);
@@ -193,7 +193,7 @@ fn goals_that_range_over_too_much_are_refused_and_others_take_no_time() {
     let wide: Goal = format!("{}({})", quantified("forall", 8), all.join(" & ")).parse().unwrap();
     assert!(matches!(Program::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
     assert!(matches!(Monitor::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
-    // What does not depend on its variables is there once, however often it counts.
+    // A subgoal that does not depend on the variables is stored once, however often it counts.
     for word in ["forall", "exists", "at least 2", "exactly 3"] {
         let goal: Goal = format!("{}Dusty(cup)", quantified(word, 20)).parse().unwrap();
         let program = Program::new(&goal, &room.now()).unwrap();

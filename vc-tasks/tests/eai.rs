@@ -18,7 +18,7 @@ fn folder() -> Option<PathBuf> {
     let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from).join("eai");
     let there = folder.join("goals_dev.json").exists();
     if !there {
-        // Past the harness, which keeps what passing tests print.
+        // Written directly to stderr, because the test harness captures the output of passing tests.
         let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
         std::io::stderr().write_all(told.as_bytes()).unwrap();
     }
@@ -55,8 +55,8 @@ fn every_goal_and_formula_is_written_as_it_is_read() {
     assert!(tasks.is_empty() || formulas >= 50, "{formulas} formulas");
 }
 
-/// What happens when a program is carried out; what is refused is left out. The last
-/// state is the one their simulator left: a glass it puts into both hands is in one here.
+/// The trace of a program's execution; refused actions are left out. The last state is the one that
+/// their simulator left: a glass that it puts into both hands is in one hand here.
 fn trace(start: &SceneGraph, me: NodeId, actions: &[Action], end: &SceneGraph) -> Trace {
     let mut world = Simulator::new(start.clone());
     let mut trace = Trace::new(start.clone(), me);
@@ -70,7 +70,7 @@ fn trace(start: &SceneGraph, me: NodeId, actions: &[Action], end: &SceneGraph) -
     trace
 }
 
-/// The same trajectory backwards: states and what was done.
+/// The same trajectory backwards: states and actions.
 fn reversed(trace: &Trace) -> Trace {
     let last = trace.steps();
     let mut back = Trace::new(trace.graph(last).unwrap().clone(), trace.agent());
@@ -92,7 +92,7 @@ fn goals_hold_at_the_end_and_formulas_only_in_order() {
         let (start, end) = (build(&record.initial, &classes), build(&record.last, &classes));
         let me = *start.agents().first().unwrap();
         let actions: Vec<Action> = record.program.actions().collect();
-        // What was done is told by the program, the state by their final graph.
+        // The actions come from the program, the state from their final graph.
         let events: Vec<Event> = actions.iter().map(|&action| Event { agent: me, action }).collect();
         let now = vc_graph::goal::Situation { graph: &end, agent: me, events: &events };
         assert!(task.goal.holds(&now), "{}: {}", record.id, task.goal);
@@ -107,8 +107,8 @@ fn goals_hold_at_the_end_and_formulas_only_in_order() {
         assert_eq!(Monitor::on(formula, &back).unwrap().holds(), holds, "{}: {formula}", record.id);
         ordered += usize::from(matters(formula));
         if matters(formula) && holds {
-            // Both orders are in what was done: something is grabbed, something washed,
-            // and something grabbed again; the formula does not say that it is one thing.
+            // Both orders occur in the trace: something is grabbed, something washed, and something
+            // grabbed again; the formula does not say that it is the same object.
             assert!(turned(formula).holds_on(&there), "{}: {formula}", record.id);
             backwards += 1;
         }
@@ -120,7 +120,7 @@ fn goals_hold_at_the_end_and_formulas_only_in_order() {
     assert!(tasks.is_empty() || ends == tasks.len(), "{ends} of {}", tasks.len());
 }
 
-/// A formula that asks for the same in the opposite order.
+/// The formula with its order reversed.
 fn turned(formula: &Goal) -> Goal {
     match formula {
         Goal::Then(parts) => Goal::Then(parts.iter().rev().map(turned).collect()),
@@ -132,13 +132,13 @@ fn turned(formula: &Goal) -> Goal {
     }
 }
 
-/// Whether a formula asks for one thing after another.
+/// Whether a formula depends on an order.
 fn matters(formula: &Goal) -> bool {
     matches!(formula, Goal::Then(_)) || formula.parts().into_iter().any(matters)
 }
 
-/// By VirtualHome's own rule every program can be done, and ends in the very states and edges that their
-/// simulator left.
+/// By VirtualHome's own rules every program can be executed, and ends in exactly the states and edges
+/// that their simulator left.
 #[test]
 fn programs_end_as_theirs_do_by_virtual_homes_semantics() {
     let classes = ClassTable::builtin();

@@ -1,4 +1,4 @@
-//! Goals in the formats of others, both ways.
+//! Reading and writing goals in the formats of others.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::goal::Situation;

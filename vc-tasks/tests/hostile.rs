@@ -1,4 +1,4 @@
-//! No text makes a reader panic, hang or run out of stack.
+//! No text makes a reader panic, hang or overflow the stack.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod shared;
@@ -11,7 +11,7 @@ use vc_tasks::format::bddl::{self, Activity, Facts};
 use vc_tasks::format::{eai, json, pddl, sexpr, thesis, watch_and_help};
 use vc_tasks::lint;
 
-/// Gives a text to every reader, and uses what comes out.
+/// Passes a text to every reader, and uses the results.
 fn read_all(text: &str) {
     if let Ok(tree) = sexpr::Tree::read("text", text) {
         assert!(sexpr::Tree::read("text", &tree.root().to_string()).unwrap().root().same(tree.root()));
@@ -118,7 +118,7 @@ fn cases(number: u32) -> Config {
     Config { cases, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..given }
 }
 
-/// What to do with a document: where, how far, and what to put there.
+/// A mutation of a document: position, length of the removed part, and index of the inserted token.
 type Cut = (prop::sample::Index, usize, usize);
 
 fn mutated(document: &str, cuts: &[Cut]) -> String {
@@ -162,7 +162,7 @@ proptest! {
 #[test]
 fn changed_activities_are_read_or_refused() {
     for (i, (_, text)) in shared::activities().into_iter().enumerate() {
-        // Every activity loses a stretch somewhere, and gets a bracket elsewhere.
+        // Every activity loses a stretch somewhere, and gains a bracket elsewhere.
         let chars: Vec<char> = text.chars().collect();
         let (a, b) = (chars.len() * (i % 97) / 97, chars.len() * (i % 89) / 89);
         let short: String = chars[..a].iter().chain(&chars[(a + i % 40).min(chars.len())..]).collect();

@@ -1,5 +1,4 @@
-//! Initial environments in scenes of boxes: what holds for all of them, and every way
-//! in which none is found.
+//! Initial environments in scenes of boxes: properties of all of them, and every error.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -13,7 +12,7 @@ use vc_tasks::initial::{Generator, Initial, InitialError, PlainStock, Purpose, W
 use vc_tasks::library::{Activity, Benchmark, List, thesis_tasks};
 use vc_tasks::{World, WorldError};
 
-/// An activity from its goal and needs, and more of its JSON.
+/// An activity from its goal, its needs, and further JSON fields.
 fn activity(goal: &str, needs: &[&str], more: &str) -> Activity {
     let needs: Vec<String> = needs.iter().map(|n| format!("\"{n}\"")).collect();
     let text =
@@ -21,8 +20,8 @@ fn activity(goal: &str, needs: &[&str], more: &str) -> Activity {
     Activity::read_list("own", &text).unwrap().remove(0)
 }
 
-/// A kitchen of five by four metres with a table, a shelf of a height, a fridge and a
-/// bedroom beside it.
+/// A kitchen of five by four metres with a table, a shelf of the given height and a fridge, and an
+/// adjacent bedroom.
 fn flat(shelf: f32) -> SceneGraph {
     let mut scene = SceneBuilder::new("flat");
     let at = |x: f32, y: f32| Isometry3::translation(x, y, 0.0);
@@ -84,8 +83,7 @@ fn environments_are_as_they_were_asked_for() {
     }
 }
 
-/// An added thing and another whose boxes share space although neither holds the
-/// other.
+/// An added object and another whose boxes overlap although neither holds the other.
 fn overlapping(scene: &SceneGraph, made: &Initial) -> Option<(NodeId, NodeId)> {
     let things: Vec<NodeId> = scene.nodes().filter(|n| n.kind() != Kind::Room).map(vc_graph::Node::id).collect();
     let boxed = |id: NodeId| scene.node(id).unwrap().aabb().unwrap();
@@ -156,7 +154,7 @@ fn an_agent_that_is_to_sit_sits() {
     assert_eq!(made.added.iter().find(|a| a.purpose == Purpose::Agent).unwrap().place, Some(place));
 }
 
-/// What is said when there is no environment.
+/// The error message when there is no environment.
 fn complaint(activity: &Activity, scene: &SceneGraph) -> String {
     make(activity, scene, 1).unwrap_err().to_string()
 }
@@ -194,18 +192,18 @@ fn errors_name_the_thing_the_place_and_why() {
 
 #[test]
 fn there_must_be_height_and_room() {
-    // The inside of a shelf of four centimetres takes no milk.
+    // A shelf compartment four centimetres high cannot hold milk.
     let low = make(&activity("Holds(milk)", &["milk in bookshelf"], ""), &flat(0.04), 1).unwrap_err();
     let InitialError::NoSpot { thing, why, .. } = &low else { panic!("{low}") };
     assert_eq!((thing.as_str(), *why), ("milk", Why::TooLow));
-    // A table does not take a hundred plates side by side.
+    // A table has no space for a hundred plates side by side.
     let full = make(&activity("Holds(plate)", &["100 plate on dining_table"], ""), &flat(1.0), 1).unwrap_err();
     let InitialError::NoSpot { why, .. } = &full else { panic!("{full}") };
     assert_eq!(*why, Why::Taken);
 }
 
-/// Furniture that opens does not bar the way when it stands open: before its front is a metre of
-/// free floor, in a kitchen and in a passage along a counter, to which it would face otherwise.
+/// Furniture that opens does not block the way when it is open: in front of it is a metre of free
+/// floor, in a kitchen and in a passage along a counter, which it would otherwise face.
 #[test]
 fn what_opens_has_room_before_it() {
     let needs = ["dishwasher of kitchen", "plate on dining_table | on kitchen_counter"];
@@ -232,7 +230,7 @@ fn what_opens_has_room_before_it() {
     }
 }
 
-/// A world in which things roll off the table at the first resets.
+/// A world in which objects roll off the table at the first resets.
 struct Sloping {
     inner: Simulator,
     resets: usize,

@@ -8,7 +8,7 @@ use vc_graph::goal::Term;
 use vc_graph::{ClassTable, Verb};
 use vc_tasks::library::{Activity, Benchmark, List, Need, THESIS_VERBS, thesis_tasks};
 
-/// Things and places of the thesis's tasks that nothing makes yet.
+/// Objects and places of the thesis's tasks that no generator makes yet.
 const NOT_YET: [&str; 12] = [
     "bank",
     "basketball_court",
@@ -108,7 +108,7 @@ fn benchmark_has_145_tasks_from_20_bases_under_ids_of_their_own() {
     let goals: BTreeSet<String> =
         benchmark.activities.iter().map(|a| format!("{} {} {:?}", a.task().goal, a.start, a.needs)).collect();
     assert_eq!((bases.len(), ids.len(), goals.len()), (20, 145, 145));
-    // Rich tasks have many variants, those of one thing few.
+    // Rich tasks have many variants, tasks about one object few.
     assert!(bases["put_fridge"] >= 4 * bases["close_blinds"], "{bases:?}");
 }
 

@@ -1,4 +1,4 @@
-//! What the linter finds.
+//! The findings of the linter.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod shared;
@@ -10,8 +10,8 @@ use vc_graph::{Draft, Goal, SceneBuilder};
 use vc_tasks::format::bddl::Activity;
 use vc_tasks::lint::{self, Kind};
 
-/// In how many files of bddl 3.6.0 what is wrong: the faults that a script of the
-/// package's own parts finds, and z3, which looked at all goals.
+/// The numbers of files in bddl 3.6.0 with each mistake, as found by a script that uses the package's own code,
+/// and by z3, which checked all goals.
 const FAULTS: &[(Kind, usize)] = &[
     (Kind::Unsatisfiable, 1),
     (Kind::TrueAtStart, 1),
@@ -22,9 +22,8 @@ const FAULTS: &[(Kind, usize)] = &[
     (Kind::Stray, 1),
 ];
 
-/// What is no fault but worth a look, and in which file: of the pair `pen, table` only
-/// the pen stands in the condition; one `pea_pod` hides another; a condition stands
-/// beside the goal's `and`, where the package does not read it.
+/// Remarks, with the file of each: in the pair `pen, table` only the pen occurs in the condition; one `pea_pod`
+/// shadows another; a condition follows the goal's `and`, where the package does not read it.
 const REMARKS: [(Kind, &str); 3] = [
     (Kind::UnusedInPair, "set_up_a_preschool_classroom-0"),
     (Kind::HiddenVariable, "clean_snap_peas-0"),
@@ -140,7 +139,8 @@ fn of_activity(domain: &str, objects: &str, start: &str, goal: &str) -> Vec<(Kin
     found.into_iter().map(|f| (f.kind, f.part)).collect()
 }
 
-/// As many things as the predicate takes, not on themselves nor in a circle, in a known domain.
+/// Predicates have the right number of arguments, objects do not rest on themselves or in a cycle, and the
+/// domain is known.
 #[test]
 fn predicates_take_so_many_things_and_things_do_not_rest_in_circles() {
     let in_home = |start, goal| of_activity("omnigibson", "p_1 p_2 p_3 - p", start, goal);
@@ -202,7 +202,7 @@ fn a_scene_tells_what_it_lacks() {
     assert_eq!(found("Holds(glass.3) & On(knife, table)"), Vec::<String>::new());
 }
 
-/// A class that no table knows is found without a scene, wherever in a goal it stands; so is what always holds.
+/// A class in no class table is found without a scene, anywhere in a goal; so is a goal that always holds.
 #[test]
 fn unknown_classes_and_goals_that_always_hold_are_found() {
     let found = |goal: &str| {

@@ -1,4 +1,4 @@
-//! Domains and problems say nothing that they do not declare, and read back.
+//! Domains and problems use only names that they declare, and read back equal.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 #[path = "pddl/walk.rs"]
@@ -23,7 +23,7 @@ fn home() -> (SceneGraph, NodeId) {
     (scene.build(), me)
 }
 
-/// What a domain or problem declares: names, and predicates with their arity.
+/// The declarations of a domain or problem: names, and predicates with their arity.
 struct Declared {
     names: BTreeSet<String>,
     predicates: BTreeMap<String, usize>,
@@ -119,7 +119,7 @@ where
     text.parse::<T>().err().map_or_else(|| panic!("read: {text}"), |error| error.to_string())
 }
 
-/// Nothing is read in silence, with the rest lost, that readers of others refuse.
+/// A text that other readers refuse is not accepted with parts silently dropped.
 #[test]
 fn what_is_said_twice_or_too_much_is_refused() {
     let problem = |rest: &str| format!("(define (problem x) (:domain k) (:objects a b - cup t - table) {rest})");
@@ -184,7 +184,8 @@ fn either_costs_metric_and_what_is_denied_are_read() {
     assert_eq!(problem.to_string().parse::<Problem>().unwrap(), problem);
 }
 
-/// Letters beyond ASCII have no case either, and a comment ends where its line does, by whichever sign.
+/// Letters beyond ASCII are case-insensitive too, and a comment ends with its line, whatever the line
+/// ending.
 #[test]
 fn case_and_line_ends_are_those_of_all_texts() {
     let text = |thing: &str, end: &str| {
@@ -194,6 +195,6 @@ fn case_and_line_ends_are_those_of_all_texts() {
     for end in ["\n", "\r", "\r\n"] {
         assert_eq!(read(text("BÜGELÉ", end)), read(text("bügelé", "\n")), "{end:?}");
     }
-    // A letter whose small form has another length stays as it is.
+    // A letter whose lower case has another length is kept.
     assert_eq!(read(text("\u{130}X", "\n")).objects[0].name, "\u{130}x");
 }

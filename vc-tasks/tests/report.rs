@@ -1,4 +1,4 @@
-//! Reports aggregate as they say and write what can be read.
+//! Reports aggregate as documented, and their files can be read.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -33,14 +33,14 @@ fn path_weighted_success_goes_by_metres_where_both_are_known() {
     let by_metres = Run { best_distance: Some(3.0), distance: Some(4.0), ..by_steps.clone() };
     assert_eq!(by_metres.spl(), Some(0.75));
     assert_eq!(Run { outcome: Outcome::TimedOut, ..by_metres }.spl(), Some(0.0));
-    // Who finds a shorter way than the best known does not get more than all.
+    // An attempt shorter than the best known one does not score above the maximum.
     assert_eq!(Run { steps: 2, ..by_steps.clone() }.spl(), Some(1.0));
     assert_eq!(Run { best_steps: None, ..by_steps }.spl(), None);
 }
 
 #[test]
 fn intervals_are_wilsons() {
-    // 8 of 10, the textbook's example: 0.490 to 0.943.
+    // 8 of 10, the textbook example: 0.490 to 0.943.
     let runs = (0..10).map(|i| run("a", "x-01", if i < 8 { Outcome::Won } else { Outcome::Lost }, 1, 1)).collect();
     let (low, high) = Report::new(runs).overall().interval;
     assert!((low - 0.4902).abs() < 1e-4 && (high - 0.9433).abs() < 1e-4, "{low} {high}");

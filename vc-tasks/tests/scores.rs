@@ -1,4 +1,4 @@
-//! Credits against all ways listed, and scores with known answers.
+//! Credits compared with an enumeration of all ways, and scores with known answers.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -15,14 +15,14 @@ use vc_graph::{Goal, NodeId};
 use vc_tasks::compile::Program;
 use vc_tasks::score::percent_complete;
 
-/// A condition: what is said, whether it is wanted, whether it holds.
+/// A condition: its atom, whether it is wanted true, whether it is fulfilled.
 type Condition = (String, bool, bool);
 type Ways = Vec<Vec<Condition>>;
 
-/// Most ways that are listed.
+/// The greatest number of ways that is enumerated.
 const MOST: usize = 3000;
 
-/// All ways to make a goal true or false, by the definition; none if there are too
+/// Enumerates all ways to make a goal true or false, by the definition; `None` if there are too
 /// many.
 struct Lister<'g, 'a> {
     now: Situation<'a>,
@@ -155,13 +155,13 @@ impl<'g> Lister<'g, '_> {
     }
 }
 
-/// Which cells hold: some way is met.
+/// The cells that hold because one of their ways is fulfilled.
 fn met(table: &[Vec<Ways>]) -> Vec<Vec<usize>> {
     let holds = |ways: &Ways| ways.iter().any(|way| way.iter().all(|c| c.2));
     table.iter().map(|row| (0..row.len()).filter(|&c| holds(&row[c])).collect()).collect()
 }
 
-/// Ways of so many cells in different rows and columns.
+/// The ways of choosing a number of cells in different rows and columns.
 fn pairings(table: &[Vec<Ways>], number: usize) -> Option<Ways> {
     fn from(table: &[Vec<Ways>], number: usize, row: usize, taken: u32) -> Option<Ways> {
         if number == 0 {
@@ -185,9 +185,9 @@ fn both(a: &Ways, b: &Ways) -> Option<Ways> {
     Some(a.iter().flat_map(|x| b.iter().map(move |y| [x.clone(), y.clone()].concat())).collect())
 }
 
-/// Ways by how many of some parts are true.
+/// The ways of making a number of parts true.
 fn count(each: Vec<[Ways; 2]>, comparison: Comparison, number: u32, wanted: bool) -> Option<Ways> {
-    // What is so or not so anyhow is no condition.
+    // A part whose truth is constant is no condition.
     let sure = each.iter().filter(|[yes, no]| no.is_empty() && *yes == [vec![]]).count() as u32;
     let open = |[yes, no]: &[Ways; 2]| !(no.is_empty() && *yes == [vec![]] || yes.is_empty() && *no == [vec![]]);
     let each: Vec<[Ways; 2]> = each.into_iter().filter(open).collect();
@@ -213,7 +213,7 @@ fn count(each: Vec<[Ways; 2]>, comparison: Comparison, number: u32, wanted: bool
     }
 }
 
-/// So many parts true and so many others false.
+/// The ways of making a number of parts true and a number of others false.
 fn so_many(each: &[[Ways; 2]], yes: usize, no: usize) -> Option<Ways> {
     if yes + no == 0 {
         return Some(vec![vec![]]);
@@ -234,7 +234,7 @@ fn is_sound(way: &[Condition]) -> bool {
     wanted.iter().all(|&(name, value)| !wanted.contains(&(name, !value)))
 }
 
-/// Whether some pairs are counted by margins.
+/// Whether a goal counts pairs by margins.
 fn has_margins(goal: &Goal) -> bool {
     matches!(goal, Goal::ForPairs(p) if p.pairing == Pairing::Marginal) || goal.parts().into_iter().any(has_margins)
 }
@@ -289,7 +289,7 @@ proptest! {
         for set in &sets {
             prop_assert!(changed(set), "{}: {:?}", goal, set);
         }
-        // All there are, by trying all.
+        // The reference: all minimal sets, by trying every set.
         let number = program.atoms().len();
         if number <= 10 {
             let of = |set: usize| (0..number).filter(|atom| set >> atom & 1 != 0).collect::<Vec<usize>>();
@@ -324,7 +324,7 @@ proptest! {
         prop_assert!((0.0..=1.0).contains(&reward) && (0.0..=1.0).contains(&q));
         prop_assert_eq!(rate == 1.0, holds);
         prop_assert!(!holds || q == 1.0);
-        // What was so at the start and has stayed earns nothing.
+        // A condition that held at the start and still holds earns nothing.
         prop_assert!(holds || program.q_score(&now, &now) == 0.0 || program.bddl_reward(&now).conditions == 0);
     }
 }

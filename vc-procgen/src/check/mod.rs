@@ -1,4 +1,4 @@
-//! Whether an apartment is sound: every violation, with what it concerns.
+//! Checks whether an apartment is sound: every violation, with the items it concerns.
 
 mod overlap;
 mod swing;
@@ -12,36 +12,36 @@ use crate::reach::Reach;
 
 use overlap::collisions;
 
-/// One thing that is wrong with an apartment. Items go by their position in
-/// [`Apartment::items`], rooms by that in the plan.
+/// A violation in an apartment. Items are given by their index in [`Apartment::items`], rooms by theirs in the
+/// plan.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Violation {
-    /// Two solids share space.
+    /// Two solids overlap.
     Overlap(Named, Named),
-    /// A thing is not within its room.
+    /// An item is not within its room.
     Outside(Named, usize),
-    /// A thing hangs in the air, or sinks into what it rests on: by so many metres.
+    /// An item floats above its support or penetrates it, by this distance in metres.
     Unsupported(Named, f32),
-    /// Nobody gets into a room.
+    /// A room is unreachable.
     UnreachableRoom(usize, RoomKind),
-    /// Nobody reaches a thing.
+    /// An item is out of reach.
     Unreachable(Named),
-    /// Something stands where a door's leaf swings or before a way.
+    /// An item stands in the swing of a door's leaf or in front of an opening.
     BlockedDoor(usize, Named),
-    /// A leaf, lid or drawer of the first item meets the second, which does not give way, before it is half open.
+    /// A leaf, lid or drawer of the first item hits the second, which cannot be pushed aside, before it is half
+    /// open.
     Jammed(Named, Named),
-    /// A room lacks what makes it one.
+    /// A room lacks a required piece.
     Incomplete(usize, RoomKind, &'static str),
-    /// One gets to a bedroom only through another bedroom or a bathroom, or through a
-    /// bathroom to any room.
+    /// A room is reached only through a bedroom or a bathroom.
     Passage(usize, RoomKind),
 }
 
-/// An item, by position and class.
+/// An item, by index and class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Named {
-    /// Position in [`Apartment::items`].
+    /// The index in [`Apartment::items`].
     pub item: usize,
     /// Its class.
     pub class: &'static str,
@@ -72,8 +72,7 @@ impl fmt::Display for Violation {
 }
 
 impl Apartment {
-    /// Every violation of a sound apartment; those that [`Apartment::generate`]
-    /// returns have none.
+    /// Lists every violation; an apartment returned by [`Apartment::generate`] has none.
     ///
     /// Costs about a millisecond.
     pub fn check(&self) -> Vec<Violation> {
@@ -110,8 +109,7 @@ impl Apartment {
         !self.plan.rooms.iter().any(|r| r.kind.is_bedroom())
     }
 
-    /// What is part of the building reaches beyond its room's net area; all else does
-    /// not.
+    /// Whether an item reaches beyond its room's net area; parts of the building may.
     fn outside(&self, index: usize, net: &[Area]) -> Option<Violation> {
         let item = &self.items[index];
         if item.rest == Rest::Built {
@@ -127,7 +125,7 @@ impl Apartment {
         (!corners.iter().all(inside) || !upright).then(|| Violation::Outside(self.named(index), item.room))
     }
 
-    /// Whether a thing's base is where what it rests on carries.
+    /// Whether an item's base is off the surface it rests on.
     fn unsupported(&self, index: usize) -> Option<Violation> {
         let item = &self.items[index];
         let base = item.corners().0.z;
@@ -168,8 +166,8 @@ impl Apartment {
         found
     }
 
-    /// Rooms that are only reached through a bedroom or a bathroom; a bedroom's own
-    /// bathroom, store or balcony may be.
+    /// Rooms reached only through a bedroom or a bathroom, except for a bedroom's own bathroom, store or
+    /// balcony.
     fn passages(&self) -> Vec<Violation> {
         let rooms = &self.plan.rooms;
         let private =
@@ -189,13 +187,13 @@ impl Apartment {
     }
 }
 
-/// Whether somebody wants to use a thing: not the building, nor what hangs high.
+/// Whether an item has to be reachable: not the building, nor items on the ceiling.
 pub(crate) fn is_used(item: &Item) -> bool {
     let openable = matches!(item.object.class, "door" | "main_door" | "balcony_door" | "window");
     openable || !matches!(item.rest, Rest::Built | Rest::Ceiling)
 }
 
-/// What a room of a kind lacks.
+/// The required pieces that a room of a kind lacks.
 pub(crate) fn missing<'a>(
     kind: RoomKind,
     studio: bool,

@@ -1,4 +1,4 @@
-//! Which items share space: boxes of parts against boxes of parts.
+//! Finds overlapping items by testing the boxes of their parts.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::Pose;
@@ -6,13 +6,13 @@ use vc_graph::asset::Part;
 
 use crate::furnish::{Item, Rest};
 
-/// How deep solids may touch before they count as sharing space, metres.
+/// The depth by which solids may overlap before they count as colliding, metres.
 const TOUCH: f32 = 0.002;
 
-/// Pairs of items that share space. Pairs of which one rests on or in the other are
-/// left out: surfaces keep them apart. Parts of the building may meet.
+/// Pairs of overlapping items. Pairs where one item rests on or in the other are left out: surfaces
+/// keep them apart. Parts of the building may overlap.
 ///
-/// Costs a sweep along X and a test of parts where boxes overlap.
+/// Costs a sweep along X, and a test of parts where boxes overlap.
 pub(super) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
     let boxes: Vec<(Point3<f32>, Point3<f32>)> = items.iter().map(Item::corners).collect();
     let mut order: Vec<usize> = (0..items.len()).collect();
@@ -38,13 +38,13 @@ pub(super) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
     found
 }
 
-/// Whether two items may meet: one carries the other, or both are of the building.
+/// Whether two items may overlap: one supports the other, or both are part of the building.
 pub(super) fn related(items: &[Item], a: usize, b: usize) -> bool {
     let built = items[a].rest == Rest::Built && items[b].rest == Rest::Built;
     built || carries(items, a, b) || carries(items, b, a)
 }
 
-/// Whether one item carries another, at any remove.
+/// Whether one item supports another, directly or indirectly.
 fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
     while let Rest::On(at, _) | Rest::Inside(at, _) = items[item].rest {
         if at == carrier {
@@ -55,13 +55,13 @@ fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
     false
 }
 
-/// Whether a part of one item shares space with a part of the other.
+/// Whether a part of one item overlaps a part of the other.
 fn solid(a: &Item, b: &Item) -> bool {
     let own: Vec<Cuboid> = a.object.asset.parts.iter().map(|p| Cuboid::of(p, &a.pose)).collect();
     share_space(&own, b)
 }
 
-/// Whether one of some boxes shares space with a part of an item.
+/// Whether any of some boxes overlaps a part of an item.
 pub(super) fn share_space(boxes: &[Cuboid], item: &Item) -> bool {
     let others: Vec<(Cuboid, f32)> =
         item.object.asset.parts.iter().map(|p| Cuboid::of(p, &item.pose)).map(|c| (c, c.half.norm())).collect();
@@ -72,7 +72,7 @@ pub(super) fn share_space(boxes: &[Cuboid], item: &Item) -> bool {
     })
 }
 
-/// A box anywhere, slightly shrunk.
+/// An oriented box, slightly shrunk.
 #[derive(Clone, Copy)]
 pub(super) struct Cuboid {
     pose: Isometry3<f32>,
@@ -80,7 +80,7 @@ pub(super) struct Cuboid {
 }
 
 impl Cuboid {
-    /// Around a part of an item at a pose.
+    /// The box around a part of an item at a pose.
     pub(super) fn of(part: &Part, item: &Pose) -> Self {
         let (low, high) = part.shape.extent();
         let pose = item * part.pose * Isometry3::from(nalgebra::center(&low, &high).coords);
@@ -88,14 +88,14 @@ impl Cuboid {
         Self { pose, half }
     }
 
-    /// Smallest and largest corner.
+    /// The smallest and largest corner.
     pub(super) fn corners(&self) -> (Point3<f32>, Point3<f32>) {
         let reach = self.pose.rotation.to_rotation_matrix().into_inner().abs() * self.half;
         let middle = Point3::from(self.pose.translation.vector);
         (middle - reach, middle + reach)
     }
 
-    /// Separating axes (Gottschalk, Lin and Manocha 1996).
+    /// The separating axis test (Gottschalk, Lin and Manocha 1996).
     fn meets(&self, other: &Self) -> bool {
         let relative = self.pose.inverse() * other.pose;
         let turn = relative.rotation.to_rotation_matrix().into_inner();

@@ -1,4 +1,4 @@
-//! Leaves, lids and drawers that meet things that do not give way.
+//! Leaves, lids and drawers that hit immovable objects.
 
 use nalgebra::Point3;
 use vc_graph::asset::Joint;
@@ -7,14 +7,14 @@ use vc_graph::{ClassTable, Property};
 use super::overlap::{Cuboid, related, share_space};
 use crate::furnish::{Item, Rest};
 
-/// Shares of a part's way at which it is checked; it has to open as far as the last one.
+/// The shares of a part's motion at which it is checked; it has to open as far as the last one.
 const LOOKS: [f32; 2] = [0.25, 0.5];
 
-/// Items that do not open, each with the first thing that a part of it meets before it is half
-/// open: the building, or furniture that nobody pushes aside.
+/// Items that cannot open, each with the first object that a part of it hits before it is half open: the
+/// building, or furniture that cannot be pushed aside.
 ///
-/// Doors and windows are left out: they have zones of their own. So is what people carry, as books in a shelf:
-/// they open it in their hands.
+/// Doors and windows are left out because they have zones of their own; so are graspable items, such as books
+/// on a shelf, which are opened in the hands.
 pub(super) fn jams(items: &[Item]) -> Vec<(usize, usize)> {
     let table = ClassTable::builtin();
     let affords =
@@ -46,14 +46,14 @@ fn moves(item: &Item) -> bool {
     item.object.asset.parts.iter().any(|p| p.joint.is_some())
 }
 
-/// The moving parts of an item at each share of their way.
+/// The boxes of an item's moving parts at each checked share of their motion.
 fn opened(item: &Item) -> Vec<Cuboid> {
     let moving = item.object.asset.parts.iter().filter_map(|part| Some((part, part.joint?)));
     let at = |joint: &Joint, share: f32| item.pose * joint.motion(widest(joint) * share);
     moving.flat_map(|(part, joint)| LOOKS.map(|share| Cuboid::of(part, &at(&joint, share)))).collect()
 }
 
-/// The limit of a joint that is farther from shut.
+/// The joint limit farther from the closed position.
 fn widest(joint: &Joint) -> f32 {
     let (low, high) = joint.limits;
     if high.abs() >= low.abs() { high } else { low }
@@ -61,7 +61,7 @@ fn widest(joint: &Joint) -> f32 {
 
 type Corners = (Point3<f32>, Point3<f32>);
 
-/// Smallest and largest corner of all boxes.
+/// The smallest and largest corner of all boxes.
 fn hull(boxes: &[Cuboid]) -> Corners {
     let none = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
     boxes.iter().map(Cuboid::corners).fold(none, |all, one| (all.0.inf(&one.0), all.1.sup(&one.1)))

@@ -1,4 +1,4 @@
-//! What people keep where, from the class table.
+//! Habitual places of objects, from the class table.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
@@ -9,17 +9,18 @@ use vc_graph::{ClassTable, Property, PropertySet, Relation};
 use crate::object;
 use crate::plan::RoomKind;
 
-/// For each kind of carrier what is kept on and inside it, with the rooms where.
+/// For each class of support or container, the classes habitually kept on and inside it, with their
+/// rooms.
 pub(super) struct Habits {
     kept: HashMap<(Relation, String), Vec<Habit>>,
     affordances: HashMap<&'static str, PropertySet>,
-    /// Rooms that habits name.
+    /// The rooms that habits name.
     rooms: Vec<String>,
 }
 
 struct Habit {
     class: &'static str,
-    /// The only room it is for, by position among the rooms.
+    /// The only room it applies to, by index among the rooms.
     room: Option<usize>,
     weight: f32,
 }
@@ -57,7 +58,7 @@ impl Habits {
         Self { kept, affordances: known.collect(), rooms }
     }
 
-    /// Whether a class is one that things are put on or in.
+    /// Whether a class is one that objects are put on or in.
     fn holds(&self, carrier: &str, relation: Relation) -> bool {
         let affordances = self.affordances.get(carrier).copied().unwrap_or(PropertySet::EMPTY);
         let needs: &[Property] = match relation {
@@ -67,7 +68,7 @@ impl Habits {
         needs.iter().any(|&p| affordances.contains(p))
     }
 
-    /// What is kept in a place.
+    /// The classes kept in a place, with weights.
     pub(super) fn of(&self, place: &Place) -> Choice {
         let relation = if place.hold == Hold::Inside { Relation::Inside } else { Relation::On };
         let mut choice = Choice::default();
@@ -84,22 +85,22 @@ impl Habits {
     }
 }
 
-/// A kind of surface things are kept on.
+/// A kind of surface on which objects are kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Place {
     pub(super) carrier: &'static str,
     /// Whether it is a drawer of the carrier.
     pub(super) drawer: bool,
     pub(super) hold: Hold,
-    /// Class of the room whose habits hold.
+    /// The class of the room whose habits apply.
     pub(super) room: &'static str,
 }
 
-/// Classes to draw from by weight.
+/// Classes to sample by weight.
 #[derive(Debug, Default)]
 pub(super) struct Choice {
     classes: Vec<&'static str>,
-    /// Sums of the weights up to each class.
+    /// The cumulative weights.
     sums: Vec<f32>,
 }
 
@@ -113,14 +114,14 @@ impl Choice {
         self.classes.is_empty()
     }
 
-    /// The class a number of the unit interval stands for.
+    /// The class that a number of the unit interval selects.
     pub(super) fn draw(&self, unit: f32) -> Option<&'static str> {
         let drawn = unit * self.sums.last()?;
         self.classes.get(self.sums.partition_point(|&sum| sum <= drawn)).copied()
     }
 }
 
-/// The room whose habits a piece brings into a studio's only room.
+/// The kind of room whose habits a piece brings into a studio's only room.
 pub(super) fn studio_corner(carrier: &str) -> &'static str {
     match carrier {
         "kitchen_cabinet"
@@ -137,7 +138,7 @@ pub(super) fn studio_corner(carrier: &str) -> &'static str {
     }
 }
 
-/// Rooms that do for each other.
+/// Substitutes a room whose habits are similar.
 fn similar(room: &str) -> &str {
     match room {
         "dining_room" | "kitchen_living" | "game_room" => "living_room",
@@ -146,7 +147,7 @@ fn similar(room: &str) -> &str {
     }
 }
 
-/// The classes of the table that a carrier stands for.
+/// The classes of the class table that a support or container represents.
 fn standing_for(place: &Place, relation: Relation) -> Vec<&'static str> {
     let (room, inside) = (place.room, relation == Relation::Inside);
     match place.carrier {

@@ -1,4 +1,4 @@
-//! Putting things on the surfaces of one carrier.
+//! Placing objects on the surfaces of one carrier.
 
 use std::sync::Arc;
 
@@ -13,11 +13,11 @@ use crate::furnish::{Area, Item, Rest, standing};
 use crate::object::{self, Draft, Object};
 use crate::plan::{RoomKind, Scheme};
 
-/// Gap between things, and from a surface's edge, metres.
+/// The gap between objects, and to a surface's edge, metres.
 const GAP: f32 = 0.004;
-/// What stays free below the ceiling, metres.
+/// The space that stays free below the ceiling, metres.
 const HEADROOM: f32 = 0.05;
-/// How often a place is drawn before a thing is left out.
+/// The number of positions sampled before an object is left out.
 const TRIES: usize = 12;
 
 /// Fills the surfaces of one item.
@@ -27,12 +27,13 @@ pub(super) struct Keeper<'a> {
     pub(super) rng: Stream,
     seed: Seed,
     made: u64,
-    /// What already lies on each surface, in the carrier's frame.
+    /// The occupied areas of each surface, in the carrier's frame.
     taken: Vec<Vec<Area>>,
 }
 
 impl<'a> Keeper<'a> {
-    /// For one item, on whose surfaces (first) some furniture (second) already stands.
+    /// A keeper for one item; `standing` lists the furniture already on it, as pairs of surface and
+    /// item.
     pub(super) fn new(
         home: &'a mut Apartment,
         carrier: usize,
@@ -53,7 +54,7 @@ impl<'a> Keeper<'a> {
         self.home.items[self.carrier].object.class
     }
 
-    /// Class of the room whose habits hold here.
+    /// The class of the room whose habits apply here.
     pub(super) fn room_class(&self) -> &'static str {
         let kind = self.home.plan.rooms[self.home.items[self.carrier].room].kind;
         match (self.home.plan.scheme, kind) {
@@ -70,18 +71,18 @@ impl<'a> Keeper<'a> {
         self.home.items[self.carrier].object.asset.surfaces.get(index)
     }
 
-    /// The first surface that holds things a way.
+    /// The first surface that holds objects in this way.
     pub(super) fn first(&self, hold: Hold) -> Option<usize> {
         self.home.items[self.carrier].object.asset.surfaces.iter().position(|s| s.hold == hold)
     }
 
-    /// The surfaces whose names begin so.
+    /// The surfaces whose names begin with a prefix.
     pub(super) fn named(&self, name: &str) -> Vec<usize> {
         let surfaces = self.home.items[self.carrier].object.asset.surfaces.iter().enumerate();
         surfaces.filter(|(_, s)| s.name.starts_with(name)).map(|(i, _)| i).collect()
     }
 
-    /// An object of a class, of its usual size or of one given.
+    /// Drafts an object of a class, of its usual size or of a given one.
     pub(super) fn make(&mut self, class: &str, size: Option<[f32; 3]>) -> Option<Draft> {
         self.made += 1;
         let seed = self.seed.child("thing").nth(self.made);
@@ -91,11 +92,11 @@ impl<'a> Keeper<'a> {
         }
     }
 
-    /// Puts a thing of a class somewhere on a surface.
+    /// Puts an object of a class somewhere on a surface.
     pub(super) fn put(&mut self, class: &str, surface: usize) -> Option<usize> {
         let place = self.surface(surface)?;
         let (longest, shortest) = (2.0 * place.half.0.max(place.half.1), 2.0 * place.half.0.min(place.half.1));
-        // What never fits need not be made.
+        // An object that can never fit need not be drafted.
         let least = object::least_size(class)?;
         let (long, short) = (least.x.max(least.y), least.x.min(least.y));
         if long > longest || short > shortest || place.clearance.is_some_and(|c| least.z * 0.8 > c) {
@@ -105,13 +106,13 @@ impl<'a> Keeper<'a> {
         self.put_object(&object, surface)
     }
 
-    /// Puts another thing like one that is there.
+    /// Puts a copy of an object that is already there.
     pub(super) fn put_beside(&mut self, like: usize, surface: usize) -> Option<usize> {
         let object = Draft::of(self.home.items[like].object.clone());
         self.put_object(&object, surface)
     }
 
-    /// Puts an object somewhere on a surface, turned so that it fits.
+    /// Puts an object at a sampled position on a surface, rotated so that it fits.
     pub(super) fn put_object(&mut self, object: &Draft, surface: usize) -> Option<usize> {
         let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
         let aligned = hold == Hold::Inside;
@@ -134,8 +135,8 @@ impl<'a> Keeper<'a> {
         None
     }
 
-    /// Puts an object at a point of a surface (in the carrier's frame), if it is free
-    /// there and the object fits below what is above.
+    /// Puts an object at a point of a surface (in the carrier's frame), if the point is free and the
+    /// clearance above is high enough.
     pub(super) fn place(&mut self, object: &Draft, surface: usize, at: (f32, f32), yaw: f32) -> Option<usize> {
         let (centre, half, hold, clearance) = self.surface(surface).map(|s| (s.centre, s.half, s.hold, s.clearance))?;
         let (hx, hy) = extent(object, yaw);
@@ -154,8 +155,8 @@ impl<'a> Keeper<'a> {
         Some(self.add(object, local, rest))
     }
 
-    /// Puts an object whose foot alone needs the surface: a tap's spout reaches over
-    /// the bowl in front.
+    /// Puts an object of which only the base needs the surface: the spout of a tap reaches over the
+    /// bowl in front.
     pub(super) fn place_over(&mut self, object: &Draft, surface: usize, at: (f32, f32)) -> Option<usize> {
         let (centre, half) = self.surface(surface).map(|s| (s.centre, s.half))?;
         let size = object.size();
@@ -189,7 +190,7 @@ impl<'a> Keeper<'a> {
         Some(self.add(object, local, Rest::On(self.carrier, surface)))
     }
 
-    /// Adds an item at a pose in the carrier's frame.
+    /// Adds an item with a pose in the carrier's frame.
     fn add(&mut self, draft: &Draft, local: impl Fn(&Object) -> Pose, rest: Rest) -> usize {
         let object = draft.object(&self.home.style);
         let carrier = &self.home.items[self.carrier];
@@ -206,12 +207,12 @@ impl<'a> Keeper<'a> {
         self.home.items.len() - 1
     }
 
-    /// Puts a thing in a state.
+    /// Puts an item in a state.
     pub(super) fn enter(&mut self, item: usize, state: State) {
         self.home.items[item].states.push(state);
     }
 
-    /// An object laid on its side by quarter turns: made for that, its surfaces gone.
+    /// An object tipped by quarter turns: generated for that purpose, without surfaces.
     pub(super) fn upright(&self, draft: Draft, turn: Pose) -> Draft {
         let mut object = draft.into_object(&self.home.style);
         let aabb = object.bounds.aabb(&turn);
@@ -230,15 +231,15 @@ impl<'a> Keeper<'a> {
     }
 }
 
-/// Half lengths along X and Y of an object turned around Z.
+/// The half extents along X and Y of an object rotated about Z.
 fn extent(object: &Draft, yaw: f32) -> (f32, f32) {
     let (sin, cos) = (yaw.sine().abs(), yaw.cosine().abs());
     let half = object.size() / 2.0;
     (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
 }
 
-/// Whether a thing opens to its front and is used from there: a disc player in a stand faces out of it,
-/// as its tray opens there.
+/// Whether an object opens to its front and is used from there: a disc player in a stand faces out of
+/// it, as its tray opens there.
 fn has_front(class: &str) -> bool {
     let table = ClassTable::builtin();
     let affords = |p| table.get(class).is_some_and(|c| c.affordances.contains(p));

@@ -1,10 +1,9 @@
-//! Small things where people keep them: on surfaces, in cupboards, drawers and the
+//! Clutter: small objects in their habitual places, on surfaces, in cupboards, drawers and the
 //! fridge, on hooks and shelves.
 //!
-//! First what a piece cannot do without (bedding on the bed, a tap at the sink, the
-//! television on its stand), then what people keep there, drawn by the weights of the
-//! class table. Every thing lies within a surface of its carrier, and no two on one
-//! surface meet.
+//! First come the objects that a piece needs (bedding on the bed, a tap at the sink, the television
+//! on its stand), then others sampled by the habit weights of the class table. Every object lies
+//! within a surface of its carrier, and no two on one surface overlap.
 
 mod habits;
 mod keeper;
@@ -21,7 +20,7 @@ use crate::furnish::{Item, Rest};
 use habits::{Choice, Habits, Place};
 use keeper::Keeper;
 
-/// Fills an apartment; `amount` from 0 (only what belongs to the furniture) to 1.
+/// Fills an apartment; `amount` ranges from 0 (only the objects that furniture needs) to 1.
 pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
     let carriers = home.items.len();
     let standing = standing(&home.items);
@@ -41,14 +40,14 @@ pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
     }
 }
 
-/// A piece of furniture that stands on another: a bowl on its vanity.
+/// A piece of furniture that stands on another, such as a bowl on its vanity.
 struct Standing {
     carrier: usize,
     surface: usize,
     item: usize,
 }
 
-/// What stands on other furniture, by carrier.
+/// The items that stand on other furniture, ordered by carrier.
 fn standing(items: &[Item]) -> Vec<Standing> {
     let mut all: Vec<Standing> = Vec::new();
     for (item, thing) in items.iter().enumerate() {
@@ -60,7 +59,7 @@ fn standing(items: &[Item]) -> Vec<Standing> {
     all
 }
 
-/// What is kept in places of a kind, looked up once for a home.
+/// The choices for each kind of place, looked up once per home.
 #[derive(Default)]
 struct Choices {
     known: HashMap<Place, Rc<Choice>>,
@@ -72,7 +71,7 @@ impl Choices {
     }
 }
 
-/// Puts what people keep there on a surface, as many as its area and the amount ask.
+/// Puts habitual objects on a surface, their number depending on its area and the amount.
 fn keep(keeper: &mut Keeper<'_>, surface: usize, choices: &mut Choices, amount: f32) {
     let (class, room) = (keeper.class(), keeper.room_class());
     let Some(s) = keeper.surface(surface) else { return };
@@ -95,7 +94,7 @@ fn keep(keeper: &mut Keeper<'_>, surface: usize, choices: &mut Choices, amount: 
         left -= 1;
         let Some(class) = kept.draw(keeper.rng.unit()) else { continue };
         let Some(first) = keeper.put(class, surface) else { continue };
-        // Some things are kept by the several.
+        // Objects of some classes are kept in groups.
         let more = set::together(class, &mut keeper.rng);
         for _ in 0..more.min(left + 2) {
             if keeper.put_beside(first, surface).is_none() {

@@ -1,4 +1,4 @@
-//! What belongs to a piece of furniture: bedding, taps, screens, books in rows.
+//! Objects that belong to a piece of furniture: bedding, taps, screens, rows of books.
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::asset::Hold;
@@ -7,7 +7,7 @@ use vc_graph::{State, Stream};
 use super::keeper::Keeper;
 use crate::object::Draft;
 
-/// Dresses a piece with what it cannot do without, and what it usually has.
+/// Adds the objects that a piece needs, and those it usually has.
 pub(super) fn dress(k: &mut Keeper<'_>, amount: f32) {
     match k.class() {
         "double_bed" => bedding(k, 2),
@@ -31,7 +31,7 @@ pub(super) fn dress(k: &mut Keeper<'_>, amount: f32) {
     }
 }
 
-/// How many more of a class are kept beside the first.
+/// How many more objects of a class are kept beside the first.
 pub(super) fn together(class: &str, rng: &mut Stream) -> usize {
     match class {
         "plate" | "dessert_plate" | "soup_plate" | "bowl" | "mug" | "cup" | "water_glass" | "wine_glass"
@@ -45,7 +45,7 @@ pub(super) fn together(class: &str, rng: &mut Stream) -> usize {
     }
 }
 
-/// A duvet over the bed, or turned back, and pillows at the head.
+/// Places a duvet, spread over the bed or turned back, and pillows at the head.
 fn bedding(k: &mut Keeper<'_>, pillows: usize) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
@@ -59,7 +59,7 @@ fn bedding(k: &mut Keeper<'_>, pillows: usize) {
         let y = centre.y - half.1 + each * (i as f32 + 0.5);
         k.place(&pillow, surface, (head + pillow.size().x / 2.0 + 0.03, y), 0.0);
     }
-    // A made bed is covered up to the pillows; else the duvet lies at the foot.
+    // A made bed is covered up to the pillows; otherwise the duvet lies at the foot.
     let cover =
         if made { length - pillow_depth - 0.1 } else { (length - pillow_depth - 0.1) * k.rng.between(0.4, 0.6) };
     let thick = if made { 0.07 } else { 0.14 };
@@ -85,7 +85,7 @@ fn cushions(k: &mut Keeper<'_>) {
     }
 }
 
-/// A television as wide as its stand bears.
+/// Places a television as wide as its stand allows.
 fn television(k: &mut Keeper<'_>) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
@@ -96,11 +96,11 @@ fn television(k: &mut Keeper<'_>) {
     }
 }
 
-/// A laptop, or a monitor with keyboard and mouse, and a lamp.
+/// Places a laptop, or a monitor with keyboard and mouse, and a lamp.
 fn workplace(k: &mut Keeper<'_>) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
-    // Whoever sits there faces the desk's back: screens look to the front.
+    // A person at the desk faces its back, so screens face its front.
     if k.rng.chance(0.5) {
         if let Some(laptop) = k.make("laptop", None) {
             let index = k.place(&laptop, surface, (centre.x + half.0 - laptop.size().x / 2.0 - 0.06, centre.y), 0.0);
@@ -136,7 +136,7 @@ fn lamp(k: &mut Keeper<'_>, class: &str, chance: f32) {
     k.place(&lamp, surface, (centre.x - half.0 + size.x / 2.0 + 0.01, y), 0.0);
 }
 
-/// A tap on the ledge behind a bowl.
+/// Places a tap on the ledge behind a bowl.
 fn tap(k: &mut Keeper<'_>) {
     let Some(&ledge) = k.named("ledge").first() else { return };
     let Some(centre) = k.surface(ledge).map(|s| s.centre) else { return };
@@ -144,7 +144,7 @@ fn tap(k: &mut Keeper<'_>) {
     k.place_over(&tap, ledge, (centre.x, centre.y));
 }
 
-/// What stands on a worktop in every kitchen.
+/// Places the usual appliances on a worktop.
 fn worktop(k: &mut Keeper<'_>, amount: f32) {
     let Some(surface) = k.first(Hold::On) else { return };
     for (class, chance) in [
@@ -171,7 +171,7 @@ fn cookware(k: &mut Keeper<'_>, amount: f32) {
     }
 }
 
-/// Things on hooks and rods.
+/// Hangs objects on hooks and rods.
 fn coats(k: &mut Keeper<'_>, classes: &[&str], chance: f32) {
     for surface in 0..k.surfaces() {
         let hook = k.surface(surface).is_some_and(|s| s.hold == Hold::Hook);
@@ -197,7 +197,7 @@ fn coats(k: &mut Keeper<'_>, classes: &[&str], chance: f32) {
     }
 }
 
-/// Rows of standing books, leaning on a shelf's left side.
+/// Places rows of standing books, from a shelf's left side.
 fn books(k: &mut Keeper<'_>, amount: f32) {
     for surface in 0..k.surfaces() {
         let Some((centre, half, clearance)) =
@@ -232,8 +232,8 @@ fn books(k: &mut Keeper<'_>, amount: f32) {
     }
 }
 
-/// From lying flat, the spine at -Y and the head at -X, to standing with the spine in
-/// front and the head up: the front board faces to the right of who looks at it.
+/// The rotation of a book from lying flat, with the spine at -Y and the head at -X, to standing
+/// with the spine in front and the head up: the front cover faces to the viewer's right.
 fn on_edge() -> vc_graph::Pose {
     let axes = Matrix3::from_columns(&[-Vector3::z(), -Vector3::x(), Vector3::y()]);
     let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));

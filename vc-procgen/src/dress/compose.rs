@@ -1,4 +1,4 @@
-//! Assets moved, and put side by side.
+//! Translating and joining assets.
 
 use nalgebra::{Point3, Translation3, Vector3};
 use vc_graph::Asset;
@@ -6,7 +6,7 @@ use vc_graph::asset::{Joint, Part, Shape};
 
 use crate::material::Mat;
 
-/// The asset moved against its origin by a vector, metres.
+/// The asset translated against its origin, metres.
 pub(super) fn moved(mut asset: Asset, by: Vector3<f32>) -> Asset {
     if by == Vector3::zeros() {
         return asset;
@@ -23,15 +23,15 @@ pub(super) fn moved(mut asset: Asset, by: Vector3<f32>) -> Asset {
     asset
 }
 
-/// Moves a joint's anchor. Slides are moved as well: their anchors tell the drawers of one unit from the
-/// next one's.
+/// Moves a joint's anchor. Prismatic joints are moved as well: their anchors distinguish the drawers of
+/// one unit from those of the next.
 fn anchored(joint: &mut Option<Joint>, by: Vector3<f32>) {
     if let Some(joint) = joint {
         joint.anchor += by;
     }
 }
 
-/// One asset of several: parts and places keep their order, and are named by their unit.
+/// Joins several assets: parts and surfaces keep their order, and their names get the unit's number.
 pub(super) fn joined(name: &str, units: Vec<Asset>) -> Asset {
     let mut whole = Asset { name: name.into(), ..Asset::default() };
     let felt = units.iter().any(|u| !u.collision.is_empty());
@@ -39,7 +39,7 @@ pub(super) fn joined(name: &str, units: Vec<Asset>) -> Asset {
         let named = |name: &str| format!("{name}_{}", index + 1).into();
         unit.parts.iter_mut().chain(&mut unit.collision).for_each(|part| part.name = named(&part.name));
         unit.surfaces.iter_mut().for_each(|surface| surface.name = named(&surface.name));
-        // If one unit has collision parts of its own, the whole needs them for all units.
+        // If one unit has its own collision parts, the whole needs collision parts for all units.
         if felt {
             whole.collision.extend(if unit.collision.is_empty() { unit.parts.clone() } else { unit.collision });
         }

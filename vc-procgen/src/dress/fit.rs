@@ -1,5 +1,5 @@
-//! Making a thing that fills a box: as its generator makes it in that size, several side by side
-//! where one would be too wide, stretched where it comes out smaller.
+//! Making an object that fills a box: generated in that size, several side by side if one would be too
+//! wide, stretched if it comes out smaller.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Asset, Seed};
@@ -12,18 +12,18 @@ use crate::Style;
 use crate::material::*;
 use crate::object::{self, Generator, Object};
 
-/// Instances that are tried for one that fills its box without being stretched, and for one that carries
-/// what the scene has on it too.
+/// The numbers of instances tried to find one that fills its box without stretching, and one that also
+/// supports the objects that the scene has on it.
 const TRIES: u64 = 4;
 const LADEN: u64 = 12;
-/// A factor by which a thing can be stretched without anybody seeing it.
+/// A scale factor too small to be noticed.
 const UNSEEN: f32 = 1.04;
-/// Greatest factor by which a thing is stretched: a hanger is thin though its box is as deep as a coat.
+/// The greatest scale factor: a hanger is thin though its box is as deep as a coat.
 const MOST: f32 = 3.5;
-/// Least thickness of a thing, metres.
+/// The least thickness of an object, metres.
 const THIN: f32 = 0.004;
 
-/// Classes of which several stand side by side in a wide box, and how wide one is at most, metres.
+/// The classes of which several stand side by side in a wide box, and the greatest width of one, metres.
 const ROWS: [(&str, f32); 5] = [
     ("kitchen_cabinet", 0.85),
     ("kitchen_wall_cabinet", 0.85),
@@ -32,7 +32,7 @@ const ROWS: [(&str, f32); 5] = [
     ("wall_hook_rack", 1.0),
 ];
 
-/// The material of a thing without generator, by a word of its class.
+/// The material of an object without a generator, by a word in its class.
 const MATTER: [(&str, Mat); 12] = [
     ("wood", OAK),
     ("metal", STEEL),
@@ -48,7 +48,7 @@ const MATTER: [(&str, Mat); 12] = [
     ("leather", BROWN_LEATHER),
 ];
 
-/// The thing for its box, its origin in the middle of it.
+/// Makes the object for a box, with its origin at the box's centre.
 pub(super) fn made(place: &Place, loads: &[Load], style: &Style, seed: Seed) -> Made {
     let size = place.bounds.size().map(|v| v.max(THIN));
     let Some(generator) = object::generator(&place.class) else {
@@ -86,7 +86,7 @@ fn fitted(generator: &Generator, size: Vector3<f32>, loads: &[Load], style: &Sty
     }
 }
 
-/// An asset that falls a little short of its box, with the scale by which it fills it.
+/// An asset slightly smaller than its box, with the scale by which it fills it.
 fn stretched(asset: Asset, size: Vector3<f32>) -> Made {
     let (low, high) = asset.extent().unwrap_or_default();
     let scale = size.component_div(&(high - low).map(|v| v.max(1e-4)));
@@ -97,8 +97,8 @@ fn centred(object: Object) -> Asset {
     moved(object.asset, -object.bounds.offset)
 }
 
-/// Units in a row as wide as the box. Stretches that other things take have no unit, and are bridged by a
-/// worktop.
+/// A row of units as wide as the box. Stretches occupied by other objects have no unit and are bridged by
+/// a worktop.
 fn side_by_side(
     generator: &Generator,
     size: Vector3<f32>,
@@ -117,7 +117,7 @@ fn side_by_side(
             for i in 0..count as usize {
                 let unit = Vector3::new(size.x, wide / count, size.z);
                 let made = fitted(generator, unit, &[], style, seed);
-                // Units are near enough to their size to be set side by side as they are.
+                // The size of a unit is close enough for it to be placed without scaling.
                 let middle = from + wide / count * (i as f32 + 0.5);
                 units.push(moved(made.asset, Vector3::new(0.0, middle, 0.0)));
             }
@@ -130,14 +130,14 @@ fn side_by_side(
     joined(generator.class, units)
 }
 
-/// The worktop over something that stands in a row.
+/// The worktop over an object that stands in a row.
 fn bridge(size: Vector3<f32>, (low, high): (f32, f32), style: &Style) -> Asset {
     let half = size / 2.0;
     let (from, to) = (Point3::new(-half.x, low, half.z - 0.03), Point3::new(half.x, high, half.z));
     Asset { name: "worktop".into(), parts: vec![block("worktop", from, to, style.worktop)], ..Asset::default() }
 }
 
-/// A box of the material that the class suggests.
+/// A plain box of the material that the class suggests.
 fn plain(class: &str, size: Vector3<f32>) -> Asset {
     let mat = MATTER.iter().find(|(word, _)| class.contains(word)).map_or(BEIGE_FABRIC, |(_, mat)| *mat);
     let half = Point3::from(size / 2.0);

@@ -1,4 +1,4 @@
-//! The plan of a scene of boxes: floors, walls, openings, furniture.
+//! The floor plan of a scene of boxes: floors, walls, openings, furniture.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -9,24 +9,24 @@ use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, Prope
 
 use super::holders;
 
-/// A scene's geometry, as far as it says how things look and which way they face.
+/// The geometry of a scene that matters for the appearance and orientation of objects.
 pub(super) struct House<'g> {
     pub(super) graph: &'g SceneGraph,
     /// Floors.
     pub(super) floors: Vec<Aabb>,
     /// Straight pieces of wall.
     pub(super) walls: Vec<Aabb>,
-    /// Doors, their frames, windows.
+    /// Doors, door frames and windows.
     pub(super) openings: Vec<Opening>,
     /// The shapes that `vc-geometry` gives to walls, floors and counters around corners.
     pub(super) shapes: BTreeMap<NodeId, Asset>,
-    /// Things that stand in the way of a person who walks.
+    /// The objects that are in the way of a walking person.
     standing: Vec<(NodeId, Aabb)>,
-    /// The things that each thing rests on or in.
+    /// The supports and containers of each object.
     holders: BTreeMap<NodeId, Vec<NodeId>>,
 }
 
-/// Heights over the floor between which things stand in the way, metres.
+/// The heights above the floor between which objects obstruct a walking person, metres.
 const WAY: (f32, f32) = (0.12, 1.6);
 
 impl<'g> House<'g> {
@@ -54,17 +54,17 @@ impl<'g> House<'g> {
         house
     }
 
-    /// Whether a node is the frame of a door.
+    /// Whether a node is a door frame.
     pub(super) fn is_frame(&self, id: NodeId) -> bool {
         self.graph.node(id).is_some_and(|n| &**n.class() == "doorjamb")
     }
 
-    /// The things that a thing rests on or in, the nearest first.
+    /// The supports and containers of an object, the nearest first.
     pub(super) fn holders_of(&self, id: NodeId) -> &[NodeId] {
         self.holders.get(&id).map_or(&[], Vec::as_slice)
     }
 
-    /// The height of the floor below a thing, metres.
+    /// The height of the floor below an object, metres.
     pub(super) fn level(&self, around: &Aabb) -> f32 {
         let centre = around.centre();
         let below = self.floors.iter().filter(|f| covers(f, centre.xy()) && f.max.z < centre.z);
@@ -72,8 +72,8 @@ impl<'g> House<'g> {
         under.or_else(|| self.floors.iter().map(|f| f.max.z).reduce(f32::min)).unwrap_or(around.min.z)
     }
 
-    /// Whether there is floor at a point on which one can stand. The node `who`, its holders and its load do
-    /// not count as in the way.
+    /// Whether there is free floor to stand on at a point. The node `who`, its holders and its load do not
+    /// count as in the way.
     pub(super) fn is_free(&self, at: Point2<f32>, level: f32, who: NodeId) -> bool {
         let in_way = |b: &Aabb| covers(b, at) && b.min.z < level + WAY.1 && b.max.z > level + WAY.0;
         let apart =
@@ -83,7 +83,7 @@ impl<'g> House<'g> {
             && !self.standing.iter().any(|(id, b)| in_way(b) && apart(*id))
     }
 
-    /// Boxes of things of a kind, with their classes.
+    /// The objects of a class and its subclasses, with their classes and bounding boxes.
     pub(super) fn of_kind<'a>(&'a self, kind: &'a str) -> impl Iterator<Item = (NodeId, &'a Arc<str>, Aabb)> + 'a {
         let classes = self.graph.classes();
         let of_kind = move |n: &&Node| n.kind() == Kind::Object && classes.is_a(n.class(), kind);
@@ -91,8 +91,8 @@ impl<'g> House<'g> {
     }
 }
 
-/// Whether a thing stands in the way: it is neither part of the building, nor carried, nor a seat that is
-/// moved aside.
+/// Whether an object obstructs a walking person: it is neither part of the building, nor graspable, nor a seat that can
+/// be moved aside.
 fn stands(classes: &ClassTable, node: &Node) -> bool {
     use vc_graph::class::Category;
     let category = classes.get(node.class()).map(|c| c.category);
@@ -101,14 +101,14 @@ fn stands(classes: &ClassTable, node: &Node) -> bool {
     !builds && !carried && !is_seat(classes, node.class())
 }
 
-/// Whether a worktop's box is around a corner, and so around the things that stand there.
+/// Whether the box of a worktop goes around a corner and so contains the objects that stand there.
 pub(super) fn goes_around(node: &Node) -> bool {
     const DEEPEST: f32 = 1.5;
     let size = node.aabb().map(|b| b.max - b.min);
     &**node.class() == "kitchen_counter" && size.is_some_and(|s| s.x.min(s.y) > DEEPEST)
 }
 
-/// Whether a class is one of the seats that are drawn up to a table.
+/// Whether a class is a seat that is drawn up to a table.
 pub(super) fn is_seat(classes: &ClassTable, class: &str) -> bool {
     ["chair", "stool", "bench"].iter().any(|kind| classes.is_a(class, kind))
 }
@@ -117,7 +117,7 @@ fn covers(b: &Aabb, at: Point2<f32>) -> bool {
     (b.min.x..=b.max.x).contains(&at.x) && (b.min.y..=b.max.y).contains(&at.y)
 }
 
-/// The parts of a thing as boxes of the world.
+/// The parts of an object as boxes in the world.
 fn pieces(node: &Node, asset: &Asset) -> Vec<Aabb> {
     let Some(pose) = node.pose() else { return Vec::new() };
     let placed = |part: &vc_graph::asset::Part| {

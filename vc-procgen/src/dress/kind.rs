@@ -1,4 +1,4 @@
-//! Which generator makes a thing: by its class, and by hints of its name, size and place.
+//! The generator for an object: chosen by its class, and by hints from its name, size and position.
 
 use std::sync::Arc;
 
@@ -8,15 +8,15 @@ use vc_graph::{Aabb, ClassTable, NodeId};
 use super::house::House;
 use crate::object;
 
-/// The facts about a thing by which its look is chosen.
+/// The facts about an object that determine its appearance.
 struct Facts {
-    /// The name in lower case, words run together.
+    /// The name in lower case, without separators.
     name: String,
-    /// The longer and the shorter measure of its footprint, and its height, metres.
+    /// The longer and the shorter side of its footprint, and its height, metres.
     long: f32,
     short: f32,
     high: f32,
-    /// How far its bottom is over the floor, metres.
+    /// The height of its bottom above the floor, metres.
     lift: f32,
 }
 
@@ -26,7 +26,7 @@ impl Facts {
     }
 }
 
-/// A class, a condition, and the class that such a thing is taken for; the first rule that holds counts.
+/// A class, a condition, and the class used instead; the first rule that holds applies.
 type Rule = (&'static str, fn(&Facts) -> bool, &'static str);
 
 const RULES: [Rule; 16] = [
@@ -48,7 +48,7 @@ const RULES: [Rule; 16] = [
     ("window", |_| true, "window"),
 ];
 
-/// The class whose generator makes a thing; its own if none does.
+/// The class whose generator makes an object; its own class if there is no generator.
 pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -> Arc<str> {
     let Some(node) = house.graph.node(id) else { return "".into() };
     let classes = house.graph.classes();
@@ -61,7 +61,7 @@ pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -
         lift: around.min.z - house.level(around),
     };
     let own = node.class();
-    // A name that says more than the class: a kitchen chair is a chair.
+    // A name may be more specific than the class: a kitchen chair is a chair.
     let said = classes.get(name).map(|c| &c.name).filter(|c| *c != own && classes.is_a(c, own));
     let class = said.filter(|c| object::generator(c).is_some()).unwrap_or(own);
     let rule = RULES.iter().find(|(of, holds, _)| **of == **class && holds(&facts));
@@ -72,8 +72,7 @@ pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -
     }
 }
 
-/// A kind of a class that has a generator, or else the nearest class it is a kind of: any toy
-/// for a toy.
+/// A subclass that has a generator, or else the nearest superclass with one: any toy for a toy.
 fn related(classes: &ClassTable, class: &str, id: NodeId) -> Option<Arc<str>> {
     let own = classes.get(class)?;
     let kinds: Vec<&str> = object::generators().map(|g| g.class).filter(|c| classes.is_a(c, class)).collect();
@@ -81,6 +80,6 @@ fn related(classes: &ClassTable, class: &str, id: NodeId) -> Option<Arc<str>> {
         return Some(kinds[id.0 as usize % kinds.len()].into());
     }
     let above = object::generators().filter_map(|g| classes.get(g.class)).filter(|c| classes.is_a(&own.name, &c.name));
-    // The nearest one has the fewest kinds.
+    // The nearest one has the fewest subclasses.
     above.min_by_key(|c| classes.kinds_of(c).count()).map(|c| c.name.clone())
 }

@@ -1,4 +1,4 @@
-//! The load of a thing in its scene, and how well the surfaces made for the thing carry it.
+//! The objects that rest on another in the scene, and how well the surfaces of its asset support them.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::asset::{Hold, Surface};
@@ -6,14 +6,14 @@ use vc_graph::{Aabb, Asset, NodeId, Relation};
 
 use super::house::House;
 
-/// How far a surface may be into a thing that it carries, and below it, metres.
+/// The distances that a surface may be inside an object it supports, and below it, metres.
 const SUNK: f32 = 0.02;
 const HOVERS: f32 = 0.15;
-/// The greatest height at which people put things on a surface, and the handiest one, metres.
+/// The greatest height at which people put objects on a surface, and the most convenient one, metres.
 const REACH: f32 = 1.6;
 const HANDY: f32 = 1.0;
 
-/// The box of a thing that another carries, in the frame around the middle of that one's box.
+/// The bounding box of a supported object, in a frame at the centre of the supporting one's box.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Load {
     low: Vector3<f32>,
@@ -21,7 +21,7 @@ pub(super) struct Load {
     inside: bool,
 }
 
-/// The things that rest on or in one, whose box has its middle and axes at a pose.
+/// The objects that rest on or in another, whose box has its centre and axes at a pose.
 pub(super) fn of(house: &House, id: NodeId, middle: &Isometry3<f32>) -> Vec<Load> {
     let related = |relation| house.graph.relating(relation, id).map(move |load| (load, relation == Relation::Inside));
     let all = related(Relation::On).chain(related(Relation::Inside));
@@ -38,8 +38,8 @@ impl Load {
         Self { low, high, inside }
     }
 
-    /// How badly surfaces carry it: zero where it stands on one, one where nothing is below it or a
-    /// board goes through it.
+    /// How badly surfaces support it: zero if it stands on one, one if nothing is below it or a board passes
+    /// through it.
     fn off(&self, levels: &[Level]) -> f32 {
         let over = || levels.iter().filter(|l| l.is_below(self));
         let cut = |l: &Level| l.at > self.low.z + SUNK && l.at < self.high.z - SUNK;
@@ -48,7 +48,7 @@ impl Load {
     }
 }
 
-/// A surface in the frame around the middle of its thing, stretched as that is.
+/// A surface in the frame at the centre of its object, scaled as the object is.
 struct Level {
     middle: Vector3<f32>,
     half: (f32, f32),
@@ -61,22 +61,22 @@ impl Level {
         Self { middle, half: (surface.half.0 * stretch.x, surface.half.1 * stretch.y), at: middle.z }
     }
 
-    /// Whether the middle of a load is over it.
+    /// Whether it is below the centre of a load.
     fn is_below(&self, load: &Load) -> bool {
         let off = (load.low + load.high) / 2.0 - self.middle;
         off.x.abs() <= self.half.0 && off.y.abs() <= self.half.1
     }
 }
 
-/// How badly an asset carries loads, from zero to one, if its box has its middle at a point and is stretched.
+/// How badly an asset supports loads, from zero to one, if its box has its centre at `origin` and is scaled.
 pub(super) fn off(asset: &Asset, origin: &Vector3<f32>, stretch: &Vector3<f32>, loads: &[Load]) -> f32 {
     let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::of(s, origin, stretch)).collect();
     let sum: f32 = loads.iter().map(|load| load.off(&levels)).sum();
     if loads.is_empty() { 0.0 } else { sum / loads.len() as f32 }
 }
 
-/// On the boards of open shelves that the scene has things on, things are put, and so on a handy one if the
-/// top is out of reach; in others they are put.
+/// Marks the boards of open shelves that carry objects in the scene as surfaces to put objects on, and
+/// likewise a convenient one if the top is out of reach; the other boards keep objects inside.
 pub(super) fn lay_on_boards(asset: &mut Asset, origin: &Vector3<f32>, stretch: &Vector3<f32>, loads: &[Load]) {
     if asset.parts.iter().any(|part| part.joint.is_some()) || loads.iter().all(|load| load.inside) {
         return;

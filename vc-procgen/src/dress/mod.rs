@@ -1,16 +1,16 @@
-//! Appearance for homes of boxes: scenes whose things have a class and a box and no shape.
+//! Shapes for homes of boxes: scenes whose objects have a class and a bounding box but no shape.
 //!
-//! [`dressed`] gives every such thing the object that the class's [generator](crate::object)
-//! makes in that size, turned by quarter turns so that it faces the free floor; walls are cut
-//! where doors and windows are, floors and walls get their room's material. A thing that no generator
-//! makes gets a plain box of the material that its class suggests.
+//! [`dressed`] gives every such object the asset that its class's [generator](crate::object) makes in that
+//! size, rotated by quarter turns so that it faces the free floor. Walls are cut where doors and windows are;
+//! floors and walls get their room's material. An object without a generator gets a plain box of the material
+//! that its class suggests.
 //!
 //! | in the scene | in the result |
 //! |---|---|
-//! | numbers, classes, names, states, relations, positions | stay |
-//! | boxes aligned with the world | stay; the node turns by quarter turns within them |
-//! | boxes of turned nodes | stay; the object fills them, its front along the node's X |
-//! | boxes thinner than any thing of the class | grow to the class's least size: floors downwards, ceilings upwards |
+//! | identifiers, classes, names, states, relations, positions | unchanged |
+//! | boxes aligned with the world | unchanged; the node is rotated by quarter turns within them |
+//! | boxes of rotated nodes | unchanged; the object fills them, its front along the node's X |
+//! | boxes thinner than any object of the class | grow to the class's least size: floors downwards, ceilings upwards |
 //! | boxes of doors and windows | become those of the object: leaf, frame and handles in the opening of the wall |
 //!
 //! ```
@@ -50,31 +50,30 @@ use crate::Style;
 use crate::object;
 use house::House;
 
-/// The reason why a scene got no shapes.
+/// The reason why a scene could not be given shapes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DressError {
-    /// A shape does not fit the scene's library.
+    /// A shape cannot be added to the scene's library.
     #[error(transparent)]
     Asset(#[from] AssetError),
-    /// The scene cannot be built again.
+    /// The scene cannot be rebuilt.
     #[error(transparent)]
     Edit(#[from] EditError),
 }
 
-/// The seed by which a scene's shapes are chosen: the number at the end of its name
-/// (`apartment_42`), else one made of the name and of how many nodes there are.
+/// The seed that determines a scene's shapes: the number at the end of its name (`apartment_42`), otherwise one
+/// derived from the name and the number of nodes.
 pub fn seed_of(graph: &SceneGraph) -> Seed {
     let name = graph.name();
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
     name[digits..].parse().map_or_else(|_| Seed(graph.len() as u64).child(name), Seed)
 }
 
-/// The scene with a shape for every thing that has a box and a class and no shape, and for every thing that
-/// has neither box nor shape if there is a generator of its class. The same scene and seed give the same
-/// bytes.
+/// Gives a shape to every object that has a box and a class but no shape, and to every object that has neither
+/// box nor shape if its class has a generator. The same scene and seed give the same bytes.
 ///
-/// Costs some tens of microseconds for each thing.
+/// Costs some tens of microseconds for each object.
 ///
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
@@ -88,8 +87,8 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
     rebuilt(graph, looks, wardrobe.library)
 }
 
-/// The scene with a shape for everything that has neither shape nor box and of whose class
-/// there is a generator: an instance of the usual size. `None` if nothing lacks one.
+/// Gives a shape to every object that has neither shape nor box and whose class has a generator: an instance of
+/// the usual size. `None` if there is no such object.
 ///
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
@@ -102,7 +101,7 @@ pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, Dres
     rebuilt(graph, looks, wardrobe.library).map(Some)
 }
 
-/// The new appearance of a node: its asset, and where that is.
+/// The new appearance of a node: its asset, with its pose, bounds and scale.
 struct Look {
     asset: AssetId,
     pose: Option<Pose>,
@@ -110,33 +109,33 @@ struct Look {
     scale: Vector3<f32>,
 }
 
-/// A shape as it was made for a size: its origin in the middle of its box.
+/// A shape made for a size, with its origin at the centre of its box.
 #[derive(Clone)]
 struct Made {
     asset: Asset,
-    /// The factors by which it is to be stretched along its axes.
+    /// The scale factors along its axes.
     scale: Vector3<f32>,
 }
 
 /// The shapes made for a scene so far.
 struct Wardrobe {
     library: AssetLibrary,
-    /// Where our materials begin in the library.
+    /// The index of our first material in the library.
     offset: u32,
     style: Style,
     seed: Seed,
     made: BTreeMap<Key, (AssetId, Vector3<f32>)>,
-    /// The things that are carried by all that look the same.
+    /// The loads of all objects that look the same.
     loads: BTreeMap<Key, Vec<load::Load>>,
 }
 
-/// Class, name and size: things that share these are the same thing.
+/// Class, name and size: objects with the same key share a shape.
 type Key = (String, [i32; 6]);
 
-/// The kind of shape that a node needs.
+/// The shape that a node needs.
 enum Need {
     Nothing,
-    /// One of its class's usual size, if there is a generator.
+    /// A shape of its class's usual size, if there is a generator.
     Usual,
     Built(shell::Built),
     Thing(turn::Place, Key, Vec<load::Load>),
@@ -149,7 +148,7 @@ impl Wardrobe {
         Ok(Self { library, offset, style: Style::from_seed(seed), seed, made: BTreeMap::new(), loads: BTreeMap::new() })
     }
 
-    /// The kind of shape that a node needs.
+    /// Determines the shape that a node needs.
     fn need(&self, house: &House, node: &Node) -> Need {
         let (Some(bounds), Some(pose)) = (node.spec().bounds, node.pose()) else { return Need::Usual };
         if node.kind() != Kind::Object || node.spec().asset.is_some() {
@@ -164,7 +163,7 @@ impl Wardrobe {
         Need::Thing(place, key, loads)
     }
 
-    /// Notes what things carry: those that look the same carry it all.
+    /// Records the loads of objects: those that look the same share them all.
     fn load(&mut self, need: &Need) {
         if let Need::Thing(_, key, loads) = need {
             self.loads.entry(key.clone()).or_default().extend(loads);
@@ -215,14 +214,14 @@ impl Wardrobe {
     }
 }
 
-/// Offset and half size of a box in tenths of a millimetre.
+/// The offset and half size of a box in tenths of a millimetre.
 fn rounded(bounds: &Bounds) -> [i32; 6] {
     let number = |v: f32| (v * 1e4).round() as i32;
     let (o, h) = (bounds.offset, bounds.half);
     [o.x, o.y, o.z, h.x, h.y, h.z].map(number)
 }
 
-/// The generator for a node, if that has neither shape nor box.
+/// The generator for a node, if the node has neither shape nor box.
 fn lacks_all(node: &Node) -> Option<&'static object::Generator> {
     let bare = node.kind() == Kind::Object && node.spec().asset.is_none() && node.spec().bounds.is_none();
     object::generator(node.class()).filter(|_| bare)
@@ -243,12 +242,12 @@ fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) 
     Ok(builder.build())
 }
 
-/// Whether a node's box says nothing of how it is turned.
+/// Whether a node's box does not tell its rotation.
 fn is_unturned(bounds: &Bounds) -> bool {
     bounds.frame == Frame::World
 }
 
-/// The nodes that a node rests on or in, directly or through others, the nearest first.
+/// The nodes that a node rests on or in, directly or indirectly, the nearest first.
 fn holders(graph: &SceneGraph, id: NodeId) -> impl Iterator<Item = &Node> {
     graph.support_chain(id).into_iter().filter(move |&at| at != id).filter_map(|at| graph.node(at))
 }

@@ -1,4 +1,4 @@
-//! The building: floors, ceilings, walls with holes, doors and windows in them.
+//! The building: floors, ceilings, walls with openings, doors and windows in them.
 
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector2, Vector3};
 use vc_geometry::Opening;
@@ -11,23 +11,23 @@ use crate::furnish::Facing;
 use crate::material::{self, Mat};
 use crate::object::{self, Object};
 
-/// Thickness of a ceiling whose box has none, metres.
+/// The thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
-/// How far from an opening's box the walls may be that it is in, metres.
+/// The greatest distance between an opening's box and the walls that contain it, metres.
 const NEAR: f32 = 0.12;
-/// Height of the strip on the floor below a door, metres.
+/// The height of the strip on the floor below a door, metres.
 const STRIP: f32 = 0.004;
-/// Rooms with tiles on the floor; the first also has them on its walls.
+/// The rooms with tiled floors; the first also has tiled walls.
 const WET: [&str; 4] = ["bathroom", "kitchen", "laundry_room", "utility_room"];
 
-/// Something of the building as it is drawn.
+/// A part of the building with its shape.
 pub(super) struct Built {
     pub(super) asset: Asset,
     pub(super) pose: Pose,
     pub(super) bounds: Bounds,
 }
 
-/// The part of the building that a node is; `None` if it is no part of it.
+/// The shape of a node that is part of the building; `None` if it is not.
 pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
     match &**node.class() {
@@ -47,7 +47,7 @@ pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Op
     }
 }
 
-/// Walls and floors as geometry has them, in a material.
+/// Walls and floors with the shapes of `vc-geometry`, in a material.
 fn painted(house: &House, node: &Node, mat: Mat) -> Option<Built> {
     let mut asset = house.shapes.get(&node.id())?.clone();
     asset.parts.iter_mut().for_each(|part| part.material = mat.0);
@@ -79,7 +79,7 @@ fn one_block(name: &str, (low, high): (Point3<f32>, Point3<f32>), mat: Mat) -> A
     Asset { name: name.into(), parts: vec![block(name, low, high, mat)], ..Asset::default() }
 }
 
-/// Whether a turn takes upright axes to upright axes.
+/// Whether a rotation maps coordinate axes to coordinate axes.
 fn quarter(turn: &UnitQuaternion<f32>) -> bool {
     turn.to_rotation_matrix().matrix().iter().all(|v| v.abs() < 1e-3 || v.abs() > 1.0 - 1e-3)
 }
@@ -88,10 +88,10 @@ fn meet(a: &Aabb, b: &Aabb) -> bool {
     (0..3).all(|i| a.min[i] < b.max[i] && b.min[i] < a.max[i])
 }
 
-/// The hole that a door, frame or window fills: as thick as the walls it is in.
+/// The opening that a door, frame or window fills: as thick as the walls it is in.
 fn hole(house: &House, opening: &Opening) -> Aabb {
     let (mut hole, thin) = (opening.clear, opening.across);
-    // A leaf that stands open says little of the hole; the frame at its place says all.
+    // An open leaf says little about the opening; the frame in the same place has its exact box.
     let framed = house.openings.iter().find(|o| house.is_frame(o.door) && meet(&o.clear, &opening.clear));
     if let Some(frame) = framed {
         hole = frame.clear;
@@ -120,7 +120,7 @@ fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
     Some(Built { asset, pose, bounds: Bounds { frame: Frame::Object, ..bounds } })
 }
 
-/// A door, window or empty frame as its generator makes it for the hole.
+/// A door, window or empty frame, generated for its opening.
 fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let generator = object::generator(node.class())?;
     let hole = hole(house, opening);
@@ -140,8 +140,8 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     Some(Built { asset: moved(asset, by), pose, bounds })
 }
 
-/// Which way a door or window looks, and whether its hinge is on the right: it opens to the side
-/// where there is more floor, and its open leaf stands where it is least in the way.
+/// The facing direction of a door or window, and whether its hinge is on the right: it opens to the
+/// side with more free floor, and its open leaf stands where it is least in the way.
 fn hung(
     house: &House,
     (hole, across): (&Aabb, usize),

@@ -1,5 +1,5 @@
-//! How a thing stands in its box: which of its axes lies along which of the box's, and which
-//! way its front looks.
+//! The orientation of an object in its box: which of its axes lies along which of the box's, and the
+//! direction of its front.
 
 use std::sync::Arc;
 
@@ -11,28 +11,29 @@ use super::kind;
 use crate::furnish::Facing;
 use crate::object;
 
-/// A thing's place: the class it is taken for, its pose, and its box in its own axes.
+/// The placement of an object: the class it is made as, its pose, and its box in its own axes.
 pub(super) struct Place {
-    /// The class whose generator makes it; the node's own if there is none.
+    /// The class whose generator makes it; the node's own class if there is none.
     pub(super) class: Arc<str>,
     pub(super) pose: Pose,
     pub(super) bounds: Bounds,
-    /// Stretches of its width that other things take, from its middle, metres.
+    /// The stretches of its width that other objects occupy, from its centre, metres.
     pub(super) taken: Vec<(f32, f32)>,
 }
 
-/// If the misfits of two turns differ by more than this, the proportions decide, else the surroundings.
+/// If the misfits of two rotations differ by more than this, the proportions decide, otherwise the
+/// surroundings.
 const DOUBT: f32 = 0.35;
-/// A thing that could stand lies if the misfit is smaller by more than this.
+/// An object that could stand is laid down if that reduces the misfit by more than this.
 const LIES: f32 = 1.0;
-/// A thing that begins higher than this over the floor hangs on the wall, metres.
+/// An object that begins higher than this above the floor hangs on the wall, metres.
 const HUNG: f32 = 0.3;
 
-/// Kinds of things that look at each other, and how much that counts beside the free floor and the walls.
+/// The kinds of objects that face each other, and the weight of this relative to free floor and walls.
 const COMPANIONS: [(&str, &str); 3] = [("sofa", "television"), ("television", "sofa"), ("tv_stand", "sofa")];
 const COMPANY: f32 = 0.5;
 
-/// Where and how a thing is.
+/// Determines the placement of an object.
 pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) -> Place {
     let known = !super::is_unturned(bounds);
     let box_ = bounds.aabb(pose);
@@ -54,7 +55,7 @@ pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) ->
     Place { class, pose, bounds, taken }
 }
 
-/// How a thing is tipped before it is turned.
+/// How an object is tipped before it is rotated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Lain {
     Upright,
@@ -65,7 +66,7 @@ enum Lain {
 }
 
 impl Lain {
-    /// A size along the world's axes in the thing's own.
+    /// Converts a size from the world's axes to the object's own.
     fn own(self, size: Vector3<f32>) -> Vector3<f32> {
         match self {
             Self::Upright => size,
@@ -74,7 +75,7 @@ impl Lain {
         }
     }
 
-    /// Its own axes to the world's: exact.
+    /// The exact rotation from its own axes to the world's.
     fn turn(self) -> UnitQuaternion<f32> {
         let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
         let columns = match self {
@@ -86,8 +87,8 @@ impl Lain {
     }
 }
 
-/// Half a size without mistakes of the scene: a measure far below the class's usual range is replaced by
-/// the least of that range.
+/// Half a size with mistakes of the scene corrected: a dimension far below the class's usual range is
+/// replaced by the least of that range.
 fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
     const MISTAKEN: f32 = 3.0;
     let Some(ranges) = object::usual_ranges(class) else { return half };
@@ -97,15 +98,15 @@ fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
     })
 }
 
-/// How far the proportions of a size are from those of a class: the sum over its measures of their distance,
-/// as logarithms, from the usual range, after all are scaled alike.
+/// How far the proportions of a size are from those of a class: the sum over its dimensions of the
+/// logarithmic distance from the usual range, after a common scaling.
 fn misfit(class: &str, size: Vector3<f32>) -> f32 {
     use vc_graph::portable::Portable;
     let Some(ranges) = object::usual_ranges(class) else { return 0.0 };
     let off = Vector3::from_fn(|i, _| {
         let size = size[i].max(1e-3);
         let fair = size.clamp(ranges[i].low, ranges[i].high.max(ranges[i].low));
-        // The part beyond the range counts in full, the part within it a little.
+        // The part beyond the range counts in full, the part within it with a small weight.
         (size / fair).logarithm() + 0.2 * (fair / ranges[i].middle()).logarithm()
     });
     off.map(|v| (v - off.mean()).abs()).sum()
@@ -121,7 +122,7 @@ fn lain(house: &House, id: NodeId, class: &str, size: Vector3<f32>) -> Lain {
     best.filter(|l| carried && fit(*l) + LIES < fit(Lain::Upright)).unwrap_or(Lain::Upright)
 }
 
-/// The quarter turns by which a thing's front looks away from the world's X.
+/// The number of quarter turns from the world's X to an object's front.
 fn front(house: &House, id: NodeId, class: &str, around: &Aabb, lain: &Lain) -> u8 {
     let there = Surroundings { house, id, around, level: house.level(around) };
     if is_seat(house.graph.classes(), class)
@@ -140,7 +141,7 @@ fn step(k: u8) -> Vector2<f32> {
     Vector2::new(x, y)
 }
 
-/// The front of the piece of furniture that a thing is on or in, however many things are between.
+/// The front of the piece of furniture that an object is on or in, directly or indirectly.
 fn holder_front(house: &House, id: NodeId) -> Option<u8> {
     let furniture = |&h: &NodeId| {
         let node = house.graph.node(h)?;
@@ -158,7 +159,7 @@ fn holder_front(house: &House, id: NodeId) -> Option<u8> {
     Some(alone.front(&class, &Lain::Upright))
 }
 
-/// From a seat to the table that it is drawn up to.
+/// The direction from a seat to the table that it is drawn up to.
 fn to_table(house: &House, seat: &Aabb) -> Option<Vector2<f32>> {
     const DRAWN_UP: f32 = 0.7;
     let centre = seat.centre();
@@ -172,7 +173,7 @@ fn to_table(house: &House, seat: &Aabb) -> Option<Vector2<f32>> {
     way.try_normalize(1e-3)
 }
 
-/// The surroundings of a thing.
+/// The surroundings of an object.
 struct Surroundings<'h, 'g> {
     house: &'h House<'g>,
     id: NodeId,
@@ -181,14 +182,14 @@ struct Surroundings<'h, 'g> {
 }
 
 impl Surroundings<'_, '_> {
-    /// The front of a thing of a class if nothing but its surroundings tells how it stands.
+    /// The front of an object of a class if only its surroundings determine it.
     fn front(&self, class: &str, lain: &Lain) -> u8 {
         let hung = self.around.min.z > self.level + HUNG;
         let company = self.company(class);
         self.best(class, lain, |k| self.score(k, hung) + company.map_or(0.0, |way| COMPANY * step(k).dot(&way)))
     }
 
-    /// The way from a screen to the nearest sofa in its room, and from a sofa to the nearest screen.
+    /// The direction from a screen to the nearest sofa in its room, and from a sofa to the nearest screen.
     fn company(&self, class: &str) -> Option<Vector2<f32>> {
         let graph = self.house.graph;
         let is_a = |kind: &str| graph.classes().is_a(class, kind);
@@ -200,7 +201,7 @@ impl Surroundings<'_, '_> {
         nearest?.try_normalize(0.3)
     }
 
-    /// The best way to look, if the proportions of the box leave a choice.
+    /// The best facing direction among those that the proportions of the box allow.
     fn best(&self, class: &str, lain: &Lain, score: impl Fn(u8) -> f32) -> u8 {
         let size = self.around.max - self.around.min;
         let fit = [size, Vector3::new(size.y, size.x, size.z)].map(|s| misfit(class, lain.own(s)));
@@ -213,14 +214,14 @@ impl Surroundings<'_, '_> {
         ranked.reduce(|p, q| if q.0 > p.0 + 1e-4 { q } else { p }).map_or(0, |(_, k)| k)
     }
 
-    /// How well a thing would look that way: free floor before it, a wall behind it.
+    /// The score of a facing direction: free floor in front, a wall behind.
     fn score(&self, k: u8, hung: bool) -> f32 {
         let (front, back) = (k, (k + 2) % 4);
         let walls = self.backing(back) - 0.7 * self.backing(front);
         if hung { 2.0 * walls + 0.3 * self.free(front) } else { walls + 1.2 * self.free(front) - 0.6 * self.free(back) }
     }
 
-    /// The share of the floor before a side that is free.
+    /// The share of the floor in front of a side that is free.
     fn free(&self, k: u8) -> f32 {
         const ROWS: [f32; 4] = [0.12, 0.3, 0.5, 0.75];
         let (ahead, along) = (step(k), step(k + 1));
@@ -254,14 +255,14 @@ impl Surroundings<'_, '_> {
             };
             beyond.then_some((face - edge).max(0.0))
         };
-        // Across the room's width a wall says nothing of this side.
+        // A wall that runs across this direction is not behind this side.
         let thin = |w: &Aabb| w.max[deep] - w.min[deep] < w.max[wide] - w.min[wide];
         let nearest = self.house.walls.iter().filter(|w| thin(w) && beside(w)).filter_map(gap).reduce(f32::min);
         nearest.map_or(0.0, |d| (1.0 - d / FAR).max(0.0))
     }
 }
 
-/// The stretches of a counter's width that appliances within its box take, from its middle.
+/// The stretches of a counter's width, from its centre, that appliances within its box occupy.
 fn taken(house: &House, id: NodeId, around: &Aabb, front: u8) -> Vec<(f32, f32)> {
     let wide = if front.is_multiple_of(2) { 1 } else { 0 };
     let way = step(front + 1)[if front.is_multiple_of(2) { 1 } else { 0 }];

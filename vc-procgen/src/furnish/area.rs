@@ -1,4 +1,4 @@
-//! Rectangles on the floor in metres, and the four ways to face.
+//! Rectangles on the floor in metres, and the four axis-aligned facing directions.
 
 use vc_graph::portable::Portable;
 
@@ -17,7 +17,7 @@ pub struct Area {
     pub y1: f32,
 }
 
-/// Slack of comparisons, metres.
+/// The tolerance of comparisons, metres.
 const SLACK: f32 = 1e-4;
 
 impl Area {
@@ -29,7 +29,7 @@ impl Area {
         Self { x0: x - half_x, y0: y - half_y, x1: x + half_x, y1: y + half_y }
     }
 
-    /// Whether both share more than a line.
+    /// Whether the two overlap by more than a line.
     pub fn overlaps(&self, other: &Self) -> bool {
         self.x0 < other.x1 - SLACK
             && other.x0 < self.x1 - SLACK
@@ -60,25 +60,25 @@ impl Area {
         (self.x1 - self.x0).max(0.0) * (self.y1 - self.y0).max(0.0)
     }
 
-    /// Distance between the nearest points of both.
+    /// The distance between the nearest points of both.
     pub(crate) fn distance(&self, other: &Self) -> f32 {
         let gap = |a0: f32, a1: f32, b0: f32, b1: f32| (b0 - a1).max(a0 - b1).max(0.0);
         gap(self.x0, self.x1, other.x0, other.x1).hypotenuse(gap(self.y0, self.y1, other.y0, other.y1))
     }
 }
 
-/// A way to face along an axis: quarter turns from X, counter-clockwise.
+/// A facing direction along an axis: quarter turns from X, counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Facing(pub u8);
 
 impl Facing {
-    /// Unit step that way.
+    /// The unit vector in this direction.
     pub(crate) fn step(self) -> (f32, f32) {
         [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][usize::from(self.0 % 4)]
     }
 
     pub(crate) fn yaw(self) -> f32 {
-        // Exact for all four.
+        // Exact for all four directions.
         [0.0, std::f32::consts::FRAC_PI_2, std::f32::consts::PI, -std::f32::consts::FRAC_PI_2][usize::from(self.0 % 4)]
     }
 
@@ -90,8 +90,8 @@ impl Facing {
         self.0.is_multiple_of(2)
     }
 
-    /// The rectangle of something so deep and wide that faces this way, its back's
-    /// middle at a point.
+    /// The rectangle of an object with the given depth and width that faces this way, with the
+    /// centre of its back at a point.
     pub(crate) fn area(self, back: (f32, f32), depth: f32, width: f32) -> Area {
         let (dx, dy) = self.step();
         let centre = (back.0 + dx * depth / 2.0, back.1 + dy * depth / 2.0);
@@ -109,7 +109,7 @@ impl Facing {
         }
     }
 
-    /// The area made wider to its left and right.
+    /// The area extended to its left and right.
     pub(crate) fn widened(self, area: &Area, left: f32, right: f32) -> Area {
         match self.0 % 4 {
             0 => Area { y0: area.y0 - right, y1: area.y1 + left, ..*area },

@@ -1,4 +1,4 @@
-//! Bathrooms: shower or bath, toilet and basin, then what fits.
+//! Bathrooms: shower or bath, toilet and basin, then whatever else fits.
 
 use super::place::{Need, Spot};
 use super::space::Solid;
@@ -7,7 +7,7 @@ use crate::error::Impossible;
 use crate::object::Draft;
 use crate::plan::RoomKind;
 
-/// How often the fittings are dealt anew.
+/// The number of attempts to place the fittings.
 const TRIES: usize = 40;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
@@ -47,7 +47,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// One of each list of alternatives, dealt until all fit.
+/// Places one of each list of alternatives, retrying until all fit.
 fn place_all(s: &mut Setter<'_>, fittings: &[Vec<(Draft, Need)>]) -> Option<Vec<usize>> {
     let (solids, zones) = (s.space.solids.len(), s.space.zones.len());
     for attempt in 0..TRIES {
@@ -82,7 +82,7 @@ fn commit(s: &mut Setter<'_>, object: &Draft, spot: &Spot, need: Need) -> usize 
     index
 }
 
-/// A bowl on a vanity, and the mirror.
+/// Adds a bowl on a vanity, and the mirror.
 fn above_basin(s: &mut Setter<'_>, basin: usize) {
     let (area, facing, class, height) = {
         let item = s.item(basin);
@@ -127,7 +127,7 @@ fn extras(s: &mut Setter<'_>) {
     bath_mat(s, mat);
 }
 
-/// A mat before the shower or bath.
+/// Adds a mat in front of the shower or bath.
 fn bath_mat(s: &mut Setter<'_>, mat: Option<Draft>) {
     let Some(mat) = mat else { return };
     let wet = s.items.iter().find(|i| matches!(i.object.class, "shower" | "bathtub"));

@@ -1,4 +1,4 @@
-//! Bedrooms: the bed with its night stands first, a wardrobe, then what fits.
+//! Bedrooms: the bed with its nightstands first, a wardrobe, then whatever else fits.
 
 use super::place::{Need, Spot};
 use super::space::Solid;
@@ -8,7 +8,7 @@ use crate::object::Draft;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
-    // In small rooms now one, now the other finds its place only if it comes first.
+    // In small rooms sometimes one, sometimes the other finds a place only if it comes first.
     if s.rng.chance(0.3) {
         wardrobe(s)?;
         bed(s)?;
@@ -42,13 +42,13 @@ fn wardrobe(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// Tall storage goes into corners, away from windows.
+/// Tall storage prefers corners away from windows.
 pub(super) fn in_corner(s: &Setter<'_>, spot: &Spot) -> f32 {
     let door = s.space.door_distance(&spot.area).min(1.0);
     (0.6 - spot.corner).max(0.0) + 0.2 * door
 }
 
-/// The widest bed that fits, its head against a wall without window.
+/// Places the widest bed that fits, with its head against a wall without a window.
 fn place_bed(s: &mut Setter<'_>) -> Option<usize> {
     let length = s.rng.between(2.02, 2.1);
     let height = s.rng.between(0.8, 1.15);
@@ -90,12 +90,12 @@ fn place_bed(s: &mut Setter<'_>) -> Option<usize> {
 fn bed_place(s: &Setter<'_>, spot: &Spot) -> f32 {
     let window = if spot.sill.is_some() { -2.0 } else { 0.0 };
     let wall = s.space.sides[spot.side].length().min(5.0) * 0.1;
-    // In the middle of its wall, or in a corner, not a hand off it.
+    // In the middle of its wall or in a corner, but not slightly off either.
     let middle = -0.3 * (spot.along - f32::midpoint(s.space.sides[spot.side].from, s.space.sides[spot.side].to)).abs();
     window + wall + middle + 0.5 * s.space.door_distance(&spot.area).min(1.5)
 }
 
-/// Night stands at the head, where there is room.
+/// Places nightstands at the head of the bed, where there is space.
 fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
     let Some(stand) = stand else { return };
     let (area, facing) = (s.item(bed).area(), s.item(bed).facing());
@@ -104,7 +104,7 @@ fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
         let beside =
             if left { facing.widened(&area, size.y + 0.05, 0.0) } else { facing.widened(&area, 0.0, size.y + 0.05) };
         let (hx, hy) = if facing.is_along_x() { (size.x / 2.0, size.y / 2.0) } else { (size.y / 2.0, size.x / 2.0) };
-        // The corner of the widened rectangle at the head.
+        // The corner of the widened rectangle at the bed's head.
         let x = match (facing.0, left) {
             (0, _) => beside.x0 + hx,
             (2, _) => beside.x1 - hx,
@@ -117,7 +117,7 @@ fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
             (0, true) | (2, false) => beside.y1 - hy,
             _ => beside.y0 + hy,
         };
-        // It may stand in the bed's own zone: one gets up beyond it.
+        // It may stand in the bed's own zone: people get up beyond it.
         let spot = Area::around(x, y, hx, hy);
         let solid = Solid { area: spot, low: 0.0, high: size.z };
         if s.space.is_off_ways(&solid) && s.space.stays_open(&solid) {
@@ -168,7 +168,7 @@ pub(super) fn bookcase(s: &mut Setter<'_>) -> Option<usize> {
     s.first_against("bookshelf", &[[0.3, width, height], [0.28, 0.6, height]], Need::front(0.5), in_corner)
 }
 
-/// A desk with its chair, near a window if it can be.
+/// Places a desk with its chair, near a window if possible.
 pub(super) fn desk(s: &mut Setter<'_>, width: f32) -> Option<usize> {
     let chair_class = if s.rng.chance(0.75) { "office_chair" } else { "chair" };
     let chair = s.make(chair_class, [0.58, 0.58, 0.95])?;
@@ -186,7 +186,7 @@ pub(super) fn desk(s: &mut Setter<'_>, width: f32) -> Option<usize> {
     None
 }
 
-/// Puts a chair in front of an area, facing it, so far along its edge.
+/// Places a chair in front of an area, facing it, offset along its edge.
 pub(super) fn seat(s: &mut Setter<'_>, chair: &Draft, area: &Area, facing: Facing, along: f32) -> Option<usize> {
     let size = chair.size();
     let gap = s.rng.between(0.02, 0.08);

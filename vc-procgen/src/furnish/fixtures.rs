@@ -1,5 +1,5 @@
-//! What is fixed to walls, windows and ceilings: radiators, curtains, lamps,
-//! pictures, switches and sockets.
+//! Fixtures on walls, windows and ceilings: radiators, curtains, lamps, pictures, switches and
+//! sockets.
 
 use super::area::Facing;
 use super::other::hang_somewhere;
@@ -7,7 +7,7 @@ use super::space::{Side, Solid};
 use super::{Rest, Setter};
 use crate::plan::{OpeningKind, Plan, RoomKind, metres};
 
-/// Fixes what the room's furniture leaves room for.
+/// Adds the fixtures that fit beside the room's furniture.
 pub(super) fn fix(s: &mut Setter<'_>, plan: &Plan) {
     if s.kind() == RoomKind::Balcony {
         return;
@@ -32,7 +32,7 @@ pub(super) fn fix(s: &mut Setter<'_>, plan: &Plan) {
     pictures(s);
 }
 
-/// One lamp at the ceiling of every room, two in long ones.
+/// Hangs one lamp from the ceiling of every room, several in rooms of several rectangles.
 fn ceiling_lamp(s: &mut Setter<'_>, plan: &Plan) {
     let class = match s.kind() {
         RoomKind::Living | RoomKind::Kids | RoomKind::Bedroom if s.rng.chance(0.5) => "pendant_lamp",
@@ -50,7 +50,7 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &Plan) {
         let area = super::Area::of(&rect);
         let small = area.square_metres() < 3.0 && s.items.iter().any(|i| i.rest == Rest::Ceiling);
         let centre = area.centre();
-        // What hangs low would meet the doors of a wardrobe.
+        // A low lamp would collide with the doors of a wardrobe.
         let low = s.space.zones.iter().any(|z| z.overlaps(&super::Area::around(centre.0, centre.1, 0.25, 0.25)));
         let lamp = flat.as_ref().filter(|_| low).unwrap_or(&lamp);
         let (height, half) = (lamp.size().z, lamp.size().x.max(lamp.size().y) / 2.0);
@@ -62,7 +62,7 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &Plan) {
     }
 }
 
-/// A switch at the latch side of every door, inside the room.
+/// Adds a switch at the latch side of every door, inside the room.
 fn switches(s: &mut Setter<'_>, plan: &Plan) {
     let Some(switch) = s.make("lightswitch", [0.012, 0.08, 0.08]) else { return };
     let doors: Vec<_> = plan.doors_of(s.room).filter(|o| o.has_leaf()).copied().collect();
@@ -84,7 +84,7 @@ fn switches(s: &mut Setter<'_>, plan: &Plan) {
     }
 }
 
-/// A radiator below a window, where nothing stands.
+/// Adds a radiator below a window if the space is free.
 fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
     if sill < 0.7 || s.kind() == RoomKind::Kitchen {
         return;
@@ -103,7 +103,7 @@ fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
     }
 }
 
-/// Curtains or a blind, as the room and what stands below allow.
+/// Adds curtains or a blind, as the room and the furniture below allow.
 fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f32, f32)) {
     let (sill, head) = heights;
     let blind = matches!(s.kind(), RoomKind::Kitchen | RoomKind::Bathroom | RoomKind::Study) || s.rng.chance(0.2);
@@ -118,7 +118,7 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
     let bundle = 0.28;
     let top = head + 0.08;
     for (along, long) in [(window.0 - bundle / 2.0 - 0.07, true), (window.1 + bundle / 2.0 + 0.07, true)] {
-        // To the floor where nothing is in the way, else to the sill.
+        // To the floor where nothing is in the way, otherwise to the sill.
         for low in [if long { 0.02 } else { sill }, sill - 0.12] {
             let Some(curtain) = s.make("curtain", [0.09, bundle, top - low]) else { return };
             if hang_over(s, &curtain, side, along, low).is_some() {
@@ -132,11 +132,11 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
     }
 }
 
-/// Hangs something on a wall that may cover a window.
+/// Hangs an object on a wall where it may cover a window.
 fn hang_over(s: &mut Setter<'_>, object: &crate::object::Draft, side: usize, along: f32, z: f32) -> Option<usize> {
     let wall: &Side = &s.space.sides[side];
     let size = object.size();
-    // Off the wall by more than the sill board's joint and the skirting.
+    // Farther off the wall than the sill board's joint and the skirting.
     let area = wall.facing.area(wall.point(along, 0.02), size.x, size.y);
     let solid = Solid { area, low: z, high: z + size.z };
     let inside =
@@ -161,7 +161,7 @@ fn sockets(s: &mut Setter<'_>) {
     }
 }
 
-/// Pictures, a clock, shelves: what people hang where the wall is free.
+/// Hangs pictures, a clock and shelves where the wall is free.
 fn pictures(s: &mut Setter<'_>) {
     let (most, shelves) = match s.kind() {
         RoomKind::Living => (4, 0.4),

@@ -1,5 +1,4 @@
-//! Kitchens: a run of units along one or two walls, cupboards above, a table where
-//! it fits.
+//! Kitchens: a run of units along one or two walls, wall cabinets above it, a table if it fits.
 
 use super::Setter;
 use super::place::{Need, Spot};
@@ -8,11 +7,11 @@ use crate::error::Impossible;
 use crate::object::Draft;
 use crate::plan::RoomKind;
 
-/// Depth and height of units, metres.
+/// The depth and height of units, metres.
 const DEPTH: f32 = 0.6;
 const TOP: f32 = 0.9;
 
-/// A unit of the run: its class, widths to try, whether the kitchen needs it.
+/// A unit of the run: its class, the widths to try, and whether the kitchen needs it.
 struct Unit {
     class: &'static str,
     widths: &'static [f32],
@@ -20,7 +19,7 @@ struct Unit {
     required: bool,
 }
 
-/// Units in place: which of the list, where, and the object.
+/// The placed units: index in the list, spot and object.
 type Run = Vec<(usize, Spot, Draft)>;
 
 const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Unit {
@@ -46,7 +45,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
         units.push(unit("kitchen_cabinet", &[0.9, 0.6], false));
     }
     if s.rng.chance(0.5) {
-        // The same run the other way round.
+        // The same run in reverse order.
         units[1..].reverse();
     }
     let run = place_any(s, units)?;
@@ -60,7 +59,8 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// The whole run; else what the kitchen needs; else that as narrow as it comes.
+/// Places the whole run; if that fails, only the required units; if that fails, these in their
+/// narrowest widths.
 fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Impossible> {
     if let Ok(run) = place_run(s, &units) {
         return Ok(run);
@@ -80,12 +80,12 @@ fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Imp
     place_run(s, &units)
 }
 
-/// Puts the units side by side: along the wall that holds most of them, the rest
-/// along others.
+/// Places the units side by side: along the wall that accommodates most of them, the rest along
+/// others.
 fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossible> {
     let mut best: Option<Run> = None;
     let tries = s.space.sides.len() * 2;
-    // Made once: every way to lay the run uses the same objects.
+    // Made once, because every attempt uses the same objects.
     let made: Vec<Vec<Draft>> = units
         .iter()
         .map(|u| u.widths.iter().filter_map(|&width| s.make(u.class, [DEPTH, width, u.height])).collect())
@@ -111,8 +111,8 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossibl
     Ok(indices)
 }
 
-/// Lays the units out from one end of a wall on, in a copy of the room; `None` as soon
-/// as one that is needed has no place or the run cannot have more than `beaten` units.
+/// Lays the units out from one end of a wall, temporarily reserving their space in the room; `None`
+/// as soon as a required unit has no place or the run cannot have more than `beaten` units.
 fn lay_run(
     s: &mut Setter<'_>,
     units: &[Unit],
@@ -153,7 +153,7 @@ fn lay_run(
     (!wanting).then_some(run)
 }
 
-/// The first place along a wall from a distance on, and where it ends.
+/// The first free spot along a wall from a distance on, and its end.
 fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: bool) -> Option<(Spot, f32)> {
     let wall = &s.space.sides[side];
     let size = object.size();
@@ -165,7 +165,7 @@ fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: 
         let (low, high) = (along - size.y / 2.0, along + size.y / 2.0);
         let area = wall.facing.area(wall.point(along, OFF_WALL), size.x, size.y);
         let sill = wall.sill(low, high);
-        // A hob does not go under a window, nor does what is taller than the sill.
+        // A hob must not be under a window, nor an object taller than the sill.
         let window = sill.is_some_and(|v| size.z > v - 0.02 || object.class == "stove");
         let room = taken.iter().all(|&(from, to)| along <= from || along >= to);
         if room && !window && !wall.has_way(low, high) && s.fits(area, 0.0, size.z, wall.facing, need) {
@@ -177,7 +177,7 @@ fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: 
     None
 }
 
-/// Cupboards and the hood above the run.
+/// Hangs wall cabinets and the hood above the run.
 fn upper(s: &mut Setter<'_>, run: &[usize]) {
     let bottom = s.rng.between(1.42, 1.5);
     let height = (s.space.ceiling - bottom - 0.25).clamp(0.5, 0.75);
@@ -200,7 +200,7 @@ fn upper(s: &mut Setter<'_>, run: &[usize]) {
     }
 }
 
-/// The wall an area stands against.
+/// The wall that an area stands against.
 pub(super) fn side_behind(s: &Setter<'_>, area: &super::Area, facing: super::Facing) -> Option<usize> {
     let (cx, cy) = area.centre();
     let along = if facing.is_along_x() { cy } else { cx };

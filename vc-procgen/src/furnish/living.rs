@@ -1,4 +1,4 @@
-//! Living rooms: a place to sit before the television, a place to eat, shelves.
+//! Living rooms: seats facing the television, a dining area, shelves.
 
 use super::place::{Need, Spot};
 use super::space::Solid;
@@ -28,7 +28,7 @@ pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Impo
     Ok(())
 }
 
-/// One room for everything: bed, kitchen, table, and a sofa where it fits.
+/// Furnishes a studio: bed, kitchen, table, and a sofa if it fits.
 pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), Impossible> {
     super::kitchen::furnish(s)?;
     super::bedroom::furnish(s)?;
@@ -47,7 +47,7 @@ pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// A table, be it small, where none has found its place.
+/// Ensures that there is a table: a small one if none has been placed yet.
 fn table(s: &mut Setter<'_>) -> Result<(), Impossible> {
     let tables = ["coffee_table", "side_table", "dining_table"];
     if let Some(at) = s.items.iter().position(|i| tables.contains(&i.object.class)) {
@@ -60,7 +60,7 @@ fn table(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// A sofa that looks at a television stand across a coffee table.
+/// Places a sofa facing a television stand across a coffee table.
 fn sitting(s: &mut Setter<'_>) -> Result<(), Impossible> {
     let square = s.space.square_metres;
     let widths: &[f32] = if square > 22.0 { &[2.3, 2.0, 1.7, 1.5] } else { &[1.9, 1.6, 1.4] };
@@ -73,7 +73,7 @@ fn sitting(s: &mut Setter<'_>) -> Result<(), Impossible> {
             return Ok(());
         }
     }
-    // No room to look across: sofa and stand where they fit.
+    // If the stand cannot face the sofa, each is placed where it fits.
     for width in [1.8, 1.5, 1.35] {
         let Some(sofa) = s.make("sofa", [0.86, width, 0.8]) else { break };
         if let Some(index) = s.against(&sofa, Need::front(0.5), |_, _| 0.0) {
@@ -89,7 +89,7 @@ fn sitting(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Err(s.missing("sofa"))
 }
 
-/// The stand at a wall, the sofa opposite, at its own wall or free in the room.
+/// Places the stand at a wall and the sofa opposite, against its own wall or free in the room.
 fn group(s: &mut Setter<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
     let need = Need::front(0.5);
     let mut spots: Vec<Spot> = s.spots(stand, need);
@@ -118,12 +118,12 @@ fn group(s: &mut Setter<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
     Some(seat)
 }
 
-/// Free depth between two areas that face each other.
+/// The free depth between two areas that face each other.
 fn gap(a: &Area, b: &Area, facing: Facing) -> f32 {
     if facing.is_along_x() { (b.x0 - a.x1).max(a.x0 - b.x1) } else { (b.y0 - a.y1).max(a.y0 - b.y1) }
 }
 
-/// Where a sofa stands that looks at a stand from a distance, and how good that is.
+/// The place of a sofa that faces a stand at a distance, with its score.
 fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Option<((f32, f32), f32)> {
     let size = sofa.size();
     let (dx, dy) = stand.facing.step();
@@ -138,7 +138,7 @@ fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Opti
     if !s.fits(area, 0.0, size.z, facing, Need::default()) || !s.space.is_clear(&view) {
         return None;
     }
-    // Behind it a wall at hand, or a way to walk.
+    // Behind the sofa there must be a wall close by, or space to walk.
     let behind = facing.turned(2).before(&area, 0.8);
     let free = s.space.is_clear(&behind);
     let wall = behind_wall(s, &area, facing);
@@ -149,13 +149,13 @@ fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Opti
     }
 }
 
-/// Whether a wall is within a hand behind an area that faces a way.
+/// Whether a wall is within 25 cm behind an area that faces a direction.
 fn behind_wall(s: &Setter<'_>, area: &Area, facing: Facing) -> bool {
     let probe = facing.turned(2).before(area, 0.25);
     !s.space.is_floor(&probe) && s.space.is_floor(&facing.turned(2).before(area, 0.015))
 }
 
-/// A table before the sofa, on a rug or not.
+/// Places a table in front of the sofa, sometimes on a rug.
 fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
     let width = if facing.is_along_x() { sofa.size().1 } else { sofa.size().0 };
     let depth = (gap - 1.05).clamp(0.4, 0.65);
@@ -197,12 +197,12 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
     }
 }
 
-/// The first surface of an object that things rest on.
+/// The first surface of an object on which others can rest.
 pub(super) fn surface_of(object: &Object) -> Option<usize> {
     object.asset.surfaces.iter().position(|s| s.hold == vc_graph::asset::Hold::On)
 }
 
-/// A side table or a lamp next to the sofa.
+/// Places a side table next to the sofa.
 fn beside(s: &mut Setter<'_>, sofa: &Area, facing: Facing) {
     let Some(table) = s.make("side_table", [0.45, 0.45, 0.52]) else { return };
     let size = table.size();
@@ -233,7 +233,7 @@ fn floor_lamp(s: &mut Setter<'_>) {
     }
 }
 
-/// A table with chairs around it, free in the room or with one end at a wall.
+/// Places a table with chairs around it, free in the room or with one end at a wall.
 pub(super) fn dining(s: &mut Setter<'_>, places: usize) {
     let options: &[(f32, f32, usize)] = match places {
         6 => &[(1.8, 0.9, 6), (1.6, 0.9, 6), (1.3, 0.8, 4), (0.8, 0.8, 2)],
@@ -251,7 +251,7 @@ pub(super) fn dining(s: &mut Setter<'_>, places: usize) {
     at_wall(s, &chair);
 }
 
-/// A small table with its long side to a wall, chairs on the other.
+/// Places a small table with its long side against a wall and chairs at the other side.
 fn at_wall(s: &mut Setter<'_>, chair: &Draft) {
     for (depth, length) in [(0.75, 1.2), (0.65, 0.8)] {
         let Some(table) = s.make("dining_table", [depth, length, 0.75]) else { return };
@@ -268,7 +268,7 @@ fn at_wall(s: &mut Setter<'_>, chair: &Draft) {
 fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> bool {
     let size = table.size();
     let sit = chair.size().x + 0.1;
-    // Chairs along both long sides; around it a way on at least those.
+    // Chairs stand along both long sides, with space to walk behind them.
     let need = sit + 0.25;
     let mut best: Option<(f32, (f32, f32), Facing)> = None;
     let hull = s.space.net.iter().map(Area::of).reduce(|a, b| Area {
@@ -316,7 +316,7 @@ fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> 
     true
 }
 
-/// Moves a table to a wall at one of its ends where it is nearly there already.
+/// Moves a table against a wall at one of its ends if it is close to it.
 fn snapped(s: &Setter<'_>, area: Area, facing: Facing, _need: f32) -> Area {
     for end in [facing.turned(1), facing.turned(3)] {
         let probe = end.before(&area, 0.6);

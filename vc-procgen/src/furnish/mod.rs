@@ -1,9 +1,9 @@
-//! Furniture: what stands, hangs and is fixed in the rooms.
+//! Furnishing: the furniture and fixtures of the rooms.
 //!
-//! Each room is a function of its own seed. Pieces are put against walls or around
-//! others, the required ones first; every place is checked against floor, solids and
-//! the zones that must stay free, so that nothing ever overlaps. What a room cannot
-//! hold is left out if it may be, else tried smaller, else the plan is given up.
+//! Each room is a function of its own seed. Pieces are placed against walls or around others, the
+//! required ones first; every placement is checked against the floor, the solids and the zones that
+//! must stay free, so that nothing ever overlaps. A piece that does not fit is left out if it is
+//! optional; otherwise smaller sizes are tried, and if none fits the plan is given up.
 
 mod area;
 mod bathroom;
@@ -30,59 +30,59 @@ use crate::object::{Draft, Object};
 use crate::plan::{OpeningKind, Plan, RoomKind};
 use space::{Solid, Space};
 
-/// How often a room is dealt anew before the plan is given up.
+/// The number of attempts to furnish a room before the plan is given up.
 const DEALS: u64 = 5;
 
-/// What an item rests on.
+/// The support of an item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rest {
     /// The floor.
     Floor,
-    /// A wall: fixed to it.
+    /// A wall: the item is fixed to it.
     Wall,
-    /// The ceiling: hangs from it.
+    /// The ceiling: the item hangs from it.
     Ceiling,
-    /// Built into a wall: doors and windows.
+    /// The item is part of the building, such as doors and windows.
     Built,
-    /// A surface of another item, by position in its asset's list.
+    /// On another item: its index, and that of the surface in its asset's list.
     On(usize, usize),
-    /// Within another item, on such a surface.
+    /// Inside another item, on one of its surfaces.
     Inside(usize, usize),
 }
 
-/// A thing in its place.
+/// A placed object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Item {
-    /// What it is, with its asset.
+    /// The object with its asset.
     pub object: Arc<Object>,
-    /// Where it is.
+    /// The pose.
     pub pose: Pose,
-    /// What it rests on.
+    /// The support.
     pub rest: Rest,
-    /// Its room's position in the plan.
+    /// The index of its room in the plan.
     pub room: usize,
-    /// States it is in besides those its class starts with.
+    /// Its states in addition to the initial ones of its class.
     pub states: Vec<State>,
-    /// Another room it belongs to: a door's.
+    /// For a door, the other room it belongs to.
     pub between: Option<usize>,
-    /// Whether the room is no room without it.
+    /// Whether its room requires it.
     pub required: bool,
 }
 
 impl Item {
-    /// Its box: smallest and largest corner, metres.
+    /// Its bounding box: smallest and largest corner, metres.
     pub fn corners(&self) -> (Point3<f32>, Point3<f32>) {
         let aabb = self.object.bounds.aabb(&self.pose);
         (aabb.min, aabb.max)
     }
 
-    /// The rectangle it covers seen from above, metres.
+    /// Its footprint seen from above, metres.
     pub fn area(&self) -> Area {
         let (low, high) = self.corners();
         Area { x0: low.x, y0: low.y, x1: high.x, y1: high.y }
     }
 
-    /// The way its front looks, if it stands along an axis.
+    /// The direction of its front, if it is aligned with an axis.
     pub fn facing(&self) -> Facing {
         let front = self.pose.rotation * Vector3::x();
         match (front.x.abs() >= front.y.abs(), front.x >= 0.0, front.y >= 0.0) {
@@ -93,8 +93,8 @@ impl Item {
         }
     }
 
-    /// Takes the place of its outline. What comes out smaller than it might keeps its
-    /// back, and its top where it hangs, where they were to be.
+    /// Replaces the item's box by the generated object. An object smaller than its box keeps its
+    /// back, and its top if it hangs from the ceiling, where the box has them.
     fn become_real(&mut self, draft: &Draft, style: &Style) {
         let object = draft.object(style);
         let spare = draft.size() - object.size();
@@ -114,17 +114,18 @@ impl Item {
     }
 }
 
-/// Furniture of a whole plan, room by room, as boxes; and what each piece is to be.
+/// The furniture of a whole plan, room by room, as boxes, with the draft of each piece.
 ///
 /// # Errors
-/// [`Impossible::NoPlace`] names the room and what does not fit.
+/// [`Impossible::NoPlace`] with the room and the piece that does not fit.
 pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<(Vec<Item>, Vec<Draft>), Impossible> {
     let open_kitchen = plan.openings.iter().any(|o| {
         o.kind == OpeningKind::Passage
             && [o.low, o.high].into_iter().flatten().any(|r| plan.rooms[r].kind == RoomKind::Kitchen)
     });
     let mut order: Vec<usize> = (0..plan.rooms.len()).collect();
-    // Rooms that most often cannot hold what they need come first: what fails fails early.
+    // Rooms that most often cannot accommodate their required pieces come first, so that failures
+    // occur early.
     order.sort_by_key(|&r| strictness(plan.rooms[r].kind));
     let (mut items, mut drafts) = (Vec::new(), Vec::new());
     for index in order {
@@ -148,12 +149,12 @@ pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<(Vec<Ite
     Ok((items, drafts))
 }
 
-/// Makes of boxes the objects they stand for.
+/// Generates the objects that the boxes stand for.
 pub(crate) fn make(items: &mut [Item], drafts: &[Draft], style: &Style) {
     items.iter_mut().zip(drafts).for_each(|(item, draft)| item.become_real(draft, style));
 }
 
-/// Small for what it needs first.
+/// The order of furnishing: small values come first.
 fn strictness(kind: RoomKind) -> u8 {
     match kind {
         RoomKind::Bathroom | RoomKind::Wc => 0,
@@ -183,20 +184,20 @@ fn furnish_room(s: &mut Setter<'_>, plan: &Plan, open_kitchen: bool) -> Result<(
     Ok(())
 }
 
-/// Puts things into one room.
+/// Places objects in one room.
 struct Setter<'a> {
     room: usize,
     style: &'a Style,
     seed: Seed,
     rng: Stream,
     space: Space,
-    /// Number of items of the rooms before.
+    /// The number of items in the rooms before.
     base: usize,
-    /// What was put down, as boxes: objects are made once all rooms are furnished.
+    /// The placed items, as boxes: objects are generated once all rooms are furnished.
     items: Vec<Item>,
-    /// What each item is to be.
+    /// The draft of each item.
     drafts: Vec<Draft>,
-    /// Objects made so far: each has a sub-seed of its own.
+    /// The number of drafts made so far: each has a sub-seed of its own.
     made: u64,
 }
 
@@ -211,20 +212,19 @@ impl Setter<'_> {
         self.space.kind
     }
 
-    /// An object of a class, no larger than `size`; `None` where no generator knows
-    /// the class.
+    /// Drafts an object of a class, no larger than `size`; `None` if the class has no generator.
     fn make(&mut self, class: &str, size: [f32; 3]) -> Option<Draft> {
         self.made += 1;
         Draft::sized(class, size.into(), self.seed.child("object").nth(self.made))
     }
 
-    /// What is missing, as an error.
+    /// An error that names the missing piece.
     fn missing(&self, piece: &'static str) -> Impossible {
         Impossible::NoPlace { kind: self.space.kind, room: self.room, piece }
     }
 
-    /// Adds an item whose footprint is centred on a point, its base at `z`; returns
-    /// its position in the list of all items.
+    /// Adds an item whose footprint is centred on a point, its base at `z`; returns its index in
+    /// the list of all items.
     fn add(&mut self, draft: &Draft, centre: (f32, f32), z: f32, facing: Facing, rest: Rest) -> usize {
         let object = Arc::new(draft.outline());
         let pose = standing(&object, centre, z, facing.yaw());
@@ -237,7 +237,7 @@ impl Setter<'_> {
         self.base + self.items.len() - 1
     }
 
-    /// The object of an item, made at once: something is to lie on it.
+    /// Generates the object of an item at once, because another is to be placed on it.
     fn real(&mut self, index: usize) -> Arc<Object> {
         let at = index - self.base;
         let item = &mut self.items[at];
@@ -252,7 +252,7 @@ impl Setter<'_> {
     }
 }
 
-/// The pose of an object whose box is centred above a point, its base at `z`.
+/// The pose of an object whose bounding box is centred above a point, its base at `z`.
 pub(crate) fn standing(object: &Object, centre: (f32, f32), z: f32, yaw: f32) -> Pose {
     let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
     let bounds = &object.bounds;

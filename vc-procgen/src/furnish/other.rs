@@ -19,7 +19,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// Shoes, coats and a mirror, as long as one can pass.
+/// Furnishes a hall with a shoe cabinet, coat hooks and a mirror, as long as one can pass.
 fn hall(s: &mut Setter<'_>) {
     let pass = Need::front(0.72);
     let width = s.rng.between(0.6, 1.0);
@@ -39,7 +39,7 @@ fn hall(s: &mut Setter<'_>) {
     }
 }
 
-/// Hooks for coats, where there is room for the coats and to pass them.
+/// Hangs a coat rack where there is space for the coats and to pass them.
 fn hooks(s: &mut Setter<'_>) {
     let Some(rack) = s.make("wall_hook_rack", [0.08, 0.6, 0.15]) else { return };
     let width = rack.size().y;
@@ -121,7 +121,7 @@ fn balcony(s: &mut Setter<'_>) {
     }
 }
 
-/// A plant in a corner or by a window, with a probability.
+/// Places a plant in a corner or by a window, with a probability.
 pub(super) fn plant(s: &mut Setter<'_>, chance: f32) {
     if s.rng.chance(chance) {
         let (side, height) = (s.rng.between(0.3, 0.5), s.rng.between(0.6, 1.5));
@@ -131,7 +131,7 @@ pub(super) fn plant(s: &mut Setter<'_>, chance: f32) {
     }
 }
 
-/// A small basket or bin in a corner, with a probability.
+/// Places a small basket or bin in a corner, with a probability.
 pub(super) fn basket(s: &mut Setter<'_>, class: &str, chance: f32) {
     if s.rng.chance(chance) {
         s.first_against(class, &[[0.36, 0.4, 0.5], [0.28, 0.28, 0.35]], Need::front(0.35), |_, spot| {
@@ -140,7 +140,7 @@ pub(super) fn basket(s: &mut Setter<'_>, class: &str, chance: f32) {
     }
 }
 
-/// Hangs something at a height on a wall where there is room, tried at random.
+/// Hangs an object on a wall at a height, at the first free one of several random positions.
 pub(super) fn hang_somewhere(s: &mut Setter<'_>, object: Option<Draft>, z: f32) -> Option<usize> {
     let object = object?;
     (0..24).find_map(|_| {

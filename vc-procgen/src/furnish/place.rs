@@ -1,4 +1,4 @@
-//! Finding a place: against a wall, beside another piece, or free in the room.
+//! Finding a placement: against a wall, beside another piece, or free in the room.
 
 use nalgebra::Vector3;
 
@@ -7,30 +7,30 @@ use super::space::{OFF_WALL, Side, Solid};
 use super::{Rest, Setter};
 use crate::object::Draft;
 
-/// Places tried for a piece, the best first.
+/// The number of spots tried for a piece, the best first.
 const TRIED: usize = 8;
 
-/// What a piece needs around it.
+/// The free space that a piece needs around it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Need {
-    /// Free depth in front, metres.
+    /// The free depth in front, metres.
     pub(super) front: f32,
-    /// Free width on its left.
+    /// The free width on its left.
     pub(super) left: f32,
-    /// Free width on its right.
+    /// The free width on its right.
     pub(super) right: f32,
 }
 
-/// A place against a wall.
+/// A placement against a wall.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Spot {
     pub(super) side: usize,
     pub(super) facing: Facing,
     pub(super) along: f32,
     pub(super) area: Area,
-    /// Distance to the nearer end of the wall.
+    /// The distance to the nearer end of the wall.
     pub(super) corner: f32,
-    /// Lowest window sill behind it, if a window is behind it.
+    /// The lowest window sill behind it, if there is a window.
     pub(super) sill: Option<f32>,
 }
 
@@ -39,7 +39,7 @@ impl Need {
         Self { front, ..Self::default() }
     }
 
-    /// The zone that must stay free around an area.
+    /// The zones that must stay free around an area.
     pub(super) fn zones(self, area: &Area, facing: Facing) -> [Area; 2] {
         let wide = facing.widened(area, self.left, self.right);
         [facing.before(area, self.front), wide]
@@ -47,7 +47,7 @@ impl Need {
 }
 
 impl Setter<'_> {
-    /// Places along all walls where an object may stand with its back to the wall.
+    /// The spots along all walls where an object can stand with its back to the wall.
     pub(super) fn spots(&self, object: &Draft, need: Need) -> Vec<Spot> {
         let size = object.size();
         let mut spots = Vec::new();
@@ -70,7 +70,7 @@ impl Setter<'_> {
         spots
     }
 
-    /// The place at a position along a wall, if it is free.
+    /// The spot at a position along a wall, if it is free.
     fn spot(&self, index: usize, side: &Side, along: f32, object: &Draft, need: Need) -> Option<Spot> {
         let size = object.size();
         let area = side.facing.area(side.point(along, OFF_WALL), size.x, size.y);
@@ -84,13 +84,13 @@ impl Setter<'_> {
         Some(Spot { side: index, facing: side.facing, along, area, corner, sill })
     }
 
-    /// Whether an area is free for something so high, with what it needs around it.
+    /// Whether an area is free for an object of the given height, including the zones it needs.
     pub(super) fn fits(&self, area: Area, low: f32, height: f32, facing: Facing, need: Need) -> bool {
         let solid = Solid { area, low, high: low + height };
         self.space.is_free(&solid) && need.zones(&area, facing).iter().all(|z| self.space.is_clear(z))
     }
 
-    /// Puts an object where `score` is highest; a little chance breaks ties.
+    /// Places an object where `score` is highest; a small random term breaks ties.
     pub(super) fn against(&mut self, object: &Draft, need: Need, score: impl Fn(&Self, &Spot) -> f32) -> Option<usize> {
         let spots = self.spots(object, need);
         let mut rated: Vec<(f32, Spot)> =
@@ -102,7 +102,7 @@ impl Setter<'_> {
         Some(self.settle(object, spot.area, spot.facing, need))
     }
 
-    /// Puts the first of several sizes of a class that fits.
+    /// Places the first of several sizes of a class that fits.
     pub(super) fn first_against(
         &mut self,
         class: &str,
@@ -116,14 +116,14 @@ impl Setter<'_> {
         })
     }
 
-    /// Puts an object on an area of the floor and keeps its zones free.
+    /// Places an object on an area of the floor and reserves its zones.
     pub(super) fn settle(&mut self, object: &Draft, area: Area, facing: Facing, need: Need) -> usize {
         let zones = need.zones(&area, facing);
         self.space.zones.extend(zones.into_iter().filter(|z| *z != area && z.square_metres() > 1e-4).take(2));
         self.add(object, area.centre(), 0.0, facing, Rest::Floor)
     }
 
-    /// Puts an object on the floor at a point, if it is free there.
+    /// Places an object on the floor at a point, if it is free there.
     pub(super) fn at(&mut self, object: &Draft, centre: (f32, f32), facing: Facing, need: Need) -> Option<usize> {
         let size = object.size();
         let area = Self::around(centre, size, facing);
@@ -131,13 +131,13 @@ impl Setter<'_> {
         (open && self.fits(area, 0.0, size.z, facing, need)).then(|| self.settle(object, area, facing, need))
     }
 
-    /// The area of something of a size that faces a way, centred on a point.
+    /// The area of an object of a size that faces a direction, centred on a point.
     pub(super) fn around(centre: (f32, f32), size: Vector3<f32>, facing: Facing) -> Area {
         let (hx, hy) = if facing.is_along_x() { (size.x, size.y) } else { (size.y, size.x) };
         Area::around(centre.0, centre.1, hx / 2.0, hy / 2.0)
     }
 
-    /// Hangs an object on a wall, its lower edge at `z`, where it is free.
+    /// Hangs an object on a wall, its lower edge at `z`, if the place is free.
     pub(super) fn hang(&mut self, object: &Draft, side: usize, along: f32, z: f32) -> Option<usize> {
         let wall = &self.space.sides[side];
         let size = object.size();
@@ -148,10 +148,10 @@ impl Setter<'_> {
             return None;
         }
         let facing = wall.facing;
-        // A millimetre off, so that faces do not coincide.
+        // A millimetre off the wall, so that faces do not coincide.
         let area = facing.area(wall.point(along, 0.001), size.x, size.y);
         let solid = Solid { area, low: z, high: z + size.z };
-        // No head is hit, and no door.
+        // It must not be in the way of heads or doors.
         let mut zones = self.space.ways.iter().chain(self.space.zones.iter().filter(|_| size.x > 0.06));
         let low = z < 1.9 && size.x > 0.05 && zones.any(|q| q.overlaps(&area));
         let pane = self.space.panes.iter().any(|p| p.hits(&solid));

@@ -1,5 +1,5 @@
-//! The free space of a room: its floor, its walls with their openings, what stands
-//! there and what must stay free.
+//! The free space of a room: its floor, its walls with their openings, the objects in it and the
+//! zones that must stay free.
 
 use nalgebra::Vector3;
 use smallvec::SmallVec;
@@ -9,13 +9,13 @@ use super::walk::Walk;
 use crate::bits::{ceiling, floor};
 use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
 
-/// Distance of furniture from walls: room for the skirting, metres.
+/// The distance of furniture from walls, which leaves space for the skirting, metres.
 pub(super) const OFF_WALL: f32 = 0.02;
 
-/// Zones that must be clear are so up to this height, metres.
+/// The height up to which reserved zones must be clear, metres.
 const CLEAR: f32 = 1.7;
 
-/// Something solid: a rectangle on the floor and a range of heights, metres.
+/// A solid: a rectangle on the floor and a range of heights, metres.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Solid {
     pub(super) area: Area,
@@ -32,15 +32,15 @@ impl Solid {
 /// The inner face of a straight piece of wall.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// The way somebody faces who has the wall in the back.
+    /// The direction that a person with the wall at their back faces.
     pub(super) facing: Facing,
-    /// Its X if it runs along Y, else its Y, metres.
+    /// Its X if it runs along Y, otherwise its Y, metres.
     pub(super) at: f32,
     pub(super) from: f32,
     pub(super) to: f32,
-    /// Stretches with a door or passage.
+    /// The stretches with a door or passage.
     pub(super) ways: Vec<(f32, f32)>,
-    /// Stretches with a window and its sill's height.
+    /// The stretches with a window, each with the height of its sill.
     pub(super) windows: Vec<(f32, f32, f32)>,
 }
 
@@ -49,13 +49,13 @@ impl Side {
         self.to - self.from
     }
 
-    /// The point of the face at a position along it, a distance off.
+    /// The point at a position along the face and a distance off it.
     pub(super) fn point(&self, along: f32, off: f32) -> (f32, f32) {
         let (dx, dy) = self.facing.step();
         if self.facing.is_along_x() { (self.at + dx * off, along) } else { (along, self.at + dy * off) }
     }
 
-    /// Lowest sill over a stretch; none where there is only wall.
+    /// The lowest sill over a stretch; `None` where there is no window.
     pub(super) fn sill(&self, from: f32, to: f32) -> Option<f32> {
         let over = self.windows.iter().filter(|w| w.0 < to && w.1 > from).map(|w| w.2);
         over.reduce(f32::min)
@@ -66,18 +66,18 @@ impl Side {
     }
 }
 
-/// What can be used of a room.
+/// The usable space of a room.
 #[derive(Debug, Clone)]
 pub(super) struct Space {
     pub(super) kind: RoomKind,
     pub(super) net: Vec<Rect>,
     pub(super) sides: Vec<Side>,
     pub(super) solids: Vec<Solid>,
-    /// What windows take: sill board, frame and the depth to open a sash a little.
+    /// The space of windows: sill board, frame and the depth to open a sash a little.
     pub(super) panes: Vec<Solid>,
-    /// Rectangles before doors and under their leaves: nothing ever stands there.
+    /// The rectangles in front of doors and under their leaves, where nothing may stand.
     pub(super) ways: Vec<Area>,
-    /// Rectangles that pieces need free, but for what belongs to them.
+    /// The rectangles that pieces need free, except for objects that belong to them.
     pub(super) zones: Vec<Area>,
     pub(super) walk: Walk,
     pub(super) ceiling: f32,
@@ -104,13 +104,13 @@ impl Space {
             let high = opening.high == Some(index);
             let deep = match (opening.kind, room.kind) {
                 (OpeningKind::Passage, _) => 16,
-                // The way begins behind the outer wall.
+                // The zone begins behind the outer wall.
                 (_, RoomKind::Balcony) => 12 + plan.shell,
                 _ => 12,
             };
             space.ways.push(Area::of(&opening.before(high, deep)));
             if let Some(swing) = opening.swing().filter(|_| opening.opens_high == high) {
-                // Beyond the leaf's edge a hand and a body.
+                // Beyond the leaf's edge a small clearance is kept.
                 space.ways.push(Area::of(&swing).grown(0.03));
             }
         }
@@ -125,40 +125,39 @@ impl Space {
         self.net.iter().any(|n| rect.shared(*n) == rect) || (self.net.len() > 1 && crate::plan::covers(&self.net, rect))
     }
 
-    /// Whether nothing solid is in a box.
+    /// Whether a box overlaps no solid.
     pub(super) fn is_empty(&self, solid: &Solid) -> bool {
         !self.solids.iter().any(|s| s.hits(solid))
     }
 
-    /// Whether something may stand in a box: on the floor, in nothing, in no zone.
+    /// Whether an object may stand in a box: on the floor, outside all solids and zones.
     pub(super) fn is_free(&self, solid: &Solid) -> bool {
         !self.zones.iter().any(|z| z.overlaps(&solid.area)) && self.is_off_ways(solid)
     }
 
-    /// The same for what may stand in a zone: a chair at its desk.
+    /// The same for an object that may stand in a zone, such as a chair at its desk.
     pub(super) fn is_off_ways(&self, solid: &Solid) -> bool {
         let off = !self.ways.iter().any(|z| z.overlaps(&solid.area)) && !self.panes.iter().any(|p| p.hits(solid));
         off && self.is_floor(&solid.area) && self.is_empty(solid)
     }
 
-    /// Whether one can still walk and reach everything with something more in the
-    /// room.
+    /// Whether all doorways and objects stay reachable with one more solid in the room.
     pub(super) fn stays_open(&self, solid: &Solid) -> bool {
         !crate::reach::is_in_the_way((solid.low, solid.high)) || self.walk.stays_open(&[solid.area])
     }
 
-    /// Whether a zone is floor with nothing standing on it.
+    /// Whether a zone is floor without objects on it.
     pub(super) fn is_clear(&self, zone: &Area) -> bool {
         let solid = Solid { area: *zone, low: 0.0, high: CLEAR };
         let sills = || self.panes.iter().any(|p| p.hits(&solid));
         zone.square_metres() < 1e-4 || (self.is_floor(zone) && self.is_empty(&solid) && !sills())
     }
 
-    /// Stretches along a wall in which something of a size that needs so much in front
-    /// surely has no room, by where its middle is. Tells most places that are taken
-    /// from those worth a closer look.
+    /// The stretches along a wall in which an object of a size that needs the given depth in front
+    /// certainly has no space, by the position of its centre. A quick test that excludes most
+    /// occupied spots before the exact one.
     pub(super) fn taken(&self, side: &Side, size: Vector3<f32>, front: f32) -> SmallVec<[(f32, f32); 32]> {
-        // What only just touches is looked at closely.
+        // Objects that merely touch are left to the exact test.
         const SURE: f32 = 1e-3;
         let back = side.point(f32::midpoint(side.from, side.to), OFF_WALL);
         let strip = side.facing.area(back, size.x, side.length());
@@ -181,7 +180,7 @@ impl Space {
         taken
     }
 
-    /// Distance from a rectangle to the nearest door's zone.
+    /// The distance from a rectangle to the nearest door's zone.
     pub(super) fn door_distance(&self, area: &Area) -> f32 {
         self.ways.iter().map(|z| z.distance(area)).fold(f32::INFINITY, f32::min)
     }
@@ -197,7 +196,7 @@ fn panes(plan: &Plan, index: usize) -> Vec<Solid> {
     windows.map(pane).collect()
 }
 
-/// The inner faces of a room's walls; a balcony's are its railings and the house.
+/// The inner faces of a room's walls; for a balcony its railings and the house.
 fn sides(plan: &Plan, index: usize, net: &[Rect]) -> Vec<Side> {
     let inner = Room { kind: plan.rooms[index].kind, rects: net.to_vec(), of: None };
     let edges = crate::plan::edges_of(&[inner]);
@@ -212,8 +211,8 @@ fn side(plan: &Plan, index: usize, edge: &Edge) -> Side {
         (true, false) => Facing(2),
         (false, false) => Facing(3),
     };
-    // Openings know the wall's middle, one cell behind its face; a balcony's house
-    // wall is thicker.
+    // Openings are stored with the wall's centre line, one cell behind its face; the house wall of
+    // a balcony is thicker.
     let thick = if plan.rooms[index].kind == RoomKind::Balcony { plan.shell } else { 1 };
     let behind = if inwards_high { edge.at - thick } else { edge.at + thick };
     let here = plan.openings.iter().filter(|o| {

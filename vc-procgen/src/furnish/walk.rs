@@ -1,5 +1,4 @@
-//! Whether one can still walk through a room and reach what is in it, asked before a
-//! piece is put down.
+//! Whether a room stays passable and its objects reachable, tested before a piece is placed.
 
 use std::cell::RefCell;
 
@@ -8,7 +7,7 @@ use crate::bits::Bits;
 use crate::plan::{OpeningKind, Plan, Rect};
 use crate::reach::{ARM, BODY, boards, doorway, is_in_the_way, outward};
 
-/// Floor beyond a door that is taken to be free, cells: the next room keeps it so.
+/// The depth of floor beyond a door that is assumed to be free, cells: the next room keeps it so.
 const BEYOND: i32 = 7;
 
 /// A rectangle of cells: columns and rows.
@@ -20,26 +19,25 @@ pub(super) struct Walk {
     west: i32,
     south: i32,
     floor: Floor,
-    /// The room and its doorways: from here one reaches for things.
+    /// The room and its doorways, from which objects must be reachable.
     within: Bits,
     doorways: Vec<Rect>,
-    /// What one wants to reach.
+    /// The areas that must be reachable.
     wanted: Vec<Wanted>,
-    /// What the floor would be with a thing that was asked about: most are put down
-    /// next.
+    /// The floor with the object asked about last: most such objects are placed next.
     asked: RefCell<Option<(Span, Floor)>>,
 }
 
-/// Where one walks.
+/// The walkable floor.
 #[derive(Debug, Clone)]
 struct Floor {
-    /// Where the middle of a person may be.
+    /// The possible positions of a person's centre.
     free: Bits,
-    /// Where one gets to, if every doorway is among it.
+    /// The reachable positions, if all doorways are among them.
     standing: Option<Bits>,
 }
 
-/// Something to reach, and a cell one reached it from when last looked.
+/// An area to be reached, and a cell from which it was reachable at the last check.
 #[derive(Debug, Clone)]
 struct Wanted {
     area: Area,
@@ -85,7 +83,7 @@ impl Walk {
         ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south))
     }
 
-    /// Notes a thing that was put down.
+    /// Records an object that was placed.
     pub(super) fn put(&mut self, area: &Area, heights: (f32, f32), wanted: bool) {
         if is_in_the_way(heights) {
             let span = self.cells(&outward(area));
@@ -105,7 +103,7 @@ impl Walk {
         self.wanted.push(Wanted { area, from });
     }
 
-    /// Finds other cells to reach from where one gets no longer to the old ones.
+    /// Finds other cells to reach from, where the old ones are no longer reachable.
     fn look_again(&mut self) {
         let Some(standing) = self.floor.standing.take() else { return };
         let mut wanted = std::mem::take(&mut self.wanted);
@@ -115,14 +113,14 @@ impl Walk {
         (self.wanted, self.floor.standing) = (wanted, Some(standing));
     }
 
-    /// A cell from which one reaches something.
+    /// A cell from which an area is within reach.
     fn reached(&self, area: &Area, standing: &Bits) -> Option<(usize, usize)> {
         let (x, y) = self.cells(&outward(area));
         standing.first_within(x, y, ARM)
     }
 
-    /// Whether every doorway is reached from every other and everything wanted can be
-    /// reached, new things at these places included.
+    /// Whether all doorways stay connected and everything wanted stays reachable, including new
+    /// objects at these places.
     ///
     /// Costs some microseconds.
     pub(super) fn stays_open(&self, things: &[Area]) -> bool {
@@ -139,8 +137,7 @@ impl Walk {
         open
     }
 
-    /// The floor after rectangles were taken from it; `None` where nobody could stand
-    /// there before.
+    /// The floor after rectangles are taken from it; `None` if nobody could stand there before.
     fn without(&self, taken: &[Span]) -> Option<Floor> {
         if !taken.iter().any(|&(x, y)| self.floor.free.meets_within(x, y, BODY)) {
             return None;
@@ -150,14 +147,14 @@ impl Walk {
         Some(Floor { free, standing })
     }
 
-    /// Where one gets to on what is left of the free floor after rectangles were taken
-    /// from it; `None` if a doorway is cut off.
+    /// The reachable positions on the free floor that is left after rectangles are taken from it;
+    /// `None` if a doorway is cut off.
     fn standing_on(&self, free: &Bits, taken: &[Span]) -> Option<Bits> {
         let standing = self.floor.standing.as_ref()?;
         if !taken.iter().all(|&(x, y)| free.is_whole_around(x, y, BODY + 1)) {
             return self.flooded(free);
         }
-        // Who went through there goes around.
+        // Paths that led through the rectangles go around them.
         let left = cleared(standing, taken);
         let passed = |r: &Rect| {
             let (x, y) = self.cells(r);
@@ -166,8 +163,7 @@ impl Walk {
         self.doorways.iter().all(passed).then_some(left)
     }
 
-    /// Where one gets to within the room and its doorways; `None` if a doorway is cut
-    /// off.
+    /// The reachable positions within the room and its doorways; `None` if a doorway is cut off.
     fn flooded(&self, free: &Bits) -> Option<Bits> {
         let Some(first) = self.doorways.first() else { return Some(self.within.and(free)) };
         let (x, y) = self.cells(first);
@@ -181,14 +177,14 @@ impl Walk {
     }
 }
 
-/// Places to stand but for those from which a body would meet a rectangle.
+/// The positions without those at which a person's disc would overlap a rectangle.
 fn cleared(places: &Bits, taken: &[Span]) -> Bits {
     let mut left = places.clone();
     taken.iter().for_each(|&(x, y)| left.clear_within(x, y, BODY));
     left
 }
 
-/// An area without its rim: who reaches that reaches most of what lies there.
+/// An area without its rim: if it is within reach, so is most of the whole area.
 fn core(area: &Area) -> Area {
     const RIM: f32 = 0.25;
     let (centre, size) = (area.centre(), area.size());

@@ -1,4 +1,4 @@
-//! Numbers out of a file's bytes, every range checked.
+//! Reading numbers from a file's bytes, with every range checked.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub(super) struct Elements<'a> {
     pub(super) count: usize,
     component: u32,
     normalized: bool,
-    /// The elements of the buffer view; without one all elements are zero but those that are replaced.
+    /// The elements of the buffer view; without one, all elements but the replaced ones are zero.
     dense: Option<Run<'a>>,
     replaced: Replaced<'a>,
 }
@@ -47,24 +47,24 @@ impl<'a> Elements<'a> {
         Ok(Self { count, component, normalized, dense, replaced })
     }
 
-    /// Positions, of floats or quantised.
+    /// Positions, as floats or quantised.
     pub(super) fn vectors(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
         Self::new(document, buffers, index, "VEC3", 3)
     }
 
-    /// Whole numbers from zero.
+    /// Indices: unsigned integers.
     pub(super) fn indices(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
         let all = Self::new(document, buffers, index, "SCALAR", 1)?;
         let whole = [BYTE, SHORT, INT].contains(&all.component);
         whole.then_some(all).ok_or(GltfError::BadAccessor { index, reason: "has no whole numbers: indices are" })
     }
 
-    /// Texture coordinates, of floats or quantised.
+    /// Texture coordinates, as floats or quantised.
     pub(super) fn pairs(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
         Self::new(document, buffers, index, "VEC2", 2)
     }
 
-    /// The numbers of an element; none if there are not so many elements.
+    /// The numbers of an element; `None` if the index is out of range.
     pub(super) fn numbers<const N: usize>(&self, at: usize) -> Option<[f32; N]> {
         let mut all = [0.0; N];
         let Some(bytes) = self.element(at)? else { return Some(all) };
@@ -78,18 +78,18 @@ impl<'a> Elements<'a> {
         self.element(at)?.map_or(Some(0), |bytes| whole(self.component, bytes))
     }
 
-    /// The bytes of an element, or none where it is zero.
+    /// The bytes of an element, or an inner `None` where it is zero.
     fn element(&self, at: usize) -> Option<Option<&'a [u8]>> {
         let there = at < self.count;
         there.then(|| self.replaced.element(at).or_else(|| self.dense.as_ref()?.element(at)))
     }
 }
 
-/// The elements of a sparse accessor that replace those of its buffer view.
+/// The elements of a sparse accessor, which replace those of its buffer view.
 #[derive(Default)]
 struct Replaced<'a> {
     values: Option<Run<'a>>,
-    /// By number of the element, the position among the values.
+    /// For the index of an element, its index among the values.
     places: BTreeMap<usize, usize>,
 }
 
@@ -99,7 +99,7 @@ impl<'a> Replaced<'a> {
     }
 }
 
-/// Elements of one size, one after the other.
+/// A sequence of elements of one size.
 struct Run<'a> {
     bytes: &'a [u8],
     stride: usize,
@@ -112,7 +112,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Where an accessor's elements come from.
+/// The source of an accessor's elements.
 struct Source<'d, 'a, 'b> {
     document: &'d Document,
     buffers: &'a Buffers<'b>,
@@ -150,7 +150,7 @@ impl<'a> Source<'_, 'a, '_> {
     }
 }
 
-/// Bytes of a number.
+/// The number of bytes of a component.
 fn width(component: u32) -> Option<usize> {
     match component {
         BYTE | SIGNED_BYTE => Some(1),
@@ -160,7 +160,7 @@ fn width(component: u32) -> Option<usize> {
     }
 }
 
-/// A number as it is, or as a share of its type's greatest.
+/// A number as it is or, if normalised, as a fraction of its type's maximum.
 fn real(component: u32, normalized: bool, bytes: &[u8]) -> Option<f32> {
     let (value, most) = match component {
         FLOAT => return Some(f32::from_le_bytes(bytes.try_into().ok()?)),

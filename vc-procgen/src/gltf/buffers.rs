@@ -1,4 +1,4 @@
-//! The bytes of a file's buffers: those of its container, and data URIs in its text.
+//! The bytes of a file's buffers: from its container, and from data URIs in its text.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use super::document::Document;
 pub(super) struct Buffers<'a>(Vec<Option<Cow<'a, [u8]>>>);
 
 impl<'a> Buffers<'a> {
-    /// The first buffer is the container's bytes unless it has a URI.
+    /// The first buffer is the container's bytes, unless the buffer has a URI.
     pub(super) fn of(document: &Document, container: &'a [u8]) -> Self {
         let own = Some(Cow::Borrowed(container)).filter(|bytes| !bytes.is_empty());
         let each = document.buffers.iter().zip(std::iter::once(own).chain(std::iter::repeat(None)));
@@ -29,7 +29,7 @@ pub(super) fn inline(uri: &str) -> Option<Vec<u8>> {
     base64(body.as_bytes()).filter(|_| head.ends_with(";base64"))
 }
 
-/// Four letters are three bytes; the last may be fewer.
+/// Four letters encode three bytes; the last group may encode fewer.
 fn base64(text: &[u8]) -> Option<Vec<u8>> {
     let text = text.trim_ascii_end();
     let end = text.iter().rposition(|&letter| letter != b'=').map_or(0, |last| last + 1);

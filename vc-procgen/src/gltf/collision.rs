@@ -1,4 +1,4 @@
-//! Convex pieces for physics.
+//! Convex collision pieces for physics.
 
 use std::collections::HashMap;
 use std::panic::catch_unwind;
@@ -8,11 +8,11 @@ use parry3d::math::Vector;
 use parry3d::transformation::vhacd::{VHACD, VHACDParameters};
 use vc_graph::asset::{Part, Shape};
 
-/// Most corners of a piece.
+/// The maximal number of corners of a piece.
 const CORNERS: usize = 64;
-/// A connected part is convex enough if it fills this share of its hull.
+/// The share of its hull that a connected part must fill to count as convex.
 const FULL: f32 = 0.97;
-/// Half the thickness given to what is flat, metres.
+/// Half the thickness given to flat parts, metres.
 const THIN: f64 = 0.0005;
 
 /// Triangles and the points they use.
@@ -22,7 +22,7 @@ struct Soup {
     triangles: Vec<[u32; 3]>,
 }
 
-/// Convex pieces of the parts, at most `most` for those that move together.
+/// The convex pieces of the parts, at most `most` for each group of parts that move together.
 pub(super) fn pieces(parts: &[Part], most: usize) -> Vec<Part> {
     let mut links: Vec<Vec<&Part>> = Vec::new();
     for part in parts {
@@ -65,7 +65,7 @@ impl Soup {
     }
 }
 
-/// The connected parts of a mesh.
+/// The connected components of a mesh.
 fn components(part: &Part) -> Vec<Soup> {
     let Shape::Mesh { vertices, triangles, .. } = &part.shape else { return Vec::new() };
     let mut leader: Vec<usize> = (0..vertices.len()).collect();
@@ -103,8 +103,7 @@ fn components(part: &Part) -> Vec<Soup> {
     soups
 }
 
-/// The hull of a part that is convex, or flat; none if it is neither, empty if it is
-/// a line.
+/// The hull of a component that is convex or flat; `None` if it is neither, empty if it is a line.
 fn whole_hull(soup: &Soup) -> Option<Vec<Point3<f32>>> {
     let Some(hull) = hull(&soup.points) else { return Some(hull(&thickened(soup)).unwrap_or_default()) };
     let own =
@@ -113,7 +112,7 @@ fn whole_hull(soup: &Soup) -> Option<Vec<Point3<f32>>> {
     (own.is_closed() && own.volume() >= FULL * around.volume()).then_some(hull)
 }
 
-/// The corners of the convex hull, not too many; none if it has no volume.
+/// The corners of the convex hull, limited in number; `None` if it has no volume.
 fn hull(points: &[Point3<f32>]) -> Option<Vec<Point3<f32>>> {
     let corners = |points: &[Point3<f32>]| {
         let mut all = Shape::Hull { points: points.to_vec() }.mesh(0.0).positions;
@@ -139,7 +138,7 @@ fn extremes(points: &[Point3<f32>]) -> Vec<Point3<f32>> {
     directions.filter(primitive).filter_map(far).collect()
 }
 
-/// Both sides of something flat.
+/// The points of a flat component, offset to both sides.
 fn thickened(soup: &Soup) -> Vec<Point3<f32>> {
     let at = |v: u32| soup.points[v as usize].cast::<f64>();
     let normal = |&[a, b, c]: &[u32; 3]| (at(b) - at(a)).cross(&(at(c) - at(a)));
@@ -150,7 +149,7 @@ fn thickened(soup: &Soup) -> Vec<Point3<f32>> {
     shifted(-1.0).chain(shifted(1.0)).collect()
 }
 
-/// At most `most` convex pieces of something hollow; one if `most` is below four.
+/// At most `most` convex pieces of a hollow component; one if `most` is below four.
 fn decomposed(soup: &Soup, most: usize) -> Vec<Vec<Point3<f32>>> {
     let whole = || hull(&soup.points).into_iter().collect();
     let (Some(low), Some(high)) =
@@ -159,16 +158,17 @@ fn decomposed(soup: &Soup, most: usize) -> Vec<Vec<Point3<f32>>> {
         return Vec::new();
     };
     let size = (high - low).max();
-    // It halves until twice as many as it is asked for, rounded up to a power of two.
+    // V-HACD halves until it has twice the requested number of pieces, rounded up to a power of
+    // two.
     let asked = (most / 2 + 1).next_power_of_two() / 2;
     if asked < 2 || size <= 0.0 {
         return whole();
     }
-    // In a cube of size one, where V-HACD's own tolerances fit.
+    // Scaled to a cube of size one, for which V-HACD's tolerances are meant.
     let inside = |p: &Point3<f32>| (p - low) / size;
     let points: Vec<Vector> = soup.points.iter().map(inside).map(|v| Vector::new(v.x, v.y, v.z)).collect();
     let parameters = VHACDParameters { max_convex_hulls: asked as u32, ..VHACDParameters::default() };
-    // Of some sets of voxels parry3d 0.31 finds no hull and panics; then there is one piece.
+    // For some sets of voxels parry3d 0.31 finds no hull and panics; then a single piece is used.
     let parts = catch_unwind(|| {
         let parts = VHACD::decompose(&parameters, &points, &soup.triangles, true);
         parts.compute_exact_convex_hulls(&points, &soup.triangles)

@@ -1,4 +1,4 @@
-//! Where the corners of triangles are in their texture.
+//! Texture coordinates of triangle corners.
 
 use vc_graph::portable::Portable;
 
@@ -7,7 +7,7 @@ use super::access::Elements;
 use super::buffers::Buffers;
 use super::document::{Document, Material, Primitive, Transform};
 
-/// A primitive's texture coordinates, and what is done to them.
+/// A primitive's texture coordinates, and their transform.
 pub(super) struct TextureMap<'a> {
     pairs: Elements<'a>,
     accessor: usize,
@@ -15,7 +15,8 @@ pub(super) struct TextureMap<'a> {
 }
 
 impl<'a> TextureMap<'a> {
-    /// Of a primitive whose material has a texture that it has coordinates for.
+    /// The texture coordinates of a primitive; `None` if its material has no texture or it has no
+    /// coordinates for it.
     pub(super) fn of(
         document: &Document,
         buffers: &'a Buffers<'_>,
@@ -42,7 +43,7 @@ impl<'a> TextureMap<'a> {
 }
 
 impl Transform {
-    /// Scaled, turned, shifted.
+    /// Applies scale, rotation and offset.
     fn apply(&self, [u, v]: [f32; 2]) -> [f32; 2] {
         let [across, down] = self.scale.unwrap_or([1.0; 2]);
         let (u, v) = (u * across, v * down);

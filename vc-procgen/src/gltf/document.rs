@@ -1,7 +1,7 @@
 //! The part of glTF's JSON that is read and written. Specification:
 //! <https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html>.
 //!
-//! Fields that are written and not read are skipped in files that are read, whatever their values are.
+//! Fields that are only written are skipped when reading, whatever their values are.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -18,7 +18,7 @@ fn absent<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
-/// A field that only adorns a model; the default where its value is not as the specification says.
+/// A field that is not essential to a model; takes its default where the value violates the specification.
 fn lenient<'de, D: Deserializer<'de>, T: DeserializeOwned + Default>(from: D) -> Result<T, D::Error> {
     Ok(T::deserialize(Value::deserialize(from)?).unwrap_or_default())
 }
@@ -87,14 +87,14 @@ object! { DocumentExtensions {
 
 object! { Lights { lights: Vec<super::stage::Light>, } }
 
-/// Extensions of a node.
+/// The extensions of a node.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct NodeExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub(super) light: LightOf,
 }
 
-/// Which light a node carries; number zero is written as well.
+/// The light that a node carries; index zero is written as well.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct LightOf {
     pub(super) light: usize,
@@ -127,7 +127,7 @@ object! { Material {
 }}
 
 impl Material {
-    /// The texture that stands for its picture: of its colour, or of what it glows with where that has none.
+    /// The texture used as the material's image: the base colour's, or the emission's if there is none.
     pub(super) fn texture(&self) -> Option<&TextureOf> {
         self.pbr_metallic_roughness.base_color_texture.as_ref().or(self.emissive_texture.as_ref())
     }
@@ -141,7 +141,7 @@ object! { Surface {
 }}
 
 object! {
-/// Which texture a material has, and which coordinates of its meshes are in it.
+/// The index of a material's texture, and of the mesh coordinates that it uses.
 TextureOf { index: Option<usize>, tex_coord: usize, #[serde(deserialize_with = "lenient")] extensions: TextureExtensions, }}
 
 object! { TextureExtensions {
@@ -149,7 +149,7 @@ object! { TextureExtensions {
 }}
 
 object! {
-/// What is done to coordinates first.
+/// The transform applied to coordinates.
 Transform {
     offset: [f32; 2],
     rotation: f32,
@@ -188,7 +188,7 @@ object! { Accessor {
 }}
 
 object! {
-/// Elements of an accessor that replace those of its buffer view, or zeros where it has none.
+/// The elements of an accessor that replace those of its buffer view, or zeros where it has none.
 Sparse { count: usize, indices: SparsePart, values: SparsePart, }}
 
 object! { SparsePart { buffer_view: Option<usize>, byte_offset: usize, component_type: u32, }}

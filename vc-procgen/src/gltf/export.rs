@@ -12,14 +12,13 @@ use super::note::{JointNote, NodeNote, SurfaceNote, written};
 use super::stage::Stage;
 use super::write::{Link, Writer};
 
-/// Largest distance between curves and the triangles written for them, metres.
+/// The greatest distance between curves and the triangles written for them, metres.
 pub const TOLERANCE: f32 = 0.001;
 
-/// Turns Z up, X in front to Y up, Z in front: a third of a turn.
+/// The rotation from Z up, X forward to Y up, Z forward: a third of a turn.
 const UPRIGHT: [f32; 4] = [-0.5, -0.5, -0.5, 0.5];
 
-/// An asset as a binary glTF file, its joints at zero. Moving links and surfaces are
-/// nodes of their own.
+/// An asset as a binary glTF file, its joints at zero. Moving links and surfaces are nodes of their own.
 ///
 /// # Errors
 /// [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
@@ -27,7 +26,7 @@ pub fn asset(asset: &Asset, library: &AssetLibrary) -> Result<Vec<u8>, GltfError
     written_asset(asset, library, None)
 }
 
-/// The same, with a note of its class, which [`read`](super::read) finds.
+/// The same, with an annotation of its class, which [`read`](super::read) understands.
 ///
 /// # Errors
 /// [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
@@ -67,9 +66,9 @@ fn written_asset(asset: &Asset, library: &AssetLibrary, class: Option<String>) -
     writer.finish(&asset.name, vec![root])
 }
 
-/// A scene as a binary glTF file: each node that has an asset and a pose is a glTF
-/// node, named by its label. Nodes that share an asset share its meshes; those of an asset that glows do so if they
-/// are all on or all off. Joints are at zero, whatever the nodes' states.
+/// A scene as a binary glTF file: each node that has an asset and a pose becomes a glTF node, named by its
+/// label. Nodes with the same asset share its meshes; if the asset has emissive materials, only nodes that are
+/// all on or all off share them. Joints are at zero, whatever the nodes' states.
 ///
 /// # Errors
 /// [`GltfError::NoSuchAsset`], [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
@@ -77,7 +76,7 @@ pub fn scene(graph: &SceneGraph) -> Result<Vec<u8>, GltfError> {
     staged_scene(graph, &Stage::default())
 }
 
-/// The same with cameras and lights (`KHR_lights_punctual`). What is not finite among them is left out.
+/// The same with cameras and lights (`KHR_lights_punctual`). Those with non-finite values are left out.
 ///
 /// # Errors
 /// As [`scene`].
@@ -85,9 +84,9 @@ pub fn staged_scene(graph: &SceneGraph, stage: &Stage) -> Result<Vec<u8>, GltfEr
     posed_scene(graph, stage, |_, _| None)
 }
 
-/// The same with joints where they are: `moved` gives for a node and a joint how far what hangs on it
-/// has moved from where the asset has it, in the asset's frame, as [`Joint::motion`] does; `None`
-/// leaves it there.
+/// The same with joints in given positions: for a node and a joint, `moved` returns the motion of the joint's
+/// link relative to its place in the asset, in the asset's frame, as [`Joint::motion`] does; `None` leaves it
+/// in place.
 ///
 /// # Errors
 /// As [`scene`].
@@ -103,7 +102,7 @@ pub fn posed_scene(
     for node in graph.nodes() {
         let Some(id) = node.spec().asset else { continue };
         let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
-        // An asset that glows has other materials when it is on than when it is off.
+        // An asset with emissive materials has other materials when it is on than when it is off.
         let key = (id, node.is(State::On) && writer.glows(asset));
         if let std::collections::btree_map::Entry::Vacant(vacant) = shared.entry(key) {
             writer.lit = key.1;
@@ -148,7 +147,7 @@ fn placed(
     }))
 }
 
-/// A pose's rotation as glTF requires it: of unit length, and no component above one.
+/// A pose's rotation as glTF requires it: of unit length, with no component above one.
 pub(super) fn turned(pose: &Pose) -> [f32; 4] {
     pose.rotation.into_inner().normalize().coords.into()
 }

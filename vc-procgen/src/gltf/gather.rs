@@ -1,4 +1,4 @@
-//! From the tree of nodes to triangles, joints and surfaces in our axes.
+//! Converts the tree of nodes to triangles, joints and surfaces in our axes.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -14,9 +14,9 @@ use super::coordinates::TextureMap;
 use super::document::{Document, Node, Primitive};
 use super::note::{JointNote, NodeNote, SurfaceNote, noted};
 
-/// Most triangles that are read.
+/// The greatest number of triangles that is read.
 const MOST: usize = 10_000_000;
-/// Farthest a vertex may be from the origin, metres.
+/// The greatest distance of a vertex from the origin, metres.
 const FAR: f64 = 1e5;
 
 /// The triangles of one primitive of one node.
@@ -26,7 +26,7 @@ pub(super) struct Piece {
     pub(super) material: Option<usize>,
     pub(super) points: Vec<Point3<f64>>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// As many as there are triangles, or none.
+    /// One entry per triangle, or none at all.
     pub(super) uvs: Vec<[[f32; 2]; 3]>,
 }
 
@@ -57,13 +57,13 @@ pub(super) struct Gathered {
     triangles: usize,
 }
 
-/// Points, the triangles between them, and where these are in a texture.
+/// Points, the triangles between them, and the triangles' texture coordinates.
 type Triangles = (Vec<Point3<f64>>, Vec<[u32; 3]>, Vec<[[f32; 2]; 3]>);
 
-/// A node to visit: its number, its parent's frame and the joint it moves with.
+/// A node to visit: its index, its parent's frame and the joint it moves with.
 type Visit = (usize, Matrix4<f64>, Option<usize>);
 
-/// Everything in the default scene, through `frame`.
+/// Collects everything in the default scene, transformed by `frame`.
 pub(super) fn gather(document: &Document, buffers: &Buffers<'_>, frame: Matrix4<f64>) -> Result<Gathered, GltfError> {
     let mut all = Gathered::default();
     let mut visited = vec![false; document.nodes.len()];
@@ -80,8 +80,7 @@ pub(super) fn gather(document: &Document, buffers: &Buffers<'_>, frame: Matrix4<
     Ok(all)
 }
 
-/// The nodes of the default scene, or of the first one; without scenes, all that are
-/// nobody's children.
+/// The nodes of the default scene, or of the first one; without scenes, all nodes without a parent.
 fn roots(document: &Document) -> Result<Vec<usize>, GltfError> {
     if let (None, true) = (document.scene, document.scenes.is_empty()) {
         let mut root = vec![true; document.nodes.len()];
@@ -94,7 +93,7 @@ fn roots(document: &Document) -> Result<Vec<usize>, GltfError> {
     Ok(document.scenes.get(index).ok_or(GltfError::missing("scene", index))?.nodes.clone())
 }
 
-/// A node's frame in its parent's; none where its rotation is no rotation.
+/// A node's frame in its parent's; `None` if its rotation is invalid.
 fn local(node: &Node) -> Option<Matrix4<f64>> {
     if let Some(columns) = &node.matrix {
         return Some(Matrix4::from_column_slice(columns));
@@ -107,7 +106,7 @@ fn local(node: &Node) -> Option<Matrix4<f64>> {
 }
 
 impl Gathered {
-    /// Takes what a node has, and returns the joint it moves with.
+    /// Collects the contents of a node, and returns the joint it moves with.
     fn visit(
         &mut self,
         document: &Document,
@@ -180,7 +179,7 @@ impl Gathered {
         let map = TextureMap::of(document, buffers, primitive)?;
         let corners = indices.as_ref().map_or(positions.count, |i| i.count);
         let count = if mode == 4 { corners / 3 } else { corners.saturating_sub(2) };
-        // An empty one counts too, so that no file takes long.
+        // An empty primitive counts too, so that reading time is bounded for every file.
         self.triangles = self.triangles.saturating_add(count.max(1));
         if self.triangles > MOST {
             return Err(GltfError::TooMany { most: MOST });
@@ -214,7 +213,7 @@ fn corners_of(mode: u32, t: usize) -> [usize; 3] {
     }
 }
 
-/// Takes vertices that are used, those at the same place once.
+/// Collects the vertices in use, those at the same place once.
 struct Welder<'a> {
     positions: Elements<'a>,
     frame: &'a Matrix4<f64>,

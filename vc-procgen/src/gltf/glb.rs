@@ -1,4 +1,4 @@
-//! The binary container: a header, a chunk of JSON, a chunk of bytes.
+//! The binary container: a header, a chunk of JSON, a chunk of binary data.
 
 use super::GltfError;
 use super::document::Document;
@@ -7,7 +7,7 @@ const MAGIC: &[u8] = b"glTF";
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 
-/// Puts the file together.
+/// Assembles the file.
 pub(super) fn join(document: &Document, mut bytes: Vec<u8>) -> Result<Vec<u8>, GltfError> {
     let mut json = serde_json::to_vec(document).map_err(|e| GltfError::Json(e.to_string()))?;
     pad(&mut json, b' ');
@@ -29,10 +29,10 @@ fn pad(bytes: &mut Vec<u8>, with: u8) {
     bytes.resize(bytes.len().next_multiple_of(4), with);
 }
 
-/// The JSON and the bytes of a file; a text file has no bytes.
+/// The JSON and the binary data of a file; a text file has no binary data.
 pub(super) fn split(file: &[u8]) -> Result<(Document, &[u8]), GltfError> {
     let (json, bytes) = if file.starts_with(MAGIC) { chunks(file)? } else { (file, &[][..]) };
-    // Some programs mark their text, or fill it up with zeros.
+    // Some programs write a byte order mark, or pad the text with zeros.
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
     let end = json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     let json = &json[..end];

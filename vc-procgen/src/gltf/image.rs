@@ -1,4 +1,4 @@
-//! Pictures in a file: PNG and JPEG in, PNG out.
+//! Images in a file: PNG and JPEG are read, PNG is written.
 
 use std::borrow::Cow;
 use std::io::Cursor;
@@ -15,15 +15,15 @@ use super::access::slice;
 use super::buffers::{Buffers, inline};
 use super::document::{Document, Image};
 
-/// Most pixels of all pictures of a file together.
+/// The greatest number of pixels of all images of a file together.
 const MOST: usize = 1 << 27;
-/// Most pixels along a side.
+/// The greatest number of pixels along a side.
 const LONGEST: usize = 1 << 14;
 
-/// Pixels across and down, and red, green and blue of each.
+/// Width, height, and the red, green and blue of each pixel.
 type Pixels = (usize, usize, Vec<[u8; 3]>);
 
-/// Decodes pictures while there are not too many pixels.
+/// Decodes images up to a total number of pixels.
 pub(super) struct Decoder {
     left: usize,
 }
@@ -33,7 +33,7 @@ impl Decoder {
         Self { left: MOST }
     }
 
-    /// The picture of a number in the document.
+    /// The image with an index in the document.
     pub(super) fn texture(
         &mut self,
         document: &Document,
@@ -59,7 +59,7 @@ impl Decoder {
         }
     }
 
-    /// Whether a picture of this size may still be decoded.
+    /// Whether an image of this size is within the limits.
     fn check(&self, width: usize, height: usize) -> Result<(), String> {
         if width > LONGEST || height > LONGEST {
             return Err(format!("is {width} by {height} pixels: at most {LONGEST} along a side are read"));
@@ -78,7 +78,7 @@ impl Decoder {
         let mut all = vec![0; reader.output_buffer_size().ok_or("cannot be decoded: it is too large")?];
         let info = reader.next_frame(&mut all).map_err(broken)?;
         let pixels = match info.color_type.samples() {
-            // Grey, with and without alpha; then colours.
+            // Grey, with and without alpha; otherwise colours.
             samples @ (1 | 2) => all.chunks_exact(samples).map(|p| [p[0]; 3]).collect(),
             samples => all.chunks_exact(samples).map(|p| [p[0], p[1], p[2]]).collect(),
         };
@@ -100,7 +100,7 @@ impl Decoder {
     }
 }
 
-/// The bytes of a picture; none if they are in another file.
+/// The bytes of an image; `None` if they are in another file.
 fn bytes<'a>(document: &Document, buffers: &'a Buffers<'_>, image: &Image) -> Result<Option<Cow<'a, [u8]>>, GltfError> {
     match image.buffer_view {
         Some(view) => Ok(Some(slice(document, buffers, view)?.into())),

@@ -1,4 +1,4 @@
-//! A user's own model as an asset.
+//! Reading a user's own model as an asset.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,41 +12,41 @@ use super::gather::{FoundJoint, FoundSurface, Gathered, Piece, gather};
 use super::image::Decoder;
 use super::{GltfError, collision, document, glb, paint};
 
-/// How large a model becomes.
+/// The size of an imported model.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Size {
     /// As the file says, in metres.
     #[default]
     AsIs,
-    /// As many times the file's size.
+    /// The file's size times a factor.
     Times(f32),
-    /// As high as this, metres.
+    /// Scaled to this height, metres.
     Height(f32),
-    /// As large as fits into this depth, width and height, metres.
+    /// Scaled to fit into this depth, width and height, metres.
     Within(Vector3<f32>),
 }
 
-/// How to read a model.
+/// Options for reading a model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Name of the asset; by default that of the scene or its first node.
+    /// The name of the asset; by default that of the scene or its first part.
     pub name: Option<Arc<str>>,
-    /// How large it becomes.
+    /// The size of the asset.
     pub size: Size,
-    /// Quarter turns counter-clockwise seen from above, for a model whose front is
-    /// not where glTF has it (+Z).
+    /// Quarter turns counter-clockwise seen from above, for a model whose front is not where glTF has
+    /// it (+Z).
     pub quarter_turns: i32,
-    /// Whether to put the centre of its base at the origin; by default yes.
+    /// Whether to put the centre of its base at the origin; true by default.
     pub recentre: bool,
-    /// Most convex pieces for physics, of each link; 16 by default, and what is hollow
-    /// needs at least four. With 0 there are none, and physics goes by the triangles.
+    /// The greatest number of convex collision pieces for each link; 16 by default, and hollow parts
+    /// need at least four. With 0 there are none, and physics uses the triangles.
     pub hulls: usize,
-    /// Density of materials that have no note of it, kilograms per cubic metre.
+    /// The density of materials without an annotation, kilograms per cubic metre.
     pub density: f32,
-    /// Coulomb friction coefficient of those.
+    /// The Coulomb friction coefficient of materials without an annotation.
     pub friction: f32,
-    /// Coefficient of restitution of those, 0 to 1.
+    /// The coefficient of restitution of materials without an annotation, 0 to 1.
     pub restitution: f32,
 }
 
@@ -65,21 +65,21 @@ impl Default for Options {
     }
 }
 
-/// A model that has been read.
+/// An imported model.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Imported {
-    /// The asset; its parts number their materials by `materials`.
+    /// The asset; its parts refer to materials by their index in `materials`.
     pub asset: Asset,
-    /// Its materials; they number their textures by `textures`.
+    /// The materials; they refer to textures by their index in `textures`.
     pub materials: Vec<Material>,
-    /// Pictures of their colours.
+    /// The images of the materials' colours.
     pub textures: Vec<Arc<Texture>>,
-    /// What it is, if the file has a note of it.
+    /// The class, if the file has an annotation of it.
     pub class: Option<Arc<str>>,
     /// Whether each of its parts encloses a volume.
     pub closed: bool,
-    /// The reasons why pictures are missing; parts that would have one of these are plain.
+    /// The reasons why images are missing; parts that would use one of these have a plain colour.
     pub missing_pictures: Vec<GltfError>,
 }
 
@@ -87,8 +87,7 @@ impl Imported {
     /// Adds the asset, its materials and textures to a library.
     ///
     /// # Errors
-    /// [`GltfError::Asset`] if a figure is not one the library takes; the library is
-    /// then as before.
+    /// [`GltfError::Asset`] if the library refuses a value; the library is then unchanged.
     pub fn add_to(&self, library: &mut AssetLibrary) -> Result<AssetId, GltfError> {
         self.put_into(&mut AssetLibrary::default())?;
         Ok(self.put_into(library)?)
@@ -109,17 +108,16 @@ impl Imported {
     }
 }
 
-/// Reads a binary glTF file (.glb) as one asset: turned to Z up and X in front,
-/// set down with the centre of its base at the origin, with a triangle mesh for each
-/// primitive, convex pieces for physics, and joints, surfaces and class as
-/// [annotated](super#annotations).
+/// Reads a binary glTF file (.glb) as one asset: rotated to Z up and X forward, with the centre of its
+/// base at the origin, a triangle mesh for each primitive, convex collision pieces, and joints,
+/// surfaces and class as [annotated](super#annotations).
 ///
-/// The pieces come from each connected part's convex hull where that is about as
-/// large as the part, and otherwise from parry's V-HACD (Mamou, 2016), which takes
-/// about a second for a part. Any bytes may be given.
+/// The collision pieces are the convex hulls of connected parts that nearly fill their hulls; other
+/// parts are decomposed by parry's V-HACD (Mamou, 2016), which takes about a second for a part. The
+/// bytes need not be trusted.
 ///
 /// # Errors
-/// [`GltfError`] says what is wrong and how to export instead.
+/// [`GltfError`] with the reason and advice for the export.
 pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     let (document, bytes) = glb::split(file)?;
     if let Some(extension) = document.extensions_required.iter().find(|e| !paint::understands(e)) {
@@ -143,7 +141,7 @@ pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     Ok(Imported { asset, materials, textures, class: found.class.map(Into::into), closed, missing_pictures })
 }
 
-/// From Y up and Z in front to Z up and X in front, and quarter turns.
+/// The rotation from Y up, Z forward to Z up, X forward, and the quarter turns.
 fn upright(quarter_turns: i32) -> Matrix4<f64> {
     let (c, s) = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][quarter_turns.rem_euclid(4) as usize];
     let turn = Matrix4::new(c, -s, 0., 0., s, c, 0., 0., 0., 0., 1., 0., 0., 0., 0., 1.);
@@ -156,7 +154,7 @@ fn name(document: &document::Document, options: &Options, parts: &[Part]) -> Arc
     options.name.clone().or(scene).or_else(|| parts.first().map(|p| p.name.clone())).unwrap_or_default()
 }
 
-/// Scale and shift from the gathered triangles to the asset.
+/// The scale and shift from the gathered triangles to the asset.
 struct Placing {
     scale: f64,
     shift: Vector3<f64>,
@@ -232,7 +230,7 @@ struct Paints<'a> {
     numbers: BTreeMap<Option<usize>, u32>,
     all: Vec<Material>,
     decoder: Decoder,
-    /// By image; `None` where it cannot be read.
+    /// By image; `None` where the image cannot be read.
     pictures: BTreeMap<usize, Option<u32>>,
     textures: Vec<Arc<Texture>>,
     missing: Vec<GltfError>,
@@ -245,7 +243,7 @@ impl<'a> Paints<'a> {
         Self { document, buffers, options, numbers, all, decoder, pictures, textures, missing }
     }
 
-    /// The number of a material's picture; `None`, with the reason noted once, where it cannot be read.
+    /// The index of a material's image; `None` where it cannot be read, with each reason recorded once.
     fn picture(&mut self, material: &document::Material) -> Option<u32> {
         let image = self.image(material.texture()?.index?);
         let known = image.as_ref().ok().and_then(|image| self.pictures.get(image));

@@ -1,4 +1,4 @@
-//! glTF 2.0: assets and scenes out, a user's own models in.
+//! glTF 2.0: exporting assets and scenes, importing a user's own models.
 //!
 //! ```
 //! use vc_graph::AssetLibrary;
@@ -27,15 +27,15 @@
 //!
 //! # Axes and units
 //!
-//! Metres on both sides. glTF has Y up and +Z in front; here Z is up and X in front.
-//! A written file keeps our axes below a root node that turns them; a model that is
-//! read is turned, and set down with the centre of its base at the origin.
+//! Both sides use metres. glTF has Y up and +Z forward; here Z is up and X forward. An exported file keeps our
+//! axes below a root node that rotates them; an imported model is rotated, with the centre of its base at the
+//! origin.
 //!
 //! # Annotations
 //!
-//! glTF has no word for what a thing is and how it moves. Both directions use the
-//! `extras` of nodes and materials, which modelling programs let one edit (in
-//! Blender: custom properties, exported with "Custom Properties" ticked):
+//! glTF cannot express an object's class or its joints. Both directions use the `extras` of nodes and
+//! materials, which can be edited in modelling programs (in Blender: custom properties, exported with "Custom
+//! Properties" ticked):
 //!
 //! ```json
 //! {"vc": {"class": "kitchen_cabinet"}}
@@ -44,22 +44,22 @@
 //! {"vc": {"physics": {"density": 700, "friction": 0.5, "restitution": 0.2}}}
 //! ```
 //!
-//! - `class`, on any node: what the model is; the first one met counts.
-//! - `joint`, on a node: it and what is below it move as one link. The axis is in
-//!   the node's own frame and goes through its origin; limits in radians, or in
-//!   metres for a `slide`. Joints below joints are refused.
-//! - `surface`, on a node: things can be kept there. The node's origin is the middle
-//!   of a level rectangle, `half` its half depth and half width in metres; without
-//!   `half`, the surface is the top of the node's own mesh. `hold` is `on`, `inside`
-//!   or `hook`; `clearance` is the free height, by default unlimited.
+//! - `class`, on any node: the class of the model; the first one found counts.
+//! - `joint`, on a node: the node and its descendants move as one link. The axis is in the node's own frame and
+//!   passes through its origin; limits are in radians, or in metres for a `slide`. Joints below joints are
+//!   refused.
+//! - `surface`, on a node: objects can be placed there. The node's origin is the centre of a level rectangle,
+//!   `half` its half depth and half width in metres; without `half`, the surface is the top of the node's own
+//!   mesh. `hold` is `on`, `inside` or `hook`; `clearance` is the free height, by default unlimited.
 //! - `physics`, on a material.
 //!
-//! # What is not read
+//! # Unsupported features
 //!
-//! Pictures but those of base colours, and of what glows where there is none (PNG and JPEG; their alpha is passed over,
-//! and all of them repeat), skins, morph targets, animations, cameras and lights. Points and lines are passed over.
-//! Where a picture cannot be read the model is plain, and [`Imported::missing_pictures`] says why. Compressed
-//! vertices and vertices in files beside the file are refused with an error that says how to export instead.
+//! The only images read are those of base colours, and of emission where there is no base colour image (PNG and
+//! JPEG; alpha is ignored, and all images repeat). Skins, morph targets, animations, cameras and lights are not
+//! read; points and lines are ignored. Where an image cannot be read, the model has a plain colour and
+//! [`Imported::missing_pictures`] has the reason. Compressed vertices, and vertices in separate files, are
+//! refused with an error that advises how to export instead.
 
 mod access;
 mod buffers;

@@ -1,4 +1,4 @@
-//! What glTF has no word for, in the `extras` of nodes and materials.
+//! Annotations that glTF has no fields for, in the `extras` of nodes and materials.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use vc_graph::asset::{Hold, JointKind};
 
 use super::GltfError;
 
-/// What a node says, under `vc`.
+/// The annotation of a node, under `vc`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct NodeNote {
@@ -36,7 +36,7 @@ pub(super) struct SurfaceNote {
     pub(super) clearance: Option<f32>,
 }
 
-/// What a material says, under `vc`.
+/// The annotation of a material, under `vc`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct MaterialNote {
@@ -58,12 +58,12 @@ fn half() -> f32 {
     0.5
 }
 
-/// Wraps a note as `extras`; none if it says nothing.
+/// Wraps an annotation as `extras`; `None` if it is empty.
 pub(super) fn written<T: Serialize + Default + PartialEq>(note: &T) -> Option<Value> {
     (*note != T::default()).then(|| serde_json::json!({ "vc": note }))
 }
 
-/// The note in `extras`, or one that says nothing.
+/// The annotation in `extras`, or an empty one.
 pub(super) fn noted<T>(extras: Option<&Value>, place: impl FnOnce() -> String) -> Result<T, GltfError>
 where
     T: Default + for<'a> Deserialize<'a>,

@@ -1,4 +1,4 @@
-//! Materials both ways.
+//! Reading and writing materials.
 
 use vc_graph::asset::Material;
 
@@ -6,7 +6,7 @@ use super::document as json;
 use super::note::{MaterialNote, Physics, noted, written};
 use super::{GltfError, Options};
 
-/// Quantised vertices; they are read whether or not a file names the extension.
+/// Quantised vertices are read whether or not a file names the extension.
 const QUANTISED: &str = "KHR_mesh_quantization";
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 const TRANSMISSION: &str = "KHR_materials_transmission";
@@ -15,7 +15,7 @@ fn share(value: f32) -> f32 {
     value.clamp(0.0, 1.0)
 }
 
-/// A material, and which of the file's textures it has.
+/// Writes a material, with the index of its texture in the file.
 pub(super) fn write(material: &Material, texture: Option<usize>) -> json::Material {
     let [r, g, b] = material.colour.map(share);
     let most = material.emission.iter().fold(1.0f32, |a, &b| a.max(b));
@@ -31,7 +31,7 @@ pub(super) fn write(material: &Material, texture: Option<usize>) -> json::Materi
             roughness_factor: Some(share(material.roughness)),
         },
         emissive_factor: glows.then(|| material.emission.map(|v| share(v / most))),
-        // One picture is of both.
+        // One image is used for both.
         emissive_texture: shown.filter(|_| glows),
         alpha_mode: None,
         extensions: json::Extensions {
@@ -43,24 +43,25 @@ pub(super) fn write(material: &Material, texture: Option<usize>) -> json::Materi
     }
 }
 
-/// Names of the extensions that materials use.
+/// The names of the extensions that materials use.
 pub(super) fn extensions(materials: &[json::Material]) -> Vec<String> {
     let any = |used: fn(&json::Extensions) -> bool| materials.iter().any(|m| used(&m.extensions));
     let all = [(STRENGTH, any(|e| e.strength.is_some())), (TRANSMISSION, any(|e| e.transmission.is_some()))];
     all.into_iter().filter(|(_, used)| *used).map(|(name, _)| name.to_owned()).collect()
 }
 
-/// How the names of extensions begin that change a model's appearance and not its shape.
+/// The prefixes of extensions that change a model's appearance but not its shape.
 const LOOKS: [&str; 6] =
     ["KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_"];
 
-/// Whether a model that requires an extension can be read: its shape does not depend on it, or it is read.
+/// Whether a model that requires an extension can be read: because the extension is supported or does not
+/// affect its shape.
 pub(super) fn understands(extension: &str) -> bool {
     extension == QUANTISED || LOOKS.iter().any(|start| extension.starts_with(start))
 }
 
-/// A material as glTF's defaults fill it in, with this texture; the physical figures are the
-/// options' where the file has none.
+/// Reads a material, with glTF's defaults and this texture; physical properties come from the options
+/// where the file has none.
 pub(super) fn read(
     material: &json::Material,
     index: usize,

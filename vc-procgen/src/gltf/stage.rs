@@ -1,4 +1,4 @@
-//! Cameras and lights of a scene that is written.
+//! The cameras and lights of an exported scene.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -7,13 +7,13 @@ use vc_graph::Pose;
 use super::document as json;
 use super::write::Writer;
 
-/// The extension that lights are written with.
+/// The extension for lights.
 pub(super) const LIGHTS: &str = "KHR_lights_punctual";
 
-/// Who looks at a scene, and what lights it besides what glows.
+/// The cameras of a scene, and its lights apart from emissive objects.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stage {
-    /// Cameras, named.
+    /// The cameras.
     pub cameras: Vec<StageCamera>,
     /// Lights.
     pub lights: Vec<StageLight>,
@@ -30,32 +30,32 @@ pub struct StageCamera {
     pub vertical_fov: f32,
     /// Width over height.
     pub aspect: f32,
-    /// What is nearer is not seen, metres.
+    /// The near clipping distance, metres.
     pub near: f32,
 }
 
-/// A light without extent.
+/// A light source without extent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StageLight {
     /// Its name.
     pub name: String,
     /// Linear RGB.
     pub colour: [f32; 3],
-    /// Where it is.
+    /// The light's direction or position.
     pub place: LightPlace,
 }
 
-/// Where a light is, and how strong.
+/// The direction or position of a light, and its strength.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LightPlace {
-    /// Everywhere from one direction: the sun.
+    /// A directional light, such as the sun.
     From {
-        /// Direction to it.
+        /// The direction towards the light.
         towards: Vector3<f32>,
-        /// Light on a surface that faces it, lux.
+        /// The illuminance of a surface that faces it, lux.
         lux: f32,
     },
-    /// From a point to all sides.
+    /// A point light.
     At {
         /// The point, metres.
         point: Point3<f32>,
@@ -64,7 +64,7 @@ pub enum LightPlace {
     },
 }
 
-/// A light as the extension has it.
+/// A light in the form of the extension.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Light {
     name: String,
@@ -74,7 +74,7 @@ pub(super) struct Light {
     intensity: f32,
 }
 
-/// Adds a stage's nodes and returns their numbers.
+/// Adds the nodes of a stage and returns their indices.
 pub(super) fn write(writer: &mut Writer<'_>, stage: &Stage) -> Vec<usize> {
     let cameras = stage.cameras.iter().filter(|c| c.is_sound());
     let mut nodes: Vec<usize> = cameras.map(|camera| camera.write(writer)).collect();
@@ -108,11 +108,11 @@ impl StageCamera {
 }
 
 impl StageLight {
-    /// None for a light that is nowhere or has no strength.
+    /// Writes a light; `None` if its position or strength is invalid.
     fn write(&self, writer: &mut Writer<'_>) -> Option<usize> {
         let (kind, intensity, at, turned) = match self.place {
             LightPlace::From { towards, lux } => {
-                // It shines along the node's -z.
+                // A directional light shines along the node's -z.
                 let up = towards.try_normalize(1e-9)?;
                 let turn = UnitQuaternion::rotation_between(&Vector3::z(), &up)
                     .unwrap_or_else(|| UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(0.0, 1.0, 0.0, 0.0)));

@@ -1,4 +1,4 @@
-//! Meshes, materials and bytes of a file in the making.
+//! The meshes, materials and bytes of a file under construction.
 
 use std::collections::BTreeMap;
 
@@ -12,14 +12,14 @@ use super::{GltfError, glb, image, paint};
 const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
 
-/// Kinds of numbers, by where they are among a writer's bytes, and how far vertices are apart.
+/// The kinds of numbers, as indices into a writer's bytes, and the byte strides of vertices.
 const VECTORS: usize = 0;
 const PAIRS: usize = 1;
 const WORDS: usize = 2;
 const SHORTS: usize = 3;
 const STRIDES: [Option<usize>; 4] = [Some(12), Some(8), None, None];
 
-/// Parts of an asset that move together.
+/// The parts of an asset that move together.
 pub(super) struct Link {
     pub(super) joint: Option<Joint>,
     pub(super) name: String,
@@ -31,15 +31,15 @@ pub(super) struct Writer<'a> {
     library: &'a AssetLibrary,
     tolerance: f32,
     pub(super) document: Document,
-    /// Positions and normals, texture coordinates, indices of four bytes, indices of two.
+    /// Positions and normals, texture coordinates, four-byte indices, two-byte indices.
     bytes: [Vec<u8>; 4],
-    /// Whether the asset being written is on, so that glowing materials glow.
+    /// Whether the asset being written is on, so that emissive materials emit light.
     pub(super) lit: bool,
-    /// By position in the library, whether with its texture, and whether it glows.
+    /// By index in the library, whether textured, and whether it emits light.
     materials: BTreeMap<(u32, bool, bool), usize>,
-    /// By position in the library.
+    /// By index in the library.
     textures: BTreeMap<u32, usize>,
-    /// Encoded.
+    /// The encoded images.
     images: Vec<Vec<u8>>,
 }
 
@@ -52,13 +52,13 @@ impl<'a> Writer<'a> {
         Self { library, tolerance, document, bytes, lit: true, materials, textures, images }
     }
 
-    /// Adds a node and returns its number.
+    /// Adds a node and returns its index.
     pub(super) fn node(&mut self, node: json::Node) -> usize {
         self.document.nodes.push(node);
         self.document.nodes.len() - 1
     }
 
-    /// Whether a part of an asset can glow.
+    /// Whether an asset has an emissive part.
     pub(super) fn glows(&self, asset: &Asset) -> bool {
         let emission = |part: &Part| self.library.material(part.material).map(|material| material.emission);
         asset.parts.iter().filter_map(emission).any(|emission| emission != [0.0; 3])
@@ -141,7 +141,7 @@ impl<'a> Writer<'a> {
         Ok(self.document.materials.len() - 1)
     }
 
-    /// The number of a texture in the file; none if the library has no such.
+    /// The index of a texture in the file; `None` if the library does not have it.
     fn texture(&mut self, index: u32) -> Result<Option<usize>, GltfError> {
         let Some(texture) = self.library.texture(index) else { return Ok(None) };
         if let Some(&known) = self.textures.get(&index) {
@@ -192,7 +192,7 @@ impl<'a> Writer<'a> {
         self.document.accessors.len() - 1
     }
 
-    /// The file, with these nodes at its root.
+    /// The finished file, with these root nodes.
     pub(super) fn finish(mut self, name: &str, roots: Vec<usize>) -> Result<Vec<u8>, GltfError> {
         self.document.scene = Some(0);
         self.document.scenes = vec![json::Scene { name: name.into(), nodes: roots }];
@@ -230,7 +230,8 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// The mesh with a vertex for each place in the texture, and these places by vertex.
+/// Splits vertices so that each has one texture coordinate; returns the mesh, and the coordinates
+/// by vertex.
 fn taken_apart(mesh: &TriangleMesh) -> (TriangleMesh, Vec<[f32; 2]>) {
     let (mut apart, mut places) = (TriangleMesh::default(), Vec::new());
     let mut known: BTreeMap<(u32, [u32; 2]), u32> = BTreeMap::new();

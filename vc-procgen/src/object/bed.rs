@@ -1,4 +1,4 @@
-//! Beds: frame and mattress. Duvets and pillows are objects of their own.
+//! Beds: frame and mattress. Duvets and pillows are separate objects.
 
 use super::build::{Axis, Build};
 use super::storage::case::{Look, panel};
@@ -17,7 +17,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("air_mattress", 3, air_mattress),
 ];
 
-/// How a bed's frame looks.
+/// The design of a bed's frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Design {
     /// A low platform on recessed legs, with a panel at the head.
@@ -34,14 +34,14 @@ enum Design {
     Divan,
 }
 
-/// A bed in the making: half depth, half width, height; X from foot to head is down.
+/// A bed under construction: half depth, half width, height; X points from head to foot.
 struct Bed {
     x: f32,
     y: f32,
     h: f32,
-    /// Height of the mattress's upper side.
+    /// The height of the mattress's upper side.
     top: f32,
-    /// Thickness of the mattress.
+    /// The thickness of the mattress.
     mattress: f32,
     wood: Mat,
     cloth: Mat,
@@ -72,7 +72,7 @@ impl Bed {
         b.top("mattress", [f32::midpoint(x.0, x.1), 0.0, self.top], ((x.1 - x.0) / 2.0 - 0.04, half - 0.04));
     }
 
-    /// Boards along the sides, and slats the mattress lies on.
+    /// Boards along the sides, and slats that carry the mattress.
     fn rails(&self, b: &mut Build<'_>, x: (f32, f32), half: f32, tall: f32, mat: Mat) {
         let (t, high) = (0.025, self.top - self.mattress * 0.75);
         for side in [-1.0_f32, 1.0] {
@@ -145,7 +145,7 @@ fn upholstered(b: &mut Build<'_>, bed: &Bed) {
     );
     bed.mattress(b, (x0 + 0.005, bed.x - w - 0.003), bed.y - w - 0.004);
     b.soft("headboard", [-bed.x, -bed.y, lift], [-bed.x + t * 0.6, bed.y, bed.h], 0.025, bed.cloth);
-    // Channels or squares of padding.
+    // Padding in channels or squares.
     let channels = b.rng.chance(0.5);
     let (count, rows) = if channels { ((bed.y / 0.11) as usize, 1) } else { ((bed.y / 0.22) as usize, 2) };
     let (count, low) = (count.max(2), bed.top - 0.05);
@@ -227,7 +227,7 @@ fn posted(b: &mut Build<'_>, bed: &Bed, design: Design) {
     bed.mattress(b, inner, bed.y - 0.012 - 0.027);
 }
 
-/// A small low bed with guards at its head end; some are little houses in colour.
+/// A small low bed with guards at its head end, some with arched ends, in various colours.
 fn kids_bed(b: &mut Build<'_>) {
     let mut bed = Bed::new(b);
     let wood = b.one(&[b.style.wood, WHITE, SKY, DUSTY_ROSE, b.style.cabinet, RED]);
@@ -346,7 +346,7 @@ fn bunk_bed(b: &mut Build<'_>) {
                 }
             }
         }
-        // Where the guard leaves a gap, its end is held by a short post.
+        // Where the guard leaves a gap, a short post holds its end.
         let gap = -in_x * 0.55;
         if i == 1 {
             let cy = half - r;

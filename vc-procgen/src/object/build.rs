@@ -1,5 +1,4 @@
-//! Building an asset part by part: the vocabulary that class generators are
-//! written in.
+//! Building an asset part by part: the functions in which class generators are written.
 
 use std::f32::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -11,7 +10,7 @@ use vc_graph::{Asset, Bounds, Frame, Pose, Stream};
 use crate::material::Mat;
 use crate::style::Style;
 
-/// Parts there is room for from the start.
+/// The capacity reserved for parts.
 const PARTS: usize = 16;
 
 /// A point or direction, metres.
@@ -25,28 +24,28 @@ pub(crate) enum Axis {
     Z,
 }
 
-/// An asset in the making. Origin at the centre of the base, X to the front, Y to
-/// the left, Z up; metres. What is built stays within `size`.
+/// An asset under construction. The origin is at the centre of the base, X forward, Y to the left,
+/// Z up; metres. The generated parts stay within `size`.
 pub(crate) struct Build<'a> {
-    /// Class that is made: generators of several classes look here.
+    /// The class to generate, for generators of several classes.
     pub(crate) class: &'a str,
-    /// Largest depth (X), width (Y) and height (Z).
+    /// The upper bounds of depth (X), width (Y) and height (Z).
     pub(crate) size: Vector3<f32>,
-    /// Materials by the part they play.
+    /// Materials by purpose.
     pub(crate) style: &'a Style,
-    /// Where choices come from.
+    /// The source of random choices.
     pub(crate) rng: Stream,
     asset: Asset,
     joint: Option<Joint>,
     frame: Pose,
     anchored: bool,
-    /// Parts that are seen and not felt.
+    /// The parts that are visible but have no collision shape.
     unfelt: Vec<usize>,
 }
 
 impl<'a> Build<'a> {
     pub(crate) fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
-        // Most have so many parts; growing by steps would copy them.
+        // Most assets have up to this many parts; growing in steps would copy them.
         let asset = Asset { name: class.into(), parts: Vec::with_capacity(PARTS), ..Asset::default() };
         Self {
             class,
@@ -61,13 +60,12 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// Keeps the origin where it is: a door's is the middle of its wall, whatever
-    /// its handles do.
+    /// Keeps the origin where it is: a door's is the centre of its wall, whatever its handles do.
     pub(crate) fn anchored(&mut self) {
         self.anchored = true;
     }
 
-    /// The finished asset, moved so that its origin is the centre of its base, and its
+    /// The finished asset, moved so that its origin is the centre of its base, and its bounding
     /// box.
     pub(crate) fn finish(self) -> (Asset, Bounds) {
         let mut asset = self.asset;
@@ -96,40 +94,40 @@ impl<'a> Build<'a> {
         (asset, Bounds::standing(high - low))
     }
 
-    /// What was built so far.
+    /// The asset built so far.
     pub(super) fn asset(&mut self) -> &mut Asset {
         &mut self.asset
     }
 
-    /// Names the asset: a book's title, a poster's motif.
+    /// Names the asset, for example by a book's title or a poster's motif.
     pub(crate) fn name(&mut self, name: &str) {
         self.asset.name = name.into();
     }
 
-    // --- seen and felt
+    // --- visual and collision geometry
 
-    /// What is built is only seen: bodies do not touch it.
+    /// The parts built are visual only and have no collision shape.
     pub(crate) fn seen(&mut self, build: impl FnOnce(&mut Self)) {
         let from = self.asset.parts.len();
         build(self);
         self.unfelt.extend(from..self.asset.parts.len());
     }
 
-    /// What is built is only felt, in place of something finer that is seen.
+    /// The parts built are collision geometry only, in place of finer visible parts.
     pub(crate) fn felt(&mut self, build: impl FnOnce(&mut Self)) {
         let from = self.asset.parts.len();
         build(self);
         self.asset.collision.extend(self.asset.parts.drain(from..));
     }
 
-    // --- where and how
+    // --- frames and joints
 
-    /// Builds in a frame moved by `offset` and turned by `yaw` around Z.
+    /// Builds in a frame moved by `offset` and rotated by `yaw` about Z.
     pub(crate) fn at(&mut self, offset: P, yaw: f32, build: impl FnOnce(&mut Self)) {
         self.posed(Isometry3::new(Vector3::from(offset), Vector3::z() * yaw), build);
     }
 
-    /// Builds in a frame of its own, given in the current one.
+    /// Builds in a frame given relative to the current one.
     pub(crate) fn posed(&mut self, pose: Pose, build: impl FnOnce(&mut Self)) {
         let outer = self.frame;
         self.frame = outer * pose;
@@ -137,17 +135,17 @@ impl<'a> Build<'a> {
         self.frame = outer;
     }
 
-    /// What is built turns around `axis` through `anchor`, from 0 to `most` radians.
+    /// The parts built rotate about `axis` through `anchor`, from 0 to `most` radians.
     pub(crate) fn hinge(&mut self, anchor: P, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
         self.jointed(JointKind::Hinge, anchor, axis, (0.0, most), build);
     }
 
-    /// What is built slides along `axis`, from 0 to `most` metres.
+    /// The parts built slide along `axis`, from 0 to `most` metres.
     pub(crate) fn slide(&mut self, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
         self.jointed(JointKind::Slide, [0.0; 3], axis, (0.0, most), build);
     }
 
-    /// What is built moves as one link of its own.
+    /// The parts built move as one link with a joint.
     pub(crate) fn jointed(
         &mut self,
         kind: JointKind,
@@ -172,7 +170,7 @@ impl<'a> Build<'a> {
         self.push(name, Shape::Box { half }, Isometry3::from_parts(centre.into(), UnitQuaternion::identity()), mat);
     }
 
-    /// A box with rounded edges between two corners; the radius is cut to what fits.
+    /// A box with rounded edges between two corners; the radius is limited to what fits.
     pub(crate) fn soft(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat) {
         let (centre, half) = between(low, high);
         let radius = radius.min(half.min() * 0.98);
@@ -186,13 +184,13 @@ impl<'a> Build<'a> {
         self.push(name, Shape::Cylinder { radius, half_height }, up(base, half_height), mat);
     }
 
-    /// A cone standing on `base`, its tip up.
+    /// A cone standing on `base`, with its tip up.
     pub(crate) fn cone(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
         let half_height = height / 2.0;
         self.push(name, Shape::Cone { radius, half_height }, up(base, half_height), mat);
     }
 
-    /// A ball.
+    /// A sphere.
     pub(crate) fn ball(&mut self, name: &str, centre: P, radius: f32, mat: Mat) {
         self.push(name, Shape::Sphere { radius }, up(centre, 0.0), mat);
     }
@@ -203,33 +201,32 @@ impl<'a> Build<'a> {
         self.push(name, Shape::Cylinder { radius, half_height }, pose, mat);
     }
 
-    /// A round-ended bar from one point to another; the ends stick out by the radius.
+    /// A capsule from one point to another; its ends protrude by the radius.
     pub(crate) fn bar(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
         let (pose, half_height) = along(from, to);
         self.push(name, Shape::Capsule { radius, half_height }, pose, mat);
     }
 
-    /// Round-ended bars through several points: a tap's spout, a bent tube.
+    /// Capsules through several points, such as a tap's spout or a bent tube.
     pub(crate) fn pipe(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
         points.windows(2).for_each(|pair| self.bar(name, pair[0], pair[1], radius, mat));
     }
 
-    /// A profile of (radius, height) turned around the vertical through `base`; see
+    /// A profile of (radius, height) revolved about the vertical through `base`; see
     /// [`Shape::Lathe`].
     pub(crate) fn lathe(&mut self, name: &str, base: P, profile: &[(f32, f32)], mat: Mat) {
         self.push(name, Shape::Lathe { profile: profile.to_vec() }, up(base, 0.0), mat);
     }
 
-    /// A profile turned around an axis that points from `from` towards `to`.
+    /// A profile revolved about an axis that points from `from` towards `to`.
     pub(crate) fn lathe_along(&mut self, name: &str, from: P, to: P, profile: &[(f32, f32)], mat: Mat) {
         let (mut pose, _) = along(from, to);
         pose.translation = Vector3::from(from).into();
         self.push(name, Shape::Lathe { profile: profile.to_vec() }, pose, mat);
     }
 
-    /// An outline drawn along an axis from `base` by `length`. The outline is in
-    /// (y, z) for X, (x, z) for Y and (x, y) for Z, relative to `base`, either way
-    /// round.
+    /// An outline extruded along an axis from `base` by `length`. The outline is in (y, z) for X,
+    /// (x, z) for Y and (x, y) for Z, relative to `base`, in either orientation.
     pub(crate) fn prism(&mut self, name: &str, axis: Axis, base: P, outline: &[(f32, f32)], length: f32, mat: Mat) {
         let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
         let (columns, swap) = match axis {
@@ -246,7 +243,7 @@ impl<'a> Build<'a> {
         self.push(name, Shape::Extrusion { outline, height: length }, pose, mat);
     }
 
-    /// A block whose bottom and top rectangles differ: half lengths of both.
+    /// A block whose bottom and top rectangles differ, given by the half lengths of both.
     pub(crate) fn taper(&mut self, name: &str, base: P, bottom: (f32, f32), top: (f32, f32), height: f32, mat: Mat) {
         let corners = |(x, y): (f32, f32), z: f32| [[x, y, z], [-x, y, z], [-x, -y, z], [x, -y, z]];
         let points = corners(bottom, 0.0).into_iter().chain(corners(top, height));
@@ -266,7 +263,7 @@ impl<'a> Build<'a> {
         self.push(name, Shape::Mesh { vertices, triangles, uvs: Vec::new() }, Pose::identity(), mat);
     }
 
-    /// Parts for which a small object has no room are left out.
+    /// Adds a part; a part too small to have positive dimensions is left out.
     fn push(&mut self, name: &str, shape: Shape, pose: Pose, mat: Mat) {
         if !shape.measures_are_positive() {
             return;
@@ -276,38 +273,36 @@ impl<'a> Build<'a> {
         self.asset.parts.push(part);
     }
 
-    /// The name of one of the last parts again, if it is the same: many are one of a
-    /// row.
+    /// Reuses the name of one of the last parts if it is the same, because many parts form rows.
     fn shared(&self, name: &str) -> Arc<str> {
         const LAST: usize = 6;
         let last = self.asset.parts.iter().rev().take(LAST).find(|part| *part.name == *name);
         last.map_or_else(|| name.into(), |part| part.name.clone())
     }
 
-    // --- places to keep things
+    // --- surfaces for objects
 
-    /// A rectangle that carries things, open above.
+    /// A surface for objects, open above.
     pub(crate) fn top(&mut self, name: &str, centre: P, half: (f32, f32)) {
         self.surface(name, Hold::On, centre, half, None);
     }
 
-    /// A rectangle that carries things, with something of the asset above.
+    /// A surface for objects, with part of the asset above it.
     pub(crate) fn ledge(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
         self.surface(name, Hold::On, centre, half, Some(clearance));
     }
 
-    /// A rectangle within walls: a shelf in a cupboard, the bottom of a drawer.
+    /// A surface within walls: a shelf in a cupboard, the bottom of a drawer.
     pub(crate) fn inside(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
         self.surface(name, Hold::Inside, centre, half, Some(clearance));
     }
 
-    /// A point things hang from, with so much room below.
+    /// A point that objects hang from, with the free height below it.
     pub(crate) fn hook(&mut self, name: &str, at: P, drop: f32) {
         self.surface(name, Hold::Hook, at, (0.0, 0.0), Some(drop));
     }
 
-    /// A rectangle keeps its axes: frames turned by other than right angles do not
-    /// carry surfaces.
+    /// A surface keeps its axes: frames rotated by other than right angles cannot contain surfaces.
     fn surface(&mut self, name: &str, hold: Hold, centre: P, half: (f32, f32), clearance: Option<f32>) {
         let size = self.frame.rotation * Vector3::new(half.0, half.1, 0.0);
         if half.0 < 0.0 || half.1 < 0.0 {
@@ -319,14 +314,14 @@ impl<'a> Build<'a> {
         self.asset.surfaces.push(Surface { name, hold, centre, half, clearance, joint: self.joint });
     }
 
-    // --- chance
+    // --- random choices
 
-    /// A number between two.
+    /// A random number between two.
     pub(crate) fn vary(&mut self, low: f32, high: f32) -> f32 {
         self.rng.between(low, high)
     }
 
-    /// One of several materials, or other small things.
+    /// One of several materials or other small values.
     pub(crate) fn one<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.rng.below(of.len())]
     }
@@ -347,8 +342,7 @@ fn up(base: P, by: f32) -> Pose {
     Isometry3::translation(base[0], base[1], base[2] + by)
 }
 
-/// The pose whose Z runs from one point to the other, at their middle, and half
-/// their distance.
+/// The pose at the midpoint of two points, with Z from one to the other, and half their distance.
 fn along(from: P, to: P) -> (Pose, f32) {
     let (from, to) = (Vector3::from(from), Vector3::from(to));
     let way = to - from;

@@ -1,15 +1,14 @@
-//! Points around a circle, from tables: most of what is round is so by the same few
-//! counts of sides.
+//! Points around a circle, from tables: most round shapes use the same few numbers of sides.
 
 use std::f32::consts::TAU;
 use std::sync::LazyLock;
 
 use vc_graph::portable::Portable;
 
-/// Counts of sides that have a table.
+/// The number of tables, indexed by the number of sides.
 const TABLES: usize = 65;
 
-/// Sine and cosine of the `k`th of `n` equal parts of a turn, `k` below `n`.
+/// The sine and cosine of the `k`th of `n` equal parts of a turn, `k` below `n`.
 pub(super) fn part(k: usize, n: usize) -> (f32, f32) {
     static PARTS: LazyLock<Vec<Vec<(f32, f32)>>> =
         LazyLock::new(|| (0..TABLES).map(|n| (0..n).map(|k| angle(k, n)).collect()).collect());

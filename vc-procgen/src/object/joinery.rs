@@ -1,25 +1,25 @@
-//! What cabinet makers build everything from: carcasses, doors, drawers, legs and
-//! handles. Used by furniture, kitchens and bathrooms alike.
+//! Cabinet-making elements: doors, drawers, legs and handles, used by furniture, kitchens and
+//! bathrooms alike.
 
 use std::f32::consts::FRAC_PI_2;
 
 use super::build::{Build, P};
 use crate::material::Mat;
 
-/// Thickness of boards, metres.
+/// The thickness of boards, metres.
 pub(super) const BOARD: f32 = 0.018;
 
-/// Gap between fronts, metres.
+/// The gap between fronts, metres.
 pub(super) const GAP: f32 = 0.003;
 
-/// Kinds of handle.
+/// The kinds of handle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Handle {
     /// A bar on two posts.
     Bar,
     /// A round knob.
     Knob,
-    /// None: the front is gripped at its edge or pushed.
+    /// No handle: the front is gripped at its edge or pushed.
     None,
 }
 
@@ -28,7 +28,7 @@ impl Handle {
         b.one(&[Self::Bar, Self::Bar, Self::Knob, Self::None])
     }
 
-    /// How far it stands out, metres.
+    /// How far it protrudes, metres.
     pub(super) fn depth(self) -> f32 {
         match self {
             Self::Bar => 0.03,
@@ -38,8 +38,7 @@ impl Handle {
     }
 }
 
-/// A handle in front of a plane at `x`, centred at (`y`, `z`), `length` long,
-/// upright or level.
+/// A handle in front of a plane at `x`, centred at (`y`, `z`), `length` long, upright or level.
 pub(super) fn handle(b: &mut Build<'_>, kind: Handle, at: P, length: f32, upright: bool, mat: Mat) {
     let [x, y, z] = at;
     match kind {
@@ -60,17 +59,17 @@ pub(super) fn handle(b: &mut Build<'_>, kind: Handle, at: P, length: f32, uprigh
     }
 }
 
-/// Which way a door's hinge is.
+/// The side of a door's hinge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
-    /// At the higher Y: the left one of somebody inside looking out.
+    /// At the higher Y: on the left, seen from inside.
     Left,
     /// At the lower Y.
     Right,
 }
 
-/// A hinged front that fills the rectangle `low..high` (its thickness along X) with
-/// a gap around; it opens outwards by up to 100 degrees.
+/// A hinged front that fills the rectangle `low..high` (its thickness along X) with a gap around
+/// it; it opens outwards by up to about 100 degrees.
 pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, kind: Handle, mats: (Mat, Mat)) {
     let (low, high) = shrunk(low, high);
     let (hinge, grip, turn) = match side {
@@ -82,7 +81,7 @@ pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, k
         b.block(name, low, high, mats.0);
         let tall = high[2] - low[2];
         let length = (tall * 0.35).min(0.16);
-        // Low units are gripped at the top, high ones at the bottom, tall ones in the middle.
+        // Low units have the handle at the top, high ones at the bottom, tall ones in the middle.
         let z = if tall > 1.1 {
             f32::midpoint(low[2], high[2])
         } else if low[2] > 1.2 {
@@ -94,8 +93,8 @@ pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, k
     });
 }
 
-/// A drawer that fills the space `low..high`: its front at the high X, its tray
-/// behind; it slides out by three quarters of its depth.
+/// A drawer that fills the space `low..high`: its front at the high X, its tray behind; it slides
+/// out by three quarters of its depth.
 pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handle, mats: (Mat, Mat, Mat)) {
     let (front, tray, metal) = mats;
     let (fl, fh) = shrunk([high[0] - BOARD, low[1], low[2]], high);
@@ -117,8 +116,8 @@ pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handl
     });
 }
 
-/// Four straight legs under a rectangle of half lengths `half`, from the floor to
-/// `height`, square or round, inset from the edges.
+/// Four straight legs under a rectangle of half lengths `half`, from the floor to `height`, square
+/// or round, inside the edges.
 pub(super) fn legs(b: &mut Build<'_>, half: (f32, f32), height: f32, thickness: f32, round: bool, mat: Mat) {
     let (x, y) = (half.0 - thickness / 2.0, half.1 - thickness / 2.0);
     let r = thickness / 2.0;

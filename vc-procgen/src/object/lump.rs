@@ -1,5 +1,5 @@
-//! Lumps: a thing in the hand that nothing is put on or in is one convex body to physics, however
-//! many buttons and seams are seen on it, and so is what hangs flat on a wall.
+//! Simplified collision shapes: a small object that holds no others is a single convex body for physics,
+//! however many buttons and seams are visible on it, and so is an object that hangs flat on a wall.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, Part, Shape};
@@ -7,23 +7,23 @@ use vc_graph::{Asset, ClassTable, Pose, Property};
 
 use super::reveal::extent;
 
-/// Least number of costly parts that are worth it.
+/// The number of costly parts from which a hull pays off.
 const PARTS: usize = 2;
-/// Corners of an outline that is one of few pieces.
+/// The number of corners up to which an outline is decomposed into few pieces.
 const CORNERS: usize = 16;
-/// Greatest side of what is carried in a hand, metres.
+/// The greatest side of a hand-held object, metres.
 const SMALL: f32 = 1.4;
-/// How far from the lowest and the highest point a corner belongs to foot or top, metres.
+/// The distance from the lowest and the highest point within which a corner belongs to the base or the top,
+/// metres.
 const LEVEL: f32 = 0.002;
-/// How far what is round may be from the polygon it is taken for, metres.
+/// The greatest distance between a curved surface and its polygonal approximation, metres.
 const COARSE: f32 = 0.002;
-/// Places along each axis where it is looked whether a box is full.
+/// The number of sample points along each axis in the test whether a box is filled.
 const PLACES: u8 = 4;
-/// How many of a hundred places in it are within a part of what is as good as its box.
+/// The percentage of sample points inside a part at which the object counts as filling its box.
 const FULL: usize = 75;
 
-/// What hangs flat on a wall, a window or the ceiling, or is let into it: nobody feels more of it
-/// than its box.
+/// Objects flat on a wall, a window or the ceiling, or recessed into it: their collision shape is their box.
 const FLAT: [&str; 17] = [
     "bathroom_mirror",
     "blinds",
@@ -44,11 +44,12 @@ const FLAT: [&str; 17] = [
     "whiteboard",
 ];
 
-/// How far parts on a ball may stick out of it, and the whole may be from round, as a part of its radius.
+/// The tolerance, relative to the radius, for parts that protrude from a sphere and for the roundness of the
+/// whole.
 const ROUND: f32 = 0.08;
 
-/// Gives an asset of such a class one piece for all parts that move together, where that is less
-/// than they are.
+/// Gives an asset of such a class one collision shape for all parts that move together, where that is simpler
+/// than the parts.
 pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
     let flat = FLAT.contains(&class);
     let small = size.max() <= SMALL && asset.surfaces.is_empty();
@@ -80,8 +81,8 @@ pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
     asset.collision = felt.collect();
 }
 
-/// The one ball that the parts make: one of them is a ball, the others are seams, patches and stripes on it. A
-/// hull in its place would roll no farther than from one face to the next.
+/// The single sphere that the parts form: one of them is a sphere, the others are seams, patches and stripes
+/// on it. A hull in its place would roll no farther than from one face to the next.
 fn ball(parts: &[Part]) -> Option<Part> {
     let all: Vec<&Part> = parts.iter().collect();
     let (low, high) = extent(&all).filter(|_| all.len() > 1 && all.iter().all(|p| p.joint.is_none()))?;
@@ -98,7 +99,7 @@ fn ball(parts: &[Part]) -> Option<Part> {
     Some(Part { name: "lump".into(), shape: Shape::Sphere { radius }, pose, ..core.clone() })
 }
 
-/// Whether a class is of things that are carried, and carry nothing.
+/// Whether objects of a class are graspable and hold no others.
 fn is_only_carried(class: &str) -> bool {
     use Property::{Container, Graspable, Lieable, Recipient, Sittable, Surface};
     let table = ClassTable::builtin();
@@ -108,10 +109,10 @@ fn is_only_carried(class: &str) -> bool {
     has(&[Graspable]) && !has(&[Container, Recipient, Surface, Sittable, Lieable])
 }
 
-/// A shape and where it is in the asset's frame.
+/// A shape and its pose in the asset's frame.
 type Shaped = (Shape, Pose);
 
-/// Parts that move together.
+/// The parts that move together.
 struct Link<'a> {
     parts: Vec<&'a Part>,
 }
@@ -121,7 +122,7 @@ impl<'a> Link<'a> {
         Self { parts: parts.iter().filter(|p| p.joint == joint).collect() }
     }
 
-    /// The one piece they are: the box around them where they fill it or are flat, the hull where
+    /// The single shape that replaces them: their bounding box if they fill it or are flat, the hull if
     /// several are costly.
     fn piece(&self, flat: bool) -> Option<Shaped> {
         if self.parts.len() < 2 {
@@ -142,7 +143,7 @@ impl<'a> Link<'a> {
         Some((Shape::Hull { points: outermost(&points) }, Pose::identity()))
     }
 
-    /// Whether parts that are boxes fill the box around all.
+    /// Whether parts that are boxes fill the bounding box of all.
     fn fills(&self, low: Point3<f32>, high: Point3<f32>) -> bool {
         let boxes: Vec<_> = self.parts.iter().filter(|p| is_upright_box(p)).map(|p| p.extent()).collect();
         let place = |i: u8| (f32::from(i) + 0.5) / f32::from(PLACES);
@@ -161,7 +162,7 @@ fn is_upright_box(part: &Part) -> bool {
     is_box && part.pose.rotation == nalgebra::UnitQuaternion::identity()
 }
 
-/// Whether hulls have to be found for it, or many pieces made.
+/// Whether it needs convex hulls, or decomposition into many pieces.
 fn is_costly(part: &Part) -> bool {
     match &part.shape {
         Shape::Mesh { .. } | Shape::Hull { .. } => true,
@@ -170,12 +171,12 @@ fn is_costly(part: &Part) -> bool {
     }
 }
 
-/// Points axis by axis, as they are looked through several at once.
+/// Points stored axis by axis, so that several can be processed at once.
 #[derive(Default)]
 struct Points([Vec<f32>; 3]);
 
 impl Points {
-    /// Adds points of a part's surface in the asset's frame, its outermost among them.
+    /// Adds points of a part's surface in the asset's frame, including the outermost ones.
     fn extend_by(&mut self, part: &Part) {
         match &part.shape {
             Shape::Mesh { vertices: all, .. } | Shape::Hull { points: all } => self.extend(part, all),
@@ -198,7 +199,7 @@ impl Points {
         Point3::from(self.0.each_ref().map(|axis| axis[i]))
     }
 
-    /// The first of the points that are farthest out in some way.
+    /// The first of the points that are farthest in a direction.
     fn farthest(&self, way: &Vector3<f32>) -> Option<Point3<f32>> {
         const LANES: usize = 8;
         let [x, y, z] = self.0.each_ref().map(Vec::as_slice);
@@ -217,8 +218,7 @@ impl Points {
     }
 }
 
-/// The points farthest out along the axes and between them, and those around a level foot and a
-/// level top.
+/// The points farthest along the axes and their diagonals, and those around a level base and a level top.
 fn outermost(points: &Points) -> Vec<Point3<f32>> {
     let steps = || [-1.0_f32, 0.0, 1.0].into_iter();
     let around = steps().flat_map(|x| steps().map(move |y| Vector3::new(x, y, 0.0)));

@@ -1,4 +1,4 @@
-//! Mirror images: a door hinged on the other side.
+//! Mirror images, such as a door hinged on the other side.
 
 use std::sync::Arc;
 
@@ -9,8 +9,7 @@ use vc_graph::{Asset, Pose};
 use super::Object;
 
 impl Object {
-    /// The object as a mirror shows it that stands at its side: left and right
-    /// change places.
+    /// The mirror image of the object, with left and right exchanged.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut mirrored = self.clone();
@@ -39,7 +38,7 @@ fn mirrored_pose(pose: &Pose) -> Pose {
     Isometry3::from_parts(Vector3::new(t.x, -t.y, t.z).into(), turn)
 }
 
-/// An axis of turning is mirrored the other way round than a direction.
+/// The axis of a hinge is a pseudovector: it is mirrored with the opposite sign of a direction.
 fn mirrored_joint(joint: Joint) -> Joint {
     let a = joint.axis;
     let axis = match joint.kind {
@@ -49,7 +48,7 @@ fn mirrored_joint(joint: Joint) -> Joint {
     Joint { anchor: Point3::new(joint.anchor.x, -joint.anchor.y, joint.anchor.z), axis, ..joint }
 }
 
-/// Shapes that are their own mirror images stay as they are.
+/// Shapes that are their own mirror images are unchanged.
 fn mirror_shape(shape: &mut Shape) {
     match shape {
         Shape::Hull { points } => points.iter_mut().for_each(|p| p.y = -p.y),

@@ -1,7 +1,7 @@
-//! Parametric objects: from a class, a size, a style and a seed to an asset.
+//! Parametric object generators: from a class, a size, a style and a seed to an asset.
 //!
-//! Each family of classes has a module with a table of [`Generator`]s. A generator
-//! is a function that builds parts; nothing is loaded.
+//! Each family of classes has a module with a table of [`Generator`]s. A generator is a function
+//! that builds parts; nothing is loaded from files.
 
 mod build;
 mod circle;
@@ -54,22 +54,22 @@ use build::Build;
 
 pub(crate) use solids::Solids;
 
-/// Makes the objects of one class.
+/// The generator of one class of objects.
 #[derive(Debug, Clone, Copy)]
 pub struct Generator {
     /// The class, as in the class table.
     pub class: &'static str,
-    /// Where it belongs.
+    /// Whether the class belongs indoors or outdoors.
     pub realm: Realm,
-    /// How many instances the [catalogue](crate::catalogue) shows.
+    /// The number of instances in the [catalogue](crate::catalogue).
     pub instances: usize,
     make: fn(&mut Build<'_>),
 }
 
-/// Where objects of a class belong.
+/// The places where objects of a class belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Realm {
-    /// In buildings.
+    /// Inside buildings.
     Indoor,
     /// In gardens, streets and parks.
     Outdoor,
@@ -118,7 +118,7 @@ pub fn generators() -> impl Iterator<Item = &'static Generator> {
     FAMILIES.iter().copied().flatten()
 }
 
-/// The generator of a class.
+/// Finds the generator of a class.
 pub fn generator(class: &str) -> Option<&'static Generator> {
     static BY_CLASS: LazyLock<HashMap<&'static str, &'static Generator>> =
         LazyLock::new(|| generators().map(|g| (g.class, g)).collect());
@@ -132,24 +132,24 @@ pub struct Object {
     pub class: &'static str,
     /// Parts and surfaces.
     pub asset: Asset,
-    /// The box around all parts, relative to the object's pose.
+    /// The bounding box of all parts, relative to the object's pose.
     pub bounds: Bounds,
 }
 
 impl Object {
-    /// Depth, width and height, metres.
+    /// The depth, width and height, metres.
     pub fn size(&self) -> Vector3<f32> {
         self.bounds.size()
     }
 }
 
 impl Generator {
-    /// An instance of the class's usual size.
+    /// Generates an instance of the class's usual size.
     pub fn object(&self, style: &Style, seed: Seed) -> Object {
         self.sized(usual_size(self.class, seed), style, seed)
     }
 
-    /// An instance no larger than `size` (depth, width, height in metres).
+    /// Generates an instance no larger than `size` (depth, width, height in metres).
     pub fn sized(&self, size: Vector3<f32>, style: &Style, seed: Seed) -> Object {
         let mut build = Build::new(self.class, size, style, seed.child("object").stream());
         (self.make)(&mut build);
@@ -158,8 +158,8 @@ impl Generator {
     }
 }
 
-/// An object that may yet have to be made: places are found by its size, and it is
-/// made once it has one.
+/// A planned object: placements are found by its size alone, and the object is generated once it
+/// has one.
 #[derive(Debug, Clone)]
 pub(crate) struct Draft {
     pub(crate) class: &'static str,
@@ -170,23 +170,23 @@ pub(crate) struct Draft {
 #[derive(Debug, Clone)]
 enum Source {
     Made(Arc<Object>),
-    /// Clones of a draft share what is made of it.
+    /// Clones of a draft share the generated object.
     Planned(&'static Generator, Seed, Rc<OnceCell<Arc<Object>>>),
 }
 
 impl Draft {
-    /// An object no larger than `size`; `None` where no generator knows the class.
+    /// A draft no larger than `size`; `None` if the class has no generator.
     pub(crate) fn sized(class: &str, size: Vector3<f32>, seed: Seed) -> Option<Self> {
         let generator = generator(class)?;
         Some(Self { class: generator.class, size, source: Source::Planned(generator, seed, Rc::default()) })
     }
 
-    /// An object of the class's usual size.
+    /// A draft of the class's usual size.
     pub(crate) fn usual(class: &str, seed: Seed) -> Option<Self> {
         Self::sized(class, usual_size(class, seed), seed)
     }
 
-    /// An object that is there.
+    /// A draft of an existing object.
     pub(crate) fn of(object: Arc<Object>) -> Self {
         Self { class: object.class, size: object.size(), source: Source::Made(object) }
     }
@@ -196,17 +196,17 @@ impl Draft {
         self.class
     }
 
-    /// Depth, width and height it has at most, metres.
+    /// The upper bounds of depth, width and height, metres.
     pub(crate) fn size(&self) -> Vector3<f32> {
         self.size
     }
 
-    /// Its box alone, without any part: what a place is found for.
+    /// Its box without any parts, used to find a placement.
     pub(crate) fn outline(&self) -> Object {
         Object { class: self.class, asset: Asset::default(), bounds: Bounds::standing(self.size) }
     }
 
-    /// The object for its owner alone.
+    /// The object with sole ownership.
     pub(crate) fn into_object(self, style: &Style) -> Object {
         match self.source {
             Source::Made(object) => Arc::unwrap_or_clone(object),
@@ -214,7 +214,7 @@ impl Draft {
         }
     }
 
-    /// The object, made if need be.
+    /// The shared object, generated on first use.
     pub(crate) fn object(&self, style: &Style) -> Arc<Object> {
         match &self.source {
             Source::Made(object) => object.clone(),
@@ -225,7 +225,7 @@ impl Draft {
     }
 }
 
-/// The usual measures of a class, least and largest.
+/// The usual ranges of a class's depth, width and height.
 pub(crate) fn usual_ranges(class: &str) -> Option<[Range; 3]> {
     static RANGES: LazyLock<HashMap<&'static str, [Range; 3]>> = LazyLock::new(|| {
         let classes = ClassTable::builtin();
@@ -234,12 +234,12 @@ pub(crate) fn usual_ranges(class: &str) -> Option<[Range; 3]> {
     RANGES.get(class).copied()
 }
 
-/// The least usual depth, width and height of a class, metres.
+/// The lower bounds of the usual depth, width and height of a class, metres.
 pub(crate) fn least_size(class: &str) -> Option<Vector3<f32>> {
     usual_ranges(class).map(|r| r.map(|r| r.low).into())
 }
 
-/// A size from the class's usual range.
+/// Draws a size from the class's usual range.
 fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
     let mut rng = seed.child("size").stream();
     usual_ranges(class).map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())

@@ -1,5 +1,5 @@
-//! How things come to rest: what was built about as it lies is turned until it lies as
-//! it would fall, its middle of mass above what touches the ground.
+//! Settling: an object built roughly in its lying pose is rotated until it lies as it would fall,
+//! with its centre of mass above the points that touch the ground.
 
 use std::sync::LazyLock;
 
@@ -11,14 +11,13 @@ use vc_graph::{Asset, Pose};
 use super::build::Build;
 use super::circle;
 
-/// Turns until it rests: round things roll in many.
+/// The greatest number of turns: round objects roll in many.
 const STEPS: usize = 120;
 
-/// Ways it may fall.
+/// The number of directions in which it may fall.
 const WAYS: usize = 64;
 
-/// Makes an object and lets it fall; where it then needs more room than it has, it is
-/// made smaller.
+/// Generates an object and lets it settle; if it then exceeds its size, it is generated smaller.
 pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
     const TRIES: usize = 6;
     let (room, rng) = (b.size, b.rng.clone());
@@ -31,7 +30,7 @@ pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
         }
         b.asset().parts.clear();
         b.asset().surfaces.clear();
-        // What falls another way each time is at last made smaller as a whole.
+        // An object that falls differently each time is finally made smaller as a whole.
         let over = if attempt < TRIES / 2 { over } else { Vector3::repeat(over.max()) };
         (b.size, b.rng) = (b.size.component_div(&over), rng.clone());
     }
@@ -39,13 +38,13 @@ pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
     settle(b.asset());
 }
 
-/// Depth, width and height of all parts.
+/// The depth, width and height of all parts.
 fn extent(asset: &Asset) -> Vector3<f32> {
     let both = asset.parts.iter().map(Part::extent).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
     both.map_or_else(Vector3::zeros, |(low, high)| high - low)
 }
 
-/// Lets an asset fall on the ground below it.
+/// Lets an asset settle on the ground below it.
 fn settle(asset: &mut Asset) {
     let mut body = Body::new(asset);
     let mut turned = Pose::identity();
@@ -77,13 +76,13 @@ fn turn_joint(joint: &mut Option<Joint>, turned: &Pose) {
     }
 }
 
-/// The way along which points reach least far, and how far that is.
+/// The direction in which points extend least, and their extent in it.
 fn least_reach(points: &[Vector2<f32>]) -> (Vector2<f32>, f32) {
     static TURNS: LazyLock<[(f32, f32); WAYS]> = LazyLock::new(|| std::array::from_fn(|i| circle::part(i, WAYS)));
     let (sines, cosines) = (TURNS.map(|t| t.0), TURNS.map(|t| t.1));
     let mut reach = [f32::NEG_INFINITY; WAYS];
     for p in points {
-        // All ways at once, in vectors.
+        // All directions at once, vectorised.
         for i in 0..WAYS {
             let along = p.x * cosines[i] + p.y * sines[i];
             reach[i] = if along > reach[i] { along } else { reach[i] };
@@ -93,11 +92,11 @@ fn least_reach(points: &[Vector2<f32>]) -> (Vector2<f32>, f32) {
     (Vector2::new(cosines[least], sines[least]), reach[least])
 }
 
-/// An asset as what can touch the ground, and its middle of mass.
+/// An asset as the corners that can touch the ground, and its centre of mass.
 struct Body {
     corners: Vec<Point3<f32>>,
     middle: Point3<f32>,
-    /// How far from the ground a corner still touches it.
+    /// The distance from the ground within which a corner touches it.
     slack: f32,
 }
 
@@ -127,8 +126,7 @@ impl Body {
         Self { corners, middle, slack: (size * 0.008).clamp(2e-4, 2e-3) }
     }
 
-    /// The turn by which it falls until something more touches the ground; `None` where
-    /// it rests.
+    /// The rotation by which it falls until another point touches the ground; `None` if it rests.
     fn fall(&self) -> Option<Pose> {
         let low = self.corners.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
         let aside = |p: &Point3<f32>| p.xy() - self.middle.xy();
@@ -137,7 +135,7 @@ impl Body {
         if edge >= 0.0 {
             return None;
         }
-        // The least steep way down is the first to touch the ground.
+        // The point with the least slope is the first to touch the ground.
         let slope = |p: &Point3<f32>| {
             let (out, up) = (aside(p).dot(&way) - edge, p.z - low);
             (out > 0.0 && up > self.slack).then(|| up / out)

@@ -1,20 +1,20 @@
-//! Reveals: as a joiner sets a panel a hair behind its frame, a part that would share
-//! a plane with an earlier one is made a hair smaller on that side, so that it is
-//! never chance which of the two is seen.
+//! Reveals: as a joiner sets a panel slightly behind its frame, a part that would share a plane
+//! with an earlier one is made slightly smaller on that side, so that it is never arbitrary which
+//! of the two is visible.
 
 use nalgebra::{Matrix3, Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Part, Shape};
 use vc_graph::{Asset, Pose};
 
-/// How far a part is set back, metres; a quarter of the asset's thickness where that
-/// is less.
+/// The distance by which a part is set back, metres; a quarter of the asset's thickness if that is
+/// less.
 const HAIR: f32 = 4e-4;
 
-/// Sides set back at most for one part.
+/// The greatest number of sides set back for one part.
 const TURNS: usize = 8;
 
-/// Sets back what would share a plane; returns the asset's extent. O(n²) in the
-/// parts, almost all of it one test of two words.
+/// Sets back parts that would share a plane; returns the asset's extent. O(n²) in the parts, but
+/// almost every pair is decided by one test of two words.
 pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
     let mut boxes: Vec<Around> = asset.parts.iter().map(Around::new).collect();
     let mut corners: Vec<Corners> = asset.parts.iter().zip(&boxes).map(|(p, b)| b.corners(p)).collect();
@@ -27,7 +27,7 @@ pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
         if !boxes[j].flat {
             continue;
         }
-        // What is set back comes near nothing new.
+        // A part that is set back comes near no further parts.
         let own = cells.of_part(&corners[j]);
         near.clear();
         near.extend(flat.iter().filter(|(_, other)| Cells::share(own, *other)).map(|(i, _)| *i));
@@ -46,7 +46,7 @@ pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
     around(&corners)
 }
 
-/// The box around parts.
+/// The bounding box of parts.
 pub(super) fn extent(parts: &[&Part]) -> Option<Corners> {
     around(&parts.iter().map(|part| Around::new(part).corners(part)).collect::<Vec<_>>())
 }
@@ -56,15 +56,15 @@ fn around(corners: &[Corners]) -> Option<Corners> {
 }
 
 fn meet(a: &Corners, b: &Corners, same: f32) -> bool {
-    // Without branches: almost all pairs fail, each somewhere else.
+    // Without branches, because almost all pairs fail, each at another axis.
     (0..3).fold(true, |all, k| all & (a.0[k] <= b.1[k] + same) & (b.0[k] <= a.1[k] + same))
 }
 
-/// An asset's extent in cells, so many along each axis: almost all pairs of parts are
-/// told apart by a word each.
+/// An asset's extent divided into cells along each axis: almost all pairs of parts are separated by
+/// one word each.
 struct Cells {
     low: Point3<f32>,
-    /// Cells a metre.
+    /// The number of cells a metre.
     density: Vector3<f32>,
     hair: f32,
 }
@@ -77,7 +77,7 @@ impl Cells {
         Self { low, density, hair }
     }
 
-    /// The cells of a part, a hair around it included: a bit for each along X, Y and Z.
+    /// The cells of a part including a small margin: one bit for each cell along X, Y and Z.
     fn of_part(&self, (low, high): &Corners) -> u64 {
         let cell = |v: f32, k: usize| (((v - self.low[k]) * self.density[k]) as usize).min(Self::COUNT - 1);
         (0..3).fold(0, |bits, k| {
@@ -94,17 +94,17 @@ impl Cells {
     }
 }
 
-/// Smallest and largest corner.
+/// The smallest and largest corner.
 pub(super) type Corners = (Point3<f32>, Point3<f32>);
 
-/// The box around a part, in its own frame, and that frame.
+/// The bounding box of a part in the part's own frame, and that frame.
 struct Around {
     centre: Point3<f32>,
     half: Vector3<f32>,
     axes: Matrix3<f32>,
     pose: Pose,
     straight: bool,
-    /// Balls and pills have no flat side.
+    /// Whether it has flat sides: spheres and capsules have none.
     flat: bool,
 }
 
@@ -118,14 +118,14 @@ impl Around {
         Self { centre, half, axes, pose: part.pose, straight, flat }
     }
 
-    /// The part's extent, which needs no second look at the points of what is straight.
+    /// The part's extent; for a part that is not rotated, without reading its points again.
     fn corners(&self, part: &Part) -> Corners {
         let middle = self.centre + self.pose.translation.vector;
         if self.straight { (middle - self.half, middle + self.half) } else { part.extent() }
     }
 
-    /// Another box in this one's frame: which axes are parallel to one of its own, where
-    /// its middle is, how far it reaches from there.
+    /// Another box in this one's frame: the axes that are parallel to one of its own, its centre,
+    /// and its half extents.
     fn sight(&self, other: &Self) -> ([bool; 3], Vector3<f32>, Vector3<f32>) {
         if self.straight && other.straight {
             let way = other.pose.translation.vector + other.centre.coords - self.pose.translation.vector;
@@ -137,8 +137,8 @@ impl Around {
         (upright, middle, turn.abs() * other.half)
     }
 
-    /// A side of this box, as axis and whether it is the higher one, that lies in a
-    /// plane with the same side of another box and overlaps it.
+    /// A side of this box, as axis and whether it is the higher one, that lies in a plane with the
+    /// same side of another box and overlaps it.
     fn flush(&self, other: &Self, same: f32) -> Option<(usize, bool)> {
         let (upright, middle, reach) = self.sight(other);
         (0..3).find_map(|k| {

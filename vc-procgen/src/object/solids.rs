@@ -1,4 +1,4 @@
-//! Objects that are given as boxes in the world: walls, floors, ceilings.
+//! Objects built from boxes in world coordinates: walls, floors, ceilings.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Bounds, Stream};
@@ -25,12 +25,12 @@ impl Solids {
         self.boxes.push((name, low, high, mat));
     }
 
-    /// A rectangle at height zero that carries things.
+    /// A surface for objects at height zero.
     pub(crate) fn top(&mut self, name: &'static str, rect: &Rect) {
         self.tops.push((name, *rect));
     }
 
-    /// The object and where the centre of its base is; `None` without boxes.
+    /// The object and the centre of its base; `None` without boxes.
     pub(crate) fn finish(self) -> Option<(Object, Vector3<f32>)> {
         let corners = self.boxes.iter().map(|b| (Point3::from(b.1), Point3::from(b.2)));
         let (low, high) = corners.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))?;
@@ -51,7 +51,7 @@ impl Solids {
     }
 }
 
-/// Nothing about a wall is left to chance.
+/// Walls have no random choices.
 fn stream() -> Stream {
     vc_graph::Seed(0).stream()
 }

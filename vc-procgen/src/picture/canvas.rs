@@ -1,4 +1,4 @@
-//! Flat drawings, written as SVG or drawn into pixels.
+//! Flat drawings, written as SVG or rasterised.
 
 use std::fmt::Write;
 
@@ -9,13 +9,13 @@ use vc_graph::portable::Portable;
 
 use super::image::{Image, PictureError};
 
-/// A place in a drawing: x to the right, y up, in the drawing's own unit.
+/// A point of a drawing: x to the right, y up, in the drawing's own unit.
 pub type Point = [f32; 2];
 
-/// Largest side of a picture, pixels.
+/// The largest side of an image, pixels.
 const LARGEST: usize = 32_767;
 
-/// Width of a letter, of its height.
+/// The width of a letter relative to its height.
 const LETTER: f32 = 0.6;
 
 /// A colour: sRGB bytes and opacity from 0 to 1.
@@ -23,36 +23,36 @@ const LETTER: f32 = 0.6;
 pub struct Colour {
     /// Red, green, blue.
     pub rgb: [u8; 3],
-    /// 1 hides what is below, 0 shows nothing.
+    /// The opacity: 1 hides everything below, 0 is invisible.
     pub opacity: f32,
 }
 
-/// How something is drawn: filled, with an outline, or both.
+/// The style of a shape: filled, with an outline, or both.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ink {
-    /// Colour inside.
+    /// The fill colour.
     pub fill: Option<Colour>,
-    /// Colour of the line.
+    /// The line colour.
     pub line: Option<Colour>,
-    /// Width of the line, in the drawing's unit.
+    /// The line width, in the drawing's unit.
     pub width: f32,
-    /// Length of dashes and of the gaps between them; zero for a line without gaps.
+    /// The length of dashes and of the gaps between them; zero for a solid line.
     pub dash: f32,
 }
 
-/// Which point of a text is at the place given.
+/// The point of a text that is at the given position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Anchor {
-    /// The start of its base line.
+    /// The start of the baseline.
     #[default]
     Start,
-    /// The middle of its base line.
+    /// The middle of the baseline.
     Middle,
-    /// The end of its base line.
+    /// The end of the baseline.
     End,
 }
 
-/// A drawing: what was drawn last lies on top.
+/// A drawing: later shapes are on top.
 ///
 /// ```
 /// use vc_procgen::picture::{Anchor, Canvas, Colour, Ink};
@@ -88,7 +88,7 @@ impl Colour {
         Self { rgb: [(rgb >> 16) as u8, (rgb >> 8) as u8, rgb as u8], opacity: 1.0 }
     }
 
-    /// From linear reflectance, as materials have it.
+    /// A colour from linear reflectance, as used by materials.
     pub fn linear(rgb: [f32; 3]) -> Self {
         Self { rgb: rgb.map(encoded), opacity: 1.0 }
     }
@@ -112,7 +112,7 @@ impl Colour {
     }
 }
 
-/// A linear value as an sRGB byte (IEC 61966-2-1).
+/// Converts a linear value to an sRGB byte (IEC 61966-2-1).
 pub(super) fn encoded(value: f32) -> u8 {
     let v = value.clamp(0.0, 1.0);
     let s = if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
@@ -125,7 +125,7 @@ impl Ink {
         Self { fill: Some(colour), ..Self::default() }
     }
 
-    /// A line of a width, in the drawing's unit.
+    /// A line of the given width, in the drawing's unit.
     pub fn line(colour: Colour, width: f32) -> Self {
         Self { line: Some(colour), width, ..Self::default() }
     }
@@ -136,7 +136,7 @@ impl Ink {
         Self { line: Some(colour), width, ..self }
     }
 
-    /// The same with its line in dashes of a length, in the drawing's unit.
+    /// The same with a dashed line; `dash` is in the drawing's unit.
     #[must_use]
     pub fn dashed(self, dash: f32) -> Self {
         Self { dash, ..self }
@@ -144,54 +144,54 @@ impl Ink {
 }
 
 impl Canvas {
-    /// An empty white drawing that shows what lies between two corners.
+    /// An empty white drawing of the area between two corners.
     pub fn new(low: Point, high: Point) -> Self {
         Self { low, high, background: Colour::WHITE, marks: Vec::new() }
     }
 
-    /// Width by height.
+    /// The ratio of width to height.
     pub fn aspect(&self) -> f32 {
         (self.high[0] - self.low[0]) / (self.high[1] - self.low[1])
     }
 
-    /// Another colour behind everything.
+    /// Sets the background colour.
     pub fn background(&mut self, colour: Colour) {
         self.background = colour;
     }
 
-    /// A closed outline.
+    /// Draws a closed outline.
     pub fn polygon(&mut self, outline: &[Point], ink: Ink) {
         self.region(outline, &[], ink);
     }
 
-    /// A closed outline with holes.
+    /// Draws a closed outline with holes.
     pub fn region(&mut self, outline: &[Point], holes: &[Vec<Point>], ink: Ink) {
         let rings = std::iter::once(outline.to_vec()).chain(holes.iter().cloned()).collect();
         self.marks.push(Mark::Rings { rings, closed: true, ink });
     }
 
-    /// A rectangle between two corners.
+    /// Draws a rectangle between two corners.
     pub fn rectangle(&mut self, low: Point, high: Point, ink: Ink) {
         self.polygon(&[low, [high[0], low[1]], high, [low[0], high[1]]], ink);
     }
 
-    /// A line through points.
+    /// Draws a line through points.
     pub fn line(&mut self, points: &[Point], ink: Ink) {
         self.marks.push(Mark::Rings { rings: vec![points.to_vec()], closed: false, ink });
     }
 
-    /// A circle.
+    /// Draws a circle.
     pub fn circle(&mut self, centre: Point, radius: f32, ink: Ink) {
         self.polygon(&bow(centre, radius, 0.0, std::f32::consts::TAU), ink);
     }
 
-    /// Part of a circle, between two angles counted from x towards y, radians.
+    /// Draws an arc of a circle between two angles, which are counted from x towards y, radians.
     pub fn arc(&mut self, centre: Point, radius: f32, from: f32, to: f32, ink: Ink) {
         self.line(&bow(centre, radius, from, to), ink);
     }
 
-    /// One line of text; `size` is the height of its letters in the drawing's unit.
-    /// Letters are 0.6 of it wide; those that no picture is known of show as `?`.
+    /// Draws one line of text; `size` is the height of its letters in the drawing's unit. Letters
+    /// are 0.6 times as wide; those missing in the bitmap font appear as `?`.
     pub fn text(&mut self, at: Point, size: f32, anchor: Anchor, colour: Colour, text: &str) {
         let wide = Self::text_width(size, text);
         let back = match anchor {
@@ -202,18 +202,18 @@ impl Canvas {
         self.marks.push(Mark::Text { at: [at[0] - back, at[1]], size, colour, text: text.to_owned() });
     }
 
-    /// How wide a text is, in the unit of `size`.
+    /// The width of a text, in the unit of `size`.
     pub fn text_width(size: f32, text: &str) -> f32 {
         text.chars().count() as f32 * size * LETTER
     }
 
-    /// Pixels per unit and pixels high, at so many pixels wide.
+    /// Pixels per unit, and the height in pixels for a width in pixels.
     fn scale(&self, width: usize) -> (f32, usize) {
         let scale = width as f32 / (self.high[0] - self.low[0]);
         (scale, (scale * (self.high[1] - self.low[1])).round() as usize)
     }
 
-    /// The drawing as an SVG file, `width` pixels wide where nothing else is said.
+    /// The drawing as an SVG file, with a nominal width of `width` pixels.
     pub fn to_svg(&self, width: usize) -> String {
         let (scale, height) = self.scale(width);
         let size = format!("width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\"");
@@ -231,7 +231,7 @@ impl Canvas {
         svg
     }
 
-    /// The drawing in pixels, `width` of them in a row.
+    /// Rasterises the drawing, `width` pixels wide.
     ///
     /// # Errors
     /// [`PictureError::Size`] if it would be empty or too large.
@@ -257,7 +257,7 @@ impl Canvas {
         self.to_image(width)?.to_png()
     }
 
-    /// From the drawing's unit to pixels, y down.
+    /// Converts from the drawing's unit to pixels, y down.
     fn place(&self, p: Point, scale: f32) -> Point {
         [(p[0] - self.low[0]) * scale, (self.high[1] - p[1]) * scale]
     }
@@ -279,7 +279,7 @@ impl Canvas {
     }
 }
 
-/// Points of part of a circle, no more than five degrees apart.
+/// Points of an arc, at most five degrees apart.
 fn bow(centre: Point, radius: f32, from: f32, to: f32) -> Vec<Point> {
     let steps = ((to - from).abs().to_degrees() / 5.0).ceil().clamp(1.0, 720.0) as usize;
     let angle = |i: usize| from + (to - from) * i as f32 / steps as f32;
@@ -313,7 +313,7 @@ fn fill_and_line(pixels: &mut Pixmap, path: &Path, ink: Ink, scale: f32) {
     }
 }
 
-/// The squares that letters of the bitmap font are made of.
+/// The squares that make up a text in the bitmap font.
 fn text_path(at: Point, size: f32, text: &str) -> Option<Path> {
     let (dx, dy) = (size * LETTER / 8.0, size / 7.0);
     let mut path = PathBuilder::new();
@@ -329,8 +329,8 @@ fn text_path(at: Point, size: f32, text: &str) -> Option<Path> {
     path.finish()
 }
 
-/// A letter's rows of eight bits. The table of Latin letters is taken by position: its
-/// look-up by letter does not find `²`.
+/// The eight rows of bits of a letter. The table of Latin letters is indexed by position because
+/// its look-up by letter does not find `²`.
 fn rows(letter: char) -> [u8; 8] {
     let latin = (letter as usize).checked_sub(0xa0).and_then(|i| LATIN_LEGACY.get(i)).copied();
     latin.or_else(|| BASIC_FONTS.get(letter)).or_else(|| BASIC_FONTS.get('?')).unwrap_or_default()
@@ -372,7 +372,7 @@ fn write_colour(svg: &mut String, what: &str, colour: Option<Colour>) -> std::fm
     Ok(())
 }
 
-/// The length is given, so that a reader's own font takes as much room as ours.
+/// The length is specified so that the text takes as much space in the viewer's font as in ours.
 fn write_text(svg: &mut String, at: Point, size: f32, colour: Colour, text: &str) -> std::fmt::Result {
     let safe = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     let wide = Canvas::text_width(size, text);

@@ -11,24 +11,24 @@ use crate::furnish::Area;
 use crate::plan::{Opening, OpeningKind, Plan, Rect, Room, RoomKind, Scheme, metres};
 use crate::reach::doorway;
 
-/// White space around the building, metres.
+/// The margin around the building, metres.
 const MARGIN: f32 = 0.7;
-/// Height of the strips for the title above and the scale below, metres.
+/// The height of the strips for the title above and the scale below, metres.
 const STRIP: f32 = 0.9;
-/// Least width of a drawing, of its height.
+/// The least width of a drawing relative to its height.
 const SLIMMEST: f32 = 0.85;
 
 const WALL: Colour = Colour::hex(0x2b2e33);
 const LINE: Colour = Colour::hex(0x3c4046);
 const FAINT: Colour = Colour::hex(0x8d939b);
-/// Width of thin lines, metres.
+/// The width of thin lines, metres.
 const THIN: f32 = 0.015;
-/// Heights of room names, metres: the first that hides nothing, or little.
+/// The text heights tried for room names, metres.
 const SIZES: [f32; 5] = [0.26, 0.21, 0.17, 0.13, 0.09];
 
 impl Plan {
-    /// The plan seen from above, in metres: walls, doors, windows, names and areas of
-    /// rooms, a scale.
+    /// Draws the plan seen from above, in metres: walls, doors, windows, names and areas of rooms,
+    /// a scale.
     ///
     /// ```
     /// use vc_graph::Seed;
@@ -44,8 +44,8 @@ impl Plan {
 }
 
 impl Apartment {
-    /// The floor plan with the furniture, seen from above, in metres. What hangs high
-    /// is dashed; what is kept inside something is not shown.
+    /// Draws the floor plan with the furniture, seen from above, in metres. Objects high above the
+    /// floor are dashed; objects inside others are not shown.
     ///
     /// ```
     /// use vc_graph::Seed;
@@ -61,7 +61,7 @@ impl Apartment {
 }
 
 impl Scheme {
-    /// The name people use.
+    /// The name for display.
     pub fn title(self) -> &'static str {
         match self {
             Self::Studio => "studio",
@@ -76,15 +76,15 @@ impl Scheme {
     }
 }
 
-/// Scheme, area, and how many bedrooms and bathrooms.
+/// The scheme, the area, and the numbers of bedrooms and bathrooms.
 fn summary(plan: &Plan) -> String {
     let count = |f: fn(RoomKind) -> bool| plan.rooms.iter().filter(|r| f(r.kind)).count();
     let (beds, baths) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
     format!("{} · {:.1} m² · {beds} bed · {baths} bath", plan.scheme.title(), plan.area())
 }
 
-/// Everything in order, from the floors to the names; `furnish` draws on the floors,
-/// and the names keep off `furniture` as they can.
+/// Draws everything in order, from the floors to the names; `furnish` draws on the floors, and the
+/// names avoid `furniture` as far as possible.
 fn draw(plan: &Plan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut Canvas)) -> Canvas {
     let (low, high) = frame(plan);
     let mut canvas = Canvas::new(low, high);
@@ -101,8 +101,8 @@ fn draw(plan: &Plan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut 
     canvas
 }
 
-/// What the drawing shows: the building with its outer walls and white around, no
-/// narrower than [`SLIMMEST`] of its height.
+/// The visible area: the building with its outer walls and a margin, no narrower than [`SLIMMEST`]
+/// of its height.
 fn frame(plan: &Plan) -> (Point, Point) {
     let hull = plan.hull().grown(plan.shell);
     let (south, north) = (metres(hull.y0) - MARGIN - STRIP, metres(hull.y1) + MARGIN + STRIP);
@@ -115,7 +115,7 @@ fn fill(canvas: &mut Canvas, rect: &Rect, ink: Ink) {
     canvas.rectangle([metres(rect.x0), metres(rect.y0)], [metres(rect.x1), metres(rect.y1)], ink);
 }
 
-/// A light tint by what a room is for.
+/// A light tint by a room's purpose.
 fn tint(kind: RoomKind) -> Colour {
     Colour::hex(match kind {
         RoomKind::Living => 0xfbf5e9,
@@ -128,14 +128,14 @@ fn tint(kind: RoomKind) -> Colour {
     })
 }
 
-/// Balconies: dashed outlines.
+/// Draws balconies with dashed outlines.
 fn balconies(canvas: &mut Canvas, plan: &Plan) {
     for rect in plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).flat_map(|r| &r.rects) {
         fill(canvas, rect, Ink::filled(tint(RoomKind::Balcony)).outlined(LINE, 2.0 * THIN).dashed(0.12));
     }
 }
 
-/// Walls: what is within the outer line and in no room's net area.
+/// Draws walls: the area within the outer line that is in no room's net area.
 fn walls(canvas: &mut Canvas, plan: &Plan) {
     let indoors = || plan.rooms.iter().filter(|r| r.kind != RoomKind::Balcony);
     for rect in indoors().flat_map(|r| &r.rects) {
@@ -146,12 +146,12 @@ fn walls(canvas: &mut Canvas, plan: &Plan) {
     }
 }
 
-/// A place at an opening: along its wall and across it, metres.
+/// A point at an opening: along its wall and across it, metres.
 fn at(opening: &Opening, along: f32, across: f32) -> Point {
     if opening.vertical { [across, along] } else { [along, across] }
 }
 
-/// The hole of an opening in its wall, with the panes of a window.
+/// Draws the gap of an opening in its wall, with the panes of a window.
 fn cut(canvas: &mut Canvas, plan: &Plan, opening: &Opening) {
     let hole = doorway(plan, opening);
     let inside = [opening.low, opening.high].into_iter().flatten().map(|r| plan.rooms[r].kind);
@@ -174,7 +174,7 @@ fn cut(canvas: &mut Canvas, plan: &Plan, opening: &Opening) {
     }
 }
 
-/// A leaf that stands open, and the quarter circle it sweeps.
+/// Draws an open leaf and the quarter circle it sweeps.
 fn leaf(canvas: &mut Canvas, opening: &Opening) {
     if !opening.has_leaf() {
         return;
@@ -196,7 +196,7 @@ fn leaf(canvas: &mut Canvas, opening: &Opening) {
     }
 }
 
-/// The arc around a centre from one point to another, the short way.
+/// Draws the shorter arc around a centre from one point to another.
 fn sweep(canvas: &mut Canvas, centre: Point, from: Point, to: Point) {
     let angle = |p: Point| (p[1] - centre[1]).angle_to(p[0] - centre[0]);
     let (start, mut turn) = (angle(from), angle(to) - angle(from));
@@ -209,7 +209,7 @@ fn sweep(canvas: &mut Canvas, centre: Point, from: Point, to: Point) {
     canvas.arc(centre, radius, start, start + turn, Ink::line(FAINT, THIN));
 }
 
-/// An arrow in front of the entrance that points in.
+/// Draws an arrow in front of the entrance that points inwards.
 fn arrow(canvas: &mut Canvas, opening: &Opening) {
     let inward = if opening.high.is_some() { 1.0 } else { -1.0 };
     let middle = metres(opening.from + opening.to) / 2.0;
@@ -219,8 +219,8 @@ fn arrow(canvas: &mut Canvas, opening: &Opening) {
     canvas.polygon(&corners, Ink::filled(Colour::hex(0xb03a2e)));
 }
 
-/// Name and area in a room: in the middle of its largest rectangle, or where it
-/// covers least of what is there.
+/// Draws the name and area of a room: at the centre of its largest rectangle, or where the text
+/// covers the least furniture.
 fn label(canvas: &mut Canvas, room: &Room, taken: &[Area]) {
     let (name, area) = (room.kind.title(), format!("{:.1} m²", room.area()));
     let one = Canvas::text_width(1.0, name).max(0.8 * Canvas::text_width(1.0, &area));
@@ -228,7 +228,7 @@ fn label(canvas: &mut Canvas, room: &Room, taken: &[Area]) {
         let half = (one * size / 2.0 + 0.04, 1.15 * size);
         free_place(room, half, taken).map(|(covered, place)| (covered / (half.0 * half.1), size, place))
     });
-    // A smaller text only where it hides much less.
+    // A smaller text is used only if it covers much less.
     let cost = |&(covered, size, _): &(f32, f32, Point)| covered + 3.0 * (SIZES[0] - size);
     let Some((_, size, [x, y])) = places.min_by(|a, b| cost(a).total_cmp(&cost(b))) else { return };
     let half = [one * size / 2.0 + 0.03, 1.15 * size];
@@ -238,8 +238,8 @@ fn label(canvas: &mut Canvas, room: &Room, taken: &[Area]) {
     canvas.text([x, y - 0.92 * size], 0.8 * size, Anchor::Middle, LINE, &area);
 }
 
-/// Where a label of half a width and height covers least: how much, m², and its
-/// middle. `None` where it does not fit.
+/// The position where a label of this half width and height covers the least, with the covered
+/// area, m². `None` if it does not fit.
 fn free_place(room: &Room, half: (f32, f32), taken: &[Area]) -> Option<(f32, Point)> {
     let largest = room.net().into_iter().max_by_key(|r| (r.width() * r.depth(), r.x0, r.y0))?;
     let middle = Area::of(&largest).centre();
@@ -252,7 +252,7 @@ fn free_place(room: &Room, half: (f32, f32), taken: &[Area]) -> Option<(f32, Poi
     best.map(|(_, covered, place)| (covered, place))
 }
 
-/// Middles that a label may have in a rectangle, ten centimetres apart.
+/// The possible centres of a label in a rectangle, ten centimetres apart.
 fn places(net: &Area, half: (f32, f32)) -> Vec<Point> {
     let along = |low: f32, high: f32| {
         let spare = (high - low).max(-0.01);
@@ -264,20 +264,20 @@ fn places(net: &Area, half: (f32, f32)) -> Vec<Point> {
     along(net.x0 + half.0, net.x1 - half.0).flat_map(|x| across().map(move |y| [x, y])).collect()
 }
 
-/// Area that two rectangles share, m².
+/// The area of the intersection of two rectangles, m².
 fn covered_by(a: &Area, b: &Area) -> f32 {
     let overlap = |low: f32, high: f32| (high - low).max(0.0);
     overlap(a.x0.max(b.x0), a.x1.min(b.x1)) * overlap(a.y0.max(b.y0), a.y1.min(b.y1))
 }
 
-/// The title, as large as it fits.
+/// Draws the title, as large as it fits.
 fn heading(canvas: &mut Canvas, low: Point, high: Point, title: &str) {
     let room = high[0] - low[0] - 2.0 * MARGIN;
     let size = (room / Canvas::text_width(1.0, title)).min(0.34);
     canvas.text([low[0] + MARGIN, high[1] - 0.75], size, Anchor::Start, Colour::BLACK, title);
 }
 
-/// A scale of five metres, by one.
+/// Draws a scale bar of three metres.
 fn scale(canvas: &mut Canvas, from: Point) {
     let metre = |i: usize| from[0] + 0.5 * i as f32;
     for i in 0..6 {

@@ -1,48 +1,48 @@
-//! Pixels, and PNG files of them.
+//! Raster images, and PNG files of them.
 
-/// A picture: rows from the top, three bytes (sRGB) for each pixel.
+/// An image: rows from the top, three bytes (sRGB) per pixel.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Image {
-    /// Pixels in a row.
+    /// The width in pixels.
     pub width: usize,
-    /// Rows.
+    /// The height in pixels.
     pub height: usize,
     /// Red, green, blue of each pixel.
     pub rgb: Vec<u8>,
 }
 
-/// A picture cannot be made.
+/// The reason why an image cannot be made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {
     /// A side is zero, or larger than 32,767 pixels.
     #[error("a picture cannot be {width} by {height} pixels")]
     Size {
-        /// Pixels in a row.
+        /// The width in pixels.
         width: usize,
-        /// Rows.
+        /// The height in pixels.
         height: usize,
     },
-    /// The encoder refused.
+    /// The encoder failed.
     #[error("png: {0}")]
     Encode(String),
 }
 
 impl Image {
-    /// A picture of one colour (sRGB bytes).
+    /// An image of one colour (sRGB bytes).
     pub fn new(width: usize, height: usize, colour: [u8; 3]) -> Self {
         Self { width, height, rgb: colour.repeat(width * height) }
     }
 
-    /// The colour of a pixel, counted from the top left; none outside.
+    /// The colour of a pixel, counted from the top left; `None` outside the image.
     pub fn pixel(&self, x: usize, y: usize) -> Option<[u8; 3]> {
         let at = 3 * (y * self.width + x);
         let inside = x < self.width && y < self.height;
         inside.then(|| self.rgb.get(at..at + 3)?.try_into().ok()).flatten()
     }
 
-    /// Copies another picture into this one, its top left pixel to (`left`, `top`);
-    /// what does not fit is cut off.
+    /// Copies another image into this one, its top left pixel to (`left`, `top`); parts that do not
+    /// fit are clipped.
     pub fn paste(&mut self, left: usize, top: usize, other: &Self) {
         let wide = other.width.min(self.width.saturating_sub(left)) * 3;
         for y in 0..other.height.min(self.height.saturating_sub(top)) {
@@ -52,10 +52,10 @@ impl Image {
         }
     }
 
-    /// The picture as a PNG file.
+    /// The image as a PNG file.
     ///
     /// # Errors
-    /// [`PictureError`] if it has no pixels or not as many as it says.
+    /// [`PictureError`] if it has no pixels, or a number of pixels that contradicts its size.
     pub fn to_png(&self) -> Result<Vec<u8>, PictureError> {
         let fail = |e: png::EncodingError| PictureError::Encode(e.to_string());
         let mut file = Vec::new();

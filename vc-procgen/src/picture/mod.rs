@@ -1,4 +1,4 @@
-//! Pictures without a renderer: drawings, and sketches of objects.
+//! Images without the renderer: drawings, and sketches of objects.
 //!
 //! [`Canvas`] is a drawing (floor plans, charts) that is written as SVG or PNG;
 //! [`sketch()`] shows assets in perspective. Both need no font, no display and no

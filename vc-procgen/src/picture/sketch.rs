@@ -1,4 +1,4 @@
-//! A small z-buffer renderer: enough to see what an object looks like.
+//! A small z-buffer renderer for sketches of objects.
 
 use nalgebra::{Point3, Unit, Vector3};
 use vc_graph::asset::{Joint, Material};
@@ -10,41 +10,41 @@ use super::image::Image;
 
 type V = Vector3<f32>;
 
-/// How depth shows.
+/// The projection of a view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Projection {
-    /// As a camera sees it; half the vertical angle of view, as a tangent.
+    /// Perspective, with the tangent of half the vertical field of view.
     Perspective(f32),
-    /// Without foreshortening; half the height that is shown, metres.
+    /// Orthographic, with half the visible height, metres.
     Orthographic(f32),
 }
 
-/// Where a sketch is seen from.
+/// The viewpoint of a sketch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// Where the camera is, metres.
+    /// The position of the camera, metres.
     pub eye: Point3<f32>,
-    /// What is in the middle of the picture, metres.
+    /// The point at the centre of the image, metres.
     pub target: Point3<f32>,
-    /// How depth shows.
+    /// The projection.
     pub projection: Projection,
     /// How far doors and drawers are open, 0 to 1.
     pub open: f32,
 }
 
-/// Pixels per side of a picture's pixel.
+/// The number of samples along each side of a pixel.
 const FINE: usize = 2;
-/// Background, sRGB.
+/// The background colour, sRGB.
 const PAPER: [u8; 3] = [236, 237, 238];
 
 impl View {
-    /// From the front, a little to the left and above, so that the box between two
-    /// corners fills a picture that is `aspect` times as wide as high.
+    /// A view from the front, a little to the left and above, in which the box between two corners
+    /// fills an image with the given ratio of width to height.
     pub fn around(low: Point3<f32>, high: Point3<f32>, aspect: f32) -> Self {
         Self::from_direction(Vector3::new(0.8, 0.5, 0.42), low, high, aspect)
     }
 
-    /// The same from a direction of one's own: towards the eye.
+    /// The same from any direction, given as the vector towards the camera.
     pub fn from_direction(direction: Vector3<f32>, low: Point3<f32>, high: Point3<f32>, aspect: f32) -> Self {
         let tangent = 0.2;
         let target = nalgebra::center(&low, &high);
@@ -61,17 +61,17 @@ impl View {
     }
 }
 
-/// Right, up and ahead of a camera that looks along a direction.
+/// The right, up and forward axes of a camera that looks along a direction.
 fn frame(ahead: V) -> [V; 3] {
     let ahead = ahead.try_normalize(1e-9).unwrap_or(-V::z());
     let right = ahead.cross(&V::z()).try_normalize(1e-3).unwrap_or(-V::y());
     [right, right.cross(&ahead), ahead]
 }
 
-/// Shows objects, each at its pose, on a pale ground at their lowest point.
+/// Renders objects, each at its pose, on a pale ground at their lowest point.
 ///
-/// Two lights and a grey sky, no shadows but one on the ground; glass is drawn last,
-/// from back to front. Costs time in proportion to triangles and pixels.
+/// Uses two lights and a grey sky, without shadows except one on the ground; glass is drawn last,
+/// from back to front. The time is proportional to the numbers of triangles and pixels.
 ///
 /// ```
 /// use vc_graph::{Pose, Seed};
@@ -102,9 +102,9 @@ struct Face<'a> {
     at: [Point3<f32>; 3],
     normals: [V; 3],
     material: &'a Material,
-    /// Whether light passes.
+    /// Whether it is transparent.
     clear: bool,
-    /// Which part it belongs to, from 1.
+    /// The index of its part, from 1.
     part: u32,
 }
 
@@ -129,19 +129,19 @@ fn faces<'a>(objects: &[(&Asset, Pose)], library: &'a AssetLibrary, open: f32) -
     faces
 }
 
-/// The position of a joint that is open by a share.
+/// The position of a joint opened by a share.
 fn opened(joint: &Joint, share: f32) -> f32 {
     let (low, high) = joint.limits;
     share * if high >= -low { high } else { low }
 }
 
-/// What is seen so far.
+/// The image so far.
 struct Film {
     view: View,
     axes: [V; 3],
     width: usize,
     height: usize,
-    /// Linear colour, nearness (greater is nearer) and part of each pixel.
+    /// Linear colour, inverse depth (greater is nearer) and part index of each sample.
     colour: Vec<V>,
     near: Vec<f32>,
     part: Vec<u32>,
@@ -156,8 +156,8 @@ impl Film {
         Self { view: *view, axes, width, height, colour, near, part }
     }
 
-    /// Pixel and nearness of a point; none behind the camera. Nearness is linear on
-    /// the picture.
+    /// The pixel position and inverse depth of a point; `None` behind the camera. Inverse depth is
+    /// linear in the image.
     fn project(&self, p: &Point3<f32>) -> Option<V> {
         let from = p - self.view.eye;
         let [x, y, z] = self.axes.map(|a| from.dot(&a));
@@ -169,7 +169,7 @@ impl Film {
         (z > 1e-3).then(|| V::new(self.width as f32 / 2.0 + x * scale, half - y * scale, near))
     }
 
-    /// Calls back with pixel, nearness and weights of the corners.
+    /// Calls back with sample index, inverse depth and barycentric weights.
     fn raster(&self, at: &[Point3<f32>; 3], mut pixel: impl FnMut(usize, f32, V)) {
         let [Some(a), Some(b), Some(c)] = at.each_ref().map(|p| self.project(p)) else { return };
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
@@ -191,7 +191,7 @@ impl Film {
         }
     }
 
-    /// Darkens the ground where light from above and behind the camera is kept off.
+    /// Darkens the ground where objects block the light from above and behind the camera.
     fn shadow(&mut self, faces: &[Face<'_>], ground: f32, soft: usize) {
         let mut dark = vec![0.0_f32; self.colour.len()];
         let slope = Vector3::new(-0.25, -0.35, 0.0);
@@ -227,7 +227,7 @@ impl Film {
         }
     }
 
-    /// Averages fine pixels; where parts meet there is a thin line.
+    /// Averages the samples of each pixel; draws a thin line between parts.
     fn developed(&self, width: usize, height: usize) -> Image {
         let mut image = Image::new(width, height, PAPER);
         for (i, pixel) in image.rgb.chunks_exact_mut(3).enumerate() {
@@ -245,14 +245,14 @@ impl Film {
     }
 }
 
-/// Average of each value and `reach` neighbours on both sides, `step` apart.
+/// The average of each value and `reach` neighbours on both sides, `step` apart.
 fn blurred(values: &[f32], step: usize, reach: usize) -> Vec<f32> {
     let at = |i: usize, k: usize| values.get((i + k * step).wrapping_sub(reach * step)).copied().unwrap_or(0.0);
     let count = 2 * reach + 1;
     (0..values.len()).map(|i| (0..count).map(|k| at(i, k)).sum::<f32>() / count as f32).collect()
 }
 
-/// Lambert's light of two lamps and the sky, and what a smooth surface mirrors.
+/// Lambertian light of two lamps and the sky, plus specular reflection.
 fn shade(material: &Material, normal: V, out: V) -> V {
     let normal = if normal.dot(&out) < 0.0 { -normal } else { normal };
     let colour = V::from(material.colour);

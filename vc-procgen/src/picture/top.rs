@@ -1,4 +1,4 @@
-//! Furniture seen from above: the parts of all objects, the lower ones first.
+//! Furniture seen from above: the parts of all objects, lower ones first.
 
 use std::f32::consts::TAU;
 
@@ -12,28 +12,28 @@ use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest};
 use crate::material::{self, Family};
 
-/// Objects whose base is higher hang over the floor: dashed, metres.
+/// The height of an object's base above which it hangs over the floor and is drawn dashed, metres.
 const OVERHEAD: f32 = 1.3;
-/// Objects smaller than this are drawn as their largest part alone, metres.
+/// The size below which only an object's largest part is drawn, metres.
 const SMALL: f32 = 0.3;
-/// Parts smaller than this are left out, metres.
+/// The size below which a part is left out, metres.
 const SPECK: f32 = 0.03;
-/// Width of outlines, metres.
+/// The width of outlines, metres.
 const HAIR: f32 = 0.008;
 
 /// A part's outline and the height of its top.
 struct Top {
     outline: Vec<Point>,
-    /// Smallest and largest corner.
+    /// The smallest and largest corner.
     low: Point,
     high: Point,
     z: f32,
     material: u32,
-    /// Whether it hides what lies within its corners.
+    /// Whether it hides everything within its corners.
     solid: bool,
 }
 
-/// Draws everything that is not part of the building and not inside something.
+/// Draws all objects that are neither part of the building nor inside others.
 pub(super) fn draw(canvas: &mut Canvas, home: &Apartment) {
     let hidden = hidden(&home.items);
     let seen = || home.items.iter().zip(&hidden).filter(|(_, hidden)| !**hidden).map(|(item, _)| item);
@@ -48,7 +48,8 @@ pub(super) fn draw(canvas: &mut Canvas, home: &Apartment) {
     }
 }
 
-/// What stands on the floors, for names to keep off: not rugs, nor what hangs high.
+/// The objects that stand on the floors, which names should not cover: neither rugs nor objects
+/// high above the floor.
 pub(super) fn areas(home: &Apartment) -> Vec<Area> {
     let stands = |item: &&Item| {
         let (low, high) = item.corners();
@@ -57,7 +58,7 @@ pub(super) fn areas(home: &Apartment) -> Vec<Area> {
     home.items.iter().filter(stands).map(Item::area).collect()
 }
 
-/// Which items are part of the building, or inside another, or on one that is.
+/// For each item whether it is part of the building, inside another, or on a hidden one.
 fn hidden(items: &[Item]) -> Vec<bool> {
     let mut hidden: Vec<bool> = Vec::with_capacity(items.len());
     for item in items {
@@ -70,7 +71,7 @@ fn hidden(items: &[Item]) -> Vec<bool> {
     hidden
 }
 
-/// A part's material, paled, with a darker line.
+/// The colour of a part's material, paled, with a darker outline.
 fn ink(material: u32) -> Ink {
     let (_, family, rgb) = material::ALL.get(material as usize).copied().unwrap_or(("", Family::Paint, 0xcccccc));
     let colour = Colour::hex(rgb);
@@ -85,7 +86,7 @@ fn ink(material: u32) -> Ink {
     }
 }
 
-/// What is seen of an item.
+/// The parts of an item visible from above.
 fn tops(item: &Item) -> Vec<Top> {
     let mut tops: Vec<Top> = item.object.asset.parts.iter().map(|p| top(p, &item.pose)).collect();
     let size = |t: &Top| (t.high[0] - t.low[0]).max(t.high[1] - t.low[1]);
@@ -125,15 +126,14 @@ fn top(part: &Part, pose: &Pose) -> Top {
     Top { outline, low, high, z, material: part.material, solid: boxed && !turned && !clear }
 }
 
-/// The corners of the box around a shape, in its own frame.
+/// The corners of a shape's bounding box, in its own frame.
 fn corners(shape: &Shape) -> [Point3<f32>; 8] {
     let (low, high) = shape.extent();
     let pick = |bit: usize, i: usize| if i >> bit & 1 == 0 { low[bit] } else { high[bit] };
     std::array::from_fn(|i| Point3::new(pick(0, i), pick(1, i), pick(2, i)))
 }
 
-/// A shape's outline seen from above; for lying round and for bent shapes its convex
-/// hull.
+/// A shape's outline seen from above; its convex hull for lying round shapes and for tilted ones.
 fn outline(shape: &Shape, pose: &Pose) -> Vec<Point> {
     let upright = (pose.rotation * Vector3::z()).z.abs() > 0.999;
     let flat = |p: Point3<f32>| {

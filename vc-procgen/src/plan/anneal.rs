@@ -1,9 +1,9 @@
-//! Plans found by annealing, for programmes that no template holds: rooms are what is
-//! left when a rectangle is cut again and again, and the cuts are changed until every
-//! room has its measures, its door and its window.
+//! Floor plans by simulated annealing, for programmes that no template accommodates: a rectangle is
+//! divided recursively into rooms, and the cuts are changed until every room has its size, its door
+//! and its window.
 //!
-//! After Wong and Liu, "A new algorithm for floorplan design" (1986). Costs some
-//! milliseconds, a thousand times a template's candidate.
+//! After Wong and Liu, "A new algorithm for floorplan design" (1986). Costs some milliseconds, a
+//! thousand times as much as a template's candidate.
 
 use vc_graph::Stream;
 use vc_graph::portable::Portable;
@@ -11,14 +11,14 @@ use vc_graph::portable::Portable;
 use super::programme::Programme;
 use super::{Arrangement, Rect, Room, RoomKind};
 
-/// Changes tried before it is given up.
+/// The number of changes tried before giving up.
 const STEPS: usize = 8000;
-/// Temperature at the start and at the end, in units of the cost.
+/// The temperatures at the start and at the end, in units of the cost.
 const HEAT: (f32, f32) = (1.5, 0.03);
-/// Least stretch of wall for a door with its frame, and for a window, cells.
+/// The least length of wall for a door with its frame, and for a window, in cells.
 const DOOR: i32 = 24;
 const WINDOW: i32 = 30;
-/// Sides that may have windows: west, east, south, north.
+/// The sides that may have windows: west, east, south, north.
 const FACADES: [bool; 4] = [false, true, true, true];
 
 /// A plan with one rectangle for every room; `None` if none was found.
@@ -33,7 +33,7 @@ pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrange
     let mut cuts = Cuts::straight(rooms.len(), rng);
     site.anneal(&mut cuts, rng)?;
     if let Some(wished) = programme.wished_area {
-        // Walls take more or less than was allowed for.
+        // Walls take more or less area than was allowed for.
         let net: f32 = site.place(&cuts, &mut Sheet::default()).iter().map(|r| r.grown(-1).area()).sum();
         site.gross = areas.iter().map(|area| gross(area * (wished / net))).collect();
     }
@@ -46,8 +46,7 @@ pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrange
     Some(Arrangement { rooms, facades: FACADES })
 }
 
-/// A tree of cuts in postfix order (a Polish expression): two parts, then how they
-/// lie to each other.
+/// A slicing tree in postfix order (a Polish expression): two parts, then their arrangement.
 #[derive(Debug, Clone)]
 struct Cuts(Vec<Token>);
 
@@ -75,7 +74,7 @@ impl Token {
 }
 
 impl Cuts {
-    /// All rooms in a row, in any order.
+    /// All rooms in a row, in random order.
     fn straight(rooms: usize, rng: &mut Stream) -> Self {
         let mut order: Vec<usize> = (0..rooms).collect();
         rng.shuffle(&mut order);
@@ -86,7 +85,7 @@ impl Cuts {
         Self(tokens.collect())
     }
 
-    /// Changes one thing: swaps two rooms, turns a cut, or moves a cut past a room.
+    /// Makes one random change: swaps two rooms, turns a cut, or moves a cut past a room.
     fn change(&mut self, rng: &mut Stream) {
         let pick = |rng: &mut Stream, rooms: bool, tokens: &[Token]| {
             let all = (0..tokens.len()).filter(|&i| tokens[i].is_room() == rooms);
@@ -124,19 +123,19 @@ impl Cuts {
     }
 }
 
-/// What the rooms need.
+/// The requirements of the rooms.
 struct Site<'a> {
     rooms: &'a [Room],
-    /// Areas with half the walls around, square cells.
+    /// The areas including half of the surrounding walls, square cells.
     gross: Vec<f32>,
-    /// Whether the kitchen opens to the living room.
+    /// Whether the kitchen is open to the living room.
     open: bool,
-    /// Width of the whole by its depth.
+    /// The ratio of width to depth of the whole.
     shape: f32,
 }
 
 impl Site<'_> {
-    /// Changes cuts until nothing is wrong.
+    /// Changes cuts until the cost is zero.
     fn anneal(&self, cuts: &mut Cuts, rng: &mut Stream) -> Option<()> {
         let mut sheet = Sheet::default();
         let mut cost = self.cost(self.place(cuts, &mut sheet));
@@ -157,7 +156,7 @@ impl Site<'_> {
         None
     }
 
-    /// The rooms' rectangles: every cut divides by area.
+    /// Computes the rooms' rectangles: every cut divides in proportion to the areas.
     fn place<'s>(&self, cuts: &Cuts, sheet: &'s mut Sheet) -> &'s [Rect] {
         let Sheet { parts, rects, open } = sheet;
         parts.clear();
@@ -192,13 +191,13 @@ impl Site<'_> {
         rects
     }
 
-    /// How much is wrong, about one for each wish that is wholly missed.
+    /// The cost of violated requirements, about one for each that is missed entirely.
     fn cost(&self, rects: &[Rect]) -> f32 {
         let hull = rects.iter().copied().reduce(Rect::around).unwrap_or_default();
         (0..rects.len()).map(|room| self.shape(room, &rects[room]) + self.place_of(room, rects, &hull)).sum()
     }
 
-    /// What is wrong with a room's sides.
+    /// The cost of a room's side lengths.
     fn shape(&self, room: usize, rect: &Rect) -> f32 {
         let kind = self.rooms[room].kind;
         let (short, long) = (rect.short(), rect.width().max(rect.depth()));
@@ -211,7 +210,7 @@ impl Site<'_> {
         missing(short, least) + (long as f32 / short.max(1) as f32 - most).max(0.0)
     }
 
-    /// What is wrong with where a room lies: its way in and its window.
+    /// The cost of a room's position: its access and its window.
     fn place_of(&self, room: usize, rects: &[Rect], hull: &Rect) -> f32 {
         let own = &self.rooms[room];
         let hall = rects.len() - 1;
@@ -230,27 +229,28 @@ impl Site<'_> {
     }
 }
 
-/// What placing rooms is written on, used again and again.
+/// The working memory for placing rooms, reused.
 #[derive(Default)]
 struct Sheet {
-    /// Where each part of the cuts begins, and its area.
+    /// The start and the area of each part of the tree.
     parts: Vec<(usize, f32)>,
     rects: Vec<Rect>,
-    /// Parts that are still to be cut.
+    /// The parts still to be divided.
     open: Vec<(usize, Rect)>,
 }
 
-/// A net area in square metres with half the walls around, square cells.
+/// The area in square cells including half of the surrounding walls, for a net area in square
+/// metres.
 fn gross(area: f32) -> f32 {
     (area.sqrt() + 0.1).raised(2) * 400.0
 }
 
-/// How much of a length is missing, 0 to 1.
+/// The missing share of a length, 0 to 1.
 fn missing(length: i32, least: i32) -> f32 {
     (least - length).max(0) as f32 / least as f32
 }
 
-/// A rectangle cut in two, the first part with a share of the area.
+/// Divides a rectangle in two; `share` is the first part's share of the area.
 fn halves(rect: Rect, beside: bool, share: f32) -> (Rect, Rect) {
     let length = if beside { rect.width() } else { rect.depth() };
     let first = (length as f32 * share).round() as i32;
@@ -263,14 +263,14 @@ fn halves(rect: Rect, beside: bool, share: f32) -> (Rect, Rect) {
     }
 }
 
-/// Length of the side that two rectangles share.
+/// The length of the side that two rectangles share.
 fn contact(a: &Rect, b: &Rect) -> i32 {
     let both = a.shared(*b);
     let (width, depth) = (both.width(), both.depth());
     if width == 0 || depth == 0 { width.max(depth).max(0) } else { 0 }
 }
 
-/// Longest side of a rectangle on those sides of the whole that count.
+/// The longest side of a rectangle on the given sides of the whole.
 fn outer(rect: &Rect, hull: &Rect, sides: [bool; 4]) -> i32 {
     let upright = (sides[0] && rect.x0 == hull.x0) || (sides[1] && rect.x1 == hull.x1);
     let level = (sides[2] && rect.y0 == hull.y0) || (sides[3] && rect.y1 == hull.y1);

@@ -1,4 +1,4 @@
-//! Where rooms meet: every straight piece of wall with what lies on its two sides.
+//! The boundaries of rooms: every straight piece of wall with the rooms on its two sides.
 
 use super::{Rect, Room};
 
@@ -7,11 +7,11 @@ use super::{Rect, Room};
 pub struct Edge {
     /// Whether it runs along Y.
     pub vertical: bool,
-    /// Its X if vertical, else its Y, cells.
+    /// The X coordinate if vertical, else Y, cells.
     pub at: i32,
-    /// Where it begins along its direction, cells.
+    /// The start along its direction, cells.
     pub from: i32,
-    /// Where it ends.
+    /// The end along its direction, cells.
     pub to: i32,
     /// The room on the side of smaller coordinates, if any.
     pub low: Option<usize>,
@@ -20,18 +20,17 @@ pub struct Edge {
 }
 
 impl Edge {
-    /// Its length, cells.
+    /// The length, cells.
     pub fn length(&self) -> i32 {
         self.to - self.from
     }
 
-    /// Whether it bounds both rooms.
+    /// Whether it separates the two rooms.
     pub fn joins(&self, a: usize, b: usize) -> bool {
         (self.low, self.high) == (Some(a), Some(b)) || (self.low, self.high) == (Some(b), Some(a))
     }
 
-    /// The room on the other side of one; `None` for the outside or where the edge
-    /// does not bound the room.
+    /// The room on the other side; `None` for the outside, or if the edge does not bound the room.
     pub fn beyond(&self, room: usize) -> Option<usize> {
         match (self.low, self.high) {
             (Some(a), other) | (other, Some(a)) if a == room => other,
@@ -39,14 +38,13 @@ impl Edge {
         }
     }
 
-    /// The one room of an edge to the outside.
+    /// The room of an edge to the outside.
     pub fn inner(&self) -> Option<usize> {
         self.low.xor(self.high)
     }
 }
 
-/// All edges of rooms that do not overlap, those along X before those along Y, by
-/// position.
+/// All edges of rooms that do not overlap, those along X before those along Y, ordered by position.
 ///
 /// Costs the square of the number of distinct coordinates, some microseconds.
 pub(crate) fn edges(rooms: &[Room]) -> Vec<Edge> {
@@ -61,7 +59,7 @@ pub(crate) fn edges(rooms: &[Room]) -> Vec<Edge> {
         }
     }
     let at = |column: usize, row: usize| {
-        // Wraps below zero: outside as well.
+        // Indices below zero wrap around, and are outside as well.
         if column < columns && row < rows { owner[row * columns + column] } else { None }
     };
     let mut found = Vec::new();
@@ -78,7 +76,7 @@ pub(crate) fn edges(rooms: &[Room]) -> Vec<Edge> {
 
 type Sides = (Option<usize>, Option<usize>);
 
-/// Calls `found` with each longest run of equal, different-sided pieces.
+/// Calls `found` with each maximal run of equal pieces whose two sides differ.
 fn runs(lines: &[i32], sides: impl Fn(usize) -> Sides, mut found: impl FnMut(i32, i32, Sides)) {
     let mut start = 0;
     for i in 1..lines.len() {

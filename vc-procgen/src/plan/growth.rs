@@ -1,5 +1,5 @@
-//! Irregular plans: rooms grown on a coarse grid from the outer walls inwards; what
-//! they leave is the living room, which every room opens to.
+//! Irregular plans: rooms are grown on a coarse grid from the outer walls inwards; the remaining
+//! area is the living room, which every room opens to.
 //!
 //! After Lopes, Tutenel, Smelik, de Kraker and Bidarra, "A constrained growth method
 //! for procedural floor plan generation" (2010), with rejection instead of repair.
@@ -10,9 +10,9 @@ use super::programme::Programme;
 use super::{Arrangement, Rect, Room, RoomKind};
 use crate::bits::Bits;
 
-/// Side of a grid square, cells.
+/// The side of a grid square, cells.
 const SQUARE: i32 = 6;
-/// Squares of a passage one walks through with ease.
+/// The width of a comfortable passage, in squares.
 const PASSAGE: usize = 4;
 
 /// Grows the rooms; `None` after several hundred failed attempts.
@@ -23,17 +23,17 @@ pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrange
     (0..300).find_map(|_| attempt(programme, rng))
 }
 
-/// No room.
+/// The owner of a square without a room.
 const FREE: u8 = u8::MAX;
 
-/// Which room owns each square, by its number.
+/// The grid with the room that owns each square.
 struct Grid {
     width: usize,
     depth: usize,
     owner: Vec<u8>,
 }
 
-/// A rectangle of squares, its far corner excluded.
+/// A rectangle of squares, without its far edges.
 #[derive(Clone, Copy)]
 struct Patch {
     x0: usize,
@@ -63,7 +63,7 @@ fn attempt(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     let mut grid = Grid { width, depth, owner: vec![FREE; width * depth] };
     let mut order: Vec<usize> = (1..programme.wishes.len()).collect();
     rng.shuffle(&mut order);
-    // Rooms with windows first, bathrooms of a bedroom after it.
+    // Rooms with windows first, en-suite bathrooms after their bedroom.
     order.sort_by_key(|&i| match programme.wishes[i].kind {
         RoomKind::Bedroom | RoomKind::Kids => 0,
         RoomKind::Kitchen | RoomKind::Study => 1,
@@ -101,7 +101,7 @@ impl Grid {
         &self.owner[y * self.width..(y + 1) * self.width]
     }
 
-    /// The squares that belong to no room.
+    /// The squares without a room.
     fn free(&self) -> Bits {
         let mut free = Bits::new(self.width, self.depth);
         for y in 0..self.depth {
@@ -110,8 +110,8 @@ impl Grid {
         free
     }
 
-    /// A rectangle grown from a seed side by side: from a windowed outer wall for
-    /// rooms that need one, from the wall of `by` for its bathroom, else anywhere.
+    /// Grows a rectangle from a seed square side by side: from a windowed outer wall for rooms that
+    /// need one, from the wall of `by` for its bathroom, else anywhere.
     fn grow(&self, area: usize, least: usize, kind: RoomKind, by: Option<Patch>, rng: &mut Stream) -> Option<Patch> {
         let (x0, y0) = match by {
             Some(b) => match rng.below(4) {
@@ -145,8 +145,8 @@ impl Grid {
         Some(patch)
     }
 
-    /// Whether what is left is one piece, nowhere a sliver, and every room touches
-    /// it (a bathroom of a bedroom touches that).
+    /// Whether the remaining area is connected and nowhere too narrow, and every room touches it
+    /// (an en-suite bathroom touches its bedroom instead).
     fn is_sound(&self, patches: &[Option<Patch>], programme: &Programme) -> Option<()> {
         let reached = patches.iter().enumerate().all(|(index, patch)| {
             let Some(patch) = patch else { return true };
@@ -162,8 +162,7 @@ impl Grid {
         free.is_within(&passages.flood(x, y).covered(PASSAGE)).then_some(())
     }
 
-    /// Longest stretch of a patch's sides that lies against a room, or against what
-    /// is left.
+    /// The longest stretch of a patch's sides that borders on a room, or on the remaining area.
     fn touch(&self, patch: Patch, other: u8) -> usize {
         let at = |x: usize, y: usize| x < self.width && y < self.depth && self.owner[y * self.width + x] == other;
         let longest = |cells: &mut dyn Iterator<Item = bool>| {
@@ -183,7 +182,7 @@ impl Grid {
         level.into_iter().chain(upright).max().unwrap_or(0)
     }
 
-    /// What is left, as few rectangles as a greedy sweep finds.
+    /// Decomposes the remaining area into rectangles by a greedy sweep.
     fn rest(&self) -> Vec<Rect> {
         let mut taken: Vec<bool> = self.owner.iter().map(|o| *o != FREE).collect();
         let mut rects = Vec::new();
@@ -212,7 +211,7 @@ impl Grid {
 }
 
 impl Patch {
-    /// One square larger on a side, and what that adds.
+    /// The patch extended by one square on a side, and the strip added.
     fn extended(self, side: usize) -> Option<(Self, Self)> {
         let Self { x0, y0, x1, y1 } = self;
         Some(match side {
@@ -223,7 +222,7 @@ impl Patch {
         })
     }
 
-    /// Neither side more than nine fifths of the other.
+    /// Whether neither side is more than nine fifths of the other.
     fn is_round(self) -> bool {
         let (w, d) = (self.x1 - self.x0, self.y1 - self.y0);
         5 * w.max(d) <= 9 * w.min(d)

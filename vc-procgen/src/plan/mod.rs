@@ -1,8 +1,8 @@
 //! Floor plans: rooms, walls, doors and windows.
 //!
-//! Plans live on a grid of five centimetres. A room's *gross* rectangles run to the
-//! middle of its walls, so that neighbours share lines; its *net* area, which one can
-//! walk on, is half a partition (one cell) smaller on every side.
+//! Plans use a grid of five centimetres. A room's *gross* rectangles extend to the centre lines of
+//! its walls, so that neighbours share lines; its *net* area, which one can walk on, is half a
+//! partition wall (one cell) smaller on every side.
 
 mod anneal;
 mod edges;
@@ -29,28 +29,28 @@ use vc_graph::{Seed, Stream};
 use crate::Specification;
 use crate::error::Impossible;
 
-/// Cells of the plan's grid per metre.
+/// The number of grid cells per metre.
 pub const CELLS: f32 = 20.0;
 
-/// Cells to metres.
+/// Converts cells to metres.
 pub fn metres(cells: i32) -> f32 {
     cells as f32 / CELLS
 }
 
-/// Metres to the nearest cell.
+/// Converts metres to the nearest number of cells.
 pub(crate) fn cells(metres: f32) -> i32 {
     (metres * CELLS).round() as i32
 }
 
-/// What a room is for.
+/// The purpose of a room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RoomKind {
-    /// Living room, often with the dining place.
+    /// Living room, often with the dining area.
     Living,
     /// Kitchen, closed or open to the living room.
     Kitchen,
-    /// Bedroom of one or two grown-ups.
+    /// Bedroom for one or two adults.
     Bedroom,
     /// A child's bedroom.
     Kids,
@@ -87,7 +87,7 @@ impl RoomKind {
         }
     }
 
-    /// The name people use.
+    /// The name for display.
     pub fn title(self) -> &'static str {
         match self {
             Self::Living => "Living room",
@@ -104,12 +104,12 @@ impl RoomKind {
         }
     }
 
-    /// Whether people sleep there.
+    /// Whether it is a bedroom.
     pub fn is_bedroom(self) -> bool {
         matches!(self, Self::Bedroom | Self::Kids)
     }
 
-    /// Whether water runs there and its floor is tiled.
+    /// Whether it has running water and a tiled floor.
     pub fn is_wet(self) -> bool {
         matches!(self, Self::Kitchen | Self::Bathroom | Self::Wc | Self::Laundry)
     }
@@ -118,16 +118,15 @@ impl RoomKind {
 /// A room of a plan.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Room {
-    /// What it is for.
+    /// Its purpose.
     pub kind: RoomKind,
-    /// Its gross rectangles, which do not overlap and hang together.
+    /// Its gross rectangles, which do not overlap and are connected.
     pub rects: Vec<Rect>,
-    /// The bedroom it belongs to alone: an en-suite bathroom's.
+    /// The bedroom it belongs to exclusively, for an en-suite bathroom.
     pub of: Option<usize>,
 }
 
-/// Rooms in place, and which sides of the building have windows: west, east, south,
-/// north.
+/// Placed rooms, and the sides of the building that have windows: west, east, south, north.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Arrangement {
     rooms: Vec<Room>,
@@ -140,34 +139,34 @@ impl Room {
         Self { kind, rects: vec![rect], of: None }
     }
 
-    /// Short side of the roundest rectangle that lies inside it, cells.
+    /// The longest short side of any of its net rectangles, cells.
     pub(crate) fn widest(&self) -> i32 {
         self.few().iter().map(Rect::short).max().unwrap_or(0)
     }
 
-    /// Its area between the middles of its walls, square metres.
+    /// Its area up to the centre lines of its walls, square metres.
     pub fn gross_area(&self) -> f32 {
         self.rects.iter().map(|r| r.area()).sum()
     }
 
-    /// The rectangle around it.
+    /// Its bounding rectangle.
     pub fn hull(&self) -> Rect {
         self.rects.iter().copied().reduce(Rect::around).unwrap_or_default()
     }
 
-    /// Its net rectangles: what is inside the walls. They cover the net area and may
-    /// overlap where two gross rectangles meet.
+    /// Its net rectangles, inside the walls. They cover the net area and may overlap where two
+    /// gross rectangles meet.
     pub fn net(&self) -> Vec<Rect> {
         self.few().to_vec()
     }
 
     /// Its net rectangles.
     fn few(&self) -> rect::Few {
-        // What is no wider than its walls leaves nothing.
+        // A rectangle no wider than its walls has no net area.
         let mut net: rect::Few = self.rects.iter().map(|r| r.grown(-1)).filter(|r| !r.is_empty()).collect();
         for (i, a) in self.rects.iter().enumerate() {
             for b in &self.rects[i + 1..] {
-                // The seam between two rectangles is no wall.
+                // There is no wall at the seam between two rectangles.
                 net.extend(a.seam(b).map(|s| s.grown(-1)).filter(|s| !s.is_empty()));
             }
         }
@@ -188,22 +187,21 @@ impl Room {
 /// A floor plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Plan {
-    /// The scheme by which it was laid out.
+    /// The scheme of its layout.
     pub scheme: Scheme,
-    /// Its rooms; balconies come last.
+    /// The rooms; balconies come last.
     pub rooms: Vec<Room>,
     /// Doors, passages and windows.
     pub openings: Vec<Opening>,
-    /// Which sides of the building look outside and may have windows: west, east,
-    /// south, north.
+    /// The sides of the building that may have windows: west, east, south, north.
     pub facades: [bool; 4],
-    /// Thickness of outer walls outside the gross line, cells.
+    /// The thickness of outer walls outside the gross line, cells.
     pub shell: i32,
-    /// Height of the ceiling, metres.
+    /// The height of the ceiling, metres.
     pub ceiling: f32,
 }
 
-/// How a plan is laid out.
+/// The scheme of a plan's layout.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Scheme {
@@ -215,32 +213,32 @@ pub enum Scheme {
     Corridor,
     /// Rooms around a broad hall.
     CentralHall,
-    /// Kitchen and living in one; the entrance leads into them.
+    /// Kitchen and living room in one; the entrance leads into them.
     OpenPlan,
     /// Two wings.
     LPlan,
     /// Rooms grown on a coarse grid.
     Irregular,
-    /// A rectangle cut by annealing: what no other scheme holds.
+    /// A rectangle divided by annealing, for programmes that no other scheme accommodates.
     Annealed,
 }
 
 impl Plan {
-    /// A plan after wishes: draws a programme and lays it out.
+    /// Generates a plan for a specification: draws a programme and lays it out.
     ///
     /// # Errors
-    /// [`Impossible`] says which wish cannot be met.
+    /// [`Impossible`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         Self::lay_out(&Programme::draw(specification, seed)?, seed)
     }
 
-    /// A plan for a programme.
+    /// Generates a plan for a programme.
     ///
-    /// Tries schemes with seeded rejection until one holds the programme, a few
-    /// microseconds to a few hundred; where none does, anneals, some milliseconds.
+    /// Tries schemes with seeded rejection until one accommodates the programme, in a few to a few
+    /// hundred microseconds; if none does, uses annealing, in some milliseconds.
     ///
     /// # Errors
-    /// [`Impossible::NoPlan`] if no scheme holds it.
+    /// [`Impossible::NoPlan`] if no scheme accommodates it.
     pub fn lay_out(programme: &Programme, seed: Seed) -> Result<Self, Impossible> {
         let mut rng = seed.child("plan").stream();
         for scheme in programme.schemes(&mut rng) {
@@ -271,22 +269,22 @@ impl Plan {
         Some(plan)
     }
 
-    /// Where rooms meet each other and the outside.
+    /// The boundaries between rooms, and between rooms and the outside.
     pub fn edges(&self) -> Vec<Edge> {
         edges::edges(&self.rooms)
     }
 
-    /// The rectangle around all rooms, balconies included.
+    /// The bounding rectangle of all rooms, balconies included.
     pub fn hull(&self) -> Rect {
         self.rooms.iter().map(Room::hull).reduce(Rect::around).unwrap_or_default()
     }
 
-    /// Net area of all rooms but balconies, square metres.
+    /// The net area of all rooms but balconies, square metres.
     pub fn area(&self) -> f32 {
         self.rooms.iter().filter(|r| r.kind != RoomKind::Balcony).map(Room::area).sum()
     }
 
-    /// Doors and passages of a room.
+    /// The doors and passages of a room.
     pub fn doors_of(&self, room: usize) -> impl Iterator<Item = &Opening> {
         self.openings.iter().filter(move |o| o.kind != OpeningKind::Window && o.touches(room))
     }

@@ -7,7 +7,7 @@ use super::edges::Edge;
 use super::programme::{Programme, draw_area};
 use super::{CELLS, Plan, Rect, Room, RoomKind, cells, edges};
 
-/// What an opening in a wall is.
+/// The kind of an opening in a wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum OpeningKind {
@@ -26,27 +26,27 @@ pub enum OpeningKind {
 /// An opening in a wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Opening {
-    /// What it is.
+    /// Its kind.
     pub kind: OpeningKind,
     /// Whether its wall runs along Y.
     pub vertical: bool,
-    /// The wall's middle line: X if vertical, else Y, cells.
+    /// The wall's centre line: X if vertical, else Y, cells.
     pub at: i32,
-    /// Where it begins along the wall, cells.
+    /// The start along the wall, cells.
     pub from: i32,
-    /// Where it ends.
+    /// The end along the wall, cells.
     pub to: i32,
     /// The room on the side of smaller coordinates.
     pub low: Option<usize>,
     /// The room on the other side.
     pub high: Option<usize>,
-    /// The side its leaf opens to: true for that of larger coordinates.
+    /// The side that its leaf opens to: true for larger coordinates.
     pub opens_high: bool,
-    /// Whether its hinge is at `from`, else at `to`.
+    /// Whether the hinge is at `from`, not at `to`.
     pub hinge_low: bool,
-    /// Height of its lower edge above the floor, metres.
+    /// The height of its lower edge above the floor, metres.
     pub sill: f32,
-    /// Height of its upper edge, metres.
+    /// The height of its upper edge, metres.
     pub head: f32,
 }
 
@@ -56,17 +56,17 @@ impl Opening {
         self.low == Some(room) || self.high == Some(room)
     }
 
-    /// The room on the other side of one.
+    /// The room on the other side.
     pub fn beyond(&self, room: usize) -> Option<usize> {
         if self.low == Some(room) { self.high } else { self.low }
     }
 
-    /// Width, cells.
+    /// The width, cells.
     pub fn width(&self) -> i32 {
         self.to - self.from
     }
 
-    /// Whether one walks through it.
+    /// Whether a person can walk through it.
     pub fn is_way(&self) -> bool {
         self.kind != OpeningKind::Window
     }
@@ -81,7 +81,7 @@ impl Opening {
         self.has_leaf().then(|| self.before(self.opens_high, self.width()))
     }
 
-    /// The rectangle in front of it on one side, as wide as it is and so deep.
+    /// The rectangle in front of it on one side, as wide as the opening and of the given depth.
     pub fn before(&self, high: bool, depth: i32) -> Rect {
         let (near, far) = if high { (self.at + 1, self.at + 1 + depth) } else { (self.at - 1 - depth, self.at - 1) };
         self.across(near, far)
@@ -103,11 +103,10 @@ impl Opening {
     }
 }
 
-/// Distance from a door's opening to the next corner's wall middle, cells.
+/// The distance from a door's opening to the centre line of the wall at the next corner, cells.
 const CORNER: i32 = 3;
 
-/// Puts doors, passages, balconies and windows into a plan.
-/// `None` where some room cannot have its door.
+/// Adds doors, passages, balconies and windows to a plan. `None` if a room cannot have its door.
 pub(super) fn open(plan: &mut Plan, programme: &Programme, rng: &mut Stream) -> Option<()> {
     let edges = edges::edges(&plan.rooms);
     let mut opener = Opener { rooms: &plan.rooms, edges: &edges, facades: plan.facades, placed: Vec::new() };
@@ -134,8 +133,8 @@ impl Opener<'_> {
         self.rooms[room].kind
     }
 
-    /// The front door: into the hall where it reaches an outer wall, else into the
-    /// living room; rather through a wall without windows, where the landing is.
+    /// Places the front door: into the hall if it reaches an outer wall, else into the living room;
+    /// preferably in a wall without windows, where the landing is.
     fn entrance(&mut self, rng: &mut Stream) -> Option<()> {
         let width = if rng.chance(0.5) { 20 } else { 21 };
         let mut walls: Vec<(usize, Edge)> = Vec::new();
@@ -158,7 +157,7 @@ impl Opener<'_> {
         })
     }
 
-    /// The door or passage that makes a room part of the apartment.
+    /// Places the door or passage that connects a room to the apartment.
     fn door_of(&mut self, room: usize, programme: &Programme, rng: &mut Stream) -> Option<()> {
         let own = &self.rooms[room];
         let leaf = |sizes: &[i32], rng: &mut Stream| sizes[rng.below(sizes.len())];
@@ -198,8 +197,8 @@ impl Opener<'_> {
         }
     }
 
-    /// An opening without a leaf between two rooms, as wide as their wall and the
-    /// limits allow.
+    /// Places an opening without a leaf between two rooms, as wide as their wall and the limits
+    /// allow.
     fn passage(&mut self, a: usize, b: usize, widths: (i32, i32), rng: &mut Stream) -> Option<()> {
         let mut walls: Vec<&Edge> = self.edges.iter().filter(|e| e.joins(a, b)).collect();
         walls.sort_by_key(|e| -e.length());
@@ -217,12 +216,12 @@ impl Opener<'_> {
         })
     }
 
-    /// A door to one of the rooms that are fit.
+    /// Places a door to one of the suitable rooms.
     fn door(&mut self, room: usize, fit: impl Fn(usize, RoomKind) -> bool, width: i32, rng: &mut Stream) -> Option<()> {
         let mut walls: Vec<&Edge> = self.edges.iter().collect();
         walls.retain(|e| e.length() >= width + 4 && e.beyond(room).is_some_and(|o| fit(o, self.kind(o))));
         rng.shuffle(&mut walls);
-        // Small wet rooms have no place for a leaf: it opens outwards.
+        // Small wet rooms have no space for a leaf, so it opens outwards.
         let small =
             matches!(self.kind(room), RoomKind::Bathroom | RoomKind::Wc | RoomKind::Storage | RoomKind::Laundry);
         let outward = small && self.rooms[room].area() < 6.5;
@@ -237,8 +236,8 @@ impl Opener<'_> {
         None
     }
 
-    /// A leaf in a wall, hinged near a corner if it can be, where no other leaf is in
-    /// the way.
+    /// Places a leaf in a wall, hinged near a corner if possible, where no other leaf is in the
+    /// way.
     fn leaf(&mut self, edge: &Edge, kind: OpeningKind, width: i32, opens_high: bool, rng: &mut Stream) -> Option<()> {
         let margin = CORNER.min((edge.length() - width) / 2);
         let (first, last) = (edge.from + margin, edge.to - margin - width);
@@ -251,11 +250,11 @@ impl Opener<'_> {
         })
     }
 
-    /// Adds an opening unless it is in another's way.
+    /// Adds an opening unless it conflicts with another.
     fn place(&mut self, opening: Opening) -> Option<()> {
         let own = opening.swing();
         let into = if opening.opens_high { opening.high } else { opening.low };
-        // The leaf must have room to swing.
+        // The leaf must have space to swing.
         if let (Some(swing), Some(into)) = (own, into) {
             let net = self.rooms[into].net();
             if !super::rect::covers(&net, swing) {
@@ -282,7 +281,7 @@ impl Opener<'_> {
     }
 }
 
-/// Which side of the building an outer edge belongs to: west, east, south, north.
+/// The side of the building that an outer edge belongs to: west, east, south, north.
 fn side(edge: &Edge) -> usize {
     match (edge.vertical, edge.low.is_none()) {
         (true, true) => 0,
@@ -292,7 +291,7 @@ fn side(edge: &Edge) -> usize {
     }
 }
 
-/// Balconies in front of windowed walls, with their doors.
+/// Adds balconies in front of windowed walls, with their doors.
 fn balconies(plan: &mut Plan, edges: &[Edge], programme: &Programme, openings: &mut Vec<Opening>, rng: &mut Stream) {
     let mut wished: Vec<bool> = vec![false; usize::from(programme.balconies.0)];
     wished.extend(vec![true; usize::from(programme.balconies.1)]);
@@ -316,7 +315,7 @@ fn balconies(plan: &mut Plan, edges: &[Edge], programme: &Programme, openings: &
     }
 }
 
-/// A balcony before an outer wall: its net area begins where the wall ends.
+/// A balcony in front of an outer wall: its net area begins where the wall ends.
 fn balcony(plan: &Plan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> Option<(Room, Opening)> {
     let depth = rng.count(24, 34) as i32;
     let area = draw_area(RoomKind::Balcony, rng);
@@ -353,8 +352,8 @@ fn balcony(plan: &Plan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> 
     (!clash).then(|| (Room::new(RoomKind::Balcony, rect), door))
 }
 
-/// Windows: at least an eighth of the floor in living rooms and bedrooms where the
-/// outer walls allow it.
+/// Adds windows: in living rooms and bedrooms at least an eighth of the floor area, where the outer
+/// walls allow it.
 fn windows(plan: &Plan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &mut Stream) {
     for (index, room) in plan.rooms.iter().enumerate() {
         let (sill, head, share, most) = match room.kind {
@@ -382,7 +381,7 @@ fn windows(plan: &Plan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &mut S
     }
 }
 
-/// Stretches of a wall without openings, corners left out.
+/// The stretches of a wall without openings, excluding the corners.
 fn free(edge: &Edge, openings: &[Opening]) -> Vec<(i32, i32)> {
     let mut taken: Vec<(i32, i32)> = openings
         .iter()

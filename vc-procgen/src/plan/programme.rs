@@ -1,4 +1,4 @@
-//! Which rooms an apartment shall have, how large, and how they shall lie.
+//! The room programme of an apartment: its rooms, their areas and their adjacency.
 
 use vc_graph::portable::Portable;
 use vc_graph::{Seed, Stream};
@@ -7,42 +7,42 @@ use super::{RoomKind, Scheme, Topology};
 use crate::Specification;
 use crate::error::Impossible;
 
-/// A room wished for.
+/// A requested room.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wish {
-    /// What it is for.
+    /// Its purpose.
     pub kind: RoomKind,
-    /// Net area, square metres.
+    /// The net area, square metres.
     pub area: f32,
-    /// For a bathroom of one bedroom alone: the position of that bedroom's wish.
+    /// For an en-suite bathroom: the index of its bedroom's request.
     pub of: Option<usize>,
 }
 
-/// The rooms of an apartment before it is laid out. Halls are not wished for: the
-/// scheme makes what it needs.
+/// The rooms of an apartment before its layout. Halls are not requested: each scheme adds those it
+/// needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Programme {
     /// The rooms: living room first, then kitchen, bedrooms, study, and service rooms.
     pub wishes: Vec<Wish>,
     /// Whether the kitchen is open to the living room.
     pub open_kitchen: bool,
-    /// How the rooms shall meet.
+    /// The requested adjacency of rooms.
     pub topology: Topology,
-    /// Balcony at the living room, and at a bedroom.
+    /// Whether there is a balcony at the living room, and one at a bedroom.
     pub balconies: (bool, bool),
-    /// More balconies wished for.
+    /// The number of additional balconies.
     pub more_balconies: usize,
-    /// A wished net area, square metres.
+    /// The requested net area, square metres.
     pub wished_area: Option<f32>,
 }
 
-/// Area of a room in real homes: median and spread of its logarithm, least and
-/// largest sensible value, square metres.
+/// The area of a room in real homes: median, standard deviation of the logarithm, and the least and
+/// largest sensible values, square metres.
 ///
-/// Medians and spreads are those of a public set of real plans and of common
-/// practice: bedrooms 14.6 (10.1-22.7), kitchens 8.6 (5.5-13.0), bathrooms 3.8
-/// (2.4-8.7), living rooms with halls 33 (22.6-57.4), studies 9 (6-14), laundries 4
-/// (2.5-6), stores 2.6 (2.0-4), separate toilets 1.5 (1.1-2.2).
+/// Medians and deviations are those of a public set of real plans and of common practice: bedrooms
+/// 14.6 (10.1-22.7), kitchens 8.6 (5.5-13.0), bathrooms 3.8 (2.4-8.7), living rooms with halls 33
+/// (22.6-57.4), studies 9 (6-14), laundries 4 (2.5-6), stores 2.6 (2.0-4), separate toilets 1.5
+/// (1.1-2.2).
 fn areas(kind: RoomKind) -> (f32, f32, f32, f32) {
     match kind {
         RoomKind::Living => (21.5, 0.24, 12.0, 60.0),
@@ -59,17 +59,17 @@ fn areas(kind: RoomKind) -> (f32, f32, f32, f32) {
     }
 }
 
-/// The area of a room drawn at random, square metres.
+/// Draws the area of a room, square metres.
 pub(super) fn draw_area(kind: RoomKind, rng: &mut Stream) -> f32 {
     let (median, spread, low, high) = areas(kind);
     (median * rng.normal(0.0, spread).exponential()).clamp(low, high)
 }
 
 impl Programme {
-    /// Draws what the specification leaves open.
+    /// Draws everything that the specification leaves open.
     ///
     /// # Errors
-    /// [`Impossible`] if the wishes contradict each other.
+    /// [`Impossible`] if the requirements contradict each other.
     pub fn draw(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
         specification.check()?;
         let mut rng = seed.child("programme").stream();
@@ -106,7 +106,7 @@ impl Programme {
         let mut living = wish(RoomKind::Living, None, rng);
         living.area *= [1.25, 0.86, 1.0, 1.08, 1.15][bedrooms.min(4)];
         if bedrooms == 0 {
-            // Bed, kitchen, table and seat in one room.
+            // Bed, kitchen, table and seats are all in this room.
             living.area = living.area.max(20.0);
         }
         self.wishes.push(living);
@@ -139,7 +139,7 @@ impl Programme {
             _ => 3,
         };
         let count = wished.unwrap_or(usual);
-        // A bathroom for all can be spared where every bedroom has its own.
+        // A shared bathroom is not needed where every bedroom has its own.
         let common = count.saturating_sub(bedrooms).max(usize::from(count < bedrooms || rng.chance(0.67)));
         for i in 0..count {
             let of = (i >= common && bedrooms > 0).then(|| first_bedroom + (i - common) % bedrooms);
@@ -148,12 +148,12 @@ impl Programme {
         }
     }
 
-    /// Net area of all rooms wished for, square metres; halls come on top.
+    /// The net area of all requested rooms, square metres; halls are extra.
     pub fn area(&self) -> f32 {
         self.wishes.iter().map(|w| w.area).sum()
     }
 
-    /// Scales the rooms to a wished total, within what each kind bears.
+    /// Scales the rooms to a requested total, within the limits of each kind.
     fn fit_area(&mut self, wished: Option<f32>) -> Result<(), Impossible> {
         let Some(wished) = wished else { return Ok(()) };
         let bounds = |w: &Wish| (areas(w.kind).2, areas(w.kind).3);
@@ -169,7 +169,7 @@ impl Programme {
         if wished > most {
             return Err(Impossible::TooLarge { rooms, most, wished });
         }
-        // Rooms at a bound leave the rest to the others.
+        // Rooms at a limit leave the rest to the others.
         for _ in 0..8 {
             let factor = (wished - hall) / self.area();
             for wish in &mut self.wishes {
@@ -180,7 +180,7 @@ impl Programme {
         Ok(())
     }
 
-    /// Schemes to try, the likeliest first drawn at random, others as fallback.
+    /// The schemes to try: first one drawn by likelihood, then others as fallback.
     pub(super) fn schemes(&self, rng: &mut Stream) -> Vec<Scheme> {
         let bedrooms = self.wishes.iter().filter(|w| w.kind.is_bedroom()).count();
         if bedrooms == 0 {
@@ -207,11 +207,12 @@ impl Programme {
     }
 }
 
-/// Bedrooms where none are wished for: what the other wishes need, else the usual mix.
+/// The number of bedrooms where none is specified: the number that the other requirements need,
+/// else the usual mix.
 fn draw_bedrooms(specification: &Specification, rng: &mut Stream) -> usize {
     let usual = rng.weighted([10.0, 30.0, 35.0, 20.0, 5.0].into_iter()).unwrap_or(1);
     let bathrooms = specification.bathrooms.map_or(0, |b| b.saturating_sub(1));
-    // An area decides within what rooms of that number usually take.
+    // A specified area determines the number, by the area that homes of that size usually have.
     let by_area = specification.area.map(|a| match a {
         a if a < 38.0 => 0,
         a if a < 60.0 => 1,

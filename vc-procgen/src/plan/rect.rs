@@ -19,27 +19,27 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// From the south-west corner and the lengths.
+    /// A rectangle from its south-west corner and its side lengths.
     pub fn sized(x0: i32, y0: i32, width: i32, depth: i32) -> Self {
         Self { x0, y0, x1: x0 + width, y1: y0 + depth }
     }
 
-    /// Length along X, cells.
+    /// The length along X, cells.
     pub fn width(&self) -> i32 {
         self.x1 - self.x0
     }
 
-    /// Length along Y, cells.
+    /// The length along Y, cells.
     pub fn depth(&self) -> i32 {
         self.y1 - self.y0
     }
 
-    /// The shorter of both, cells.
+    /// The shorter side, cells.
     pub fn short(&self) -> i32 {
         self.width().min(self.depth())
     }
 
-    /// Area in square metres.
+    /// The area in square metres.
     pub fn area(&self) -> f32 {
         metres(self.width()) * metres(self.depth())
     }
@@ -49,19 +49,19 @@ impl Rect {
         self.x0 >= self.x1 || self.y0 >= self.y1
     }
 
-    /// Grown by so many cells on every side.
+    /// The rectangle enlarged by a number of cells on every side.
     #[must_use]
     pub fn grown(&self, by: i32) -> Self {
         Self { x0: self.x0 - by, y0: self.y0 - by, x1: self.x1 + by, y1: self.y1 + by }
     }
 
-    /// Moved.
+    /// The rectangle translated.
     #[must_use]
     pub fn moved(&self, dx: i32, dy: i32) -> Self {
         Self { x0: self.x0 + dx, y0: self.y0 + dy, x1: self.x1 + dx, y1: self.y1 + dy }
     }
 
-    /// The rectangle around both.
+    /// The bounding rectangle of both.
     #[must_use]
     pub fn around(self, other: Self) -> Self {
         Self {
@@ -72,7 +72,7 @@ impl Rect {
         }
     }
 
-    /// What both share; may be empty.
+    /// The intersection; may be empty.
     #[must_use]
     pub fn shared(self, other: Self) -> Self {
         Self {
@@ -83,7 +83,7 @@ impl Rect {
         }
     }
 
-    /// Whether they share area.
+    /// Whether the rectangles overlap.
     pub fn overlaps(&self, other: &Self) -> bool {
         !self.shared(*other).is_empty()
     }
@@ -93,8 +93,8 @@ impl Rect {
         x >= self.x0 as f32 && x <= self.x1 as f32 && y >= self.y0 as f32 && y <= self.y1 as f32
     }
 
-    /// The rectangle that spans the seam where two rectangles touch along a side: it
-    /// reaches far into both, so that, shrunk by a wall, it joins their net areas.
+    /// The rectangle that spans the seam where two rectangles touch along a side: it reaches far
+    /// into both, so that it connects their net areas after it is shrunk by a wall.
     pub(super) fn seam(&self, other: &Self) -> Option<Self> {
         let both = self.shared(*other);
         let hull = self.around(*other);
@@ -108,10 +108,10 @@ impl Rect {
     }
 }
 
-/// A few rectangles: as many as most rooms have stay off the heap.
+/// A short list of rectangles: enough for most rooms without a heap allocation.
 pub(super) type Few = SmallVec<[Rect; 16]>;
 
-/// Area covered by any of several rectangles, square metres.
+/// The area of the union of several rectangles, square metres.
 pub(super) fn union_area(rects: &[Rect]) -> f32 {
     if let [one] = rects {
         return if one.is_empty() { 0.0 } else { one.area() };
@@ -133,15 +133,14 @@ pub(super) fn union_area(rects: &[Rect]) -> f32 {
     strips.sum()
 }
 
-/// A rectangle in one of the eight ways to turn and mirror it around the origin.
+/// A rectangle in one of the eight orientations (rotations and mirrorings) about the origin.
 pub(super) fn turned(r: Rect, way: usize) -> Rect {
     let r = if way & 1 != 0 { Rect { x0: -r.x1, x1: -r.x0, ..r } } else { r };
     let r = if way & 2 != 0 { Rect { y0: -r.y1, y1: -r.y0, ..r } } else { r };
     if way & 4 != 0 { Rect { x0: r.y0, y0: r.x0, x1: r.y1, y1: r.x1 } } else { r }
 }
 
-/// One of the eight ways to turn and mirror a plan, with its south-west corner at
-/// the origin again.
+/// Brings a plan into one of the eight orientations, with its south-west corner back at the origin.
 pub(super) fn turn(rooms: &mut [Room], facades: &mut [bool; 4], way: usize) {
     rooms.iter_mut().flat_map(|r| &mut r.rects).for_each(|r| *r = turned(*r, way));
     if way & 1 != 0 {
@@ -157,7 +156,7 @@ pub(super) fn turn(rooms: &mut [Room], facades: &mut [bool; 4], way: usize) {
     rooms.iter_mut().flat_map(|r| &mut r.rects).for_each(|r| *r = r.moved(-hull.x0, -hull.y0));
 }
 
-/// Whether rectangles together cover one.
+/// Whether several rectangles together cover another.
 pub(crate) fn covers(by: &[Rect], what: Rect) -> bool {
     let shared = by.iter().map(|r| r.shared(what)).filter(|r| !r.is_empty());
     shared.clone().any(|r| r == what) || union_area(&shared.collect::<Few>()) >= what.area() - 1e-4

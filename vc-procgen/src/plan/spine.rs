@@ -1,10 +1,10 @@
 //! Plans along a spine: two bands of rooms with a hall between them.
 //!
-//! The south band ends in the living room; the other rooms stand side by side in
-//! both. Bathrooms and stores are cut out of a room's corner, which makes that room
-//! an L. Widths follow in closed form from areas and depths; the living room takes
-//! up what is left. A candidate costs a microsecond or two, so that many are drawn
-//! and the first is taken whose rooms meet as the programme says.
+//! The south band ends in the living room; the other rooms stand side by side in both bands.
+//! Bathrooms and stores are cut out of a room's corner, which makes that room L-shaped. Widths follow
+//! in closed form from areas and depths; the living room takes the remaining length. A candidate
+//! costs a microsecond or two, so many are drawn, and the first is taken whose room adjacency is that
+//! of the programme.
 
 use smallvec::SmallVec;
 use vc_graph::Stream;
@@ -13,23 +13,22 @@ use vc_graph::portable::Portable;
 use super::programme::{Programme, Wish};
 use super::{Arrangement, Rect, Room, RoomKind, Scheme, Topology, cells};
 
-/// Candidates drawn before a scheme is given up.
+/// The number of candidates drawn before a scheme is given up.
 const TRIES: usize = 300;
-/// Candidates drawn in vain before the best so far is taken.
+/// The number of candidates drawn without improvement before the best so far is taken.
 const PATIENCE: usize = 120;
-/// Least stretch of wall for a door with its frame, cells.
+/// The least length of wall for a door with its frame, cells.
 const DOOR: i32 = 24;
 
-/// A corner of a cell given to a service room.
+/// A corner of a cell cut out for a service room.
 #[derive(Debug, Clone, Copy)]
 struct Notch {
     wish: usize,
     width: i32,
     depth: i32,
-    /// At the window side, so only to be reached from the cell itself.
+    /// Whether it is at the window side, so accessible only from the cell itself.
     outside: bool,
-    /// The cell's own bathroom behind this one, and its depth: both share a wall and
-    /// the pipes in it.
+    /// The cell's own bathroom behind this one, and its depth: both share a wall and the pipes in it.
     behind: Option<(usize, i32)>,
 }
 
@@ -39,22 +38,22 @@ impl Notch {
     }
 }
 
-/// A main room in a band, with what is cut out of its west and east corners.
+/// A main room in a band, with the notches at its west and east corners.
 #[derive(Debug, Clone)]
 struct Cell {
-    /// The room; `None` for a bay of the hall.
+    /// The index of the room request; `None` for a bay of the hall.
     wish: Option<usize>,
     notches: [Option<Notch>; 2],
     x: i32,
     width: i32,
 }
 
-/// Rooms side by side, west to east. Hundreds of candidates are drawn for a plan: lists
-/// as short as these cost more to allocate than to fill.
+/// Rooms side by side, west to east. Hundreds of candidates are drawn for a plan, and such short
+/// lists cost more to allocate than to fill.
 type Band = SmallVec<[Cell; 8]>;
-/// Wishes by their index.
+/// Indices of room requests.
 type Wishes = SmallVec<[usize; 8]>;
-/// Corners that a service room may be cut out of: north band or south, cell, side.
+/// The corners that a service room may be cut out of: north band or not, cell, side.
 type Hosts = SmallVec<[(bool, usize, usize); 16]>;
 
 /// The hall strip and the depths of the bands.
@@ -62,12 +61,12 @@ struct Frame {
     south: i32,
     hall: i32,
     north: i32,
-    /// Where the hall begins and ends along the spine.
+    /// The start and end of the hall along the spine.
     from: i32,
     to: i32,
-    /// Length of the whole.
+    /// The length of the whole.
     length: i32,
-    /// Length of the north band's rooms; beyond them is living room or outside.
+    /// The length of the north band's rooms; beyond them is the living room or the outside.
     reach: i32,
 }
 
@@ -113,7 +112,7 @@ struct Draft<'a> {
 }
 
 impl Draft<'_> {
-    /// Draws a candidate into `rooms`, whatever was there before.
+    /// Draws a candidate into `rooms`, replacing their contents.
     fn attempt(&self, rooms: &mut Vec<Room>, rng: &mut Stream) -> Option<[bool; 4]> {
         let shallow = self.scheme == Scheme::Bar;
         let hall = match self.scheme {
@@ -137,14 +136,14 @@ impl Draft<'_> {
         self.programme.wishes[index]
     }
 
-    /// Area between wall middles, square cells.
+    /// The area up to the wall centre lines, square cells.
     fn gross(&self, index: usize) -> f32 {
         let side = (self.wish(index).area * self.scale).sqrt() + 0.1;
         side * side * 400.0
     }
 
-    /// Deals the main rooms to the bands, west to east; the living room comes last
-    /// in the south.
+    /// Distributes the main rooms over the bands, west to east; the living room is the last one in
+    /// the south.
     fn assign(&self, shallow: bool, rng: &mut Stream) -> (Band, Band) {
         let (mut souths, mut norths) = (Band::new(), Band::new());
         let mut load = [self.wish(0).area, 0.0];
@@ -153,7 +152,8 @@ impl Draft<'_> {
             .collect();
         rng.shuffle(&mut mains);
         let kitchen = (1..self.programme.wishes.len()).find(|&i| self.wish(i).kind == RoomKind::Kitchen);
-        // Where the kitchen goes: by the living room, at the east end opposite, or anywhere opposite.
+        // The kitchen's position: beside the living room, at the opposite east end, or anywhere
+        // opposite.
         let place = if self.programme.open_kitchen { rng.below(2) } else { rng.below(3) };
         if kitchen.is_some() && place > 0 {
             load[1] += kitchen.map_or(0.0, |k| self.wish(k).area);
@@ -175,8 +175,7 @@ impl Draft<'_> {
         (souths, norths)
     }
 
-    /// Gives every service room a corner of a cell, or a cell of its own in a
-    /// shallow band.
+    /// Gives every service room a corner of a cell, or a cell of its own in a shallow band.
     fn cut(
         &self,
         souths: &mut [Cell],
@@ -187,7 +186,7 @@ impl Draft<'_> {
     ) -> Option<()> {
         let mut services: Wishes =
             (1..self.programme.wishes.len()).filter(|&i| is_service(self.wish(i).kind)).collect();
-        // A bedroom's own bathroom may lie behind one for all.
+        // An en-suite bathroom may lie behind a shared one.
         services.sort_by_key(|&i| self.wish(i).of.is_some());
         let mut hosts = Hosts::new();
         for index in services {
@@ -223,8 +222,8 @@ impl Draft<'_> {
         Some(())
     }
 
-    /// Puts a bedroom's own bathroom behind the one for all in a corner of that
-    /// bedroom, where bathrooms shall meet.
+    /// Puts an en-suite bathroom behind the shared one in a corner of its bedroom, if bathrooms are
+    /// to be adjacent.
     fn stack(&self, index: usize, band: &mut [Cell], depth: i32, rng: &mut Stream) -> bool {
         let Some(owner) = self.wish(index).of.filter(|_| self.programme.topology.bath_bath) else { return false };
         let notches = band.iter_mut().filter(|c| c.wish == Some(owner)).flat_map(|c| c.notches.iter_mut().flatten());
@@ -232,7 +231,7 @@ impl Draft<'_> {
         let Some(notch) = notches.into_iter().find(bath).filter(|_| rng.chance(0.85)) else { return false };
         let wished = (self.gross(index) / notch.width as f32).round() as i32;
         let left = depth - notch.depth;
-        // What would be left of the bedroom behind both must be of use.
+        // The part of the bedroom left behind both must be usable.
         let deep = if left - wished < 18 { left } else { wished };
         if deep < 32 || deep > wished * 5 / 4 || deep < wished * 4 / 5 {
             return false;
@@ -241,8 +240,8 @@ impl Draft<'_> {
         true
     }
 
-    /// Keeps the corners next to a bathroom, or next to the kitchen, or away from
-    /// them, as the programme says, where there are any.
+    /// Keeps, if there are any, the corners that are adjacent to a bathroom or the kitchen, or are
+    /// not, as the programme says.
     fn prefer(&self, kind: RoomKind, souths: &[Cell], norths: &[Cell], hosts: &mut Hosts) {
         if kind != RoomKind::Bathroom {
             return;
@@ -282,7 +281,7 @@ impl Draft<'_> {
         (depth >= 22 && depth <= band - 18).then_some(Notch { wish: index, width, depth, outside, behind: None })
     }
 
-    /// Widths in closed form, and positions.
+    /// Computes widths in closed form, and positions.
     fn measure(
         &self,
         souths: &mut [Cell],
@@ -320,7 +319,7 @@ impl Draft<'_> {
                 return None;
             }
             if self.scheme != Scheme::LPlan {
-                // The living room reaches through: less of it in the south.
+                // The living room extends through the strip: less of it lies in the south.
                 let through = spare as f32 * frame.north as f32 / (frame.south + frame.north) as f32;
                 width = (living - through as i32).max(60);
                 if fixed + width - north < 30 {
@@ -343,8 +342,8 @@ impl Draft<'_> {
         Some(())
     }
 
-    /// Where the hall runs, and whether the first cell of the south (`false`) or
-    /// north (`true`) band takes the strip west of it.
+    /// Determines the extent of the hall, and whether the first cell of the south (`false`) or north
+    /// (`true`) band takes the strip west of it.
     fn fit_hall(&self, souths: &[Cell], norths: &[Cell], frame: &mut Frame, rng: &mut Stream) -> Option<Option<bool>> {
         let length = frame.length;
         let bay = norths.iter().any(|c| c.wish.is_none());
@@ -389,7 +388,7 @@ impl Draft<'_> {
         let living = souths.last()?;
         let strip = length - high.max(frame.from);
         frame.to = if open_east && strip >= 24 && length - living.x.max(high) >= DOOR { high } else { length };
-        // Where the north band ends early the strip's rest is the living room's.
+        // Where the north band ends early, the rest of the strip belongs to the living room.
         if frame.to > frame.reach && frame.reach < length {
             if !open_east || high > frame.reach {
                 return None;
@@ -399,14 +398,14 @@ impl Draft<'_> {
         (self.scheme != Scheme::OpenPlan || frame.to < length).then_some(taker.filter(|_| frame.from > 0))
     }
 
-    /// Writes down where every room is.
+    /// Writes the rectangles of all rooms.
     fn build(&self, souths: &[Cell], norths: &[Cell], frame: &Frame, taker: Option<bool>, rooms: &mut Vec<Room>) {
         self.empty(rooms);
         let (hall_low, hall_high) = (frame.south, frame.south + frame.hall);
         let last = rooms.len() - 1;
         rooms[last].rects.push(Rect { x0: frame.from, x1: frame.to, y0: hall_low, y1: hall_high });
         for (north, band) in [(false, souths), (true, norths)] {
-            // v counts from the hall outwards.
+            // v is measured from the hall outwards.
             let depth = if north { frame.north } else { frame.south };
             let rect = |x0: i32, x1: i32, v0: i32, v1: i32| match north {
                 false => Rect { x0, x1, y0: hall_low - v1, y1: hall_low - v0 },
@@ -432,7 +431,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The programme's rooms and the hall, still without a place.
+    /// The programme's rooms and the hall, still without rectangles.
     fn empty(&self, rooms: &mut Vec<Room>) {
         if rooms.is_empty() {
             let wishes = self.programme.wishes.iter();
@@ -442,7 +441,7 @@ impl Draft<'_> {
         rooms.iter_mut().for_each(|room| room.rects.clear());
     }
 
-    /// Whether every room is as large and as wide as it must be.
+    /// Whether every room has the required area and width.
     fn is_sound(&self, rooms: &[Room]) -> bool {
         rooms.iter().enumerate().all(|(index, room)| {
             let (area, short) = (room.area(), room.widest());
@@ -463,8 +462,7 @@ impl Cell {
         Self { wish: Some(wish), notches: [None; 2], x: 0, width: 0 }
     }
 
-    /// Stretches along the hall that need a door each, and whether it is the main
-    /// room's.
+    /// The stretches along the hall that need a door each, and whether it is the main room's.
     fn frontages(&self) -> impl Iterator<Item = (i32, i32, bool)> {
         let [left, right] = self.notches.map(|n| n.filter(|n| !n.outside));
         let (from, to) = (self.x, self.x + self.width);
@@ -474,10 +472,10 @@ impl Cell {
         std::iter::once((low, high, true)).chain(notches.into_iter().flatten())
     }
 
-    /// The rectangles of the main room and of what is cut out of it.
+    /// Adds the rectangles of the main room and of the rooms cut out of it.
     fn carve(&self, main: usize, depth: i32, rooms: &mut [Room], rect: &impl Fn(i32, i32, i32, i32) -> Rect) {
         let (from, to) = (self.x, self.x + self.width);
-        // Columns of the cell: both notches, and what is between them.
+        // The columns of the cell: both notches, and the part between them.
         let low = from + self.notches[0].map_or(0, |n| n.width);
         let high = to - self.notches[1].map_or(0, |n| n.width);
         let columns = [(from, low, self.notches[0]), (low, high, None), (high, to, self.notches[1])];
@@ -506,7 +504,7 @@ fn is_service(kind: RoomKind) -> bool {
     matches!(kind, RoomKind::Bathroom | RoomKind::Wc | RoomKind::Storage | RoomKind::Laundry)
 }
 
-/// Least width of a cell in a band, cells.
+/// The least width of a cell in a band, cells.
 fn least_width(kind: RoomKind) -> i32 {
     match kind {
         RoomKind::Living => 60,
@@ -517,7 +515,7 @@ fn least_width(kind: RoomKind) -> i32 {
 }
 
 impl RoomKind {
-    /// Least net side of the largest square-ish part, cells.
+    /// The least net side of the room's widest rectangle, cells.
     pub(super) fn least_side(self) -> i32 {
         match self {
             Self::Living => cells(2.9),

@@ -1,4 +1,4 @@
-//! One main room; bathroom, stores and the entrance along the landing.
+//! Studios: one main room; bathroom, stores and the entrance along the landing.
 
 use vc_graph::Stream;
 use vc_graph::portable::Portable;
@@ -6,8 +6,7 @@ use vc_graph::portable::Portable;
 use super::programme::Programme;
 use super::{Arrangement, Rect, Room, RoomKind};
 
-/// Lays out a studio: service rooms side by side at the north wall, the main room
-/// around them.
+/// Lays out a studio: service rooms side by side at the north wall, the main room around them.
 pub(super) fn lay_out(programme: &Programme, rng: &mut Stream) -> Option<Arrangement> {
     (0..200).find_map(|_| attempt(programme, rng))
 }

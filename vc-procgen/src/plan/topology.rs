@@ -1,4 +1,4 @@
-//! Which kinds of room share a wall: what is drawn for a plan, and what came out.
+//! The adjacency of room kinds: drawn for a plan, and found in one.
 
 use vc_graph::Stream;
 
@@ -17,13 +17,13 @@ pub struct Topology {
     pub bath_kitchen: bool,
 }
 
-/// Shortest stretch that counts as a shared wall, cells.
+/// The shortest stretch that counts as a shared wall, cells.
 const CONTACT: i32 = 6;
 
 impl Topology {
-    /// How real plans lie. Not every scheme can follow every wish: the shares drawn
-    /// are those with which the shares that come out are the real ones, which
-    /// [`crate::statistics`] holds them against.
+    /// Draws an adjacency like that of real plans. Not every scheme can follow every request: the
+    /// probabilities drawn with are those for which the resulting shares are the real ones, with
+    /// which [`crate::statistics`] compares them.
     pub(super) fn draw(rng: &mut Stream) -> Self {
         Self {
             bedroom_bedroom: rng.chance(0.53),
@@ -33,7 +33,7 @@ impl Topology {
         }
     }
 
-    /// How the rooms of a plan lie.
+    /// The adjacency in a plan.
     pub fn of(rooms: &[Room]) -> Self {
         let mut found = Self::default();
         for edge in edges::edges(rooms).iter().filter(|e| e.length() >= CONTACT) {
@@ -50,8 +50,8 @@ impl Topology {
         found
     }
 
-    /// In how many respects two differ, counting those that can differ at all; twice
-    /// the one that schemes find hardest to follow.
+    /// The number of differences that matter for these rooms; the one hardest for the schemes
+    /// counts twice.
     pub(super) fn differences(self, other: Self, bedrooms: usize, baths: usize, kitchen: bool) -> usize {
         usize::from(bedrooms > 1 && self.bedroom_bedroom != other.bedroom_bedroom)
             + usize::from(baths > 1 && self.bath_bath != other.bath_bath)

@@ -1,11 +1,11 @@
-//! Plans turned and mirrored.
+//! Rotations and mirrorings of plans.
 
 use super::rect;
 use super::{Opening, Plan};
 
 impl Plan {
-    /// The plan in one of the eight ways to turn and mirror it, its south-west corner
-    /// at the origin. The way's bits: 1 mirrors X, 2 mirrors Y, 4 then swaps them.
+    /// The plan in one of its eight orientations, with its south-west corner at the origin. The
+    /// bits of `way`: 1 mirrors X, 2 mirrors Y, 4 then swaps them.
     ///
     /// ```
     /// use vc_graph::Seed;
@@ -26,7 +26,7 @@ impl Plan {
 }
 
 impl Opening {
-    /// Turns it, then moves `origin` to zero.
+    /// Applies an orientation, then moves `origin` to zero.
     fn turn(&mut self, way: usize, origin: (i32, i32)) {
         if way & 1 != 0 {
             self.mirror(self.vertical);

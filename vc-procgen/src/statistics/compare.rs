@@ -1,4 +1,4 @@
-//! Measured figures beside those of real homes, and the report.
+//! Comparison of the measured statistics with those of real homes, and the report.
 
 use std::fmt::Write;
 
@@ -8,35 +8,35 @@ use super::zone::pair;
 use super::{Spread, Statistics, Zone, reference};
 use crate::plan::RoomKind;
 
-/// How near a figure must come.
+/// The tolerance of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Bar {
-    /// By a share of the reference at most.
+    /// The relative difference allowed.
     Relative(f64),
-    /// By so much at most.
+    /// The absolute difference allowed.
     Absolute(f64),
-    /// The reference or more.
+    /// The reference is a lower bound.
     AtLeast,
-    /// It is only shown.
+    /// No requirement; the value is only shown.
     None,
 }
 
-/// A figure of ours beside that of real homes.
+/// A measured value and that of real homes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
-    /// What is compared.
+    /// The name of the quantity.
     pub what: String,
-    /// Ours; `None` where no home has it.
+    /// The measured value; `None` where no home has one.
     pub measured: Option<f64>,
-    /// Real homes'.
+    /// The value of real homes.
     pub reference: f64,
-    /// How near it must come.
+    /// The tolerance.
     pub bar: Bar,
 }
 
 impl Comparison {
-    /// Whether the bar is met; `None` where there is nothing to hold it against.
+    /// Whether the tolerance is kept; `None` where there is nothing to compare.
     pub fn holds(&self) -> Option<bool> {
         let (measured, off) = (self.measured?, self.difference()?);
         match self.bar {
@@ -47,7 +47,7 @@ impl Comparison {
         }
     }
 
-    /// Measured minus reference.
+    /// The measured value minus the reference.
     pub fn difference(&self) -> Option<f64> {
         Some(self.measured? - self.reference)
     }
@@ -72,11 +72,11 @@ impl Comparison {
 }
 
 impl Statistics {
-    /// The figures beside those of real homes: area medians, shares of
-    /// plans with walls and doors between kinds of rooms, windows.
+    /// Compares with real homes: median areas, shares of plans with walls and doors between kinds
+    /// of rooms, windows.
     ///
-    /// All but the windows are those of homes with two or three bedrooms and as many
-    /// bathrooms, as the real ones mostly are.
+    /// All values but those of windows are taken from homes with two or three bedrooms and as many
+    /// bathrooms, as most of the real homes have.
     pub fn compare(&self) -> Vec<Comparison> {
         let mut all = self.area_medians();
         all.extend(self.pairs().into_iter().map(|(_, comparison)| comparison));
@@ -100,7 +100,7 @@ impl Statistics {
         medians.into()
     }
 
-    /// Walls, doors and passages, each with what it is.
+    /// Walls, doors and passages, each with its type.
     pub(super) fn pairs(&self) -> Vec<(&'static str, Comparison)> {
         let sample = &self.comparable;
         let of = |kind: &'static str, counts, (a, b, reference): (Zone, Zone, f64)| {
@@ -124,7 +124,7 @@ impl Statistics {
         rows.into()
     }
 
-    /// The report as Markdown: what the homes are like, and the comparison.
+    /// The report as Markdown: a description of the homes, and the comparison.
     pub fn report(&self) -> String {
         let mut text = String::from("# Statistics\n\n");
         // Writing to a string does not fail.
@@ -176,7 +176,7 @@ impl Statistics {
     }
 }
 
-/// 5th percentile, median, 95th percentile.
+/// The 5th percentile, median and 95th percentile.
 fn three(spread: &Spread, digits: usize) -> String {
     let at = |share| spread.quantile(share).map_or_else(|| "?".to_owned(), |v| format!("{v:.digits$}"));
     format!("{} - {} - {}", at(0.05), at(0.5), at(0.95))

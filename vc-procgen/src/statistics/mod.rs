@@ -1,9 +1,9 @@
-//! Figures over many apartments, and how they compare with real homes.
+//! Statistics of many apartments, and their comparison with real homes.
 //!
-//! [`Statistics`] takes in one apartment after the other; those of parts of a set
-//! [merge](Statistics::merge) to the set's own, in any order. Plans of real homes
-//! have mostly two or three bedrooms and as many bathrooms, so only homes that have
-//! the same are [compared](Statistics::compare) with them.
+//! [`Statistics`] are built by adding one apartment after another; those of subsets
+//! [merge](Statistics::merge) to those of the whole set, in any order. Plans of real homes mostly
+//! have two or three bedrooms and as many bathrooms, so only homes with the same numbers are
+//! [compared](Statistics::compare) with them.
 //!
 //! ```
 //! use vc_graph::Seed;
@@ -40,48 +40,48 @@ use crate::apartment::Apartment;
 use crate::furnish::Rest;
 use crate::plan::{OpeningKind, Plan, RoomKind};
 
-/// Step of areas, m².
+/// The bin width of areas, m².
 const AREA: f32 = 0.05;
 
-/// Figures over apartments.
+/// Statistics of apartments.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Statistics {
-    /// How many apartments.
+    /// The number of apartments.
     pub homes: u64,
-    /// How many of each scheme.
+    /// The number of apartments of each scheme.
     pub schemes: BTreeMap<String, u64>,
-    /// How many with so many bedrooms.
+    /// The number of apartments for each number of bedrooms.
     pub bedrooms: BTreeMap<u32, u64>,
-    /// How many with so many bathrooms.
+    /// The number of apartments for each number of bathrooms.
     pub bathrooms: BTreeMap<u32, u64>,
-    /// Rooms of a home, balconies included.
+    /// Rooms per home, balconies included.
     pub rooms_per_home: Spread,
-    /// Objects of a home, without the building itself.
+    /// Objects per home, without the building itself.
     pub objects_per_home: Spread,
-    /// Objects of a home that rest on or in others.
+    /// Objects per home that rest on or in others.
     pub small_per_home: Spread,
-    /// Net area of a home without balconies, m².
+    /// The net area of a home without balconies, m².
     pub area: Spread,
-    /// Rooms by kind.
+    /// Statistics of rooms by kind.
     pub rooms: BTreeMap<String, RoomFigures>,
-    /// How the zones of all homes lie.
+    /// Areas and adjacency of the zones of all homes.
     pub all: Sample,
-    /// The same for homes that are like the plans of real homes.
+    /// The same for homes that resemble the plans of real homes.
     pub comparable: Sample,
 }
 
-/// Figures over rooms of one kind.
+/// Statistics of the rooms of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoomFigures {
-    /// Net area, m²; how many there are is its count.
+    /// The net area, m²; its count is the number of rooms.
     pub area: Spread,
-    /// Longer by shorter side of the rectangle around the room.
+    /// The ratio of the longer to the shorter side of the room's bounding rectangle.
     pub aspect: Spread,
-    /// Doors and passages of a room.
+    /// Doors and passages per room.
     pub ways: Spread,
-    /// Rooms that have a window.
+    /// The number of rooms that have a window.
     pub windowed: u64,
-    /// Rooms that have a window or a balcony door.
+    /// The number of rooms that have a window or a balcony door.
     pub glazed: u64,
 }
 
@@ -111,7 +111,7 @@ impl Default for RoomFigures {
 }
 
 impl Statistics {
-    /// Takes in an apartment.
+    /// Adds an apartment.
     ///
     /// Costs some microseconds.
     pub fn add(&mut self, home: &Apartment) {
@@ -122,7 +122,7 @@ impl Statistics {
         self.objects_per_home.add(objects().count() as f32);
     }
 
-    /// Takes in a plan without furniture.
+    /// Adds a plan without furniture.
     pub fn add_plan(&mut self, plan: &Plan) {
         let count = |f: fn(RoomKind) -> bool| plan.rooms.iter().filter(|r| f(r.kind)).count() as u32;
         let (bedrooms, bathrooms) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
@@ -141,7 +141,7 @@ impl Statistics {
         }
     }
 
-    /// Takes in the figures of other apartments.
+    /// Adds the statistics of other apartments.
     pub fn merge(&mut self, other: &Self) {
         self.homes += other.homes;
         add_counts(&mut self.schemes, &other.schemes);
@@ -158,7 +158,7 @@ impl Statistics {
         self.comparable.merge(&other.comparable);
     }
 
-    /// Share of rooms of a kind that have a window, or a balcony door.
+    /// The share of rooms of a kind that have a window or a balcony door.
     pub fn glazed(&self, kind: RoomKind) -> Option<f64> {
         let figures = self.rooms.get(kind.title())?;
         Some(figures.glazed as f64 / figures.area.count() as f64)

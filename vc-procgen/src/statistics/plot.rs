@@ -1,4 +1,4 @@
-//! Plots: areas of rooms, shares of plans, the mix of homes.
+//! Plots: room areas, adjacency, the mix of homes.
 
 use super::{Comparison, Spread, Statistics, reference};
 use crate::picture::{Anchor, Canvas, Colour, Ink, Point};
@@ -8,15 +8,14 @@ const DARK: Colour = Colour::hex(0x1d3f63);
 const REAL: Colour = Colour::hex(0xc0392b);
 const GREY: Colour = Colour::hex(0x777c82);
 
-/// Size of one histogram.
+/// The size of one histogram.
 const PANEL: Point = [450.0, 250.0];
-/// Bars of a histogram.
+/// The number of bars of a histogram.
 const BARS: usize = 40;
 
 impl Statistics {
-    /// Histograms of room areas of the homes that are like real ones, with the 5th
-    /// percentile, median and 95th percentile of both: ours below the axis, real
-    /// homes' as red lines.
+    /// Histograms of room areas in the homes that resemble real ones, with the 5th percentile,
+    /// median and 95th percentile of both: ours below the axis, those of real homes as red lines.
     pub fn area_plot(&self) -> Canvas {
         let mut canvas = sheet([2.0 * PANEL[0], 3.0 * PANEL[1] + 60.0]);
         let title = "Net room areas, m²: ours (blue), real homes' p5, median, p95 (red)";
@@ -34,9 +33,8 @@ impl Statistics {
         canvas
     }
 
-    /// For each pair of room kinds the share of plans in which they share a wall, a
-    /// door or an open passage: ours as bars, real homes' as red marks in a band of
-    /// 0.05 to both sides.
+    /// For each pair of room kinds the share of plans in which they share a wall, a door or an open
+    /// passage: ours as bars, that of real homes as a red mark within a band of ±0.05.
     pub fn pair_plot(&self) -> Canvas {
         let pairs = self.pairs();
         let high = 30.0 * pairs.len() as f32 + 70.0;
@@ -49,7 +47,7 @@ impl Statistics {
         canvas
     }
 
-    /// What the homes are: schemes, bedrooms, bathrooms, areas and objects.
+    /// The mix of homes: schemes, bedrooms, bathrooms, areas and objects.
     pub fn mix_plot(&self) -> Canvas {
         let mut canvas = sheet([2.0 * PANEL[0], 3.0 * PANEL[1] + 60.0]);
         let title = format!("{} homes", self.homes);
@@ -69,7 +67,7 @@ impl Statistics {
         for (corner, what, spread) in spreads {
             let high = (1.05 * spread.quantile(0.999).unwrap_or(1.0)).ceil().max(1.0);
             let panel = Panel { corner, high };
-            // Whole numbers have a bar each.
+            // Whole numbers get one bar each.
             panel.bars(&mut canvas, spread, if high < BARS as f32 { high as usize } else { BARS });
             panel.axis(&mut canvas, what);
             panel.marks(&mut canvas, spread, None);
@@ -77,7 +75,7 @@ impl Statistics {
         canvas
     }
 
-    /// Bars of shares of homes, with their names and per cents.
+    /// Draws the shares of homes as bars, with their names and percentages.
     fn columns(&self, canvas: &mut Canvas, corner: Point, what: &str, counts: &[(String, u64)]) {
         let panel = Panel { corner, high: 1.0 };
         canvas.text(panel.at(0.0, 1.06), 14.0, Anchor::Start, Colour::BLACK, what);
@@ -101,14 +99,14 @@ fn sheet(size: Point) -> Canvas {
     Canvas::new([0.0, 0.0], size)
 }
 
-/// A histogram's place on the sheet, and where its axis ends.
+/// The position of a histogram on the sheet, and the end of its axis.
 struct Panel {
     corner: Point,
     high: f32,
 }
 
 impl Panel {
-    /// A place in the panel, both from 0 to 1.
+    /// A position in the panel, both coordinates from 0 to 1.
     fn at(&self, x: f32, y: f32) -> Point {
         [self.corner[0] + 30.0 + x * (PANEL[0] - 60.0), self.corner[1] + 55.0 + y * (PANEL[1] - 90.0)]
     }
@@ -136,7 +134,7 @@ impl Panel {
         }
     }
 
-    /// Percentiles: ours as dark ticks below the axis, real ones as lines.
+    /// Draws percentiles: ours as dark ticks below the axis, those of real homes as lines.
     fn marks(&self, canvas: &mut Canvas, ours: &Spread, real: Option<[f32; 3]>) {
         let ours = [0.05, 0.5, 0.95].map(|share| ours.quantile(share));
         for (i, value) in ours.into_iter().enumerate() {
@@ -158,7 +156,7 @@ impl Panel {
     }
 }
 
-/// One row: name, bar from 0 to 1, mark of the reference, figures.
+/// Draws one row: name, bar from 0 to 1, mark of the reference, values.
 fn bar(canvas: &mut Canvas, y: f32, comparison: &Comparison) {
     let at = |share: f64| 290.0 + 420.0 * share as f32;
     let (name, real) = (&comparison.what, comparison.reference);

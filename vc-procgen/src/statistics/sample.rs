@@ -1,4 +1,4 @@
-//! How the zones of homes lie: areas, shared walls, doors.
+//! Areas and adjacency of the zones of homes: shared walls, doors.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,25 +8,25 @@ use super::zone::{Zone, pair};
 use super::{AREA, Spread, add_counts};
 use crate::plan::{OpeningKind, Plan};
 
-/// Rooms that touch along less than this share no wall, cells.
+/// The contact length below which rooms do not count as sharing a wall, cells.
 const CONTACT: i32 = 6;
 
-/// Figures by zone over a set of homes.
+/// Statistics by zone over a set of homes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Sample {
-    /// How many homes.
+    /// The number of homes.
     pub homes: u64,
-    /// Net area of the home without balconies, m².
+    /// The net area of a home without balconies, m².
     pub area: Option<Spread>,
-    /// Net area by zone: of each room; of living room and halls together.
+    /// The net area by zone: of each room; of living room and halls together.
     pub areas: BTreeMap<Zone, Spread>,
-    /// In how many homes rooms of two zones share a wall of 30 cm or more.
+    /// The number of homes in which rooms of two zones share a wall of 30 cm or more.
     pub walls: BTreeMap<String, u64>,
-    /// In how many homes a door joins rooms of two zones.
+    /// The number of homes in which a door connects rooms of two zones.
     pub doors: BTreeMap<String, u64>,
-    /// In how many homes an open passage does.
+    /// The number of homes in which an open passage connects rooms of two zones.
     pub passages: BTreeMap<String, u64>,
-    /// Doors with a leaf at the rooms of a zone; the entrance does not count.
+    /// The number of doors with a leaf at the rooms of a zone, without the entrance.
     pub door_ends: BTreeMap<Zone, u64>,
 }
 
@@ -78,13 +78,13 @@ impl Sample {
         add_counts(&mut self.door_ends, &other.door_ends);
     }
 
-    /// A count of homes as a share of all; `None` where there are none.
+    /// A count of homes as a share of all; `None` if there are none.
     pub(super) fn share(&self, counts: &BTreeMap<String, u64>, a: Zone, b: Zone) -> Option<f64> {
         let count = counts.get(&pair(a, b)).copied().unwrap_or(0);
         (self.homes > 0).then(|| count as f64 / self.homes as f64)
     }
 
-    /// Doors of a room of a zone, on average.
+    /// The mean number of doors per room of a zone.
     pub(super) fn doors_of(&self, zone: Zone) -> Option<f64> {
         let rooms = self.areas.get(&zone)?.count();
         (rooms > 0).then(|| self.door_ends.get(&zone).copied().unwrap_or(0) as f64 / rooms as f64)

@@ -1,40 +1,39 @@
-//! How values are spread: counts in narrow bins, which add up over any number of parts.
+//! Distributions of values: counts in narrow bins, which add up over any number of subsets.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// Counts of values, rounded to steps.
+/// A histogram of values, rounded to multiples of a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
     step: f32,
-    /// How many values are nearest to so many steps.
+    /// The number of values nearest to each multiple of the step.
     bins: BTreeMap<i32, u64>,
 }
 
 impl Spread {
-    /// No values yet; values will be rounded to multiples of a step.
+    /// An empty distribution; values will be rounded to multiples of `step`.
     pub fn new(step: f32) -> Self {
         Self { step, bins: BTreeMap::new() }
     }
 
-    /// Takes in a value.
+    /// Adds a value.
     pub fn add(&mut self, value: f32) {
         *self.bins.entry((value / self.step).round() as i32).or_default() += 1;
     }
 
-    /// Takes in all values of another, of the same step.
+    /// Adds all values of another distribution with the same step.
     pub fn merge(&mut self, other: &Self) {
         other.bins.iter().for_each(|(bin, count)| *self.bins.entry(*bin).or_default() += count);
     }
 
-    /// How many values there are.
+    /// The number of values.
     pub fn count(&self) -> u64 {
         self.bins.values().sum()
     }
 
-    /// The value below which a share of all values lies, to a step (nearest rank);
-    /// `None` of none.
+    /// A quantile, up to the step (nearest rank); `None` if there are no values.
     ///
     /// ```
     /// use vc_procgen::statistics::Spread;
@@ -52,14 +51,14 @@ impl Spread {
         })
     }
 
-    /// The mean, of the rounded values.
+    /// The mean of the rounded values.
     pub fn mean(&self) -> Option<f64> {
         let sum: f64 = self.bins.iter().map(|(bin, n)| f64::from(*bin) * f64::from(self.step) * *n as f64).sum();
         (!self.bins.is_empty()).then(|| sum / self.count() as f64)
     }
 
-    /// How many values lie in each of several equal ranges from zero to `high`; the
-    /// last takes what is beyond.
+    /// The numbers of values in several equal ranges from zero to `high`; the last range includes
+    /// everything beyond.
     pub(super) fn histogram(&self, high: f32, ranges: usize) -> Vec<u64> {
         let mut counts = vec![0; ranges];
         for (bin, count) in &self.bins {

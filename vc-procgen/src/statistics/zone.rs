@@ -1,11 +1,11 @@
-//! Kinds of rooms as plans of real homes tell them apart.
+//! Kinds of rooms as plans of real homes distinguish them.
 
 use serde::{Deserialize, Serialize};
 
 use crate::plan::RoomKind;
 
-/// Rooms that serve the same end. Halls belong to the living room, as in the plans of
-/// real homes that the figures come from.
+/// Rooms of the same purpose. Halls belong to the living room, as in the plans of real homes that
+/// the reference values come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Zone {
@@ -13,7 +13,7 @@ pub enum Zone {
     Balcony,
     /// Bathrooms.
     Bathroom,
-    /// Bedrooms, children's too.
+    /// Bedrooms, including children's.
     Bedroom,
     /// The kitchen.
     Kitchen,
@@ -28,7 +28,7 @@ impl Zone {
     pub const ALL: [Self; 6] =
         [Self::Living, Self::Bedroom, Self::Kitchen, Self::Bathroom, Self::Balcony, Self::Storage];
 
-    /// The zone of a room, if the figures have one for it.
+    /// The zone of a room, if the reference has one for it.
     pub fn of(kind: RoomKind) -> Option<Self> {
         match kind {
             RoomKind::Living | RoomKind::Hall => Some(Self::Living),
@@ -54,7 +54,7 @@ impl Zone {
     }
 }
 
-/// The name of two zones, whichever comes first: `bathroom-bedroom`.
+/// The name of a pair of zones in either order: `bathroom-bedroom`.
 pub(super) fn pair(a: Zone, b: Zone) -> String {
     format!("{}-{}", a.min(b).name(), a.max(b).name())
 }

@@ -1,10 +1,10 @@
-//! No two solids share space.
+//! No two solids overlap.
 
 use super::shape::P;
 use super::thing::{TOUCH, Thing};
 use super::{House, Rule};
 
-/// How deep what hangs may be in what it hangs from: a coat on its hook.
+/// The depth by which a hanging object may overlap its support: a coat on its hook.
 const HANGING: f64 = 0.02;
 
 pub(super) fn look(house: &mut House<'_>) {
@@ -33,7 +33,7 @@ fn hangs(what: &Thing, from: &Thing) -> bool {
     hook || what.class == "curtain" && from.class == "curtain_rod"
 }
 
-/// The deepest of all meetings of parts, in words.
+/// A description of the deepest overlap of parts.
 fn meet(a: &Thing, b: &Thing, allowed: f64) -> Option<String> {
     let mut worst: Option<(f64, P, &str, &str)> = None;
     for x in &a.pieces {

@@ -1,4 +1,4 @@
-//! Doors and lids swing freely, and fronts of cupboards and drawers have room before them.
+//! Doors and lids swing freely, and fronts of cupboards and drawers have space in front.
 
 use nalgebra::Isometry3;
 use vc_graph::asset::JointKind;
@@ -6,13 +6,13 @@ use vc_graph::asset::JointKind;
 use super::thing::{Piece, Thing, hull};
 use super::{House, Rule};
 
-/// How far a door must open: 80 degrees.
+/// The angle by which a door must open: 80 degrees.
 const OPEN: f32 = 1.397;
-/// Free depth before fronts.
+/// The free depth in front of fronts.
 const FRONT: f64 = 0.3;
-/// What does not count: a joint's slack, trims.
+/// The tolerance, for a joint's play and trims.
 const SLACK: f64 = 0.01;
-/// What may stand into the way at its sides: a picture frame beside a wardrobe.
+/// The depth by which objects may protrude at the sides: a picture frame beside a wardrobe.
 const BESIDE: f64 = 0.05;
 
 pub(super) fn look(house: &mut House<'_>) {
@@ -32,7 +32,7 @@ fn is_floor(house: &House<'_>, id: vc_graph::NodeId) -> bool {
     house.at.get(&id).is_some_and(|&i| house.things[i].class == "floor")
 }
 
-/// What the leaf of a door meets on its way, the first and deepest of each thing.
+/// The objects that the leaf of a door hits on its way, with the first and deepest contact of each.
 fn swing(house: &House<'_>, door: &Thing) -> Vec<(String, String)> {
     let leaf: Vec<&Piece> = door.pieces.iter().filter(|p| p.joint.is_some()).collect();
     if leaf.is_empty() {
@@ -43,7 +43,7 @@ fn swing(house: &House<'_>, door: &Thing) -> Vec<(String, String)> {
 }
 
 fn met(door: &Thing, leaf: &[&Piece], other: &Thing) -> Option<String> {
-    // No part of the leaf gets farther from its place than twice its width.
+    // No part of the leaf moves farther from its place than twice its width.
     let (low, high) = hull(leaf.iter().map(|p| (p.low, p.high)));
     let reach = 2.0 * (high - low).xy().max();
     if (0..2).any(|k| other.low[k] > high[k] + reach || other.high[k] < low[k] - reach) {
@@ -66,7 +66,7 @@ fn met(door: &Thing, leaf: &[&Piece], other: &Thing) -> Option<String> {
     })
 }
 
-/// The building that a lid hits while it opens by half: the wall behind a bin.
+/// The parts of the building that a lid hits while it opens by half: the wall behind a bin.
 fn lid(house: &House<'_>, thing: &Thing) -> Vec<(String, String)> {
     let is_lid = |p: &&Piece| p.joint.is_some_and(|j| j.kind == JointKind::Hinge && j.axis.y.abs() > 0.9);
     let lids: Vec<&Piece> = thing.pieces.iter().filter(is_lid).collect();
@@ -82,7 +82,7 @@ fn lid(house: &House<'_>, thing: &Thing) -> Vec<(String, String)> {
     .collect()
 }
 
-/// The motion of a part in the world at a share of the way.
+/// The motion of a part in the world at a share of its range.
 fn motion(thing: &Thing, piece: &Piece, share: f32) -> Option<Isometry3<f64>> {
     let joint = piece.joint?;
     let most =
@@ -91,7 +91,7 @@ fn motion(thing: &Thing, piece: &Piece, share: f32) -> Option<Isometry3<f64>> {
     Some(thing.pose * local * thing.pose.inverse())
 }
 
-/// What stands close before the moving front of a piece of furniture.
+/// The objects that stand close in front of the moving front of a piece of furniture.
 fn front(house: &House<'_>, thing: &Thing) -> Vec<(String, String)> {
     let back = thing.pose.inverse();
     let own: Vec<(super::shape::P, super::shape::P)> = thing.pieces.iter().map(|p| within(&back, p)).collect();
@@ -122,7 +122,8 @@ fn front(house: &House<'_>, thing: &Thing) -> Vec<(String, String)> {
     found
 }
 
-/// Drawers that slide forwards, and doors that hinge on an upright or level axis.
+/// Whether a part is a drawer that slides forwards, or a door that hinges on an upright or level
+/// axis.
 fn opens(piece: &Piece) -> bool {
     piece.joint.is_some_and(|j| match j.kind {
         JointKind::Slide => j.axis.x > 0.9,
@@ -130,7 +131,7 @@ fn opens(piece: &Piece) -> bool {
     })
 }
 
-/// The box of a part in a frame.
+/// The bounding box of a part in a frame.
 fn within(frame: &Isometry3<f64>, piece: &Piece) -> (super::shape::P, super::shape::P) {
     hull(piece.points.iter().map(|p| frame * p).map(|p| (p, p)))
 }

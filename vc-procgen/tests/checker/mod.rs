@@ -1,5 +1,5 @@
-//! Looks for what is wrong with an apartment by brute force, from its scene and plan
-//! alone: nothing here is shared with the generator.
+//! Searches an apartment for violations by brute force, from its scene and plan alone: nothing here
+//! is shared with the generator.
 
 mod collide;
 mod doors;
@@ -18,7 +18,7 @@ use vc_procgen::plan::{Plan, metres};
 
 use thing::{Thing, things};
 
-/// What can be wrong.
+/// The rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Rule {
     Generated,
@@ -34,11 +34,11 @@ pub(crate) enum Rule {
     Passage,
 }
 
-/// A rule that does not hold for a seed: what it concerns, and the figures.
+/// A violated rule of a seed: the classes concerned, and the values.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Finding {
     pub(crate) rule: Rule,
-    /// The classes concerned: findings are grouped by it.
+    /// The classes concerned, by which findings are grouped.
     pub(crate) group: String,
     pub(crate) seed: u64,
     pub(crate) text: String,
@@ -54,7 +54,7 @@ pub(crate) struct House<'a> {
     found: Vec<Finding>,
 }
 
-/// All that is wrong with an apartment.
+/// All violations in an apartment.
 pub(crate) fn examine(seed: u64, home: &Apartment) -> Vec<Finding> {
     let scene = home.scene();
     let things = things(&scene);
@@ -76,8 +76,8 @@ impl House<'_> {
         self.found.push(Finding { rule, group: group.into(), seed: self.seed, text });
     }
 
-    /// Whether a point, metres, is on the floor between the walls of a room: half a
-    /// partition, 5 cm, from the line that its rectangles run to.
+    /// Whether a point, metres, is on the floor between the walls of a room: half a partition, 5
+    /// cm, inside the line of its rectangles.
     fn is_within(&self, room: usize, x: f64, y: f64, slack: f64) -> bool {
         let gross = |x: f64, y: f64| {
             self.plan.rooms[room].rects.iter().any(|r| {
@@ -89,13 +89,13 @@ impl House<'_> {
         [(-wall, -wall), (-wall, wall), (wall, -wall), (wall, wall)].iter().all(|d| gross(x + d.0, y + d.1))
     }
 
-    /// A room's position in the plan.
+    /// A room's index in the plan.
     fn room_index(&self, id: NodeId) -> Option<usize> {
         self.scene.rooms().iter().position(|&r| r == id)
     }
 }
 
-/// Findings by rule and classes, the most frequent first.
+/// The findings by rule and classes, the most frequent first.
 pub(crate) fn report(findings: &[&Finding]) -> String {
     let mut groups: HashMap<(Rule, &str), Vec<&Finding>> = HashMap::new();
     for finding in findings {

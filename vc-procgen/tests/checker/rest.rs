@@ -1,18 +1,19 @@
-//! Everything rests on what the graph says, hangs from it, or is fixed to the building.
+//! Everything rests on the supports that the graph names, hangs from them, or is fixed to the
+//! building.
 
 use super::shape::{P, V, hit};
 use super::thing::{Piece, TOUCH, Thing};
 use super::{House, Rule};
 
-/// How far a base may be above what carries it.
+/// The greatest gap between a base and its support.
 const GAP: f64 = 0.005;
-/// How far what is fixed to a wall may be off it.
+/// The greatest distance of an object fixed to a wall from the wall.
 const OFF_WALL: f64 = 0.03;
-/// How far a hung thing's top may be from its hook.
+/// The greatest distance of a hung object's top from its hook.
 const HOOK: f64 = 0.02;
-/// How far a thing's middle may be beyond the points it rests on.
+/// The greatest distance of an object's centre beyond the points it rests on.
 const TIP: f64 = 0.015;
-/// How far things may tilt until they lie: a ladle on its rim.
+/// The tilt by which objects may settle: a ladle on its rim.
 const SETTLE: f64 = 0.02;
 
 pub(super) fn look(house: &mut House<'_>) {
@@ -27,7 +28,7 @@ pub(super) fn look(house: &mut House<'_>) {
     found.into_iter().for_each(|(rule, group, text)| house.note(rule, group, text));
 }
 
-/// What is carried by nothing must be at a wall or the ceiling.
+/// An object without a support must be at a wall or the ceiling.
 fn floats(house: &House<'_>, thing: &Thing) -> Option<(String, String)> {
     let ceiling = f64::from(house.plan.ceiling) - thing.high.z;
     let walls = house.things.iter().filter(|t| t.class == "wall" || t.class == "railing").flat_map(|t| &t.pieces);
@@ -41,7 +42,7 @@ fn floats(house: &House<'_>, thing: &Thing) -> Option<(String, String)> {
     (!fixed).then(|| (format!("{} floats", thing.class), text))
 }
 
-/// What is carried must be close above a surface of a carrier, its middle above what
+/// A supported object must be close above a surface of a carrier, with its centre above the points
 /// it touches, or hang from a hook.
 fn falls(thing: &Thing, carriers: &[&Thing]) -> Option<(String, String)> {
     if carriers.iter().any(|c| c.hooks.iter().any(|h| hangs(thing, h))) {
@@ -54,7 +55,7 @@ fn falls(thing: &Thing, carriers: &[&Thing]) -> Option<(String, String)> {
         let text = format!("{}: nearest surface of {} is {:.1} mm below", thing.label, on.label, gap * 1e3);
         return Some((format!("{} on {}", thing.class, on.class), text));
     }
-    // What is screwed on stands as it likes.
+    // A fixed object need not balance.
     let fixed = matches!(&*thing.class, "faucet" | "radiator");
     let touched: Vec<P> = below.into_iter().filter(|c| c.1.abs() <= SETTLE).map(|c| c.0).collect();
     let beyond = beyond(&middle, &touched);
@@ -62,8 +63,8 @@ fn falls(thing: &Thing, carriers: &[&Thing]) -> Option<(String, String)> {
     (beyond > TIP && !fixed).then(|| (format!("{} tips on {}", thing.class, on.class), text))
 }
 
-/// Points of its underside with what is between them and a carrier, from below and
-/// from above: a bottle stands between the wires of a rack.
+/// Points of its underside with their gaps to a carrier, tested from below and from above: a bottle
+/// stands between the wires of a rack.
 fn contacts(thing: &Thing, carriers: &[&Thing]) -> Vec<(P, f64)> {
     let mut found = Vec::new();
     for carrier in carriers {
@@ -83,11 +84,11 @@ fn hangs(thing: &Thing, hook: &P) -> bool {
     (thing.high.z - hook.z).abs() <= HOOK && beside <= HOOK
 }
 
-/// Points of its underside: the low ones, the same drawn in, and their middle.
+/// Points of its underside: the low ones, the same drawn in, and their centre.
 fn feet(thing: &Thing) -> Vec<P> {
     let low = thing.low.z + SETTLE;
     let pieces = thing.pieces.iter().filter(|p| p.low.z < low);
-    // Of each piece some: a notebook's spiral has a thousand points, its cover four.
+    // Only some points of each piece: a notebook's spiral has a thousand, its cover four.
     let mut feet: Vec<P> = pieces.flat_map(|piece| some_of(piece.points.iter().filter(|p| p.z < low))).collect();
     let centre = P::from(feet.iter().map(|p| p.coords).sum::<V>() / feet.len() as f64);
     let drawn_in: Vec<P> = feet.iter().map(|p| p + (centre - p).component_mul(&V::new(0.15, 0.15, 0.0))).collect();
@@ -96,7 +97,7 @@ fn feet(thing: &Thing) -> Vec<P> {
     feet
 }
 
-/// About a hundred points at most, the lowest among them.
+/// At most about a hundred points, including the lowest.
 fn some_of<'a>(points: impl Iterator<Item = &'a P>) -> Vec<P> {
     let all: Vec<P> = points.copied().collect();
     let step = all.len().div_ceil(100).max(1);
@@ -104,7 +105,7 @@ fn some_of<'a>(points: impl Iterator<Item = &'a P>) -> Vec<P> {
     all.into_iter().step_by(step).chain(lowest).collect()
 }
 
-/// Points along the edges of a carrier at the height of a thing's base and under it.
+/// Points along the edges of a carrier at the height of an object's base and below it.
 fn ridges(thing: &Thing, carrier: &Thing) -> Vec<P> {
     let level = |z: f64| (z - thing.low.z).abs() <= SETTLE;
     let under = |p: &P| (0..2).all(|k| p[k] >= thing.low[k] && p[k] <= thing.high[k]);
@@ -120,7 +121,7 @@ fn ridges(thing: &Thing, carrier: &Thing) -> Vec<P> {
     points
 }
 
-/// How far the underside of a thing is above a point (or up to 2 cm below).
+/// The distance from a point up to an object's underside (also found up to 2 cm below).
 fn gap_above(top: &P, thing: &Thing) -> Option<f64> {
     let from = top - V::new(0.0, 0.0, 0.02);
     let over = |p: &&Piece| (0..2).all(|k| p.low[k] <= from[k] && p.high[k] >= from[k]);
@@ -128,7 +129,7 @@ fn gap_above(top: &P, thing: &Thing) -> Option<f64> {
     hits.map(|h| h.0).filter(|h| *h >= 0.0).map(|h| h - 0.02).reduce(f64::min)
 }
 
-/// How far the highest surface below (up to 2 cm above) a foot is.
+/// The distance from a foot down to the highest surface (also found up to 2 cm above).
 fn gap_below(foot: &P, carrier: &Thing) -> Option<f64> {
     let from = foot + V::new(0.0, 0.0, 0.02);
     let over = |p: &&Piece| {
@@ -142,7 +143,7 @@ fn gap_below(foot: &P, carrier: &Thing) -> Option<f64> {
     hits.filter(|h| *h >= 0.0).map(|h| h - 0.02).reduce(f64::min)
 }
 
-/// The middle of its volume.
+/// The centroid of its volume.
 fn middle(thing: &Thing) -> P {
     let (mut sum, mut all) = (V::zeros(), 0.0);
     for [a, b, c] in thing.pieces.iter().flat_map(Piece::triangles) {
@@ -154,7 +155,7 @@ fn middle(thing: &Thing) -> P {
     if all > 0.0 { thing.low + sum / all } else { nalgebra::center(&thing.low, &thing.high) }
 }
 
-/// How far a point is out of the hull of others, seen from above.
+/// The distance of a point outside the hull of others, seen from above.
 fn beyond(p: &P, of: &[P]) -> f64 {
     let ways = (0..48).map(|i| (f64::from(i) * std::f64::consts::TAU / 48.0).sin_cos());
     let out = ways.map(|(s, c)| {
@@ -164,7 +165,7 @@ fn beyond(p: &P, of: &[P]) -> f64 {
     out.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// What is not between the walls of its room, floor and ceiling.
+/// Whether an object is outside its room's walls, floor and ceiling.
 fn outside(house: &House<'_>, thing: &Thing) -> Option<String> {
     let room = thing.room.and_then(|r| house.room_index(r));
     let Some(room) = room else { return Some(format!("{} is in no room", thing.label)) };

@@ -1,4 +1,4 @@
-//! Rooms have what makes them one, and ways to them lead through no private room.
+//! Rooms have their required contents, and paths to them do not lead through private rooms.
 
 use vc_procgen::plan::{OpeningKind, RoomKind};
 
@@ -52,8 +52,8 @@ fn needs(kind: RoomKind, studio: bool) -> Vec<Need> {
     }
 }
 
-/// Rooms reached only through bedrooms or bathrooms, and rooms behind bathrooms. A
-/// bedroom's own bathroom, dressing room and balcony are reached from it.
+/// Rooms reached only through bedrooms or bathrooms, and rooms behind bathrooms. A bedroom's own
+/// bathroom, dressing room and balcony may be reached from it.
 fn passages(house: &mut House<'_>) {
     let rooms = &house.plan.rooms;
     let wet = |r: usize| matches!(rooms[r].kind, RoomKind::Bathroom | RoomKind::Wc);
@@ -68,7 +68,7 @@ fn passages(house: &mut House<'_>) {
     found.into_iter().for_each(|(group, text)| house.note(Rule::Passage, group, text));
 }
 
-/// Rooms one gets to where only some lead further.
+/// The rooms that can be reached where only some may be passed through.
 fn reached(house: &House<'_>, leads: impl Fn(usize) -> bool) -> Vec<bool> {
     let ways = || house.plan.openings.iter().filter(|o| o.kind != OpeningKind::Window);
     let mut seen = vec![false; house.plan.rooms.len()];

@@ -1,4 +1,4 @@
-//! How deep a point is inside a shape: exact for each kind, in double precision.
+//! The depth of a point inside a shape: exact for each kind, in double precision.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Shape;
@@ -7,10 +7,10 @@ pub(crate) type P = Point3<f64>;
 pub(crate) type V = Vector3<f64>;
 type Flat = (f64, f64);
 
-/// Largest distance of a curve from its chords, metres.
+/// The greatest distance of a curve from its chords, metres.
 const TOLERANCE: f32 = 0.001;
 
-/// A shape made ready for questions, in its own frame.
+/// A shape prepared for queries, in its own frame.
 pub(crate) struct Form {
     kind: Kind,
     pub(crate) points: Vec<P>,
@@ -36,7 +36,8 @@ enum Kind {
     },
     /// Outward planes: normal and distance from the origin.
     Hull(Vec<(V, f64)>),
-    /// Borders of the profile with those on the axis, and those that are surface.
+    /// The edges of the profile including those on the axis, and those that are part of the
+    /// surface.
     Lathe {
         ring: Vec<Flat>,
     },
@@ -55,7 +56,7 @@ impl Form {
         Self { kind, points, triangles: mesh.triangles }
     }
 
-    /// Distance to the surface from inside, metres; not positive outside.
+    /// The distance to the surface from inside, metres; not positive outside.
     pub(crate) fn depth(&self, p: &P) -> f64 {
         let rho = p.x.hypot(p.y);
         match &self.kind {
@@ -102,7 +103,7 @@ fn kind(shape: &Shape, points: &[P], triangles: &[[u32; 3]]) -> Kind {
     }
 }
 
-/// A profile closed over the axis, unless it is closed by itself.
+/// A profile closed along the axis, unless it is closed by itself.
 fn ring(mut profile: Vec<Flat>) -> Vec<Flat> {
     let (first, last) = (profile[0], profile[profile.len() - 1]);
     if first != last {
@@ -116,8 +117,8 @@ fn plane(t: &[P; 3]) -> Option<(V, f64)> {
     Some((normal, normal.dot(&t[0].coords)))
 }
 
-/// Distance to a polygon's border, negative outside; borders on the axis are none
-/// for what is turned around it.
+/// The distance to a polygon's boundary, negative outside; edges on the axis are not part of the
+/// surface of a solid of revolution.
 fn signed(polygon: &[Flat], p: Flat, turned: bool) -> f64 {
     let (mut inside, mut nearest) = (false, f64::INFINITY);
     for (i, &a) in polygon.iter().enumerate() {
@@ -139,9 +140,9 @@ fn from_stretch(p: Flat, a: Flat, b: Flat) -> f64 {
     (p.0 - a.0 - share * dx).hypot(p.1 - a.1 - share * dy)
 }
 
-/// By a line that leaves as often as it enters, and the nearest triangle.
+/// Tested by a ray that leaves more often than it enters, and by the nearest triangle.
 fn in_mesh(faces: &[[P; 3]], p: &P) -> f64 {
-    // In no plane that anything is likely to be built in.
+    // A direction that is unlikely to lie in the plane of any face.
     let way = V::new(0.113_71, 0.071_93, 1.0);
     let crossings: i32 = faces.iter().filter_map(|t| hit(t, p, &way)).filter(|h| h.0 > 0.0).map(|h| h.1).sum();
     if crossings <= 0 {
@@ -150,7 +151,7 @@ fn in_mesh(faces: &[[P; 3]], p: &P) -> f64 {
     faces.iter().map(|t| from_triangle(p, t)).fold(f64::INFINITY, f64::min)
 }
 
-/// Where a line meets a triangle, in lengths of `way`, and 1 where it leaves the
+/// The intersection of a ray and a triangle, in lengths of `way`, and 1 where the ray leaves the
 /// solid or -1 where it enters (Möller and Trumbore 1997).
 pub(crate) fn hit([a, b, c]: &[P; 3], from: &P, way: &V) -> Option<(f64, i32)> {
     let (ab, ac) = (b - a, c - a);
@@ -167,7 +168,7 @@ pub(crate) fn hit([a, b, c]: &[P; 3], from: &P, way: &V) -> Option<(f64, i32)> {
     inside.then(|| (ac.dot(&other) / turn, if turn < 0.0 { 1 } else { -1 }))
 }
 
-/// Distance from a point to a triangle.
+/// The distance from a point to a triangle.
 fn from_triangle(p: &P, t: &[P; 3]) -> f64 {
     let stretch = |a: &P, b: &P| {
         let way = b - a;

@@ -1,4 +1,4 @@
-//! The things of a scene as solids in the world.
+//! The objects of a scene as solids in the world.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -9,10 +9,10 @@ use vc_graph::{AssetId, Kind, Node, NodeId, Property, Relation, SceneGraph};
 
 use super::shape::{Form, P, V};
 
-/// How deep solids may touch, metres.
+/// The depth by which solids may overlap, metres.
 pub(crate) const TOUCH: f64 = 0.003;
 
-/// One part of a thing, in the world.
+/// One part of an object, in the world.
 #[derive(Clone)]
 pub(crate) struct Piece {
     pub(crate) name: Rc<str>,
@@ -34,9 +34,9 @@ pub(crate) struct Thing {
     pub(crate) pieces: Vec<Piece>,
     pub(crate) low: P,
     pub(crate) high: P,
-    /// What it rests on, and what it is in.
+    /// The objects it rests on or is in.
     pub(crate) carriers: Vec<NodeId>,
-    /// Where its hooks are.
+    /// The positions of its hooks.
     pub(crate) hooks: Vec<P>,
     pub(crate) used: bool,
     pub(crate) sits: bool,
@@ -49,13 +49,13 @@ impl Piece {
         Self { name, form, back: pose.inverse(), points: Rc::new(points), low, high, joint }
     }
 
-    /// The piece after a motion of the world.
+    /// The piece after a motion in the world.
     pub(crate) fn moved(&self, by: &Isometry3<f64>) -> Self {
         let name = self.name.clone();
         Self::new(name, self.form.clone(), &(by * self.back.inverse()), self.joint)
     }
 
-    /// How deep a point of the world is in it.
+    /// The depth of a world point inside it.
     pub(crate) fn depth(&self, p: &P) -> f64 {
         self.form.depth(&(self.back * p))
     }
@@ -64,7 +64,8 @@ impl Piece {
         self.form.triangles.iter().map(|t| t.map(|v| self.points[v as usize]))
     }
 
-    /// How deep the surface of one is in the other, where that is more than a touch.
+    /// The depth by which the surface of one is inside the other, where that is more than the
+    /// tolerance.
     pub(crate) fn penetration(&self, other: &Self) -> Option<(f64, P)> {
         let (low, high) = (self.low.sup(&other.low), self.high.inf(&other.high));
         if (high - low).min() <= TOUCH {
@@ -75,8 +76,8 @@ impl Piece {
         (deepest.0 > TOUCH).then_some(deepest)
     }
 
-    /// The deepest point of another's surface in this, of points no further apart than
-    /// some share of the space both may have in common.
+    /// The deepest point of another piece's surface in this one, sampled at distances of some share
+    /// of the space that both may have in common.
     fn deepest_of(&self, other: &Self, space: (P, P)) -> (f64, P) {
         let pitch = ((space.1 - space.0).max() / 10.0).clamp(0.008, 0.06);
         let mut deepest = (0.0, P::origin());
@@ -86,7 +87,7 @@ impl Piece {
         deepest
     }
 
-    /// Corners, middles of edges and the centroid, and those of its quarters.
+    /// Tests corners, midpoints of edges and the centroid, and those of its quarters.
     fn search(&self, t: [P; 3], space: &(P, P), pitch: f64, deepest: &mut (f64, P)) {
         let (low, high) = (t[0].inf(&t[1]).inf(&t[2]), t[0].sup(&t[1]).sup(&t[2]));
         if (0..3).any(|k| low[k] > space.1[k] || high[k] < space.0[k]) {
@@ -111,13 +112,13 @@ impl Piece {
     }
 }
 
-/// The box around boxes.
+/// The bounding box of boxes.
 pub(crate) fn hull(boxes: impl Iterator<Item = (P, P)>) -> (P, P) {
     let none = (P::from(V::repeat(f64::INFINITY)), P::from(V::repeat(f64::NEG_INFINITY)));
     boxes.fold(none, |a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
 }
 
-/// All things of a scene that have a shape.
+/// All objects of a scene that have a shape.
 pub(crate) fn things(scene: &SceneGraph) -> Vec<Thing> {
     let mut forms: HashMap<AssetId, Vec<Rc<Form>>> = HashMap::new();
     let nodes = scene.nodes().filter(|n| n.kind() == Kind::Object);
@@ -153,7 +154,7 @@ fn thing(scene: &SceneGraph, node: &Node, forms: &mut HashMap<AssetId, Vec<Rc<Fo
     })
 }
 
-/// What people do with things.
+/// The affordances that people use.
 const USES: [Property; 7] = [
     Property::Graspable,
     Property::Openable,

@@ -1,4 +1,4 @@
-//! Where a person gets: a disc on a grid of five centimetres, flooded from the front
+//! Reachability for a person: a disc on a grid of five centimetres, flood-filled from the front
 //! door on.
 
 use std::collections::VecDeque;
@@ -11,13 +11,13 @@ use super::{House, Rule};
 const CELL: f64 = 0.05;
 const RADIUS: f64 = 0.25;
 const TALL: f64 = 1.7;
-/// What one steps over: rugs, sills of doors.
+/// The height that a person steps over: rugs, door thresholds.
 const STEP: f64 = 0.035;
 const ARM: f64 = 1.0;
-/// What is kept out of reach on purpose.
+/// The height above which objects may be out of reach.
 const HIGH: f64 = 2.0;
 
-/// Cells around the plan, and which of them a person stands on.
+/// The grid around the plan, with the cells where a person can stand.
 pub(super) struct Floor {
     west: f64,
     south: f64,
@@ -70,7 +70,7 @@ impl Floor {
         (self.west + (x + 0.5) * CELL, self.south + (y + 0.5) * CELL)
     }
 
-    /// Within a room or in a way between two.
+    /// Whether a cell is within a room or in an opening between two.
     fn is_indoors(&self, house: &House<'_>, cell: usize) -> bool {
         let (x, y) = self.point(cell);
         let room = (0..house.plan.rooms.len()).any(|r| house.is_within(r, x, y, 0.0));
@@ -78,7 +78,7 @@ impl Floor {
         room || ways.any(|o| is_in(o, x, y, 0.4))
     }
 
-    /// Takes the cells from which a disc would meet the box of a part.
+    /// Blocks the cells at which a disc would overlap the box of a part.
     fn shut(&self, free: &mut [bool], p: &Piece) {
         let range = |low: f64, high: f64, from: f64, most: usize| {
             let cell = |v: f64| (((v - from) / CELL).floor().max(0.0) as usize).min(most);
@@ -96,7 +96,7 @@ impl Floor {
         }
     }
 
-    /// From before the front door, inside.
+    /// Fills from inside the front door.
     fn flood(&mut self, house: &House<'_>, mut free: Vec<bool>) {
         self.standing = vec![false; free.len()];
         let Some(door) = house.plan.openings.iter().find(|o| o.kind == OpeningKind::Entrance) else { return };
@@ -124,7 +124,7 @@ impl Floor {
         })
     }
 
-    /// Least distance over the floor from where one stands to a thing's box.
+    /// The least distance over the floor from a standing position to an object's box.
     fn nearest(&self, house: &House<'_>, thing: &Thing, in_its_room: bool) -> f64 {
         let room = thing.room.and_then(|r| house.room_index(r));
         let mut nearest = f64::INFINITY;
@@ -141,13 +141,13 @@ impl Floor {
     }
 }
 
-/// In a room or one of its ways.
+/// Whether a point is in a room or in one of its openings.
 fn near_room(house: &House<'_>, room: usize, x: f64, y: f64) -> bool {
     house.is_within(room, x, y, 0.0)
         || house.plan.openings.iter().any(|o| o.is_way() && o.touches(room) && is_in(o, x, y, 0.3))
 }
 
-/// In the strip so far before and behind an opening.
+/// Whether a point is in the strip of the given depth before and behind an opening.
 fn is_in(o: &Opening, x: f64, y: f64, far: f64) -> bool {
     let (across, along) = if o.vertical { (x, y) } else { (y, x) };
     let along_it = along >= metres(o.from).into() && along <= metres(o.to).into();

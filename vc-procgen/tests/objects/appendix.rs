@@ -1,12 +1,12 @@
-//! How many objects of each kind the thesis lists (its Appendix C).
+//! The numbers of objects of each kind in the thesis (its Appendix C).
 
 use std::collections::{BTreeMap, HashSet};
 
 use vc_graph::{ClassTable, Property};
 use vc_procgen::object::{Realm, generator, generators};
 
-/// How many, of which classes and their kinds; `in` takes indoor
-/// ones alone.
+/// The number of objects, and their classes including subclasses; `in` restricts them to indoor
+/// classes.
 const LISTED: &[(usize, &str)] = &[
     (50, "in chair"),
     (8, "stool"),
@@ -101,10 +101,10 @@ const LISTED: &[(usize, &str)] = &[
     (97, "food"),
 ];
 
-/// Drivable classes that the thesis has.
+/// The number of drivable classes in the thesis.
 const DRIVABLE: usize = 13;
 
-/// What there are fewer of than in the thesis.
+/// The kinds of which there are fewer than in the thesis.
 pub(crate) fn missing(shapes: &BTreeMap<&str, HashSet<u64>>) -> Vec<String> {
     let table = ClassTable::builtin();
     let mut missing = Vec::new();

@@ -1,4 +1,4 @@
-//! The objects that are looked at, and what is wrong with them.
+//! The objects that are tested, and their violations.
 
 use std::panic::catch_unwind;
 use std::sync::LazyLock;
@@ -12,7 +12,7 @@ use vc_procgen::{Style, material};
 use crate::solid::{Solid, solids};
 use crate::{faces, motion, places, whole};
 
-/// What must hold of every object.
+/// The rules for every object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Rule {
     Panic,
@@ -30,28 +30,28 @@ pub(crate) enum Rule {
     Motion,
 }
 
-/// A rule does not hold.
+/// A violation of a rule.
 pub(crate) struct Finding {
     pub(crate) rule: Rule,
     pub(crate) class: &'static str,
     pub(crate) text: String,
 }
 
-/// An object that was made, and its parts as triangles.
+/// A generated object, and its parts as triangles.
 pub(crate) struct Case {
     pub(crate) class: &'static vc_graph::Class,
-    /// Size that was asked for.
+    /// The size that was requested.
     pub(crate) asked: Vector3<f32>,
     pub(crate) object: Object,
     pub(crate) solids: Vec<Solid>,
 }
 
-/// What is wrong with all objects.
+/// The violations of all objects.
 pub(crate) static FINDINGS: LazyLock<Vec<Finding>> = LazyLock::new(all);
 
 static CLASSES: LazyLock<std::sync::Arc<ClassTable>> = LazyLock::new(ClassTable::builtin);
 
-/// Whether a class is to be looked at.
+/// Whether a class is to be tested.
 pub(crate) fn chosen(class: &str) -> bool {
     std::env::var("OBJECT_CLASSES").map_or(true, |list| list.split(',').any(|c| c == class))
 }
@@ -73,7 +73,7 @@ fn all() -> Vec<Finding> {
     })
 }
 
-/// Sizes by name and seed: those of the class, half and double, out of proportion.
+/// Sizes by name and seed: usual ones of the class, half and double, out of proportion.
 fn sizes(class: &vc_graph::Class) -> Vec<(String, u64, Vector3<f32>)> {
     let Some(range) = class.size else { return Vec::new() };
     let (low, high) = (Vector3::from(range.map(|r| r.low)), Vector3::from(range.map(|r| r.high)));
@@ -95,11 +95,11 @@ fn usual(class: &vc_graph::Class, seed: u64) -> Vector3<f32> {
     class.size.map_or_else(|| Vector3::repeat(0.3), |range| range.map(|r| rng.between(r.low, r.high)).into())
 }
 
-/// Sizes that nobody should ask for.
+/// Sizes that nobody should request.
 const EXTREMES: [[f32; 3]; 5] =
     [[1e-3, 1e-3, 1e-3], [0.05, 0.05, 0.05], [30.0, 30.0, 30.0], [2.0, 2.0, 0.01], [0.01, 0.01, 3.0]];
 
-/// Looks at one class.
+/// Tests one class.
 fn examine(generator: &'static Generator, library: &AssetLibrary, found: &mut dyn FnMut(Rule, String)) {
     let Some(class) = CLASSES.get(generator.class) else { return };
     for (name, seed, asked) in sizes(class) {
@@ -117,7 +117,8 @@ fn examine(generator: &'static Generator, library: &AssetLibrary, found: &mut dy
         places::check(&case, &mut say);
         motion::check(&case, &mut say);
     }
-    // Making is cheap beside looking: many more are only made.
+    // Generation is cheap compared with the tests, so many more objects are generated and only
+    // checked for acceptance.
     let usual = (300..340).map(|seed| (usual(class, seed), seed));
     for (size, seed) in EXTREMES.map(Vector3::from).into_iter().zip(200..).chain(usual) {
         let name = format!("seed {seed}, size {:?}", size.as_slice());
@@ -145,7 +146,7 @@ fn accepted(library: &AssetLibrary, object: &Object, say: &mut dyn FnMut(Rule, S
     }
 }
 
-/// The usual object twice, as bytes.
+/// Whether the usual object is generated twice with the same bytes.
 fn same(generator: &'static Generator, found: &mut dyn FnMut(Rule, String)) {
     let once = || {
         let instance = generator.instance(Seed(7), 0);
@@ -158,7 +159,7 @@ fn same(generator: &'static Generator, found: &mut dyn FnMut(Rule, String)) {
     }
 }
 
-/// Smallest and largest corner of parts as they are drawn, joints at zero.
+/// The smallest and largest corner of parts as they are drawn, joints at zero.
 pub(crate) fn around<'a>(parts: impl IntoIterator<Item = &'a vc_graph::asset::Part>) -> [nalgebra::Point3<f32>; 2] {
     let points = parts.into_iter().flat_map(|p| p.shape.mesh(0.0005).positions.into_iter().map(|at| p.pose * at));
     let start = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]].map(nalgebra::Point3::from);

@@ -1,13 +1,13 @@
-//! Faces of two parts in the same plane that face the same way and overlap: which
-//! one is seen would be chance.
+//! Coincident faces: faces of two parts in the same plane that face the same way and overlap, so
+//! that the visible one would be arbitrary.
 
 use std::collections::HashMap;
 
 use crate::cases::{Case, Rule};
 use crate::solid::{P, Solid, V};
 
-/// Planes closer than this are one, metres; a fifth of the object's thickness where
-/// that is less.
+/// The distance below which planes count as the same, metres; a fifth of the object's thickness
+/// where that is less.
 const SAME: f64 = 2e-4;
 
 struct Face<'a> {
@@ -20,7 +20,7 @@ pub(crate) fn check(case: &Case, say: &mut dyn FnMut(Rule, String)) {
     let same = SAME.min(f64::from(case.object.size().min()) * 0.2);
     for (j, other) in case.solids.iter().enumerate() {
         for (i, solid) in case.solids[..j].iter().enumerate().filter(|(_, s)| s.gap(other) <= same) {
-            // Two bars of a pipe share the ball at its bend.
+            // Two bars of a pipe share the sphere at its bend.
             let joint = solid.round && other.round && solid.material == other.material;
             let found = if joint { None } else { shared(&faces[i], &faces[j], (solid, other), case, same) };
             if let Some((at, normal)) = found {
@@ -41,7 +41,7 @@ fn rounded(v: V) -> String {
 
 type Faces<'a> = HashMap<[i32; 3], Vec<Face<'a>>>;
 
-/// Triangles by their normal, roughly.
+/// The triangles, grouped by rounded normal.
 fn by_normal(solid: &Solid) -> Faces<'_> {
     let mut faces = Faces::new();
     for at in &solid.triangles {
@@ -52,7 +52,7 @@ fn by_normal(solid: &Solid) -> Faces<'_> {
     faces
 }
 
-/// Where two parts share a plane and nothing else covers it.
+/// A point where two parts share a plane and nothing else covers it.
 fn shared(a: &Faces<'_>, b: &Faces<'_>, pair: (&Solid, &Solid), case: &Case, same: f64) -> Option<(P, V)> {
     let mut keys: Vec<_> = a.keys().filter(|k| b.contains_key(*k)).collect();
     keys.sort();
@@ -77,8 +77,8 @@ fn shared(a: &Faces<'_>, b: &Faces<'_>, pair: (&Solid, &Solid), case: &Case, sam
     None
 }
 
-/// The middle of what two triangles share, if they are in one plane and that is
-/// wider than a hair.
+/// The centre of the overlap of two triangles, if they are in one plane and the overlap is wider
+/// than a hair.
 fn overlap(f: &Face<'_>, g: &Face<'_>, same: f64) -> Option<P> {
     let distance = |p: &P| (p - f.at[0]).dot(&f.normal);
     if f.normal.dot(&g.normal) < 0.9999 || g.at.iter().all(|p| distance(p).abs() > same) {
@@ -99,7 +99,7 @@ fn overlap(f: &Face<'_>, g: &Face<'_>, same: f64) -> Option<P> {
     (wide && distance(&middle).abs() <= same).then_some(middle)
 }
 
-/// What of a convex shape is where `side` is not negative (Sutherland and Hodgman).
+/// The part of a convex shape where `side` is not negative (Sutherland and Hodgman).
 fn clipped(shape: &[P], side: impl Fn(&P) -> f64) -> Vec<P> {
     let mut kept = Vec::with_capacity(shape.len() + 1);
     for (p, q) in shape.iter().zip(shape.iter().cycle().skip(1)) {

@@ -1,8 +1,8 @@
-//! What every generated object must be: closed, of one piece, within its size, with
-//! places that are free and moving parts that can move.
+//! Properties of every generated object: closed, connected, within its size, with free surfaces and
+//! movable joints.
 //!
-//! All violations are printed, by class. `OBJECT_CLASSES=chair,stool` looks at these
-//! classes alone, `OBJECT_SEEDS=20` at more seeds of each.
+//! All violations are printed, by class. `OBJECT_CLASSES=chair,stool` tests only these classes,
+//! `OBJECT_SEEDS=20` more seeds of each.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -145,7 +145,7 @@ fn every_class_has_the_instances_it_names() {
     assert!(short.is_empty(), "too few:\n  {}", short.join("\n  "));
 }
 
-/// What is one convex body to physics is as large as what is seen of it.
+/// The single convex body that physics uses is as large as the visible object.
 #[test]
 fn lumps_are_as_large_as_what_is_seen() {
     let mut lumps = 0;
@@ -167,7 +167,7 @@ fn lumps_are_as_large_as_what_is_seen() {
     assert!(lumps > 100 || !generators().all(|g| chosen(g.class)), "{lumps}");
 }
 
-/// Whatever a screen shows is dark when it is off: all of its picture, whichever it is.
+/// The whole picture of a screen is dark when the screen is off.
 #[test]
 fn pictures_of_screens_are_of_light() {
     for class in ["television", "monitor", "laptop", "tablet", "digital_photo_frame"] {

@@ -1,4 +1,4 @@
-//! Surfaces: on the object, carried by it, with free room above.
+//! Surfaces: over the object, supported by it, with free space above.
 
 use vc_graph::Property;
 use vc_graph::asset::{Hold, Surface};
@@ -8,10 +8,10 @@ use crate::solid::{P, Solid, V};
 
 type Say<'a> = &'a mut dyn FnMut(Rule, String);
 
-/// What the free room is smaller than said on every side, metres.
+/// The margin by which the free space is tested smaller than declared on every side, metres.
 const SHRUNK: f64 = 0.005;
 
-/// Points along each side that are looked at.
+/// The number of points tested along each side.
 const POINTS: usize = 7;
 
 pub(crate) fn check(case: &Case, say: Say<'_>) {
@@ -61,7 +61,7 @@ fn within(case: &Case, surface: &Surface, say: Say<'_>) {
     }
 }
 
-/// Points of the rectangle, shrunk a little.
+/// Points of the rectangle, which is shrunk a little.
 fn grid(surface: &Surface) -> Vec<P> {
     let centre: P = surface.centre.cast();
     let along = |half: f32, i: usize| {
@@ -72,14 +72,14 @@ fn grid(surface: &Surface) -> Vec<P> {
     cells.map(|(i, j)| centre + V::new(along(surface.half.0, i), along(surface.half.1, j), 0.0)).collect()
 }
 
-/// The first and last point of all rows and columns of a grid.
+/// The first and last points of all rows and columns of a grid.
 fn rows(points: &[P]) -> Vec<(P, P)> {
     let last = POINTS - 1;
     let ends = (0..POINTS).flat_map(|i| [(i, last * POINTS + i), (i * POINTS, i * POINTS + last)]);
     ends.map(|(a, b)| (points[a], points[b])).collect()
 }
 
-/// Something is right below it.
+/// The object is right below the surface.
 fn carried(surface: &Surface, link: &[&Solid], say: Say<'_>) {
     let stands = |p: &P| {
         let (from, to) = (p + V::z() * 0.001, p - V::z() * 0.012);
@@ -87,7 +87,7 @@ fn carried(surface: &Surface, link: &[&Solid], say: Say<'_>) {
     };
     let points = grid(surface);
     let share = points.iter().filter(|p| stands(p)).count();
-    // Wires carry at some points only; lines just below the surface cross them.
+    // Wires support at some points only; lines just below the surface cross them.
     let down = |p: &P| p - V::z() * 0.002;
     let wires = rows(&points).iter().filter(|(a, b)| link.iter().any(|s| s.blocks(&down(a), &down(b)))).count();
     if share * 8 < POINTS * POINTS && wires < POINTS - 1 {
@@ -98,7 +98,7 @@ fn carried(surface: &Surface, link: &[&Solid], say: Say<'_>) {
     }
 }
 
-/// Nothing of its own link is in the room above it.
+/// No part of the surface's own link is in the space above it.
 fn above(case: &Case, surface: &Surface, link: &[&Solid], say: Say<'_>) {
     let top = case.solids.iter().map(|s| s.high.z).fold(0.0, f64::max);
     let tall = surface.clearance.map_or(top - f64::from(surface.centre.z), f64::from) - SHRUNK;
@@ -118,7 +118,7 @@ fn above(case: &Case, surface: &Surface, link: &[&Solid], say: Say<'_>) {
     }
 }
 
-/// Nothing of its own link is right below a hook.
+/// No part of the hook's own link is right below it.
 fn below(surface: &Surface, link: &[&Solid], say: Say<'_>) {
     let centre: P = surface.centre.cast();
     let drop = surface.clearance.map_or(0.0, f64::from) - SHRUNK;

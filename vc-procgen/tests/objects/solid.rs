@@ -1,4 +1,4 @@
-//! A part as triangles in the asset's frame, and where its inside is.
+//! A part as triangles in the asset's frame, with tests of its interior.
 
 use std::collections::HashMap;
 
@@ -13,23 +13,23 @@ pub(crate) type V = Vector3<f64>;
 
 /// A part as triangles.
 pub(crate) struct Solid {
-    /// Number and name of the part.
+    /// The index and name of the part.
     pub(crate) name: String,
     pub(crate) material: u32,
-    /// Whether things sink into it.
+    /// Whether objects sink into it.
     pub(crate) liquid: bool,
     pub(crate) joint: Option<Joint>,
     pub(crate) closed: bool,
-    /// A ball, or a bar with round ends.
+    /// Whether it is a sphere or a capsule.
     pub(crate) round: bool,
-    /// Cubic metres.
+    /// The volume, cubic metres.
     pub(crate) volume: f32,
     pub(crate) triangles: Vec<[P; 3]>,
     pub(crate) low: P,
     pub(crate) high: P,
 }
 
-/// The parts of an object, fine enough for its size.
+/// The parts of an object, tessellated finely enough for its size.
 pub(crate) fn solids(object: &Object) -> Vec<Solid> {
     let tolerance = (object.size().norm() * 0.002).clamp(2e-4, 5e-3);
     let parts = object.asset.parts.iter().enumerate();
@@ -56,8 +56,8 @@ pub(crate) fn solids(object: &Object) -> Vec<Solid> {
         .collect()
 }
 
-/// Whether every edge has as many opposites: several closed solids in one mesh may
-/// touch at an edge.
+/// Whether every edge has as many opposite edges: several closed solids in one mesh may touch at an
+/// edge.
 fn balanced(mesh: &TriangleMesh) -> bool {
     let mut edges: HashMap<_, i32> = HashMap::new();
     let place = |v: u32| mesh.positions[v as usize].coords.map(|x| (x + 0.0).to_bits());
@@ -75,13 +75,14 @@ fn part_size(part: &vc_graph::asset::Part) -> f32 {
 }
 
 impl Solid {
-    /// Gap between the boxes around two parts along the axis where it is widest.
+    /// The gap between the bounding boxes of two parts along the axis where it is widest.
     pub(crate) fn gap(&self, other: &Self) -> f64 {
         let (a, b) = (other.low - self.high, self.low - other.high);
         a.sup(&b).max()
     }
 
-    /// Whether the surfaces of two parts come as close as `gap`, or one is in the other.
+    /// Whether the surfaces of two parts are within `gap` of each other, or one part is inside the
+    /// other.
     pub(crate) fn touches(&self, other: &Self, gap: f64) -> bool {
         if self.gap(other) > gap {
             return false;
@@ -92,7 +93,7 @@ impl Solid {
         inside(self, other) || inside(other, self) || close(&mine, &theirs) || close(&theirs, &mine)
     }
 
-    /// The triangles within the box around another part, `gap` larger.
+    /// The triangles within the bounding box of another part, enlarged by `gap`.
     fn facing(&self, other: &Self, gap: f64) -> Vec<&[P; 3]> {
         let near = |t: &&[P; 3]| {
             let (low, high) = (t[0].inf(&t[1]).inf(&t[2]), t[0].sup(&t[1]).sup(&t[2]));
@@ -105,17 +106,17 @@ impl Solid {
         self.high - self.low
     }
 
-    /// Whether a point is in the box around it, `margin` larger on all sides.
+    /// Whether a point is in its bounding box, enlarged by `margin` on all sides.
     pub(crate) fn near(&self, p: &P, margin: f64) -> bool {
         (0..3).all(|k| p[k] > self.low[k] - margin && p[k] < self.high[k] + margin)
     }
 
-    /// Whether a point is inside: how often a line from it leaves more than enters.
+    /// Whether a point is inside: a ray from it leaves more often than it enters.
     pub(crate) fn contains(&self, p: &P) -> bool {
         if !self.near(p, 0.0) {
             return false;
         }
-        // In no plane that anything is likely to be built in.
+        // A direction that is unlikely to lie in the plane of any face.
         let way = V::new(0.113_71, 0.071_93, 1.0);
         let crossing = |t: &[P; 3]| hit(t, p, &way).filter(|(at, _)| *at > 0.0).map_or(0, |(_, leaves)| leaves);
         self.triangles.iter().map(crossing).sum::<i32>() > 0
@@ -127,7 +128,7 @@ impl Solid {
         sides().all(|s| self.near(&(p + s), 0.0)) && self.contains(p) && sides().all(|s| self.contains(&(p + s)))
     }
 
-    /// Whether any of it is on the way from one point to another.
+    /// Whether it blocks the segment from one point to another.
     pub(crate) fn blocks(&self, from: &P, to: &P) -> bool {
         let (low, high) = (from.inf(to), from.sup(to));
         if (0..3).any(|k| high[k] < self.low[k] || low[k] > self.high[k]) {
@@ -157,8 +158,7 @@ impl Solid {
     }
 }
 
-/// Whether a corner or an edge of `t` comes as close to `u` as `gap`, or an edge
-/// passes through it.
+/// Whether a corner or an edge of `t` is within `gap` of `u`, or an edge passes through it.
 fn reaches(t: &[P; 3], u: &[P; 3], gap: f64) -> bool {
     let edges = |t: &[P; 3]| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])];
     let over = |p: &P| {
@@ -170,8 +170,7 @@ fn reaches(t: &[P; 3], u: &[P; 3], gap: f64) -> bool {
     t.iter().any(over) || edges(t).iter().any(|e| through(e) || along(e))
 }
 
-/// Shortest distance of two lines of some length (Ericson, Real-Time Collision
-/// Detection, 5.1.9).
+/// The shortest distance between two line segments (Ericson, Real-Time Collision Detection, 5.1.9).
 fn between((a, b): (P, P), (c, d): (P, P)) -> f64 {
     let (m, n, r) = (b - a, d - c, a - c);
     let (mm, nn, mn, mr, nr) = (m.dot(&m), n.dot(&n), m.dot(&n), m.dot(&r), n.dot(&r));
@@ -182,7 +181,7 @@ fn between((a, b): (P, P), (c, d): (P, P)) -> f64 {
     (r + m * first - n * second).norm()
 }
 
-/// Where a line meets a triangle, in lengths of `way`, and 1 where it leaves the
+/// The intersection of a ray and a triangle, in lengths of `way`, and 1 where the ray leaves the
 /// solid or -1 where it enters (Möller and Trumbore 1997).
 fn hit([a, b, c]: &[P; 3], from: &P, way: &V) -> Option<(f64, i32)> {
     let (ab, ac) = (b - a, c - a);

@@ -1,4 +1,4 @@
-//! The object as a whole: closed parts, size, base, of one piece, triangles.
+//! The object as a whole: closed parts, size, base, connectedness, triangle count.
 
 use vc_graph::Property;
 use vc_graph::class::Category;
@@ -8,11 +8,11 @@ use crate::solid::{P, Solid};
 
 type Say<'a> = &'a mut dyn FnMut(Rule, String);
 
-/// Widest gap between parts that hold together, metres; 1.5 % of the object's
-/// largest measure where that is less, but a millimetre at least.
+/// The widest gap between connected parts, metres; 1.5 % of the object's largest dimension where
+/// that is less, but at least a millimetre.
 const TOUCHING: f64 = 0.005;
 
-/// Sets: each piece may lie on the ground by itself.
+/// Sets, whose pieces may each lie on the ground.
 const SETS: &[&str] = &[
     "building_blocks",
     "toy_bricks",
@@ -80,14 +80,14 @@ const SETS: &[&str] = &[
     "virtual_headset",
 ];
 
-/// What is made as it hangs.
+/// Objects that are generated in their hanging pose.
 const HUNG: &[&str] = &["hanger", "wind_chime", "wall_clock", "wall_phone", "wreath"];
 
 pub(crate) fn check(case: &Case, say: Say<'_>) {
     closed(case, say);
     let start = (case.solids[0].low, case.solids[0].high);
     let (low, high) = case.solids.iter().fold(start, |(l, h), s| (l.inf(&s.low), h.sup(&s.high)));
-    // What is fixed in a wall keeps its origin there, and its trim goes beyond.
+    // An object fixed in a wall has its origin there, and its trim extends beyond the wall.
     if !matches!(case.class.category, Category::Structure | Category::Door | Category::Window) {
         size(case, low, high, say);
         base(low, high, say);
@@ -131,8 +131,8 @@ fn base(low: P, high: P, say: Say<'_>) {
     }
 }
 
-/// Parts that are not connected with the first, or of a set with the ground, through
-/// parts that touch.
+/// Reports parts that are not connected to the first (for a set, to the ground) through parts that
+/// touch.
 fn floating(case: &Case, say: Say<'_>) {
     let set = SETS.contains(&&*case.class.name);
     let gap = (f64::from(case.object.size().max()) * 0.015).clamp(0.001, TOUCHING);
@@ -147,7 +147,7 @@ fn floating(case: &Case, say: Say<'_>) {
             }
         }
     }
-    // The smaller side is what floats.
+    // The smaller side is reported as floating.
     let most = held.iter().filter(|h| **h).count() * 2 >= held.len();
     let loose: Vec<&str> = held.iter().zip(&case.solids).filter(|(h, _)| **h != most).map(|(_, s)| &*s.name).collect();
     if !loose.is_empty() {
@@ -156,8 +156,8 @@ fn floating(case: &Case, say: Say<'_>) {
     }
 }
 
-/// What one can grasp lies or stands where it is put: the middle of its mass is
-/// above what touches the ground.
+/// A graspable object lies or stands as placed: its centre of mass is above the points that touch
+/// the ground.
 fn stable(case: &Case, low: P, say: Say<'_>) {
     if !case.class.affordances.contains(Property::Graspable) || HUNG.contains(&&*case.class.name) {
         return;
@@ -178,7 +178,7 @@ fn stable(case: &Case, low: P, say: Say<'_>) {
     }
 }
 
-/// The middle of all parts' volumes.
+/// The centroid of all parts' volumes.
 fn middle(case: &Case) -> P {
     let (mut sum, mut all) = (P::origin().coords, 0.0);
     for [a, b, c] in case.solids.iter().flat_map(|s| &s.triangles) {
@@ -189,7 +189,7 @@ fn middle(case: &Case) -> P {
     P::from(sum / all)
 }
 
-/// Two thousand triangles, and six thousand for every metre.
+/// The limit is two thousand triangles, plus six thousand for every metre.
 fn triangles(case: &Case, low: P, high: P, say: Say<'_>) {
     let count: usize = case.solids.iter().map(|s| s.triangles.len()).sum();
     let most = (2000.0 + 6000.0 * (high - low).max()).min(30_000.0) as usize;

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-/// The texts of all activities of bddl 3.6.0, in the order of their paths; `None`, and
-/// a line that says so, where the package is not.
+/// The texts of all activities of bddl 3.6.0, in the order of their paths; `None`, with a message,
+/// if the package is missing.
 pub(crate) fn texts() -> Option<Vec<String>> {
     let Some(folder) = std::env::var_os("VC_BDDL") else {
         eprintln!("SKIPPED: set VC_BDDL to where the PyPI package bddl 3.6.0 is unpacked");

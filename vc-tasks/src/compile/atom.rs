@@ -1,4 +1,4 @@
-//! Ground atoms and sets of them.
+//! Ground atoms and sets of atoms.
 
 use std::fmt;
 
@@ -6,22 +6,22 @@ use vc_graph::goal::{Literal, Predicate, Term};
 use vc_graph::hash::finalised;
 use vc_graph::{NodeId, Word};
 
-/// A predicate of given things: what is true or false in a scene.
+/// A predicate applied to given objects: a statement that is true or false in a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Atom {
-    /// What is said.
+    /// The predicate.
     pub predicate: Predicate,
-    /// Of what; places that are not used, and those that may be anything, are `None`.
+    /// The arguments; unused positions, and those that may be any object, are `None`.
     pub things: [Option<NodeId>; 2],
 }
 
 impl Atom {
-    /// Whether it is about what was done.
+    /// Whether the atom is about an executed action.
     pub(crate) fn is_deed(&self) -> bool {
         matches!(self.predicate, Predicate::Did(_))
     }
 
-    /// Predicate and things as one number, the same for equal atoms.
+    /// A hash key of predicate and arguments, the same for equal atoms.
     pub(super) fn key(&self) -> u64 {
         let predicate = match self.predicate {
             Predicate::State(state) => state.index(),
@@ -43,14 +43,14 @@ impl fmt::Display for Atom {
     }
 }
 
-/// A set of atoms, by their positions in a [`Program`](super::Program).
+/// A set of atoms, by their indices in a [`Program`](super::Program).
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Bits {
     words: Vec<u64>,
 }
 
 impl Bits {
-    /// None of so many.
+    /// The empty set for a number of atoms.
     pub fn none(number: usize) -> Self {
         Self { words: vec![0; number.div_ceil(64)] }
     }
@@ -61,13 +61,13 @@ impl Bits {
         self.words.get(atom / 64).is_some_and(|word| (word >> (atom % 64)) & 1 != 0)
     }
 
-    /// Sixty-four atoms at once; none beyond the set.
+    /// Sixty-four atoms as one word; zero beyond the end.
     #[inline]
     pub(crate) fn word(&self, index: usize) -> u64 {
         self.words.get(index).copied().unwrap_or(0)
     }
 
-    /// Puts an atom in or takes it out; one that is beyond the set is left alone.
+    /// Adds or removes an atom; an index out of range is ignored.
     #[inline]
     pub fn set(&mut self, atom: usize, value: bool) {
         if let Some(word) = self.words.get_mut(atom / 64) {
@@ -76,18 +76,18 @@ impl Bits {
         }
     }
 
-    /// Takes out all that are in another set.
+    /// Removes the atoms of another set.
     pub(super) fn remove(&mut self, other: &Self) {
         self.words.iter_mut().zip(&other.words).for_each(|(word, other)| *word &= !other);
     }
 
-    /// Puts in those of another set that are in a third one too.
+    /// Adds the intersection of two other sets.
     pub(super) fn add_of(&mut self, other: &Self, among: &Self) {
         let both = other.words.iter().zip(&among.words).map(|(other, among)| other & among);
         self.words.iter_mut().zip(both).for_each(|(word, both)| *word |= both);
     }
 
-    /// Number of atoms in the set.
+    /// The number of atoms in the set.
     pub fn count(&self) -> usize {
         self.words.iter().map(|word| word.count_ones() as usize).sum()
     }

@@ -1,4 +1,4 @@
-//! Gates over what has been ground: equal ones are one, and what is constant is gone.
+//! Building gates: equal gates are stored once, and constants are folded.
 
 use vc_graph::goal::{Comparison, Pairs, Variable};
 
@@ -12,7 +12,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         self.count(start, Comparison::AtLeast, number as u32)
     }
 
-    /// A gate over the inputs on the stack from `start` on, which it takes off.
+    /// Makes a gate of the inputs on the stack from `start` on, which are popped.
     pub(super) fn count(&mut self, start: usize, comparison: Comparison, number: u32) -> Result<Ref, CompileError> {
         let stack = &mut self.memory.stack;
         let sure = stack[start..].iter().filter(|&&r| r == Ref::TRUE).count() as u32;
@@ -45,8 +45,8 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         result
     }
 
-    /// The gate with the inputs on the stack from `start` on; one that is there
-    /// already serves again.
+    /// Returns the gate with the inputs on the stack from `start` on; an equal existing gate is
+    /// reused.
     pub(super) fn gate(&mut self, start: usize, kind: Kind) -> Result<Ref, CompileError> {
         let inputs = &self.memory.stack[start..];
         let Program { gates, inputs: all, .. } = &mut self.program;

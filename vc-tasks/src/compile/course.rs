@@ -1,5 +1,5 @@
-//! Goals about time, for the things there are: what is said of single states is
-//! compiled, and what is said of their order stands above it.
+//! Ground temporal goals: their non-temporal parts are compiled, and temporal operators stand above
+//! these.
 
 use vc_graph::NodeId;
 use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
@@ -8,15 +8,15 @@ use super::gate::Table;
 use super::ground::{Ground, Things};
 use super::{CompileError, Compiler, Program};
 
-/// A goal whose variables have been replaced by things.
+/// A goal whose variables have been replaced by objects.
 #[derive(Debug, Clone)]
 pub(super) enum Course {
-    /// A head of the program: it says something of one state.
+    /// A head of the program: a non-temporal part, true or false in a single state.
     State(usize),
     Not(Box<Course>),
-    /// So many parts hold.
+    /// A count of the parts that hold.
     Count(Vec<Course>, Comparison, u32),
-    /// So many pairs can be formed in a table of parts, row by row.
+    /// A count of the pairs that can be formed in a table of parts, row by row.
     Pairs(Vec<Course>, Table, Comparison, u32),
     Then(Vec<Course>),
     Eventually(Box<Course>),
@@ -28,7 +28,7 @@ pub(super) enum Course {
 }
 
 impl Compiler {
-    /// The conjuncts of a goal, and the program of their states.
+    /// The conjuncts of a goal, and the program of their non-temporal parts.
     pub(super) fn courses(
         &mut self,
         goal: &Goal,

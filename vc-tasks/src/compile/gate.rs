@@ -1,10 +1,10 @@
-//! Gates: what a goal is made of once its things are known.
+//! Gates, the parts of a compiled goal.
 
 use vc_graph::hash::finalised;
 
 use super::Bits;
 
-/// An atom, a gate or a constant, as it is or negated, in one number.
+/// A reference to an atom, a gate or a constant, possibly negated, in one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Ref(u32);
 
@@ -48,7 +48,7 @@ impl Ref {
         Self(self.0 ^ u32::from(negate))
     }
 
-    /// What it stands for, not negated.
+    /// The same reference without negation.
     pub(crate) fn plain(self) -> Self {
         Self(self.0 & !1)
     }
@@ -62,17 +62,17 @@ impl std::ops::Not for Ref {
     }
 }
 
-/// When a gate is true. Every other connective comes to one of these with negated
-/// inputs or a negated output: "at most k" is not "at least k + 1".
+/// The condition under which a gate is true. Every other connective becomes one of these with
+/// negated inputs or a negated output: "at most k" is the negation of "at least k + 1".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Kind {
     /// All inputs are true.
     All,
-    /// Some input is.
+    /// Some input is true.
     Any,
-    /// So many are.
+    /// At least this many inputs are true.
     AtLeast(u32),
-    /// Just so many are.
+    /// Exactly this many inputs are true.
     Exactly(u32),
     /// The inputs are a table, row by row, and enough pairs can be formed in it.
     Pairs(Table),
@@ -83,12 +83,12 @@ pub(crate) enum Kind {
 pub(crate) struct Table {
     pub(crate) rows: u32,
     pub(crate) columns: u32,
-    /// How many pairs it takes.
+    /// The number of pairs needed.
     pub(crate) need: u32,
     pub(crate) pairing: vc_graph::goal::Pairing,
 }
 
-/// A gate and where its inputs are. Inputs come before the gates they go into.
+/// A gate and the range of its inputs. Inputs precede the gates that use them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Gate {
     pub(crate) kind: Kind,
@@ -97,15 +97,15 @@ pub(crate) struct Gate {
     pub(crate) mask: Mask,
 }
 
-/// The inputs of a gate as bits, where they are different atoms of one word and so
-/// can be looked at all at once.
+/// The inputs of a gate as a bit mask, if they are distinct atoms in one word and can therefore be
+/// read all at once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Mask {
-    /// Which word.
+    /// The index of the word.
     pub(crate) word: u32,
-    /// The atoms; 0 if the inputs are not of that kind.
+    /// The atoms; 0 if the inputs are not of this form.
     pub(crate) care: u64,
-    /// Those that are negated.
+    /// The negated atoms.
     pub(crate) flip: u64,
 }
 
@@ -132,7 +132,7 @@ impl Mask {
 }
 
 impl Gate {
-    /// A gate with these inputs, which are all there are from `start` on.
+    /// A gate with these inputs, which are stored from `start` on.
     pub(crate) fn new(kind: Kind, start: usize, inputs: &[Ref]) -> Self {
         let mask = if let Kind::Pairs(_) = kind { Mask::default() } else { Mask::of(inputs) };
         Self { kind, start: start as u32, end: (start + inputs.len()) as u32, mask }
@@ -158,17 +158,17 @@ impl Kind {
 }
 
 impl Table {
-    /// Whether enough pairs can be formed, given which cells are true.
+    /// Whether enough pairs can be formed, given the cells that are true.
     pub(crate) fn is_met(self, mut cell: impl FnMut(usize) -> bool) -> bool {
         self.number(&mut cell) >= self.need as usize
     }
 
-    /// How many pairs can be formed at once, whatever counts as a number of them.
+    /// The size of the largest matching, whatever the table's pairing.
     pub(crate) fn matching(self, mut cell: impl FnMut(usize) -> bool) -> usize {
         Self { pairing: vc_graph::goal::Pairing::Matching, ..self }.number(&mut cell)
     }
 
-    /// How many pairs there are.
+    /// The number of pairs.
     pub(crate) fn number(self, cell: &mut impl FnMut(usize) -> bool) -> usize {
         let (rows, columns) = (self.rows as usize, self.columns as usize);
         if rows <= 64 && columns <= 64 {
@@ -192,14 +192,14 @@ fn marginal(rows: &[u64]) -> usize {
     rows.iter().filter(|&&row| row != 0).count().min(seconds)
 }
 
-/// The largest matching of at most 64 rows and columns, by augmenting paths
-/// (Kuhn 1955); no memory is taken.
+/// The largest matching of at most 64 rows and columns, by augmenting paths (Kuhn 1955); allocates
+/// no memory.
 fn small_matching(rows: &[u64]) -> usize {
     let mut partner = [u8::MAX; 64];
     (0..rows.len()).filter(|&row| augment(row, rows, &mut partner, &mut 0)).count()
 }
 
-/// Each call sees one more column, so there are at most 64 within one another.
+/// Each call marks one more column as seen, so the recursion is at most 64 deep.
 fn augment(row: usize, rows: &[u64], partner: &mut [u8; 64], seen: &mut u64) -> bool {
     loop {
         let open = rows[row] & !*seen;

@@ -1,4 +1,4 @@
-//! From a goal and the things there are to atoms and gates.
+//! Grounding: from a goal and the objects of a scene to atoms and gates.
 
 use std::cell::Cell;
 
@@ -9,16 +9,16 @@ use super::gate::Ref;
 use super::table::Numbers;
 use super::{Atom, CompileError, Program, Shape};
 
-/// The things a goal can be about.
+/// The objects that a goal can refer to.
 pub trait Things {
-    /// Adds the things of a class and of its kinds, in a fixed order and each once;
-    /// all things, if there is no class.
+    /// Adds the objects of a class and its subclasses, in a fixed order and each once; all objects
+    /// if no class is given.
     fn each(&self, class: Option<&str>, things: &mut Vec<NodeId>);
 
-    /// Who `me` is.
+    /// The node that `me` denotes.
     fn agent(&self) -> NodeId;
 
-    /// Whether there is such a thing.
+    /// Whether there is an object with this identifier.
     fn has(&self, id: NodeId) -> bool;
 }
 
@@ -43,10 +43,10 @@ fn each_of(graph: &SceneGraph, class: Option<&str>, things: &mut Vec<NodeId>) {
     }
 }
 
-/// Most parts of a goal, each counted for every choice of things.
+/// The default limit of a goal's parts, each counted for every choice of objects.
 const LARGEST: usize = 1 << 24;
 
-/// A compiler: it keeps its memory from one goal to the next.
+/// A compiler that reuses its memory from one goal to the next.
 #[derive(Debug)]
 pub struct Compiler {
     largest: usize,
@@ -63,29 +63,28 @@ impl Default for Compiler {
 }
 
 impl Compiler {
-    /// A compiler that has compiled nothing yet.
+    /// A compiler with the default limit.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A compiler that gives up on goals of more parts than this, each counted for
-    /// every choice of things; the usual limit is 16,777,216.
+    /// A compiler that rejects goals with more than `largest` parts, each counted for every choice
+    /// of objects; the default limit is 16,777,216.
     pub fn limited(largest: usize) -> Self {
         let (atoms, gates) = (Numbers::default(), Numbers::default());
         Self { largest, atoms, gates, stack: Vec::new(), pool: Vec::new() }
     }
 
-    /// Compiles a goal for the things there are; its conjuncts are the program's
-    /// heads. Costs a look at each choice of things for the variables around each
-    /// literal.
+    /// Compiles a goal for the given objects; its conjuncts are the program's heads. The time is
+    /// proportional to the number of choices of objects for the variables around each literal.
     ///
     /// # Errors
-    /// [`CompileError`]: the goal is about time, or there are too many choices.
+    /// [`CompileError`]: the goal is temporal, or there are too many choices.
     pub fn compile(&mut self, goal: &Goal, things: &impl Things) -> Result<Program, CompileError> {
         self.compile_all(goal.conjuncts(), things)
     }
 
-    /// Compiles goals that are to hold together, each a head of the program.
+    /// Compiles the conjunction of several goals, each of them a head of the program.
     ///
     /// # Errors
     /// As [`Compiler::compile`].
@@ -99,14 +98,14 @@ impl Compiler {
     }
 }
 
-/// A choice for a literal's place: a stretch of the pool, or anything.
+/// The candidates for an argument of a literal: a range of the pool, or anything.
 type Choices = std::ops::Range<usize>;
 
-/// A variable and what it stands for.
+/// A variable and the object bound to it.
 struct Bound<'g> {
     variable: &'g str,
     thing: NodeId,
-    /// Whether what stands in its scope asks for it.
+    /// Whether the body in its scope uses the variable.
     used: Cell<bool>,
 }
 
@@ -115,9 +114,9 @@ pub(super) struct Ground<'a, 'g, T> {
     things: &'a T,
     pub(super) program: Program,
     bound: Vec<Bound<'g>>,
-    /// Classes that have been looked up, and where in the pool their things are.
+    /// The classes already looked up, and the ranges of their objects in the pool.
     ranges: Vec<(Option<&'g str>, Choices)>,
-    /// How many parts may still be looked at.
+    /// The number of parts that may still be visited.
     left: usize,
 }
 
@@ -131,7 +130,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         Self { memory, things, program: Program::default(), bound: Vec::new(), ranges: Vec::new(), left }
     }
 
-    /// One more part that is to hold, and its number.
+    /// Adds a conjunct and returns its index.
     pub(super) fn add_head(&mut self, head: Ref) -> usize {
         self.program.heads.push(head);
         self.program.heads.len() - 1
@@ -173,7 +172,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         }
     }
 
-    /// One more part is looked at.
+    /// Counts one more visited part.
     pub(super) fn look(&mut self) -> Result<(), CompileError> {
         let left = self.left.checked_sub(1);
         self.left = left.ok_or(CompileError::TooLarge(self.memory.largest))?;
@@ -207,7 +206,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
                 None => {
                     let (input, used) = self.with(&q.variable, self.memory.pool[at], |g| g.goal(&q.body));
                     let input = input?;
-                    // A body that does not ask for its variable is the same for all.
+                    // A body that does not use its variable is the same for all objects.
                     every = (!used).then_some(input);
                     input
                 }
@@ -217,7 +216,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         gate(self, start)
     }
 
-    /// What comes out with a variable bound, and whether it was asked for.
+    /// Grounds with a variable bound; also returns whether the variable was used.
     pub(super) fn with<R>(
         &mut self,
         variable: &'g str,
@@ -230,7 +229,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         (result, used)
     }
 
-    /// Where the things of a class are in the pool.
+    /// The range of a class's objects in the pool.
     pub(super) fn range(&mut self, class: Option<&'g str>) -> Choices {
         if let Some((_, range)) = self.ranges.iter().find(|(known, _)| *known == class) {
             return range.clone();
@@ -242,13 +241,13 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         range
     }
 
-    /// The things of a class.
+    /// The objects of a class.
     pub(super) fn things_of(&mut self, class: Option<&'g str>) -> Vec<NodeId> {
         let range = self.range(class);
         self.memory.pool[range].to_vec()
     }
 
-    /// The thing a term stands for, if it is one thing.
+    /// The object that a term denotes, if it denotes a single one.
     fn meant(&self, term: &Term) -> Option<NodeId> {
         match term {
             Term::Variable(name) => {
@@ -263,7 +262,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
     }
 }
 
-/// Literals.
+/// Grounding of literals.
 impl<'g, T: Things> Ground<'_, 'g, T> {
     fn literal(&mut self, literal: &'g Literal, comparison: Comparison, number: u32) -> Result<Ref, CompileError> {
         let predicate = literal.predicate;
@@ -295,7 +294,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         self.count(start, comparison, number)
     }
 
-    /// A literal whose terms all stand for one thing, or for none in particular.
+    /// A literal whose terms each denote a single object, or anything.
     fn single(&mut self, literal: &Literal) -> Result<Ref, CompileError> {
         let mut things = [None; 2];
         for (thing, term) in things.iter_mut().zip(&literal.terms) {
@@ -307,8 +306,8 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         self.atom(literal.predicate, things)
     }
 
-    /// What may stand in a place, as a stretch of the pool; [`Ground::ANYTHING`] for
-    /// nothing in particular.
+    /// The candidates for an argument, as a range of the pool; [`Ground::ANYTHING`] if the argument
+    /// may be anything.
     fn choices(&mut self, term: Option<&'g Term>, anything: bool) -> Choices {
         match term {
             _ if anything => Self::ANYTHING,
@@ -331,7 +330,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
 
     fn atom(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Result<Ref, CompileError> {
         self.look()?;
-        // What is real is there, and not still to come.
+        // A real object is present and not still to come.
         if predicate == Predicate::Real {
             let there = things[0].is_some_and(|id| self.things.has(id));
             return Ok(if there { !self.numbered(Predicate::State(State::Future), things) } else { Ref::FALSE });

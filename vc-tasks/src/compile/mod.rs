@@ -1,15 +1,14 @@
-//! Goals compiled for the things of a scene.
+//! Goals compiled for the objects of a scene.
 //!
-//! A [`Program`] is a goal whose variables have been replaced by things: ground
-//! [`Atom`]s, and gates over them. A gate is "all", "any", "at least k", "exactly
-//! k", or "enough pairs in a table"; negation sits on its inputs and output. Equal
-//! gates are one gate, and no alternatives are listed: a goal that is true in 10^13
-//! ways is still as large as its atoms.
+//! A [`Program`] is a goal whose variables have been replaced by objects: ground [`Atom`]s, and
+//! gates over them. A gate is "all", "any", "at least k", "exactly k", or "enough pairs in a
+//! table"; its inputs and its output can be negated. Equal gates are stored once, and alternatives
+//! are not enumerated: a goal that can be fulfilled in 10^13 ways is still only as large as its
+//! atoms.
 //!
-//! The truth of a program is a function of [`Bits`], one for each atom. They are
-//! read from a scene by [`Program::read`]; a [`Tracker`] keeps them, and the verdict,
-//! up to date as the scene changes; [`Known`] says of some that they are not known.
-//! A goal about time is followed by a [`Monitor`].
+//! The truth of a program is a function of [`Bits`], one for each atom. [`Program::read`] reads
+//! them from a scene; a [`Tracker`] keeps the bits and the verdict up to date as the scene changes;
+//! [`Known`] represents partial knowledge of the atoms. A [`Monitor`] evaluates temporal goals.
 //!
 //! ```
 //! use vc_graph::goal::Situation;
@@ -53,19 +52,19 @@ pub use track::{Stale, Tracker};
 
 use vc_graph::Goal;
 
-/// Why a goal cannot be compiled.
+/// The reason why a goal cannot be compiled.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompileError {
-    /// Its truth depends on what was so before, not on one state.
+    /// The goal's truth depends on earlier states, not on a single one.
     #[error("`{0}` is about several steps; follow it with a `Monitor`")]
     Temporal(String),
-    /// Its variables range over too much.
-    #[error("with these things the goal has more than {0} parts; let its variables range over smaller classes")]
+    /// The variables range over too many objects.
+    #[error("for these objects the goal has more than {0} parts; let its variables range over smaller classes")]
     TooLarge(usize),
 }
 
-/// A goal compiled for the things of a scene.
+/// A goal compiled for the objects of a scene.
 #[derive(Debug, Clone)]
 pub struct Program {
     atoms: Vec<Atom>,
@@ -91,35 +90,35 @@ impl Default for Program {
 }
 
 impl Program {
-    /// Compiles a goal; [`Compiler`] does several with the same memory.
+    /// Compiles a goal; [`Compiler`] compiles several and reuses its memory.
     ///
     /// # Errors
-    /// [`CompileError`]: the goal is about time, or there are too many choices.
+    /// [`CompileError`]: the goal is temporal, or there are too many choices.
     pub fn new(goal: &Goal, things: &impl Things) -> Result<Self, CompileError> {
         Compiler::new().compile(goal, things)
     }
 
-    /// The atoms its truth depends on, each once.
+    /// The atoms that the goal's truth depends on, each once.
     pub fn atoms(&self) -> &[Atom] {
         &self.atoms
     }
 
-    /// Number of gates and of their inputs.
+    /// The numbers of gates and of their inputs.
     pub fn size(&self) -> (usize, usize) {
         (self.gates.len(), self.inputs.len())
     }
 
-    /// Number of the goal's conjuncts.
+    /// The number of the goal's conjuncts.
     pub fn heads(&self) -> usize {
         self.heads.len()
     }
 
-    /// No atom is true yet.
+    /// Bits with all atoms false.
     pub fn bits(&self) -> Bits {
         Bits::none(self.atoms.len())
     }
 
-    /// Those of its atoms that are among these are true, and no others.
+    /// Bits in which exactly those of the program's atoms are true that are given.
     pub fn having(&self, atoms: &[Atom]) -> Bits {
         let mut sorted = atoms.to_vec();
         sorted.sort_unstable();
@@ -130,17 +129,17 @@ impl Program {
         bits
     }
 
-    /// Whether the goal holds when these atoms are true.
+    /// Whether the goal holds for these truth values of the atoms.
     pub fn holds(&self, bits: &Bits) -> bool {
         self.value(bits, self.root)
     }
 
-    /// Whether a conjunct, counted from zero, holds; `false` if there is no such.
+    /// Whether a conjunct, counted from zero, holds; `false` if the index is out of range.
     pub fn head_holds(&self, bits: &Bits, head: usize) -> bool {
         self.heads.get(head).is_some_and(|&r| self.value(bits, r))
     }
 
-    /// Which conjuncts hold.
+    /// The conjuncts that hold.
     fn heads_in(&self, bits: &Bits) -> Bits {
         let mut heads = Bits::none(self.heads.len());
         (0..self.heads.len()).for_each(|head| heads.set(head, self.head_holds(bits, head)));
@@ -179,7 +178,7 @@ impl Program {
         value != of.is_negated()
     }
 
-    /// Looks at no more inputs than it takes to know, and at atoms all at once.
+    /// Stops at the first input that decides the gate, and evaluates masked atoms all at once.
     fn gate_value(&self, bits: &Bits, gate: &Gate) -> bool {
         if gate.mask.care != 0 {
             let found = gate.mask.read(bits);
@@ -205,8 +204,8 @@ impl Program {
         }
     }
 
-    /// What is the same for all things stands there once for each: it is looked at
-    /// once.
+    /// A subgoal that does not depend on the quantified variable appears once per object; adjacent
+    /// equal inputs are evaluated once.
     fn each(&self, bits: &Bits, inputs: &[Ref]) -> impl Iterator<Item = bool> {
         let mut last = (Ref::TRUE, true);
         inputs.iter().map(move |&r| {

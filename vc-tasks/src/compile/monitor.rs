@@ -1,4 +1,4 @@
-//! Goals about time, followed step by step.
+//! Temporal goals, evaluated step by step.
 
 use std::sync::Arc;
 
@@ -8,14 +8,14 @@ use vc_graph::goal::{Situation, Trace};
 use super::course::Course;
 use super::{Bits, CompileError, Compiler, Program};
 
-/// A goal that may be about time, compiled, and what has happened so far: it says
-/// what [`Goal::holds_by`] says, without looking at a scene twice.
+/// A compiled goal, temporal or not, with the trace so far: it gives the results of
+/// [`Goal::holds_by`] without reading any scene twice.
 ///
-/// What is said of single states is one [`Program`] over the atoms that matter, and of
-/// each step only the truth of these is kept. What is said of the order of states is
-/// then found for all steps at once, from the last to the first, as linear temporal
-/// logic on finite traces unfolds (De Giacomo and Vardi, IJCAI 2013): `a until b` holds
-/// at a step if b does, or if a does and `a until b` holds at the next one.
+/// The non-temporal parts are one [`Program`] over the atoms that matter, and for each step only
+/// the truth values of these atoms are stored. The temporal operators are then evaluated for all
+/// steps at once, from the last to the first, by the unfolding of linear temporal logic on finite
+/// traces (De Giacomo and Vardi, IJCAI 2013): `a until b` holds at a step if b does, or if a does
+/// and `a until b` holds at the next one.
 ///
 /// ```
 /// use vc_graph::goal::Situation;
@@ -42,26 +42,26 @@ pub struct Monitor {
     program: Arc<Program>,
     /// The goal's conjuncts.
     courses: Arc<Vec<Course>>,
-    /// The atoms that are about what was done.
+    /// The atoms about executed actions.
     deeds: Bits,
-    /// For each step the atoms that are true after it, and of what was done those
-    /// that were done in it.
+    /// For each step the atoms that are true after it; of those about actions, the ones executed in
+    /// it.
     atoms: Vec<Bits>,
-    /// For each step which heads of the program are true, by these.
+    /// For each step the heads of the program that are true for these atoms.
     heads: Vec<Bits>,
-    /// Which conjuncts hold now, and since when each first did.
+    /// For each conjunct whether it holds now; `first` has the step at which it first did.
     now: Vec<bool>,
     first: Vec<Option<usize>>,
-    /// How many events have been looked at.
+    /// The number of events processed.
     events: usize,
 }
 
 impl Monitor {
-    /// Compiles a goal for the things there are, and looks at the state before the
-    /// first step; what was done before it does not count.
+    /// Compiles a goal for the objects of a situation and reads this as the state before the first
+    /// step; earlier actions do not count.
     ///
     /// # Errors
-    /// [`CompileError::TooLarge`]: there are too many choices of things.
+    /// [`CompileError::TooLarge`]: there are too many choices of objects.
     pub fn new(goal: &Goal, now: &Situation<'_>) -> Result<Self, CompileError> {
         let (courses, program) = Compiler::new().courses(goal, now)?;
         let mut deeds = program.bits();
@@ -81,8 +81,8 @@ impl Monitor {
         Ok(monitor)
     }
 
-    /// Follows all of a trace; the things are those of its start. `None` where
-    /// [`Monitor::new`] fails.
+    /// Evaluates a whole trace; the objects are those of its start. `None` where [`Monitor::new`]
+    /// fails.
     pub fn on(goal: &Goal, trace: &Trace) -> Option<Self> {
         let mut situations = (0..=trace.steps()).filter_map(|step| trace.situation(step));
         let mut monitor = Self::new(goal, &situations.next()?).ok()?;
@@ -92,12 +92,12 @@ impl Monitor {
         Some(monitor)
     }
 
-    /// One more step: the state after it, and among the events those that were done in
-    /// it after those of the last step. Says whether the goal holds on what has
-    /// happened by now. Things that come or go are not taken notice of.
+    /// Adds a step: the state after it, whose events continue those of the last step with the ones
+    /// of this step. Returns whether the goal holds on the trace so far. Objects that appear or
+    /// disappear are ignored.
     ///
-    /// Costs a look at the scene for each atom, and at each step so far for each
-    /// temporal word; `then` may cost their square.
+    /// Costs one read of the scene per atom, and one visit of every step so far per temporal
+    /// operator; `then` may cost its square.
     pub fn push(&mut self, now: &Situation<'_>) -> bool {
         let events = now.events.get(self.events..).unwrap_or_default();
         self.events = now.events.len();
@@ -114,22 +114,22 @@ impl Monitor {
         self.holds()
     }
 
-    /// The program of what the goal says of single states.
+    /// The program of the goal's non-temporal parts.
     pub fn program(&self) -> &Program {
         &self.program
     }
 
-    /// Number of steps that were done.
+    /// The number of steps.
     pub fn steps(&self) -> usize {
         self.atoms.len() - 1
     }
 
-    /// Whether the goal holds on what has happened by now. Costs nothing.
+    /// Whether the goal holds on the trace so far. Takes constant time in the length of the trace.
     pub fn holds(&self) -> bool {
         self.now.iter().all(|held| *held)
     }
 
-    /// Which of the goal's conjuncts hold on what has happened by now.
+    /// For each of the goal's conjuncts, whether it holds on the trace so far.
     pub fn heads(&self) -> &[bool] {
         &self.now
     }
@@ -140,20 +140,20 @@ impl Monitor {
     }
 }
 
-/// The part of what happened on which a goal is judged.
+/// The part of the trace on which a goal is evaluated.
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
-    /// What was done after this step counts.
+    /// Actions executed after this step count.
     since: usize,
-    /// The first step temporal words look at.
+    /// The first step that temporal operators consider.
     from: usize,
-    /// The last one.
+    /// The last step.
     end: usize,
 }
 
 impl Monitor {
-    /// Whether a goal holds on a stretch: what no temporal word governs is judged at
-    /// its end.
+    /// Whether a goal holds on a stretch; parts under no temporal operator are evaluated at its
+    /// end.
     fn judge(&self, course: &Course, on: Stretch) -> bool {
         match course {
             Course::State(head) => self.program.head_holds(&self.whole(on), *head),
@@ -170,7 +170,7 @@ impl Monitor {
         }
     }
 
-    /// The atoms at the end of a stretch, with all that was done on it.
+    /// The atoms at the end of a stretch, with all actions executed on it.
     fn whole(&self, on: Stretch) -> Bits {
         let mut bits = self.atoms[on.end].clone();
         bits.remove(&self.deeds);
@@ -207,8 +207,8 @@ impl Monitor {
         }
     }
 
-    /// The steps of a stretch at which a head is true; what was done in its first step
-    /// may be no part of it.
+    /// For each step of a stretch, whether a conjunct is true; actions of the first step may not
+    /// belong to the stretch.
     fn states(&self, head: usize, on: Stretch) -> Vec<bool> {
         let mut steps: Vec<bool> = self.heads[on.from..=on.end].iter().map(|heads| heads.has(head)).collect();
         if on.from == on.since {
@@ -217,7 +217,7 @@ impl Monitor {
         steps
     }
 
-    /// Cuts a stretch into one for each part, each as short as can be.
+    /// Splits a stretch into one for each part, each as short as possible.
     fn in_order(&self, parts: &[Course], on: Stretch) -> bool {
         let Some((last, others)) = parts.split_last() else { return true };
         let mut rest = on;
@@ -231,7 +231,8 @@ impl Monitor {
     }
 }
 
-/// From the last step to the first: what holds here, given what holds later.
+/// Computes from the last step to the first whether a goal holds there, given whether it holds
+/// later.
 fn backwards(mut steps: Vec<bool>, holds: impl Fn(bool, bool) -> bool, after: bool) -> Vec<bool> {
     let mut later = after;
     for step in steps.iter_mut().rev() {
@@ -241,7 +242,7 @@ fn backwards(mut steps: Vec<bool>, holds: impl Fn(bool, bool) -> bool, after: bo
     steps
 }
 
-/// The same of two parts; after the last step it does not hold.
+/// The same for two parts; after the last step the goal counts as false.
 fn unfold(mut a: Vec<bool>, b: Vec<bool>, holds: impl Fn(bool, bool, bool) -> bool) -> Vec<bool> {
     let mut later = false;
     for (a, b) in a.iter_mut().zip(b).rev() {
@@ -251,7 +252,7 @@ fn unfold(mut a: Vec<bool>, b: Vec<bool>, holds: impl Fn(bool, bool, bool) -> bo
     a
 }
 
-/// Where a part holds at some step, at most so many further on.
+/// The steps from which a part holds at most the given number of steps later.
 fn within(part: &[bool], steps: usize) -> Vec<bool> {
     let mut next = None;
     let mut held = vec![false; part.len()];

@@ -1,4 +1,4 @@
-//! Atoms read from scenes.
+//! Reading atoms from scenes.
 
 use vc_graph::goal::{Predicate, Situation};
 use vc_graph::{Change, NodeId, Observation, Relation};
@@ -6,7 +6,7 @@ use vc_graph::{Change, NodeId, Observation, Relation};
 use super::{Atom, Bits, Known, Program};
 
 impl Program {
-    /// Which atoms are true in a situation. Costs a look at the scene for each.
+    /// The atoms that are true in a situation. Costs one read of the scene for each.
     pub fn read(&self, now: &Situation<'_>) -> Bits {
         let mut bits = self.bits();
         for (index, atom) in self.atoms().iter().enumerate() {
@@ -15,8 +15,8 @@ impl Program {
         bits
     }
 
-    /// Which atoms are true as far as an agent sees: those of which it sees all
-    /// things, and what has been done.
+    /// The atoms as far as an agent observes them: those whose objects it sees, and those about
+    /// executed actions.
     pub fn read_seen(&self, now: &Situation<'_>, seen: &Observation) -> Known {
         let mut known = Known::nothing(self);
         for (index, atom) in self.atoms().iter().enumerate() {
@@ -28,14 +28,14 @@ impl Program {
     }
 }
 
-/// What can change an atom.
+/// The changes that can affect an atom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wake {
-    /// A change of one of its things.
+    /// A change of one of its objects.
     Things,
-    /// Any change of places or poses: it reaches through other things.
+    /// Any change of placements or poses, because the atom depends on other objects as well.
     Places,
-    /// Something done.
+    /// An executed action.
     Events,
 }
 
@@ -47,7 +47,7 @@ pub(super) fn wake(atom: &Atom) -> Wake {
     }
 }
 
-/// The things a change is about; none for nodes that come or go.
+/// The objects that a change concerns; none for added or removed nodes.
 pub(super) fn changed(change: &Change) -> [Option<NodeId>; 2] {
     match change {
         Change::States { id, .. } | Change::Pose { id, .. } | Change::Contents { id, .. } => [Some(*id), None],
@@ -56,7 +56,7 @@ pub(super) fn changed(change: &Change) -> [Option<NodeId>; 2] {
     }
 }
 
-/// Whether a change can change places or poses.
+/// Whether a change can alter placements or poses.
 pub(super) fn moves(change: &Change) -> bool {
     matches!(change, Change::Link(_) | Change::Unlink(_) | Change::Pose { .. })
 }

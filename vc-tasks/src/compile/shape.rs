@@ -1,26 +1,26 @@
-//! How the gates of a program hang together: found once, used by each score.
+//! The structure of a program's gates: found once, used by each score.
 
 use super::{Kind, Program, Ref};
 
-/// What of a program is wanted true and what false, and which parts contend for
-/// the same atoms.
+/// The polarities in which the atoms and gates of a program are used, and the parts that compete
+/// for the same atoms.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Shape {
     /// For each gate whether its truth matters (1), its falsehood (2), or both.
     sides: Vec<u8>,
-    /// For each atom by how many ways it can be reached from the whole.
+    /// For each atom the number of paths to it from the root.
     paths: Vec<u32>,
-    /// The parts that are to hold together; none if no atom is contested.
+    /// The conjuncts; empty if no atom is contested.
     parts: Vec<Part>,
-    /// For each gate whether no pairs are in it, if some atom is contested.
+    /// For each gate whether it contains no pairs, if some atom is contested.
     pure: Vec<bool>,
 }
 
-/// One of the parts that are to hold together.
+/// A conjunct.
 #[derive(Debug, Clone)]
 pub(crate) struct Part {
     pub(crate) of: Ref,
-    /// Its gates, inputs before the gates they go into.
+    /// Its gates, inputs before the gates that use them.
     pub(crate) gates: Vec<u32>,
     /// The contested atoms in it.
     pub(crate) contested: Vec<u32>,
@@ -39,18 +39,18 @@ impl Shape {
         Self { sides: uses.gates.into_iter().map(|u| u.sides).collect(), paths, parts, pure }
     }
 
-    /// Whether the truth of a gate matters, or its falsehood.
+    /// Whether the truth of a gate matters or, if `negated`, its falsehood.
     #[inline]
     pub(crate) fn matters(&self, gate: usize, negated: bool) -> bool {
         self.sides.get(gate).is_some_and(|sides| (sides >> u8::from(negated)) & 1 != 0)
     }
 
-    /// By how many ways an atom can be reached from the whole, one at least.
+    /// The number of paths to an atom from the root, at least one.
     pub(crate) fn paths(&self, atom: usize) -> u32 {
         self.paths.get(atom).map_or(1, |&paths| paths.max(1))
     }
 
-    /// Whether no pairs are in a gate.
+    /// Whether a gate contains no pairs.
     pub(crate) fn is_pure(&self, gate: usize) -> bool {
         self.pure.get(gate).is_some_and(|pure| *pure)
     }
@@ -74,7 +74,7 @@ fn pure(program: &Program) -> Vec<bool> {
 #[derive(Debug, Clone, Copy, Default)]
 struct Use {
     sides: u8,
-    /// By how many ways it can be reached from the whole.
+    /// The number of paths to it from the root.
     paths: u32,
 }
 

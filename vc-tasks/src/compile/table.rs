@@ -1,22 +1,23 @@
-//! A set of numbered things: equal ones get the same number.
+//! An index of distinct values: equal values get the same number.
 
-/// Open addressing with linear probing; the things themselves are kept elsewhere.
+/// Open addressing with linear probing; the values themselves are stored elsewhere.
 #[derive(Debug, Default)]
 pub(super) struct Numbers {
-    /// Number plus one; 0 is free. As many as a power of two, at most half full.
+    /// Number plus one; 0 is free. The length is a power of two, and at most half of the slots are
+    /// used.
     slots: Vec<u32>,
     used: usize,
 }
 
 impl Numbers {
-    /// Forgets everything and keeps the memory.
+    /// Clears the index but keeps its memory.
     pub(super) fn clear(&mut self) {
         self.slots.fill(0);
         self.used = 0;
     }
 
-    /// The number of a thing with this key: one that `equal` recognises, or `next`.
-    /// `key_of` gives the key of a number already given.
+    /// The number of a value with this key: an existing one that `equal` recognises, or `next`.
+    /// `key_of` gives the key of an existing number.
     pub(super) fn number(
         &mut self,
         key: u64,

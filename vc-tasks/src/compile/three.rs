@@ -1,4 +1,4 @@
-//! Truth for one who has not seen everything.
+//! Three-valued truth under partial observability.
 
 use super::{Bits, Gate, Kind, Program, Ref};
 
@@ -6,16 +6,16 @@ use super::{Bits, Gate, Kind, Program, Ref};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It holds, whatever is unknown.
+    /// It holds, whatever the unknown atoms are.
     True,
-    /// It does not, whatever is unknown.
+    /// It does not hold, whatever the unknown atoms are.
     False,
-    /// What is known does not say.
+    /// The known atoms do not decide it.
     Unknown,
 }
 
 impl Verdict {
-    /// A truth that is known.
+    /// The verdict for a known truth value.
     pub fn of(value: bool) -> Self {
         if value { Self::True } else { Self::False }
     }
@@ -58,28 +58,28 @@ pub struct Known {
 }
 
 impl Known {
-    /// Nothing is known about a program's atoms.
+    /// No atom of a program is known.
     pub fn nothing(program: &Program) -> Self {
         Self { known: program.bits(), value: program.bits() }
     }
 
-    /// An atom, by its position, becomes known.
+    /// Records the truth of an atom, given by its index.
     pub fn learn(&mut self, atom: usize, value: bool) {
         self.known.set(atom, true);
         self.value.set(atom, value);
     }
 
-    /// What is known of an atom.
+    /// The known truth of an atom.
     pub fn get(&self, atom: usize) -> Verdict {
         if self.known.has(atom) { Verdict::of(self.value.has(atom)) } else { Verdict::Unknown }
     }
 }
 
 impl Program {
-    /// Whether the goal holds, as far as is known: Kleene's strong logic, with counts
-    /// and pairs by the least and the most that there can be. What it says is so for
-    /// every way the unknown can turn out; it may say unknown where that does not
-    /// matter, as for `Open(x) | !Open(x)`.
+    /// Whether the goal holds, as far as is known: Kleene's strong logic, with lower and upper
+    /// bounds for counts and pairs. A verdict of true or false is right for every value of the
+    /// unknown atoms; the verdict may be unknown where they do not matter, as for `Open(x) |
+    /// !Open(x)`.
     pub fn verdict(&self, known: &Known) -> Verdict {
         self.seen(known, self.root())
     }
@@ -101,7 +101,7 @@ impl Program {
 }
 
 impl Gate {
-    /// What is known of a gate, given what is known of its inputs.
+    /// The verdict of a gate, given the verdicts of its inputs.
     pub(crate) fn verdict(self, inputs: &[Ref], seen: impl Fn(Ref) -> Verdict) -> Verdict {
         if let Kind::Pairs(table) = self.kind {
             let most = table.is_met(|cell| seen(inputs[cell]) != Verdict::False);
@@ -119,7 +119,8 @@ impl Gate {
         }
     }
 
-    /// The fewest and the most true inputs with which it is true; of a table any.
+    /// The least and the greatest number of true inputs with which the gate is true; a table has no
+    /// such bounds.
     pub(crate) fn bounds(self) -> (usize, usize) {
         let all = self.inputs().len();
         match self.kind {
@@ -132,8 +133,8 @@ impl Gate {
     }
 }
 
-/// How many inputs are true, and how many can be. What stands there several times in
-/// a row is looked at once.
+/// The number of inputs that are true, and the number that can be. Adjacent equal inputs are
+/// evaluated once.
 pub(crate) fn counts(inputs: &[Ref], seen: impl Fn(Ref) -> Verdict) -> (usize, usize) {
     let same = inputs.chunk_by(|a, b| a == b);
     same.fold((0, 0), |(least, most), same| match seen(same[0]) {

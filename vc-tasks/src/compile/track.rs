@@ -10,13 +10,13 @@ use vc_graph::{Change, ChangeSet, NodeId};
 use super::scene::{Wake, changed, moves, wake};
 use super::{Bits, Gate, Kind, Program, Ref};
 
-/// The scene has gained or lost things, over which the goal's variables may range.
+/// An object, over which the goal's variables may range, was added to the scene or removed from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("{0} came or went; compile the goal for the things there are now")]
+#[error("object {0} was added or removed; compile the goal again for the current objects")]
 pub struct Stale(pub NodeId);
 
-/// A goal's verdict, kept while atoms change: a changed atom wakes only the gates it
-/// goes into, and these only those whose truth depends on them.
+/// A goal's verdict, updated incrementally: a changed atom triggers only the gates that use it, and
+/// these only the gates that depend on them.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -45,25 +45,26 @@ pub struct Tracker {
     watch: Arc<Watch>,
     bits: Bits,
     gates: Bits,
-    /// For each gate how many of its inputs are true.
+    /// For each gate the number of its true inputs.
     counts: Vec<u32>,
     queue: BinaryHeap<Reverse<u32>>,
-    /// How many events have been looked at.
+    /// The number of events processed.
     events: usize,
 }
 
-/// Who listens to whom.
+/// The dependencies between atoms and gates.
 #[derive(Debug)]
 struct Watch {
-    /// For each atom, then for each gate, where its watchers begin.
+    /// For each atom, then for each gate, the start of its watchers.
     starts: Vec<u32>,
-    /// Gates, and whether they read their input negated: two times the gate, plus one.
+    /// The watching gates, each as two times the gate's index, plus one if it reads the input
+    /// negated.
     watchers: Vec<u32>,
-    /// Things and the atoms that change with them, sorted.
+    /// Pairs of an object and an atom that changes with it, sorted.
     things: Vec<(NodeId, u32)>,
-    /// Atoms that places and poses of other things can change.
+    /// Atoms that the placements and poses of other objects can change.
     places: Vec<u32>,
-    /// Atoms about what has been done.
+    /// Atoms about executed actions.
     events: Vec<u32>,
 }
 
@@ -111,7 +112,7 @@ impl Watch {
 }
 
 impl Tracker {
-    /// Starts with these atoms true. Costs a look at every gate.
+    /// Starts with these truth values. Costs one visit of every gate.
     pub fn new(program: Arc<Program>, bits: Bits) -> Self {
         let watch = Arc::new(Watch::new(&program));
         let (gates, counts) = (Bits::none(program.gates().len()), vec![0; program.gates().len()]);
@@ -120,7 +121,7 @@ impl Tracker {
         tracker
     }
 
-    /// Starts in a situation.
+    /// Starts with the atoms of a situation.
     pub fn in_situation(program: Arc<Program>, now: &Situation<'_>) -> Self {
         let bits = program.read(now);
         Self { events: now.events.len(), ..Self::new(program, bits) }
@@ -135,17 +136,17 @@ impl Tracker {
         }
     }
 
-    /// The program it tracks.
+    /// The tracked program.
     pub fn program(&self) -> &Program {
         &self.program
     }
 
-    /// The atoms that are true.
+    /// The truth values of the atoms.
     pub fn bits(&self) -> &Bits {
         &self.bits
     }
 
-    /// Whether the goal holds now. Costs nothing.
+    /// Whether the goal holds now. Takes constant time.
     pub fn holds(&self) -> bool {
         self.value(self.program.root())
     }
@@ -175,7 +176,7 @@ impl Tracker {
         }
     }
 
-    /// Makes an atom true or false and says whether the goal holds then.
+    /// Sets the truth of an atom and returns whether the goal then holds.
     pub fn set(&mut self, atom: usize, value: bool) -> bool {
         if atom < self.program.atoms().len() && self.bits.has(atom) != value {
             self.bits.set(atom, value);
@@ -185,7 +186,8 @@ impl Tracker {
         self.holds()
     }
 
-    /// Tells the watchers of an atom, or of a gate after the atoms, its new truth.
+    /// Passes a new truth value on to the watchers of an atom, or of a gate, whose places follow
+    /// those of the atoms.
     fn wake(&mut self, place: usize, value: bool) {
         for at in self.watch.of(place) {
             let watcher = self.watch.watchers[at];
@@ -196,7 +198,8 @@ impl Tracker {
         }
     }
 
-    /// Gates in the order of their numbers: the inputs of each are settled before it.
+    /// Updates the queued gates in the order of their indices, so that the inputs of each are
+    /// settled first.
     fn run(&mut self) {
         while let Some(Reverse(gate)) = self.queue.pop() {
             while self.queue.peek() == Some(&Reverse(gate)) {
@@ -211,12 +214,12 @@ impl Tracker {
         }
     }
 
-    /// Takes over what an edit or action changed; `now` is the situation after it.
-    /// Costs a look at the scene for each atom about a thing that changed; after
-    /// something moved also for those about `Inside` and `Near`.
+    /// Applies the changes of an edit or action; `now` is the situation after it. Costs one read of
+    /// the scene for each atom about a changed object; after a movement also for those about
+    /// `Inside` and `Near`.
     ///
     /// # Errors
-    /// [`Stale`] if nodes came or went; then nothing has changed here.
+    /// [`Stale`] if nodes were added or removed; then the tracker is unchanged.
     pub fn apply(&mut self, now: &Situation<'_>, changes: &ChangeSet) -> Result<bool, Stale> {
         for change in changes.changes() {
             if let Change::Add(node) | Change::Remove(node) = change {

@@ -1,4 +1,4 @@
-//! Why a goal does not hold, what makes it hold, and since when.
+//! Why a goal does not hold, what would make it hold, and since when it has held.
 
 mod sets;
 
@@ -8,35 +8,35 @@ use vc_graph::{Goal, NodeId};
 use crate::compile::{CompileError, Compiler, Monitor, Things};
 pub use sets::{MinimalSets, Unmet};
 
-/// Most sets that [`explain`] gives of what is missing.
+/// The number of sets of missing conditions that [`explain`] returns at most.
 pub const SETS: usize = 16;
 
-/// What there is to say about one conjunct of a goal.
+/// The explanation of one conjunct of a goal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// The conjunct.
     pub goal: Goal,
     /// Whether it holds.
     pub holds: bool,
-    /// The minimal sets of what is missing, the smallest first and at most [`SETS`]
-    /// of them; one that is empty if it holds, none if nothing can make it hold.
+    /// The minimal sets of missing conditions, at most [`SETS`] and smallest first; one empty set
+    /// if the conjunct holds, no set if nothing can make it hold.
     pub unmet: Vec<Vec<Unmet>>,
-    /// For a quantified conjunct the things for which its body holds and those for
-    /// which it does not.
+    /// For a quantified conjunct, the objects for which its body holds and those for which it does
+    /// not.
     pub bindings: Option<Bindings>,
 }
 
-/// The things a quantified goal ranges over.
+/// The objects that a quantified goal ranges over.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Bindings {
-    /// Things for which the body holds.
+    /// The objects for which the body holds.
     pub satisfied: Vec<NodeId>,
-    /// Things for which it does not.
+    /// The objects for which it does not hold.
     pub unsatisfied: Vec<NodeId>,
 }
 
-/// Says of each conjunct of a goal whether it holds in a situation, what is missing,
-/// and which things count.
+/// Explains for each conjunct of a goal whether it holds in a situation, which conditions are
+/// missing, and for which objects it holds.
 ///
 /// ```
 /// use vc_graph::goal::Situation;
@@ -56,7 +56,7 @@ pub struct Bindings {
 /// ```
 ///
 /// # Errors
-/// [`CompileError`]: the goal is about time or too large.
+/// [`CompileError`]: the goal is temporal or too large.
 pub fn explain(goal: &Goal, now: &Situation<'_>) -> Result<Vec<Part>, CompileError> {
     let mut compiler = Compiler::new();
     let program = compiler.compile(goal, now)?;
@@ -91,11 +91,11 @@ fn bindings(q: &Quantified, now: &Situation<'_>) -> Bindings {
     found
 }
 
-/// For each conjunct of a goal the first step after which it held, if there was one:
-/// judged on what had happened by then.
+/// For each conjunct of a goal the first step after which it held, if there was one, evaluated on
+/// the trace up to that step.
 ///
-/// Costs what a [`Monitor`] does; where things come or go, or range over too much, a
-/// plain reading of the goal at each step.
+/// Costs as much as a [`Monitor`]; where objects are added or removed, or variables range over too
+/// many, the goal is evaluated directly at each step.
 pub fn first_held(goal: &Goal, trace: &Trace) -> Vec<Option<usize>> {
     if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::on(goal, trace)).flatten() {
         return monitor.first_held().to_vec();
@@ -104,7 +104,7 @@ pub fn first_held(goal: &Goal, trace: &Trace) -> Vec<Option<usize>> {
     conjuncts.map(|part| (0..=trace.steps()).find(|&step| part.holds_by(trace, step))).collect()
 }
 
-/// Whether the same things are there at all steps.
+/// Whether the same objects exist at all steps.
 fn keeps_its_things(trace: &Trace) -> bool {
     let things = |step: usize| trace.graph(step).into_iter().flat_map(|g| g.nodes()).map(vc_graph::Node::id);
     (1..=trace.steps()).all(|step| things(step).eq(things(0)))

@@ -1,9 +1,9 @@
-//! Minimal sets of what is missing.
+//! Minimal sets of missing conditions.
 //!
-//! Found as Reiter finds diagnoses (Artificial Intelligence 32, 1987): while the goal
-//! does not hold, some atoms alone keep it so, and one of them must change. Each is
-//! tried in turn, the sets that may come to be smallest first (A*; Hart, Nilsson and
-//! Raphael 1968), by a bound on what is still missing.
+//! The search follows Reiter's computation of diagnoses (Artificial Intelligence 32, 1987): while the
+//! goal does not hold, some set of atoms is alone enough to keep it so, and one of these atoms must
+//! change. Each is tried in turn, best first (A*; Hart, Nilsson and Raphael 1968) by the size of the set
+//! so far plus a lower bound on what is still missing.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -11,12 +11,12 @@ use std::fmt;
 
 use crate::compile::{Atom, Bits, Gate, Kind, Program, Ref};
 
-/// A condition that is not met: an atom that is to become true, or false.
+/// A missing condition: an atom that has to become true, or false.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unmet {
     /// The atom.
     pub atom: Atom,
-    /// What it is to be.
+    /// The truth value it has to take.
     pub wanted: bool,
 }
 
@@ -26,26 +26,25 @@ impl fmt::Display for Unmet {
     }
 }
 
-/// Sets of conditions that are not met and would make a goal hold.
+/// The minimal sets of missing conditions that would make a goal hold.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct MinimalSets {
-    /// The sets, smallest first: met together the conditions of a set make the goal
-    /// hold, and those of no part of it do.
+    /// The sets, smallest first: fulfilling all conditions of a set makes the goal hold, fulfilling only
+    /// a proper subset does not.
     pub sets: Vec<Vec<Unmet>>,
-    /// Whether there are no others.
+    /// Whether these are all.
     pub complete: bool,
 }
 
-/// How many looks at gates a search may take: about a second.
+/// The limit of gate visits in a search: about a second.
 const LOOKS: usize = 1 << 24;
 
 impl Program {
-    /// The minimal sets of conditions that are not met and would together make the
-    /// goal hold: at most `most`, the smallest first. One empty set if it holds, none
-    /// if nothing can make it hold.
+    /// The minimal sets of missing conditions that would together make the goal hold: at most `most`, the
+    /// smallest first. One empty set if the goal holds, no set if nothing can make it hold.
     ///
-    /// The search is given up after 16,777,216 looks at gates, with what was found by
-    /// then; [`MinimalSets::complete`] tells.
+    /// The search ends after 16,777,216 gate visits and returns the sets found until then, with
+    /// [`MinimalSets::complete`] false.
     ///
     /// ```
     /// use vc_graph::goal::Situation;
@@ -69,13 +68,13 @@ impl Program {
         Search::new(self, self.root(), bits).run(most)
     }
 
-    /// The same for one conjunct, counted from zero; none for one that is not there.
+    /// The same for one conjunct, counted from zero; no sets if the index is out of range.
     pub fn unmet_of_head(&self, bits: &Bits, head: usize, most: usize) -> MinimalSets {
         self.head(head).map_or_else(MinimalSets::default, |of| Search::new(self, of, bits).run(most))
     }
 }
 
-/// Atoms that have been changed and such that must not be.
+/// A node of the search: the atoms that were changed, and those that must not be.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Try {
     changed: Vec<u32>,
@@ -85,11 +84,11 @@ struct Try {
 struct Search<'a> {
     program: &'a Program,
     of: Ref,
-    /// The atoms as they are in what is tried.
+    /// The truth values in the node under consideration.
     bits: Bits,
-    /// Atoms that may still change.
+    /// The atoms that may still change.
     open: Bits,
-    /// For each gate what it takes at least to make it true, and to make it false.
+    /// For each gate a lower bound of the changes that make it true, and of those that make it false.
     costs: Vec<[f64; 2]>,
     looks: usize,
 }
@@ -136,7 +135,7 @@ impl<'a> Search<'a> {
         sorted.iter().map(unmet).collect()
     }
 
-    /// Makes the atoms as they are in a try, or as they were.
+    /// Applies the changes of a node, or takes them back.
     fn enter(&mut self, next: &Try, here: bool) {
         for &atom in &next.changed {
             let value = self.bits.has(atom as usize);
@@ -145,8 +144,8 @@ impl<'a> Search<'a> {
         next.changed.iter().chain(&next.kept).for_each(|&atom| self.open.set(atom as usize, !here));
     }
 
-    /// One try for each atom that may be what keeps the goal from holding: it changes,
-    /// and those before it do not.
+    /// One child for each atom that may keep the goal from holding: that atom changes, and the ones
+    /// before it do not.
     fn branches(&mut self, from: &Try) -> Vec<Reverse<(usize, usize, Try)>> {
         let mut why = Vec::new();
         self.why(self.of, &mut why);
@@ -158,7 +157,7 @@ impl<'a> Search<'a> {
             next.changed.push(atom);
             self.enter(&Try { changed: vec![atom], kept: Vec::new() }, true);
             if let Some(least) = self.bound() {
-                // Of equals those that are further come first.
+                // Among equals the larger set comes first.
                 tries.push(Reverse((next.changed.len() + least, usize::MAX - next.changed.len(), next.clone())));
             }
             self.enter(&Try { changed: vec![atom], kept: Vec::new() }, false);
@@ -172,9 +171,9 @@ impl<'a> Search<'a> {
     }
 }
 
-/// What must change.
+/// The atoms of which one must change.
 impl Search<'_> {
-    /// Atoms that may change and that alone keep something as it is.
+    /// Open atoms that are together enough to keep a gate or atom at its current value.
     fn why(&mut self, r: Ref, found: &mut Vec<u32>) {
         self.looks += 1;
         if r.is_constant() {
@@ -199,12 +198,12 @@ impl Search<'_> {
             self.why(input, &mut atoms);
             reasons.push(atoms);
         }
-        // Those that leave the fewest atoms to try.
+        // The inputs with the fewest atoms to try come first.
         reasons.sort_by_key(Vec::len);
         found.extend(reasons.into_iter().take(number).flatten());
     }
 
-    /// How many inputs of which value make a gate what it is.
+    /// The number of inputs, and their value, that are enough to determine a gate's current value.
     fn decisive(&self, gate: Gate, holds: bool) -> (usize, bool) {
         let all = gate.inputs().len();
         match (gate.kind, holds) {
@@ -221,12 +220,11 @@ impl Search<'_> {
     }
 }
 
-/// What it takes at least.
+/// Lower bounds.
 impl Search<'_> {
-    /// How many atoms must change at least; `None` if that does not help.
+    /// The least number of atoms that must change; `None` if no change helps.
     ///
-    /// An atom that stands in several places counts in each for its part, so that it
-    /// counts for one at most.
+    /// An atom used in several places counts a fraction in each, so that it counts at most once in total.
     fn bound(&mut self) -> Option<usize> {
         let last = if self.of.is_atom() || self.of.is_constant() { 0 } else { self.of.index() + 1 };
         self.costs.clear();
@@ -272,7 +270,8 @@ impl Search<'_> {
                 let (more, fewer) = (k as usize + 1, all + 1 - k as usize);
                 self.least(inputs, more, true).min(self.least(inputs, fewer, false))
             }
-            // So many pairs take so many cells, and one of those there must end.
+            // A number of pairs takes as many true cells; to undo a matching, at least one of its cells
+            // must become false.
             (Kind::Pairs(table), true) => self.least(inputs, table.need as usize, true),
             (Kind::Pairs(table), false) => match table.is_met(|cell| self.program.value(&self.bits, inputs[cell])) {
                 true => self.least(inputs, 1, false),
@@ -281,7 +280,7 @@ impl Search<'_> {
         }
     }
 
-    /// What the cheapest so many take.
+    /// The sum of the lowest costs.
     fn least(&self, inputs: &[Ref], number: usize, wanted: bool) -> f64 {
         if number > inputs.len() {
             return f64::INFINITY;

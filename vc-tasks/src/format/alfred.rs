@@ -1,4 +1,4 @@
-//! Tasks of ALFRED: one of seven types, and what it is about.
+//! Tasks of ALFRED: one of seven types, and its parameters.
 //!
 //! ```
 //! use vc_tasks::format::alfred::Template;
@@ -12,7 +12,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A trajectory file of ALFRED is read as it is: other keys are passed over.
+//! Trajectory files of ALFRED can be read as they are: other keys are ignored.
 
 use serde::{Deserialize, Serialize};
 use vc_graph::goal::{Comparison, Goal, Predicate, Quantified, Term};
@@ -32,10 +32,10 @@ pub enum Type {
     /// Put an object somewhere.
     #[serde(rename = "pick_and_place_simple")]
     Place,
-    /// Put two of a kind into the same place.
+    /// Put two objects of one class into the same place.
     #[serde(rename = "pick_two_obj_and_place")]
     PlaceTwo,
-    /// Put an object into a vessel and that somewhere.
+    /// Put an object into a vessel and the vessel somewhere.
     #[serde(rename = "pick_and_place_with_movable_recep")]
     PlaceWithVessel,
     /// Put a clean object somewhere.
@@ -50,22 +50,22 @@ pub enum Type {
 }
 
 impl Type {
-    /// All seven.
+    /// All seven types.
     pub const ALL: [Self; 7] =
         [Self::LookInLight, Self::Place, Self::PlaceTwo, Self::PlaceWithVessel, Self::Clean, Self::Heat, Self::Cool];
 }
 
-/// A task: its type and what it is about.
+/// A task: its type and its parameters.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Template {
-    /// Which of the seven.
+    /// The type.
     pub task_type: Type,
-    /// What it is about.
+    /// The parameters.
     #[serde(rename = "pddl_params")]
     pub about: Parameters,
 }
 
-/// What a task is about: classes, empty where its type takes none.
+/// The classes of a task, empty where its type takes none.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Parameters {
@@ -75,10 +75,10 @@ pub struct Parameters {
     /// Whether it is to be sliced.
     #[serde(rename = "object_sliced")]
     pub sliced: bool,
-    /// The vessel it is to be put into.
+    /// The vessel that the object is to be put into.
     #[serde(rename = "mrecep_target")]
     pub vessel: String,
-    /// Where it is to be put.
+    /// The receptacle it is to be put in or on.
     #[serde(rename = "parent_target")]
     pub receptacle: String,
     /// The lamp.
@@ -90,8 +90,7 @@ impl Template {
     /// Reads a task, or the task of a trajectory file.
     ///
     /// # Errors
-    /// [`ReadError`] for what is no such JSON, and for classes that its type needs
-    /// and that are missing.
+    /// [`ReadError`] if the text is not such JSON, or lacks classes that its type needs.
     pub fn read(text: &str) -> Result<Self, ReadError> {
         let task: Self = from_json(FORMAT, text)?;
         let missing = task.takes().into_iter().find(|(_, class)| class.is_empty());
@@ -103,11 +102,11 @@ impl Template {
 
     /// Writes it as JSON.
     pub fn write(&self) -> String {
-        // Strings and one flag cannot fail.
+        // Serialising strings and one flag cannot fail.
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// The classes its type needs.
+    /// The classes that its type needs.
     fn takes(&self) -> Vec<(&'static str, &str)> {
         let about = &self.about;
         let object = ("object_target", about.object.as_str());
@@ -119,8 +118,8 @@ impl Template {
         }
     }
 
-    /// The goal. In a receptacle is what is on it or inside it; hot, cold and clean
-    /// is what is so at the end.
+    /// The goal. An object is in a receptacle if it is on it or inside it; it is hot, cold or clean
+    /// if it is so at the end.
     pub fn to_goal(&self) -> Goal {
         let about = &self.about;
         let sliced = about.sliced.then(|| state(State::Sliced, "o"));
@@ -151,10 +150,10 @@ impl Template {
         }
     }
 
-    /// The task whose goal this is.
+    /// Finds the task whose goal this is.
     ///
     /// # Errors
-    /// [`Unwritable`] if it is none of ALFRED's.
+    /// [`Unwritable`] if it is not a goal of ALFRED.
     pub fn of(goal: &Goal) -> Result<Self, Unwritable> {
         let classes = classes(goal);
         let class = |i: usize| classes.get(i).copied().unwrap_or_default().to_owned();
@@ -178,7 +177,7 @@ impl Template {
     }
 }
 
-/// The classes of the quantifiers from the outside in.
+/// The classes of the quantifiers, outermost first.
 fn classes(mut goal: &Goal) -> Vec<&str> {
     let mut found = Vec::new();
     while let Goal::Exists(q) | Goal::ForN { of: q, .. } = goal {

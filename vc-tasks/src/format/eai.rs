@@ -1,5 +1,5 @@
-//! Writing goals of the Embodied Agent Interface. Reading them is
-//! [`vc_graph::format::eai`]'s and [`Goal::from_eai`]'s business.
+//! Writing goals of the Embodied Agent Interface. They are read by [`vc_graph::format::eai`] and
+//! [`Goal::from_eai`].
 //!
 //! ```
 //! use vc_graph::Goal;
@@ -18,10 +18,10 @@ use super::{ReadError, Unwritable};
 const FORMULA: &str = "EAI formula";
 const GOAL: &str = "EAI goal";
 
-/// Reads a formula, and says on which line it is wrong.
+/// Reads a formula and reports errors with their line.
 ///
 /// # Errors
-/// [`ReadError`] says where and what was expected.
+/// [`ReadError`] with the place and what was expected there.
 pub fn read_formula(text: &str) -> Result<Goal, ReadError> {
     Goal::from_eai(text).map_err(|error| {
         let byte = text.char_indices().nth(error.at.saturating_sub(1)).map_or(text.len(), |(i, _)| i);
@@ -35,8 +35,8 @@ pub fn read_formula(text: &str) -> Result<Goal, ReadError> {
 /// Writes a goal as a formula.
 ///
 /// # Errors
-/// [`Unwritable`] for what formulas have no word for: classes of things without a
-/// variable, counts of literals, pairs, time other than `then`.
+/// [`Unwritable`] for parts that formulas cannot express: classes without a variable, counts of
+/// literals, pairs, temporal operators other than `then`.
 pub fn formula(goal: &Goal) -> Result<String, Unwritable> {
     let text = part(goal)?;
     match Goal::from_eai(&text) {
@@ -74,7 +74,7 @@ fn quantified(goal: &Goal, word: &str, q: &Quantified) -> Result<String, Unwrita
     Ok(format!("{word} {}. ({})", q.variable, bare(part(&q.body)?)))
 }
 
-/// Without the brackets around all of it.
+/// Removes the brackets around the whole text.
 fn bare(text: String) -> String {
     let whole = text.starts_with('(') && {
         let mut depth = 0_i64;
@@ -114,16 +114,16 @@ fn word(predicate: Predicate) -> Option<String> {
     })
 }
 
-/// VirtualHome's name of a verb.
+/// VirtualHome's name for a verb.
 fn virtual_home(verb: Verb) -> Option<&'static str> {
     verb.virtualhome()
 }
 
-/// Writes a goal as the list of states, edges and actions, as JSON.
+/// Writes a goal as JSON lists of states, edges and actions.
 ///
 /// # Errors
-/// [`Unwritable`] for all but conjunctions of what was done, to anything, and of
-/// states and relations of given nodes.
+/// [`Unwritable`] for all but conjunctions of actions on anything and of states and relations of
+/// given nodes.
 pub fn goal(goal: &Goal) -> Result<String, Unwritable> {
     let (mut actions, mut parts) = (Vec::new(), Vec::new());
     for part in goal.conjuncts() {

@@ -1,11 +1,11 @@
-//! Where a text is wrong, and what cannot be written.
+//! Errors of reading and writing.
 
 use std::fmt;
 use std::path::Path;
 
 use vc_graph::format::unmarked;
 
-/// Where a text is wrong: the place, what was expected there and what was found.
+/// An error in a text: its place, what was expected there and what was found.
 ///
 /// ```
 /// use vc_tasks::format::bddl::Activity;
@@ -17,17 +17,17 @@ use vc_graph::format::unmarked;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
-    /// The format that was read.
+    /// The format of the text.
     pub format: &'static str,
-    /// The file, where the caller has named it.
+    /// The file, if the caller has named it.
     pub file: Option<String>,
     /// Line, counted from one.
     pub line: usize,
-    /// Character of the line, counted from one.
+    /// Column in characters, counted from one.
     pub column: usize,
-    /// What should stand there.
+    /// The text expected there.
     pub expected: String,
-    /// What does.
+    /// The text found there.
     pub found: String,
 }
 
@@ -44,7 +44,7 @@ impl ReadError {
         Self { format, file: None, line, column, expected: expected.into(), found: found.into() }
     }
 
-    /// The same error with the file it is in.
+    /// Adds the file's name to the error.
     #[must_use]
     pub fn in_file(mut self, file: impl AsRef<Path>) -> Self {
         self.file = Some(file.as_ref().display().to_string());
@@ -64,7 +64,7 @@ impl fmt::Display for ReadError {
 
 impl std::error::Error for ReadError {}
 
-/// Line and character of a byte, both counted from one.
+/// The line and the column, in characters, of a byte, both counted from one.
 pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line = 1 + before.matches('\n').count();
@@ -72,7 +72,7 @@ pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     (line, 1 + before[start..].chars().count())
 }
 
-/// Shortens hostile or huge text for a message.
+/// Shortens hostile or very long text for a message.
 pub(crate) fn clip(text: &str) -> String {
     const LIMIT: usize = 60;
     match text.char_indices().nth(LIMIT) {
@@ -81,15 +81,15 @@ pub(crate) fn clip(text: &str) -> String {
     }
 }
 
-/// What a format has no word for.
+/// An error for a goal that a format cannot express.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{format} cannot say `{part}`: {why}")]
+#[error("{format} cannot express `{part}`: {why}")]
 pub struct Unwritable {
     /// The format.
     pub format: &'static str,
     /// The part of the goal, in our own notation.
     pub part: String,
-    /// Why not.
+    /// The reason.
     pub why: String,
 }
 
@@ -99,7 +99,7 @@ impl Unwritable {
     }
 }
 
-/// A JSON object, its entries in the order of the text.
+/// A JSON object with its entries in the order of the text.
 pub(crate) struct Entries(pub(crate) Vec<(String, serde_json::Value)>);
 
 impl<'de> serde::Deserialize<'de> for Entries {

@@ -1,4 +1,4 @@
-//! Our own file of tasks, as JSON.
+//! Our own file format for tasks, as JSON.
 //!
 //! ```
 //! use vc_tasks::format::json;
@@ -18,7 +18,7 @@ use crate::Task;
 
 const FORMAT: &str = "task file";
 
-/// The version that is written; those up to it are read.
+/// The version that is written; it and earlier ones are read.
 pub const VERSION: u32 = 1;
 
 #[derive(Deserialize)]
@@ -38,7 +38,7 @@ struct Written<'t> {
 /// Reads tasks.
 ///
 /// # Errors
-/// [`ReadError`] for what is no such JSON, goals that are none, newer versions.
+/// [`ReadError`] if the text is not such JSON, a goal cannot be parsed, or the version is newer.
 pub fn read(text: &str) -> Result<Vec<Task>, ReadError> {
     let file: File = from_json(FORMAT, text)?;
     if file.version > VERSION {
@@ -51,6 +51,6 @@ pub fn read(text: &str) -> Result<Vec<Task>, ReadError> {
 
 /// Writes tasks.
 pub fn write(tasks: &[Task]) -> String {
-    // Goals are written as text and numbers as numbers: nothing can fail.
+    // Goals are written as text and numbers as numbers: this cannot fail.
     serde_json::to_string_pretty(&Written { version: VERSION, tasks }).unwrap_or_default()
 }

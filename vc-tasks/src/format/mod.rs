@@ -1,22 +1,22 @@
-//! Tasks and goals as others and we write them.
+//! Readers and writers for tasks and goals, in the formats of others and our own.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
-//! | [`thesis`] | a predicate and how often: `On(apple, kitchentable), 3` |
-//! | [`bddl`] | activities of BEHAVIOR: objects, what holds at the start, the goal |
+//! | [`thesis`] | a predicate and its count: `On(apple, kitchentable), 3` |
+//! | [`bddl`] | activities of BEHAVIOR: objects, initial facts, the goal |
 //! | [`watch_and_help`] | goals of Watch-And-Help: `{"on_plate_kitchentable": 2}` |
 //! | [`eai`] | goals and formulas of the Embodied Agent Interface |
 //! | [`alfred`] | the seven types of tasks of ALFRED |
 //! | [`pddl`] | domains, problems and plans |
-//! | [`json`] | our own file of tasks |
-//! | [`sexpr`] | the bracketed text BDDL and PDDL are made of |
+//! | [`json`] | our own file format for tasks |
+//! | [`sexpr`] | the s-expressions of BDDL and PDDL |
 //!
-//! Goals in our own notation are read and written by [`vc_graph::Goal`] itself.
+//! [`vc_graph::Goal`] itself reads and writes goals in our own notation.
 //!
-//! No reader panics or recurses without bound; what is built is proportional to
-//! the text. Every error is a [`ReadError`]: it says where, what was expected and
-//! what was found. A writer refuses what its format has no word for
-//! ([`Unwritable`]), and what it writes reads back equal.
+//! No reader panics or recurses without bound; the size of the result is proportional to that of
+//! the text. Every error is a [`ReadError`] with the place, what was expected and what was found. A
+//! writer refuses a goal that its format cannot express ([`Unwritable`]); the text it writes reads
+//! back as an equal goal.
 
 pub mod alfred;
 pub mod bddl;

@@ -1,4 +1,4 @@
-//! The bracketed text that BDDL and PDDL are made of.
+//! The s-expressions of BDDL and PDDL.
 //!
 //! ```
 //! use vc_tasks::format::sexpr::Tree;
@@ -8,9 +8,9 @@
 //! # Ok::<(), vc_tasks::format::ReadError>(())
 //! ```
 //!
-//! A tree is one list of words and brackets in the order of the text, each with the
-//! place where it begins and the index of what comes after it; there is no pointer
-//! and no recursion in it. Reading costs a few nanoseconds a byte.
+//! A tree is one list of words and brackets in the order of the text, each with the place where it begins and
+//! the index of the element after it; it has no pointers and no recursion. Reading costs a few nanoseconds a
+//! byte.
 
 use std::fmt;
 
@@ -19,10 +19,10 @@ use vc_graph::format::{LARGEST, unmarked};
 use super::ReadError;
 use super::error::{clip, line_and_column};
 
-/// Deepest text that is read: brackets within brackets.
+/// The maximal depth of nested brackets.
 pub const DEEPEST: usize = 128;
 
-/// What was read: one expression, and the text it stands in, in lower case.
+/// A parsed text: one expression, and the text itself in lower case.
 #[derive(Debug, Clone)]
 pub struct Tree {
     format: &'static str,
@@ -33,21 +33,21 @@ pub struct Tree {
 /// A word or a list.
 #[derive(Debug, Clone, Copy)]
 struct Node {
-    /// First byte.
+    /// The first byte.
     start: u32,
     /// One past the last byte.
     end: u32,
-    /// The node after this one and all within it.
+    /// The index of the node after this one and everything within it.
     after: u32,
 }
 
 impl Tree {
-    /// Reads a text of one expression. Case does not matter in these languages: the
-    /// text is read in lower case.
+    /// Reads a text of one expression. Case does not matter in these languages; the text is converted to lower
+    /// case.
     ///
     /// # Errors
-    /// [`ReadError`] for brackets that do not match, more than one expression, text
-    /// deeper than [`DEEPEST`] or larger than [`LARGEST`].
+    /// [`ReadError`] for unbalanced brackets, more than one expression, text nested deeper than [`DEEPEST`] or
+    /// larger than [`LARGEST`].
     pub fn read(format: &'static str, text: &str) -> Result<Self, ReadError> {
         if text.len() > LARGEST {
             let found = format!("one of {} bytes", text.len());
@@ -70,7 +70,8 @@ impl Tree {
     }
 }
 
-/// A text in lower case; a letter whose small one has another length stays, so that places in the text do too.
+/// Converts a text to lower case; a letter whose lower case has another length is kept, so that positions in
+/// the text stay the same.
 fn lower(text: &str) -> String {
     if text.is_ascii() {
         return text.to_ascii_lowercase();
@@ -130,23 +131,22 @@ fn scan(text: &str) -> Result<Vec<Node>, Fault> {
     }
 }
 
-/// One in each of eight bytes, and their highest bits.
+/// The value one in each of eight bytes, and their highest bits.
 const EACH: u64 = 0x0101_0101_0101_0101;
 const HIGH: u64 = EACH << 7;
 
-/// Where spaces end that begin here, and where a word does. Eight bytes are looked at
-/// at once (Warren, Hacker's Delight, 6-1): words are short, and which byte comes next
-/// cannot be foretold.
+/// The end of the spaces that begin here, and the end of a word. Eight bytes are tested at once (Warren,
+/// Hacker's Delight, 6-1), because words are short and a branch per byte would be mispredicted.
 fn space_end(bytes: &[u8], at: usize) -> usize {
     find(bytes, at, |block| !spaces(block) & HIGH)
 }
 
 fn word_end(bytes: &[u8], at: usize) -> usize {
-    // The two brackets differ in the lowest bit.
+    // The two brackets differ only in the lowest bit.
     find(bytes, at, |block| spaces(block) | equal(block | EACH, b')') | equal(block, b';'))
 }
 
-/// The first byte from a place on that is marked by its highest bit.
+/// The first byte from `at` on that is marked by its highest bit.
 fn find(bytes: &[u8], mut at: usize, mark: impl Fn(u64) -> u64) -> usize {
     while at < bytes.len() {
         let marked = mark(block(bytes, at));
@@ -158,7 +158,7 @@ fn find(bytes: &[u8], mut at: usize, mark: impl Fn(u64) -> u64) -> usize {
     at.min(bytes.len())
 }
 
-/// Eight bytes from a place on, the first one lowest; what is missing is space.
+/// Eight bytes from `at` on, the first one lowest; bytes beyond the end are spaces.
 fn block(bytes: &[u8], at: usize) -> u64 {
     match bytes[at..].first_chunk() {
         Some(eight) => u64::from_le_bytes(*eight),
@@ -166,13 +166,13 @@ fn block(bytes: &[u8], at: usize) -> u64 {
     }
 }
 
-/// Marks spaces; control characters are such too.
+/// Marks spaces and control characters.
 fn spaces(block: u64) -> u64 {
     let above = (block | HIGH) - EACH * u64::from(b' ' + 1);
     !(above | block) & HIGH
 }
 
-/// Marks bytes that equal a given one: the first of them rightly.
+/// Marks bytes equal to a given one; only the first mark is reliable.
 fn equal(block: u64, byte: u8) -> u64 {
     let differ = block ^ (EACH * u64::from(byte));
     differ.wrapping_sub(EACH) & !differ & HIGH
@@ -190,7 +190,7 @@ impl<'t> Expr<'t> {
         self.tree.nodes[self.index as usize]
     }
 
-    /// Its place in the tree, in the order of the text.
+    /// The index in the tree, in the order of the text.
     pub fn index(self) -> u32 {
         self.index
     }
@@ -200,7 +200,7 @@ impl<'t> Expr<'t> {
         &self.tree.text[node.start as usize..node.end as usize]
     }
 
-    /// Whether it is a list and not a word.
+    /// Whether it is a list, not a word.
     pub fn is_list(self) -> bool {
         self.tree.text.as_bytes()[self.node().start as usize] == b'('
     }
@@ -210,17 +210,17 @@ impl<'t> Expr<'t> {
         (!self.is_list()).then(|| self.text())
     }
 
-    /// What a list consists of; nothing for a word.
+    /// The elements of a list; none for a word.
     pub fn items(self) -> Items<'t> {
         Items { tree: self.tree, next: self.index + 1, end: self.node().after }
     }
 
-    /// The word a list begins with.
+    /// The first word of a list.
     pub fn head(self) -> Option<&'t str> {
         self.items().next()?.word()
     }
 
-    /// Line and character of the line where it begins, counted from one.
+    /// The line and column where it begins, counted from one.
     pub fn position(self) -> (usize, usize) {
         line_and_column(&self.tree.text, self.node().start as usize)
     }
@@ -236,13 +236,13 @@ impl<'t> Expr<'t> {
         ReadError::at(self.tree.format, &self.tree.text, self.node().start as usize, expected, found)
     }
 
-    /// An error that something is missing at the end of a list.
+    /// An error that an element is missing at the end of a list.
     pub(crate) fn error_at_end(self, expected: impl Into<String>) -> ReadError {
         let last = (self.node().end as usize).saturating_sub(1);
         ReadError::at(self.tree.format, &self.tree.text, last, expected, "`)`")
     }
 
-    /// Whether it reads the same as another. Nesting is bounded, see [`DEEPEST`].
+    /// Whether two expressions read the same. Nesting is bounded, see [`DEEPEST`].
     pub fn same(self, other: Expr<'_>) -> bool {
         let alike = |(a, b): (Expr<'_>, Expr<'_>)| a.same(b);
         match (self.word(), other.word()) {
@@ -271,7 +271,7 @@ impl fmt::Debug for Expr<'_> {
     }
 }
 
-/// The parts of a list.
+/// The elements of a list.
 #[derive(Clone)]
 pub struct Items<'t> {
     tree: &'t Tree,

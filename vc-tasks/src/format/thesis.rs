@@ -1,4 +1,4 @@
-//! Goals as the thesis writes them: a predicate and how often, one a line.
+//! Goals as the thesis writes them: a predicate and its count, one a line.
 //!
 //! ```text
 //! On(breakfast, kitchen table), 1
@@ -6,7 +6,7 @@
 //! Eat(breakfast), 1
 //! ```
 //!
-//! Lines may be joined by commas. Without a number one is meant.
+//! Lines may be joined by commas. A missing count means one.
 
 use vc_graph::format::unmarked;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
@@ -44,7 +44,7 @@ pub fn read(text: &str) -> Result<Goal, ReadError> {
     }
 }
 
-/// Whether a part is a literal, alone or at least so often.
+/// Whether a part is a literal or an "at least" count of one.
 fn counts(part: &Goal) -> bool {
     matches!(part, Goal::Literal(_) | Goal::Count { comparison: Comparison::AtLeast, .. })
 }
@@ -66,7 +66,7 @@ fn read_error(line: usize, error: &vc_graph::goal::GoalError) -> ReadError {
 /// Writes a goal, one part a line.
 ///
 /// # Errors
-/// [`Unwritable`] for all but conjunctions of literals, each at least so often.
+/// [`Unwritable`] for all but conjunctions of literals and "at least" counts of them.
 pub fn write(goal: &Goal) -> Result<String, Unwritable> {
     let lines = goal.conjuncts().iter().map(line).collect::<Result<Vec<_>, _>>()?;
     let text: String = lines.concat();
@@ -85,7 +85,7 @@ fn line(part: &Goal) -> Result<String, Unwritable> {
     Ok(format!("{}, {number}\n", words(literal)))
 }
 
-/// The thesis's word for a literal, if it is read as the same: `Sit(chair)`.
+/// The thesis's form of a literal, if it is read as the same literal: `Sit(chair)`.
 fn words(literal: &Literal) -> String {
     let full = literal.to_string();
     let name = match literal.predicate {
@@ -104,7 +104,7 @@ fn words(literal: &Literal) -> String {
     if same { short } else { full }
 }
 
-/// `put_in` as `PutIn`.
+/// `put_in` becomes `PutIn`.
 fn titled(verb: Verb) -> String {
     verb.as_str().split('_').map(|part| part[..1].to_uppercase() + &part[1..]).collect()
 }

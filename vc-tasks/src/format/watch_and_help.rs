@@ -1,17 +1,16 @@
-//! Goals of Watch-And-Help: predicates and how often, `{"on_plate_kitchentable": 2}`.
+//! Goals of Watch-And-Help: predicates and counts, `{"on_plate_kitchentable": 2}`.
 //!
-//! | key | holds when so many |
+//! | key | holds if at least this many |
 //! |---|---|
 //! | `on_A_B`, `inside_A_B` | A are on, are inside B |
-//! | `offOn_A_B`, `offInside_A_B` | never mind how many: no A is on, is inside B |
+//! | `offOn_A_B`, `offInside_A_B` | whatever the count: no A is on, is inside B |
 //! | `holds_A_agent` | A are held |
 //! | `sit_agent_A` | agents sit on A |
 //! | `turnOn_A_1` | A are switched on |
 //!
-//! A and B are a class, `plate`, or the number of a node, `73`; an agent is
-//! `character`, who does the task, or a number. The number may stand in a list with
-//! whether it is required and its reward, as the environments have it; only the
-//! number is read.
+//! A and B are a class, `plate`, or the number of a node, `73`; an agent is `character`, the agent
+//! that does the task, or a number. The count may be the first element of a list with whether it is
+//! required and its reward, as in the environments; only the count is read.
 //!
 //! ```
 //! use vc_tasks::format::watch_and_help;
@@ -33,7 +32,7 @@ const FORMAT: &str = "Watch-And-Help goal";
 /// Reads a goal.
 ///
 /// # Errors
-/// [`ReadError`] with the key that is none.
+/// [`ReadError`] with the invalid key.
 pub fn read(text: &str) -> Result<Goal, ReadError> {
     let Entries(entries) = super::error::from_json(FORMAT, text)?;
     let parts = entries.iter().map(|(key, value)| {
@@ -88,8 +87,8 @@ fn term(word: &str) -> Term {
 /// Writes a goal.
 ///
 /// # Errors
-/// [`Unwritable`] for all but conjunctions of the predicates above, at least so
-/// often or not at all.
+/// [`Unwritable`] for all but conjunctions of the predicates above, with "at least" counts or as
+/// absent.
 pub fn write(goal: &Goal) -> Result<String, Unwritable> {
     let entries = goal.conjuncts().iter().map(entry).collect::<Result<Vec<_>, _>>()?;
     let text = format!("{{{}}}", entries.join(", "));

@@ -1,4 +1,4 @@
-//! One try at an initial environment.
+//! One attempt at an initial environment.
 
 use std::sync::Arc;
 
@@ -20,10 +20,10 @@ use super::walk::Walk;
 use super::{Added, Purpose};
 use crate::library::{Activity, Need, Spot};
 
-/// How many classes are drawn for a distractor before it is left out.
+/// The number of classes drawn for a distractor before it is left out.
 const DRAWS: usize = 40;
 
-/// What is the same for all tries at a scene.
+/// The data shared by all attempts at a scene.
 pub(super) struct Ground {
     solids: Solids,
     walk: Option<Walk>,
@@ -35,7 +35,7 @@ impl Ground {
     }
 }
 
-/// A scene as it is asked of a world.
+/// A scene as requested of a world.
 pub(super) struct Asked {
     pub(super) scene: SceneGraph,
     pub(super) agent: NodeId,
@@ -43,7 +43,7 @@ pub(super) struct Asked {
     pub(super) states: Vec<(NodeId, State)>,
 }
 
-/// A scene in the making.
+/// A scene under construction.
 pub(super) struct Attempt<'a> {
     activity: &'a Activity,
     stock: &'a dyn Stock,
@@ -54,7 +54,7 @@ pub(super) struct Attempt<'a> {
     agent: NodeId,
     seed: Seed,
     added: Vec<Added>,
-    /// What the activity is about: all of it must be reached in the end.
+    /// The objects that the activity uses: all must be reachable in the end.
     used: Vec<NodeId>,
     states: Vec<(NodeId, State)>,
     drawn: u64,
@@ -84,7 +84,7 @@ impl<'a> Attempt<'a> {
         }
     }
 
-    /// Makes the scene ready.
+    /// Prepares the scene.
     pub(super) fn run(mut self, distractors: usize) -> Result<Asked, InitialError> {
         self.check_rooms()?;
         if self.graph.agents().is_empty() {
@@ -102,7 +102,7 @@ impl<'a> Attempt<'a> {
         Ok(Asked { scene, agent: self.agent, added: self.added, states: self.states })
     }
 
-    /// A sub-seed for each thing that is drawn.
+    /// A sub-seed for each random draw.
     fn draw(&mut self, what: &str) -> Seed {
         self.drawn += 1;
         self.seed.child(what).nth(self.drawn)
@@ -115,7 +115,8 @@ impl<'a> Attempt<'a> {
         missing.map_or(Ok(()), |place| Err(InitialError::NoRoom(place.clone())))
     }
 
-    /// The needs, those first that others are put on or in, then the large ones.
+    /// The needs, first those that other objects are put on or in, then large objects, then
+    /// graspable ones.
     fn ordered_needs(&self) -> Vec<Need> {
         let mut needs = self.activity.all_needs();
         let carries = |class: &str| {
@@ -126,8 +127,8 @@ impl<'a> Attempt<'a> {
             let class = self.graph.classes().get(&need.class);
             !carries(&need.class) && class.is_some_and(|c| c.affordances.contains(Property::Graspable))
         };
-        // The sort is stable: what a need names is counted before what the goal names
-        // besides, so that a carrot counts as a vegetable.
+        // The sort is stable: the written needs are counted before those that only the goal names,
+        // so that a carrot counts as a vegetable.
         needs.sort_by_key(carried);
         needs
     }
@@ -153,7 +154,7 @@ impl<'a> Attempt<'a> {
         Ok(())
     }
 
-    /// Sees to it that there are as many things as a need asks for.
+    /// Ensures that the scene has as many objects as a need asks for.
     fn supply(&mut self, need: &Need) -> Result<(), InitialError> {
         let mut things = self.present(need);
         things.truncate(need.number);
@@ -172,8 +173,8 @@ impl<'a> Attempt<'a> {
         Ok(())
     }
 
-    /// The things that are there, can be reached, can be in the states that the need
-    /// asks for and are where it wants them.
+    /// The objects of the scene that are reachable, allow the states that the need asks for and are
+    /// in one of its spots.
     fn present(&self, need: &Need) -> Vec<NodeId> {
         let class = self.graph.classes().get(&need.class);
         let places = Places { graph: &self.graph, assets: &self.assets };
@@ -200,7 +201,7 @@ impl<'a> Attempt<'a> {
         node.aabb().is_none_or(|aabb| walk.reaches(&aabb, self.graph.room_of(id)) || is_overhead(node))
     }
 
-    /// Adds a thing that a need asks for.
+    /// Adds an object that a need asks for.
     fn add(&mut self, need: &Need) -> Result<NodeId, InitialError> {
         let missing = || InitialError::NotInStock(need.class.clone());
         let classes = self.graph.classes().clone();
@@ -209,7 +210,7 @@ impl<'a> Attempt<'a> {
             return Err(InitialError::BuiltIn(need.class.clone()));
         }
         let seed = self.draw(&need.class);
-        // Of a group of classes some kind will do.
+        // Any subclass serves for a group of classes.
         let mut kinds: Vec<&Class> = classes.kinds_of(class).filter(|kind| !std::ptr::eq(*kind, class)).collect();
         seed.child("kind").stream().shuffle(&mut kinds);
         let mut choices = std::iter::once(class).chain(kinds).filter(|kind| allows_all(kind.affordances, need));
@@ -218,7 +219,7 @@ impl<'a> Attempt<'a> {
         self.place(kind, draft, &need.spots, Purpose::Need, seed)
     }
 
-    /// Puts a thing into one of its places, drawn by weight.
+    /// Places an object at one of its sites, drawn by weight.
     fn place(
         &mut self,
         class: &Class,
@@ -255,7 +256,7 @@ impl<'a> Attempt<'a> {
         self.put(Draft { pose, ..draft.clone() }, site, purpose)
     }
 
-    /// Puts a thing at a site if the goal and everybody's way allow it.
+    /// Places an object at a site unless that fulfils part of the goal or blocks a way.
     fn put(&mut self, draft: Draft, site: &Site, purpose: Purpose) -> Result<NodeId, Why> {
         let agent = self.agent;
         let before = merits(&self.activity.goal, &self.graph, agent);
@@ -290,7 +291,7 @@ impl<'a> Attempt<'a> {
         Ok(id)
     }
 
-    /// Adds something the activity has no use for, if it finds a place.
+    /// Adds an object that the activity has no use for, if a placement is found.
     fn distract(&mut self) {
         let seed = self.draw("distractor");
         let mut stream = seed.stream();
@@ -311,7 +312,7 @@ impl<'a> Attempt<'a> {
         }
     }
 
-    /// Sets the states of the start, and seats the agent.
+    /// Sets the start states and seats the agent.
     fn begin(&mut self) -> Result<(), InitialError> {
         let mut edit = self.graph.edit();
         start::bring_about(&mut edit, self.agent, &self.activity.start).map_err(refusal)?;
@@ -324,7 +325,7 @@ impl<'a> Attempt<'a> {
         self.stand_beside(seat)
     }
 
-    /// Brings the body to where it sits: on the floor beside the seat.
+    /// Moves the agent's body to the floor beside its seat.
     fn stand_beside(&mut self, seat: Option<Place>) -> Result<(), InitialError> {
         let aabb = seat.and_then(|seat| self.graph.node(seat.at)?.aabb());
         let (Some(aabb), Some(mut pose)) = (aabb, self.graph.node(self.agent).and_then(|n| n.pose()).copied()) else {
@@ -359,7 +360,7 @@ impl<'a> Attempt<'a> {
     }
 }
 
-/// Whether what affords so much can be in all states that a need asks for.
+/// Whether these affordances allow all the states that a need asks for.
 fn allows_all(affordances: PropertySet, need: &Need) -> bool {
     need.states.iter().all(|&state| start::allows(affordances, state))
 }
@@ -368,14 +369,14 @@ fn refusal(error: EditError) -> InitialError {
     InitialError::StartUnmet(error.to_string())
 }
 
-/// What may hang high: lamps are switched elsewhere, pictures looked at from afar,
-/// blinds drawn by a cord.
+/// Whether an object may hang out of reach: lamps are switched elsewhere, pictures looked at from
+/// afar, blinds drawn by a cord.
 fn is_overhead(node: &vc_graph::Node) -> bool {
     [Property::Light, Property::Lookable, Property::Cover].into_iter().any(|p| node.affords(p))
 }
 
-/// Whether one would bring a thing along: not what is built in, hangs from ceilings
-/// or is fixed to walls.
+/// Whether objects of a class can be added: not if they are built in, hang from ceilings or are
+/// fixed to walls.
 fn can_be_added(class: &Class) -> bool {
     let has = |property| class.affordances.contains(property);
     match class.category {
@@ -387,8 +388,8 @@ fn can_be_added(class: &Class) -> bool {
     }
 }
 
-/// How far each part of a goal is met: whether it holds, and, for parts about single
-/// things and their number, how much of it.
+/// How far each conjunct of a goal is fulfilled: whether it holds and, for literals and counts, its
+/// score.
 fn merits(goal: &Goal, graph: &SceneGraph, agent: NodeId) -> Vec<(bool, f64)> {
     let history = History::default();
     let now = Situation::new(graph, agent, &history);

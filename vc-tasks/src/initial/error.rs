@@ -1,70 +1,70 @@
-//! Why no initial environment was found.
+//! The errors of preparing an initial environment.
 
 use std::fmt;
 
-/// Why a scene cannot be made ready for an activity.
+/// The reason why a scene cannot be prepared for an activity.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InitialError {
-    /// The activity happens in a place that the scene does not have.
+    /// The activity takes place in a room that the scene does not have.
     #[error("the scene has no {0}")]
     NoRoom(String),
-    /// A thing is neither in the scene nor in the stock.
+    /// An object is neither in the scene nor in the stock.
     #[error("the scene has no {0}, and the stock has none either")]
     NotInStock(String),
-    /// A thing is missing that is part of a building or fixed to it.
+    /// The missing object is part of a building or fixed to it.
     #[error("the scene has no {0} that can be reached, and one does not add what is built in")]
     BuiltIn(String),
-    /// No place was found for a thing.
+    /// No placement was found for an object.
     #[error("no place for {thing}: {place}: {why}")]
     NoSpot {
-        /// The thing's class.
+        /// The object's class.
         thing: String,
         /// The place tried last.
         place: String,
-        /// Why it would not do.
+        /// The reason why the object does not fit there.
         why: Why,
     },
-    /// The goal holds before anything is done.
+    /// The goal already holds before any action.
     #[error("the goal holds already: `{0}`")]
     AlreadyMet(String),
-    /// The start cannot be as it should be.
+    /// The start conditions cannot be fulfilled.
     #[error("`{0}` is to hold at the start and does not")]
     StartUnmet(String),
-    /// What the world made of it is not what was asked, however often it was tried.
+    /// The world's scene differs from the one requested after every attempt.
     #[error("after {tries} tries: {what}")]
     Unconfirmed {
-        /// The first difference at the last try.
+        /// The first difference at the last attempt.
         what: String,
-        /// How many tries there were.
+        /// The number of attempts.
         tries: usize,
     },
 }
 
 impl InitialError {
-    /// Whether another try may go better: chance had a part in it.
+    /// Whether another attempt may succeed because the error depends on chance.
     pub(super) fn is_chance(&self) -> bool {
         matches!(self, Self::NoSpot { .. } | Self::AlreadyMet(_) | Self::Unconfirmed { .. } | Self::StartUnmet(_))
     }
 }
 
-/// Why a thing cannot be in a place.
+/// The reason why an object cannot be placed somewhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Why {
     /// There is no such place in the scene.
     Absent,
-    /// The thing is wider or deeper than the place.
+    /// The object is wider or deeper than the place.
     TooSmall,
-    /// The thing is higher than what is free above the place.
+    /// The object is higher than the free space above the place.
     TooLow,
-    /// Other things are in the way, wherever it was tried.
+    /// Other objects are in the way at every sampled position.
     Taken,
-    /// Nobody could reach it there, or it would be in everybody's way.
+    /// An agent could not reach the object there, or the object would block a way.
     Unreachable,
-    /// The goal, or a part of it, would be met at once.
+    /// The placement would fulfil the goal or a part of it.
     MeetsGoal,
-    /// The transition rule says that it does not fit.
+    /// The transition rules say that it does not fit.
     Refused,
 }
 

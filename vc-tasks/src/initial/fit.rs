@@ -1,4 +1,4 @@
-//! Whether and how a thing fits into a place.
+//! Whether and how an object fits into a place.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Surface};
@@ -11,25 +11,25 @@ use super::site::Site;
 use super::solid::{Solids, meet, part_boxes};
 use super::walk::Walk;
 
-/// Gap between things, and from a surface's edge, metres.
+/// The gap between objects, and to a surface's edge, metres.
 const GAP: f32 = 0.004;
-/// Gap between furniture and the wall behind it, metres.
+/// The gap between furniture and the wall behind it, metres.
 const WALL_GAP: f32 = 0.025;
-/// How far behind furniture its wall may be, metres.
+/// The maximal distance from furniture to the wall behind it, metres.
 const BEHIND: f32 = 0.15;
-/// Height at which things are let go above what they rest on, metres.
+/// The height above the support at which objects are released, metres.
 const LIFT: f32 = 0.001;
-/// What stays free below the ceiling, metres.
+/// The space that stays free below the ceiling, metres.
 const HEADROOM: f32 = 0.05;
-/// Floor before a door that stays free, metres.
+/// The floor that stays free in front of a door, metres.
 const DOORWAY: f32 = 0.85;
-/// Floor before furniture that opens which stays free, metres: for its door, and for who passes
-/// while it stands open.
+/// The floor that stays free in front of furniture that opens, metres: for its door, and for a
+/// person who passes while it stands open.
 const FRONT: f32 = 1.3;
-/// How often a place on a surface is drawn before it is given up.
+/// The number of positions sampled on a surface before it is given up.
 const TRIES: usize = 24;
 
-/// The scene as something that things are fitted into.
+/// The scene into which objects are fitted.
 pub(super) struct Fit<'a> {
     pub(super) graph: &'a SceneGraph,
     pub(super) assets: &'a AssetLibrary,
@@ -38,8 +38,8 @@ pub(super) struct Fit<'a> {
 }
 
 impl Fit<'_> {
-    /// A pose for a thing at a site; `None` where the scene, or the thing, has no
-    /// measures, so that nothing can be in the way.
+    /// Samples a pose for an object at a site; `None` where the scene or the object has no
+    /// dimensions, so that no collision can be tested.
     pub(super) fn pose(
         &self,
         class: &Class,
@@ -72,7 +72,7 @@ impl Fit<'_> {
     }
 
     /// Whether furniture would stand away from any wall, as at an edge of the floor where the room
-    /// goes on, or, once it is open, leave nobody a way past its front.
+    /// goes on, or, once open, leave no way past its front.
     fn is_in_the_way(&self, class: &Class, bounds: &Bounds, pose: &Pose, site: &Site) -> bool {
         let opens = class.affordances.contains(Property::Openable);
         let before = beside(bounds, FRONT).aabb(pose);
@@ -90,7 +90,7 @@ impl Fit<'_> {
         walls.flat_map(|wall| part_boxes(wall, self.assets))
     }
 
-    /// Why a thing cannot be where its box would be.
+    /// The reason why an object cannot be where its bounding box would be.
     fn obstacle(&self, aabb: &Aabb, site: &Site, surface: &Surface) -> Option<Why> {
         let height = aabb.max.z - aabb.min.z;
         let room = self.graph.room_of(site.at);
@@ -112,23 +112,24 @@ impl Fit<'_> {
     }
 }
 
-/// The space before a thing, so deep; behind it, if negative.
+/// The space of the given depth in front of an object; behind it if the depth is negative.
 fn beside(bounds: &Bounds, depth: f32) -> Bounds {
     let half = Vector3::new(depth.abs() / 2.0, bounds.half.y, bounds.half.z);
     let offset = bounds.offset + Vector3::new((bounds.half.x + half.x) * depth.signum(), 0.0, 0.0);
     Bounds { offset, half, ..*bounds }
 }
 
-/// A door with the floor before and behind it.
+/// The bounding box of a door and of the floor on both sides of it.
 fn before(door: &Aabb) -> Aabb {
     let grow = Vector3::new(DOORWAY, DOORWAY, 0.0);
     Aabb { min: door.min - grow, max: door.max + grow }
 }
 
-/// The top or the inside of a box, in its owner's frame.
+/// The top or the interior of a bounding box as a surface, in its owner's frame.
 fn plain_surface(aabb: &Aabb, pose: &Pose, relation: Relation) -> Surface {
     let (centre, half) = (aabb.centre(), (aabb.max - aabb.min) / 2.0);
-    // A world box is as wide in a frame turned by quarters; else this is what is safe.
+    // In an upright frame the world box has the right width and depth; in a rotated one the
+    // smaller of the two is safe.
     let side = half.x.min(half.y);
     let level = if relation == Relation::On { aabb.max.z } else { aabb.min.z };
     let point = pose.inverse_transform_point(&nalgebra::Point3::new(centre.x, centre.y, level));
@@ -143,7 +144,7 @@ fn plain_surface(aabb: &Aabb, pose: &Pose, relation: Relation) -> Surface {
     }
 }
 
-/// The ways a thing could lie on a surface.
+/// The ways in which an object could lie on a surface.
 struct Ways<'a> {
     class: &'a Class,
     bounds: &'a Bounds,
@@ -152,7 +153,8 @@ struct Ways<'a> {
 }
 
 impl Ways<'_> {
-    /// One of them, in the surface's owner's frame; `None` if it is too large in any.
+    /// Samples one of them, in the frame of the surface's owner; `None` if the object is too large
+    /// for all.
     fn draw(&self, floor: bool, stream: &mut Stream) -> Option<Pose> {
         match (self.surface.hold, floor && !self.class.affordances.contains(Property::Graspable)) {
             (Hold::Hook, _) => self.hung(),
@@ -166,20 +168,20 @@ impl Ways<'_> {
         let free = self.surface.hold == Hold::On && stream.chance(0.5);
         let turned = quarter + if free { stream.between(-0.25, 0.25) } else { 0.0 };
         let other = quarter + std::f32::consts::FRAC_PI_2;
-        // What is too long one way may fit the other.
+        // An object too long for one direction may fit the other.
         let (yaw, (rx, ry)) = [turned, quarter, other].into_iter().find_map(|yaw| Some((yaw, self.room(yaw)?)))?;
         let (x, y) = (stream.between(-rx, rx), stream.between(-ry, ry));
         Some(self.standing(x, y, yaw))
     }
 
-    /// How far its middle may be from the surface's.
+    /// How far the object's centre may be from the surface's centre.
     fn room(&self, yaw: f32) -> Option<(f32, f32)> {
         let (hx, hy) = self.extent(yaw);
         let (rx, ry) = (self.surface.half.0 - hx - GAP, self.surface.half.1 - hy - GAP);
         (rx >= 0.0 && ry >= 0.0).then_some((rx, ry))
     }
 
-    /// With its back to one of the surface's four edges: furniture against walls.
+    /// With its back to one of the surface's four edges, as furniture stands against walls.
     fn against_an_edge(&self, stream: &mut Stream) -> Option<Pose> {
         let side = stream.below(4);
         let yaw = side as f32 * std::f32::consts::FRAC_PI_2;
@@ -194,8 +196,8 @@ impl Ways<'_> {
         Some(self.standing(x, y, yaw))
     }
 
-    /// Below a hook, the back off the wall; on a rod across it and within its wardrobe.
-    /// `None` if it would reach the ground.
+    /// Below a hook, with the back off the wall; on a rod across it and within its wardrobe. `None`
+    /// if the object would reach the ground.
     fn hung(&self) -> Option<Pose> {
         let (size, at) = (self.bounds.size(), self.surface.centre);
         let rod = self.surface.name.starts_with("rod");
@@ -216,7 +218,7 @@ impl Ways<'_> {
         (half.x * cos + half.y * sin, half.x * sin + half.y * cos)
     }
 
-    /// Standing with its box's middle at a point, measured from the surface's middle.
+    /// Standing with the centre of its bounding box at a point, measured from the surface's centre.
     fn standing(&self, x: f32, y: f32, yaw: f32) -> Pose {
         let turn = turned(yaw);
         let (centre, offset) = (self.surface.centre, turn * self.bounds.offset);
@@ -226,13 +228,13 @@ impl Ways<'_> {
     }
 }
 
-/// A turn about Z, the same on every machine.
+/// A rotation about Z that is the same on every machine.
 pub(super) fn turned(yaw: f32) -> UnitQuaternion<f32> {
     let (sin, cos) = (yaw / 2.0).sine_cosine();
     UnitQuaternion::new_normalize(Quaternion::new(cos, 0.0, 0.0, sin))
 }
 
-/// Whether an agent could put a thing there by the rule, whatever its pose.
+/// Whether the transition rules forbid an agent to put an object there, whatever its pose.
 pub(super) fn refused(graph: &SceneGraph, agent: NodeId, id: NodeId, site: &Site) -> bool {
     let floor = site.relation == Relation::InRoom || graph.node(site.at).is_some_and(|n| &**n.class() == "floor");
     !floor && !vc_graph::Condition::Fits(id, site.at).holds(graph, agent)

@@ -1,16 +1,14 @@
-//! Initial environments: a scene made ready for an activity.
+//! Initial environments: a scene prepared for an activity.
 //!
-//! What is in the scene stays. What an [`Activity`] needs and the scene lacks comes
-//! from a [`Stock`] and is put, by chance, where people keep such things or where the
-//! activity says: on surfaces, in containers, on hooks and floors, wherever it has
-//! room in breadth and height beside what is there, can be reached, and does not meet
-//! the goal. States are set as the activity asks. Then the [`World`] is reset with
-//! the scene, and what comes back is compared with what was asked: the place and the
-//! states of all that was added, the start, and that the goal does not hold yet. If
-//! it differs, another try is made with other chances.
+//! The objects of the scene stay. An object that an [`Activity`] needs and the scene lacks comes from a
+//! [`Stock`]. Its placement is sampled from the habitual places of its class or from the places that the
+//! activity names: on surfaces, in containers, on hooks and floors, wherever it fits beside the present
+//! objects, can be reached and does not fulfil the goal. States are set as the activity asks. Then the
+//! [`World`] is reset to this scene, and the scene that the world returns is compared with the one
+//! requested: the placements and states of all added objects, the start conditions, and that the goal does
+//! not hold yet. If they differ, another attempt is made with other random numbers.
 //!
-//! The same scene, activity and seed give the same result. No object is scaled or
-//! taken away.
+//! The same scene, activity and seed give the same result. No object is scaled or removed.
 //!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder, Seed, Simulator};
@@ -53,10 +51,10 @@ pub use error::{InitialError, Why};
 pub(crate) use start::needed_classes;
 pub use stock::{PlainStock, Stock};
 
-/// How often a scene is tried unless said otherwise.
+/// The default number of attempts.
 const TRIES: usize = 20;
 
-/// Makes initial environments.
+/// A generator of initial environments.
 #[derive(Clone, Copy)]
 pub struct Generator<'a> {
     stock: &'a dyn Stock,
@@ -64,73 +62,73 @@ pub struct Generator<'a> {
     distractors: usize,
 }
 
-/// A scene that is ready for an activity.
+/// A scene prepared for an activity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Initial {
-    /// The scene, as the world has it.
+    /// The scene as the world returned it.
     pub scene: SceneGraph,
-    /// Who is to do it.
+    /// The agent of the task.
     pub agent: NodeId,
-    /// What is to be done.
+    /// The task.
     pub task: Task,
-    /// What was added, in that order: the agent first, if the scene had none.
+    /// The added objects in the order of their insertion: the agent first, if the scene had none.
     pub added: Vec<Added>,
-    /// How many tries it took, from one.
+    /// The number of attempts made, counted from one.
     pub tries: usize,
-    /// How much of the goal holds at the start, 0 to below 1.
+    /// How much of the goal holds at the start, from 0 to below 1.
     pub credit: f64,
 }
 
-/// A thing that was added to a scene.
+/// An object that was added to a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Added {
-    /// Its number.
+    /// Its node.
     pub id: NodeId,
-    /// What it was put on or in; `None` for what stands in the room.
+    /// Its placement; `None` for an object that stands in the room.
     pub place: Option<Place>,
     /// Its room.
     pub room: NodeId,
-    /// What for.
+    /// The reason why it was added.
     pub purpose: Purpose,
 }
 
-/// What a thing was added for.
+/// The reason why an object was added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// It acts.
+    /// It is the agent.
     Agent,
     /// The activity needs it.
     Need,
-    /// It is in the way, and no more.
+    /// It is a distractor: an object the activity has no use for.
     Distractor,
 }
 
 impl<'a> Generator<'a> {
-    /// A generator that takes what is missing from a stock, makes up to 20 tries and
-    /// adds no distractors.
+    /// A generator that takes missing objects from a stock, makes up to 20 attempts and adds no
+    /// distractors.
     pub fn new(stock: &'a dyn Stock) -> Self {
         Self { stock, tries: TRIES, distractors: 0 }
     }
 
-    /// Sets after how many tries to give up; at least one is made.
+    /// Sets the maximal number of attempts; at least one is made.
     #[must_use]
     pub fn tries(self, tries: usize) -> Self {
         Self { tries: tries.max(1), ..self }
     }
 
-    /// Sets how many things are added that the activity has no use for.
+    /// Sets the number of distractors, which are objects the activity has no use for.
     #[must_use]
     pub fn distractors(self, distractors: usize) -> Self {
         Self { distractors, ..self }
     }
 
-    /// Makes a scene ready for an activity, and puts it in force in a world.
+    /// Prepares a scene for an activity and resets a world to it.
     ///
-    /// Costs some milliseconds for a home with poses, and the world's reset.
+    /// Costs some milliseconds for a home with poses, plus the world's reset.
     ///
     /// # Errors
-    /// [`InitialError`] names the thing, the place and why. What chance has no part
-    /// in ends it at once, everything else after the last try.
+    /// [`InitialError`] with the object, the place and the reason. Errors that do not depend on chance are
+    /// returned at once, others after the last attempt.
     pub fn make(
         &self,
         activity: &Activity,
@@ -170,7 +168,7 @@ impl Asked {
     }
 }
 
-/// The first thing that a world made otherwise than it was asked.
+/// The first difference between the scene requested and the one that a world returned.
 fn difference(activity: &Activity, asked: &Asked, got: &SceneGraph) -> Option<String> {
     let label = |id: NodeId| asked.scene.label(id);
     let misplaced = asked.added.iter().find(|a| !is_there(a, got)).map(|a| match a.place {
@@ -191,7 +189,7 @@ fn difference(activity: &Activity, asked: &Asked, got: &SceneGraph) -> Option<St
 
 fn is_there(added: &Added, got: &SceneGraph) -> bool {
     let placed = added.place.is_none_or(|place| match place.relation {
-        // Who sits or lies does so on what it was put on.
+        // An agent that sits or lies does so on the object it was placed on.
         Relation::SittingOn | Relation::LyingOn | Relation::On | Relation::Inside => {
             got.has(Edge::new(added.id, place.relation, place.at))
         }

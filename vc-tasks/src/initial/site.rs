@@ -1,4 +1,4 @@
-//! Where a thing of a class could be in a scene.
+//! The sites where an object of a class could be in a scene.
 
 use vc_graph::asset::Hold;
 use vc_graph::class::Class;
@@ -6,21 +6,21 @@ use vc_graph::{AssetLibrary, ClassTable, Node, NodeId, Property, Relation, Scene
 
 use crate::library::Spot;
 
-/// One surface, hook, inside or floor of the scene.
+/// One surface, hook, interior or floor of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Site {
-    /// On, inside, or in room.
+    /// `On`, `Inside` or `InRoom`.
     pub(super) relation: Relation,
-    /// On or in what; the room itself where it has no floor.
+    /// The support or container; the room itself where it has no floor.
     pub(super) at: NodeId,
-    /// Which of its asset's surfaces; `None` for a box without any.
+    /// The index of the surface in its asset; `None` for a plain box without surfaces.
     pub(super) surface: Option<usize>,
-    /// How likely it is.
+    /// The sampling weight.
     pub(super) weight: f32,
 }
 
-/// What else serves as a class of place: the words of habits are finer than what
-/// stands in homes.
+/// Substitutes for a class of support or container: the habits name finer classes than those found
+/// in homes.
 const STAND_INS: &[(&str, &[(&str, Relation)])] = &[
     ("bathroom_counter", &[("bathroom_vanity", Relation::On)]),
     ("bookshelf", &[("shelf", Relation::On)]),
@@ -43,7 +43,7 @@ const STAND_INS: &[(&str, &[(&str, Relation)])] = &[
     ("workbench", &[("desk", Relation::On), ("storage_shelf", Relation::Inside)]),
 ];
 
-/// Rooms that do for others in homes without them.
+/// Substitutes for rooms that a home does not have.
 const SIMILAR: &[(&str, &str)] = &[
     ("dining_room", "living_room"),
     ("game_room", "living_room"),
@@ -55,15 +55,15 @@ const SIMILAR: &[(&str, &str)] = &[
     ("garden", "balcony"),
 ];
 
-/// The scene as places for things.
+/// The scene as a set of sites.
 pub(super) struct Places<'a> {
     pub(super) graph: &'a SceneGraph,
     pub(super) assets: &'a AssetLibrary,
 }
 
 impl Places<'_> {
-    /// The places for a class: the spots, or where people keep such things, or, if
-    /// the scene has none of those, any table (for what is carried) or floor.
+    /// The sites for a class: the given spots, or the habitual places of the class, or, if the
+    /// scene has none of those, any table (for graspable objects) or floor.
     pub(super) fn sites(&self, class: &Class, spots: &[Spot]) -> Vec<Site> {
         let mut sites = Vec::new();
         if spots.is_empty() {
@@ -87,7 +87,7 @@ impl Places<'_> {
                 rooms.for_each(|&room| self.floor(room, &mut found));
             }
             Some((relation, at)) => {
-                // A room is written like a container: `in kitchen`.
+                // A room may be written like a container: `in kitchen`.
                 let rooms = self.graph.of_class(at).into_iter().filter(|id| self.graph.rooms().contains(id));
                 rooms.for_each(|room| self.floor(room, &mut found));
                 self.carriers(class, *relation, at, spot, loosely, &mut found);
@@ -106,8 +106,8 @@ impl Places<'_> {
         sites.extend(once.into_iter().map(|site| Site { weight: share, ..site }));
     }
 
-    /// Whether a spot may be in a room. Habits are read loosely: other rooms serve
-    /// where the home has none of the kind.
+    /// Whether a spot may be in a room. Habits are read loosely: other rooms serve where the home
+    /// has none of the class.
     fn in_room(&self, room: NodeId, spot: &Spot, loosely: bool) -> bool {
         let Some(wanted) = &spot.room else { return true };
         let is = |room: NodeId, class: &str| {
@@ -154,7 +154,7 @@ impl Places<'_> {
     }
 }
 
-/// Whether a thing without surfaces has things on it or in it.
+/// Whether an object without surfaces can hold others on it or in it.
 fn takes(node: &Node, relation: Relation) -> bool {
     let any = |all: &[Property]| all.iter().any(|&p| node.affords(p));
     match relation {
@@ -163,7 +163,7 @@ fn takes(node: &Node, relation: Relation) -> bool {
     }
 }
 
-/// Where people keep a class, or the classes it is a kind of, with weights.
+/// The habitual places of a class, or of its parent classes, with weights.
 fn kept(classes: &ClassTable, class: &Class) -> Vec<(Spot, f32)> {
     let own = class.kept.iter().map(|k| {
         let at = k.at.as_ref().map(|(relation, class)| (*relation, class.to_string()));

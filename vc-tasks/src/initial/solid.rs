@@ -1,13 +1,13 @@
-//! What is in the way: boxes around everything, and around its parts.
+//! Obstacles: the bounding boxes of all objects and of their parts.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Part;
 use vc_graph::{Aabb, AssetLibrary, Bounds, Frame, Kind, Node, NodeId, Pose, SceneGraph};
 
-/// How deep boxes may meet before they count as sharing space, metres.
+/// The depth by which boxes may overlap before they count as colliding, metres.
 const TOUCH: f32 = 0.002;
 
-/// The boxes of all things in a scene.
+/// The bounding boxes of all objects in a scene.
 #[derive(Debug, Clone)]
 pub(super) struct Solids {
     boxes: Vec<(NodeId, Aabb)>,
@@ -19,14 +19,14 @@ impl Solids {
         Self { boxes: things.filter_map(|n| Some((n.id(), n.aabb()?))).collect() }
     }
 
-    /// Notes a thing that was put somewhere.
+    /// Adds the box of a newly placed object.
     pub(super) fn add(&mut self, id: NodeId, aabb: Aabb) {
         self.boxes.push((id, aabb));
     }
 
-    /// A thing that shares space with a box; some are left out of account.
+    /// Finds an object that collides with a box, other than the nodes in `besides`.
     ///
-    /// Costs a test of every thing's box, and of the parts of those that meet it.
+    /// Costs a test of every object's box, and of the parts of those that overlap it.
     pub(super) fn hit(
         &self,
         graph: &SceneGraph,
@@ -40,12 +40,12 @@ impl Solids {
     }
 }
 
-/// Whether two boxes share space.
+/// Whether two boxes overlap.
 pub(super) fn meet(a: &Aabb, b: &Aabb) -> bool {
     (0..3).all(|i| a.min[i] + TOUCH < b.max[i] && b.min[i] + TOUCH < a.max[i])
 }
 
-/// The boxes of a thing's parts in the world; its own box where it has no parts.
+/// The boxes of an object's parts in the world; its own box if it has no parts.
 pub(super) fn part_boxes<'a>(node: &'a Node, assets: &'a AssetLibrary) -> impl Iterator<Item = Aabb> + 'a {
     let asset = node.spec().asset.and_then(|id| assets.get(id)).filter(|asset| !asset.parts.is_empty());
     let whole = node.aabb().filter(|_| asset.is_none());

@@ -1,11 +1,11 @@
-//! How the scene is to be at the start: states, and what the agent sits on or holds.
+//! The start conditions: states, and the object that the agent sits on or holds.
 
 use vc_graph::goal::{Goal, Literal, Predicate, Term};
 use vc_graph::{Edit, EditError, NodeId, Place, Property, PropertySet, Relation, SceneGraph, State, StateSet};
 
-/// Makes the parts of a start true that can be made so: a state of all things of a
-/// class, or its contrary, and the agent's seat or burden. What else is asked is left
-/// to be found true or not.
+/// Makes those parts of a start true that can be set: a state of all objects of a class, or its
+/// negation, and the agent's seat or the object it holds. The other parts are left as they are and
+/// checked later.
 pub(super) fn bring_about(edit: &mut Edit<'_>, agent: NodeId, start: &Goal) -> Result<(), EditError> {
     start.conjuncts().iter().try_for_each(|part| match part {
         Goal::Literal(literal) => establish(edit, agent, literal),
@@ -46,7 +46,7 @@ fn establish(edit: &mut Edit<'_>, agent: NodeId, literal: &Literal) -> Result<()
     }
 }
 
-/// The first seat of a class that nobody and nothing is on.
+/// The first seat of a class that is free.
 pub(super) fn free_seat(graph: &SceneGraph, class: &str, relation: Relation) -> Option<NodeId> {
     let needed = if relation == Relation::SittingOn { Property::Sittable } else { Property::Lieable };
     let fits = |id: &NodeId| {
@@ -55,8 +55,8 @@ pub(super) fn free_seat(graph: &SceneGraph, class: &str, relation: Relation) -> 
     graph.of_class(class).into_iter().find(fits)
 }
 
-/// Puts a thing in a state; what is filled is filled with water, unless it has
-/// something in it already.
+/// Puts an object in a state; an object to be filled is filled with water, unless it has contents
+/// already.
 pub(super) fn enter(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(), EditError> {
     let full = edit.graph().node(id).is_some_and(|n| n.contents().is_some());
     match state {
@@ -66,7 +66,7 @@ pub(super) fn enter(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(),
     }
 }
 
-/// The nodes that terms mean and that can be in a state.
+/// The nodes that terms denote and that can be in a state.
 fn things(graph: &SceneGraph, terms: &[Term], state: State) -> Vec<NodeId> {
     let all = match terms {
         [Term::Class(class)] => graph.of_class(class),
@@ -76,7 +76,7 @@ fn things(graph: &SceneGraph, terms: &[Term], state: State) -> Vec<NodeId> {
     all.into_iter().filter(|&id| graph.node(id).is_some_and(|n| allows(n.spec().affordances, state))).collect()
 }
 
-/// Whether what affords so much can be in a state at all.
+/// Whether these affordances allow a state at all.
 pub(super) fn allows(affordances: PropertySet, state: State) -> bool {
     let needed = match state {
         State::Open | State::Closed => Property::Openable,
@@ -90,7 +90,7 @@ pub(super) fn allows(affordances: PropertySet, state: State) -> bool {
     affordances.contains(needed)
 }
 
-/// The classes a start names as seats and burdens, which it therefore needs.
+/// The classes that a start names as seats and as held objects, and therefore needs.
 pub(crate) fn needed_classes(start: &Goal) -> Vec<String> {
     let named = |part: &Goal| match part {
         Goal::Literal(Literal { predicate: Predicate::Relation(_) | Predicate::Holds, terms }) => {
@@ -101,7 +101,8 @@ pub(crate) fn needed_classes(start: &Goal) -> Vec<String> {
     start.conjuncts().iter().filter_map(named).collect()
 }
 
-/// The parts of a start that do not hold; a state of things there are none of does.
+/// The first part of a start that does not hold; a state of a class without objects counts as
+/// holding.
 pub(super) fn unmet(now: &vc_graph::goal::Situation<'_>, start: &Goal) -> Option<String> {
     let vacuous = |part: &Goal| match part {
         Goal::Literal(Literal { predicate: Predicate::State(state), terms }) => {

@@ -1,21 +1,20 @@
-//! Where things that are added come from.
+//! The source of the objects that are added.
 
 use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Bounds, Draft, SceneGraph, Seed};
 
-/// Makes things that a scene lacks.
+/// A source of objects that a scene lacks.
 ///
-/// A generator of objects implements it with assets; [`PlainStock`] does with what
-/// the scene and its class table know.
+/// A generator of objects implements it with assets; [`PlainStock`] uses only the scene and its
+/// class table.
 pub trait Stock {
-    /// A thing of a class, not yet anywhere; `None` if the stock has none. What it is
-    /// made of goes into `assets`, the scene's own library with what was added
-    /// before. The same seed gives the same thing.
+    /// Makes an object of a class, not yet placed; `None` if the stock has none. Its assets go into
+    /// `assets`, the scene's own library with earlier additions. The same seed gives the same
+    /// object.
     fn thing(&self, class: &Class, seed: Seed, scene: &SceneGraph, assets: &mut AssetLibrary) -> Option<Draft>;
 }
 
-/// Copies of things of the same class in the scene; else boxes of the class's typical
-/// size.
+/// Copies of objects of the same class in the scene; otherwise boxes of the class's typical size.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PlainStock;
 

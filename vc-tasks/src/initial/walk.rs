@@ -1,4 +1,4 @@
-//! Where a person can stand and what they reach from there.
+//! The positions where a person can stand, and the objects within reach from there.
 
 use nalgebra::{Point2, Point3};
 use vc_graph::class::Category;
@@ -6,32 +6,32 @@ use vc_graph::{Aabb, AssetLibrary, Kind, Node, NodeId, SceneGraph, Stream};
 
 use super::solid::part_boxes;
 
-/// Cells a metre.
+/// The number of cells a metre.
 const CELLS: f32 = 20.0;
-/// Radius of a person, cells.
+/// The radius of a person, in cells.
 const BODY: i32 = 5;
-/// A person's height, metres: what is above does not hinder.
+/// A person's height, metres: objects above it are no obstacle.
 const HEIGHT: f32 = 1.7;
-/// What one steps over, metres.
+/// The height of objects that a person steps over, metres.
 const STEP: f32 = 0.03;
-/// How far and how high a person reaches, metres.
+/// The distance and the height within a person's reach, metres.
 const ARM: f32 = 0.95;
 const HIGH: f32 = 2.1;
 
-/// The floor as a grid: the largest part of it that one can walk over without a gap.
+/// The floor as a grid: its largest connected walkable part.
 #[derive(Debug, Clone)]
 pub(super) struct Walk {
     low: Point2<i32>,
     width: i32,
     depth: i32,
-    /// For each cell its room, counted from one; zero where there is no floor.
+    /// The room of each cell, counted from one; zero where there is no floor.
     room: Vec<u16>,
     rooms: Vec<NodeId>,
     standing: Vec<bool>,
 }
 
 impl Walk {
-    /// Looks at a scene; `None` where no room has a box. Doors do not hinder.
+    /// Builds the grid of a scene; `None` where no room has a bounding box. Doors are no obstacle.
     ///
     /// Costs about a millisecond for a home.
     pub(super) fn of(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
@@ -76,7 +76,7 @@ impl Walk {
         Some(walk)
     }
 
-    /// The cells a box touches, seen from above.
+    /// Visits the cells that a box touches, seen from above.
     fn each_cell(&self, aabb: &Aabb, mut visit: impl FnMut(usize)) {
         const SLACK: f32 = 0.02;
         let from = |v: f32, low: i32| ((v * CELLS + SLACK).floor() as i32 - low).max(0);
@@ -88,7 +88,7 @@ impl Walk {
         }
     }
 
-    /// Cells around which nothing is within a person's radius: a disc, row by row.
+    /// The cells without an obstacle within a person's radius: a disc, tested row by row.
     fn free(&self, blocked: &[bool]) -> Vec<bool> {
         let (width, depth) = (self.width, self.depth);
         let mut sums = vec![0_u32; (width as usize + 1) * depth as usize];
@@ -100,7 +100,7 @@ impl Walk {
         }
         let clear = |x: i32, y: i32| {
             (-BODY..=BODY).all(|dy| {
-                // A cell counts if its middle is within the disc.
+                // A cell counts if its centre is within the disc.
                 let reach = (0..=BODY).rev().find(|dx| dx * dx + dy * dy <= BODY * BODY - BODY).unwrap_or(-1);
                 let row = y + dy;
                 if reach < 0 || row < 0 || row >= depth {
@@ -115,7 +115,7 @@ impl Walk {
         cells.map(|(x, y)| !blocked[(y * width + x) as usize] && clear(x, y)).collect()
     }
 
-    /// The largest set of free cells that hang together.
+    /// The largest connected set of free cells.
     fn largest(&self, free: &[bool]) -> Vec<bool> {
         let mut seen = vec![false; free.len()];
         let mut best: Vec<usize> = Vec::new();
@@ -153,7 +153,7 @@ impl Walk {
         found
     }
 
-    /// Whether somebody in a room reaches a box.
+    /// Whether a person in a room can reach a box.
     pub(super) fn reaches(&self, aabb: &Aabb, room: Option<NodeId>) -> bool {
         if aabb.min.z > HIGH {
             return false;
@@ -179,7 +179,7 @@ impl Walk {
         (nearest.xy() - at).norm()
     }
 
-    /// The rooms one can stand in.
+    /// The rooms a person can stand in.
     pub(super) fn entered(&self) -> Vec<NodeId> {
         let inside = |index: usize| {
             let number = index as u16 + 1;
@@ -188,7 +188,7 @@ impl Walk {
         (0..self.rooms.len()).filter(|&i| inside(i)).map(|i| self.rooms[i]).collect()
     }
 
-    /// A place to stand, in one room and within reach of a box if these are given.
+    /// Samples a place to stand, if given in one room and within reach of a box.
     pub(super) fn spot(&self, room: Option<NodeId>, near: Option<&Aabb>, stream: &mut Stream) -> Option<Point2<f32>> {
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
         let fits = |&cell: &usize| {
@@ -209,7 +209,7 @@ fn is_built(graph: &SceneGraph, node: &Node) -> bool {
     matches!(category, Some(Category::Structure | Category::Window))
 }
 
-/// Whether a thing can be in somebody's way: not floors, doors and people.
+/// Whether an object can be an obstacle: floors, doors and people cannot.
 fn hinders(graph: &SceneGraph, node: &Node) -> bool {
     let category = graph.classes().get(node.class()).map(|c| c.category);
     node.kind() == Kind::Object && !is_floor(node) && category != Some(Category::Door)

@@ -1,4 +1,4 @@
-//! A task with all it takes.
+//! A task with everything it needs.
 
 use std::collections::BTreeMap;
 
@@ -11,37 +11,37 @@ use vc_graph::{ClassTable, Relation, State, Verb};
 use super::Need;
 use crate::Task;
 
-/// What is to be done, what it takes, and how it begins.
+/// A goal, the objects it needs and the scene in which it begins.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Activity {
-    /// Its name for ever, `indoor-4`, `put_fridge-01`.
+    /// The permanent identifier, `indoor-4`, `put_fridge-01`.
     pub id: String,
-    /// What is to be done, in a few words.
+    /// The task in a few words.
     pub title: String,
-    /// What is to hold at the end.
+    /// The goal, which is to hold at the end.
     pub goal: Goal,
-    /// What makes the end natural: closed again, switched off again.
+    /// The conditions of a natural end: closed again, switched off again.
     pub natural: Goal,
-    /// The things it needs, besides those the goal names.
+    /// The objects it needs in addition to those that the goal names.
     pub needs: Vec<Need>,
-    /// How the scene is at the start: states of all things of a class, and what the
+    /// The conditions at the start: states of all objects of a class, and the seat or bed that the
     /// agent sits or lies on.
     pub start: Goal,
-    /// Classes of rooms and regions it happens in.
+    /// The classes of the rooms and regions where it takes place.
     pub places: Vec<String>,
 }
 
-/// Where a list of activities is wrong.
+/// A mistake in a list of activities.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{file}: {message}")]
 pub struct ActivityError {
-    /// The name the list was given.
+    /// The name given to the list.
     pub file: String,
-    /// What is wrong, with line and column.
+    /// The message, with line and column.
     pub message: String,
 }
 
-/// An activity as the lists write it.
+/// An activity as written in the lists.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written {
@@ -75,15 +75,15 @@ impl Activity {
         Ok(written.into_iter().map(|w| w.named(list)).collect())
     }
 
-    /// The task: goal and natural end in one.
+    /// The task: the goal and the natural end as one goal.
     pub fn task(&self) -> Task {
         Task::new(&self.title, all_of(&[&self.goal, &self.natural]))
     }
 
-    /// Everything that must be in the scene: what is written, and for what the goal,
-    /// the natural end and the start name besides, as many as they ask for.
+    /// Everything that must be in the scene: the needs as written, and those objects that the goal,
+    /// the natural end and the start name in addition, as many as they ask for.
     ///
-    /// Negations and what holds for all need nothing, nor do states of the start.
+    /// Negations and universally quantified parts need nothing, nor do states at the start.
     pub fn all_needs(&self) -> Vec<Need> {
         let mut named = BTreeMap::new();
         [&self.goal, &self.natural].into_iter().for_each(|goal| named_things(goal, 1, &mut named));
@@ -95,14 +95,14 @@ impl Activity {
         self.needs.iter().cloned().chain(more.map(|(class, number)| Need::of(class, number))).collect()
     }
 
-    /// The places that a class table does not know as rooms: those yet to be built.
+    /// The places that are not rooms in a class table, so have yet to be built.
     pub fn unknown_places<'a>(&'a self, classes: &'a ClassTable) -> impl Iterator<Item = &'a str> {
         let known = |place: &str| classes.get(place).is_some_and(|c| c.category == Category::Room);
         self.places.iter().map(String::as_str).filter(move |place| !known(place))
     }
 
-    /// The verbs that its end asks for: each literal's own, and `grab` before what is
-    /// put somewhere. Plans have more: one walks to everything.
+    /// The verbs that the goal and the natural end require: each literal's own verb, and `grab` before a
+    /// placement. Plans contain more: the agent walks to everything.
     pub fn verbs(&self) -> Vec<Verb> {
         let mut verbs = Vec::new();
         [&self.goal, &self.natural].into_iter().for_each(|goal| asked_verbs(goal, &mut verbs));
@@ -119,13 +119,13 @@ impl Written {
     }
 }
 
-/// One conjunction of goals; those of order stay parts of their own.
+/// The conjunction of goals; temporal goals remain conjuncts of their own.
 fn all_of(goals: &[&Goal]) -> Goal {
     let mut parts: Vec<Goal> = goals.iter().flat_map(|g| g.conjuncts().iter().cloned()).collect();
     if parts.len() == 1 { parts.remove(0) } else { Goal::And(parts) }
 }
 
-/// The classes of which a goal needs things, with how many.
+/// Collects the classes of the objects that a goal needs, with their numbers.
 fn named_things(goal: &Goal, number: usize, named: &mut BTreeMap<String, usize>) {
     let mut name = |class: &str, number: usize| {
         let most = named.entry(class.to_owned()).or_insert(0);
@@ -144,7 +144,7 @@ fn named_things(goal: &Goal, number: usize, named: &mut BTreeMap<String, usize>)
             named_things(&Goal::Literal(literal.clone()), *number as usize, named);
         }
         Goal::And(parts) | Goal::Then(parts) => parts.iter().for_each(|p| named_things(p, 1, named)),
-        // The first way will do.
+        // One alternative is enough: the first is taken.
         Goal::Or(parts) => parts.iter().take(1).for_each(|p| named_things(p, 1, named)),
         Goal::Exists(q) => {
             q.class.iter().for_each(|class| name(class, 1));
@@ -170,7 +170,7 @@ fn asked_verbs(goal: &Goal, verbs: &mut Vec<Verb>) {
             P::Holds => verbs.push(Verb::Grab),
             P::State(state) => verbs.extend(verb_of_state(state)),
             P::Relation(relation) => verbs.extend_from_slice(verbs_of_relation(relation)),
-            // What is there is there; nothing is done about it.
+            // Other predicates describe what is there already and call for no action.
             _ => {}
         },
         Goal::Not(_) => {}

@@ -1,4 +1,4 @@
-//! The benchmark: few base tasks, many things they can be about.
+//! The benchmark: few base tasks, each with many variants.
 
 use serde::Deserialize;
 use vc_graph::format::unmarked;
@@ -10,38 +10,36 @@ use super::{Activity, Need};
 
 const V1: &str = include_str!("../../data/library/benchmark.json");
 
-/// A fixed list of tasks under fixed ids.
+/// A fixed list of tasks under fixed identifiers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Benchmark {
-    /// Its name and version, `virtualcity-145 v1`. What a version holds never
-    /// changes.
+    /// Name and version, `virtualcity-145 v1`. The tasks of a version never change.
     pub version: String,
-    /// The tasks; those of one base stand together.
+    /// The tasks; the variants of a base task are adjacent.
     pub activities: Vec<Activity>,
 }
 
-/// Where the text of a benchmark is wrong.
+/// A mistake in the text of a benchmark.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BenchmarkError {
-    /// The file is not what it should be.
+    /// The file does not have the expected form.
     #[error("benchmark: {0}")]
     Form(String),
-    /// A base filled in with one of its variants is no task.
+    /// A base task filled in with one of its variants is not a task.
     #[error("{id}: `{text}`: {why}")]
     Variant {
-        /// The task.
+        /// The task's identifier.
         id: String,
         /// The text after the variant was filled in.
         text: String,
-        /// What is wrong with it.
+        /// The reason why it is not a task.
         why: String,
     },
 }
 
-/// A base task as the file writes it: `$1` to `$9` stand for a variant's words, and
-/// `each` and `each_need` are repeated for each of them, with `$` for the class and
-/// `#` for the number of `2 plate`.
+/// A base task as written in the file: `$1` to `$9` stand for the words of a variant; `each` and
+/// `each_need` are repeated for each word, where `2 plate` gives `#` its number and `$` its class.
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 struct Base {
@@ -72,26 +70,26 @@ impl Benchmark {
     /// # Ok::<(), &str>(())
     /// ```
     pub fn v1() -> Self {
-        // A test reads the text and shows its errors.
+        // A test reads the text and reports its errors.
         let activities = Self::read(V1).unwrap_or_default();
         Self { version: "virtualcity-145 v1".into(), activities }
     }
 
-    /// Reads base tasks and makes all their variants.
+    /// Reads base tasks and expands all their variants.
     ///
     /// # Errors
-    /// [`BenchmarkError`] says which text is wrong, and how.
+    /// [`BenchmarkError`] with the text that is wrong and the reason.
     pub fn read(text: &str) -> Result<Vec<Activity>, BenchmarkError> {
         let bases: Vec<Base> = serde_json::from_str(unmarked(text)).map_err(|e| BenchmarkError::Form(e.to_string()))?;
         bases.iter().flat_map(|base| (0..base.variants.len()).map(move |i| base.variant(i))).collect()
     }
 
-    /// The task of an id.
+    /// Finds the task with an identifier.
     pub fn get(&self, id: &str) -> Option<&Activity> {
         self.activities.iter().find(|a| a.id == id)
     }
 
-    /// A number that changes when anything about the tasks does.
+    /// A digest that changes whenever anything about the tasks changes.
     pub fn digest(&self) -> Digest {
         let text = serde_json::to_string(&self.activities).unwrap_or_default();
         Digest(fnv1a(text.bytes()))
@@ -99,8 +97,7 @@ impl Benchmark {
 }
 
 impl Activity {
-    /// The base task it is a variant of, `put_fridge`; the list of one of the
-    /// thesis's tasks.
+    /// The base task of which it is a variant, `put_fridge`; for the thesis's tasks, their list.
     pub fn group(&self) -> &str {
         self.id.rsplit_once('-').map_or(&self.id, |(group, _)| group)
     }
@@ -137,7 +134,7 @@ impl Base {
     }
 }
 
-/// A text about one word of a variant: `2 plate` fills `#` and `$`.
+/// Fills a text in for one word of a variant: of `2 plate`, the number replaces `#` and the class `$`.
 fn numbered(text: &str, word: &str) -> String {
     let (number, class) = word.split_once(' ').unwrap_or(("1", word));
     text.replace('#', number).replace('$', class)

@@ -1,10 +1,10 @@
 //! The task library: the thesis's hundred tasks, and the benchmark of 145.
 //!
-//! An [`Activity`] is a [`Task`](crate::Task) with what it takes: the things it needs
-//! and where they may be, how the scene must be at the start, what makes its end
-//! natural, and the places it happens in. [`thesis_tasks`] are the hundred of the
-//! thesis's appendix B, [`Benchmark::v1`] the 145 that are made from 20 bases.
-//! [`Activity::read_list`] reads your own.
+//! An [`Activity`] is a [`Task`](crate::Task) with its requirements: the objects it needs and where
+//! they may be, the conditions at the start, the conditions of a natural end, and the places where
+//! it happens. [`thesis_tasks`] returns the hundred tasks of the thesis's appendix B,
+//! [`Benchmark::v1`] the 145 that are made from 20 bases. [`Activity::read_list`] reads your own
+//! list.
 
 mod activity;
 mod benchmark;
@@ -19,7 +19,7 @@ use vc_graph::Verb;
 const INDOOR: &str = include_str!("../../data/library/indoor.json");
 const OUTDOOR: &str = include_str!("../../data/library/outdoor.json");
 
-/// The verbs of the thesis's environment, the gestures it names among them.
+/// The verbs of the thesis's environment, including the gestures it names.
 ///
 /// ```
 /// use vc_graph::Verb;
@@ -46,17 +46,17 @@ pub const THESIS_VERBS: [Verb; 18] = [
     Verb::LookAt,
 ];
 
-/// The list of the thesis's appendix B that a task is of.
+/// One of the two lists in the thesis's appendix B.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum List {
     /// The first list: tasks in the home.
     Indoor,
-    /// The second list: tasks out of doors, with some in the home among them.
+    /// The second list: outdoor tasks, with some in the home among them.
     Outdoor,
 }
 
 impl List {
-    /// The word in the ids of its tasks, `indoor-4`.
+    /// The prefix of its tasks' identifiers, as in `indoor-4`.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Indoor => "indoor",
@@ -65,7 +65,7 @@ impl List {
     }
 }
 
-/// The fifty tasks of one of the thesis's lists, in its order and in our words.
+/// The fifty tasks of one of the thesis's lists, in its order but in our words.
 ///
 /// The thesis prints the heading of its first list as number 1, so that its numbers
 /// 2 to 51 are our 1 to 50.
@@ -82,6 +82,6 @@ pub fn thesis_tasks(list: List) -> Vec<Activity> {
         List::Indoor => INDOOR,
         List::Outdoor => OUTDOOR,
     };
-    // A test reads the lists and shows their errors.
+    // A test reads the lists and reports their errors.
     Activity::read_list(list.as_str(), text).unwrap_or_default()
 }

@@ -1,12 +1,12 @@
-//! Things that a task needs, and where they may be at its start.
+//! The objects that a task needs, and where they may be at its start.
 
 use std::fmt;
 use std::str::FromStr;
 
 use vc_graph::{Relation, State, Word};
 
-/// Things of one class that must be in the scene, written
-/// `2 plate [dirty] on dining_table | in kitchen_cabinet of kitchen`.
+/// Objects of one class that must be in the scene, written `2 plate [dirty] on dining_table | in
+/// kitchen_cabinet of kitchen`.
 ///
 /// ```
 /// use vc_tasks::library::Need;
@@ -17,37 +17,37 @@ use vc_graph::{Relation, State, Word};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Need {
-    /// Of which class.
+    /// The class of the objects.
     pub class: String,
-    /// How many.
+    /// The number of objects.
     pub number: usize,
     /// The states they are in.
     pub states: Vec<State>,
-    /// Where they may be; where people keep them, if none is said.
+    /// The allowed placements; if empty, the habitual places of the class.
     pub spots: Vec<Spot>,
 }
 
-/// A kind of place where a thing may be.
+/// A kind of placement for an object.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Spot {
-    /// On or inside what class; `None` for anywhere in the room.
+    /// The relation and the class of the support or container; `None` for anywhere in the room.
     pub at: Option<(Relation, String)>,
-    /// In a room of which class; `None` for any.
+    /// The class of the room; `None` for any room.
     pub room: Option<String>,
 }
 
-/// A text that is no [`Need`].
+/// A text that cannot be parsed as a [`Need`].
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("`{text}` is no need such as `2 plate [dirty] on dining_table of kitchen`: {why}")]
+#[error("`{text}` is not a need such as `2 plate [dirty] on dining_table of kitchen`: {why}")]
 pub struct NeedError {
     /// The text.
     pub text: String,
-    /// What is wrong with it.
+    /// The reason.
     pub why: String,
 }
 
 impl Need {
-    /// Things of a class, wherever people keep them.
+    /// Objects of a class in their habitual places.
     pub fn of(class: impl Into<String>, number: usize) -> Self {
         Self { class: class.into(), number, states: Vec::new(), spots: Vec::new() }
     }

@@ -9,8 +9,8 @@ use super::{Finding, Kind, satisfiability};
 use crate::format::bddl::{Activity, Atom, DOMAINS, Facts, Part, Variable, meaning};
 use crate::format::sexpr::Expr;
 
-/// Everything that is wrong or odd with an activity. Whether its goal can be met is
-/// judged by what it says alone: no geometry and no physics.
+/// Finds the mistakes and oddities of an activity. Whether its goal can be fulfilled is decided
+/// from the text alone: without geometry or physics.
 ///
 /// Takes some tens of microseconds for most activities.
 pub fn activity(activity: &Activity) -> Vec<Finding> {
@@ -29,9 +29,9 @@ pub fn activity(activity: &Activity) -> Vec<Finding> {
     look.found
 }
 
-/// What takes the goal as a whole: whether it can be met, whether it is already.
+/// The findings about the goal as a whole: that it cannot be fulfilled, that it holds at the start.
 fn judged(activity: &Activity) -> Vec<Finding> {
-    // What is not declared has been found already.
+    // Undeclared names have been reported already.
     let Ok(facts) = Facts::of(activity, Pairing::Matching) else { return Vec::new() };
     let unmet = satisfiability(facts.program(), activity.name());
     let done = facts.start(activity).is_ok_and(|start| facts.program().holds(&start));
@@ -39,7 +39,7 @@ fn judged(activity: &Activity) -> Vec<Finding> {
     unmet.into_iter().chain(done).collect()
 }
 
-/// What is known of the names, and what was found.
+/// The declared names, and the findings so far.
 struct Look<'t> {
     classes: HashMap<&'t str, &'t str>,
     known_classes: HashSet<&'t str>,
@@ -61,14 +61,14 @@ impl<'t> Look<'t> {
 
     fn domain(&mut self, activity: &'t Activity) {
         let domain = activity.domain();
-        // A missing domain makes no difference to the rest.
+        // A missing domain makes no difference to the other checks.
         if !domain.is_empty() && !DOMAINS.contains(&domain) {
             let part = format!("{domain}; known are {}", DOMAINS.join(" and "));
             self.found.push(Finding { kind: Kind::UnknownDomain, at: None, part });
         }
     }
 
-    /// One finding, if things are said to rest on each other in a circle.
+    /// Reports one finding if objects are said to rest on each other in a cycle.
     fn circles(&mut self, said: &[(Atom<'t>, Expr<'t>)]) {
         let resting = |(atom, at): &(Atom<'t>, Expr<'t>)| match meaning(atom.predicate) {
             Some(Predicate::Relation(relation)) if rests(relation) => Some((*at, (atom.first, atom.second?))),
@@ -80,7 +80,7 @@ impl<'t> Look<'t> {
         }
     }
 
-    /// Finds predicates with a wrong number of things, and with one thing twice.
+    /// Finds predicates with a wrong number of arguments, and with one object twice.
     fn things(&mut self, atom: Atom<'t>, at: Expr<'t>) {
         let (Some(predicate), given) = (meaning(atom.predicate), atom.things().count()) else { return };
         if predicate.arity() != given {
@@ -112,7 +112,7 @@ impl<'t> Look<'t> {
         }
     }
 
-    /// Objects and predicates that are not declared.
+    /// Finds undeclared objects and predicates.
     fn names(&mut self, atom: Atom<'t>, at: Expr<'t>, bound: &[Variable<'t>]) {
         self.things(atom, at);
         if meaning(atom.predicate).is_none() {
@@ -126,8 +126,8 @@ impl<'t> Look<'t> {
         }
     }
 
-    /// Looks at a condition and all within. `wanted` says whether it is to be true
-    /// or false, where that is certain.
+    /// Checks a condition and its parts. `wanted` is the truth value that it has to take, where
+    /// that is certain.
     fn condition(&mut self, at: Expr<'t>, bound: &mut Vec<Variable<'t>>, wanted: Option<bool>) {
         let Ok(part) = Part::of(at) else { return };
         self.variables(&part, at, bound);
@@ -178,7 +178,7 @@ impl<'t> Look<'t> {
     }
 }
 
-/// The predicates that must all be true for a condition to be.
+/// Collects the predicates that must all be true for a condition to hold.
 fn conjuncts<'t>(at: Expr<'t>, found: &mut Vec<(Atom<'t>, Expr<'t>)>) {
     match Part::of(at) {
         Ok(Part::And(parts)) => parts.for_each(|part| conjuncts(part, found)),
@@ -187,7 +187,7 @@ fn conjuncts<'t>(at: Expr<'t>, found: &mut Vec<(Atom<'t>, Expr<'t>)>) {
     }
 }
 
-/// Whether the i-th condition of a part is to be true, if that of the part is known.
+/// The truth value that the i-th condition of a part has to take, given that of the part.
 fn within(part: &Part<'_>, i: usize, wanted: Option<bool>) -> Option<bool> {
     match part {
         Part::Not(_) => wanted.map(|w| !w),
@@ -197,8 +197,8 @@ fn within(part: &Part<'_>, i: usize, wanted: Option<bool>) -> Option<bool> {
     }
 }
 
-/// Objects and variables in a condition, as often as they stand there; and the
-/// variables it binds itself.
+/// The objects and variables in a condition, once per occurrence, and the variables it binds
+/// itself.
 fn things_in<'t>(at: Expr<'t>, found: &mut Vec<&'t str>) {
     match Part::of(at) {
         Ok(Part::Atom(atom)) => found.extend(atom.things()),

@@ -1,20 +1,20 @@
-//! Things that rest on each other in a circle.
+//! Objects that rest on each other in a cycle.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::Relation;
 
-/// Whether a relation says that the first thing rests on or in the second.
+/// Whether a relation means that its first object rests on or in the second.
 pub(super) fn rests(relation: Relation) -> bool {
     matches!(relation, Relation::On | Relation::Inside)
 }
 
-/// The position of the first pair that is in a circle, of pairs of a thing and another that it rests on; `None`
-/// if there is no circle. A thing on itself does not count.
+/// The index of the first pair in a cycle, among pairs of an object and another that it rests on; `None` if
+/// there is no cycle. An object on itself does not count.
 pub(super) fn first_in_circle<T: Ord + Copy>(pairs: &[(T, T)]) -> Option<usize> {
     let grounded = grounded(pairs);
     let floats = |i: &usize| pairs[*i].0 != pairs[*i].1 && !grounded.contains(&pairs[*i].1);
-    // In reverse, so that of several pairs of a thing the first one stays in the map.
+    // In reverse order, so that of several pairs of an object the first one stays in the map.
     let next: BTreeMap<T, usize> = (0..pairs.len()).rev().filter(floats).map(|i| (pairs[i].0, i)).collect();
     let mut met = BTreeSet::new();
     let mut here = *next.values().min()?;
@@ -25,7 +25,7 @@ pub(super) fn first_in_circle<T: Ord + Copy>(pairs: &[(T, T)]) -> Option<usize> 
     std::iter::successors(Some(here), around).min()
 }
 
-/// The things from which every way down ends at one that rests on nothing.
+/// The objects from which every chain of supports ends at one that rests on nothing.
 fn grounded<T: Ord + Copy>(pairs: &[(T, T)]) -> BTreeSet<T> {
     let (mut ways, mut above): (BTreeMap<T, usize>, BTreeMap<T, Vec<T>>) = Default::default();
     for &(thing, at) in pairs.iter().filter(|(thing, at)| thing != at) {

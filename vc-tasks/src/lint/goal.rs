@@ -1,4 +1,4 @@
-//! Goals in our own language.
+//! Goals in our own notation.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -11,9 +11,8 @@ use super::{Finding, Kind, LARGEST, satisfiability};
 use crate::compile::{CompileError, Compiler, Program, Things};
 use crate::{Obstacle, Task};
 
-/// Everything that is wrong or odd with a goal. A scene tells which things there
-/// are: without one, things of a class are taken to be as many as it takes, and
-/// only goals about given nodes are looked at as a whole.
+/// Finds the mistakes and oddities of a goal. A scene says which objects there are; without one, each class
+/// is taken to have as many objects as needed, and only goals about given nodes are checked as a whole.
 pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let mut found = Vec::new();
     look(goal, &mut Vec::new(), Some(true), &mut found);
@@ -32,7 +31,8 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     found
 }
 
-/// Findings about classes that no table knows and no scene has; those that an obstacle names are left to it.
+/// Findings about classes that are in no class table and no scene; a class already named by an obstacle is
+/// not repeated.
 fn unknown(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let builtin = ClassTable::builtin();
     let table = scene.map_or(&builtin, SceneGraph::classes);
@@ -50,7 +50,7 @@ fn unknown(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     lost.into_iter().map(|class| Finding { kind: Kind::UnknownClass, at: None, part: part(class) }).collect()
 }
 
-/// Findings about labels of another class than their node, and about things that the scene lacks.
+/// Findings about labels whose class is not that of their node, and about objects that the scene lacks.
 fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let finding = |kind, part| Finding { kind, at: None, part };
     let misnomers = goal.misnomers(graph).into_iter().map(|m| finding(Kind::Misnomer, m.to_string()));
@@ -63,7 +63,7 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     misnomers.chain(missing).chain(obstacles).collect()
 }
 
-/// One finding, if things are to rest on each other in a circle.
+/// A finding if the goal asks for objects that support each other in a cycle.
 fn circle(goal: &Goal) -> Option<Finding> {
     let mut literals = Vec::new();
     conjuncts(goal, &mut literals);
@@ -79,7 +79,7 @@ fn circle(goal: &Goal) -> Option<Finding> {
     Some(Finding { kind: Kind::Circle, at: None, part })
 }
 
-/// The literals that must all hold for a goal to.
+/// Collects the literals that must all hold for a goal to hold.
 fn conjuncts<'g>(goal: &'g Goal, found: &mut Vec<&'g Literal>) {
     match goal {
         Goal::And(parts) => parts.iter().for_each(|part| conjuncts(part, found)),
@@ -88,7 +88,7 @@ fn conjuncts<'g>(goal: &'g Goal, found: &mut Vec<&'g Literal>) {
     }
 }
 
-/// Whether a relation is said of one thing and itself.
+/// Whether a relation has the same object twice.
 fn with_itself(literal: &Literal) -> bool {
     let one = |term: &Term| matches!(term, Term::Node(..) | Term::Variable(_) | Term::Me);
     let same = |a: &Term, b: &Term| match (a, b) {
@@ -98,7 +98,7 @@ fn with_itself(literal: &Literal) -> bool {
     matches!(&literal.terms[..], [a, b] if one(a) && same(a, b))
 }
 
-/// The goal for the things of a scene; without one, if it is about given things.
+/// The goal compiled for the objects of a scene; without a scene, only if it is about given nodes.
 fn compiled(goal: &Goal, scene: Option<&SceneGraph>) -> Option<Program> {
     let mut compiler = Compiler::limited(LARGEST);
     let program: Result<Program, CompileError> = match scene {
@@ -112,10 +112,10 @@ fn compiled(goal: &Goal, scene: Option<&SceneGraph>) -> Option<Program> {
     program.ok()
 }
 
-/// Who `me` is where nobody is known.
+/// The node that `me` denotes where no agent is known.
 const NOBODY: NodeId = NodeId(u32::MAX);
 
-/// Whether a goal ranges over things that only a scene can tell.
+/// Whether a goal ranges over objects that only a scene determines.
 fn ranges(goal: &Goal) -> bool {
     let here = match goal {
         Goal::ForAll(_) | Goal::Exists(_) | Goal::ForN { .. } | Goal::ForPairs(_) => true,
@@ -125,7 +125,7 @@ fn ranges(goal: &Goal) -> bool {
     here || goal.parts().into_iter().any(ranges)
 }
 
-/// The things that a goal names are there, and of others nothing is known.
+/// The objects that a goal names exist, and no others are known.
 struct Given;
 
 impl Things for Given {
@@ -172,7 +172,7 @@ fn look<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, fo
     bound.truncate(outer);
 }
 
-/// Whether the i-th part of a goal is to be true, where that is certain.
+/// The truth value that the i-th part of a goal has to take, where that is certain.
 fn within(goal: &Goal, i: usize, wanted: Option<bool>) -> Option<bool> {
     match goal {
         Goal::Not(_) => wanted.map(|w| !w),
@@ -221,7 +221,7 @@ fn terms_in<'g>(goal: &'g Goal, found: &mut HashSet<&'g Term>) {
     goal.parts().into_iter().for_each(|part| terms_in(part, found));
 }
 
-/// Whether some action of the transition rule makes a predicate true.
+/// Whether the transition rules have an action that makes a predicate true.
 ///
 /// ```
 /// use vc_graph::State;
@@ -235,7 +235,7 @@ pub fn brought_about(predicate: Predicate) -> bool {
         Predicate::Did(_) | Predicate::Holds => true,
         Predicate::State(state) => RULES.iter().flat_map(|r| r.does).any(|e| enters(e, state)),
         Predicate::Relation(relation) => RULES.iter().flat_map(|r| r.does).any(|e| relates(e, relation)),
-        // No action brings forth what is not there.
+        // No action creates an object that does not exist.
         Predicate::Real | _ => false,
     }
 }

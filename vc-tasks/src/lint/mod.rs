@@ -1,8 +1,7 @@
-//! What is wrong, or odd, with a task.
+//! Finds mistakes and oddities in a task.
 //!
-//! [`activity`] looks at an activity in BDDL, [`goal`] at a goal in our language,
-//! alone or in a scene. Neither changes anything; what they find is listed in the
-//! order of the text.
+//! [`activity`] checks an activity in BDDL, [`goal`] a goal in our notation, alone or in a scene.
+//! Neither changes anything; findings are listed in the order of the text.
 //!
 //! ```
 //! use vc_tasks::lint::{self, Kind};
@@ -26,62 +25,62 @@ pub use goal::{brought_about, goal};
 
 use crate::compile::{Program, Verdict};
 
-/// What is wrong.
+/// The kind of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Kind {
-    /// No state of the things there are meets the goal.
+    /// No state of the objects fulfils the goal.
     Unsatisfiable,
-    /// The goal holds before anything is done.
+    /// The goal holds before any action.
     TrueAtStart,
-    /// Within a quantifier over a class stands a constant of that class.
+    /// A quantifier over a class contains a constant of that class.
     ConstantInQuantifier,
-    /// A quantifier's variable does not stand in its condition.
+    /// A quantifier's variable does not occur in its condition.
     UnusedVariable,
     /// An object is declared more than once.
     DuplicateObject,
-    /// The same is said of the start more than once.
+    /// A start fact is repeated.
     RepeatedFact,
-    /// Of the start both a thing and its contrary are said.
+    /// A start fact and its negation are both stated.
     ContradictoryFacts,
     /// An object, a class or a predicate is not declared.
     Undeclared,
-    /// A predicate of more or fewer things than it takes.
+    /// A predicate has too many or too few arguments.
     WrongArity,
-    /// A thing stands in a relation to itself.
+    /// A relation has the same object twice.
     WithItself,
-    /// Things rest on or in each other in a circle.
+    /// Objects rest on or in each other in a cycle.
     Circle,
-    /// A domain that is not known.
+    /// The domain is not known.
     UnknownDomain,
-    /// A label is of another class than its node in the scene.
+    /// The class of a label is not that of its node in the scene.
     Misnomer,
-    /// No class table knows a class of the goal, and no thing of the scene is of it.
+    /// A class of the goal is in no class table, and the scene has no object of it.
     UnknownClass,
-    /// The scene lacks what the goal needs.
+    /// The scene lacks something that the goal needs.
     Obstacle,
-    /// A word or section that means nothing.
+    /// A word or section without a meaning.
     Stray,
-    /// The goal asks for what nothing that is done brings about.
+    /// The goal asks for a state or relation that no action brings about.
     NothingBringsAbout,
-    /// A remark: one of the two variables of a pair does not stand in its condition.
+    /// A remark: one of the two variables of a pair does not occur in its condition.
     UnusedInPair,
-    /// A remark: a variable hides another one of the same name.
+    /// A remark: a variable shadows another one of the same name.
     HiddenVariable,
     /// A remark: the goal has further conditions, which the reference
     /// implementation does not read.
     SecondCondition,
-    /// Whether the goal can be met was not found out.
+    /// The search did not decide whether the goal can be fulfilled.
     Undecided,
 }
 
 impl Kind {
-    /// Whether it is no fault but worth a look.
+    /// Whether it is only a remark, not a mistake.
     pub fn is_remark(self) -> bool {
         matches!(self, Self::UnusedInPair | Self::HiddenVariable | Self::SecondCondition)
     }
 
-    /// In a few words.
+    /// A short description.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Unsatisfiable => "unsatisfiable",
@@ -115,14 +114,14 @@ impl fmt::Display for Kind {
     }
 }
 
-/// Something found.
+/// A mistake or oddity in a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// What is wrong.
+    /// The kind of the finding.
     pub kind: Kind,
-    /// Line and column, where there is a text.
+    /// Line and column, if there is a text.
     pub at: Option<(usize, usize)>,
-    /// The part it is about.
+    /// The part it concerns.
     pub part: String,
 }
 
@@ -135,11 +134,11 @@ impl fmt::Display for Finding {
     }
 }
 
-/// Most parts of a goal that is looked at as a whole, counted for every choice of
-/// things: BEHAVIOR's largest has some hundred.
+/// The limit of parts of a goal that is checked as a whole, counted for every choice of objects:
+/// BEHAVIOR's largest goal has some hundred.
 const LARGEST: usize = 100_000;
 
-/// Whether a compiled goal can be met, as a finding if it cannot.
+/// A finding, if a compiled goal cannot be fulfilled or the search did not decide it.
 fn satisfiability(program: &Program, part: &str) -> Option<Finding> {
     let kind = match satisfy::satisfiable(program) {
         Verdict::True => return None,

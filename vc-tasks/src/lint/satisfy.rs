@@ -1,25 +1,25 @@
-//! Whether a goal can be met.
+//! Whether a goal can be fulfilled.
 //!
-//! Davis, Logemann and Loveland's search (CACM 1962) on the gates themselves: what
-//! follows from what is known is carried from inputs to gates and back; then some
-//! gate nearest the whole is tried true, and if that fails, false.
+//! The search of Davis, Logemann and Loveland (CACM 1962) on the gates themselves: consequences of
+//! known values are propagated from inputs to gates and back; then an undecided gate nearest the
+//! root is tried true and, if that fails, false.
 
 use vc_graph::goal::Predicate;
 
 use crate::compile::{Gate, Kind, Program, Ref, Verdict, counts};
 
-/// How many gates are looked at before giving up: about a second. The hardest goal of
-/// the 1,016 of BEHAVIOR-1K takes some thousand.
+/// The limit of gate visits before giving up: about a second. The hardest goal of the 1,016 of
+/// BEHAVIOR-1K takes some thousand.
 const LOOKS: usize = 1 << 24;
 
-/// Whether some state meets a goal, in which states that exclude each other do;
-/// unknown if that was not found out.
+/// Whether some state fulfils a goal without two opposite states of one object; unknown if the
+/// limit was reached.
 pub(super) fn satisfiable(program: &Program) -> Verdict {
     let mut values = Values::new(program);
     if !values.set(program.root(), true) || !values.propagate() {
         return Verdict::False;
     }
-    // What is to be tried: known values, and the place that is false there next.
+    // The stack of the search: known values, and the place that is tried false next.
     let mut open: Vec<(Vec<Verdict>, usize)> = Vec::new();
     while values.looks < LOOKS {
         let Some(place) = values.undecided() else { return Verdict::True };
@@ -34,12 +34,12 @@ pub(super) fn satisfiable(program: &Program) -> Verdict {
     Verdict::Unknown
 }
 
-/// What is known of atoms and gates.
+/// The known values of atoms and gates.
 struct Values<'p> {
     program: &'p Program,
     /// The atoms, then the gates.
     known: Vec<Verdict>,
-    /// Atoms of which one at most is true.
+    /// Pairs of atoms of which at most one is true.
     apart: Vec<[usize; 2]>,
     looks: usize,
 }
@@ -59,7 +59,7 @@ impl<'p> Values<'p> {
         plain.negated_if(r.is_negated())
     }
 
-    /// Whether something may have a value; it has it then.
+    /// Sets a value; returns `false` if it contradicts the known one.
     fn set(&mut self, r: Ref, value: bool) -> bool {
         let value = value != r.is_negated();
         if r.is_constant() { value } else { self.learn(self.place(r), value) }
@@ -72,13 +72,13 @@ impl<'p> Values<'p> {
         self.known[place] == Verdict::of(value)
     }
 
-    /// The place nearest the whole of which nothing is known.
+    /// The place nearest the root whose value is unknown.
     fn undecided(&self) -> Option<usize> {
         self.known.iter().rposition(|v| *v == Verdict::Unknown)
     }
 
-    /// Carries what is known up and down until nothing changes; false if it
-    /// contradicts itself.
+    /// Propagates known values up and down until nothing changes; `false` if they contradict each
+    /// other.
     fn propagate(&mut self) -> bool {
         let gates = self.program.gates();
         loop {
@@ -107,7 +107,7 @@ impl<'p> Values<'p> {
         kept
     }
 
-    /// What follows for a gate from its inputs.
+    /// Propagates from a gate's inputs to the gate.
     fn up(&mut self, index: usize, gate: Gate) -> bool {
         match gate.verdict(self.program.inputs(gate), |r| self.at(r)) {
             Verdict::Unknown => true,
@@ -115,8 +115,8 @@ impl<'p> Values<'p> {
         }
     }
 
-    /// What follows for a gate's inputs from its value: when as many as may be are
-    /// true the others are not, and the other way round.
+    /// Propagates from a gate to its inputs: when the greatest allowed number of inputs is true,
+    /// the others are false, and the other way round.
     fn down(&mut self, index: usize, gate: Gate) -> bool {
         let inputs = self.program.inputs(gate);
         let (low, high) = match (self.at(Ref::gate(index)), gate.kind) {
@@ -135,7 +135,7 @@ impl<'p> Values<'p> {
     }
 }
 
-/// States of one thing that exclude each other.
+/// Pairs of states of one object that exclude each other.
 fn apart(program: &Program) -> Vec<[usize; 2]> {
     let state = |(index, atom): (usize, &crate::compile::Atom)| match atom.predicate {
         Predicate::State(state) => Some((atom.things[0], index, state)),

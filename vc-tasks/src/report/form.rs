@@ -1,4 +1,4 @@
-//! Tables as text and files.
+//! Tables as text and in files.
 
 use std::fmt::Write as _;
 
@@ -24,7 +24,7 @@ const HEADINGS: [&str; 14] = [
 ];
 
 impl Row {
-    /// What it holds, in the order of the headings; what was not measured is empty.
+    /// The cells in the order of the headings; a measure that is missing is empty.
     fn cells(&self) -> Vec<String> {
         let share = |value: f64| format!("{value:.3}");
         let maybe = |value: Option<f64>, digits: usize| value.map_or_else(String::new, |v| format!("{v:.digits$}"));
@@ -44,8 +44,7 @@ impl Table {
         std::iter::once(self.by.as_str()).chain(HEADINGS).chain(std::iter::once("seconds")).collect()
     }
 
-    /// The table in columns for people to read; columns with nothing in them are left
-    /// out.
+    /// The table in aligned columns; empty columns are left out.
     pub fn text(&self) -> String {
         let headings: Vec<String> = self.headings().into_iter().map(str::to_owned).collect();
         let rows: Vec<Vec<String>> = self.rows.iter().map(Row::cells).collect();
@@ -73,7 +72,7 @@ impl Table {
 
     /// The table as JSON: an array of rows.
     pub fn json(&self) -> String {
-        // Plain data: nothing of it can be refused.
+        // Plain data: serialising it cannot fail.
         serde_json::to_string_pretty(&self.rows).unwrap_or_default()
     }
 }
@@ -87,7 +86,7 @@ impl Report {
     /// Reads attempts.
     ///
     /// # Errors
-    /// What is wrong, with line and column.
+    /// The error of the JSON text, with line and column.
     pub fn from_json(text: &str) -> Result<Self, serde_json::Error> {
         serde_json::from_str(unmarked(text))
     }

@@ -1,8 +1,8 @@
-//! How attempts at tasks went: measures, tables, files and plots.
+//! The results of attempts at tasks: measures, tables, files and plots.
 //!
-//! A [`Run`] is one attempt with what was measured. A [`Report`] is many of them:
-//! [`Report::table`] aggregates them by agent, by task group or by number of
-//! predicates into [`Row`]s, as text, CSV, JSON or an SVG plot.
+//! A [`Run`] is one attempt with its measures. A [`Report`] holds many of them: [`Report::table`]
+//! aggregates them by agent, by task group or by number of predicates into [`Row`]s, as text, CSV, JSON
+//! or an SVG plot.
 //!
 //! ```
 //! use vc_tasks::Outcome;
@@ -40,35 +40,35 @@ use crate::Outcome;
 
 pub use row::{Row, Table};
 
-/// One attempt at a task, and what was measured.
+/// One attempt at a task, with its measures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// Who tried.
+    /// The agent's name.
     pub agent: String,
-    /// The task's id, `put_fridge-01`; what is before the last `-` is its group.
+    /// The task's identifier, `put_fridge-01`; the part before the last `-` is its group.
     pub task: String,
     /// The seed of the initial environment.
     pub seed: u64,
-    /// How many things the goal asks for, see [`predicates`].
+    /// The number of conditions in the goal, see [`predicates`].
     pub predicates: usize,
-    /// How it ended.
+    /// The result of the attempt.
     pub outcome: Outcome,
-    /// How much of the goal held at the end, 0 to 1.
+    /// The fraction of the goal that held at the end, 0 to 1.
     pub credit: f64,
-    /// How many actions were done.
+    /// The number of actions executed.
     pub steps: usize,
-    /// The fewest actions known to do it, for the path-weighted success.
+    /// The smallest number of actions known to fulfil the task, for the path-weighted success.
     pub best_steps: Option<usize>,
-    /// How far the agent went, metres, where bodies move.
+    /// The distance the agent covered, metres, where bodies move.
     pub distance: Option<f64>,
-    /// The shortest way known to do it, metres.
+    /// The shortest distance known to fulfil the task, metres.
     pub best_distance: Option<f64>,
-    /// How long it took, seconds, by whatever clock the runner keeps.
+    /// The duration, seconds, by the runner's clock.
     pub seconds: Option<f64>,
 }
 
 impl Default for Run {
-    /// An attempt that was stopped before anything was done.
+    /// An attempt that was stopped before its first action.
     fn default() -> Self {
         Self {
             agent: String::new(),
@@ -92,10 +92,9 @@ impl Run {
         self.task.rsplit_once('-').map_or(&self.task, |(group, _)| group)
     }
 
-    /// Success weighted by path length (Anderson et al., "On evaluation of embodied
-    /// navigation agents", 2018): for a success what would have done over what was
-    /// done, at most 1; else 0. Metres where both are known, else actions; `None`
-    /// where neither best is known.
+    /// Success weighted by path length (Anderson et al., "On evaluation of embodied navigation agents",
+    /// 2018): for a success the best effort divided by the actual one, at most 1; else 0. Measured in
+    /// metres where both distances are known, else in actions; `None` where neither best is known.
     pub fn spl(&self) -> Option<f64> {
         let (best, taken) = match (self.best_distance, self.distance, self.best_steps) {
             (Some(best), Some(taken), _) => (best, taken),
@@ -108,7 +107,7 @@ impl Run {
     }
 }
 
-/// How many things a goal asks for: its literals, each as often as it counts.
+/// The number of conditions in a goal: its literals, each weighted by its count.
 ///
 /// ```
 /// use vc_tasks::report::predicates;
@@ -125,19 +124,19 @@ pub fn predicates(goal: &Goal) -> usize {
     }
 }
 
-/// What the attempts of a table are put together by; agents are always kept apart.
+/// The key by which a table aggregates attempts; agents are always kept separate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum By {
     /// By agent alone.
     Agent,
     /// By the task's group.
     Group,
-    /// By the number of things the goal asks for.
+    /// By the number of conditions in the goal.
     Predicates,
 }
 
 impl By {
-    /// What it is called in tables.
+    /// The name in tables.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Agent => "agent",
@@ -169,7 +168,7 @@ impl Report {
         Self { runs }
     }
 
-    /// The attempts put together, one row for each key and agent.
+    /// Aggregates the attempts, one row for each key and agent.
     pub fn table(&self, by: By) -> Table {
         let mut groups: std::collections::BTreeMap<(usize, String, &str), Vec<&Run>> = Default::default();
         for run in &self.runs {
@@ -180,7 +179,7 @@ impl Report {
         Table { by, rows: rows.collect() }
     }
 
-    /// All attempts in one row.
+    /// Aggregates all attempts into one row.
     pub fn overall(&self) -> Row {
         Row::of("all", "", &self.runs.iter().collect::<Vec<_>>())
     }

@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Row, Table};
 
-/// Widths of the labels and of the scale, height of a bar and what is between rows,
-/// pixels.
+/// The widths of the labels and of the scale, the height of a bar and the gap between rows, pixels.
 const LABELS: f64 = 170.0;
 const SCALE: f64 = 460.0;
 const BAR: f64 = 13.0;
@@ -13,13 +12,13 @@ const GAP: f64 = 9.0;
 const TOP: f64 = 64.0;
 const RIGHT: f64 = 60.0;
 
-/// Colours of agents, in the order in which they are met (Okabe and Ito 2008: also
-/// told apart by the colour-blind).
+/// The colours of agents, in order of appearance (Okabe and Ito 2008: distinguishable for the
+/// colour-blind).
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666"];
 
 impl Table {
-    /// Success of each row as a bar with its 95 % interval, and mean credit as a mark,
-    /// as an SVG picture; an agent has one colour.
+    /// Draws the success rate of each row as a bar with its 95 % interval, and the mean credit as a
+    /// mark, as an SVG picture; each agent has one colour.
     pub fn svg(&self, title: &str) -> String {
         let agents = self.agents();
         let keys = self.keys();
@@ -56,7 +55,7 @@ impl Table {
     }
 }
 
-/// Each of several names once, in the order in which they come.
+/// The distinct names in order of appearance.
 fn once<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     names.fold(Vec::new(), |mut all, name| {
         if !all.contains(&name) {

@@ -1,49 +1,50 @@
-//! Attempts put together.
+//! Aggregated attempts.
 
 use serde::Serialize;
 
 use super::{By, Run};
 use crate::Outcome;
 
-/// Measures of several attempts.
+/// The measures of several attempts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
-    /// What they have in common.
+    /// The key that they have in common.
     pub key: String,
-    /// Who made them.
+    /// The agent's name.
     pub agent: String,
-    /// How many there are.
+    /// The number of attempts.
     pub runs: usize,
-    /// How many were won.
+    /// The number of attempts that were won.
     pub won: usize,
-    /// How many the agent gave up or took for done wrongly.
+    /// The number of attempts that the agent gave up or wrongly took for done.
     pub lost: usize,
-    /// How many ran out of steps.
+    /// The number of attempts that ran out of steps.
     pub timed_out: usize,
-    /// How many were stopped by a refused action or a fault.
+    /// The number of attempts stopped by a refused action or a fault.
     pub aborted: usize,
-    /// Share that was won.
+    /// The success rate.
     pub success: f64,
-    /// 95 % interval of that share: Wilson's (1927), which is sound for few attempts.
+    /// The 95 % confidence interval of the success rate: Wilson's (1927), which is sound for few
+    /// attempts.
     pub interval: (f64, f64),
-    /// Mean share of the goal that held at the end.
+    /// The mean share of the goal that held at the end.
     pub credit: f64,
-    /// Mean number of actions.
+    /// The mean number of actions.
     pub steps: f64,
-    /// The same of those that were won.
+    /// The mean number of actions of the attempts that were won.
     pub steps_won: Option<f64>,
-    /// Mean success weighted by path length, see [`Run::spl`].
+    /// The mean success weighted by path length, see [`Run::spl`].
     pub spl: Option<f64>,
-    /// Mean distance, metres.
+    /// The mean distance, metres.
     pub distance: Option<f64>,
-    /// Mean time, seconds.
+    /// The mean duration, seconds.
     pub seconds: Option<f64>,
 }
 
-/// Rows of one kind.
+/// Rows aggregated by the same key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// What the attempts were put together by.
+    /// The aggregation key.
     pub by: By,
     /// The rows: by key, then by agent.
     pub rows: Vec<Row>,
@@ -80,7 +81,7 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     (number > 0).then(|| sum / number as f64)
 }
 
-/// Wilson's score interval of a share, at 95 %.
+/// Wilson's score interval of a rate, at 95 %.
 fn wilson(won: usize, runs: usize) -> (f64, f64) {
     if runs == 0 {
         return (0.0, 1.0);
@@ -90,6 +91,6 @@ fn wilson(won: usize, runs: usize) -> (f64, f64) {
     let middle = share + Z * Z / (2.0 * n);
     let spread = Z * (share * (1.0 - share) / n + Z * Z / (4.0 * n * n)).sqrt();
     let scale = 1.0 + Z * Z / n;
-    // Rounding must not leave the share itself outside.
+    // Rounding must not put the rate itself outside.
     (((middle - spread) / scale).clamp(0.0, share), ((middle + spread) / scale).clamp(share, 1.0))
 }

@@ -1,14 +1,13 @@
-//! The best so many pairs of a table.
+//! The best assignment of a given number of pairs in a table.
 
 use super::way::{Way, Worth};
 use crate::compile::Table;
 
-/// The cells of the best so many pairs, each row and each column in one at most;
-/// `None` if there are not so many possible pairs. Best augmenting paths one by one
-/// (Bellman and Ford on the residual graph): each adds a pair, and what has been
-/// formed is the best of its number (Edmonds and Karp 1972). Costs
-/// need * (rows + columns) * cells at most, and rows * cells where each cell is one
-/// condition.
+/// The cells of the best assignment of the needed number of pairs, at most one in each row and
+/// column; `None` if fewer pairs are possible. Adds pairs one by one along best augmenting paths
+/// (Bellman and Ford on the residual graph), so that the assignment is always the best of its size
+/// (Edmonds and Karp 1972). Costs at most need * (rows + columns) * cells, and rows * cells where
+/// each cell is one condition.
 pub(super) fn best_pairs(table: Table, ways: &[Way], worth: Worth) -> Option<Vec<usize>> {
     let mut pairs = Pairing::new(table, ways, worth);
     for _ in 0..table.need {
@@ -19,13 +18,13 @@ pub(super) fn best_pairs(table: Table, ways: &[Way], worth: Worth) -> Option<Vec
     Some(pairs.cells())
 }
 
-/// A value that no sum reaches.
+/// A value below every sum.
 const NONE: (i64, i64) = (i64::MIN / 4, 0);
 
 struct Pairing {
     rows: usize,
     columns: usize,
-    /// What each cell is worth; none if it is not possible.
+    /// The value of each cell; `None` if the cell is not possible.
     values: Vec<Option<(i64, i64)>>,
     /// For each column its row.
     row_of: Vec<Option<usize>>,
@@ -44,9 +43,9 @@ impl Pairing {
         self.values[row * self.columns + column]
     }
 
-    /// Forms one more pair at the best gain; `false` if none can be formed.
+    /// Adds the pair with the best gain; `false` if none can be added.
     fn augment(&mut self) -> bool {
-        // The best gain with which each column can be reached, and from which row.
+        // The best gain with which each column can be reached, and the row before it.
         let mut gain = vec![NONE; self.columns];
         let mut from = vec![usize::MAX; self.columns];
         let free: Vec<usize> = (0..self.rows).filter(|&r| self.column_of[r].is_none()).collect();
@@ -75,7 +74,7 @@ impl Pairing {
         }
     }
 
-    /// Improves the columns that a row reaches when it starts with `base`.
+    /// Improves the columns reached from a row whose gain is `base`.
     fn relax(&self, row: usize, base: (i64, i64), gain: &mut [(i64, i64)], from: &mut [usize]) -> bool {
         let mut changed = false;
         for column in 0..self.columns {
@@ -91,10 +90,10 @@ impl Pairing {
         changed
     }
 
-    /// Turns the path that ends at a free column: each row on it moves on.
+    /// Applies the path that ends at a free column: each row on it is paired anew.
     fn turn(&mut self, last: usize, from: &[usize]) {
         let mut column = last;
-        // A best path meets each row once.
+        // A best path visits each row once.
         for _ in 0..=self.rows {
             let row = from[column];
             let before = self.column_of[row].replace(column);

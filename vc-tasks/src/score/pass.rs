@@ -1,16 +1,16 @@
-//! The best ways to gates, from those to their inputs.
+//! The best ways to gates, computed from the ways to their inputs.
 
 use super::Options;
 use super::assign::best_pairs;
 use super::way::{Way, Worth};
 use crate::compile::{Bits, Gate, Kind, Program, Ref, Table};
 
-/// What counts as met.
+/// The criterion for a fulfilled condition.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Met<'a> {
-    /// What is so now.
+    /// The atoms that are true now.
     pub(super) now: &'a Bits,
-    /// And was not so then, if that matters.
+    /// The atoms true at the start, if conditions that already held then do not count.
     pub(super) start: Option<&'a Bits>,
 }
 
@@ -19,8 +19,7 @@ impl Met<'_> {
         program.value(self.now, r) && !self.start.is_some_and(|start| program.value(start, r))
     }
 
-    /// Of the inputs behind a mask those that are met as they are, and those whose
-    /// contraries are.
+    /// The number of masked inputs that are fulfilled, and the number whose negations are.
     #[inline]
     fn masked(self, gate: &Gate) -> (u32, u32) {
         let now = gate.mask.read(self.now);
@@ -33,8 +32,8 @@ impl Met<'_> {
     }
 }
 
-/// One look at the gates of a program. Contradictions between the ways to different
-/// gates are let pass, so that a way found is a bound for those without.
+/// One pass over the gates of a program. Contradictions between the ways to different gates are
+/// ignored, so the value found is an upper bound for ways without contradictions.
 #[derive(Debug)]
 pub(super) struct Pass<'a> {
     pub(super) program: &'a Program,
@@ -43,15 +42,15 @@ pub(super) struct Pass<'a> {
     pub(super) worth: Worth,
     /// For each gate the best way to its truth and to its falsehood.
     ways: Vec<[Way; 2]>,
-    /// Atoms, then gates, that must not be true, and those that must not be false.
+    /// The atoms, then gates, that must not be true, and those that must not be false.
     barred: [Bits; 2],
-    /// How many of them there are.
+    /// The number of these bars.
     bars: usize,
     order: Vec<((i64, i64), u32)>,
 }
 
 impl<'a> Pass<'a> {
-    /// The memory is that of [`Pass::into_memory`].
+    /// Reuses the memory returned by [`Pass::into_memory`].
     pub(super) fn new(program: &'a Program, options: Options, met: Met<'a>, memory: Memory) -> Self {
         let Memory { mut ways, order } = memory;
         ways.clear();
@@ -66,19 +65,19 @@ impl<'a> Pass<'a> {
         Memory { ways: self.ways, order: self.order }
     }
 
-    /// The place of an atom or gate among all of them.
+    /// The index of an atom or gate in the numbering of both.
     pub(super) fn place(&self, r: Ref) -> usize {
         if r.is_atom() { r.index() } else { self.program.atoms().len() + r.index() }
     }
 
-    /// Bars an atom or gate from being as it is here, or lets it be so again.
+    /// Forbids an atom or gate the truth value of this reference, or allows it again.
     pub(super) fn bar(&mut self, r: Ref, barred: bool) {
         let place = self.place(r);
         self.barred[usize::from(r.is_negated())].set(place, barred);
         self.bars = if barred { self.bars + 1 } else { self.bars - 1 };
     }
 
-    /// Whether an atom is barred on either side.
+    /// Whether an atom is barred from either truth value.
     pub(super) fn is_settled(&self, atom: usize) -> bool {
         self.bars > 0 && self.barred.iter().any(|side| side.has(atom))
     }
@@ -88,18 +87,18 @@ impl<'a> Pass<'a> {
         self.bars > 0 && self.barred[usize::from(r.is_negated())].has(self.place(r))
     }
 
-    /// Whether some input behind a mask is barred.
+    /// Whether some masked input is barred.
     #[inline]
     fn is_masked_barred(&self, gate: &Gate) -> bool {
         self.bars > 0 && self.barred.iter().any(|side| side.word(gate.mask.word as usize) & gate.mask.care != 0)
     }
 
-    /// The best way to everything that is used.
+    /// Computes the best way to every gate.
     pub(super) fn run(&mut self) {
         (0..self.program.gates().len()).for_each(|gate| self.run_gate(gate));
     }
 
-    /// The best way to a gate, where those to its inputs are known.
+    /// Computes the best way to a gate from those to its inputs.
     pub(super) fn run_gate(&mut self, index: usize) {
         let gate = self.program.gates()[index];
         for negated in [false, true] {
@@ -109,7 +108,7 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// The best way to something that has been looked at.
+    /// The best way to an atom, a constant or a gate already computed.
     #[inline]
     pub(super) fn way(&self, r: Ref) -> Way {
         match () {
@@ -147,18 +146,18 @@ impl<'a> Pass<'a> {
         if found { sum } else { Way::NONE }
     }
 
-    /// What a chosen input brings; pairs that must not be are one condition.
+    /// The way to a chosen input; the absence of pairs counts as one condition.
     fn chosen(&self, r: Ref) -> Way {
         if self.is_lack_of_pairs(r) { self.condition(r) } else { self.way(r) }
     }
 
-    /// Whether it is that too many pairs must not exist.
+    /// Whether this is the negation of a gate over pairs.
     pub(super) fn is_lack_of_pairs(&self, r: Ref) -> bool {
         let is_gate = !r.is_atom() && !r.is_constant();
         is_gate && r.is_negated() && matches!(self.program.gates()[r.index()].kind, Kind::Pairs(_))
     }
 
-    /// The best way to a gate over single atoms: numbers say it all.
+    /// The best way to a gate over single atoms, computed from counts alone.
     fn masked(&self, gate: &Gate, negated: bool) -> Way {
         let all = gate.mask.care.count_ones();
         let (yes, no) = self.met.masked(gate);
@@ -171,15 +170,16 @@ impl<'a> Pass<'a> {
             (Kind::AtLeast(k), false) => some(yes, k),
             (Kind::AtLeast(k), true) => some(no, all + 1 - k),
             (Kind::Exactly(k), false) if self.options == Options::Bddl => some(yes, k),
-            // Those that are met as they are first, then those that are met in no way.
+            // The k true ones are taken first from the fulfilled inputs, then from those fulfilled
+            // neither way.
             (Kind::Exactly(k), false) => Way::new(yes.min(k) + no - k.saturating_sub(all - no).min(no), all),
             (Kind::Exactly(k), true) => self.worth.better(some(yes, k + 1), some(no, all + 1 - k)),
             (Kind::Pairs(_), _) => Way::NONE,
         }
     }
 
-    /// The best way to pairs where each cell is one condition: pairs that are there
-    /// can be completed by any others.
+    /// The best way to pairs where each cell is one condition: the pairs already present can be
+    /// completed by any others.
     fn plain_pairs(&self, gate: &Gate, table: Table) -> Option<Way> {
         let inputs = self.program.inputs(*gate);
         let plain = inputs.iter().all(|r| r.is_atom()) && table.need <= table.rows.min(table.columns);
@@ -187,8 +187,8 @@ impl<'a> Pass<'a> {
         plain.then(|| Way::new(met().min(table.need), table.need))
     }
 
-    /// Which inputs the best way to a gate's truth or falsehood takes; false if there
-    /// is none.
+    /// Passes to `take` the inputs that the best way to a gate's truth or falsehood uses; returns
+    /// `false` if there is no way.
     pub(super) fn choose(
         &self,
         index: usize,
@@ -220,7 +220,7 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// The best so many.
+    /// The best inputs, as many as are asked for.
     fn some(
         &self,
         inputs: &[Ref],
@@ -243,7 +243,7 @@ impl<'a> Pass<'a> {
         true
     }
 
-    /// So many true and the others false: first those that cannot be false, last
+    /// Exactly the given number true and the others false: first those that cannot be false, last
     /// those that cannot be true.
     fn exactly(
         &self,
@@ -266,7 +266,7 @@ impl<'a> Pass<'a> {
         true
     }
 
-    /// More true than so many, or more false than would leave so many.
+    /// More inputs true than the given number, or so many false that fewer remain.
     fn other_than(
         &self,
         inputs: &[Ref],
@@ -293,14 +293,14 @@ impl<'a> Pass<'a> {
     }
 }
 
-/// What a pass needs to remember; kept from one to the next.
+/// The memory of a pass, reused by the next.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     ways: Vec<[Way; 2]>,
     order: Vec<((i64, i64), u32)>,
 }
 
-/// The places of some ranks, best first.
+/// Sorts the indices of some ranks, best first.
 fn sort(order: &mut Vec<((i64, i64), u32)>, ranks: impl Iterator<Item = (i64, i64)>) {
     order.clear();
     order.extend(ranks.zip(0..));

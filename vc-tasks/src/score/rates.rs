@@ -5,36 +5,35 @@ use vc_graph::goal::{Comparison, Situation, Trace};
 
 use crate::compile::{Bits, Program};
 
-/// How many of a goal's conditions are met.
+/// The number of fulfilled conditions of a goal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Conditions {
-    /// Conditions met.
+    /// The fulfilled conditions.
     pub met: u32,
-    /// Conditions there are.
+    /// All conditions.
     pub conditions: u32,
 }
 
 impl Conditions {
-    /// The share, 0 to 1; 1 if there are none.
+    /// The share, 0 to 1; 1 if there are no conditions.
     pub fn rate(self) -> f64 {
         if self.conditions == 0 { 1.0 } else { f64::from(self.met) / f64::from(self.conditions) }
     }
 }
 
 impl Program {
-    /// ALFRED's goal-condition rate: of the goal's conjuncts, those that hold.
-    /// (ALFRED's own conditions are the conjuncts of its templates.)
+    /// ALFRED's goal-condition rate: the share of the goal's conjuncts that hold. (ALFRED's own
+    /// conditions are the conjuncts of its templates.)
     pub fn conditions(&self, bits: &Bits) -> Conditions {
         let met = (0..self.heads()).filter(|&head| self.head_holds(bits, head)).count();
         Conditions { met: met as u32, conditions: self.heads() as u32 }
     }
 }
 
-/// PARTNR's percent complete: of the goal's propositions, those satisfied on what
-/// happened and not undone where they must last. Propositions are the conjuncts;
-/// "at least n" is n of them, of which as many are satisfied as things were found.
-/// What need not last is written `eventually`, what comes after something else
-/// `before` or `then`.
+/// PARTNR's percent complete: the share of the goal's propositions that were satisfied in the trace
+/// and not undone where they must last. Propositions are the conjuncts; "at least n" is n of them,
+/// as many of which are satisfied as objects were found. A proposition that need not last is
+/// written with `eventually`, one that comes after another with `before` or `then`.
 pub fn percent_complete(goal: &Goal, trace: &Trace) -> Conditions {
     let last = trace.situation(trace.steps());
     let mut sum = Conditions { met: 0, conditions: 0 };
@@ -48,7 +47,7 @@ pub fn percent_complete(goal: &Goal, trace: &Trace) -> Conditions {
     sum
 }
 
-/// A goal of the form "at least n", as a goal for any number.
+/// A goal of the form "at least n", as a function of the number.
 fn counted(goal: &Goal) -> Option<(impl Fn(u32) -> Goal, u32)> {
     let number = match goal {
         Goal::Count { comparison: Comparison::AtLeast, number, .. } => *number,
@@ -65,7 +64,7 @@ fn counted(goal: &Goal) -> Option<(impl Fn(u32) -> Goal, u32)> {
     Some((with, number))
 }
 
-/// The most things up to `number` that are found.
+/// The largest number up to `number` for which the goal holds.
 fn found(goal: &impl Fn(u32) -> Goal, number: u32, now: &Situation<'_>) -> u32 {
     (1..=number).take_while(|&n| goal(n).holds(now)).last().unwrap_or(0)
 }

@@ -1,22 +1,21 @@
-//! The best way to a goal, without listing the ways.
+//! The best way to a goal, without enumerating the ways.
 
 use super::Options;
 use super::pass::{Memory, Met, Pass};
 use super::way::{LONGEST, WORTHLESS, Way, Worth};
 use crate::compile::{Bits, Program, Ref};
 
-/// How many conditions of the best way are met.
+/// The number of fulfilled conditions of the best way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Credit {
-    /// Conditions met.
+    /// The fulfilled conditions.
     pub met: u32,
-    /// Conditions there are; 0 if there is nothing to do, or no way.
+    /// All conditions of the way; 0 if it has none, or if there is no way.
     pub conditions: u32,
-    /// Whether there is a way to the goal at all that does not contradict itself.
+    /// Whether there is any way to the goal without a contradiction.
     pub possible: bool,
-    /// Whether no better way can exist; `false` only if a goal contradicts itself in
-    /// so many ways that the search was cut off, or has more than 1,073,741,823
-    /// conditions.
+    /// Whether it is proved that no better way exists; `false` only if a goal contradicts itself so
+    /// often that the search was cut off, or has more than 1,073,741,823 conditions.
     pub exact: bool,
 }
 
@@ -30,7 +29,7 @@ impl Credit {
         }
     }
 
-    /// 1 if the goal holds: a pairing by margins may hold without one of its ways.
+    /// Full credit if the goal holds: a pairing by margins may hold although none of its ways does.
     fn whole_if(self, holds: bool) -> Self {
         match holds {
             true => Self { met: self.conditions, possible: true, ..self },
@@ -39,14 +38,14 @@ impl Credit {
     }
 }
 
-/// How many looks at gates a search may take: about a second. The hardest goal of
-/// the 1,016 of BEHAVIOR-1K takes some thousand.
+/// The limit of gate visits in a search: about a second. The hardest goal of the 1,016 of
+/// BEHAVIOR-1K takes some thousand.
 const LOOKS: u64 = 1 << 24;
 
-/// Most atoms and gates that are settled within one another.
+/// The maximal depth of the search, in fixed atoms and gates.
 const DEEPEST: u32 = 512;
 
-/// Finds credits; it keeps its memory from one to the next.
+/// Computes credits and reuses its memory.
 #[derive(Debug, Default)]
 pub struct Scorer {
     memory: Memory,
@@ -54,7 +53,7 @@ pub struct Scorer {
 }
 
 impl Scorer {
-    /// A scorer that has scored nothing yet.
+    /// A new scorer.
     pub fn new() -> Self {
         Self::default()
     }
@@ -78,9 +77,9 @@ impl Scorer {
         }
     }
 
-    /// The best share of conditions met, by Dinkelbach's method. It starts from the
-    /// way of which the fewest conditions are not met; where a goal holds, that is the
-    /// best one, and it does not contradict itself since all of it is so.
+    /// The best share of fulfilled conditions, by Dinkelbach's method. It starts from the way with
+    /// the fewest unfulfilled conditions; where the goal holds, that way is the best one, and it
+    /// contains no contradiction because all its conditions are true.
     fn best(&mut self, program: &Program, options: Options, met: Met<'_>, holds: bool) -> Credit {
         let pass = Pass::new(program, options, met, std::mem::take(&mut self.memory));
         let mut search = Search { pass, sides: &mut self.sides, looks: 0, depth: 0, exact: true };
@@ -98,18 +97,18 @@ impl Scorer {
     }
 }
 
-/// Branch and bound: the best way when contradictions are let pass bounds those
-/// without. Parts of the goal that no contested atom joins are searched apart.
+/// Branch and bound: the best value when contradictions are ignored bounds that of ways without
+/// any. Parts of the goal that share no contested atom are searched separately.
 struct Search<'a, 's> {
     pass: Pass<'a>,
-    /// For each atom and gate on which sides it is wanted.
+    /// For each atom and gate the truth values wanted of it.
     sides: &'s mut Vec<u8>,
     looks: u64,
     depth: u32,
     exact: bool,
 }
 
-/// Some parts that contested atoms join.
+/// Parts connected by contested atoms.
 struct Group {
     parts: Vec<u32>,
     /// An atom or gate that the best ways to the parts want both true and false.
@@ -117,14 +116,14 @@ struct Group {
 }
 
 impl Search<'_, '_> {
-    /// The way to the goal that is worth most, if that is more than the floor.
+    /// The way to the goal with the highest value, if that exceeds the floor.
     fn solve(&mut self, worth: Worth, floor: i64) -> Option<Way> {
         self.pass.worth = worth;
         let number = self.pass.program.shape().parts().len() as u32;
         if number == 0 { self.relaxed(floor) } else { self.parts(&(0..number).collect::<Vec<u32>>(), floor) }
     }
 
-    /// The same, where contradictions are let pass.
+    /// The same, ignoring contradictions.
     fn relaxed(&mut self, floor: i64) -> Option<Way> {
         self.pass.run();
         let way = self.pass.way(self.pass.program.root());
@@ -139,7 +138,7 @@ impl Search<'_, '_> {
             return None;
         }
         let mut sum = Way::NOTHING;
-        // Ways are read before atoms are settled for a search in one of the groups.
+        // Ways are read before atoms are fixed for a search in one of the groups.
         let groups = self.groups(parts).into_iter().map(|group| (self.sum(&group.parts), group));
         for (way, group) in groups.collect::<Vec<_>>() {
             let way = match group.torn {
@@ -156,7 +155,7 @@ impl Search<'_, '_> {
         Some(sum)
     }
 
-    /// Looks at parts anew.
+    /// Computes the ways to some parts anew.
     fn look(&mut self, parts: &[u32]) -> Way {
         let program = self.pass.program;
         for &part in parts {
@@ -172,7 +171,7 @@ impl Search<'_, '_> {
         parts.iter().fold(Way::NOTHING, |sum, &part| sum.and(self.pass.way(all[part as usize].of)))
     }
 
-    /// Tries an atom or gate true and false; what is so is kept first.
+    /// Fixes an atom or gate to true and to false in turn, its current truth value first.
     fn branch(&mut self, parts: &[u32], torn: Ref, mut floor: i64) -> Option<Way> {
         if self.looks > LOOKS || self.depth == DEEPEST {
             self.exact = false;
@@ -192,7 +191,7 @@ impl Search<'_, '_> {
         best
     }
 
-    /// Parts that contested atoms join, and where their best ways contradict
+    /// Groups the parts connected by contested atoms, and finds where their best ways contradict
     /// each other or themselves.
     fn groups(&mut self, parts: &[u32]) -> Vec<Group> {
         let program = self.pass.program;
@@ -226,8 +225,8 @@ impl Search<'_, '_> {
         groups
     }
 
-    /// An atom or gate that the way to a part wants as what was seen before does not.
-    /// Only parts of one group share atoms that can be torn.
+    /// An atom or gate for which the way to a part requires another truth value than an earlier
+    /// way. Only parts of one group share atoms on which they can disagree.
     fn tear(&mut self, of: Ref) -> Option<Ref> {
         let mut open = vec![of];
         let mut order = Vec::new();
@@ -245,7 +244,7 @@ impl Search<'_, '_> {
             if r.is_atom() {
                 continue;
             }
-            // What is the same for all things is followed once.
+            // Adjacent equal inputs are followed once.
             self.pass.choose(r.index(), r.is_negated(), &mut order, &mut |input| {
                 if open.last() != Some(&input) {
                     open.push(input);
@@ -257,8 +256,8 @@ impl Search<'_, '_> {
 }
 
 impl Search<'_, '_> {
-    /// Whether a way to a gate's truth and one to its falsehood always contradict each
-    /// other, so that a search can settle the gate itself.
+    /// Whether every way to a gate's truth contradicts every way to its falsehood, so that a search
+    /// can fix the gate itself.
     fn is_decided_by_its_ways(&self, r: Ref) -> bool {
         self.pass.options == Options::Sound && self.pass.program.shape().is_pure(r.index())
     }

@@ -1,9 +1,9 @@
-//! Ways to make a goal true, and what they are worth.
+//! Ways to make a goal true, and their values.
 
-/// Most conditions that are told apart, so that their products stay numbers.
+/// The limit up to which conditions are counted, so that products do not overflow.
 pub(super) const LONGEST: u32 = 1 << 30;
 
-/// The conditions of a way: how many there are, and how many of them are met.
+/// The conditions of a way: their number, and how many are fulfilled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Way {
     pub(super) met: u32,
@@ -14,15 +14,15 @@ pub(super) struct Way {
 impl Way {
     /// There is no way.
     pub(super) const NONE: Self = Self { met: 0, of: 0, possible: false };
-    /// There is nothing to do.
+    /// A way without conditions.
     pub(super) const NOTHING: Self = Self { met: 0, of: 0, possible: true };
 
-    /// A way of so many conditions.
+    /// A way with the given number of conditions.
     pub(super) fn new(met: u32, of: u32) -> Self {
         Self { met, of, possible: true }
     }
 
-    /// Both ways one after the other.
+    /// The conditions of both ways together.
     #[inline]
     pub(super) fn and(self, other: Self) -> Self {
         Self {
@@ -33,18 +33,18 @@ impl Way {
     }
 }
 
-/// What a way is worth where a share of p/q is to be beaten.
+/// The value of ways when a share of p/q is to be beaten.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Worth {
     pub(super) p: u32,
     pub(super) q: u32,
 }
 
-/// What a way that is not possible is worth.
+/// The value of an impossible way.
 pub(super) const WORTHLESS: i64 = i64::MIN / 4;
 
 impl Worth {
-    /// More than zero if a larger share of its conditions is met than p/q.
+    /// Positive if a larger share of its conditions is fulfilled than p/q.
     #[inline]
     pub(super) fn value(self, way: Way) -> i64 {
         if !way.possible {
@@ -53,7 +53,7 @@ impl Worth {
         i64::from(self.q) * i64::from(way.met) - i64::from(self.p) * i64::from(way.of)
     }
 
-    /// Larger is better; of equals the shorter.
+    /// Larger is better; among equals the way with fewer conditions wins.
     #[inline]
     pub(super) fn rank(self, way: Way) -> (i64, i64) {
         (self.value(way), -i64::from(way.of))

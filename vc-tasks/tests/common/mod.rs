@@ -1,4 +1,4 @@
-//! Random goals and scenes in which much is true and much is not.
+//! Random goals, and scenes in which many atoms are true and many are not.
 #![allow(dead_code, reason = "each test file uses a part")]
 
 use proptest::prelude::*;
@@ -12,7 +12,7 @@ const CLASSES: [&str; 3] = ["cup", "plate", "spoon"];
 /// Nodes 2 to 8: three cups, three plates, a spoon; 9 is the agent.
 const THINGS: [&str; 7] = ["cup", "cup", "cup", "plate", "plate", "plate", "spoon"];
 
-/// A scene of a few things.
+/// A scene of a few objects.
 pub(crate) struct Room {
     pub(crate) graph: SceneGraph,
     pub(crate) me: NodeId,
@@ -20,7 +20,7 @@ pub(crate) struct Room {
 }
 
 impl Room {
-    /// Things that have and are what the flips say.
+    /// A room in which the objects have the states and relations given by the flips.
     pub(crate) fn new(flips: &[Flip]) -> Self {
         let mut scene = SceneBuilder::new("room");
         let kitchen = scene.add(Draft::new("kitchen")).unwrap();
@@ -39,7 +39,7 @@ impl Room {
         Situation::new(&self.graph, self.me, &self.history)
     }
 
-    /// Turns a state or relation to its opposite.
+    /// Inverts a state or relation.
     pub(crate) fn flip(&mut self, (which, from, to): Flip) -> ChangeSet {
         let [from, to] = [from, to].map(|n| NodeId(2 + n % 7));
         let has = |graph: &SceneGraph, state| graph.node(from).unwrap().is(state);
@@ -57,10 +57,10 @@ impl Room {
     }
 }
 
-/// What is done in tests of time: with one thing, and with two.
+/// The actions of the temporal tests, with one and with two objects.
 const DEEDS: [Verb; 3] = [Verb::Grab, Verb::Eat, Verb::Place];
 
-/// What, of which things.
+/// The kind of the flip, and the objects concerned.
 pub(crate) type Flip = (u8, u32, u32);
 
 pub(crate) fn flip() -> impl Strategy<Value = Flip> {
@@ -71,17 +71,18 @@ pub(crate) fn flips(most: usize) -> impl Strategy<Value = Vec<Flip>> {
     prop::collection::vec(flip(), 0..most)
 }
 
-/// Random goals of the crate below, made to speak of such a scene and of no time.
+/// Random goals from the strategy of the crate below, restricted to such a scene and without
+/// temporal operators.
 pub(crate) fn timeless(depth: u32) -> impl Strategy<Value = Goal> {
     crate::shared::goals::goal(0, depth).prop_map(|goal| tamed(&goal))
 }
 
-/// Random goals of the crate below, made to speak of such a scene and of a few deeds.
+/// Random goals from the strategy of the crate below, restricted to such a scene and a few actions.
 pub(crate) fn temporal(depth: u32) -> impl Strategy<Value = Goal> {
     crate::shared::goals::goal(0, depth).prop_map(|goal| in_time(&goal))
 }
 
-/// The same goal about things and deeds that there are.
+/// The same goal with objects and actions that exist.
 fn in_time(goal: &Goal) -> Goal {
     let boxed = |g: &Goal| Box::new(in_time(g));
     let all = |parts: &[Goal]| parts.iter().map(in_time).collect();

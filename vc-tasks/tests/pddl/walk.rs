@@ -1,5 +1,5 @@
-//! Domains agree with the transition rule: whatever is done by the domain, the rule allows as well, and what the
-//! domain then says of the scene is so.
+//! Domains agree with the transition rules: every action that the domain allows is allowed by the rules, and
+//! the facts that the domain then predicts hold in the scene.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,14 +7,15 @@ use vc_graph::rule::{self, Refusal};
 use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Seed, Simulator, State, Stream};
 use vc_tasks::format::pddl::{Atom, Change, Formula, Keep, Operator, planning, read_plan};
 
-/// Facts that are said once of the scene as it begins: about room for things and people, where one can go, and where
-/// the agent is.
+/// The facts stated only for the initial scene: about space for objects and people, reachable spots, and the
+/// agent's position.
 const OF_THE_START: [&str; 8] = ["fits", "seat_free", "bed_free", "loose", "spot", "at", "leaves", "still"];
 const ACTIONS: usize = 80;
-/// One of so many actions may be one that changes nothing.
+/// At most one in this many actions may change nothing.
 const IDLE: usize = 6;
 
-/// A home in which much can be done; somebody else sits in it with a seat in hand, and the agent has a laid tray.
+/// A home in which many actions are possible; another person sits in it holding a seat, and the agent holds a
+/// laid tray.
 fn home() -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("home");
     let kitchen = scene.add(Draft::new("kitchen")).unwrap();
@@ -63,7 +64,7 @@ fn grounded(atom: &Atom, bound: &Bound<'_>) -> Atom {
     Atom { predicate: atom.predicate.clone(), arguments: atom.arguments.iter().map(name).collect() }
 }
 
-/// Some way to bind an operator's variables so that all its needs are facts.
+/// A random binding of an operator's variables for which all its preconditions are facts.
 fn bind<'o>(needs: &[&'o Atom], facts: &Facts, bound: Bound<'o>, stream: &mut Stream) -> Option<Bound<'o>> {
     let Some((need, others)) = needs.split_first() else { return Some(bound) };
     let fits = |fact: &&Atom| fact.predicate == need.predicate && fact.arguments.len() == need.arguments.len();
@@ -103,7 +104,7 @@ fn needs(operator: &Operator) -> Vec<&Atom> {
     }
 }
 
-/// An operator with things for all its variables, by which it can be applied.
+/// An applicable operator with objects for all its variables.
 fn some_step<'o>(operator: &'o Operator, facts: &Facts, things: &[String], stream: &mut Stream) -> Option<Bound<'o>> {
     let mut bound = bind(&needs(operator), facts, Bound::new(), stream)?;
     for parameter in &operator.parameters {
@@ -125,7 +126,7 @@ fn apply(operator: &Operator, bound: &Bound<'_>, facts: &mut Facts) {
     }
 }
 
-/// Does actions of a domain at random in the scene, and counts them by operator.
+/// Executes random actions of a domain in the scene, and counts them by operator.
 fn walk(seed: u64, done: &mut BTreeMap<String, usize>) {
     let (graph, me) = home();
     let planning = planning(&graph, me, &"Open(kitchen_cabinet)".parse().unwrap(), Keep::Everything).unwrap();

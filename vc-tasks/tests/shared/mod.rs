@@ -1,15 +1,16 @@
-//! What several test files use.
+//! Functions shared by several test files.
 #![allow(dead_code, reason = "each test file uses a part")]
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// The activities of BEHAVIOR under the folder `VC_BDDL`, by file name and sorted: where
-/// the packages bddl 3.6.0 and 1.0.1 are unpacked.
+/// The activities of BEHAVIOR under the folder `VC_BDDL`, sorted by file name; the folder holds the
+/// unpacked packages bddl 3.6.0 and 1.0.1.
 pub(crate) fn activities() -> Vec<(String, String)> {
     let Some(folder) = std::env::var_os("VC_BDDL") else {
-        // Past the harness, which keeps what passing tests print.
+        // Written directly to stderr, because the test harness captures the output of passing
+        // tests.
         let told = b"SKIPPED: set VC_BDDL to where the PyPI packages bddl 3.6.0 and 1.0.1 are unpacked\n";
         std::io::stderr().write_all(told).unwrap();
         return Vec::new();
@@ -22,7 +23,7 @@ pub(crate) fn activities() -> Vec<(String, String)> {
     files.into_iter().map(read).collect()
 }
 
-/// Those of bddl 3.6.0.
+/// The activities of bddl 3.6.0.
 pub(crate) fn activities_of_behavior_1k() -> Vec<(String, String)> {
     let all = activities().into_iter();
     all.filter(|(_, text)| text.contains("(:domain omnigibson)")).collect()

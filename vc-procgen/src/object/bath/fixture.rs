@@ -6,8 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
 
-/// Points of an oval as seen from above, its straight part at the back: `x` from
-/// -1 to 1, `y` from -1 to 1.
+/// Points of an oval seen from above, with its straight part at the back: `x` and `y` from -1 to 1.
 const BOWL: [(f32, f32); 12] = [
     (-1.0, -0.78),
     (-0.2, -1.0),
@@ -23,7 +22,7 @@ const BOWL: [(f32, f32); 12] = [
     (-1.0, 0.78),
 ];
 
-/// The oval between two X with a half width.
+/// The oval between two X coordinates with a half width.
 fn oval(x0: f32, x1: f32, y: f32) -> Vec<(f32, f32)> {
     let (middle, half) = (f32::midpoint(x0, x1), (x1 - x0) / 2.0);
     BOWL.iter().map(|p| (middle + p.0 * half, p.1 * y)).collect()
@@ -44,7 +43,7 @@ fn oval_rim(b: &mut Build<'_>, name: &str, outer: &[(f32, f32)], inner: &[(f32, 
     }
 }
 
-/// An open oval bowl that narrows downwards; its inside is a place.
+/// An open oval bowl that narrows downwards, with a surface inside.
 fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
     let tall = z1 - z0;
     let outer = |inset: f32, k: f32| oval(x0 + (x1 - x0) * inset * 0.5, x1 - (x1 - x0) * inset, y * k);
@@ -70,7 +69,7 @@ fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f3
     b.inside("basin", [f32::midpoint(rear, front), 0.0, floor], half, z1 - floor - 0.004);
 }
 
-/// A bowl with a seat and a lid on hinges; the cistern on it, or hidden in the wall.
+/// A bowl with a hinged seat and lid; the cistern is on it or hidden in the wall.
 pub(super) fn toilet(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.288, 0.576]);
     let (x, y, h) = spans(b);
@@ -113,7 +112,7 @@ pub(super) fn toilet(b: &mut Build<'_>) {
     toilet_seat(b, (back + 0.025 * u, x, side), rim, u);
 }
 
-/// Seat and lid, each on a hinge of its own.
+/// Seat and lid, each on its own hinge.
 fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32) {
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, WHITE_PLASTIC, b.style.wood, BLACK_PLASTIC]);
     let (t, low) = (0.018 * u, rim + 0.002 * u);
@@ -132,18 +131,18 @@ fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32
         b.seen(|b| oval_rim(b, "seat", &outer, &inner, (low, low + t), mat));
         b.felt(|b| seat_bars(b, (x0, x1, y), (low, low + t), u));
     });
-    // A hair's breadth tells the lid's hinge from the seat's.
+    // A tiny offset distinguishes the lid's hinge from the seat's.
     lid(b, [anchor[0], 0.0, anchor[2] + 0.002 * u], 1.55, |b| {
         let under = [0.0, 0.0, low + t + 0.002 * u];
         b.seen(|b| b.prism("lid", Axis::Z, under, &outer, t * 0.9, mat));
-        // Every second corner of the oval, the straight back among them.
+        // Every second corner of the oval, including those of the straight back.
         let corners: Vec<(f32, f32)> = [0, 1, 3, 5, 6, 8, 10, 11].map(|i| outer[i]).into();
         b.felt(|b| b.prism("lid", Axis::Z, under, &corners, t * 0.9, mat));
         b.top("lid", [f32::midpoint(x0, x1), 0.0, low + t * 1.9 + 0.002 * u], ((x1 - x0) * 0.3, y * 0.6));
     });
 }
 
-/// What is felt of a seat: four bars around its opening, within its oval.
+/// The collision geometry of a seat: four bars around its opening, within its oval.
 fn seat_bars(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (low, high): (f32, f32), u: f32) {
     let (rear, front) = (x0 + 0.09 * u, x1 - 0.07 * u);
     let bars = [
@@ -185,7 +184,7 @@ pub(super) fn bidet(b: &mut Build<'_>) {
     b.bar("lever", [-x + 0.06 * u, 0.0, top + (h - top) * 0.75], [-x + 0.11 * u, 0.0, h - 0.006 * u], 0.005 * u, tap);
 }
 
-/// A basin on a pedestal, on the wall over a siphon's cover, or a bowl for a vanity.
+/// A basin on a pedestal, on the wall over a trap cover, or a bowl for a vanity.
 pub(super) fn washbasin(b: &mut Build<'_>) {
     let u = fit(b, [0.288, 0.32, 0.08]);
     let (x, y, h) = spans(b);
@@ -234,7 +233,7 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
     }
 }
 
-/// A round, oval or square bowl that stands on a top.
+/// A round, oval or square bowl that stands on a counter.
 fn bowl_basin(b: &mut Build<'_>, u: f32) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[PORCELAIN, PORCELAIN, STONEWARE, MARBLE, GREEN_GLAZE, BLACK_GLAZE]);
@@ -320,7 +319,7 @@ pub(super) fn bathtub(b: &mut Build<'_>) {
     b.rod("overflow", [0.0, -mouth.1 - 0.01 * u, z], [0.0, -mouth.1 * 0.97 + 0.012 * u, z], 0.028 * u, CHROME);
 }
 
-/// A tray, one or two panes of glass, a riser with a head and a mixer.
+/// A tray, one or two glass panes, a riser with a head, and a mixer.
 pub(super) fn shower(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 1.6]);
     let (x, y, h) = spans(b);
@@ -341,7 +340,7 @@ pub(super) fn shower(b: &mut Build<'_>) {
     riser(b, [-x + 0.012 * u, -y * 0.05, 0.0], h, u);
 }
 
-/// A tray on the floor with a waste; its height.
+/// A tray on the floor with a drain; returns its height.
 fn tray(b: &mut Build<'_>, u: f32) -> f32 {
     let (x, y, _) = spans(b);
     let tall = b.vary(0.04, 0.14) * u;
@@ -387,7 +386,7 @@ fn riser(b: &mut Build<'_>, at: P, h: f32, u: f32) {
     }
 }
 
-/// Four glass walls on a tray, one a sliding or hinged door.
+/// Four glass walls on a tray, one of them a sliding or hinged door.
 pub(super) fn shower_stall(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 1.6]);
     let (x, y, h) = spans(b);

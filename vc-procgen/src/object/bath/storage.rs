@@ -4,14 +4,14 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
 
-/// The look of bathroom fronts.
+/// The design of bathroom fronts.
 fn bath_look(b: &mut Build<'_>, u: f32) -> Look {
     let mat = b.one(&[b.style.cabinet, b.style.front, b.style.wood, WHITE]);
     let t = b.vary(0.016, 0.02) * u;
     Look::any(b, mat, t)
 }
 
-/// Space in front for handles.
+/// The X of the front plane, which leaves space for handles.
 fn face(b: &Build<'_>, look: &Look) -> f32 {
     b.size.x / 2.0 - look.grip()
 }
@@ -54,7 +54,7 @@ pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
     }
 }
 
-/// Legs, a plinth or side panels under a cabinet; how high its bottom is.
+/// Legs, a plinth or side panels under a cabinet; returns the height of the cabinet's bottom.
 fn stand(b: &mut Build<'_>, look: &Look, (front, y): (f32, f32), h: f32, u: f32) -> f32 {
     let x = b.size.x / 2.0;
     match b.rng.below(3) {
@@ -105,7 +105,7 @@ fn cupboard(b: &mut Build<'_>, look: &Look, (low, high): (P, P), spaces: usize, 
     cupboard_doors(b, look, front, 0.5, low[2] > 1.0);
 }
 
-/// A low or hanging cabinet with doors and perhaps a drawer, its top free.
+/// A low or hanging cabinet with doors and sometimes a drawer, its top free.
 pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.32, 0.448]);
     let (x, y, h) = spans(b);
@@ -133,7 +133,7 @@ pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
     pull_out(b, &look, "drawer_1", ([low[0] + t, low[1], split + t * 0.4], [front, high[1], top]));
 }
 
-/// A tall, narrow cabinet: doors above and below, open shelves between on some.
+/// A tall, narrow cabinet: doors above and below, sometimes with open shelves between.
 pub(super) fn towel_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.24, 1.12]);
     let (x, y, h) = spans(b);
@@ -155,7 +155,7 @@ pub(super) fn towel_cabinet(b: &mut Build<'_>) {
     cupboard(b, &look, ([low[0], low[1], c], high), 2, "upper_shelf");
 }
 
-/// A cabinet open to the pipes above, behind doors.
+/// A cabinet behind doors, open at the top for the pipes.
 pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.32, 0.4, 0.432]);
     let (x, y, h) = spans(b);
@@ -164,7 +164,7 @@ pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
     let high = [front - t, y, h];
     b.block("plinth", [-x + 0.01 * u, -y, 0.0], [front - 0.05 * u, y, kick], look.mat);
     let low = [-x, -y, kick];
-    // No top board: the bowl hangs into it.
+    // There is no top board: the bowl hangs into the cabinet.
     b.block("bottom", low, [high[0], y, kick + t], look.mat);
     for cy in [(-y, -y + t), (y - t, y)] {
         b.block("side", [-x, cy.0, kick + t], [high[0], cy.1, h], look.mat);
@@ -175,7 +175,7 @@ pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
     let space = ([-x + t, -y + t, kick + t], [high[0] - t * 1.4, y - t, h - 0.095 * u]);
     let (mat, half) = (look.mat, f32::midpoint(space.0[0], space.1[0]));
     if b.rng.chance(0.5) {
-        // Half a shelf at one side keeps clear of the waste.
+        // A half shelf at one side leaves space for the drain.
         let (z, cy) = (f32::midpoint(kick, h), y * 0.2);
         b.block("shelf", [space.0[0] - t, cy, z - t * 0.8], [half, y - t, z], mat);
         b.block("shelf_side", [space.0[0] - t, cy - t * 0.8, kick + t], [half, cy, z], mat);
@@ -187,7 +187,7 @@ pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
     cupboard_doors(b, &look, ([high[0], -y, kick], [front, y, h]), 0.45, false);
 }
 
-/// Shelves on the wall, a ladder of shelves or one board with a rim.
+/// Wall shelves: a ladder of shelves, or one board with a rim.
 pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.24, 0.04]);
     let (x, y, h) = spans(b);
@@ -258,7 +258,7 @@ fn wood_or(b: &Build<'_>, mat: Mat) -> Mat {
     if mat == GLASS { b.style.tap } else { mat }
 }
 
-/// A shallow cabinet on the wall with mirrors for doors.
+/// A shallow wall cabinet with mirror doors.
 pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.32, 0.432]);
     let (x, y, h) = spans(b);
@@ -313,7 +313,7 @@ pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
     }
 }
 
-/// A looking glass, framed or not, square or rounded, with a light or a shelf on some.
+/// A mirror, framed or not, square or rounded, sometimes with a light or a shelf.
 pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
     let u = fit(b, [0.016, 0.32, 0.4]);
     let (x, y, h) = spans(b);
@@ -389,7 +389,7 @@ pub(super) fn towel_rack(b: &mut Build<'_>) {
     }
 }
 
-/// A ladder of bars before the wall, its top bars a shelf.
+/// A ladder of bars in front of the wall, whose top bars form a shelf.
 fn ladder(b: &mut Build<'_>, r: f32) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[b.style.tap, b.style.wood, IRON]);
@@ -413,7 +413,7 @@ fn ladder(b: &mut Build<'_>, r: f32) {
     b.top("bars", [0.0, 0.0, h], ((x - r).max(r), y - r * 3.0));
 }
 
-/// Level tubes between two upright ones, in groups, a valve below.
+/// Horizontal tubes between two upright ones, in groups, with a valve below.
 pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.32, 0.56]);
     let (x, y, h) = spans(b);
@@ -421,7 +421,7 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     let flat = b.rng.chance(0.4);
     let r = 0.012 * u;
     let post = 0.016 * u;
-    // Bars for towels stand out before the rungs.
+    // Towel bars protrude in front of the rungs.
     let front = x - 0.03 * u;
     for cy in [-y + post, y - post] {
         b.block("post", [front - 2.0 * post, cy - post, 0.02 * u], [front - r * 0.2, cy + post, h], mat);
@@ -461,7 +461,7 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     b.top("rod", [front, 0.0, 0.06 * u + step * last as f32 + r], (r * 0.6, y - post * 2.2));
 }
 
-/// Wire baskets one under the other, to hang in a shower.
+/// Wire baskets one below the other, to hang in a shower.
 pub(super) fn shower_caddy(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.192, 0.128]);
     let (x, y, h) = spans(b);
@@ -490,7 +490,7 @@ pub(super) fn shower_caddy(b: &mut Build<'_>) {
         let middle = [-ledge / 2.0, 0.0, z + w];
         b.inside(&format!("shelf_{}", i + 1), middle, (x - w * 2.0 - ledge / 2.0, y - w * 2.0), clear);
         if i + 1 == count {
-            // A ledge for soap along the front.
+            // A soap ledge along the front.
             b.block("ledge", [x - ledge, -y + w * 0.5, z + tall - w], [x - w * 0.1, y - w * 0.5, z + tall], metal);
             b.top("rim", [x - ledge / 2.0, 0.0, z + tall], (ledge / 2.0, y * 0.8));
         }

@@ -4,7 +4,7 @@ use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
 
-/// A mixer or a tap with two handles; high and bent, low, or with a hose.
+/// A mixer or a tap with two handles; with a high bent or a low spout, or with a hose.
 pub(super) fn faucet(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.048, 0.128]);
     let (x, y, h) = spans(b);
@@ -19,7 +19,7 @@ pub(super) fn faucet(b: &mut Build<'_>) {
     let aerator = pipe * 1.15;
     match b.rng.below(3) {
         0 => {
-            // A swan's neck.
+            // A gooseneck.
             b.cylinder("body", [root, 0.0, 0.0], r * 0.8, body, tap);
             let span = (end - root) / 2.0;
             let arc: Vec<P> =
@@ -65,7 +65,7 @@ pub(super) fn faucet(b: &mut Build<'_>) {
 const ARC: [(f32, f32); 7] =
     [(1.0, 0.0), (0.866, 0.5), (0.5, 0.866), (0.0, 1.0), (-0.5, 0.866), (-0.866, 0.5), (-1.0, 0.0)];
 
-/// A lever at the side, or a cross at either side where there is room.
+/// A lever at the side, or a cross handle at either side where there is space.
 fn handles(b: &mut Build<'_>, [root, r, body]: P, (y, h): (f32, f32), u: f32, tap: Mat) {
     if y > 0.07 * u {
         let out = y - 0.02 * u;
@@ -84,7 +84,7 @@ fn handles(b: &mut Build<'_>, [root, r, body]: P, (y, h): (f32, f32), u: f32, ta
     }
 }
 
-/// A round or square rose on an arm, or a handset in its holder.
+/// A round or square shower head on an arm, or a handset in its holder.
 pub(super) fn shower_head(b: &mut Build<'_>) {
     let u = fit(b, [0.048, 0.064, 0.04]);
     let (x, y, h) = spans(b);

@@ -1,4 +1,4 @@
-//! What stands and lies on desks beside paper.
+//! Desk items other than paper.
 
 use std::f32::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::material::*;
 const BRIGHT: [Mat; 7] =
     [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC];
 
-/// A soft case with a zip along its top; it opens as a lid does.
+/// A soft pencil case with a zip along its top, which opens like a lid.
 pub(super) fn pencil_case(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = b.one(&[DENIM, RED_FABRIC, TEAL_FABRIC, BLACK_FABRIC, PURPLE_FABRIC, MUSTARD_FABRIC]);
@@ -85,7 +85,7 @@ pub(super) fn hole_punch(b: &mut Build<'_>) {
     b.prism("lever", Axis::Y, [0.0, -y * 0.85, 0.0], &lever, y * 1.7, colour);
 }
 
-/// A roll of tape, lying; with a dispenser if high.
+/// A lying roll of tape; with a dispenser if high.
 pub(super) fn tape(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = x.min(y);

@@ -5,7 +5,7 @@ use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, lying, room};
 use crate::material::*;
 
-/// A few sheets of paper, not quite in line, with what is printed or written.
+/// A few slightly misaligned sheets of paper, printed or written.
 pub(super) fn sheets(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let paper = match b.class {
@@ -77,7 +77,7 @@ pub(super) fn pad(b: &mut Build<'_>) {
     }
 }
 
-/// Envelopes with address, stamp and flap; a pile of them if high.
+/// Envelopes with address, stamp and flap; a stack of them if high.
 pub(super) fn envelope(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let count = if h > 0.006 { b.rng.count(2, 3) } else { 1 };
@@ -110,7 +110,7 @@ pub(super) fn envelope(b: &mut Build<'_>) {
     blocks(b, "stamp", &[line(-0.82, -0.45, 0.6, 0.82)], stamp);
 }
 
-/// A card: greetings with a picture, a stamp with its teeth, or a credit card.
+/// A card: a greeting card with a picture, a stamp with perforations, or a credit card.
 pub(super) fn card(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let relief = h * 0.66;

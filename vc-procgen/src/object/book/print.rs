@@ -1,4 +1,4 @@
-//! Printed matter without boards.
+//! Unbound printed matter.
 
 use std::f32::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Titles of books and magazines that do not exist.
+//! Invented titles of books and magazines.
 
 use super::super::build::Build;
 
@@ -110,7 +110,7 @@ const PAPERS: [&str; 10] = [
     "Design",
 ];
 
-/// Names what is built by an invented title that suits its class.
+/// Names the asset by an invented title that suits its class.
 pub(super) fn entitle(b: &mut Build<'_>) {
     let (first, second): (&[&str], &[&str]) = match b.class {
         "textbook" => (&KINDS, &SUBJECTS),

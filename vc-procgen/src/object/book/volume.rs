@@ -1,4 +1,4 @@
-//! Bound books: lying flat, the spine (-Y) to the left of who reads them from the front.
+//! Bound books, lying flat with the spine (-Y) at the reader's left.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -25,8 +25,7 @@ const COVERS: [Mat; 14] = [
     BROWN_LEATHER,
 ];
 
-/// A book: boards, block of pages, spine with bands and title, picture or title on
-/// its front.
+/// A book: boards, block of pages, spine with bands and title, picture or title on the front cover.
 pub(super) fn book(b: &mut Build<'_>) {
     entitle(b);
     let (x, y, h) = room(b);
@@ -54,7 +53,7 @@ pub(super) fn book(b: &mut Build<'_>) {
     blocks(b, "label", &[([x * 0.4, -y * 0.3, 0.0], [x * 0.7, y * 0.5, low + board * 0.5])], ink);
 }
 
-/// The back of the book, flat or round; gives where the boards begin.
+/// The back of the book, flat or round; returns where the boards begin.
 fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> f32 {
     let (x, y, _) = room(b);
     let relief = (y * 0.02).min(0.001);
@@ -95,7 +94,7 @@ fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: Mat) {
     blocks(b, "title", &list, ink);
 }
 
-/// What is on the front board: a title and a picture, a frame or a label.
+/// The print on the front cover: a title and a picture, a frame or a label.
 fn front(b: &mut Build<'_>, z: f32, back: f32, ink: Mat) {
     let (x, y, h) = room(b);
     let middle = f32::midpoint(back, y);
@@ -129,7 +128,7 @@ fn front(b: &mut Build<'_>, z: f32, back: f32, ink: Mat) {
     }
 }
 
-/// A colour that shows on a cover.
+/// A colour that is visible on a cover.
 fn contrast(b: &mut Build<'_>, cover: Mat) -> Mat {
     if [YELLOW_CARD, CREAM_PAPER, WHITE_PAPER, PINK_CARD, LINEN, ORANGE_CARD].contains(&cover) {
         b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD])

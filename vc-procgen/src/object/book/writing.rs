@@ -1,4 +1,4 @@
-//! What one writes, draws and rubs out with, and the small things around it.
+//! Items for writing, drawing and erasing, and small stationery.
 
 use std::f32::consts::TAU;
 
@@ -18,7 +18,7 @@ pub(super) fn stick(b: &mut Build<'_>) {
     });
 }
 
-/// A turned piece of the shaft.
+/// A section of the shaft as a solid of revolution.
 fn turned(b: &mut Build<'_>, name: &str, profile: &[(f32, f32)], mat: Mat) {
     b.lathe(name, [0.0; 3], profile, mat);
 }
@@ -89,7 +89,7 @@ fn pen(b: &mut Build<'_>, r: f32, l: f32) {
     b.block("clip", [0.0, -clip * 0.5, clasp], [r, clip * 0.5, l * 0.94], trim);
 }
 
-/// A rubber in a paper sleeve, one end rounded by use.
+/// An eraser in a paper sleeve, one end rounded by use.
 pub(super) fn eraser(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let sleeve = b.one(&[BLUE_CARD, GREEN_CARD, BLACK_CARD]);
@@ -164,7 +164,7 @@ pub(super) fn paper_clip(b: &mut Build<'_>) {
     tube(b, "wire", &spline(&bend, 2), r, wire);
 }
 
-/// A push pin with a waisted head, standing on it.
+/// A push pin with a waisted head, standing on its head.
 pub(super) fn push_pin(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = x.min(y);
@@ -175,7 +175,7 @@ pub(super) fn push_pin(b: &mut Build<'_>) {
     b.lathe("pin", [0.0, 0.0, h * 0.45], &[(r * 0.1, 0.0), (r * 0.1, h * 0.45), (0.0, h * 0.55)], STEEL);
 }
 
-/// A rubber band, lying in a loose loop.
+/// A rubber band lying in a loose loop.
 pub(super) fn rubber_band(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = (h / 2.0).min(x * 0.4);

@@ -1,4 +1,4 @@
-//! Hangers, umbrellas, glasses, keys, wallets, and things for shoes.
+//! Hangers, umbrellas, glasses, keys, wallets, and shoe accessories.
 
 use std::f32::consts::PI;
 
@@ -9,8 +9,8 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, facing, hoop, longwise, mix, oval, room, sheet, spline, tube};
 use crate::material::*;
 
-/// The hook of a hanger whose top is the top of the size; gives how high its
-/// shoulders are, `least` at least.
+/// Builds the hook of a hanger up to the top of the size and returns the height of the shoulders,
+/// at least `least`.
 pub(super) fn hook(b: &mut Build<'_>, least: f32) -> f32 {
     let (x, y, h) = room(b);
     let neck = least.max(h - 0.08);
@@ -22,7 +22,7 @@ pub(super) fn hook(b: &mut Build<'_>, least: f32) -> f32 {
     neck
 }
 
-/// A hanger with clips above what hangs from its waist; gives the height of the
+/// Builds a hanger with clips above a garment held at its waist and returns the height of the
 /// waist.
 pub(super) fn clip_hanger(b: &mut Build<'_>, h: f32) -> f32 {
     let (x, y, _) = room(b);
@@ -57,7 +57,8 @@ pub(super) fn hanger(b: &mut Build<'_>) {
     b.hook("hook", [0.0, 0.0, neck], 1.5_f32.max(h));
 }
 
-/// A closed umbrella on its tip: folds, strap and a crook; or a short folding one.
+/// A closed umbrella standing on its tip: folds, strap and a curved handle; or a short folding
+/// umbrella.
 pub(super) fn umbrella(b: &mut Build<'_>) {
     longwise(b, |b, t, w, h| {
         let (x, y) = (t / 2.0, w / 2.0);
@@ -146,7 +147,7 @@ pub(super) fn spectacles(b: &mut Build<'_>) {
     tube(b, "bridge", &spline(&bridge, 3), r * 0.8, frame);
 }
 
-/// A bunch of keys on a ring, hanging.
+/// A hanging bunch of keys on a ring.
 pub(super) fn keys(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let ring = (h * 0.16).min(y * 0.8);
@@ -195,7 +196,7 @@ pub(super) fn keys(b: &mut Build<'_>) {
     }
 }
 
-/// A wallet, folded, standing on its edge or lying.
+/// A folded wallet, standing on its edge or lying.
 pub(super) fn wallet(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC]);

@@ -4,7 +4,8 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, loft, oval, room, spline};
 use crate::material::*;
 
-/// An open bag between heights, wider above by `spread`; gives its inner bottom.
+/// Builds an open bag between two heights, wider at the top by `spread`, and returns its inner
+/// bottom.
 fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: Mat) {
     let t = (x * 0.04).min(0.004).min(high * 0.05);
     let ring = |z: f32, s: f32, t: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s - t, y * s - t), 2, 28);
@@ -89,7 +90,7 @@ pub(super) fn handbag(b: &mut Build<'_>) {
     });
 }
 
-/// A bag of cloth or paper, open above: for shopping or the wash.
+/// An open bag of cloth or paper for shopping or laundry.
 pub(super) fn tote(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let mat = if b.class == "laundry_bag" {

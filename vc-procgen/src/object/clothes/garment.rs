@@ -1,4 +1,4 @@
-//! Shirts, coats and dresses: hanging on a hanger or by their loop, or folded.
+//! Shirts, coats and dresses: on a hanger, hanging by their loop, or folded.
 
 use vc_graph::portable::Portable;
 
@@ -8,16 +8,16 @@ use super::super::textile::{Fold, folded};
 use super::accessory::hook;
 use crate::material::*;
 
-/// How a garment is cut, in shares of the half width and the height below the hook.
+/// The cut of a garment, as fractions of the half width and of the height below the hook.
 struct Cut {
     /// Half widths at hem, waist and chest.
     hem: f32,
     waist: f32,
     chest: f32,
-    /// How far sleeves reach down, 0 for none.
+    /// The length of the sleeves downwards, 0 for none.
     sleeve: f32,
     front: Front,
-    /// How round its neck is: radius of the collar as a share of the half depth.
+    /// The radius of the collar as a fraction of the half depth.
     collar: f32,
 }
 
@@ -72,7 +72,7 @@ fn cloth(b: &mut Build<'_>) -> Mat {
     }
 }
 
-/// Anything worn above the waist, or down from the shoulders.
+/// Any garment worn on the upper body or hanging from the shoulders.
 pub(super) fn top(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = cloth(b);
@@ -90,7 +90,7 @@ pub(super) fn top(b: &mut Build<'_>) {
     decoration(b, &cut, neck, trim);
 }
 
-/// Half depth of the body, leaving room for what is sewn on in front.
+/// Half depth of the body, leaving room for parts sewn on the front.
 fn depth(b: &Build<'_>) -> f32 {
     b.size.x / 2.0 * 0.88
 }
@@ -264,7 +264,7 @@ fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
     }
 }
 
-/// A garment folded: a stack of layers with collar and buttons or a stripe on top.
+/// A folded garment: a stack of layers with collar and buttons or a stripe on top.
 fn lying(b: &mut Build<'_>, cloth: Mat, trim: Mat) {
     let (x, y, h) = room(b);
     let layers = ((h / 0.018) as usize).clamp(2, 5);

@@ -4,8 +4,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, loft, oval, room, spline, tube};
 use crate::material::*;
 
-/// A rucksack: main bag with a lid, a pocket in front, two at the sides, straps
-/// behind.
+/// A rucksack: main bag with a lid, a front pocket, two side pockets, straps at the back.
 pub(super) fn backpack(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (cloth, trim) = b.one(&[
@@ -89,7 +88,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
     straps.put(b, "strap", trim);
 }
 
-/// A suitcase on wheels: two shells that open at the side, ribs, a pulled handle.
+/// A suitcase on wheels: two shells that open at the side, ribs, an extended handle.
 pub(super) fn suitcase(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let shell =
@@ -169,7 +168,7 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
     b.hinge([seam, y, low], [0.0, 0.0, 1.0], 2.6, |b| tube(b, "grip", &carry, r, BLACK_PLASTIC));
 }
 
-/// A briefcase standing upright: its lid opens towards the front, a handle on top.
+/// An upright briefcase with a lid that opens towards the front and a handle on top.
 pub(super) fn briefcase(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, SILVER_METAL]);

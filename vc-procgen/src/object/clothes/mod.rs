@@ -1,4 +1,4 @@
-//! Clothes that hang or lie folded, shoes, bags and what one carries.
+//! Clothes that hang or lie folded, shoes, bags and accessories.
 
 mod accessory;
 mod bag;

@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, loft, oval, room, spline};
 use crate::material::*;
 
-/// One shoe: where its middle is across, half length and half width, height.
+/// One shoe: its centre across the pair, half length, half width and height.
 #[derive(Clone, Copy)]
 struct Last {
     at: f32,
@@ -17,7 +17,7 @@ struct Last {
 }
 
 impl Last {
-    /// Half width of the sole along its length (-1 heel, 1 toe).
+    /// Half width of the sole at a position along its length (-1 heel, 1 toe).
     fn wide(&self, t: f32) -> f32 {
         let steps =
             [(-1.0, 0.45), (-0.9, 0.62), (-0.6, 0.7), (-0.2, 0.68), (0.3, 0.95), (0.6, 1.0), (0.85, 0.75), (1.0, 0.35)];
@@ -25,13 +25,13 @@ impl Last {
         self.w * pair.map_or(0.35, |s| s[0].1 + (s[1].1 - s[0].1) * ((t - s[0].0) / (s[1].0 - s[0].0)).max(0.0))
     }
 
-    /// A ring of the upper: between two heights, at a place along the shoe.
+    /// A ring of the upper between two heights, at a position along the shoe.
     fn ring(&self, t: f32, low: f32, high: f32, share: f32) -> Vec<P> {
         let at = [self.x * t, self.at, (low + high) / 2.0];
         oval(Axis::X, at, (self.wide(t) * share, (high - low) / 2.0), 1, 14)
     }
 
-    /// The outline of the sole, grown by a share.
+    /// The outline of the sole, enlarged by a fraction.
     fn sole(&self, grow: f32) -> Vec<(f32, f32)> {
         let steps = [-1.0, -0.9, -0.6, -0.2, 0.3, 0.6, 0.85, 1.0];
         let bend = |t: f32| self.side * self.w * 0.06 * (1.0 - t * t);
@@ -42,7 +42,7 @@ impl Last {
     }
 }
 
-/// A pair of shoes of the class's kind.
+/// A pair of shoes of the object's class.
 pub(super) fn pair(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let leather = match b.class {

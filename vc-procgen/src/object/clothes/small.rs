@@ -22,7 +22,7 @@ const COLOURS: [Mat; 10] = [
     PURPLE_FABRIC,
 ];
 
-/// A scarf folded, with stripes and a fringe.
+/// A folded scarf with stripes and a fringe.
 pub(super) fn scarf(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
@@ -40,11 +40,11 @@ pub(super) fn scarf(b: &mut Build<'_>) {
     blocks(b, "stripe", &stripes, trim);
 }
 
-/// A pair of socks laid on each other, cuff, heel and toe in another colour.
+/// A pair of socks laid on each other, with cuff, heel and toe in a second colour.
 pub(super) fn socks(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
-    // Along the sock: how far along, where its middle is, half its width.
+    // Samples along the sock: position along it, centre across, half width.
     let shape = [
         (-1.0, -0.12, 0.72),
         (-0.92, -0.12, 0.8),
@@ -78,7 +78,7 @@ pub(super) fn socks(b: &mut Build<'_>) {
     }
 }
 
-/// Briefs or trunks; a one-piece where it is high.
+/// Briefs or trunks; a one-piece if the size is high.
 pub(super) fn briefs(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
@@ -143,7 +143,7 @@ pub(super) fn bra(b: &mut Build<'_>) {
     });
 }
 
-/// A tie, tied: loop, knot and blade.
+/// A knotted tie: loop, knot and blade.
 pub(super) fn tie(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let (cloth, trim) = (
@@ -173,7 +173,7 @@ pub(super) fn tie(b: &mut Build<'_>) {
     });
 }
 
-/// A belt rolled up, its buckle outside.
+/// A rolled-up belt with its buckle outside.
 pub(super) fn belt(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER]);
@@ -196,7 +196,7 @@ pub(super) fn belt(b: &mut Build<'_>) {
     hoop(b, "buckle", &frame, r, metal);
 }
 
-/// A pair of gloves, one before the other.
+/// A pair of gloves, one in front of the other.
 pub(super) fn gloves(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let cloth = b.one(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC, RED_FABRIC, NAVY_FABRIC]);
@@ -225,7 +225,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
     });
 }
 
-/// Clothes thrown on a heap.
+/// A heap of clothes.
 pub(super) fn pile(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let count = b.rng.count(4, 6);

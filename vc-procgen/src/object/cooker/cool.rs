@@ -1,4 +1,4 @@
-//! Fridges, freezers and what professional kitchens cool with.
+//! Fridges, freezers and commercial cooling equipment.
 
 use vc_graph::asset::JointKind;
 use vc_graph::portable::Portable;
@@ -8,19 +8,19 @@ use super::heat::{foot_row, glass_door};
 use crate::material::*;
 use crate::object::build::{Build, P};
 
-/// What is behind a door.
+/// The compartment behind a door.
 #[derive(Debug, Clone, Copy)]
 struct Cold {
-    /// What its places are called.
+    /// The name of its surfaces.
     name: &'static str,
     shelves: usize,
     drawers: usize,
     door_shelves: usize,
-    /// Racks of wire in place of glass shelves.
+    /// Wire racks instead of glass shelves.
     wire: bool,
-    /// A glass door.
+    /// Whether the door is of glass.
     pane: bool,
-    /// Colour of the figures on the door's display, if it has one.
+    /// The colour of the digits on the door's display, if it has one.
     display: Option<Mat>,
 }
 
@@ -31,7 +31,7 @@ const FREEZER: Cold =
 const RACKS: Cold =
     Cold { name: "shelf", shelves: 4, drawers: 0, door_shelves: 0, wire: true, pane: false, display: None };
 
-/// A fridge over or under a freezer, or both side by side.
+/// A fridge above or below a freezer, or both side by side.
 pub(super) fn fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.4, 1.12]);
     let (x, y, h) = spans(b);
@@ -61,7 +61,7 @@ pub(super) fn fridge(b: &mut Build<'_>) {
     chamber(b, &Cold { display: display.filter(|_| !low_freezer), ..frozen }, ice, door, at, body, u);
 }
 
-/// One door before two shelves and an ice compartment.
+/// One door in front of two shelves and an ice compartment.
 pub(super) fn mini_fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.336, 0.4]);
     let (x, y, _) = spans(b);
@@ -149,7 +149,8 @@ pub(super) fn commercial_fridge(b: &mut Build<'_>) {
     }
 }
 
-/// A steel cooler for trays, low or tall, with a probe's display over the door.
+/// A steel blast chiller for trays, low or tall, with a display of the probe's temperature above
+/// the door.
 pub(super) fn blast_chiller(b: &mut Build<'_>) {
     let u = fit(b, [0.512, 0.56, 0.64]);
     let (x, y, h) = spans(b);
@@ -173,7 +174,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, h], (x - 0.045 * u, y - 0.01 * u));
 }
 
-/// A glass door before racks for bottles.
+/// A glass door in front of bottle racks.
 pub(super) fn wine_cooler(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.24, 0.4]);
     let (x, y, h) = spans(b);
@@ -198,7 +199,7 @@ pub(super) fn wine_cooler(b: &mut Build<'_>) {
     glass_door(b, at, ([back, -y, feet], [face, y, h]), (body, glass), 0.03 * u);
 }
 
-/// A box that makes ice, with a flap before the bin; small ones stand on a counter.
+/// A machine that makes ice, with a flap in front of the bin; small ones stand on a counter.
 pub(super) fn ice_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.208, 0.256]);
     let (x, y, h) = spans(b);
@@ -300,8 +301,8 @@ pub(super) fn grille(b: &mut Build<'_>, x: f32, low: (f32, f32), high: (f32, f32
     }
 }
 
-/// An insulated hollow `low..high` behind a door `door` thick: shelves, drawers at
-/// the bottom, shelves in the door.
+/// An insulated compartment `low..high` behind a door `door` thick: shelves, drawers at the bottom,
+/// shelves in the door.
 fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: Swing, body: Mat, u: f32) {
     let skin = 0.012 * u;
     case(b, low, high, skin, body);
@@ -345,7 +346,7 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
             display(b, dh[0], (middle - wide, dh[2] - 0.09 * u), (middle + wide, dh[2] - 0.05 * u), light);
         }
         let inset = skin + wall + 0.004 * u;
-        // Their free end is as far in as the door's turn wants it.
+        // Their free end reaches in only as far as the swing of the door allows.
         let reach = ((dh[1] - dl[1] - inset).raised(2) - (pocket + door).raised(2)).max(0.0).sqrt();
         let (left, right) =
             if at == Swing::Left { (dh[1] - inset, dh[1] - reach) } else { (dl[1] + reach, dl[1] + inset) };

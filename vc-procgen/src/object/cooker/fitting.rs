@@ -1,8 +1,8 @@
-//! What appliances and fitted units are put together from: hollow cases, pits, rings,
-//! racks, panelled fronts, doors, drawers and knobs.
+//! Elements of appliances and fitted units: hollow cases, basins, frames, racks, panelled fronts,
+//! doors, drawers and knobs.
 //!
-//! Measures scale with [`fit`], so that an object smaller than any of its class
-//! keeps its proportions.
+//! Dimensions scale with [`fit`], so that an object smaller than usual for its class keeps its
+//! proportions.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -13,18 +13,18 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, handle};
 
-/// Half depth, half width and height of what is asked for.
+/// Half depth, half width and height of the requested size.
 pub(in crate::object) fn spans(b: &Build<'_>) -> (f32, f32, f32) {
     (b.size.x / 2.0, b.size.y / 2.0, b.size.z)
 }
 
-/// How much to shrink fixed measures: one from a size of `least` on.
+/// The factor by which fixed dimensions shrink: one if the size is at least `least`.
 pub(in crate::object) fn fit(b: &Build<'_>, least: P) -> f32 {
     (b.size.x / least[0]).min(b.size.y / least[1]).min(b.size.z / least[2]).min(1.0)
 }
 
-/// A plate with a rectangular hole through `axis`. The hole's corners are given in
-/// the other two axes, in their order.
+/// A plate with a rectangular hole through `axis`. The corners of the hole are given in the other
+/// two axes, in their order.
 pub(in crate::object) fn ring(
     b: &mut Build<'_>,
     name: &str,
@@ -66,21 +66,21 @@ pub(in crate::object) fn pit(b: &mut Build<'_>, name: &str, low: P, high: P, t: 
     ring(b, name, Axis::Z, walls, ((low[0] + t, low[1] + t), (high[0] - t, high[1] - t)), mat);
 }
 
-/// A pit whose bottom is a place inside.
+/// An open box whose bottom is a surface inside.
 pub(in crate::object) fn basket(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: Mat) {
     pit(b, name, low, high, t, mat);
     floor_of(b, name, [low[0] + t, low[1] + t, low[2] + t], [high[0] - t, high[1] - t, high[2]]);
 }
 
-/// The bottom of the hollow `low..high` as a place inside.
+/// The bottom of the hollow `low..high` as a surface inside.
 pub(in crate::object) fn floor_of(b: &mut Build<'_>, name: &str, low: P, high: P) {
     let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), low[2]];
     let half = |i: usize| ((high[i] - low[i]) * 0.48).max(0.0);
     b.inside(name, centre, (half(0), half(1)), (high[2] - low[2] - 0.002).max(0.0));
 }
 
-/// Divides the hollow `low..high` into `count` spaces one above the other, each a
-/// place inside; `floor` makes what is between them, `t` thick.
+/// Divides the hollow `low..high` into `count` compartments one above the other, each with a
+/// surface inside; `floor` builds the boards between them, `t` thick.
 pub(in crate::object) fn tiers(
     b: &mut Build<'_>,
     name: &str,
@@ -111,7 +111,7 @@ pub(in crate::object) fn rack(b: &mut Build<'_>, low: P, high: P, count: usize, 
     }
 }
 
-/// A knob turned out of a plane at X, with a pointer.
+/// A knob on a plane at X, with a pointer.
 pub(in crate::object) fn knob(b: &mut Build<'_>, at: P, radius: f32, depth: f32, mats: (Mat, Mat)) {
     let [x, y, z] = at;
     b.lathe_along("knob", at, [x + 1.0, y, z], &[(radius, 0.0), (radius * 0.85, depth)], mats.0);
@@ -127,7 +127,7 @@ pub(in crate::object) fn knobs(b: &mut Build<'_>, at: P, span: f32, count: usize
     }
 }
 
-/// A bar to pull by on two posts, level or upright, `depth` out of a plane at X.
+/// A handle bar on two posts, level or upright, protruding by `depth` from a plane at X.
 pub(in crate::object) fn grab(b: &mut Build<'_>, at: P, length: f32, upright: bool, depth: f32, mat: Mat) {
     let half = length / 2.0;
     let end = |k: f32, out: f32| {
@@ -141,7 +141,7 @@ pub(in crate::object) fn grab(b: &mut Build<'_>, at: P, length: f32, upright: bo
     b.rod("handle", end(-1.0, depth - r), end(1.0, depth - r), r, mat);
 }
 
-/// A dark display with a lit figure, 2 mm proud of a plane at X.
+/// A dark display with lit digits on a plane at X.
 pub(in crate::object) fn display(b: &mut Build<'_>, x: f32, low: (f32, f32), high: (f32, f32), light: Mat) {
     b.block("display", [x - 0.001, low.0, low.1], [x + 0.0015, high.0, high.1], SCREEN);
     let (w, h) = (high.0 - low.0, high.1 - low.1);
@@ -152,7 +152,7 @@ pub(in crate::object) fn display(b: &mut Build<'_>, x: f32, low: (f32, f32), hig
     }
 }
 
-/// A ring turned around the line from one point to another.
+/// A ring revolved about the line from one point to another.
 pub(in crate::object) fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P), radii: (f32, f32), mat: Mat) {
     let length = (0..3).map(|i| (to[i] - from[i]).raised(2)).sum::<f32>().sqrt();
     let (inner, outer) = radii;
@@ -160,14 +160,14 @@ pub(in crate::object) fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P
     b.lathe_along(name, from, to, &profile, mat);
 }
 
-/// The profile of a cup: outer radius below and above, height, wall.
+/// The profile of a cup: outer radius at the bottom and the top, height, wall.
 pub(in crate::object) fn cup(bottom: f32, top: f32, height: f32, wall: f32) -> [(f32, f32); 4] {
     [(bottom, 0.0), (top, height), ((top - wall).max(wall), height), ((bottom - wall).max(wall), wall)]
 }
 
-/// A solid through level loops of as many points each, from the outside below over
-/// the rim to the inside bottom; the first and the last are closed flat. Loops are
-/// convex and counter-clockwise seen from above.
+/// A solid through level loops with equal numbers of points, from the outer bottom edge over the
+/// rim to the inner bottom; the first and the last are closed by flat faces. Loops are convex and
+/// counter-clockwise seen from above.
 pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32, f32)>, f32)], mat: Mat) {
     let Some(n) = loops.first().map(|l| l.0.len() as u32) else { return };
     let vertices: Vec<P> = loops.iter().flat_map(|(points, z)| points.iter().map(|p| [p.0, p.1, *z])).collect();
@@ -191,7 +191,7 @@ pub(in crate::object) fn oblong(half: (f32, f32), r: f32) -> Vec<(f32, f32)> {
     let steps = [(1.0, 0.0), (0.924, 0.383), (0.707, 0.707), (0.383, 0.924), (0.0, 1.0)];
     let r = r.min(half.0 * 0.98).min(half.1 * 0.98);
     let (x, y) = (half.0 - r, half.1 - r);
-    // Each quarter turns the steps on by a right angle.
+    // Each quarter rotates the steps by a right angle.
     let turned = |q: usize, (c, s): (f32, f32)| match q {
         0 => (x + r * c, y + r * s),
         1 => (-x - r * s, y + r * c),
@@ -201,13 +201,13 @@ pub(in crate::object) fn oblong(half: (f32, f32), r: f32) -> Vec<(f32, f32)> {
     (0..4).flat_map(|q| steps.map(|p| turned(q, p))).collect()
 }
 
-/// The bottom of something round as a place inside.
+/// The bottom of a round vessel as a surface inside.
 pub(in crate::object) fn round_floor(b: &mut Build<'_>, name: &str, at: P, radius: f32, clearance: f32) {
     let half = radius * 0.68;
     b.inside(name, at, (half, half), clearance.max(0.0));
 }
 
-/// Which edge of a front its hinge is at.
+/// The edge of a front at which its hinge is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::object) enum Swing {
     /// The higher Y.
@@ -220,7 +220,7 @@ pub(in crate::object) enum Swing {
     Up,
 }
 
-/// What is built turns about an edge of the front `low..high`, outwards.
+/// The parts built swing outwards about an edge of the front `low..high`.
 pub(in crate::object) fn swing(
     b: &mut Build<'_>,
     at: Swing,
@@ -238,22 +238,22 @@ pub(in crate::object) fn swing(
     b.hinge([high[0], y, z], axis, most, build);
 }
 
-/// What is built opens upwards about a line along Y through `anchor`, its front first.
+/// The parts built open upwards about a line along Y through `anchor`, with the front edge rising.
 pub(in crate::object) fn lid(b: &mut Build<'_>, anchor: P, most: f32, build: impl FnOnce(&mut Build<'_>)) {
     b.hinge(anchor, [0.0, -1.0, 0.0], most, build);
 }
 
-/// A front cut smaller by the gap to its neighbours.
+/// A front reduced by the gap to its neighbours.
 pub(in crate::object) fn gapped(low: P, high: P, gap: f32) -> (P, P) {
     ([low[0], low[1] + gap, low[2] + gap], [high[0], high[1] - gap, high[2] - gap])
 }
 
-/// How the fronts of a unit look.
+/// The design of a unit's fronts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::object) enum Panel {
     /// Flat.
     Slab,
-    /// A frame around a panel set back.
+    /// A frame around a recessed panel.
     Framed,
     /// Boards side by side.
     Boards,
@@ -261,36 +261,36 @@ pub(in crate::object) enum Panel {
     Glazed,
 }
 
-/// Everything that the fronts of one unit have in common.
+/// The common properties of all fronts of a unit.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::object) struct Look {
-    /// How fronts are made.
+    /// The design of fronts.
     pub(in crate::object) panel: Panel,
-    /// How they are gripped.
+    /// The kind of handle.
     pub(in crate::object) handle: Handle,
-    /// What they are made of.
+    /// The material of fronts.
     pub(in crate::object) mat: Mat,
-    /// What handles are made of.
+    /// The material of handles.
     pub(in crate::object) metal: Mat,
-    /// Thickness of fronts and boards.
+    /// The thickness of fronts and boards.
     pub(in crate::object) t: f32,
 }
 
 impl Look {
-    /// A look from the style: fronts of `mat`, boards `t` thick.
+    /// A look drawn from the style: fronts of `mat`, boards `t` thick.
     pub(in crate::object) fn any(b: &mut Build<'_>, mat: Mat, t: f32) -> Self {
         let panel = b.one(&[Panel::Slab, Panel::Slab, Panel::Framed, Panel::Framed, Panel::Boards]);
         Self { panel, handle: Handle::any(b), mat, metal: b.style.metal, t }
     }
 
-    /// How far handles stand out of the front.
+    /// How far handles protrude from the front.
     pub(in crate::object) fn grip(&self) -> f32 {
         self.handle.depth()
     }
 
     /// A handle on the plane at X, scaled to the front.
     fn grip_at(&self, b: &mut Build<'_>, at: P, length: f32, upright: bool) {
-        // Posts start within the front: what is behind them may be set back.
+        // Posts start inside the front, because its panel may be recessed there.
         let into = if self.panel == Panel::Slab { 0.0 } else { self.t * 0.36 };
         handle(b, self.handle, [at[0] - into, at[1], at[2]], length, upright, self.metal);
     }
@@ -322,7 +322,7 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, how: Panel, name: &str, (low, 
     }
 }
 
-/// A hinged front with its handle, filling `low..high` but for a gap.
+/// A hinged front with its handle that fills `low..high` except for a gap.
 pub(in crate::object) fn cupboard_door(
     b: &mut Build<'_>,
     look: &Look,
@@ -368,12 +368,12 @@ pub(in crate::object) fn cupboard_doors(
     }
 }
 
-/// A drawer in the space `low..high` between boards: front, tray and place inside.
+/// A drawer in the space `low..high` between boards: front, tray and surface inside.
 pub(in crate::object) fn pull_out(b: &mut Build<'_>, look: &Look, name: &str, (low, high): (P, P)) {
     let t = look.t;
     let (from, to) = gapped([high[0] - t, low[1], low[2]], high, t * 0.08);
     let depth = high[0] - t - low[0];
-    // An anchor of its own keeps it from moving with the drawer below.
+    // Its own anchor distinguishes its joint from that of the drawer below.
     b.jointed(JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, depth * 0.72), |b| {
         panel(b, look.panel, name, (from, to), look.mat);
         let length = ((to[1] - from[1]) * 0.4).min(0.2);
@@ -385,7 +385,7 @@ pub(in crate::object) fn pull_out(b: &mut Build<'_>, look: &Look, name: &str, (l
     });
 }
 
-/// Drawers one above the other, the lowest as tall as `deep` of the others.
+/// Drawers one above the other, the lowest `deep` times as tall as the others.
 pub(in crate::object) fn drawers(
     b: &mut Build<'_>,
     look: &Look,
@@ -403,11 +403,12 @@ pub(in crate::object) fn drawers(
     }
 }
 
-/// Front plane of doors and panels in a kitchen run: handles keep behind the
-/// worktop's edge.
+/// The distance of the front plane of doors and panels in a kitchen run behind the edge: handles
+/// must not protrude beyond the worktop.
 pub(in crate::object) const RUN: f32 = 0.03;
 
-/// A worktop of the style under `h`, over the whole depth and width; what is below it.
+/// A worktop of the style, with its top at the full height and over the whole depth and width;
+/// returns the height below it.
 pub(in crate::object) fn worktop(b: &mut Build<'_>, u: f32) -> f32 {
     let (x, y, h) = spans(b);
     let t = 0.035 * u;
@@ -416,12 +417,12 @@ pub(in crate::object) fn worktop(b: &mut Build<'_>, u: f32) -> f32 {
     h - t
 }
 
-/// Whether it is as tall as a kitchen run.
+/// Whether it has the height of a kitchen run.
 pub(in crate::object) fn in_run(b: &Build<'_>) -> bool {
     (0.88..=0.97).contains(&b.size.z)
 }
 
-/// An appliance that is as tall as a kitchen run gets a worktop; its height without.
+/// Adds a worktop to an appliance with the height of a kitchen run; returns the height below it.
 pub(in crate::object) fn under_worktop(b: &mut Build<'_>, u: f32) -> f32 {
     if in_run(b) { worktop(b, u) } else { b.size.z }
 }

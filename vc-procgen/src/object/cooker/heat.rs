@@ -4,7 +4,7 @@ use super::fitting::*;
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 
-/// How a stove heats.
+/// How a stove heats its cooktop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fire {
     Gas,
@@ -12,7 +12,7 @@ enum Fire {
     Plates,
 }
 
-/// Burners on top, knobs in front, one oven or two below, a drawer at the bottom.
+/// Burners on top, knobs in front, one or two ovens below, a drawer at the bottom.
 pub(super) fn stove(b: &mut Build<'_>) {
     let u = fit(b, [0.56, 0.48, 0.8]);
     let (x, y, h) = spans(b);
@@ -51,14 +51,14 @@ pub(super) fn stove(b: &mut Build<'_>) {
     } else {
         knobs(b, [face, 0.0, z], span, count, radius.min(y * 0.12), knob_mats);
     }
-    // Below: a drawer for trays.
+    // A drawer for trays at the bottom.
     let look =
         Look { panel: Panel::Slab, handle: crate::object::joinery::Handle::None, mat: trim, metal: STEEL, t: 0.03 * u };
     case(b, [-x, -y, 0.05 * u], [back, y, sill], 0.015 * u, body);
     pull_out(b, &look, "drawer", ([-x + 0.02 * u, -y, 0.05 * u], [face, y, sill]));
 }
 
-/// A plate with burners to be let into a worktop.
+/// A built-in plate with burners for a worktop.
 pub(super) fn hob(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.448, 0.019]);
     let (x, y, h) = spans(b);
@@ -97,7 +97,7 @@ pub(super) fn oven(b: &mut Build<'_>) {
     oven_box(b, u, 3, Swing::Down);
 }
 
-/// A steamer: tall, with a digital front, its door hinged at the side or the bottom.
+/// A steam oven: tall, with a digital front, its door hinged at the side or the bottom.
 pub(super) fn steam_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.48]);
     let tall = b.size.z > 0.7;
@@ -235,7 +235,7 @@ fn keypad(b: &mut Build<'_>, face: f32, low: (f32, f32), high: (f32, f32), u: f3
     }
 }
 
-/// A small oven for the counter: glass door in front, knobs at the side.
+/// A small countertop oven: glass door in front, knobs at the side.
 pub(super) fn toaster_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.304, 0.176]);
     let (x, y, h) = spans(b);
@@ -264,7 +264,7 @@ pub(super) fn extractor(b: &mut Build<'_>) {
     let body = b.one(&[STEEL, STEEL, BLACK_METAL, b.style.appliance]);
     let brim = (0.05 * u).min(h * 0.3);
     let design = if h < 0.4 { 2 } else { b.rng.below(2) };
-    // Every kind has filters and lights on its underside.
+    // All designs have filters and lights on the underside.
     ring(b, "brim", Axis::Z, ([-x, -y, 0.0], [x, y, brim]), ((-x * 0.8, -y * 0.9), (x * 0.8, y * 0.9)), body);
     for side in [-1.0, 1.0] {
         let cy = side * y * 0.45;
@@ -320,7 +320,7 @@ pub(super) fn frustum(
     b.hull(name, &points, mat);
 }
 
-/// An oven's hollow with racks, open in front.
+/// The cavity of an oven with racks, open in front.
 fn baking(b: &mut Build<'_>, name: &str, (low, high): (P, P), wall: f32, racks: usize, mat: Mat) {
     case(b, low, high, wall, mat);
     let hollow =
@@ -328,7 +328,7 @@ fn baking(b: &mut Build<'_>, name: &str, (low, high): (P, P), wall: f32, racks: 
     tiers(b, name, hollow, racks, wall * 0.2, |b, l, h| rack(b, l, h, 6, STEEL));
 }
 
-/// A framed pane that opens, with a bar to pull.
+/// A framed pane that opens, with a handle bar.
 pub(super) fn glass_door(b: &mut Build<'_>, at: Swing, (low, high): (P, P), mats: (Mat, Mat), grip: f32) {
     let t = high[0] - low[0];
     let (low, high) = gapped(low, high, t * 0.06);
@@ -356,7 +356,7 @@ pub(super) fn foot_row(b: &mut Build<'_>, half: (f32, f32), radius: f32, height:
     }
 }
 
-/// Middles and radii of burners on a plate of half lengths `x` and `y`.
+/// The centres and radii of burners on a plate of half lengths `x` and `y`.
 fn spots(x: f32, y: f32, five: bool) -> Vec<(f32, f32, f32)> {
     let (dx, dy) = (x * 0.52, y * if five { 0.64 } else { 0.5 });
     let r = (dx.min(dy) * 0.78).min(y - dy);

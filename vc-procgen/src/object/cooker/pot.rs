@@ -1,4 +1,4 @@
-//! What cooks on a worktop: hot plates, fryers, grills, electric pots.
+//! Countertop cooking appliances: hot plates, fryers, grills, electric pots.
 
 use super::fitting::*;
 use super::heat::foot_row;
@@ -29,7 +29,7 @@ pub(super) fn hot_plate(b: &mut Build<'_>) {
     }
 }
 
-/// Oil baths with wire baskets, one or two; professional ones of steel with taps.
+/// One or two oil baths with wire baskets; commercial ones of steel with taps.
 pub(super) fn deep_fryer(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.176]);
     let (x, y, h) = spans(b);
@@ -38,7 +38,7 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
     let (feet, face, rim) = (0.015 * u, x - 0.05 * u, h * 0.74);
     foot_row(b, (x * 0.6, y * 0.7), 0.015 * u, feet);
     let (wall, back) = (0.008 * u, -x + 0.06 * u);
-    // The bath: walls, oil, one basket in each.
+    // The bath: walls, oil, one basket in each half.
     pit(b, "bath", [back, -y, feet], [face, y, rim], wall, body);
     let head = [back, y * 0.7, h];
     b.block("head", [-x, -y * 0.7, feet], head, body);
@@ -68,7 +68,7 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
     knobs(b, [face, 0.0, feet + (rim - feet) * 0.4], y, baths, (rim - feet) * 0.12, (BLACK_PLASTIC, WHITE));
     let wide = 2.0 * y / baths as f32;
     for i in 0..baths {
-        // An anchor of its own keeps it from moving with the other one.
+        // Its own anchor distinguishes its joint from the other one's.
         let (from, low) = (-y + wide * i as f32, rim + 0.0115 * u);
         lid(b, [back + 0.006 * u, from, rim + 0.023 * u], 1.3, |b| {
             let to = [face - 0.02 * u, from + wide - 0.001 * u, rim + 0.023 * u];
@@ -92,7 +92,7 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
     }
     let radius = b.vary(0.02, 0.07) * u;
     b.soft("head", [-x, -y, head], [face, y, h], radius, body);
-    // The head's edge is round: what carries it is further in.
+    // The edge of the head is round, so its support is further in.
     b.block("neck", [-x + 0.02 * u, -y * 0.9, head - 0.004 * u], [face - 0.003, y * 0.9, head + 0.01 * u], body);
     let trim = b.one(&[STEEL, BLACK_GLASS, BROWN_PLASTIC]);
     let round = b.rng.chance(0.5);
@@ -113,7 +113,7 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
     });
 }
 
-/// A thick plate with raised sides over a box with knobs, for professionals.
+/// A commercial griddle: a thick plate with raised sides over a box with knobs.
 pub(super) fn griddle(b: &mut Build<'_>) {
     let u = fit(b, [0.32, 0.4, 0.16]);
     let (x, y, h) = spans(b);
@@ -408,7 +408,7 @@ pub(super) fn bread_maker(b: &mut Build<'_>) {
     });
 }
 
-/// Pans in a warm bath of steel, each with its own lid; a tap and a dial in front.
+/// Pans in a heated steel bath, each with its own lid; a tap and a dial in front.
 pub(super) fn bain_marie(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.4, 0.192]);
     let (x, y, h) = spans(b);
@@ -453,7 +453,7 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
     );
 }
 
-/// Warm drawers for plates: one built in, or several under each other.
+/// Plate-warming drawers: one built in, or several one below the other.
 pub(super) fn plate_warmer(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.352, 0.112]);
     let (x, y, h) = spans(b);

@@ -1,11 +1,11 @@
-//! What chops, mixes, presses, weighs and cools food and drink.
+//! Machines that chop, mix, press, weigh and cool food and drink.
 
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 
-/// Enamel of kitchen machines.
+/// The enamel colour of kitchen machines.
 fn machine_mat(b: &mut Build<'_>) -> Mat {
     b.one(&[WHITE_METAL, RED_METAL, BLACK_METAL, STEEL, CREAM, BLUE_METAL, GREEN_METAL])
 }
@@ -46,12 +46,12 @@ pub(super) fn blender(b: &mut Build<'_>) {
     });
 }
 
-/// A clear vessel, wider above.
+/// A clear jug that is wider at the top.
 fn jug(b: &mut Build<'_>, base: P, (low, high): (f32, f32), tall: f32, wall: f32) {
     b.lathe("jug", base, &cup(low, high, tall, wall), CLEAR_PLASTIC);
 }
 
-/// A motor with a stem and a bell around its blade, standing on it.
+/// A motor with a stem and a bell-shaped guard around its blade, standing on the guard.
 pub(super) fn hand_blender(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let r = x.min(y);
@@ -258,7 +258,7 @@ pub(super) fn citrus_juicer(b: &mut Build<'_>) {
         &[(r * 0.76, 0.0), (r * 0.9, (rim - base) * 0.5), (r * 0.3, (rim - base) * 0.55)],
         body,
     );
-    // The cone's shaft stands in the sieve.
+    // The shaft of the cone stands in the sieve.
     let root = base + wall + (rim - base) * 0.5;
     let shaft = (rim - 0.012 * u - root).max(0.001 * u);
     let cone = [(0.42, 0.0), (0.4, 0.3), (0.26, 0.75), (0.05, 1.0)].map(|(a, z)| (a * r, z * (h - rim) + shaft));
@@ -342,7 +342,7 @@ pub(super) fn meat_slicer(b: &mut Build<'_>) {
     b.block("switch", [x * 0.69, -y * 0.5, deck * 0.5], [x * 0.71, -y * 0.35, deck * 0.8], SIGNAL_GREEN);
 }
 
-/// A hopper over a worm, a plate with holes in front.
+/// A hopper over a screw, with a perforated plate in front.
 pub(super) fn meat_grinder(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.128, 0.24]);
     let (x, y, h) = spans(b);
@@ -447,7 +447,7 @@ pub(super) fn kitchen_scale(b: &mut Build<'_>) {
     }
 }
 
-/// A bottle turned over on a column with two taps and a niche for a cup.
+/// An inverted bottle on a column with two taps and a niche for a cup.
 pub(super) fn water_dispenser(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.224, 0.72]);
     let (x, y, h) = spans(b);
@@ -494,7 +494,7 @@ pub(super) fn water_dispenser(b: &mut Build<'_>) {
     super::cool::grille(b, x - 0.0004, (-y * 0.6, low * 0.15), (y * 0.6, low * 0.3), 4);
 }
 
-/// A drum with a mouth above and a pipe at its side, standing as it is sold.
+/// A drum with an inlet at the top and a pipe at its side, standing free.
 pub(super) fn garbage_disposal(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.128, 0.24]);
     let (x, y, h) = spans(b);

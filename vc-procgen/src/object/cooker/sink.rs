@@ -1,12 +1,12 @@
-//! Sinks: let into a kitchen unit, bare, on a wall, or deep ones for laundry.
+//! Sinks: in a kitchen unit, bare, on a wall, or deep ones for laundry.
 
 use super::fitting::*;
 use super::unit::{plinth, unit_look};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 
-/// A sink unit: fixed fronts below, a worktop around one or two bowls, a ledge behind
-/// for the tap. One lower than 0.4 m is the bare bowl.
+/// A sink unit: fixed fronts below, a worktop around one or two bowls, a ledge behind for the tap.
+/// A sink lower than 0.4 m is the bare bowl.
 pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     let u = fit(b, [0.22, 0.25, 0.09]);
     let (x, y, h) = spans(b);
@@ -51,8 +51,8 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     }
 }
 
-/// One bowl, one and a half, or a bowl and a drainer, within `low..high`; their rim
-/// lies on the worktop up to `top`.
+/// One bowl, one and a half, or a bowl and a draining board, within `low..high`; their rim lies on
+/// the worktop up to `top`.
 fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge: f32, mat: Mat) {
     let wide = high[1] - low[1];
     let design = if wide < 0.55 { 0 } else { b.rng.below(3) };
@@ -71,7 +71,7 @@ fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge
     );
     match design {
         1 => {
-            // The half bowl lies beyond the bridge.
+            // The half bowl is on the other side of the bridge.
             let from = [low[0], split + edge, low[2]];
             bowl(b, "small_basin", (from, [high[0], high[1], top]), depth * 0.6, t, mat);
         }
@@ -94,7 +94,7 @@ fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge
     }
 }
 
-/// A bowl hanging under `high[2]` with its waste.
+/// A bowl hanging under `high[2]` with its drain.
 fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, mat: Mat) {
     let from = [low[0], low[1], high[2] - depth];
     let to = [high[0], high[1], high[2] - 0.002];
@@ -105,7 +105,7 @@ fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, 
     floor_of(b, name, [from[0] + t, from[1] + t, from[2] + t + 0.0015], [to[0] - t, to[1] - t, high[2]]);
 }
 
-/// A steel bowl with a rim to be let into a worktop.
+/// A steel bowl with a rim for a worktop cut-out.
 fn inset(b: &mut Build<'_>, u: f32) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
@@ -137,7 +137,7 @@ fn apron(b: &mut Build<'_>, u: f32) {
     b.top("ledge", [-x + ledge * 0.5, 0.0, h], (ledge * 0.42, (y * 0.7).min(0.14)));
 }
 
-/// A sink by itself: on legs or a bracket against the wall, or a low bowl.
+/// A separate sink: on legs or a bracket at the wall, or a low bowl.
 pub(super) fn sink(b: &mut Build<'_>) {
     let u = fit(b, [0.2, 0.22, 0.07]);
     if b.size.z < 0.4 { inset(b, u) } else { standing(b, u, b.size.z * 0.22) }
@@ -150,7 +150,7 @@ pub(super) fn utility_sink(b: &mut Build<'_>) {
     standing(b, u, deep);
 }
 
-/// A tub on four legs with a ledge behind, a splashback on some.
+/// A tub on four legs with a ledge behind, sometimes with a splashback.
 fn standing(b: &mut Build<'_>, u: f32, deep: f32) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, STEEL, PORCELAIN]);

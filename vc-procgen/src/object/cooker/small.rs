@@ -1,5 +1,4 @@
-//! What stands on a worktop and heats drinks and bread: kettles, toasters, coffee
-//! machines.
+//! Countertop appliances for drinks and bread: kettles, toasters, coffee machines.
 
 use vc_graph::asset::JointKind;
 
@@ -72,7 +71,7 @@ pub(super) fn kettle(b: &mut Build<'_>) {
     });
 }
 
-/// Slots between warm walls, a lever at the end, a dial.
+/// Slots between heated walls, a lever at the end, a dial.
 pub(super) fn toaster(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.24, 0.16]);
     let (x, y, h) = spans(b);
@@ -104,7 +103,7 @@ pub(super) fn toaster(b: &mut Build<'_>) {
     b.rod("dial", [-x * 0.5, end - 0.001 * u, h * 0.3], [-x * 0.5, end + 0.012 * u, h * 0.3], h * 0.08, STEEL);
 }
 
-/// A jug under a filter, a machine for capsules, or a big automatic one.
+/// A filter machine with a jug, a capsule machine, or a large automatic one.
 pub(super) fn coffee_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.144, 0.24]);
     let (x, y, h) = spans(b);
@@ -180,7 +179,7 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
     display(b, x * 0.96, (-y * 0.3, h - (h - head) * 0.7), (y * 0.3, h - (h - head) * 0.4), COOL_BULB);
 }
 
-/// Groups with filter holders over a drip tray, a steam pipe, cups on top.
+/// Brew groups with filter holders over a drip tray, a steam pipe, cups on top.
 pub(super) fn espresso_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.24]);
     let (x, y, h) = spans(b);
@@ -197,7 +196,7 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
         let cx = back + (x - back) * (0.1 + 0.12 * i as f32);
         b.block("grid", [cx, -y * 0.9, base - 0.002 * u], [cx + x * 0.05, y * 0.9, base + 0.004 * u], STEEL);
     }
-    // A rail around the place for cups.
+    // A rail around the cup tray.
     ring(
         b,
         "rail",
@@ -245,7 +244,7 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
     knob(b, [x * 0.715, -y * 0.86, z], (y * 0.09).min(0.022 * u), 0.02 * u, (BLACK_PLASTIC, WHITE));
 }
 
-/// Beans above, a chute, a cup for the powder below.
+/// A bean hopper on top, a chute, and a cup for the ground coffee at the bottom.
 pub(super) fn coffee_grinder(b: &mut Build<'_>) {
     let u = fit(b, [0.08, 0.08, 0.144]);
     let (x, y, h) = spans(b);

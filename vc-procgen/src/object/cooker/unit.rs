@@ -4,7 +4,7 @@ use super::fitting::*;
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 
-/// Height of the toe-kick.
+/// The height of the toe-kick.
 const KICK: f32 = 0.10;
 
 /// A base unit under a worktop, with doors, with drawers or with both.
@@ -41,7 +41,7 @@ pub(super) fn kitchen_wall_cabinet(b: &mut Build<'_>) {
     }
 }
 
-/// A length of worktop on side panels, legs or brackets, with a splashback or not.
+/// A length of worktop on side panels, legs or brackets, sometimes with a splashback.
 pub(super) fn kitchen_counter(b: &mut Build<'_>) {
     let u = fit(b, [0.3, 0.5, 0.4]);
     let (x, y, h) = spans(b);
@@ -77,8 +77,8 @@ pub(super) fn kitchen_counter(b: &mut Build<'_>) {
     }
 }
 
-/// A free-standing block of units: drawers and doors in front, an overhang, open
-/// shelves or a plain panel behind.
+/// A free-standing block of units: drawers and doors in front; an overhang, open shelves or a plain
+/// panel behind.
 pub(super) fn kitchen_island(b: &mut Build<'_>) {
     let u = fit(b, [0.5, 0.7, 0.6]);
     let (x, y, _) = spans(b);
@@ -144,20 +144,20 @@ fn rim_y(b: &mut Build<'_>, low: P, high: P, w: f32, mat: Mat) {
     ring(b, "frame", Axis::Y, (low, high), ((low[0] + w, low[2] + w), (high[0] - w, high[2] - w)), mat);
 }
 
-/// The look of units in this kitchen.
+/// The design of units in this kitchen.
 pub(super) fn unit_look(b: &mut Build<'_>, u: f32) -> Look {
     let mat = b.style.front;
     let t = b.vary(0.018, 0.021) * u;
     Look::any(b, mat, t)
 }
 
-/// The toe-kick: a board set back under a unit whose bottom is at `low[2]`.
+/// The toe-kick: a board recessed under a unit whose bottom is at `low[2]`.
 pub(super) fn plinth(b: &mut Build<'_>, low: P, high: P, u: f32) {
     let set = (high[0] - low[0]) * 0.1;
     b.block("plinth", [low[0] + 0.02 * u, low[1], 0.0], [high[0] - set, high[1], low[2]], b.style.front);
 }
 
-/// The hollow of a case with walls `t` thick.
+/// The interior of a case with walls `t` thick.
 pub(in crate::object) fn inner(low: P, high: P, t: f32) -> (P, P) {
     ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.002, high[1] - t, high[2] - t])
 }
@@ -166,7 +166,7 @@ fn fill(b: &mut Build<'_>, look: &Look, low: P, high: P, u: f32) {
     fill_named(b, look, low, high, (u, ""));
 }
 
-/// A case with one of three fillings: doors before shelves, drawers, a drawer over doors.
+/// A case with one of three fillings: doors in front of shelves, drawers, or a drawer above doors.
 fn fill_named(b: &mut Build<'_>, look: &Look, low: P, high: P, (u, name): (f32, &str)) {
     let (t, tall) = (look.t, high[2] - low[2]);
     case(b, low, high, t, look.mat);

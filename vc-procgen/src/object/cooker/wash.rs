@@ -1,4 +1,4 @@
-//! Machines that wash and dry.
+//! Washing and drying machines.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -11,7 +11,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::Handle;
 
-/// A door that falls open before two baskets that slide out.
+/// A drop-down door in front of two baskets that slide out.
 pub(super) fn dishwasher(b: &mut Build<'_>) {
     let u = fit(b, [0.448, 0.352, 0.64]);
     let (x, y, _) = spans(b);
@@ -34,7 +34,7 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
     let (dl, dh) = gapped([back, -y, feet], [face, y, h], 0.002 * u);
     let look = Look::any(b, body, door);
     let plain = b.rng.chance(0.5);
-    // Level, so that the baskets come out above it.
+    // The open door is level, so that the baskets slide out above it.
     swing(b, Swing::Down, dl, dh, FRAC_PI_2, |b| {
         if built_in {
             panel(b, look.panel, "door", (dl, dh), body);
@@ -63,7 +63,7 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
 /// A basket of wire on a slide.
 fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u: f32) {
     let w = 0.005 * u;
-    // Runners on the walls carry it.
+    // It is supported by runners on the walls.
     for y in [(low[1] - 0.014 * u, low[1] + w), (high[1] - w, high[1] + 0.014 * u)] {
         b.block("runner", [low[0], y.0, low[2] - w], [high[0], y.1, low[2] - 0.0005 * u], STEEL);
     }
@@ -93,7 +93,7 @@ fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u:
     });
 }
 
-/// A hood over a basket on a steel table, or a low one with a door.
+/// A hood over a basket on a steel table, or a low machine with a door.
 pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.64]);
     let (x, y, h) = spans(b);
@@ -118,7 +118,7 @@ pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
     let lift = (h - table) * 0.45;
     let tray = BLUE_PLASTIC;
     basket(b, "rack_1", low, [high[0], high[1], table + 0.05 * u], 0.008 * u, tray);
-    // The hood rises along the masts; the basket beneath is free then.
+    // The hood rises along the masts and uncovers the basket.
     let hood = ([-x + 0.05 * u, -y, table + 0.003 * u], [face, y, h - lift - 0.01 * u]);
     b.jointed(JointKind::Slide, hood.0, [0.0, 0.0, 1.0], (0.0, lift), |b| {
         let t = 0.012 * u;
@@ -135,7 +135,7 @@ pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
     });
 }
 
-/// Under a counter: a glass washer.
+/// An undercounter glass washer.
 fn low_dishwasher(b: &mut Build<'_>, u: f32, feet: f32) {
     let (x, y, h) = spans(b);
     let (face, wall) = (x - 0.035 * u, 0.03 * u);
@@ -161,12 +161,12 @@ fn low_dishwasher(b: &mut Build<'_>, u: f32, feet: f32) {
     });
 }
 
-/// A drum behind a round door, a drawer for soap, a dial.
+/// A washing machine: a drum behind a round door, a detergent drawer, a dial.
 pub(super) fn washing_machine(b: &mut Build<'_>) {
     drum_machine(b, true);
 }
 
-/// A drum behind a round door, a drawer for water, a dial.
+/// A dryer: a drum behind a round door, a drawer for water, a dial.
 pub(super) fn dryer(b: &mut Build<'_>) {
     drum_machine(b, false);
 }
@@ -184,7 +184,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     let strip = h - b.vary(0.11, 0.13) * u;
     let (middle, radius) = (feet + (strip - feet) * 0.53, (y * 0.55).min((strip - feet) * 0.36));
     let plate = face - 0.02 * u;
-    // The case, its front with a hole before the drum.
+    // The case, its front with a hole in front of the drum.
     case(b, [-x, -y, feet], [plate, y, strip], wall, body);
     let side = radius * 0.86;
     let front = ([plate, -y, feet], [face, y, strip]);

@@ -9,7 +9,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, spline};
 use crate::material::*;
 
-/// A carton whose four flaps open outwards; taped, with marks printed on it.
+/// A taped carton whose four flaps open outwards, with printed marks.
 pub(super) fn carton(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let plain = b.class == "box" && b.rng.chance(0.35);
@@ -46,7 +46,7 @@ pub(super) fn carton(b: &mut Build<'_>) {
     }
 }
 
-/// A box with a lid that lifts off on a hinge.
+/// A box with a hinged lid.
 fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
     let (x, y, h) = room(b);
     let rim = h * b.vary(0.72, 0.85);
@@ -65,7 +65,7 @@ fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
     b.block("label", [x - 1.5 * t, -y * 0.3, rim * 0.35], [x - 0.9 * t, y * 0.3, rim * 0.65], CREAM_PAPER);
 }
 
-/// A plastic box with a lid, clips at its sides and a grip rim.
+/// A plastic box with a lid, clips at the sides and a grip rim.
 pub(super) fn storage(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[CLEAR_PLASTIC, CLEAR_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]);
@@ -132,7 +132,7 @@ pub(super) fn gift(b: &mut Build<'_>) {
     });
 }
 
-/// A basket: woven of rods around stakes, or of slatted plastic; with handles.
+/// A basket: rods woven around stakes, or slatted plastic; with handles.
 pub(super) fn basket(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let laundry = b.class == "laundry_basket";
@@ -161,7 +161,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
         let z = r + (rim - r) * i as f32 / (rows - 1) as f32;
         weave.hoop(&ring(z, 0.0), r * if i + 1 == rows { 1.0 } else { 0.8 });
     }
-    // Of a wall as thick as the weave.
+    // Collision geometry with a wall as thick as the weave.
     let wall = |out: f32| [ring(r * 0.2, out), ring(rim, out), ring(rim, -r * 0.7), ring(r, -r * 0.7)];
     b.seen(|b| {
         weave.put(b, "weave", mat);
@@ -181,7 +181,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
         let accent = b.one(&[mat, BROWN_LEATHER, JUTE]);
         shell.put(b, "handle", accent);
     } else if laundry {
-        // About the upper edge of its back, so that an open lid stays clear of the wall behind.
+        // Hinged at the upper edge of its back, so that an open lid stays clear of the wall behind.
         b.hinge([r * 0.15 - x, 0.0, h], [0.0, -1.0, 0.0], 1.5, |b| {
             let low = rim + r * 0.9;
             loft(
@@ -195,7 +195,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
     }
 }
 
-/// A crate of slats; with bottle compartments if of plastic.
+/// A crate of slats; a plastic one has bottle compartments.
 pub(super) fn crate_box(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let plastic = b.rng.chance(0.35);

@@ -1,4 +1,4 @@
-//! Candles and what they stand in.
+//! Candles and candle holders.
 
 use std::f32::consts::TAU;
 
@@ -81,7 +81,7 @@ pub(super) fn candle(b: &mut Build<'_>) {
     }
 }
 
-/// Wax that ran down.
+/// Wax drips.
 fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
     let count = b.rng.count(0, 4);
     let mut shell = Shell::default();
@@ -109,8 +109,7 @@ pub(super) fn tealight(b: &mut Build<'_>) {
     wick(b, [0.0, 0.0, tin * 0.86], h - tin * 0.86);
 }
 
-/// A candle holder: a turned stick, a plate with a grip, or a branched one; with
-/// candles in it.
+/// A candle holder with candles: a turned stick, a plate with a grip, or a branched one.
 pub(super) fn candlestick(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let metal = b.one(&[b.style.metal, BRASS, IRON, SILVER_METAL, b.style.wood, PORCELAIN]);

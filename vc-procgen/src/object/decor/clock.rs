@@ -8,7 +8,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, blocks, hoop, ngon, oval, room, tube};
 use crate::material::*;
 
-/// A dial that faces +X: plate, marks and hands. It stands out by `depth`.
+/// A dial facing +X: plate, marks and hands, protruding by `depth`.
 pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (Mat, Mat)) {
     let (plate, ink) = mats;
     b.prism("dial", Axis::X, at, &ngon((r, r), 32), depth * 0.35, plate);
@@ -31,7 +31,7 @@ pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats
     b.prism("hub", Axis::X, [at[0] + depth * 0.3, at[1], at[2]], &ngon((r * 0.075, r * 0.075), 10), depth * 0.7, ink);
 }
 
-/// Dial and ink of a clock.
+/// The materials of a clock's dial and hands.
 fn faces(b: &mut Build<'_>) -> (Mat, Mat) {
     b.one(&[
         (WHITE_PAPER, BLACK_PLASTIC),
@@ -156,7 +156,7 @@ pub(super) fn alarm(b: &mut Build<'_>) {
     b.rod("hammer", [0.0, 0.0, crown - 0.1 * r], [0.0, 0.0, crown + dome * 0.7], r * 0.06, CHROME);
 }
 
-/// Segments of a digit: upper and lower right and left, then top, middle, bottom.
+/// The segments of a digit: upper and lower right and left, then top, middle, bottom.
 const DIGITS: [[bool; 7]; 10] = {
     const fn bits(v: u8) -> [bool; 7] {
         [v & 64 > 0, v & 32 > 0, v & 16 > 0, v & 8 > 0, v & 4 > 0, v & 2 > 0, v & 1 > 0]

@@ -7,7 +7,7 @@ use super::super::textile::form::{blocks, facing, sheet};
 use super::picture::{Canvas, Inks, motif};
 use crate::material::*;
 
-/// A frame around a picture; on a shelf it leans on a strut, if its size is deep.
+/// A frame around a picture; a deep one leans on a strut, for a shelf.
 pub(super) fn frame(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let deep = t > h * 0.2 && t > 0.03;
@@ -29,7 +29,7 @@ pub(super) fn frame(b: &mut Build<'_>) {
     });
 }
 
-/// Frame, mat, picture and pane; its base centre at `at`.
+/// Frame, mat, picture and pane, with the centre of the base at `at`.
 fn framed(b: &mut Build<'_>, at: P, t: f32, w: f32, h: f32) {
     let digital = b.class == "digital_photo_frame";
     let painting = b.class == "painting";

@@ -104,13 +104,12 @@ pub(super) fn bracelet(b: &mut Build<'_>) {
     few.put(b, "bead", second);
 }
 
-/// A wrist watch, its strap closed in a loop that stands on its edge; the dial looks
-/// to the front.
+/// A wrist watch with its strap closed in a loop that stands on its edge; the dial faces the front.
 pub(super) fn watch(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let smart = b.class == "smart_watch";
     let strap = b.one(&[BROWN_LEATHER, BLACK_LEATHER, STEEL, NAVY_FABRIC, RUBBER, TAN_LEATHER]);
-    // Full of metal a smart watch would be too heavy for its strap.
+    // If it were solid metal, a smart watch would be too heavy for its strap.
     let cases: &[Mat] =
         if smart { &[BLACK_PLASTIC, GREY_PLASTIC, ANTHRACITE] } else { &[STEEL, GOLD, BLACK_METAL, SILVER_METAL] };
     let case = b.one(cases);
@@ -132,7 +131,7 @@ pub(super) fn watch(b: &mut Build<'_>) {
     shell.put(b, "strap", strap);
     let (back, front) = (x - 3.0 * t, x);
     let r = (wide * 0.92).min(h * if smart { 0.33 } else { 0.44 });
-    // Of steel, so that it weighs as much behind as the case does in front.
+    // Steel, so that the clasp balances the case.
     b.block("clasp", [-x, -half * 0.7, h / 2.0 - 3.0 * t], [1.4 * t - x, half * 0.7, h / 2.0 + 3.0 * t], STEEL);
     if smart {
         b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.8, r, h / 2.0 + r], r * 0.3, case);

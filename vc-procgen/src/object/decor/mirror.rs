@@ -11,7 +11,7 @@ pub(super) fn wall(b: &mut Build<'_>) {
     facing(b, pane);
 }
 
-/// A framed pane whose base centre is the origin.
+/// A framed pane with the centre of its base at the origin.
 fn pane(b: &mut Build<'_>, t: f32, w: f32, h: f32) {
     let frame = b.one(&[b.style.wood, b.style.metal, GOLD, WHITE, BLACK, WALNUT]);
     let bar = w.min(h) * b.vary(0.02, 0.08);
@@ -80,7 +80,7 @@ pub(super) fn standing(b: &mut Build<'_>) {
     b.at([0.0, 0.0, low], 0.0, |b| pane(b, t, w, tall));
 }
 
-/// A mirror with a handle to hold, or a small one on a foot.
+/// A hand mirror, or a small mirror on a foot.
 pub(super) fn hand(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let frame = b.one(&[b.style.metal, GOLD, CHROME, PINK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, b.style.wood]);

@@ -1,4 +1,4 @@
-//! Sculptures, figurines, things for feasts, and other ornaments.
+//! Sculptures, figurines, festive decoration and other ornaments.
 
 use std::f32::consts::TAU;
 
@@ -255,7 +255,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
     b.prism("star", Axis::X, [-size * 0.06, 0.0, h - size * 0.52], &star, size * 0.12, GOLD);
 }
 
-/// A pair of bookends' one: an angle with a letter, a ball or a horse's head.
+/// A bookend: an angle with a letter, a ball or a horse's head.
 pub(super) fn bookend(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let mat = b.one(&[IRON, MARBLE, b.style.wood, BRASS, BLACK_GRANITE]);
@@ -283,7 +283,7 @@ pub(super) fn bookend(b: &mut Build<'_>) {
     }
 }
 
-/// A pig to save coins in, with a slot in its back.
+/// A piggy bank with a slot in its back.
 pub(super) fn piggy_bank(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let skin = b.one(&[PINK_PLASTIC, PORCELAIN, BLUE_GLAZE, PINK_PLASTIC]);
@@ -384,7 +384,7 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
     b.block("lamp", [-x * 0.3, -iy * 0.9, rim - t], [x * 0.3, iy * 0.9, rim + t * 0.5], COOL_BULB);
 }
 
-/// An aroma diffuser: a drop of wood or glaze with a glowing ring.
+/// An aroma diffuser: a drop shape of wood or glaze with a glowing ring.
 pub(super) fn diffuser(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = x.min(y);
@@ -430,7 +430,7 @@ pub(super) fn ashtray(b: &mut Build<'_>) {
     rests.put(b, "rest", mat);
 }
 
-/// A globe with land on its seas, tilted in a half ring.
+/// A globe with continents, tilted in a half ring.
 pub(super) fn globe(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let stand = b.one(&[b.style.wood, BRASS, BLACK_PLASTIC, b.style.metal]);

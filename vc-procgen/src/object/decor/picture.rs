@@ -1,35 +1,36 @@
-//! Pictures: on screens, canvases, covers and cards, of flat panels in layers.
+//! Pictures on screens, canvases, covers and cards, built from flat panels in layers.
 
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::ngon;
 use crate::material::*;
 
-/// Half the width and height of a picture, and how far its layers are apart.
+/// Half the width and height of a picture, and the distance between its layers.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::object) struct Canvas {
     pub(in crate::object) half: (f32, f32),
     pub(in crate::object) step: f32,
 }
 
-/// What a picture is painted with.
+/// The colours of a picture.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::object) struct Inks {
-    /// Background, land, what catches the eye, what is dark.
+    /// Background, land, accent, and dark parts.
     sky: Mat,
     land: Mat,
     sun: Mat,
     dark: Mat,
-    /// Faces, of which one is drawn, and every second flower.
+    /// The colours of faces, one of which is drawn, and of every second flower.
     faces: [Mat; 3],
     flower: Mat,
 }
 
-/// Faces and flowers of pictures that are no screen's.
+/// The colours of faces and flowers in pictures that are not on screens.
 const FACES: [Mat; 3] = [SKIN, BROWN_SKIN, EGGSHELL];
 const FLOWER: Mat = PETAL_PINK;
 
 impl Inks {
-    /// A picture of light: on a screen that is on. All of it is dark when the screen is off.
+    /// A picture on a screen, visible while the screen is on. All of it is dark when the screen is
+    /// off.
     pub(in crate::object) fn screen() -> Self {
         let (sky, land, sun, dark) = (PICTURE_SKY, PICTURE_LAND, PICTURE_SUN, PICTURE_DARK);
         Self { sky, land, sun, dark, faces: [sun; 3], flower: sun }
@@ -65,7 +66,7 @@ impl Inks {
     }
 }
 
-/// A picture in the making: points are in -1..1 of its half width and height.
+/// A picture under construction: points are in -1..1 of its half width and height.
 struct Brush<'a, 'b> {
     b: &'a mut Build<'b>,
     canvas: Canvas,
@@ -87,7 +88,7 @@ impl Brush<'_, '_> {
         self.fill(layer, &[(u0, v0), (u1, v0), (u1, v1), (u0, v1)], mat);
     }
 
-    /// A disc; its radius is a share of the narrower half side.
+    /// A disc; its radius is relative to the shorter half side.
     fn disc(&mut self, layer: usize, (u, v): (f32, f32), radius: f32, mat: Mat) {
         let (w, h) = self.canvas.half;
         let r = radius * w.min(h);
@@ -107,8 +108,8 @@ impl Brush<'_, '_> {
     }
 }
 
-/// Paints a picture that faces +X, centred at a point of the plane behind it. It
-/// stands out by three steps at most.
+/// Paints a picture facing +X, centred at a point of the plane behind it. It protrudes by at most
+/// three steps.
 pub(in crate::object) fn motif(b: &mut Build<'_>, canvas: Canvas, at: P, inks: Inks) {
     let kind = b.rng.below(8);
     let mut brush = Brush { b, canvas, at };

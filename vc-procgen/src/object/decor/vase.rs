@@ -1,4 +1,4 @@
-//! Vases and what stands in the middle of tables.
+//! Vases and table centrepieces.
 
 use vc_graph::portable::Portable;
 
@@ -22,7 +22,7 @@ const GLAZES: [Mat; 13] = [
     BRASS,
 ];
 
-/// Outlines of vases: radius and height, both as shares.
+/// The outlines of vases: relative radius and height.
 const OUTLINES: [&[(f32, f32)]; 8] = [
     &[(0.5, 0.0), (0.75, 0.15), (1.0, 0.4), (0.9, 0.62), (0.5, 0.82), (0.38, 0.92), (0.5, 1.0)],
     &[(0.85, 0.0), (1.0, 0.06), (1.0, 0.96), (0.97, 1.0)],
@@ -59,7 +59,7 @@ pub(super) fn vase(b: &mut Build<'_>) {
     }
 }
 
-/// The outline with its corners cut twice (Chaikin), its ends kept.
+/// The outline with its corners cut twice (Chaikin), keeping its ends.
 fn smooth(wall: &[(f32, f32)]) -> Vec<(f32, f32)> {
     let mut line = wall.to_vec();
     for _ in 0..2 {
@@ -73,13 +73,13 @@ fn smooth(wall: &[(f32, f32)]) -> Vec<(f32, f32)> {
     line
 }
 
-/// How wide the outline is at a height.
+/// The radius of the outline at a height.
 fn radius_at(wall: &[(f32, f32)], z: f32) -> f32 {
     let pair = wall.windows(2).find(|w| z <= w[1].1);
     pair.map_or(0.0, |w| w[0].0 + (w[1].0 - w[0].0) * (z - w[0].1) / (w[1].1 - w[0].1).max(1e-6))
 }
 
-/// A vase with flat sides, open above.
+/// A vase with flat sides, open at the top.
 fn faceted(b: &mut Build<'_>, wall: &[(f32, f32)], t: f32, mat: Mat) {
     let n = b.one(&[4, 6, 8]);
     let twist = b.vary(0.0, 0.25);

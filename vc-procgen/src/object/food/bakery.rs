@@ -1,4 +1,4 @@
-//! Bread and what is baked of its dough.
+//! Bread and other baked dough.
 
 use std::f32::consts::TAU;
 
@@ -8,7 +8,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{boulder, dims, loft, lump, oval, sweep};
 use crate::material::*;
 
-/// The section of a loaf: flat below, round above.
+/// The section of a loaf: flat bottom, round top.
 const SLICE: [(f32, f32); 12] = [
     (-0.85, 0.0),
     (0.85, 0.0),
@@ -94,7 +94,7 @@ pub(super) fn loaf(b: &mut Build<'_>) {
     scores(b, cuts, (hx, hy), z, CRUMB);
 }
 
-/// Half a body of ellipses along Y, flat below: bread that was baked on a sheet.
+/// Half an elliptical body along Y with a flat bottom, as of bread baked on a sheet.
 fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f32, profile: &[(f32, f32)], mat: Mat) {
     let (mx, hx) = (f32::midpoint(low[0], high[0]), (high[0] - low[0]) / 2.0);
     let ring = |&(r, k): &(f32, f32)| {
@@ -108,7 +108,7 @@ fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f3
     loft(b, name, &rings, mat);
 }
 
-/// Slanted cuts in a crust.
+/// Slanted scores in a crust.
 fn scores(b: &mut Build<'_>, count: usize, (hx, hy): (f32, f32), z: f32, mat: Mat) {
     for i in 0..count {
         let at = hy * 1.3 * ((i as f32 + 0.5) / count as f32 - 0.5);
@@ -219,7 +219,7 @@ pub(super) fn donut(b: &mut Build<'_>) {
     ring_bread(b, CRUST);
 }
 
-/// A slice of bread lying flat, its crust around it.
+/// A slice of bread lying flat, with crust around it.
 pub(super) fn bread_slice(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let toast = b.rng.chance(0.35);
@@ -229,7 +229,7 @@ pub(super) fn bread_slice(b: &mut Build<'_>) {
     b.prism("crumb", Axis::Z, [0.0, 0.0, z * 0.1], &inner, z * 0.9, if toast { CRUST } else { CRUMB });
 }
 
-/// A croissant: a bent roll of steps, thick in the middle.
+/// A croissant: a bent, stepped roll, thick in the centre.
 pub(super) fn croissant(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[CRUST, CRUST, MUSTARD]);
@@ -252,7 +252,7 @@ pub(super) fn croissant(b: &mut Build<'_>) {
     }
 }
 
-/// Flat round things in a stack: tortillas, pancakes.
+/// Flat round food in a stack: tortillas, pancakes.
 pub(super) fn stack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -280,7 +280,7 @@ pub(super) fn stack(b: &mut Build<'_>) {
     }
 }
 
-/// Dough in a lump, or rolled on itself.
+/// A lump of dough, or dough rolled up.
 pub(super) fn dough(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     boulder(b, "dough", ([0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0]), 0.04, (20, 12), CREAM_FOOD);
@@ -291,7 +291,7 @@ pub(super) fn pretzel(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (z * 0.45).min(x * 0.1);
     let (hx, hy) = (x / 2.0 - r, y / 2.0 - r);
-    // From one end over the cross and round both loops to the other end.
+    // The path runs from one end over the crossing and round both loops to the other end.
     let half = [
         (0.35, -0.7),
         (0.12, -0.25),

@@ -1,4 +1,4 @@
-//! Dishes: what is cooked or put together, with the plate, bowl or cup it is in.
+//! Cooked or assembled dishes with their plate, bowl or cup.
 
 use std::f32::consts::TAU;
 
@@ -11,7 +11,7 @@ use super::super::kitchenware::form::{
 use super::fruit::berry;
 use crate::material::*;
 
-/// A plate that fills the plan, and the height of its floor.
+/// Builds a plate that fills the footprint and returns the height of its floor.
 fn plate(b: &mut Build<'_>, z: f32) -> f32 {
     let (x, y, _) = dims(b);
     let mat = b.style.crockery;
@@ -31,7 +31,7 @@ fn plate(b: &mut Build<'_>, z: f32) -> f32 {
     t
 }
 
-/// A deep bowl that fills the plan up to `h`, with a content whose surface is at `fill`.
+/// A deep bowl that fills the footprint up to height `h`, with content whose surface is at `fill`.
 fn bowl(b: &mut Build<'_>, h: f32, fill: f32, content: Mat) {
     let (x, y, _) = dims(b);
     let mat = b.style.crockery;
@@ -182,7 +182,7 @@ pub(super) fn pizza(b: &mut Build<'_>) {
     }
 }
 
-/// Layers between two slices of toast, cut corner to corner or not.
+/// Layers between two slices of toast, cut along the diagonal or whole.
 pub(super) fn sandwich(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -195,7 +195,7 @@ pub(super) fn sandwich(b: &mut Build<'_>) {
         (0.74, 1.0, 0.97, CRUST, "bread"),
     ];
     let triangle = b.rng.chance(0.5);
-    // Towards the middle of the triangle.
+    // Layers shift towards the centre of the triangle.
     let shift = if triangle { 0.05 } else { 0.0 };
     for (low, high, k, mat, name) in layers {
         let plan = if triangle {
@@ -320,7 +320,7 @@ pub(super) fn sushi(b: &mut Build<'_>) {
     }
 }
 
-/// Layers of pasta and sauce in an oblong dish.
+/// Layers of pasta and sauce in a rectangular dish.
 pub(super) fn lasagna(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -349,7 +349,7 @@ pub(super) fn lasagna(b: &mut Build<'_>) {
     }
 }
 
-/// Chips of potato in a heap, on a plate or in a paper bag.
+/// Potato chips in a heap, on a plate or in a paper bag.
 pub(super) fn french_fries(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -381,7 +381,7 @@ pub(super) fn french_fries(b: &mut Build<'_>) {
     }
 }
 
-/// Hot and cold drinks: a glass or a cup that is full.
+/// Hot and cold drinks: a full glass or cup.
 pub(super) fn drink(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -454,7 +454,7 @@ pub(super) fn ice(b: &mut Build<'_>) {
     b.soft("ice", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z], round, FROSTED_GLASS);
 }
 
-/// A bag of tea with its string and label, upright.
+/// An upright tea bag with its string and label.
 pub(super) fn tea_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);

@@ -1,4 +1,4 @@
-//! Fruit and vegetables that are one body, round or long, with a stalk or leaves.
+//! Fruit and vegetables with a single round or long body and a stalk or leaves.
 
 use std::f32::consts::TAU;
 
@@ -133,23 +133,23 @@ const BELL: Profile = &[
     (0.0, 0.9),
 ];
 
-/// What sits on top.
+/// The end piece on top of a body.
 #[derive(Clone, Copy, PartialEq)]
 enum Top {
     Bare,
-    /// A dot where the stalk was.
+    /// A dot in place of the stalk.
     Dot,
-    /// A short stalk, with a leaf or without.
+    /// A short stalk, with or without a leaf.
     Stalk,
     /// A green star.
     Star,
     /// A tuft of long leaves.
     Tuft,
-    /// Thick green where it was cut, towards +Y.
+    /// A thick green cut end towards +Y.
     Cap,
 }
 
-/// Its outline, its colours, whether it lies along Y and what is on top.
+/// The outline, colours and end piece of a body, and whether it lies along Y.
 fn sort(class: &str) -> (Profile, &'static [Mat], bool, Top) {
     match class {
         "apple" => (APPLE, &[RED_SKIN, RED_SKIN, GREEN_SKIN, YELLOW_SKIN], false, Top::Stalk),
@@ -186,7 +186,7 @@ fn sort(class: &str) -> (Profile, &'static [Mat], bool, Top) {
     }
 }
 
-/// Fruit, roots and vegetables of one body.
+/// Fruit, roots and vegetables with a single body.
 pub(super) fn single(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (profile, skins, lying, top) = sort(b.class);
@@ -223,7 +223,7 @@ pub(super) fn single(b: &mut Build<'_>) {
     crown(b, top, end, lying, skin);
 }
 
-/// What sits on top of a fruit at `end`.
+/// Builds the end piece of a fruit at `end`.
 fn crown(b: &mut Build<'_>, top: Top, end: P, lying: bool, skin: Mat) {
     let (x, y, z) = dims(b);
     let r = x.min(if lying { z } else { y }) / 2.0;
@@ -294,7 +294,7 @@ fn crown(b: &mut Build<'_>, top: Top, end: P, lying: bool, skin: Mat) {
     }
 }
 
-/// Leaves that spread from where a root or a pineapple ends.
+/// Leaves that spread from the end of a root or a pineapple.
 fn tuft(b: &mut Build<'_>, end: P, lying: bool, r: f32) {
     let (_, y, z) = dims(b);
     let length = if lying { y / 2.0 - end[1] } else { z - end[2] };
@@ -305,7 +305,7 @@ fn tuft(b: &mut Build<'_>, end: P, lying: bool, r: f32) {
         let spread = r * 0.85 * (i as f32 / count as f32).sqrt();
         let reach = length * (1.0 - 0.45 * i as f32 / count as f32);
         let w = r * 0.14;
-        // Along the axis k, out to the side m.
+        // `k` runs along the axis, `m` sideways.
         let at = |k: f32, m: f32, turn: f32| {
             let (u, v) = (m * c - turn * s, m * s + turn * c);
             if lying { [u, end[1] - r * 0.1 + k, (z / 2.0 + v).max(0.0).min(z)] } else { [u, v, end[2] - r * 0.1 + k] }
@@ -346,7 +346,7 @@ fn knobs(b: &mut Build<'_>, (hx, hy): (f32, f32), high: f32) {
     }
 }
 
-/// The light stripes of a watermelon: thin shells that bulge out of its skin.
+/// The light stripes of a watermelon: thin shells slightly outside its skin.
 fn stripes(b: &mut Build<'_>, (low, high): (P, P), profile: &[(f32, f32)]) {
     let half = [0, 1, 2].map(|i| (high[i] - low[i]) / 2.0);
     for i in 0..7 {
@@ -366,14 +366,14 @@ fn stripes(b: &mut Build<'_>, (low, high): (P, P), profile: &[(f32, f32)]) {
     }
 }
 
-/// A strip along a body: four lines of points, round about.
+/// A strip along a body: four lines of points around the axis.
 fn strip(b: &mut Build<'_>, lines: &[Vec<P>; 4]) {
     let n = lines[0].len();
     let rings: Vec<Vec<P>> = (0..n).map(|i| lines.iter().map(|l| l[i]).collect()).collect();
     loft(b, "stripe", &rings, LIGHT_LEAF);
 }
 
-/// The cloves of a bulb of garlic.
+/// The cloves of a garlic bulb.
 fn cloves(b: &mut Build<'_>, (hx, hy): (f32, f32), high: f32) {
     for i in 0..6 {
         let (s, c) = (TAU * i as f32 / 6.0).sine_cosine();
@@ -382,7 +382,7 @@ fn cloves(b: &mut Build<'_>, (hx, hy): (f32, f32), high: f32) {
     }
 }
 
-/// Potatoes and ginger: lumps.
+/// Lumpy potatoes and ginger.
 pub(super) fn root(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let skin = b.one(&[BROWN_SKIN, CRUST, HAY]);
@@ -394,7 +394,7 @@ pub(super) fn root(b: &mut Build<'_>) {
     lump(b, "knob", [-x * 0.24, -y * 0.12, z * 0.42], [x * 0.25, y * 0.16, z * 0.36], 0.1, skin);
 }
 
-/// Bananas, alone or some of a hand, bent and lying on their side.
+/// A single banana or several of a bunch, bent and lying on their side.
 pub(super) fn banana(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let skin = b.one(&[YELLOW_SKIN, YELLOW_SKIN, PETAL_YELLOW, GREEN_SKIN]);
@@ -425,7 +425,7 @@ pub(super) fn banana(b: &mut Build<'_>) {
     }
 }
 
-/// Grapes and other berries: balls heaped up, on stalks or in a bowl's shape.
+/// Grapes and other berries: heaped balls, on stalks or in the shape of a bowl.
 pub(super) fn cluster(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (mat, taper): (&[Mat], bool) = match b.class {
@@ -441,7 +441,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0 - r, y / 2.0 - r);
     let lift = if cherries { 0.0 } else { z - 2.0 * r };
     if !cherries {
-        // What is under the berries that show.
+        // Filler under the visible berries.
         let narrow = if taper { 0.75 } else { 0.95 };
         lump(b, "berries", [0.0, 0.0, r + lift * 0.35], [hx * narrow, hy, r + lift * 0.35], 0.05, mat);
     }
@@ -454,7 +454,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
         let at = [hx * out * c * narrow, hy * out * s, r + rise];
         berry(b, at, r, mat);
         if cherries {
-            // Two and two hang together, and all at one twig.
+            // Berries hang in pairs, and all pairs on one stem.
             let far = [0.0, 0.0, z - r * 0.1];
             b.rod("stalk", [at[0], at[1], at[2] + r * 0.8], far, r * 0.07, LEAF);
         }
@@ -472,7 +472,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
     }
 }
 
-/// A small ball of few sides.
+/// A small ball with few faces.
 pub(in crate::object) fn berry(b: &mut Build<'_>, centre: P, r: f32, mat: Mat) {
     let profile: Vec<_> = [(0.0, -1.0), (0.62, -0.78), (0.95, -0.3), (0.95, 0.3), (0.62, 0.78), (0.0, 1.0)]
         .iter()

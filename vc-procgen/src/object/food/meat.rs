@@ -1,4 +1,4 @@
-//! Meat, fish, cheese and what else comes in slabs and slices.
+//! Meat, fish, cheese and other food in slabs and slices.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{boulder, dims, loft, lump, rounded, spun, sweep, tub, tube};
 use crate::material::*;
 
-/// An irregular slab: an outline with its edges rounded.
+/// An irregular slab: an outline with rounded edges.
 fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: P, mat: Mat) {
     let ring = |k: f32, z: f32| {
         outline
@@ -92,7 +92,7 @@ pub(super) fn steak(b: &mut Build<'_>) {
     }
 }
 
-/// Roasts: a thick roll of meat tied with string, on a board of fat.
+/// Roasts: a thick roll of meat tied with string, on a layer of fat.
 pub(super) fn roast(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy, hz) = (x / 2.0, y / 2.0, z / 2.0);
@@ -124,7 +124,7 @@ pub(super) fn roast(b: &mut Build<'_>) {
     }
 }
 
-/// A bird: plucked and raw or roast, its legs towards +Y; or pieces of one.
+/// Poultry: plucked and raw or roasted, its legs towards +Y; or pieces of it.
 pub(super) fn bird(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -195,7 +195,7 @@ fn leg_pieces(b: &mut Build<'_>, mat: Mat) {
     }
 }
 
-/// Bacon, ham and fish fingers: slices or sticks in a row, overlapping.
+/// Bacon, ham and fish fingers: overlapping slices or sticks in a row.
 pub(super) fn slices(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -255,14 +255,14 @@ pub(super) fn slices(b: &mut Build<'_>) {
     }
 }
 
-/// Sausages: bent and plump, a salami with its skin and cut end.
+/// Sausages: bent and plump ones, or a salami with its skin and cut end.
 pub(super) fn sausage(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let salami = b.class == "salami";
     let mat =
         if salami { b.one(&[RED_SKIN, PALE_FLESH, COOKED_MEAT]) } else { b.one(&[COOKED_MEAT, CRUST, MEAT, SKIN]) };
     let full = (z / 2.0).min(x * 0.5);
-    // Strings lie around a salami.
+    // Strings wrap around a salami.
     let r = if salami { full * 0.97 } else { full };
     let bow = (x / 2.0 - full).max(0.0);
     let at = |k: f32, r: f32| ([bow * (1.0 - 2.0 * (2.0 * k - 1.0).raised(2)), y * (k - 0.5), z / 2.0], r, r);
@@ -432,7 +432,7 @@ pub(super) fn tofu(b: &mut Build<'_>) {
     b.block("cut", [-x * 0.5, y * cut, z * 0.2], [x * 0.5, y * cut + y * 0.008, z], PALE_FLESH);
 }
 
-/// Cheese: a wedge with holes, a round with a wedge out of it, or a block with a rind.
+/// Cheese: a wedge with holes, a round with a wedge cut out, or a block with a rind.
 pub(super) fn cheese(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -450,7 +450,7 @@ pub(super) fn cheese(b: &mut Build<'_>) {
             );
             b.block("rind", [-hx, -hy, 0.0], [hx, -hy * 0.88, z], rind);
             for (k, u, r) in [(0.1, 0.3, 0.16), (-0.5, 0.6, 0.2), (0.45, 0.55, 0.12), (-0.2, 0.25, 0.1)] {
-                // Holes show on the cut that faces +X.
+                // Holes are visible on the cut that faces +X.
                 let (px, py) = (hx * (0.5 - 0.5 * k), hy * (0.05 + 0.95 * k));
                 let n = [hy * 1.9, hx];
                 let length = (n[0] * n[0] + n[1] * n[1]).sqrt().max(1e-6);

@@ -1,5 +1,4 @@
-//! Food as it is eaten or cooked, without a package: fruit, vegetables, meat, bread and
-//! cakes, dishes and drinks in cups.
+//! Unpackaged food: fruit, vegetables, meat, bread and cakes, dishes and drinks in cups.
 
 mod bakery;
 mod dish;

@@ -7,7 +7,7 @@ use crate::material::*;
 use std::f32::consts::TAU;
 use vc_graph::portable::Portable;
 
-/// A layer cake with icing, cream and berries, or candles; some with a slice out.
+/// A layer cake with icing, cream and berries, or candles; sometimes with a slice cut out.
 pub(super) fn cake(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -35,7 +35,7 @@ pub(super) fn cake(b: &mut Build<'_>) {
         };
         b.prism("icing", Axis::Z, [0.0, 0.0, h * 0.01], &sector(1.0), h * 0.99, icing);
         for i in 0..3 {
-            // Layers show in the cut.
+            // Layers are visible in the cut.
             b.prism("layer", Axis::Z, [r * 0.012, 0.0, h * (0.04 + 0.3 * i as f32)], &sector(0.95), h * 0.24, crumb);
         }
     }
@@ -132,7 +132,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
     }
 }
 
-/// A pie: a crimped crust, a filling, a lattice.
+/// A pie: a crimped crust, a filling and a lattice.
 pub(super) fn pie(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -230,7 +230,7 @@ pub(super) fn waffle(b: &mut Build<'_>) {
     }
 }
 
-/// A ball or a disc of sugar on a stick, standing on its end.
+/// A ball or a disc of sugar on an upright stick.
 pub(super) fn lollipop(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -246,7 +246,7 @@ pub(super) fn lollipop(b: &mut Build<'_>) {
     hoop(b, "swirl", (centre - r * 0.15, centre + r * 0.15), (r * 0.9, r), other);
 }
 
-/// Scoops with a wafer in a cup.
+/// Scoops of ice cream with a wafer in a cup.
 pub(super) fn ice_cream(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -296,7 +296,7 @@ pub(super) fn ice_cream(b: &mut Build<'_>) {
     );
 }
 
-/// A pudding turned out on a plate, with sauce.
+/// A pudding on a plate, with sauce.
 pub(super) fn pudding(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;

@@ -1,4 +1,4 @@
-//! Vegetables of many parts: heads of leaves and florets, sticks, pods and mushrooms.
+//! Vegetables with many parts: heads of leaves and florets, sticks, pods and mushrooms.
 
 use std::f32::consts::TAU;
 
@@ -31,7 +31,7 @@ pub(super) fn florets(b: &mut Build<'_>) {
     }
 }
 
-/// Leaves that stand around a head, from its foot up and outwards.
+/// Leaves around a head, growing upwards and outwards from its base.
 fn leaves(b: &mut Build<'_>, (hx, hy): (f32, f32), (low, high): (f32, f32), count: usize, mat: Mat) {
     for i in 0..count {
         let angle = TAU * i as f32 / count as f32 + b.vary(-0.1, 0.1);
@@ -80,7 +80,7 @@ pub(super) fn head(b: &mut Build<'_>) {
     }
 }
 
-/// Spinach and herbs: leaves lying on each other, herbs tied in a bunch along Y.
+/// Spinach and herbs: layered leaves; herbs are tied in a bunch along Y.
 pub(super) fn greens(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -134,7 +134,7 @@ pub(super) fn greens(b: &mut Build<'_>) {
     }
 }
 
-/// Leeks, spring onions and celery: white at one end, leaves at the other, along Y.
+/// Leeks, spring onions and celery along Y: white at one end, leaves at the other.
 pub(super) fn stalks(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy, mid) = (x / 2.0, y / 2.0, z / 2.0);
@@ -194,7 +194,7 @@ pub(super) fn stalks(b: &mut Build<'_>) {
     }
 }
 
-/// Peas and beans: pods side by side and on each other.
+/// Peas and beans: pods side by side and stacked.
 pub(super) fn pods(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -268,7 +268,7 @@ pub(super) fn corn(b: &mut Build<'_>) {
     tube(b, "stalk", &[[0.0, -hy * 0.985, z / 2.0], [0.0, -hy * 0.8, z / 2.0]], hx * 0.3, [1.0, 0.0, 0.0], LIGHT_LEAF);
 }
 
-/// A pumpkin of ribs around a stalk.
+/// A ribbed pumpkin with a stalk.
 pub(super) fn pumpkin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy, h) = (x / 2.0, y / 2.0, z * 0.85);

@@ -1,4 +1,4 @@
-//! What moves, cools, cleans and wets the air.
+//! Fans, air conditioners, air purifiers, humidifiers and dehumidifiers.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
 
-/// Sine and cosine of a place on a circle.
+/// The sine and cosine of a position on a circle.
 fn turn(i: usize, count: usize) -> (f32, f32) {
     (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sine_cosine()
 }
@@ -78,7 +78,7 @@ fn tower(b: &mut Build<'_>, u: f32, mat: Mat) {
     display(b, slim * 0.98, (-slim * 0.3, h * 0.92), (slim * 0.3, h * 0.95), COOL_BULB);
 }
 
-/// Blades around a motor on a rod, a light beneath.
+/// Blades around a motor on a rod, with a light beneath.
 pub(super) fn ceiling_fan(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 0.224]);
     let (x, y, h) = spans(b);
@@ -137,7 +137,7 @@ pub(super) fn extractor_fan(b: &mut Build<'_>) {
     }
 }
 
-/// A long case on the wall with a flap for the air.
+/// A long case on the wall with a flap for the air flow.
 pub(super) fn air_conditioner(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);

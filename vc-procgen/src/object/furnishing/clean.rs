@@ -9,7 +9,7 @@ fn case_mat(b: &mut Build<'_>) -> Mat {
     b.one(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, PURPLE_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC])
 }
 
-/// A sledge with wheels and a hose, or an upright with a handle.
+/// A canister with wheels and a hose, or an upright with a handle.
 pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.192]);
     let (x, y, h) = spans(b);
@@ -28,7 +28,7 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     }
     b.ball("castor", [x * 0.5, 0.0, h * 0.07], h * 0.07, BLACK_PLASTIC);
     b.rod("hub", [x * 0.5, 0.0, h * 0.07], [x * 0.5, 0.0, h * 0.2], h * 0.04, BLACK_PLASTIC);
-    // The hose rises in front and lies back over the body to its grip.
+    // The hose rises in front and runs back over the body to its grip.
     let t = 0.016 * u;
     let hose: [P; 6] = [
         [x * 0.7, 0.0, h * 0.5],
@@ -53,7 +53,7 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     b.cylinder("button", [-x * 0.65, -y * 0.4, top - 0.004 * u], h * 0.06, h * 0.04, RED_PLASTIC);
 }
 
-/// A wide foot, a bin of clear plastic, a handle.
+/// An upright vacuum cleaner: a wide foot, a clear plastic bin, a handle.
 fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
     let (x, y, h) = spans(b);
     let foot = h * 0.09;
@@ -185,7 +185,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
     );
 }
 
-/// A sole with a tip, a body with a handle, a dial and a tank.
+/// A soleplate with a tip, a body with a handle, a dial and a tank.
 pub(super) fn iron(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.088, 0.104]);
     let (x, y, h) = spans(b);

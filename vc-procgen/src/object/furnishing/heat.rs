@@ -140,7 +140,7 @@ pub(super) fn heater(b: &mut Build<'_>) {
             knobs(b, [face, 0.0, h * 0.87], y, 2, (h * 0.05).min(x * 0.1), (BLACK_PLASTIC, WHITE));
         }
         _ => {
-            // Quartz bars before a reflector.
+            // Quartz bars in front of a reflector.
             let wall = 0.02 * u;
             b.block("base", [-x, -y * 0.7, 0.0], [x, y * 0.7, foot], mat);
             case(b, [-x, -y, foot - 0.001 * u], [x * 0.5, y, h], wall, mat);
@@ -248,7 +248,7 @@ pub(super) fn fireplace(b: &mut Build<'_>) {
     glass_front(b, (front - 0.03 * u, front - 0.012 * u), (-side, hearth), (side, lintel));
 }
 
-/// Logs on a grate with flames, and the place they lie in.
+/// Logs on a grate with flames, and the bed they lie in.
 fn hearth_fire(b: &mut Build<'_>, (low, high): ([f32; 3], [f32; 3]), u: f32) {
     let (cx, w) = (f32::midpoint(low[0], high[0]) - 0.03 * u, (high[1] - low[1]) * 0.3);
     let cy = f32::midpoint(low[1], high[1]);
@@ -271,7 +271,7 @@ fn hearth_fire(b: &mut Build<'_>, (low, high): ([f32; 3], [f32; 3]), u: f32) {
     }
 }
 
-/// A framed pane before a fire, hinged at the left.
+/// A framed pane in front of a fire, hinged at the left.
 fn glass_front(b: &mut Build<'_>, (x0, x1): (f32, f32), low: (f32, f32), high: (f32, f32)) {
     let (dl, dh) = gapped([x0, low.0, low.1], [x1, high.0, high.1], 0.002);
     let w = (dh[1] - dl[1]).min(dh[2] - dl[2]) * 0.07;
@@ -289,7 +289,7 @@ fn glass_front(b: &mut Build<'_>, (x0, x1): (f32, f32), low: (f32, f32), high: (
     });
 }
 
-/// A stove of iron on feet with a flue behind.
+/// An iron stove on feet with a flue behind.
 fn iron_stove(b: &mut Build<'_>, u: f32) {
     let (x, y, h) = spans(b);
     let mat = b.one(&[IRON, BLACK_METAL, GREEN_METAL]);

@@ -1,4 +1,4 @@
-//! Radiators, climate devices, cleaners, and small things on walls.
+//! Radiators, climate devices, cleaning devices, and small devices on walls.
 
 mod air;
 mod clean;

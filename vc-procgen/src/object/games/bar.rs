@@ -1,4 +1,4 @@
-//! What belongs to darts, billiards and air hockey.
+//! Equipment for darts, billiards and air hockey.
 
 use std::f32::consts::TAU;
 
@@ -54,7 +54,7 @@ pub(super) fn dartboard(b: &mut Build<'_>) {
     b.rod("spike", ring(front), ring(hx), field * 0.012, STEEL);
 }
 
-/// Some darts side by side.
+/// Several darts side by side.
 pub(super) fn darts(b: &mut Build<'_>) {
     let (hx, hy, h) = form::room(b);
     let barrel = b.one(&[STEEL, BRASS, BLACK_METAL]);
@@ -138,7 +138,7 @@ pub(super) fn cue(b: &mut Build<'_>) {
     });
 }
 
-/// Fifteen balls in a triangle.
+/// Fifteen billiard balls in a triangle.
 pub(super) fn balls(b: &mut Build<'_>) {
     let (hx, hy, h) = form::room(b);
     let frame = b.one(&[MAHOGANY, WALNUT, BLACK_PLASTIC, OAK]);
@@ -184,7 +184,7 @@ pub(super) fn balls(b: &mut Build<'_>) {
     bar([tip, 0.0], [back, -wide], [-0.5, -0.866]);
 }
 
-/// A mallet: a broad foot with a felt sole and a knob.
+/// An air hockey mallet: a broad base with a felt sole and a knob.
 pub(super) fn mallet(b: &mut Build<'_>) {
     let (hx, hy, h) = form::room(b);
     let r = hx.min(hy);

@@ -1,4 +1,4 @@
-//! Board games, in their boxes or as boards.
+//! Board games, boxed or as open boards.
 
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::{CARDS, CORNERS, SIDES, Scaled, oval};
@@ -28,13 +28,13 @@ pub(super) fn boxed(b: &mut Build<'_>) {
     b.deck("lid", [0.0, 0.0, 1.0], (0.9, 0.9));
 }
 
-/// A colour that is not the lid's.
+/// A colour that differs from the lid's.
 fn loop_free(b: &mut Build<'_>, lid: Mat) -> Mat {
     let print = b.one(&[YELLOW_CARD, WHITE_PAPER, ORANGE_CARD, BLUE_CARD]);
     if print == lid { BLACK_CARD } else { print }
 }
 
-/// Something flat on the lid, `level` 0 to 2 high.
+/// A flat shape on the lid at layer `level` from 0 to 2.
 fn flat(b: &mut Build<'_>, low: (f32, f32), high: (f32, f32), level: usize, mat: Mat) {
     b.slab("print", [low.0, low.1, 0.95], [high.0, high.1, 0.984 + 0.0155 * level as f32], mat);
 }
@@ -100,7 +100,7 @@ fn letters(b: &mut Build<'_>) {
     }
 }
 
-/// A board of light and dark squares; draughts have their pieces on it.
+/// A board of light and dark squares; a draughts board has its pieces on it.
 pub(super) fn chequered(b: &mut Build<'_>) {
     let (light, dark) = b.one(&[(MAPLE, WALNUT), (BIRCH, MAHOGANY), (CREAM, BLACK), (BEECH, WENGE)]);
     let draughts = b.class == "checkers";
@@ -124,7 +124,7 @@ pub(super) fn chequered(b: &mut Build<'_>) {
     b.top("field", [0.0, 0.0, top], (fx * rows, fy * 0.98));
 }
 
-/// Twelve pieces on either side.
+/// Twelve pieces on each side.
 fn pieces(b: &mut Build<'_>, (fx, fy): (f32, f32), (low, high): (f32, f32)) {
     let mut sides = [Shell::default(), Shell::default()];
     let r = fx.min(fy) / 8.0 * 0.8;
@@ -143,7 +143,7 @@ fn pieces(b: &mut Build<'_>, (fx, fy): (f32, f32), (low, high): (f32, f32)) {
     black.put(b, "pieces", BLACK);
 }
 
-/// A board of nineteen lines each way, on feet if thick.
+/// A board with nineteen lines in each direction, on feet if thick.
 pub(super) fn go(b: &mut Build<'_>) {
     let wood = b.one(&[BAMBOO, BEECH, OAK, PINE]);
     let (hx, hy, h) = form::room(b);

@@ -1,4 +1,4 @@
-//! Machines of an arcade.
+//! Arcade machines.
 
 use std::f32::consts::PI;
 
@@ -7,8 +7,8 @@ use super::super::play::kit::{BRIGHT, CORNERS, PAINTS, SIDES, Scaled, arc};
 use super::super::textile::form;
 use crate::material::*;
 
-/// A picture on a slanted screen: sky, ground and some figures, on the plane through
-/// a lower and an upper line.
+/// A picture on a slanted screen (sky, ground and figures), on the plane through a lower and an
+/// upper line.
 fn scene(b: &mut Build<'_>, low: P, high: P, half: f32) {
     let lift = |t: f32, out: f32| -> (f32, f32) {
         let (x, z) = (low[0] + (high[0] - low[0]) * t, low[2] + (high[2] - low[2]) * t);
@@ -27,7 +27,7 @@ fn scene(b: &mut Build<'_>, low: P, high: P, half: f32) {
     }
 }
 
-/// A cabinet with side panels, a slanted screen, a lit sign, a stick and buttons.
+/// An arcade cabinet with side panels, a slanted screen, a lit sign, a stick and buttons.
 pub(super) fn arcade(b: &mut Build<'_>) {
     let side = b.one(&[BLACK, NAVY, RED, BLUE, ANTHRACITE, YELLOW]);
     let art = b.one(PAINTS);
@@ -79,7 +79,7 @@ pub(super) fn arcade(b: &mut Build<'_>) {
     controls(b, [0.62, deck + 0.012], 0.5, b.class.len() % 2);
 }
 
-/// Sticks and buttons on a desk at (x, z).
+/// Joysticks and buttons on a control panel at (x, z).
 fn controls(b: &mut Build<'_>, at: [f32; 2], apart: f32, first: usize) {
     for (i, s) in SIDES.into_iter().enumerate() {
         let mat = BRIGHT[(i * 3 + first) % BRIGHT.len()];
@@ -123,7 +123,7 @@ pub(super) fn pinball(b: &mut Build<'_>) {
         b.cylinder("bumper", [cx, cy, cz - 0.01], 0.028, 0.035, BRIGHT[i]);
         b.cylinder("cap", [cx, cy, cz + 0.024], 0.038, 0.008, WHITE_PLASTIC);
     }
-    // Bars of these heights lie on the field.
+    // The heights at which bars lie on the playfield.
     let on = |x: f32, tall: f32| z(x) + 0.002 + tall / 2.0 / b.size.z;
     let (ends, rails) = ([on(0.66, 0.02), on(0.78, 0.02)], [on(0.2, 0.024), on(0.66, 0.024)]);
     for s in SIDES {
@@ -147,7 +147,7 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     b.slab("digits", [-0.6, -0.5, back + 0.057], [-0.56, 0.5, back + 0.083], SIGNAL_AMBER);
 }
 
-/// A glass case of prizes under a crane.
+/// A claw machine: a glass case of prizes under a crane.
 pub(super) fn claw(b: &mut Build<'_>) {
     let case = b.one(&[RED, BLUE, YELLOW, DUSTY_ROSE, ORANGE]);
     let trim = b.one(&[CHROME, WHITE_METAL, BRASS]);

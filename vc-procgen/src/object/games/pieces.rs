@@ -9,7 +9,7 @@ use super::super::play::kit::{CORNERS, SIDES, Scaled, TOY_WOODS};
 use super::super::textile::form::{self, Shell};
 use crate::material::*;
 
-/// Tiles in rows in a wooden tray: dominoes, or mahjong's.
+/// Tiles in rows in a wooden tray: dominoes or mahjong tiles.
 pub(super) fn tiles(b: &mut Build<'_>) {
     let (hx, hy, h) = form::room(b);
     let mahjong = b.class == "mahjong";
@@ -71,7 +71,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
             let (z0, z1) = (tall * i as f32, tall * (i + 1) as f32 - 0.0002);
             let (across, along) = ((low, low + 0.6), (-0.96 + shift, 0.96 + shift));
             let (x, y) = if i % 2 == 0 { (across, along) } else { (along, across) };
-            // The lowest and highest layers are of one wood each.
+            // All blocks of the lowest and of the highest layers have the layer's own wood.
             let wood = if (3..layers - 3).contains(&i) { i + k * 2 } else { i };
             shells[wood % 3].block([x.0 * hx, y.0 * hy, z0], [x.1 * hx, y.1 * hy, z1]);
         }
@@ -81,7 +81,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
     }
 }
 
-/// A cube of coloured stickers, mixed up more or less.
+/// A cube with coloured stickers, scrambled to a varying degree.
 pub(super) fn cube(b: &mut Build<'_>) {
     let s = b.size.min() / 2.0;
     let colours = [WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC];
@@ -137,7 +137,7 @@ pub(super) fn cards(b: &mut Build<'_>) {
     let suits = [RED_CARD, BLACK_CARD];
     let first = b.rng.below(2);
     let wide = (hx * 1.3).min(2.0 * hy * 0.8);
-    // Those above must not reach far beyond the first.
+    // The upper cards must not extend far beyond the first.
     let hy = hy.min(wide * 0.9);
     let thick = h / (count as f32 + 0.6);
     let (mut faces, mut pips) = (Shell::default(), [Shell::default(), Shell::default()]);
@@ -166,7 +166,7 @@ pub(super) fn cards(b: &mut Build<'_>) {
     }
 }
 
-/// Lets the last part collide as a cube of a half side around its middle.
+/// Adds to the last part a collision cube with half side `half` around its centre.
 fn solid_cube(asset: &mut Asset, half: f32) {
     if let Some(part) = asset.parts.last() {
         let cube = Part { shape: Shape::Box { half: Vector3::repeat(half) }, ..part.clone() };
@@ -191,7 +191,7 @@ pub(super) fn dice(b: &mut Build<'_>) {
         let y = if count == 2 { (hy - s) * apart } else { 0.0 };
         let c = s * 0.93;
         b.soft("die", [-c, y - c, s - c], [c, y + c, s + c], round, body);
-        // It stands on a face, not on the paint of its pips.
+        // The collision shape rests on a face, not on the paint of the pips.
         solid_cube(b.asset(), s);
         let turn = b.rng.below(3);
         for face in 0..6_usize {
@@ -219,7 +219,7 @@ pub(super) fn dice(b: &mut Build<'_>) {
     }
 }
 
-/// Where the spots of a number are.
+/// The positions of the pips of a number.
 fn spots(number: usize) -> &'static [(f32, f32)] {
     const SPOTS: [(f32, f32); 6] = [(-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0)];
     const ODD: [(f32, f32); 5] = [(0.0, 0.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)];

@@ -1,4 +1,4 @@
-//! Tables that are played on.
+//! Game tables.
 
 use std::f32::consts::TAU;
 
@@ -10,7 +10,7 @@ use crate::material::*;
 const FELTS: &[Mat] = &[GREEN_FABRIC, GREEN_FABRIC, BLUE_FABRIC, RED_FABRIC, TEAL_FABRIC, NAVY_FABRIC];
 const FINE_WOODS: &[Mat] = &[MAHOGANY, WALNUT, CHERRY, OAK, WENGE];
 
-/// Four legs or two broad panels under a table, up to a share of its height.
+/// Four legs or two broad panels under a table, up to a fraction of its height.
 fn stand(b: &mut Build<'_>, inset: (f32, f32), high: f32, mat: Mat) {
     let (x, y) = inset;
     match b.rng.below(3) {
@@ -41,7 +41,7 @@ fn stand(b: &mut Build<'_>, inset: (f32, f32), high: f32, mat: Mat) {
     }
 }
 
-/// A table with a white bed between low rails, goals at its ends.
+/// An air hockey table: a white bed between low rails, with goals at its ends.
 pub(super) fn air_hockey(b: &mut Build<'_>) {
     let case = b.one(&[BLACK, BLUE, RED, ANTHRACITE, NAVY]);
     let rail = b.one(&[BLACK_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC]);
@@ -70,7 +70,7 @@ pub(super) fn air_hockey(b: &mut Build<'_>) {
     b.deck("bed", [0.0, 0.0, 0.902], (0.9, 0.93));
 }
 
-/// Middle line, circles and goal lines on the bed.
+/// Centre line, circles and goal lines on the bed.
 fn lines(b: &mut Build<'_>, mat: Mat, goal: f32) {
     b.slab("line", [-0.94, -0.004, 0.89], [0.94, 0.004, 0.9015], mat);
     let ring = |b: &mut Build<'_>, y: f32, r: f32| {
@@ -176,7 +176,7 @@ pub(super) fn pool(b: &mut Build<'_>) {
     b.top("bed", [0.0, 0.0, bed], (px - 1.48 * r - 0.004, in_y - cushion - 0.01));
 }
 
-/// The bed of a billiard table with room for its pockets.
+/// The bed of a billiard table with openings for its pockets.
 fn slate(b: &mut Build<'_>, (px, py, r): (f32, f32, f32), (low, high): (f32, f32), felt: Mat) {
     let (bx, by) = (px + 0.3 * r, py + 0.3 * r);
     let half = [
@@ -192,7 +192,7 @@ fn slate(b: &mut Build<'_>, (px, py, r): (f32, f32, f32), (low, high): (f32, f32
     b.prism("bed", Axis::Z, [0.0, 0.0, low], &[half, other].concat(), high - low, felt);
 }
 
-/// A cushion along Y: from the rail at one X to its nose at another.
+/// A cushion along Y, from the rail at one X to its nose at another.
 fn wedge(b: &mut Build<'_>, x: f32, nose: f32, (y0, y1): (f32, f32), (z0, z1): (f32, f32), felt: Mat) {
     let short = (x - nose).abs();
     let (a, c) = (y0 + short, y1 - short);
@@ -264,7 +264,7 @@ pub(super) fn ping_pong(b: &mut Build<'_>) {
     b.slab("tape", [-0.996, -0.0016, 0.975], [0.996, 0.0016, 0.998], WHITE_COTTON);
 }
 
-/// A long oval table with felt, a padded rail and cup holders.
+/// A poker table: long and oval, with felt, a padded rail and cup holders.
 pub(super) fn poker(b: &mut Build<'_>) {
     let (felt, wood) = (b.one(FELTS), b.one(FINE_WOODS));
     let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);

@@ -1,4 +1,4 @@
-//! What comes in bags, bottles and packets.
+//! Garden goods in bags, bottles and packets.
 
 use std::f32::consts::TAU;
 
@@ -45,7 +45,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
     .concat();
     b.hull("bag", &body, mat);
     b.block("seam", [-x * 0.08, -y * slump, neck - 0.005], [x * 0.08, y * slump, h], mat);
-    // Labels lie on the front, which leans back above the belly.
+    // Labels lie on the front, which leans back above the bulge.
     let front = |z: f32| if z < belly { x } else { x - (x * 0.3) * (z - belly) / (neck * 0.85 - belly) };
     for (low, high, wide, mat, out) in
         [(0.3, 0.62, 0.62, label, 0.003), (0.42, 0.52, 0.5, second, 0.005), (0.68, 0.74, 0.45, label, 0.003)]

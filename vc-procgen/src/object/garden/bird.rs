@@ -30,7 +30,7 @@ pub(super) fn bird_bath(b: &mut Build<'_>) {
     }
 }
 
-/// A bowl with water standing on a point; its surface is a place inside.
+/// A bowl with water standing on a point; its surface is a surface inside.
 fn basin(b: &mut Build<'_>, at: P, (r, deep): (f32, f32), full: f32, mat: Mat) {
     let t = (deep * 0.22).clamp(0.006, 0.04);
     let profile = [

@@ -1,4 +1,4 @@
-//! What decorates gardens: lights, chimes and vanes.
+//! Garden decoration: lights, wind chimes and weather vanes.
 
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -6,7 +6,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, hoop, polar, polygon, star};
 
-/// A lantern: panes in a frame around a candle, or a paper-like drum.
+/// A lantern: panes in a frame around a candle, or a drum of paper-like cloth.
 pub(super) fn lantern(b: &mut Build<'_>) {
     grown(b, [0.05, 0.05, 0.08]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -36,7 +36,7 @@ pub(super) fn lantern(b: &mut Build<'_>) {
     b.lathe_along("ring", [0.0, -wire, h - ring_r], [0.0, 1.0, h - ring_r], &hoop(ring_r - wire, wire), metal);
 }
 
-/// A polygon that just fits a square of half side `half`.
+/// A polygon that just fits into a square of half side `half`.
 fn fitted(sides: usize, half: f32, turn: f32) -> Vec<(f32, f32)> {
     let share = if sides == 4 { 2.0_f32.sqrt() } else { 1.0 };
     polygon(sides, half * share, turn)
@@ -61,7 +61,7 @@ pub(super) fn solar_light(b: &mut Build<'_>) {
     b.block("panel", [-r * 0.45, -r * 0.45, low + head * 0.96], [r * 0.45, r * 0.45, h], BLACK_GLASS);
 }
 
-/// A wind chime: tubes of falling length under a disc, a clapper, a sail.
+/// A wind chime: tubes of decreasing length under a disc, a clapper, a sail.
 pub(super) fn wind_chime(b: &mut Build<'_>) {
     grown(b, [0.04, 0.04, 0.2]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -93,7 +93,7 @@ pub(super) fn wind_chime(b: &mut Build<'_>) {
     b.lathe_along("ring", [0.0, -0.002, h - ring], [0.0, 1.0, h - ring], &hoop(ring - 0.002, 0.002), metal);
 }
 
-/// N, W, S and E, as high as wide, around their middle.
+/// The letters N, W, S and E, as high as wide, centred at the origin.
 const LETTERS: [&[(f32, f32)]; 4] = [
     &[
         (-1.0, -1.0),
@@ -152,7 +152,7 @@ const LETTERS: [&[(f32, f32)]; 4] = [
     ],
 ];
 
-/// A weather vane: a mast, letters of the compass, a turning arrow with a figure.
+/// A weather vane: a mast, letters of the compass, a rotating arrow with a figure.
 pub(super) fn weather_vane(b: &mut Build<'_>) {
     grown(b, [0.12, 0.12, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -200,7 +200,7 @@ pub(super) fn weather_vane(b: &mut Build<'_>) {
     });
 }
 
-/// A cock in outline, or a ship, or a running star, standing at a height.
+/// The outline of a cock, a ship or a shooting star, standing at a height.
 fn cock(b: &mut Build<'_>, z: f32, (tall, thin): (f32, f32), metal: Mat) {
     let cockerel = [
         (-0.08, 0.0),

@@ -8,7 +8,7 @@ use crate::object::park::shape::{blob, grown, limb, polygon};
 pub(super) fn gnome(b: &mut Build<'_>) {
     grown(b, [0.04, 0.05, 0.1]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    // A head keeps to the width there is.
+    // The head is limited by the available width.
     let k = h.min(r * 6.5);
     let (coat, cap) = (b.one(&[BLUE, GREEN, RED, MUSTARD, FOREST]), b.one(&[RED, RED, GREEN, BLUE]));
     let (waist, neck) = (h * b.vary(0.16, 0.2), h * b.vary(0.46, 0.5));
@@ -99,7 +99,7 @@ pub(super) fn statue(b: &mut Build<'_>) {
     b.block("plinth", [-r * 0.97, -r * 0.97, foot * 0.85], [r * 0.97, r * 0.97, foot], mat);
     let tall = h - foot;
     let at = |share: f32| foot + tall * share;
-    // A slim one is a figure.
+    // A slim statue is always a figure.
     let design = b.rng.below(4);
     match if tall > 5.0 * r { 1 } else { design } {
         0 => {

@@ -1,4 +1,4 @@
-//! Fires of the garden, what they burn and patio heaters.
+//! Garden fires, firewood and patio heaters.
 
 use std::f32::consts::{PI, TAU};
 
@@ -26,7 +26,7 @@ pub(super) fn campfire(b: &mut Build<'_>) {
         points.iter_mut().for_each(|p| p[2] = p[2].max(0.0));
         b.hull("stone", &points, mat);
     }
-    // The first stone is flat, to put a pan down.
+    // The first stone is flat, so that a pan can be put down.
     let flat = (h * 0.3).min(size);
     b.soft("hearth_stone", [x - 2.0 * size, -size, 0.0], [x, size, flat], size * 0.2, mat);
     b.top("hearth_stone", [x - size, 0.0, flat], (size * 0.75, size * 0.75));
@@ -80,7 +80,7 @@ fn flames(b: &mut Build<'_>, reach: f32, top: f32) {
     }
 }
 
-/// A fire pit: a bowl on a foot or a walled square, with a rim to put things on.
+/// A fire pit: a bowl on a foot or a walled square, with a rim that is a surface.
 pub(super) fn fire_pit(b: &mut Build<'_>) {
     grown(b, [0.25, 0.25, 0.12]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -273,7 +273,7 @@ pub(super) fn gas_tank(b: &mut Build<'_>) {
     });
 }
 
-/// A heater for the terrace: a foot that hides the bottle, a pole, a burner, a hat.
+/// A patio heater: a base that contains the gas bottle, a pole, a burner, a reflector hood.
 pub(super) fn patio_heater(b: &mut Build<'_>) {
     grown(b, [0.25, 0.25, 0.9]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);

@@ -97,7 +97,7 @@ pub(super) fn fountain(b: &mut Build<'_>) {
     );
 }
 
-/// A pond: stones around water of a free outline, with lilies.
+/// A pond: stones around water of an irregular outline, with lilies.
 pub(super) fn pond(b: &mut Build<'_>) {
     grown(b, [0.6, 0.75, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -9,7 +9,7 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, Side, door};
 use crate::object::park::shape::{grown, limb, polar, spaced};
 
-/// Half a tube along Y between two places, closed at both ends.
+/// A half tube along Y between two positions, closed at both ends.
 fn trough(
     b: &mut Build<'_>,
     name: &str,
@@ -185,7 +185,7 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
     door(b, "door_right", [front - 0.02, -body, low], [front, 0.0, panel], Side::Right, Handle::Bar, (mat, metal));
     let middle = (back + front) / 2.0;
     b.inside("compartment", [middle, 0.0, low + t], (r - 0.04, body - 0.03), panel - low - 0.03);
-    // Firebox with burners' knobs.
+    // The firebox with burner knobs.
     b.block("firebox", [back, -body, panel], [front, body, rim - 0.05], mat);
     for (from, to) in [
         ([back, -body], [front, -body + t]),
@@ -270,7 +270,7 @@ pub(super) fn smoker(b: &mut Build<'_>) {
             r * 0.35,
             mat,
         );
-        // The chimney stands before the barrel's end, out of the lid's way.
+        // The chimney stands in front of the barrel's end, clear of the lid.
         let stack = y - 0.047;
         b.cylinder("chimney", [cx, stack, rim - r * 0.6], 0.03, h - rim + r * 0.6 - 0.01, mat);
         b.rod("flue", [cx, y - 0.098, rim - r * 0.4], [cx, stack, rim - r * 0.4], 0.024, mat);

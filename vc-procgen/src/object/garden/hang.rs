@@ -9,7 +9,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, limb, spaced};
 
-/// A hammock between the hooks of a stand, or lying with its bars.
+/// A hammock between the hooks of a stand, or lying with its spreader bars.
 pub(super) fn hammock(b: &mut Build<'_>) {
     grown(b, [0.9, 0.38, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -1,4 +1,4 @@
-//! The garden: fire and cooking, sheds, tools, decoration and furniture.
+//! Garden objects: fire and cooking, sheds, tools, decoration and furniture.
 
 mod bag;
 mod bird;

@@ -1,4 +1,4 @@
-//! Garden tools with a motor.
+//! Motorised garden tools.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -7,7 +7,7 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{blob, grown, polar, polygon, spaced};
 use crate::object::vehicle::wheel::{Rim, wheel};
 
-/// A mower to push: deck, motor, bag, handle, four wheels.
+/// A push mower: deck, motor, bag, handle, four wheels.
 pub(super) fn lawnmower(b: &mut Build<'_>) {
     grown(b, [0.6, 0.21, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -93,7 +93,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
     b.rod("stay", [stay[0], -wide * 0.93, stay[1]], [stay[0], wide * 0.93, stay[1]], 0.009, IRON);
 }
 
-/// A mower to ride: bonnet, seat, steering wheel, deck between the axles.
+/// A ride-on mower: bonnet, seat, steering wheel, deck between the axles.
 pub(super) fn ride_on_mower(b: &mut Build<'_>) {
     grown(b, [0.85, 0.45, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -227,7 +227,7 @@ pub(super) fn robot_mower(b: &mut Build<'_>) {
     }
 }
 
-/// A hedge trimmer, upright on its handles: a motor and a toothed bar.
+/// A hedge trimmer standing on its handles: a motor and a toothed bar.
 pub(super) fn hedge_trimmer(b: &mut Build<'_>) {
     grown(b, [0.07, 0.09, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -269,7 +269,7 @@ pub(super) fn hedge_trimmer(b: &mut Build<'_>) {
     b.block("link", [-x * 0.61, -0.02, body * 0.9], [0.0, 0.02, body * 1.02], BLACK_PLASTIC);
 }
 
-/// A strimmer, upright on its head: a guard, a shaft, a loop, a motor on top.
+/// A grass trimmer standing on its head: a guard, a shaft, a loop, a motor on top.
 pub(super) fn grass_trimmer(b: &mut Build<'_>) {
     grown(b, [0.1, 0.11, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -306,7 +306,7 @@ pub(super) fn grass_trimmer(b: &mut Build<'_>) {
     b.rod("grip", [back * 0.88, 0.0, top * 0.86], [back, 0.0, top], thin * 1.6, RUBBER);
 }
 
-/// A leaf blower, upright on its tube's mouth.
+/// A leaf blower standing on the mouth of its tube.
 pub(super) fn leaf_blower(b: &mut Build<'_>) {
     grown(b, [0.07, 0.09, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

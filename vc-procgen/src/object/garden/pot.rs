@@ -9,7 +9,7 @@ use crate::object::park::shape::{blob, grown, polar, spaced, tub};
 const POTS: &[Mat] =
     &[POTTERY, POTTERY, BLUE_GLAZE, GREEN_GLAZE, STONEWARE, CONCRETE, WHITE_PLASTIC, BLACK_GLAZE, BROWN_PLASTIC];
 
-/// A plant pot, round or square, on its saucer or not; empty but for soil.
+/// A plant pot, round or square, with or without a saucer; contains only soil.
 pub(super) fn flower_pot(b: &mut Build<'_>) {
     grown(b, [0.05, 0.05, 0.05]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -75,7 +75,7 @@ pub(super) fn flower_pot(b: &mut Build<'_>) {
     b.inside("slot", [0.0, 0.0, level], (inner * 0.66, inner * 0.66), h - level);
 }
 
-/// A plant box: boards, concrete or plastic, on feet or not, with soil.
+/// A plant box: boards, concrete or plastic, with or without feet, with soil.
 pub(super) fn planter(b: &mut Build<'_>) {
     grown(b, [0.09, 0.2, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -1,4 +1,4 @@
-//! Roofs on posts, awnings and lines for washing.
+//! Roofs on posts, awnings and clotheslines.
 
 use std::f32::consts::PI;
 
@@ -7,7 +7,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::{grown, spaced};
 
-/// A carport: posts, beams and a flat, leaning or gabled roof over paved ground.
+/// A carport: posts, beams and a flat, sloping or gabled roof over paved ground.
 pub(super) fn carport(b: &mut Build<'_>) {
     grown(b, [2.4, 1.4, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -113,7 +113,7 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
     }
 }
 
-/// An awning: a roller at the wall, and as far as it is deep, cloth on folding arms.
+/// An awning: a roller at the wall, with cloth on folding arms over the full depth.
 pub(super) fn awning(b: &mut Build<'_>) {
     grown(b, [0.1, 1.0, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -181,7 +181,7 @@ pub(super) fn clothesline(b: &mut Build<'_>) {
             [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(a, c)| (a * (x - 0.02), c * (y - 0.02))).to_vec();
         b.jointed(vc_graph::asset::JointKind::Hinge, [0.0; 3], [0.0, 0.0, 1.0], (-PI, PI), |b| {
             for &(cx, cy) in &corners {
-                // They end at the pole, around which they turn.
+                // They end at the pole, around which they rotate.
                 let share = 0.031 / (cx.abs() + cy.abs());
                 b.rod("arm", [cx * share, cy * share, h * 0.7], [cx, cy, level], 0.012, metal);
                 b.rod(

@@ -97,8 +97,8 @@ pub(super) fn chair(b: &mut Build<'_>) {
     );
 }
 
-/// What fills a chair's back between its two uprights: a place at each share of its
-/// height.
+/// The filling of a chair's back between its two uprights; `at` gives a position for each share of
+/// the height.
 fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (design, h): (usize, f32), mat: Mat) {
     let board = |b: &mut Build<'_>, name: &str, (s0, s1): (f32, f32), (y0, y1): (f32, f32), t: f32, mat: Mat| {
         let ([x0, z0], [x1, z1]) = (at(s0), at(s1));
@@ -185,7 +185,7 @@ pub(super) fn deck_chair(b: &mut Build<'_>) {
     }
 }
 
-/// Where two lines of a plane cross, each through two points.
+/// The intersection of two lines in a plane, each given by two points.
 fn crossing([a, c]: [[f32; 2]; 2], [p, q]: [[f32; 2]; 2]) -> [f32; 2] {
     let (u, v) = ([c[0] - a[0], c[1] - a[1]], [q[0] - p[0], q[1] - p[1]]);
     let across = u[0] * v[1] - u[1] * v[0];
@@ -224,7 +224,7 @@ pub(super) fn lounger(b: &mut Build<'_>) {
     for cx in spaced(slats, knee + pitch / 2.0, x - pitch / 2.0) {
         b.block("slat", [cx - pitch * 0.42, -y + 0.004, level - t], [cx + pitch * 0.42, y - 0.004, level], frame);
     }
-    // The head end, hinged where the bed bends; it folds flat.
+    // The head section, hinged where the bed bends; it folds flat.
     let angle = (rise.max(0.03) / (x + knee).max(0.05)).arc_tangent();
     b.hinge([knee, 0.0, level], [0.0, -1.0, 0.0], angle, |b| {
         let top = h - if cushion > 0.0 { cushion * 1.1 } else { 0.0 };

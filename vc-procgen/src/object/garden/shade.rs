@@ -1,4 +1,4 @@
-//! Parasols and what holds them.
+//! Parasols and their bases.
 
 use std::f32::consts::TAU;
 
@@ -52,7 +52,7 @@ pub(super) fn parasol(b: &mut Build<'_>) {
     b.rod("crank", [0.02, 0.0, h * 0.5], [0.07, 0.0, h * 0.5], 0.012, BLACK_PLASTIC);
 }
 
-/// A parasol's base: a slab, a filled drum or a cross with stones, and its tube.
+/// A parasol's base with its tube: a slab, a filled drum or a cross with stones.
 pub(super) fn parasol_base(b: &mut Build<'_>) {
     grown(b, [0.15, 0.15, 0.06]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);

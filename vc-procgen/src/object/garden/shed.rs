@@ -1,4 +1,4 @@
-//! Houses of the garden: sheds, greenhouses, kennels, hutches.
+//! Garden houses: sheds, greenhouses, kennels, hutches.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -11,8 +11,8 @@ use crate::object::park::shape::{grown, spaced};
 
 pub(super) const WOODS: &[Mat] = &[PINE, OAK, TEAK, GREY_OAK, FOREST, RED, SKY, SAGE, ANTHRACITE, WALNUT];
 
-/// Walls of a house whose gable faces the front: half depth, half width, floor,
-/// eaves, ridge, thickness.
+/// The walls of a house whose gable is at the front: half depth, half width, floor, eaves, ridge,
+/// thickness.
 #[derive(Clone, Copy)]
 pub(super) struct House {
     pub(super) x: f32,
@@ -24,7 +24,7 @@ pub(super) struct House {
 }
 
 impl House {
-    /// Two sides, the back gable and the front around an opening `from..to` wide and
+    /// Two sides, the back gable, and the front around an opening that spans `from..to` and is
     /// `high` above the floor.
     pub(super) fn walls(self, b: &mut Build<'_>, (from, to, high): (f32, f32, f32), mat: Mat) {
         let Self { x, y, low, eaves, ridge, t } = self;
@@ -48,8 +48,8 @@ impl House {
         b.prism("wall", Axis::X, [x - t, 0.0, 0.0], &lintel, t, mat);
     }
 
-    /// Two slopes that reach out over the walls by `out` within half widths `wide`,
-    /// their upper side at `top`.
+    /// Two slopes that overhang the walls by `out` within half widths `wide`, with their upper side
+    /// at `top`.
     pub(super) fn roof(self, b: &mut Build<'_>, (deep, wide, top): (f32, f32, f32), mat: Mat) {
         let Self { y, eaves, ridge, .. } = self;
         let fall = (ridge - eaves) / y;
@@ -135,7 +135,7 @@ fn planks(b: &mut Build<'_>, house: House, mat: Mat) {
 /// A greenhouse: a frame with glass, a door, a bench for pots.
 pub(super) fn greenhouse(b: &mut Build<'_>) {
     grown(b, [0.6, 0.65, 0.9]);
-    // The door's handle stands out in front.
+    // The door's handle protrudes in front.
     let (x, y, h) = (b.size.x / 2.0 - 0.011, b.size.y / 2.0, b.size.z);
     let frame = b.one(&[ALUMINIUM, GREEN_METAL, WHITE_METAL, ANTHRACITE, PINE]);
     let glass = b.one(&[GLASS, GLASS, CLEAR_PLASTIC]);
@@ -233,7 +233,7 @@ pub(super) fn kennel(b: &mut Build<'_>) {
             .map(|i| PI * i as f32 / 8.0)
             .map(|a| (bow * a.cosine(), low + high - wide * 0.6 * (1.0 - a.sine())))
             .collect();
-        // Both spandrels in one frame around the arch.
+        // Both spandrels as one frame around the arch.
         let mut frame: Vec<(f32, f32)> = vec![
             (-wide - 0.03, low),
             (-wide - 0.03, low + high + 0.02),
@@ -254,7 +254,7 @@ pub(super) fn kennel(b: &mut Build<'_>) {
     b.inside("compartment", [0.0, 0.0, low], (house.x - t - 0.01, house.y - t - 0.01), eaves - low - 0.01);
 }
 
-/// A rabbit hutch on legs: a closed and a wire-fronted room under one roof.
+/// A rabbit hutch on legs: a closed and a wire-fronted compartment under one roof.
 pub(super) fn rabbit_hutch(b: &mut Build<'_>) {
     grown(b, [0.25, 0.45, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -6,7 +6,7 @@ use crate::material::*;
 use crate::object::build::Build;
 use crate::object::park::shape::{grown, polar, spaced, tub};
 
-/// A box for cushions and toys; its lid is hinged behind.
+/// A box for cushions and toys with a lid hinged at the back.
 pub(super) fn storage_box(b: &mut Build<'_>) {
     grown(b, [0.2, 0.4, 0.22]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

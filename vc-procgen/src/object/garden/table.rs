@@ -8,7 +8,7 @@ use crate::object::build::{Axis, Build};
 use crate::object::joinery::legs;
 use crate::object::park::shape::{grown, polar, spaced};
 
-/// A garden or bistro table: slats, a plate or glass, on legs or on one foot.
+/// A garden or bistro table: slats, a plate or glass, on legs or a central foot.
 pub(super) fn table(b: &mut Build<'_>) {
     grown(b, [0.25, 0.25, 0.33]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

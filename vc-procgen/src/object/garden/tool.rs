@@ -1,4 +1,4 @@
-//! Garden tools that hands hold, ladders and a barrow.
+//! Hand tools for the garden, ladders and a wheelbarrow.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -10,7 +10,7 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, limb, spaced, tub};
 use crate::object::vehicle::wheel::{Rim, wheel};
 
-/// A long-handled tool whose head does not carry it: it lies, the head down.
+/// A long-handled tool that cannot stand on its head: it lies with the head down.
 pub(super) fn lying_tool(b: &mut Build<'_>) {
     let size = b.size;
     b.size = size.zyx();
@@ -19,7 +19,7 @@ pub(super) fn lying_tool(b: &mut Build<'_>) {
     b.size = size;
 }
 
-/// A long-handled tool, upright, its head below: shovel, spade, fork, hoe, rake, axe,
+/// A long-handled tool, upright with its head at the bottom: shovel, spade, fork, hoe, rake, axe,
 /// trowel.
 pub(super) fn hand_tool(b: &mut Build<'_>) {
     grown(b, [0.014, 0.03, 0.13]);
@@ -98,7 +98,7 @@ fn blade(b: &mut Build<'_>, (x, y): (f32, f32), head: f32, square: bool, steel: 
     let t = (x * 0.12).min(0.004);
     let point = if square { b.vary(0.0, 0.06) } else { b.vary(0.2, 0.4) };
     let at = |u: f32, v: f32| {
-        // Across from -1 to 1, up from 0 to 1.
+        // `u` runs across from -1 to 1, `v` upwards from 0 to 1.
         let half = y * (1.0 - 0.24 * v);
         let z = head * (v + point * u * u * (1.0 - v).max(0.0));
         [x * 0.9 - x * 1.5 * (1.0 - u * u) * 0.6 - x * 0.5 * v, half * u, z]
@@ -176,7 +176,7 @@ fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (M
     }
 }
 
-/// Secateurs, upright: blades above, sprung grips below.
+/// Secateurs, upright: blades at the top, sprung grips at the bottom.
 pub(super) fn pruning_shears(b: &mut Build<'_>) {
     grown(b, [0.008, 0.02, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -207,7 +207,7 @@ pub(super) fn pruning_shears(b: &mut Build<'_>) {
     b.rod("pivot", [-x, 0.0, pivot], [x, 0.0, pivot], y * 0.15, STEEL);
 }
 
-/// A pair of gloves, one on the other, flat and upright like a thing that hangs.
+/// A pair of gloves, one on the other, flat and upright as if hanging.
 pub(super) fn gloves(b: &mut Build<'_>) {
     grown(b, [0.01, 0.05, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -263,7 +263,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
     }
 }
 
-/// A ladder, upright: two stiles, rungs between, perhaps a second part before it.
+/// An upright ladder: two stiles, rungs between them, sometimes a second section in front.
 pub(super) fn ladder(b: &mut Build<'_>) {
     grown(b, [0.035, 0.17, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -293,8 +293,7 @@ pub(super) fn ladder(b: &mut Build<'_>) {
     }
 }
 
-/// A step ladder: treads in front, a support behind, both parted as far as it is
-/// deep.
+/// A step ladder: treads in front, a support behind, spread over the full depth.
 pub(super) fn step_ladder(b: &mut Build<'_>) {
     grown(b, [0.06, 0.2, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -1,4 +1,4 @@
-//! What waters a garden.
+//! Watering equipment.
 
 use std::f32::consts::TAU;
 
@@ -126,13 +126,13 @@ pub(super) fn garden_hose(b: &mut Build<'_>) {
     }
 }
 
-/// The profile of a ring of hose, with fewer corners than a hoop's.
+/// The profile of a ring of hose, with fewer corners than that of a hoop.
 fn coil(radius: f32, section: f32) -> Vec<(f32, f32)> {
     let corners = (0..=7).map(|i| polar(TAU * (i % 7) as f32 / 7.0, section));
     corners.map(|(r, z)| ((radius + r).max(0.0), z + section)).collect()
 }
 
-/// A hose on a reel: a frame, a drum with hose, a crank, wheels on tall ones.
+/// A hose on a reel: a frame, a drum with hose, a crank; tall ones have wheels.
 pub(super) fn hose_reel(b: &mut Build<'_>) {
     grown(b, [0.17, 0.2, 0.22]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -161,7 +161,7 @@ pub(super) fn hose_reel(b: &mut Build<'_>) {
     let tube = 0.011;
     for side in [-1.0, 1.0] {
         let cy = side * (inner + 0.002);
-        // The axle turns in a ring that the tubes end at.
+        // The axle turns in a ring at which the tubes end.
         let ring = [(0.022, -0.012), (0.022, 0.012), (0.0125, 0.012), (0.0125, -0.012), (0.022, -0.012)];
         b.lathe_along("bearing", [0.0, cy, axle], [0.0, cy + 1.0, axle], &ring, frame);
         for (fx, fz) in [(-x + tube, tube), (x - tube, tube), (-x * 0.75, h - tube)] {

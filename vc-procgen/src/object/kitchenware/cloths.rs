@@ -1,11 +1,11 @@
-//! Kitchen textiles as they lie folded or hang, and rolls and papers of the drawer.
+//! Folded or hanging kitchen textiles, and rolls and papers from the drawer.
 
 use super::super::pack::label::panel;
 use super::form::{arch, dims, loft, tube};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 
-/// A folded cloth: layers that meet in a fold at the front, with stripes on top.
+/// A folded cloth: layers joined in a fold at the front, with stripes on top.
 pub(super) fn folded(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -44,7 +44,7 @@ pub(super) fn folded(b: &mut Build<'_>) {
     }
 }
 
-/// A mitt with a thumb, or a pair of them behind each other, upright.
+/// An upright mitt with a thumb, or two of them one behind the other.
 pub(super) fn oven_mitts(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (cloth, cuff) = (
@@ -89,7 +89,7 @@ pub(super) fn oven_mitts(b: &mut Build<'_>) {
     }
 }
 
-/// A stack of paper cones for filters.
+/// A stack of conical paper filters.
 pub(super) fn coffee_filter(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CARDBOARD]);
@@ -120,7 +120,7 @@ pub(super) fn coffee_filter(b: &mut Build<'_>) {
     }
 }
 
-/// A long box with a roll of foil, film or paper, its lid with a toothed edge.
+/// A long box with a roll of foil, film or paper; its lid has a toothed edge.
 pub(super) fn roll_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0 - 0.0015, y / 2.0);

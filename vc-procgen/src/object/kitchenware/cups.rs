@@ -7,11 +7,11 @@ use super::form::{arch, dims, ear, hoop, sweep, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
 
-/// Glaze and paint of mugs.
+/// Glazes and paints of mugs.
 const COLOURS: [Mat; 9] =
     [PORCELAIN, STONEWARE, BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, YELLOW_GLAZE, BLACK_GLAZE, WHITE_METAL, BLUE_METAL];
 
-/// Cups, mugs and small jugs: a body with an ear.
+/// Cups, mugs and small jugs: a body with a handle.
 pub(super) fn cup(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let milk = b.class == "milk_jug";
@@ -30,7 +30,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
         _ => &[(0.7, 0.0), (0.92, 0.12), (0.98, 0.5), (1.0, 1.0)],
     };
     vessel(b, b.class, (r, h), shape, t, mat);
-    // Where the handle leaves the body, by the outline there.
+    // The radius at which the handle leaves the body, from the outline there.
     let wall = shape.iter().filter(|p| p.1 > 0.15 && p.1 < 0.9).fold(1.0_f32, |least, p| least.min(p.0)) * r;
     let (low, high) = if mug { (0.18, 0.86) } else { (0.3, 0.88) };
     let reach = (y - r * if milk { 1.32 } else { 1.02 }).min(r * 2.4);
@@ -44,7 +44,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     }
 }
 
-/// A lip at the -Y side of a vessel's rim.
+/// A lip on the -Y side of a vessel's rim.
 fn spout(b: &mut Build<'_>, (r, h): (f32, f32), reach: f32, mat: Mat) {
     let (y, h) = (-r * 0.9, h * 0.992);
     let points = [
@@ -58,7 +58,7 @@ fn spout(b: &mut Build<'_>, (r, h): (f32, f32), reach: f32, mat: Mat) {
     b.hull("lip", &points, mat);
 }
 
-/// Glasses without stem or handle.
+/// Glasses without a stem or handle.
 pub(super) fn tumbler(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0;
@@ -73,7 +73,7 @@ pub(super) fn tumbler(b: &mut Build<'_>) {
     vessel(b, "glass", (r, h), shape, if b.class == "shot_glass" { h * 0.08 } else { t }, mat);
 }
 
-/// Glasses on a stem: for wine, and narrow ones for champagne.
+/// Stem glasses: for wine, and narrow ones for champagne.
 pub(super) fn stemmed(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0;
@@ -110,7 +110,7 @@ pub(super) fn stemmed(b: &mut Build<'_>) {
     );
 }
 
-/// Glasses for beer: mugs of thick glass with a handle, or tall ones.
+/// Beer glasses: mugs of thick glass with a handle, or tall glasses.
 pub(super) fn beer_glass(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     if y < x * 1.2 {
@@ -146,7 +146,7 @@ pub(super) fn jug(b: &mut Build<'_>) {
     spout(b, (shape[5].0 * r, h), (y - 2.0 * r) * 0.22 + r - shape[5].0 * r, mat);
 }
 
-/// Carafes and decanters, the latter with a stopper.
+/// Carafes and decanters; decanters have a stopper.
 pub(super) fn carafe(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -169,7 +169,7 @@ pub(super) fn carafe(b: &mut Build<'_>) {
     }
 }
 
-/// Teapots: a belly with a spout, an ear and a lid.
+/// Teapots: a belly with a spout, a handle and a lid.
 pub(super) fn teapot(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.33);
@@ -195,7 +195,7 @@ pub(super) fn teapot(b: &mut Build<'_>) {
     sweep(b, "spout", &path, [1.0, 0.0, 0.0], mat);
 }
 
-/// A lid with a knob that lifts off, from the rim at `z.0` up to `top`.
+/// A removable lid with a knob, from the rim at `z.0` up to `top`.
 fn lid(b: &mut Build<'_>, r: f32, rim: f32, top: f32, mat: Mat) {
     let rise = (top - rim) * 0.45;
     b.slide([0.0, 0.0, 1.0], top * 0.4, |b| {
@@ -204,7 +204,7 @@ fn lid(b: &mut Build<'_>, r: f32, rim: f32, top: f32, mat: Mat) {
     });
 }
 
-/// A glass beaker in a frame with a plunger for coffee.
+/// A French press: a glass beaker in a frame with a plunger.
 pub(super) fn french_press(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.38);
@@ -227,7 +227,7 @@ pub(super) fn french_press(b: &mut Build<'_>) {
     });
 }
 
-/// Flasks, shakers and bottles to drink from: a body, a shoulder and a cap.
+/// Flasks, shakers and drinking bottles: a body, a shoulder and a cap.
 pub(super) fn flask(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -292,7 +292,7 @@ pub(super) fn flask(b: &mut Build<'_>) {
     }
 }
 
-/// A pot of eight sides that stands on the stove, or a tall one for filter coffee.
+/// An octagonal moka pot, or a tall pot for filter coffee.
 pub(super) fn coffee_pot(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.32);

@@ -1,4 +1,4 @@
-//! Cutlery and knives: they lie flat along Y, their grip at the low end.
+//! Cutlery and knives: they lie flat along Y with the grip at the low end.
 
 use vc_graph::portable::Portable;
 
@@ -8,7 +8,7 @@ use crate::object::build::{Axis, Build};
 
 const ACROSS: [f32; 3] = [1.0, 0.0, 0.0];
 
-/// A bowl to scoop with: an oval hollow, its rim at `z + depth`.
+/// The bowl of a spoon: an oval hollow with its rim at `z + depth`.
 pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth: f32, t: f32, mat: Mat) {
     let at = |rise: f32, k: f32, thin: f32| {
         oval(
@@ -29,7 +29,7 @@ pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth
     loft(b, "bowl", &rings, mat);
 }
 
-/// The handle of cutlery: from its tail at -Y, resting there, over a rise to the head.
+/// The handle of cutlery: from its tail at -Y, which rests there, over a rise to the head.
 fn shaft(b: &mut Build<'_>, (tail, head): (f32, f32), (top, end): (f32, f32), half: (f32, f32), flare: f32, mat: Mat) {
     let (w, t) = half;
     let at = |k: f32, z: f32| [0.0, tail + (head - tail) * k, z];
@@ -49,7 +49,7 @@ fn metal(b: &mut Build<'_>) -> Mat {
     b.one(&[STEEL, STEEL, STEEL, CHROME, GOLD, BLACK_METAL])
 }
 
-/// A table fork with four tines, or three.
+/// A table fork with three or four tines.
 pub(super) fn fork(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = metal(b);
@@ -94,7 +94,7 @@ pub(super) fn spoon(b: &mut Build<'_>) {
     shaft(b, (-y / 2.0, centre - length * 0.46), (z - t, depth * 0.95), (x * 0.24, t), flare, mat);
 }
 
-/// The outline of a blade, in parts of its width and length: the edge at low X.
+/// The outline of a blade as fractions of its width and length; the edge is at low X.
 const TABLE: &[(f32, f32)] = &[(0.6, 0.0), (0.6, 1.0), (0.2, 0.97), (-0.3, 0.85), (-0.6, 0.6), (-0.6, 0.1), (0.0, 0.0)];
 const CHEF: &[(f32, f32)] =
     &[(1.0, 0.0), (1.0, 0.75), (0.85, 0.93), (0.72, 1.0), (0.0, 0.85), (-0.6, 0.6), (-0.95, 0.3), (-1.0, 0.0)];
@@ -103,7 +103,7 @@ const SMALL: &[(f32, f32)] = &[(0.8, 0.0), (0.8, 0.7), (0.6, 1.0), (-0.2, 0.75),
 const SPREAD: &[(f32, f32)] = &[(0.3, 0.0), (0.8, 0.4), (0.7, 0.85), (0.0, 1.0), (-0.7, 0.8), (-0.8, 0.4), (-0.3, 0.0)];
 const CLEAVER: &[(f32, f32)] = &[(1.0, 0.0), (1.0, 0.97), (0.93, 1.0), (-0.95, 1.0), (-1.0, 0.95), (-1.0, 0.0)];
 
-/// Knives of the table and of the kitchen: a flat blade and a grip.
+/// Table and kitchen knives: a flat blade and a grip.
 pub(super) fn knife(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (outline, share) = match b.class {
@@ -167,7 +167,7 @@ pub(super) fn knife(b: &mut Build<'_>) {
     }
 }
 
-/// Two sticks side by side.
+/// Chopsticks: two sticks side by side.
 pub(super) fn chopsticks(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[BAMBOO, WENGE, RED, BLACK, CHERRY]);
@@ -188,7 +188,7 @@ pub(super) fn chopsticks(b: &mut Build<'_>) {
     }
 }
 
-/// A straw with stripes, bent at one end or straight.
+/// A striped straw, straight or bent at one end.
 pub(super) fn drinking_straw(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(z) / 2.0;
@@ -211,7 +211,7 @@ pub(super) fn drinking_straw(b: &mut Build<'_>) {
     }
 }
 
-/// Picks of wood in a small round box.
+/// Toothpicks in a small round box.
 pub(super) fn toothpick(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;

@@ -1,4 +1,4 @@
-//! What one grates, peels, opens and cuts with.
+//! Tools for grating, peeling, opening and cutting.
 
 use std::f32::consts::TAU;
 
@@ -9,7 +9,7 @@ use super::utensils::{ACROSS, grip, grip_mat};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 
-/// Graters: boxes with four sides, or flat ones with a grip.
+/// Graters: four-sided boxes, or flat ones with a grip.
 pub(super) fn grater(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
@@ -74,14 +74,14 @@ pub(super) fn grater(b: &mut Build<'_>) {
     tube(b, "grip", &loop_, r, ACROSS, handle);
 }
 
-/// A board with a blade across, that stands on a foot.
+/// A mandoline: a board with a blade across, standing on a foot.
 pub(super) fn mandoline(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, STEEL]);
     let t = (z * 0.2).min(0.012);
     let slab = |b: &mut Build<'_>, name: &str, x: f32, (y0, y1): (f32, f32), lift: f32, thick: f32, mat: Mat| {
-        // The rails stand out above and below.
+        // The rails protrude at the top and at the bottom.
         let high = if name == "rail" { z } else { z * 0.96 };
         let height = |y: f32| (high - thick - lift) * (y / hy + 1.0) / 2.0 + lift;
         let points: Vec<P> = [(y0, 0.0), (y0, thick), (y1, 0.0), (y1, thick)]
@@ -145,7 +145,7 @@ pub(super) fn peeler(b: &mut Build<'_>) {
     }
 }
 
-/// Things of two levers: can openers, garlic presses and scissors.
+/// Tools with two levers: can openers, garlic presses and scissors.
 pub(super) fn levers(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
@@ -215,7 +215,7 @@ fn scissors(b: &mut Build<'_>, handle: Mat) {
     b.cylinder("pivot", [0.0, pivot * 1.5, z * 0.2], hx * 0.1, z * 0.6, CHROME);
 }
 
-/// A bar with a claw for crown caps.
+/// A bottle opener: a bar with a claw for crown caps.
 pub(super) fn bottle_opener(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[STEEL, CHROME, BRASS, BLACK_METAL]);
@@ -229,7 +229,7 @@ pub(super) fn bottle_opener(b: &mut Build<'_>) {
     grip(b, [0.0, -y / 2.0, mid], [0.0, y / 2.0 - x * 0.92, mid], (hx * 0.7, mid), handle);
 }
 
-/// A spiral on a cross grip.
+/// A corkscrew: a spiral on a cross grip.
 pub(super) fn corkscrew(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = b.one(&[b.style.wood, BLACK_PLASTIC, WALNUT, CHROME]);
@@ -274,7 +274,7 @@ fn helix(b: &mut Build<'_>, points: &[P], mid: f32, w: f32) {
     loft(b, "screw", &rings, STEEL);
 }
 
-/// A wheel on a grip.
+/// A pizza cutter: a wheel on a grip.
 pub(super) fn pizza_cutter(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = grip_mat(b);
@@ -294,7 +294,7 @@ pub(super) fn pizza_cutter(b: &mut Build<'_>) {
     grip(b, [0.0, -y / 2.0, mid], [0.0, centre - r * 1.1, mid], (r * 0.4, mid), handle);
 }
 
-/// A strip of metal bent to a star, a heart, a man or a ring.
+/// A cookie cutter: a strip of metal bent to a star, a heart, a man or a ring.
 pub(super) fn cookie_cutter(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[STEEL, ALUMINIUM, COPPER, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
@@ -320,7 +320,7 @@ pub(super) fn cookie_cutter(b: &mut Build<'_>) {
     super::dishes::ring_skin(b, "cutter", &rings, mat);
 }
 
-/// A board to cut on: of wood or plastic, with a groove, a hole or a handle.
+/// A cutting board of wood or plastic with a groove, a hole or a handle.
 pub(super) fn cutting_board(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -356,7 +356,7 @@ pub(super) fn cutting_board(b: &mut Build<'_>) {
     b.top("top", [0.0, shift / 2.0, plate], ((hx - x * 0.06).min(hx * 0.7), (end + hy) / 2.0 * 0.86));
 }
 
-/// A sharpener with slots, or a rod of steel with a grip.
+/// A knife sharpener with slots, or a honing steel with a grip.
 pub(super) fn knife_sharpener(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, b.style.wood]);

@@ -1,4 +1,4 @@
-//! Plates, bowls and what stands with them on a table.
+//! Plates, bowls and other tableware.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use super::form::{arch, dims, ear, hoop, level, loft, shell, tub, tube, turn, ve
 use crate::material::*;
 use crate::object::build::Build;
 
-/// Plates and saucers: with a rim, without one, square; some with a ring of colour.
+/// Plates and saucers: with or without a rim, or square; some with a coloured ring.
 pub(super) fn plate(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0;
@@ -47,7 +47,7 @@ pub(super) fn plate(b: &mut Build<'_>) {
     }
 }
 
-/// Outsides of bowls, in parts of their radius and height.
+/// Outlines of bowls as fractions of their radius and height.
 const BOWLS: [&[(f32, f32)]; 4] = [
     &[(0.45, 0.0), (0.47, 0.07), (0.72, 0.25), (0.9, 0.55), (1.0, 1.0)],
     &[(0.5, 0.0), (0.52, 0.06), (0.95, 0.95), (1.0, 1.0)],
@@ -86,7 +86,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     }
 }
 
-/// A bowl for fruit: of wood or ceramic, or a basket of wire.
+/// A fruit bowl of wood or ceramic, or a wire basket.
 pub(super) fn fruit_bowl(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let t = (x.min(y) * 0.02).min(h * 0.06);
@@ -119,7 +119,7 @@ pub(super) fn fruit_bowl(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, t], (hx * 0.32, hy * 0.32));
 }
 
-/// A ring of any plan: the skin over rings that end where they began.
+/// A ring of any shape in plan: the surface over rings whose last one joins the first.
 pub(super) fn ring_skin(b: &mut Build<'_>, name: &str, rings: &[Vec<[f32; 3]>], mat: Mat) {
     let n = rings.first().map_or(0, Vec::len);
     let rows = rings.len().saturating_sub(1);
@@ -160,7 +160,7 @@ pub(super) fn tray(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, t], (hx * foot * 0.82 - t, hy * foot * if platter { 0.7 } else { 0.9 } - t));
 }
 
-/// A boat for gravy: an oval bowl on a foot with a lip and a handle.
+/// A gravy boat: an oval bowl on a foot with a lip and a handle.
 pub(super) fn gravy_boat(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, length) = (x / 2.0, y * 0.8);
@@ -177,7 +177,7 @@ pub(super) fn gravy_boat(b: &mut Build<'_>) {
         let half = (hx * across - thin, length / 2.0 * along - thin);
         let mut ring = super::form::oval([0.0, length * shift, (z * h).max(thin)], half);
         if h > 0.6 {
-            // The lip is drawn out and up.
+            // The lip is stretched outwards and upwards.
             ring.iter_mut().for_each(|p| {
                 let lip = (-p[1] / length * 2.0 - 0.2).max(0.0);
                 p[0] *= 1.0 - 0.5 * lip.min(1.0);
@@ -192,7 +192,7 @@ pub(super) fn gravy_boat(b: &mut Build<'_>) {
     b.inside("inside", [0.0, 0.0, t], (hx * 0.24, length * 0.1), (z * 0.7).max(0.0));
 }
 
-/// A dish with a cover for butter.
+/// A butter dish with a cover.
 pub(super) fn butter_dish(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -214,10 +214,10 @@ pub(super) fn butter_dish(b: &mut Build<'_>) {
     b.inside("inside", [0.0, 0.0, t], (hx * 0.62 - t, hy * 0.66 - t), (top * 0.85 - 2.0 * t).max(0.0));
 }
 
-/// A knob on a stem, in parts of its radius and height.
+/// A knob on a stem, as fractions of its radius and height.
 pub(super) const KNOB: &[(f32, f32)] = &[(0.5, 0.0), (0.45, 0.35), (1.0, 0.6), (0.95, 0.85), (0.5, 1.0)];
 
-/// A round pot for sugar with a lid and two ears.
+/// A round sugar pot with a lid and two handles.
 pub(super) fn sugar_bowl(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.4);
@@ -243,7 +243,7 @@ pub(super) fn sugar_bowl(b: &mut Build<'_>) {
     }
 }
 
-/// A small cup on a foot for an egg.
+/// An egg cup: a small cup on a foot.
 pub(super) fn egg_cup(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -265,7 +265,7 @@ pub(super) fn egg_cup(b: &mut Build<'_>) {
     b.inside("inside", [0.0, 0.0, z * 0.55], (r * 0.33, r * 0.33), z * 0.45);
 }
 
-/// A plate on a foot for cakes.
+/// A cake stand: a plate on a foot.
 pub(super) fn cake_stand(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;

@@ -1,4 +1,4 @@
-//! Shapes that boxes and lathes do not give: oval and bent things, hollow ware.
+//! Shapes beyond boxes and lathes: oval and bent objects, hollow ware.
 
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;
@@ -10,13 +10,13 @@ use super::super::build::{Build, P};
 use super::super::circle;
 use crate::material::Mat;
 
-/// Points around a bent or oval thing; a multiple of four, and enough to look round.
+/// Points around a bent or oval object: a multiple of four, and enough to look round.
 const SIDES: usize = 12;
 
-/// Half the side of the smallest place for things, metres.
+/// Half the side of the smallest placement surface, metres.
 const LEAST: f32 = 0.0042;
 
-/// Half a turn in some steps: what handles and loops are bent along.
+/// Steps in the half turn along which handles and loops are bent.
 const BENDS: usize = 7;
 
 /// Depth, width and height to fill.
@@ -24,7 +24,7 @@ pub(in crate::object) fn dims(b: &Build<'_>) -> (f32, f32, f32) {
     (b.size.x.max(1e-3), b.size.y.max(1e-3), b.size.z.max(1e-3))
 }
 
-/// A level ellipse.
+/// A horizontal ellipse.
 pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
     let point = |k: usize| {
         let (s, c) = circle::part(k, 16);
@@ -33,7 +33,7 @@ pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
     (0..16).map(point).collect()
 }
 
-/// A rectangle with rounded corners; `round` is 0 for sharp ones and 1 for half circles.
+/// A rectangle with rounded corners; `round` is 0 for sharp corners and 1 for half circles.
 pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
     let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
     let point = |i: usize| {
@@ -44,7 +44,7 @@ pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)
     (0..CORNERS.len()).map(point).collect()
 }
 
-/// Points of a rounded corner.
+/// Number of points of a rounded corner.
 const CORNER: usize = 6;
 
 /// Sine and cosine of the points of four rounded corners.
@@ -53,12 +53,12 @@ static CORNERS: LazyLock<[(f32, f32); 4 * CORNER]> = LazyLock::new(|| {
     std::array::from_fn(|i| (FRAC_PI_2 * part(i)).sine_cosine())
 });
 
-/// A level rectangle with rounded corners at a height.
+/// A horizontal rectangle with rounded corners at a height.
 pub(in crate::object) fn level(z: f32, half: (f32, f32), round: f32) -> Vec<P> {
     rounded(half, round).into_iter().map(|(x, y)| [x, y, z]).collect()
 }
 
-/// A closed skin over rings of equally many points, from one end to the other.
+/// A closed surface over rings with equal numbers of points, from one end to the other.
 pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
     let n = rings.iter().map(Vec::len).min().unwrap_or(0);
     let mut vertices = Vec::with_capacity(rings.len() * n + 2);
@@ -90,8 +90,8 @@ fn volume(vertices: &[P], triangles: &[[u32; 3]]) -> f32 {
     triangles.iter().map(|&[a, b, c]| at(a).dot(&at(b).cross(&at(c)))).sum()
 }
 
-/// A hollow vessel with a rounded rectangle as its plan: (height, half depth, half
-/// width) of its outside from below, and the thickness of its walls.
+/// A hollow vessel whose plan is a rounded rectangle. `outside` is its outer (height, half depth,
+/// half width) from the bottom up; `t` is the wall thickness.
 pub(in crate::object) fn tub(b: &mut Build<'_>, name: &str, outside: &[(f32, f32, f32)], round: f32, t: f32, mat: Mat) {
     let floor = outside.first().map_or(0.0, |s| s.0) + t;
     let thin = |v: f32| (v - t).max(v * 0.3);
@@ -101,8 +101,8 @@ pub(in crate::object) fn tub(b: &mut Build<'_>, name: &str, outside: &[(f32, f32
     loft(b, name, &rings, mat);
 }
 
-/// A tube along a path in a plane: each point with its half width along `side`, which
-/// is across that plane, and its half thickness in it.
+/// A tube along a path in a plane: each point has its half width along `side`, which is
+/// perpendicular to that plane, and its half thickness within the plane.
 pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat: Mat) {
     let side = Vector3::from(side).normalize();
     let at = |i: usize| Vector3::from(path[i.min(path.len() - 1)].0);
@@ -113,7 +113,7 @@ pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f
         let point = move |k: usize| {
             let (s, c) = circle::part(k, SIDES);
             let mut p: P = (centre + side * (width * c) + up * (thick * s)).into();
-            // Both ends are cut square to an axis, so that they stay where they were put.
+            // Both ends are cut perpendicular to an axis so that they stay at the given positions.
             if i == 0 || i + 1 == path.len() {
                 p[way.iamax()] = path[i].0[way.iamax()];
             }
@@ -125,13 +125,13 @@ pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f
     loft(b, name, &rings, mat);
 }
 
-/// A round tube through points of a plane that `side` is across.
+/// A round tube through points of a plane perpendicular to `side`.
 pub(in crate::object) fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, side: P, mat: Mat) {
     let path: Vec<_> = points.iter().map(|&p| (p, radius, radius)).collect();
     sweep(b, name, &path, side, mat);
 }
 
-/// Points of half an ellipse: from `centre + across` by `centre + out` to `centre - across`.
+/// Points of half an ellipse: from `centre + across` via `centre + out` to `centre - across`.
 pub(in crate::object) fn arch(centre: P, across: P, out: P) -> Vec<P> {
     let point = |k: usize| {
         let (s, c) = (PI * k as f32 / BENDS as f32).sine_cosine();
@@ -140,7 +140,7 @@ pub(in crate::object) fn arch(centre: P, across: P, out: P) -> Vec<P> {
     (0..=BENDS).map(point).collect()
 }
 
-/// A handle bent like an ear, upright at the Y side of a vessel: from `y.0` out to `y.1`.
+/// An ear-shaped handle, upright at the Y side of a vessel, from `y.0` out to `y.1`.
 pub(in crate::object) fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: Mat) {
     let r = radius.min((z.1 - z.0).abs() * 0.2).max(1e-4);
     let reach = (y.1 - y.0 - r).max(1e-4);
@@ -148,12 +148,12 @@ pub(in crate::object) fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), ra
     tube(b, "handle", &path, r, [1.0, 0.0, 0.0], mat);
 }
 
-/// A lump: an ellipsoid with bumps of up to a part of its size.
+/// A lump: an ellipsoid with bumps of up to a fraction of its size.
 pub(in crate::object) fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: Mat) {
     boulder(b, name, (centre, half), bump, (SIDES, 7), mat);
 }
 
-/// A lump of so many sides and rows: many where it is alone, few where there are many.
+/// A lump with the given numbers of sides and rows: many for a single lump, few in a heap.
 pub(in crate::object) fn boulder(
     b: &mut Build<'_>,
     name: &str,
@@ -163,7 +163,7 @@ pub(in crate::object) fn boulder(
     mat: Mat,
 ) {
     let phases = [b.vary(0.0, TAU), b.vary(0.0, TAU), b.vary(0.0, TAU)];
-    // What is the same in all rows.
+    // Terms that are equal in all rows.
     let around = |k: usize| {
         let angle = TAU * k as f32 / sides as f32;
         (angle, (3.0 * angle + phases[1]).cosine(), (phases[2] + 2.0 * angle).cosine(), circle::part(k, sides))
@@ -188,8 +188,7 @@ pub(in crate::object) fn boulder(
     loft(b, name, &rings, mat);
 }
 
-/// A profile with a point more between all pairs, on a curve through them (Catmull and
-/// Rom).
+/// A profile with an extra point between each pair, on a Catmull-Rom curve through them.
 fn smoothed(profile: &[(f32, f32)]) -> Vec<(f32, f32)> {
     let last = profile.len().saturating_sub(1);
     let between = |i: usize| {
@@ -201,8 +200,8 @@ fn smoothed(profile: &[(f32, f32)]) -> Vec<(f32, f32)> {
     pairs.chain(profile.last().copied()).collect()
 }
 
-/// A body of ellipses between two corners: a profile in parts of its half width and its
-/// length, upright or, lying, along Y.
+/// A body of elliptical sections between two corners: a profile as fractions of its half width and
+/// length, upright or, if `lying`, along Y.
 pub(in crate::object) fn spun(
     b: &mut Build<'_>,
     name: &str,
@@ -223,13 +222,13 @@ pub(in crate::object) fn spun(
         };
         turned.map(place).collect()
     };
-    // What has many points has edges that are meant.
+    // Profiles with many points have intended edges.
     let profile = if profile.len() < 14 { smoothed(profile) } else { profile.to_vec() };
     let rings: Vec<_> = profile.iter().map(ring).collect();
     loft(b, name, &rings, mat);
 }
 
-/// A profile given in parts of a radius and a height, turned.
+/// A lathe body whose profile is given as fractions of a radius and a height.
 pub(in crate::object) fn turn(
     b: &mut Build<'_>,
     name: &str,
@@ -248,7 +247,7 @@ pub(in crate::object) fn hoop(b: &mut Build<'_>, name: &str, z: (f32, f32), (inn
     b.lathe(name, [0.0; 3], &profile, mat);
 }
 
-/// The profile of a vessel from the outline of its outside, from its foot to its rim.
+/// The profile of a vessel from its outer outline, foot to rim.
 pub(in crate::object) fn shell(outside: &[(f32, f32)], t: f32) -> Vec<(f32, f32)> {
     let floor = outside.first().map_or(0.0, |p| p.1) + t;
     let way = |i: usize| {
@@ -267,7 +266,7 @@ pub(in crate::object) fn shell(outside: &[(f32, f32)], t: f32) -> Vec<(f32, f32)
     outside.iter().copied().chain((0..outside.len()).rev().map(inner)).collect()
 }
 
-/// A round vessel, hollow: its outside in parts of a radius and a height. What it holds
+/// A hollow round vessel; its outline is given as fractions of a radius and a height. Its content
 /// is inside.
 pub(in crate::object) fn vessel(
     b: &mut Build<'_>,

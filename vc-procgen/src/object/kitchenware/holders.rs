@@ -1,4 +1,4 @@
-//! What things are kept in, stand in or lie on: blocks, racks, trays, jars and boxes.
+//! Kitchen storage: blocks, racks, trays, jars and boxes.
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 
@@ -9,12 +9,12 @@ use super::form::{arch, dims, hoop, level, loft, rounded, tub, tube, turn, vesse
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 
-/// A slanted block of wood with knives in it.
+/// A slanted wooden block with knives in it.
 pub(super) fn knife_block(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[b.style.wood, BEECH, WALNUT, BLACK_PLASTIC]);
     let (hx, h) = (x / 2.0, z * 0.72);
-    // Knives lean back; the block's mouth faces forward and up.
+    // Knives lean back; the block's opening faces forward and up.
     let outline = [(-hx, 0.0), (hx * 0.5, 0.0), (hx * 0.9, h * 0.55), (-hx * 0.4, h), (-hx, h * 0.4)];
     let hy = y / 2.0;
     b.prism("block", Axis::Y, [0.0, -hy, 0.0], &outline, y, mat);
@@ -48,7 +48,7 @@ pub(super) fn knife_block(b: &mut Build<'_>) {
     b.inside("slot", [-hx * 0.01, hy * 0.45, h * 0.865 + lift], (0.0045, (hy * 0.3).max(0.0045)), z - h);
 }
 
-/// A crock or a basket of wire for spoons and whisks.
+/// A crock or wire basket for spoons and whisks.
 pub(super) fn utensil_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -94,7 +94,7 @@ pub(super) fn cutlery_tray(b: &mut Build<'_>) {
     }
 }
 
-/// A rack of wire that plates dry in, over a tray.
+/// A wire drying rack for plates over a tray.
 pub(super) fn dish_rack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -119,7 +119,7 @@ pub(super) fn dish_rack(b: &mut Build<'_>) {
     for i in 0..count {
         let at = gy * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
         b.block("wire", [-gx, at - w * 0.7, floor - w * 0.7], [gx, at + w * 0.7, floor + w * 0.7], mat);
-        // Fingers that hold plates, on the back half.
+        // Plate dividers on the back half.
         if at < gy * 0.3 {
             let finger = arch([-gx * 0.45, at, floor], [gx * 0.35, 0.0, 0.0], [0.0, 0.0, (high - floor) * 0.75]);
             for pair in finger.windows(2) {
@@ -131,7 +131,7 @@ pub(super) fn dish_rack(b: &mut Build<'_>) {
     b.ledge("plates", [-gx * 0.45, gy * 0.65, floor + w], (gx * 0.4, gy * 0.2), (high - floor) * 0.8);
 }
 
-/// A small shelf for spices that stands or hangs.
+/// A small standing or hanging shelf for spices.
 pub(super) fn spice_rack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -195,7 +195,7 @@ pub(super) fn napkin_holder(b: &mut Build<'_>) {
     b.inside("slot", [inner * 0.6, 0.0, t], ((inner * 0.35).max(1e-4), hy * 0.85), z - t);
 }
 
-/// A disc with a rod for a roll of paper.
+/// A paper towel holder: a disc with a rod for the roll.
 pub(super) fn paper_towel_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -208,7 +208,7 @@ pub(super) fn paper_towel_holder(b: &mut Build<'_>) {
     b.inside("rod", [0.0, r * 0.55, base], (r * 0.3, r * 0.3), z * 0.8);
 }
 
-/// Boxes of plastic or glass with a lid for food, one of them for lunch.
+/// Food boxes of plastic or glass with a lid, one of them a lunch box.
 pub(super) fn food_container(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -259,7 +259,7 @@ pub(super) fn food_container(b: &mut Build<'_>) {
     });
 }
 
-/// Jars of glass with a lid: screwed, clipped or of cork.
+/// Glass jars with a lid: screwed, clipped or of cork.
 pub(super) fn jar(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -323,7 +323,7 @@ pub(super) fn jar(b: &mut Build<'_>) {
     });
 }
 
-/// A flat tin for biscuits, round or oblong, its lid in another colour.
+/// A flat biscuit tin, round or rectangular, with a lid in a second colour.
 pub(super) fn biscuit_tin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -350,7 +350,7 @@ pub(super) fn biscuit_tin(b: &mut Build<'_>) {
     });
 }
 
-/// A box for bread: a roll top or a hinged front.
+/// A bread box with a roll top or a hinged front.
 pub(super) fn bread_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -361,7 +361,7 @@ pub(super) fn bread_box(b: &mut Build<'_>) {
     let t = (z * 0.05).min(0.01);
     let knob = (x * 0.06).min(0.018);
     let face = hx - knob;
-    // Sides with a slanted front edge; the lid is hinged where it meets the top.
+    // Sides with a slanted front edge; the lid is hinged at the top edge.
     let shelf = -hx * 0.05;
     let side = [(-hx, 0.0), (face, 0.0), (face, z * 0.25), (shelf, z), (-hx, z)];
     for at in [-hy, hy - t] {
@@ -382,7 +382,7 @@ pub(super) fn bread_box(b: &mut Build<'_>) {
     });
 }
 
-/// A woven basket for bread, with a napkin.
+/// A woven bread basket with a napkin.
 pub(super) fn bread_basket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -431,7 +431,7 @@ pub(super) fn ice_box(b: &mut Build<'_>) {
     }
 }
 
-/// Mats under plates, glasses and pots: of cloth, cork, wood or metal.
+/// Mats and coasters under plates, glasses and pots: of cloth, cork, wood or metal.
 pub(super) fn mat(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -463,7 +463,7 @@ pub(super) fn mat(b: &mut Build<'_>) {
     }
 }
 
-/// A stand for hot pots: a disc of cork, rings or a star of bars.
+/// A trivet: a disc of cork, rings or a star of bars.
 pub(super) fn trivet(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -501,7 +501,7 @@ pub(super) fn trivet(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, z], (r * 0.6, r * 0.6));
 }
 
-/// A wire handle over a bucket, standing up from two points of its rim.
+/// A wire handle over a bucket, rising from two points of its rim.
 pub(in crate::object) fn bail(b: &mut Build<'_>, r: f32, (z, top): (f32, f32), w: f32, mat: Mat) {
     let path = arch([0.0, 0.0, z], [0.0, r, 0.0], [0.0, 0.0, (top - z - w).max(w)]);
     tube(b, "bail", &path, w, [1.0, 0.0, 0.0], mat);

@@ -1,4 +1,4 @@
-//! Pots, dishes, cups, cutlery, utensils and what holds them.
+//! Pots, dishes, cups, cutlery, utensils and their storage.
 
 mod cloths;
 mod cups;

@@ -9,14 +9,14 @@ use super::form::{arch, dims, hoop, shell, sweep, tub, tube, turn, vessel};
 use crate::material::*;
 use crate::object::build::Build;
 
-/// A loop to grip at the Y side of a round wall, level at height `z`.
+/// A grip loop at the Y side of a round wall, horizontal at height `z`.
 fn loop_grip(b: &mut Build<'_>, side: f32, (wall, reach): (f32, f32), z: f32, width: f32, radius: f32, mat: Mat) {
     let r = radius.min((reach - wall) * 0.3).max(2e-4);
     let path = arch([0.0, side * wall, z], [width, 0.0, 0.0], [0.0, side * (reach - wall - r).max(1e-4), 0.0]);
     tube(b, "handle", &path, r, [0.0, 0.0, 1.0], mat);
 }
 
-/// A long handle along Y, flatter than wide and thicker where the hand is.
+/// A long handle along Y, flatter than wide and thicker at the grip.
 fn long_grip(b: &mut Build<'_>, from: (f32, f32), to: (f32, f32), half: (f32, f32), mat: Mat) {
     let at = |k: f32, lift: f32| [0.0, from.0 + (to.0 - from.0) * k, from.1 + (to.1 - from.1) * lift];
     let path = [
@@ -29,7 +29,7 @@ fn long_grip(b: &mut Build<'_>, from: (f32, f32), to: (f32, f32), half: (f32, f3
     sweep(b, "handle", &path, [1.0, 0.0, 0.0], mat);
 }
 
-/// A lid that lifts off a rim.
+/// A removable lid on a rim.
 fn lid(b: &mut Build<'_>, r: f32, (rim, top): (f32, f32), mats: (Mat, Mat)) {
     let rise = (top - rim) * 0.45;
     b.slide([0.0, 0.0, 1.0], top * 0.6, |b| {
@@ -46,7 +46,7 @@ fn lid(b: &mut Build<'_>, r: f32, (rim, top): (f32, f32), mats: (Mat, Mat)) {
     });
 }
 
-/// Pots with a lid: high, low, of steel or cast iron, with loops or a long handle.
+/// Pots with a lid: high or low, of steel or cast iron, with loops or a long handle.
 pub(super) fn pot(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let long = matches!(b.class, "pressure_cooker" | "saute_pan");
@@ -85,7 +85,7 @@ pub(super) fn pot(b: &mut Build<'_>) {
     }
 }
 
-/// Pans with a long handle: low ones for frying, high ones for sauces, woks.
+/// Pans with a long handle: low frying pans, high saucepans, woks.
 pub(super) fn pan(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = match b.class {
@@ -148,7 +148,7 @@ pub(super) fn grill_pan(b: &mut Build<'_>) {
     long_grip(b, (hx * 0.96, h * 0.75), ((y - hx).min(hx * 3.4), z - thick), (thick * 1.6, thick), grip);
 }
 
-/// Oblong tins, dishes and pans with straight walls, some with grips or a lid.
+/// Rectangular tins, dishes and pans with straight walls, some with grips or a lid.
 pub(super) fn tin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -185,7 +185,7 @@ pub(super) fn tin(b: &mut Build<'_>) {
         b.top("top", [0.0, 0.0, t], half);
     }
     if grips {
-        // The ends of round dishes fall back from their middle.
+        // The ends of round dishes recede from their centre.
         let grip_wall = if round > 0.5 { wy - lip - wx * 0.075 } else { (wy - lip) * 0.97 };
         for side in [-1.0, 1.0] {
             loop_grip(b, side, (grip_wall, hy), h * 0.85, wx * 0.35, (h * 0.08).min(0.006), mat);
@@ -238,7 +238,7 @@ pub(super) fn round_tin(b: &mut Build<'_>) {
     b.rod("lever", [r * 0.97, -r * 0.1, h * 0.5], [r * 0.97, r * 0.25, h * 0.5], (r * 0.02).min(h * 0.1), STEEL);
 }
 
-/// A sheet with cups for muffins.
+/// A muffin tray: a sheet with cups.
 pub(super) fn muffin_tin(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -251,7 +251,7 @@ pub(super) fn muffin_tin(b: &mut Build<'_>) {
     let bar = |b: &mut Build<'_>, low: [f32; 2], high: [f32; 2]| {
         b.block("sheet", [low[0], low[1], h - 2.0 * t], [high[0], high[1], h - t], mat);
     };
-    // Strips between the cups, which cover them up to their rims.
+    // Strips between the cups cover them up to their rims.
     for i in 0..=rows {
         let at = -x * 0.47 + px * i as f32;
         bar(b, [(at - px * 0.24).max(-hx), -hy], [(at + px * 0.24).min(hx), hy]);
@@ -273,7 +273,7 @@ pub(super) fn muffin_tin(b: &mut Build<'_>) {
     }
 }
 
-/// Baskets of bamboo, one on the other, with a lid.
+/// Stacked bamboo steamer baskets with a lid.
 pub(super) fn steamer_basket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -309,7 +309,7 @@ pub(super) fn steamer_basket(b: &mut Build<'_>) {
     });
 }
 
-/// A grid of wire on four feet.
+/// A cooling rack: a wire grid on four feet.
 pub(super) fn cooling_rack(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let w = (h * 0.12).min(0.0022);
@@ -334,7 +334,7 @@ pub(super) fn cooling_rack(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, h], (hx * 0.95, hy * 0.95));
 }
 
-/// A mortar with a pestle that leans in it.
+/// A mortar with a pestle leaning in it.
 pub(super) fn mortar_and_pestle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;

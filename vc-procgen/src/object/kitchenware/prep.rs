@@ -1,4 +1,4 @@
-//! What one measures, strains, times and cools with.
+//! Tools for measuring, straining, timing and cooling.
 
 use std::f32::consts::{PI, TAU};
 
@@ -10,7 +10,7 @@ use super::utensils::{ACROSS, grip, hoop_at, thin_wire};
 use crate::material::*;
 use crate::object::build::Build;
 
-/// A cone of cloth with a nozzle, standing on it.
+/// A piping bag: a cone of cloth standing on its nozzle.
 pub(super) fn piping_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[WHITE_COTTON, CLEAR_PLASTIC, BLUE_FABRIC]);
@@ -25,7 +25,7 @@ pub(super) fn piping_bag(b: &mut Build<'_>) {
     turn(b, "nozzle", [0.0; 3], (hx * 0.3, z * 0.14), &[(0.35, 0.0), (1.0, 1.0)], STEEL);
 }
 
-/// A jug with a scale.
+/// A measuring jug with a scale.
 pub(super) fn measuring_cup(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = (x / 2.0).min(y * 0.4);
@@ -76,7 +76,7 @@ pub(super) fn measuring_spoon(b: &mut Build<'_>) {
     sweep(b, "handle", &path, ACROSS, mat);
 }
 
-/// A bowl of holes with two grips.
+/// A colander: a bowl with holes and two grips.
 pub(super) fn colander(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.44);
@@ -119,7 +119,7 @@ pub(super) fn colander(b: &mut Build<'_>) {
     }
 }
 
-/// A bowl of mesh in a ring with a handle: for flour, pasta or tea.
+/// A sieve: a bowl of mesh in a ring with a handle, for flour, pasta or tea.
 pub(super) fn sieve(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.35);
@@ -152,7 +152,7 @@ pub(super) fn sieve(b: &mut Build<'_>) {
     grip(b, [0.0, -y / 2.0, z - w], [0.0, centre - r * 0.95, z - w], ((r * 0.14).max(w), w), handle);
 }
 
-/// A cone with a tube, standing on its rim or on its tube.
+/// A funnel standing on its rim or on its tube.
 pub(super) fn funnel(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -160,7 +160,7 @@ pub(super) fn funnel(b: &mut Build<'_>) {
     let (neck, rise) = (b.vary(0.16, 0.24), b.vary(0.4, 0.5));
     let t = (r * 0.03).min(0.002) / r;
     let (n, w) = (neck * 0.6, rise);
-    // Rim down, so that it stands.
+    // The rim points down so that the funnel stands.
     let profile = [
         (1.0, 0.0),
         (1.0, 0.04),
@@ -175,7 +175,7 @@ pub(super) fn funnel(b: &mut Build<'_>) {
     turn(b, "funnel", [0.0; 3], (r, z), &profile, mat);
 }
 
-/// A bowl with a basket in it and a lid with a crank.
+/// A salad spinner: a bowl with a basket in it and a lid with a crank.
 pub(super) fn salad_spinner(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -240,7 +240,7 @@ pub(super) fn kitchen_timer(b: &mut Build<'_>) {
     }
 }
 
-/// A round timer that stands: a plate with marks and a grip across its dial.
+/// A standing round timer: a plate with marks and a grip across its dial.
 fn dial_timer(b: &mut Build<'_>, mat: Mat) {
     let (x, y, z) = dims(b);
     let (r, hx) = (y.min(z) / 2.0, x / 2.0);
@@ -258,7 +258,7 @@ fn dial_timer(b: &mut Build<'_>, mat: Mat) {
     b.soft("grip", [hx * 0.4, -dial * 0.12, r - dial * 0.5], [hx, dial * 0.12, r + dial * 0.5], dial * 0.1, mat);
 }
 
-/// A dial on a needle.
+/// A meat thermometer: a dial on a needle.
 pub(super) fn meat_thermometer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(z) / 2.0;
@@ -275,7 +275,7 @@ pub(super) fn meat_thermometer(b: &mut Build<'_>) {
     b.lathe_along("needle", from, to, &[(r * 0.12, depth), (r * 0.12, y * 0.92), (0.0, y)], STEEL);
 }
 
-/// A bucket for ice with a lid and a bail.
+/// An ice bucket with a lid and a bail.
 pub(super) fn ice_bucket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.44);
@@ -304,7 +304,7 @@ pub(super) fn ice_bucket(b: &mut Build<'_>) {
     });
 }
 
-/// A tray with a row of cups for ice.
+/// An ice cube tray with a row of cups.
 pub(super) fn ice_cube_tray(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);

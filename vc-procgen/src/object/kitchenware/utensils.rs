@@ -1,5 +1,4 @@
-//! Utensils to stir, turn and press with: long ones lie along Y, the grip at the low
-//! end.
+//! Utensils for stirring, turning and pressing: long ones lie along Y with the grip at the low end.
 
 use std::f32::consts::PI;
 
@@ -12,12 +11,12 @@ use crate::object::build::{Axis, Build, P};
 
 pub(super) const ACROSS: P = [1.0, 0.0, 0.0];
 
-/// What grips are made of.
+/// Materials of grips.
 pub(super) fn grip_mat(b: &mut Build<'_>) -> Mat {
     b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, STEEL, BEECH, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC])
 }
 
-/// A grip along Y from its butt at `from` to where it ends, thickest near the butt.
+/// A grip along Y from its butt at `from` to its end, thickest near the butt.
 pub(super) fn grip(b: &mut Build<'_>, from: P, to: P, half: (f32, f32), mat: Mat) {
     let at = |k: f32| [0, 1, 2].map(|i| from[i] + (to[i] - from[i]) * k);
     let (w, t) = half;
@@ -31,7 +30,7 @@ pub(super) fn grip(b: &mut Build<'_>, from: P, to: P, half: (f32, f32), mat: Mat
     sweep(b, "grip", &path, ACROSS, mat);
 }
 
-/// A spoon cut from one piece of wood.
+/// A spoon carved from one piece of wood.
 pub(super) fn wooden_spoon(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[BEECH, OAK, BAMBOO, CHERRY, MAPLE]);
@@ -90,7 +89,7 @@ pub(super) fn spatula(b: &mut Build<'_>) {
     grip(b, [0.0, -y / 2.0, lift.min(z - r)], [0.0, root - y * 0.15, lift], (r * 1.4, r), handle);
 }
 
-/// Ladles and skimmers: a round head, deep or flat with holes.
+/// Ladles and skimmers: a round head, either deep or flat with holes.
 pub(super) fn ladle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (mat, handle) = (b.one(&[STEEL, STEEL, BLACK_PLASTIC]), b.one(&[STEEL, BLACK_PLASTIC, BEECH]));
@@ -131,7 +130,7 @@ pub(super) fn hoop_at(b: &mut Build<'_>, base: P, z: (f32, f32), r: (f32, f32), 
     b.at(base, 0.0, |b| hoop(b, "rim", z, r, mat));
 }
 
-/// Loops of wire on a grip.
+/// A whisk: wire loops on a grip.
 pub(super) fn whisk(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = grip_mat(b);
@@ -162,7 +161,7 @@ pub(super) fn thin_wire(b: &mut Build<'_>, points: &[P], w: f32, side: P) {
     sweep(b, "wire", &path, side, STEEL);
 }
 
-/// Two arms that meet at one end.
+/// Tongs: two arms joined at one end.
 pub(super) fn kitchen_tongs(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (mat, tip_mat) = (STEEL, b.one(&[STEEL, RED_RUBBER, BLACK_PLASTIC, GREEN_PLASTIC]));
@@ -187,7 +186,7 @@ pub(super) fn kitchen_tongs(b: &mut Build<'_>) {
     b.block("hinge", [-hx * 0.3, -y * 0.49, z * 0.2], [hx * 0.3, -y * 0.46, z * 0.8], mat);
 }
 
-/// A bent wire or a plate with holes, on a grip.
+/// A potato masher: a bent wire or a plate with holes, on a grip.
 pub(super) fn potato_masher(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let handle = grip_mat(b);
@@ -224,7 +223,7 @@ pub(super) fn potato_masher(b: &mut Build<'_>) {
     grip(b, [0.0, -y / 2.0, hz], [0.0, y * 0.03, hz], (r, r), handle);
 }
 
-/// A roller with two grips.
+/// A rolling pin with two grips.
 pub(super) fn rolling_pin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[BEECH, MAPLE, MARBLE, b.style.wood, STEEL]);
@@ -248,7 +247,7 @@ pub(super) fn rolling_pin(b: &mut Build<'_>) {
     }
 }
 
-/// A flat brush for glazing.
+/// A flat pastry brush.
 pub(super) fn pastry_brush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let hair = b.one(&[WAX, RED_RUBBER, WHITE_PLASTIC, BLUE_PLASTIC]);

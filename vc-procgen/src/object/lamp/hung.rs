@@ -7,7 +7,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::cooker::fitting::*;
 
-/// Flat under the ceiling: a bowl of glass, a drum, a plate of light, or spots.
+/// A lamp flat against the ceiling: a glass bowl, a drum, a light panel, or spots.
 pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let r = x.min(y);
@@ -62,13 +62,13 @@ pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
     }
 }
 
-/// A tube open below, its profile.
+/// The lathe profile of a tube that is open at the bottom.
 fn cup_down(r: f32, h: f32) -> [(f32, f32); 5] {
     let t = r * 0.08;
     [(r, 0.0), (r * 0.8, h), (r * 0.3, h), (r - t, t), (r, 0.0)]
 }
 
-/// Sine and cosine of a place on a circle of three to twelve.
+/// Sine and cosine of the angle at index `i` of `count` around a circle.
 fn turn(i: usize, count: usize) -> (f32, f32) {
     (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sine_cosine()
 }
@@ -81,7 +81,7 @@ fn ring_of_spokes(b: &mut Build<'_>, r: f32, z: f32, thick: f32, mat: Mat) {
     }
 }
 
-/// A shade on a cord from a rose at the ceiling: cloth, metal, glass or a globe.
+/// A pendant lamp: a shade on a cord from a ceiling rose; cloth, metal, glass or a globe.
 pub(super) fn pendant_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.16, 0.24]);
     let (x, y, h) = spans(b);
@@ -139,7 +139,7 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
     }
 }
 
-/// Arms with candles or small shades around a stem, on a chain.
+/// A chandelier on a chain: arms with candles or small shades around a stem.
 pub(super) fn chandelier(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.4]);
     let (x, y, h) = spans(b);
@@ -199,7 +199,7 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
     }
 }
 
-/// On a wall: a shade on an arm, a box of light up and down, or a half bowl.
+/// A wall lamp: a shade on an arm, a box that shines up and down, or a half bowl.
 pub(super) fn wall_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.08, 0.08]);
     let (x, y, h) = spans(b);
@@ -254,7 +254,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
     }
 }
 
-/// Cylinders that turn on a rail, or one on a round plate.
+/// Rotating cylindrical spots on a rail, or one on a round plate.
 pub(super) fn spotlight(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.064, 0.064]);
     let (x, y, h) = spans(b);
@@ -294,7 +294,7 @@ pub(super) fn spotlight(b: &mut Build<'_>) {
     }
 }
 
-/// A bar of light over a mirror, or round lamps in a row.
+/// A mirror lamp: a light bar, or round lamps in a row.
 pub(super) fn mirror_light(b: &mut Build<'_>) {
     let u = fit(b, [0.048, 0.24, 0.032]);
     let (x, y, h) = spans(b);
@@ -322,7 +322,7 @@ pub(super) fn mirror_light(b: &mut Build<'_>) {
     }
 }
 
-/// A flat bar of light with a switch.
+/// A flat light bar with a switch.
 pub(super) fn under_cabinet_light(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let case_mat = b.one(&[WHITE_PLASTIC, ALUMINIUM, BLACK_PLASTIC]);

@@ -1,4 +1,4 @@
-//! Lamps: bulbs that glow, shades, stands.
+//! Lamps: glowing bulbs, shades, stands.
 
 mod hung;
 mod small;
@@ -26,7 +26,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("flashlight", 5, small::flashlight),
 ];
 
-/// Cloth, paper or glass for a shade.
+/// Cloth, paper or glass of a shade.
 fn shade_mat(b: &mut Build<'_>) -> Mat {
     let accent = b.style.accent;
     b.one(&[WHITE_COTTON, LINEN, LINEN, BEIGE_FABRIC, accent, CREAM_PAPER])
@@ -38,7 +38,7 @@ fn stand_mat(b: &mut Build<'_>) -> Mat {
     b.one(&[metal, metal, BRASS, BLACK_METAL, WHITE_METAL])
 }
 
-/// Outlines of shades: a drum, a cone, an empire, a bell, a dome and a globe cut open.
+/// Outlines of shades: a drum, a cone, an empire, a bell, a dome and a truncated globe.
 const SHADES: [&[(f32, f32)]; 6] = [
     &[(1.0, 0.0), (1.0, 1.0)],
     &[(1.0, 0.0), (0.35, 1.0)],
@@ -48,7 +48,8 @@ const SHADES: [&[(f32, f32)]; 6] = [
     &[(0.72, 0.0), (0.97, 0.3), (1.0, 0.5), (0.97, 0.7), (0.72, 0.94), (0.3, 1.0)],
 ];
 
-/// An open shade of one of [`SHADES`] standing on `base`, `r` wide and `h` high.
+/// An open shade with one of the outlines [`SHADES`], standing on `base`, with radius `r` and
+/// height `h`.
 fn shade(b: &mut Build<'_>, design: usize, base: P, (r, h): (f32, f32), mat: Mat) {
     let wall = (r * 0.04).min(0.004);
     let outer = SHADES[design % SHADES.len()].iter().map(|p| (p.0 * r, p.1 * h));
@@ -59,7 +60,7 @@ fn shade(b: &mut Build<'_>, design: usize, base: P, (r, h): (f32, f32), mat: Mat
     b.lathe("shade", base, &profile, mat);
 }
 
-/// Radius to the middle of a shade's wall at a share of its height, as it is `r` wide.
+/// Radius to the middle of a shade's wall at a fraction of its height; `r` is the shade's radius.
 fn shade_at(design: usize, share: f32, r: f32) -> f32 {
     let outline = SHADES[design % SHADES.len()];
     let between = |p: &[(f32, f32)]| {
@@ -68,7 +69,7 @@ fn shade_at(design: usize, share: f32, r: f32) -> f32 {
     outline.windows(2).find_map(between).unwrap_or(1.0) * r - (r * 0.02).min(0.002)
 }
 
-/// A bulb with its neck up or down, `r` its radius; `at` is its middle.
+/// A bulb of radius `r` centred at `at` with its neck up or down.
 fn bulb(b: &mut Build<'_>, at: P, r: f32, neck_up: bool) {
     let light = b.one(&[WARM_BULB, WARM_BULB, COOL_BULB]);
     b.ball("bulb", at, r, light);

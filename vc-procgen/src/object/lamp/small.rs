@@ -1,4 +1,4 @@
-//! Bulbs, torches, night lights, strings of lights.
+//! Bulbs, torches, night lights, light strings.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
 
-/// Something soft that glows: a moon, a mushroom, a cube, a cat's ears.
+/// A soft glowing shape: a moon, a mushroom, a cube, a cat's head.
 pub(super) fn night_light(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let r = x.min(y);
@@ -50,7 +50,7 @@ pub(super) fn night_light(b: &mut Build<'_>) {
     }
 }
 
-/// A string of small lights in a coil around a spool or loose in loops.
+/// A string of small lights, coiled around a spool or in loose loops.
 pub(super) fn string_lights(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let cable = b.one(&[GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]);
@@ -81,7 +81,7 @@ pub(super) fn string_lights(b: &mut Build<'_>) {
     b.rod("cable", ends[2], [0.0, 0.0, bead], r * 0.45, cable);
 }
 
-/// A light the size of a bead, cut like a gem.
+/// A bead-sized light with the facets of a gem.
 fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: Mat) {
     let ring = |z: f32, out: f32, shift: f32| {
         (0..6).map(move |i| {
@@ -94,7 +94,7 @@ fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: Mat) {
     b.hull("bulb", &points, mat);
 }
 
-/// A pear, a globe, a candle or a spiral on a screw thread, standing on its contact.
+/// A bulb standing on its contact: pear, globe, candle or spiral shape on a screw thread.
 pub(super) fn light_bulb(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let r = x.min(y);

@@ -1,11 +1,11 @@
-//! Lamps on tables, desks and floors.
+//! Table, desk and floor lamps.
 
 use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
 
-/// A foot and a body under a shade: turned, a block, a ball, a tripod; or a mushroom.
+/// A base and a body under a shade: turned, a block, a ball, a tripod; or a mushroom lamp.
 pub(super) fn table_lamp(b: &mut Build<'_>) {
     let (x, y, h) = spans(b);
     let r = x.min(y);
@@ -78,7 +78,7 @@ fn topped(b: &mut Build<'_>, design: usize, (r, tall): (f32, f32), neck: f32, h:
     b.rod("wire", [0.0, -spread, z + wire], [0.0, spread, z + wire], wire, BRASS);
 }
 
-/// A dome of glass on a thick stem.
+/// A glass dome on a thick stem.
 fn mushroom(b: &mut Build<'_>, r: f32, h: f32) {
     let mat = b.one(&[WHITE_METAL, MUSTARD, TERRACOTTA, BLACK_METAL, b.style.wood]);
     b.lathe("stem", [0.0; 3], &[(r * 0.6, 0.0), (r * 0.5, h * 0.05), (r * 0.26, h * 0.3), (r * 0.24, h * 0.66)], mat);
@@ -105,7 +105,7 @@ fn tripod(b: &mut Build<'_>, spread: f32, top: f32, mat: Mat) {
     b.cylinder("hub", [0.0, 0.0, top * 0.93], spread * 0.2, top * 0.07, mat);
 }
 
-/// A foot, arms with joints, and a head that shines down.
+/// A base, jointed arms, and a head that shines down.
 pub(super) fn desk_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.272]);
     let (x, y, h) = spans(b);
@@ -121,7 +121,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
     let r = 0.007 * u;
     match b.rng.below(3) {
         0 => {
-            // Two arms, a bell.
+            // Two arms and a bell-shaped head.
             let head = (y * 0.8).min(h * 0.16);
             let elbow: P = [-x + 0.03 * u, 0.0, h * 0.56];
             let wrist: P = [x - head * 1.4, 0.0, h - 0.03 * u];
@@ -141,7 +141,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
             b.rod("stem", [cx, 0.0, low + h * 0.09], [cx, 0.0, low + h * 0.22], head * 0.3, mat);
         }
         1 => {
-            // A bent arm with a flat bar of light.
+            // A bent arm with a flat light bar.
             let top = h - 0.012 * u;
             b.pipe(
                 "arm",
@@ -188,7 +188,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
     }
 }
 
-/// A tall stand: a shade on a pole or on three legs, a bow, an uplighter, spots.
+/// A floor lamp: a shade on a pole or on three legs, an arc lamp, an uplighter, or spots.
 pub(super) fn floor_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.192, 1.12]);
     let (x, y, h) = spans(b);
@@ -229,7 +229,7 @@ pub(super) fn floor_lamp(b: &mut Build<'_>) {
             b.cylinder("light", [0.0, 0.0, h - bowl * 0.55], r * 0.6, bowl * 0.2, WARM_BULB);
         }
         _ => {
-            // A bow that carries its shade forward.
+            // An arc that holds its shade forward.
             let cx = -x + foot.min(x);
             b.cylinder("foot", [cx, 0.0, 0.0], foot.min(y).min(x), 0.035 * u, MARBLE);
             let head = (x * 0.55).min(y);

@@ -1,4 +1,4 @@
-//! Cleaning things: brooms, mops, buckets, sponges.
+//! Cleaning equipment: brooms, mops, buckets, sponges.
 
 use std::f32::consts::{PI, TAU};
 
@@ -14,14 +14,14 @@ use crate::material::*;
 
 const BRIGHT: [Mat; 6] = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC];
 
-/// A stick to the top of a tool, its end round.
+/// A stick with a round end, up to the top of a tool.
 fn stick(b: &mut Build<'_>, (x, low): (f32, f32), r: f32) {
     let z = b.size.z;
     let mat = b.one(&[BEECH, PINE, STEEL, GREEN_METAL, RED_METAL, BLUE_METAL]);
     turn(b, "stick", [x, 0.0, low], (r, z - low), &[(1.0, 0.0), (1.0, 0.985), (0.5, 1.0)], mat);
 }
 
-/// Brooms stand on their bristles.
+/// A broom standing on its bristles.
 pub(super) fn broom(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -50,7 +50,7 @@ pub(super) fn broom(b: &mut Build<'_>) {
     stick(b, (0.0, head), (hx * 0.4).min(0.012));
 }
 
-/// Mops: flat ones with a cloth, or with strings.
+/// A mop: a flat one with a cloth, or one with strings.
 pub(super) fn mop(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -83,7 +83,7 @@ pub(super) fn mop(b: &mut Build<'_>) {
     stick(b, (0.0, h), (hx * 0.2).min(0.012));
 }
 
-/// A bucket with a lip and a bail; one with a wringer for the mop.
+/// A bucket with a lip and a bail; the mop bucket has a wringer.
 pub(super) fn bucket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC, GALVANISED, YELLOW_PLASTIC]);
@@ -157,7 +157,7 @@ fn mop_bucket(b: &mut Build<'_>, h: f32, mat: Mat) {
     bail(b, hy - w, (h * 0.93, z), w, STEEL);
 }
 
-/// Sponges with a rough side, scouring pads of wool.
+/// Sponges with a rough side, and wool scouring pads.
 pub(super) fn sponge(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -241,7 +241,7 @@ pub(super) fn duster(b: &mut Build<'_>) {
     }
 }
 
-/// A blade of rubber across a handle, standing on the blade.
+/// A squeegee: a rubber blade across a handle, standing on the blade.
 pub(super) fn squeegee(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -261,12 +261,12 @@ pub(super) fn squeegee(b: &mut Build<'_>) {
     b.block("brace", [-w, -hy * 0.1, z * 0.1], [w, hy * 0.1, z * 0.155], mat);
 }
 
-/// Black goes with any colour.
+/// Returns a contrasting colour; black contrasts with all colours in use.
 fn contrast(mat: Mat) -> Mat {
     if mat == GREY_PLASTIC { BLUE_PLASTIC } else { BLACK_PLASTIC }
 }
 
-/// A pan with a wide mouth to the front and a handle at the back.
+/// A dustpan with a wide mouth to the front and a handle at the back.
 pub(super) fn dustpan(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -320,7 +320,7 @@ pub(super) fn dustpan(b: &mut Build<'_>) {
     b.inside("inside", [f32::midpoint(back, hx) + x * 0.08, 0.0, t * 1.5], ((hx - back) * 0.3, hy * 0.7), z * 0.5);
 }
 
-/// A roller of sticky paper with a handle, upright.
+/// An upright roller of sticky paper with a handle.
 pub(super) fn lint_roller(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&BRIGHT);
@@ -347,7 +347,7 @@ pub(super) fn lint_roller(b: &mut Build<'_>) {
     );
 }
 
-/// Bin liners on a roll, lying along Y.
+/// Bin liners on a roll along Y.
 pub(super) fn garbage_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[BLACK_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]);
@@ -361,17 +361,17 @@ pub(super) fn garbage_bag(b: &mut Build<'_>) {
     };
     b.lathe_along("band", from, [0.0, y / 2.0, r], &band(y * 0.3, y * 0.7, GROWTH.min(x * 0.02) * 0.5), paper);
     b.lathe_along("print", from, [0.0, y / 2.0, r], &band(y * 0.42, y * 0.5, GROWTH.min(x * 0.02)), ink);
-    // A bag pulled off the roll opens over it.
+    // A bag pulled off the roll opens above it.
     b.inside("inside", [0.0, 0.0, 2.0 * r], ((r * 0.3).max(0.0045), y * 0.1), x);
 }
 
-/// A pair of rubber gloves hanging down, their fingers below.
+/// A pair of hanging rubber gloves with the fingers down.
 pub(super) fn rubber_gloves(b: &mut Build<'_>) {
     let over = Isometry3::new(Vector3::z() * b.size.z.max(1e-3), Vector3::x() * PI);
     b.posed(over, gloves);
 }
 
-/// Two gloves, their fingers down.
+/// Two gloves with the fingers down.
 fn gloves(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);
@@ -406,7 +406,7 @@ fn gloves(b: &mut Build<'_>) {
     }
 }
 
-/// Tablets in a standing pouch or a tub.
+/// Dishwasher tablets in a standing pouch or a tub.
 pub(super) fn dishwasher_tablets(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);

@@ -1,4 +1,4 @@
-//! Bottles that are not round: oval ones, jugs, sprays.
+//! Bottles of non-round section: oval ones, jugs, sprays.
 
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{dims, level, loft, sweep, tube, turn};
@@ -7,8 +7,7 @@ use super::label::panel;
 use super::look::look;
 use crate::material::*;
 
-/// Oval bottles for the bath and the kitchen: with a flip cap, upside down on their cap,
-/// or with a pump.
+/// Oval bottles for bath and kitchen: with a flip cap, upside down on their cap, or with a pump.
 pub(super) fn oval_bottle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -93,7 +92,7 @@ fn pump_head(b: &mut Build<'_>, (neck, h, z): (f32, f32, f32), mat: Mat) {
     sweep(b, "spout", &path, [0.0, 1.0, 0.0], mat);
 }
 
-/// Bottles with a trigger to spray.
+/// Spray bottles with a trigger.
 pub(super) fn trigger_spray(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -147,7 +146,7 @@ pub(super) fn trigger_spray(b: &mut Build<'_>) {
     );
 }
 
-/// Large bottles with a grip: detergents, softener, bleach.
+/// Large bottles with a grip: detergent, softener, bleach.
 pub(super) fn jug_bottle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     if b.class == "laundry_detergent" && b.rng.chance(0.3) {
@@ -195,7 +194,7 @@ pub(super) fn jug_bottle(b: &mut Build<'_>) {
     panel(b, hx, (-hy * 0.1, hy * 0.65), (h * 0.08, h * 0.48), look.label());
 }
 
-/// The bottle with a bent neck that reaches under a rim.
+/// The toilet cleaner bottle with a bent neck that reaches under a rim.
 pub(super) fn bent_bottle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);

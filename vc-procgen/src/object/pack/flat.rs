@@ -11,15 +11,15 @@ use super::label::panel;
 use super::look::{Look, look};
 use crate::material::*;
 
-/// How far a panel stands out.
+/// The protrusion of a panel.
 pub(super) const PANEL: f32 = 0.0019;
 
-/// Builds on the top as if it were the front: what is up there points to -X here.
+/// Builds on the top as if it were the front: the up direction of the object is -X here.
 fn on_top(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>)) {
     b.posed(Isometry3::rotation(Vector3::y() * -FRAC_PI_2), build);
 }
 
-/// Boxes of card, printed on their front, or on top where they lie.
+/// Cardboard boxes, printed on their front, or on top if they lie flat.
 pub(super) fn carton_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mut look = look(b);
@@ -100,7 +100,7 @@ pub(super) fn gable(b: &mut Build<'_>) {
     b.block("stripe", [-hx - 0.0005, -hy - 0.0005, body * 0.2], [hx - 0.0005, hy + 0.0005, body * 0.3], look.ink);
 }
 
-/// Bags: pillows sealed at both ends, and paper bags with a folded top.
+/// Bags: pillow bags sealed at both ends, and paper bags with a folded top.
 pub(super) fn bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -140,7 +140,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
         return;
     }
     let foot = if foil { 0.2 } else { 0.85 };
-    // A pillow of some centimetres would not stand on its seam.
+    // A pillow bag of a few centimetres would not stand on its seam.
     let stand = matches!(b.class, "candy" | "nuts" | "raisins" | "coffee_beans" | "pet_food" | "ground_coffee");
     let base = if stand { 0.9 } else { foot };
     loft(
@@ -158,20 +158,20 @@ pub(super) fn bag(b: &mut Build<'_>) {
         ],
         look.body,
     );
-    // A print that follows the belly: a little bulged patch.
+    // A slightly bulging patch: a print that follows the belly.
     let py = hy * 0.62;
     let depth = |k: f32| hx * if k < 0.5 { 0.97 + 0.15 * (k - 0.3) } else { 1.0 - 0.75 * (k - 0.5) };
     patch(b, &[0.3, 0.5, 0.68].map(|k| (depth(k) + 0.0006, z * k)), py, look.paper);
     patch(b, &[0.5, 0.62].map(|k| (depth(k) + 0.0012, z * k)), py * 0.75, look.ink);
 }
 
-/// A patch on a bulging front: its depth at some heights, half its width.
+/// A patch on a bulging front, given by its depth at several heights and its half width.
 fn patch(b: &mut Build<'_>, front: &[(f32, f32)], half: f32, mat: Mat) {
     let corners = |&(x, z): &(f32, f32)| [[x, -half, z], [x, half, z], [x * 0.5, -half, z], [x * 0.5, half, z]];
     b.hull("print", &front.iter().flat_map(corners).collect::<Vec<P>>(), mat);
 }
 
-/// Tubes that stand on their cap, flat at the other end.
+/// Tubes standing on their cap, flat at the other end.
 pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -194,7 +194,7 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     let belly = cap / z + 0.03;
     for (low, high, mat) in [(0.44, 0.56, look.paper), (0.62, 0.7, look.ink)] {
         let ring = |k: f32| {
-            // Between the ring below the middle and the flat end.
+            // Interpolates between the ring below the middle and the flat end.
             let middle = f32::midpoint(r, hy);
             let (hk, wide) = if k < 0.5 {
                 let share = (k - belly) / (0.5 - belly);
@@ -209,7 +209,7 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     }
 }
 
-/// Bars in a wrapper: chocolate, snacks, gum; their ends crimped.
+/// Wrapped bars with crimped ends: chocolate, snacks, gum.
 pub(super) fn bar(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -264,7 +264,7 @@ pub(super) fn bar(b: &mut Build<'_>) {
     );
 }
 
-/// Butter in paper or foil, cream cheese in a tub with a lid: low and oblong.
+/// Butter in paper or foil, cream cheese in a tub with a lid: low and rectangular.
 pub(super) fn block_pack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -301,7 +301,7 @@ pub(super) fn block_pack(b: &mut Build<'_>) {
     on_top(b, |b| panel(b, z - g, (0.0, hy * 0.7), (-hx * 0.65, hx * 0.65), look.label()));
 }
 
-/// Ready meals in a sleeve, noodles in a packet: flat with a picture on top.
+/// Ready meals in a sleeve and noodles in a packet: flat with a picture on top.
 pub(super) fn sleeve(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -329,7 +329,7 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
     b.cylinder("picture", [0.0, py * 0.62, z - g * 1.5], (py * 0.4).min(px), g * 1.2, TOMATO);
 }
 
-/// A box of folded card with a wire handle for food to take away, or a bucket of popcorn.
+/// A folded takeaway box with a wire handle, or a bucket of popcorn.
 pub(super) fn takeaway(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -409,12 +409,12 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
     tube(b, "bail", &bail, w, [1.0, 0.0, 0.0], STEEL);
 }
 
-/// A larger bag or a can for a pet's food.
+/// A larger bag or a can of pet food.
 pub(super) fn pet_food(b: &mut Build<'_>) {
     if b.size.z < 0.16 && b.size.y < 0.16 { super::round::can(b) } else { bag(b) }
 }
 
-/// Coffee that is ground comes in a bag, a jar or a tin; flour and tea in bags or boxes.
+/// Ground coffee in a bag, a jar or a tin; flour and tea in bags or boxes.
 pub(super) fn either(b: &mut Build<'_>) {
     match (b.class, b.rng.below(3)) {
         ("ground_coffee", 0) | ("baking_powder", 0) => super::round::jar(b),
@@ -433,7 +433,7 @@ pub(super) fn either(b: &mut Build<'_>) {
     }
 }
 
-/// An oval stick with a high cap.
+/// A deodorant: an oval stick with a high cap.
 fn stick(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let Look { body, paper, ink, cap } = look(b);

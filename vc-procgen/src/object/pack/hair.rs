@@ -1,10 +1,10 @@
-//! What one does one's hair with.
+//! Hair care tools.
 
 use super::super::build::{Axis, Build, P};
 use super::super::kitchenware::form::{dims, level, loft, sweep};
 use crate::material::*;
 
-/// A comb lying flat: a back, teeth, coarse and fine.
+/// A comb lying flat: a back with coarse and fine teeth.
 pub(super) fn comb(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[BLACK_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BAMBOO]);
@@ -37,8 +37,7 @@ pub(super) fn comb(b: &mut Build<'_>) {
     }
 }
 
-/// Brushes for hair and body, lying on their back, and the scrubbing kind on their
-/// bristles.
+/// Brushes for hair and body lie on their back, scrubbing brushes on their bristles.
 pub(super) fn brush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let scrub = b.class == "scrubbing_brush";
@@ -85,7 +84,7 @@ pub(super) fn brush(b: &mut Build<'_>) {
     }
 }
 
-/// A dryer for hair, lying on its side edge: barrel, nozzle and grip.
+/// A hair dryer lying on its side edge: barrel, nozzle and grip.
 pub(super) fn hair_dryer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, RED_PLASTIC]);
@@ -116,7 +115,7 @@ pub(super) fn hair_dryer(b: &mut Build<'_>) {
     );
 }
 
-/// Two long jaws with plates, lying.
+/// A lying hair straightener: two long jaws with plates.
 pub(super) fn hair_straightener(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC]);

@@ -8,19 +8,19 @@ use super::super::build::{Axis, Build};
 use super::super::kitchenware::form::hoop;
 use crate::material::Mat;
 
-/// How far a panel stands out, metres.
+/// The protrusion of a panel, metres.
 const RAISED: f32 = 0.0007;
 
-/// How far a band around a body stands out, and a print on it: more than what the
-/// corners of something round stand out over its sides.
+/// The protrusions of a band around a body and of a print on it: more than the protrusion of a
+/// round body's corners over its sides.
 const BAND: f32 = 0.001;
 const PRINT: f32 = 0.0012;
 
-/// What a label adds to a radius at most, metres.
+/// The most that a label adds to a radius, metres.
 pub(in crate::object) const GROWTH: f32 = BAND + PRINT;
 
-/// A band around a round body of radius `r` with bars on its front; it stands out by
-/// less than 2.3 mm.
+/// A band around a round body of radius `r` with bars on its front; it protrudes by less than 2.3
+/// mm.
 pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32), (paper, ink): (Mat, Mat)) {
     let tall = high - low;
     let band = r + BAND.min(r * 0.05);
@@ -44,8 +44,8 @@ fn patch(b: &mut Build<'_>, (inner, outer): (f32, f32), angle: f32, (low, high):
     b.prism("print", Axis::Z, [0.0, 0.0, low], &outline, high - low, mat);
 }
 
-/// A panel on a flat front at `x`, from `y.0 - y.1` to `y.0 + y.1`, with bars on it; it
-/// stands out by 1.4 mm.
+/// A panel with bars on a flat front at `x`, from `y.0 - y.1` to `y.0 + y.1`; it protrudes by 1.4
+/// mm.
 pub(in crate::object) fn panel(b: &mut Build<'_>, x: f32, y: (f32, f32), z: (f32, f32), (paper, ink): (Mat, Mat)) {
     let ((mid, half), tall) = (y, z.1 - z.0);
     b.block("label", [x - RAISED, mid - half, z.0], [x + RAISED, mid + half, z.1], paper);

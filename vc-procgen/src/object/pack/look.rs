@@ -1,5 +1,5 @@
-//! What packages of a class look like: the colours of what is in them or of their
-//! skin, of labels, prints and caps.
+//! The appearance of the packages of a class: colours of their content or skin, of labels, prints
+//! and caps.
 
 use super::super::build::Build;
 use crate::material::*;
@@ -7,11 +7,11 @@ use crate::material::*;
 /// Colours of one package.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Look {
-    /// The skin, or the content where the skin is clear.
+    /// The skin, or the content if the skin is clear.
     pub(super) body: Mat,
     /// The label.
     pub(super) paper: Mat,
-    /// What is printed on it.
+    /// The print on the label.
     pub(super) ink: Mat,
     /// The cap or lid.
     pub(super) cap: Mat,
@@ -40,7 +40,7 @@ const LIGHT: &[Mat] = &[WHITE_PAPER, CREAM_PAPER, WHITE_PAPER];
 const CAPS: &[Mat] = &[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC];
 const TINS: &[Mat] = &[STEEL, ALUMINIUM];
 
-/// Skins and caps that a class usually has.
+/// The usual skins and caps of a class.
 fn usual(class: &str) -> (&'static [Mat], &'static [Mat]) {
     match class {
         "milk" => (&[WHITE_PAPER, WHITE_PAPER, SKY], &[BLUE_PLASTIC, RED_PLASTIC, GREEN_PLASTIC]),
@@ -127,7 +127,7 @@ fn usual(class: &str) -> (&'static [Mat], &'static [Mat]) {
     }
 }
 
-/// Colours for the class that is made.
+/// Draws the colours for the class of the object under construction.
 pub(super) fn look(b: &mut Build<'_>) -> Look {
     let (bodies, caps) = usual(b.class);
     let plastic = matches!(

@@ -1,5 +1,5 @@
-//! Everything in a package, food and drinks, toiletries and cleaning products; and the
-//! brushes, brooms and buckets that are used with them.
+//! All packaged goods: food and drinks, toiletries and cleaning products; and the brushes, brooms
+//! and buckets used with them.
 
 mod clean;
 mod flask;

@@ -7,7 +7,7 @@ use super::look::look;
 use crate::material::*;
 use vc_graph::portable::Portable;
 
-/// Rolls of paper: for the toilet and the kitchen; now and then two lie on each other.
+/// Rolls of paper for the toilet and the kitchen; sometimes two on top of each other.
 pub(super) fn roll(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -26,7 +26,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
     ];
     b.lathe("paper", [0.0; 3], &bulge, paper);
     hoop(b, "core", (z * 0.004, z * 0.996), (tube_r * 0.92, tube_r * 1.01), CARDBOARD);
-    // The end of the sheet.
+    // The free end of the sheet.
     let flap: Vec<_> = (0..=6)
         .map(|k| {
             let (s, c) = (0.5 + 0.12 * k as f32).sine_cosine();
@@ -69,7 +69,7 @@ pub(super) fn cotton_pads(b: &mut Build<'_>) {
     tube(b, "string", &grip, z * 0.006, [1.0, 0.0, 0.0], sleeve);
 }
 
-/// A box with tissues that stand out of its slot.
+/// A box with tissues protruding from its slot.
 pub(super) fn tissue_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -118,7 +118,7 @@ pub(super) fn wet_wipes(b: &mut Build<'_>) {
     });
 }
 
-/// A diaper, folded and upright.
+/// A folded, upright diaper.
 pub(super) fn diaper(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);

@@ -8,8 +8,8 @@ use super::label::{GROWTH, wrap};
 use super::look::{Look, look};
 use crate::material::*;
 
-/// Outlines of bottles without caps, in parts of radius and height, and where their
-/// label is.
+/// Outlines of bottles without caps, as fractions of radius and height, and the heights of their
+/// label.
 type Bottle = (&'static [(f32, f32)], (f32, f32));
 
 const WINE: Bottle = (
@@ -101,7 +101,7 @@ pub(super) fn bottle(b: &mut Build<'_>) {
     }
     let within = profile.iter().filter(|p| p.1 > low && p.1 < high).map(|p| p.0);
     let widest = within.chain([low, high].map(|z| radius_at(profile, z))).fold(0.0, f32::max) * r;
-    // A label in a waist keeps clear of how far the belly stands out.
+    // A label in a waist must not coincide with the belly's radius.
     let near = |out: f32| (widest + out - r).abs() < 0.0008;
     let lift = if near(GROWTH) || near(GROWTH * 0.45) { 0.0016_f32.min(r * 0.04) } else { 0.0 };
     wrap(b, widest + lift, (h * low, h * high), look.label());
@@ -113,7 +113,8 @@ fn radius_at(profile: &[(f32, f32)], z: f32) -> f32 {
     between.map_or(1.0, |p| p[0].0 + (p[1].0 - p[0].0) * (z - p[0].1) / (p[1].1 - p[0].1).max(1e-6))
 }
 
-/// What shows through glass: that its colour is the bottle's tells them apart.
+/// The material visible through glass; its colour matches the bottle's, which distinguishes the
+/// contents.
 fn content(glass: Mat) -> Option<Mat> {
     match glass {
         GREEN_GLASS => Some(FOREST),
@@ -133,7 +134,7 @@ fn foil_cap(b: &mut Build<'_>, (r, h, z): (f32, f32, f32), profile: &[(f32, f32)
     b.lathe("foil", [0.0; 3], &outline, mat);
 }
 
-/// A can to drink from.
+/// A drinks can.
 fn drink_can(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -146,7 +147,7 @@ fn drink_can(b: &mut Build<'_>) {
     wrap(b, r, (z * 0.2, z * 0.75), (skin, look.paper));
 }
 
-/// Food cans: high or flat, with ribs or a band of paper, some with a ring to pull.
+/// Food cans: high or flat, with ribs or a paper band, some with a pull ring.
 pub(super) fn can(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -215,7 +216,7 @@ pub(super) fn jar(b: &mut Build<'_>) {
     }
 }
 
-/// Cups with a lid of foil: yogurt, cream, dips.
+/// Cups with a foil lid: yogurt, cream, dips.
 pub(super) fn cup(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -249,7 +250,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     b.lathe("print", [0.0; 3], &grow(band(0.2, 0.34)), look.ink);
 }
 
-/// Spray tins: a shoulder, a cap or a nozzle.
+/// Spray cans: a shoulder, and a cap or a nozzle.
 pub(super) fn aerosol(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);

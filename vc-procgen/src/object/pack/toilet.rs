@@ -1,4 +1,4 @@
-//! Toiletries that are things of their own: soap, razors, brushes, cosmetics.
+//! Unpackaged toiletries: soap, razors, brushes, cosmetics.
 
 use vc_graph::portable::Portable;
 
@@ -13,7 +13,7 @@ use crate::material::*;
 const BRIGHT: [Mat; 7] =
     [WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, ORANGE_PLASTIC, RED_PLASTIC];
 
-/// Bars of soap, with a letter pressed in; `soap` is now and then a bottle.
+/// Bars of soap with an embossed letter; the class `soap` is sometimes a bottle.
 pub(super) fn soap(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     if z > 0.07 {
@@ -27,7 +27,7 @@ pub(super) fn soap(b: &mut Build<'_>) {
     b.prism("stamp", Axis::Z, [0.0, 0.0, z * 0.9], &rounded((hx * 0.4, hy * 0.5), 1.0), z * 0.1, mat);
 }
 
-/// A dish with ribs for soap.
+/// A ribbed soap dish.
 pub(super) fn soap_dish(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -41,7 +41,7 @@ pub(super) fn soap_dish(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, t * 2.0], (hx * 0.5, hy * 0.55));
 }
 
-/// Toothbrushes, standing: a handle, a neck, bristles to the front.
+/// Standing toothbrushes: a handle, a neck, bristles to the front.
 pub(super) fn toothbrush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let electric = b.class == "electric_toothbrush";
@@ -96,7 +96,7 @@ pub(super) fn toothbrush(b: &mut Build<'_>) {
     }
 }
 
-/// A beaker with a lid of holes for brushes.
+/// A toothbrush beaker whose lid has holes for brushes.
 pub(super) fn toothbrush_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -107,7 +107,7 @@ pub(super) fn toothbrush_holder(b: &mut Build<'_>) {
     b.inside("inside", [0.0, 0.0, t], (hx * 0.55, hy * 0.55), z * 0.9);
 }
 
-/// Razors: a head across the top of a handle, standing.
+/// Standing razors: a head across the top of a handle.
 pub(super) fn razor(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -135,7 +135,7 @@ pub(super) fn razor(b: &mut Build<'_>) {
     }
 }
 
-/// A razor for one blade between two plates, on a straight handle with rings.
+/// A safety razor: one blade between two plates, on a straight handle with rings.
 fn safety_razor(b: &mut Build<'_>, mat: Mat) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -154,7 +154,7 @@ fn safety_razor(b: &mut Build<'_>, mat: Mat) {
     b.soft("plate", [-hx * 0.9, -hy * 0.96, z * 0.961], [hx * 0.9, hy * 0.96, z], z * 0.03, CHROME);
 }
 
-/// A shaver with round or straight foils, standing.
+/// A standing electric shaver with round or straight foils.
 pub(super) fn electric_shaver(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -185,7 +185,7 @@ pub(super) fn electric_shaver(b: &mut Build<'_>) {
     b.soft("button", [hx * 0.8, -hy * 0.2, z * 0.36], [hx * 0.98, hy * 0.2, z * 0.48], hx * 0.06, LED);
 }
 
-/// Flacons: a block of glass, a neck and a cap; aftershave as well.
+/// Perfume and aftershave bottles: a block of glass, a neck and a cap.
 pub(super) fn flacon(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
@@ -217,7 +217,7 @@ pub(super) fn flacon(b: &mut Build<'_>) {
     }
 }
 
-/// Lipstick and mascara: a cylinder of two parts; a lipstick is open now and then.
+/// Lipstick and mascara: a cylinder of two parts; a lipstick is sometimes open.
 pub(super) fn stick(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -248,7 +248,7 @@ pub(super) fn dental_floss(b: &mut Build<'_>) {
     panel(b, hx - g, (0.0, hy * 0.6), (z * 0.15, z * 0.65), (body, WHITE_PAPER));
 }
 
-/// Clippers and tweezers: two strips of steel that meet.
+/// Clippers and tweezers: two joined strips of steel.
 pub(super) fn nippers(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -325,7 +325,7 @@ pub(super) fn bathroom_scale(b: &mut Build<'_>) {
     b.top("top", [hx * 0.15, 0.0, z - 0.001_f32.min(z * 0.1)], (hx * 0.6, hy * 0.85));
 }
 
-/// A ball of net to wash with, and a loop.
+/// A mesh bath sponge with a loop.
 pub(super) fn loofah(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = b.one(&[TOWEL_ROSE, TOWEL_BLUE, TOWEL_GREEN, HAY, PURPLE_FABRIC]);
@@ -334,13 +334,13 @@ pub(super) fn loofah(b: &mut Build<'_>) {
         let k = (i as f32 + 0.5) / 7.0 * 2.0 - 1.0;
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let out = (1.0 - k * k).sqrt();
-        // No two of one size, so that they share no plane.
+        // No two have equal sizes, so that they share no plane.
         let r = r.map(|r| r * (1.0 - 0.02 * i as f32));
         lump(b, "net", [x * 0.14 * out * c, y * 0.14 * out * s, z / 2.0 + z * 0.14 * k], r, 0.14, mat);
     }
 }
 
-/// A fever thermometer with a display, upright.
+/// An upright fever thermometer with a display.
 pub(super) fn thermometer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -363,7 +363,7 @@ pub(super) fn thermometer(b: &mut Build<'_>) {
     b.block("button", [hx * 0.6, -hy * 0.4, z * 0.08], [hx, hy * 0.4, z * 0.15], GREY_PLASTIC);
 }
 
-/// A box or bag with a cross, its lid hinged at the back.
+/// A first-aid box or bag with a cross; its lid is hinged at the back.
 pub(super) fn first_aid_kit(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -371,7 +371,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
         b.one(&[(RED_PLASTIC, WHITE_PLASTIC), (WHITE_METAL, RED_PLASTIC), (GREEN_PLASTIC, WHITE_PLASTIC)]);
     let t = (x * 0.05).min(0.004);
     let (h, face) = (z * 0.88, hx * 0.97);
-    // It stands on its edge; its door is the front half.
+    // The box stands on its edge; its door is the front half.
     let split = 0.0_f32;
     b.block("back", [-hx, -hy, 0.0], [-hx + t, hy, h], body);
     b.block("wall", [-hx + t, -hy, 0.0], [split, -hy + t, h], body);
@@ -396,7 +396,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
     tube(b, "grip", &grip, w, [1.0, 0.0, 0.0], BLACK_PLASTIC);
 }
 
-/// A brush in its pot, the handle upright.
+/// A toilet brush in its pot with the handle upright.
 pub(super) fn toilet_brush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
@@ -425,7 +425,7 @@ pub(super) fn toilet_brush(b: &mut Build<'_>) {
     );
 }
 
-/// A rubber cup on a stick.
+/// A plunger: a rubber cup on a stick.
 pub(super) fn plunger(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;

@@ -1,4 +1,4 @@
-//! Beds, lawn, sunflowers and stones to step on.
+//! Flower and vegetable beds, lawns, sunflowers and stepping stones.
 
 use std::f32::consts::TAU;
 
@@ -6,7 +6,7 @@ use super::shape::{blob, grown, plate, polar, polygon, spaced};
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 
-/// What a bed is framed with: its walls' thickness and height.
+/// Builds the edging of a bed and returns its wall thickness and height.
 fn edging(b: &mut Build<'_>, most: f32) -> (f32, f32) {
     let (x, y) = (b.size.x / 2.0, b.size.y / 2.0);
     let high = (most * b.vary(0.25, 0.5)).max(0.03);
@@ -31,7 +31,7 @@ fn edging(b: &mut Build<'_>, most: f32) -> (f32, f32) {
     (t, high)
 }
 
-/// Soil between the edges, a little raised in the middle.
+/// Soil between the edges, slightly raised in the centre.
 fn soil(b: &mut Build<'_>, edge: f32, level: f32) {
     let (x, y) = (b.size.x / 2.0 - edge, b.size.y / 2.0 - edge);
     b.block("soil", [-x, -y, 0.0], [x, y, level * 0.7], SOIL);
@@ -62,7 +62,7 @@ pub(super) fn flower_bed(b: &mut Build<'_>) {
     }
 }
 
-/// Leaves and two heads of flowers over them.
+/// A clump of leaves with two flower heads above.
 fn clump(b: &mut Build<'_>, at: P, half: (f32, f32), top: f32, mats: (Mat, Mat)) {
     let tall = (top - at[2]).max(0.02);
     let points = blob(b, [at[0], at[1], at[2] + tall * 0.3], [half.0, half.1, tall * 0.35], 16, 0.4);
@@ -228,7 +228,7 @@ pub(super) fn sunflower(b: &mut Build<'_>) {
     }
 }
 
-/// A slab to step on: round, square, many-cornered or a slice of a log.
+/// A stepping stone: round, square, polygonal or a slice of a log.
 pub(super) fn stepping_stone(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stone = b.one(&[GRANITE, SANDSTONE, CONCRETE, ROCK, GRAVEL, SLATE_TILE]);

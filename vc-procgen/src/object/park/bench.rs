@@ -4,7 +4,7 @@ use super::shape::{grown, plate, spaced};
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 
-/// What carries a bench.
+/// The supports of a bench.
 #[derive(Clone, Copy, PartialEq)]
 enum Frame {
     Wood,
@@ -27,7 +27,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
     let (wood, slat) = (b.one(&[TEAK, OAK, PINE, GREY_OAK, WALNUT, b.style.wood]), 0.028);
     let arms = b.rng.chance(0.6);
     let lean = b.vary(0.25, 0.45) * x;
-    // Seat slats run between the frames, the back's lean away from them.
+    // Seat slats fill the depth in front of the leaning back.
     let (front, back) = (x - 0.015, -x + lean + 0.035);
     let slats = b.rng.count(3, 7);
     let pitch = (front - back) / slats as f32;
@@ -53,7 +53,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
     b.top("seat", [middle, 0.0, seat], ((front - back) / 2.0 - 0.06, side.max(0.05)));
 }
 
-/// The back's boards, one above the other.
+/// The horizontal boards of the back, one above the other.
 fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: Mat) {
     let slats = b.rng.count(2, 5);
     for i in 0..slats {
@@ -64,7 +64,7 @@ fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, woo
     }
 }
 
-/// The back's rails with narrow boards between.
+/// The rails of the back with narrow upright slats between.
 fn upright_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: Mat) {
     let ([x0, z0], [x1, z1]) = (back_at(0.1), back_at(0.93));
     b.block("rail", [x0, -y, z0 - 0.03], [x0 + 0.03, y, z0 + 0.03], wood);
@@ -79,7 +79,7 @@ fn upright_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, w
     }
 }
 
-/// Legs below the seat and the post that carries the back.
+/// Legs below the seat and the post that supports the back.
 fn foot(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f32) -> [f32; 2], mat: Mat) {
     let x = b.size.x / 2.0;
     let ([bx, bz], w) = (back_at(0.95), if frame == Frame::Wood { 0.03 } else { 0.022 });
@@ -111,7 +111,7 @@ fn foot(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f3
     }
 }
 
-/// An armrest over the seat and the post in front that carries it.
+/// An armrest over the seat and the front post that supports it.
 fn arm(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f32) -> [f32; 2], mat: Mat) {
     let x = b.size.x / 2.0;
     let z = (seat + 0.22).min(b.size.z * 0.9);

@@ -1,5 +1,4 @@
-//! What grows in gardens and parks, and what lies and stands there: trees, bushes,
-//! beds, rocks, benches.
+//! Objects of gardens and parks: trees, bushes, beds, rocks, benches.
 
 mod bed;
 pub(super) mod bench;

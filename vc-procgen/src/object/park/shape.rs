@@ -1,4 +1,4 @@
-//! Geometry that grown and cast things share: outlines, blobs, limbs, tubs, plates.
+//! Geometry shared by plants and moulded objects: outlines, blobs, limbs, tubs, plates.
 
 use std::f32::consts::TAU;
 
@@ -19,13 +19,13 @@ pub(crate) fn polygon(corners: usize, radius: f32, start: f32) -> Vec<(f32, f32)
     (0..corners).map(|i| polar(start + TAU * i as f32 / corners as f32, radius)).collect()
 }
 
-/// A star: corners that change between two radii.
+/// A star whose corners alternate between two radii.
 pub(crate) fn star(points: usize, outer: f32, inner: f32) -> Vec<(f32, f32)> {
     let step = TAU / (2 * points) as f32;
     (0..2 * points).map(|i| polar(step * i as f32, if i % 2 == 0 { outer } else { inner })).collect()
 }
 
-/// The profile of a ring for a lathe: radius of the ring and of its section.
+/// The lathe profile of a torus: radius of the ring and radius of its section.
 pub(crate) fn hoop(radius: f32, section: f32) -> Vec<(f32, f32)> {
     let mut profile: Vec<_> =
         polygon(10, section, 0.0).into_iter().map(|(r, z)| ((radius + r).max(0.0), z + section)).collect();
@@ -33,24 +33,25 @@ pub(crate) fn hoop(radius: f32, section: f32) -> Vec<(f32, f32)> {
     profile
 }
 
-/// A point between two, `share` of the way.
+/// Interpolates between two points by `share`.
 pub(crate) fn mix(from: P, to: P, share: f32) -> P {
     std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
 }
 
-/// So many numbers evenly from `low` to `high`, both included; the middle if it is one.
+/// `count` numbers evenly spaced from `low` to `high`, both included; the midpoint if `count` is
+/// one.
 pub(crate) fn spaced(count: usize, low: f32, high: f32) -> impl Iterator<Item = f32> {
     let last = count.saturating_sub(1) as f32;
     (0..count).map(move |i| if last > 0.0 { low + (high - low) * i as f32 / last } else { f32::midpoint(low, high) })
 }
 
-/// Makes the build's size at least so large: what is far below the usual size of its
-/// class would have no room for its boards and tubes.
+/// Enlarges the build's size to at least `least`: an object far below the usual size of its class
+/// would have no room for its boards and tubes.
 pub(crate) fn grown(b: &mut Build<'_>, least: P) {
     b.size = b.size.sup(&Vector3::from(least));
 }
 
-/// Points spread over an ellipsoid, each drawn in by up to `jitter` of its distance.
+/// Points spread over an ellipsoid, each pulled inwards by up to `jitter` of its distance.
 pub(crate) fn blob(b: &mut Build<'_>, centre: P, radii: P, points: usize, jitter: f32) -> Vec<P> {
     let start = b.vary(0.0, TAU);
     let spread = |b: &mut Build<'_>, i: usize| {
@@ -62,7 +63,7 @@ pub(crate) fn blob(b: &mut Build<'_>, centre: P, radii: P, points: usize, jitter
     (0..points).map(|i| spread(b, i)).collect()
 }
 
-/// Points of a tapering limb from one point to another, six-sided.
+/// Points of a tapered limb with a hexagonal section between two points.
 pub(crate) fn limb(from: P, to: P, start: f32, end: f32) -> Vec<P> {
     let (a, c) = (Vector3::from(from), Vector3::from(to));
     let way = (c - a).try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -75,8 +76,8 @@ pub(crate) fn limb(from: P, to: P, start: f32, end: f32) -> Vec<P> {
     ring(a, start).chain(ring(c, end)).collect()
 }
 
-/// A thin plate: four corners of one face and its thickness to the side from which
-/// they run clockwise.
+/// A thin plate from the four corners of one face; the thickness extends to the side from which the
+/// corners run clockwise.
 pub(crate) fn plate(b: &mut Build<'_>, name: &str, quad: [P; 4], thickness: f32, mat: Mat) {
     let [p, q, r, s] = quad.map(Vector3::from);
     let normal = (r - p).cross(&(s - q)).try_normalize(1e-9).unwrap_or_else(Vector3::z) * thickness;
@@ -84,7 +85,7 @@ pub(crate) fn plate(b: &mut Build<'_>, name: &str, quad: [P; 4], thickness: f32,
     b.hull(name, &points, mat);
 }
 
-/// An open box whose bottom and top rectangles differ: half lengths outside of both.
+/// An open box whose bottom and top rectangles differ; both are given by their outer half lengths.
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn tub(
     b: &mut Build<'_>,
@@ -113,8 +114,8 @@ pub(crate) fn tub(
     b.block(name, [x - fx, y - fy, z + 0.001], [x + fx, y + fy, z + wall], mat);
 }
 
-/// A closed skin between two grids of points of the same shape, such as a boat's hull:
-/// rows run along X, each from the left rim under the keel to the right rim.
+/// A closed surface between two point grids of the same shape, such as a boat's hull: rows run
+/// along X, each from the left rim under the keel to the right rim.
 pub(crate) fn shell(b: &mut Build<'_>, name: &str, outer: &[Vec<P>], inner: &[Vec<P>], mat: Mat) {
     let (rows, columns) = (outer.len(), outer.first().map_or(0, Vec::len));
     let vertices: Vec<P> = outer.iter().chain(inner).flatten().copied().collect();
@@ -137,7 +138,7 @@ pub(crate) fn shell(b: &mut Build<'_>, name: &str, outer: &[Vec<P>], inner: &[Ve
     b.mesh(name, vertices, quads.into_iter().flat_map(|[p, q, r, s]| [[p, q, r], [p, r, s]]).collect(), mat);
 }
 
-/// Convex solids drawn at any scale, to be fitted into a box.
+/// Convex solids drawn at any scale, fitted into a box when built.
 #[derive(Default)]
 pub(crate) struct Sketch(Vec<(&'static str, Vec<P>, Mat)>);
 
@@ -147,18 +148,18 @@ impl Sketch {
         self.0.push((name, points, mat));
     }
 
-    /// Some point of a solid that was added, counted from the first.
+    /// A point of an added solid; both indices start at zero.
     pub(crate) fn point(&self, solid: usize, index: usize) -> P {
         let points = self.0.get(solid).map_or(&[][..], |s| &s.1);
         points.get(index % points.len().max(1)).copied().unwrap_or_default()
     }
 
-    /// How many solids there are.
+    /// The number of solids.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Builds everything, stretched to fill the box between two corners.
+    /// Builds all solids, stretched to fill the box between two corners.
     pub(crate) fn fit(self, b: &mut Build<'_>, low: P, high: P) {
         let all = || self.0.iter().flat_map(|s| &s.1);
         let least: P = std::array::from_fn(|i| all().map(|p| p[i]).fold(f32::INFINITY, f32::min));
@@ -170,7 +171,7 @@ impl Sketch {
         }
     }
 
-    /// Builds everything to fill a box of the build's size, its base at zero.
+    /// Builds all solids to fill a box of the build's size with its base at zero.
     pub(crate) fn fill(self, b: &mut Build<'_>) {
         let (x, y, z) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         self.fit(b, [-x, -y, 0.0], [x, y, z]);

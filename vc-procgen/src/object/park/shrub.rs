@@ -33,7 +33,7 @@ pub(super) fn bush(b: &mut Build<'_>) {
     sketch.fill(b);
 }
 
-/// Several blobs that lean out from the middle.
+/// Several blobs that lean away from the centre.
 fn loose(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (count, start) = (b.rng.count(4, 11), b.vary(0.0, TAU));
@@ -49,7 +49,7 @@ fn loose(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
     }
 }
 
-/// A bush cut to a ball, an egg, a cone or balls on one another.
+/// A bush trimmed to a ball, an egg, a cone or stacked balls.
 fn trimmed(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stem = h * b.vary(0.03, 0.25);
@@ -116,8 +116,7 @@ pub(super) fn hedge(b: &mut Build<'_>) {
     sketch.fill(b);
 }
 
-/// A rock, or a large one with smaller ones beside it; flat enough on top to put
-/// something down.
+/// A rock, or a large one with smaller ones beside it; its top is flat enough to support an object.
 pub(super) fn rock(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[ROCK, ROCK, GRANITE, SANDSTONE, GRAVEL, BLACK_GRANITE]);
@@ -127,7 +126,7 @@ pub(super) fn rock(b: &mut Build<'_>) {
     let centre = [-x * (1.0 - main), -y * (1.0 - main), h * b.vary(0.3, 0.45)];
     let mut points = blob(b, centre, [x * main, y * main, h * 0.6], points, dent);
     points.iter_mut().for_each(|p| p[2] = p[2].max(0.0).min(h * 0.97));
-    // The extents are reached whatever the dents.
+    // These points reach the extents whatever the dents.
     points.extend([-1.0_f32, 1.0].map(|s| [centre[0] + s * x * main, centre[1], centre[2]]));
     points.extend([-1.0_f32, 1.0].map(|s| [centre[0], centre[1] + s * y * main, centre[2]]));
     for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
@@ -137,7 +136,7 @@ pub(super) fn rock(b: &mut Build<'_>) {
     b.hull("rock", &points, mat);
     b.top("top", [centre[0], centre[1], h], (flat.0 * 0.95, flat.1 * 0.95));
     if main < 1.0 {
-        // They lean on the large one.
+        // The small rocks lean on the large one.
         let (r, c) = (1.5 * (1.0 - main), main - 1.0);
         for (sx, sy) in [(1.0 - r, c), (c, 1.0 - r)] {
             let tall = h * b.vary(0.35, 0.55);

@@ -19,7 +19,7 @@ enum Crown {
 }
 
 impl Crown {
-    /// Its radius at a height from 0 (bottom) to 1 (top), as a share of the greatest.
+    /// The radius at a height from 0 (bottom) to 1 (top), as a fraction of the largest radius.
     fn radius(self, t: f32) -> f32 {
         match self {
             Self::Round => (1.0 - (2.0 * t - 1.0).raised(2)).max(0.0).sqrt(),
@@ -31,22 +31,22 @@ impl Crown {
     }
 }
 
-/// How a kind of broad-leaved tree grows.
+/// Growth parameters of a species of broad-leaved tree.
 struct Habit {
-    /// Share of the height below the crown, from and to.
+    /// Range of the fraction of the height below the crown.
     clear: (f32, f32),
-    /// Radius of the trunk per metre of height.
+    /// Range of the trunk's radius per metre of height.
     girth: (f32, f32),
-    /// Leaf blobs, from and to.
+    /// Range of the number of leaf blobs.
     blobs: (usize, usize),
-    /// How much of its radius a leaf blob may be dented by.
+    /// Largest dent of a leaf blob, as a fraction of its radius.
     ragged: f32,
     crowns: &'static [Crown],
     bark: Mat,
     leaves: &'static [Mat],
 }
 
-/// A street or garden tree of any broad-leaved kind.
+/// A street or garden tree of any broad-leaved species.
 pub(super) fn tree(b: &mut Build<'_>) {
     let habit = Habit {
         clear: (0.18, 0.42),
@@ -87,7 +87,7 @@ pub(super) fn birch(b: &mut Build<'_>) {
     };
     let (trunk, mut sketch) = broadleaf(b, &habit);
     for _ in 0..b.rng.count(5, 10) {
-        // On one of the trunk's six sides.
+        // The mark lies on one of the trunk's six sides.
         let (t, side) = (b.vary(0.15, 0.85), 0.3 + TAU * (b.rng.below(6) as f32 + 0.5) / 6.0);
         let radius = trunk.girth * (1.0 - 0.35 * t);
         let (dx, dy) = polar(side, radius * 0.25);
@@ -122,8 +122,8 @@ pub(super) fn fruit(b: &mut Build<'_>) {
     sketch.fill(b);
 }
 
-/// The one of a few points on the leaves that is farthest from the middle: where
-/// fruit is seen.
+/// Samples a few points on the leaves and returns the one farthest from the centre, where fruit is
+/// visible.
 fn outermost(b: &mut Build<'_>, sketch: &Sketch, solids: (usize, usize), middle: P) -> P {
     let distance = |p: &P| (0..3).map(|i| (p[i] - middle[i]).raised(2)).sum::<f32>();
     let mut any = || sketch.point(b.rng.count(solids.0, solids.1), b.rng.below(64));
@@ -131,11 +131,11 @@ fn outermost(b: &mut Build<'_>, sketch: &Sketch, solids: (usize, usize), middle:
     rest.into_iter().fold(first, |best, p| if distance(&p) > distance(&best) { p } else { best })
 }
 
-/// What has grown below the crown.
+/// The trunk below the crown.
 struct Trunk {
     girth: f32,
     top: P,
-    /// The first solid that is a leaf blob.
+    /// The index of the first solid that is a leaf blob.
     crown: usize,
 }
 
@@ -239,7 +239,7 @@ fn plates(b: &mut Build<'_>, leaves: Mat) {
     sketch.fill(b);
 }
 
-/// A slim flame of dense needles almost from the ground.
+/// A slim flame-shaped crown of dense needles almost from the ground.
 fn spindle(b: &mut Build<'_>, leaves: Mat) {
     let (height, reach) = (b.size.z, b.size.x.min(b.size.y) / 2.0);
     let mut sketch = Sketch::default();
@@ -295,7 +295,7 @@ pub(super) fn palm(b: &mut Build<'_>) {
     sketch.fill(b);
 }
 
-/// A frond in three ridged strips: how far it reaches, rises and droops.
+/// A frond in three ridged strips; `form` is its reach, rise and droop.
 fn frond(b: &mut Build<'_>, sketch: &mut Sketch, root: P, angle: f32, form: (f32, f32, f32), mat: Mat) {
     let (reach, lift, droop) = form;
     let (reach, wide) = (reach * b.vary(0.8, 1.0), reach * b.vary(0.15, 0.24));
@@ -310,7 +310,7 @@ fn frond(b: &mut Build<'_>, sketch: &mut Sketch, root: P, angle: f32, form: (f32
     };
     for pair in [0.02_f32, 0.35, 0.68, 1.0].windows(2) {
         let mut points: Vec<P> = pair.iter().flat_map(|&t| section(t)).collect();
-        // Never flat, or it would be no solid.
+        // A flat section would not be a solid.
         points.extend(pair.iter().map(|&t| {
             let [.., ridge] = section(t);
             [ridge[0], ridge[1], ridge[2] - wide * 0.12]

@@ -1,4 +1,4 @@
-//! What grows in pots.
+//! Foliage of potted plants.
 
 use std::f32::consts::{PI, TAU};
 
@@ -9,7 +9,7 @@ use super::super::textile::form::{Shell, hoop, mix, oval, room, spline};
 use super::pot;
 use crate::material::*;
 
-/// The room that leaves have: half depth and width, earth and top.
+/// The space for leaves: half depth and width, heights of the soil and of the top.
 #[derive(Clone, Copy)]
 struct Crown {
     x: f32,
@@ -19,19 +19,19 @@ struct Crown {
 }
 
 impl Crown {
-    /// A point at a turn, a share of the way out and of the way up.
+    /// A point at an angle, at given fractions of the radius and of the height.
     fn at(&self, turn: f32, out: f32, up: f32) -> P {
         let (s, c) = turn.sine_cosine();
         [self.x * out * c, self.y * out * s, self.low + (self.high - self.low) * up.min(0.995)]
     }
 }
 
-/// A leaf that is widest at a share of its length.
+/// A leaf that is widest at a given fraction of its length.
 fn blade(wide: f32, at: f32) -> impl Fn(f32) -> f32 {
     move |t| wide * if t < at { (t / at).sqrt().max(0.08) } else { (1.0 - ((t - at) / (1.0 - at)).raised(2)).max(0.02) }
 }
 
-/// A house plant: its kind follows from its proportions and chance.
+/// A house plant; its species depends on its proportions and the seed.
 pub(super) fn plant(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let narrow = x.min(y);
@@ -68,7 +68,7 @@ fn green(b: &mut Build<'_>) -> Mat {
     b.one(&[LEAF, LEAF, DARK_LEAF, LIGHT_LEAF])
 }
 
-/// A column or ball of ribs, with arms or a flower.
+/// A ribbed column or ball with arms or a flower.
 fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
     let mat = b.one(&[LEAF, DARK_LEAF, SAGE]);
     let tall = c.high - c.low;
@@ -113,7 +113,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
     petals.put(b, "flower", flower);
 }
 
-/// A rosette of fat leaves.
+/// A rosette of succulent leaves.
 fn succulent(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[SAGE, LIGHT_LEAF, LEAF, GREEN_GLAZE]);
     let mut shell = Shell::default();
@@ -153,7 +153,7 @@ fn cushion(b: &mut Build<'_>, c: Crown) {
     stems.put(b, "shade", DARK_LEAF);
 }
 
-/// Upright sword leaves.
+/// Upright sword-shaped leaves.
 fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
     let mat = b.one(&[DARK_LEAF, LEAF]);
     let other = b.one(&[LIGHT_LEAF, LEAF, DARK_LEAF]);
@@ -174,7 +174,7 @@ fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
     rest.put(b, "leaf", other);
 }
 
-/// A slim trunk and a round head of leaves.
+/// A slim trunk with a round head of leaves.
 fn tree(b: &mut Build<'_>, c: Crown) {
     let bark = b.one(&[BARK, PALE_BARK]);
     let tall = c.high - c.low;
@@ -297,7 +297,7 @@ fn palm(b: &mut Build<'_>, c: Crown) {
     leaves.put(b, "leaf", mat);
 }
 
-/// A rubber tree: thick leaves all along upright stems.
+/// A rubber tree: thick leaves along upright stems.
 fn rubber_tree(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[DARK_LEAF, DARK_LEAF, PURPLE_SKIN, LEAF]);
     let (mut stems, mut leaves) = (Shell::default(), Shell::default());
@@ -324,7 +324,7 @@ fn rubber_tree(b: &mut Build<'_>, c: Crown) {
     leaves.put(b, "leaf", mat);
 }
 
-/// Arching fronds all around.
+/// Arching fronds in all directions.
 fn fern(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[LEAF, LIGHT_LEAF]);
     let mut leaves = Shell::default();
@@ -413,7 +413,7 @@ fn flowering(b: &mut Build<'_>, c: Crown) {
     hearts.put(b, "heart", PETAL_YELLOW);
 }
 
-/// Petals around a heart, looking up.
+/// Petals around a centre, facing up.
 fn flower(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, high: f32) {
     for k in 0..6 {
         let (s, q) = (TAU * k as f32 / 6.0).sine_cosine();
@@ -480,7 +480,7 @@ pub(super) fn orchid(b: &mut Build<'_>) {
     hoop(b, "clip", &tie, x * 0.012, PINK_PLASTIC);
 }
 
-/// Five petals and a lip, looking to the front.
+/// Five petals and a lip, facing the front.
 fn blossom(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, c: Crown) {
     for (k, long) in [1.0, 0.95, 0.75, 0.75, 0.95].into_iter().enumerate() {
         let (s, q) = (TAU * k as f32 / 5.0).sine_cosine();

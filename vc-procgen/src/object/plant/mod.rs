@@ -13,8 +13,8 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("orchid", 6, foliage::orchid),
 ];
 
-/// A pot within a radius: round, square, ribbed or a basket, with earth in it; gives
-/// the height of the earth.
+/// Builds a pot within a radius (round, square, ribbed or a basket) with soil in it and returns the
+/// height of the soil.
 fn pot(b: &mut Build<'_>, r: f32, h: f32) -> f32 {
     let mat =
         b.one(&[POTTERY, POTTERY, PORCELAIN, STONEWARE, BLUE_GLAZE, BLACK_GLAZE, GREEN_GLAZE, CONCRETE, WICKER, BRASS]);

@@ -1,4 +1,4 @@
-//! Building toys: blocks, bricks, rings, sorters, runs and beads.
+//! Building toys: blocks, bricks, stacking rings, sorters, marble runs and beads.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
 
-/// A little castle of wooden blocks: cubes, arches, pillars, roofs.
+/// A small castle of wooden blocks: cubes, arches, pillars, roofs.
 pub(super) fn wooden(b: &mut Build<'_>) {
     let plain = b.rng.chance(0.4);
     let wood = b.one(TOY_WOODS);
@@ -56,7 +56,7 @@ fn radius(b: &Build<'_>, half: f32) -> f32 {
     (half * b.size.y / 2.0).min(b.size.x * 0.16)
 }
 
-/// A block with a half round cut out below.
+/// A block with a half circle cut out at the bottom.
 fn arch(b: &mut Build<'_>, (y, half): (f32, f32), x: (f32, f32), h: f32, mat: Mat) {
     let mut outline = vec![(y + half, 0.0), (y + half, h), (y - half, h), (y - half, 0.0)];
     outline.extend(arc((y, 0.0), (-half * 0.6, h * 0.7), (0.0, std::f32::consts::PI), 9));
@@ -108,7 +108,7 @@ fn brick(b: &mut Build<'_>, (low, high): ((f32, f32), (f32, f32)), z: (f32, f32)
     }
 }
 
-/// Rings of falling size on a post, a ball on top.
+/// Stacking rings of decreasing size on a post, with a ball on top.
 pub(super) fn rings(b: &mut Build<'_>) {
     let wood = b.one(TOY_WOODS);
     let r = b.size.x.min(b.size.y) / 2.0;
@@ -132,7 +132,7 @@ pub(super) fn rings(b: &mut Build<'_>) {
     b.ball("ball", [0.0, 0.0, centre[2] - top], top, RED);
 }
 
-/// A box with holes of several shapes in its lid, the shapes beside them.
+/// A shape sorter: a box with holes of several shapes in its lid, the shapes beside them.
 pub(super) fn sorter(b: &mut Build<'_>) {
     let (case, lid) = (b.one(&[BEECH, BIRCH, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]), b.one(BRIGHT));
     let t = 0.06;
@@ -165,7 +165,7 @@ pub(super) fn sorter(b: &mut Build<'_>) {
     }
 }
 
-/// A zigzag of sloping channels between posts, marbles on their way.
+/// A marble run: a zigzag of sloping channels between posts, with marbles on it.
 pub(super) fn marble_run(b: &mut Build<'_>) {
     let wood = b.rng.chance(0.5);
     let post = if wood { b.one(TOY_WOODS) } else { b.one(BRIGHT) };
@@ -195,7 +195,7 @@ pub(super) fn marble_run(b: &mut Build<'_>) {
     b.hoop("bowl", Axis::Z, [-0.45, 0.0, 0.055], (b.size.x * 0.2, b.size.z * 0.012), YELLOW_PLASTIC);
 }
 
-/// A handful of glass marbles in a net or a dish.
+/// Several glass marbles in a net or a dish.
 pub(super) fn marbles(b: &mut Build<'_>) {
     let r = b.size.x.min(b.size.y) / 2.0;
     let marble = (r * 0.24).min(b.size.z * 0.3);
@@ -206,7 +206,7 @@ pub(super) fn marbles(b: &mut Build<'_>) {
     let glass = [GREEN_GLASS, BLUE_GLASS, BROWN_GLASS, GLASS, RED_GLAZE, YELLOW_GLAZE];
     for i in 0..7 {
         let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3).sine_cosine();
-        // The seventh lies in the hollow between the others.
+        // The seventh marble lies in the hollow between the others.
         let (out, lift) = if i == 6 { (0.0, 1.52) } else { (marble * 1.92, 1.02) };
         let z = (t + marble * lift).min(b.size.z - marble);
         b.ball("marble", [out * c, out * s, z], marble, glass[i % glass.len()]);

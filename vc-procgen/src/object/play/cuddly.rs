@@ -1,11 +1,10 @@
-//! Animals: cuddly ones that sit, figures that stand on four legs, and those that
-//! children ride.
+//! Animals: sitting soft toys, figures that stand on four legs, and ride-on animals.
 
 use super::super::build::{Axis, Build, P};
 use super::kit::*;
 use crate::material::*;
 
-/// A sitting cuddly animal: a bear, or one of several.
+/// A sitting soft toy: a bear or one of several other animals.
 pub(super) fn cuddly(b: &mut Build<'_>) {
     let bear = b.class == "teddy_bear";
     let kind = if bear { 0 } else { b.rng.count(1, 5) };
@@ -85,23 +84,23 @@ fn face(b: &mut Build<'_>, kind: usize, (fur, pale): (Mat, Mat)) {
     }
 }
 
-/// Proportions of an animal on four legs, as shares of its size.
+/// Proportions of an animal on four legs, as fractions of its size.
 struct Beast {
     /// Height of the belly.
     legs: f32,
-    /// Back and chest.
+    /// X of the rear and of the chest.
     trunk: (f32, f32),
     /// Height of the back.
     back: f32,
     /// Half width of the trunk.
     girth: f32,
-    /// Middle of the head, X and Z.
+    /// Centre of the head, X and Z.
     head: (f32, f32),
     /// Half length, width and height of the head.
     skull: P,
     /// Half thickness of the neck.
     neck: f32,
-    /// Radius of a leg, share of the width.
+    /// Radius of a leg, as a fraction of the width.
     leg: f32,
 }
 
@@ -227,7 +226,7 @@ fn ears(b: &mut Build<'_>, shape: &Beast, half: P, mat: Mat) {
     }
 }
 
-/// A thin tail that hangs behind, with a tuft.
+/// A thin hanging tail with a tuft.
 fn tail(b: &mut Build<'_>, shape: &Beast, mat: Mat) {
     let (x, z) = (shape.trunk.0, shape.back - 0.12);
     let end = (x - 0.06).max(-0.98);
@@ -358,7 +357,7 @@ fn jaw(top: f32, bottom: f32) -> Vec<P> {
     sides.collect()
 }
 
-/// Corners of a square limb between two places.
+/// Corners of a square limb between two positions.
 fn limb(from: P, to: P, half: f32) -> Vec<P> {
     let ends = [(from, half), (to, half * 0.8)];
     ends.iter().flat_map(|&(e, h)| CORNERS.map(|(x, y)| [e[0] + h * x, e[1] + h * y * 1.6, e[2]])).collect()
@@ -381,7 +380,7 @@ pub(super) fn rocking_horse(b: &mut Build<'_>) {
     b.within([-0.78, -0.9, 0.11], [0.98, 0.9, 1.0], |b| mount(b, coat, dark));
 }
 
-/// A horse to sit on, with saddle, mane and grips.
+/// A ride-on horse with saddle, mane and grips.
 fn mount(b: &mut Build<'_>, coat: Mat, dark: Mat) {
     const MOUNT: Beast = Beast {
         legs: 0.34,
@@ -403,7 +402,7 @@ fn mount(b: &mut Build<'_>, coat: Mat, dark: Mat) {
     b.pole("grip", [0.56, -0.75, 0.78], [0.56, 0.75, 0.78], grip, b.style.wood);
 }
 
-/// A spring with an animal, or a flat cut-out of one, to ride on.
+/// A ride-on spring toy with an animal or a flat cut-out of one.
 pub(super) fn spring_rider(b: &mut Build<'_>) {
     let paint = b.one(PAINTS);
     let other = b.one(&[YELLOW, WHITE, RED, GREEN]);
@@ -428,7 +427,7 @@ pub(super) fn spring_rider(b: &mut Build<'_>) {
     b.pole("footrest", [0.2, -0.95, 0.42], [0.2, 0.95, 0.42], 0.014, IRON);
 }
 
-/// A plump duck or fish body with a seat dip.
+/// The plump body of a duck or fish with a dip for the seat.
 fn mount_flat(b: &mut Build<'_>, paint: Mat, beak: Mat) {
     b.blob("body", [-0.15, 0.0, 0.38], [0.83, 0.7, 0.2], paint);
     b.blob("head", [0.5, 0.0, 0.78], [0.36, 0.55, 0.2], paint);

@@ -4,7 +4,7 @@ use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
 
-/// A doll that stands, in a dress or in trousers.
+/// A standing doll in a dress or in trousers.
 pub(super) fn doll(b: &mut Build<'_>) {
     let skin = b.one(&[SKIN, BROWN_SKIN, EGGSHELL]);
     let (cloth, shoe) = (b.one(CLOTHS), b.one(&[BLACK_LEATHER, WHITE_LEATHER, RED_FABRIC]));
@@ -13,7 +13,7 @@ pub(super) fn doll(b: &mut Build<'_>) {
     for y in SIDES {
         let leg = if dress { skin } else { DENIM };
         b.skin("leg", Axis::Z, &[([0.0, y * 0.3, 0.03], 0.3, 0.18), ([0.0, y * 0.28, 0.42], 0.4, 0.24)], leg);
-        // Flat soles, on which it stands.
+        // The doll stands on flat soles.
         b.skin("shoe", Axis::Z, &[([0.1, y * 0.3, 0.0], 0.6, 0.2), ([0.1, y * 0.3, 0.06], 0.5, 0.18)], shoe);
         let arm =
             [([0.0, y * 0.9, 0.36], 0.2, 0.09), ([0.0, y * 0.6, 0.56], 0.3, 0.14), ([0.0, y * 0.4, 0.62], 0.3, 0.12)];
@@ -71,7 +71,7 @@ pub(super) fn puppet(b: &mut Build<'_>) {
     }
 }
 
-/// A hero in boots and cape on a round stand.
+/// A hero in boots and cape on a round base.
 pub(super) fn action_figure(b: &mut Build<'_>) {
     let (suit, trim, cape) = (b.one(BRIGHT), b.one(BRIGHT), b.one(BRIGHT));
     let ring = |z: f32, x: f32, y: f32| ([0.0, 0.0, z], x, y);

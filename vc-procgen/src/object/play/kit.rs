@@ -1,5 +1,5 @@
-//! Building by proportion: places are given as shares of the object's size, X and Y
-//! from -1 to 1, Z from 0 to 1; radii and thicknesses in metres.
+//! Building by proportion: positions are fractions of the object's size, X and Y from -1 to 1, Z
+//! from 0 to 1; radii and thicknesses are in metres.
 
 use std::f32::consts::TAU;
 
@@ -17,26 +17,26 @@ pub(in crate::object) const PAINTS: &[Mat] = &[RED, BLUE, GREEN, YELLOW, ORANGE,
 /// Printed card.
 pub(in crate::object) const CARDS: &[Mat] =
     &[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, ORANGE_CARD, PURPLE_CARD, TEAL_CARD, PINK_CARD];
-/// Cheerful cloths.
+/// Bright fabrics.
 pub(in crate::object) const CLOTHS: &[Mat] =
     &[RED_FABRIC, BLUE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, TEAL_FABRIC, ROSE_FABRIC, PURPLE_FABRIC, NAVY_FABRIC];
 /// Pale woods of toys.
 pub(in crate::object) const TOY_WOODS: &[Mat] = &[BEECH, BIRCH, MAPLE, PINE];
-/// Both sides of an axis.
+/// The two sides of an axis.
 pub(in crate::object) const SIDES: [f32; 2] = [-1.0, 1.0];
 /// The corners of a rectangle.
 pub(in crate::object) const CORNERS: [(f32, f32); 4] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
 
-/// A ring of a [skin](Scaled::skin): centre and half widths along the two other axes,
-/// in the order X, Y, Z.
+/// A ring of a [skin](Scaled::skin): centre and half widths along the two other axes, in the order
+/// X, Y, Z.
 pub(in crate::object) type Ring = (P, f32, f32);
 
-/// Parts whose places are shares of the size.
+/// Parts whose positions are fractions of the size.
 pub(in crate::object) trait Scaled {
-    /// The place in metres.
+    /// The position in metres.
     fn p(&self, at: P) -> P;
-    /// The place in metres, moved so that what reaches so far around it stays within
-    /// the size.
+    /// The position in metres, moved so that a part extending `reach` around it stays within the
+    /// size.
     fn held(&self, at: P, reach: Vector3<f32>) -> P;
 
     /// A box.
@@ -49,33 +49,34 @@ pub(in crate::object) trait Scaled {
     fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: Mat);
     /// A convex hull.
     fn chunk(&mut self, name: &str, points: &[P], mat: Mat);
-    /// An outline in (x, z) drawn along Y.
+    /// An outline in (x, z) extruded along Y.
     fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: Mat);
-    /// An outline in (x, y) drawn along Z.
+    /// An outline in (x, y) extruded along Z.
     fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: Mat);
-    /// An outline in (y, z) drawn along X.
+    /// An outline in (y, z) extruded along X.
     fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: Mat);
-    /// An ellipsoid of half widths that are shares as well.
+    /// An ellipsoid whose half widths are fractions as well.
     fn blob(&mut self, name: &str, centre: P, half: P, mat: Mat);
-    /// A smooth skin over rings across an axis; a ring without width is a tip.
+    /// A smooth surface over rings across an axis; a ring of zero width is a tip.
     fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: Mat);
-    /// A flat bar between two places, level across, so wide and thick in metres.
+    /// A flat bar between two positions, level across; `section` is its width and thickness in
+    /// metres.
     fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat) {
         self.layer(name, from, to, section, 0.0, mat);
     }
-    /// A plank raised by so many metres, square to itself: one that lies on another.
+    /// A plank raised by `lift` metres perpendicular to its face, for a plank that lies on another.
     fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: Mat);
-    /// A wheel or disc: its middle, radius and width in metres, axle along an axis.
+    /// A wheel or disc: its centre, its radius and width in metres, its axle along an axis.
     fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat);
-    /// A ring of round section: radii of the ring and of its section in metres.
+    /// A torus: radii of the ring and of its section in metres.
     fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat);
-    /// A surface that carries, with nothing above.
+    /// A supporting surface with open space above.
     fn deck(&mut self, name: &str, centre: P, half: (f32, f32));
-    /// A surface within walls; the height above it is a share too.
+    /// A surface within walls; the clearance above it is a fraction too.
     fn hollow(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32);
-    /// Builds within a part of the size as if it were the whole.
+    /// Builds within a part of the size as if it were the whole size.
     fn within(&mut self, low: P, high: P, build: impl FnOnce(&mut Self));
-    /// Builds turned around Z by a number of quarters.
+    /// Builds rotated around Z by a number of quarter turns.
     fn quarters(&mut self, count: usize, build: impl FnOnce(&mut Self));
 }
 
@@ -211,12 +212,12 @@ impl Scaled for Build<'_> {
     }
 }
 
-/// An outline of a round or oval: `count` corners around a centre.
+/// An ellipse with `count` corners around a centre.
 pub(in crate::object) fn oval(centre: (f32, f32), half: (f32, f32), count: usize) -> Vec<(f32, f32)> {
     arc(centre, half, (0.0, TAU * (1.0 - 1.0 / count as f32)), count)
 }
 
-/// Part of an oval, from one angle to another.
+/// Part of an ellipse, from one angle to another.
 pub(in crate::object) fn arc(
     centre: (f32, f32),
     half: (f32, f32),
@@ -227,7 +228,7 @@ pub(in crate::object) fn arc(
     (0..count).map(|i| turn(i).sine_cosine()).map(|(s, c)| (centre.0 + half.0 * c, centre.1 + half.1 * s)).collect()
 }
 
-/// A rectangle with its corners cut by curves, from `low` to `high`.
+/// A rectangle from `low` to `high` with its corners rounded by `by`.
 pub(in crate::object) fn rounded(low: (f32, f32), high: (f32, f32), by: (f32, f32)) -> Vec<(f32, f32)> {
     let quarter = TAU / 4.0;
     let (x0, x1, y0, y1) = (low.0 + by.0, high.0 - by.0, low.1 + by.1, high.1 - by.1);
@@ -236,18 +237,18 @@ pub(in crate::object) fn rounded(low: (f32, f32), high: (f32, f32), by: (f32, f3
     turns.flat_map(|(i, &c)| arc(c, by, (i as f32 * quarter, (i + 1) as f32 * quarter), 4)).collect()
 }
 
-/// A band along a curve: the curve and, backwards, the same curve moved by `by`.
+/// A band along a curve: the curve followed by the same curve, reversed and shifted by `by`.
 pub(in crate::object) fn band(curve: &[(f32, f32)], by: (f32, f32)) -> Vec<(f32, f32)> {
     let back = curve.iter().rev().map(|&(x, y)| (x + by.0, y + by.1));
     curve.iter().copied().chain(back).collect()
 }
 
-/// A frame turned around Y: positive pitches tip the front down.
+/// A frame rotated around Y: a positive pitch tips the front down.
 pub(in crate::object) fn pitched(at: P, pitch: f32) -> vc_graph::Pose {
     Isometry3::new(Vector3::from(at), Vector3::y() * pitch)
 }
 
-/// A frame turned around X: positive rolls tip the left side up.
+/// A frame rotated around X: a positive roll tips the left side up.
 pub(in crate::object) fn rolled(at: P, roll: f32) -> vc_graph::Pose {
     Isometry3::new(Vector3::from(at), Vector3::x() * roll)
 }
@@ -264,7 +265,7 @@ fn unit(axis: Axis) -> Vector3<f32> {
     }
 }
 
-/// How far a cylinder's round side reaches along each axis.
+/// The extent of a cylinder's round side along each axis.
 fn round_reach(way: Vector3<f32>, radius: f32) -> Vector3<f32> {
     let turn = UnitQuaternion::rotation_between(&Vector3::z(), &way).unwrap_or_default();
     let turn = turn.to_rotation_matrix();
@@ -273,7 +274,7 @@ fn round_reach(way: Vector3<f32>, radius: f32) -> Vector3<f32> {
 
 type Skin = (Vector3<f32>, Vector3<f32>, Vector3<f32>);
 
-/// Whether rings follow one another along `normal` (1) or against it (-1).
+/// Whether consecutive rings follow `normal` (1) or run against it (-1).
 fn heading(rings: &[Skin], normal: Vector3<f32>) -> f32 {
     match (rings.first(), rings.last()) {
         (Some(first), Some(last)) => (last.0 - first.0).dot(&normal).signum(),
@@ -281,8 +282,7 @@ fn heading(rings: &[Skin], normal: Vector3<f32>) -> f32 {
     }
 }
 
-/// The closed surface over rings; `way` is negative where they run against their
-/// normals.
+/// The closed surface over rings; `way` is negative if the rings run against their normals.
 fn skinned(rings: &[Skin], n: u32, way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
     let (mut vertices, mut triangles): (Vec<P>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
     let mut before: Option<(u32, u32)> = None;
@@ -320,7 +320,7 @@ fn skinned(rings: &[Skin], n: u32, way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// Triangles between two rings, each given by its first vertex and its count.
+/// Triangles between two rings, each given by its first vertex and its vertex count.
 fn join(triangles: &mut Vec<[u32; 3]>, below: (u32, u32), above: (u32, u32), n: u32) {
     let at = |ring: (u32, u32), k: u32| ring.0 + if ring.1 == 1 { 0 } else { k % n };
     for k in 0..n {
@@ -334,14 +334,14 @@ fn join(triangles: &mut Vec<[u32; 3]>, below: (u32, u32), above: (u32, u32), n: 
     }
 }
 
-/// Keeps room around for round parts: takes metres off every side and the top, but
-/// leaves six tenths of the size.
+/// Reserves a margin for round parts: reduces every side and the top by the given metres, but keeps
+/// at least six tenths of the size.
 pub(in crate::object) fn spare(b: &mut Build<'_>, x: f32, y: f32, z: f32) {
     let least = b.size * 0.6;
     b.size = (b.size - Vector3::new(2.0 * x, 2.0 * y, z)).sup(&least);
 }
 
-/// A zone of a ball between two angles from an axis through its `centre`.
+/// A zone of a sphere between two angles from an axis through its `centre`.
 pub(in crate::object) fn zone(
     b: &mut Build<'_>,
     name: &str,
@@ -368,7 +368,7 @@ pub(in crate::object) fn zone(
     b.mesh(name, vertices, triangles, mat);
 }
 
-/// A coil spring that stands on `base`: radii of the coil and of its wire, height.
+/// A coil spring standing on `base`: radii of the coil and of its wire, height.
 pub(in crate::object) fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f32, f32), height: f32, mat: Mat) {
     let (turns, steps) = (5, 14);
     let count = turns * steps;
@@ -384,8 +384,8 @@ pub(in crate::object) fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f3
     b.mesh(name, vertices, triangles, mat);
 }
 
-/// A line along a closed curve of places in metres, raised from a `centre`: a
-/// ball's seam.
+/// A line along a closed curve of positions in metres, raised away from `centre`, such as a ball's
+/// seam.
 pub(in crate::object) fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &[P], half: f32, mat: Mat) {
     let n = curve.len();
     let (middle, at) = (Vector3::from(centre), |i: usize| Vector3::from(curve[i % n]));

@@ -1,5 +1,4 @@
-//! Toys for indoors, prams and rollers, and the children's playground behind the
-//! house.
+//! Indoor toys, prams, skates and scooters, and the playground behind the house.
 
 pub(super) mod kit;
 

@@ -23,14 +23,14 @@ fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool
     }
 }
 
-/// A folding hood: ribs of a fan around a pivot, from one angle to another, over a
-/// half circle across; `reach` are its half depth and height.
+/// A folding hood: the ribs of a fan around a pivot, from one angle to another, over a half circle
+/// across; `reach` is its half depth and height.
 fn hood(b: &mut Build<'_>, pivot: (f32, f32), reach: (f32, f32), y: (f32, f32), turns: (f32, f32), mat: Mat) {
     let ribs = 4;
     let step = (turns.1 - turns.0) / ribs as f32;
     let middle = (y.0 + y.1) / 2.0;
     let half = (y.1 - y.0) / 2.0;
-    // Every rib is a little narrower than the one before it.
+    // Each rib is slightly narrower than the previous one.
     let rib = |turn: f32, share: f32, width: f32| {
         let (s, c) = turn.sine_cosine();
         let out = move |y: f32, r: f32| {
@@ -119,7 +119,7 @@ fn basket(b: &mut Build<'_>, x: (f32, f32), y: f32, z: (f32, f32), mat: Mat) {
     );
 }
 
-/// A reclined seat with legs' rest, straps, bumper bar and hood.
+/// A reclined seat with leg rest, straps, bumper bar and hood.
 fn seat(b: &mut Build<'_>, cloth: Mat, trim: Mat, frame: Mat) {
     let w = b.size.y * 0.92;
     b.plank("seat", [-0.34, 0.0, 0.43], [0.34, 0.0, 0.47], (w, 0.035), cloth);
@@ -137,7 +137,7 @@ fn seat(b: &mut Build<'_>, cloth: Mat, trim: Mat, frame: Mat) {
     hood(b, (-0.42, 0.7), (0.42, 0.3), (-0.98, 0.98), (from, to), cloth);
 }
 
-/// A pram with a carrycot, or a doll's one: tub, hood, cover, big wheels, handle.
+/// A pram with a carrycot, or a doll's pram: tub, hood, cover, big wheels, handle.
 pub(super) fn pram(b: &mut Build<'_>) {
     let cloth = if b.class == "pram" {
         b.one(&[NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC, BEIGE_FABRIC, GREEN_FABRIC])
@@ -176,7 +176,7 @@ pub(super) fn pram(b: &mut Build<'_>) {
     hood(b, (-0.12, rim - 0.02), (0.62, 0.33), (-y - 0.03, y + 0.03), (1.2, 2.95), cloth);
 }
 
-/// A tub wider above than below, open at the top.
+/// A tub wider at the top than at the bottom, open at the top.
 fn tub(b: &mut Build<'_>, (low, rim): (f32, f32), y: f32, mat: Mat) {
     b.slab("bottom", [-0.5, -y * 0.85, low], [0.78, y * 0.85, low + 0.03], mat);
     let (inner, outer) = ((-0.52, 0.8, y * 0.86), (-0.72, 0.98, y));

@@ -1,4 +1,4 @@
-//! Rollers: boards, skates, scooters and small cycles.
+//! Toys on wheels: boards, skates, scooters and small cycles.
 
 use super::super::build::{Axis, Build};
 use super::kit::*;
@@ -168,7 +168,7 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
     b.profile("mudguard", (-0.07, 0.07), &band(&guard, (0.0, 0.012)), trim);
 }
 
-/// Saddle, handlebars and their stems of a child's cycle.
+/// Saddle and handlebars of a child's cycle with their stems.
 fn cockpit(b: &mut Build<'_>, seat: (f32, f32), bar: (f32, f32), mat: Mat) {
     let (r, grip) = (0.014, b.one(BRIGHT));
     let pad = [
@@ -183,7 +183,7 @@ fn cockpit(b: &mut Build<'_>, seat: (f32, f32), bar: (f32, f32), mat: Mat) {
     }
 }
 
-/// A tricycle with a saddle, pedals and perhaps a push bar's basket.
+/// A tricycle with a saddle, pedals and sometimes a push bar with a basket.
 pub(super) fn tricycle(b: &mut Build<'_>) {
     let (frame, trim) = (
         b.one(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL]),

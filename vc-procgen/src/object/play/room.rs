@@ -1,4 +1,4 @@
-//! Play furniture: houses, kitchens, tents, mats, pens, seats for babies, easels.
+//! Play furniture: houses, kitchens, tents, mats, pens, baby seats, easels.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -8,7 +8,7 @@ use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
 
-/// A dolls' house, open in front or closed by two wings, furnished.
+/// A furnished dolls' house, open in front or closed by two wings.
 pub(super) fn dollhouse(b: &mut Build<'_>) {
     let wall = b.one(&[WHITE, CREAM, DUSTY_ROSE, SKY, BIRCH]);
     let roof = b.one(&[RED, NAVY, TERRACOTTA, SAGE]);
@@ -55,7 +55,7 @@ pub(super) fn dollhouse(b: &mut Build<'_>) {
     }
 }
 
-/// A front wing with windows, and half of the house door.
+/// A front wing with windows and half of the house door.
 fn shutter(b: &mut Build<'_>, side: f32, z: (f32, f32), floors: usize, wall: Mat) {
     let (near, far) = (side * 0.005, side * 0.96);
     b.slab("front", [0.864, near.min(far), z.0], [0.92, near.max(far), z.1], wall);
@@ -88,7 +88,7 @@ fn furniture(b: &mut Build<'_>, (y, z): (f32, f32), pitch: f32, kind: usize) {
     }
 }
 
-/// A play kitchen: hob, sink, oven and cupboard, a back panel with shelf.
+/// A play kitchen: hob, sink, oven, cupboard and a back panel with a shelf.
 pub(super) fn kitchen(b: &mut Build<'_>) {
     let (case, front) = (b.one(&[WHITE, BIRCH, CREAM, SAGE, SKY]), b.one(PAINTS));
     let (top, t) = (0.52, 0.03);
@@ -133,7 +133,7 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
     }
 }
 
-/// A tent to play in: a teepee of poles and cloth, or a house of cloth.
+/// A play tent: a teepee of poles and cloth, or a house of cloth.
 pub(super) fn tent(b: &mut Build<'_>) {
     let (cloth, trim) =
         (b.one(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, GREY_FABRIC]), b.one(CLOTHS));
@@ -179,8 +179,8 @@ pub(super) fn tent(b: &mut Build<'_>) {
     }
 }
 
-/// The cloth before a tent's doorway, turned aside at its left edge; `head` is an
-/// upper corner of the front.
+/// The cloth in front of a tent's doorway, hinged at its left edge; `head` is an upper corner of
+/// the front.
 fn curtain(b: &mut Build<'_>, head: [f32; 3], mat: Mat) {
     let out = 0.012 / b.size.x;
     let (low, top) = ([0.95 + out, 0.43, 0.014], [head[0] + out, head[1].abs() * 0.64, head[2]]);
@@ -191,7 +191,7 @@ fn curtain(b: &mut Build<'_>, head: [f32; 3], mat: Mat) {
     b.hinge(foot, axis, 2.0, |b| sheet(b, &[low, mirrored(low), mirrored(high), high], mat));
 }
 
-/// A thin cloth over three or four corners.
+/// A thin cloth spanned by three or four corners.
 fn sheet(b: &mut Build<'_>, corners: &[[f32; 3]], mat: Mat) {
     let t = (0.004 / b.size.x, 0.004 / b.size.y);
     let inner = corners.iter().map(|p| [p[0] - t.0 * p[0].signum(), p[1] - t.1 * p[1].signum(), p[2] - 0.003]);
@@ -199,7 +199,7 @@ fn sheet(b: &mut Build<'_>, corners: &[[f32; 3]], mat: Mat) {
     b.chunk("cloth", &all, mat);
 }
 
-/// A mat to play on: puzzle squares, a printed street, or a padded blanket.
+/// A play mat: puzzle squares, a printed street, or a padded blanket.
 pub(super) fn mat(b: &mut Build<'_>) {
     let h = 1.0 - (0.003 / b.size.z).min(0.3);
     match b.rng.below(3) {
@@ -245,7 +245,7 @@ pub(super) fn mat(b: &mut Build<'_>) {
     b.deck("mat", [0.0, 0.0, 1.0], (0.95, 0.95));
 }
 
-/// A pen with bars or netting, a padded floor within.
+/// A playpen with bars or netting and a padded floor.
 pub(super) fn playpen(b: &mut Build<'_>) {
     let cot = b.rng.chance(0.5);
     let wood = b.style.wood;
@@ -282,7 +282,7 @@ pub(super) fn playpen(b: &mut Build<'_>) {
     }
 }
 
-/// A walker: a seat in a ring on castors, a tray with toys in front.
+/// A baby walker: a seat in a ring on castors with a tray of toys in front.
 pub(super) fn walker(b: &mut Build<'_>) {
     let (frame, cloth) = (b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]), b.one(CLOTHS));
     let r = b.size.x.min(b.size.y) / 2.0;

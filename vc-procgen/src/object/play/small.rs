@@ -1,4 +1,4 @@
-//! Small toys for the hand, the bath and the beach.
+//! Small toys: handheld, bath and beach toys.
 
 use vc_graph::portable::Portable;
 
@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
 
-/// A top on its tip, leaning on nothing: a humming top or a plain one.
+/// A free-standing spinning top on its tip: a humming top or a plain one.
 pub(super) fn top(b: &mut Build<'_>) {
     let (paint, trim) = (b.one(PAINTS), b.one(PAINTS));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -21,7 +21,7 @@ pub(super) fn top(b: &mut Build<'_>) {
     b.lathe("knob", [0.0, 0.0, h * 0.9], &[(knob * 0.6, 0.0), (knob, h * 0.05), (knob * 0.6, h * 0.1)], trim);
 }
 
-/// Two discs on an axle with a string and its loop.
+/// A yo-yo: two discs on an axle with a string and its loop.
 pub(super) fn yo_yo(b: &mut Build<'_>) {
     let (paint, cap) = (b.one(BRIGHT), b.one(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]));
     let (r, half) = (b.size.y.min(b.size.z) / 2.0, b.size.x / 2.0);
@@ -61,7 +61,7 @@ pub(super) fn rattle(b: &mut Build<'_>) {
     }
 }
 
-/// A duck for the bath.
+/// A rubber duck.
 pub(super) fn duck(b: &mut Build<'_>) {
     let coat = b.one(&[YELLOW_PLASTIC, YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
     b.blob("body", [-0.1, 0.0, 0.28], [0.85, 0.98, 0.28], coat);
@@ -89,7 +89,7 @@ pub(super) fn dough(b: &mut Build<'_>) {
     }
 }
 
-/// A toy telephone: a dial one with a face, or a mobile one.
+/// A toy telephone: a dial telephone with a face, or a mobile phone.
 pub(super) fn phone(b: &mut Build<'_>) {
     let (paint, trim) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]));
     let flat = b.size.z / b.size.x < 0.45;
@@ -256,7 +256,7 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     }
 }
 
-/// A spade for the sandpit, standing on its blade as it is leant.
+/// A sand spade standing on its blade, in the leaning pose.
 pub(super) fn shovel(b: &mut Build<'_>) {
     let (paint, shaft) = (b.one(BRIGHT), b.one(&[BEECH, YELLOW_PLASTIC, RED_PLASTIC]));
     let blade = [(-0.7, 0.36), (-0.95, 0.3), (-0.85, 0.1), (0.0, 0.0), (0.85, 0.1), (0.95, 0.3), (0.7, 0.36)];

@@ -1,10 +1,10 @@
-//! Toy cars, trucks, trains, planes and boats, and cars to ride on.
+//! Toy cars, trucks, trains, planes and boats, and ride-on cars.
 
 use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
 
-/// Four wheels whose treads touch the floor and whose outsides touch the sides.
+/// Four wheels whose treads touch the floor and whose outer faces touch the sides.
 fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: Mat) {
     let side = 1.0 - width / b.size.y;
     let z = radius / b.size.z;
@@ -40,8 +40,8 @@ pub(super) fn car(b: &mut Build<'_>) {
     }
 }
 
-/// A closed body: lower part, glazed cabin between four places along X, lamps. The
-/// bonnet falls by a share.
+/// A closed body: lower part, glazed cabin between four positions along X, lamps. The bonnet slopes
+/// down by a fraction.
 fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (Mat, f32), cabin: [f32; 4]) {
     let waist = sill + (1.0 - sill) * 0.5;
     let nose = waist - (waist - sill) * fall;
@@ -97,7 +97,7 @@ fn racer(b: &mut Build<'_>, sill: f32, y: f32, paint: Mat) {
     b.slab("wing", [0.82, -0.9, sill * 0.9], [0.99, 0.9, sill * 0.9 + 0.07], trim);
 }
 
-/// A car that a child sits in or astride.
+/// A ride-on car in which a child sits inside or astride.
 pub(super) fn ride_on(b: &mut Build<'_>) {
     let (paint, trim) = (b.one(BRIGHT), b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC]));
     let r = (b.size.z * 0.24).min(b.size.x * 0.16);
@@ -180,7 +180,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
     });
 }
 
-/// A steam engine, with wagons where the size is long enough.
+/// A steam engine, with wagons if the size is long enough.
 pub(super) fn train(b: &mut Build<'_>) {
     let (paint, trim) = (b.one(&[RED, BLUE, GREEN, BLACK, RED_PLASTIC, BLUE_PLASTIC]), b.one(&[YELLOW, GOLD, RED]));
     let wagons = ((b.size.x / b.size.y.max(1e-3) - 2.0) / 2.4).floor().clamp(0.0, 3.0);
@@ -248,7 +248,7 @@ fn wagon(b: &mut Build<'_>, paint: Mat) {
     }
 }
 
-/// A ring of wooden track with a bridge, signals and, if there is height, a train.
+/// A ring of wooden track with a bridge, signals and, if the height allows it, a train.
 pub(super) fn track(b: &mut Build<'_>) {
     let wood = b.one(TOY_WOODS);
     let gauge = (b.size.x.min(b.size.y) * 0.08).clamp(0.01, 0.05);
@@ -279,7 +279,7 @@ pub(super) fn track(b: &mut Build<'_>) {
     }
 }
 
-/// A tunnel over the track, a station and two trees in the middle.
+/// A tunnel over the track, a station and two trees in the centre.
 fn scenery(b: &mut Build<'_>, (gx, gy): (f32, f32), thick: f32) {
     let paint = b.one(PAINTS);
     let arch = |w: f32, top: f32| arc((1.0 - gx * 0.5, 0.0), (gx * w, top), (0.0, std::f32::consts::PI), 9);
@@ -340,7 +340,7 @@ pub(super) fn airplane(b: &mut Build<'_>) {
     }
 }
 
-/// A toy boat: a steamer, a sailing boat or a tug, flat at the keel.
+/// A toy boat with a flat keel: a steamer, a sailing boat or a tug.
 pub(super) fn boat(b: &mut Build<'_>) {
     let (paint, deck) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, BEECH, YELLOW_PLASTIC]));
     let sail = b.rng.chance(0.5);

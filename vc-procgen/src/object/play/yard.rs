@@ -1,5 +1,4 @@
-//! The playground behind the house: what is swung on, slid down, climbed and
-//! jumped on.
+//! The playground behind the house: equipment for swinging, sliding, climbing and jumping.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -9,7 +8,7 @@ use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
 
-/// Timber or painted tube of a frame, and how thick.
+/// The material of a frame (timber or painted tube) and its radius.
 fn framing(b: &mut Build<'_>) -> (Mat, f32) {
     if b.rng.chance(0.5) {
         (b.one(&[PINE, TEAK, OAK]), 0.045)
@@ -18,7 +17,7 @@ fn framing(b: &mut Build<'_>) -> (Mat, f32) {
     }
 }
 
-/// A swing's seat at a height between two ropes that hang from another.
+/// A swing's seat at one height, hanging on two ropes from another height.
 fn hung_seat(b: &mut Build<'_>, y: f32, half: f32, (low, high): (f32, f32), (seat, rope): (Mat, Mat)) {
     let r = if rope == GALVANISED { 0.006 } else { 0.01 };
     let reach = (0.17 / b.size.x).min(0.9);
@@ -50,7 +49,7 @@ pub(super) fn swing(b: &mut Build<'_>) {
     }
 }
 
-/// A swing frame with two seats, or one and a bar with rings.
+/// A swing frame with two seats, or with one seat and a bar with rings.
 pub(super) fn swing_set(b: &mut Build<'_>) {
     let (mat, r) = framing(b);
     let (ends, high) = (1.0 - 0.1, 1.0 - 1.1 * r / b.size.z);
@@ -86,7 +85,7 @@ pub(super) fn swing_set(b: &mut Build<'_>) {
     }
 }
 
-/// A tyre that hangs from three ropes, flat, or from one, upright.
+/// A tyre hanging flat on three ropes or upright on one.
 pub(super) fn tire_swing(b: &mut Build<'_>) {
     let rope = b.one(&[JUTE, GALVANISED]);
     let tube = (b.size.x.min(b.size.y) * 0.14).min(0.11);
@@ -109,7 +108,7 @@ pub(super) fn tire_swing(b: &mut Build<'_>) {
     b.hoop("ring", Axis::X, [0.0, 0.0, 1.0 - 0.035 / b.size.z], (0.026, 0.008), GALVANISED);
 }
 
-/// A slide that runs down to the front: ladder, platform, chute with sides.
+/// A slide that descends to the front: ladder, platform, chute with sides.
 pub(super) fn slide(b: &mut Build<'_>) {
     let (chute, rail) = (b.one(BRIGHT), b.one(BRIGHT));
     let plastic = b.size.z < 1.2;
@@ -156,7 +155,7 @@ pub(super) fn slide(b: &mut Build<'_>) {
     }
 }
 
-/// A sandpit of boards with a lid in two halves, and perhaps seats along two sides.
+/// A sandpit of boards with a lid in two halves and sometimes seats along two sides.
 pub(super) fn sandbox(b: &mut Build<'_>) {
     let wood = b.one(&[PINE, TEAK, OAK, BLUE]);
     let t = (0.03 / b.size.x).min(0.1);
@@ -168,7 +167,7 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
     b.slab("sand", [t - x, t - x, 0.0], [x - t, x - t, 0.45], SANDSTONE);
     b.blob("heap", [0.3, 0.35, 0.45], [0.3, 0.3, 0.25], SANDSTONE);
     b.hollow("sand", [-0.35, 0.0, 0.45], (0.3, 0.7), 0.38);
-    // The lid's halves are hinged at the sides, or at seats on which they fold.
+    // The lid's halves are hinged at the sides, or at seats onto which they fold.
     let (edge, fold) = if b.rng.chance(0.5) { (1.0, PI * 0.55) } else { (0.66, PI * 0.85) };
     for y in SIDES {
         let (inner, outer) = (y * 0.005, y * edge);
@@ -186,7 +185,7 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
     }
 }
 
-/// A trampoline: mat in a padded ring on legs, a net on poles around it.
+/// A trampoline: mat in a padded ring on legs, with a net on poles around it.
 pub(super) fn trampoline(b: &mut Build<'_>) {
     let pad = b.one(&[GREEN_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, BLACK_FABRIC]);
     let r = b.size.x.min(b.size.y) / 2.0;
@@ -337,7 +336,7 @@ pub(super) fn monkey_bars(b: &mut Build<'_>) {
     }
 }
 
-/// A round platform that turns, with rails or a wheel in the middle.
+/// A rotating round platform with rails or a wheel in the centre.
 pub(super) fn carousel(b: &mut Build<'_>) {
     let (paint, rail) =
         (b.one(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL]), b.one(&[STEEL, YELLOW_METAL, RED_METAL]));
@@ -441,7 +440,7 @@ pub(super) fn zip_line(b: &mut Build<'_>) {
     b.cylinder("seat", [trolley[0], 0.0, b.size.z * 0.18], r, 0.05, BLACK_PLASTIC);
 }
 
-/// A cloth tunnel on hoops to crawl through.
+/// A crawling tunnel: cloth on hoops.
 pub(super) fn tunnel(b: &mut Build<'_>) {
     let (a, c) = (b.one(CLOTHS), b.one(CLOTHS));
     let r = b.size.y.min(b.size.z) / 2.0;

@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::kit::*;
 use crate::material::*;
 
-/// A gabled roof over a rectangle, ridge along Y.
+/// A gabled roof over a rectangle, with the ridge along Y.
 fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), mat: Mat) {
     let middle = (x.0 + x.1) / 2.0;
     let t = (0.03 / b.size.z).min(0.05);
@@ -25,7 +25,7 @@ fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), ma
     );
 }
 
-/// A tower with platform, roof, slide, ladder, and a swing where it is wide.
+/// A tower with platform, roof, slide, ladder, and a swing if it is wide.
 pub(super) fn tower(b: &mut Build<'_>) {
     let (wood, roof, chute) = (b.one(&[PINE, TEAK, OAK]), b.one(&[GREEN, RED, BLUE, TERRACOTTA]), b.one(BRIGHT));
     let wide = b.size.y > 2.6;
@@ -141,13 +141,13 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
     b.hollow("room", centre, ((x.1 - x.0) / 2.0 - 2.5 * t.0, (y.1 - y.0) / 2.0 - 2.5 * t.1), tall - 0.04);
 }
 
-/// Two gables under a roof whose ridge runs along Y.
+/// Two gables under a roof with the ridge along Y.
 fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: Mat, roof: Mat) {
     let over = |v: f32, by: f32| (v + by).clamp(-1.0, 1.0);
     let (x0, x1) = (over(at.x.0, -0.1), over(at.x.1, 0.1));
     let (low, middle) = (at.eaves + 0.002, (x0 + x1) / 2.0);
     let t = (0.03 / b.size.y, 0.009 / b.size.z);
-    // The gables reach into the roof.
+    // The gables extend into the roof.
     let top = |x: f32| low + (ridge - low) * (1.0 - (x - middle).abs() / (x1 - middle)) - t.1;
     let (left, right) = (at.x.0 + 0.001, at.x.1 - 0.001);
     let outline = [(left, at.eaves), (right, at.eaves), (right, top(right)), (middle, top(middle)), (left, top(left))];

@@ -6,16 +6,16 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::table::frame::{Cut, Four, Lean, Row, at_least, leg, ribbon, shell};
 
-/// A chair in the making: half depth, half width, height, and what follows.
+/// A chair under construction: half depth, half width, height, and further dimensions.
 pub(super) struct Chair {
     pub(super) x: f32,
     pub(super) y: f32,
     pub(super) h: f32,
-    /// Height of the seat.
+    /// The height of the seat.
     pub(super) seat: f32,
-    /// How far the back leans from seat to top.
+    /// How far the back leans between seat and top.
     pub(super) rake: f32,
-    /// Thickness of legs and posts.
+    /// The thickness of legs and posts.
     pub(super) post: f32,
     pub(super) wood: Mat,
     pub(super) cloth: Mat,
@@ -39,7 +39,7 @@ impl Chair {
         Self { x, y, h, seat, rake: rake.min(x * 0.4), post, wood, cloth, metal: b.style.metal }
     }
 
-    /// X of the front of the back at a height.
+    /// The X of the back's front at a height.
     pub(super) fn back(&self, z: f32) -> f32 {
         let k = ((z - self.seat) / (self.h - self.seat)).clamp(0.0, 1.0);
         self.post + self.rake * (1.0 - k) - self.x
@@ -53,7 +53,7 @@ impl Chair {
         b.prism(name, Axis::Y, [0.0, y.0, 0.0], &outline, y.1 - y.0, mat);
     }
 
-    /// Rear legs that go on as posts of the back.
+    /// Rear legs that continue as posts of the back.
     fn posts(&self, b: &mut Build<'_>) {
         let (d, foot) = (self.post, -self.x + self.rake * 0.35);
         let seat = self.rake - self.x;
@@ -88,8 +88,8 @@ pub(super) fn chair(b: &mut Build<'_>) {
     b.one(designs)(b, &chair);
 }
 
-/// Joined of square timber: rear legs run up into a back of slats, spindles, a splat
-/// or a cross.
+/// A chair of square timber: the rear legs continue into a back of slats, spindles, a splat or a
+/// cross.
 fn joined(b: &mut Build<'_>, c: &Chair) {
     let (r, under) = (c.post / 2.0, c.seat - 0.022);
     let foot = r * b.one(&[1.0, 0.65]);
@@ -248,8 +248,8 @@ fn moulded(b: &mut Build<'_>, c: &Chair) {
     let rear = c.back(c.seat) - c.post;
     let row = |x: f32, z: f32, half: f32, rise: f32| Row { at: (x, z), half: half * w, rise };
     let deep = (w * 0.22).min(tall * 0.16);
-    // The seat's edges stand up to a pan, the back's are drawn forward; what rises
-    // must stay within the width, so the widest row is that of the seat.
+    // The seat's edges rise to form a pan, the back's are drawn forward; rising parts must stay
+    // within the width, so the widest row is that of the seat.
     let rows = [
         row(c.x, s - tall * 0.05, 0.72, 0.0),
         row(c.x - 0.04, s, 0.94, deep * 0.1),

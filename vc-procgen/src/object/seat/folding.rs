@@ -13,7 +13,7 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
     let (r, lift) = (c.post * 0.42, c.h * 0.035);
     let (front, rear) = (c.x * 0.55, -c.x * 0.55 + c.rake * 0.2);
     let runner = |x: f32| lift * (x / c.x) * (x / c.x);
-    // At its ends the runner's underside is further out than its upper side.
+    // At its ends the runner's underside extends further than its upper side.
     let end = c.x - 4.0 * r * lift / c.x - 0.004;
     for side in [-1.0, 1.0] {
         let y = side * (c.y - r);
@@ -77,7 +77,8 @@ pub(super) fn folding_chair(b: &mut Build<'_>) {
         frame,
     );
     let y = c.y - 2.0 * r - 0.002;
-    // The legs run from the front foot to the top of the back: where they pass the seat.
+    // The point where the legs, which run from the front foot to the top of the back, pass the
+    // seat.
     let pass = c.x - r - 2.0 * (c.x - r) * (c.seat / c.h);
     let from = pass - 0.03;
     if metal || b.rng.chance(0.4) {

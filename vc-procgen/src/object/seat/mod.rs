@@ -1,4 +1,4 @@
-//! Seats: chairs, stools, benches, sofas.
+//! Seats: chairs, stools, benches and sofas.
 
 mod chair;
 mod folding;

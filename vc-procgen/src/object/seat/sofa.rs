@@ -1,10 +1,10 @@
-//! Sofas and armchairs: a base, arms, cushions to sit on and to lean against.
+//! Sofas and armchairs: a base, arms, seat cushions and back cushions.
 
 use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::table::frame::{CORNERS, Cut, Four, Lean, at_least, baluster, leg};
 
-/// How arms look.
+/// The design of arms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Arm {
     /// An upright box.
@@ -19,27 +19,27 @@ enum Arm {
     Frame,
 }
 
-/// A sofa in the making: half depth, half width, height, and what follows.
+/// A sofa under construction: half depth, half width, height, and further dimensions.
 struct Sofa {
     x: f32,
     y: f32,
     h: f32,
-    /// Height of the seat.
+    /// The height of the seat.
     seat: f32,
-    /// Thickness of cushions.
+    /// The thickness of cushions.
     cushion: f32,
-    /// Height of legs.
+    /// The height of legs.
     lift: f32,
     arm: Arm,
-    /// Width and height of arms.
+    /// The width and height of arms.
     arms: (f32, f32),
-    /// Thickness of the back's frame.
+    /// The thickness of the back's frame.
     back: f32,
     tilt: f32,
     cloth: Mat,
     wood: Mat,
     tufted: bool,
-    /// Cushions are one piece, not one for each seat.
+    /// Whether the cushion is one piece instead of one for each seat.
     bench: bool,
 }
 
@@ -76,7 +76,7 @@ impl Sofa {
         }
     }
 
-    /// Builds everything; `count` seats side by side.
+    /// Builds everything, with `count` seats side by side.
     fn build(&self, b: &mut Build<'_>, count: usize) {
         self.legs(b);
         let inner = self.y - self.arms.0;
@@ -93,7 +93,7 @@ impl Sofa {
             return;
         }
         let inset = if lift > 0.1 { 0.03 } else { 0.0 };
-        // Pads are round below: legs stand further in.
+        // Pads are round at the bottom, so legs stand further in.
         let margin = if self.arm == Arm::Pad { (self.arms.0 * 0.34 - 0.02).max(0.02) } else { 0.02 };
         let feet = (self.x - margin, self.y - margin);
         let heads = (feet.0 - inset, feet.1 - inset);
@@ -189,7 +189,8 @@ impl Sofa {
         Lean { back: set_back - self.x, z: (self.seat - 0.02, top), thickness: thick, tilt: self.tilt }
     }
 
-    /// Cushions on the base and against the back, between two Y, and the seats' surfaces.
+    /// Cushions on the base and against the back, between two Y coordinates, and the surfaces of
+    /// the seats.
     fn cushions(&self, b: &mut Build<'_>, y: (f32, f32), count: usize) {
         let (lean, low) = (self.lean(), self.seat - self.cushion);
         let count = count.max(1);
@@ -242,7 +243,7 @@ impl Sofa {
         });
     }
 
-    /// Seats that fit side by side.
+    /// The number of seats that fit side by side.
     fn count(&self) -> usize {
         (((self.y - self.arms.0) * 2.0) / 0.62).round().clamp(1.0, 5.0) as usize
     }
@@ -288,7 +289,7 @@ pub(super) fn sofa_bed(b: &mut Build<'_>) {
     sofa.cushions(b, (-inner, inner), count);
 }
 
-/// A sofa with one end drawn out to the front, to the left or to the right.
+/// A sofa with one end extended to the front, on the left or on the right.
 pub(super) fn corner_sofa(b: &mut Build<'_>) {
     at_least(b, [0.7, 1.0, 0.32]);
     let (full_x, full_y) = (b.size.x / 2.0, b.size.y / 2.0);
@@ -312,7 +313,7 @@ pub(super) fn corner_sofa(b: &mut Build<'_>) {
         let rest = if side > 0.0 { (-inner, split) } else { (-split, inner) };
         sofa.cushions(b, rest, seats);
     });
-    // The part that is drawn out, from the back frame to the front.
+    // The extended part, from the back frame to the front.
     let (y0, y1) = if side > 0.0 { (split, inner) } else { (-inner, -split) };
     let lean = sofa.lean();
     let shift = deep / 2.0 - full_x;
@@ -371,8 +372,8 @@ fn corner_legs(b: &mut Build<'_>, s: &Sofa, full: (f32, f32), deep: f32, end: (f
     }
 }
 
-/// A chair with arms and upholstery: like a sofa for one, a wing chair, a tub or a
-/// lounge chair of wood.
+/// A chair with arms and upholstery: like a sofa for one, a wing chair, a tub chair or a wooden
+/// lounge chair.
 pub(super) fn armchair(b: &mut Build<'_>) {
     let mut sofa = Sofa::new(b);
     sofa.bench = false;
@@ -460,7 +461,7 @@ fn tub(b: &mut Build<'_>, s: &Sofa) {
     let tilt = 0.15;
     let lean = Lean { back: t * 0.8 - s.x, z: (s.seat - 0.02, s.h * 0.94), thickness: 0.1_f32.min(s.x * 0.25), tilt };
     lean.pad(b, "back_cushion", (-y * 0.62, y * 0.62), 0.045, s.cloth);
-    // Behind, the shell narrows.
+    // The shell narrows at the back.
     let (first, last) = ((lean.front(s.seat) + 0.012).max(-0.28 * s.x), s.x - 0.05);
     let half = (s.y * 0.86 - t - 0.015).max(0.02);
     b.top("seat", [f32::midpoint(first, last), 0.0, s.seat], ((last - first) / 2.0, half));

@@ -7,7 +7,7 @@ use crate::object::storage::case::{Case, Cell, Look};
 use crate::object::storage::chest::{Chest, chest};
 use crate::object::table::frame::{Cut, Four, STAR, at_least, baluster, disc, leg, ribbon};
 
-/// Half depth, half width, height, and how thick legs are.
+/// Half depth, half width, height, and the thickness of legs.
 fn measures(b: &mut Build<'_>) -> (f32, f32, f32, f32) {
     at_least(b, [0.12, 0.12, 0.1]);
     let (x, y) = (b.size.x / 2.0, b.size.y / 2.0);
@@ -127,7 +127,7 @@ pub(super) fn bar_stool(b: &mut Build<'_>) {
     }
 }
 
-/// One or two treads one climbs to reach a shelf.
+/// One or two treads for climbing up to a shelf.
 pub(super) fn step_stool(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
     let wood = b.one(&[b.style.wood, WHITE, BEECH]);
@@ -208,7 +208,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
                 cut: Cut::Round,
             };
             four.build(b, wood);
-            // Where slats leave no board above the legs, a beam carries them.
+            // A beam supports the slats where they leave no board above the legs.
             b.block("beam", [-x * 0.7, r - y * 0.86, under - 0.03], [x * 0.7, y * 0.86 - r, under - 0.012], wood);
         }
         1 => {
@@ -359,7 +359,7 @@ pub(super) fn ottoman(b: &mut Build<'_>) {
     b.top("seat", [0.0, 0.0, h], (x - 0.04, y - 0.04));
 }
 
-/// A bag that slumps: wide below, a hollow to sit in, gathered at the top.
+/// A slumping bag: wide at the bottom, with a hollow to sit in, gathered at the top.
 pub(super) fn bean_bag(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
     let cloth = b.one(&[b.style.accent, b.style.upholstery, DENIM, RED_FABRIC, GREY_FABRIC]);

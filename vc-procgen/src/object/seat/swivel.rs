@@ -1,11 +1,11 @@
-//! Chairs that roll and turn.
+//! Swivel chairs on castors.
 
 use crate::material::*;
 use crate::object::build::Build;
 use crate::object::table::frame::{Cut, Lean, Row, STAR, at_least, leg, shell};
 use crate::object::table::trolley::castor;
 
-/// Size and colours of a chair on a star foot.
+/// The dimensions and colours of a chair on a star base.
 struct Swivel {
     x: f32,
     y: f32,
@@ -25,7 +25,7 @@ impl Swivel {
         Self { x, y, h, seat: (h * 0.46).min(0.4 + 0.07 * h), tilt: b.vary(0.12, 0.2).min(x * 0.8 / h), dark, cloth }
     }
 
-    /// A star of five arms on castors, and the gas spring.
+    /// A star base of five arms on castors, and the gas spring.
     fn foot(&self, b: &mut Build<'_>, mat: Mat) {
         let wheel = 0.026_f32.min(self.seat * 0.08);
         let reach = self.x.min(self.y) - wheel * 0.6;
@@ -42,7 +42,7 @@ impl Swivel {
         b.block("mechanism", [-0.12, -0.08, z], [0.1, 0.08, z + 0.04], BLACK_PLASTIC);
     }
 
-    /// Armrests on brackets from below the seat.
+    /// Armrests on brackets that start below the seat.
     fn arms(&self, b: &mut Build<'_>, half: f32) {
         let (z, under) = (self.seat + (self.h - self.seat) * 0.32, self.seat - 0.07);
         for side in [-1.0, 1.0] {
@@ -53,7 +53,7 @@ impl Swivel {
         }
     }
 
-    /// The cushion, and the surface on it from where the back ends.
+    /// The cushion, with its surface from the back's end forwards.
     fn cushion(&self, b: &mut Build<'_>, half: f32, x: (f32, f32), from: f32) {
         let t = 0.075_f32.min(self.seat * 0.25);
         b.soft("seat", [x.0, -half, self.seat - t], [x.1, half, self.seat], 0.032, self.cloth);
@@ -62,7 +62,7 @@ impl Swivel {
         b.top("seat", [f32::midpoint(from, to), 0.0, self.seat], free);
     }
 
-    /// A bar from below the seat to behind the back, which it carries.
+    /// A bar from below the seat to behind the back, which it supports.
     fn spine(&self, b: &mut Build<'_>, rear: f32, upto: f32) {
         let (tall, r) = (self.h - self.seat, 0.02_f32.min(self.y * 0.1));
         let behind = -self.x + r + tall * (1.0 - upto) * self.tilt * 0.9;
@@ -74,7 +74,7 @@ impl Swivel {
     }
 }
 
-/// A desk chair: star foot, padded or mesh back, often with armrests.
+/// A desk chair: star base, padded or mesh back, often with armrests.
 pub(super) fn office_chair(b: &mut Build<'_>) {
     let c = Swivel::new(b);
     let foot = b.one(&[c.dark, CHROME, BLACK_PLASTIC]);
@@ -90,7 +90,7 @@ pub(super) fn office_chair(b: &mut Build<'_>) {
             lean.front(c.seat)
         }
         1 => {
-            // A mesh stretched in a frame, bulging at the small of the back.
+            // A mesh stretched in a frame, bulging at the lower back.
             let x = |k: f32| -c.x + 0.016 + (1.0 - k) * tall * c.tilt;
             let row = |k: f32, half: f32, rise: f32| {
                 let bulge = 0.1 * (1.0 - k) * k * tall.min(0.6);

@@ -8,13 +8,13 @@ use super::super::build::{Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// Radius and middle of the ball that fits the size.
+/// Radius and centre of the ball that fits the size.
 fn fit(b: &Build<'_>) -> (f32, P) {
     let r = b.size.min() / 2.0;
     (r, [0.0, 0.0, r])
 }
 
-/// A zone of the ball's skin between two angles from an axis.
+/// A zone of the ball's surface between two angles from an axis.
 fn mark(b: &mut Build<'_>, name: &str, towards: P, angles: (f32, f32), lift: f32, mat: Mat) {
     let (r, c) = fit(b);
     zone(b, name, (c, r * lift), towards, angles, mat);
@@ -122,7 +122,7 @@ pub(super) fn american_football(b: &mut Build<'_>) {
     }
 }
 
-/// A volleyball: panels in three directions.
+/// A volleyball with panels in three directions.
 pub(super) fn volleyball(b: &mut Build<'_>) {
     let (r, c) = fit(b);
     let (skin, other) =
@@ -137,7 +137,7 @@ pub(super) fn volleyball(b: &mut Build<'_>) {
     }
 }
 
-/// A tennis ball or a baseball: one seam that winds around twice.
+/// A tennis ball or a baseball: one closed seam that winds around the ball twice.
 pub(super) fn tennis(b: &mut Build<'_>) {
     let (r, c) = fit(b);
     let (skin, line, wide) =
@@ -150,7 +150,7 @@ pub(super) fn tennis(b: &mut Build<'_>) {
         [x * s, y * s, z]
     };
     let half: Vec<P> = (0..40).map(place).collect();
-    // The other half of the seam is the first turned upside down.
+    // The second half of the seam is the first half turned upside down.
     let other = half.iter().map(|p| [-p[0], -p[1], p[2]]);
     let curve: Vec<P> = half
         .iter()

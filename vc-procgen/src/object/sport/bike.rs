@@ -1,10 +1,10 @@
-//! Bikes that stay where they are; the rider faces the front.
+//! Stationary bikes; the user faces the front.
 
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// A sitting place: post and saddle.
+/// A seat post with a saddle.
 fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: Mat) {
     b.pole("post", foot, seat, 0.02, CHROME);
     let ring = |x: f32, y: f32, z: f32| ([seat[0] + x, 0.0, seat[2] + z], y, 0.022);
@@ -18,7 +18,7 @@ fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: Mat) {
     b.skin("saddle", Axis::X, &shape, mat);
 }
 
-/// Two cranks with pedals around an axle.
+/// Two cranks with pedals on an axle.
 pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: Mat) {
     b.disc("crank_wheel", Axis::Y, at, (reach * 0.55, b.size.y * 0.34), mat);
     b.pole("axle", [at[0], -0.44, at[2]], [at[0], 0.44, at[2]], 0.012, STEEL);
@@ -35,7 +35,7 @@ pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: Mat) {
     }
 }
 
-/// A display that leans towards the rider.
+/// A display that leans towards the user.
 pub(super) fn display(b: &mut Build<'_>, at: P, half: (f32, f32), lean: f32, case: Mat) {
     let (w, h) = half;
     let place = b.p(at);
@@ -62,7 +62,7 @@ pub(super) fn feet(b: &mut Build<'_>, at: (f32, f32), mat: Mat) {
     }
 }
 
-/// Handlebars with grips, arms to the front.
+/// Handlebars with grips; their arms point to the front.
 fn bars(b: &mut Build<'_>, at: P, mat: Mat) {
     let r = 0.013;
     for y in SIDES {
@@ -78,7 +78,7 @@ fn bars(b: &mut Build<'_>, at: P, mat: Mat) {
     }
 }
 
-/// An exercise bike: closed case over its wheel, upright post, display.
+/// An exercise bike: a closed case over its wheel, an upright post and a display.
 pub(super) fn upright(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
     let (case, trim) = (
@@ -100,7 +100,7 @@ pub(super) fn upright(b: &mut Build<'_>) {
     display(b, [0.6, 0.0, 0.92], ((b.size.y * 0.3).min(0.16), b.size.z * 0.07), 0.35, BLACK_PLASTIC);
 }
 
-/// A spin bike: an open flywheel in front, race bars.
+/// A spin bike: an open flywheel in front and racing handlebars.
 pub(super) fn spin(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.02);
     let (frame, wheel) =
@@ -134,7 +134,7 @@ pub(super) fn spin(b: &mut Build<'_>) {
     b.plank("bottle_cage", [0.42, 0.0, 0.88], [0.3, 0.3, 0.88], (0.02, 0.02), BLACK_METAL);
 }
 
-/// A recumbent bike: a chair behind the pedals, handles beside it.
+/// A recumbent bike: a chair behind the pedals with handles beside it.
 pub(super) fn recumbent(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
     let (case, trim) =

@@ -1,4 +1,4 @@
-//! Machines to run, row, climb and glide on; whoever trains faces the front.
+//! Machines for running, rowing, climbing and gliding; the user faces the front.
 
 use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
@@ -55,7 +55,7 @@ pub(super) fn treadmill(b: &mut Build<'_>) {
     b.slab("stop", [0.46, -0.08, 0.77], [0.54, 0.08, 0.815], RED_PLASTIC);
 }
 
-/// A rower: rail with sliding seat, footplates, flywheel or water tank.
+/// A rowing machine: a rail with a sliding seat, footplates, and a flywheel or water tank.
 pub(super) fn rower(b: &mut Build<'_>) {
     let water = b.rng.chance(0.4);
     let frame = if water { b.one(&[OAK, WALNUT, CHERRY]) } else { b.one(&[BLACK_METAL, SILVER_METAL, GREY_PLASTIC]) };
@@ -168,7 +168,7 @@ pub(super) fn elliptical(b: &mut Build<'_>) {
     display(b, [mast, 0.0, 0.92], (b.size.y * 0.26, b.size.z * 0.065), 0.3, BLACK_PLASTIC);
 }
 
-/// A climber: endless steps between side walls, rails and console.
+/// A stair climber: endless steps between side walls, with rails and console.
 pub(super) fn stairs(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
     let (case, trim) =
@@ -214,7 +214,7 @@ pub(super) fn ski(b: &mut Build<'_>) {
     display(b, [low - 0.03, 0.0, 0.68], (b.size.y * 0.2, b.size.z * 0.045), 0.2, BLACK_PLASTIC);
 }
 
-/// A plate that shakes, flat or with a column and handles.
+/// A vibration plate, flat or with a column and handles.
 pub(super) fn vibration_plate(b: &mut Build<'_>) {
     let (case, trim) =
         (b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]), b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]));

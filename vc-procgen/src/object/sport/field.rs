@@ -6,8 +6,8 @@ use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// A net of cords over a four-cornered field, so many by so many; what it hangs from
-/// runs along the sides.
+/// A net of cords over a quadrilateral with `cells` along and across; the frame it hangs from runs
+/// along the sides.
 fn netting(b: &mut Build<'_>, corners: [P; 4], cells: (usize, usize), half: f32, mat: Mat) {
     let mix = |a: P, c: P, t: f32| [0, 1, 2].map(|k| a[k] + (c[k] - a[k]) * t);
     let [a, c, d, e] = corners;
@@ -21,7 +21,7 @@ fn netting(b: &mut Build<'_>, corners: [P; 4], cells: (usize, usize), half: f32,
     }
 }
 
-/// A basketball board with hoop and net on a mast with a filled base.
+/// A basketball backboard with hoop and net on a mast with a filled base.
 pub(super) fn basketball_hoop(b: &mut Build<'_>) {
     let (mast, board) =
         (b.one(&[BLACK_METAL, GALVANISED, BLUE_METAL]), b.one(&[CLEAR_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]));

@@ -1,4 +1,4 @@
-//! Small gear for training.
+//! Small training equipment.
 
 use std::f32::consts::PI;
 
@@ -43,7 +43,7 @@ pub(super) fn dumbbell(b: &mut Build<'_>) {
     b.rod("knurl", [0.0, head - half, z], [0.0, half - head, z], grip * 1.12, STEEL);
 }
 
-/// A kettlebell: a ball with a flat foot and a thick bow.
+/// A kettlebell: a ball with a flat base and a thick handle.
 pub(super) fn kettlebell(b: &mut Build<'_>) {
     let mat = b.one(&[IRON, RUBBER, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -71,7 +71,7 @@ pub(super) fn kettlebell(b: &mut Build<'_>) {
     b.rod("badge", [0.0, 0.0, middle], [ball * 1.005, 0.0, middle], ball * 0.4, WHITE_PLASTIC);
 }
 
-/// A long bar with sleeves.
+/// A barbell bar with sleeves.
 pub(super) fn barbell(b: &mut Build<'_>) {
     let (r, half) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
     let (thin, sleeve) = (r * 0.56, half * 0.38);
@@ -83,7 +83,7 @@ pub(super) fn barbell(b: &mut Build<'_>) {
     }
 }
 
-/// A weight plate, standing on its rim.
+/// A weight plate standing on its rim.
 pub(super) fn weight_plate(b: &mut Build<'_>) {
     let (r, half) = (b.size.y.min(b.size.z) / 2.0, b.size.x / 2.0);
     let (mat, ring) = (
@@ -117,7 +117,7 @@ pub(super) fn weight_plate(b: &mut Build<'_>) {
     b.lathe_along("ring", [0.0, 0.0, r], [1.0, 0.0, r], &wide, ring);
 }
 
-/// A mat spread out, or with its end still curled.
+/// An exercise mat, spread out or with one end still curled.
 pub(super) fn yoga_mat(b: &mut Build<'_>) {
     let mat = b.one(&[PURPLE_PLASTIC, TEAL_FABRIC, BLUE_FABRIC, PINK_PLASTIC, GREY_FABRIC, GREEN_FABRIC]);
     let line = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, CORK]);
@@ -131,7 +131,7 @@ pub(super) fn yoga_mat(b: &mut Build<'_>) {
     b.deck("mat", [0.0, 0.0, 1.0], (0.95, 0.95));
 }
 
-/// A block of foam or cork with soft edges.
+/// A yoga block of foam or cork with rounded edges.
 pub(super) fn yoga_block(b: &mut Build<'_>) {
     let mat = b.one(&[CORK, PURPLE_PLASTIC, TEAL_FABRIC, GREY_FABRIC, ROSE_FABRIC, BLUE_FABRIC]);
     let round = b.size.z * b.vary(0.06, 0.2);
@@ -139,7 +139,7 @@ pub(super) fn yoga_block(b: &mut Build<'_>) {
     b.slab("label", [-0.4, -0.3, 0.97], [0.4, 0.3, 1.0], b.style.accent);
 }
 
-/// A roller of foam, ribbed or smooth, hollow at its ends.
+/// A foam roller, ribbed or smooth, hollow at its ends.
 pub(super) fn foam_roller(b: &mut Build<'_>) {
     let (r, half) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
     let (mat, core) = (b.one(BRIGHT), BLACK_PLASTIC);
@@ -173,7 +173,7 @@ pub(super) fn foam_roller(b: &mut Build<'_>) {
     }
 }
 
-/// A loop of rubber, or a tube with two handles, hanging down.
+/// A hanging resistance band: a loop of rubber, or a tube with two handles.
 pub(super) fn resistance_band(b: &mut Build<'_>) {
     let mat = b.one(BRIGHT);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -204,7 +204,7 @@ pub(super) fn resistance_band(b: &mut Build<'_>) {
     b.block("anchor", [-x, -y * 0.3, h - y * 0.5 - r * 2.0], [x, y * 0.3, h], BLACK_FABRIC);
 }
 
-/// A rope coiled up, its two handles on top.
+/// A coiled skipping rope with its two handles on top.
 pub(super) fn skipping_rope(b: &mut Build<'_>) {
     let (rope, grip) = (
         b.one(&[BLACK_PLASTIC, RED_PLASTIC, WHITE_COTTON, JUTE, BLUE_PLASTIC]),
@@ -224,7 +224,7 @@ pub(super) fn skipping_rope(b: &mut Build<'_>) {
     }
 }
 
-/// A spring between two grips.
+/// A hand gripper: a spring between two grips.
 pub(super) fn hand_gripper(b: &mut Build<'_>) {
     let (mat, r) = (b.one(BRIGHT), b.size.x / 2.0);
     let ring = r * 0.9;
@@ -244,7 +244,7 @@ pub(super) fn hand_gripper(b: &mut Build<'_>) {
     }
 }
 
-/// A wheel, or two, on an axle with grips.
+/// An ab wheel: one or two wheels on an axle with grips.
 pub(super) fn ab_wheel(b: &mut Build<'_>) {
     let (mat, r) = (b.one(BRIGHT), b.size.x.min(b.size.z) / 2.0);
     let half = b.size.y / 2.0;
@@ -262,7 +262,7 @@ pub(super) fn ab_wheel(b: &mut Build<'_>) {
     }
 }
 
-/// A pair of handles on feet.
+/// A pair of push-up bars: handles on feet.
 pub(super) fn push_up_bars(b: &mut Build<'_>) {
     let (mat, r) = (b.one(&[BLACK_PLASTIC, STEEL, RED_PLASTIC]), (b.size.z * 0.12).min(0.017));
     for x in SIDES.map(|s| s * 0.5) {
@@ -274,7 +274,7 @@ pub(super) fn push_up_bars(b: &mut Build<'_>) {
     }
 }
 
-/// A stopwatch that lies on its back, its knob to the front.
+/// A stopwatch lying on its back with its knob to the front.
 pub(super) fn stopwatch(b: &mut Build<'_>) {
     let case = b.one(&[CHROME, BLACK_PLASTIC, YELLOW_PLASTIC]);
     let r = b.size.y.min(b.size.z * 0.84) / 2.0;
@@ -293,7 +293,7 @@ pub(super) fn stopwatch(b: &mut Build<'_>) {
     b.rod("knob", [0.0, r * 0.62, r * 1.66], [0.0, r * 0.78, (r * 1.85).min(top)], (r * 0.12).min(half * 0.8), case);
 }
 
-/// A flying disc, rim down.
+/// A flying disc with its rim down.
 pub(super) fn frisbee(b: &mut Build<'_>) {
     let (mat, print) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);

@@ -1,4 +1,4 @@
-//! Equipment of a gym or a training room.
+//! Equipment of a gym or training room.
 
 use std::f32::consts::PI;
 
@@ -8,7 +8,7 @@ use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// A bar for a doorway or on wall brackets.
+/// A pull-up bar for a doorway or on wall brackets.
 pub(super) fn pull_up_bar(b: &mut Build<'_>) {
     let mat = b.one(&[CHROME, BLACK_METAL, STEEL]);
     if b.size.z < 0.15 {
@@ -36,7 +36,7 @@ pub(super) fn pull_up_bar(b: &mut Build<'_>) {
     }
 }
 
-/// A stand for dips, with a back pad and a bar on top where it is tall.
+/// A dip station, with a back pad and a bar on top if it is tall.
 pub(super) fn dip_station(b: &mut Build<'_>) {
     let mat = b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL]);
     let tall = b.size.z > 1.5;
@@ -70,7 +70,7 @@ pub(super) fn dip_station(b: &mut Build<'_>) {
     }
 }
 
-/// A heavy bag on chains, or a standing one on a base.
+/// A heavy punching bag on chains, or a standing one on a base.
 pub(super) fn punching_bag(b: &mut Build<'_>) {
     let (hide, trim) = (b.one(&[BLACK_LEATHER, RED, BROWN_LEATHER, BLUE]), b.one(&[WHITE_LEATHER, RED, BLACK_LEATHER]));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -103,7 +103,7 @@ pub(super) fn punching_bag(b: &mut Build<'_>) {
     }
 }
 
-/// A pear ball under a round board with its bracket.
+/// A speed bag under a round board with its bracket.
 pub(super) fn speed_bag(b: &mut Build<'_>) {
     let (hide, wood) = (b.one(&[RED, BLACK_LEATHER, BROWN_LEATHER]), b.style.wood);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -132,7 +132,7 @@ pub(super) fn speed_bag(b: &mut Build<'_>) {
     b.slab("plate", [-1.0, -0.5, 0.72], [-0.95, 0.5, 1.0], BLACK_METAL);
 }
 
-/// Rungs between posts against the wall, the top one further out.
+/// Wall bars: rungs between posts against the wall, the top rung further out.
 pub(super) fn wall_bars(b: &mut Build<'_>) {
     let wood = b.one(&[BEECH, PINE, OAK]);
     let wide = b.size.y > 1.4;
@@ -155,7 +155,7 @@ pub(super) fn wall_bars(b: &mut Build<'_>) {
     }
 }
 
-/// A panel with coloured holds, upright and, where it is deep, leaning over.
+/// A climbing panel with coloured holds: upright or, if the size is deep, overhanging.
 pub(super) fn climbing_wall(b: &mut Build<'_>) {
     let board = b.one(&[BIRCH, LIGHT_GREY, SKY, CREAM]);
     let thick = b.size.x > 0.25;
@@ -180,7 +180,7 @@ pub(super) fn climbing_wall(b: &mut Build<'_>) {
     b.slab("mat", [-0.98, -0.99, 0.0], [0.99, 0.99, 0.03], BLUE_FABRIC);
 }
 
-/// A beam to balance on: on feet, or low on the floor.
+/// A balance beam on feet, or low on the floor.
 pub(super) fn balance_beam(b: &mut Build<'_>) {
     let top = b.one(&[TAN_LEATHER, BLUE_FABRIC, BEIGE_FABRIC, PURPLE_FABRIC]);
     let (thick, wide) = ((0.13 / b.size.z).min(0.8), (0.05 / (b.size.x / 2.0)).clamp(0.3, 0.62));
@@ -201,7 +201,7 @@ pub(super) fn balance_beam(b: &mut Build<'_>) {
     }
 }
 
-/// Two rings on straps.
+/// A pair of gymnastic rings on straps.
 pub(super) fn rings(b: &mut Build<'_>) {
     let (ring, strap) = (b.one(&[BEECH, BIRCH, BLACK_PLASTIC]), b.one(&[BLACK_FABRIC, RED_FABRIC, BLUE_FABRIC]));
     let r = (b.size.x * 0.48).min(0.015);
@@ -222,7 +222,7 @@ pub(super) fn rings(b: &mut Build<'_>) {
     }
 }
 
-/// A padded body on legs, with two pommels or none.
+/// A vaulting horse: a padded body on legs, with or without two pommels.
 pub(super) fn pommel_horse(b: &mut Build<'_>) {
     let (hide, leg) = (b.one(&[TAN_LEATHER, BROWN_LEATHER, BLUE_FABRIC]), b.one(&[BLACK_METAL, GALVANISED, OAK]));
     let pommels = b.rng.chance(0.6);
@@ -249,7 +249,7 @@ pub(super) fn pommel_horse(b: &mut Build<'_>) {
     }
 }
 
-/// A wooden or padded box to jump on, a number on its front.
+/// A wooden or padded plyo box with a number on its front.
 pub(super) fn plyo_box(b: &mut Build<'_>) {
     let soft = b.rng.chance(0.4);
     let mat = if soft { b.one(&[RED, BLACK_LEATHER, BLUE, YELLOW]) } else { b.one(&[BIRCH, PINE, OAK]) };
@@ -273,7 +273,7 @@ pub(super) fn plyo_box(b: &mut Build<'_>) {
     b.deck("top", [0.0, 0.0, 1.0], (0.9, 0.9));
 }
 
-/// A step with a ribbed top on risers.
+/// An aerobic step: a ribbed top on risers.
 pub(super) fn aerobic_step(b: &mut Build<'_>) {
     let (mat, riser) = (b.one(&[GREY_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC, BLUE_PLASTIC]), b.one(BRIGHT));
     let thick = (0.08 / b.size.z).min(0.6);
@@ -298,7 +298,7 @@ pub(super) fn aerobic_step(b: &mut Build<'_>) {
     b.deck("step", [0.0, 0.0, 1.0], (0.8, 0.9));
 }
 
-/// A small trampoline on legs, some with a bar to hold.
+/// A small trampoline on legs, sometimes with a bar to hold.
 pub(super) fn rebounder(b: &mut Build<'_>) {
     let (pad, bar) = (b.one(&[BLACK_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, RED_FABRIC]), b.size.z > 0.6);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, (b.size.z * 0.98).min(0.26));
@@ -330,7 +330,7 @@ pub(super) fn rebounder(b: &mut Build<'_>) {
     }
 }
 
-/// A mat in sections, spread out or folded, or one thick crash mat.
+/// A sectioned gymnastics mat, spread out or folded, or one thick crash mat.
 pub(super) fn gym_mat(b: &mut Build<'_>) {
     let (mat, other) = (
         b.one(&[BLUE_FABRIC, RED_FABRIC, GREEN_FABRIC, BLACK_LEATHER, NAVY_FABRIC]),
@@ -362,7 +362,7 @@ pub(super) fn gym_mat(b: &mut Build<'_>) {
     b.deck("mat", [0.0, 0.0, 1.0], (0.92, 0.95));
 }
 
-/// A strip of turf with a rise, a hole, a flag and lines.
+/// A strip of artificial turf with a slope, a hole, a flag and lines.
 pub(super) fn putting_green(b: &mut Build<'_>) {
     let edge = b.one(&[BLACK_PLASTIC, OAK, PINE]);
     let mat = 0.2;

@@ -1,4 +1,4 @@
-//! Sport: machines for training, equipment, balls and small gear.
+//! Sport: training machines, equipment, balls and small gear.
 
 mod ball;
 mod bike;

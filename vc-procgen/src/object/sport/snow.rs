@@ -24,7 +24,7 @@ pub(super) fn skates(b: &mut Build<'_>) {
     }
 }
 
-/// A pair of skis standing with bindings, and two poles.
+/// A pair of upright skis with bindings, and two poles.
 pub(super) fn skis(b: &mut Build<'_>) {
     let (deck, trim) = (b.one(PAINTS), b.one(&[WHITE, BLACK, YELLOW]));
     let t = 0.1;

@@ -6,7 +6,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// A strung racket that stands on its grip: tennis, squash or badminton.
+/// A strung racket standing on its grip: tennis, squash or badminton.
 pub(super) fn racket(b: &mut Build<'_>) {
     let light = b.class == "badminton_racket" || (b.class == "racket" && b.rng.chance(0.5));
     let (frame, grip) =
@@ -48,7 +48,7 @@ pub(super) fn racket(b: &mut Build<'_>) {
 
 /// Thin straight lines.
 trait Lines {
-    /// `section` is half the thickness, and how many halves it stands in front.
+    /// `section` is half the thickness, and the offset to the front as a multiple of it.
     fn slab_line(&mut self, name: &str, from: P, to: P, section: (f32, f32));
 }
 
@@ -73,7 +73,7 @@ pub(super) fn paddle(b: &mut Build<'_>) {
     b.facing("neck", (-0.24, 0.24), &[(-0.17, 0.3), (0.17, 0.3), (0.6, 0.5), (-0.6, 0.5)], wood);
 }
 
-/// A shuttlecock on its feathers, cork up.
+/// A shuttlecock standing on its feathers with the cork up.
 pub(super) fn shuttlecock(b: &mut Build<'_>) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let cork = r * 0.42;
@@ -108,7 +108,7 @@ fn quill((s, c): (f32, f32), r: f32, cork: f32, h: f32) -> Vec<P> {
     ]
 }
 
-/// A baseball bat on its knob.
+/// A baseball bat standing on its knob.
 pub(super) fn bat(b: &mut Build<'_>) {
     let (mat, grip) =
         (b.one(&[ASH, MAPLE, BLACK, ALUMINIUM, CHERRY]), b.one(&[BLACK_LEATHER, WHITE_LEATHER, RED_FABRIC]));
@@ -155,7 +155,7 @@ pub(super) fn golf_club(b: &mut Build<'_>) {
     b.slab("base", [-0.4, -0.85, 0.0], [1.0, -0.55, 0.006], BLACK_PLASTIC);
 }
 
-/// A tube bag with dividers, pockets, a strap and clubs in it.
+/// A golf bag: a tube with dividers, pockets, a strap and clubs.
 pub(super) fn golf_bag(b: &mut Build<'_>) {
     let (cloth, trim) = (b.one(&[BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, WHITE_LEATHER, GREEN_FABRIC]), b.style.accent);
     let rim = 0.72;
@@ -212,7 +212,7 @@ pub(super) fn golf_bag(b: &mut Build<'_>) {
     }
 }
 
-/// An ice hockey stick on its blade.
+/// An ice hockey stick standing on its blade.
 pub(super) fn hockey_stick(b: &mut Build<'_>) {
     let mat = b.one(&[ASH, BLACK, RED, BLUE]);
     let w = (b.size.x * 0.35).min(0.012);

@@ -1,4 +1,4 @@
-//! Machines with weights, benches and racks; whoever sits faces the front.
+//! Weight machines, benches and racks; a seated user faces the front.
 
 use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
@@ -7,12 +7,12 @@ use crate::material::*;
 
 const TUBE: f32 = 0.06;
 
-/// A square tube between two places.
+/// A square tube between two positions.
 fn beam(b: &mut Build<'_>, from: P, to: P, mat: Mat) {
     b.plank("frame", from, to, (TUBE, TUBE), mat);
 }
 
-/// A stack of weights on two guide rods within a cage, as wide as it is told.
+/// A stack of weights on two guide rods within a cage; `x` and `y` are the extents of the cage.
 fn stack(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), top: f32, frame: Mat) {
     let (mx, my) = ((x.0 + x.1) / 2.0, (y.0 + y.1) / 2.0);
     b.slab("stack_base", [x.0, y.0, 0.0], [x.1, y.1, 0.05], frame);
@@ -59,7 +59,7 @@ fn chair(b: &mut Build<'_>, x: f32, seat: f32, back: f32, (frame, hide): (Mat, M
     }
 }
 
-/// A seat with its stack of weights and what is moved: arms, a leg roll, a high bar.
+/// A seat with its weight stack and a moving part: arms, a leg roll or a high bar.
 pub(super) fn station(b: &mut Build<'_>) {
     let (frame, hide) = (
         b.one(&[BLACK_METAL, WHITE_METAL, SILVER_METAL, RED_METAL]),
@@ -117,9 +117,9 @@ pub(super) fn station(b: &mut Build<'_>) {
     }
 }
 
-/// Two arms that come forward beside the seat, with upright grips.
+/// Two arms that reach forward beside the seat, with upright grips.
 fn press_arms(b: &mut Build<'_>, frame: Mat, z: f32) {
-    // As wide as the stack, whose sides carry it.
+    // As wide as the stack, whose sides support the arms.
     let wide = (0.4 / b.size.y).min(0.5);
     for y in SIDES {
         b.plank("arm", [-0.5, y * wide * 0.9, 0.84], [-0.2, y * 0.62, 0.84], (0.05, 0.05), frame);
@@ -130,7 +130,7 @@ fn press_arms(b: &mut Build<'_>, frame: Mat, z: f32) {
     b.plank("yoke", [-0.66, 0.0, 0.85], [-0.46, 0.0, 0.85], (b.size.y * wide, 0.06), frame);
 }
 
-/// A sledge with plates on a slope, a foot plate above a low seat.
+/// A leg press: a sledge with plates on a slope, and a foot plate above a low seat.
 pub(super) fn leg_press(b: &mut Build<'_>) {
     let (frame, hide) = (b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL, YELLOW_METAL]), BLACK_LEATHER);
     let w = 0.4;
@@ -164,7 +164,7 @@ pub(super) fn leg_press(b: &mut Build<'_>) {
     }
 }
 
-/// Two towers with weights joined by a high beam, or one; cables with grips.
+/// A cable machine: two towers with weights joined by a high beam, or one tower; cables with grips.
 pub(super) fn cables(b: &mut Build<'_>) {
     let frame = b.one(&[BLACK_METAL, WHITE_METAL, SILVER_METAL, RED_METAL]);
     let half = (0.45 / b.size.y).min(0.3);
@@ -191,7 +191,7 @@ pub(super) fn cables(b: &mut Build<'_>) {
     }
 }
 
-/// A bar that runs in two guides, with plates and a bench below.
+/// A Smith machine: a bar that runs in two guides, with plates and a bench below.
 pub(super) fn smith(b: &mut Build<'_>) {
     let frame = b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL]);
     let y = (1.2 / b.size.y).min(0.6);
@@ -209,7 +209,7 @@ pub(super) fn smith(b: &mut Build<'_>) {
     beam(b, [-0.95, 0.0, 0.022], [-0.45, 0.0, 0.022], frame);
 }
 
-/// Four uprights with beams above and below.
+/// Four uprights with beams at the bottom and at the top.
 fn cage(b: &mut Build<'_>, y: f32, frame: Mat) {
     let x = 1.0 - 2.0 * TUBE / b.size.x;
     let top = 1.0 - TUBE / b.size.z;
@@ -226,7 +226,7 @@ fn cage(b: &mut Build<'_>, y: f32, frame: Mat) {
     beam(b, [-x, -y, 0.022], [-x, y, 0.022], frame);
 }
 
-/// A bar with plates across the whole width.
+/// A bar with plates across the full width.
 fn loaded_bar(b: &mut Build<'_>, at: P, half: f32) {
     let r = (b.size.z * 0.1).min(0.225);
     b.pole("bar", [at[0], -half, at[2]], [at[0], half, at[2]], 0.014, STEEL);
@@ -251,7 +251,7 @@ fn flat_bench(b: &mut Build<'_>, frame: Mat) {
     b.slab("spine", [-0.8, -0.15, 0.7], [0.8, 0.15, 0.825], frame);
 }
 
-/// A weight bench: flat, inclined or with uprights and a bar, or a sit-up board.
+/// A weight bench: flat, inclined, with uprights and a bar, or a sit-up board.
 pub(super) fn bench(b: &mut Build<'_>) {
     let (frame, hide) = (
         b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL, WHITE_METAL]),
@@ -351,7 +351,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
     }
 }
 
-/// Two or three sloping shelves with dumbbells on most of them.
+/// Two or three sloping shelves with dumbbells in most positions.
 pub(super) fn dumbbell_rack(b: &mut Build<'_>) {
     let frame = b.one(&[BLACK_METAL, SILVER_METAL, WHITE_METAL]);
     let tiers = if b.size.z > 0.8 { 3 } else { 2 };

@@ -1,10 +1,10 @@
-//! Gear that is worn or carried.
+//! Worn and carried gear.
 
 use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
 
-/// A boot that stands on its sole at a height, toe to the front.
+/// A boot standing on a sole at height `sole`, toe to the front.
 pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: Mat, trim: Mat) {
     let ring = |x: f32, y: f32, low: f32, high: f32| ([x, 0.0, (low + high) / 2.0], y, (high - low) / 2.0);
     let foot = [
@@ -26,7 +26,7 @@ pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: Mat, trim: Mat)
     }
 }
 
-/// A leather mitt standing on its wrist, the palm to the front.
+/// A leather mitt standing on its wrist, palm to the front.
 pub(super) fn baseball_glove(b: &mut Build<'_>) {
     let (hide, lace) = (b.one(&[TAN_LEATHER, BROWN_LEATHER, BLACK_LEATHER]), b.one(&[WHITE_LEATHER, BROWN_LEATHER]));
     b.blob("palm", [-0.2, 0.0, 0.38], [0.75, 0.78, 0.36], hide);
@@ -55,7 +55,7 @@ pub(super) fn baseball_glove(b: &mut Build<'_>) {
     }
 }
 
-/// A pair of cuffs with weights, straps across.
+/// A pair of ankle weights with straps across.
 pub(super) fn ankle_weights(b: &mut Build<'_>) {
     let (cloth, strap) = (b.one(CLOTHS), BLACK_FABRIC);
     for y in SIDES {
@@ -90,7 +90,7 @@ pub(super) fn boxing_gloves(b: &mut Build<'_>) {
     }
 }
 
-/// A helmet: a long one with vents, or a round one for skaters; straps below.
+/// A helmet: an elongated one with vents, or a round skater's one; straps at the bottom.
 pub(super) fn helmet(b: &mut Build<'_>) {
     let (shell, trim) = (
         b.one(&[RED_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC]),
@@ -149,7 +149,7 @@ pub(super) fn helmet(b: &mut Build<'_>) {
     b.slab("buckle", [0.0, -0.34, 0.0], [0.14, 0.34, 0.03], GREY_PLASTIC);
 }
 
-/// A pair of knee pads, caps to the front.
+/// A pair of knee pads with caps to the front.
 pub(super) fn knee_pads(b: &mut Build<'_>) {
     let (cap, cloth) = (b.one(BRIGHT), BLACK_FABRIC);
     for y in SIDES {
@@ -163,7 +163,7 @@ pub(super) fn knee_pads(b: &mut Build<'_>) {
     }
 }
 
-/// A holdall with two handles, pockets at its ends, and a lid with a zip.
+/// A holdall with two handles, pockets at its ends and a lid with a zip.
 pub(super) fn bag(b: &mut Build<'_>) {
     let (cloth, trim) = (b.one(&[BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, GREY_FABRIC, OLIVE_FABRIC]), b.style.accent);
     let body = 0.72;

@@ -1,4 +1,4 @@
-//! Chests, bins, baskets, and what pets have.
+//! Chests, bins, baskets, and furniture for pets.
 
 use super::chest::{Chest, bin, chest, walls};
 use crate::material::*;
@@ -22,13 +22,13 @@ pub(super) fn trunk(b: &mut Build<'_>) {
     }
 }
 
-/// A children's chest in colours.
+/// A colourful children's chest.
 pub(super) fn toy_box(b: &mut Build<'_>) {
     let body = b.one(&[WHITE, b.style.wood, SKY, DUSTY_ROSE, YELLOW, SAGE, BIRCH]);
     let lid = b.one(&[body, RED, BLUE, GREEN, b.style.wood, MUSTARD]);
     chest(b, &Chest { body, lid, padded: false, feet: lid });
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    // Coloured shapes on its front.
+    // Coloured shapes on the front.
     let x0 = x - 0.009;
     let r = (h * 0.14).min(y * 0.16);
     let z = h * 0.48;
@@ -47,7 +47,7 @@ fn vessel(b: &mut Build<'_>, at: f32, radii: (f32, f32), height: f32, wall: f32,
     b.inside("inside", [0.0, 0.0, at + wall * 1.5], (half, half), (height - wall * 1.5 - 0.006).max(0.01));
 }
 
-/// A basket for dirty laundry with a lid: woven, of cloth in a frame, or of wood.
+/// A laundry basket with a lid: woven, of cloth in a frame, or of wood.
 pub(super) fn hamper(b: &mut Build<'_>) {
     at_least(b, [0.16, 0.16, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -96,8 +96,8 @@ pub(super) fn hamper(b: &mut Build<'_>) {
     });
 }
 
-/// A bin with a pedal, a swing lid, a dome or a flat lid. As on all furniture before a wall, the lid
-/// turns about its upper edge: about the lower one it would swing behind the bin.
+/// A bin with a pedal, a swing lid, a dome or a flat lid. As on all furniture in front of a wall,
+/// the lid turns about its upper edge: about the lower one it would swing behind the bin.
 pub(super) fn trash_can(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.12, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -136,7 +136,7 @@ pub(super) fn trash_can(b: &mut Build<'_>) {
     }
 }
 
-/// An open basket for paper: of wire, woven, or of sheet.
+/// An open wastepaper basket of wire, wickerwork or sheet metal.
 pub(super) fn wastebasket(b: &mut Build<'_>) {
     at_least(b, [0.11, 0.11, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -227,7 +227,7 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
     b.block("rail", [-t * 0.5, 2.0 * t - y, h - t * 1.5], [t * 0.5, y - 2.0 * t, h - t * 0.6], metal);
 }
 
-/// A tray of litter, open or under a hood with a door.
+/// A litter tray, open or under a hood with a door.
 pub(super) fn litter_box(b: &mut Build<'_>) {
     at_least(b, [0.18, 0.2, 0.065]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -272,7 +272,7 @@ pub(super) fn litter_box(b: &mut Build<'_>) {
     }
 }
 
-/// A cushion within a soft rim, lower in front.
+/// A cushion within a soft rim that is lower in front.
 pub(super) fn pet_bed(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.25, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -309,7 +309,7 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
     b.top("cushion", [0.0, 0.0, cushion], (x - w - 0.02, y - w - 0.02));
 }
 
-/// A post wound with rope on a base; tall ones have perches and a box.
+/// A rope-wound post on a base; tall ones have perches and a box.
 pub(super) fn scratching_post(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.17, 0.28]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -327,7 +327,7 @@ pub(super) fn scratching_post(b: &mut Build<'_>) {
         b.rod("string", [x.min(y) * 0.62, 0.0, h * 0.72], [x.min(y) * 0.62, 0.0, h - 0.03], 0.002, LINEN);
         return;
     }
-    // Perches turn around a post; a box to sleep in stands halfway.
+    // The perches spiral around a post; a box to sleep in stands halfway up.
     let spots = [[-x * 0.55, -y * 0.55], [x * 0.4, y * 0.5], [-x * 0.5, y * 0.5]];
     let levels = [h * 0.36, h * 0.66, h];
     let posts = [(0, t, h - t), (1, t, levels[1] - t), (2, t, levels[0] - 0.02)];

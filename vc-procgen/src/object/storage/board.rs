@@ -7,7 +7,7 @@ use crate::material::*;
 use crate::object::build::Build;
 use crate::object::table::frame::at_least;
 
-/// A screen of three or four leaves that stand in a zigzag.
+/// A folding screen of three or four leaves in a zigzag.
 pub(super) fn room_divider(b: &mut Build<'_>) {
     at_least(b, [0.01, 0.5, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -17,11 +17,11 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     let look = b.one(&[Look::Louvred, Look::Reeded, Look::Framed]);
     let t = (2.0 * x).min(0.024);
     let run = 2.0 * y / count as f32;
-    // A leaf's corners stay within the depth: its thickness takes some of it.
+    // The corners of a leaf stay within the depth, of which its thickness takes some.
     let rise = (2.0 * x - t * 1.05).max(0.0).min(run * 0.8);
     let angle = (rise / (run + t)).arc_tangent();
     let length = (run - t * angle.sine()) / angle.cosine();
-    // Pins join the leaves where they meet, in front and behind by turns.
+    // Pins join the leaves where they touch, alternately in front and behind.
     for i in 1..count {
         let out = if i % 2 == 0 { 0.5 } else { -0.5 } * length * angle.sine();
         for z in [h * 0.15, h * 0.8] {
@@ -50,8 +50,8 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     }
 }
 
-/// The sheet of a board within its frame, which takes a share of the depth; returns X
-/// of the sheet's face.
+/// The sheet of a board within its frame, which takes a share of the depth; returns the X of the
+/// sheet's face.
 fn framed(b: &mut Build<'_>, rim: Mat, sheet: Mat, w: f32, share: f32) -> f32 {
     at_least(b, [0.01, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -104,7 +104,7 @@ pub(super) fn bulletin_board(b: &mut Build<'_>) {
     }
 }
 
-/// A board full of holes with hooks and a shelf for tools.
+/// A perforated board with hooks and a shelf for tools.
 pub(super) fn pegboard(b: &mut Build<'_>) {
     at_least(b, [0.01, 0.3, 0.25]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -115,7 +115,7 @@ pub(super) fn pegboard(b: &mut Build<'_>) {
     let (rows, across) = ((h / 0.11).clamp(2.0, 8.0) as usize, (y / 0.065).clamp(3.0, 12.0) as usize);
     let spot = |i: usize, of: usize, length: f32| length * (i as f32 + 0.5) / of as f32;
     for k in 0..rows {
-        // A row of holes reads as a line of dots.
+        // A row of small holes.
         let z = spot(k, rows, h);
         for i in (k % 2..across).step_by(2) {
             let cy = spot(i, across, 2.0 * y) - y;

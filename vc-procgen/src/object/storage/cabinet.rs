@@ -7,7 +7,7 @@ use crate::object::joinery::Handle;
 use crate::object::table::frame::at_least;
 use crate::object::table::trolley::castor;
 
-/// Dresses a piece in the home's style: body, fronts, handles, stand and top.
+/// Gives a piece the home's style: body, fronts, handles, stand and top.
 fn dressed(b: &mut Build<'_>, columns: Vec<Column>) -> Piece {
     let body = b.one(&[b.style.wood, b.style.cabinet, b.style.cabinet]);
     let mut piece = Piece::new(columns, body);
@@ -27,7 +27,7 @@ fn drawers(count: usize) -> Column {
     (1.0, vec![(1.0, Cell::Drawers(count))])
 }
 
-/// Spaces of a usual height.
+/// The number of compartments of a usual height.
 fn spaces(tall: f32) -> usize {
     (tall / 0.36).round().clamp(1.0, 7.0) as usize
 }
@@ -136,7 +136,7 @@ pub(super) fn dresser(b: &mut Build<'_>) {
     piece.build(b);
 }
 
-/// A cabinet taller than a man: linen, provisions, brooms.
+/// A tall cabinet for linen, provisions or brooms.
 pub(super) fn tall_cabinet(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.2, 0.6]);
     let (tall, wide) = (b.size.z, b.size.y);
@@ -215,7 +215,7 @@ pub(super) fn office_drawers(b: &mut Build<'_>) {
     }
 }
 
-/// A mechanic's chest of shallow drawers on castors, with a rim around its top.
+/// A mechanic's tool chest of shallow drawers on castors, with a rim around its top.
 pub(super) fn tool_cabinet(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.3, 0.42]);
     let body = b.one(&[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, YELLOW_METAL]);

@@ -1,5 +1,5 @@
-//! Case furniture: a box of boards divided into columns, each a stack of open
-//! compartments, doors and drawers.
+//! Case furniture: a box of boards divided into columns, each a stack of open compartments, doors
+//! and drawers.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -8,18 +8,18 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, GAP, Handle, Side, drawer, handle};
 use crate::object::table::frame::{Cut, Four};
 
-/// What a compartment is.
+/// The kind of a compartment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::object) enum Cell {
-    /// Open in front, in so many spaces above each other.
+    /// Open in front, with this many spaces above each other.
     Open(usize),
-    /// Behind doors, in so many spaces.
+    /// Behind doors, with this many spaces.
     Doors(Look, usize),
-    /// So many drawers above each other.
+    /// This many drawers above each other.
     Drawers(usize),
     /// A rod under a shelf, behind doors.
     Hang(Look),
-    /// A rod under a shelf, with no doors of its own.
+    /// A rod under a shelf, without doors of its own.
     Rod,
     /// Behind a front that folds down.
     Flap(Look),
@@ -31,12 +31,12 @@ impl Cell {
     }
 }
 
-/// How a front looks.
+/// The design of a front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::object) enum Look {
     /// A plain board.
     Flat,
-    /// A frame around a panel that lies deeper.
+    /// A frame around a recessed panel.
     Framed,
     /// A frame around glass.
     Glass,
@@ -51,37 +51,37 @@ pub(in crate::object) enum Look {
 }
 
 impl Look {
-    /// A look of solid fronts.
+    /// Draws a design of solid fronts.
     pub(in crate::object) fn any(b: &mut Build<'_>) -> Self {
         b.one(&[Self::Flat, Self::Flat, Self::Framed, Self::Framed, Self::Reeded])
     }
 }
 
-/// A column: its share of the width, and its cells from below with their shares of
-/// the height.
+/// A column: its share of the width, and its cells from bottom to top with their shares of the
+/// height.
 pub(in crate::object) type Column = (f32, Vec<(f32, Cell)>);
 
-/// A case between two corners; the higher X is where its fronts are.
+/// A case between two corners; its fronts are at the higher X.
 pub(in crate::object) struct Case {
-    /// Its lowest corner.
+    /// The lowest corner.
     pub(in crate::object) low: P,
-    /// Its highest corner, without handles.
+    /// The highest corner, without handles.
     pub(in crate::object) high: P,
-    /// From the lower Y to the higher.
+    /// The columns, from the lower Y to the higher.
     pub(in crate::object) columns: Vec<Column>,
-    /// Handles of doors and drawers.
+    /// The handles of doors and drawers.
     pub(in crate::object) handle: Handle,
-    /// Material of boards.
+    /// The material of boards.
     pub(in crate::object) body: Mat,
-    /// Material of fronts.
+    /// The material of fronts.
     pub(in crate::object) front: Mat,
-    /// Material of the upper board.
+    /// The material of the upper board.
     pub(in crate::object) lid: Mat,
-    /// Material of handles.
+    /// The material of handles.
     pub(in crate::object) metal: Mat,
 }
 
-/// How many there are of each kind of thing, for their names.
+/// Counters for each kind of surface, used in their names.
 #[derive(Default)]
 pub(in crate::object) struct Tally {
     shelves: usize,
@@ -101,11 +101,11 @@ struct Space {
     high: P,
     front_y: (f32, f32),
     front_z: (f32, f32),
-    /// Outer side, where a single door has its hinge.
+    /// The outer side, where a single door has its hinge.
     hinge: Side,
 }
 
-/// Ends of spaces that share a length by weight, with gaps between them.
+/// The ends of spaces that share a length by weight, with gaps between them.
 fn shares(from: f32, to: f32, gap: f32, weights: impl Iterator<Item = f32> + Clone) -> Vec<(f32, f32)> {
     let count = weights.clone().count();
     let free = to - from - gap * count.saturating_sub(1) as f32;
@@ -127,7 +127,7 @@ impl Case {
         self.counted(b, &mut Tally::default());
     }
 
-    /// Builds it as one of several in a piece, which share a count of their surfaces.
+    /// Builds it as one of several in a piece, which share the counters of their surfaces.
     pub(in crate::object) fn counted(&self, b: &mut Build<'_>, tally: &mut Tally) {
         let (t, low, high) = (BOARD, self.low, self.high);
         let closed = self.columns.iter().flat_map(|c| &c.1).any(|c| c.1.has_front());
@@ -192,7 +192,7 @@ impl Case {
         }
     }
 
-    /// A surface that fills the bottom of a space.
+    /// A surface that covers the bottom of a space.
     fn floor(&self, b: &mut Build<'_>, name: &str, low: P, high: P, clearance: f32) {
         let half = |i: usize| ((high[i] - low[i]) / 2.0 - 0.005).max(0.001);
         let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), low[2]];
@@ -231,7 +231,7 @@ impl Case {
     }
 
     fn drawers(&self, b: &mut Build<'_>, space: &Space, count: usize, tally: &mut Tally) {
-        // A drawer lower than a hand is none: it is a blind front.
+        // A drawer lower than a hand is only a blind front.
         let tall = space.front_z.1 - space.front_z.0;
         let weights = std::iter::repeat_n(1.0, count.min((tall / 0.085) as usize).max(1));
         for (z0, z1) in shares(space.front_z.0, space.front_z.1, 0.0, weights) {
@@ -257,7 +257,7 @@ impl Case {
     }
 }
 
-/// A hinged front that fills a rectangle with a gap around, of a certain look.
+/// A hinged front of a given design that fills a rectangle with a gap around it.
 pub(in crate::object) fn leaf(
     b: &mut Build<'_>,
     name: &str,
@@ -277,14 +277,14 @@ pub(in crate::object) fn leaf(
         panel(b, name, low, high, look, mats.0);
         let tall = high[2] - low[2];
         let length = (tall * 0.35).min(0.18);
-        // At the height of a hand, as far as the door reaches there.
+        // At hand height, as far as the door extends that far.
         let margin = (length / 2.0 + 0.04).min(tall / 2.0);
         let z = 1.05_f32.min(high[2] - margin).max(low[2] + margin);
         handle(b, kind, [high[0], grip, z], length, true, mats.1);
     });
 }
 
-/// A front between two corners, its face towards X.
+/// A front between two corners, facing X.
 pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, look: Look, mat: Mat) {
     let (wide, tall, thick) = (high[1] - low[1], high[2] - low[2], high[0] - low[0]);
     let w = 0.055_f32.min(wide.min(tall) * 0.22);
@@ -352,16 +352,16 @@ pub(in crate::object) fn frame(b: &mut Build<'_>, name: &str, low: P, high: P, w
     b.block(name, [low[0], low[1] + w, high[2] - w], [high[0], high[1] - w, high[2]], mat);
 }
 
-/// What a case stands on.
+/// The stand of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::object) enum Stand {
     /// Its own bottom, or the wall it hangs on.
     None,
-    /// A base set back in front.
+    /// A base recessed in front.
     Plinth,
     /// Upright legs.
     Legs,
-    /// Round legs that splay.
+    /// Round splayed legs.
     Splayed,
     /// A frame of square tube.
     Tube,
@@ -378,7 +378,7 @@ impl Stand {
         }
     }
 
-    /// Builds it under a rectangle.
+    /// Builds the stand under a rectangle.
     pub(in crate::object) fn build(self, b: &mut Build<'_>, low: P, high: P, mat: Mat, metal: Mat) {
         let (x, y, h) = ((high[0] - low[0]) / 2.0, (high[1] - low[1]) / 2.0, low[2]);
         let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), 0.0];
@@ -406,28 +406,28 @@ impl Stand {
     }
 }
 
-/// A piece of case furniture that fills the size asked for.
+/// A piece of case furniture that fills the requested size.
 pub(in crate::object) struct Piece {
     /// See [`Case::columns`].
     pub(in crate::object) columns: Vec<Column>,
-    /// Handles.
+    /// The handles.
     pub(in crate::object) handle: Handle,
-    /// What it stands on.
+    /// The stand.
     pub(in crate::object) stand: Stand,
-    /// Material of boards.
+    /// The material of boards.
     pub(in crate::object) body: Mat,
-    /// Material of fronts.
+    /// The material of fronts.
     pub(in crate::object) front: Mat,
-    /// Material of the top.
+    /// The material of the top.
     pub(in crate::object) lid: Mat,
-    /// How far the top stands out over sides and fronts.
+    /// How far the top protrudes over sides and fronts.
     pub(in crate::object) overhang: f32,
-    /// Whether things are put on top.
+    /// Whether the top is a surface for objects.
     pub(in crate::object) carries: bool,
 }
 
 impl Piece {
-    /// A piece of one material, which stands on a plinth.
+    /// A piece of one material that stands on a plinth.
     pub(in crate::object) fn new(columns: Vec<Column>, body: Mat) -> Self {
         Self {
             columns,
@@ -441,13 +441,13 @@ impl Piece {
         }
     }
 
-    /// Builds it; the stand lifts it by a height of its own choice.
+    /// Builds it on its stand, with a height that the stand draws.
     pub(in crate::object) fn build(self, b: &mut Build<'_>) {
         let lift = self.stand.height(b).min(b.size.z * 0.3);
         self.lifted(b, lift);
     }
 
-    /// Builds it, lifted by so much.
+    /// Builds it, lifted by a height.
     pub(in crate::object) fn lifted(self, b: &mut Build<'_>, lift: f32) {
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let metal = b.style.metal;

@@ -1,19 +1,19 @@
-//! Chests: a box with a lid that lifts.
+//! Chests: boxes with a lid that lifts.
 
 use crate::material::*;
 use crate::object::build::Build;
 use crate::object::joinery::BOARD;
 use crate::object::table::frame::{CORNERS, at_least};
 
-/// What a chest is made of.
+/// The design of a chest.
 pub(in crate::object) struct Chest {
-    /// Material of the box.
+    /// The material of the box.
     pub(in crate::object) body: Mat,
-    /// Material of the lid.
+    /// The material of the lid.
     pub(in crate::object) lid: Mat,
-    /// Whether the lid is a cushion to sit on.
+    /// Whether the lid is a seat cushion.
     pub(in crate::object) padded: bool,
-    /// Material of its feet.
+    /// The material of the feet.
     pub(in crate::object) feet: Mat,
 }
 
@@ -36,7 +36,7 @@ pub(in crate::object) fn bin(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t
     b.inside(name, centre, (half(0), half(1)), (high[2] - floor - 0.005).max(0.005));
 }
 
-/// A chest that fills the size asked for; its lid opens to the back.
+/// A chest that fills the requested size; its lid opens to the back.
 pub(in crate::object) fn chest(b: &mut Build<'_>, chest: &Chest) {
     at_least(b, [0.17, 0.25, 0.17]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -48,7 +48,7 @@ pub(in crate::object) fn chest(b: &mut Build<'_>, chest: &Chest) {
     }
     let edge = 0.008;
     bin(b, [edge - x, edge - y, lift], [x - edge, y - edge, h - lid - 0.001], BOARD, "inside", chest.body);
-    // The lid turns about its upper edge, or it would swing behind the chest.
+    // The lid turns about its upper edge; about the lower one it would swing behind the chest.
     b.hinge([-x, 0.0, h], [0.0, -1.0, 0.0], 1.35, |b| {
         if chest.padded {
             b.soft("lid", [-x, -y, h - lid], [x, y, h], 0.02, chest.lid);

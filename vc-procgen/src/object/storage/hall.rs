@@ -1,4 +1,4 @@
-//! Where coats, hats and keys hang.
+//! Hall furniture for coats, hats and keys.
 
 use std::f32::consts::{FRAC_PI_4, FRAC_PI_8};
 
@@ -10,7 +10,7 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, Handle};
 use crate::object::table::frame::{Cut, at_least, baluster, leg};
 
-/// A bent hook that stands out from `x`, its tip turned up, and its surface.
+/// A bent hook that protrudes from `x` with its tip turned up, and its surface.
 fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: Mat) {
     let [x, y, z] = at;
     let r = (reach * 0.09).clamp(0.003, 0.006);
@@ -49,7 +49,7 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
             leg(b, "foot", (foot, r * 0.7), ([dx * r * 0.4, dy * r * 0.4, z], r * 0.8), Cut::Round, mat);
         }
     }
-    // A tray for gloves and what drips.
+    // A tray for gloves and drips.
     let (tray, floor) = (reach * 0.62, low + 0.008);
     b.lathe("tray", [0.0, 0.0, low - 0.008], &[(tray * 0.94, 0.0), (tray, 0.004), (tray, 0.016)], mat);
     let (near, far) = (r * 1.7 + 0.004, tray * 0.8);
@@ -64,7 +64,7 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
         let z = h - 0.1 - 0.16 * tier as f32;
         let out = reach * (0.92 - 0.12 * tier as f32);
         for &(dx, dy) in feet {
-            // Every tier is turned, so that coats hang free of the arms below.
+            // Each tier is rotated, so that coats hang clear of the arms below.
             let way = dy.angle_to(dx) + [0.0, FRAC_PI_4, FRAC_PI_8][tier];
             let turn = |k: f32, z: f32| [way.cosine() * k, way.sine() * k, z];
             b.pipe("arm", &[turn(0.0, z - 0.05), turn(out * 0.6, z), turn(out - 0.008, z + 0.045)], 0.008, mat);
@@ -74,7 +74,7 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
     }
 }
 
-/// A board, rail or panel on a wall with hooks or pegs, perhaps under a shelf.
+/// A board, rail or panel on a wall with hooks or pegs, sometimes under a shelf.
 pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.2, 0.04]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -82,7 +82,7 @@ pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
         (b.one(&[b.style.wood, b.style.cabinet, WHITE]), b.one(&[b.style.metal, BRASS, BLACK_METAL, CHROME]));
     let t = 0.018_f32.min(x * 0.5);
     let (x0, shelf) = (t - x, h > 0.16 && b.rng.chance(0.6));
-    // Without a shelf for hats there is a narrow ledge.
+    // Without a hat shelf there is a narrow ledge.
     let (board, deep) = if shelf { (t, x) } else { (t.min(h * 0.15), x * 0.1) };
     let plate = h - board;
     b.soft("board", [-x, -y, 0.0], [x0, y, plate], 0.004, wood);

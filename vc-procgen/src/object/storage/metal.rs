@@ -5,7 +5,7 @@ use crate::object::build::Build;
 use crate::object::table::frame::{CORNERS, Cut, Four, at_least};
 use crate::object::table::trolley::castor;
 
-/// What shelves of a rack are.
+/// The design of a rack's shelves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Deck {
     /// A board.
@@ -18,11 +18,11 @@ enum Deck {
     Slats,
 }
 
-/// Posts, and shelves between two heights.
+/// Posts, with shelves between two heights.
 struct Rack {
     x: f32,
     y: f32,
-    /// Heights of the lowest shelf and of the uppermost.
+    /// The heights of the lowest and the uppermost shelf.
     z: (f32, f32),
     levels: usize,
     post: f32,
@@ -47,7 +47,7 @@ impl Rack {
         }
     }
 
-    /// One shelf, its upper side at `z`.
+    /// One shelf with its upper side at `z`.
     fn deck(&self, b: &mut Build<'_>, z: f32) {
         let (x, y, p) = (self.x - 0.001, self.y - 0.001, self.post * 2.0);
         let band = 0.035;
@@ -76,7 +76,7 @@ impl Rack {
                         b.block("wire", [p - x, cy - 0.003, low], [x - p, cy + 0.003, low + 0.006], self.frame);
                     }
                 }
-                // A mat lies on the wires, so that small things stand.
+                // A mat on the wires, so that small objects can stand.
                 let count = (y / 0.045).clamp(4.0, 10.0) as usize;
                 for i in 0..count {
                     let cy = (y - p) * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
@@ -166,7 +166,7 @@ pub(super) fn kitchen_rack(b: &mut Build<'_>) {
         }
     });
     if hang {
-        // A rail in front of the uppermost shelf carries hooks.
+        // A rail in front of the uppermost shelf supports hooks.
         let (rx, z) = (x - 0.008, h - 0.05);
         b.rod("rail", [rx, post - y, z], [rx, y - post, z], 0.005, frame);
         for side in [-1.0, 1.0] {
@@ -209,7 +209,7 @@ pub(super) fn plate_rack_cart(b: &mut Build<'_>) {
             let (a, c) = (side * (y - 2.0 * post), side * (y - 2.0 * post - 0.035));
             b.block("runner", [0.01 - x, a.min(c), z], [x - 0.01, a.max(c), z + 0.002], ALUMINIUM);
         }
-        // Some pans stay in the cart and are its shelves.
+        // Some pans stay in the cart and serve as its shelves.
         if i % 4 == 0 || (pans && i % 2 == 0) {
             let (px, py) = (x - 0.02, y - 2.0 * post - 0.004);
             b.block("pan", [-px, -py, z + 0.003], [px, py, z + 0.008], STEEL);

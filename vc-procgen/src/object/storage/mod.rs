@@ -1,4 +1,4 @@
-//! What things are kept in and on: shelves, cabinets, racks, hooks and bins.
+//! Storage: shelves, cabinets, racks, hooks and bins.
 
 mod bin;
 mod board;

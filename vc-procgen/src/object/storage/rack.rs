@@ -6,7 +6,7 @@ use crate::object::joinery::BOARD;
 use crate::object::table::frame::{CORNERS, Cut, Four, at_least, disc, leg};
 use crate::object::table::trolley::castor;
 
-/// A grid that hangs from chains or a wall, with hooks below.
+/// A grid with hooks below that hangs from chains or is fixed to a wall.
 pub(super) fn pot_rack(b: &mut Build<'_>) {
     at_least(b, [0.14, 0.3, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -48,7 +48,8 @@ pub(super) fn pot_rack(b: &mut Build<'_>) {
     }
 }
 
-/// Bottles lie in it, necks to the front: a lattice, pigeonholes or scalloped rails.
+/// A rack in which bottles lie with their necks to the front: a lattice, pigeonholes or scalloped
+/// rails.
 pub(super) fn wine_rack(b: &mut Build<'_>) {
     at_least(b, [0.11, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -97,7 +98,7 @@ pub(super) fn wine_rack(b: &mut Build<'_>) {
     }
 }
 
-/// Pockets for magazines: a trough of boards, of wire, or of leather in a frame.
+/// A magazine rack: a trough of boards, of wire, or of leather in a frame.
 pub(super) fn magazine_rack(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -6,7 +6,7 @@ use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, Handle};
 use crate::object::table::frame::{CORNERS, Cut, Four, at_least, leg};
 
-/// How many spaces fit one above the other at a usual height.
+/// The number of compartments of a usual height.
 fn spaces(b: &mut Build<'_>, tall: f32) -> usize {
     (tall / b.vary(0.28, 0.36)).round().clamp(1.0, 8.0) as usize
 }
@@ -16,15 +16,15 @@ fn body(b: &mut Build<'_>) -> Mat {
     b.one(&[b.style.wood, b.style.wood, b.style.cabinet, WHITE])
 }
 
-/// A bookcase: a plain case, one with a cornice, one in unequal columns, a ladder or
-/// an open frame of metal.
+/// A bookcase: a plain case, one with a cornice, one with unequal columns, a ladder or an open
+/// metal frame.
 pub(super) fn bookshelf(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.3, 0.4]);
     match b.rng.below(8) {
         0 => etagere(b),
         1 => ladder(b),
         2 => {
-            // Columns of unlike spaces.
+            // Columns of unequal compartments.
             let count = spaces(b, b.size.z);
             let few = count.saturating_sub(1).max(1);
             let (foot, wide) = (foot(b), b.vary(0.8, 1.2));
@@ -50,13 +50,13 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
     }
 }
 
-/// What is closed at the foot of a bookcase, and how high it is of a space.
+/// The closed part at the foot of a bookcase, and its height relative to a compartment.
 fn foot(b: &mut Build<'_>) -> (f32, Cell) {
     let look = b.one(&[Look::Flat, Look::Framed, Look::Framed]);
     b.one(&[(0.6, Cell::Drawers(1)), (1.0, Cell::Drawers(2)), (1.1, Cell::Doors(look, 1))])
 }
 
-/// Open spaces over a foot, `count` with it.
+/// Open compartments over a foot, `count` in total.
 fn stack(foot: (f32, Cell), count: usize) -> Vec<(f32, Cell)> {
     let open = count.saturating_sub(1).max(1);
     vec![foot, (open as f32, Cell::Open(open))]
@@ -105,8 +105,8 @@ pub(super) fn cube_shelf(b: &mut Build<'_>) {
     piece.build(b);
 }
 
-/// Quarter-round shelves in a corner, between two walls of board or on poles. The
-/// corner is at the back right.
+/// Quarter-round shelves in a corner, between two walls of board or on poles. The corner is at the
+/// back right.
 pub(super) fn corner_bookcase(b: &mut Build<'_>) {
     at_least(b, [0.14, 0.14, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -136,7 +136,7 @@ pub(super) fn corner_bookcase(b: &mut Build<'_>) {
     for i in 0..=count {
         let z = 0.05 + pitch * i as f32;
         b.prism("shelf", Axis::Z, [t - x, t - y, z], &outline, t - 0.001, mat);
-        // The square that fits the rounding.
+        // The square that fits inside the rounded shelf.
         let free = (wx * 0.34, wy * 0.34);
         let centre = [t - x + free.0 + 0.005, t - y + free.1 + 0.005, z + t - 0.001];
         if i == count {
@@ -147,7 +147,7 @@ pub(super) fn corner_bookcase(b: &mut Build<'_>) {
     }
 }
 
-/// Boards between two ladders of metal tube, open all round.
+/// Boards between two ladders of metal tube, open on all sides.
 fn etagere(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (metal, wood) = (b.one(&[b.style.metal, BLACK_METAL, BRASS]), b.style.wood);
@@ -164,8 +164,8 @@ fn etagere(b: &mut Build<'_>) {
     b.rod("brace", [t / 2.0 - x + 0.006, y - t, 0.1], [t / 2.0 - x + 0.006, t - y, h - 0.1], 0.004, metal);
 }
 
-/// Shelves from one height to another, the uppermost open above; `keep` is how much
-/// of them posts take.
+/// Shelves from one height to another, the uppermost open above; `keep` is the part of them that
+/// posts occupy.
 fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, keep: (f32, f32)) {
     let count = spaces(b, z.1 - z.0).max(2);
     let pitch = (z.1 - z.0) / count as f32;
@@ -224,7 +224,7 @@ fn ladder(b: &mut Build<'_>) {
     }
 }
 
-/// Shelves without sides or back to speak of: posts and boards, a frame, a ladder.
+/// Shelves without closed sides or back: posts and boards, a frame, a ladder.
 pub(super) fn open_shelf(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.3, 0.35]);
     match b.rng.below(3) {
@@ -239,7 +239,7 @@ pub(super) fn open_shelf(b: &mut Build<'_>) {
                 let at = |z: f32| [sx * (x - r - 0.004), sy * (y - r - 0.004), z];
                 leg(b, "post", (at(0.0), r), (at(h - 0.01), r), cut, wood);
             }
-            // Things stand between the posts.
+            // Objects stand between the posts.
             boards(b, (x, y), (0.08, h - 0.022), wood, (0.005, 2.0 * r + 0.01));
         }
     }

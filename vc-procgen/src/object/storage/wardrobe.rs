@@ -14,7 +14,7 @@ pub(super) fn wardrobe(b: &mut Build<'_>) {
     if sliding {
         return slider(b, closet);
     }
-    // One column for two doors of about half a metre.
+    // One column for each pair of doors, each about half a metre wide.
     let doors = (b.size.y / 0.5).round().clamp(1.0, 6.0) as usize;
     let look = b.one(&[Look::Flat, Look::Flat, Look::Framed, Look::Framed, Look::Louvred, Look::Reeded]);
     let mirror = b.rng.chance(0.25);
@@ -63,7 +63,7 @@ fn slider(b: &mut Build<'_>, closet: bool) {
     let mirrored = b.rng.below(count + 2);
     let look = b.one(&[Look::Flat, Look::Framed, Look::Flat]);
     for i in 0..count {
-        // Panels take turns on the two rails; each slides over its neighbour.
+        // Panels alternate between the two rails; each slides over its neighbour.
         let rail = if i % 2 == 0 { x - 0.026 } else { inner + 0.006 };
         let (a, c) = (wide * i as f32 - y, wide * (i + 1) as f32 - y);
         let lap = |edge: f32| if edge.abs() > y - 0.001 { GAP } else { -0.015 };
@@ -81,7 +81,7 @@ fn slider(b: &mut Build<'_>, closet: bool) {
     }
 }
 
-/// One drawer in a case of its own, for the inside of a closet.
+/// One drawer in its own case, for the inside of a closet.
 pub(super) fn closet_drawer(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.2, 0.075]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

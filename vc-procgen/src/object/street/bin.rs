@@ -46,7 +46,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
     for cy in [-y * 0.7, y * 0.7] {
         b.block("bracket", [-x + 0.016, cy - 0.015, grip - 0.012], [back + 0.02, cy + 0.015, grip + 0.012], body);
     }
-    // The lid turns up and over the handle.
+    // The lid opens upwards over the handle.
     b.hinge([back - 0.02, 0.0, rim], [0.0, -1.0, 0.0], FRAC_PI_2 * 1.2, |b| {
         b.block("lid", [back - 0.02, -y, rim], [x, y, rim + 0.025], lid);
         let top = (h - rim - 0.025).min(domed).max(0.01);
@@ -75,7 +75,7 @@ pub(super) fn street_bin(b: &mut Build<'_>) {
     }
 }
 
-/// An upright can with a collar, open above, perhaps with a roof on posts.
+/// An upright can with a collar, open at the top, sometimes with a roof on posts.
 fn drum(b: &mut Build<'_>, mat: Mat) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let roof = b.rng.chance(0.5);
@@ -111,7 +111,7 @@ fn drum(b: &mut Build<'_>, mat: Mat) {
     b.inside("compartment", [0.0, 0.0, 0.03], (inner, inner), rim * 0.9);
 }
 
-/// A box with a hood whose front is open.
+/// A box with a hood that is open at the front.
 fn roofed(b: &mut Build<'_>, mat: Mat) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (rim, foot) = (h * b.vary(0.62, 0.72), h * b.vary(0.03, 0.1));
@@ -216,7 +216,7 @@ pub(super) fn mailbox(b: &mut Build<'_>) {
     }
 }
 
-/// A box with a slot, a door in front and a sloping roof.
+/// A box with a slot, a front door and a sloping roof.
 fn letter_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
     let t = 0.006;
     let roof = ((high[2] - low[2]) * b.vary(0.06, 0.2)).min(0.1);
@@ -247,7 +247,7 @@ fn letter_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
     );
 }
 
-/// The rounded box of country roads, on a post, with a flag and a front flap.
+/// The rounded rural mailbox on a post, with a flag and a front flap.
 fn tunnel(b: &mut Build<'_>, mat: Mat, wood: Mat) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let half = (y * 0.8).min(0.14).min(h * 0.2);
@@ -263,7 +263,7 @@ fn tunnel(b: &mut Build<'_>, mat: Mat, wood: Mat) {
         [(-radius, foot), (radius, foot)].into_iter().chain(arc).collect()
     };
     let outer = hood(half, 0.0);
-    // The shell: an arch, open below, over its own floor.
+    // The shell: an arch, open at the bottom, over its own floor.
     let inner: Vec<_> = hood(half - t, 0.0).into_iter().skip(1).collect();
     let shell: Vec<(f32, f32)> =
         outer[1..].iter().copied().chain([(-half, 0.0), (-half + t, 0.0)]).chain(inner.into_iter().rev()).collect();

@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::{grown, limb, spaced};
 
-/// Ways to fill the space between posts.
+/// Fillings of the space between posts.
 #[derive(Clone, Copy, PartialEq)]
 enum Fill {
     Pickets,
@@ -33,7 +33,7 @@ impl Fill {
     }
 }
 
-/// A rectangle across a fence: middle and half of its width, low and high.
+/// A rectangle across a fence: centre and half of its width, lower and upper height.
 #[derive(Clone, Copy)]
 struct Bay {
     y: f32,
@@ -78,7 +78,7 @@ pub(super) fn fence(b: &mut Build<'_>) {
     }
 }
 
-/// A gate between two posts; the leaf swings.
+/// A gate between two posts; the leaf is hinged.
 pub(super) fn gate(b: &mut Build<'_>) {
     grown(b, [0.02, 0.4, 0.4]);
     let fill = b.one(&[Fill::Pickets, Fill::Pickets, Fill::Boards, Fill::Railings, Fill::Mesh, Fill::Slats]);
@@ -112,7 +112,7 @@ pub(super) fn gate(b: &mut Build<'_>) {
     b.block("catch", [-post * 0.5, -half - 0.014, z], [post * 0.5, -half - 0.002, z + 0.02], IRON);
 }
 
-/// Measures that all bays of a fence share.
+/// Dimensions shared by all bays of a fence.
 struct Form {
     width: f32,
     gap: f32,
@@ -127,7 +127,7 @@ impl Form {
     }
 }
 
-/// Fills a bay, at most `most` pieces.
+/// Fills a bay with at most `most` pieces.
 fn filling(b: &mut Build<'_>, fill: Fill, bay: Bay, d: f32, form: &Form, (mat, most): (Mat, usize)) {
     let (y0, y1, tall) = (bay.y - bay.half - 0.02, bay.y + bay.half + 0.02, bay.high - bay.low);
     let rail = |b: &mut Build<'_>, share: f32, half: f32| {

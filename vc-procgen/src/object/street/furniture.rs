@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polar, polygon, spaced};
 
-/// A fire hydrant: a capped pillar with outlets; its spindle turns.
+/// A fire hydrant: a capped pillar with outlets; its spindle rotates.
 pub(super) fn hydrant(b: &mut Build<'_>) {
     grown(b, [0.15, 0.15, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -71,7 +71,7 @@ fn outlet(b: &mut Build<'_>, way: P, z: f32, (from, to, r): (f32, f32, f32), (ma
     );
 }
 
-/// A traffic cone with bright bands on a square foot.
+/// A traffic cone with bright bands on a square base.
 pub(super) fn cone(b: &mut Build<'_>) {
     grown(b, [0.1, 0.1, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -195,7 +195,7 @@ pub(super) fn parking_meter(b: &mut Build<'_>) {
     }
 }
 
-/// Screen, keys and slot on a front at `x`: middle, low end, height and half width.
+/// Screen, keys and slot on a front at `x`: centre, lower end, height and half width.
 fn face(b: &mut Build<'_>, x: f32, [cy, low, tall, half]: [f32; 4], deep: f32) {
     let deep = deep.min(0.02);
     b.block(
@@ -222,7 +222,7 @@ fn face(b: &mut Build<'_>, x: f32, [cy, low, tall, half]: [f32; 4], deep: f32) {
     }
 }
 
-/// A charging station: a pillar, or a box for the wall, with cable and plug.
+/// A charging station: a pillar or a wall box, with cable and plug.
 pub(super) fn charging_station(b: &mut Build<'_>) {
     grown(b, [0.08, 0.1, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -285,7 +285,7 @@ pub(super) fn manhole_cover(b: &mut Build<'_>) {
     b.top("top", [0.0, 0.0, h], (rim * 0.6, rim * 0.6));
 }
 
-/// A kerb: stones in a row, square, bevelled or rounded, perhaps with a gully.
+/// A kerb: stones in a row, square, bevelled or rounded, sometimes with a gully.
 pub(super) fn curb(b: &mut Build<'_>) {
     grown(b, [0.06, 0.3, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -316,7 +316,7 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     let steel = b.one(&[STEEL, GALVANISED, IRON]);
     let wire = (h * 0.09).min(0.004);
     let link = (x * 0.34).min(y * 0.22);
-    // The chain lies in an oval between the loop for the hand, which stands, and the hook.
+    // The chain lies in an oval between the upright hand loop and the hook.
     let loop_r = (h * 0.5).min(y * 0.35);
     let (low, high) = (-y + loop_r, y * 0.4);
     let (a, c, middle) = (x - link - wire, (high - low) / 2.0, f32::midpoint(low, high));
@@ -338,7 +338,7 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     b.lathe_along("loop", centre, [1.0, centre[1], centre[2]], &strap, BROWN_LEATHER);
 }
 
-/// Points around an ellipse, as evenly as whole steps of about `step` allow.
+/// Points around an ellipse, spaced as evenly as an integer number of steps of about `step` allows.
 fn oval(a: f32, c: f32, step: f32) -> Vec<(f32, f32)> {
     const FINE: usize = 96;
     let at = |i: usize| {

@@ -13,7 +13,7 @@ pub(super) fn street_lamp(b: &mut Build<'_>) {
     if b.size.x > 0.75 { arm_lamp(b, metal) } else { post_lamp(b, metal) }
 }
 
-/// A tapering mast on a foot, and how high it is.
+/// A tapering mast up to height `top`, with a thicker foot.
 fn mast(b: &mut Build<'_>, at: f32, radius: f32, top: f32, metal: Mat) {
     let foot = top * b.vary(0.1, 0.2);
     let profile = match b.rng.below(3) {
@@ -118,7 +118,7 @@ fn post_lamp(b: &mut Build<'_>, metal: Mat) {
     mast(b, 0.0, foot, top + 0.01, metal);
     match design {
         0 => {
-            // A four-sided lantern: widening panes under a roof.
+            // A four-sided lantern: panes that widen upwards under a roof.
             b.taper("base", [0.0, 0.0, top], (r * 0.3, r * 0.3), (r * 0.5, r * 0.5), tall * 0.1, metal);
             b.taper(
                 "pane",

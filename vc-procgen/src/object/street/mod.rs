@@ -1,5 +1,4 @@
-//! What stands along streets: fences, signs, lamps, bins and the rest of a city's
-//! furniture.
+//! Street furniture: fences, signs, lamps, bins and other objects along streets.
 
 mod bin;
 mod fence;

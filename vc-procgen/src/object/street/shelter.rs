@@ -1,4 +1,4 @@
-//! Where one waits, parks a bicycle or makes a call.
+//! Bus shelters, bicycle racks and phone booths.
 
 use super::sign::poster;
 use crate::material::*;

@@ -8,8 +8,8 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, polygon, spaced};
 
-/// Rectangles (left, low, right, high) in a square from -1 to 1, seen from the
-/// front with Y to the left: what is drawn on a sign.
+/// The drawing on a sign: rectangles (left, low, right, high) in a square from -1 to 1, seen from
+/// the front with Y to the right.
 type Drawing = &'static [[f32; 4]];
 
 const ARROW_UP: Drawing =
@@ -73,8 +73,8 @@ const TWO_CARS: Drawing =
     &[[-0.55, -0.25, -0.1, 0.2], [0.1, -0.25, 0.55, 0.2], [-0.45, 0.2, -0.2, 0.35], [0.2, 0.2, 0.45, 0.35]];
 const TEE: Drawing = &[[-0.55, 0.3, 0.55, 0.55], [-0.13, -0.7, 0.13, 0.3]];
 
-/// Plates and what belongs on them: corners, turn, stretch (width, height), colours
-/// of rim, face and drawing, drawings.
+/// A plate shape and its drawings: number of corners, rotation, stretch (width, height), colours of
+/// rim, face and drawing, and the drawings.
 struct Plate {
     corners: usize,
     turn: f32,
@@ -83,7 +83,7 @@ struct Plate {
     face: Mat,
     ink: Mat,
     drawings: &'static [Drawing],
-    /// Shrinks the drawing into the shape, and moves it.
+    /// Scale and offset that fit the drawing into the shape.
     inset: (f32, f32),
 }
 
@@ -143,7 +143,7 @@ fn spread(kind: &Plate) -> (f32, f32) {
     (most(|p| p.0.abs()) * kind.stretch.0, most(|p| p.1.abs()) * kind.stretch.1)
 }
 
-/// How far a plate of unit radius reaches up.
+/// The upward extent of a plate of unit radius.
 fn reach(kind: &Plate) -> f32 {
     polygon(kind.corners, 1.0, kind.turn).iter().map(|p| p.1).fold(0.0, f32::max) * kind.stretch.1
 }
@@ -163,10 +163,10 @@ fn plate(b: &mut Build<'_>, kind: &Plate, half: f32, at: P, thick: f32) {
     draw(b, drawing, centre, size, thick * 0.3, kind.ink);
 }
 
-/// A drawing in raised bars.
+/// A drawing made of raised bars.
 fn draw(b: &mut Build<'_>, drawing: Drawing, at: P, size: (f32, f32), thick: f32, ink: Mat) {
     for (i, [l, lo, r, hi]) in drawing.iter().enumerate() {
-        // No two neighbours are equally thick: they may overlap.
+        // Neighbouring bars differ in thickness because they may overlap.
         let deep = thick * (0.75 + 0.08 * (i % 4) as f32);
         // Seen from the front, Y runs to the right.
         let (low, high) =
@@ -175,7 +175,7 @@ fn draw(b: &mut Build<'_>, drawing: Drawing, at: P, size: (f32, f32), thick: f32
     }
 }
 
-/// A traffic light: one or two heads of three lamps, or two for people on foot.
+/// A traffic light: one or two heads of three lamps, or two heads for pedestrians.
 pub(super) fn traffic_light(b: &mut Build<'_>) {
     grown(b, [0.15, 0.15, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -205,7 +205,7 @@ pub(super) fn traffic_light(b: &mut Build<'_>) {
     );
 }
 
-/// A signal head standing on a point, its back there: deep, half wide, tall.
+/// A signal head standing on a point at its back: depth, half width, height.
 fn head(b: &mut Build<'_>, at: P, (deep, half): (f32, f32), tall: f32, lamps: usize, case: Mat) {
     let body = deep * 0.5;
     let half = half.min(tall / lamps as f32 * 0.62);
@@ -255,7 +255,7 @@ pub(super) fn billboard(b: &mut Build<'_>) {
     }
 }
 
-/// A picture of simple areas, centred at a point of a plane, half wide and high.
+/// A picture of simple areas, centred at a point of a plane, with half width and half height.
 pub(super) fn poster(b: &mut Build<'_>, at: P, half: (f32, f32), thick: f32) {
     let sky = b.one(&[SKY, MUSTARD, DUSTY_ROSE, NAVY, CREAM, TERRACOTTA]);
     let land = b.one(&[FOREST, SAGE, RED, BLUE, BLACK, WHITE]);

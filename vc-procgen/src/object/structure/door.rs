@@ -1,7 +1,7 @@
 //! Doors in their frames.
 //!
-//! The origin is the middle of the wall at floor level, the size the opening's: trims
-//! and handles stand out of it.
+//! The origin is the centre of the wall at floor level, and the size is that of the opening: trims
+//! and handles protrude from it.
 
 use vc_graph::asset::JointKind;
 
@@ -9,17 +9,17 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
 
-/// How far trims stand out of the wall, and how far they overlap it.
+/// How far trims protrude from the wall, and how far they overlap it.
 const PROUD: f32 = 0.01;
 const OVERLAP: f32 = 0.05;
 
-/// What a leaf is like.
+/// The properties of a leaf.
 #[derive(Debug, Clone, Copy)]
 struct Leaf<'a> {
-    /// Heights of the panels from below, any unit; none for a plain leaf.
+    /// The relative heights of the panels from below; empty for a plain leaf.
     rows: &'a [f32],
     columns: usize,
-    /// Width of the frame around panels.
+    /// The width of the frame around panels.
     border: f32,
     infill: Mat,
     mat: Mat,
@@ -84,7 +84,7 @@ pub(super) fn main_door(b: &mut Build<'_>) {
     b.block("threshold", [-x, -y + post, 0.0], [x - 0.06_f32.min(x), y - post, 0.006 * u], metal);
 }
 
-/// A glazed door to the balcony; two leaves in a wide opening.
+/// A glazed door to the balcony, with two leaves in a wide opening.
 pub(super) fn balcony_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.03, 0.4, 0.9]);
@@ -113,7 +113,7 @@ pub(super) fn balcony_door(b: &mut Build<'_>) {
     }
 }
 
-/// A leaf that hangs from a rail before the wall and slides to the left.
+/// A leaf that hangs from a rail in front of the wall and slides to the left.
 pub(super) fn sliding_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.02, 0.4, 0.9]);
@@ -265,7 +265,7 @@ fn leaf_box((x, y, h): (f32, f32, f32), post: f32, t: f32) -> (P, P) {
     ([x - t, -y + post + gap, gap * 2.0], [x, y - post - gap, h - post - gap])
 }
 
-/// A leaf with handles, hinged at one side. `post` and thickness come together.
+/// A leaf with handles, hinged at one side. `post` and thickness are given together.
 fn hinged(b: &mut Build<'_>, leaf: &Leaf<'_>, (post, thick): (f32, f32), at: Swing, (metal, u): (Mat, f32)) {
     let (x, y, h) = spans(b);
     let (low, high) = leaf_box((x, y, h), post, thick.min(x * 1.8));
@@ -273,13 +273,13 @@ fn hinged(b: &mut Build<'_>, leaf: &Leaf<'_>, (post, thick): (f32, f32), at: Swi
         leaf_of(b, leaf, low, high);
         levers(b, (low[0], high[0]), (low[1] + 0.055 * u, 1.0), (h * 0.49).min(1.03), (metal, u));
     });
-    // Beside the leaf, which turns past them.
+    // Placed beside the leaf, which swings past them.
     for z in [h * 0.12, h * 0.85] {
         b.cylinder("hinge", [x + 0.003 * u, high[1] + 0.0075 * u + 0.0005, z], 0.007 * u, 0.09 * u, metal);
     }
 }
 
-/// The boards of a leaf: plain, or panels in a frame that show on both sides.
+/// The boards of a leaf: plain, or panels in a frame that are visible on both sides.
 fn leaf_of(b: &mut Build<'_>, leaf: &Leaf<'_>, low: P, high: P) {
     let w = leaf.border.min((high[1] - low[1]) * 0.2);
     if leaf.rows.is_empty() {
@@ -306,7 +306,7 @@ fn leaf_of(b: &mut Build<'_>, leaf: &Leaf<'_>, low: P, high: P) {
     }
 }
 
-/// A lever on either side of a leaf, pointing along Y by `way`.
+/// A lever on either side of a leaf, pointing along Y in the direction `way`.
 fn levers(b: &mut Build<'_>, (back, front): (f32, f32), (y, way): (f32, f32), z: f32, (metal, u): (Mat, f32)) {
     let plate = b.rng.chance(0.5);
     for (x, out) in [(front, 1.0), (back, -1.0)] {

@@ -1,4 +1,4 @@
-//! Switches, sockets, columns, railings, stairs, grilles.
+//! Switches, sockets, columns, railings, stairs and grilles.
 
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
@@ -20,7 +20,7 @@ pub(super) fn lightswitch(b: &mut Build<'_>) {
     let step = 2.0 * inner_y / count as f32;
     for i in 0..count {
         let y0 = -inner_y + step * i as f32 + step * 0.03;
-        // A rocker stands out further at its lower end.
+        // A rocker protrudes further at its lower end.
         let outline = [(face, -inner_z), (x, -inner_z), (x * 0.45, 0.0), (x * 0.4, inner_z), (face, inner_z)];
         b.prism("rocker", Axis::Y, [0.0, y0, z], &outline, step * 0.94, mat);
     }
@@ -66,7 +66,7 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
     let (wall, face) = (0.012 * u, x - 0.012 * u);
     case(b, [-x, -y, 0.0], [face - 0.01 * u, y, h], wall, mat);
     let plate = 0.0;
-    // Toggles stay clear of the door.
+    // Toggles must not touch the door.
     let proud = (0.018 * u).min((face - 0.01 * u) * 0.8);
     b.block("cover", [-x + wall, -y + wall, wall], [plate, y - wall, h - wall], WHITE_PLASTIC);
     let rows = (h / 0.15).round().clamp(1.0, 4.0) as usize;

@@ -1,5 +1,5 @@
-//! What is built into walls: doors, windows and what hangs before them, switches,
-//! stairs and railings.
+//! Parts of the building in walls: doors, windows with their curtains and blinds, switches, stairs
+//! and railings.
 
 mod door;
 mod fixed;

@@ -1,4 +1,4 @@
-//! Windows and what hangs before them.
+//! Windows, and the curtains and blinds in front of them.
 
 use vc_graph::asset::JointKind;
 
@@ -8,7 +8,7 @@ use crate::object::cooker::fitting::*;
 
 /// A frame with one or two sashes that open into the room, a sill and a lining inside.
 ///
-/// The origin is the middle of the wall at the opening's lower edge.
+/// The origin is the centre of the wall at the opening's lower edge.
 pub(super) fn window(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.03, 0.3, 0.4]);
@@ -26,7 +26,7 @@ pub(super) fn window(b: &mut Build<'_>) {
     let board = 0.024 * u;
     let sill = b.one(&[b.style.joinery, MARBLE, b.style.wood, WHITE]);
     b.block("sill", [depth, -y, 0.0], [reach, y, board], sill);
-    // Lines the hole up to the frame, so that no outer wall is seen within.
+    // Lines the opening up to the frame, so that no outer wall is visible inside.
     if x - depth > 0.005 {
         let t = 0.01 * u;
         ring(b, "lining", Axis::X, ([depth, -y, board], [x, y, h]), ((t - y, board), (y - t, h - t)), b.style.joinery);
@@ -102,10 +102,10 @@ pub(super) fn roof_window(b: &mut Build<'_>) {
     });
 }
 
-/// Where cloth is over one pleat, from -1 to 1.
+/// The displacement of cloth over one pleat, from -1 to 1.
 const PLEAT: [f32; 12] = [0.0, 0.5, 0.87, 1.0, 0.87, 0.5, 0.0, -0.5, -0.87, -1.0, -0.87, -0.5];
 
-/// The outline of cloth in pleats along Y, `t` thick and `deep` to either side.
+/// The outline of pleated cloth along Y, `t` thick and `deep` to either side.
 fn pleated(y: f32, deep: f32, t: f32, count: usize) -> Vec<(f32, f32)> {
     let steps = count * PLEAT.len();
     let at = |i: usize, side: f32| {
@@ -115,7 +115,7 @@ fn pleated(y: f32, deep: f32, t: f32, count: usize) -> Vec<(f32, f32)> {
     (0..=steps).map(|i| at(i, 1.0)).chain((0..=steps).rev().map(|i| at(i, -1.0))).collect()
 }
 
-/// Cloth in pleats from a heading, straight or tied to one side.
+/// Pleated cloth below a heading, straight or tied to one side.
 pub(super) fn curtain(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.15, 0.3]);
     let (x, y, h) = spans(b);
@@ -143,7 +143,7 @@ pub(super) fn curtain(b: &mut Build<'_>) {
             }
         }
         _ => {
-            // Tied: wide above, gathered at the band, falling to a narrower hem.
+            // Tied: wide at the top, gathered at the band, falling to a narrower hem.
             let band = h * b.vary(0.38, 0.46);
             let (side, slim) = (b.one(&[-1.0, 1.0]), y * 0.36);
             let middle = side * (y - slim);
@@ -155,8 +155,8 @@ pub(super) fn curtain(b: &mut Build<'_>) {
     }
 }
 
-/// Cloth that narrows from a wide edge at `z.1` to a narrow one at `z.0`: half
-/// width, depth and middle of both.
+/// Cloth that narrows from a wide edge at `z.1` to a narrow one at `z.0`, each given by half width,
+/// depth and centre.
 fn tied(b: &mut Build<'_>, wide: (f32, f32, f32), slim: (f32, f32, f32), (z0, z1): (f32, f32), count: usize, mat: Mat) {
     let t = 0.003_f32.min(wide.1 * 0.3);
     let outlines = [(slim, z0), (wide, z1)].map(|((y, deep, middle), z)| (pleated(y, deep, t, count), middle, z));
@@ -178,7 +178,8 @@ fn tied(b: &mut Build<'_>, wide: (f32, f32, f32), slim: (f32, f32, f32), (z0, z1
         quad(&mut triangles, [i + 1, i, k, k - 1]);
         quad(&mut triangles, [i + n, i + 1 + n, k - 1 + n, k + n]);
     }
-    // The outline runs up the front and down the back: outwards if the wide edge is above.
+    // The outline runs up the front and down the back: its normals point outwards if the wide edge
+    // is above.
     if z1 < z0 {
         triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
@@ -265,7 +266,7 @@ pub(super) fn blinds(b: &mut Build<'_>) {
     }
 }
 
-/// A box with a curtain of slats between rails; it slides up into the box by half.
+/// A box with a curtain of slats between rails; the curtain slides up into the box by half.
 pub(super) fn roller_shutter(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.3, 0.4]);
     let (x, y, h) = spans(b);

@@ -64,7 +64,7 @@ pub(super) fn desk(b: &mut Build<'_>) {
     }
 }
 
-/// Drawer pedestals below a desk at the sides given; a panel or legs at the other.
+/// Drawer pedestals below a desk at the given sides; a panel or legs at the other side.
 fn pedestals(b: &mut Build<'_>, table: &Table, sides: &[f32]) {
     let handle = Handle::any(b);
     let (x, y, under) = (table.x - 0.015, table.y - 0.015, table.h - table.thickness);
@@ -105,7 +105,7 @@ fn pedestals(b: &mut Build<'_>, table: &Table, sides: &[f32]) {
     b.block("modesty", [back.0, inner.0, back.1], [back.0 + BOARD, inner.1, under - 0.0015], table.wood);
 }
 
-/// A desk on two columns, its top lifted by a motor.
+/// A desk on two columns, whose top is lifted by a motor.
 pub(super) fn standing_desk(b: &mut Build<'_>) {
     at_least(b, [0.27, 0.45, 0.3]);
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded]);

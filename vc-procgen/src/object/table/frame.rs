@@ -1,4 +1,4 @@
-//! Legs, bent boards, shells and outlines: what furniture stands on and leans by.
+//! Legs, bent boards, shells and outlines: supports and backs of furniture.
 
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 use crate::material::Mat;
 use crate::object::build::{Axis, Build, P};
 
-/// Cross section of a leg.
+/// The cross section of a leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::object) enum Cut {
     /// Four sides along the axes.
@@ -31,16 +31,16 @@ const OCTAGON: [(f32, f32); 8] = [
 /// The four corners of a rectangle around the origin, as signs of X and Y.
 pub(in crate::object) const CORNERS: [(f32, f32); 4] = SQUARE;
 
-/// Directions of a five-armed foot.
+/// The directions of a five-armed base.
 pub(in crate::object) const STAR: [(f32, f32); 5] =
     [(1.0, 0.0), (0.309_017, 0.951_057), (-0.809_017, 0.587_785), (-0.809_017, -0.587_785), (0.309_017, -0.951_057)];
 
-/// Makes the asset at least so large: thinner than its boards it cannot be.
+/// Enlarges the size to a minimum, because it cannot be thinner than its boards.
 pub(in crate::object) fn at_least(b: &mut Build<'_>, size: P) {
     b.size = b.size.sup(&size.into());
 }
 
-/// A leg between two level ends, each a middle and half a width.
+/// A leg between two level ends, each given by its centre and half width.
 pub(in crate::object) fn leg(b: &mut Build<'_>, name: &str, foot: (P, f32), head: (P, f32), cut: Cut, mat: Mat) {
     let ring: &[(f32, f32)] = if cut == Cut::Square { &SQUARE } else { &OCTAGON };
     let end = |(at, r): (P, f32)| ring.iter().map(move |c| [at[0] + c.0 * r, at[1] + c.1 * r, at[2]]);
@@ -48,17 +48,17 @@ pub(in crate::object) fn leg(b: &mut Build<'_>, name: &str, foot: (P, f32), head
     b.hull(name, &points, mat);
 }
 
-/// Four legs; their feet and heads keep within rectangles of the half lengths given.
+/// Four legs whose feet and heads stay within rectangles of the given half lengths.
 pub(in crate::object) struct Four {
-    /// Half lengths of the rectangle around the feet.
+    /// The half lengths of the rectangle around the feet.
     pub(in crate::object) feet: (f32, f32),
-    /// Half lengths of the rectangle around the heads.
+    /// The half lengths of the rectangle around the heads.
     pub(in crate::object) heads: (f32, f32),
-    /// Where they end.
+    /// The height of their upper ends.
     pub(in crate::object) height: f32,
-    /// Half widths at the floor and at the top.
+    /// The half widths at the floor and at the top.
     pub(in crate::object) radii: (f32, f32),
-    /// Their cross section.
+    /// The cross section.
     pub(in crate::object) cut: Cut,
 }
 
@@ -69,7 +69,7 @@ impl Four {
         Self { feet: foot, heads: half, height, radii, cut }
     }
 
-    /// Builds them.
+    /// Builds the legs.
     pub(in crate::object) fn build(&self, b: &mut Build<'_>, mat: Mat) {
         let (r0, r1) = self.radii;
         for (sx, sy) in CORNERS {
@@ -79,7 +79,7 @@ impl Four {
         }
     }
 
-    /// The middle of a leg at a height, its corner given by signs.
+    /// The centre of a leg at a height; the signs give its corner.
     pub(in crate::object) fn middle(&self, corner: (f32, f32), z: f32) -> P {
         let k = z / self.height;
         let mix = |foot: f32, head: f32| (foot - self.radii.0) * (1.0 - k) + (head - self.radii.1) * k;
@@ -92,9 +92,8 @@ impl Four {
     }
 }
 
-/// A board that follows a line of (x, z), drawn from `y.0` to `y.1`. The line is the
-/// side one sees: drawn from the front to the back and up, the board is below and
-/// behind it.
+/// A board that follows a line of (x, z), extruded from `y.0` to `y.1`. The line is the visible
+/// side: if it runs from the front to the back and up, the board is below and behind it.
 pub(in crate::object) fn ribbon(
     b: &mut Build<'_>,
     name: &str,
@@ -109,18 +108,18 @@ pub(in crate::object) fn ribbon(
     b.prism(name, Axis::Y, [0.0, y.0, 0.0], &outline, y.1 - y.0, mat);
 }
 
-/// One row of a shell: where it is, half its width and how far its edges rise.
+/// One row of a shell: its position, half its width and how far its edges rise.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::object) struct Row {
     /// X and Z.
     pub(in crate::object) at: (f32, f32),
     /// Half the width.
     pub(in crate::object) half: f32,
-    /// How far the edges stand up from the middle.
+    /// How far the edges rise above the centre.
     pub(in crate::object) rise: f32,
 }
 
-/// A sheet bent both ways, from its front edge to the back and up.
+/// A doubly curved sheet, from its front edge to the back and up.
 pub(in crate::object) fn shell(b: &mut Build<'_>, name: &str, rows: &[Row], thickness: f32, mat: Mat) {
     const ACROSS: u32 = 6;
     let line: Vec<(f32, f32)> = rows.iter().map(|r| r.at).collect();
@@ -152,7 +151,7 @@ pub(in crate::object) fn shell(b: &mut Build<'_>, name: &str, rows: &[Row], thic
     b.mesh(name, vertices, triangles, mat);
 }
 
-/// The upper side's direction at each point of a line.
+/// The normal of the upper side at each point of a line.
 fn ups(line: &[(f32, f32)]) -> Vec<(f32, f32)> {
     let steps: Vec<(f32, f32)> = line.windows(2).map(|w| unit((w[1].1 - w[0].1, w[0].0 - w[1].0))).collect();
     let at = |i: usize| steps.get(i).copied().unwrap_or_default();
@@ -169,16 +168,16 @@ fn unit(v: (f32, f32)) -> (f32, f32) {
     (v.0 / length, v.1 / length)
 }
 
-/// A padded board that leans back: its lower front edge, its thickness and tilt are
-/// given, it reaches back to `back` and up to `top`.
+/// A padded board that leans back, given by its rearmost X, its heights, its thickness and its
+/// tilt.
 pub(in crate::object) struct Lean {
-    /// Least X.
+    /// The least X.
     pub(in crate::object) back: f32,
-    /// Height of its lower front edge and of its upper one.
+    /// The heights of its lower and its upper front edge.
     pub(in crate::object) z: (f32, f32),
-    /// From its front to its back.
+    /// The distance from its front to its back.
     pub(in crate::object) thickness: f32,
-    /// Angle from upright, radians.
+    /// The angle from upright, radians.
     pub(in crate::object) tilt: f32,
 }
 
@@ -187,7 +186,7 @@ impl Lean {
         (self.z.1 - self.z.0) / self.tilt.cosine()
     }
 
-    /// X of its front at a height.
+    /// The X of its front at a height.
     pub(in crate::object) fn front(&self, z: f32) -> f32 {
         self.back + self.thickness * self.tilt.cosine() + (self.z.1 - z) * self.tilt.tangent()
     }
@@ -205,8 +204,8 @@ impl Lean {
     }
 }
 
-/// An outline with rounded corners around the origin, for prisms along Z. Large radii
-/// make a pill or a circle.
+/// An outline with rounded corners around the origin, for prisms along Z. Large radii give a
+/// stadium or a circle.
 pub(in crate::object) fn rounded(half: (f32, f32), radius: f32) -> Vec<(f32, f32)> {
     let r = radius.min(half.0 * 0.999).min(half.1 * 0.999);
     turned(6, (r, r)).into_iter().map(|(c, p)| (p.0 + c.0 * (half.0 - r), p.1 + c.1 * (half.1 - r))).collect()
@@ -220,11 +219,12 @@ pub(in crate::object) fn ellipse(half: (f32, f32)) -> Vec<(f32, f32)> {
     points
 }
 
-/// Four quarters of an ellipse, each with both its ends: the quarter's corner and the point.
+/// Four quarters of an ellipse, each including both ends, as pairs of the quarter's corner and a
+/// point.
 fn turned(steps: usize, half: (f32, f32)) -> Vec<((f32, f32), (f32, f32))> {
     let arc = (0..=steps).map(move |i| {
-        // Half angles' tangents give points of a circle without a sine; the tangent of
-        // an eighth keeps them evenly spread.
+        // Tangents of half angles give points of a circle without a sine; the correction by the
+        // tangent of an eighth turn spaces them evenly.
         let k = i as f32 / steps as f32;
         let t = k * (1.0 + k * 0.2) / 1.2;
         ((1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t))
@@ -247,7 +247,7 @@ pub(in crate::object) fn disc(b: &mut Build<'_>, name: &str, at: P, radius: f32,
     b.lathe(name, [at[0], at[1], at[2] - thickness], &profile, mat);
 }
 
-/// A turned leg with beads and a vase, radius `r` at its widest.
+/// A turned leg with beads and a vase shape, with radius `r` at its widest.
 pub(in crate::object) fn baluster(b: &mut Build<'_>, name: &str, base: P, r: f32, height: f32, mat: Mat) {
     const PROFILE: [(f32, f32); 13] = [
         (0.55, 0.0),

@@ -29,7 +29,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("nightstand", 18, desk::nightstand),
 ];
 
-/// Outline of a table top.
+/// The outline of a table top.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outline {
     Rect,
@@ -39,14 +39,14 @@ enum Outline {
     Octagon,
 }
 
-/// What a table top rests on.
+/// The base of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Base {
     /// Upright legs with aprons.
     Legs,
     /// Turned legs with aprons.
     Turned,
-    /// Tapered legs that splay.
+    /// Tapered splayed legs.
     Splayed,
     /// Bent wire legs.
     Hairpin,
@@ -58,7 +58,7 @@ enum Base {
     Slabs,
     /// A frame of metal tube at each end.
     Loops,
-    /// One column on feet, two under long tops.
+    /// One column on feet, or two under long tops.
     Column,
     /// One flared foot.
     Tulip,
@@ -66,7 +66,7 @@ enum Base {
     Drum,
 }
 
-/// A table in the making: half lengths, height and materials.
+/// A table under construction: half lengths, height and materials.
 struct Table {
     x: f32,
     y: f32,
@@ -79,8 +79,8 @@ struct Table {
 }
 
 impl Table {
-    /// A table of the size asked for, its outline one of those given; square tables
-    /// are often round.
+    /// A table of the requested size, with one of the given outlines; square tables are often
+    /// round.
     fn new(b: &mut Build<'_>, outlines: &[Outline]) -> Self {
         at_least(b, [0.13, 0.17, 0.13]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -91,7 +91,7 @@ impl Table {
         Self { x, y, h, thickness, outline, wood, top: wood, metal: b.style.metal }
     }
 
-    /// Half lengths of the largest rectangle worth naming on the top.
+    /// The half lengths of the largest useful rectangle on the top.
     fn free(&self) -> (f32, f32) {
         let m = 0.008;
         let cut = match self.outline {
@@ -104,7 +104,7 @@ impl Table {
         (self.x - cut - m, self.y - cut - m)
     }
 
-    /// Half lengths within which legs stand well.
+    /// The half lengths within which legs stand stably.
     fn stand(&self) -> (f32, f32) {
         match self.outline {
             Outline::Rect | Outline::Rounded => (self.x - 0.02, self.y - 0.02),
@@ -113,7 +113,7 @@ impl Table {
         }
     }
 
-    /// The top and the surface on it.
+    /// The top with its surface.
     fn top(&self, b: &mut Build<'_>) {
         let (half, t) = ((self.x, self.y), self.thickness);
         let base = [0.0, 0.0, self.h - t];
@@ -160,7 +160,7 @@ impl Table {
         (0.028 + 0.012 * self.x.min(self.y)).min(self.x * 0.16)
     }
 
-    /// What carries the top.
+    /// The base that supports the top.
     fn base(&self, b: &mut Build<'_>, base: Base) {
         let (half, under) = (self.stand(), self.h - self.thickness);
         let girth = self.girth();
@@ -248,7 +248,7 @@ impl Table {
             for (k, sx) in [(0.0, -1.0), (1.0, 1.0)] {
                 let (a, c) = (sx * (half.0 - w), -sx * (half.0 - w));
                 let outline = [(a - w, 0.0), (a + w, 0.0), (c + w, under), (c - w, under)];
-                // The second lies behind the first, halved into it.
+                // The second leg lies behind the first and is half-lapped with it.
                 let cy = side * (y - k * t * 0.4);
                 b.prism("leg", Axis::Y, [0.0, cy - t / 2.0, 0.0], &outline, t, self.wood);
             }
@@ -326,7 +326,7 @@ impl Table {
 const LONG: &[Outline] =
     &[Outline::Rect, Outline::Rect, Outline::Rect, Outline::Rounded, Outline::Pill, Outline::Oval, Outline::Octagon];
 
-/// A base that suits an outline: those with ends need straight ends.
+/// A base that suits an outline: bases with end panels need straight ends.
 fn suited(b: &mut Build<'_>, table: &Table, straight: &[Base], curved: &[Base]) -> Base {
     match table.outline {
         Outline::Rect | Outline::Rounded => b.one(straight),
@@ -406,7 +406,7 @@ fn coffee_table(b: &mut Build<'_>) {
     }
 }
 
-/// A small table beside a sofa: round, square, a drum, a tulip, a C of tube.
+/// A small table beside a sofa: round, square, a drum, a tulip base or a C-shaped tube.
 fn side_table(b: &mut Build<'_>) {
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded, Outline::Octagon]);
     if b.rng.chance(0.2) {
@@ -470,7 +470,7 @@ fn console_table(b: &mut Build<'_>) {
     }
 }
 
-/// A children's play table, in a colour of its own.
+/// A children's play table in bright colours.
 fn kids_table(b: &mut Build<'_>) {
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded, Outline::Pill]);
     table.top = b.one(&[WHITE, SKY, YELLOW, table.wood, RED, GREEN]);

@@ -1,4 +1,4 @@
-//! Working tables: of steel, folding, on castors, with a vice.
+//! Work tables: of steel, folding, on castors, with a vice.
 
 use super::frame::{CORNERS, Cut, Four, at_least, leg, rounded};
 use super::{Outline, Table};
@@ -87,7 +87,7 @@ pub(super) fn serving_trolley(b: &mut Build<'_>) {
     }
 }
 
-/// A steel table with a shelf below and perhaps a splashback.
+/// A steel table with a shelf below, sometimes with a splashback.
 pub(super) fn prep_table(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.35, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -145,7 +145,7 @@ pub(super) fn workbench(b: &mut Build<'_>) {
         b.ledge("shelf", [0.0, 0.0, z], free, h - t - drop - z - 0.01);
         if drawers {
             let handle = Handle::Bar;
-            // They pass beside the vice.
+            // The drawers are placed beside the vice.
             let (low, high) = (2.0 * r - half.1, half.1 - 2.0 * r);
             let high = if vice { high.min(y * 0.62 - 0.14).max(low + 0.1) } else { high };
             let case = Case {
@@ -186,7 +186,7 @@ pub(in crate::object) fn ironing_board(b: &mut Build<'_>) {
     let cover = b.one(&[BLUE_FABRIC, GREY_FABRIC, b.style.accent, b.style.linen]);
     let t = 0.03;
     let mut outline = rounded((x, y), 0.05);
-    // The end at the higher Y runs to a blunt point.
+    // The end at the higher Y tapers to a blunt point.
     for p in &mut outline {
         let k = ((p.1 - y * 0.35) / (y * 0.65)).clamp(0.0, 1.0);
         p.0 *= 1.0 - 0.62 * k * k;

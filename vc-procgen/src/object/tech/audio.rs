@@ -8,7 +8,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, loft, ngon, oval, room, spline, tube};
 use crate::material::*;
 
-/// A driver in a front at `x`: a rim, a cone and its cap.
+/// A driver in a front at `x`: a rim, a cone and a dust cap.
 fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
     let to = [at[0] + 1.0, at[1], at[2]];
     let d = (r * 0.12).min(0.006);
@@ -93,7 +93,7 @@ pub(super) fn soundbar(b: &mut Build<'_>) {
     b.block("light", [x * 0.9, y * 0.02, h * 0.4], [x + 0.0006, y * 0.05, h * 0.46], LED);
 }
 
-/// A portable or talking speaker: a lying or standing drum, a puck, a block.
+/// A portable or smart speaker: a lying or standing drum, a puck, a block.
 pub(super) fn portable(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = b.one(&[CHARCOAL_FABRIC, RED_FABRIC, BLUE_FABRIC, GREY_FABRIC, TEAL_FABRIC, MUSTARD_FABRIC]);
@@ -169,7 +169,7 @@ pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
     corners.put(b, "corner", BLACK_METAL);
 }
 
-/// Headphones: band, two cups with pads, and a microphone at times.
+/// Headphones: band, two cups with pads, and sometimes a microphone.
 pub(super) fn headset(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let shell = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, SILVER_METAL, RED_PLASTIC, NAVY]);
@@ -249,7 +249,7 @@ pub(super) fn earphone(b: &mut Build<'_>) {
     }
 }
 
-/// A microphone on a foot, or one to hold, standing on its end.
+/// A microphone on a stand, or a hand-held one standing on its end.
 pub(super) fn microphone(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = x.min(y);

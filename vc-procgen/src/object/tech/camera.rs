@@ -1,4 +1,4 @@
-//! Cameras and what a studio has.
+//! Cameras and studio equipment.
 
 use std::f32::consts::PI;
 
@@ -9,7 +9,7 @@ use super::super::textile::form::{Shell, blocks, hoop, oval, room, spline, tube}
 use super::lens;
 use crate::material::*;
 
-/// A camera for photographs: compact, reflex, instant or for action.
+/// A still camera: compact, reflex, instant or action camera.
 pub(super) fn camera(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (body, trim) = match b.class {
@@ -111,7 +111,7 @@ pub(super) fn video_camera(b: &mut Build<'_>) {
     b.rod("light", [x * 0.5, wide * 0.6, h * 0.75], [x * 0.57, wide * 0.6, h * 0.75], h * 0.03, SIGNAL_RED);
 }
 
-/// A camera that watches: a dome or a barrel on a bracket.
+/// A security camera: a dome or a barrel on a bracket.
 pub(super) fn security(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = y.min(h * 0.5);
@@ -187,7 +187,7 @@ pub(super) fn tripod(b: &mut Build<'_>) {
     tube(b, "handle", &handle, leg * 0.35, BLACK_PLASTIC);
 }
 
-/// A studio light: a box of cloth or a ring of light on a stand.
+/// A studio light: a softbox or a ring light on a stand.
 pub(super) fn softbox(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let wide = y.min(h * 0.28);

@@ -51,8 +51,8 @@ pub(super) fn laptop(b: &mut Build<'_>) {
     });
 }
 
-/// A computer in its tower; a glass side and coloured fans if for games; bays with
-/// disks if a server.
+/// A tower computer; with a glass side and coloured fans for gaming, with bays of disks for a
+/// server.
 pub(super) fn tower(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (gaming, server) = (b.class == "gaming_computer", b.class == "server");
@@ -135,7 +135,7 @@ fn fans(b: &mut Build<'_>, (front, foot): (f32, f32), relief: f32, glow: Mat) {
     }
 }
 
-/// What one sees through the glass side.
+/// The interior visible through the glass side.
 fn window(b: &mut Build<'_>, side: f32, foot: f32, glow: Mat) {
     let (x, y, h) = room(b);
     let deep = y - side;

@@ -1,4 +1,4 @@
-//! What lies on desks: keyboards, mice, sticks and cables.
+//! Desk accessories: keyboards, mice, USB sticks and cables.
 
 use vc_graph::portable::Portable;
 

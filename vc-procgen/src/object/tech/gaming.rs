@@ -1,4 +1,4 @@
-//! What games are played with.
+//! Game controllers.
 
 use vc_graph::portable::Portable;
 
@@ -7,7 +7,7 @@ use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, facing, hoop, loft, oval, room, spline, tube};
 use crate::material::*;
 
-/// A gamepad: two grips, sticks, a cross and buttons.
+/// A gamepad: two grips, sticks, a directional pad and buttons.
 pub(super) fn controller(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, PURPLE_PLASTIC]);

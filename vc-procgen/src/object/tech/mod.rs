@@ -97,7 +97,7 @@ fn case(b: &mut Build<'_>) -> Mat {
     b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SILVER_METAL])
 }
 
-/// A lens that looks along an axis: a stepped barrel with glass in it.
+/// A lens facing along an axis: a stepped barrel with glass in it.
 fn lens(b: &mut Build<'_>, from: P, to: P, r: f32, barrel: Mat) {
     let long = nalgebra::distance(&nalgebra::Point3::from(from), &nalgebra::Point3::from(to));
     let steps = [
@@ -113,8 +113,8 @@ fn lens(b: &mut Build<'_>, from: P, to: P, r: f32, barrel: Mat) {
     b.lathe_along("lens", from, to, &[(r * 0.6, long * 0.6), (r * 0.5, long * 0.86), (0.0, long * 0.92)], BLACK_GLASS);
 }
 
-/// A grid of keys on a level or upright rectangle: corners of each, from `low`,
-/// stepping along two axes.
+/// A grid of keys on a level or upright rectangle: the corners of each, from `low`, stepping along
+/// two axes.
 fn grid(count: (usize, usize), key: impl Fn(f32, f32) -> (P, P)) -> Vec<(P, P)> {
     let (rows, columns) = count;
     (0..rows * columns).map(|k| key((k / columns) as f32, (k % columns) as f32)).collect()

@@ -5,7 +5,7 @@ use super::super::decor::picture::{Canvas, Inks, motif};
 use super::super::textile::form::{Shell, blocks, facing, hoop, ngon, oval, room, spline, tube};
 use crate::material::*;
 
-/// A radio or a player with a handle: grilles, dial, knobs, aerial.
+/// A radio or a player with a handle: grilles, dial, knobs, antenna.
 pub(super) fn radio(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let wooden = b.rng.chance(0.4) && b.class == "radio";
@@ -84,7 +84,7 @@ fn portable_player(b: &mut Build<'_>, body: Mat) {
     blocks(b, "key", &keys, SILVER_METAL);
 }
 
-/// A record player: platter, record, arm, and a clear lid on a hinge.
+/// A record player: platter, record, arm, and a clear hinged lid.
 pub(super) fn turntable(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[b.style.wood, WALNUT, BLACK, WHITE]);
@@ -205,7 +205,7 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
     });
 }
 
-/// A disc, or one in its flat case where thick.
+/// A disc, or one in its flat case if thick.
 pub(super) fn disc(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let r = x.min(y) * if h > 0.004 { 0.94 } else { 1.0 };

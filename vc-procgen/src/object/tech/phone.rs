@@ -56,13 +56,13 @@ pub(super) fn slab(b: &mut Build<'_>) {
     });
 }
 
-/// Keys of a dial: four rows of three, standing out from a level plane.
+/// The keys of a dial: four rows of three, protruding from a level plane.
 fn dial_keys(x: (f32, f32), y: (f32, f32), z: (f32, f32)) -> Vec<(P, P)> {
     let (px, py) = ((x.1 - x.0) / 4.0, (y.1 - y.0) / 3.0);
     grid((4, 3), |i, j| ([x.0 + px * i, y.0 + py * j, z.0], [x.0 + px * (i + 0.75), y.0 + py * (j + 0.75), z.1]))
 }
 
-/// A receiver along Y: a grip with two cups.
+/// A telephone receiver along Y: a grip with two cups.
 fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
     let mut shell = Shell::default();
     let ear = half.min(b.size.x * 0.8);
@@ -137,7 +137,7 @@ fn cradle(b: &mut Build<'_>, body: Mat) {
     b.at([-x * 0.1, 0.0, foot * 0.5], 0.0, |b| upright(b, (t, w, h - foot * 0.5), body));
 }
 
-/// A handset with a display and keys, its base centre at the origin.
+/// A handset with a display and keys, the centre of its base at the origin.
 fn upright(b: &mut Build<'_>, (t, w, h): (f32, f32, f32), body: Mat) {
     b.soft("handset", [-t, -w, 0.0], [t * 0.9, w, h], t * 0.5, body);
     let face = t * 0.9;
@@ -150,7 +150,7 @@ fn upright(b: &mut Build<'_>, (t, w, h): (f32, f32, f32), body: Mat) {
     blocks(b, "earpiece", &[([face - t * 0.2, -w * 0.35, h * 0.92], [face + t * 0.05, w * 0.35, h * 0.94])], SCREEN);
 }
 
-/// A two-way radio or a baby monitor: a handset with an aerial.
+/// A two-way radio or a baby monitor: a handset with an antenna.
 pub(super) fn handset(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[BLACK_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
@@ -208,7 +208,7 @@ pub(super) fn wall_phone(b: &mut Build<'_>) {
     tube(b, "cord", &cord, r * 0.6, body);
 }
 
-/// A remote control, lying: rows of keys, some of them coloured.
+/// A lying remote control: rows of keys, some of them coloured.
 pub(super) fn remote(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, SILVER_METAL]);

@@ -5,8 +5,8 @@ use super::super::textile::form::{blocks, room, tube};
 use super::grid;
 use crate::material::*;
 
-/// A printer: body, paper coming out in front, a panel of keys, a cassette that
-/// slides out, and a scanner on top of it where it has one.
+/// A printer: body, paper coming out in front, a panel of keys, a cassette that slides out, and
+/// sometimes a scanner on top.
 pub(super) fn printer(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (body, trim) = b.one(&[
@@ -21,7 +21,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
     let scanner = b.class == "multifunction_printer";
     let top = if scanner { h * 0.8 } else { h * 0.993 };
     let (low, high) = (h * 0.24, h * 0.46);
-    // Cassette below, a mouth above it, the works on top.
+    // The cassette at the bottom, the paper outlet above it, the mechanism on top.
     let walls = [
         ([-x, -y, 0.0], [front, y, t]),
         ([-x, -y, t * 0.9], [front, -y + t, high]),
@@ -97,7 +97,7 @@ pub(super) fn label_printer(b: &mut Build<'_>) {
     blocks(b, "key", &keys, LED);
 }
 
-/// A printer for plastic things: an open frame, a bed, a head on rails, a reel.
+/// A 3D printer: an open frame, a bed, a head on rails, a spool.
 pub(super) fn three_d_printer(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let frame = b.one(&[BLACK_METAL, ALUMINIUM, ORANGE_PLASTIC]);

@@ -86,10 +86,10 @@ pub(super) fn rack(b: &mut Build<'_>) {
     );
 }
 
-/// Where a front is open: ranges of width and height.
+/// The opening of a front: ranges of width and height.
 type Slot = Option<((f32, f32), (f32, f32))>;
 
-/// A front panel, with a slot in it or without.
+/// A front panel with or without a slot.
 fn panel(b: &mut Build<'_>, (low, high): (P, P), slot: Slot, mat: Mat) {
     let Some(((y0, y1), (z0, z1))) = slot else { return b.block("front", low, high, mat) };
     let list = [
@@ -113,7 +113,7 @@ fn tray(b: &mut Build<'_>, (front, out): (f32, f32), slot: Slot, mat: Mat) {
     });
 }
 
-/// A game console with curved plates around a dark core, lying.
+/// A lying game console with curved plates around a dark core.
 fn swept(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let plate = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]);
@@ -170,7 +170,7 @@ pub(super) fn small(b: &mut Build<'_>) {
     });
 }
 
-/// A router: a flat or upright box with aerials and lights.
+/// A router: a flat or upright box with antennas and lights.
 pub(super) fn router(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC]);

@@ -111,7 +111,7 @@ pub(super) fn projector(b: &mut Build<'_>) {
     feet.put(b, "foot", RUBBER);
 }
 
-/// A projection screen drawn out of its case, on a stand or to hang up.
+/// A projection screen pulled out of its case, on a stand or for hanging.
 pub(super) fn projector_screen(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let case = b.one(&[WHITE_METAL, BLACK_METAL]);

@@ -1,4 +1,4 @@
-//! What lies on beds and sofas.
+//! Textiles on beds and sofas.
 
 use vc_graph::portable::Portable;
 
@@ -7,7 +7,7 @@ use super::form::{Shell, blocks, puff, room, sheet};
 use super::{Fold, folded};
 use crate::material::*;
 
-/// Sheets or pillow cases, folded and stacked.
+/// Folded and stacked sheets or pillow cases.
 pub(super) fn sheets(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let count = if b.class == "sheets" { b.rng.count(1, 3) } else { b.rng.count(1, 2) };
@@ -48,8 +48,8 @@ fn dent(b: &mut Build<'_>, cloth: Mat) {
     shell.put(b, "hem", cloth);
 }
 
-/// A strip on the upper side of a cushion of half measures `half`, over a part of
-/// its depth and width (-1 to 1).
+/// A strip on the upper side of a cushion of half extents `half`, over a part of its depth and
+/// width (-1 to 1).
 fn patch(shell: &mut Shell, half: P, pinch: f32, (u0, u1): (f32, f32), (v0, v1): (f32, f32)) {
     let bulge = |t: f32| (1.0 - t * t).max(0.0);
     shell.sheet((8, 3), |s, t| {
@@ -113,7 +113,7 @@ fn tassels(b: &mut Build<'_>, mat: Mat) {
     shell.put(b, "tassel", mat);
 }
 
-/// A duvet: spread out where the size is flat, else folded up.
+/// A duvet: spread out if the size is flat, otherwise folded.
 pub(super) fn duvet(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = b.style.linen;
@@ -135,8 +135,7 @@ pub(super) fn duvet(b: &mut Build<'_>) {
     sheet(b, "turned_back", (6, 16), top, lining);
 }
 
-/// A soft slab over the whole rectangle, quilted or wavy, up to `share` of the
-/// height.
+/// A soft slab over the whole rectangle, quilted or wavy, up to the fraction `share` of the height.
 fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
     let (x, y, h) = room(b);
     let h = h * share;
@@ -160,7 +159,7 @@ fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
     sheet(b, "cover", (nx as usize, ny as usize), at, cloth);
 }
 
-/// A blanket: folded, with fringes or stripes; spread out where the size is flat.
+/// A blanket: spread out if the size is flat, otherwise folded; with fringes or stripes.
 pub(super) fn blanket(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = b.one(&[b.style.accent, b.style.accent, WOOL, GREY_FABRIC, MUSTARD_FABRIC, RUST_FABRIC, NAVY_FABRIC]);

@@ -1,5 +1,5 @@
-//! Forms that boxes and lathes do not make: lofts, bent tubes, leaves, draped
-//! sheets and cushions, gathered into one mesh per material.
+//! Shapes beyond boxes and lathes: lofts, bent tubes, leaves, draped sheets and cushions, gathered
+//! into one mesh per material.
 
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
@@ -8,24 +8,24 @@ use super::super::build::{Axis, Build, P};
 use super::super::circle;
 use crate::material::Mat;
 
-/// Half the depth, half the width, and the height of what is built.
+/// Half depth, half width and height of the object.
 pub(in crate::object) fn room(b: &Build<'_>) -> (f32, f32, f32) {
     (b.size.x / 2.0, b.size.y / 2.0, b.size.z)
 }
 
-/// A point between two, `t` of the way.
+/// Interpolates between two points by `t`.
 pub(in crate::object) fn mix(a: P, b: P, t: f32) -> P {
     [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
 }
 
-/// Builds what lies on its back: +X of the frame points up, +Z away from the front.
+/// Builds an object lying on its back: +X of the frame points up, +Z away from the front.
 pub(in crate::object) fn lying(b: &mut Build<'_>, at: P, build: impl FnOnce(&mut Build<'_>)) {
     let pose = Isometry3::new(Vector3::from(at), Vector3::y() * -std::f32::consts::FRAC_PI_2);
     b.posed(pose, build);
 }
 
-/// Builds a flat thing that faces +X, given its thickness, width and height, its
-/// base centre at the origin; on its back if the size is lowest along Z.
+/// Builds a flat object that faces +X from its thickness, width and height, with the centre of its
+/// base at the origin; it lies on its back if the size is lowest along Z.
 pub(in crate::object) fn facing(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
     let s = b.size;
     if s.z < s.x.min(s.y) {
@@ -35,8 +35,8 @@ pub(in crate::object) fn facing(b: &mut Build<'_>, build: impl FnOnce(&mut Build
     }
 }
 
-/// Builds with +Y of the frame along the longest level side of the size, given its
-/// half depth, half length and height.
+/// Builds with +Y of the frame along the longest horizontal side of the size; `build` receives half
+/// depth, half length and height.
 pub(in crate::object) fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
     let (x, y, h) = room(b);
     if x > y {
@@ -46,8 +46,8 @@ pub(in crate::object) fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut B
     }
 }
 
-/// Builds with +Z of the frame along the longest side of the size, which may lie
-/// along Y or X; gives the thickness, the width and the length.
+/// Builds with +Z of the frame along the longest side of the size, which may lie along Y or X;
+/// `build` receives thickness, width and length.
 pub(in crate::object) fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
     let s = b.size;
     let quarter = std::f32::consts::FRAC_PI_2;
@@ -62,7 +62,8 @@ pub(in crate::object) fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Bui
     }
 }
 
-/// Points around an ellipse across an axis; `square` 1 or 2 fills its box more.
+/// Points around an ellipse perpendicular to an axis; `square` of 1 or 2 fills its bounding box
+/// more.
 pub(in crate::object) fn oval(axis: Axis, at: P, half: (f32, f32), square: usize, n: usize) -> Vec<P> {
     let full = |v: f32| (0..square).fold(v.abs(), |v, _| v.sqrt()).copysign(v);
     (0..n)
@@ -73,7 +74,7 @@ pub(in crate::object) fn oval(axis: Axis, at: P, half: (f32, f32), square: usize
         .collect()
 }
 
-/// A point of the plane across an axis through `at`.
+/// A point of the plane perpendicular to an axis through `at`.
 fn across(axis: Axis, at: P, a: f32, b: f32) -> P {
     match axis {
         Axis::X => [at[0], at[1] + a, at[2] + b],
@@ -82,7 +83,7 @@ fn across(axis: Axis, at: P, a: f32, b: f32) -> P {
     }
 }
 
-/// An arc across an axis, from one angle to another.
+/// An arc perpendicular to an axis, from one angle to another.
 pub(in crate::object) fn arc(axis: Axis, at: P, half: (f32, f32), angles: (f32, f32), n: usize) -> Vec<P> {
     (0..=n)
         .map(|i| {
@@ -97,7 +98,7 @@ pub(in crate::object) fn ngon(half: (f32, f32), n: usize) -> Vec<(f32, f32)> {
     oval(Axis::Z, [0.0; 3], half, 0, n).into_iter().map(|p| (p[0], p[1])).collect()
 }
 
-/// A smooth curve through points, `steps` pieces between two (Catmull and Rom).
+/// A smooth Catmull-Rom curve through points with `steps` segments between two.
 pub(in crate::object) fn spline(points: &[P], steps: usize) -> Vec<P> {
     let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
     let at = |i: isize| points[i.max(0).min(last as isize) as usize];
@@ -116,7 +117,7 @@ pub(in crate::object) fn spline(points: &[P], steps: usize) -> Vec<P> {
     curve
 }
 
-/// A mesh in the making, of closed pieces.
+/// A mesh under construction, made of closed pieces.
 #[derive(Default)]
 pub(in crate::object) struct Shell {
     vertices: Vec<P>,
@@ -124,22 +125,22 @@ pub(in crate::object) struct Shell {
 }
 
 impl Shell {
-    /// Adds the mesh to what is built, as one part.
+    /// Adds the mesh to the object as one part.
     pub(in crate::object) fn put(self, b: &mut Build<'_>, name: &str, mat: Mat) {
         if !self.triangles.is_empty() {
             b.mesh(name, self.vertices, self.triangles, mat);
         }
     }
 
-    /// Begins a closed piece of so many points and triangles; returns the number of its
-    /// first point and triangle, for [`Shell::close`].
+    /// Begins a closed piece with the given numbers of points and triangles; returns the indices of
+    /// its first point and first triangle for [`Shell::close`].
     fn open(&mut self, points: usize, triangles: usize) -> (u32, usize) {
         self.vertices.reserve(points);
         self.triangles.reserve(triangles);
         (self.vertices.len() as u32, self.triangles.len())
     }
 
-    /// Ends a piece: turns it inside out if its volume says so.
+    /// Ends a piece and flips its triangles if its volume is negative.
     fn close(&mut self, (first, start): (u32, usize)) {
         let at = |v: u32| Vector3::from(self.vertices[v as usize]);
         let origin = self.vertices.get(first as usize).map_or(Vector3::zeros(), |&v| Vector3::from(v));
@@ -151,7 +152,7 @@ impl Shell {
 
     /// A box between two corners.
     pub(in crate::object) fn block(&mut self, low: P, high: P) {
-        // Corner i has the high X, Y, Z where its bits 0, 1, 2 are set.
+        // Corner i has the high X, Y, Z if its bits 0, 1, 2 are set.
         const FACES: [[u32; 4]; 6] =
             [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
         let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { high[k] } else { low[k] });
@@ -164,14 +165,14 @@ impl Shell {
         self.close(piece);
     }
 
-    /// A skin over rings of equally many points, closed at both ends.
+    /// A surface over rings with equal numbers of points, closed at both ends.
     pub(in crate::object) fn loft(&mut self, rings: &[Vec<P>]) {
         if let Some(n) = rings.first().map(Vec::len) {
             self.rings(&rings.concat(), n);
         }
     }
 
-    /// A skin over rings of `n` points, one after the other, closed at both ends.
+    /// A surface over rings of `n` points, stored one after the other, closed at both ends.
     fn rings(&mut self, points: &[P], n: usize) {
         if n < 3 || points.len() < 2 * n {
             return;
@@ -191,8 +192,8 @@ impl Shell {
         self.close(piece);
     }
 
-    /// Triangles between `pairs` neighbouring rings of `n` points, of `count` rings from the
-    /// point `first` on.
+    /// Triangles between `pairs` pairs of neighbouring rings of `n` points, for `count` rings that
+    /// start at the point `first`.
     fn skin(&mut self, first: u32, n: usize, (count, pairs): (usize, usize)) {
         for i in 0..pairs {
             let [here, next] = [i, (i + 1) % count].map(|ring| first + (ring * n) as u32);
@@ -204,14 +205,15 @@ impl Shell {
         }
     }
 
-    /// A skin over rings of which the last is joined to the first.
+    /// A surface over rings whose last one is joined to the first.
     pub(in crate::object) fn torus(&mut self, rings: &[Vec<P>]) {
         if let Some(n) = rings.first().map(Vec::len) {
             self.chain(&rings.concat(), n);
         }
     }
 
-    /// A skin over rings of `n` points, one after the other, the last joined to the first.
+    /// A surface over rings of `n` points, stored one after the other, whose last one is joined to
+    /// the first.
     fn chain(&mut self, points: &[P], n: usize) {
         if n > 2 && points.len() > 2 * n {
             let count = points.len() / n;
@@ -222,7 +224,7 @@ impl Shell {
         }
     }
 
-    /// A round tube along points, with ends cut straight.
+    /// A round tube along points, with perpendicular ends.
     pub(in crate::object) fn tube(&mut self, points: &[P], radius: f32) {
         self.tapered(points, |_| radius);
     }
@@ -233,14 +235,14 @@ impl Shell {
         self.rings(&points, sides);
     }
 
-    /// A round tube that closes on itself; the points do not repeat the first.
+    /// A closed round tube; the points do not repeat the first.
     pub(in crate::object) fn hoop(&mut self, points: &[P], radius: f32) {
         let (points, sides) = sections(points, true, |_| radius);
         self.chain(&points, sides);
     }
 
-    /// A leaf or strip along a spine: `width` is half its width from stem to tip,
-    /// `lift` how much its edges bend up.
+    /// A leaf or strip along a spine: `width` is its half width from stem to tip, `lift` the amount
+    /// by which its edges bend up.
     pub(in crate::object) fn leaf(&mut self, spine: &[P], width: impl Fn(f32) -> f32, lift: f32) {
         let last = spine.len().saturating_sub(1).max(1);
         let points: Vec<P> = (0..spine.len())
@@ -286,8 +288,8 @@ impl Shell {
         self.close(piece);
     }
 
-    /// A cushion: bulging in the middle, thin at its edges, which are drawn in by
-    /// `pinch` between the corners.
+    /// A cushion: bulging in the centre, thin at its edges, which are drawn inwards by `pinch`
+    /// between the corners.
     pub(in crate::object) fn puff(&mut self, at: P, half: P, pinch: f32) {
         let bulge = |t: f32| (1.0 - t * t).max(0.0);
         self.sheet((10, 10), |u, v| {
@@ -299,7 +301,7 @@ impl Shell {
         });
     }
 
-    /// A ball or egg of few triangles.
+    /// A sphere or ellipsoid with few triangles.
     pub(in crate::object) fn egg(&mut self, at: P, half: P) {
         let rings: Vec<Vec<P>> = (0..=6)
             .map(|i| {
@@ -312,14 +314,14 @@ impl Shell {
     }
 }
 
-/// From the unit interval to -1..1, denser at the ends.
+/// Maps the unit interval to -1..1, denser at the ends.
 fn ease(t: f32) -> f32 {
     let t = 2.0 * t - 1.0;
     t * (1.5 - 0.5 * t * t)
 }
 
-/// Rings of a tube along points, without twist, one after the other; and how many points
-/// each has.
+/// The twist-free rings of a tube along points, stored one after the other, and the number of
+/// points of each ring.
 fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> (Vec<P>, usize) {
     let count = points.len();
     let at = |i: usize| Vector3::from(points[i]);

@@ -30,8 +30,8 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("doormat", 6, rug::mat),
 ];
 
-/// How a piece of cloth is folded: corners of its box, how many layers, and how
-/// round its ends are (0 cut, 1 soft).
+/// The folding of a piece of cloth: corners of its box, number of layers, and roundness of its ends
+/// (0 cut, 1 soft).
 #[derive(Clone, Copy)]
 pub(super) struct Fold {
     pub(super) low: P,
@@ -40,7 +40,7 @@ pub(super) struct Fold {
     pub(super) soft: f32,
 }
 
-/// Cloth folded into layers, round where it turns: at the front of every layer.
+/// Cloth folded into layers, rounded at the front of each layer where it folds.
 pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
     let Fold { low, high, layers, soft } = fold;
     let mut shell = Shell::default();
@@ -67,7 +67,7 @@ pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
     shell.put(b, name, mat);
 }
 
-/// A folded towel with a woven border; hung over a rail if it is higher than wide.
+/// A folded towel with a woven border; it hangs over a rail if it is higher than wide.
 fn towel(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = if b.rng.chance(0.7) {
@@ -112,7 +112,7 @@ fn hung(b: &mut Build<'_>, cloth: Mat, border: Mat) {
     blocks(b, "border", &[band(h * 0.06), band(h * 0.12)], border);
 }
 
-/// A towel rolled up, its spiral showing at both ends.
+/// A rolled-up towel with its spiral visible at both ends.
 fn rolled_towel(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let cloth = b.style.towel;

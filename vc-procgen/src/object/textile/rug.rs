@@ -34,7 +34,7 @@ pub(super) fn rug(b: &mut Build<'_>) {
     pile.carry(b);
 }
 
-/// Fringes at both short ends; gives the half measures that are left.
+/// Adds fringes at both short ends; returns the remaining half extents.
 fn fringes(b: &mut Build<'_>, mat: Mat) -> (f32, f32) {
     let (x, y, h) = room(b);
     if b.rng.chance(0.45) {
@@ -60,7 +60,7 @@ fn fringes(b: &mut Build<'_>, mat: Mat) -> (f32, f32) {
     if y >= x { (x, y - long) } else { (x - long, y) }
 }
 
-/// The pile of a rug or mat: half measures, top of the ground and of the pattern.
+/// The pile of a rug or mat: half extents, and heights of the ground and of the pattern.
 struct Pile {
     x: f32,
     y: f32,
@@ -80,7 +80,7 @@ impl Pile {
         ([low.0, low.1, self.ground * 0.5], [high.0, high.1, self.top])
     }
 
-    /// A frame whose outer edge is at a share of the narrower half width.
+    /// A frame whose outer edge is at a fraction of the narrower half width.
     fn frame(&self, b: &mut Build<'_>, outer: f32, inner: f32, mat: Mat) {
         let narrow = self.x.min(self.y);
         let (o, i) = (narrow * (1.0 - outer), narrow * (1.0 - inner));
@@ -118,7 +118,7 @@ impl Pile {
         }
     }
 
-    /// Diamonds in a row with smaller ones within.
+    /// Diamonds in a row with smaller diamonds inside.
     fn medallions(&self, b: &mut Build<'_>, outer: Mat, inner: Mat) {
         let count = b.rng.count(1, 3);
         let (x, y) = (self.x * 0.66, self.y * 0.66);
@@ -189,7 +189,7 @@ fn round(b: &mut Build<'_>, mats: [Mat; 3]) {
     b.top("top", [0.0, 0.0, h], (x * 0.68, y * 0.68));
 }
 
-/// A mat: of coir at the door, of terry or pebbles in the bath, or woven.
+/// A mat: of coir for the door, of terry cloth or pebbles for the bath, or woven.
 pub(super) fn mat(b: &mut Build<'_>) {
     let (x, y, _) = room(b);
     let ground = match b.class {
@@ -230,7 +230,7 @@ impl Pile {
         blocks(b, "rib", &list, mat);
     }
 
-    /// A word of greeting, to be read by who comes to the front.
+    /// A word of greeting, readable from the front.
     fn letters(&self, b: &mut Build<'_>, mat: Mat) {
         let hello = [["#.#", "###", "#.#"], ["###", "##.", "###"], ["#..", "#..", "###"], ["#..", "#..", "###"]];
         let letters: Vec<_> = hello.into_iter().chain([["###", "#.#", "###"]]).collect();
@@ -248,7 +248,7 @@ impl Pile {
         blocks(b, "letter", &list, mat);
     }
 
-    /// Round knobs all over.
+    /// Round knobs over the whole mat.
     fn pebbles(&self, b: &mut Build<'_>, mat: Mat) {
         let mut shell = Shell::default();
         let (nx, ny) = (5, 8);

@@ -8,7 +8,7 @@ use crate::material::*;
 
 const GRIPS: [Mat; 6] = [RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC];
 
-/// A hammer: claw, mallet or sledge, its head on top.
+/// A hammer: claw, mallet or sledge, with the head on top.
 pub(super) fn hammer(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);
@@ -60,7 +60,7 @@ pub(super) fn screwdriver(b: &mut Build<'_>) {
     });
 }
 
-/// A spanner: open at one end, a ring at the other; or an adjustable one.
+/// A spanner: an open end and a ring end; or an adjustable one.
 pub(super) fn wrench(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);
@@ -127,7 +127,7 @@ pub(super) fn pliers(b: &mut Build<'_>) {
     });
 }
 
-/// A drill standing on its battery, its chuck to the left.
+/// A drill standing on its battery with its chuck to the left.
 pub(super) fn drill(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let colour = b.one(&[YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, ORANGE_PLASTIC]);
@@ -203,7 +203,7 @@ pub(super) fn saw(b: &mut Build<'_>) {
     shell.put(b, "grip", wood);
 }
 
-/// A knife with a blade that slides out.
+/// A utility knife with a sliding blade.
 pub(super) fn knife(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let grip = b.one(&GRIPS);
@@ -225,7 +225,7 @@ pub(super) fn knife(b: &mut Build<'_>) {
     });
 }
 
-/// A nail, or a screw with its thread, on its head.
+/// A nail, or a screw with its thread, standing on its head.
 pub(super) fn nail(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let r = t.min(w) / 2.0;

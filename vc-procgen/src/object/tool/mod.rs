@@ -1,4 +1,4 @@
-//! Tools, sewing things, power strips, pets and what belongs to them.
+//! Tools, sewing equipment, power strips, pets and pet equipment.
 
 mod hand;
 pub(in crate::object) mod pet;

@@ -1,17 +1,17 @@
-//! Animals that live in homes, looking to the front.
+//! Pets, facing the front.
 
 use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, loft, mix, oval, room, spline};
 use crate::material::*;
 
-/// Proportions of a standing animal, as shares of its length, width and height.
+/// Proportions of a standing animal, as fractions of its length, width and height.
 struct Beast {
-    /// Where belly and back are.
+    /// Heights of belly and back.
     belly: f32,
     back: f32,
-    /// Half the girth of its legs, as a share of the half width.
+    /// Half the thickness of a leg, as a fraction of the half width.
     leg: f32,
-    /// Length and height of its head, and how long its muzzle is.
+    /// Length and height of the head; `muzzle` is the muzzle's length.
     head: (f32, f32),
     muzzle: f32,
     ears: Ears,
@@ -24,7 +24,7 @@ enum Ears {
     Hanging,
 }
 
-/// Coat and the colour of chest, paws and muzzle.
+/// Colours of the coat, and of chest, paws and muzzle.
 fn coats(b: &mut Build<'_>) -> (Mat, Mat) {
     b.one(&[
         (FUR, WHITE_COTTON),
@@ -72,7 +72,7 @@ pub(super) fn dog(b: &mut Build<'_>) {
     }
 }
 
-/// An animal on four legs.
+/// A standing animal on four legs.
 fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
     let (x, y, h) = room(b);
     let Beast { belly, back, leg, head, muzzle, .. } = *beast;
@@ -139,7 +139,7 @@ fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (Mat, Mat), 
     dark.put(b, "eye", BLACK_PLASTIC);
 }
 
-/// A sitting cat or dog, filling the size.
+/// A sitting cat or dog that fills the size.
 pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     let (x, y, h) = room(b);
     let deep = x.min(h * 0.45);
@@ -174,7 +174,7 @@ pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     face(b, [deep * 0.3, 0.0, h - size[2] * 1.27], size, deep * 0.16, (coat, trim), Ears::Pointed);
 }
 
-/// An animal lying on its belly, paws ahead.
+/// An animal lying on its belly with its paws forward.
 fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     let (x, y, h) = room(b);
     let high = h.min(x * 0.8);
@@ -278,7 +278,7 @@ pub(super) fn hamster(b: &mut Build<'_>) {
     face(b, [x * 0.58, 0.0, h * 0.56], [x * 0.32, y * 0.62, h * 0.34], x * 0.14, (coat, trim), Ears::Pointed);
 }
 
-/// A parrot on its feet: bright wings, hooked beak, long tail.
+/// A standing parrot: bright wings, hooked beak, long tail.
 pub(super) fn parrot(b: &mut Build<'_>) {
     let plumage = b.one(&[
         (GREEN_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC),
@@ -291,7 +291,7 @@ pub(super) fn parrot(b: &mut Build<'_>) {
     bird(b, [0.0; 3], high, plumage);
 }
 
-/// A bird `high` above its feet: body, wings and beak.
+/// A standing bird of height `high`: body, wings and beak.
 pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, beak): (Mat, Mat, Mat)) {
     let (x, y, _) = room(b);
     let (x, y) = (x.min(high * 0.5), y.min(high * 0.35));

@@ -7,7 +7,7 @@ use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, tu
 use super::workshop::risen;
 use crate::material::*;
 
-/// A cage of wires on a tray, with a door, a perch and a cup; domed for birds.
+/// A wire cage on a tray with a door, a perch and a cup; a bird cage is domed.
 pub(super) fn cage(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let wire = b.one(&[WHITE_METAL, IRON, BRASS, SILVER_METAL]);
@@ -95,7 +95,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     }
 }
 
-/// A carrier: two shells, a wire door in front, a handle on top.
+/// A pet carrier: two shells, a wire door in front, a handle on top.
 pub(super) fn carrier(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (lower, upper) = b.one(&[
@@ -147,7 +147,7 @@ pub(super) fn carrier(b: &mut Build<'_>) {
     tube(b, "handle", &handle, r, lower);
 }
 
-/// A leash: a coil of strap with a snap hook, or a reel with a grip.
+/// A leash: a coiled strap with a snap hook, or a reel with a grip.
 pub(super) fn leash(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let strap = b.one(&[RED_FABRIC, BLACK_FABRIC, BROWN_LEATHER, BLUE_FABRIC]);

@@ -1,4 +1,4 @@
-//! Sewing, knitting and laundry odds and ends.
+//! Equipment for sewing, knitting and laundry.
 
 use vc_graph::portable::Portable;
 
@@ -10,7 +10,7 @@ use crate::material::*;
 const THREADS: [Mat; 7] =
     [RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, GREEN_FABRIC, PURPLE_FABRIC, ROSE_FABRIC];
 
-/// A needle with its eye.
+/// A needle with an eye.
 pub(super) fn needle(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let r = t.min(w) / 2.0;
@@ -63,7 +63,7 @@ pub(super) fn button(b: &mut Build<'_>) {
     blocks(b, "hole", &[hole(0.25, 0.25), hole(-0.25, 0.25), hole(0.25, -0.25), hole(-0.25, -0.25)], SCREEN);
 }
 
-/// A sewing box with a hinged lid, a cushion on it and reels inside.
+/// A sewing box with a hinged lid, a pin cushion on it and reels inside.
 pub(super) fn kit(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let case = b.one(&[b.style.wood, ROSE_FABRIC, TEAL_FABRIC, PINK_PLASTIC, WICKER]);
@@ -86,7 +86,7 @@ pub(super) fn kit(b: &mut Build<'_>) {
     });
 }
 
-/// A ball of wool, wound in all directions, with its loose end.
+/// A ball of wool, wound in all directions, with a loose end.
 pub(super) fn yarn(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let colour = b.one(&THREADS);
@@ -114,7 +114,7 @@ pub(super) fn yarn(b: &mut Build<'_>) {
     }
 }
 
-/// A tape measure in its case, its tongue showing.
+/// A tape measure in its case, with the end of the tape visible.
 pub(super) fn tape_measure(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let case = b.one(&[YELLOW_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);

@@ -1,4 +1,4 @@
-//! Toolboxes, cans, cords and what stands ready in a house.
+//! Toolboxes, cans, cords and household supplies.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -9,7 +9,7 @@ use super::super::build::{Axis, Build, P};
 use super::super::textile::form::{Shell, arc, blocks, hoop, lengthwise, longwise, oval, room, spline, tube};
 use crate::material::*;
 
-/// A toolbox: hinged lid with a handle over a compartment, a drawer below.
+/// A toolbox: a hinged lid with a handle over a compartment, and a drawer below.
 pub(super) fn toolbox(b: &mut Build<'_>) {
     let (x, y, h) = room(b);
     let (body, lid) = b.one(&[
@@ -109,7 +109,7 @@ pub(super) fn paint_can(b: &mut Build<'_>) {
     tube(b, "bail", &bail, ear * 0.35, STEEL);
 }
 
-/// How high a coil has risen of one after a part of its turns: the first lies on the
+/// The height of a coil from 0 to 1 at the fraction `t` of its turns: the first turn lies on the
 /// ground.
 pub(super) fn risen(t: f32, turns: f32) -> f32 {
     ((t * turns - 0.8) / (turns - 0.8).max(0.1)).clamp(0.0, 1.0)
@@ -248,7 +248,7 @@ pub(super) fn power_strip(b: &mut Build<'_>) {
     });
 }
 
-/// A battery: round with its cap, or a block with two terminals.
+/// A battery: a round cell with its cap, or a block with two terminals.
 pub(super) fn battery(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);

@@ -6,8 +6,8 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, shell, spaced};
 
-/// Lines of a hull: how full its ends are (front and rear), how its section bends,
-/// how much the sheer rises forward.
+/// Shape of a hull: fullness of its ends (front and rear), bend of its section, forward rise of the
+/// sheer.
 struct Lines {
     bow: f32,
     stern: f32,
@@ -18,8 +18,8 @@ struct Lines {
 }
 
 impl Lines {
-    /// Half width, keel and rim at a place from -1 (stern) to 1 (bow), for a hull of
-    /// half width `y` whose highest rim is `h`.
+    /// Half width, keel and rim at a position from -1 (stern) to 1 (bow), for a hull of half width
+    /// `y` whose highest rim is `h`.
     fn at(&self, s: f32, y: f32, h: f32) -> (f32, f32, f32) {
         let full = if s > 0.0 { 1.0 - s.power(self.bow) } else { 1.0 - (1.0 - self.stern) * s.raised(4).min(1.0) };
         let rise = if s > 0.0 { s * s } else { s * s * 0.4 };
@@ -45,7 +45,7 @@ impl Lines {
             let end = (x - self.skin) / x;
             inner.push(row(half - t, (keel + self.skin).min(rim - 0.005), x * s * end));
         }
-        // The stern's board, where it is wide enough for one.
+        // The transom, if the stern is wide enough for one.
         if self.stern > 0.4 {
             let board: Vec<(f32, f32)> =
                 outer.first().iter().flat_map(|row| row.iter().map(|p| (p[1], p[2]))).collect();
@@ -54,7 +54,7 @@ impl Lines {
         shell(b, "hull", &outer, &inner, mat);
     }
 
-    /// A level board across the hull at `x` shares, `z` high, reaching its skin.
+    /// A level board across the hull at the fractions `x`, at height `z`, up to its skin.
     fn across(&self, s: f32, z: f32, (y, h): (f32, f32)) -> f32 {
         let (half, keel, rim) = self.at(s, y, h);
         let up = ((z - keel) / (rim - keel).max(1e-3)).clamp(0.05, 1.0);
@@ -101,7 +101,7 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
     oars(b, &lines, (x, y, h), wood);
 }
 
-/// Oars laid along the thwarts, and the locks they go in.
+/// Oars laid along the thwarts, and their rowlocks.
 fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: Mat) {
     let level = h * (1.0 - lines.sheer) * 0.68 + 0.022;
     for side in [-1.0, 1.0] {
@@ -128,7 +128,7 @@ fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: Mat)
     }
 }
 
-/// A kayak: decked at both ends, one or two cockpits, a paddle on deck.
+/// A kayak: decked at both ends, with one or two cockpits and a paddle on deck.
 pub(super) fn kayak(b: &mut Build<'_>) {
     grown(b, [1.3, 0.3, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -183,7 +183,7 @@ pub(super) fn kayak(b: &mut Build<'_>) {
     b.rod("paddle", from, to, 0.012, BLACK_PLASTIC);
 }
 
-/// A motorboat: a deck in front, screen, seats, an outboard motor.
+/// A motorboat: a front deck, windscreen, seats and an outboard motor.
 pub(super) fn motorboat(b: &mut Build<'_>) {
     grown(b, [2.2, 0.9, 0.6]);
     let (h, y) = (b.size.z, b.size.y / 2.0);
@@ -271,7 +271,7 @@ pub(super) fn motorboat(b: &mut Build<'_>) {
     outboard(b, tail, x, rim);
 }
 
-/// A bench across the stern whose cushion is the lid of a chest.
+/// A bench across the stern; its cushion is the lid of a storage chest.
 fn storage_bench(b: &mut Build<'_>, (x0, x1): (f32, f32), (half, low, high): (f32, f32, f32), leather: Mat) {
     let t = 0.02;
     for (from, to) in [

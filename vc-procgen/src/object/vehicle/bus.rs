@@ -1,4 +1,4 @@
-//! Buses and motorhomes: a box with seats or a home in it.
+//! Buses and motorhomes: a hollow box with seats or living space.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -11,7 +11,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::{grown, spaced};
 
-/// A bus: glass all around, seats within, a door on the right that opens.
+/// A bus: windows all around, seats inside, a door on the right that opens.
 pub(super) fn bus(b: &mut Build<'_>) {
     grown(b, [4.0, 1.2, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -26,7 +26,7 @@ pub(super) fn bus(b: &mut Build<'_>) {
     let side_half = y - 0.03;
     let t = 0.05;
     for side in [-1.0, 1.0] {
-        // The lower wall, cut out over the wheels and at the door.
+        // The lower wall, cut out above the wheels and at the door.
         let end = if side < 0.0 { door.0 } else { x - 0.03 };
         let mut outline = vec![(-x + 0.03, low), (-x + 0.03, sill), (end, sill), (end, low)];
         let r = wheel * 1.13;
@@ -69,7 +69,7 @@ pub(super) fn bus(b: &mut Build<'_>) {
         let (near, far) = (side * (y - 0.035), side * y);
         b.block("mirror", [x - 0.1, near.min(far), head - 0.4], [x - 0.02, near.max(far), head + 0.03], BLACK_PLASTIC);
     }
-    // Floor between the wheels, higher where they are.
+    // Floor between the wheels, raised at the wheels.
     let inner = side_half - t;
     b.block("floor", [-x + 0.04, -inner * 0.72, low], [x - 0.08, inner * 0.72, floor], GREY_RUBBER);
     for (from, to) in [(-x + 0.04, axles[1] - wheel * 1.2), (axles[1] + wheel * 1.2, axles[0] - wheel * 1.2)] {
@@ -127,7 +127,7 @@ pub(super) fn bus(b: &mut Build<'_>) {
     );
 }
 
-/// A motorhome: a van's nose under a box with an alcove, windows, a door at the side.
+/// A motorhome: a van's nose under a box with an alcove, windows and a side door.
 pub(super) fn camper_van(b: &mut Build<'_>) {
     grown(b, [2.7, 1.0, 1.25]);
     let (l, h) = (b.size.x, b.size.z);

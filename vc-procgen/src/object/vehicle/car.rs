@@ -1,5 +1,5 @@
-//! Cars, from hatchbacks to vans: sides with wheel arches, a tapering cabin with dark
-//! panes, a boot that opens.
+//! Cars, from hatchbacks to vans: sides with wheel arches, a tapered cabin with dark windows, and a
+//! boot that opens.
 
 mod inside;
 mod trim;
@@ -13,7 +13,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, mix, plate};
 
-/// How the body ends behind.
+/// The rear end of a body.
 #[derive(Clone, Copy, PartialEq)]
 enum Tail {
     /// A lid over a boot behind the cabin.
@@ -22,22 +22,22 @@ enum Tail {
     Hatch,
     /// Two doors.
     Doors,
-    /// An open bed with a flap.
+    /// An open bed with a tailgate.
     Bed,
 }
 
-/// Shares of length (from the front) and height that draw a car's outline.
+/// A car's outline as fractions of its length (from the front) and height.
 struct Shape {
-    /// End of the bonnet, front edge and rear edge of the roof, foot of the rear pane.
+    /// End of the bonnet, front and rear edges of the roof, base of the rear window.
     stations: [f32; 4],
-    /// Heights of the nose, the bonnet's end and the tail under the panes.
+    /// Heights of the nose, of the bonnet's end and of the tail, below the windows.
     belt: [f32; 3],
-    /// Where the boot or bed begins.
+    /// Front end of the boot or bed.
     cargo: f32,
-    /// Radius of the wheels and clearance below, of the height.
+    /// Radius of the wheels and ground clearance, as fractions of the height.
     wheel: f32,
     clear: f32,
-    /// How far the roof is drawn in from each side, of the width.
+    /// Inset of the roof from each side, as a fraction of the width.
     tuck: f32,
     tail: Tail,
     panes: usize,
@@ -154,23 +154,23 @@ const PAINTS: &[Mat] = &[
     ORANGE,
 ];
 
-/// Measures of one car, metres: front at `front`, rear at `-front`.
+/// Dimensions of one car in metres: front at `front`, rear at `-front`.
 struct Car {
     shape: Shape,
     front: f32,
-    /// Half the body's width, mirrors left out.
+    /// Half the body's width without mirrors.
     half: f32,
     /// Height of the roof.
     roof: f32,
     low: f32,
-    /// Thickness of the sides, in which the wheels run.
+    /// Thickness of the sides, which contain the wheels.
     side: f32,
     wheel: f32,
     axles: [f32; 2],
     paint: Mat,
 }
 
-/// A car of any build.
+/// A car of any body style.
 pub(super) fn car(b: &mut Build<'_>) {
     grown(b, [1.6, 0.8, 0.55]);
     let class = match b.class {
@@ -184,7 +184,7 @@ pub(super) fn car(b: &mut Build<'_>) {
     shape.stations = shape.stations.map(|s| s + b.vary(-0.012, 0.012));
     shape.stations[3] = shape.stations[3].min(0.99);
     if shape.tail == Tail::Boot {
-        // The lid begins behind the pane.
+        // The lid begins behind the window.
         shape.cargo = shape.cargo.max(shape.stations[3] + 0.004);
     }
     shape.belt = shape.belt.map(|s| s + b.vary(-0.015, 0.02));
@@ -229,12 +229,12 @@ pub(super) fn car(b: &mut Build<'_>) {
 }
 
 impl Car {
-    /// The place a share of the length behind the front.
+    /// The position at a fraction of the length behind the front.
     fn x(&self, share: f32) -> f32 {
         self.front * (1.0 - 2.0 * share)
     }
 
-    /// Height of the body under the panes at a share of the length.
+    /// Height of the body below the windows at a fraction of the length.
     fn belt(&self, share: f32) -> f32 {
         let [nose, cowl, rear] = self.shape.belt.map(|s| s * self.roof);
         let cowl_at = self.shape.stations[0];
@@ -252,13 +252,13 @@ impl Car {
         [self.x(share), side * self.half * tuck, if top { self.roof } else { self.belt(share) - 0.01 }]
     }
 
-    /// The share of the length at which nose and tail narrow; a van's tail is square.
+    /// The fractions of the length at which nose and tail narrow; a van's tail is square.
     fn ends(&self) -> (f32, f32) {
         let square = 1.0 - 0.03 / self.front;
         (0.045, if self.shape.tail == Tail::Doors { square } else { 0.955 })
     }
 
-    /// Height of the tail behind what opens.
+    /// Height of the tail behind the opening.
     fn tail_top(&self) -> f32 {
         let belt = self.belt(0.955);
         match self.shape.tail {
@@ -278,8 +278,8 @@ impl Car {
     }
 }
 
-/// The body below the panes: two sides with arches, the block between them, nose and
-/// tail that narrow in plan.
+/// The body below the windows: two sides with arches, the block between them, and nose and tail
+/// that narrow in plan.
 fn body(b: &mut Build<'_>, car: &Car) {
     let (nose, tail) = car.ends();
     let shares = |from: f32, to: f32| (0..=8).map(move |i| from + (to - from) * i as f32 / 8.0);
@@ -312,8 +312,7 @@ fn body(b: &mut Build<'_>, car: &Car) {
     }
 }
 
-/// Nose (`way` 1) or tail (-1): as wide as the body where it meets it, narrower at
-/// the end.
+/// Nose (`way` 1) or tail (-1): as wide as the body where they join, narrower at the end.
 fn rounded_end(b: &mut Build<'_>, car: &Car, way: f32) {
     let (nose, tail) = car.ends();
     let (root, top) = if way > 0.0 { (car.x(nose), car.belt(nose)) } else { (car.x(tail), car.tail_top()) };
@@ -341,7 +340,7 @@ fn rounded_end(b: &mut Build<'_>, car: &Car, way: f32) {
     );
 }
 
-/// The closed cabin with its panes; hollow behind where a hatch opens.
+/// The closed cabin with its windows; hollow at the rear if a hatch opens.
 fn cabin(b: &mut Build<'_>, car: &Car) {
     let [cowl, roof0, roof1, rear] = car.shape.stations;
     let end = if car.shape.tail == Tail::Boot || car.shape.tail == Tail::Bed { rear } else { car.shape.cargo };
@@ -377,8 +376,8 @@ fn cabin(b: &mut Build<'_>, car: &Car) {
     }
 }
 
-/// A cabin's flank between shares of the belt and the roof, seen from outside
-/// counter-clockwise.
+/// A cabin's side between fractions of the belt and of the roof; counter-clockwise as seen from
+/// outside.
 fn flank(car: &Car, belt: (f32, f32), roof: (f32, f32), side: f32) -> [P; 4] {
     let quad = [
         car.corner(belt.0, false, side),
@@ -389,7 +388,7 @@ fn flank(car: &Car, belt: (f32, f32), roof: (f32, f32), side: f32) -> [P; 4] {
     if side > 0.0 { quad } else { [quad[1], quad[0], quad[3], quad[2]] }
 }
 
-/// Dark glass on part of a face, a little raised: shares along and up.
+/// A slightly raised dark window on part of a face, given by fractions along and up.
 pub(super) fn pane(b: &mut Build<'_>, name: &str, face: [P; 4], (u0, u1, v0, v1): (f32, f32, f32, f32), mat: Mat) {
     let at = |u: f32, v: f32| mix(mix(face[0], face[1], u), mix(face[3], face[2], u), v);
     // Twice the height above the face, so that half of it lies below.

@@ -1,4 +1,4 @@
-//! What lorries, buses and motorhomes stand on: a frame on axles, and a cab.
+//! The chassis of lorries, buses and motorhomes: a frame on axles, and a cab.
 
 use std::f32::consts::PI;
 
@@ -10,24 +10,24 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::spaced;
 
-/// What they are painted with.
+/// Paint colours.
 pub(super) const PAINTS: &[Mat] =
     &[WHITE_METAL, RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, SILVER_METAL, NAVY, ORANGE];
 
-/// Measures of a lorry, metres.
+/// Dimensions of a lorry, metres.
 pub(super) struct Chassis {
     pub(super) front: f32,
     pub(super) half: f32,
     pub(super) wheel: f32,
     /// Height of the frame's upper side.
     pub(super) deck: f32,
-    /// Where the cab ends.
+    /// Rear end of the cab.
     pub(super) cab: f32,
     pub(super) paint: Mat,
 }
 
 impl Chassis {
-    /// The frame and its wheels: two axles, or three under long ones.
+    /// The frame and its wheels: two axles, or three for long vehicles.
     pub(super) fn build(&self, b: &mut Build<'_>) {
         let rear = -self.front;
         b.block(
@@ -64,7 +64,7 @@ impl Chassis {
         axles
     }
 
-    /// The cab: a block with a leaning screen, arches cut out, panes, lights, mirrors.
+    /// The cab: a block with a slanted windscreen, cut-out arches, windows, lights and mirrors.
     pub(super) fn cabin(&self, b: &mut Build<'_>, high: f32) {
         let (x0, x1, half) = (self.cab, self.front - 0.08, self.half * 0.96);
         let low = self.wheel * 0.75;

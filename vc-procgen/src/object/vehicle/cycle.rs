@@ -1,4 +1,4 @@
-//! Two wheels: bicycles, motorcycles and scooters.
+//! Two-wheelers: bicycles, motorcycles and scooters.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -10,7 +10,7 @@ use crate::object::park::shape::{grown, limb, mix, polar, tub};
 const PAINTS: &[Mat] =
     &[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, WHITE_METAL, YELLOW_METAL, SILVER_METAL, ORANGE, NAVY, SAGE];
 
-/// A bicycle: sporty or for town, with a motor, or with a box in front.
+/// A bicycle: a sports or city bicycle, with a motor, or with a box in front.
 pub(super) fn bicycle(b: &mut Build<'_>) {
     grown(b, [0.8, 0.22, 0.48]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -79,7 +79,7 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     seat(b, saddle, (h * 0.13, (y * 0.42).min(0.08)), h);
     drive(b, pedal, [rear, 0.0, r], (r, y.min(0.17)), spread);
     for side in [-1.0, 1.0] {
-        // On both sides, so that it does not fall over.
+        // A stand on each side keeps the bicycle upright.
         let top = mix([pedal[0], side * spread * 0.85, pedal[2]], [rear, side * spread, r], 0.15);
         kickstand(b, top, [top[0] - 0.06, side * (y * 0.75).min(0.16).max(spread * 1.3)], (tube * 0.5).max(0.004));
     }
@@ -100,7 +100,7 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     }
 }
 
-/// Mudguards, a rack, a lamp and reflectors of town bicycles.
+/// Mudguards, a rack, a lamp and reflectors of city bicycles.
 fn fittings(b: &mut Build<'_>, rear: f32, r: f32, tyre: f32, spread: f32) {
     let z = 2.0 * r + tyre * 0.6 + 0.015;
     for side in [-1.0, 1.0] {
@@ -190,14 +190,14 @@ fn drive(b: &mut Build<'_>, pedal: P, hub: P, (r, y): (f32, f32), spread: f32) {
     b.rod("bracket", [pedal[0], -spread * 1.8, pedal[2]], [pedal[0], spread * 1.8, pedal[2]], 0.016, ALUMINIUM);
 }
 
-/// A leg to stand on with a flat foot.
+/// A kickstand with a flat foot.
 fn kickstand(b: &mut Build<'_>, top: P, [x, y]: [f32; 2], r: f32) {
     b.rod("stand", top, [x, y, r * 0.6 + 0.003], r, IRON);
     b.block("foot", [x - r * 2.0, y - r * 1.5, 0.0], [x + r * 2.0, y + r * 1.5, r + 0.004], IRON);
 }
 
-/// The box of a cargo bike between the handlebar and the front wheel, and the beam
-/// that carries it and rises behind the wheel to the fork.
+/// The box of a cargo bike between the handlebar and the front wheel, and the beam that supports
+/// the box and rises behind the wheel to the fork.
 fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32), r: f32, frame: Mat) {
     let y = b.size.y / 2.0;
     let (low, x0) = (r * 0.55, down[0] + 0.06);
@@ -314,7 +314,7 @@ pub(super) fn motorcycle(b: &mut Build<'_>) {
     }
 }
 
-/// A seat over a small locker whose lid it is.
+/// A seat that is the lid of a small locker.
 fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), deep: f32, paint: Mat) {
     let thick = b.size.z * 0.055;
     let (low, t) = (z - deep, 0.008);
@@ -424,7 +424,7 @@ pub(super) fn scooter(b: &mut Build<'_>) {
     let deep = b.size.z * 0.1;
     let under = seat_z - deep - 0.004;
     for side in [-1.0, 1.0] {
-        // A flank on either side of the wheel.
+        // A side panel on either side of the wheel.
         let (inner, outer) = (side * (held + 0.002), side * y * 0.62);
         let tail = [
             [back, inner, floor - 0.06],
@@ -507,7 +507,7 @@ pub(super) fn electric_scooter(b: &mut Build<'_>) {
     let top: P = [steer - r * 0.4, 0.0, h - 0.02];
     let (tip, thick, fold) = (y - 0.004, 0.02, r * 2.7);
     b.cylinder("clamp", [steer, 0.0, r * 2.4], thick * 1.15, r * 0.3 - 0.001, BLACK_PLASTIC);
-    // It folds over the edge of the clamp, back to the deck.
+    // The column folds back to the deck over the edge of the clamp.
     b.hinge([steer - thick * 1.2, 0.0, fold], [0.0, -1.0, 0.0], 1.25, |b| {
         b.rod("column", [steer, 0.0, fold + 0.001], top, thick, paint);
         b.rod("handlebar", [top[0], -tip, top[2]], [top[0], tip, top[2]], 0.013, IRON);

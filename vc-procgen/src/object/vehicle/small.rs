@@ -9,8 +9,8 @@ use crate::object::park::shape::{grown, spaced, tub};
 
 const PAINTS: &[Mat] = &[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, WHITE_METAL, ORANGE, BLACK_METAL, FOREST];
 
-/// Four wheels: axles' places, half the track's outer width, radius, width, and how
-/// far from the middle the body is that they turn in.
+/// Four wheels: positions of the axles, half the track's outer width, wheel radius and width, and
+/// the lateral distance of the body in which the axles end.
 fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width): (f32, f32), body: f32) {
     let rim = Rim::any(b);
     for (name, x, side) in
@@ -20,7 +20,7 @@ fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width):
     }
 }
 
-/// A quad bike: fat tyres, mudguards, a saddle and racks; a locker under the saddle.
+/// A quad bike: wide tyres, mudguards, a saddle and racks; a locker under the saddle.
 pub(super) fn quad_bike(b: &mut Build<'_>) {
     grown(b, [0.9, 0.5, 0.55]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -107,7 +107,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
     }
 }
 
-/// A golf cart: a bench under a roof on posts, a bag well behind with a flap.
+/// A golf cart: a bench under a roof on posts, and a bag well with a flap at the rear.
 pub(super) fn golf_cart(b: &mut Build<'_>) {
     grown(b, [1.2, 0.6, 0.9]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -192,7 +192,7 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
     b.rod("steering_wheel", [hub[0], hub[1] - 0.14, hub[2]], [hub[0], hub[1] + 0.14, hub[2]], 0.01, BLACK_LEATHER);
 }
 
-/// A car trailer: an open box with a flap behind, two wheels, a drawbar.
+/// A car trailer: an open box with a tailgate, two wheels, a drawbar.
 pub(super) fn car_trailer(b: &mut Build<'_>) {
     grown(b, [1.2, 0.65, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -218,7 +218,7 @@ pub(super) fn car_trailer(b: &mut Build<'_>) {
             })
             .collect();
         let lift = |p: P, dz: f32| [p[0], p[1], p[2] + dz];
-        // Three plates, so that the wheel stays free.
+        // The mudguard has three plates so that the wheel stays free.
         for i in 0..3 {
             let strip: Vec<P> = [guard[i], guard[i + 1], guard[i + 4], guard[i + 5]]
                 .into_iter()

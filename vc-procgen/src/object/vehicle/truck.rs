@@ -1,4 +1,4 @@
-//! Lorries: a cab, a chassis and a body that is hollow.
+//! Lorries: a cab, a chassis and a hollow body.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -51,7 +51,7 @@ fn lorry(b: &mut Build<'_>, cab: f32, paint: Mat) -> Chassis {
     chassis
 }
 
-/// A hollow box with two doors behind.
+/// A hollow box with two doors at the rear.
 fn cargo_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
     let t = 0.04;
     let (x0, x1, y, z0, z1) = (low[0] + 0.02, high[0], high[1], low[2] + 0.002, high[2]);
@@ -79,7 +79,7 @@ fn cargo_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
     b.inside("compartment", centre, ((x1 - x0) / 2.0 - 2.0 * t, y - t - 0.02), z1 - z0 - 0.1 - t - 0.01);
 }
 
-/// An open bed with low boards; the one behind folds down.
+/// An open bed with low side boards; the rear board folds down.
 fn flatbed(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
     let (x0, x1, y, z) = (low[0] + 0.03, high[0], high[1], low[2] + 0.002);
     let side = (high[2] - z) * b.vary(0.18, 0.3);
@@ -96,7 +96,7 @@ fn flatbed(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
     b.inside("compartment", centre, ((x1 - x0) / 2.0 - 0.06, y - 0.05), high[2] - z);
 }
 
-/// A garbage truck: a rounded body and a hopper behind.
+/// A garbage truck: a rounded body and a hopper at the rear.
 pub(super) fn garbage_truck(b: &mut Build<'_>) {
     grown(b, [4.0, 1.2, 1.6]);
     let (l, h) = (b.size.x, b.size.z);
@@ -118,7 +118,7 @@ pub(super) fn garbage_truck(b: &mut Build<'_>) {
         }
     }
     let (rear, sill) = (-chassis.front, z0 + (h - z0) * 0.18);
-    // Above the wheels, which stand where the hopper begins.
+    // The hopper's sides start above the wheels, which stand at its front end.
     let under = z0 - 0.1_f32.min(chassis.wheel * 0.1);
     let cheek = [
         (hopper + 0.02, under),

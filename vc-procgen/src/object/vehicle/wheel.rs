@@ -1,4 +1,4 @@
-//! Wheels: tyred ones on hinges for what drives, spoked ones for what is pedalled.
+//! Wheels: tyred ones on hinges for motor vehicles, spoked ones for cycles.
 
 use std::f32::consts::PI;
 
@@ -8,14 +8,14 @@ use crate::object::park::shape::{hoop, polar, polygon, star};
 use vc_graph::asset::JointKind;
 use vc_graph::portable::Portable;
 
-/// A wheel turns as often as it likes.
+/// The joint range of a wheel, which is effectively unlimited.
 const FREE: (f32, f32) = (-1e4, 1e4);
 
-/// Between a tyre and its guard, and the guard's thickness, metres.
+/// The gap between a tyre and its guard, and the guard's thickness, metres.
 const GAP: f32 = 0.012;
 const THICK: f32 = 0.012;
 
-/// Looks of a rim.
+/// Designs of a rim.
 #[derive(Clone, Copy)]
 pub(crate) struct Rim {
     spokes: usize,
@@ -30,21 +30,21 @@ impl Rim {
         Self { spokes: b.rng.count(4, 10), star: b.vary(0.25, 0.6), mat, tyre: b.vary(0.58, 0.74) }
     }
 
-    /// Plain steel discs of working vehicles.
+    /// Plain steel discs of commercial vehicles.
     pub(crate) fn plain(b: &mut Build<'_>) -> Self {
         let mat = b.one(&[SILVER_METAL, WHITE_METAL, GALVANISED, ANTHRACITE]);
         Self { spokes: b.rng.count(6, 10), star: 0.8, mat, tyre: b.vary(0.55, 0.62) }
     }
 }
 
-/// A tyred wheel with its middle at a point, its outer face towards `side` (1 is
-/// left), on a hinge of its own.
+/// A tyred wheel centred at a point, with its outer face towards `side` (1 is left), on its own
+/// hinge.
 pub(crate) fn wheel(b: &mut Build<'_>, name: &str, at: P, radius: f32, width: f32, side: f32, rim: Rim) {
     turning(b, at, |b| tyred(b, name, at, (radius, width), side, rim));
 }
 
-/// The same with a stub of an axle that turns with it and ends `end` from the
-/// vehicle's middle, where it meets the body.
+/// A tyred wheel with an axle stub that rotates with it and ends at the distance `end` from the
+/// vehicle's centre plane, where it meets the body.
 pub(super) fn axled(b: &mut Build<'_>, name: &str, at: P, (radius, width): (f32, f32), side: f32, rim: Rim, end: f32) {
     turning(b, at, |b| {
         tyred(b, name, at, (radius, width), side, rim);
@@ -87,20 +87,21 @@ fn tyred(b: &mut Build<'_>, name: &str, at: P, (radius, width): (f32, f32), side
     b.prism("hub", Axis::Y, low(y, cap), &polygon(10, inner * 0.22, 0.0), (cap - y).abs(), rim.mat);
 }
 
-/// Half the length of the hub of a spoked wheel: what carries it stays outside.
+/// Half the length of the hub of a spoked wheel; the fork or frame stays outside it.
 pub(super) fn hub(tyre: f32, cast: bool) -> f32 {
     tyre * if cast { 1.2 } else { 1.6 }
 }
 
-/// The nuts that hold a hub from both sides, from `from` to `to` from the middle.
+/// The nuts that hold a hub on both sides, between the distances `from` and `to` from the centre
+/// plane.
 pub(super) fn nuts(b: &mut Build<'_>, [x, _, z]: P, (from, to): (f32, f32), radius: f32) {
     for side in [-1.0, 1.0] {
         b.rod("axle", [x, side * from, z], [x, side * to, z], radius, STEEL);
     }
 }
 
-/// A guard that follows the tyre from one angle to another (from the front upwards),
-/// `gap` away from it.
+/// A mudguard that follows the tyre from one angle to another (from the front upwards), at the
+/// distance `GAP`.
 pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from, to): (f32, f32), mat: Mat) {
     let (inner, outer) = (radius + GAP, radius + GAP + THICK);
     let arc = |r: f32| (0..=8).map(move |i| polar(from + (to - from) * i as f32 / 8.0, r)).collect::<Vec<_>>();
@@ -108,7 +109,7 @@ pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from
     b.prism("mudguard", Axis::Y, [at[0], at[1] - half, at[2]], &outline, 2.0 * half, mat);
 }
 
-/// A wheel of wire spokes, or of cast ones if `cast`; its axle along Y, on a hinge.
+/// A wheel with wire spokes, or cast spokes if `cast`; its axle lies along Y on a hinge.
 pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f32, cast: bool, rim: Mat) {
     turning(b, at, |b| {
         let to = [at[0], at[1] + 1.0, at[2]];

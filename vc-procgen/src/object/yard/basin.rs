@@ -9,8 +9,8 @@ use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, hoop, polygon, spaced, tub};
 
-/// A pool above the ground: rectangular, oval or round, tiled, boarded or of steel,
-/// with coping, water and perhaps steps.
+/// A pool above the ground: rectangular, oval or round; tiled, boarded or of steel; with coping,
+/// water and sometimes steps.
 pub(super) fn pool(b: &mut Build<'_>) {
     grown(b, [1.2, 2.0, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -55,7 +55,7 @@ pub(super) fn pool(b: &mut Build<'_>) {
     } else {
         let sides = 36;
         let oval = |dx: f32, dy: f32| -> Vec<(f32, f32)> {
-            // Rounder than a rectangle, fuller than an ellipse.
+            // A superellipse, between a rectangle and an ellipse.
             let bow = |v: f32| v.signum() * v.abs().power(0.75);
             polygon(sides, 1.0, 0.0).into_iter().map(|(a, c)| (bow(a) * dx, bow(c) * dy)).collect()
         };
@@ -78,7 +78,7 @@ pub(super) fn pool(b: &mut Build<'_>) {
     }
 }
 
-/// A closed strip between two outlines of as many corners.
+/// A closed strip between two outlines with equal numbers of corners.
 fn ring_wall(b: &mut Build<'_>, name: &str, [outer, inner]: [&[(f32, f32)]; 2], (low, high): (f32, f32), mat: Mat) {
     let n = outer.len() as u32;
     let level = |outline: &[(f32, f32)], z: f32| -> Vec<P> { outline.iter().map(|p| [p.0, p.1, z]).collect() };
@@ -95,8 +95,8 @@ fn ring_wall(b: &mut Build<'_>, name: &str, [outer, inner]: [&[(f32, f32)]; 2], 
     b.mesh(name, vertices, triangles, mat);
 }
 
-/// Two bent rails over an edge at `at` towards -Y, as high above it as below, and
-/// treads between them.
+/// Two bent rails over an edge at `at` towards -Y, as high above the edge as below, with treads
+/// between them.
 fn grab_ladder(b: &mut Build<'_>, at: P, (over, below): (f32, f32), back: f32) {
     let [cx, cy, z] = at;
     let (r, half) = (0.02, 0.25);
@@ -122,7 +122,7 @@ fn grab_ladder(b: &mut Build<'_>, at: P, (over, below): (f32, f32), back: f32) {
     }
 }
 
-/// A pool to blow up, round with bright rings, or a shell of plastic.
+/// An inflatable round pool with bright rings, or a rigid plastic shell.
 pub(super) fn kiddie_pool(b: &mut Build<'_>) {
     grown(b, [0.4, 0.4, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -171,7 +171,7 @@ pub(super) fn kiddie_pool(b: &mut Build<'_>) {
     }
 }
 
-/// A hot tub: boarded or blown up, seats under water, a cover that turns up.
+/// A hot tub: boarded or inflatable, with seats under water and a hinged cover.
 pub(super) fn jacuzzi(b: &mut Build<'_>) {
     grown(b, [0.8, 0.8, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -255,7 +255,7 @@ pub(super) fn jacuzzi(b: &mut Build<'_>) {
     }
 }
 
-/// A cover for a pool, spread out: bubbles or bars, its edge weighted.
+/// A spread-out pool cover: bubbles or bars, with a weighted edge.
 pub(super) fn pool_cover(b: &mut Build<'_>) {
     grown(b, [1.0, 1.5, 0.004]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

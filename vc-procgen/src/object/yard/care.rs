@@ -1,4 +1,4 @@
-//! What keeps a pool clean.
+//! Equipment for cleaning pools.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::grown;
 
-/// A net on a pole, upright, the net below.
+/// A net on an upright pole, with the net at the bottom.
 pub(super) fn pool_skimmer(b: &mut Build<'_>) {
     grown(b, [0.025, 0.17, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -46,7 +46,7 @@ pub(super) fn pool_skimmer(b: &mut Build<'_>) {
     b.cylinder("grip", [0.0, 0.0, h - 0.13_f32.min(h * 0.1)], r * 1.6, 0.12_f32.min(h * 0.09), RUBBER);
 }
 
-/// A robot that cleans pools: a body on tracks or brushes, a handle over it.
+/// A pool-cleaning robot: a body on tracks or brushes with a handle on top.
 pub(super) fn pool_robot(b: &mut Build<'_>) {
     grown(b, [0.17, 0.17, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -93,7 +93,7 @@ pub(super) fn pool_robot(b: &mut Build<'_>) {
     }
 }
 
-/// A pump on a foot, with its filter: a cartridge or a ball of sand.
+/// A pump on a base with its filter: a cartridge or a ball of sand.
 pub(super) fn pool_pump(b: &mut Build<'_>) {
     grown(b, [0.15, 0.15, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -1,4 +1,4 @@
-//! What stands at a pool: boards, ladders, slides, showers.
+//! Equipment at the edge of a pool: boards, ladders, slides, showers.
 
 use std::f32::consts::PI;
 
@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::object::build::{Axis, Build};
 use crate::object::park::shape::{grown, spaced};
 
-/// A springboard on its stand; it reaches out to the front.
+/// A springboard on its stand; the board extends to the front.
 pub(super) fn diving_board(b: &mut Build<'_>) {
     grown(b, [0.8, 0.18, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -44,7 +44,7 @@ pub(super) fn diving_board(b: &mut Build<'_>) {
     b.top("board", [0.0, 0.0, top + 0.002], (x * 0.96, y * 0.75));
 }
 
-/// A ladder over a pool's edge: bent rails, or an A of steps for raised pools.
+/// A ladder over a pool's edge: bent rails, or an A-frame of steps for above-ground pools.
 pub(super) fn pool_ladder(b: &mut Build<'_>) {
     grown(b, [0.25, 0.25, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -82,7 +82,7 @@ pub(super) fn pool_ladder(b: &mut Build<'_>) {
     b.rod("brace", [front, -y + r, h * 0.06], [front, y - r, h * 0.06], r * 0.8, steel);
 }
 
-/// A slide into the pool: steps behind, a trough that curves down to the front.
+/// A slide into the pool: steps at the back, a trough that curves down to the front.
 pub(super) fn pool_slide(b: &mut Build<'_>) {
     grown(b, [0.9, 0.28, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y.min(b.size.x * 0.4) / 2.0, b.size.z);
@@ -143,7 +143,7 @@ pub(super) fn pool_slide(b: &mut Build<'_>) {
     b.block("base", [-x * 0.96, wide * 0.8, 0.0], [start, wide * 0.9, 0.02], steel);
 }
 
-/// A shower of the sun's warmth: a dark column, a head, a tap.
+/// A solar shower: a dark column, a head, a tap.
 pub(super) fn solar_shower(b: &mut Build<'_>) {
     grown(b, [0.1, 0.1, 0.9]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

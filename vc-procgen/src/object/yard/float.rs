@@ -1,4 +1,4 @@
-//! What floats in a pool and carries swimmers.
+//! Inflatables and floats for swimmers.
 
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,7 +9,7 @@ use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::park::shape::{grown, hoop, limb, polar, polygon, spaced};
 
-/// A mattress to float on: tubes side by side, a pillow at the head.
+/// An air mattress: tubes side by side, a pillow at the head.
 pub(super) fn pool_float(b: &mut Build<'_>) {
     grown(b, [0.3, 0.8, 0.06]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -46,7 +46,7 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
     b.cylinder("valve", [x * 0.8, y * 0.9, h - 0.006], 0.01, 0.006, WHITE_PLASTIC);
 }
 
-/// A ring to swim in, with bands, or with a head like a duck's.
+/// A swim ring with bands, or with a duck's head.
 pub(super) fn swim_ring(b: &mut Build<'_>) {
     grown(b, [0.25, 0.25, 0.07]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
@@ -78,7 +78,7 @@ pub(super) fn swim_ring(b: &mut Build<'_>) {
     b.cylinder("valve", [-r + s, 0.0, 2.0 * s - 0.006], 0.012, 0.0055, WHITE_PLASTIC);
 }
 
-/// Sleeves of another colour around a ring that lies flat.
+/// Sleeves in a second colour around a ring that lies flat.
 fn bands(b: &mut Build<'_>, radius: f32, section: f32, mat: Mat) {
     let count = b.rng.count(4, 8);
     let share = PI / count as f32 * 0.5;
@@ -143,7 +143,7 @@ pub(super) fn buoy(b: &mut Build<'_>) {
     }
 }
 
-/// A foam noodle, lying; a tube with a hole.
+/// A lying foam noodle: a tube with a hole.
 pub(super) fn pool_noodle(b: &mut Build<'_>) {
     grown(b, [0.03, 0.4, 0.03]);
     let (r, y) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);

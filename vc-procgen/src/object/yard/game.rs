@@ -1,4 +1,4 @@
-//! Goals and nets that float.
+//! Floating goals and nets.
 
 use std::f32::consts::TAU;
 
@@ -7,7 +7,7 @@ use crate::material::*;
 use crate::object::build::{Build, P};
 use crate::object::park::shape::{grown, hoop, polar, spaced};
 
-/// Tubes that float, with a net over them: rails along X and Y at the water, posts.
+/// Floating tubes with a net above: rails along X and Y at the water's surface, and posts.
 fn floats(b: &mut Build<'_>, (x, y): (f32, f32), r: f32, mat: Mat) {
     let keep = 1.2 * r;
     for s in [-1.0, 1.0] {
@@ -16,7 +16,7 @@ fn floats(b: &mut Build<'_>, (x, y): (f32, f32), r: f32, mat: Mat) {
     b.bar("float", [-x + keep, -y + keep, keep], [-x + keep, y - keep, keep], r, mat);
 }
 
-/// Threads of a net over a parallelogram: a corner and its two sides.
+/// Threads of a net over a parallelogram given by a corner and two sides.
 fn net(b: &mut Build<'_>, at: P, u: P, v: P, (nu, nv): (usize, usize), r: f32, mat: Mat) {
     let point = |a: f32, c: f32| -> P { std::array::from_fn(|i| at[i] + u[i] * a + v[i] * c) };
     for a in spaced(nu, 0.0, 1.0) {
@@ -27,7 +27,7 @@ fn net(b: &mut Build<'_>, at: P, u: P, v: P, (nu, nv): (usize, usize), r: f32, m
     }
 }
 
-/// A goal that floats.
+/// A floating goal.
 pub(super) fn pool_goal(b: &mut Build<'_>) {
     grown(b, [0.2, 0.45, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
@@ -71,7 +71,7 @@ pub(super) fn pool_volleyball(b: &mut Build<'_>) {
     b.block("tape", [-0.004, -side, h - 1.8 * r], [0.004, side, h - r], second);
 }
 
-/// A basketball hoop that floats.
+/// A floating basketball hoop.
 pub(super) fn pool_basketball(b: &mut Build<'_>) {
     grown(b, [0.25, 0.25, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

@@ -1,4 +1,4 @@
-//! Pool and bathing: pools, tubs, what floats in them and what keeps them clean.
+//! Pools and bathing: pools, tubs, floats and cleaning equipment.
 
 mod basin;
 mod care;

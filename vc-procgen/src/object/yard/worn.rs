@@ -1,11 +1,11 @@
-//! What swimmers and divers wear.
+//! Equipment worn by swimmers and divers.
 
 use super::BRIGHT;
 use crate::material::*;
 use crate::object::build::{Axis, Build, P};
 use crate::object::park::shape::{grown, limb, spaced};
 
-/// A diving mask with a snorkel beside it, or swimming goggles where it is low.
+/// A diving mask with a snorkel beside it, or swimming goggles if the size is low.
 pub(super) fn diving_mask(b: &mut Build<'_>) {
     grown(b, [0.025, 0.075, 0.02]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);

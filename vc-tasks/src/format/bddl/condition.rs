@@ -1,16 +1,16 @@
-//! Conditions, one level at a time.
+//! Conditions, parsed one level at a time.
 
 use crate::format::ReadError;
 use crate::format::sexpr::{Expr, Items};
 
-/// A predicate of one or two things.
+/// A predicate with one or two arguments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Atom<'t> {
     /// The predicate, `ontop`.
     pub predicate: &'t str,
-    /// The first thing.
+    /// The first argument.
     pub first: &'t str,
-    /// The second thing of those that take two.
+    /// The second argument, for predicates that take two.
     pub second: Option<&'t str>,
 }
 
@@ -27,27 +27,27 @@ pub struct Variable<'t> {
 #[derive(Clone)]
 #[non_exhaustive]
 pub enum Part<'t> {
-    /// All of these.
+    /// All conditions hold.
     And(Items<'t>),
-    /// Some of these.
+    /// Some condition holds.
     Or(Items<'t>),
-    /// Not this.
+    /// The condition does not hold.
     Not(Expr<'t>),
-    /// The second, if the first.
+    /// The second holds if the first does.
     Imply(Expr<'t>, Expr<'t>),
-    /// The condition for every value.
+    /// The condition holds for every value.
     ForAll(Variable<'t>, Expr<'t>),
-    /// The condition for some value.
+    /// The condition holds for some value.
     Exists(Variable<'t>, Expr<'t>),
-    /// The condition for exactly so many values.
+    /// The condition holds for exactly this many values.
     ForN(u32, Variable<'t>, Expr<'t>),
-    /// The condition for pairs of values: for so many, or as many as can be.
+    /// The condition holds for pairs of values: for this many, or as many as possible.
     Pairs(Option<u32>, [Variable<'t>; 2], Expr<'t>),
-    /// A predicate of things or variables.
+    /// A predicate of objects or variables.
     Atom(Atom<'t>),
 }
 
-/// The one thing a list says something of.
+/// The single argument of a list.
 pub(super) fn only(list: Expr<'_>) -> Result<Expr<'_>, ReadError> {
     let mut items = list.items().skip(1);
     let one = items.next().ok_or_else(|| list.error_at_end("a condition"))?;
@@ -70,7 +70,7 @@ impl<'t> Atom<'t> {
         items.next().map_or(Ok(Self { predicate, first, second }), |extra| Err(extra.error("`)`")))
     }
 
-    /// The things it is about.
+    /// The arguments.
     pub fn things(&self) -> impl Iterator<Item = &'t str> + use<'t> {
         [Some(self.first), self.second].into_iter().flatten()
     }
@@ -90,16 +90,17 @@ impl<'t> Variable<'t> {
     }
 }
 
-/// Whether a word makes conditions of conditions.
+/// Whether a word forms a condition from other conditions.
 fn is_keyword(word: &str) -> bool {
     matches!(word, "and" | "or" | "not" | "imply" | "forall" | "exists" | "forn" | "forpairs" | "fornpairs")
 }
 
 impl<'t> Part<'t> {
-    /// Takes one level of a condition apart.
+    /// Splits one level off a condition.
     ///
     /// # Errors
-    /// [`ReadError`] if it is none; never for what [`Activity::goal`](super::Activity::goal) holds.
+    /// [`ReadError`] if it is not a condition; never for the conditions of
+    /// [`Activity::goal`](super::Activity::goal).
     pub fn of(at: Expr<'t>) -> Result<Self, ReadError> {
         let mut rest = at.items();
         let Some(head) = rest.next().and_then(Expr::word) else {
@@ -127,7 +128,7 @@ impl<'t> Part<'t> {
         rest.next().map_or(Ok(part), |extra| Err(extra.error("`)`")))
     }
 
-    /// The conditions it is made of.
+    /// The conditions that it consists of.
     pub fn conditions(&self) -> Vec<Expr<'t>> {
         match self {
             Self::And(parts) | Self::Or(parts) => parts.clone().collect(),
@@ -160,7 +161,7 @@ fn number(at: Expr<'_>) -> Result<u32, ReadError> {
     number.filter(|_| items.next().is_none()).ok_or_else(|| at.error(NUMBER))
 }
 
-/// Whether it is a condition all the way down. Nesting is bounded by the tree's.
+/// Checks a condition at all levels. Nesting is bounded by that of the tree.
 pub(super) fn check(condition: Expr<'_>) -> Result<(), ReadError> {
     match Part::of(condition)? {
         Part::And(mut parts) | Part::Or(mut parts) => parts.try_for_each(check),

@@ -1,4 +1,4 @@
-//! The ground facts an activity's goal is about.
+//! The ground facts that an activity's goal depends on.
 
 use std::collections::HashMap;
 
@@ -10,12 +10,12 @@ use super::predicate::word;
 use crate::compile::{Atom, Bits, Compiler, Program, Things};
 use crate::format::ReadError;
 
-/// Most parts of a goal, counted for every choice of objects: BEHAVIOR's largest has
+/// The limit of a goal's parts, counted for every choice of objects: BEHAVIOR's largest goal has
 /// some hundred.
 const LARGEST: usize = 100_000;
 
-/// The declared objects of an activity, for goals to range over: the first that is
-/// declared is node 1, the next one 2.
+/// The declared objects of an activity, over which goals range: the first declared object is node
+/// 1, the next node 2.
 #[derive(Debug, Clone)]
 pub struct Objects<'t> {
     classes: HashMap<&'t str, Vec<NodeId>>,
@@ -23,7 +23,7 @@ pub struct Objects<'t> {
 }
 
 impl<'t> Objects<'t> {
-    /// Those of an activity; one that is declared again is there once.
+    /// The objects of an activity; one declared repeatedly is included once.
     pub fn of(activity: &'t Activity) -> Self {
         let mut classes: HashMap<&str, Vec<NodeId>> = HashMap::new();
         let mut all = Vec::with_capacity(activity.objects.len());
@@ -56,9 +56,9 @@ impl Things for Objects<'_> {
     }
 }
 
-/// An activity's goal over the ground facts that matter for it: judges any set of
-/// facts, whether a scene could be so or not. It is a [`Program`] whose heads are the
-/// activity's, and whose atoms have the names that the activity gives them.
+/// An activity's goal over the ground facts that matter for it: it evaluates any set of facts,
+/// whether or not a scene could be so. It is a [`Program`] whose heads are those of the activity,
+/// and whose atoms have the activity's names.
 ///
 /// ```
 /// use vc_graph::goal::Pairing;
@@ -81,12 +81,11 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// The facts of an activity's goal; pairs are judged as asked. That something is
-    /// real stands as the fact that it is not in the future.
+    /// Compiles an activity's goal with the given pairing. That an object is real becomes the fact
+    /// that it is not in the future.
     ///
     /// # Errors
-    /// [`ReadError`] for a predicate or an object that is not known, and for a goal
-    /// of more than 100,000 parts.
+    /// [`ReadError`] for an unknown predicate or object, and for a goal of more than 100,000 parts.
     pub fn of(activity: &Activity, pairing: Pairing) -> Result<Self, ReadError> {
         let heads = activity.to_heads(pairing)?;
         let program = Compiler::limited(LARGEST).compile_all(&heads, &Objects::of(activity));
@@ -101,27 +100,27 @@ impl Facts {
         Ok(Self { program, names })
     }
 
-    /// The facts, `ontop a t`, in the order in which the goal speaks of them.
+    /// The facts, `ontop a t`, in the order in which the goal mentions them.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The goal over these facts: they are its atoms.
+    /// The goal over these facts, which are its atoms.
     pub fn program(&self) -> &Program {
         &self.program
     }
 
-    /// Which of the facts hold at the start of the activity.
+    /// The facts that hold at the start of the activity.
     ///
     /// # Errors
-    /// [`ReadError`] for a predicate or an object that is not known.
+    /// [`ReadError`] for an unknown predicate or object.
     pub fn start(&self, activity: &Activity) -> Result<Bits, ReadError> {
         let facts = activity.to_facts()?;
         let start: Vec<Atom> = facts.iter().filter(|(_, holds)| *holds).map(|(literal, _)| atom(literal)).collect();
         Ok(self.program.having(&start))
     }
 
-    /// Which parts of the goal are met when these facts hold.
+    /// For each conjunct of the goal whether it holds with these facts.
     pub fn heads(&self, holds: impl Fn(usize) -> bool) -> Vec<bool> {
         let mut bits = self.program.bits();
         (0..self.names.len()).for_each(|fact| bits.set(fact, holds(fact)));

@@ -1,4 +1,4 @@
-//! Conditions of activities as goals, and goals as conditions.
+//! Conversion between the conditions of activities and goals.
 
 use std::collections::HashMap;
 
@@ -10,46 +10,46 @@ use super::{Activity, Atom, FORMAT, Fact, Part, Variable, meaning};
 use crate::format::sexpr::Expr;
 use crate::format::{ReadError, Unwritable};
 
-/// The objects of an activity as nodes: the first that is declared is `#1`.
+/// The objects of an activity as nodes: the first declared object is `#1`.
 struct Names<'t> {
     nodes: HashMap<&'t str, (NodeId, &'t str)>,
     pairing: Pairing,
 }
 
 impl Activity {
-    /// The goal; pairs must be there, one with one.
+    /// The goal; pairs are one-to-one matchings.
     ///
-    /// The first object that is declared is node 1, the next one 2.
+    /// The first declared object is node 1, the next node 2.
     ///
     /// # Errors
-    /// [`ReadError`] for a predicate or an object that is not known.
+    /// [`ReadError`] for an unknown predicate or object.
     pub fn to_goal(&self) -> Result<Goal, ReadError> {
         Ok(joined(self.to_heads(Pairing::Matching)?, Goal::And))
     }
 
-    /// The goals of [`Activity::heads`]. [`Pairing::Marginal`] judges pairs as the
-    /// reference implementation does, [`Pairing::Matching`] as its documentation
-    /// says: `fornpairs` then asks for exactly so many.
+    /// The goals of [`Activity::heads`]. [`Pairing::Marginal`] evaluates pairs as the reference
+    /// implementation does, [`Pairing::Matching`] as its documentation says: `fornpairs` then asks
+    /// for exactly the given number.
     ///
     /// # Errors
-    /// [`ReadError`] for a predicate or an object that is not known.
+    /// [`ReadError`] for an unknown predicate or object.
     pub fn to_heads(&self, pairing: Pairing) -> Result<Vec<Goal>, ReadError> {
         let names = Names::of(self, pairing);
         self.heads().into_iter().map(|head| names.goal(head, &mut Vec::new())).collect()
     }
 
-    /// What holds at the start: literals of nodes, and whether they hold. Which room
-    /// things are in is told by [`Activity::rooms`].
+    /// The initial facts: literals of nodes, and whether they hold. The rooms of objects are
+    /// returned by [`Activity::rooms`].
     ///
     /// # Errors
-    /// [`ReadError`] for a predicate or an object that is not known.
+    /// [`ReadError`] for an unknown predicate or object.
     pub fn to_facts(&self) -> Result<Vec<(Literal, bool)>, ReadError> {
         let names = Names::of(self, Pairing::Matching);
         let facts = self.initial().filter(|f| f.atom.predicate != "inroom");
         facts.map(|f| Ok((names.literal(f.atom, f.at, &[])?, f.holds))).collect()
     }
 
-    /// Which objects are in which kind of room.
+    /// The objects with the kinds of rooms they are in.
     pub fn rooms(&self) -> impl Iterator<Item = (&str, &str)> {
         let rooms = self.initial().filter(|f| f.atom.predicate == "inroom");
         rooms.filter_map(|Fact { atom, .. }| Some((atom.first, atom.second?)))
@@ -144,13 +144,12 @@ impl<'t> Names<'t> {
     }
 }
 
-/// A list of one is that one.
+/// A list of one element is that element.
 fn joined(mut parts: Vec<Goal>, list: fn(Vec<Goal>) -> Goal) -> Goal {
     if parts.len() == 1 { parts.remove(0) } else { list(parts) }
 }
 
-/// Writes a goal as a condition. `objects` are the names of the nodes: the first is
-/// that of node 1.
+/// Writes a goal as a condition. `objects` are the names of the nodes; the first is that of node 1.
 ///
 /// ```
 /// use vc_tasks::format::bddl;
@@ -161,8 +160,8 @@ fn joined(mut parts: Vec<Goal>, list: fn(Vec<Goal>) -> Goal) -> Goal {
 /// ```
 ///
 /// # Errors
-/// [`Unwritable`] for what BDDL has no word for: things of a class without a
-/// quantifier, counts other than `exactly`, what was done, time, the agent as such.
+/// [`Unwritable`] for parts that BDDL cannot express: classes without a quantifier, counts other
+/// than `exactly`, executed actions, temporal operators, the agent itself.
 pub fn condition(goal: &Goal, objects: &[&str]) -> Result<String, Unwritable> {
     Writer { objects }.goal(goal)
 }
@@ -213,7 +212,7 @@ impl Writer<'_> {
     }
 
     fn literal(&self, literal: &Literal) -> Result<String, Unwritable> {
-        // Which of our words mean the same there is told by reading them back.
+        // `meaning` decides which words mean the same there; the room relation is the exception.
         let known =
             word(literal.predicate).filter(|_| literal.predicate != goal::Predicate::Relation(Relation::InRoom));
         let word = known.ok_or_else(|| Unwritable::new(FORMAT, literal, "it has no such predicate"))?;
@@ -240,7 +239,7 @@ fn variable(name: &str, class: Option<&str>) -> Result<String, Unwritable> {
     Ok(format!("(?{} - {})", plain(name)?, plain(class)?))
 }
 
-/// A name that reads back as it is.
+/// A name that reads back unchanged.
 fn plain(name: &str) -> Result<&str, Unwritable> {
     let fits = |c: char| c > ' ' && !c.is_ascii_uppercase() && !"();".contains(c);
     let fine = !name.is_empty() && name != "-" && !name.starts_with('?') && name.chars().all(fits);

@@ -15,8 +15,7 @@
 //! Conditions are `and`, `or`, `not`, `imply a b`, `forall (?v - class) c`,
 //! `exists (?v - class) c`, `forn (N) (?v - class) c`,
 //! `forpairs (?v - class) (?w - class) c`, `fornpairs (N) (?v - class) (?w - class) c`
-//! and atoms of one or two things. A `?` before the name of a thing is allowed and
-//! means nothing.
+//! and atoms with one or two arguments. A `?` before a name is allowed and has no meaning.
 
 mod condition;
 mod facts;
@@ -33,12 +32,12 @@ pub use facts::{Facts, Objects};
 pub use goal::condition;
 pub use predicate::{DOMAINS, meaning};
 
-/// What the format is called in errors.
+/// The format's name in errors.
 pub(crate) const FORMAT: &str = "BDDL";
 
-/// A household activity: what there is, what holds at the start, what shall hold.
+/// A household activity: its objects, the initial facts and the goal.
 ///
-/// Two activities are equal if their name, domain, objects, start and goal read the
+/// Two activities are equal if their names, domains, objects, initial facts and goals read the
 /// same.
 #[derive(Debug, Clone)]
 pub struct Activity {
@@ -51,8 +50,8 @@ pub struct Activity {
     strays: Vec<u32>,
 }
 
-/// Places of an object's name and of its class in the tree; an object without a
-/// class is of the class `object`.
+/// The indices of an object's name and of its class in the tree; an object without a class has the
+/// class `object`.
 #[derive(Debug, Clone, Copy)]
 struct Declared {
     name: u32,
@@ -66,18 +65,18 @@ pub struct Object<'t> {
     pub name: &'t str,
     /// Its class, `cup.n.01`.
     pub class: &'t str,
-    /// Where it is declared.
+    /// The place of its declaration.
     pub at: Expr<'t>,
 }
 
-/// What holds at the start, or does not.
+/// A fact that holds at the start, or does not.
 #[derive(Debug, Clone, Copy)]
 pub struct Fact<'t> {
     /// Whether it holds.
     pub holds: bool,
-    /// What is said of what.
+    /// The predicate and its arguments.
     pub atom: Atom<'t>,
-    /// Where it stands.
+    /// Its place in the text.
     pub at: Expr<'t>,
 }
 
@@ -85,7 +84,7 @@ impl Activity {
     /// Reads an activity. Costs 3 to 5 ns a byte.
     ///
     /// # Errors
-    /// [`ReadError`] says where it is none, and what was expected.
+    /// [`ReadError`] with the place and what was expected there.
     pub fn read(text: &str) -> Result<Self, ReadError> {
         let tree = Tree::read(FORMAT, text)?;
         let mut found = Sections::default();
@@ -101,12 +100,12 @@ impl Activity {
         Ok(Self { name, domain, objects, initial, goal, strays, tree })
     }
 
-    /// Its name, `sorting_mail-0`; empty if it has none.
+    /// The name, `sorting_mail-0`; empty if it has none.
     pub fn name(&self) -> &str {
         self.name.and_then(|i| self.tree.expr(i).word()).unwrap_or_default()
     }
 
-    /// Its domain, `omnigibson` or `igibson`; empty if it has none.
+    /// The domain, `omnigibson` or `igibson`; empty if it has none.
     pub fn domain(&self) -> &str {
         self.domain.and_then(|i| self.tree.expr(i).word()).unwrap_or_default()
     }
@@ -120,7 +119,7 @@ impl Activity {
         })
     }
 
-    /// What is said of the start, in the order of the text.
+    /// The initial facts, in the order of the text.
     pub fn initial(&self) -> impl Iterator<Item = Fact<'_>> {
         self.initial.iter().filter_map(|&i| Fact::of(self.tree.expr(i)).ok())
     }
@@ -139,8 +138,8 @@ impl Activity {
         }
     }
 
-    /// What the text has besides, and the reference implementation passes over:
-    /// stray words, unknown sections, what follows the goal's condition.
+    /// The other parts of the text, which the reference implementation ignores: stray words,
+    /// unknown sections, conditions after the goal's first.
     pub fn strays(&self) -> impl Iterator<Item = Expr<'_>> {
         self.strays.iter().map(|&i| self.tree.expr(i))
     }
@@ -159,7 +158,7 @@ impl PartialEq for Activity {
     }
 }
 
-/// What has been read of an activity.
+/// The sections of an activity read so far.
 #[derive(Default)]
 struct Sections {
     name: Option<u32>,
@@ -202,7 +201,7 @@ impl Sections {
         Ok(())
     }
 
-    /// `cup.n.01_1 cup.n.01_2 - cup.n.01`, as often as you like.
+    /// `cup.n.01_1 cup.n.01_2 - cup.n.01`, any number of times.
     fn declare(&mut self, section: Expr<'_>) -> Result<(), ReadError> {
         let mut items = section.items().skip(1);
         let mut untyped = self.objects.len();
@@ -238,7 +237,7 @@ impl fmt::Display for Activity {
     /// As BDDL, one object class, one fact and one part of the goal a line.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("(define")?;
-        // What is missing stays missing.
+        // A missing name or domain stays missing.
         for (head, word) in [("problem", self.name()), (":domain", self.domain())] {
             if !word.is_empty() {
                 write!(f, " ({head} {word})")?;

@@ -1,13 +1,12 @@
-//! What the predicates of BEHAVIOR's domains mean here.
+//! The predicates of BEHAVIOR's domains and their meanings.
 
 use vc_graph::goal::Predicate;
 use vc_graph::{Relation, State};
 
-/// The domains that are read: `omnigibson` of BEHAVIOR-1K and `igibson` of
-/// BEHAVIOR-100.
+/// The supported domains: `omnigibson` of BEHAVIOR-1K and `igibson` of BEHAVIOR-100.
 pub const DOMAINS: [&str; 2] = ["omnigibson", "igibson"];
 
-/// Predicates of one thing.
+/// Predicates with one argument.
 const STATES: &[(&str, State)] = &[
     ("cooked", State::Cooked),
     ("frozen", State::Frozen),
@@ -25,7 +24,7 @@ const STATES: &[(&str, State)] = &[
     ("sliced", State::Sliced),
 ];
 
-/// Predicates of two things. The first word for a relation is the one written.
+/// Predicates with two arguments. The first word for a relation is the one written.
 const RELATIONS: &[(&str, Relation)] = &[
     ("ontop", Relation::On),
     ("onfloor", Relation::On),
@@ -44,7 +43,7 @@ const RELATIONS: &[(&str, Relation)] = &[
     ("draped", Relation::Draped),
 ];
 
-/// What a predicate means in our goals.
+/// The meaning of a predicate in our goals.
 ///
 /// ```
 /// use vc_graph::goal::Predicate;
@@ -62,7 +61,7 @@ pub fn meaning(word: &str) -> Option<Predicate> {
     })
 }
 
-/// The word for a predicate.
+/// The word for one of our predicates.
 pub(super) fn word(predicate: Predicate) -> Option<&'static str> {
     match predicate {
         Predicate::State(state) => STATES.iter().find(|(_, s)| *s == state).map(|(w, _)| *w),

@@ -1,6 +1,6 @@
-//! What domains and problems are made of.
+//! The data types of domains and problems.
 
-/// A type, or a choice of types: `(either cup plate)`.
+/// A type, or a union of types: `(either cup plate)`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Type {
     /// The types it can be.
@@ -16,7 +16,7 @@ impl From<&str> for Type {
 /// A name with its type.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Typed {
-    /// The name; of a variable with its `?`.
+    /// The name; for a variable with its `?`.
     pub name: String,
     /// The type; `object` if none is given.
     pub kind: Type,
@@ -34,37 +34,37 @@ impl Typed {
 pub struct Signature {
     /// Its name.
     pub name: String,
-    /// What it is about.
+    /// The parameters.
     pub parameters: Vec<Typed>,
 }
 
-/// A predicate of given things or variables.
+/// A predicate applied to objects or variables.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Atom {
     /// The predicate.
     pub predicate: String,
-    /// What it is said of.
+    /// The arguments.
     pub arguments: Vec<String>,
 }
 
 impl Atom {
-    /// A predicate of some things.
+    /// A predicate with arguments.
     pub fn new(predicate: impl Into<String>, arguments: &[&str]) -> Self {
         Self { predicate: predicate.into(), arguments: arguments.iter().map(|&a| a.to_owned()).collect() }
     }
 }
 
-/// A number as it is written: `1`, `2.5`.
+/// A number as written in the text: `1`, `2.5`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Number(String);
 
 impl Number {
-    /// The number of a text; `None` if it is no finite number.
+    /// Parses a number; `None` if the text is not a finite number.
     pub fn new(text: &str) -> Option<Self> {
         text.parse::<f64>().ok().filter(|number| number.is_finite()).map(|_| Self(text.to_owned()))
     }
 
-    /// The number as it is written.
+    /// The number as written in the text.
     pub fn as_str(&self) -> &str {
         &self.0
     }
@@ -75,7 +75,7 @@ impl Number {
     }
 }
 
-/// An amount: a number, or the value of a function of things.
+/// An amount: a number, or the value of a function of objects.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Amount {
     /// A number.
@@ -84,12 +84,12 @@ pub enum Amount {
     Of(Atom),
 }
 
-/// A measure of plans.
+/// A quality measure of plans.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Metric {
-    /// Whether the greatest amount is best, not the least.
+    /// Whether the amount is to be maximised rather than minimised.
     pub maximize: bool,
-    /// The amount that counts: `(total-cost)`.
+    /// The measured amount: `(total-cost)`.
     pub of: Amount,
 }
 
@@ -97,21 +97,21 @@ pub struct Metric {
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Formula {
-    /// A predicate of given things.
+    /// A predicate of objects or variables.
     Atom(Atom),
-    /// Two names mean the same thing.
+    /// Two names denote the same object.
     Equal(String, String),
-    /// All of these.
+    /// All formulas hold.
     And(Vec<Formula>),
-    /// Some of these.
+    /// Some formula holds.
     Or(Vec<Formula>),
-    /// Not this.
+    /// The formula does not hold.
     Not(Box<Formula>),
-    /// The second, if the first.
+    /// The second holds if the first does.
     Imply(Box<Formula>, Box<Formula>),
-    /// This, for all values.
+    /// The formula holds for all values.
     ForAll(Vec<Typed>, Box<Formula>),
-    /// This, for some values.
+    /// The formula holds for some value.
     Exists(Vec<Typed>, Box<Formula>),
 }
 
@@ -119,67 +119,67 @@ pub enum Formula {
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Change {
-    /// It becomes true.
+    /// The atom becomes true.
     Add(Atom),
-    /// It becomes false.
+    /// The atom becomes false.
     Delete(Atom),
-    /// A function's value grows by an amount: a cost.
+    /// The value of a function increases by an amount: a cost.
     Increase(Atom, Amount),
-    /// These, for all values.
+    /// The effects, for all values.
     ForAll(Vec<Typed>, Vec<Change>),
-    /// These, if the condition holds.
+    /// The effects, if the condition holds.
     When(Formula, Vec<Change>),
 }
 
-/// What can be done.
+/// An action schema.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Operator {
     /// Its name.
     pub name: String,
-    /// What it takes.
+    /// The parameters.
     pub parameters: Vec<Typed>,
-    /// What must hold.
+    /// The precondition.
     pub precondition: Formula,
-    /// What it does.
+    /// The effects.
     pub effect: Vec<Change>,
 }
 
-/// What can be said and done.
+/// A domain: its predicates, functions and actions.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Domain {
     /// Its name.
     pub name: String,
     /// `:strips`, `:typing`, ...
     pub requirements: Vec<String>,
-    /// Types, each with the one it belongs to.
+    /// The types, each with its parent type.
     pub types: Vec<Typed>,
-    /// Things that are in every problem.
+    /// Objects that exist in every problem.
     pub constants: Vec<Typed>,
-    /// What can be said.
+    /// The predicates.
     pub predicates: Vec<Signature>,
-    /// Functions of things: costs.
+    /// Functions of objects: costs.
     pub functions: Vec<Signature>,
-    /// What can be done.
+    /// The action schemas.
     pub operators: Vec<Operator>,
 }
 
-/// What there is, holds, and shall hold.
+/// A problem: its objects, initial facts and goal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Problem {
     /// Its name.
     pub name: String,
     /// The name of its domain.
     pub domain: String,
-    /// The things.
+    /// The objects.
     pub objects: Vec<Typed>,
-    /// What holds at the start.
+    /// The facts that hold at the start.
     pub initial: Vec<Atom>,
-    /// Facts that are written as not holding at the start; facts that are not written do not hold either.
+    /// Facts explicitly written as not holding at the start; unwritten facts do not hold either.
     pub denied: Vec<Atom>,
     /// The values of functions at the start.
     pub values: Vec<(Atom, Number)>,
-    /// What shall hold.
+    /// The goal.
     pub goal: Formula,
-    /// How plans are measured, if they are.
+    /// The quality measure of plans, if there is one.
     pub metric: Option<Metric>,
 }

@@ -1,4 +1,4 @@
-//! Goals in PDDL: facts, or an action that says they are met.
+//! Goals in PDDL: facts, or an action that states that they hold.
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Term};
 use vc_graph::{Kind, NodeId, Relation, SceneGraph};
@@ -8,24 +8,24 @@ use super::scene::name;
 use super::{Atom, Change, FORMAT, Formula, Operator, Typed};
 use crate::format::Unwritable;
 
-/// One way in which a goal is met: facts about things and variables.
+/// One way in which a goal is fulfilled: facts about objects and variables.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Way {
     pub(super) facts: Vec<Atom>,
 }
 
 impl Way {
-    /// The objects it names.
+    /// The objects that it names.
     pub(super) fn named(&self) -> impl Iterator<Item = &str> {
         let arguments = self.facts.iter().flat_map(|fact| &fact.arguments);
         arguments.map(String::as_str).filter(|argument| !argument.starts_with('?'))
     }
 }
 
-/// Most ways a goal may have.
+/// The limit of the ways of a goal.
 const MOST: usize = 1000;
 
-/// All ways in which a goal is met in a scene.
+/// All ways in which a goal is fulfilled in a scene.
 pub(super) fn ways(goal: &Goal, graph: &SceneGraph, agent: NodeId) -> Result<Vec<Way>, Unwritable> {
     let mut translator = Translator { graph, agent, bound: Vec::new(), fresh: 0 };
     translator.goal(goal)
@@ -34,7 +34,7 @@ pub(super) fn ways(goal: &Goal, graph: &SceneGraph, agent: NodeId) -> Result<Vec
 struct Translator<'g, 'a> {
     graph: &'a SceneGraph,
     agent: NodeId,
-    /// What variables stand for: a node, or a parameter.
+    /// The bindings of variables: a node, or a parameter.
     bound: Vec<(&'g str, String)>,
     fresh: usize,
 }
@@ -43,7 +43,7 @@ fn no<T>(part: impl std::fmt::Display, why: &str) -> Result<T, Unwritable> {
     Err(Unwritable::new(FORMAT, part, why))
 }
 
-/// The fact that a thing is of a class.
+/// The fact that an object is of a class.
 pub(super) fn class_fact(class: &str, thing: &str) -> Atom {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     Atom::new(format!("kind_{}", class.chars().map(plain).collect::<String>()), &[thing])
@@ -85,7 +85,7 @@ impl<'g> Translator<'g, '_> {
         }
     }
 
-    /// All things a term can mean.
+    /// All objects that a term can denote.
     fn all_of(&mut self, term: &'g Term) -> Result<Vec<String>, Unwritable> {
         let range = match term {
             Term::Class(class) => self.range(Some(class)),
@@ -129,7 +129,7 @@ impl<'g> Translator<'g, '_> {
         format!("?{letter}{}", self.fresh)
     }
 
-    /// So many different things, in the order of their names.
+    /// A number of different objects, in the order of their names.
     fn copies(
         &mut self,
         number: u32,
@@ -145,12 +145,12 @@ impl<'g> Translator<'g, '_> {
         Ok(whole)
     }
 
-    /// A literal, and the thing in its counted place.
+    /// A literal, and the object in its counted position.
     fn counted(&mut self, literal: &'g Literal) -> Result<(Way, String), Unwritable> {
         let place = literal.counted().unwrap_or(0);
         let way = self.literal(literal)?;
         let things = &way.facts.last().map(|fact| fact.arguments.clone()).unwrap_or_default();
-        // The agent is not named in facts.
+        // The agent is not an argument of facts.
         let at = if literal.terms.first() == Some(&Term::Me) { 0 } else { place };
         match things.get(at) {
             Some(thing) => Ok((way.clone(), thing.clone())),
@@ -175,7 +175,7 @@ impl<'g> Translator<'g, '_> {
         }
     }
 
-    /// The facts of a literal; the one of its predicate comes last.
+    /// The facts of a literal; that of its own predicate comes last.
     fn literal(&mut self, literal: &'g Literal) -> Result<Way, Unwritable> {
         let mut way = Way::default();
         let me = |t: &Term| *t == Term::Me || matches!(t, Term::Node(_, id) if *id == self.agent);
@@ -256,7 +256,7 @@ fn product(all: &[Way], more: &[Way]) -> Vec<Way> {
     all.iter().flat_map(|a| more.iter().map(move |b| both(a, b))).collect()
 }
 
-/// The action that says that a goal is met in one of its ways.
+/// The action that states that a goal is fulfilled in one of its ways.
 pub(super) fn met(way: &Way, number: usize) -> Operator {
     let mut names: Vec<&str> = Vec::new();
     for argument in way.facts.iter().flat_map(|f| &f.arguments) {

@@ -1,11 +1,10 @@
 //! PDDL: domains, problems and plans.
 //!
-//! [`Domain`] and [`Problem`] are read and written as they are: types, constants,
-//! predicates, actions with conditions and effects of the ADL fragment and with costs. A section
-//! that comes twice or has too many parts is an error, as it is for other readers. [`planning`]
-//! makes both of a scene, its transition rule and a goal, in the STRIPS fragment
-//! with types that Fast Downward, pyperplan and VAL all take; [`read_plan`] makes
-//! actions of what a planner answers.
+//! [`Domain`] and [`Problem`] are read and written as they are: types, constants, predicates, and
+//! actions with conditions and effects of the ADL fragment and with costs. A repeated section, or
+//! one with too many parts, is an error, as for other readers. [`planning`] converts a scene, its
+//! transition rules and a goal into both, in the typed STRIPS fragment that Fast Downward, pyperplan
+//! and VAL all support; [`read_plan`] converts a planner's answer into actions.
 //!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder};
@@ -37,5 +36,5 @@ pub use plan::read_plan;
 pub use rules::{LeftOut, domain};
 pub use scene::{Keep, Planning, planning};
 
-/// What the format is called in errors.
+/// The format's name in errors.
 const FORMAT: &str = "PDDL";

@@ -8,7 +8,7 @@ pub(super) fn word(at: Expr<'_>) -> Result<String, ReadError> {
     at.word().map(str::to_owned).ok_or_else(|| at.error("a name"))
 }
 
-/// The one thing that a list takes after its head.
+/// The single argument of a list.
 pub(super) fn one<'t>(list: Expr<'t>, expected: &str) -> Result<Expr<'t>, ReadError> {
     let mut items = list.items().skip(1);
     match (items.next(), items.next()) {
@@ -54,7 +54,7 @@ pub(super) fn atom(at: Expr<'_>) -> Result<Atom, ReadError> {
     Ok(Atom { predicate: predicate.to_owned(), arguments })
 }
 
-/// The two things a list takes after its head.
+/// The two arguments of a list.
 pub(super) fn two(at: Expr<'_>) -> Result<(Expr<'_>, Expr<'_>), ReadError> {
     let mut items = at.items().skip(1);
     match (items.next(), items.next(), items.next()) {
@@ -118,7 +118,7 @@ pub(super) fn number(at: Expr<'_>) -> Result<Number, ReadError> {
     at.word().and_then(Number::new).ok_or_else(|| at.error("a number"))
 }
 
-/// A number, or a function of things.
+/// A number, or a function of objects.
 pub(super) fn amount(at: Expr<'_>) -> Result<Amount, ReadError> {
     if !at.is_list() {
         return number(at).map(Amount::Number);

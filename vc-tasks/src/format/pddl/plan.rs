@@ -7,14 +7,12 @@ use super::FORMAT;
 use crate::format::ReadError;
 use crate::format::error::clip;
 
-/// Reads a plan as Fast Downward, pyperplan and VAL write it, one step a line,
-/// `(grab cup_12 ...)`: the verb, what it is done to, and whatever the domain needs
-/// besides. A time `0:` before a step and what follows `;` are passed over; the plan
-/// ends where the goal is said to be met.
+/// Reads a plan as Fast Downward, pyperplan and VAL write it, one step a line, `(grab cup_12 ...)`:
+/// the verb, the objects it acts on, and further arguments of the domain. A time `0:` before a step
+/// and text after `;` are ignored; the plan ends at the step which states that the goal is met.
 ///
 /// # Errors
-/// [`ReadError`] for lines that are no step of a domain of
-/// [`planning`](super::planning).
+/// [`ReadError`] for lines that are not a step in a domain of [`planning`](super::planning).
 pub fn read_plan(text: &str) -> Result<Vec<Action>, ReadError> {
     let mut actions = Vec::new();
     for (index, line) in unmarked(text).lines().enumerate() {
@@ -44,7 +42,7 @@ pub fn read_plan(text: &str) -> Result<Vec<Action>, ReadError> {
 fn read_step(step: &str) -> Result<Action, String> {
     let mut words = step.split_whitespace();
     let name = words.next().unwrap_or_default();
-    // Ways of doing the same are numbered: `cook-2`.
+    // The variants of an action are numbered: `cook-2`.
     let name = name.split('-').next().unwrap_or_default();
     let verb = Verb::parse(name).map_err(|_| "a step such as `(grab cup_12 ...)`".to_owned())?;
     let things = words.take(verb.arity()).map(node).collect::<Option<Vec<NodeId>>>();

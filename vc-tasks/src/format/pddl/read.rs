@@ -8,7 +8,7 @@ use super::{Atom, Domain, FORMAT, Formula, Metric, Number, Operator, Problem, Si
 use crate::format::ReadError;
 use crate::format::sexpr::{Expr, Tree};
 
-/// The sections of `(define (kind name) ...)`, and the name.
+/// The name and the sections of `(define (kind name) ...)`.
 fn sections<'t>(tree: &'t Tree, kind: &str) -> Result<(String, Vec<Expr<'t>>), ReadError> {
     let root = tree.root();
     let mut items = root.items();
@@ -24,17 +24,17 @@ fn sections<'t>(tree: &'t Tree, kind: &str) -> Result<(String, Vec<Expr<'t>>), R
     }
 }
 
-/// Names that have been met, each of which may come once.
+/// The names read so far, each of which may occur once.
 #[derive(Default)]
 struct Once<'t>(BTreeSet<(&'static str, &'t str)>);
 
 impl<'t> Once<'t> {
-    /// Notes a name of some kind; an error if it was noted before.
+    /// Records a name of some kind; an error if it is already recorded.
     fn note(&mut self, kind: &'static str, name: &'t str, at: Expr<'t>) -> Result<(), ReadError> {
         if self.0.insert((kind, name)) { Ok(()) } else { Err(at.error(format!("{kind} `{name}` only once"))) }
     }
 
-    /// Notes a section; all but actions may come once.
+    /// Records a section; all but actions may occur once.
     fn section(&mut self, at: Expr<'t>) -> Result<Option<&'t str>, ReadError> {
         match at.head() {
             Some(":action") | None => Ok(at.head()),
@@ -42,7 +42,7 @@ impl<'t> Once<'t> {
         }
     }
 
-    /// Notes all names of a list of typed ones.
+    /// Records all names of a typed list.
     fn names(&mut self, kind: &'static str, list: Expr<'t>) -> Result<(), ReadError> {
         let mut after_dash = false;
         for item in list.items().skip(1) {
@@ -102,7 +102,7 @@ impl FromStr for Domain {
     }
 }
 
-/// Functions, each of numbers whether it says so or not.
+/// Functions; their type `number` may be omitted.
 fn functions(section: Expr<'_>) -> Result<Vec<Signature>, ReadError> {
     let (mut found, mut items) = (Vec::new(), section.items().skip(1));
     while let Some(item) = items.next() {
@@ -148,18 +148,18 @@ impl FromStr for Problem {
     }
 }
 
-/// The facts and values at the start.
+/// The facts and function values at the start.
 #[derive(Default)]
 struct Start {
     initial: Vec<Atom>,
     denied: Vec<Atom>,
     values: Vec<(Atom, Number)>,
-    /// Facts said so far, and facts denied.
+    /// The facts stated so far, and those denied.
     said: [BTreeSet<Atom>; 2],
 }
 
 impl Start {
-    /// Reads a fact, a fact that does not hold, or the value of a function.
+    /// Reads a fact, a negated fact, or the value of a function.
     fn read(&mut self, fact: Expr<'_>) -> Result<(), ReadError> {
         let (denies, atom) = match fact.head() {
             Some("not") => (true, atom(one(fact, "a predicate of things")?)?),

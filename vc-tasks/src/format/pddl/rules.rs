@@ -1,19 +1,18 @@
-//! The transition rule in PDDL.
+//! The transition rules in PDDL.
 //!
-//! The rule's conditions and effects become the STRIPS fragment with types, which
-//! all planners take: conditions are conjunctions of facts, a condition that can be
-//! met in several ways makes several actions of a verb. Facts that no action
-//! changes (`affords_openable`, `fits`) are the scene's to tell. The agent is at a
-//! spot, and everything is by one: by the furniture it is on or in, by itself, or by
-//! `self` while it is held. Everything is within a cover: within a container that
-//! opens, or within `air`. So being near is `(by x s) (at s)`, and being accessible
-//! `(within x c) (lets_in c)`.
+//! The conditions and effects of the rules are translated to the typed STRIPS fragment, which all
+//! planners support: conditions are conjunctions of facts, and a condition that can be fulfilled in
+//! several ways gives several actions for a verb. Facts that no action changes (`affords_openable`,
+//! `fits`) are taken from the scene. The agent is at a spot, and every object is by one: by the
+//! furniture it is on or in, by itself, or by `self` while it is held. Every object is within a
+//! cover: within a container that opens, or within `air`. Being near is therefore `(by x s) (at
+//! s)`, and being accessible `(within x c) (lets_in c)`.
 //!
-//! The domain never allows more than the rule does, but for one point: a plan does not see a
-//! container fill up. The domain allows less in these points: a thing that carries something, or
-//! ever did, is not moved, heated or cooled; the agent sits and lies down only from standing, and
-//! only on a thing that rests on something that is not carried; a container inside another one
-//! that opens takes nothing; heat and cold reach a thing through one other thing at most.
+//! The domain never allows more than the rules do, except that a plan does not see a container fill
+//! up. The domain allows less in these points: an object that carries another, or ever did, is not
+//! moved, heated or cooled; the agent sits and lies down only from standing, and only on an object
+//! that rests on something that is not carried; a container inside another one that opens receives
+//! nothing; heat and cold reach an object through at most one other object.
 
 use std::collections::BTreeSet;
 
@@ -22,19 +21,19 @@ use vc_graph::{Property, State, Verb};
 
 use super::{Atom, Change, Domain, Formula, Operator, Signature, Typed};
 
-/// A verb that is left out, and why.
+/// A verb that is left out, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct LeftOut {
     /// The verb.
     pub verb: Verb,
-    /// What of it PDDL cannot say.
+    /// The part of the verb that PDDL cannot express.
     pub why: String,
 }
 
-/// What a fact that no action changes is asked of a scene with.
+/// A static fact, which no action changes, with the condition that decides it in a scene.
 pub(super) type Lasting = (String, Condition<Role>);
 
-/// The domain of some verbs, with what it leaves out.
+/// The domain of some verbs, with those that are left out.
 ///
 /// ```
 /// use vc_graph::{Verb, Word};
@@ -50,22 +49,22 @@ pub fn domain(verbs: &[Verb]) -> (Domain, Vec<LeftOut>) {
     (rules.domain("virtualcity"), rules.left_out)
 }
 
-/// Operators, what they ask of a scene, and what is left out.
+/// The action schemas, the static facts they need from a scene, and the verbs left out.
 pub(super) struct Rules {
     pub(super) operators: Vec<Operator>,
     pub(super) lasting: Vec<Lasting>,
     pub(super) left_out: Vec<LeftOut>,
 }
 
-/// Where the agent starts.
+/// The spot where the agent starts.
 pub(super) const HERE: &str = "here";
-/// Where what is held is.
+/// The spot of held objects.
 pub(super) const HANDS: &str = "self";
-/// What nothing in particular is within, and rests on.
+/// The cover and the support of objects that have no other.
 pub(super) const AIR: &str = "air";
-/// That a thing is not carried, and is none of those that can be.
+/// The fact that an object is not carried and cannot be.
 pub(super) const STILL: &str = "still";
-/// That a machine has no switch.
+/// The fact that a machine has no switch.
 pub(super) const UNSWITCHED: &str = "unswitched";
 
 impl Rules {
@@ -91,7 +90,7 @@ impl Rules {
         rules
     }
 
-    /// The domain of the operators.
+    /// The domain of the action schemas.
     pub(super) fn domain(&self, name: &str) -> Domain {
         let mut predicates = BTreeSet::new();
         for operator in &self.operators {
@@ -130,7 +129,7 @@ fn mentions(operator: &Operator, predicate: &str) -> bool {
     atoms(operator).any(|a| a.predicate == predicate)
 }
 
-/// All atoms of an operator of the STRIPS fragment.
+/// All atoms of an action schema in the STRIPS fragment.
 pub(super) fn atoms(operator: &Operator) -> impl Iterator<Item = &Atom> {
     let needs = match &operator.precondition {
         Formula::And(parts) => parts.as_slice(),
@@ -143,7 +142,7 @@ pub(super) fn atoms(operator: &Operator) -> impl Iterator<Item = &Atom> {
     }))
 }
 
-/// One way of doing something.
+/// One variant of an action.
 #[derive(Clone, Default)]
 struct Way {
     needs: Vec<Atom>,
@@ -151,7 +150,7 @@ struct Way {
     lasting: Vec<Lasting>,
 }
 
-/// All ways of doing something.
+/// All variants of an action.
 fn ways(verb: Verb) -> Result<Vec<Way>, String> {
     let rule = verb.rule();
     let mut all = vec![Way::default()];
@@ -177,7 +176,7 @@ fn variable(role: Role) -> &'static str {
     }
 }
 
-/// The spot by which a thing is, and what it is within.
+/// The variables for an object's spot and for its cover.
 fn spot(role: Role) -> (&'static str, &'static str) {
     match role {
         Role::X => ("?sx", "?cx"),
@@ -188,7 +187,7 @@ fn spot(role: Role) -> (&'static str, &'static str) {
 fn lasting(name: impl Into<String>, condition: Condition<Role>, role: Role) -> Way {
     let name = name.into();
     let needs = vec![Atom::new(&*name, &[variable(role)])];
-    // It is asked of one thing, whichever role it has here.
+    // The condition is about one object, whichever role it has here.
     Way { needs, lasting: vec![(name, condition)], ..Way::default() }
 }
 
@@ -201,7 +200,7 @@ fn facts(needs: &[(&str, &[&str])]) -> Way {
     Way { needs, ..Way::default() }
 }
 
-/// How a state is called, and that a thing is not in it.
+/// The predicates for a state and for its absence.
 pub(super) fn is(state: State) -> String {
     format!("is_{state}")
 }
@@ -210,7 +209,7 @@ pub(super) fn is_not(state: State) -> String {
     format!("not_{state}")
 }
 
-/// The ways in which a condition is met.
+/// The ways in which a condition is fulfilled.
 fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
     use Condition as C;
     let x = Role::X;
@@ -230,7 +229,7 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
         C::NotElsewhereHeld(t) => lasting("loose", C::NotElsewhereHeld(x), t),
         C::SeatFree(t) => lasting("seat_free", C::SeatFree(x), t),
         C::BedFree(t) => lasting("bed_free", C::BedFree(x), t),
-        // What lies on a plate may be taken off it: only the thing itself counts.
+        // Objects on a plate can be removed: only the object itself counts.
         C::Edible(t) => affords(Property::Eatable, t),
         C::Fits(a, b) => {
             let needs = vec![Atom::new("fits", &[variable(a), variable(b)])];
@@ -266,7 +265,7 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
         }
         C::OnHeat(t) => return Ok(on_heat(variable(t))),
         C::InCold(t) => return Ok(in_cold(variable(t))),
-        // A thing in a hand rests on nothing, and what it rests on may be in one.
+        // A held object rests on nothing, and the support of another object may itself be held.
         C::Steady(t) => {
             let mut steady = facts(&[("rests", &[variable(t), "?r"]), (STILL, &["?r"])]);
             steady.lasting = vec![(STILL.to_owned(), C::Steady(x))];
@@ -290,7 +289,7 @@ fn in_cold(x: &str) -> Vec<Way> {
     [on, always].iter().flat_map(|cold| at_machine(Property::Cooler, x, &["in"], cold)).collect()
 }
 
-/// At a machine of a kind that works: directly, or on or in something that is at it.
+/// At a working machine of a kind: directly, or on or in an object that is at it.
 fn at_machine(kind: Property, x: &str, how: &[&str], works: &Way) -> Vec<Way> {
     let affords = format!("affords_{kind}");
     let machine = Way {
@@ -340,7 +339,7 @@ impl Way {
     fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
         match effect {
             Effect::Enter(t, state) => self.enter(variable(t), state),
-            // Things on or in it would enter the state as well.
+            // Objects on or in it would enter the state as well.
             Effect::EnterWith(t, state) => {
                 self.need(Atom::new("free", &[variable(t)]));
                 self.enter(variable(t), state);
@@ -393,7 +392,7 @@ impl Way {
         }
     }
 
-    /// Into the hand, from what it rests on, or from the body.
+    /// Into the hand, from its support or from the body.
     fn hold(&mut self, x: &str) {
         self.add("held", &[x, "?h"]);
         self.delete("free_hand", &["?h"]);
@@ -410,7 +409,7 @@ impl Way {
         self.add("within", &[x, AIR]);
     }
 
-    /// Out of the hand, on or into something.
+    /// From the hand onto or into another object.
     fn put(&mut self, how: &str, x: &str, y: &str, cover: &str) {
         self.need(Atom::new("free", &[x]));
         self.delete("held", &[x, "?h"]);

@@ -1,4 +1,4 @@
-//! A scene and a goal as a problem.
+//! A scene and a goal as a planning problem.
 
 use std::collections::BTreeSet;
 
@@ -11,25 +11,25 @@ use super::rules::{AIR, HANDS, HERE, LeftOut, Rules, STILL, UNSWITCHED, atoms, i
 use super::{Atom, Change, Domain, Formula, Operator, Problem, Typed};
 use crate::format::Unwritable;
 
-/// Which objects and actions stand in a problem.
+/// The choice of the objects and actions that a problem contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Keep {
-    /// Those that can matter for the goal: what it speaks of, what that is on, in
-    /// or by, and the tools of actions that lead to it.
+    /// Those relevant to the goal: the objects it names, the ones these are on, in or by,
+    /// and the tools of actions that lead to it.
     #[default]
     Relevant,
-    /// All there are.
+    /// All of them.
     Everything,
 }
 
-/// A domain, a problem of it, and what the domain leaves out.
+/// A domain, a problem in it, and the verbs the domain leaves out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Planning {
     /// The domain.
     pub domain: Domain,
     /// The problem.
     pub problem: Problem,
-    /// Verbs the domain does without.
+    /// The verbs that the domain leaves out.
     pub left_out: Vec<LeftOut>,
 }
 
@@ -41,13 +41,13 @@ pub(super) fn name(graph: &SceneGraph, id: NodeId) -> String {
     format!("{letter}{class}_{}", id.0)
 }
 
-/// The problem of bringing about a goal in a scene, with the domain it is stated
-/// in. Plans for it are plans by the rule, but see the limits of [`super::domain`]'s
-/// description: not everything that can be done is found.
+/// The problem of reaching a goal in a scene, with its domain. Plans for it obey the transition
+/// rules, but see the limits in the description of [`super::domain`]: not every possible plan is
+/// found.
 ///
 /// # Errors
-/// [`Unwritable`] for goals PDDL has no word for here: counts other than `at least`,
-/// pairs, time, rooms.
+/// [`Unwritable`] for goals that cannot be expressed here: counts other than `at least`, pairs,
+/// temporal operators, rooms.
 pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> Result<Planning, Unwritable> {
     let mut ways = ways(goal, graph, agent)?;
     let mut rules = Rules::of(Verb::ALL);
@@ -73,14 +73,14 @@ pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> R
     Ok(Planning { domain, problem, left_out: rules.left_out })
 }
 
-/// Objects that an action names are constants of the domain.
+/// Moves objects that an action names to the constants of the domain.
 fn declare(domain: &mut Domain, constants: Vec<Typed>) {
     domain.constants.splice(0..0, constants);
-    // Those of one type stand together.
+    // Constants of one type are adjacent.
     domain.constants.sort_by_key(|constant| constant.kind != "thing".into());
 }
 
-/// The domain with predicates of the goal that no action speaks of.
+/// Adds predicates of the goal that no action uses to the domain.
 fn with_goal(mut domain: Domain, problem: &Problem) -> Domain {
     if let Formula::And(parts) | Formula::Or(parts) = &problem.goal {
         for part in parts {
@@ -95,7 +95,7 @@ fn with_goal(mut domain: Domain, problem: &Problem) -> Domain {
     domain
 }
 
-/// The operators that can be a step towards some facts.
+/// The action schemas that can be a step towards some facts.
 fn leading_to(wanted: &[Atom], operators: Vec<Operator>) -> Vec<Operator> {
     let mut needed: BTreeSet<String> = wanted.iter().map(|a| a.predicate.clone()).collect();
     let mut kept = vec![false; operators.len()];
@@ -121,7 +121,7 @@ fn leading_to(wanted: &[Atom], operators: Vec<Operator>) -> Vec<Operator> {
     kept.map(|operator| without_idle(operator, &needed)).collect()
 }
 
-/// An operator without effects on facts nobody asks for.
+/// Removes effects on facts that are never needed.
 fn without_idle(mut operator: Operator, needed: &BTreeSet<String>) -> Operator {
     operator.effect.retain(|change| match change {
         Change::Add(atom) | Change::Delete(atom) => needed.contains(&atom.predicate),
@@ -130,8 +130,8 @@ fn without_idle(mut operator: Operator, needed: &BTreeSet<String>) -> Operator {
     operator
 }
 
-/// What can matter: what the goal speaks of, all that is on, in or by, the tools of
-/// the actions, and what is held at the start.
+/// The objects that can matter: those the goal names, all they are on, in or by, the tools of the
+/// actions, and the objects held at the start.
 fn relevant(graph: &SceneGraph, agent: NodeId, goal: &Goal, rules: &Rules) -> Vec<NodeId> {
     let mut nodes = BTreeSet::new();
     for term in goal.terms() {
@@ -167,12 +167,12 @@ struct Scene<'a> {
     ways: &'a [Way],
 }
 
-/// What a thing is placed at.
+/// The placement of an object.
 struct Placed {
     rests: Option<(Relation, NodeId)>,
-    /// The outermost thing that is not picked up, or the thing itself.
+    /// The innermost support or container that cannot be picked up, or the object itself.
     spot: NodeId,
-    /// The containers that open which it is within.
+    /// The openable containers that the object is within.
     covers: Vec<NodeId>,
 }
 
@@ -284,7 +284,7 @@ impl Scene<'_> {
         match *placed.covers {
             [] => drop(facts.insert(Atom::new("within", &[&thing, AIR]))),
             [cover] => drop(facts.insert(Atom::new("within", &[&thing, &self.name(cover)]))),
-            // Two lids at once are more than a fact can say: it stays out of reach.
+            // A fact cannot express two closed covers at once: the object stays inaccessible.
             _ => {}
         }
         if self.graph.holder(id).is_none() {
@@ -312,7 +312,7 @@ impl Scene<'_> {
         }
     }
 
-    /// What no action changes, asked of the scene as the rule asks it.
+    /// The static facts, evaluated in the scene by the conditions of the rules.
     fn lasting_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
         let thing = self.name(id);
         for (fact, condition) in &self.rules.lasting {
@@ -351,7 +351,7 @@ impl Scene<'_> {
         }
     }
 
-    /// Which things are of the goal's classes, and an order of all.
+    /// Adds the facts about which objects are of the goal's classes, and an order of all objects.
     fn goal_facts(&self, facts: &mut BTreeSet<Atom>) {
         let asked: BTreeSet<&str> = self.ways.iter().flat_map(|w| &w.facts).map(|f| f.predicate.as_str()).collect();
         for &id in &self.nodes {
@@ -372,7 +372,7 @@ impl Scene<'_> {
         }
     }
 
-    /// The goal's classes a node belongs to.
+    /// The goal's classes that a node belongs to.
     fn classes(&self, node: &Node) -> Vec<String> {
         let kinds = self.ways.iter().flat_map(|w| &w.facts).filter_map(|f| f.predicate.strip_prefix("kind_"));
         let kinds: BTreeSet<&str> = kinds.collect();

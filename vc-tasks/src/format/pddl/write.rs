@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::{Amount, Atom, Change, Domain, Formula, Metric, Operator, Problem, Signature, Type, Typed};
 
-/// `?a ?b - node ?h - hand`; names of one type that stand together share it.
+/// `?a ?b - node ?h - hand`; adjacent names of one type share it.
 struct List<'l>(&'l [Typed]);
 
 impl Display for List<'_> {

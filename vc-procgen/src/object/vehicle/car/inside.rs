@@ -54,7 +54,7 @@ pub(super) fn cockpit(b: &mut Build<'_>, car: &Car) {
     }
 }
 
-/// The boot, load space or bed behind, and what closes it.
+/// The rear boot, load space or bed, and its lid or doors.
 pub(super) fn tail(b: &mut Build<'_>, car: &Car) {
     let inner = car.half - car.side;
     let (x0, x1) = (car.x(car.ends().1) + 0.01, car.x(car.shape.cargo));
@@ -74,7 +74,7 @@ pub(super) fn tail(b: &mut Build<'_>, car: &Car) {
     b.inside("compartment", [(x0 + t + x1) / 2.0, 0.0, floor], (half.0.max(0.02), half.1), (top - floor).max(0.05));
 }
 
-/// A lid over the boot, hinged at the cabin; returns how high the boot is.
+/// Builds a lid over the boot, hinged at the cabin; returns the height of the boot.
 fn boot_lid(b: &mut Build<'_>, car: &Car, (x0, x1): (f32, f32)) -> f32 {
     let inner = car.half - car.side;
     let (z0, z1) = (car.belt(0.955), car.belt(car.shape.cargo));
@@ -85,7 +85,7 @@ fn boot_lid(b: &mut Build<'_>, car: &Car, (x0, x1): (f32, f32)) -> f32 {
     z0.min(z1) - 0.035
 }
 
-/// An open bed between the sides with a flap behind.
+/// An open bed between the sides with a tailgate.
 fn bed_flap(b: &mut Build<'_>, car: &Car, (x0, x1, floor): (f32, f32, f32)) -> f32 {
     let inner = car.half - car.side;
     let belt = car.belt(0.95);
@@ -162,7 +162,7 @@ fn hollow(b: &mut Build<'_>, car: &Car, floor: f32) -> f32 {
     car.roof - 0.045 - floor
 }
 
-/// A hatch hinged at the roof's rear edge: a leaf below, a pane above.
+/// A hatch hinged at the roof's rear edge: a panel below, a window above.
 fn hatch(b: &mut Build<'_>, car: &Car, [foot, belt]: [f32; 2], [rear, top]: [f32; 2], inner: f32) {
     let tuck = car.half * (1.0 - 2.0 * car.shape.tuck) - 0.032;
     let under = car.roof - 0.042;

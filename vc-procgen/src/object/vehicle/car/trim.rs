@@ -1,10 +1,10 @@
-//! Lights, bumpers, mirrors, doors, and what is painted on the sides.
+//! Lights, bumpers, mirrors, doors, and painted markings on the sides.
 
 use super::{Car, Tail};
 use crate::material::*;
 use crate::object::build::{Build, P};
 
-/// Lights, grille, mirrors, doors' outlines and handles.
+/// Lights, grille, mirrors, door outlines and handles.
 pub(super) fn details(b: &mut Build<'_>, car: &Car) {
     let nose = car.belt(0.045);
     let (z, tall) = (car.low + (nose - car.low) * 0.62, (nose - car.low) * b.vary(0.12, 0.22));
@@ -112,7 +112,7 @@ fn doors(b: &mut Build<'_>, car: &Car, side: f32) {
     block(b, "sill", [r, car.low + 0.003], [f, sill - 0.01], 0.0, ANTHRACITE);
 }
 
-/// What tells a taxi, a police car and an ambulance.
+/// The markings of a taxi, a police car and an ambulance.
 pub(super) fn livery(b: &mut Build<'_>, car: &Car) {
     let roof = car.x((car.shape.stations[1] + car.shape.stations[2].min(0.7)) / 2.0);
     let top = b.size.z;
