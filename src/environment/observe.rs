@@ -1,7 +1,7 @@
 //! From bodies back to the graph: poses, relations, and only of what has moved.
 
 use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
-use vc_physics::World;
+use vc_physics::{Role, World};
 use vc_relations::{Evidence, Relations};
 
 use super::{Impossible, Start, boxes};
@@ -27,9 +27,10 @@ fn worn(graph: &SceneGraph, world: &World) -> Vec<(NodeId, Pose)> {
     wearers.flat_map(|(agent, at)| graph.relating(Relation::WornBy, agent).map(move |id| (id, at))).collect()
 }
 
-/// What relations cannot see: where the parts of doors and drawers are.
+/// The facts that relations cannot see: the positions of doors and drawers, and the things that hands carry.
 pub(super) fn evidence(world: &World) -> Evidence {
-    let mut evidence = Evidence::default();
+    let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(Role::Carried));
+    let mut evidence = Evidence::default().carrying(carried);
     for id in world.nodes() {
         for (joint, part) in (0..).zip(world.moving_parts(id)) {
             if part.position != 0.0 {

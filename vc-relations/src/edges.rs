@@ -62,9 +62,9 @@ impl<'w> Reader<'w> {
             let on = candidates.iter().filter(|c| !is_inside(c.index) && self.supports.is_sound(index, c));
             on.for_each(|c| add(Relation::On, c.support.by));
         }
-        for pair in world.pairs[index].iter().filter(|p| p.inside) {
-            add(Relation::Inside, world.ids[pair.other as usize]);
-        }
+        let facts = self.supports.facts;
+        let within = world.pairs[index].iter().filter(|p| p.inside).map(|p| world.ids[p.other as usize]);
+        within.filter(|at| !facts.is_carried_without(*at, body.id)).for_each(|at| add(Relation::Inside, at));
         if let Some((relation, other)) = seat {
             add(relation, world.ids[other]);
         }

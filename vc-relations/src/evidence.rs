@@ -1,6 +1,6 @@
 //! Evidence: facts that geometry cannot provide but the caller may, about contacts, joints and held things.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Vector3;
 use vc_graph::{Edge, NodeId};
@@ -47,6 +47,10 @@ pub struct Evidence {
     pub positions: BTreeMap<(NodeId, u32), f32>,
     /// Given edges: held in the right or left hand, worn by. They are added to the graph's.
     pub held: Vec<Edge>,
+    /// Everything that moves with somebody's hands: the things in them, and the things that rest on or in those.
+    /// If it is given, nothing else rests on any of them: a held bottle that brushes the coffee maker does not
+    /// carry it.
+    pub carried: Option<BTreeSet<NodeId>>,
 }
 
 impl Evidence {
@@ -69,6 +73,12 @@ impl Evidence {
     pub fn positioned(mut self, node: NodeId, joint: u32, position: f32) -> Self {
         self.positions.insert((node, joint), position);
         self
+    }
+
+    /// Sets everything that moves with somebody's hands.
+    #[must_use]
+    pub fn carrying(self, carried: impl IntoIterator<Item = NodeId>) -> Self {
+        Self { carried: Some(carried.into_iter().collect()), ..self }
     }
 
     /// Adds an edge of holding or wearing.

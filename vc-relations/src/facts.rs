@@ -17,6 +17,8 @@ pub(crate) struct Facts {
     /// Edges of holding and wearing, by thing.
     held: BTreeMap<NodeId, Vec<Edge>>,
     holding: BTreeMap<NodeId, Vec<Edge>>,
+    /// Everything that moves with somebody's hands, if that is known.
+    carried: Option<BTreeSet<NodeId>>,
 }
 
 impl Facts {
@@ -44,6 +46,7 @@ impl Facts {
         for edge in &evidence.held {
             facts.hold(*edge);
         }
+        facts.carried.clone_from(&evidence.carried);
         facts
     }
 
@@ -79,6 +82,11 @@ impl Facts {
     pub(crate) fn carried(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         let hinged = self.hinged.get(&id).into_iter().flatten().copied();
         hinged.chain(self.pushed.get(&id).into_iter().flat_map(|others| others.keys().copied()))
+    }
+
+    /// Whether hands are known to move one thing and not the other.
+    pub(crate) fn is_carried_without(&self, thing: NodeId, other: NodeId) -> bool {
+        self.carried.as_ref().is_some_and(|all| all.contains(&thing) && !all.contains(&other))
     }
 
     /// The edges by which a thing is held or worn.

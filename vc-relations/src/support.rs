@@ -171,9 +171,13 @@ impl<'w> Supports<'w> {
     }
 
     /// Whether one body may rest on the other of a pair. Only movable things are carried in hands: not the
-    /// light switch that a full laundry basket brushes, nor the chair that a cushion touches.
+    /// light switch that a full laundry basket brushes, nor the chair that a cushion touches. If it is known
+    /// what hands carry, nothing else is.
     fn may_carry(&self, index: usize, pair: &Pair) -> bool {
         let other = pair.other as usize;
+        if self.facts.is_carried_without(self.world.ids[other], self.world.ids[index]) {
+            return false;
+        }
         let Some(body) = self.world.bodies[index].as_deref().filter(|b| b.traits.moves) else {
             return !self.is_in_hand(other);
         };
