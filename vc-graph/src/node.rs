@@ -15,7 +15,7 @@ use crate::{AssetId, Label, NodeId, Place, Property, PropertySet, Relation, Stat
 pub enum Kind {
     /// A region that contains other nodes; it has no body.
     Room,
-    /// A person, robot or animal that acts.
+    /// A character that can act.
     Agent,
     /// Any other node.
     Object,
