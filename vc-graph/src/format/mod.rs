@@ -75,7 +75,7 @@ pub enum Problem {
     /// An invalid number.
     #[error("{0} is not a finite number of a sensible size")]
     Number(String),
-    /// A version this program does not know.
+    /// A version that this program does not support.
     #[error("version {0} is newer than this program, which reads up to {1}")]
     Version(u32, u32),
     /// A name that no object has.

@@ -39,12 +39,12 @@ impl Pairs {
 /// How pairs are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Pairing {
-    /// The most pairs that can be formed at once, each thing in one of them.
+    /// The largest number of pairs that can be formed at once, each object in at most one of them.
     #[default]
     Matching,
-    /// How many first things have some second and how many second things some
-    /// first, whichever is less: the test of BDDL's Python package (3.6.0), which
-    /// is met where no pairing exists when things share partners.
+    /// The number of first objects that have a second, or of second objects that have a first, whichever is
+    /// less: the test of BDDL's Python package (3.6.0), which can also pass when objects share partners and no
+    /// pairing exists.
     Marginal,
 }
 

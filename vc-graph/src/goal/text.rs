@@ -48,9 +48,9 @@ pub enum GoalProblem {
     Arity {
         /// The predicate.
         predicate: String,
-        /// How many it takes.
+        /// The number of terms it takes.
         takes: usize,
-        /// How many there are.
+        /// The number of terms given.
         given: usize,
     },
     /// A variable that no quantifier binds.

@@ -135,7 +135,7 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// All of a course.
+    /// The whole course.
     pub(super) fn all(course: &Course<'_>) -> Self {
         Self::up_to(course.last())
     }
