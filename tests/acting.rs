@@ -194,7 +194,6 @@ fn one_sits_lies_sleeps_and_gets_up() {
     }
 }
 
-/// The position of the agent's eyes.
 #[cfg(feature = "render")]
 /// Performs an action during which the eyes never jump.
 fn glide(home: &mut Environment, verb: Verb, things: &[NodeId]) {

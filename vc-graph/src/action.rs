@@ -243,7 +243,7 @@ pub enum ActionError {
     #[error("`{0}` is not of the form `[VERB] <class> (number)`")]
     Notation(String),
     /// The text names a character although it should contain only an action.
-    #[error("an action does not say who acts, as `<char{0}>` does; a program's line may")]
+    #[error("an action names no character such as `<char{0}>`; only a program's line may")]
     Character(u32),
     /// A verb that VirtualHome does not have.
     #[error("VirtualHome has no verb for `{0}`")]

@@ -273,7 +273,7 @@ pub enum AssetError {
         count: usize,
     },
     /// A material has an invalid value.
-    #[error("material `{0}` has a figure that is not finite or negative, or no density")]
+    #[error("material `{0}` has a value that is negative or not finite, or a density that is not positive")]
     BadMaterial(Arc<str>),
     /// A material uses a texture that is not in the library.
     #[error("material `{material}` uses texture {texture}, the library has {count}")]

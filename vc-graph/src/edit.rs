@@ -47,10 +47,10 @@ pub enum EditError {
         agent: Label,
     },
     /// A relation that gives a location cannot be set directly.
-    #[error("`{0}` says where a thing is; use `place`, `hold` or `move_to_room`")]
+    #[error("`{0}` gives an object's location; use `place`, `hold` or `move_to_room`")]
     NotFree(Relation),
     /// A relation that does not give a location.
-    #[error("`{0}` says not what a thing rests on, in or with; use `relate`, `hold` or `move_to_room`")]
+    #[error("`{0}` gives no support, container or wearer; use `relate`, `hold` or `move_to_room`")]
     NotAPlace(Relation),
     /// A room can be removed only when it is empty.
     #[error("{room} still contains {count} nodes, {first} among them; move or remove them first")]

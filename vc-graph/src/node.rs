@@ -162,8 +162,8 @@ impl Node {
         matches!(&*self.spec.category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling")
     }
 
-    /// Whether the node is closed and therefore hides its contents. A sink whose counter merely can be opened
-    /// has no lid.
+    /// Whether the node is closed and therefore hides its contents. A sink has no lid: at best the counter around
+    /// it can be opened.
     pub fn hides_contents(&self) -> bool {
         let holds = self.affords(Property::Container) || self.affords(Property::Recipient);
         self.is(State::Closed) && self.affords(Property::Openable) && holds

@@ -71,7 +71,7 @@ vocabulary! {
         Compartment = "compartment",
         /// An open bowl or tub.
         Basin = "basin",
-        /// A hook to hang things on.
+        /// A hook to hang objects on.
         Hook = "hook",
         /// A rack for many objects of one kind.
         Rack = "rack",

@@ -91,7 +91,7 @@ pub enum Problem {
     #[error(transparent)]
     Action(#[from] crate::ActionError),
     /// One character performs two actions in one step.
-    #[error("`<char{0}>` does two things at once; write them in two lines, or who else does one of them")]
+    #[error("`<char{0}>` does two things at once; write them in two lines, or name another character for one of them")]
     ActsTwice(u32),
     /// An invalid goal.
     #[error(transparent)]

@@ -12,8 +12,8 @@
 //! | `ONTOP`, `INSIDE`, `NEXT_TO`, `FACING` | as in goals: also through other objects, by poses | the exact edge is in the graph |
 //!
 //! Hence for that evaluator it suffices that a state held at some time, even if it no longer does, whereas
-//! [`Goal::holds_on`] requires it at the end. Moreover, that evaluator accepts an action only at one step,
-//! whereas for [`Goal::holds_on`] it may have happened at any time.
+//! [`Goal::holds_on`] requires it at the end. Only that evaluator relates an action to the state in which it
+//! begins; for [`Goal::holds_on`] it may have been performed at any time.
 
 use super::{Comparison, Goal, Literal, Predicate, Quantified, Term, Trace};
 use crate::{Edge, NodeId, Relation, SceneGraph};
@@ -28,9 +28,9 @@ pub enum NoVerdict {
     /// A part with `then` and one without are joined by `and` or `imply`.
     #[error("`{0}`: its formulas do not join a part with `then` and one without by `and` or `imply`")]
     Mixed(String),
-    /// Its evaluator exceeds the trajectory: a quantifier over a part with `then`, or the part after a `not` of
-    /// such a part, is evaluated when no step is left.
-    #[error("`{0}`: its evaluator goes past an end of what happened")]
+    /// Its evaluator leaves the trajectory: it evaluates a quantifier over a part with `then` when no step is left,
+    /// or the part after a `not` of such a part.
+    #[error("`{0}`: its evaluator leaves the trajectory")]
     Ended(String),
 }
 
@@ -92,7 +92,7 @@ type Found = Option<i64>;
 /// A goal with the value of a variable in it.
 type Part<'g> = (Option<(&'g str, NodeId)>, &'g Goal);
 
-/// The distance at which `forn` of zero "finds" an object that does not exist.
+/// The number of steps that `forn` of zero objects reports, since its part holds nowhere.
 const NOWHERE: i64 = 1_000_000_000;
 
 struct Evaluator<'g, 'a> {

@@ -88,7 +88,7 @@ use crate::{Misnomer, SceneGraph};
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Goal {
-    /// At least one choice of things satisfies the literal.
+    /// At least one choice of objects satisfies the literal.
     Literal(Literal),
     /// A number of different objects satisfy the literal.
     Count {

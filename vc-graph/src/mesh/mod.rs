@@ -49,13 +49,12 @@ impl Shape {
     ///
     /// `tolerance` is the largest distance between a curve and its chords, metres: a circle gets 8 to 64
     /// corners, a multiple of four, so that the mesh is as wide as the shape's [`extent`](Shape::extent). The
-    /// mesh is closed, except that a [`Shape::Mesh`] is not checked for that. A shape without volume (coplanar
+    /// mesh is closed, except for a [`Shape::Mesh`], which is used as it is. A shape without volume (coplanar
     /// points, a profile that is a line) and one with a measure that is not finite or not positive has no
     /// triangles.
-    /// finite or not positive has no triangles.
+    ///
     /// Costs time proportional to the number of triangles; a hull of `n` points mostly takes `n log n`, an
     /// outline of `n` points `n` squared.
-    /// `n log n` mostly, an outline of `n` points the square of `n`.
     pub fn mesh(&self, tolerance: f32) -> TriangleMesh {
         if !self.measures_are_positive() {
             return TriangleMesh::default();

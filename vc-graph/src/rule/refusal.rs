@@ -46,7 +46,7 @@ pub enum Refusal {
         distance: Option<f32>,
     },
     /// The object is in no room, so an agent cannot go there.
-    #[error("{0} is in no room: there is no way to it")]
+    #[error("{0} is in no room, so no agent can go there")]
     NoWay(Label),
     /// The object is inside a closed container.
     #[error("{thing} is inside {inside}, which is closed")]
