@@ -11,7 +11,7 @@ use crate::geometry::is_finite;
 
 pub use crate::texture::Texture;
 
-/// Position of an [`Asset`] in its [`AssetLibrary`].
+/// Index of an [`Asset`] in its [`AssetLibrary`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct AssetId(pub u32);
