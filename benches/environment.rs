@@ -1,8 +1,8 @@
-//! The five endpoints in generated homes: what the thesis's Table 5.1 measures.
+//! The five endpoints in generated homes, as measured in the thesis's Table 5.1.
 //!
-//! `cargo bench --bench environment`. Homes of 300 to 560 nodes, one thread. `-- table` prints only
-//! the figures beside the thesis's, `-- table 2` those of two homes: CPU time of the thread, but for the start of a
-//! process and for batches, where the time that passes counts.
+//! `cargo bench --bench environment`. Homes of 300 to 560 nodes, one thread. `-- table` prints only the figures
+//! beside the thesis's, `-- table 2` those of two homes: CPU time of the thread, except for the start of a
+//! process and for batches, for which wall-clock time is measured.
 
 #![allow(
     missing_docs,
@@ -24,23 +24,23 @@ use virtualcity::relations::{Evidence, Relations, Rule};
 use virtualcity::render::{Daylight, Modalities, Modality};
 use virtualcity::{Batch, Environment, PictureOptions, Viewpoint, legal_action};
 
-/// As in the bench of homes: with the system's allocator they take a fifth longer.
+/// As in the bench of homes; the system's allocator takes a fifth longer.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Told to this program when it is started to be timed until its first observation.
+/// The argument with which this program starts itself to be timed until its first observation.
 const FIRST: &str = "first-observation";
 /// Environments in a batch.
 const BATCH: u64 = 16;
-/// Actions of each environment that are timed.
+/// Timed actions of each environment.
 const ACTIONS: usize = 40;
 
-/// How often each home is made.
+/// Number of times that each home is made.
 const ROUNDS: usize = 3;
 
-/// The seed of the first home that is measured, and the number of homes unless another stands behind `table`.
+/// The seed of the first measured home, and the number of homes unless another follows `table`.
 const SEEDS: (u64, u64) = (40, 8);
-/// The argument that asks for the figures beside the thesis's alone.
+/// The argument for printing only the figures beside the thesis's.
 const TABLE: &str = "table";
 
 fn seeds() -> std::ops::Range<u64> {
@@ -82,7 +82,7 @@ fn reset(criterion: &mut Criterion) {
     });
 }
 
-/// Ten small things raised a little.
+/// The home's scene with ten small objects raised a little.
 fn moved(home: &Environment) -> virtualcity::graph::SceneGraph {
     let mut graph = home.graph().clone();
     let loose = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
@@ -117,7 +117,7 @@ fn observe(criterion: &mut Criterion) {
     });
 }
 
-/// Actions that the rule allows, chosen at random before the clock starts.
+/// Times actions that the rule allows, chosen at random before the clock starts.
 fn act(criterion: &mut Criterion) {
     let mut homes = homes();
     let mut stream = Seed(1).stream();
@@ -143,7 +143,7 @@ fn act(criterion: &mut Criterion) {
     by_verb(criterion, &homes);
 }
 
-/// Walks, and a door that opens.
+/// Times walks and the opening of a door.
 fn by_verb(criterion: &mut Criterion, homes: &[Environment]) {
     let (home, there, fridge) = homes.iter().find_map(at_the_fridge).unwrap();
     let agent = home.agents()[0];
@@ -164,8 +164,8 @@ fn by_verb(criterion: &mut Criterion, homes: &[Environment]) {
     criterion.bench_function("clone an environment", |b| b.iter(|| black_box(home.clone())));
 }
 
-/// A home as it begins, the same with its agent at the fridge, and the fridge; none where
-/// other furniture is in the way.
+/// A home in its initial state, the same home with its agent at the fridge, and the fridge; `None` if other
+/// furniture is in the way.
 fn at_the_fridge(home: &Environment) -> Option<(Environment, Environment, NodeId)> {
     let mut home = home.clone();
     let start = home.start().clone();
@@ -207,14 +207,14 @@ fn main() {
     table();
 }
 
-/// CPU time of this thread for something.
+/// CPU time of this thread for some work.
 fn cpu<T>(work: impl FnOnce() -> T) -> (Duration, T) {
     let start = ThreadTime::now();
     let made = black_box(work());
     (start.elapsed(), made)
 }
 
-/// Median and largest of some times.
+/// Median and maximum of some times.
 fn spread(mut times: Vec<Duration>) -> String {
     times.sort_unstable();
     match times.last() {
@@ -227,7 +227,7 @@ fn ms(time: Duration) -> f64 {
     time.as_secs_f64() * 1e3
 }
 
-/// Ours, and what the thesis has beside them.
+/// Prints the figures beside the thesis's.
 fn table() {
     println!("{:<44} {:>13} {:>13}   the thesis (Table 5.1; Ryzen 9 5900X, RTX 3090)", "", "median", "most");
     let row = |name: &str, times: Vec<Duration>, thesis: &str| println!("{name:<44} {}   {thesis}", spread(times));
@@ -235,8 +235,8 @@ fn table() {
     let name = |seed: u64| format!("apartment/{seed}");
     let mut homes = Vec::new();
     let mut made = Vec::new();
-    // The first round is the machine's, which has to find memory; the next ones use it again. What
-    // finding it costs is in the row before.
+    // The first round allocates memory from the system; the following rounds reuse it. The cost of that
+    // allocation is in the previous row.
     for round in 0..=ROUNDS {
         homes.clear();
         let all: Vec<_> = seeds().map(|seed| cpu(|| Environment::make(&name(seed), 1).unwrap())).collect();
@@ -262,7 +262,7 @@ fn table() {
     batches(&homes);
 }
 
-/// What of making homes is spent on what: relations of whole homes are read when everything is at rest.
+/// The cost of the stages of making homes; relations of whole homes are derived once everything is at rest.
 fn stages(homes: &[Environment], made: &[Duration]) -> [(&'static str, Vec<Duration>); 3] {
     let (mut generate, mut build, mut relate) = (Vec::new(), Vec::new(), Vec::new());
     for (round, home) in (0..ROUNDS).flat_map(|round| homes.iter().map(move |home| (round, home))) {
@@ -287,7 +287,7 @@ fn first_observation() -> Duration {
     start.elapsed()
 }
 
-/// Actions at random that the rule allows, and what is seen of the room after each.
+/// Random actions that the rule allows, and the observation of the room after each.
 fn actions(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     let mut stream = Seed(1).stream();
     let (mut acts, mut looks) = (Vec::new(), Vec::new());
@@ -303,7 +303,7 @@ fn actions(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     row("observation of the room after an action", looks, "");
 }
 
-/// Decisions of an agent that brings three things to tables, which sees its room.
+/// Decisions of an agent that sees only its room and brings three objects to tables.
 fn decisions(homes: &[Environment]) -> Vec<Duration> {
     let mut times = Vec::new();
     for mut home in homes.iter().cloned() {
@@ -338,8 +338,8 @@ fn fridges(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     row("closing it", closes, "");
 }
 
-/// Times a picture from an agent's eyes that is made again, and one after the agent has walked to something, so that
-/// shadows follow. By day, and at night with all ceiling lamps on. On one thread.
+/// Times a picture from an agent's eyes that is drawn again, and one after the agent has walked somewhere, so
+/// that shadows are updated. By day, and at night with all ceiling lamps on. On one thread.
 fn pictures(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     for (hour, lamps) in [(12.0, false), (23.0, true)] {
@@ -378,7 +378,7 @@ fn lit(home: &Environment) -> virtualcity::graph::SceneGraph {
     graph
 }
 
-/// A step of a batch, and making one, on one thread and on all.
+/// Times a step of a batch, and making one, on one thread and on all.
 fn batches(homes: &[Environment]) {
     let every: Vec<Environment> = (0..BATCH).map(|i| homes[i as usize % homes.len()].clone()).collect();
     let cores = std::thread::available_parallelism().map_or(1, usize::from);

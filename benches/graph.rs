@@ -1,8 +1,7 @@
-//! What the scene graph costs: building, cloning, acting, observing, searching.
+//! Costs of the scene graph: building, cloning, acting, observing, searching.
 //!
-//! The scene is VirtualHome's first where the shared data is there (`VC_DATA` or
-//! `../shared/data`), else the bundled apartment; `benches/README.md` has the
-//! peer's figures.
+//! The scene is VirtualHome's first one if the shared data exists (`VC_DATA` or `../shared/data`), else the
+//! bundled apartment; `benches/README.md` has the figures of the peer.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
@@ -46,7 +45,7 @@ fn building(c: &mut Criterion) {
     c.bench_function("digest", |b| b.iter(|| graph.digest()));
 }
 
-/// A walk to something in another room.
+/// A walk to an object in another room.
 fn far_walk(graph: &SceneGraph) -> Action {
     let here = graph.room_of(graph.agents()[0]);
     let fridge = graph.of_class("fridge")[0];
@@ -54,7 +53,7 @@ fn far_walk(graph: &SceneGraph) -> Action {
     format!("walk #{}", there.0).parse().unwrap()
 }
 
-/// Ten actions that can be done over and over: back and forth to the fridge.
+/// Ten actions that can be repeated: back and forth to the fridge.
 fn script(graph: &SceneGraph) -> Vec<Action> {
     let id = |class: &str| graph.of_class(class)[0].0;
     let (fridge, plate, bed) = (id("fridge"), id("plate"), id("bed"));
@@ -121,8 +120,8 @@ fn searching(c: &mut Criterion) {
     c.bench_function("clone a million", |b| b.iter(|| graph.clone()));
 }
 
-/// Every verb with each of some things, or with any two of them, checked one after the other by the rule,
-/// which words every reason.
+/// Every verb with each of some objects, or with any two of them, checked one by one by the rule, which
+/// formulates every reason.
 fn legal_one_by_one(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let pairs = |verb: Verb| things.iter().flat_map(move |&x| things.iter().map(move |&y| Action::two(verb, x, y)));
     let free = |action: &Action| rule::refusals(graph, agent, action).is_empty();
@@ -136,8 +135,8 @@ fn legal_one_by_one(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec
     Verb::ALL.iter().flat_map(of).collect()
 }
 
-/// The former way: verbs with one thing with each thing, and things in hand put on or into each thing,
-/// checked in the same way. It left out the other verbs with two things, such as pouring.
+/// The former implementation: one-object verbs with each object, and held objects put on or into each object,
+/// checked in the same way. It omitted the other two-object verbs, such as pouring.
 fn legal_as_it_was(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let free = |action: &Action| rule::refusals(graph, agent, action).is_empty();
     let one = Verb::ALL.iter().filter(|v| v.arity() == 1);
@@ -148,7 +147,7 @@ fn legal_as_it_was(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<
     singles.chain(held.iter().flat_map(put)).chain(none).filter(free).collect()
 }
 
-/// Seconds that something takes, as a mean over as many rounds as fill half a second.
+/// Mean time of some work, seconds, over as many rounds as fill half a second.
 fn seconds(mut done: impl FnMut() -> usize) -> f64 {
     let (start, mut rounds) = (Instant::now(), 0_u32);
     while rounds == 0 || start.elapsed().as_secs_f64() < 0.5 {
@@ -158,11 +157,12 @@ fn seconds(mut done: impl FnMut() -> usize) -> f64 {
     start.elapsed().as_secs_f64() / f64::from(rounds)
 }
 
-/// Times all ways of listing the legal actions in one run: in the agent's room, and in the whole home.
+/// Times all implementations of listing the legal actions in one run: in the agent's room, and in the whole
+/// home.
 fn deciding(_: &mut Criterion) {
     let mut graph = scene();
     let (me, script) = (graph.agents()[0], script(&graph));
-    // With a plate in hand before an open fridge.
+    // With a plate in hand, in front of an open fridge.
     script.iter().take(5).for_each(|action| drop(rule::step(&mut graph, me, action).unwrap()));
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
     let room: Vec<NodeId> = graph.in_room(graph.room_of(me).unwrap()).collect();

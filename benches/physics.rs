@@ -1,7 +1,7 @@
-//! What physics costs: building, settling, stepping, resetting, finding ways.
+//! Costs of physics: building, settling, stepping, resetting, path finding.
 //!
-//! The scene is the one `peers/physics.py` times MuJoCo and PyBullet on; times are
-//! CPU time of the thread, as there. `benches/README.md` has the figures side by side.
+//! The scene is the one on which `peers/physics.py` times MuJoCo and PyBullet; times are CPU time of the
+//! thread, as there. `benches/README.md` has the figures side by side.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
 
@@ -60,7 +60,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
         });
         active(&mut group, &settled, &scene::small_things(&graph), objects);
         let other = moved(&graph, &settled, 10);
-        // Each takes the memory of the one before it, as where episode follows episode.
+        // Each reset reuses the memory of the previous world, as in a sequence of episodes.
         group.bench_function(at("reset, 10 moved", objects), |b| {
             b.iter_batched(|| (), |()| settled.reset(&other, &shapes).unwrap(), BatchSize::PerIteration);
         });
@@ -79,7 +79,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
 
 type Group<'a> = criterion::BenchmarkGroup<'a, Cpu>;
 
-/// Two seconds in which fifty small things are thrown up six times a second.
+/// Two seconds in which fifty small objects are thrown up six times a second.
 fn active(group: &mut Group<'_>, settled: &World, things: &[NodeId], objects: u32) {
     group.bench_function(at("120 steps, 50 active", objects), |b| {
         b.iter_batched(
@@ -102,7 +102,7 @@ fn active(group: &mut Group<'_>, settled: &World, things: &[NodeId], objects: u3
     });
 }
 
-/// The scene with some small things a little higher than they rest.
+/// The scene with some small objects a little above their rest positions.
 fn moved(graph: &SceneGraph, settled: &World, count: usize) -> SceneGraph {
     let mut other = graph.clone();
     let mut edit = other.edit();
@@ -114,8 +114,8 @@ fn moved(graph: &SceneGraph, settled: &World, count: usize) -> SceneGraph {
     other
 }
 
-/// Says what a world at rest takes. Comes before all benches and keeps its clones to the
-/// end: what is taken from memory that was freed before is not seen.
+/// Prints the memory of a world at rest. It runs before all benches and keeps its clones to the end, since
+/// allocations that reuse freed memory would not be measured.
 fn memory(_: &mut Criterion<Cpu>) {
     let mut kept = Vec::new();
     for objects in SIZES {
@@ -130,21 +130,21 @@ fn memory(_: &mut Criterion<Cpu>) {
     }
 }
 
-/// What the process grows by for each of many clones, MiB.
+/// The growth of the process for each of many clones, MiB.
 fn growth(world: &World, kept: &mut Vec<World>) -> f64 {
     const CLONES: usize = 40;
     let resident = || {
         let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
         text.split(' ').nth(1).and_then(|n| n.parse::<f64>().ok()).unwrap_or(f64::NAN) * 4096.0 / 1048576.0
     };
-    // The first few take what building and settling left.
+    // The first clones use memory left over from building and settling.
     kept.extend((0..CLONES).map(|_| world.clone()));
     let before = resident();
     kept.extend((0..CLONES).map(|_| world.clone()));
     (resident() - before) / CLONES as f64
 }
 
-/// Ways in generated apartments.
+/// Path finding in generated apartments.
 #[cfg(feature = "procgen")]
 fn apartments(c: &mut Criterion<Cpu>) {
     use virtualcity::physics::Settings;
@@ -163,7 +163,8 @@ fn apartments(c: &mut Criterion<Cpu>) {
     });
     group.bench_function("step, all asleep", |b| b.iter(|| settled.step()));
     group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::of(&worlds[0], FloorPlan::default())));
-    // What lies on it is outlined once for all worlds with the same shapes; here, each time.
+    // The outlines of the shapes on the floor are computed once for all worlds with the same shapes; here, each
+    // time.
     group.bench_function("floor, no shapes known", |b| {
         let fresh = || World::build(&scenes[0], &Shapes::new(), Settings::default()).unwrap();
         b.iter_batched(fresh, |world| (Floor::of(&world, FloorPlan::default()), world), BatchSize::LargeInput);
@@ -193,7 +194,7 @@ fn pairs(floor: &Floor, count: usize) -> Vec<(&Floor, Point2<f32>, Point2<f32>)>
     (0..count).map(|_| (floor, point(), point())).collect()
 }
 
-/// The median of ways: each is timed by itself, ten times, the best counts.
+/// The median over routes: each is timed separately ten times, and the best time counts.
 #[cfg(feature = "procgen")]
 fn report_ways(queries: &[(&Floor, Point2<f32>, Point2<f32>)]) {
     let time = |(floor, from, to): &(&Floor, Point2<f32>, Point2<f32>)| {

@@ -1,6 +1,6 @@
-//! What pictures of generated homes cost: the living room, kitchen, bath and bedroom of four homes, in four
-//! sizes, all lamps on, as `cargo bench -p vc-render --bench render` does for a home that is made for it. Run with
-//! `cargo bench --bench pictures`.
+//! Costs of pictures of generated homes: the living room, kitchen, bath and bedroom of four homes, in four
+//! sizes, with all lamps on. `cargo bench -p vc-render --bench render` does the same for a home built for that
+//! purpose. Run with `cargo bench --bench pictures`.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 

@@ -1,10 +1,8 @@
-//! What homes cost: plans, furniture, everything, the check, the scene graph, and
-//! objects.
+//! Costs of generated homes: plans, furniture, everything, the check, the scene graph, and objects.
 //!
-//! Every iteration makes a few homes of neighbouring seeds, so that a figure is a mean
-//! over small and large ones. Before that, each of 600 seeds is made on its own, three
-//! times, and the least of its CPU times counts: median and 95th percentile are over the
-//! seeds. `benches/README.md` has the peers' figures.
+//! Every iteration makes a few homes of neighbouring seeds, so that a figure is a mean over small and large
+//! ones. Before that, each of 600 seeds is made separately three times, and the smallest of its CPU times
+//! counts: median and 95th percentile are over the seeds. `benches/README.md` has the figures of the peers.
 
 #![allow(
     missing_docs,
@@ -26,10 +24,10 @@ use virtualcity::procgen::{Apartment, Layout, Specification, Style, object};
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Homes of one iteration.
+/// Homes per iteration.
 const HOMES: u64 = 16;
 
-/// Seeds of the median and the 95th percentile.
+/// Number of seeds for the median and the 95th percentile.
 const SEEDS: u64 = 600;
 
 fn quantiles(_: &mut Criterion) {

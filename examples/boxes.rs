@@ -1,9 +1,9 @@
-//! Tries how much agents can do in homes of which only boxes are known.
+//! Tests how much agents can do in homes of which only bounding boxes are known.
 //!
-//! `cargo run --release --example boxes -- FILE...` takes scenes (VirtualHome's, the thesis's; `.gz` is
-//! unpacked; those that cannot be read are named, and it ends with 1)
-//! and prints, for each, between which rooms one can walk and how many of the things that
-//! can be carried are taken and put back where the scene has them. `--out DIR` draws each from above.
+//! `cargo run --release --example boxes -- FILE...` takes scenes (VirtualHome's or the thesis's; `.gz` is
+//! unpacked). For each it prints the rooms between which an agent can walk, and how many of the graspable
+//! objects it can take and put back where the scene has them. Unreadable files are named, and the exit status
+//! is then 1. `--out DIR` draws each scene from above.
 
 mod support;
 
@@ -19,22 +19,22 @@ use vc_planner::{Newcomer, Run, Step};
 use vc_tasks::{Outcome, Task};
 use virtualcity::{ActionError, Assets, Environment, SceneOptions};
 
-/// Tries how much agents can do in homes of which only boxes are known.
+/// Tests how much agents can do in homes of which only bounding boxes are known.
 #[derive(Parser)]
 struct Options {
-    /// Scenes; .gz is unpacked.
+    /// Scene files; .gz is unpacked.
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Let the planner pursue forty everyday goals.
     #[arg(long)]
     goals: bool,
-    /// Give things plain shapes, not those of their classes.
+    /// Give objects plain boxes instead of the shapes of their classes.
     #[arg(long)]
     plain: bool,
-    /// Do not take and put back things.
+    /// Do not take and put back objects.
     #[arg(long)]
     rooms_only: bool,
-    /// Draw each from above into this folder.
+    /// Draw each scene from above into this folder.
     #[cfg(feature = "render")]
     #[arg(long)]
     out: Option<PathBuf>,
@@ -59,7 +59,7 @@ fn main() -> Result<ExitCode, Complaint> {
     Ok(if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Tries all that is asked for in one scene.
+/// Runs all requested tests in one scene.
 fn look_at(file: &Path, options: &Options, won: &mut (usize, usize)) -> Result<(), Complaint> {
     let assets = if options.plain { Assets::None } else { Assets::Generated };
     let home = Environment::make_with(&format!("scene:{}", file.display()), 1, &SceneOptions { assets });
@@ -83,8 +83,8 @@ fn look_at(file: &Path, options: &Options, won: &mut (usize, usize)) -> Result<(
 /// Everyday goals for such homes.
 const GOALS: &str = include_str!("data/box_goals.txt");
 
-/// Lets the planner, which does not know the home, pursue every goal that makes sense in it and does not
-/// hold yet.
+/// Lets the planner, which does not know the home, pursue every goal that is meaningful in it and does not hold
+/// yet.
 fn goals(home: &Environment, won: &mut (usize, usize)) -> Result<(), Complaint> {
     let me = home.agents()[0];
     for task in Task::read_list(GOALS).map_err(Complaint::new)? {
@@ -120,7 +120,7 @@ fn rooms(home: &Environment) {
     say!("  {reached} of {} rooms reached", home.graph().rooms().len());
 }
 
-/// Takes everything that can be carried and puts it back where it was.
+/// Takes every graspable object and puts it back where it was.
 fn places(home: &Environment) {
     let graph = home.graph();
     let carried = graph.nodes().filter(|n| n.affords(Property::Graspable));

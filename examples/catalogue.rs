@@ -1,9 +1,8 @@
 //! Contact sheets of generated objects.
 //!
-//! `cargo run --release --example catalogue -- --out out/catalogue` writes PNG sheets
-//! of objects by category, and a list of them as JSON Lines. `--class chair --open`
-//! shows one class, with doors and drawers open; `--per-class 4` shows fewer of each;
-//! `--gltf` writes each object as a model as well.
+//! `cargo run --release --example catalogue -- --out out/catalogue` writes PNG sheets of objects by category,
+//! and a list of them as JSON Lines. `--class chair --open` shows one class, with doors and drawers open;
+//! `--per-class 4` shows at most four of each; `--gltf` also writes each object as a model.
 
 mod support;
 
@@ -22,36 +21,36 @@ use virtualcity::procgen::{gltf, material};
 /// Contact sheets of generated objects.
 #[derive(Parser)]
 struct Options {
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/catalogue")]
     out: PathBuf,
     /// Only these classes.
     #[arg(long = "class")]
     classes: Vec<String>,
-    /// At most so many objects of each class.
+    /// At most this number of objects of each class.
     #[arg(long, value_parser = at_least_one)]
     per_class: Option<usize>,
     /// Open doors and drawers.
     #[arg(long)]
     open: bool,
-    /// Write each object as glTF too.
+    /// Also write each object as glTF.
     #[arg(long)]
     gltf: bool,
-    /// What the objects are made from.
+    /// The seed from which the objects are generated.
     #[arg(long, default_value_t = 0)]
     seed: u64,
     /// Width of a tile, pixels.
     #[arg(long, default_value_t = 200)]
     tile: usize,
-    /// Tiles in a row.
+    /// Tiles per row.
     #[arg(long, default_value_t = 8)]
     columns: usize,
-    /// Rows of tiles on a sheet.
+    /// Rows of tiles per sheet.
     #[arg(long, default_value_t = 9)]
     rows: usize,
 }
 
-/// A number of objects.
+/// Parses a number of objects.
 fn at_least_one(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|number| *number > 0).ok_or_else(|| "a whole number from 1 up".to_owned())
 }
@@ -59,7 +58,7 @@ fn at_least_one(text: &str) -> Result<usize, String> {
 /// One object on a sheet.
 struct Tile {
     instance: Instance,
-    /// How many there are of its class; the first of a class shows its name.
+    /// The number of objects of its class; the first of a class shows the name.
     of: usize,
 }
 
@@ -97,7 +96,7 @@ fn main() -> Result<(), Complaint> {
     Ok(())
 }
 
-/// The generators that are asked for, by category.
+/// The requested generators, by category.
 fn groups(options: &Options) -> Result<BTreeMap<String, Vec<&'static Generator>>, Complaint> {
     let table = ClassTable::builtin();
     let find = |name: &String| {
@@ -129,7 +128,7 @@ fn tiles(options: &Options, members: &[&'static Generator]) -> Vec<Tile> {
     members.iter().copied().flat_map(of).collect()
 }
 
-/// What the list says about an object.
+/// The list entry of an object.
 fn line(tile: &Tile) -> serde_json::Value {
     let object = &tile.instance.object;
     serde_json::json!({

@@ -1,9 +1,9 @@
-//! Lets a language model on a local server tidy up the breakfast.
+//! Lets a language model on a local server tidy up after breakfast.
 //!
-//! `cargo run --release --features endpoint --example language_endpoint -- --url
-//! http://127.0.0.1:8080/v1/chat/completions` asks a server that speaks as OpenAI's does
-//! (llama.cpp, Ollama, vLLM ...) for each action; `--record FILE` keeps the answers, in the
-//! form that the example `language_model` reads. Plain HTTP: it is for machines of one's own.
+//! `cargo run --release --features endpoint --example language_endpoint -- --url URL` asks a server with OpenAI's
+//! interface (llama.cpp, Ollama, vLLM ...) for each action, by default the one at
+//! `http://127.0.0.1:8080/v1/chat/completions`; `--record FILE` stores the answers in the form that the example
+//! `language_model` reads. It uses plain HTTP, so it is only for one's own machines.
 
 #[path = "support/breakfast.rs"]
 mod breakfast;
@@ -19,19 +19,19 @@ use clap::Parser;
 use support::Complaint;
 use vc_planner::language::Prompt;
 
-/// Lets a language model on a local server tidy up the breakfast.
+/// Lets a language model on a local server tidy up after breakfast.
 #[derive(Parser)]
 struct Options {
     /// The server, `http://HOST:PORT/PATH`.
     #[arg(long, default_value = "http://127.0.0.1:8080/v1/chat/completions")]
     url: String,
-    /// The model's name, for servers that have several.
+    /// The model's name, for servers with several models.
     #[arg(long, default_value = "default")]
     model: String,
-    /// Where the answers are kept.
+    /// The file in which the answers are stored.
     #[arg(long)]
     record: Option<PathBuf>,
-    /// Shows what the model is asked.
+    /// Show the prompts.
     #[arg(long)]
     prompts: bool,
 }
@@ -45,13 +45,13 @@ fn main() -> Result<(), Complaint> {
     }
 }
 
-/// How long a model may think about one answer.
+/// Timeout for one answer of the model.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// Longest answer that is read, bytes.
+/// Longest answer that is accepted, bytes.
 const LONGEST: u64 = 1 << 24;
 
-/// Asks a server; over HTTP 1.0, so that it answers in one piece and hangs up.
+/// Asks a server, over HTTP 1.0, so that it answers in one piece and closes the connection.
 fn ask(url: &str, model: &str, prompt: &Prompt) -> Result<String, String> {
     let address = url.strip_prefix("http://").ok_or("an endpoint begins with http://")?;
     let (host, path) = address.split_once('/').unwrap_or((address, ""));
@@ -78,7 +78,7 @@ fn ask(url: &str, model: &str, prompt: &Prompt) -> Result<String, String> {
     content(&answer)
 }
 
-/// The text of the first choice of an answer.
+/// The text of the first choice in a response.
 fn content(answer: &str) -> Result<String, String> {
     let (head, body) = answer.split_once("\r\n\r\n").ok_or("the server's answer has no body")?;
     let status = head.lines().next().unwrap_or_default();
@@ -103,7 +103,7 @@ mod tests {
         Prompt { system, user, actions: vec!["walk fridge.3".into()], schema: serde_json::json!({"type": "object"}) }
     }
 
-    /// A server that takes one request, gives one answer and hangs up; its URL, and the request.
+    /// A server that takes one request, gives one answer and closes; returns its URL, and the request.
     fn serve(answer: String) -> (String, JoinHandle<String>) {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let url = format!("http://{}/v1/chat/completions", listener.local_addr().unwrap());
@@ -116,7 +116,7 @@ mod tests {
         (url, request)
     }
 
-    /// A head, and as much of a body as the head says.
+    /// Reads a head, and a body of the length that the head gives.
     fn read_request(stream: &mut TcpStream) -> String {
         let (mut text, mut buffer) = (String::new(), [0; 1024]);
         loop {
@@ -156,7 +156,7 @@ mod tests {
         assert_eq!(ask(&url, "small", &prompt()), Err("HTTP/1.0 503 Service Unavailable: loading".into()));
         request.join().unwrap();
         assert!(ask("https://127.0.0.1/", "small", &prompt()).unwrap_err().contains("http://"));
-        // Bound and let go: nobody listens there.
+        // Bound and released, so that no server listens there.
         let free = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
         assert!(ask(&format!("http://{free}/"), "small", &prompt()).unwrap_err().starts_with(&free.to_string()));
     }

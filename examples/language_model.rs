@@ -1,8 +1,8 @@
-//! Lets a language model tidy up the breakfast.
+//! Lets a language model tidy up after breakfast.
 //!
-//! `cargo run --release --example language_model` needs no network: the model's answers
-//! were recorded, mistakes among them, and are read from
-//! `examples/data/language_model.txt`. The example `language_endpoint` asks a local server.
+//! `cargo run --release --example language_model` needs no network: the model's answers were recorded,
+//! including its mistakes, and are read from `examples/data/language_model.txt`. The example
+//! `language_endpoint` asks a local server.
 
 #[path = "support/breakfast.rs"]
 mod breakfast;
@@ -16,13 +16,13 @@ use support::Complaint;
 
 const RECORDED: &str = include_str!("data/language_model.txt");
 
-/// Lets a language model tidy up the breakfast, by recorded answers.
+/// Lets a language model tidy up after breakfast, with recorded answers.
 #[derive(Parser)]
 struct Options {
-    /// Other answers, with lines of `---` between them.
+    /// A file with other answers, separated by lines of `---`.
     #[arg(long)]
     answers: Option<PathBuf>,
-    /// Shows what the model is asked.
+    /// Show the prompts.
     #[arg(long)]
     prompts: bool,
 }

@@ -1,11 +1,10 @@
-//! Looks for what is wrong or odd with tasks.
+//! Checks tasks for errors and oddities.
 //!
-//! `cargo run --release --example lint -- FILE...` takes activities in BDDL
-//! (`.bddl`), lists of tasks (`.txt`) and our task files (`.json`); of PDDL (`.pddl`) it says whether it can
-//! be read; a folder stands
-//! for all activities in it. `--remarks` shows what is no fault as well, `--scene`
-//! tells which things there are. Files and lines that cannot be read are named, and the rest is checked.
-//! It ends with 1 if something is wrong, with 2 if something could not be read.
+//! `cargo run --release --example lint -- FILE...` takes activities in BDDL (`.bddl`), lists of tasks (`.txt`)
+//! and VirtualCity's task files (`.json`); for PDDL (`.pddl`) it reports whether the file can be parsed; a
+//! folder stands for all activities in it. `--remarks` also shows remarks that are not errors, `--scene` gives
+//! the scene with the objects. Unreadable files and lines are named, and the rest is checked. The exit status
+//! is 1 if there are errors, and 2 if something could not be read.
 
 mod support;
 
@@ -24,16 +23,16 @@ use vc_tasks::format::pddl::{Domain, Problem};
 use vc_tasks::lint::{self, Finding, Kind};
 use vc_tasks::{Task, TaskError};
 
-/// Looks for what is wrong or odd with tasks.
+/// Checks tasks for errors and oddities.
 #[derive(Parser)]
 struct Options {
     /// Files of tasks, or folders of activities.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Also show what is no fault.
+    /// Also show remarks that are not errors.
     #[arg(long)]
     remarks: bool,
-    /// The scene in which the tasks of .txt and .json files are to be done.
+    /// The scene for the tasks in .txt and .json files.
     #[arg(long)]
     scene: Option<PathBuf>,
 }
@@ -68,7 +67,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// Prints why something could not be read, and counts it.
+    /// Prints and counts an unreadable file or line.
     fn cannot_read(&mut self, why: impl Display) {
         say!("{why}");
         self.unread += 1;
@@ -94,7 +93,7 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>, tally: &mut Tally) {
     };
     let before = files.len();
     entries.sort();
-    // Domains are no tasks.
+    // Domain files are not tasks.
     let task = |p: &&PathBuf| {
         let name = p.file_name().unwrap_or_default().to_string_lossy();
         p.is_dir() || (name.ends_with(".bddl") && !name.starts_with("domain"))
@@ -130,7 +129,7 @@ fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<F
     tasks(file, &text, tally).iter().flat_map(of).collect()
 }
 
-/// Domains and problems of planners are read, and no more.
+/// Only checks that planning domains and problems can be parsed.
 fn planning(file: &Path, text: &str, tally: &mut Tally) -> Vec<Finding> {
     let read = match text.parse::<Domain>() {
         Ok(domain) => Ok(format!("the PDDL domain {}, with {} operators", domain.name, domain.operators.len())),
@@ -145,7 +144,7 @@ fn planning(file: &Path, text: &str, tally: &mut Tally) -> Vec<Finding> {
     Vec::new()
 }
 
-/// The tasks of a list or of a file of ours.
+/// The tasks of a list or of a task file of VirtualCity.
 fn tasks(file: &Path, text: &str, tally: &mut Tally) -> Vec<Task> {
     if file.extension().is_some_and(|e| e == "json") {
         return json::read(text).map_err(|why| tally.cannot_read(why.in_file(file))).unwrap_or_default();

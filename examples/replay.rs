@@ -1,10 +1,10 @@
-//! Executes VirtualHome programs and compares what comes out with what should.
+//! Executes VirtualHome programs and compares the results with the expected ones.
 //!
-//! `cargo run --release --example replay -- FILE...` takes JSON Lines of programs
-//! with the graphs before and after (the Embodied Agent Interface's), or, with
-//! `--scene`, plain programs to be run in that scene, by one character or by several. Files and lines
-//! that cannot be read are named, and the rest goes on; then it ends with 1. With `--semantics virtualhome`
-//! programs are run by VirtualHome's own transition rule, accidents included, and every edge is compared.
+//! `cargo run --release --example replay -- FILE...` takes JSON Lines of programs with the graphs before and
+//! after (the Embodied Agent Interface's), or, with `--scene`, plain programs to be run in that scene, by one
+//! character or by several. Unreadable files and lines are named and skipped, and the exit status is then 1.
+//! With `--semantics virtualhome` programs are run by VirtualHome's own transition rule, including its faults,
+//! and every edge is compared.
 
 #[cfg(feature = "environment")]
 #[path = "support/bodies.rs"]
@@ -25,17 +25,17 @@ use vc_graph::format::virtualhome::{Difference, EnvironmentGraph, RelationType};
 use vc_graph::format::{eai, read_scene};
 use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Semantics, Simulator};
 
-/// Executes VirtualHome programs and compares what comes out with what should.
+/// Executes VirtualHome programs and compares the results with the expected ones.
 #[derive(Parser)]
 struct Options {
-    /// Programs: .jsonl with graphs before and after, or .txt with --scene; packed ones are unpacked.
+    /// Programs: .jsonl with graphs before and after, or .txt with --scene; may be compressed.
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// The scene in which .txt programs run: any scene file, or one with graphs before and after.
     #[arg(long)]
     scene: Option<PathBuf>,
-    /// Run the programs with bodies in --scene. Those of .jsonl have to fit it: every number that a program names
-    /// has the same class there.
+    /// Run the programs with bodies in --scene. Those in .jsonl must fit it: every node number in a program
+    /// must have the same class there.
     #[cfg(feature = "environment")]
     #[arg(long)]
     bodies: bool,
@@ -48,7 +48,7 @@ struct Options {
 }
 
 impl Options {
-    /// By VirtualHome's own rule all is to be the same.
+    /// With VirtualHome's own rule all edges should be equal.
     fn compares_all(&self) -> bool {
         self.all || self.semantics == Semantics::VirtualHome
     }
@@ -58,10 +58,10 @@ impl Options {
 struct Tally {
     programs: usize,
     executable: usize,
-    /// Programs whose expected result is known, and those that came out so.
+    /// Programs with a known expected result, and those that had this result.
     compared: usize,
     same: usize,
-    /// Files and lines that are no programs.
+    /// Unreadable files and lines.
     unread: usize,
 }
 
@@ -101,7 +101,7 @@ fn main() -> Result<ExitCode, Complaint> {
     Ok(if tally.unread == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// A file of records, or one plain program in a scene.
+/// Runs a file of records, or one plain program in a scene.
 fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mut Tally) -> Result<(), Complaint> {
     let text = support::read(file)?;
     let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));
@@ -134,7 +134,7 @@ fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally)
     Ok(())
 }
 
-/// The lines to be printed about a record, or the reason why it is none.
+/// The lines to be printed about a record, or the reason why it cannot be read.
 fn replay_record(line: &str, options: &Options, tally: &mut Tally) -> Result<Vec<String>, String> {
     let record = eai::read_record(line).map_err(|e| e.to_string())?;
     let build = |graph: &EnvironmentGraph| {
@@ -154,7 +154,7 @@ fn replay_record(line: &str, options: &Options, tally: &mut Tally) -> Result<Vec
     Ok(std::iter::once(verdict).chain(differing).collect())
 }
 
-/// How a program went.
+/// The result of a program.
 struct Run {
     scene: SceneGraph,
     done: usize,
@@ -189,7 +189,7 @@ fn execute(scene: SceneGraph, program: &Program, semantics: Semantics) -> Run {
     Run { scene: world.into_graph(), done, refused }
 }
 
-/// A refused deed and the reasons, with its agent where there are several.
+/// A refused action and the reasons, with its agent if there are several.
 fn told(graph: &SceneGraph, deed: &Event, refusals: &[Refusal]) -> String {
     let reasons: Vec<String> = refusals.iter().map(ToString::to_string).collect();
     let who = if graph.agents().len() > 1 { format!("{} ", graph.label(deed.agent)) } else { String::new() };

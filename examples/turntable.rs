@@ -1,8 +1,8 @@
 //! An object from all sides, as an animated PNG.
 //!
-//! `cargo run --release --example turntable -- --class armchair --out out/turntable` turns the
-//! camera once around an armchair from the catalogue; `--index 3` is another one, `--open` opens doors and
-//! drawers on the way round and shuts them again. `--labels` shows depth, normals, and what moves beside it.
+//! `cargo run --release --example turntable -- --class armchair --out out/turntable` moves the camera once
+//! around an armchair from the catalogue; `--index 3` selects another one, `--open` opens doors and drawers on
+//! the way and closes them again. `--labels` shows depth, normals and the moving parts beside it.
 //! `--model chair.glb` shows a model of your own instead, with its textures.
 
 #[path = "support/mod.rs"]
@@ -33,28 +33,28 @@ struct Options {
     /// Class of the object.
     #[arg(long, default_value = "armchair")]
     class: String,
-    /// Which object of its class.
+    /// Index of the object in its class.
     #[arg(long, default_value_t = 0)]
     index: usize,
-    /// What objects are made from.
+    /// The seed from which objects are generated.
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/turntable")]
     out: PathBuf,
-    /// Pictures in a turn.
+    /// Pictures per turn.
     #[arg(long, default_value_t = 48, value_parser = clap::value_parser!(u32).range(1..=720))]
     pictures: u32,
-    /// Pixels along a side.
+    /// Side of a picture, pixels.
     #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(16..=2048))]
     side: u32,
-    /// Pictures a second.
+    /// Pictures per second.
     #[arg(long, default_value_t = 16)]
     rate: u16,
-    /// Opens doors and drawers on the way.
+    /// Open doors and drawers on the way.
     #[arg(long)]
     open: bool,
-    /// Shows labels beside the colours.
+    /// Show labels beside the colours.
     #[arg(long)]
     labels: bool,
 }
@@ -93,10 +93,10 @@ fn main() -> Result<(), Complaint> {
     Ok(())
 }
 
-/// What is shown.
+/// The object that is shown.
 struct Object {
     class: String,
-    /// Name of the file it is shown in.
+    /// Name of the output file.
     file: String,
     asset: Arc<Asset>,
     id: AssetId,
@@ -119,7 +119,7 @@ fn catalogued(options: &Options) -> Result<Object, Complaint> {
     Ok(Object { class: class.clone(), file: format!("{class}_{index}"), asset, id, library })
 }
 
-/// A model from a file, its textures with it.
+/// Reads a model from a file, with its textures.
 fn model(path: &Path) -> Result<Object, Complaint> {
     let complaint = |e: String| Complaint::new(format!("{}: {e}", path.display()));
     let bytes = virtualcity::read_bytes(path).map_err(Complaint::new)?;
@@ -133,7 +133,7 @@ fn model(path: &Path) -> Result<Object, Complaint> {
     Ok(Object { class, file, asset, id, library })
 }
 
-/// The object on a floor that is wider than the picture.
+/// Puts the object on a floor that is wider than the picture.
 fn stage(object: &Object) -> Result<(SceneGraph, NodeId), Complaint> {
     let mut library = object.library.clone();
     let wide = 10.0 * object.size().norm();
@@ -153,23 +153,23 @@ fn stage(object: &Object) -> Result<(SceneGraph, NodeId), Complaint> {
     Ok((scene.build(), node))
 }
 
-/// Cameras on a circle that is wide enough to see all of it.
+/// Cameras on a circle that is wide enough to see the whole object.
 fn around(object: &Object, options: &Options) -> Vec<Camera> {
     let (low, high) = object.asset.extent().unwrap_or_default();
     let (size, middle) = (high - low, nalgebra::center(&low, &high));
     let target = Point3::new(middle.x, middle.y, 0.5 * size.z);
     let camera = Camera::with_fov(options.side, options.side, 0.6);
-    // As far as a ball around it fits in, drawers drawn as well.
+    // The distance at which a sphere around it fits into the view, including its open drawers.
     let radius = 0.5 * size.norm() * if options.open { 1.3 } else { 1.05 };
     camera.around(target, radius / 0.3_f32.sine(), 0.4, options.pictures as usize)
 }
 
-/// From shut to open and back, gently.
+/// The opening from closed to open and back, smoothly.
 fn swing(turn: f32) -> f32 {
     0.5 - 0.5 * (std::f32::consts::TAU * turn).cosine()
 }
 
-/// The limit farther from zero.
+/// The joint limit that is farther from zero.
 fn farthest(joint: &Joint) -> f32 {
     let (low, high) = joint.limits;
     if high >= -low { high } else { low }

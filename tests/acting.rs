@@ -1,4 +1,4 @@
-//! What bodies do in an action is seen while they do it, tick by tick, and ends as the action does.
+//! The motion of bodies during an action can be observed tick by tick, and ends in the action's result.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -9,7 +9,7 @@ use virtualcity::Environment;
 use virtualcity::graph::{Action, NodeId, Place, Pose, Property, Relation, State, Verb};
 use virtualcity::physics::{Hand, Posture, Role};
 
-/// How far what is shown may be from where it is in the end, metres.
+/// Largest distance between the last shown pose and the final one, metres.
 const SAME: f32 = 0.05;
 
 fn home(seed: u64) -> (Environment, NodeId) {
@@ -18,7 +18,7 @@ fn home(seed: u64) -> (Environment, NodeId) {
     (home, me)
 }
 
-/// Does an action in time, and says what it was of an action that fails.
+/// Performs an action in real time, and describes a failing action.
 fn show(home: &mut Environment, verb: Verb, things: &[NodeId], watch: impl FnMut(&Environment)) {
     let (me, action) = (home.agents()[0], Action::with(verb, things).unwrap());
     let words = action.describe(home.graph()).to_string();
@@ -30,19 +30,19 @@ fn act(home: &mut Environment, verb: Verb, things: &[NodeId]) {
     show(home, verb, things, |_| {});
 }
 
-/// The first of these things at which a home, changed by a try, is as it should be.
+/// The first of these objects for which an attempt in a copy of the home succeeds.
 fn first(home: &Environment, things: &[NodeId], tried: impl Fn(&mut Environment, NodeId) -> bool) -> Option<NodeId> {
     things.iter().copied().find(|id| tried(&mut home.clone(), *id))
 }
 
-/// Walks up to a thing and does something with it, if that can be done.
+/// Walks up to an object and performs a verb on it, if possible.
 fn can(home: &mut Environment, verb: Verb, thing: NodeId) -> bool {
     let me = home.agents()[0];
     let walk = home.set_action(me, Action::one(Verb::Walk, thing));
     walk.is_ok() && home.set_action(me, Action::one(verb, thing)).is_ok()
 }
 
-/// Walks up to the first thing of a kind with which something can be done, and returns it.
+/// Walks up to the first object of a kind on which a verb can be performed, and returns it.
 fn go_for(home: &mut Environment, verb: Verb, kind: impl Fn(&virtualcity::graph::Node) -> bool) -> NodeId {
     let things: Vec<NodeId> = home.graph().nodes().filter(|n| kind(n)).map(|n| n.id()).collect();
     let found = first(home, &things, |home, id| can(home, verb, id));
@@ -63,7 +63,7 @@ fn at(home: &Environment, id: NodeId) -> Point3<f32> {
     home.world().aabb(id).unwrap().centre()
 }
 
-/// Where everything is, but agents.
+/// The poses of all nodes except agents.
 fn poses(home: &Environment) -> BTreeMap<NodeId, Pose> {
     home.world().poses().into_iter().filter(|(id, _)| !home.agents().contains(id)).collect()
 }
@@ -74,7 +74,7 @@ fn places(home: &Environment, id: NodeId) -> Vec<Place> {
     places
 }
 
-/// An environment that notes how each shown action ends, against how it ends at once.
+/// Compares the end of a shown action with the result of performing it at once.
 fn ends_as_shown(home: &mut Environment, verb: Verb, things: &[NodeId]) {
     let before = home.clone();
     let mut ticks: Vec<Environment> = Vec::new();
@@ -105,8 +105,8 @@ fn ends_as_shown(home: &mut Environment, verb: Verb, things: &[NodeId]) {
     }
 }
 
-/// Of a whole errand, what is shown last of each action is how the action ends: the bodies, who
-/// holds what, what is on what, what is open.
+/// In a whole errand, the last shown state of each action equals its result: the bodies, the held objects, the
+/// placements, the open parts.
 #[test]
 fn shows_end_as_actions_do() {
     let (mut home, me) = home(42);
@@ -129,8 +129,8 @@ fn shows_end_as_actions_do() {
     ends_as_shown(&mut home, Verb::Dance, &[]);
 }
 
-/// Who walks through the home and through its doors pushes nothing over and nothing along; the
-/// doors swing open before one, and are as they were behind one.
+/// An agent that walks through the home and its doors pushes nothing over or along; doors swing open in front
+/// of it, and are as before behind it.
 #[test]
 fn walks_push_nothing_and_doors_swing() {
     let (mut swung, mut walked) = (0, 0.0_f32);
@@ -164,7 +164,7 @@ fn walks_push_nothing_and_doors_swing() {
     assert!(swung >= 4 && walked > 20.0, "{swung} doors swung in {walked} m");
 }
 
-/// One sits and lies on things, is where the seat is, says so, and gets up again beside it.
+/// An agent sits and lies on objects, is where the seat is, has the state, and gets up again beside the seat.
 #[test]
 fn one_sits_lies_sleeps_and_gets_up() {
     let (mut home, me) = home(42);
@@ -194,9 +194,8 @@ fn one_sits_lies_sleeps_and_gets_up() {
     }
 }
 
-/// Where the agent's eyes are.
 #[cfg(feature = "render")]
-/// Does an action in the course of which the eyes never leap.
+/// Performs an action during which the eyes never jump.
 fn glide(home: &mut Environment, verb: Verb, things: &[NodeId]) {
     let (mut last, mut most, mut ticks) = (eyes(home), 0.0_f32, 0);
     show(home, verb, things, |now| {
@@ -211,7 +210,7 @@ fn eyes(home: &Environment) -> Point3<f32> {
     Point3::from(camera.pose.translation.vector)
 }
 
-/// How near something comes to a point that may move, while an action is shown.
+/// The smallest distance of an object from a point that may move, while an action is shown.
 fn nearest(
     home: &mut Environment,
     verb: Verb,
@@ -224,8 +223,8 @@ fn nearest(
     best
 }
 
-/// What one eats and drinks comes to the mouth, what one reads before the eyes; standing and
-/// seated. It stays in the hand.
+/// Food and drink come to the mouth, reading matter in front of the eyes, standing and seated; the object stays
+/// in the hand.
 #[cfg(feature = "render")]
 #[test]
 fn one_eats_drinks_and_reads() {
@@ -247,7 +246,7 @@ fn one_eats_drinks_and_reads() {
     }
 }
 
-/// What is poured comes above the vessel, and makes it full; what is filled is full.
+/// A poured object comes above the target and fills it; a filled object is full.
 #[test]
 fn one_pours_and_fills() {
     let (mut home, me) = home(42);
@@ -265,7 +264,7 @@ fn one_pours_and_fills() {
     assert_eq!(home.world().held(me, Hand::Right), Some(drink));
 }
 
-/// What is wiped and washed gets clean, and the cloth goes to it.
+/// A wiped or washed object becomes clean, and the cloth moves to it.
 #[test]
 fn one_wipes() {
     let (mut home, _) = home(42);
@@ -278,8 +277,8 @@ fn one_wipes() {
     assert!(home.graph().node(table).unwrap().is(State::Clean));
 }
 
-/// What is taken goes with the hand from where it was, and what is put down goes with it to where
-/// it stays: nothing leaps.
+/// A taken object moves with the hand from its place, and one that is put down moves with the hand to its
+/// place: nothing jumps.
 #[test]
 fn what_hands_move_does_not_leap() {
     let (mut home, _) = home(42);

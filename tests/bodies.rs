@@ -1,5 +1,5 @@
-//! Scenes as worlds of bodies: generated apartments stay as they are, and every room can be
-//! walked to; what bodies rest on, relations are told.
+//! Scenes as worlds of bodies: generated apartments keep their layout, every room can be reached on foot, and
+//! relations use the supports found by physics.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -20,8 +20,8 @@ fn build(graph: &SceneGraph) -> World {
     World::build(graph, &Shapes::new(), Settings::default()).unwrap()
 }
 
-/// A generated home comes to rest in ten seconds but for a few things, and hardly one in
-/// ten thousand falls: what stands on its edge, a rubber band that slips through.
+/// A generated home comes to rest within ten seconds except for a few objects, and hardly one in ten thousand
+/// falls: an object standing on its edge, a rubber band that slips through.
 #[test]
 fn homes_come_to_rest() {
     let (mut things, mut fell) = (0, 0);
@@ -37,7 +37,7 @@ fn homes_come_to_rest() {
     assert!(fell * 1000 < things, "{fell} of {things} things fell");
 }
 
-/// A free point of a room, the one nearest to its middle.
+/// The free point of a room that is nearest to its middle.
 fn inside(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<Point2<f32>> {
     let aabb = graph.node(room)?.aabb()?;
     let steps = |low: f32, high: f32| (0..=60).map(move |i| low + (high - low) * i as f32 / 60.0);
@@ -59,23 +59,22 @@ fn every_room_can_be_walked_to() {
                 assert!(open.route(*a, *b).is_some(), "no way from room {i} to {j} in {}", graph.name());
             }
         }
-        // Shut doors as they are leave fewer ways.
+        // With closed doors fewer routes exist.
         let shut = Floor::of(&world, FloorPlan { doors: Doors::AsTheyAre, ..FloorPlan::default() });
         let ways = |floor: &Floor| places.iter().filter(|p| floor.route(places[0], **p).is_some()).count();
         assert!(ways(&shut) < ways(&open), "{}", graph.name());
     }
 }
 
-/// The contacts of a world as relations take them: physics has how hard and which way, they
-/// want the impulse on the second of the two.
+/// The contacts of a world as evidence for relations: physics gives magnitude and direction, relations need the
+/// impulse on the second of the two bodies.
 fn told(world: &World) -> Evidence {
     let contacts = world.contacts().into_iter();
     let contact = |c: virtualcity::physics::Contact| Contact { between: (c.a, c.b), impulse: c.normal * c.impulse };
     Evidence { contacts: contacts.map(contact).collect(), ..Evidence::default() }
 }
 
-/// A plank on two tables and a ladder that leans on a wall, a little above where they come to
-/// rest.
+/// A plank on two tables and a ladder leaning on a wall, slightly above their rest positions.
 fn leaning() -> (SceneGraph, [NodeId; 6]) {
     let mut scene = SceneBuilder::new("workshop");
     let mut put = |class: &str, size: [f32; 3], pose: Pose| {

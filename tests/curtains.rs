@@ -1,4 +1,4 @@
-//! Curtains of generated homes leave their windows free, or cover them and go through no radiator.
+//! Curtains of generated homes leave their windows free, or cover them without intersecting a radiator.
 
 #![allow(clippy::unwrap_used)]
 
@@ -8,7 +8,7 @@ use virtualcity::graph::{Node, NodeId, Pose, SceneGraph, Seed};
 use virtualcity::procgen::Apartment;
 use virtualcity::render::{RayCaster, RayHit, Renderer, Snapshot};
 
-/// Places along a window and up at which is looked.
+/// Number of sample points along a window and upwards.
 const PLACES: usize = 16;
 
 /// A window with curtains, and the radiators of its room.
@@ -34,7 +34,7 @@ fn hung(graph: &SceneGraph) -> Vec<Hung> {
     windows.iter().map(|id| of(graph.node(*id).unwrap())).filter(|hung| !hung.curtains.is_empty()).collect()
 }
 
-/// All that a ray meets.
+/// All hits along a ray.
 fn met(caster: &RayCaster, from: Point3<f32>, along: Vector3<f32>, reach: f32) -> Vec<RayHit> {
     let (mut hits, mut at) = (Vec::new(), 0.0);
     while let Some(hit) = caster.first(&(from + at * along), &along, reach - at) {
@@ -49,7 +49,7 @@ fn places() -> impl Iterator<Item = [f32; 2]> {
 }
 
 impl Hung {
-    /// The share of the window that is behind its curtains.
+    /// The fraction of the window that its curtains cover.
     fn covered(&self, caster: &RayCaster) -> f32 {
         let along = self.pose.rotation * Vector3::x();
         let covers = |[u, v]: &[f32; 2]| {
@@ -59,7 +59,7 @@ impl Hung {
         places().filter(covers).count() as f32 / (PLACES * PLACES) as f32
     }
 
-    /// At how many places a curtain is met between the front and the back of a radiator.
+    /// The number of sample points at which a curtain is hit between the front and the back of a radiator.
     fn through(&self, caster: &RayCaster) -> usize {
         let into = self.pose.rotation * -Vector3::x();
         let meets = |[u, v]: &[f32; 2]| {
@@ -81,7 +81,7 @@ fn drawn(snapshot: &Snapshot, windows: &[Hung], closed: bool) -> RayCaster {
     RayCaster::new(&drawn)
 }
 
-/// How many windows of a home have curtains, how many of them radiators in their room, and how many are covered.
+/// The numbers of windows in a home with curtains, of those with radiators in their room, and of those covered.
 fn counts(seed: u64) -> [usize; 3] {
     let graph = Apartment::from_seed(Seed(seed)).unwrap().scene();
     let snapshot = Renderer::new().snapshot(&graph).unwrap();

@@ -34,7 +34,7 @@ fn act(home: &mut Environment, agent: NodeId, verb: Verb, things: &[NodeId]) {
     assert!(done.is_ok(), "{}: {}", action.describe(home.graph()), done.unwrap_err());
 }
 
-/// Random actions, legal and not, do no harm, and the bodies do what the rule says.
+/// Random actions, legal or not, do no harm, and the bodies act as the rule says.
 #[test]
 fn random_actions_do_no_harm() {
     for seed in [8, 42] {
@@ -46,7 +46,7 @@ fn random_actions_do_no_harm() {
     }
 }
 
-/// As many as are asked of a release; `HOMES`, `ACTIONS` and `FROM` choose others.
+/// The number of actions required for a release; `HOMES`, `ACTIONS` and `FROM` set other ranges.
 #[test]
 #[ignore = "takes long"]
 #[allow(clippy::print_stdout, reason = "it is a report")]
@@ -72,7 +72,7 @@ fn many_random_actions() {
     assert_eq!(breaches, 0);
 }
 
-/// Of equal scenes and bodies those are not the same in which other things were done.
+/// Environments with equal scenes and bodies but different histories have different digests.
 #[test]
 fn digests_tell_what_was_done() {
     let (mut first, mut second) = (home(42, 1), home(42, 1));
@@ -82,14 +82,14 @@ fn digests_tell_what_was_done() {
     assert_ne!(first.digest(), second.digest());
 }
 
-/// More agents than there is floor for are refused before anything is made for them.
+/// More agents than fit on the floor are refused before any object is allocated for them.
 #[test]
 fn crowds_are_refused() {
     let crowd = Environment::make("apartment/42", 1_000_000_000);
     assert!(matches!(crowd, Err(MakeError::NoRoom { .. })));
 }
 
-/// The contract of Gymnasium's checker and more.
+/// The contract of Gymnasium's checker, and more.
 #[test]
 fn the_contract_is_kept() {
     for (name, agents) in [("apartment/8", 2), ("apartment/5", 1), ("apartment/21", 3)] {
@@ -98,7 +98,7 @@ fn the_contract_is_kept() {
     }
 }
 
-/// The same bytes in any thread, in a batch or alone, whatever the order.
+/// Results are the same bytes in any thread, in a batch or alone, in any order.
 #[test]
 fn threads_change_nothing() {
     let actions = |home: &Environment| -> Vec<(NodeId, Action)> {
@@ -124,7 +124,7 @@ fn threads_change_nothing() {
     assert_eq!(alone[0], alone[2]);
 }
 
-/// The planner's human-like agent does a task in a home with bodies, through `World`.
+/// The planner's human-like agent performs a task in a home with bodies, through `World`.
 #[test]
 fn the_planner_works_with_bodies() {
     use virtualcity::graph::Scope;
@@ -151,8 +151,8 @@ fn the_planner_works_with_bodies() {
     assert_eq!(home.graph(), &start);
 }
 
-/// Times of actions, by five hundred, and figures that could make actions slower; `HOMES`, `ACTIONS` and
-/// `FROM` choose how many.
+/// Prints times of actions, in groups of five hundred, and figures that could slow actions down; `HOMES`,
+/// `ACTIONS` and `FROM` set the range.
 #[test]
 #[ignore = "takes a minute: proofs/drift"]
 #[allow(clippy::print_stdout, reason = "it is a report")]
@@ -208,8 +208,8 @@ fn actions_cost_what_the_first_did() {
 /// The kind of an action, and whether it succeeded.
 type Sort = (String, bool);
 
-/// The cost of some actions as a part of the cost of others: each sort counts as often as both have it, at its mean
-/// cost in each.
+/// The cost of some actions relative to that of others: each sort is weighted by the number that both have, at
+/// its mean cost in each.
 fn like_with_like(first: &[(Sort, f64)], last: &[(Sort, f64)]) -> f64 {
     let by_sort = |costs: &[(Sort, f64)]| {
         let mut all: std::collections::BTreeMap<Sort, Vec<f64>> = std::collections::BTreeMap::new();

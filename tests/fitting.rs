@@ -1,4 +1,4 @@
-//! What bodies find room for, and what they get at: as people do it at home.
+//! Fitting and reaching: bodies find space and get at objects as people do at home.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -10,7 +10,7 @@ use virtualcity::initial::{at_home_that, feasible, generator};
 use virtualcity::tasks::WorldError;
 use virtualcity::tasks::library::Benchmark;
 
-/// An environment of a benchmark's task of which bodies can do all that it asks for.
+/// An environment of a benchmark task whose actions are all possible with bodies.
 fn environment(task: &str) -> (Environment, NodeId) {
     let benchmark = Benchmark::v1();
     let activity = benchmark.get(task).unwrap();
@@ -20,7 +20,7 @@ fn environment(task: &str) -> (Environment, NodeId) {
     (made.world, made.initial.agent)
 }
 
-/// The first of a class that the agent gets at.
+/// The first object of a class within the agent's reach.
 fn first(home: &Environment, agent: NodeId, class: &str) -> NodeId {
     let all = home.graph().of_class(class);
     all.into_iter().find(|id| home.can_get_at(agent, *id)).unwrap()
@@ -64,14 +64,14 @@ fn laundry_is_folded_into_the_drum() {
         assert!(graph.places(shirt).any(|p| p == Place { relation: Relation::Inside, at: machine }));
         let (low, high) = home.world().aabb(shirt).map(|b| (b.min, b.max)).unwrap();
         assert!(drum.contains(&low) && drum.contains(&high), "{low} to {high} sticks out");
-        // The graph says how large it is by now, and the box is where the body is.
+        // The graph has the present size, and the box is where the body is.
         let said = graph.node(shirt).unwrap().aabb().unwrap();
         assert!((said.max - high).norm() < 0.05 && (said.min - low).norm() < 0.05, "{said:?}");
     }
-    // Observed things lie on others that are no surfaces by their class, as shirts on shirts.
+    // Observed objects can lie on nodes that are not surfaces by their class, such as shirts on shirts.
     let unsound = graph.validate().into_iter().filter(|v| !matches!(v, Violation::NotASurface(..)));
     assert_eq!(unsound.collect::<Vec<_>>(), []);
-    // It is written and read as it is, and a reset spreads all out again.
+    // It is saved and restored unchanged, and a reset unfolds everything.
     let saved = home.save().unwrap();
     assert_eq!(home.restore(&saved).unwrap().digest(), home.digest());
     let before = LAUNDRY.0.graph().clone();
@@ -96,7 +96,7 @@ fn there_is_room_for_laundry_and_not_for_the_wardrobe() {
     assert_eq!(home.has_room(*agent, &[shirts[0].clone(), inside(wardrobe)]), Err(wardrobe));
 }
 
-/// One turns to anything, and goes on facing it while one stands there.
+/// An agent can turn towards anything, and keeps facing it while it stands there.
 #[test]
 fn what_one_turns_to_one_faces() {
     let (mut home, agent) = environment("show_around-04");
@@ -113,7 +113,7 @@ fn what_one_turns_to_one_faces() {
     assert!(home.graph().facing(agent, other) && !home.graph().facing(agent, shelf));
 }
 
-/// Who walks up to a thing gets at it, and is near what is in it, wherever its door stands.
+/// An agent that walks up to a container can reach into it and is near its contents, wherever its door stands.
 #[test]
 fn open_doors_do_not_keep_one_away() {
     let (mut home, agent) = environment("put_dishwasher-04");
@@ -128,7 +128,7 @@ fn open_doors_do_not_keep_one_away() {
     }
 }
 
-/// Drawers stand open with what is in them, and are pushed shut in passing.
+/// Drawers stay open with their contents, and are pushed shut in passing.
 #[test]
 fn nobody_is_trapped_behind_open_drawers() {
     let (mut home, agent) = environment("setup_table-02");
@@ -148,7 +148,7 @@ fn nobody_is_trapped_behind_open_drawers() {
     assert!(opened > 3, "{opened} opened");
 }
 
-/// What one holds opens in the hand.
+/// A held object can be opened in the hand.
 #[test]
 fn a_book_opens_in_the_hand() {
     let (mut home, agent) = LAUNDRY.clone();

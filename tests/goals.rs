@@ -1,5 +1,5 @@
-//! The agent reaches goals: those of the Embodied Agent Interface with full
-//! knowledge, everyday ones in VirtualHome's scenes seeing only its room.
+//! The agent reaches goals: those of the Embodied Agent Interface under full knowledge, and everyday ones in
+//! VirtualHome's scenes under partial observability of its room.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -11,7 +11,7 @@ use vc_graph::{Action, ClassTable, Goal, SceneGraph, Simulator, Verb};
 use vc_planner::{Episode, Newcomer, Policy, Resident, Run};
 use vc_tasks::{Outcome, Task, household};
 
-/// Goals nobody can reach, and why.
+/// Unreachable goals, with the reasons.
 const UNREACHABLE: [(&str, &str); 1] = [("file688_1", "wants one glass in both hands at once")];
 
 fn attempt(scene: &SceneGraph, task: &Task, policy: &mut dyn Policy, seed: u64) -> (Episode, Simulator) {
@@ -39,8 +39,8 @@ fn eai_goals_with_full_knowledge() {
             continue;
         }
         won += 1;
-        // The formula says the same with an order; no plan is longer than what counts of
-        // the program people wrote, and two more.
+        // The formula states the same with an order. No plan is longer than the effective actions of the
+        // human-written program plus two.
         let now = Situation::new(world.graph(), me, world.history());
         let formula = wanted.formula.as_ref().unwrap();
         assert!(formula.holds(&now), "{}", record.id);
@@ -57,9 +57,8 @@ fn eai_goals_with_full_knowledge() {
     assert!(won >= 60, "{won}");
 }
 
-/// How many actions of a program count: not those that change nothing (to find what is at
-/// hand, to look at it) or only which way one looks, and that neither the goals nor what
-/// comes after them need.
+/// The number of effective actions of a program. Actions do not count if they change nothing (finding an object
+/// at hand, looking at it) or only the facing, and neither the goals nor later actions need them.
 fn effective(scene: &SceneGraph, program: &[Action], goals: &[&Goal]) -> usize {
     let mut kept = program.to_vec();
     let (reached, _) = replayed(scene, program, goals);
@@ -77,7 +76,7 @@ fn effective(scene: &SceneGraph, program: &[Action], goals: &[&Goal]) -> usize {
     kept.len()
 }
 
-/// Which of some goals hold after a program, and how many of its actions were refused.
+/// The goals that hold after a program, and the number of its refused actions.
 fn replayed(scene: &SceneGraph, program: &[Action], goals: &[&Goal]) -> (Vec<bool>, usize) {
     let me = scene.agents()[0];
     let mut world = Simulator::new(scene.clone());

@@ -1,4 +1,4 @@
-//! What nobody should ask of an environment: an error, and never a panic.
+//! Hostile requests to an environment give an error, and never a panic.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -27,7 +27,7 @@ fn home() -> (Environment, NodeId) {
     (home, me)
 }
 
-/// Something is done and looked at in what came of a broken file.
+/// Acts and observes in an environment made from a broken file.
 fn is_lived_in(mut home: Environment) {
     for agent in home.agents().to_vec() {
         let _ = home.room_observation(agent);
@@ -96,7 +96,7 @@ fn scenes_may_be_of_something_else() {
             Ok(_) => is_lived_in(home.clone()),
             Err(_) => assert_eq!(home.digest(), before, "a refusal changes nothing"),
         }
-        // What had gone is there again, though its bodies are others.
+        // The removed objects exist again, although with other bodies.
         home.reset(&home.start().clone()).unwrap();
         assert_eq!(home.graph().digest(), home.start().digest());
     }

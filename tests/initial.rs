@@ -1,6 +1,6 @@
 //! The benchmark's initial environments in generated homes.
 //!
-//! `VC_SEEDS=20 cargo test --test initial` makes twenty of each task.
+//! `VC_SEEDS=20 cargo test --test initial` makes twenty environments per task.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -17,12 +17,12 @@ use vc_tasks::initial::{Generator, Purpose};
 use vc_tasks::library::{Activity, Benchmark, List, THESIS_VERBS, thesis_tasks};
 use virtualcity::initial::{AtHome, Catalogue, at_home};
 
-/// How many environments of each task are made where nobody says.
+/// Number of environments per task unless specified.
 const SEEDS: u64 = 1;
 
 type Home = AtHome<Simulator>;
 
-/// One task's environment of a seed, or why there is none.
+/// A task's environment for a seed, or the reason why there is none.
 type Made = (Activity, u64, Result<Home, String>);
 
 /// Every task's environments, by task and seed.
@@ -119,7 +119,7 @@ fn what_is_added_is_where_it_should_be_and_free() {
             }
             let besides = scene.support_chain(added.id);
             let aabb = scene.node(added.id).unwrap().aabb().unwrap();
-            // Its box against the parts of what was there before it.
+            // Compares its box with the parts of the objects that were there before.
             let hit = scene.nodes().find(|n| {
                 let other = n.id() < added.id && n.kind() != vc_graph::Kind::Room && !besides.contains(&n.id());
                 other && parts(scene, n.id()).iter().any(|b| share_space(&aabb, b))
@@ -130,14 +130,14 @@ fn what_is_added_is_where_it_should_be_and_free() {
     }
 }
 
-/// Whether a thing's box is over, in or under that of what it is on, in or hangs from.
+/// Whether an object's box is above, in or under that of its support or container.
 fn stands(scene: &SceneGraph, id: NodeId, at: NodeId) -> bool {
     let sits = scene.related(id, Relation::SittingOn).next().is_some();
     let (thing, carrier) = (scene.node(id).unwrap().aabb().unwrap(), scene.node(at).unwrap().aabb().unwrap());
     sits || (0..2).all(|i| thing.min[i] < carrier.max[i] && carrier.min[i] < thing.max[i])
 }
 
-/// Boxes around a thing's parts, by its asset.
+/// Boxes of an object's parts, from its asset.
 fn parts(scene: &SceneGraph, id: NodeId) -> Vec<Aabb> {
     let node = scene.node(id).unwrap();
     let Some(asset) = node.spec().asset.and_then(|a| scene.assets().get(a)) else {
@@ -155,8 +155,8 @@ fn share_space(a: &Aabb, b: &Aabb) -> bool {
     (0..3).all(|i| a.min[i] + 0.003 < b.max[i] && b.min[i] + 0.003 < a.max[i])
 }
 
-/// Tasks of the thesis that name what no generated home has, though it has the rooms:
-/// another person, a ceiling fan, an air conditioner, a piano.
+/// Tasks of the thesis with objects that no generated home has, although it has the rooms: another person, a
+/// ceiling fan, an air conditioner, a piano.
 const NOT_AT_HOME: [&str; 6] = ["indoor-3", "indoor-22", "outdoor-30", "outdoor-34", "outdoor-39", "outdoor-46"];
 
 #[test]

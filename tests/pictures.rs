@@ -1,4 +1,4 @@
-//! Pictures of generated homes show what is in them.
+//! Pictures of generated homes show their contents.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -18,7 +18,7 @@ fn act(home: &mut Environment, agent: NodeId, verb: Verb, things: &[NodeId]) {
     home.set_action(agent, Action::with(verb, things).unwrap()).unwrap();
 }
 
-/// A camera in a room stays where it is whatever moves, and what cannot be a picture is refused.
+/// A camera in a room keeps its place whatever moves, and impossible picture sizes are refused.
 #[test]
 fn cameras_in_rooms_are_fixed() {
     let mut home = home(42, 1);
@@ -28,7 +28,7 @@ fn cameras_in_rooms_are_fixed() {
     let before = camera(&home);
     act(&mut home, me, Verb::Walk, &[table]);
     assert_eq!(before, camera(&home));
-    // The same in an environment in which nothing was looked at before.
+    // The same in an environment without earlier pictures.
     let mut other = Environment::make("apartment/42", 1).unwrap();
     act(&mut other, me, Verb::Walk, &[table]);
     assert_eq!(before, camera(&other));
@@ -37,10 +37,10 @@ fn cameras_in_rooms_are_fixed() {
     }
 }
 
-/// What is rendered now does not depend on what was rendered before.
+/// A picture does not depend on earlier pictures.
 #[test]
 fn pictures_have_no_history() {
-    // Two of their own: clones share what was made for pictures.
+    // Two separate environments, since clones share what was computed for pictures.
     let (mut seen, mut unseen) = (home(42, 1), home(42, 1));
     let (me, table) = (seen.agents()[0], seen.graph().of_class("coffee_table")[0]);
     let door = seen.graph().of_class("door")[0];
@@ -55,8 +55,8 @@ fn pictures_have_no_history() {
     assert!(pictures[3] != pictures[4], "an open door is seen");
 }
 
-/// Above a room one sees its floor and things and no ceiling; a camera of one's own shows the same
-/// at every size; what is no agent or room has no camera.
+/// A camera above a room sees its floor and objects and no ceiling; a free camera shows the same at every size;
+/// a node that is not an agent or a room has no camera.
 #[test]
 fn cameras_are_anywhere() {
     let home = home(42, 1);
@@ -84,12 +84,12 @@ fn cameras_are_anywhere() {
         assert!(home.render(nobody, Modality::Depth, 16, 16).is_err(), "{nobody:?}");
     }
     assert!(home.render(Viewpoint::Agent(me), Modality::FlowForward, 16, 16).is_err());
-    // One does not see one's own head.
+    // Agents do not see their own heads.
     let (own, _) = seen(Viewpoint::Agent(me), 160, 120);
     assert!(own.instance.iter().filter(|id| **id == me).count() < own.instance.len() / 10);
 }
 
-/// Who steps before a mirror is seen in it.
+/// An agent in front of a mirror is seen in it.
 #[test]
 fn mirrors_show_the_home_as_it_is() {
     let mut home = home(8, 1);
@@ -111,7 +111,7 @@ fn mirrors_show_the_home_as_it_is() {
     assert!(seen > 50, "in {seen} pixels of mirrors somebody is seen");
 }
 
-/// What is dirty looks so, until it is washed.
+/// A dirty object looks dirty until it is washed.
 #[test]
 fn dirt_is_seen() {
     let mut home = home(42, 1);

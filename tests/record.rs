@@ -1,4 +1,4 @@
-//! Records of episodes: what is in the folder, and that it is the same for the same run.
+//! Records of episodes: the contents of the folder, and its reproducibility.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -17,14 +17,14 @@ use virtualcity::{Environment, PictureOptions, RecordError, RecordOptions, Recor
 
 const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true, finer: 2, daylight: None };
 
-/// A folder of this test's own.
+/// A folder for this test only.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
     folder
 }
 
-/// An agent in a home is told to hold a novel.
+/// An agent in a home is given the goal of holding a novel.
 fn record(folder: &Path) -> (Episode, Environment) {
     let home = Environment::make("apartment/42", 1).unwrap();
     let me = home.agents()[0];
@@ -55,7 +55,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 #[test]
 fn an_episode_is_written_down_and_read_again() {
     let at = folder("record");
-    // A longer record was here, and something of the user's.
+    // Remains of a longer record, and a file of the user's.
     for name in ["film/900.jpg", "frames/000900.png", "film/notes.txt"] {
         virtualcity::files::write(&at.join(name), b"before").unwrap();
     }
@@ -73,7 +73,7 @@ fn an_episode_is_written_down_and_read_again() {
     assert_eq!(last["digest"], home.digest().to_string());
     assert!(last["held"][0].as_str().unwrap().starts_with("novel"), "{last}");
     assert_eq!(lines[episode.steps + 1]["outcome"], "won");
-    // Pictures are pictures, and the page shows only what is there.
+    // Pictures can be decoded, and the page refers only to existing files.
     for (name, bytes) in all.iter().filter(|(name, _)| name.extension().is_some_and(|e| e == "png")) {
         let mut image = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
         let mut pixels = vec![0; image.output_buffer_size().unwrap()];
@@ -93,7 +93,7 @@ fn an_episode_is_written_down_and_read_again() {
     for shown in page.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
         assert!(all.contains_key(Path::new(shown)), "{shown}");
     }
-    // The dataset: each image of the annotations is there, each annotation is of one of them.
+    // The data set: each image of the annotations exists, each annotation belongs to one of them.
     let coco: Value = serde_json::from_slice(&all[Path::new("annotations.json")]).unwrap();
     let images = coco["images"].as_array().unwrap();
     assert!(!images.is_empty() && !coco["annotations"].as_array().unwrap().is_empty());
@@ -101,7 +101,7 @@ fn an_episode_is_written_down_and_read_again() {
     assert_eq!(&all[Path::new("scene.glb")][..4], b"glTF");
 }
 
-/// However long an episode is and however few pictures its film has, a dataset has six a second.
+/// Independent of the length of an episode and of its film, a data set has six pictures per second.
 #[test]
 fn datasets_go_on_as_they_began() {
     let home = Environment::make("apartment/42", 1).unwrap();
@@ -133,7 +133,7 @@ fn the_same_run_writes_the_same_files() {
     assert!(files(&first) == files(&second));
 }
 
-/// Light and fineness of a record's pictures are those it is told, or the environment's.
+/// The daylight and supersampling of a record are the given ones, or the environment's.
 #[test]
 fn records_are_made_in_the_light_that_is_asked_for() {
     let mut home = Environment::make("apartment/42", 1).unwrap();

@@ -1,5 +1,5 @@
-//! The 100 programs of the Embodied Agent Interface, executed and compared with
-//! what VirtualHome's simulator made of them.
+//! The 100 programs of the Embodied Agent Interface, executed and compared with the results of VirtualHome's
+//! simulator.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -11,20 +11,20 @@ use vc_graph::format::eai;
 use vc_graph::format::virtualhome::{EnvironmentEdge, EnvironmentGraph, RelationType};
 use vc_graph::{ClassTable, Simulator};
 
-/// A defect of VirtualHome's simulator that makes a program come out differently.
+/// A fault of VirtualHome's simulator that changes the result of a program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Defect {
     /// `PLUGOUT` of a running machine logs an error and succeeds.
     PlugOutWhileOn,
-    /// Grabbing what is in one hand puts it into the other as well.
+    /// Grabbing an object that is in one hand puts it into the other as well.
     GrabbedTwice,
-    /// Walking with a bottle takes back what was poured from it.
+    /// Walking with a bottle undoes pouring from it.
     PouringForgotten,
-    /// What lies on a plate stays behind when the plate is grabbed.
+    /// Objects on a plate stay behind when the plate is grabbed.
     LeftBehind,
 }
 
-/// Programs that come out differently, and why.
+/// Programs with different results, and the reasons.
 const EXPLAINED: [(&str, Defect); 5] = [
     ("file538_1", Defect::PlugOutWhileOn),
     ("file624_1", Defect::GrabbedTwice),
@@ -106,9 +106,9 @@ fn explains(defect: Defect, relation: RelationType) -> bool {
     }
 }
 
-/// CLOSE differs in three ways, all of them edges only VirtualHome has: it calls an
-/// agent close to the room it walks to, to hair and other body parts wherever they
-/// lie, and on grabbing to some thing the grabbed one was close to.
+/// CLOSE differs in three ways, all of them edges that only VirtualHome has: it makes an agent close to the
+/// room that it walks to, to hair and other body parts wherever they are, and on grabbing to some object that
+/// the grabbed one was close to.
 #[test]
 fn nearness_agrees_but_for_a_few_edges() {
     let Some(replays) = replay_all() else { return };

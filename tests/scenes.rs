@@ -30,7 +30,7 @@ fn virtualhome_scenes_round_trip() {
     }
 }
 
-/// Not only the graph: the file itself says the same before and after.
+/// Not only the graph but the file itself has the same content before and after.
 #[test]
 fn nothing_of_the_file_is_lost() {
     for number in common::SCENES {
@@ -70,8 +70,8 @@ fn every_class_of_the_scenes_is_known() {
     }
 }
 
-/// All that occurs in the programs' scenes: what is said to be known is what it is
-/// called, not something guessed from a part of its name.
+/// All classes in the programs' scenes: a class counts as known only by its whole name, not by a guess from a
+/// part of it.
 #[test]
 fn every_class_of_the_programs_is_known() {
     let Some(text) = common::text("eai/programs_dev.jsonl.gz") else { return };
@@ -87,15 +87,15 @@ fn every_class_of_the_programs_is_known() {
     assert!(unknown.is_empty(), "{unknown:?}");
 }
 
-/// What is wrong with other people's scenes is listed, not refused.
+/// Violations in scenes of others are listed, not refused.
 #[test]
 fn violations_of_the_scenes_are_of_known_kinds() {
     for graph in common::SCENES.iter().filter_map(|&n| common::scene(n)) {
         for violation in graph.validate() {
             let known = matches!(
                 violation,
-                // Pairs of curtains lie on each other, rugs reach into the next
-                // room, and much hangs on walls or is built into counters.
+                // Pairs of curtains lie on each other, rugs extend into the next room, and many objects hang on
+                // walls or are built into counters.
                 Violation::SupportCycle(_)
                     | Violation::RoomApart(..)
                     | Violation::NotASurface(..)
@@ -115,7 +115,7 @@ fn the_apartment_is_sound_and_large_enough() {
     assert_eq!(home.validate(), []);
 }
 
-/// Things said to be on something are on it by their boxes as well.
+/// Objects with the relation `on` are also on their supports by their boxes.
 #[test]
 fn the_apartment_means_what_it_says() {
     let home = common::apartment();
@@ -143,7 +143,7 @@ fn the_apartment_round_trips_in_the_thesis_format() {
     }
 }
 
-/// A file of so many bytes in the folder for tests, packed or not.
+/// A file with the given bytes in the folder for tests, compressed or not.
 fn file(name: &str, bytes: &[u8], packed: bool) -> std::path::PathBuf {
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let mut written = bytes.to_vec();
@@ -170,7 +170,7 @@ fn files_are_read_packed_marked_and_of_any_name() {
     ] {
         assert_eq!(virtualcity::read_text(file(name, bytes.as_bytes(), packed)).unwrap(), text, "{name}");
     }
-    // Two packed files one after the other are one.
+    // Two concatenated compressed files read as one.
     let twice =
         [std::fs::read(file("one.gz", b"[WAL", true)).unwrap(), std::fs::read(file("two.gz", b"K]", true)).unwrap()];
     assert_eq!(virtualcity::read_text(file("both.gz", &twice.concat(), false)).unwrap(), "[WALK]");
@@ -183,7 +183,7 @@ fn what_is_no_text_or_too_long_is_refused() {
     assert_eq!(told(&utf16), format!("{}: this is no text in UTF-8: save it in that encoding", utf16.display()));
     assert!(told(&file("broken.gz", &[0x1f, 0x8b, 8, 0, 1], false)).contains("broken.gz: "));
     assert!(told(std::path::Path::new("no/such/file")).starts_with("no/such/file: "));
-    // Some hundred kilobytes that unpack to one byte more than is read.
+    // A few hundred kilobytes that decompress to one byte more than the limit.
     let bomb = file("bomb.gz", b"", false);
     let mut encoder = flate2::write::GzEncoder::new(std::fs::File::create(&bomb).unwrap(), flate2::Compression::fast());
     std::io::copy(&mut std::io::repeat(b' ').take(vc_graph::format::LARGEST as u64 + 1), &mut encoder).unwrap();
@@ -195,7 +195,7 @@ fn what_is_no_text_or_too_long_is_refused() {
     }
 }
 
-/// A scene that is read from an odd file is written so that it can be read again.
+/// A scene read from an odd file is written in a form that can be read again.
 #[test]
 fn what_is_read_of_odd_files_is_read_again() {
     let Some(folder) = common::data() else { return };

@@ -8,22 +8,23 @@ use virtualcity::graph::{Node, NodeId, SceneGraph, Seed};
 use virtualcity::procgen::Apartment;
 use virtualcity::render::{RayCaster, Renderer};
 
-/// How deep behind the room's side of a wall its outer leaf begins, metres.
+/// Depth behind the wall's inner face at which its outer leaf begins, metres.
 const INNER: f32 = 0.05;
 /// Rays to each side of a hole.
 const RAYS: usize = 40;
 
-/// Half the thickness, half the width and the height of the hole that a window fills.
+/// Half the thickness, half the width and the height of the hole for a window.
 fn hole(scene: &SceneGraph, window: &Node) -> [f32; 3] {
     let asset = scene.assets().get(window.spec().asset.unwrap()).unwrap();
     let parts = |name| asset.parts.iter().filter(move |p| &*p.name == name).map(Part::extent);
     let (_, frame) = parts("frame").reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1))).unwrap();
-    // The ledge reaches to the outside of the wall, whose middle is the window's.
+    // The ledge extends to the outside of the wall, whose middle is the window's.
     let outside = parts("outer_sill").map(|(low, _)| -low.x).fold(frame.x, f32::max);
     [outside, frame.y, frame.z]
 }
 
-/// Rays from a room to both sides and the top of a window's hole that end on the outer leaf of the wall.
+/// The number of rays from a room to both sides and the top of a window's hole that end on the outer leaf of
+/// the wall.
 fn seen_outer(scene: &SceneGraph, caster: &RayCaster, window: NodeId) -> usize {
     let node = scene.node(window).unwrap();
     let ([half, wide, high], pose) = (hole(scene, node), node.pose().unwrap());
@@ -31,7 +32,7 @@ fn seen_outer(scene: &SceneGraph, caster: &RayCaster, window: NodeId) -> usize {
         let along = pose.rotation * (to - from);
         let hit = caster.first(&(pose * from), &along, 3.0);
         let wall = hit.filter(|hit| **scene.node(hit.node).unwrap().class() == *"wall");
-        // Walls beside the window hide it from some places.
+        // Walls beside the window occlude it from some positions.
         wall.is_some_and(|hit| {
             let at = pose.inverse_transform_point(&hit.point);
             at.x < half - INNER - 0.002 && at.y.abs() < wide + 0.01 && at.z < high + 0.01

@@ -4,7 +4,7 @@
     pip install --target peers numpy termcolor networkx
     PYTHONPATH=peers python3 benches/peers/evolving_graph.py ../shared/data/virtualhome/scene1.json.gz
 
-Prints medians in milliseconds of CPU time. What is timed stands beside each call.
+Prints medians in milliseconds of CPU time. Each row names the timed work.
 """
 
 import gzip

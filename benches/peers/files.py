@@ -1,13 +1,13 @@
-"""Has other programs read what `--example render` writes for them.
+"""Checks the output of `--example render` with the programs that it is written for.
 
     cargo run --release --example render -- --files --reference 4 --out out/render
     pip install numpy pycocotools OpenEXR bpy
     python benches/peers/files.py out/render
 
 numpy loads depth and flow, pycocotools boxes and masks, OpenEXR depth, flow and the reference picture's light,
-Blender the scene with its camera and lights. They are held against each other: depth is the same in both formats,
-masks have the areas that are written down and lie in their boxes. A reader that is not installed is skipped, and
-that is said; ends with 1 if any of the others finds something wrong.
+Blender the scene with its camera and lights. The results are compared: depth is the same in both formats, and masks
+have the stated areas and lie in their boxes. A reader that is not installed is skipped with a message; the exit
+status is 1 if any of the others finds an error.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import sys
 
 
 def reader(name):
-    """A module, or None where it is not installed."""
+    """A module, or None if it is not installed."""
     try:
         return __import__(name)
     except ImportError:

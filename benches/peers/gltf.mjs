@@ -1,12 +1,12 @@
-// Has the Khronos glTF validator look at every .glb file in some folders.
+// Checks every .glb file in some folders with the Khronos glTF validator.
 //
 //     cargo run --release --example catalogue -- --gltf --out out/catalogue
 //     cargo run --release --example apartment -- --out out/apartment
 //     npm install --prefix peers gltf-validator
 //     NODE_PATH=peers/node_modules node benches/peers/gltf.mjs out/catalogue out/apartment
 //
-// Says for each kind of message how many there are, and where the first is; ends with 1 if
-// any of them is an error.
+// Prints for each kind of message its count and the place of the first; the exit status is 1
+// if any of them is an error.
 
 import { createRequire } from "node:module";
 import { readFileSync, readdirSync } from "node:fs";

@@ -1,15 +1,15 @@
-"""Times path tracing of equal quality: Mitsuba 3 and this project, on a room of a generated home.
+"""Times path tracing at equal quality with Mitsuba 3 and this project, on a room of a generated home.
 
     pip install numpy mitsuba
     python benches/peers/paths.py                      # home 42, living room
     python benches/peers/paths.py --seed 7 --room kitchen --truth 64
 
-Of both, without smoothing, the error of N paths a pixel against many paths of the same program is measured on the
-light itself and after an eye's curve; so is the CPU time. The root mean square of the light's error is given against
-the median brightness of the picture; of this, lights that are in the picture are left out (brighter than 50 medians),
-as each of their pixels would count for thousands. The square of the error falls with the time, so the time for one
-quality follows. Mitsuba's fast variant wants DRJIT_LIBLLVM_PATH; without it the scalar one is timed, and without
-Mitsuba this project alone.
+For both programs, without denoising, the script measures the CPU time and the error of N paths per pixel against many
+paths of the same program, on the radiance itself and after a tone curve. The root mean square error of the radiance is
+relative to the median brightness of the picture; it leaves out light sources in the picture (brighter than 50 medians),
+since each of their pixels would count for thousands. The squared error is inversely proportional to the time, which
+gives the time for a fixed quality. Mitsuba's fast variant requires DRJIT_LIBLLVM_PATH; without it the scalar one is
+timed, and without Mitsuba this project alone.
 """
 
 import argparse
@@ -77,7 +77,7 @@ def suns(scene):
         light = node.get("extensions", {}).get("KHR_lights_punctual")
         kind = scene.json["extensions"]["KHR_lights_punctual"]["lights"][light["light"]] if light else None
         if kind and kind["type"] == "directional":
-            # The root turns z up to y up, as it does all nodes.
+            # The root rotates z up to y up, for all nodes.
             upright = local({"rotation": (-0.5, -0.5, -0.5, 0.5)})
             towards = (upright @ local(node))[:3, 2]
             value = [c * kind["intensity"] / 5000 for c in kind["color"]]
@@ -85,16 +85,16 @@ def suns(scene):
 
 
 def eye_curve(image, middle):
-    """Brightness as an eye has it that is used to a mean light."""
+    """Perceived brightness of an eye adapted to a mean luminance."""
     return np.sqrt(np.clip(image / (2 * middle), 0, 1))
 
 
-# Errors for which the time is given: of the light, in medians, and after the curve.
+# Errors for which the time is given: of the radiance, in medians, and after the tone curve.
 TARGETS = (0.1, 0.02)
 
 
 def report(name, picture, quality):
-    """Rows of the table of equal quality."""
+    """Prints the rows of the table of equal quality."""
     truth = picture(quality, 1000)[0]
     middle = np.median(truth[truth > 0])
     seen = truth.max(axis=2) < 50 * middle
@@ -103,7 +103,7 @@ def report(name, picture, quality):
         image, seconds = picture(samples, 1)
         light = rms((image - truth)[seen] / middle)
         curve = rms(eye_curve(image, middle) - eye_curve(truth, middle))
-        # The reference's own noise is in the error too.
+        # The error also contains the reference's own noise.
         share = quality / (quality + samples)
         times = [seconds * (error / target) ** 2 * share for error, target in zip((light, curve), TARGETS)]
         rows.append((name, samples, seconds, light, curve, *times))

@@ -5,11 +5,11 @@
     python benches/peers/physics.py 2000
 
 A peer that is not installed is skipped with a message. Times are CPU time of the
-thread, medians of several runs where a run is short.
+thread, medians of several runs if a run is short.
 
-Scenes: scene_N.json.gz in ../shared/peers/physics beside the project, or where
-VC_PEERS points, or in target/peers, where the bench writes rooms of its own if it
-finds no others. Room modules of 25 objects; floor and walls stand still, everything
+Scenes: scene_N.json.gz in ../shared/peers/physics beside the project, in the folder
+that VC_PEERS names, or in target/peers, where the bench writes generated rooms if it
+finds no others. Room modules of 25 objects; floor and walls are fixed, everything
 else is loose, fridge doors are on hinges.
 """
 

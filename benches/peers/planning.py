@@ -1,22 +1,24 @@
-"""Compares our plans with Fast Downward's, and has them checked by unified-planning.
+"""Compares VirtualCity's plans with Fast Downward's, and validates them with unified-planning.
 
     cargo run --release -p vc-planner --example instances -- target/instances
     pip install --target peers up-fast-downward unified-planning
     PYTHONPATH=peers python3 benches/peers/planning.py target/instances [--lama SECONDS] [--only PREFIX] [--speed]
 
-What Fast Downward finds is kept in the folder (`references.csv`) under the digest of the
-problem, so that a run that is broken off goes on, and new plans of ours are compared at once.
-With --speed the time of our first plan is set beside that of LAMA's on the same instances, pruned
-as ours are: its search alone, and the search with its own preparations, without the translation.
+Fast Downward's results are stored in the folder (`references.csv`) under the digest of the
+problem, so that an interrupted run can be continued, and new plans are compared at once.
+With --speed the time of VirtualCity's first plan is compared with that of LAMA's on the same
+instances, pruned in the same way: LAMA's search alone, and the search with its own
+preparations, without the translation.
 
-For instances of up to six predicates the optimum is A* with LM-cut, and ours must equal
-it; for twelve LAMA has 60 seconds of CPU. Each of our plans is completed to PDDL steps by
-searching for the parameters that we do not write, and checked by unified-planning's
-SequentialPlanValidator, which also has to reject it with any one step deleted.
+For instances of up to six predicates the optimum is that of A* with LM-cut, and VirtualCity's
+plans must equal it; for twelve LAMA has 60 seconds of CPU time. Each plan of VirtualCity is
+completed to PDDL steps by searching for the omitted parameters, and validated by
+unified-planning's SequentialPlanValidator, which must also reject it with any one step deleted.
 
-Where a plan is longer than the optimum, 12 predicates cost more than 0.92 of LAMA's on average
-or anywhere more than LAMA's, a plan is invalid or one with a step deleted is not rejected, it
-says so and exits with 1; without what it needs it is skipped, which is no failure.
+The script prints a failure and exits with 1 if a plan is longer than the optimum, if plans for
+12 predicates cost more than 0.92 of LAMA's on average or more than LAMA's anywhere, if a plan is
+invalid, or if one with a step deleted is not rejected. If a package that it needs is missing, it
+is skipped, which is not a failure.
 """
 
 import argparse
@@ -44,7 +46,7 @@ get_environment().credits_stream = None
 # A predicate and an action may have the same name in PDDL.
 get_environment().error_used_name = False
 warnings.simplefilter("ignore")
-# How much of LAMA's cost plans for 12 predicates may have on average.
+# Largest mean ratio to LAMA's cost for plans of 12 predicates.
 MEAN_OF_LAMA = 0.92
 DOWNWARD = pathlib.Path(importlib.util.find_spec("up_fast_downward").origin).parent / "downward" / "fast-downward.py"
 
@@ -84,11 +86,11 @@ class Operator:
 
 
 def bindings(needs, facts, bound):
-    """All ways to bind the free parameters so that the needs hold."""
+    """All bindings of the free parameters with which the preconditions hold."""
     if not needs:
         yield bound
         return
-    # The need with the fewest free parameters first.
+    # The precondition with the fewest free parameters first.
     need = min(needs, key=lambda n: sum(a.startswith("?") and a not in bound for a in n[1:]))
     rest = [n for n in needs if n is not need]
     wanted = [bound.get(a, a) for a in need[1:]]
@@ -101,7 +103,7 @@ def bindings(needs, facts, bound):
 
 
 def complete(plan, domain, problem):
-    """PDDL steps for our actions: `grab cup.12` says verb and things, the rest is found."""
+    """PDDL steps for VirtualCity's actions: `grab cup.12` gives verb and objects, the rest is searched for."""
     operators = [Operator(part) for part in domain if isinstance(part, list) and part[0] == ":action"]
     facts = {}
     for atom in section(problem, ":init"):
@@ -110,7 +112,7 @@ def complete(plan, domain, problem):
 
     def extend(index, facts):
         if index == len(plan):
-            # The goal may be stated as an operator that says that it is met.
+            # The goal may be expressed by an operator that marks it as met.
             for operator in (o for o in operators if o.name.startswith("met")):
                 for bound in bindings(operator.needs, facts, {}):
                     return [(operator.name, [bound[p] for p in operator.parameters])]
@@ -144,7 +146,7 @@ def valid(reader, problem, steps):
 
 
 def with_constants(domain, problem):
-    """Objects that the domain speaks of are its constants: unified-planning wants that."""
+    """Makes the objects in the domain its constants, as unified-planning requires."""
     objects = re.search(r"\(:objects(.*?)\)", problem, re.S)
     if objects is None:
         return domain, problem
@@ -152,7 +154,7 @@ def with_constants(domain, problem):
 
 
 def downward(domain, problem, arguments, seconds):
-    """The cost of the best plan found, without the steps that say that the goal is met."""
+    """The cost of the best plan found, without the steps that mark the goal as met."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "plan"
         texts = with_constants(domain.read_text(), problem.read_text())
@@ -173,7 +175,7 @@ def downward(domain, problem, arguments, seconds):
 
 
 def first_plan(domain, problem):
-    """Seconds of LAMA's first iteration: search alone, and all that its search component does."""
+    """Seconds of LAMA's first iteration: the search alone, and its whole search component."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         for name, text in zip(("domain.pddl", "problem.pddl"), with_constants(domain.read_text(), problem.read_text())):
@@ -185,7 +187,7 @@ def first_plan(domain, problem):
 
 
 def compare_speed(folder, rows):
-    """The median ratio of LAMA's times to ours, by the number of predicates."""
+    """Prints the median ratio of LAMA's times to VirtualCity's, by the number of predicates."""
     by_number = {}
     for row in rows:
         domain, problem = (folder / f"{row['name']}.{what}.pddl" for what in ("domain", "problem"))
@@ -200,7 +202,7 @@ def compare_speed(folder, rows):
 
 
 class References:
-    """Costs that Fast Downward found before, by problem, search and seconds; none where it found none."""
+    """Stored costs of Fast Downward's plans, by problem, search and seconds; None if it found no plan."""
 
     def __init__(self, path):
         self.path = path
@@ -248,7 +250,7 @@ def main():
         else:
             search = ["--alias", "seq-sat-lama-2011"]
             theirs = references.cost(row["name"], domain, problem, search, options.lama)
-            # Where LAMA finds nothing there is nothing to compare with.
+            # Without a plan by LAMA there is no comparison.
             if theirs:
                 ratios.append(ours / theirs)
         verdict = ""

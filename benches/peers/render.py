@@ -2,20 +2,20 @@
 
     pip install numpy open3d mujoco pybullet
     VC_OUT=/tmp cargo bench -p vc-render --bench costs
-    python benches/peers/render.py --obj /tmp/reference.obj  # the sixteen views of vc-render's bench, against the bars
+    python benches/peers/render.py --obj /tmp/reference.obj  # the sixteen views of vc-render's bench, against the targets
     python benches/peers/render.py --seed 7 --room kitchen   # the peers alone, on a room of a generated home
     python benches/peers/render.py --file SCENE.glb          # the same, on a file
 
 All render the same triangles from the same cameras. A peer that is not installed, or does not start, is skipped with a
-message. Times are CPU time of the process, milliseconds a picture, medians. MuJoCo wants MUJOCO_GL=osmesa or egl.
+message. Times are CPU time of the process, milliseconds per picture, medians. MuJoCo needs MUJOCO_GL=osmesa or egl.
 
-With --obj, this project's bench runs before and after the peers, and what a peer takes over the mean of what ours
-takes for the same is set beside its bar, at the largest size; where one is missed, the script exits with 1. MuJoCo
-draws the shadows of two lamps and of the sun and three lamps, each against ours in the same lights. Ours draws shadow
-maps once for all views, MuJoCo for each picture. `paths.py` compares path tracing.
+With --obj, this project's bench runs before and after the peers, and the ratio of a peer's time to the mean of this
+project's for the same work is compared with its target, at the largest size; if a target is missed, the script exits
+with 1. MuJoCo draws the shadows of two lamps and of the sun and three lamps, each against this project with the same
+lights. This project draws shadow maps once for all views, MuJoCo for each picture. `paths.py` compares path tracing.
 
-Bars in milliseconds and in rays a second are those of one machine. How much slower this one is the peers tell, by what
-they took there: the mean of ratios (geometric) at a size is the pace, and what is wanted is multiplied with it.
+Targets in milliseconds and in rays per second are those of one machine. The peers' times on that machine show how much
+slower the present one is: the geometric mean of the ratios at a size is the pace, by which the targets are scaled.
 """
 
 import argparse
@@ -31,7 +31,7 @@ from render_scene import ROOT, Reference, Scene, colour, generated, views, which
 
 SIZES = ((84, 84), (300, 300), (640, 480))
 
-# What is compared with what of ours: the peer, what it gives, what of ours gives it, and the wanted ratio.
+# The comparisons: the peer, its output, this project's bench of the same output, and the target ratio.
 BARS = (
     ("Open3D", "depth and ids, rays made before", "depth and nodes", 15),
     ("MuJoCo", "RGB, depth, ids, no shadows", "plain colours, depth, nodes", 3),
@@ -40,7 +40,7 @@ BARS = (
     ("PyBullet", "RGB, depth, ids, no shadows", "plain colours, depth, nodes", 10),
     ("PyBullet", "RGB, depth, ids, shadows of 1", "colours, depth, nodes", 20),
 )
-# What peers take where the bars were set (Zen 4, quiet), for each size.
+# The peers' times on the machine on which the targets were set (Zen 4, quiet), for each size.
 THERE = {
     ("Open3D", "depth and ids, rays made before"): (1.03, 12.4, 40.5),
     ("MuJoCo", "RGB, depth, ids, no shadows"): (10.4, 22.0, 38.8),
@@ -49,7 +49,7 @@ THERE = {
     ("PyBullet", "RGB, depth, ids, no shadows"): (25, 56, 133),
     ("PyBullet", "RGB, depth, ids, shadows of 1"): (48, 134, 347),
 }
-# What ours may take there, milliseconds, at a size; and how many million rays it is to cast a second.
+# This project's targets on that machine: milliseconds at a size, and million rays per second.
 WANTED = (("labels, depth and flow", 2, 3.0), ("all six", 2, 12.0), ("all six", 0, 1.0))
 RAYS = (("primary", 6.0), ("bounces", 2.5))
 SHOWN = {}
@@ -61,7 +61,7 @@ def show(peer, what, times):
 
 
 def median(work, runs):
-    """Milliseconds of CPU, after a first run that is not counted."""
+    """Milliseconds of CPU time, after a first run that is not counted."""
     work()
     times = []
     for _ in range(runs):
@@ -71,11 +71,11 @@ def median(work, runs):
     return 1e3 * statistics.median(times)
 
 
-# --- ours
+# --- this project
 
 
 def our_times():
-    """Milliseconds of one thread by what is wanted, for each size."""
+    """Milliseconds of one thread by set of modalities, for each size."""
     command = ["cargo", "bench", "-p", "vc-render", "--bench", "render", "--", "first"]
     text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
     times = {}
@@ -86,7 +86,7 @@ def our_times():
 
 
 def our_rays():
-    """Million rays a second of one thread through the same home."""
+    """Million rays per second of one thread through the same home."""
     command = ["cargo", "bench", "-p", "vc-render", "--bench", "rays", "--", "home"]
     text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
     found = re.findall(r"/(\w+)\s+time:.*?thrpt:\s+\[\S+ \S+ (\S+) Melem/s", text, re.DOTALL)
@@ -94,7 +94,7 @@ def our_rays():
 
 
 def keep_pace(rounds):
-    """Prints what is wanted in numbers beside what it would be there, and tells whether all of it is."""
+    """Prints the targets beside the measured figures scaled to that machine; returns whether all are met."""
     ratios = {key: np.array(SHOWN[key]) / there for key, there in THERE.items() if key in SHOWN}
     if not ratios:
         return True
@@ -117,7 +117,7 @@ def keep_pace(rounds):
 
 
 def hold(rounds):
-    """Prints ratios beside their bars, and tells whether all are met."""
+    """Prints ratios beside their targets; returns whether all are met."""
     ours = {what: np.mean([times[what] for times in rounds], axis=0) for what in rounds[0]}
     for what, times in ours.items():
         show("ours", what, times)
@@ -165,7 +165,7 @@ def mujoco(scene):
     spec.visual.global_.offwidth, spec.visual.global_.offheight = SIZES[-1]
     spec.visual.quality.shadowsize = 2048
     for index, (_, points, faces, material) in enumerate(scene.objects):
-        # Its compiler takes no mesh without volume.
+        # MuJoCo's compiler does not accept meshes without volume.
         if np.linalg.matrix_rank(points - points[0], tol=1e-5) < 3:
             continue
         mesh = spec.add_mesh(name=f"m{index}", uservert=points.ravel().tolist(), userface=faces.ravel().tolist())
@@ -184,7 +184,7 @@ def mujoco(scene):
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     every = list(range(len(lights)))
-    # What is on, and whether it throws shadows: the sun is the first.
+    # The lights that are on, and whether they cast shadows; the sun is the first.
     for on, shadows in [(every, False), ([1, 2], True), (every, True)][:: 1 if len(lights) > 2 else 2]:
         model.light_active[:] = [index in on for index in every]
         model.light_castshadow[:] = shadows

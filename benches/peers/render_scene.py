@@ -1,4 +1,4 @@
-"""Scenes that the scripts here render: glTF as the example `render --files` writes it, OBJ as vc-render's bench does."""
+"""Scenes for these scripts: glTF as written by the example `render --files`, OBJ as written by vc-render's bench."""
 
 import json
 import pathlib
@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def command(options):
-    """The example that renders a room of a home, and what it is told."""
+    """The command line of the example that renders a room of a home."""
     return ["cargo", "run", "--release", "--example", "render", "--", "--seed", str(options.seed), "--room", options.room,
             "--out", str(options.out)]
 
@@ -29,7 +29,7 @@ def which_room(parser):
 
 
 class Scene:
-    """Triangles by object, in the world, and the camera, as a glTF file has them."""
+    """Triangles by object, in world coordinates, and the camera of a glTF file."""
 
     def __init__(self, path):
         data = pathlib.Path(path).read_bytes()
@@ -72,7 +72,7 @@ class Scene:
 
 
 class Reference:
-    """The home that `cargo bench -p vc-render --bench costs` writes, seen by one of its cameras."""
+    """The home written by `cargo bench -p vc-render --bench costs`, with its cameras."""
 
     def __init__(self, path):
         self.objects, self.cameras, self.lamps, self.sun, self.which = [], [], [], None, 0

@@ -1,5 +1,4 @@
-//! Criterion by the time the thread has had on a processor: what else runs on the
-//! machine counts little.
+//! Criterion measurements of the thread's CPU time: other processes on the machine hardly affect it.
 
 use cpu_time::ThreadTime;
 use criterion::Throughput;
@@ -37,7 +36,7 @@ impl Measurement for Cpu {
     }
 }
 
-/// As criterion writes times.
+/// Formats times as criterion does.
 struct Times;
 
 impl ValueFormatter for Times {

@@ -1,14 +1,14 @@
-//! Rooms of 25 objects each, for those who have not the scenes that the peers' figures were
-//! taken with.
+//! Rooms of 25 objects each, for readers who do not have the scenes with which the peers' figures were
+//! measured.
 
 use super::{File, Geometry, Hinge, Object, Piece};
 
-/// Distance from room to room, metres.
+/// Distance between adjacent rooms, metres.
 const PITCH: f32 = 3.4;
-/// Objects of a room.
+/// Objects per room.
 const EACH: u32 = 25;
 
-/// So many objects, in rooms side by side; what exceeds whole rooms is left out.
+/// A file of `objects` objects, in rooms side by side; objects beyond a whole number of rooms are omitted.
 pub(super) fn rooms(objects: u32) -> File {
     let count = objects / EACH;
     let columns = (1..).find(|c| c * c >= count).unwrap_or(1);
@@ -36,7 +36,7 @@ fn legs(x: f32, y: f32, thick: f32, half: f32) -> impl Iterator<Item = Piece> {
     corners.into_iter().map(move |(x, y)| slab([x, y, half], [thick, thick, half]))
 }
 
-/// Four sides of a box without lid, on its bottom.
+/// The four walls of a box without lid, standing on its bottom.
 fn sides(x: f32, y: f32, thick: f32, bottom: f32, half: f32) -> impl Iterator<Item = Piece> {
     let (z, inner) = (bottom + half, y - 2.0 * thick);
     let ends = [x - thick, thick - x].map(|at| slab([at, 0.0, z], [thick, y, half]));
@@ -55,7 +55,7 @@ fn furnish(file: &mut File, [x, y]: [f32; 2]) {
     };
     let single = |geo: Geometry| vec![Piece { pos: [0.0; 3], geo }];
     let brick = |half: [f32; 3]| single(Geometry::Box(half));
-    // Gaps of a millimetre or two: peers differ in what they do about overlaps.
+    // Gaps of a millimetre or two, since the peers treat overlaps differently.
     add("rug", [0.0, 0.0, 0.006], 0.0, 250.0, brick([0.9, 0.8, 0.005]));
     let top = slab([0.0, 0.0, 0.73], [0.6, 0.45, 0.02]);
     add("table", [0.0, 0.0, 0.013], 0.0, 600.0, legs(0.56, 0.41, 0.03, 0.355).chain([top]).collect());

@@ -1,5 +1,5 @@
-//! The scene on which physics is timed beside its peers: room modules of 25 objects
-//! each, everything but floor and walls loose.
+//! The scene on which physics is timed beside its peers: room modules of 25 objects each, in which everything
+//! but floor and walls is loose.
 
 #[path = "rooms.rs"]
 mod rooms;
@@ -56,8 +56,8 @@ struct Hinge {
     lim: (f32, f32),
 }
 
-/// The scene of so many objects (100, 500 or 2000): the one that the figures in README are of, in
-/// `../shared/peers/physics` or where `VC_PEERS` points, or rooms of our own, which are
+/// The scene with that many objects (100, 500 or 2000): the one on which the figures in README were measured,
+/// in `../shared/peers/physics` or in the folder that `VC_PEERS` names; otherwise generated rooms, which are
 /// written to `target/peers` so that the peers find them.
 pub(crate) fn read(objects: u32) -> SceneGraph {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -77,8 +77,7 @@ pub(crate) fn read(objects: u32) -> SceneGraph {
     build(&file)
 }
 
-/// As the peers have it: only the building stands still, doors swing freely, masses
-/// are those of the shapes.
+/// The peers' settings: only the building is fixed, doors swing freely, and masses follow from the shapes.
 pub(crate) fn settings() -> Settings {
     Settings {
         fixing: Fixing::Structure,
@@ -89,7 +88,7 @@ pub(crate) fn settings() -> Settings {
     }
 }
 
-/// What is thrown about where fifty bodies are to be awake.
+/// The objects that are thrown when fifty bodies should be awake.
 pub(crate) fn small_things(graph: &SceneGraph) -> Vec<NodeId> {
     let small = |class: &str| matches!(class, "cup" | "apple" | "toy" | "milk" | "plate");
     graph.nodes().filter(|n| small(n.class())).map(|n| n.id()).take(50).collect()
@@ -126,7 +125,7 @@ fn add(builder: &mut SceneBuilder, class: &str, asset: AssetId, pos: [f32; 3], y
     builder.add(Draft { asset: Some(asset), ..Draft::new(class).at(pose) }).unwrap();
 }
 
-/// An object's asset; the door that hangs on it is a part of it.
+/// An object's asset; its door, if it has one, is a part of it.
 fn asset(library: &mut AssetLibrary, object: &Object, door: Option<&Object>) -> Asset {
     let stuff = material(library, object.density);
     let mut parts: Vec<Part> = object.parts.iter().map(|p| piece(&object.class, p, [0.0; 3], stuff)).collect();
@@ -153,7 +152,7 @@ fn part(name: &str, shape: Shape, at: [f32; 3], material: u32) -> Part {
     Part { name: name.into(), shape, material, pose: Pose::translation(at[0], at[1], at[2]), joint: None }
 }
 
-/// The material of a density; friction as the peers have it.
+/// The material of a density, with the peers' friction.
 fn material(library: &mut AssetLibrary, density: f32) -> u32 {
     let same = (0..).map_while(|i| library.material(i)).position(|m| m.density == density);
     let fresh = Material {

@@ -1,15 +1,15 @@
-//! Apartments from seeds: one with pictures and files, a sheet of plans, or a set of
-//! any size.
+//! Generates apartments from seeds: a single one with pictures and files, a sheet of floor plans, or a data set
+//! of any size.
 //!
-//! `cargo run --release --example apartment -- --seed 42 --out out/apartment` writes
-//! the scene (our JSON and the thesis's), the floor plan (SVG and PNG), the model
-//! (glTF) and a report. `--bedrooms 3 --area 95 --open-kitchen` and the like are
-//! wishes. `--sheet` draws 24 plans on one picture.
+//! `cargo run --release --example apartment -- --seed 42 --out out/apartment` writes the scene (VirtualCity's
+//! JSON and the thesis's), the floor plan (SVG and PNG), the model (glTF) and a report.
+//! `--bedrooms 3 --area 95 --open-kitchen` and the like specify the apartment. `--sheet` draws 24 plans in one
+//! picture.
 //!
-//! `--count 100000 --jobs 8` writes a set: files of a thousand homes each, a manifest,
-//! statistics with plots. Started again, it goes on where it stopped. In an array job,
-//! `--shard 3/16` makes every sixteenth file; once all are there, the same command
-//! without `--shard` writes manifest and statistics of the whole.
+//! `--count 100000 --jobs 8` writes a data set: files of a thousand homes each, a manifest, statistics with
+//! plots. If it is started again, it continues where it stopped. In an array job, `--shard 3/16` makes every
+//! sixteenth file; once all are there, the same command without `--shard` writes the manifest and statistics of
+//! the whole set.
 
 #[path = "../support/mod.rs"]
 mod support;
@@ -29,34 +29,34 @@ use clap::Parser;
 use support::{Complaint, unwritten};
 use wishes::Wishes;
 
-/// Homes are some ten thousand small allocations each.
+/// A home consists of some ten thousand small allocations.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Apartments from seeds.
+/// Generates apartments from seeds.
 #[derive(Parser)]
 struct Options {
-    /// The seed; the first one of several.
+    /// The seed; for several homes the first seed.
     #[arg(long, default_value_t = 42)]
     seed: u64,
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/apartment")]
     out: PathBuf,
     #[command(flatten)]
     wishes: Wishes,
-    /// Draw 24 plans on one picture.
+    /// Draw 24 plans in one picture.
     #[arg(long, conflicts_with = "count")]
     sheet: bool,
-    /// Make a set of so many homes, from as many seeds.
+    /// Make a data set of this number of homes, from as many seeds.
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     count: Option<u64>,
-    /// Threads that make a set; as many as there are processors if not said.
+    /// Number of threads that make a data set; by default the number of processors.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
-    /// Make only every n-th file of a set: 0/8, 1/8 ... 7/8.
+    /// Make only every n-th file of a data set: 0/8, 1/8 ... 7/8.
     #[arg(long, requires = "count")]
     shard: Option<set::Shard>,
-    /// Homes in a file of a set.
+    /// Homes per file of a data set.
     #[arg(long, default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     per_file: u64,
 }

@@ -1,5 +1,5 @@
-//! What is to be known of a set: a sidecar beside each file, and for the whole the
-//! manifest, statistics and plots.
+//! Metadata of a data set: a sidecar file beside each file, and for the whole set the manifest, statistics and
+//! plots.
 
 use std::collections::HashSet;
 
@@ -17,14 +17,14 @@ use crate::wishes::Recipe;
 #[derive(Serialize, Deserialize, Clone)]
 pub(crate) struct Mark(pub(crate) u64, pub(crate) Fingerprint, pub(crate) Fingerprint);
 
-/// A seed that gave no home.
+/// A seed for which no home was found.
 #[derive(Serialize, Deserialize, Clone)]
 pub(crate) struct Failure {
     pub(crate) seed: u64,
     pub(crate) reason: String,
 }
 
-/// What is known of some homes.
+/// Statistics of some homes.
 #[derive(Serialize, Deserialize, Default, Clone)]
 pub(crate) struct Figures {
     pub(crate) failed: Vec<Failure>,
@@ -40,10 +40,10 @@ impl Figures {
     }
 }
 
-/// What is known of a file.
+/// Metadata of a file.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Sidecar {
-    /// The recipe as a text: numbers in it must not change by being read.
+    /// The recipe as text, so that reading and writing cannot change its numbers.
     recipe: String,
     file: String,
     first: u64,
@@ -80,10 +80,10 @@ fn sidecar_name(file: &str) -> String {
     file.replace(".jsonl.gz", ".meta.json")
 }
 
-/// The sidecar of a file that is complete; `None` where it must be made.
+/// The sidecar of a complete file; `None` if the file must be made.
 ///
 /// # Errors
-/// Where the file is of a set after another recipe.
+/// If the file belongs to a set with another recipe.
 pub(crate) fn complete(set: &Set, volume: &Volume) -> Result<Option<Sidecar>, Complaint> {
     let path = set.out.join(sidecar_name(&volume.name()));
     let Ok(text) = std::fs::read(&path) else { return Ok(None) };
@@ -107,7 +107,7 @@ pub(crate) fn complete(set: &Set, volume: &Volume) -> Result<Option<Sidecar>, Co
     Ok(whole.then_some(sidecar))
 }
 
-/// What is known of a set.
+/// Metadata of a data set.
 #[derive(Serialize)]
 struct Manifest<'a> {
     recipe: &'a Recipe,
@@ -120,13 +120,13 @@ struct Manifest<'a> {
     failed: Vec<Failure>,
     distinct_homes: usize,
     distinct_plans: usize,
-    /// Seeds of homes that are the same, turned or mirrored.
+    /// Seeds of homes that are equal up to rotation and mirroring.
     duplicates: Vec<[u64; 2]>,
     format: &'static str,
     files: Vec<Entry<'a>>,
 }
 
-/// A file of a set.
+/// A file of a data set.
 #[derive(Serialize)]
 struct Entry<'a> {
     name: &'a str,
@@ -143,7 +143,7 @@ in the version named, makes it again with all shapes, materials and surfaces; th
 Fingerprints are equal for homes (or plans) that differ by turning and mirroring only. `digest` is \
 Fingerprint::of_bytes of the file.";
 
-/// Writes the manifest; for a whole set also statistics and plots.
+/// Writes the manifest, and for a whole set also statistics and plots.
 pub(crate) fn write(set: &Set, sidecars: &[Sidecar]) -> Result<(), Complaint> {
     let manifest = Manifest::new(set, sidecars);
     let name = match set.shard {
@@ -203,7 +203,7 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// Pairs of seeds with the same fingerprint, one after the other.
+/// Pairs of consecutive seeds with the same fingerprint.
 fn duplicates<'a>(marks: impl Iterator<Item = &'a Mark>) -> Vec<[u64; 2]> {
     let mut all: Vec<(Fingerprint, u64)> = marks.map(|m| (m.1, m.0)).collect();
     all.sort_unstable();

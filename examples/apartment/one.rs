@@ -1,4 +1,4 @@
-//! One apartment, with everything about it.
+//! A single apartment with all its files.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,10 +13,10 @@ use virtualcity::procgen::{Apartment, Specification, gltf};
 
 use crate::support::{self, Complaint, say};
 
-/// Width of the plan's picture, pixels.
+/// Width of the floor plan's picture, pixels.
 const WIDTH: usize = 1400;
 
-/// Makes the apartment of a seed and writes its files.
+/// Generates the apartment of a seed and writes its files.
 pub(crate) fn write(specification: &Specification, seed: u64, out: &Path) -> Result<(), Complaint> {
     let start = Instant::now();
     let home =
@@ -42,7 +42,7 @@ pub(crate) fn write(specification: &Specification, seed: u64, out: &Path) -> Res
     if report.violations.is_empty() { Ok(()) } else { Err(Complaint::new("the apartment is not sound")) }
 }
 
-/// What there is to say about an apartment.
+/// A summary of an apartment.
 #[derive(serde::Serialize)]
 struct Report {
     seed: u64,
@@ -50,16 +50,16 @@ struct Report {
     fingerprint: String,
     /// Net area without balconies, m².
     area: f32,
-    /// Floor a person gets to, m².
+    /// Floor area that a person can reach, m².
     standing_area: f32,
     rooms: Vec<Room>,
     /// Objects by class, without walls, floors and ceilings.
     objects: BTreeMap<&'static str, usize>,
-    /// How many of them rest on or in others.
+    /// The number of objects that rest on or in others.
     small_objects: usize,
-    /// How many nodes the scene has.
+    /// The number of nodes of the scene.
     nodes: usize,
-    /// Rooms and objects that a person gets to, and how many there are.
+    /// Rooms and objects that a person can reach, and how many there are.
     reached: [[usize; 2]; 2],
     violations: Vec<String>,
 }
@@ -105,7 +105,7 @@ impl Report {
 
     fn text(&self) -> String {
         let mut text = String::new();
-        // Writing to a string does not fail.
+        // Writing to a string cannot fail.
         let _ = self.write(&mut text);
         text
     }
@@ -149,7 +149,7 @@ impl Room {
     }
 }
 
-/// Whether things of a class follow from the plan alone.
+/// Whether objects of a class follow from the floor plan alone.
 pub(crate) fn is_building(class: &str) -> bool {
     matches!(class, "wall" | "floor" | "ceiling" | "railing")
 }

@@ -1,4 +1,4 @@
-//! A home as one line of a set.
+//! A home as one line of a data set.
 
 use serde::Serialize;
 use virtualcity::graph::{Pose, State};
@@ -8,7 +8,7 @@ use virtualcity::procgen::{Apartment, Fingerprint};
 
 use crate::one::is_building;
 
-/// What the fields of a line are, for the manifest.
+/// Description of the fields of a line, for the manifest.
 pub(crate) const FORMAT: &str = "\
 One JSON object for each home. `plan`: rooms and openings in cells of 5 cm (`rects`, `at`, `from`, `to`, `shell`), \
 `sill`, `head` and `ceiling` in metres; `low`, `high` and `of` are positions in `rooms`; `net_m2` is the net area of \
@@ -31,7 +31,7 @@ pub(crate) struct Record<'a> {
     items: Vec<Thing<'a>>,
 }
 
-/// A thing in a home.
+/// An object in a home.
 #[derive(Serialize)]
 struct Thing<'a> {
     id: u32,
@@ -101,14 +101,14 @@ impl<'a> Thing<'a> {
     }
 }
 
-/// The turn around Z in degrees, to a hundredth; `None` for what is tilted.
+/// The rotation around Z in degrees, to a hundredth; `None` for a tilted object.
 fn yaw(pose: &Pose) -> Option<f64> {
     let turn = pose.rotation.coords;
     let upright = turn.x.abs() < 1e-4 && turn.y.abs() < 1e-4;
     upright.then(|| {
         let degrees = 2.0 * f64::from(turn.z).atan2(f64::from(turn.w)).to_degrees();
         let within = if degrees > 180.0 { degrees - 360.0 } else { degrees };
-        // Adding zero makes -0 a plain one.
+        // Adding zero makes a negative zero positive.
         (within * 100.0).round() / 100.0 + 0.0
     })
 }

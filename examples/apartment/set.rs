@@ -1,8 +1,8 @@
-//! A set of homes in files, made by several threads.
+//! A data set of homes in files, made by several threads.
 //!
-//! Threads take batches of seeds; whoever makes the last batch of a file packs and
-//! writes the file. Its bytes depend on the seeds alone. Batches of a file that is not yet whole are
-//! kept in `NAME.unfinished`, so that a run that is broken off loses a batch for each thread at most.
+//! Threads take batches of seeds; the thread that makes the last batch of a file compresses and writes the
+//! file. Its bytes depend on the seeds alone. Batches of an incomplete file are kept in `NAME.unfinished`, so
+//! that an interrupted run loses at most one batch per thread.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -24,12 +24,12 @@ use crate::resume::Resume;
 use crate::support::{self, Complaint, say};
 use crate::wishes::Recipe;
 
-/// Homes that a thread makes at a time.
+/// Homes per batch.
 const BATCH: u64 = 20;
-/// More files than this in one folder help nobody.
+/// The largest useful number of files in one folder.
 const MOST_FILES: u64 = 1_000_000;
 
-/// What is to be made.
+/// The data set to be made.
 pub(crate) struct Set {
     pub(crate) specification: Specification,
     pub(crate) recipe: Recipe,
@@ -41,7 +41,7 @@ pub(crate) struct Set {
     pub(crate) out: PathBuf,
 }
 
-/// Every so-manieth file of a set, counted from zero.
+/// Every n-th file of a set, from an index counted from zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Shard {
     pub(crate) index: u64,
@@ -62,7 +62,7 @@ impl FromStr for Shard {
     }
 }
 
-/// A file of a set: so many seeds from one on.
+/// A file of a set: a number of consecutive seeds.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Volume {
     pub(crate) first: u64,
@@ -75,7 +75,7 @@ impl Volume {
         format!("{}{:012}{}", Self::NAME.0, self.first, Self::NAME.1)
     }
 
-    /// A name's parts, around the first seed.
+    /// The parts of a file name around the first seed.
     const NAME: (&str, &str) = ("homes_", ".jsonl.gz");
 
     fn batches(&self) -> usize {
@@ -88,12 +88,12 @@ impl Volume {
     }
 }
 
-/// The first seed of a file by its name, if it is one of a set.
+/// The first seed of a file according to its name, if it belongs to a data set.
 fn first_of(name: &str) -> Option<u64> {
     name.strip_prefix(Volume::NAME.0)?.strip_suffix(Volume::NAME.1)?.parse().ok()
 }
 
-/// Makes what is not there yet, then writes the manifest.
+/// Makes the missing files, then writes the manifest.
 pub(crate) fn run(set: &Set) -> Result<(), Complaint> {
     let start = Instant::now();
     let volumes = set.volumes()?;
@@ -117,7 +117,7 @@ pub(crate) fn run(set: &Set) -> Result<(), Complaint> {
 }
 
 impl Set {
-    /// The files that this run is to make.
+    /// The files that this run must make.
     fn volumes(&self) -> Result<Vec<Volume>, Complaint> {
         let files = self.count.div_ceil(self.per_file);
         if files > MOST_FILES {
@@ -132,8 +132,8 @@ impl Set {
         Volume { first: self.seed + before, seeds: self.per_file.min(self.count - before) }
     }
 
-    /// Refuses a folder in which there are files of a set of other seeds or other lengths: its manifest and this
-    /// one's would be at odds with them.
+    /// Refuses a folder with files of a set of other seeds or other file lengths, since its manifest and this
+    /// set's would contradict them.
     fn stands_alone(&self) -> Result<(), Complaint> {
         let Ok(entries) = std::fs::read_dir(&self.out) else { return Ok(()) };
         let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
@@ -151,7 +151,7 @@ impl Set {
         after.is_some_and(|after| after < self.count && after.is_multiple_of(self.per_file))
     }
 
-    /// The batches of a file that are there already, of a run that was broken off.
+    /// The finished batches of a file from an interrupted run.
     fn unfinished(&self, volume: &Volume) -> Result<Resume<Part>, Complaint> {
         Resume::open(
             &self.out.join(format!("{}.unfinished", volume.name())),
@@ -159,7 +159,7 @@ impl Set {
         )
     }
 
-    /// Homes of some seeds: their lines, and what is to be known of them.
+    /// Homes of some seeds: their lines and statistics.
     fn part(&self, seeds: std::ops::Range<u64>) -> Result<Part, Complaint> {
         let mut part = Part::default();
         for seed in seeds {
@@ -171,7 +171,7 @@ impl Set {
         Ok(part)
     }
 
-    /// Packs and writes a file, then its sidecar.
+    /// Compresses and writes a file, then its sidecar.
     fn bind(&self, volume: &Volume, parts: Vec<Part>) -> Result<Sidecar, Complaint> {
         let mut figures = Figures::default();
         let mut packer = GzEncoder::new(Vec::new(), Compression::new(1));
@@ -205,19 +205,19 @@ impl Part {
     }
 }
 
-/// Where threads make files.
+/// State shared by the threads that make the files.
 struct Workshop<'a> {
     set: &'a Set,
     volumes: &'a [Volume],
     progress: &'a ProgressBar,
-    /// Batches of each file, the longest's number for all.
+    /// Batches per file; the longest file's number is used for all.
     batches: usize,
     next: AtomicUsize,
     files: Vec<Mutex<File>>,
     error: Mutex<Option<Complaint>>,
 }
 
-/// A file in the making.
+/// An unfinished file.
 #[derive(Default)]
 struct File {
     parts: Vec<Option<Part>>,
@@ -232,7 +232,7 @@ impl<'a> Workshop<'a> {
         Self { set, volumes, progress, batches, next: AtomicUsize::new(0), files, error: Mutex::new(None) }
     }
 
-    /// Makes all files; gives their sidecars in order.
+    /// Makes all files and returns their sidecars in order.
     fn run(self) -> Result<Vec<Sidecar>, Complaint> {
         std::thread::scope(|scope| {
             for _ in 0..self.set.jobs {
@@ -246,7 +246,7 @@ impl<'a> Workshop<'a> {
         }
     }
 
-    /// Takes batches until there are none, or something failed.
+    /// Takes batches until there are none left or an error occurred.
     fn work(&self) {
         let _alarm = Alarm(&self.error);
         while locked(&self.error).is_none() {
@@ -261,7 +261,7 @@ impl<'a> Workshop<'a> {
         }
     }
 
-    /// Makes a batch, and the file if it was the last.
+    /// Makes a batch, and writes the file if it was the last.
     fn batch(&self, file: usize, volume: &Volume, batch: usize) -> Result<(), Complaint> {
         let (seeds, unfinished) = (volume.batch(batch), self.unfinished(file, volume)?);
         let (count, key) = (seeds.end - seeds.start, seeds.start.to_string());
@@ -280,7 +280,7 @@ impl<'a> Workshop<'a> {
         Ok(())
     }
 
-    /// The batches of a file that are there, opened by the thread that comes first.
+    /// The finished batches of a file, opened by the first thread that needs them.
     fn unfinished(&self, file: usize, volume: &Volume) -> Result<Arc<Resume<Part>>, Complaint> {
         let mut file = locked(&self.files[file]);
         match &file.unfinished {
@@ -290,7 +290,7 @@ impl<'a> Workshop<'a> {
     }
 }
 
-/// Ends the other threads' work where one panics: the set would not be whole.
+/// Stops the other threads if one panics, since the set would be incomplete.
 struct Alarm<'a>(&'a Mutex<Option<Complaint>>);
 
 impl Drop for Alarm<'_> {
@@ -302,7 +302,7 @@ impl Drop for Alarm<'_> {
 }
 
 impl File {
-    /// Takes in a batch; gives all of them if none is missing any more.
+    /// Stores a batch; returns all batches once none is missing.
     fn put(&mut self, batch: usize, part: Part, batches: usize) -> Option<Vec<Part>> {
         self.parts.resize_with(batches, || None);
         self.parts[batch] = Some(part);
@@ -311,7 +311,7 @@ impl File {
     }
 }
 
-/// What a lock guards; a thread that panicked ends the whole run anyway.
+/// Locks a mutex, poisoned or not: a thread that panicked ends the whole run anyway.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -359,7 +359,7 @@ mod tests {
         run(&set(&three, 3, None)).unwrap();
         assert_eq!(files(&three), whole);
 
-        // One of which only some batches were made, the last of them not to its end.
+        // A file with only some batches, the last of which is truncated.
         let broken = set(&three, 1, None);
         let volume = broken.volumes().unwrap()[0];
         let unfinished = broken.unfinished(&volume).unwrap();
@@ -374,7 +374,7 @@ mod tests {
         run(&broken).unwrap();
         assert_eq!(files(&three), whole);
 
-        // A file cut short, one without its sidecar and one that was never finished.
+        // A truncated file, one without its sidecar, and one that was never finished.
         let cut = &whole["homes_000000000007.jsonl.gz"];
         std::fs::write(three.join("homes_000000000007.jsonl.gz"), &cut[..cut.len() / 2]).unwrap();
         std::fs::remove_file(three.join("homes_000000000030.meta.json")).unwrap();

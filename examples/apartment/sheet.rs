@@ -9,13 +9,13 @@ use virtualcity::procgen::{Apartment, Specification};
 
 use crate::support::{self, Complaint, say};
 
-/// Plans in a row, and rows.
+/// Plans per row, and number of rows.
 const GRID: [usize; 2] = [6, 4];
 /// Plans on a sheet.
 pub(crate) const PLANS: u64 = (GRID[0] * GRID[1]) as u64;
 /// Width and height of a plan, pixels.
 const TILE: [usize; 2] = [560, 560];
-/// White between plans, pixels.
+/// White margin between plans, pixels.
 const GAP: usize = 10;
 
 /// Draws the plans of 24 seeds on a sheet.

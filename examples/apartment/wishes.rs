@@ -1,11 +1,11 @@
-//! What can be wished for on the command line.
+//! The specification of an apartment on the command line.
 
 use clap::Args;
 use virtualcity::procgen::Specification;
 
 use crate::support::Complaint;
 
-/// Wishes; what is left out is drawn from the seed.
+/// Properties of the apartment; unspecified ones are sampled from the seed.
 #[derive(Args, Clone, Default, serde::Serialize)]
 pub(crate) struct Wishes {
     /// One room for living, sleeping and cooking: as --bedrooms 0.
@@ -20,7 +20,7 @@ pub(crate) struct Wishes {
     #[arg(long)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) bathrooms: Option<usize>,
-    /// Net area of all rooms but balconies, square metres.
+    /// Net area of all rooms except balconies, square metres.
     #[arg(long)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) area: Option<f32>,
@@ -48,7 +48,7 @@ pub(crate) struct Wishes {
     #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) wc: Option<bool>,
-    /// How many small things lie about, 0 to 1.
+    /// Amount of clutter: small objects lying around, 0 to 1.
     #[arg(long)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) clutter: Option<f32>,
@@ -58,7 +58,7 @@ impl Wishes {
     /// The specification.
     ///
     /// # Errors
-    /// Says which wish is out of range.
+    /// If a property is out of range; the error names it.
     pub(crate) fn specification(&self) -> Result<Specification, Complaint> {
         let specification = Specification {
             bedrooms: if self.studio { Some(0) } else { self.bedrooms },
@@ -77,14 +77,14 @@ impl Wishes {
         Ok(specification)
     }
 
-    /// What makes the homes of a set again.
+    /// The data from which the homes of a set can be reproduced.
     pub(crate) fn recipe(&self) -> Recipe {
         let bedrooms = if self.studio { Some(0) } else { self.bedrooms };
         Recipe { virtualcity: env!("CARGO_PKG_VERSION"), wishes: Self { bedrooms, ..self.clone() } }
     }
 }
 
-/// The version and the wishes.
+/// The version and the specification.
 #[derive(Clone, serde::Serialize)]
 pub(crate) struct Recipe {
     virtualcity: &'static str,

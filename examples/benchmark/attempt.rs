@@ -11,7 +11,7 @@ use virtualcity::ActionError;
 use virtualcity::Environment;
 use virtualcity::initial::{AtHome, at_home, at_home_that, feasible, generator};
 
-/// Everybody who tries, in the order of the tables; the oracle is the last.
+/// All policies in the order of the tables; the oracle is the last.
 pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
     let mut all: Vec<Box<dyn Policy>> = vec![Box::new(Random::default())];
     if symbolic {
@@ -23,17 +23,17 @@ pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
     all
 }
 
-/// What came out of it.
+/// The results of an attempt.
 #[derive(Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Attempt {
     pub(crate) runs: Vec<Run>,
-    /// Why what was not won was not, and what was refused on the way.
+    /// The reasons of failures, and the refused actions.
     pub(crate) failures: Vec<String>,
-    /// Number of actions that bodies did.
+    /// Number of actions performed with bodies.
     pub(crate) done: usize,
-    /// Actions after which bodies were not as the rule says, a line each.
+    /// Actions after which the bodies contradicted the rule, one line each.
     pub(crate) disagreements: Vec<String>,
-    /// Why homes were passed over, a line each.
+    /// The reasons why homes were skipped, one line each.
     pub(crate) passed_over: Vec<String>,
 }
 
@@ -47,7 +47,7 @@ impl Attempt {
     }
 }
 
-/// Lets all policies try a task in the home of a seed.
+/// Lets all policies attempt a task in the home of a seed.
 pub(crate) fn attempt(activity: &Activity, seed: u64, steps: usize, symbolic: bool) -> Result<Attempt, String> {
     let unmade = |e: virtualcity::initial::NoHome| format!("{} in home {seed}: {e}", activity.id);
     if symbolic {
@@ -79,7 +79,7 @@ fn tried<W: World>(
         world.reset(&scene).map_err(|e| e.to_string())?;
         let how = Episodes { agent: Some(initial.agent), ..Episodes::seeded(seed) };
         let mut refused: Vec<String> = Vec::new();
-        // Of what is tried at random most is refused.
+        // Most random actions are refused, so those refusals are not reported.
         let tells = policy.name() != "random";
         let episode = how.episode(policy.as_mut(), &task, &mut world, &mut |step| {
             let why = step.refused.as_ref().filter(|_| tells);
@@ -101,13 +101,13 @@ fn tried<W: World>(
             ..Run::default()
         });
     }
-    // What the oracle needs is the best that is known.
+    // The oracle's number of steps is the best known.
     let best = attempt.runs.last().filter(|r| r.outcome == Outcome::Won).map(|r| r.steps);
     attempt.runs.iter_mut().for_each(|r| r.best_steps = best);
     Ok((attempt, world))
 }
 
-/// A home with bodies that counts what they do.
+/// A home with bodies, with counts of the actions performed in it.
 struct Bodies {
     home: Environment,
     done: usize,

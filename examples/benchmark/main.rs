@@ -1,11 +1,10 @@
 //! The thesis's evaluation: random, oracle and both planners on the 145 tasks.
 //!
-//! `cargo run --release --example benchmark` makes an apartment for each task and seed, with
-//! bodies that move, and lets random, planner and oracle try it on all cores; it prints the
-//! thesis's Table 5.2 beside ours and writes tables and plots, with the reason of everything
-//! that failed. `--symbolic` leaves the bodies out, and lets more policies try. The results do
-//! not depend on the number of threads. Finished attempts are kept in `unfinished.jsonl` until the tables
-//! are written: the same command goes on where it was broken off.
+//! `cargo run --release --example benchmark` makes an apartment for each task and seed, with bodies that move,
+//! and lets random, planner and oracle attempt the task on all cores. It prints the thesis's Table 5.2 beside
+//! the results and writes tables and plots, with the reason of every failure. `--symbolic` omits the bodies and
+//! runs more policies. The results do not depend on the number of threads. Finished attempts are kept in
+//! `unfinished.jsonl` until the tables are written, so that the same command continues an interrupted run.
 
 mod attempt;
 #[path = "../support/chart.rs"]
@@ -31,22 +30,22 @@ use vc_tasks::report::{By, Report, Run};
 /// Random, oracle and both planners on the 145 tasks.
 #[derive(Parser)]
 struct Options {
-    /// How many apartments for each task.
+    /// Number of apartments for each task.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     seeds: u64,
-    /// After how many actions an attempt is over; the thesis stops after 100.
+    /// Number of actions after which an attempt ends; the thesis stops after 100.
     #[arg(long, default_value_t = 100)]
     steps: usize,
-    /// Without bodies, and with all policies.
+    /// Run without bodies, and with all policies.
     #[arg(long)]
     symbolic: bool,
-    /// Only tasks whose id begins so, `put_fridge`.
+    /// Only tasks whose id has this prefix, such as `put_fridge`.
     #[arg(long, default_value = "")]
     only: String,
-    /// How many threads; all cores, if 0.
+    /// Number of threads; 0 for all cores.
     #[arg(long, default_value_t = 0)]
     threads: usize,
-    /// Where tables and plots go.
+    /// The output folder for tables and plots.
     #[arg(long, default_value = "out/benchmark")]
     out: PathBuf,
 }

@@ -1,28 +1,28 @@
-//! The thesis's tables, with ours beside.
+//! The thesis's tables beside the results of this run.
 
 use vc_tasks::Outcome;
 use vc_tasks::report::{Report, Run};
 
 use crate::chart::{Bars, Line, bars, lines};
 
-/// What the thesis reports: completion in percent, steps, steps of successes.
+/// The thesis's results: completion in percent, steps, steps of successes.
 const THESIS: [(&str, [f64; 3]); 3] = [
     ("thesis: random", [16.55, 95.69, 73.96]),
     ("thesis: GPT-4 (sees everything)", [77.93, 21.90, 10.83]),
     ("thesis: planner", [82.07, 27.61, 11.80]),
 ];
 
-/// Watch-And-Help's planner, run on tasks of five predicates, and the optimum with full
-/// knowledge: steps on average.
+/// The mean steps of Watch-And-Help's planner on tasks of five predicates, and of the optimum with full
+/// observability.
 pub(crate) const WATCH_AND_HELP: (usize, [f64; 2]) = (5, [60.5, 26.9]);
 
-/// What the runs say, policy by policy; the last policy is the oracle.
+/// The results of the runs by policy; the last policy is the oracle.
 pub(crate) struct Tables {
     pub(crate) report: Report,
     pub(crate) names: Vec<String>,
 }
 
-/// Steps as a multiple of the oracle's where a goal asks for so many things.
+/// Steps relative to the oracle's for goals with a number of objects.
 pub(crate) struct Ratios {
     pub(crate) things: usize,
     pub(crate) environments: usize,
@@ -31,15 +31,15 @@ pub(crate) struct Ratios {
 }
 
 impl Tables {
-    /// The rows of Table 5.2: the thesis's, then ours.
+    /// The rows of Table 5.2: the thesis's, then those of this run.
     pub(crate) fn rows(&self) -> Vec<(String, [f64; 3])> {
         let thesis = THESIS.iter().map(|(name, figures)| ((*name).to_owned(), *figures));
         let ours = self.names.iter().map(|name| (name.clone(), self.figures(name, |_| true)));
         thesis.chain(ours).collect()
     }
 
-    /// Completion in percent, steps (100 where the task is not completed, as in the
-    /// thesis), steps of successes.
+    /// Completion in percent, steps (100 for a task that is not completed, as in the thesis), steps of
+    /// successes.
     pub(crate) fn figures(&self, name: &str, which: impl Fn(&Run) -> bool) -> [f64; 3] {
         const NOT_COMPLETED: f64 = 100.0;
         let runs: Vec<&Run> = self.report.runs.iter().filter(|r| r.agent == name && which(r)).collect();
@@ -51,7 +51,7 @@ impl Tables {
         [100.0 * won.len() as f64 / all, (sum + NOT_COMPLETED * failed) / all, sum / won.len().max(1) as f64]
     }
 
-    /// All but random, which hardly ever succeeds.
+    /// All policies but random, which hardly ever succeeds.
     pub(crate) fn compared(&self) -> &[String] {
         self.names.get(1..).unwrap_or(&[])
     }

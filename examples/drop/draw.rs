@@ -1,5 +1,4 @@
-//! Pictures of a world: its assets' triangles from above and aside, with a depth
-//! buffer.
+//! Pictures of a world: the triangles of its assets in an oblique view from above, with a depth buffer.
 
 use std::collections::HashMap;
 
@@ -9,13 +8,13 @@ use virtualcity::graph::mesh::TriangleMesh;
 use virtualcity::graph::{AssetId, Kind, NodeId, Pose, SceneGraph};
 use virtualcity::physics::World;
 
-/// Pixels of a picture.
+/// Size of a picture, pixels.
 pub(crate) const SIZE: (u32, u32) = (1500, 1000);
-/// How many times finer it is drawn than it is written.
+/// Supersampling factor per axis.
 const FINE: usize = 2;
-/// Pixels in a metre.
+/// Pixels per metre.
 const SCALE: f32 = 96.0;
-/// What is in the middle of the picture.
+/// The point in the middle of the picture.
 const MIDDLE: [f32; 3] = [1.6, -0.6, 0.6];
 const SKY: [f32; 3] = [0.86, 0.9, 0.94];
 
@@ -26,7 +25,7 @@ struct Canvas {
     depth: Vec<f32>,
 }
 
-/// The world as rows of RGB, with trails of what has moved.
+/// The world as rows of RGB, with trails of the moving objects.
 pub(crate) fn picture(graph: &SceneGraph, world: &World, trails: &[(NodeId, Vec<[f32; 3]>)]) -> Vec<u8> {
     let mut canvas = Canvas::new();
     let mut meshes: HashMap<(AssetId, usize), TriangleMesh> = HashMap::new();
@@ -35,7 +34,7 @@ pub(crate) fn picture(graph: &SceneGraph, world: &World, trails: &[(NodeId, Vec<
         let Some(asset) = graph.assets().get(id) else { continue };
         for (i, part) in asset.parts.iter().enumerate() {
             let mesh = meshes.entry((id, i)).or_insert_with(|| part.shape.mesh(0.003));
-            // Every asset here has one moving part at most.
+            // Every asset in this scene has at most one moving part.
             let moved = part.joint.and_then(|_| world.part_pose(node.id(), 0)).unwrap_or(pose);
             let colour = graph.assets().material(part.material).map_or([0.5; 3], |m| m.colour);
             canvas.mesh(mesh, &(moved * part.pose), colour, 1.0);
@@ -56,7 +55,7 @@ pub(crate) fn picture(graph: &SceneGraph, world: &World, trails: &[(NodeId, Vec<
     canvas.finish()
 }
 
-/// Where a point is on the canvas, and how near it is.
+/// The position of a point on the canvas, and its nearness.
 fn seen(p: &Point3<f32>) -> [f32; 3] {
     let p = p - Point3::from(MIDDLE);
     let (right, up) = ((p.x - p.y) * 0.707, (p.x + p.y) * 0.41 + p.z * 0.82);
@@ -122,7 +121,7 @@ impl Canvas {
         }
     }
 
-    /// Averages the fine pixels and brings them to the screen's gamma.
+    /// Averages the supersamples and applies the display gamma.
     fn finish(&self) -> Vec<u8> {
         let mut rows = Vec::with_capacity((SIZE.0 * SIZE.1 * 3) as usize);
         for y in 0..SIZE.1 as usize {

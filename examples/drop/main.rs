@@ -1,9 +1,9 @@
-//! Things fall onto a table and shelves, a door and a drawer open, somebody clears the
-//! table, a car drives up a ramp, wood floats and stone sinks.
+//! Objects fall onto a table and shelves, a door and a drawer open, a person clears the table, a car drives up
+//! a ramp, wood floats and stone sinks.
 //!
-//! `cargo run --release --example drop` writes to `out/drop`: `report.txt`, what
-//! happened; `trajectory.jsonl`, where everything was, a line for every tenth of a
-//! second; `start.png` and `end.png`, pictures of the scene.
+//! `cargo run --release --example drop` writes to `out/drop`: `report.txt`, a summary of the events;
+//! `trajectory.jsonl`, the poses of all objects, one line per tenth of a second; `start.png` and `end.png`,
+//! pictures of the scene.
 
 #[path = "../support/mod.rs"]
 mod support;
@@ -23,16 +23,16 @@ use virtualcity::physics::{Settings, Settling, Shapes, World};
 
 use stage::Cast;
 
-/// Things fall, doors open, a car drives, wood floats.
+/// Objects fall, doors open, a car drives, wood floats.
 #[derive(Parser)]
 struct Options {
-    /// The seed: where things fall from.
+    /// The seed, which determines where objects fall from.
     #[arg(long, default_value_t = 7)]
     seed: u64,
-    /// How many things fall.
+    /// Number of falling objects.
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u16).range(1..=2000))]
     things: u16,
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/drop")]
     out: PathBuf,
 }

@@ -1,4 +1,4 @@
-//! What happens when.
+//! The schedule of events.
 
 use nalgebra::{Point2, Point3};
 use virtualcity::graph::Aabb;
@@ -8,14 +8,14 @@ use virtualcity::physics::{
 
 use crate::stage::{Cast, WATER};
 
-/// Steps of the play: twenty seconds.
+/// Steps of the simulation: twenty seconds.
 pub(crate) const STEPS: u32 = 1200;
-/// Where the car starts, along X.
+/// The car's initial X.
 const START: f32 = -6.0;
-/// Where the car brakes.
+/// The X at which the car brakes.
 const BRAKE: f32 = 3.6;
 
-/// Water in the pool, wheels on the car.
+/// Fills the pool with water and puts wheels on the car.
 pub(crate) fn prepare(world: &mut World, cast: &Cast) -> Result<(), PhysicsError> {
     let pool = Aabb { min: Point3::new(4.1, 1.1, 0.0), max: Point3::new(7.0, 3.9, WATER) };
     world.add_water(&pool)?;
@@ -23,7 +23,7 @@ pub(crate) fn prepare(world: &mut World, cast: &Cast) -> Result<(), PhysicsError
     world.add_vehicle(cast.car, &VehiclePlan::car(mass, 2.5, 1.5, 0.32, 0.32))
 }
 
-/// What is done at a step.
+/// Performs the events of a step.
 pub(crate) fn act(world: &mut World, cast: &Cast, step: u32) -> Result<(), AgentError> {
     match step {
         60 => world.drive(cast.chest, 0, 1.0)?,
@@ -41,7 +41,7 @@ pub(crate) fn act(world: &mut World, cast: &Cast, step: u32) -> Result<(), Agent
     Ok(())
 }
 
-/// How far the car is from where it started, metres.
+/// The distance of the car from its start, metres.
 pub(crate) fn driven(world: &World, cast: &Cast) -> f32 {
     world.pose(cast.car).map_or(0.0, |p| p.translation.x - START)
 }
@@ -56,7 +56,7 @@ fn go_to_the_mug(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
     stand.map_or(Ok(()), |stand| world.follow(cast.person, &stand.route.points, false))
 }
 
-/// The mug, once reached, goes from the table to the shelf, or wherever there is room.
+/// Moves the mug, once it is within reach, from the table to the shelf, or to any free place.
 fn clear_away(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
     if world.held(cast.person, Hand::Right).is_none() {
         let on_the_shelf = world.supports(cast.mug).contains(&cast.shelf);

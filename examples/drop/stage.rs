@@ -1,5 +1,5 @@
-//! The stage: a room with a table, shelves, a chest and a door, a pool behind it, a
-//! road with a ramp before it.
+//! The scene: a room with a table, shelves, a chest and a door, a pool behind it, and a road with a ramp in
+//! front of it.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use virtualcity::graph::{
 /// Height of the water's surface, metres.
 pub(crate) const WATER: f32 = 0.9;
 
-/// Who plays.
+/// The nodes that take part in the events.
 pub(crate) struct Cast {
     pub(crate) falling: Vec<NodeId>,
     pub(crate) shelf: NodeId,
@@ -26,13 +26,13 @@ pub(crate) struct Cast {
 }
 
 impl Cast {
-    /// What leaves a trail in the picture.
+    /// The nodes that leave a trail in the picture.
     pub(crate) fn moving(&self) -> impl Iterator<Item = NodeId> + '_ {
         self.falling.iter().copied().chain([self.car, self.wood, self.stone, self.mug, self.person])
     }
 }
 
-/// Why the stage cannot be built.
+/// The reason why the scene cannot be built.
 #[derive(Debug)]
 pub(crate) struct Flaw(String);
 
@@ -54,7 +54,7 @@ impl From<EditError> for Flaw {
     }
 }
 
-/// Materials by their place in the library.
+/// Materials by their index in the library.
 #[derive(Clone, Copy)]
 struct Stuff {
     oak: u32,
@@ -260,7 +260,7 @@ impl Build {
         self.add(class, asset, pose)
     }
 
-    /// Things of five kinds, high above table and shelf.
+    /// Objects of five kinds, high above table and shelf.
     fn falling(&mut self, seed: u64, count: u16) -> Result<Vec<NodeId>, Flaw> {
         let Stuff { clay, red, pine, steel, blue, .. } = self.stuff;
         let kinds = [
@@ -291,7 +291,7 @@ impl Build {
         ];
         let car = self.asset("car", parts, Vec::new())?;
         let car = self.add("car", car, at(-6.0, -3.6, 0.0))?;
-        // Of no class of the table, so that they are as heavy as they are large.
+        // Their class is not in the table, so that their masses follow from their volumes.
         let half = Vector3::new(0.25, 0.2, 0.1);
         let wood = self.thing("driftwood", Shape::Box { half }, pine, at(5.2, 2.5, 1.8))?;
         let stone = self.thing("cobblestone", Shape::Sphere { radius: 0.12 }, stone, at(6.2, 2.3, 2.4))?;

@@ -1,8 +1,8 @@
-//! A walk through a generated home as a camera sees it, with the optical flow beside it.
+//! A camera's walk through a generated home, with the optical flow beside the colours.
 //!
 //! `cargo run --release --example flythrough -- --seed 42 --out out/flythrough` plans the shortest way from
-//! room to room, opens the doors on it, and writes an animated PNG: colours and flow, and with
-//! `--labels` instances and depth below. `--exr` also writes depth and flow of every picture.
+//! room to room, opens the doors on it, and writes an animated PNG: colours and flow, and with `--labels`
+//! instances and depth below. `--exr` also writes depth and flow of every picture.
 
 #[path = "../support/mod.rs"]
 mod support;
@@ -24,33 +24,33 @@ struct Options {
     /// The home's seed.
     #[arg(long, default_value_t = 42)]
     seed: u64,
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/flythrough")]
     out: PathBuf,
-    /// Pictures at most.
+    /// Largest number of pictures.
     #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(2..=5000))]
     pictures: u32,
-    /// Pixels across.
+    /// Width, pixels.
     #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(16..=2048))]
     width: u32,
-    /// Pixels down.
+    /// Height, pixels.
     #[arg(long, default_value_t = 240, value_parser = clap::value_parser!(u32).range(16..=2048))]
     height: u32,
-    /// Pictures a second.
+    /// Pictures per second.
     #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..=240))]
     rate: u16,
-    /// Metres a second.
+    /// Walking speed, metres per second.
     #[arg(long, default_value_t = 1.2, value_parser = speed)]
     speed: f32,
-    /// Shows instances and depth as well.
+    /// Show instances and depth as well.
     #[arg(long)]
     labels: bool,
-    /// Writes depth and flow as OpenEXR, a file for each picture.
+    /// Write depth and flow as OpenEXR, one file per picture.
     #[arg(long)]
     exr: bool,
 }
 
-/// Metres a second.
+/// Parses a speed, metres per second.
 fn speed(text: &str) -> Result<f32, String> {
     let speed = text.parse().ok().filter(|speed| (0.01..=100.0).contains(speed));
     speed.ok_or_else(|| "a speed is a number from 0.01 to 100, metres a second".to_owned())
@@ -97,7 +97,7 @@ fn shown(frame: &Frame, labels: bool) -> Picture {
     Picture::sheet(&all, 2, 2)
 }
 
-/// Depth and flow of a picture.
+/// Depth and flow of a picture as OpenEXR.
 fn exr(frame: &Frame) -> Result<Vec<u8>, Complaint> {
     let axis = |i: usize| frame.flow_forward.iter().map(|f| f[i]).collect::<Vec<f32>>();
     let (u, v) = (axis(0), axis(1));

@@ -1,4 +1,4 @@
-//! Where to go.
+//! The path of the camera.
 
 use nalgebra::{Point2, Point3};
 use virtualcity::graph::{NodeId, SceneGraph, State};
@@ -9,13 +9,13 @@ use crate::support::Complaint;
 
 /// Height of the eye, metres.
 const EYE: f32 = 1.5;
-/// A way over the floor.
+/// A path over the floor.
 pub(crate) struct Walk {
     points: Vec<Point2<f32>>,
     pub(crate) rooms: usize,
 }
 
-/// The way through the rooms; doors on it are opened.
+/// The path through the rooms; doors on it are opened.
 pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
     let world = World::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     let floor = Floor::of(&world, FloorPlan { radius: 0.3, ..FloorPlan::default() });
@@ -24,7 +24,7 @@ pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
         floor.nearest(Point2::new(around.x, around.y), 1.5)
     };
     let middles: Vec<Point2<f32>> = scene.rooms().iter().filter_map(middle).collect();
-    // From wherever most rooms can be reached.
+    // Start in the room from which most rooms can be reached.
     let tours = (0..middles.len()).map(|first| Tour::from(&floor, &middles, first));
     let Tour { points, doors, rooms } = tours
         .reduce(|a, b| if b.rooms > a.rooms { b } else { a })
@@ -37,7 +37,7 @@ pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
     Ok(Walk { points, rooms })
 }
 
-/// Rooms one after the other.
+/// A tour of the rooms.
 struct Tour {
     points: Vec<Point2<f32>>,
     doors: Vec<NodeId>,
@@ -45,7 +45,7 @@ struct Tour {
 }
 
 impl Tour {
-    /// Each time to the nearest room that has not been seen, while one can be reached.
+    /// Goes to the nearest unvisited room each time, as long as one can be reached.
     fn from(floor: &Floor, middles: &[Point2<f32>], first: usize) -> Self {
         let mut left = middles.to_vec();
         let mut tour = Self { points: vec![left.swap_remove(first)], doors: Vec::new(), rooms: 1 };
@@ -58,7 +58,7 @@ impl Tour {
     }
 }
 
-/// The shortest of the ways to the places that are left, which it takes from them.
+/// The shortest route to one of the remaining places, which it removes from them.
 fn nearest(floor: &Floor, from: Point2<f32>, left: &mut Vec<Point2<f32>>) -> Option<Route> {
     let ways = left.iter().enumerate().filter_map(|(i, to)| floor.route(from, *to).map(|r| (i, r)));
     let (index, route) = ways.min_by(|a, b| a.1.length.total_cmp(&b.1.length))?;
@@ -67,12 +67,12 @@ fn nearest(floor: &Floor, from: Point2<f32>, left: &mut Vec<Point2<f32>>) -> Opt
 }
 
 impl Walk {
-    /// Metres.
+    /// Length, metres.
     pub(crate) fn length(&self) -> f32 {
         self.points.windows(2).map(|p| (p[1] - p[0]).norm()).sum()
     }
 
-    /// Cameras along it, a step apart, at most so many; a longer walk has longer steps.
+    /// Cameras along the path, `step` metres apart, at most `most`; a longer path has longer steps.
     pub(crate) fn cameras(&self, camera: Camera, step: f32, most: usize) -> Vec<Camera> {
         let way: Vec<Point3<f32>> = self.points.iter().map(|p| Point3::new(p.x, p.y, EYE)).collect();
         camera.along(&way, ((self.length() / step) as usize + 1).clamp(2, most))

@@ -1,12 +1,12 @@
-//! Options that mean nothing for the run that is asked for.
+//! Options that have no meaning for the requested run.
 
 use crate::Options;
 use crate::support::Complaint;
 
-/// An option that was given and has no meaning here, and what to do.
+/// Whether a meaningless option was given, its name, and what to do instead.
 type Idle = (bool, &'static str, &'static str);
 
-/// Says which options do not apply, and what to do instead.
+/// Returns an error for options that do not apply, with advice.
 pub(crate) fn check(options: &Options) -> Result<(), Complaint> {
     let idle = if options.symbolic { without_bodies(options) } else { with_bodies(options) };
     let list = if options.list { listing(options) } else { Vec::new() };

@@ -9,8 +9,8 @@ use vc_tasks::{Task, World};
 use crate::Options;
 use crate::support::Complaint;
 
-/// The goal or the task asked for; without one, the task of the library in which there is most to see, of those that
-/// make sense here and are not done already.
+/// The requested goal or task; without one, the most varied task of the library that is meaningful in this home
+/// and not done already.
 pub(crate) fn choose(options: &Options, world: &dyn World, me: NodeId) -> Result<Task, Complaint> {
     if let Some(goal) = &options.goal {
         return told(options, goal, world);
@@ -18,7 +18,7 @@ pub(crate) fn choose(options: &Options, world: &dyn World, me: NodeId) -> Result
     let open = |task: &Task| task.obstacles(world.graph()).is_empty() && !task.holds(world, me);
     let all: Vec<Task> = vc_tasks::household().into_iter().filter(open).collect();
     let wanted = |task: &&Task| options.task.as_ref().is_none_or(|title| task.title.starts_with(title.as_str()));
-    // The first of equals: `max_by_key` gives the last one.
+    // Iterates in reverse, since `max_by_key` returns the last of equals.
     let best = all.iter().filter(wanted).rev().max_by_key(|task| to_see(world, me, task));
     let task = best.ok_or_else(|| {
         let titles: Vec<&str> = all.iter().map(|task| task.title.as_str()).collect();
@@ -27,7 +27,7 @@ pub(crate) fn choose(options: &Options, world: &dyn World, me: NodeId) -> Result
     Ok(Task { step_limit: options.steps, ..task.clone() })
 }
 
-/// The goal of a text as a task, if it makes sense here.
+/// The goal of a text as a task, if it is meaningful in this home.
 pub(crate) fn told(options: &Options, goal: &str, world: &dyn World) -> Result<Task, Complaint> {
     let goal = goal.parse().map_err(Complaint::new)?;
     let task = Task { title: "as told".into(), goal, step_limit: options.steps };
@@ -38,8 +38,8 @@ pub(crate) fn told(options: &Options, goal: &str, world: &dyn World) -> Result<T
     }
 }
 
-/// How much there is to see in a task: first the number of kinds of actions (going, opening, taking, carrying, putting
-/// down) of a plan by an agent that knows where everything is, then how few actions the plan has.
+/// How much a task shows: first the number of kinds of actions (going, opening, taking, carrying, putting down)
+/// in a plan by an agent that knows where everything is, then how few actions the plan has.
 fn to_see(world: &dyn World, me: NodeId, task: &Task) -> (usize, Reverse<usize>) {
     let plan = Planner::default().plan(&mut world.graph().clone(), me, &task.goal, &[]);
     let actions = plan.map(|plan| plan.actions).unwrap_or_default();

@@ -1,20 +1,17 @@
-//! An agent with a body pursues a household goal in a generated home, seeing only the room
-//! it stands in.
+//! An agent with a body pursues a household goal in a generated home under partial observability: it sees only
+//! the room it is in.
 //!
-//! `cargo run --release --example household -- --seed 9 --out out/household` writes a folder:
-//! `index.html` shows the film (from its eyes and from a corner of the room), the six
-//! modalities, the home from above with the way it went; `trajectory.jsonl` has every step.
-//! `--scene FILE` takes a scene file with poses, `--task TITLE` a task of the library,
-//! `--goal TEXT` any goal; `--dataset` writes frames with COCO annotations and the scene as glTF
-//! as well; `--hour 19` is dusk and `--hour 23` night, at which lamps are on as it begins, unless
-//! `--lamps as-is` leaves them as they are; `--finer 3` smooths edges more. With
-//! `--agents 2` two agents share the goal and tell each other what they see. In the end all actions
-//! are done again from the beginning, and have to lead to the same home.
-//! `--symbolic` does it without bodies: by default the bundled
-//! apartment, three apples to the kitchen table, and the fridge closed at the end; the folder then has
-//! `trajectory.jsonl` and a page with belief and log. A run removes the files in the folder that an earlier run
-//! wrote and that it does not write itself.
-//! `--list` shows what can be asked of the home or scene.
+//! `cargo run --release --example household -- --seed 9 --out out/household` writes a folder: `index.html`
+//! shows the film (from the agent's eyes and from a corner of the room), the six modalities, and the home from
+//! above with the agent's path; `trajectory.jsonl` has every step. `--scene FILE` takes a scene file with
+//! poses, `--task TITLE` a task of the library, `--goal TEXT` any goal; `--dataset` also writes frames with
+//! COCO annotations and the scene as glTF; `--hour 19` is dusk and `--hour 23` night, at which lamps are on at
+//! the start, unless `--lamps as-is` leaves them unchanged; `--finer 3` increases the antialiasing. With
+//! `--agents 2` two agents share the goal and tell each other their observations. At the end all actions are
+//! replayed from the start, and must lead to the same home. `--symbolic` runs without bodies: by default in the
+//! bundled apartment, with the goal of three apples on the kitchen table and the fridge closed; the folder then
+//! has `trajectory.jsonl` and a page with belief and log. A run removes those files of an earlier run from the
+//! folder that it does not write itself. `--list` shows the possible tasks in the home or scene.
 
 mod asked;
 mod choose;
@@ -29,66 +26,65 @@ use clap::{Parser, ValueEnum};
 use support::Complaint;
 use vc_planner::{Newcomer, Policy, Random, Resident};
 
-/// An agent pursues a household goal, seeing only the room it stands in.
+/// An agent pursues a household goal and sees only the room it is in.
 #[derive(Parser)]
 pub(crate) struct Options {
-    /// The home's seed, 9 if not said; what the agent guesses by.
+    /// The seed of the home (default 9) and of the agent's guesses.
     #[arg(long)]
     seed: Option<u64>,
-    /// A scene: the thesis's JSON, VirtualHome's environment graph or our own.
+    /// A scene: the thesis's JSON, VirtualHome's environment graph or VirtualCity's JSON.
     #[arg(long)]
     scene: Option<PathBuf>,
-    /// A task of the library, by the beginning of its title.
+    /// A task of the library, by a prefix of its title.
     #[arg(long, conflicts_with = "goal")]
     task: Option<String>,
     /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
     #[arg(long)]
     goal: Option<String>,
-    /// How many agents are in the home. Planners share the goal; of the others the first one acts.
+    /// Number of agents in the home. Planners share the goal; with other policies only the first agent acts.
     #[arg(long, default_value_t = 1, value_parser = agents)]
     agents: usize,
-    /// The folder to write to.
+    /// The output folder.
     #[arg(long, default_value = "out/household")]
     out: PathBuf,
-    /// After how many actions to stop.
+    /// Number of actions after which the run stops.
     #[arg(long, default_value_t = 500)]
     steps: usize,
-    /// Who acts.
+    /// The policy.
     #[arg(long, value_enum, default_value = "planner")]
     policy: Who,
-    /// Without bodies: the transition rule alone.
+    /// Run without bodies: the transition rule alone.
     #[arg(long)]
     symbolic: bool,
-    /// Show what can be asked of the scene, and stop.
+    /// Show the possible tasks in the scene, and stop.
     #[arg(long)]
     list: bool,
-    /// Classes of your own for a symbolic run, in the format of `ClassTable::parse`.
+    /// A table of additional classes for a symbolic run, in the format of `ClassTable::parse`.
     #[arg(long)]
     classes: Option<PathBuf>,
-    /// Write a dataset as well: frames with their boxes and masks as COCO, the scene as glTF.
+    /// Also write a data set: frames with boxes and masks as COCO, the scene as glTF.
     #[arg(long)]
     dataset: bool,
-    /// Pixels across of each picture, 480 if not said; it is three quarters as high.
+    /// Width of each picture, pixels, 480 by default; its height is three quarters of that.
     #[arg(long, value_parser = clap::value_parser!(u32).range(64..=1280))]
     width: Option<u32>,
-    /// How many times finer pictures are made along each side before they are shrunk, which smooths edges; twice if
-    /// not said.
+    /// Supersampling factor along each side of a picture, for antialiasing; 2 by default.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=4))]
     finer: Option<u32>,
-    /// The hour of the day whose light comes in: 12 is noon, 19 dusk, 23 night.
+    /// The hour of the day, which determines the daylight: 12 is noon, 19 dusk, 23 night.
     #[arg(long, value_parser = hour)]
     hour: Option<f32>,
-    /// Whether lamps are on as it begins.
+    /// Whether lamps are on at the start.
     #[arg(long, value_enum, default_value = "at-dark")]
     lamps: Lamps,
 }
 
-/// When the home's lamps are on as it begins.
+/// The initial state of the home's lamps.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Lamps {
-    /// On if it is dark outside, as people who are at home have them.
+    /// On if it is dark outside, as if people were at home.
     AtDark,
-    /// As the scene has them.
+    /// As in the scene.
     AsIs,
 }
 
@@ -98,28 +94,28 @@ impl Options {
     }
 }
 
-/// How many agents act.
+/// Parses a number of agents.
 fn agents(text: &str) -> Result<usize, String> {
     let number = text.parse().ok().filter(|number| *number > 0);
     number.ok_or_else(|| "somebody has to act: a whole number from 1 up".to_owned())
 }
 
-/// An hour of the day.
+/// Parses an hour of the day.
 fn hour(text: &str) -> Result<f32, String> {
     let hour = text.parse().ok().filter(|hour| (0.0..=24.0).contains(hour));
     hour.ok_or_else(|| "an hour is a number from 0 to 24, such as 19.5".to_owned())
 }
 
-/// Who acts.
+/// The policy.
 #[derive(Clone, Copy, ValueEnum)]
 enum Who {
-    /// Searches where people keep things, and plans for both hands.
+    /// Searches where people usually keep objects, and plans for both hands.
     Planner,
-    /// Plans as the thesis's agent does: guesses uniformly, one subgoal after the other.
+    /// Plans as the thesis's agent does: guesses uniformly, pursues one subgoal after the other.
     Faithful,
     /// Knows and sees everything.
     Oracle,
-    /// Any verb, any thing.
+    /// Any verb with any object.
     Random,
 }
 

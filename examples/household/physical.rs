@@ -14,9 +14,9 @@ use crate::support::{Complaint, say};
 use crate::symbolic;
 use crate::{Lamps, Options, Who};
 
-/// Most things of a picture of a belief.
+/// Largest number of objects in a picture of a belief.
 const BELIEVED: usize = 16;
-/// How many new things of an action are named at most.
+/// Largest number of newly seen objects that are named per action.
 const NAMED: usize = 3;
 
 /// Makes the home, lets the agent act, and writes the folder.
@@ -83,7 +83,7 @@ fn bar(options: &Options) -> Result<ProgressBar, Complaint> {
     Ok(bar)
 }
 
-/// Lets the policy act until it stops, and says what it does.
+/// Lets the policy act until it stops, and reports its actions.
 fn act(
     options: &Options,
     me: NodeId,
@@ -104,7 +104,7 @@ fn act(
     Ok(episode.summary())
 }
 
-/// The agents as a team, where there are several and they plan.
+/// The agents as a team, if there are several and they plan.
 fn team(options: &Options, graph: &SceneGraph, task: &Task) -> Option<Team> {
     let ids = graph.agents();
     match options.policy {
@@ -115,7 +115,7 @@ fn team(options: &Options, graph: &SceneGraph, task: &Task) -> Option<Team> {
     }
 }
 
-/// Lets a team act until it stops, and says what each does.
+/// Lets a team act until it stops, and reports each agent's actions.
 fn act_together(options: &Options, mut team: Team, task: &Task, recorder: &mut Recorder) -> Result<Summary, Complaint> {
     let bar = bar(options)?;
     let done = team.run(task, &mut Told { recorder: &mut *recorder, bar: &bar });
@@ -123,7 +123,7 @@ fn act_together(options: &Options, mut team: Team, task: &Task, recorder: &mut R
     Ok(Summary::from(&done))
 }
 
-/// A world that says what is done in it.
+/// A world that reports the actions in it.
 struct Told<'a> {
     recorder: &'a mut Recorder,
     bar: &'a ProgressBar,
@@ -153,7 +153,7 @@ impl World for Told<'_> {
     }
 }
 
-/// Whether what was done in a home leads there again from how it was first.
+/// Whether replaying the actions of a home from its initial state leads to the same home.
 fn leads_there(mut first: Environment, end: &Environment) -> Result<bool, Complaint> {
     for event in end.history().events() {
         first.set_action(event.agent, event.action).map_err(Complaint::new)?;
@@ -161,7 +161,7 @@ fn leads_there(mut first: Environment, end: &Environment) -> Result<bool, Compla
     Ok(first.digest() == end.digest())
 }
 
-/// What is believed in the end of the things that the goal is about, as a picture.
+/// The final belief about the objects in the goal, as a picture.
 pub(crate) fn belief(graph: &SceneGraph, task: &Task, policy: &dyn Policy) -> Option<String> {
     let mut things = objects_of_interest(graph, &task.goal);
     things.retain(|id| graph.node(*id).is_some_and(|n| n.affords(Property::Graspable)));
@@ -169,8 +169,8 @@ pub(crate) fn belief(graph: &SceneGraph, task: &Task, policy: &dyn Policy) -> Op
     policy.belief().filter(|_| !things.is_empty()).map(|b| b.to_svg(&things))
 }
 
-/// Prints for each action where it led and which things were seen then for the first time; both are known
-/// when the next action begins.
+/// Prints for each action where it led and which objects were first seen then; both are known when the next
+/// action begins.
 struct Lines {
     graph: SceneGraph,
     waiting: Option<Step>,
@@ -195,7 +195,7 @@ impl Lines {
         }
     }
 
-    /// Names the new things, those that can be taken first.
+    /// Names the new objects, graspable ones first.
     fn news(&self, found: &[String]) -> String {
         let is_small = |label: &Label| self.graph.node(label.id).is_some_and(|n| n.affords(Property::Graspable));
         let mut labels: Vec<Label> = found.iter().filter_map(|text| text.parse().ok()).collect();

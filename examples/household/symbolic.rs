@@ -19,7 +19,7 @@ use crate::support::{self, Complaint, say};
 /// The hand-made apartment that comes with the project.
 const APARTMENT: &str = include_str!("../data/apartment.json");
 
-/// What the goal is unless one is given.
+/// The default goal.
 const GOAL: &str = "On(apple, kitchentable), 3 & Closed(fridge)";
 
 /// Runs the agent in the symbolic simulator.
@@ -57,7 +57,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
     let run = Run { agent: Some(me), ..Run::seeded(options.seed()) };
-    // Files that an earlier run with bodies wrote would stay beside those of this one.
+    // Files of an earlier run with bodies would otherwise remain beside those of this run.
     Recorder::clear(&options.out).map_err(Complaint::new)?;
     let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
     let header = Header::of(&run, policy.as_ref(), task, scene);
@@ -80,7 +80,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     Ok(())
 }
 
-/// The page about the run, and the belief that it shows.
+/// Writes the page about the run, with the belief.
 fn write_page(folder: &Path, trajectory: &Trajectory, belief: Option<&str>) -> Result<(), Complaint> {
     let mut page = Page::of(trajectory);
     if let Some(belief) = belief {
@@ -105,7 +105,7 @@ fn show(step: &Step) {
     wrapped("does", &step.described);
 }
 
-/// The first few of a list, and how many more there are.
+/// The first few entries of a list, and the number of the others.
 fn summary(items: &[String]) -> String {
     const SHOWN: usize = 8;
     match items.len() {
@@ -129,7 +129,7 @@ fn wrapped(what: &str, text: &str) {
     say!("{}", line.trim_end());
 }
 
-/// Says how it went, after replaying the actions from the first scene.
+/// Reports the result, after replaying the actions from the initial scene.
 fn verdict(scene: &SceneGraph, me: NodeId, task: &Task, world: &Simulator, episode: &Episode) -> Result<(), Complaint> {
     let mut again = Simulator::new(scene.clone());
     for event in world.history().events() {
@@ -154,8 +154,8 @@ fn yes(condition: bool, then: &'static str, otherwise: &'static str) -> &'static
     if condition { then } else { otherwise }
 }
 
-/// The trajectory, written line by line so that a run that is broken off leaves what it did:
-/// as [`Trajectory::read_json_lines`](vc_planner::Trajectory::read_json_lines) reads it.
+/// The trajectory, written line by line so that an interrupted run keeps its steps, in the format of
+/// [`Trajectory::read_json_lines`](vc_planner::Trajectory::read_json_lines).
 struct Record {
     file: std::io::BufWriter<std::fs::File>,
     path: PathBuf,
@@ -178,7 +178,7 @@ impl Record {
     }
 }
 
-/// Shows what is in a scene and what can be asked of it.
+/// Shows the contents of a scene and the possible tasks in it.
 pub(crate) fn list(scene: &SceneGraph, me: NodeId) {
     say!(
         "{}: {} rooms, {} nodes, agent {} in {}\n",

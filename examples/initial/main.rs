@@ -1,10 +1,9 @@
 //! Initial environments of the benchmark, in numbers and pictures.
 //!
-//! `cargo run --release --example initial -- --out out/initial` makes one of each of
-//! the 145 tasks in a generated home, lists them as JSON Lines with what was added
-//! where, and draws what was added on contact sheets. `--seeds 20` makes twenty of
-//! each, `--task put_fridge-01` one task's alone, `--distractors 5` adds five things
-//! more to each.
+//! `cargo run --release --example initial -- --out out/initial` makes an environment for each of the 145 tasks
+//! in a generated home, lists them as JSON Lines with the added objects and their places, and draws the added
+//! objects on contact sheets. `--seeds 20` makes twenty environments per task, `--task put_fridge-01` those of
+//! one task alone, `--distractors 5` adds five more objects to each.
 
 mod sheet;
 #[path = "../support/mod.rs"]
@@ -26,27 +25,27 @@ use virtualcity::initial::{AtHome, Catalogue, at_home};
 /// Initial environments of the benchmark, in numbers and pictures.
 #[derive(Parser)]
 struct Options {
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/initial")]
     out: PathBuf,
-    /// Only the tasks whose ids begin so.
+    /// Only the tasks whose ids have this prefix.
     #[arg(long, default_value = "")]
     task: String,
-    /// How many environments of each task.
+    /// Number of environments per task.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     seeds: u64,
     /// The first seed.
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// How many things to add that are of no use, at most a thousand.
+    /// Number of distractors to add, objects irrelevant to the task; at most a thousand.
     #[arg(long, default_value_t = 0, value_parser = distractors)]
     distractors: usize,
-    /// How many added things to draw.
+    /// Number of added objects to draw.
     #[arg(long, default_value_t = 40)]
     pictures: usize,
 }
 
-/// More than a thousand would take minutes, and find no place in a home.
+/// More than a thousand would take minutes, and would not fit in a home.
 fn distractors(text: &str) -> Result<usize, String> {
     let number = text.parse().ok().filter(|number| *number <= 1000);
     number.ok_or_else(|| "a whole number from 0 to 1000: a home has no place for more".to_owned())
@@ -54,7 +53,7 @@ fn distractors(text: &str) -> Result<usize, String> {
 
 type Home = AtHome<Simulator>;
 
-/// What was found of one base task.
+/// The results for one base task.
 #[derive(Default)]
 struct Sum {
     environments: usize,
@@ -153,7 +152,7 @@ fn table(sums: &BTreeMap<&str, Sum>) {
     }
 }
 
-/// What the list says about an environment.
+/// The list entry of an environment.
 fn line(activity: &Activity, seed: u64, made: &Home) -> serde_json::Value {
     let scene = &made.initial.scene;
     serde_json::json!({
@@ -171,7 +170,7 @@ fn line(activity: &Activity, seed: u64, made: &Home) -> serde_json::Value {
     })
 }
 
-/// `apple.612 on dining_table.88 in kitchen.1`.
+/// Describes an added object: `apple.612 on dining_table.88 in kitchen.1`.
 fn added(scene: &SceneGraph, added: &Added) -> String {
     let label = |id| scene.label(id);
     let place = added.place.map_or_else(String::new, |p| format!(" {} {}", p.relation, label(p.at)));

@@ -1,4 +1,4 @@
-//! Pictures of what was added, each with what is around it.
+//! Pictures of the added objects with their surroundings.
 
 use std::path::Path;
 
@@ -15,17 +15,17 @@ use crate::support::Complaint;
 const TILE: (usize, usize) = (300, 230);
 const LEGEND: usize = 34;
 const COLUMNS: usize = 5;
-/// What is further away is not shown, metres.
+/// Distance up to which the surroundings are shown, metres.
 const AROUND: f32 = 0.55;
 
-/// A thing that was added, and its scene.
+/// An added object and its scene.
 pub(crate) struct Tile {
     scene: SceneGraph,
     id: NodeId,
     legend: [String; 2],
 }
 
-/// The things that were added for a task; people are left out.
+/// The objects that were added for a task, without people.
 pub(crate) fn tiles(activity: &Activity, made: &Home) -> Vec<Tile> {
     let scene = &made.initial.scene;
     let things = made.initial.added.iter().filter(|a| a.purpose != Purpose::Agent);
@@ -37,7 +37,7 @@ pub(crate) fn tiles(activity: &Activity, made: &Home) -> Vec<Tile> {
     things.map(tile).collect()
 }
 
-/// Writes all of them on one sheet.
+/// Writes all tiles on one sheet.
 pub(crate) fn write(tiles: &[Tile], path: &Path) -> Result<(), Complaint> {
     if tiles.is_empty() {
         return Ok(());
@@ -62,8 +62,7 @@ pub(crate) fn write(tiles: &[Tile], path: &Path) -> Result<(), Complaint> {
 }
 
 impl Tile {
-    /// The thing, what carries it and what is near, from the carrier's front; doors
-    /// and drawers open.
+    /// The object, its support and the objects near it, from the support's front, with doors and drawers open.
     fn picture(&self) -> virtualcity::procgen::picture::Image {
         let node = self.scene.node(self.id);
         let aabb = node.and_then(|n| n.aabb());

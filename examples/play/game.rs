@@ -1,4 +1,4 @@
-//! What keyboard and mouse do in a home, and the picture of it; knows no window.
+//! The effects of keyboard and mouse in a home, and its picture; independent of the window.
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector2, Vector3};
 use virtualcity::graph::{Action, NodeId, SceneGraph, Verb, rule};
@@ -10,11 +10,11 @@ use virtualcity::{Environment, Steering, Viewpoint};
 use crate::support::Complaint;
 use crate::text;
 
-/// How far up and down one looks, radians.
+/// Largest view angle up and down, radians.
 const TILT: f32 = 1.3;
-/// Ticks of an action between two pictures of it.
+/// Ticks between two displayed pictures of an action.
 const SHOWN: u32 = 3;
-/// What a click may mean, the first that the rule allows counts; with the thing pointed at.
+/// The possible meanings of a click on the object pointed at; the first that the rule allows is chosen.
 const CLICKS: [Verb; 10] = [
     Verb::Grab,
     Verb::Open,
@@ -28,33 +28,33 @@ const CLICKS: [Verb; 10] = [
     Verb::Read,
 ];
 
-/// What the hands at keyboard and mouse want.
+/// The input from keyboard and mouse.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Hands {
-    /// Forward, and to the left: from -1 to 1.
+    /// Speed forward, and to the left: from -1 to 1.
     pub(crate) ahead: f32,
     pub(crate) left: f32,
     pub(crate) runs: bool,
     pub(crate) jumps: bool,
-    /// Turned to the left and up since the last picture, radians.
+    /// Rotation to the left and up since the last picture, radians.
     pub(crate) turn: f32,
     pub(crate) tilt: f32,
-    /// Which modality to show.
+    /// The modality to show.
     pub(crate) shows: Option<usize>,
     pub(crate) wish: Option<Wish>,
 }
 
-/// What a mouse button asks for.
+/// The request of a mouse button.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Wish {
     Act,
     LetGo,
 }
 
-/// A home and the one who walks in it.
+/// A home and its player.
 pub(crate) struct Game {
     home: Environment,
-    /// The moment of the picture before, for flow.
+    /// The home at the time of the previous picture, for optical flow.
     before: Option<Environment>,
     me: NodeId,
     size: (u32, u32),
@@ -66,7 +66,7 @@ pub(crate) struct Game {
     words: String,
 }
 
-/// Width and height of the picture.
+/// Size of the picture from its width.
 pub(crate) fn size(width: u32) -> (u32, u32) {
     (width, width * 3 / 4)
 }
@@ -89,18 +89,18 @@ impl Game {
         }
     }
 
-    /// Seconds of a tick.
+    /// Duration of a tick, seconds.
     pub(crate) fn dt(&self) -> f32 {
         self.home.world().settings().dt
     }
 
-    /// What was last done, or refused and why.
+    /// The last action, or the refused action and the reason.
     pub(crate) fn words(&self) -> &str {
         &self.words
     }
 
-    /// Looks where the mouse points, and does what a click asks for; `show` is given
-    /// pictures while it is done.
+    /// Turns the view as the mouse requests, and performs the action of a click; `show` receives pictures
+    /// meanwhile.
     pub(crate) fn act(&mut self, hands: &Hands, mut show: impl FnMut(&Picture)) -> Result<(), Complaint> {
         self.heading += hands.turn;
         self.tilt = (self.tilt + hands.tilt).clamp(-TILT, TILT);
@@ -129,7 +129,7 @@ impl Game {
         Ok(())
     }
 
-    /// A tick passes.
+    /// Advances the simulation by one tick.
     pub(crate) fn tick(&mut self, hands: &Hands) {
         if self.home.posture(self.me) != Some(Posture::Standing) {
             return;
@@ -145,11 +145,11 @@ impl Game {
         }
     }
 
-    /// What is seen, with the crosshair, what it points at, and what was done last.
+    /// The picture, with the crosshair, the object pointed at, and the last action.
     pub(crate) fn picture(&mut self) -> Result<Picture, Complaint> {
         let (width, height) = self.size;
         let (wanted, view): (Modalities, _) = match self.shows {
-            // Of the eyes themselves: flow is of their motion too.
+            // From the actual eyes, since the flow includes their motion.
             4 => (Modality::FlowForward | Modality::Instance, Viewpoint::Agent(self.me)),
             1 | 2 => (Modality::Instance | Modality::Class, Viewpoint::Free(self.view())),
             3 => (Modality::Depth | Modality::Instance, Viewpoint::Free(self.view())),
@@ -184,7 +184,7 @@ impl Game {
         Ok(shown)
     }
 
-    /// From where the eyes are, to where the mouse has turned them.
+    /// The camera at the eyes, in the direction set by the mouse.
     fn view(&self) -> Camera {
         let (width, height) = self.size;
         let eyes = self.home.camera(Viewpoint::Agent(self.me), width, height);
@@ -194,7 +194,7 @@ impl Game {
         camera.mounted(&at)
     }
 
-    /// A thing's name, and what a click on it would do.
+    /// An object's name, and the effect of a click on it.
     fn named(&self, target: NodeId) -> String {
         let graph = self.home.graph();
         let class = graph.node(target).map_or("", |n| n.class());
@@ -204,8 +204,8 @@ impl Game {
         }
     }
 
-    /// What a click on a thing means: the first thing that the rule allows, or if it allows
-    /// nothing the first of all, to be refused with a reason.
+    /// The action of a click on an object: the first that the rule allows; if it allows none, the first of all,
+    /// to be refused with a reason.
     fn meant(&self, target: NodeId) -> Option<Action> {
         let graph = self.home.graph();
         let put = self
@@ -231,7 +231,7 @@ fn allowed(graph: &SceneGraph, me: NodeId, action: &Action) -> bool {
 mod tests {
     use super::*;
 
-    /// Through all modalities, a walk, a jump and a click, without a window.
+    /// All modalities, a walk, a jump and a click, without a window.
     #[test]
     fn hands_move_look_and_act() {
         let mut game = Game::new(Environment::make("apartment/3", 1).unwrap(), 64);
@@ -239,7 +239,7 @@ mod tests {
         let start = feet(&game);
         let mut highest: f32 = 0.0;
         for i in 0..90 {
-            // Turns around, so that there is some way free.
+            // Turns around, so that some direction is free.
             let hands = Hands { ahead: 1.0, turn: 0.05, jumps: i == 5, ..Hands::default() };
             game.act(&hands, |_| ()).unwrap();
             game.tick(&hands);

@@ -1,14 +1,13 @@
-//! A home in a window, seen through the eyes of the body in it.
+//! A home in a window, seen through the eyes of its agent.
 //!
-//! `cargo run --release --features play --example play -- --seed 42` opens it. W, A, S and D
-//! go, with shift they run; the space bar jumps; the mouse looks, and at the edge of the
-//! window goes on turning. What the crosshair points at is named below it; a click does
-//! what can be done with it: take, open, close, switch, sit; with something in the hand,
-//! put it there. The right button lets go. Keys 1 to 6 show colours, nodes, classes, depth,
-//! optical flow, and boxes with masks. Escape ends it.
+//! `cargo run --release --features play --example play -- --seed 42` opens it. W, A, S and D walk, with shift
+//! they run; the space bar jumps; the mouse turns the view, continuously at the edge of the window. The object
+//! at the crosshair is named below it; a click performs the possible action: take, open, close, switch, sit;
+//! with an object in the hand, put it there. The right button lets go of it. Keys 1 to 6 show colours, nodes,
+//! classes, depth, optical flow, and boxes with masks. Escape quits.
 //!
-//! `--frames N` ends it after so many frames, and `--picture FILE` keeps the last one: with
-//! them it runs in a test under Xvfb, `xvfb-run cargo run ...`.
+//! `--frames N` quits after N frames, and `--picture FILE` writes the last one, for a test under Xvfb,
+//! `xvfb-run cargo run ...`.
 
 mod game;
 #[path = "../support/mod.rs"]
@@ -25,11 +24,11 @@ use support::{Complaint, say};
 use virtualcity::Environment;
 use virtualcity::render::picture::{self, Picture};
 
-/// Radians a pixel of the mouse turns.
+/// Radians per pixel of mouse motion.
 const TURN: f32 = 0.005;
-/// Radians a second it turns while the mouse is at the edge.
+/// Radians per second while the mouse is at the edge.
 const EDGE: f32 = 1.8;
-/// Ticks that pass at most for one picture, when pictures are slow.
+/// Largest number of ticks per picture, when drawing is slow.
 const CATCH_UP: u32 = 8;
 
 /// A home in a window.
@@ -38,13 +37,13 @@ struct Options {
     /// The home's seed.
     #[arg(long, default_value_t = 42)]
     seed: u64,
-    /// Width of the picture, pixels; its height is three quarters of it.
+    /// Width of the picture, pixels; its height is three quarters of that.
     #[arg(long, default_value_t = 480)]
     width: u32,
-    /// Ends after so many pictures.
+    /// Quit after this number of pictures.
     #[arg(long)]
     frames: Option<u32>,
-    /// Where to keep the last picture, as PNG.
+    /// Write the last picture to this file, as PNG.
     #[arg(long)]
     picture: Option<PathBuf>,
 }
@@ -66,7 +65,7 @@ fn main() -> Result<(), Complaint> {
     let wanted = options.frames.unwrap_or(u32::MAX);
     while window.is_open() && !window.is_key_down(Key::Escape) && pictures < wanted {
         let hands = hands(&window, &mut mouse, (width as f32, height as f32));
-        // A person sees what a click does while it is done.
+        // Show pictures during the action of a click.
         game.act(&hands, |show| drop(present(&mut window, show)))?;
         for _ in 0..clock.ticks(game.dt()) {
             game.tick(&hands);
@@ -84,19 +83,19 @@ fn main() -> Result<(), Complaint> {
     Ok(())
 }
 
-/// Shows a picture.
+/// Displays a picture.
 fn present(window: &mut Window, picture: &Picture) -> Result<(), minifb::Error> {
     let packed = |[r, g, b]: &[u8; 3]| u32::from_be_bytes([0, *r, *g, *b]);
     let pixels: Vec<u32> = picture.pixels.iter().map(packed).collect();
     window.update_with_buffer(&pixels, picture.width, picture.height)
 }
 
-/// What the hands at keyboard and mouse want.
+/// The input from keyboard and mouse.
 fn hands(window: &Window, mouse: &mut Option<(f32, f32)>, (width, height): (f32, f32)) -> Hands {
     let down = |key| f32::from(u8::from(window.is_key_down(key)));
     let now = window.get_mouse_pos(MouseMode::Pass);
     let moved = now.zip(*mouse).map_or((0.0, 0.0), |(n, m)| (n.0 - m.0, n.1 - m.1));
-    // When the window comes or goes the mouse leaps.
+    // When the mouse enters or leaves the window, its position jumps.
     let moved = if moved.0.hypot(moved.1) < width / 4.0 { moved } else { (0.0, 0.0) };
     *mouse = now;
     let beyond = |at: f32, size: f32| f32::from(i8::from(at >= size - 1.0) - i8::from(at <= 1.0));
@@ -119,7 +118,7 @@ fn hands(window: &Window, mouse: &mut Option<(f32, f32)>, (width, height): (f32,
     }
 }
 
-/// Ticks of the home that are due since the last picture.
+/// Number of ticks that are due since the last picture.
 #[derive(Default)]
 struct Clock {
     start: Option<Instant>,

@@ -1,4 +1,4 @@
-//! Words in a picture.
+//! Text in a picture.
 
 use font8x8::{BASIC_FONTS, UnicodeFonts};
 use virtualcity::render::picture::Picture;
@@ -6,7 +6,7 @@ use virtualcity::render::picture::Picture;
 /// Height and width of a letter, pixels.
 const LETTER: usize = 8;
 
-/// A dark picture with a line in its middle, to be shown while nothing else is there.
+/// A dark picture with one line of text in its middle, to be shown while there is no other.
 pub(crate) fn notice(width: u32, height: u32, words: &str) -> Picture {
     let (width, height) = (width as usize, height as usize);
     let mut picture = Picture::new(width, height, [30, 34, 40]);
@@ -14,7 +14,7 @@ pub(crate) fn notice(width: u32, height: u32, words: &str) -> Picture {
     picture
 }
 
-/// Writes a line around a middle, white with a dark edge; what does not fit is left out.
+/// Writes a centred line, white with a dark edge; text that does not fit is cut off.
 pub(crate) fn write(picture: &mut Picture, (middle, top): (usize, usize), words: &str) {
     let most = picture.width / LETTER;
     let shown: Vec<char> = words.chars().take(most).collect();

@@ -1,4 +1,4 @@
-//! A corner of a kitchen, part by part.
+//! A corner of a kitchen, built from parts.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ fn part(shape: Shape, at: P) -> Part {
     Part { name: "part".into(), shape, material: 0, pose, joint: None }
 }
 
-/// A box by two corners.
+/// A box between two corners.
 fn block(low: P, high: P) -> Part {
     let (low, high) = (Vector3::from(low), Vector3::from(high));
     part(Shape::Box { half: (high - low) / 2.0 }, ((low + high) / 2.0).into())
@@ -66,7 +66,7 @@ impl Corner {
     }
 }
 
-/// The scene: no relation is written into it, only shapes and poses.
+/// The scene: it has only shapes and poses and no relations.
 pub(crate) fn build() -> Result<SceneGraph, String> {
     let mut corner = Corner { scene: SceneBuilder::new("kitchen corner"), library: AssetLibrary::default() };
     let wood = Material {

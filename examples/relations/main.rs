@@ -1,9 +1,8 @@
-//! All relations of a scene, and why some hold.
+//! All relations of a scene, with explanations.
 //!
-//! `cargo run --release --example relations` builds a corner of a kitchen by hand, reads its
-//! relations from poses and shapes, lists them beside what the thesis's rule says, and
-//! explains one pair as text and as a picture (SVG). `--scene FILE` takes any scene file with
-//! poses instead, `--why apple.8 bowl.7` another pair.
+//! `cargo run --release --example relations` builds a corner of a kitchen by hand, derives its relations from
+//! poses and shapes, lists them beside the results of the thesis's rule, and explains one pair as text and as a
+//! picture (SVG). `--scene FILE` takes any scene file with poses instead, `--why apple.8 bowl.7` another pair.
 
 mod kitchen;
 mod picture;
@@ -18,19 +17,19 @@ use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph, Word};
 use virtualcity::relations::{Evidence, Relations, Rule};
 
-/// All relations of a scene, and why some hold.
+/// All relations of a scene, with explanations.
 #[derive(Parser)]
 struct Options {
-    /// A scene file with poses; without it, a kitchen corner built by hand.
+    /// A scene file with poses; by default a kitchen corner built by hand.
     #[arg(long)]
     scene: Option<PathBuf>,
-    /// Two things, as `apple.8 bowl.7`, whose relations are explained.
+    /// Two objects, as `apple.8 bowl.7`, whose relations are explained.
     #[arg(long, num_args = 2, value_names = ["THING", "OTHER"])]
     why: Option<Vec<String>>,
-    /// Lists near, touching and sides as well.
+    /// Also list near, touching and sides.
     #[arg(long)]
     all: bool,
-    /// Where the picture goes.
+    /// The output file of the picture.
     #[arg(long, default_value = "out/relations.svg")]
     out: PathBuf,
 }
@@ -58,7 +57,7 @@ fn write(path: &Path, text: &str) -> Result<(), Complaint> {
     support::write(path, text)
 }
 
-/// What a reader wants first: where things rest; the rest with `--all`.
+/// Whether a relation gives a placement: these are listed first, the rest with `--all`.
 fn is_placement(relation: Relation) -> bool {
     use Relation::{Between, Facing, Inside, LyingOn, On, SittingOn, Under};
     matches!(relation, On | Inside | Under | SittingOn | LyingOn | Between | Facing)
@@ -76,7 +75,7 @@ fn list(graph: &SceneGraph, relations: &Relations, all: bool) {
     }
 }
 
-/// Where the thesis's rule says otherwise.
+/// Lists the differences from the thesis's rule.
 fn compare(graph: &SceneGraph, relations: &Relations) -> Result<(), Complaint> {
     let plain = Relations::new(graph, Rule::BoxTrace, Evidence::default()).map_err(Complaint::new)?;
     let placed = |r: &Relations, id| -> Vec<Edge> {
@@ -96,7 +95,7 @@ fn compare(graph: &SceneGraph, relations: &Relations) -> Result<(), Complaint> {
     Ok(())
 }
 
-/// The pair to explain: the one asked for, else the first thing that is inside another.
+/// The pair to explain: the requested one, else the first object that is inside another.
 fn pair(graph: &SceneGraph, relations: &Relations, why: Option<&[String]>) -> Result<(NodeId, NodeId), Complaint> {
     if let Some([from, to]) = why {
         let find = |text: &String| {
@@ -112,7 +111,7 @@ fn pair(graph: &SceneGraph, relations: &Relations, why: Option<&[String]>) -> Re
     edge.map(|e| (e.from, e.to)).ok_or_else(|| Complaint::new("nothing is on or in anything"))
 }
 
-/// Numbers as labels: `#7` as `bowl.7`.
+/// Replaces numbers by labels: `#7` by `bowl.7`.
 pub(crate) fn named(graph: &SceneGraph, text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;

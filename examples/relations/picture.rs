@@ -1,5 +1,5 @@
-//! An explanation as a drawing: the scene from above one corner, the two things coloured, and
-//! the traces with what they met.
+//! An explanation as a drawing: the scene in an oblique view, the two objects coloured, and the traced rays
+//! with their hits.
 
 use std::fmt::Write as _;
 
@@ -7,13 +7,13 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Node, NodeId, SceneGraph};
 use virtualcity::relations::{Explanation, Hit, Verdict};
 
-/// The picture's size, and the part of it the scene is drawn in, pixels.
+/// Size of the picture, and of the part in which the scene is drawn, pixels.
 const SIZE: (f32, f32) = (1240.0, 720.0);
 const STAGE: (f32, f32) = (640.0, 720.0);
-/// How far around the thing asked about is shown, metres.
+/// Distance from the explained object up to which the scene is shown, metres.
 const AROUND: f32 = 0.95;
 
-/// A face with its distance from the eye.
+/// A face with its distance from the camera.
 struct Face {
     depth: f32,
     points: [(f32, f32); 4],
@@ -21,8 +21,8 @@ struct Face {
     node: NodeId,
 }
 
-/// From metres to pixels: oblique from the front right above, with one thing in the middle.
-/// X comes towards the eye, Y goes left, Z up.
+/// Projection from metres to pixels: oblique from the front right above, centred on one object. X points
+/// towards the camera, Y left, Z up.
 struct View {
     middle: Point3<f32>,
 }
@@ -110,7 +110,7 @@ fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation, view: &View) -> 
     boxes.iter().flat_map(|(low, high)| (0..3).map(|side| face(*low, *high, side))).collect()
 }
 
-/// A trace and its hit. Names stand below each other, at least as high as `free` says.
+/// Draws a ray and its hit. The names are listed below each other, no higher than `free`.
 fn arrow(svg: &mut String, graph: &SceneGraph, hit: &Hit, view: &View, up: bool, free: &mut f32) {
     let start = if up { hit.at - Vector3::z() * hit.distance } else { Point3::new(hit.at.x, hit.at.y, view.middle.z) };
     let colour = match hit.verdict {

@@ -1,4 +1,4 @@
-//! What other programs read.
+//! Files for other programs.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use virtualcity::render::{Camera, Frame, Lighting, Photograph, Snapshot, Source,
 
 use crate::support::{Complaint, say};
 
-/// Depth and flow, boxes and masks, and the scene, in files whose names begin alike.
+/// Writes depth and flow, boxes and masks, and the scene, in files with a common prefix.
 pub(crate) fn all(
     name: &Path,
     (scene, snapshot): (&SceneGraph, &Snapshot),
@@ -34,7 +34,7 @@ pub(crate) fn all(
     write(name, "glb", &staged_scene(&lit(scene, lighting)?, &stage).map_err(Complaint::new)?)
 }
 
-/// The scene with those lamps on that are part of the light.
+/// The scene with those lamps on that are part of the lighting.
 fn lit(scene: &SceneGraph, lighting: &Lighting) -> Result<SceneGraph, Complaint> {
     let mut scene = scene.clone();
     let mut edit = scene.edit();
@@ -47,7 +47,7 @@ fn lit(scene: &SceneGraph, lighting: &Lighting) -> Result<SceneGraph, Complaint>
     Ok(scene)
 }
 
-/// The light of a reference picture.
+/// Writes the radiance of a reference picture.
 pub(crate) fn light(name: &Path, photograph: &Photograph) -> Result<(), Complaint> {
     let [r, g, b] = [0, 1, 2].map(|i: usize| photograph.light.iter().map(|c| c[i]).collect::<Vec<f32>>());
     let channels = [("R", r.as_slice()), ("G", &g), ("B", &b)];

@@ -1,10 +1,10 @@
-//! All modalities of a room of a home, generated or read from a file, side by side.
+//! All modalities of a room, side by side, from a generated home or a scene file.
 //!
-//! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render`
-//! writes one sheet. `--daylight evening` or `night` is another time; at night the lamps
-//! are on. `--time` says what each modality costs. `--reference` adds a picture by paths of light,
-//! `--files` depth and flow as OpenEXR and NPY, boxes and masks as COCO, and the scene with the camera and the
-//! lights as glTF. `--scene FILE` takes the home from a file.
+//! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render` writes one sheet.
+//! `--daylight evening` or `night` is another time; at night the lamps are on. `--time` prints the cost of each
+//! modality. `--reference` adds a path-traced picture, `--files` depth and flow as OpenEXR and NPY, boxes and
+//! masks as COCO, and the scene with the camera and the lights as glTF. `--scene FILE` takes the home from a
+//! file.
 
 #[path = "../support/mod.rs"]
 mod support;
@@ -27,38 +27,38 @@ struct Options {
     /// The home's seed.
     #[arg(long, default_value_t = 42)]
     seed: u64,
-    /// A scene file (native format, may be gzipped) to take the home from instead.
+    /// A scene file (native format, may be gzipped) with the home, instead of a generated one.
     #[arg(long)]
     scene: Option<PathBuf>,
     /// Class of the room.
     #[arg(long, default_value = "livingroom")]
     room: String,
-    /// The folder to write to; it is made if need be.
+    /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/render")]
     out: PathBuf,
-    /// Pixels across.
+    /// Width, pixels.
     #[arg(long, default_value_t = 640, value_parser = clap::value_parser!(u32).range(16..=4096))]
     width: u32,
-    /// Pixels down.
+    /// Height, pixels.
     #[arg(long, default_value_t = 480, value_parser = clap::value_parser!(u32).range(16..=4096))]
     height: u32,
-    /// The light outside.
+    /// The daylight.
     #[arg(long, value_enum, default_value_t = Hour::Day)]
     daylight: Hour,
-    /// Also make the reference picture, with so many paths for each pixel.
+    /// Also make the path-traced reference picture, with this number of paths per pixel.
     #[arg(long, num_args = 0..=1, default_missing_value = "48",
         value_parser = clap::value_parser!(u32).range(1..=100_000))]
     reference: Option<u32>,
-    /// Do not smooth the reference picture.
+    /// Do not denoise the reference picture.
     #[arg(long)]
     raw: bool,
-    /// Chooses among reference pictures that differ in their noise.
+    /// Seed of the reference picture's noise.
     #[arg(long, default_value_t = 0)]
     noise: u32,
-    /// Also write what other programs read.
+    /// Also write files for other programs.
     #[arg(long)]
     files: bool,
-    /// Say what each modality costs.
+    /// Print the cost of each modality.
     #[arg(long)]
     time: bool,
 }
@@ -134,8 +134,8 @@ fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complai
     Ok(())
 }
 
-/// Switches on everything that is a lamp: at night everywhere, by day in rooms without a
-/// window. Spare bulbs and torches stay off.
+/// Switches on all lamps: at night everywhere, by day in rooms without a window. Spare bulbs and torches stay
+/// off.
 fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot, night: bool) -> Result<(), Complaint> {
     let lit = |room| scene.nodes().any(|n| **n.class() == *"window" && scene.room_of(n.id()) == room);
     for lamp in snapshot.lamps().collect::<Vec<_>>() {

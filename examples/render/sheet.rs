@@ -1,12 +1,12 @@
-//! One picture of everything a camera gives.
+//! A single picture with all modalities of a camera.
 
 use nalgebra::Vector3;
 use virtualcity::render::camera::MAX_SIDE;
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
-/// Colours are found from so many pixels along each side of one: gaps of a few millimetres between
-/// doors would else come and go along a line.
+/// Supersampling factor of the colours per axis: without it, gaps of a few millimetres between doors would
+/// appear and vanish along a line.
 const FINER: u32 = 4;
 
 /// Colours, nodes, classes; depth, parts, masks; flow, normals, boxes.
@@ -17,7 +17,7 @@ pub(crate) fn all(
     lighting: &Lighting,
     frame: &mut Frame,
 ) -> Result<Picture, RenderError> {
-    // The next moment: a step forward and to the side.
+    // The next frame: a step forward and to the side.
     let step = Vector3::new(0.03, 0.0, 0.06);
     let next = Camera { pose: camera.pose * nalgebra::Translation3::from(step), ..*camera };
     let wanted = Modalities::SIX | Modality::Normal | Modality::Part;

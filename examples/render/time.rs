@@ -1,4 +1,4 @@
-//! What each modality costs.
+//! The cost of each modality.
 
 use cpu_time::ThreadTime;
 use virtualcity::render::{Camera, Frame, Lighting, Modalities, Modality, Renderer, Shot, Snapshot};
@@ -8,8 +8,8 @@ use crate::support::{Complaint, say};
 /// Sizes that are timed.
 const SIZES: [(u32, u32); 4] = [(84, 84), (300, 300), (640, 480), (1920, 1080)];
 
-/// Prints milliseconds of one thread's CPU for sets of modalities at several sizes:
-/// the median of some pictures.
+/// Prints the CPU time of one thread, milliseconds, for sets of modalities at several sizes: the median of some
+/// pictures.
 pub(crate) fn table(
     renderer: &Renderer,
     snapshot: &Snapshot,
@@ -39,7 +39,7 @@ pub(crate) fn table(
 }
 
 fn median(renderer: &Renderer, shot: &Shot<'_>) -> Result<f64, Complaint> {
-    // One thread: a pool of one, in which the clock of its thread counts.
+    // A pool of one thread, whose clock is read.
     let pool = rayon_of_one()?;
     pool.install(|| {
         let mut frame = Frame::new();

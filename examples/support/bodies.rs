@@ -1,4 +1,4 @@
-//! Programs run with bodies in a scene that they fit.
+//! Running programs with bodies in a matching scene.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,8 +10,8 @@ use virtualcity::{ActionError, Environment, Impossible};
 use crate::plain::characters;
 use crate::support::{Complaint, read, say};
 
-/// Runs every program that fits a scene in it, and counts how many are executable, and the reasons why
-/// others are not. Files and lines that are no programs are named; whether there were none of them.
+/// Runs every program that fits a scene in it, and counts the executable ones, and the reasons why others are
+/// not. Unreadable files and lines are named; returns whether there were none.
 pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint> {
     let mut tally = Tally { scene, homes: BTreeMap::new(), all: 0, fit: 0, done: 0, unread: 0, why: BTreeMap::new() };
     for file in files {
@@ -37,12 +37,12 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint>
 
 struct Tally<'a> {
     scene: &'a Path,
-    /// The scene as it begins, by the number of characters.
+    /// The initial scene, by the number of characters.
     homes: BTreeMap<usize, Environment>,
     all: usize,
     fit: usize,
     done: usize,
-    /// Files and lines that are no programs.
+    /// Unreadable files and lines.
     unread: usize,
     why: BTreeMap<String, usize>,
 }
@@ -70,7 +70,7 @@ impl Tally<'_> {
         Ok(())
     }
 
-    /// The scene with so many characters.
+    /// The scene with `characters` characters.
     fn home(&mut self, characters: usize) -> Result<Environment, Complaint> {
         if let Some(home) = self.homes.get(&characters) {
             return Ok(home.clone());
@@ -81,8 +81,8 @@ impl Tally<'_> {
     }
 }
 
-/// Whether everything that a program names has the same class in a scene; its own agent stands for the one
-/// that acts there.
+/// Whether all nodes that a program names have the same class in a scene; the program's own agent corresponds
+/// to the scene's agent.
 fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
     let own =
         record.initial.build(&record.id, &ClassTable::builtin()).map_err(|(_, problem)| Complaint::new(problem))?;
@@ -92,12 +92,12 @@ fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
     Ok(named.into_iter().all(|id| is_actor(id) || class(&own, id).is_some() && class(&own, id) == class(scene, id)))
 }
 
-/// Lets each character do what is its part, one after the other.
+/// Performs the actions of all characters, one after the other.
 fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionError)> {
     let agents = home.agents().to_vec();
     let mut numbered = record.program.steps.iter().flatten().enumerate();
     numbered.try_for_each(|(index, deed)| {
-        // More characters than the scene has room for are nobody.
+        // Characters beyond those that fit in the scene have no node.
         let agent = agents.get(deed.character as usize).copied().unwrap_or(NodeId(u32::MAX));
         home.set_action(agent, deed.action).map(drop).map_err(|error| (index, error))
     })

@@ -1,4 +1,4 @@
-//! A kitchen after breakfast, and somebody who asks a model how to tidy it up.
+//! A kitchen after breakfast, and an agent that asks a model how to tidy it up.
 
 use vc_graph::{Draft, EditError, SceneBuilder, SceneGraph, Simulator};
 use vc_planner::language::Prompt;
@@ -7,11 +7,11 @@ use vc_tasks::{Outcome, Task};
 
 use crate::support::{Complaint, say};
 
-/// What stands between two answers in a file.
+/// The separator between two answers in a file.
 pub(crate) const BREAK: &str = "\n---\n";
 
-/// Lets a model tidy up, told each prompt and asked for the answer; gives back all answers.
-/// An episode that is not won is an error.
+/// Lets a model tidy up: passes each prompt to `ask`, and returns all answers. An episode that does not reach
+/// the goal is an error.
 pub(crate) fn tidy_up(
     prompts: bool,
     mut ask: impl FnMut(&Prompt) -> Result<String, String>,

@@ -1,18 +1,18 @@
-//! Charts as SVG: bars, and lines over whole numbers.
+//! Charts as SVG: bar charts, and line charts over integers.
 
 use std::fmt::Write as _;
 
-/// Told apart by the colour-blind as well (Okabe and Ito 2008).
+/// Colours that colour-blind people can also distinguish (Okabe and Ito 2008).
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666"];
 const MARGIN: f64 = 56.0;
 
-/// A group of bars: what it is of, and a bar for each measure.
+/// A group of bars: its name, and a bar for each measure.
 pub(crate) struct Bars {
     pub(crate) name: String,
     pub(crate) values: Vec<f64>,
 }
 
-/// Groups of bars with their values, each measure against a whole of its own.
+/// A bar chart with the values; each measure has its own scale.
 pub(crate) fn bars(title: &str, measures: &[(&str, f64)], groups: &[Bars]) -> String {
     const NAMES: f64 = 230.0;
     const LENGTH: f64 = 360.0;
@@ -34,14 +34,14 @@ pub(crate) fn bars(title: &str, measures: &[(&str, f64)], groups: &[Bars]) -> St
     svg + "</svg>\n"
 }
 
-/// A line: what it is called, its points in the order of x, and whether they are joined.
+/// A line: its name, its points in the order of x, and whether they are connected.
 pub(crate) struct Line {
     pub(crate) name: String,
     pub(crate) points: Vec<(f64, f64)>,
     pub(crate) joined: bool,
 }
 
-/// Lines over whole numbers from one, upwards from zero.
+/// A line chart over the integers from one, with values from zero upwards.
 pub(crate) fn lines(title: &str, across: &str, up: &str, lines: &[Line]) -> String {
     const WIDTH: f64 = 640.0;
     const HEIGHT: f64 = 340.0;

@@ -1,4 +1,4 @@
-//! Code that the examples share: reading and writing files, printing, and saying what went wrong.
+//! Code shared by the examples: reading and writing files, printing, and error messages.
 
 #![allow(dead_code, reason = "no example reads, writes and prints at once")]
 
@@ -6,7 +6,7 @@ use std::fmt;
 use std::io::Write;
 use std::path::Path;
 
-/// Something went wrong, said to a person.
+/// An error message for the user.
 pub(crate) struct Complaint(String);
 
 impl Complaint {
@@ -22,17 +22,17 @@ impl fmt::Debug for Complaint {
     }
 }
 
-/// Reads a text file, packed or not.
+/// Reads a text file, compressed or not.
 pub(crate) fn read(path: &Path) -> Result<String, Complaint> {
     virtualcity::read_text(path).map_err(Complaint::new)
 }
 
-/// Writes a file whole or not at all, in a folder that is made if need be.
+/// Writes a file completely or not at all, and creates its folder if necessary.
 pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Complaint> {
     virtualcity::files::write(path, bytes.as_ref()).map_err(|e| unwritten(path, &e))
 }
 
-/// A complaint about a file that cannot be written, with advice.
+/// The error for a file that cannot be written, with advice.
 pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     use std::io::ErrorKind;
     let advice = match error.kind() {
@@ -46,7 +46,7 @@ pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     Complaint::new(format!("{}: {error}; {advice}", path.display()))
 }
 
-/// Prints a line; ends quietly when nobody reads any more, as `| head` does.
+/// Prints a line; exits quietly if the output is closed, as by `| head`.
 pub(crate) fn say_line(line: fmt::Arguments<'_>) {
     if writeln!(std::io::stdout(), "{line}").is_err() {
         std::process::exit(0);

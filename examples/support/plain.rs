@@ -1,4 +1,4 @@
-//! Plain programs run with bodies, each in the scene as it begins.
+//! Plain programs run with bodies, each from the initial scene.
 
 use std::path::{Path, PathBuf};
 
@@ -7,13 +7,14 @@ use virtualcity::Environment;
 
 use crate::support::{Complaint, read, say};
 
-/// Whether a file holds a plain program, not records with graphs; what cannot be read is told by who reads it next.
+/// Whether a file is a plain program, not records with graphs; an unreadable file is reported by the next
+/// reader.
 pub(crate) fn is_program(file: &Path) -> bool {
     read(file).is_ok_and(|text| !text.trim_start().starts_with('{'))
 }
 
-/// Runs every program in a scene and says how it went. Files that are no programs, and programs of others than the
-/// scene has, are named; whether there were none of them.
+/// Runs every program in a scene and reports the results. Unreadable programs, and programs for more characters
+/// than the scene has, are named; returns whether there were none.
 pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
     let (mut executable, mut unread) = (0, 0);
     for file in files {
@@ -33,7 +34,7 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
     unread == 0
 }
 
-/// The number of actions of a program, or after how many of them it was refused, and why.
+/// The number of actions of a program, or the number before one was refused, and the reason.
 fn run(file: &Path, scene: &Path) -> Result<Result<usize, String>, Complaint> {
     let program = program::read(&read(file)?).map_err(Complaint::new)?;
     let mut home =

@@ -1,4 +1,4 @@
-//! The finished part of a long run, as JSON Lines, so that the run goes on where it was broken off.
+//! The finished part of a long run, as JSON Lines, so that an interrupted run can be continued.
 
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
@@ -11,20 +11,20 @@ use serde::de::DeserializeOwned;
 
 use crate::support::{Complaint, unwritten};
 
-/// Results by key, each a line of a file from the moment it is there.
+/// Results by key, each written to a file as soon as it exists.
 pub(crate) struct Resume<T> {
     path: PathBuf,
     file: Mutex<File>,
-    /// Results of the run that was broken off.
+    /// Results of the interrupted run.
     pub(crate) there: BTreeMap<String, T>,
 }
 
 impl<T: Serialize + DeserializeOwned> Resume<T> {
-    /// Opens the file of a run, or begins one. Its first line says by which recipe the results are made; a last line
-    /// that is not whole is cut off.
+    /// Opens the file of a run, or creates it. Its first line gives the recipe of the results; an incomplete
+    /// last line is cut off.
     ///
     /// # Errors
-    /// Where the file is of another recipe, or cannot be read or written.
+    /// If the file belongs to another recipe, or cannot be read or written.
     pub(crate) fn open(path: &Path, recipe: &impl Serialize) -> Result<Self, Complaint> {
         let fail = |e: std::io::Error| unwritten(path, &e);
         if let Some(folder) = path.parent() {
@@ -57,7 +57,7 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
         Ok(Self { path: path.to_owned(), file: Mutex::new(file), there })
     }
 
-    /// Writes a result down, and gives it as it will be read back: numbers may differ in their last digit.
+    /// Writes a result, and returns it as it will be read back: numbers may differ in their last digit.
     pub(crate) fn add(&self, key: &str, value: &T) -> Result<T, Complaint> {
         let text = serde_json::to_string(value).map_err(Complaint::new)?;
         let line = format!("[{},{text}]\n", serde_json::to_string(key).map_err(Complaint::new)?);
@@ -66,7 +66,7 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
         serde_json::from_str(&text).map_err(Complaint::new)
     }
 
-    /// Removes the file: all is done and written elsewhere.
+    /// Removes the file once all results are written elsewhere.
     pub(crate) fn remove(&self) -> Result<(), Complaint> {
         std::fs::remove_file(&self.path).map_err(|e| unwritten(&self.path, &e))
     }

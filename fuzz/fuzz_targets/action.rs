@@ -1,4 +1,4 @@
-//! An action or label that reads is printed and reads back equal.
+//! An action or label that parses is printed and parses back equal.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

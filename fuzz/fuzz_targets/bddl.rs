@@ -1,4 +1,4 @@
-//! Activities that read are written and read back equal; they are judged and linted.
+//! Activities that parse are written and parse back equal; they are evaluated and linted.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

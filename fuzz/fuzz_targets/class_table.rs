@@ -1,4 +1,4 @@
-//! A class table that reads knows all its classes by name.
+//! A class table that parses finds all its classes by name.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,5 +1,5 @@
-//! A goal that reads is compiled for a small home: its program holds when the goal
-//! does, its credit is one when it does, and what is unmet makes it hold.
+//! A goal that parses is compiled for a small home: its program holds if the goal does, its credit is then one,
+//! and satisfying the unmet parts makes it hold.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

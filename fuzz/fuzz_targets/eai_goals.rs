@@ -1,4 +1,4 @@
-//! Goals of the Embodied Agent Interface that read are printed and read back equal.
+//! Goals of the Embodied Agent Interface that parse are printed and parse back equal.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,4 @@
-//! A record of the Embodied Agent Interface that reads makes scenes.
+//! A record of the Embodied Agent Interface that parses gives scenes.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

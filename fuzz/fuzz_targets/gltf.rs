@@ -1,4 +1,4 @@
-//! A model that reads is one that a library takes and that writes and reads again.
+//! A model that parses is accepted by a library, and can be written and read again.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,4 @@
-//! A goal that reads is printed, reads back equal, and can be judged.
+//! A goal that parses is printed, parses back equal, and can be evaluated.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,4 @@
-//! A native scene that reads is written and reads back equal.
+//! A native scene that parses is written and parses back equal.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

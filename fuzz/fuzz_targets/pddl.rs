@@ -1,4 +1,4 @@
-//! Domains and problems that read are written and read back equal; plans are read.
+//! Domains and problems that parse are written and parse back equal; plans are parsed.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

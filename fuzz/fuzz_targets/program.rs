@@ -1,4 +1,4 @@
-//! A program that reads is written and reads back equal, but for the labels of its things.
+//! A program that parses is written and parses back equal, except for the labels of its objects.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,5 +1,5 @@
-//! Reads a scene in any format, recognised by its structure; a scene that is read is written in our format and in
-//! VirtualHome's, and both read back.
+//! Reads a scene in any format, recognised by its structure; a scene that parses is written in the native
+//! format and in VirtualHome's, and both parse back.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

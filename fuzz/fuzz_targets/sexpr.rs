@@ -1,4 +1,4 @@
-//! Bracketed texts that read print the same again.
+//! S-expressions that parse print the same again.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

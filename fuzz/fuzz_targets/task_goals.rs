@@ -1,5 +1,4 @@
-//! Goals of the thesis, of Watch-And-Help and of EAI are read; what their writers take
-//! reads back equal.
+//! Parses goals of the thesis, of Watch-And-Help and of EAI; goals that their writers accept parse back equal.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,4 @@
-//! Task files that read are written and read back equal; ALFRED's tasks as well.
+//! Task files that parse are written and parse back equal; ALFRED's tasks as well.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

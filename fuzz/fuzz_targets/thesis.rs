@@ -1,5 +1,5 @@
-//! A thesis scene that reads is written, and what is written reads. Names with
-//! spaces or words of relations in them do not come back the same.
+//! A thesis scene that parses is written, and the result parses. Names with spaces or with words for relations
+//! in them do not come back the same.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,4 @@
-//! A VirtualHome graph that reads is written, and what is written keeps its nodes.
+//! A VirtualHome graph that parses is written, and the result keeps its nodes.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

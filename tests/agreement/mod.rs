@@ -1,4 +1,4 @@
-//! Rule and bodies agree, and the graph says the same as a scene read anew.
+//! Rule and bodies agree, and the graph equals a scene derived anew.
 
 use virtualcity::graph::{
     Action, Bounds, Draft, Edge, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Seed,
@@ -10,7 +10,7 @@ use virtualcity::{ActionError, Environment, Impossible, legal_action};
 
 use super::{act, home};
 
-/// All edges but those that only the rule knows: one turns to anything.
+/// All edges except those that only the rule knows: agents can turn towards anything.
 fn edges(graph: &SceneGraph) -> Vec<Edge> {
     let turned = |e: &Edge| e.relation == Relation::Facing && graph.agents().contains(&e.from);
     let mut edges: Vec<Edge> = graph.edges().filter(|e| !turned(e)).collect();
@@ -34,7 +34,7 @@ fn rebuilt(home: &Environment) -> SceneGraph {
     graph
 }
 
-/// The entries that only one of two lists has, in words.
+/// The entries that only one of two lists has, as text.
 fn apart(graph: &SceneGraph, one: &[Edge], other: &[Edge]) -> Vec<String> {
     let only = one.iter().filter(|e| other.binary_search(e).is_err());
     only.map(|e| format!("{} {} {}", graph.label(e.from), e.relation, graph.label(e.to))).collect()
@@ -46,7 +46,7 @@ fn assert_as_rebuilt(home: &Environment, after: &str) {
     assert!(lost.is_empty() && left.is_empty(), "{after}: not in the graph {lost:?}, only in the graph {left:?}");
 }
 
-/// Lets agents do random legal actions, and looks after each whether the graph is as read anew.
+/// Agents perform random legal actions; after each the graph is compared with one derived anew.
 fn act_and_read_anew(seed: u64, actions: usize) {
     let (mut home, mut stream) = (home(seed, 2), Seed(seed).child("anew").stream());
     assert_as_rebuilt(&home, "made");
@@ -99,7 +99,7 @@ fn many_graphs_are_as_read_anew() {
     (from..from + number("HOMES", 10)).for_each(|seed| act_and_read_anew(seed, number("ACTIONS", 200) as usize));
 }
 
-/// A thing that is opened goes on touching the things beside it.
+/// An object that is opened keeps touching the objects beside it.
 #[test]
 fn what_opens_keeps_its_relations() {
     let mut home = home(42, 1);
@@ -112,7 +112,7 @@ fn what_opens_keeps_its_relations() {
     }
 }
 
-/// A fridge opens beside a dishwasher and cupboards that stand open: the agent finds the room that is left, and
+/// A fridge opens beside a dishwasher and cupboards that stand open: the agent finds the remaining space, and
 /// makes way for the door.
 #[test]
 fn doors_swing_past_who_opens_them() {
@@ -135,7 +135,7 @@ fn doors_swing_past_who_opens_them() {
     }
 }
 
-/// Furniture, appliances and bins of fresh homes open, each from the beginning.
+/// Furniture, appliances and bins of new homes open, each from the initial state.
 fn assert_all_opens(seed: u64) -> usize {
     let fresh = home(seed, 1);
     let me = fresh.agents()[0];
@@ -158,7 +158,7 @@ fn what_stands_in_fresh_homes_opens() {
     assert!(opened > 60, "{opened}");
 }
 
-/// `FROM` and `HOMES` choose how many; see `proofs/bodies`.
+/// `FROM` and `HOMES` set the range; see `proofs/bodies`.
 #[test]
 #[ignore = "takes long"]
 fn what_stands_in_many_fresh_homes_opens() {
@@ -168,7 +168,7 @@ fn what_stands_in_many_fresh_homes_opens() {
     assert!(opened > 0);
 }
 
-/// The start is the start: after a reset to it an environment is the one that was made.
+/// After a reset to its start an environment equals the newly made one.
 #[test]
 fn a_reset_to_the_start_is_the_start() {
     let mut home = home(8, 2);
@@ -182,7 +182,7 @@ fn a_reset_to_the_start_is_the_start() {
     assert_eq!(home.digest(), made);
 }
 
-/// The first thing that can be worn and taken, from where it is kept.
+/// Puts on the first wearable object that can be taken from its place.
 fn put_something_on(home: &mut Environment, me: NodeId) -> Option<NodeId> {
     let wearable = |n: &&Node| n.affords(Property::Wearable) && n.affords(Property::Graspable);
     let all: Vec<NodeId> = home.graph().nodes().filter(wearable).map(Node::id).collect();
@@ -195,7 +195,7 @@ fn put_something_on(home: &mut Environment, me: NodeId) -> Option<NodeId> {
     })
 }
 
-/// Worn things are where their wearer is, for the relations too; and a restored copy goes on alike.
+/// Worn clothes are where their wearer is, in the relations too; and a restored copy continues alike.
 #[test]
 fn clothes_go_with_who_wears_them() {
     let mut home = home(42, 1);
@@ -219,7 +219,7 @@ fn clothes_go_with_who_wears_them() {
     }
 }
 
-/// A room with generated furniture at some poses, and people in it.
+/// A room with generated furniture at given poses, and with agents.
 fn room(furniture: &[(&str, Pose)], agents: usize) -> (Environment, Vec<NodeId>) {
     let mut scene = SceneBuilder::new("room");
     let bounds = Bounds::standing([8.0, 8.0, 2.5].into());
@@ -231,7 +231,7 @@ fn room(furniture: &[(&str, Pose)], agents: usize) -> (Environment, Vec<NodeId>)
     (Environment::of(scene.build(), agents).unwrap(), ids)
 }
 
-/// Seats and beds take as many as the class table says, and no more.
+/// Seats and beds hold as many agents as the class table says, and no more.
 #[test]
 fn seats_take_as_many_as_the_classes_say() {
     let furniture = [("sofa", Pose::translation(-2.0, -2.0, 0.0)), ("double_bed", Pose::translation(2.0, 2.0, 0.0))];
@@ -254,7 +254,7 @@ fn seats_take_as_many_as_the_classes_say() {
     }
 }
 
-/// Nobody is carried off on a chair, nor sits on one that somebody carries.
+/// No agent is carried off on a chair, or sits on one that another carries.
 #[test]
 fn seats_stay_below_who_sits_on_them() {
     use virtualcity::physics::{AgentError, Hand};
@@ -271,7 +271,7 @@ fn seats_stay_below_who_sits_on_them() {
     assert_eq!(world.sit(sitter, stool), Err(AgentError::Held(stool)));
 }
 
-/// The error about a door that does not open names the things in its way.
+/// The error about a door that does not open names the objects in its way.
 #[test]
 fn what_is_in_the_way_has_a_name() {
     let (mut home, ids) = room(&[("trash_can", Pose::translation(0.0, 0.0, 0.0))], 1);
@@ -293,7 +293,8 @@ fn what_is_in_the_way_has_a_name() {
     assert!(stuck.to_string().ends_with(&format!("wall.{} is in the way", shelf.0)), "{stuck}");
 }
 
-/// The action `find` ends near the thing, by the rule and by the bodies, also if it begins near it or behind a wall.
+/// The action `find` ends near the object, by the rule and by the bodies, even if it begins near it or behind a
+/// wall.
 #[test]
 fn whatever_is_found_is_near() {
     let fresh = home(42, 1);
@@ -314,7 +315,7 @@ fn whatever_is_found_is_near() {
     assert!(found > 90, "{found}");
 }
 
-/// An agent that sits draws a curtain within reach, and stays seated even if it cannot.
+/// A seated agent draws a curtain within reach, and stays seated even if it cannot.
 #[test]
 fn curtains_are_drawn_from_seats() {
     let mut tried = 0;

@@ -1,5 +1,5 @@
-//! Everything that people carry, dropped: it comes to rest, and goes through no floor. A small part
-//! here; all of it by `proofs/dropped`.
+//! Every graspable object, dropped: it comes to rest, and falls through no floor. A small sample here; all of
+//! them in `proofs/dropped`.
 
 use std::sync::Arc;
 
@@ -9,21 +9,21 @@ use virtualcity::physics::{Settings, Shapes, World};
 use virtualcity::procgen::material;
 use virtualcity::procgen::object::{Generator, generator, generators};
 
-/// Steps in a second.
+/// Steps per second.
 const SECOND: u32 = 60;
 
-/// How something is dropped.
+/// The conditions of a drop.
 struct Fall {
-    /// How high above the floor its lowest point is at least, and how thick the floor is, metres.
+    /// Least height of its lowest point above the floor, and thickness of the floor, metres.
     height: f32,
     thick: f32,
-    /// Seconds in which it has to come to rest.
+    /// Seconds within which it must come to rest.
     patience: u32,
 }
 
-/// Things that people carry rest five seconds after they are let go just above a floor, however they are turned.
+/// Graspable objects are at rest five seconds after a release just above a floor, in any orientation.
 const LET_GO: Fall = Fall { height: 0.01, thick: 0.1, patience: 5 };
-/// From the next storey but one onto a floor as thin as a board.
+/// From two storeys up onto a floor as thin as a board.
 const THROWN_DOWN: Fall = Fall { height: 5.0, thick: 0.01, patience: 10 };
 
 fn carried() -> Vec<&'static Generator> {
@@ -32,7 +32,7 @@ fn carried() -> Vec<&'static Generator> {
     generators().filter(carried).collect()
 }
 
-/// A world with instances of a class over a floor, turned at random.
+/// A world with randomly oriented instances of a class above a floor.
 fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (World, Vec<NodeId>) {
     let (mut library, mut scene) = (material::library(), SceneBuilder::new("drop"));
     let slab = Bounds::standing([30.0, 30.0, fall.thick].into());
@@ -55,7 +55,7 @@ fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (World, Vec<NodeI
     (World::build(&scene.build(), &Shapes::new(), Settings::default()).unwrap(), things)
 }
 
-/// Which of some instances are still awake, and which are below the floor.
+/// The numbers of instances that are still awake, and of those below the floor.
 fn faults(of: &'static Generator, seeds: u64, fall: &Fall) -> (usize, usize) {
     let (mut world, things) = dropped(of, seeds, fall);
     world.settle(fall.patience * SECOND);
@@ -63,7 +63,7 @@ fn faults(of: &'static Generator, seeds: u64, fall: &Fall) -> (usize, usize) {
     (things.iter().filter(|id| !world.is_asleep(**id)).count(), things.iter().filter(below).count())
 }
 
-/// Every thirtieth class, and some that once rocked for ever.
+/// Every thirtieth class, and some whose objects once rocked forever.
 #[test]
 fn what_is_carried_comes_to_rest() {
     let rocked = ["pizza", "sponge", "shrimp", "remote_control", "tortilla", "hamburger", "steak", "cake"];
@@ -105,7 +105,7 @@ fn all_that_is_carried() {
     assert_eq!((awake, below), (0, 0));
 }
 
-/// Balls roll for metres, as balls do, and come to rest.
+/// Balls roll for metres, as real ones do, and come to rest.
 #[test]
 fn balls_roll() {
     for class in ["football", "basketball", "volleyball", "tennis_ball", "golf_ball", "bowling_ball", "ball"] {

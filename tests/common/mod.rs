@@ -1,4 +1,4 @@
-//! Where the shared test data is, and how it is read.
+//! Location and reading of the shared test data.
 
 #![allow(dead_code, clippy::unwrap_used, reason = "each test file uses a part, and tests may unwrap")]
 
@@ -11,23 +11,23 @@ use vc_graph::{ClassTable, SceneGraph};
 /// VirtualHome's scenes in the shared data.
 pub(crate) const SCENES: [u32; 5] = [1, 2, 3, 5, 6];
 
-/// The folder of shared data: `VC_DATA`, or `../shared/data` beside the project.
-/// Says so when there is neither.
+/// The folder of shared data: `VC_DATA`, or `../shared/data` beside the project. Prints a message if neither
+/// exists.
 pub(crate) fn data() -> Option<PathBuf> {
-    // Crates of the workspace that share this file lie a folder deeper.
+    // Crates of the workspace that share this file are one folder deeper.
     let beside = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().skip(1).take(2).map(|at| at.join("shared/data"));
     let beside = beside.clone().find(|at| at.is_dir()).or_else(|| beside.last());
     let folder = std::env::var_os("VC_DATA").map(PathBuf::from).or(beside)?;
     if folder.is_dir() {
         return Some(folder);
     }
-    // Past the harness, which keeps what passing tests print.
+    // Written past the test harness, which captures the output of passing tests.
     let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
     std::io::stderr().write_all(told.as_bytes()).unwrap();
     None
 }
 
-/// A text file of the shared data, unpacked if its name ends in `.gz`.
+/// A text file of the shared data, decompressed if its name ends in `.gz`.
 pub(crate) fn text(path: &str) -> Option<String> {
     let path = data()?.join(path);
     let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

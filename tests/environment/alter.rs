@@ -1,4 +1,4 @@
-//! Things that appear or are put elsewhere, and agents elsewhere at once.
+//! Spawning and placing objects, and teleporting agents.
 
 use virtualcity::graph::{NodeId, Place, Relation, Verb};
 use virtualcity::physics::Posture;
@@ -7,13 +7,14 @@ use virtualcity::{AlterError, Environment, Spot};
 
 use super::{act, home};
 
-/// Relations are those that a home as it is would be read to have.
+/// The relations equal those derived anew from the home.
 pub(super) fn is_as_read(home: &Environment) {
     let read = Relations::new(home.graph(), Rule::Repaired, home.relations().evidence().clone()).unwrap();
     assert_eq!(home.relations().edges(), read.edges());
 }
 
-/// A spawned thing is there as if it had always been: it stands, is related, is taken, saved and restored.
+/// A spawned object behaves as if it had always been there: it stands, has relations, can be taken, saved and
+/// restored.
 #[test]
 fn things_appear_where_they_are_wanted() {
     let mut home = home(42, 1);
@@ -28,7 +29,7 @@ fn things_appear_where_they_are_wanted() {
     assert_eq!((home.graph().hidden_in(milk), home.graph().room_of(milk)), (Some(fridge), Some(kitchen)));
     assert_eq!(home.graph().room_of(chair), Some(kitchen));
     is_as_read(&home);
-    // The apple is put into a basket, and comes along when the basket is put elsewhere.
+    // The apple is put into a basket, and moves with the basket.
     let bedroom = first(&home, "bedroom");
     let basket = home.spawn("laundry_basket", on(kitchen)).unwrap();
     home.put(apple, Place { relation: Relation::Inside, at: basket }).unwrap();
@@ -86,7 +87,7 @@ fn what_cannot_appear_is_said_and_changes_nothing() {
     assert_eq!(home.digest(), before);
 }
 
-/// An agent that is put elsewhere stands there, still holds its things, and can go on.
+/// A teleported agent stands at the new place, still holds its objects, and can act.
 #[test]
 fn agents_are_elsewhere_at_once() {
     let mut home = home(42, 2);
@@ -110,7 +111,7 @@ fn agents_are_elsewhere_at_once() {
         assert!(home.graph().held(me).eq([novel]));
         is_as_read(&home);
     }
-    // Nobody stands where somebody else does.
+    // An agent cannot stand where another stands.
     let taken = home.world().pose(other).unwrap().translation.vector.xy();
     assert!(home.teleport(me, Spot::At(taken.into())).is_err());
     let table = home.graph().of_class("coffee_table")[0];

@@ -1,5 +1,5 @@
-//! Nothing leaves the world in silence: things that are or fall below or beside the floor, or are in the
-//! place of others, are put back where the scene has them, or left out and named.
+//! No object leaves the world silently: objects that are or fall below or beside the floor, or that overlap
+//! others, are put back where the scene has them, or left out and reported.
 
 use virtualcity::graph::format::read_scene;
 use virtualcity::graph::{Action, Bounds, ClassTable, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder, Verb};
@@ -8,8 +8,7 @@ use virtualcity::{Environment, MakeError};
 
 use super::home;
 
-/// A kitchen of five metres with a table, a floor if asked for, and mugs on the table, at places of
-/// their own.
+/// A kitchen five metres wide with a table, optionally a floor, and mugs on the table at given positions.
 struct Kitchen {
     scene: SceneBuilder,
     room: NodeId,
@@ -45,7 +44,7 @@ impl Kitchen {
     }
 }
 
-/// Checks that everything with a body is in the home, and that nothing hangs below it.
+/// Checks that every node with a body is in the home, and that none is below it.
 fn is_whole(home: &Environment) {
     let world = home.world();
     assert!(world.outside().is_empty() && world.stopped().is_empty());
@@ -80,7 +79,7 @@ fn what_has_no_place_to_go_back_to_is_named() {
     }
 }
 
-/// Without a floor nothing carries anything: no home is made, or the things left in it stand.
+/// Without a floor nothing is supported: no home is made, or the objects left in it stand.
 #[test]
 fn a_home_without_floor_is_none() {
     let mut kitchen = kitchen(false);
@@ -91,7 +90,7 @@ fn a_home_without_floor_is_none() {
     }
 }
 
-/// Many things in one place are spread over their support; those for which there is no room are named.
+/// Many objects at one position are spread over their support; those that do not fit are reported.
 #[test]
 fn many_in_one_place_are_spread() {
     let mut kitchen = kitchen(true);
@@ -108,7 +107,7 @@ fn many_in_one_place_are_spread() {
     is_whole(&home);
 }
 
-/// Prints the time that it takes to make homes with more and more things in one place.
+/// Prints the time for making homes with an increasing number of objects at one position.
 #[test]
 #[ignore = "measures"]
 #[allow(clippy::print_stdout, reason = "it is a report")]
@@ -126,7 +125,7 @@ fn many_in_one_place_cost() {
     }
 }
 
-/// An agent that the scene has beside the floor, or over none, stands on it.
+/// An agent that the scene has beside the floor, or in a home without one, stands on it.
 #[test]
 fn agents_stand_on_floors() {
     for at in [[4.0, 0.0, 0.0], [0.0, 3.5, 1.0], [0.0, 0.0, -3.0]] {
@@ -140,7 +139,7 @@ fn agents_stand_on_floors() {
     }
 }
 
-/// Things that hung in a wardrobe that a reset takes away do not stay in the air.
+/// Objects that hung in a wardrobe which a reset removes do not stay in the air.
 #[test]
 fn what_loses_its_support_falls() {
     let (mut clothes, mut seed) = (0, 1);
@@ -176,8 +175,8 @@ fn what_loses_its_support_falls() {
     assert!(clothes > 0, "no wardrobe with clothes in twelve homes");
 }
 
-/// In a scene of boxes a thing that is far from where the scene says it is, above, below or beside, is put back;
-/// what is said to be in no more than the room is left out and named.
+/// In a scene of boxes an object that is far from its place in the scene, above, below or beside it, is put
+/// back; an object whose only place is the room is left out and reported.
 #[test]
 fn what_is_far_from_its_place_is_put_back() {
     let text = include_str!("../data/boxes_table.json");
@@ -199,7 +198,8 @@ fn what_is_far_from_its_place_is_put_back() {
     assert!(home.left_out().iter().any(|(_, class)| &**class == "apple"), "{:?}", home.left_out());
 }
 
-/// Agents that a graph has in the void, or several in one place, are put onto the floor, apart, and told.
+/// Agents that a graph has in the void, or several at one position, are put onto the floor, apart, and
+/// reported.
 #[test]
 fn agents_in_the_void_or_in_one_place_are_put_apart() {
     let mut home = home(3, 3);

@@ -1,4 +1,4 @@
-//! Homes of which only boxes are known.
+//! Homes of which only bounding boxes are known.
 
 use virtualcity::Environment;
 use virtualcity::graph::format::{read_scene, thesis};
@@ -11,8 +11,8 @@ use virtualcity::tasks::{Outcome, Task};
 use super::alter::is_as_read;
 use super::{act, common};
 
-/// The thesis's JSON carries no shapes: a home that is written in it comes back with the same boxes
-/// in the same places, and stands.
+/// The thesis's JSON has no shapes: a home written in it comes back with the same boxes at the same positions,
+/// and stands.
 #[test]
 fn a_home_comes_back_from_the_thesis_form() {
     for seed in [42, 3] {
@@ -39,7 +39,7 @@ fn a_home_comes_back_from_the_thesis_form() {
     }
 }
 
-/// A scene of which only boxes are known.
+/// A scene of which only bounding boxes are known.
 fn boxes(text: &str) -> Environment {
     Environment::of(read_scene(text, &ClassTable::builtin()).unwrap(), 1).unwrap()
 }
@@ -48,7 +48,7 @@ pub(super) fn one(home: &Environment, class: &str) -> NodeId {
     home.graph().of_class(class)[0]
 }
 
-/// Tables of boxes carry, fridges of boxes hold.
+/// Tables of boxes support objects, fridges of boxes contain them.
 #[test]
 fn things_are_put_on_and_into_boxes() {
     let mut home = boxes(include_str!("../data/boxes_table.json"));
@@ -69,7 +69,7 @@ fn things_are_put_on_and_into_boxes() {
     assert_eq!(home.graph().hidden_in(apple), Some(fridge));
 }
 
-/// A mug in a closed box is in the box only, and goes along when that is carried.
+/// A mug in a closed box is inside the box only, and moves along when the box is carried.
 #[test]
 fn contents_of_boxes_go_along() {
     let mut home = boxes(include_str!("../data/boxes_mug.json"));
@@ -95,8 +95,8 @@ fn contents_of_boxes_go_along() {
     assert_eq!(home.graph().digest(), start.digest());
 }
 
-/// A thing that is held where it is, as it reaches into the walls of its box, can be put elsewhere all the same; it
-/// goes along when its box is put elsewhere.
+/// An object that is kept in place because it intersects the walls of its box can be placed elsewhere
+/// nevertheless; it moves along when its box is placed elsewhere.
 #[test]
 fn what_is_held_in_boxes_is_put_elsewhere() {
     let mut home = boxes(include_str!("../data/boxes_mug.json"));
@@ -120,7 +120,8 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
     is_as_read(&home);
 }
 
-/// VirtualHome's scenes: nothing is moved, agents walk to every room that they have, and doors lead where the scenes say.
+/// VirtualHome's scenes: nothing is moved, agents walk to every room, and doors connect the rooms as in the
+/// scenes.
 #[test]
 fn scenes_of_boxes_are_lived_in() {
     for number in common::SCENES {
@@ -144,7 +145,7 @@ fn scenes_of_boxes_are_lived_in() {
     }
 }
 
-/// The planner, which does not know the home, does everyday things in a scene of boxes.
+/// The planner, which does not know the home, performs everyday tasks in a scene of boxes.
 #[test]
 fn the_planner_lives_in_boxes() {
     let Some(data) = common::data() else { return };
@@ -158,7 +159,7 @@ fn the_planner_lives_in_boxes() {
         assert_eq!(episode.outcome, Outcome::Won, "{title}: {:?}", episode.reason);
     };
     ["bread in the fridge", "a book on the bed", "listen to the radio"].iter().for_each(|title| wins(&home, title));
-    // A slice is wider than a turntable; of a bed in a corner only the foot is free.
+    // A slice is wider than a turntable; only the foot of a bed in a corner is free.
     let hard = [(5, "warm a slice of bread"), (5, "lie down"), (3, "fry something")];
     for (number, title) in hard {
         let file = data.join(format!("virtualhome/scene{number}.json.gz"));

@@ -1,4 +1,4 @@
-//! Single actions with bodies: what opens, is fetched, put down and refused.
+//! Single actions with bodies: opening, fetching, putting down, and refusals.
 
 use virtualcity::graph::{Action, Kind, NodeId, Place, Pose, Relation, State, Verb};
 use virtualcity::physics::{Hand, Role};
@@ -6,7 +6,7 @@ use virtualcity::{ActionError, Environment};
 
 use super::{act, home};
 
-/// Plates, bowls and spoons come out with the racks, and go in again with them.
+/// Plates, bowls and spoons move out and in with the racks.
 #[test]
 fn what_is_in_racks_comes_along() {
     let mut home = home(5, 1);
@@ -28,7 +28,7 @@ fn what_is_in_racks_comes_along() {
     assert!(far(&shut, &again).iter().all(|d| *d < 0.08), "{:?}", far(&shut, &again));
 }
 
-/// A refused action says why and changes nothing.
+/// A refused action gives the reason and changes nothing.
 #[test]
 fn refusals_change_nothing() {
     let mut home = home(8, 1);
@@ -44,7 +44,7 @@ fn refusals_change_nothing() {
     assert_eq!(home.digest(), before);
 }
 
-/// A thing inside something that opens, both in one home.
+/// An object inside a container that opens, both in one home.
 pub(crate) fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
     let graph = home.graph();
     let moves = |id: NodeId| !home.world().moving_parts(id).is_empty();
@@ -53,8 +53,8 @@ pub(crate) fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
     graph.nodes().filter(|n| n.hides_contents() && moves(n.id())).find_map(|n| inside(n.id()))
 }
 
-/// Fetching a thing out of what is shut: the door really opens, the thing is in the hand,
-/// and then it stands on a table at rest.
+/// Fetching an object out of a closed container: the door really opens, the object is in the hand, and then
+/// stands on a table at rest.
 #[test]
 fn a_thing_is_fetched_and_put_on_a_table() {
     let mut home = home(42, 1);
@@ -77,14 +77,14 @@ fn a_thing_is_fetched_and_put_on_a_table() {
     assert!(home.graph().places(thing).any(|p| p == Place { relation: Relation::On, at: table }));
     assert!(home.world().supports(thing).contains(&table) && home.world().is_asleep(thing));
     assert_eq!(home.history().events().len(), 6);
-    // Back to the beginning.
+    // Back to the start.
     let start = home.start().clone();
     home.reset(&start).unwrap();
     assert_eq!(home.graph(), &start);
     assert!(home.history().events().is_empty());
 }
 
-/// In time and at once lead to the same end, and nobody walks faster than people do.
+/// Actions in real time and at once have the same result, and no agent walks faster than people do.
 #[test]
 fn time_changes_nothing_but_what_is_seen() {
     let (mut at_once, mut in_time) = (home(42, 2), home(42, 2));
@@ -108,7 +108,7 @@ fn time_changes_nothing_but_what_is_seen() {
     assert!(ticks > 100, "{ticks}");
 }
 
-/// Blinds hang higher than hands reach: their cords hang down.
+/// Blinds hang higher than hands reach, but their cords hang down.
 #[test]
 fn blinds_are_let_down_by_their_cords() {
     let mut let_down = 0;

@@ -1,4 +1,4 @@
-//! Homes made of files and graphs, put in force, and exported.
+//! Homes made from files and graphs, altered through graphs, and exported.
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -10,7 +10,7 @@ use virtualcity::{Environment, MakeError, Why, check_environment};
 
 use super::{act, home};
 
-/// A home that was written to a file and read again.
+/// A home that is written to a file and read again.
 #[test]
 fn scenes_are_made_of_files() {
     let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("apartment_42.json");
@@ -38,8 +38,8 @@ fn names_that_are_none_are_refused() {
     assert!(matches!(Environment::make("apartment/8", 0), Err(MakeError::NoAgents)));
 }
 
-/// Things that are added and moved in the graph get places in the home; what has none is
-/// left out and reported.
+/// Objects that are added and moved in the graph get positions in the home; those without a free place are left
+/// out and reported.
 #[test]
 fn graphs_are_put_in_force() {
     let mut home = home(42, 1);
@@ -62,8 +62,8 @@ fn graphs_are_put_in_force() {
     assert!(home.world().supports(apple).contains(&table));
 }
 
-/// A reset tells what it moved, added and took away, what found no place and why, what came to rest
-/// elsewhere, and who could not sit down where the graph says.
+/// A reset reports the objects that it moved, added and removed, those that found no place and why, those that
+/// came to rest elsewhere, and the agents that could not sit where the graph says.
 #[test]
 fn resets_report() {
     let mut home = home(42, 2);
@@ -77,16 +77,16 @@ fn resets_report() {
     let mut graph = start.clone();
     let mut edit = graph.edit();
     edit.remove(gone).unwrap();
-    // Above another spot: it falls down there.
+    // Above another spot, so that it falls down there.
     let up = start.node(moved).unwrap().pose().unwrap();
     edit.set_pose(moved, Some(Pose::translation(0.0, 0.0, 0.4) * up)).unwrap();
-    // Nothing as large as a bed is free on a coffee table, and nothing is on what has no body.
+    // A coffee table has no space for a bed, and nothing can be on a node without a body.
     let bed = edit.add(Draft::new("bed")).unwrap();
     edit.place(bed, Place { relation: Relation::On, at: table }).unwrap();
     let idea = edit.add(Draft::new("thought")).unwrap();
     let apple = edit.add(Draft::new("apple")).unwrap();
     edit.place(apple, Place { relation: Relation::On, at: idea }).unwrap();
-    // One who is far away cannot sit there.
+    // An agent far away cannot sit there.
     edit.place(other, Place { relation: Relation::SittingOn, at: sofa }).unwrap();
     edit.enter_state(other, State::Sitting).unwrap();
     edit.place(me, Place { relation: Relation::SittingOn, at: lamp }).unwrap();
@@ -99,25 +99,25 @@ fn resets_report() {
     assert!(matches!(why(bed), Some(Why::NoSpot(Relation::On, at)) if at.id == table), "{:?}", why(bed));
     assert_eq!(why(idea), Some(Why::NoShape));
     assert!(matches!(why(apple), Some(Why::NoSupport(at)) if at.id == idea), "{:?}", why(apple));
-    // A lamp is no seat: one stands, the graph says so, and the report says what was wanted.
+    // A lamp is not a seat: the agent stands, the graph says so, and the report has the requested place.
     let stands = report.elsewhere.iter().find(|e| e.thing.id == me).unwrap();
     assert_eq!(stands.wanted, Place { relation: Relation::SittingOn, at: lamp });
     let sits = |id: NodeId| home.graph().node(id).unwrap().is(State::Sitting);
     let seated = |id: NodeId| home.posture(id) != Some(virtualcity::physics::Posture::Standing);
     assert!(!sits(me) && !seated(me));
     assert_eq!(sits(other), seated(other), "graph and body say the same of who sits on the sofa");
-    // A thing that falls comes to lie on whatever is there.
+    // A falling object comes to rest on whatever is below.
     let known = home.start().validate();
     let news = home.graph().validate().into_iter().filter(|v| !known.contains(v));
     let broken: Vec<Violation> = news.filter(|v| !matches!(v, Violation::NotASurface(..))).collect();
     assert_eq!(broken, []);
-    // Nothing of it is left after the next one.
+    // Nothing of it remains after the next reset.
     let again = home.reset(&start).unwrap();
     assert_eq!(again, virtualcity::ResetReport::default());
     assert_eq!(home.graph(), &start);
 }
 
-/// How the nodes below the node of a name in a glTF file are turned: the scalars of their rotations.
+/// The rotations of the nodes below a named node in a glTF file: their scalar parts.
 fn turns(file: &[u8], name: &str) -> Vec<f64> {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let document: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
@@ -127,7 +127,7 @@ fn turns(file: &[u8], name: &str) -> Vec<f64> {
     children.map(|n| n["rotation"][3].as_f64().unwrap_or(1.0).abs()).collect()
 }
 
-/// In the glTF of a home doors are as far open as they are, and people sit who do.
+/// A home's glTF has doors at their present openings, and seated people.
 #[test]
 fn homes_are_exported_as_they_are() {
     let mut home = home(42, 1);

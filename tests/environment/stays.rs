@@ -1,4 +1,5 @@
-//! Things that nobody moves keep their spots and their places, however a home is made and whatever is done beside them.
+//! Objects that no agent moves keep their positions and placements, however a home is made and whatever is done
+//! beside them.
 
 use virtualcity::graph::format::{native, read_scene};
 use virtualcity::graph::{ClassTable, Edge, NodeId, Place, Relation, SceneGraph, Verb};
@@ -7,10 +8,10 @@ use virtualcity::{Environment, SceneOptions};
 use super::boxes::one;
 use super::{act, common, home};
 
-/// Farther than this a thing has moved, metres.
+/// The distance above which an object counts as moved, metres.
 const STILL: f32 = 0.005;
 
-/// Where things are, and in which room, but for some.
+/// The placements and rooms of all objects except some.
 fn places(graph: &SceneGraph, but: &[NodeId]) -> Vec<Edge> {
     let counts = |e: &Edge| Relation::places().contains(&e.relation) || e.relation == Relation::InRoom;
     graph.edges().filter(|e| counts(e) && !but.contains(&e.from)).collect()
@@ -32,7 +33,7 @@ fn moved(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
     all.map(|id| was.label(id).to_string()).collect()
 }
 
-/// A scene of VirtualHome, where the shared data is.
+/// A scene of VirtualHome, if the shared data exists.
 fn scene(number: u32) -> Option<Environment> {
     common::scene(number).map(|graph| Environment::of_with(graph, 1, &SceneOptions::default()).unwrap())
 }
@@ -42,8 +43,8 @@ fn kept() -> Environment {
     Environment::of_with(graph, 1, &SceneOptions::default()).unwrap()
 }
 
-/// Pictures hang, books lean and boxes overlap as they did: in a home made from another one's graph, from its file,
-/// and after a reset to either.
+/// Pictures hang, books lean and boxes overlap as before: in a home made from another one's graph, from its
+/// file, and after a reset to either.
 #[test]
 fn a_home_stands_the_same_however_it_is_made() {
     let homes = [Some(home(42, 1)), Some(home(7123, 1)), Some(kept()), scene(1)];
@@ -63,7 +64,8 @@ fn a_home_stands_the_same_however_it_is_made() {
     }
 }
 
-/// Wherever one walks first: plates that a scene has on a table stay there, though the table's box is around them.
+/// Wherever an agent walks first, plates that a scene has on a table stay there, even if the table's box
+/// contains them.
 #[test]
 fn who_walks_by_changes_nothing() {
     let homes = [(Some(kept()), 1), (scene(1), 16), (scene(2), 16)];
@@ -80,7 +82,7 @@ fn who_walks_by_changes_nothing() {
     }
 }
 
-/// A pepper that sticks out through a bowl's side is carried with the bowl, and is in it wherever that goes.
+/// A pepper that sticks out of a bowl is carried with the bowl, and stays inside it.
 #[test]
 fn what_is_wider_than_its_bowl_goes_along() {
     let mut home = kept();

@@ -1,4 +1,4 @@
-//! Wishes that cannot be met are told, and those that can are met.
+//! Impossible requests are reported, and possible ones are fulfilled.
 
 use virtualcity::graph::{Bounds, Draft, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
 use virtualcity::{ActionError, AlterError, Environment, MakeError, SaveError};
@@ -17,7 +17,8 @@ fn hall(side: f32) -> SceneGraph {
     scene.build()
 }
 
-/// All the floor is for agents: more than one in each ring around the middle, and each apart from the others.
+/// The whole floor is used for agents: more than one in each ring around the middle, and all apart from each
+/// other.
 #[test]
 fn agents_find_room_on_all_the_floor() {
     let home = Environment::of(hall(12.0), 60).unwrap();
@@ -54,7 +55,7 @@ fn what_is_not_set_down_in_a_home_is_refused_at_once() {
     assert_eq!(home.graph().room_of(chair), Some(kitchen));
 }
 
-/// Nothing follows after a saved environment, and agents are named one by one.
+/// Trailing bytes after a saved environment are refused, and agents are named one by one.
 #[test]
 fn errors_say_which_and_how_much() {
     let mut home = Environment::of(hall(6.0), 1).unwrap();
@@ -68,7 +69,7 @@ fn errors_say_which_and_how_much() {
     assert!(home.observation(NodeId(9999), 3.0).is_empty());
 }
 
-/// A label is held against its thing when the action is done.
+/// The class in a label is checked when the action is performed.
 #[test]
 fn actions_with_labels_of_other_things_are_refused() {
     let mut home = Environment::of(hall(6.0), 1).unwrap();

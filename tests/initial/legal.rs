@@ -1,16 +1,16 @@
-//! The legal actions are exactly those without a refusal: every verb with every thing.
+//! The legal actions are exactly those without a refusal: every verb with every object.
 
 use std::collections::BTreeSet;
 
 use vc_graph::{Action, Draft, Node, NodeId, SceneGraph, Seed, Simulator, Stream, Verb, Word, rule};
 use virtualcity::procgen::Apartment;
 
-/// Actions between two states that are looked at.
+/// Actions between two states that are checked.
 const STRIDE: usize = 10;
-/// In one of so many states every two things are tried; in the others a few things, and those in hand, are
-/// tried with all.
+/// In one of this number of states all pairs of objects are tried; in the others only a few objects, and the
+/// held ones, are tried with all.
 const THOROUGH: usize = 10;
-/// Number of things, besides those in hand, that are tried with all in the other states.
+/// Number of objects, besides the held ones, that are tried with all in the other states.
 const FEW: usize = 3;
 
 /// A generated home with two people in it.
@@ -26,7 +26,7 @@ fn home(seed: u64) -> SceneGraph {
     graph
 }
 
-/// Any of the verbs that can be done, and any of its actions.
+/// A random verb that has legal actions, and a random action of it.
 fn some_action(legal: &[Action], stream: &mut Stream) -> Action {
     let verbs: BTreeSet<Verb> = legal.iter().map(|a| a.verb).collect();
     let verbs: Vec<Verb> = verbs.into_iter().collect();
@@ -35,8 +35,8 @@ fn some_action(legal: &[Action], stream: &mut Stream) -> Action {
     *stream.pick(&of).unwrap()
 }
 
-/// Checks a list of legal actions against every verb with all things; of two things the first is one of
-/// those given.
+/// Checks a list of legal actions against every verb with all objects; for verbs with two objects the first is
+/// one of the given objects.
 fn compare(graph: &SceneGraph, agent: NodeId, legal: &[Action], first: &[NodeId]) {
     let legal: BTreeSet<Action> = legal.iter().copied().collect();
     let ids: Vec<NodeId> = graph.nodes().map(Node::id).collect();
@@ -55,7 +55,7 @@ fn compare(graph: &SceneGraph, agent: NodeId, legal: &[Action], first: &[NodeId]
     legal.iter().for_each(|action| check(*action));
 }
 
-/// Checks some states of a home that random actions lead to.
+/// Checks some states of a home that random actions reach.
 fn look_at_states(seed: u64, states: usize) {
     let mut world = Simulator::new(home(seed));
     let mut stream = Seed(seed).child("legal").stream();

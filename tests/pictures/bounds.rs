@@ -1,4 +1,4 @@
-//! Things are drawn within their boxes, and only what covers windows is drawn over them.
+//! Objects are drawn within their boxes, and only window covers are drawn over windows.
 
 use rayon::prelude::*;
 use virtualcity::graph::{Bounds, Draft, NodeId, Pose, SceneBuilder, State};
@@ -6,8 +6,8 @@ use virtualcity::render::Renderer;
 
 use super::home;
 
-/// The things that are drawn out of their boxes by more than a centimetre in a home as it begins; elbows may be by
-/// three.
+/// The objects that are drawn more than a centimetre outside their boxes in a home in its initial state; three
+/// centimetres are allowed for elbows.
 fn drawn_out(seed: u64) -> Vec<String> {
     let home = home(seed, 1);
     let snapshot = home.snapshot().unwrap();
@@ -38,7 +38,7 @@ fn things_are_drawn_within_their_boxes_in_many_homes() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// Boxes, umbrellas and bags before a window are covers, but no curtains.
+/// Boxes, umbrellas and bags in front of a window are covers, but not curtains.
 #[test]
 fn lids_are_no_curtains() {
     let mut scene = SceneBuilder::new("study");

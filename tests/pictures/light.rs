@@ -1,4 +1,4 @@
-//! Light and exposure: in rooms, at windows, outside, and where things have moved.
+//! Lighting and exposure: in rooms, at windows, outside, and where objects have moved.
 
 use nalgebra::{Point3, Vector3};
 use virtualcity::graph::{Aabb, Action, NodeId, Property, Relation, Seed, State, Verb};
@@ -8,8 +8,7 @@ use virtualcity::{Environment, PictureOptions, Viewpoint};
 
 use super::{act, home};
 
-/// The brightness that half of the pixels have, 0 to 255, of a view across each bathroom of a home
-/// at noon, all ceiling lamps on.
+/// The median brightness, 0 to 255, of a view across each bathroom of a home at noon with all ceiling lamps on.
 fn bathrooms(seed: u64) -> Vec<u8> {
     let scene = Apartment::from_seed(Seed(seed)).unwrap().scene();
     let mut renderer = Renderer::new();
@@ -34,7 +33,7 @@ fn bathrooms(seed: u64) -> Vec<u8> {
 
 #[test]
 fn rooms_without_windows_are_exposed_for_their_lamps() {
-    // Some lie within the box of a hall with corners, beside a living room full of sun.
+    // Some lie within the box of an L-shaped hall, beside a sunlit living room.
     for seed in [3, 7, 12] {
         for level in bathrooms(seed) {
             assert!((30..=245).contains(&level), "home {seed}: half of a bathroom's picture is below {level}");
@@ -42,7 +41,7 @@ fn rooms_without_windows_are_exposed_for_their_lamps() {
     }
 }
 
-/// A blind or curtain that covers a window, and a camera in its room that looks at it.
+/// A blind or curtain at a window, and a camera in its room that faces it.
 fn covered(home: &Environment) -> (NodeId, Camera) {
     let graph = home.graph();
     let cover = [graph.of_class("blinds"), graph.of_class("curtain")].concat()[0];
@@ -52,7 +51,8 @@ fn covered(home: &Environment) -> (NodeId, Camera) {
     (cover, Camera::with_fov(96, 72, 1.3).looking(eye, at))
 }
 
-/// A blind or curtain that is closed is seen over its window, and the light knows; opened again all is as it was.
+/// A closed blind or curtain is visible over its window and changes the lighting; opened again, everything is
+/// as before.
 #[test]
 fn covers_are_drawn_and_light_follows() {
     let mut home = home(42, 1);
@@ -70,7 +70,7 @@ fn covers_are_drawn_and_light_follows() {
     let closed = look(&home).unwrap();
     assert!(seen(&closed) > 2 * seen(&open).max(20), "{} pixels, then {}", seen(&open), seen(&closed));
     assert_ne!(bright(&closed), bright(&open));
-    // It does not matter what was looked at before.
+    // Earlier pictures make no difference.
     let mut other = Environment::make("apartment/42", 1).unwrap();
     act(&mut other, me, Verb::Walk, &[cover]);
     act(&mut other, me, Verb::Close, &[cover]);
@@ -80,7 +80,7 @@ fn covers_are_drawn_and_light_follows() {
     assert!(again.rgb == open.rgb && again.depth == open.depth);
 }
 
-/// Switches all lamps on, at an hour.
+/// A home with all lamps on, at an hour.
 fn lit(seed: u64, hour: f32) -> Environment {
     let mut home = home(seed, 1);
     home.set_pictures(PictureOptions { daylight: Daylight::at(hour), ..PictureOptions::default() });
@@ -93,7 +93,7 @@ fn lit(seed: u64, hour: f32) -> Environment {
     home
 }
 
-/// By how much the colours of some pixels differ on average, and the share of them that differ much.
+/// The mean difference of the colours of some pixels, and the fraction that differ much.
 fn difference(a: &Frame, b: &Frame, which: impl Fn(usize) -> bool) -> (f32, f32) {
     let same = |i: &usize| a.instance[*i] == b.instance[*i] && which(*i);
     let off = |i: usize| a.rgb[i].iter().zip(b.rgb[i]).map(|(a, b)| f32::from(a.abs_diff(b))).fold(0.0, f32::max);
@@ -102,8 +102,8 @@ fn difference(a: &Frame, b: &Frame, which: impl Fn(usize) -> bool) -> (f32, f32)
     (all.iter().sum::<f32>() / count, all.iter().filter(|off| **off > 40.0).count() as f32 / count)
 }
 
-/// A person that opens, takes and carries things through rooms, and the things, look as if the light had been made for
-/// the moment, and as in a home that begins like that.
+/// A person that opens, takes and carries objects through rooms, and the objects themselves, look as if the
+/// lighting had been computed for that moment, and as in a home with that initial state.
 #[test]
 fn what_has_moved_is_lit_where_it_is() {
     let wanted = Modality::Rgb | Modality::Instance;
@@ -133,7 +133,8 @@ fn what_has_moved_is_lit_where_it_is() {
                 let (mean, much) = difference(&now, &anew, |_| true);
                 let moved = |i: usize| [me, thing, fridge].contains(&now.instance[i]);
                 let own = difference(&now, &anew, moved);
-                // The eyes look right into the fridge, whose inside keeps the light that was made while it was shut.
+                // The eyes look directly into the fridge, whose inside keeps the lighting computed while it was
+                // closed.
                 let (most, own_most) =
                     if at == 0 && view == Viewpoint::Agent(me) { (22.0, 28.0) } else { (16.0, 25.0) };
                 assert!(
@@ -151,7 +152,7 @@ fn what_has_moved_is_lit_where_it_is() {
     }
 }
 
-/// From above no room burns out, and none is dark.
+/// From above no room is overexposed, and none is dark.
 #[test]
 fn plans_show_all_rooms() {
     for seed in [7, 42] {
@@ -169,7 +170,7 @@ fn plans_show_all_rooms() {
     }
 }
 
-/// A camera that goes through a door gets used to the other room as it comes into view, and not at once.
+/// A camera that moves through a door adapts to the other room as it comes into view, and not at once.
 #[test]
 fn exposure_does_not_jump_in_doors() {
     let mut home = home(42, 1);
@@ -196,7 +197,7 @@ fn exposure_does_not_jump_in_doors() {
     let step = all.windows(2).map(|pair| (pair[1] / pair[0]).max(pair[0] / pair[1])).fold(1.0, f32::max);
     // The kitchen is thirty times darker.
     assert!(step < 1.5, "in two centimetres the exposure changes by {step}");
-    // An eye that comes from other light is used to that, or halfway, or to the light it sees.
+    // An eye coming from other light is adapted to that, or halfway, or to the light it sees.
     let (own, from) = (home.render(Viewpoint::Room(living), Modality::Rgb, 64, 48).unwrap().exposure, [8.0; 3]);
     for (at, share) in [0.0, 0.5, 1.0].into_iter().enumerate() {
         home.set_pictures(PictureOptions { adapts: Some(Adaptation { from, share }), ..PictureOptions::default() });
@@ -209,8 +210,8 @@ fn exposure_does_not_jump_in_doors() {
     }
 }
 
-/// Outer walls are in the light outside, whatever room is behind them, and at night the sky is darker than walls by
-/// lamplight.
+/// Outer walls are lit by the daylight, whatever room is behind them, and at night the sky is darker than walls
+/// in lamplight.
 #[test]
 fn outside_has_its_own_light() {
     let home = home(7, 1);
@@ -246,7 +247,7 @@ fn outside_has_its_own_light() {
     assert!(sky < 80, "the night's sky is as bright as {sky}");
 }
 
-/// Light that is made anew has the shadow of who has walked where that is now; labels are the same.
+/// Recomputed lighting has the shadow of an agent at its new position; labels are unchanged.
 #[test]
 fn light_can_be_made_of_what_has_moved() {
     let mut home = home(42, 1);
@@ -261,7 +262,7 @@ fn light_can_be_made_of_what_has_moved() {
     assert!(home.render(Viewpoint::Room(room), wanted, 64, 48).unwrap().rgb == usual.rgb, "nothing is kept");
 }
 
-/// Lamps that people switch on in the evening light a home that is dark without them.
+/// Lamps that people switch on in the evening light a home that would be dark without them.
 #[test]
 fn lamps_are_on_in_the_evening() {
     let mut home = home(7, 1);
@@ -273,7 +274,7 @@ fn lamps_are_on_in_the_evening() {
     assert!(lamps.iter().all(|id| home.graph().node(*id).is_some_and(|n| n.is(State::On))));
     assert!(lamps.len() >= home.graph().rooms().len() / 2 && home.switch_lamps(true).unwrap().is_empty());
     assert!(level(&home) < 0.1 * dark, "the eye opens {} times as wide, {dark} without lamps", level(&home));
-    // Lamps are switched by hand as ever.
+    // Lamps can still be switched by hand.
     let (me, lamp) = (home.agents()[0], lamps[0]);
     act(&mut home, me, Verb::Walk, &[lamp]);
     act(&mut home, me, Verb::SwitchOff, &[lamp]);

@@ -1,4 +1,4 @@
-//! Agents in pictures, with what they hold and wear.
+//! Agents in pictures, with the objects they hold and wear.
 
 use nalgebra::Point3;
 use virtualcity::graph::{Action, NodeId, Verb};
@@ -17,7 +17,7 @@ fn holding() -> (Environment, NodeId, NodeId, Camera) {
         (can(Verb::Walk) && can(Verb::Grab)).then_some((home, book))
     };
     let (home, book) = home.graph().of_class("novel").iter().copied().find_map(taken).unwrap();
-    // From the side on which least is in the way.
+    // From the side with the fewest occluders.
     let feet = home.world().pose(me).unwrap();
     let cameras = (0..16).map(|i| {
         let (sin, cos) = (i as f32 * std::f32::consts::TAU / 16.0).sin_cos();
@@ -33,7 +33,7 @@ fn holding() -> (Environment, NodeId, NodeId, Camera) {
     (home, me, book, camera)
 }
 
-/// Agents are seen in every modality, and so is what they hold, where the hand is.
+/// Agents are visible in every modality, and so are held objects at the hand.
 #[test]
 fn agents_are_seen_in_every_modality() {
     let (mut home, me, book, camera) = holding();
@@ -49,7 +49,7 @@ fn agents_are_seen_in_every_modality() {
     let pixels = |id: NodeId| (0..frame.instance.len()).filter(|p| frame.instance[*p] == id).collect::<Vec<usize>>();
     let (body, held) = (pixels(me), pixels(book));
     assert!(body.len() > 800 && held.len() > 10, "{} and {} pixels", body.len(), held.len());
-    // Its class, its depth before the room's, its colours, its way out of the picture.
+    // Its class, its depth in front of the room's, its colours, its flow out of the picture.
     let snapshot = home.snapshot().unwrap();
     let class = |id: NodeId| home.graph().node(id).unwrap().class().clone();
     let named = |p: &usize| snapshot.class(frame.class[*p]).cloned();
@@ -58,10 +58,10 @@ fn agents_are_seen_in_every_modality() {
     assert!(nearer == body.len(), "{nearer} of {} pixels are before the room", body.len());
     let coloured = body.iter().filter(|p| frame.rgb[**p] != without.rgb[**p]).count();
     assert!(coloured * 10 > body.len() * 9, "{coloured} of {} pixels", body.len());
-    // Flow to behind the camera is no number.
+    // Flow to a point behind the camera is NaN.
     let stays = |p: &&usize| frame.flow_forward[**p].iter().all(|f| f.abs() < 1.0);
     assert_eq!(body.iter().filter(stays).count(), 0);
-    // Its box and mask are those pixels'.
+    // Its box and mask match those pixels.
     for (id, pixels) in [(me, &body), (book, &held)] {
         let found = frame.boxes.iter().find(|b| b.node == id).unwrap();
         assert_eq!(found.area as usize, pixels.len());
@@ -73,7 +73,7 @@ fn agents_are_seen_in_every_modality() {
     assert!(held.iter().any(|p| beside(p).iter().any(|n| frame.instance.get(*n) == Some(&me))));
 }
 
-/// Large things that somebody holds are before the body and not in it.
+/// Large held objects are in front of the body and not in it.
 #[test]
 fn what_is_held_is_not_in_the_body() {
     let (home, ..) = holding();
@@ -93,14 +93,14 @@ fn what_is_held_is_not_in_the_body() {
         let (feet, bounds) = (home.world().pose(me).unwrap(), home.world().aabb(id).unwrap());
         let axis = feet * Point3::new(0.0, 0.0, 1.0);
         let ahead = feet.inverse_transform_point(&bounds.centre()).x;
-        // The box along the world's axes is larger than the thing where the agent stands askew.
+        // The world-aligned box is larger than the object if the agent stands askew.
         let off = (bounds.nearest(&axis) - axis).norm();
         assert!(off > 0.1 && ahead > 0.2, "{} is {off} m from the middle of the body", home.graph().label(id));
     }
     assert!(held > 5, "{held} of forty large things can be held");
 }
 
-/// Clothes that somebody puts on are seen on the body, and no longer where they were.
+/// Clothes that an agent puts on are visible on its body, and no longer at their former place.
 #[test]
 fn clothes_are_worn() {
     let mut home = home(42, 1);

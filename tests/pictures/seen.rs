@@ -1,4 +1,5 @@
-//! People, and cameras in rooms, see what is carried and what stands open, and rooms rather than walls.
+//! Agents, and cameras in rooms, see carried objects and open containers, and look into rooms rather than at
+//! walls.
 
 use virtualcity::graph::{Action, NodeId, Property, Relation, Verb};
 use virtualcity::nalgebra::Vector3;
@@ -15,7 +16,7 @@ fn seen(home: &Environment, view: Viewpoint) -> Frame {
     home.render(view, Modality::Instance | Modality::Depth, SIZE.0, SIZE.1).unwrap()
 }
 
-/// The rows of a picture in which something is, from the top, one for each of its pixels.
+/// The rows of the picture, from the top, in which some nodes are visible, one entry per pixel.
 fn rows(frame: &Frame, which: impl Fn(NodeId) -> bool) -> Vec<u32> {
     let all = (0..).zip(&frame.instance).filter(|(_, id)| which(**id));
     all.map(|(pixel, _): (u32, _)| pixel / SIZE.0).collect()
@@ -25,7 +26,7 @@ fn done(home: &mut Environment, verb: Verb, thing: NodeId) -> bool {
     home.set_action(home.agents()[0], Action::with(verb, &[thing]).unwrap()).is_ok()
 }
 
-/// An agent that carries something sees it below the middle of the picture, and sees past it.
+/// An agent that carries an object sees it below the middle of the picture, and sees past it.
 #[test]
 fn what_is_carried_is_in_view() {
     for seed in [3, 42] {
@@ -52,7 +53,7 @@ fn what_is_carried_is_in_view() {
     }
 }
 
-/// An agent that opens a fridge or a wardrobe sees what is in it.
+/// An agent that opens a fridge or a wardrobe sees its contents.
 #[test]
 fn who_opens_something_sees_into_it() {
     for (seed, class) in
@@ -68,7 +69,7 @@ fn who_opens_something_sees_into_it() {
     }
 }
 
-/// An agent that comes into a room looks into it, not at a wall.
+/// An agent that enters a room looks into it, not at a wall.
 #[test]
 fn who_comes_into_a_room_faces_it() {
     for seed in [42, 7123] {
@@ -86,7 +87,7 @@ fn who_comes_into_a_room_faces_it() {
     }
 }
 
-/// Cameras in rooms look over the room: not steeply down, and not at something right before them.
+/// Cameras in rooms look across the room: not steeply down, and not at something directly in front of them.
 #[test]
 fn cameras_in_rooms_look_over_them() {
     for seed in [12, 61482] {

@@ -1,4 +1,4 @@
-//! Datasets that were broken off end with the same bytes as those that were not.
+//! Interrupted and resumed data sets have the same bytes as uninterrupted ones.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ fn homes() -> Vec<Environment> {
     ["apartment/42", "apartment/7"].iter().map(|name| Environment::make(name, 1).unwrap()).collect()
 }
 
-/// Some pictures of each home, one from each room, until there are so many.
+/// Pictures of each home, one from each room, up to a number.
 fn take(at: &Path, homes: &[Environment], most: usize) -> Result<Dataset, RecordError> {
     let mut dataset = Dataset::create(at)?;
     let rooms = homes.iter().flat_map(|home| home.graph().rooms().iter().take(3).map(move |room| (home, *room)));
@@ -36,7 +36,7 @@ fn datasets_of_many_homes_go_on_where_they_were_broken_off() {
     take(&whole, &homes, 6).unwrap().finish().unwrap();
     let whole = files(&whole);
     assert_eq!(whole.len(), 7, "six pictures and a document: {:?}", whole.keys());
-    // Broken off after the fifth picture, while a line and a file are being written.
+    // Interrupted after the fifth picture, while a line and a file are being written.
     let at = folder("dataset_broken");
     drop(take(&at, &homes, 5).unwrap());
     let journal = std::fs::read(at.join(JOURNAL)).unwrap();
@@ -45,7 +45,7 @@ fn datasets_of_many_homes_go_on_where_they_were_broken_off() {
     assert!(!at.join("annotations.json").exists());
     take(&at, &homes, 6).unwrap().finish().unwrap();
     assert!(files(&at) == whole);
-    // Pictures that are there are not made again; if one is missing, it and all that follow are.
+    // Existing pictures are not made again; if one is missing, it and all later ones are.
     drop(take(&at, &homes, 6).unwrap());
     mark(&at, "frames/000001.png");
     mark(&at, "frames/000004.png");
@@ -70,7 +70,7 @@ fn pictures_of_something_else_are_made_anew() {
     assert!(files(&at) == files(&other), "nothing of the run that was broken off is left");
 }
 
-/// Lets an agent go through some rooms, and gives the record of it.
+/// Lets an agent walk through some rooms, and returns the record of it.
 fn walk(at: &Path, rooms: usize) -> Recorder {
     let home = Environment::make("apartment/42", 1).unwrap();
     let (me, all) = (home.agents()[0], home.graph().rooms().to_vec());
@@ -98,7 +98,7 @@ fn records_go_on_where_they_were_broken_off() {
     let begun = files(&at);
     assert!(begun.keys().all(|name| name.starts_with("frames") || name.extension().is_some_and(|e| e == "part")));
     assert!(begun.len() > 5, "{:?}", begun.keys());
-    // A picture that is there is taken as it is.
+    // An existing picture is kept unchanged.
     mark(&at, "frames/000000.png");
     finish(walk(&at, 3));
     let (mut all, whole) = (files(&at), files(&whole));

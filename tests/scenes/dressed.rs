@@ -23,14 +23,14 @@ fn asset<'g>(graph: &'g SceneGraph, node: &Node) -> &'g Asset {
     graph.assets().get(node.spec().asset.unwrap()).unwrap()
 }
 
-/// Whether a node is part of the building, whose boxes may grow to the shapes made for them.
+/// Whether a node is part of the building, whose boxes may be enlarged to fit the generated shapes.
 fn builds(node: &Node) -> bool {
     let class = ClassTable::builtin().get(node.class()).cloned();
     use vc_graph::class::Category;
     class.is_some_and(|c| matches!(c.category, Category::Structure | Category::Door | Category::Window))
 }
 
-/// Whether a counter's box is around a corner, and so around the things that stand there.
+/// Whether a counter's box spans a corner, and thus contains the objects that stand there.
 fn goes_around(node: &Node) -> bool {
     let size = node.aabb().map(|b| b.max - b.min).unwrap();
     &**node.class() == "kitchen_counter" && size.x.min(size.y) > 1.5
@@ -64,7 +64,7 @@ fn the_scene_stays_and_shapes_fill_its_boxes() {
                 "{label}: {old:?} became {new:?}"
             );
             let drawn = drawn(&looks, after);
-            // A hanger is thin, though its box is as deep as a coat.
+            // A hanger is thin, although its box is as deep as a coat.
             let fills = |i: usize| (drawn.min[i] - old.min[i]).abs().max((drawn.max[i] - old.max[i]).abs()) < 0.005;
             let within = |i: usize| drawn.min[i] > old.min[i] - 0.005 && drawn.max[i] < old.max[i] + 0.005;
             let thin = after.spec().scale.max() > 3.4;
@@ -76,7 +76,7 @@ fn the_scene_stays_and_shapes_fill_its_boxes() {
     }
 }
 
-/// The box around a node as it is drawn.
+/// The bounding box of a node as it is drawn.
 fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
     let (low, high) = asset(graph, node).extent().unwrap();
     let scale = node.spec().scale;
@@ -92,7 +92,7 @@ fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
         .unwrap()
 }
 
-/// A shape of one part that is a box would be one without any knowledge of the class.
+/// A shape with a single box as its only part is the fallback for a class without a generator.
 #[test]
 fn nothing_that_has_a_generator_is_a_plain_box() {
     let mut plain = std::collections::BTreeSet::new();
@@ -139,7 +139,7 @@ fn the_same_scene_gets_the_same_looks() {
     assert_eq!(one.assets(), other.assets());
 }
 
-/// Furniture that has a front; seats may look at the table they are drawn up to.
+/// Furniture with a front; seats may face the table at which they stand.
 const FRONTS: [&str; 18] = [
     "sofa",
     "bed",
@@ -161,12 +161,12 @@ const FRONTS: [&str; 18] = [
     "kitchen_cabinet",
 ];
 
-/// A box as the ground sees it.
+/// Whether the horizontal extent of a box contains a point.
 fn over(b: &Aabb, p: Point2<f32>) -> bool {
     (b.min.x..=b.max.x).contains(&p.x) && (b.min.y..=b.max.y).contains(&p.y)
 }
 
-/// Free floor before a side of a box, as a share of points up to three quarters of a metre away.
+/// Free floor in front of a side of a box, as a fraction of the points up to three quarters of a metre away.
 fn free(scene: &SceneGraph, node: &Node, way: Vector2<f32>) -> f32 {
     let own = node.aabb().unwrap();
     let (centre, half) = (own.centre().xy(), (own.max - own.min).xy() / 2.0);
@@ -186,7 +186,7 @@ fn free(scene: &SceneGraph, node: &Node, way: Vector2<f32>) -> f32 {
     spots.iter().filter(is_free).count() as f32 / spots.len() as f32
 }
 
-/// The free floor tells how a thing in a box is turned, as the box does not.
+/// The free floor determines the orientation of furniture in a box, which the box itself does not.
 #[test]
 fn furniture_faces_the_free_floor() {
     let (mut all, mut wrong) = (0, Vec::new());
@@ -212,8 +212,8 @@ fn looks_at_table(scene: &SceneGraph, chair: &Node, front: Vector2<f32>) -> bool
     boxes.filter(|b| b.distance(&at) < 1.3).any(|b| (b.nearest(&at) - at).xy().dot(&front) > 0.0 || b.contains(&at))
 }
 
-/// The thesis's JSON has only classes and sizes: the things that are read back have the same classes and
-/// mostly the same materials, as the home's name has its seed.
+/// The thesis's JSON has only classes and sizes: objects that are read back have the same classes and mostly
+/// the same materials, since the home's name contains its seed.
 #[test]
 fn a_home_of_the_thesis_format_looks_as_it_did() {
     let home = Apartment::from_seed(vc_graph::Seed(42)).unwrap().scene();

@@ -1,4 +1,4 @@
-//! What an agent can do, and how it is written.
+//! An agent's actions and their text forms.
 
 use std::fmt;
 
@@ -7,35 +7,35 @@ use crate::vocabulary::{same_word, vocabulary};
 use crate::{Deed, NodeId, SceneGraph};
 
 vocabulary! {
-    /// A verb. [`Verb::rule`](crate::Verb::rule) says what each needs and does.
+    /// A verb. [`Verb::rule`](crate::Verb::rule) gives the arity, preconditions and effects of each.
     Verb, "verb" {
-        /// Go to a room or a thing, seen or not: the rule knows where everything is.
+        /// Go to a room or an object, visible or not: the rule knows where everything is.
         Walk = "walk",
         /// Go there fast.
         Run = "run",
-        /// Go to a thing unless it is near, seen or not.
+        /// Go to an object unless it is near already; it need not be visible.
         Find = "find",
-        /// Turn towards a thing.
+        /// Turn towards an object.
         TurnTo = "turn_to",
-        /// Look at a thing one faces.
+        /// Look at an object that the agent faces.
         LookAt = "look_at",
-        /// Point at a thing one faces.
+        /// Point at an object that the agent faces.
         PointAt = "point_at",
         /// Watch a screen or picture.
         Watch = "watch",
-        /// Take a thing into a free hand.
+        /// Take an object into a free hand.
         Grab = "grab",
-        /// Put a held thing on a surface.
+        /// Put a held object on a surface.
         Place = "place",
-        /// Put a held thing into a container.
+        /// Put a held object into a container.
         PutIn = "put_in",
-        /// Put a held thing back where it was taken from.
+        /// Put a held object back where it was taken from.
         PutBack = "put_back",
-        /// Let a held thing go; it lands in the room.
+        /// Let go of a held object; it lands in the room.
         Drop = "drop",
         /// Open a door, lid or cover.
         Open = "open",
-        /// Close it.
+        /// Close a door, lid or cover.
         Close = "close",
         /// Switch on.
         SwitchOn = "switch_on",
@@ -55,45 +55,45 @@ vocabulary! {
         Sleep = "sleep",
         /// Wake up.
         WakeUp = "wake_up",
-        /// Eat something, or what is on it.
+        /// Eat an object, or the food on it.
         Eat = "eat",
-        /// Drink something, or what is in it.
+        /// Drink an object, or the drink in it.
         Drink = "drink",
-        /// Touch a thing.
+        /// Touch an object.
         Touch = "touch",
-        /// Read something held.
+        /// Read a held object.
         Read = "read",
-        /// Wipe a thing with something held.
+        /// Wipe an object with a held object.
         Wipe = "wipe",
-        /// Wash a thing.
+        /// Wash an object.
         Wash = "wash",
-        /// Rinse anything near, with nothing.
+        /// Rinse any near object, without a tool.
         Rinse = "rinse",
-        /// Scrub a thing.
+        /// Scrub an object.
         Scrub = "scrub",
-        /// Pour what is held into something.
+        /// Pour the contents of a held object into another.
         Pour = "pour",
         /// Fill a held vessel at running water.
         Fill = "fill",
         /// Cut food with a knife in hand.
         Cut = "cut",
-        /// Cook what is on or in a heater that is on.
+        /// Cook the food on or in a heater that is on.
         Cook = "cook",
-        /// Put on clothes that are held.
+        /// Put on held clothes.
         Wear = "wear",
-        /// Take worn clothes off, into a hand.
+        /// Take off worn clothes, into a hand.
         TakeOff = "take_off",
         /// Fold cloth or paper.
         Fold = "fold",
-        /// Spread it out.
+        /// Unfold cloth or paper.
         Unfold = "unfold",
-        /// Push a thing.
+        /// Push an object.
         Push = "push",
-        /// Pull a thing.
+        /// Pull an object.
         Pull = "pull",
-        /// Move a thing a little.
+        /// Move an object a little.
         Move = "move",
-        /// Squeeze a thing.
+        /// Squeeze an object.
         Squeeze = "squeeze",
         /// Type on a keyboard, or on anything with a switch.
         Type = "type",
@@ -103,9 +103,9 @@ vocabulary! {
         Play = "play",
         /// Get into a vehicle.
         Enter = "enter",
-        /// Get out of the vehicle one is in.
+        /// Get out of the vehicle.
         Leave = "leave",
-        /// Drive the vehicle one is in to a place.
+        /// Drive to a place in the vehicle that the agent is in.
         Drive = "drive",
         /// Dance.
         Dance = "dance",
@@ -117,18 +117,18 @@ vocabulary! {
         Stretch = "stretch",
         /// Smile.
         Smile = "smile",
-        /// Heat what is on or in a heater that is on.
+        /// Heat the objects on or in a heater that is on.
         Heat = "heat",
-        /// Cool what is in a cooler that is on.
+        /// Cool the objects in a cooler that is on.
         Cool = "cool",
-        /// Dry a thing with a cloth held.
+        /// Dry an object with a held cloth.
         Dry = "dry",
-        /// Make a thing dirty.
+        /// Make an object dirty.
         Soil = "soil",
     }
 }
 
-/// VirtualHome's name of each verb it has, and other spellings that are read.
+/// VirtualHome's names of the verbs it has, and further spellings that are accepted on reading.
 const VIRTUALHOME: &[(Verb, &str)] = &[
     (Verb::Walk, "WALK"),
     (Verb::Run, "RUN"),
@@ -180,22 +180,22 @@ impl Verb {
         VIRTUALHOME.iter().find(|(verb, _)| *verb == self).map(|(_, name)| *name)
     }
 
-    /// The verb of a VirtualHome name. Note that its `PUTBACK` is to place on.
+    /// The verb of a VirtualHome name. Note that VirtualHome's `PUTBACK` means to place on a surface.
     pub fn from_virtualhome(name: &str) -> Option<Self> {
         VIRTUALHOME.iter().find(|(_, other)| same_word(other, name)).map(|(verb, _)| *verb)
     }
 
-    /// How many things the verb takes, 0 to 2.
+    /// The number of objects that the verb takes, 0 to 2.
     pub fn arity(self) -> usize {
         self.rule().arity
     }
 }
 
-/// A verb with the things it is done to.
+/// A verb with the objects that it acts on.
 ///
-/// Prints with plain numbers, `grab #12`; [`Action::describe`] adds the classes,
-/// `grab cup.12`. Both read back. An action that is read with labels is refused
-/// where a thing is not what its label says: [`Called`].
+/// Prints with plain numbers, `grab #12`; [`Action::describe`] adds the classes, `grab cup.12`. Both forms can
+/// be parsed. An action parsed from labels is refused if an object is not of the class in its label: see
+/// [`Called`].
 ///
 /// ```
 /// use vc_graph::{Action, NodeId, Verb};
@@ -206,70 +206,70 @@ impl Verb {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Action {
-    /// What is done.
+    /// The verb.
     pub verb: Verb,
-    /// What it is done to.
+    /// The object acted on.
     pub object: Option<NodeId>,
-    /// With, on or into what.
+    /// The second object: the tool, the surface or the container.
     pub target: Option<NodeId>,
-    /// The names of its things in the text it was read from.
+    /// The names of the objects in the text that the action was parsed from.
     pub called: Called,
 }
 
-/// Text that is no action.
+/// An error in the text of an action.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ActionError {
-    /// Nothing there.
+    /// The text is empty.
     #[error("an action begins with a verb, as in `grab cup.12`")]
     Empty,
     /// An unknown verb.
     #[error(transparent)]
     Verb(#[from] crate::vocabulary::UnknownWord),
-    /// A thing that is not written as one.
+    /// A badly written object.
     #[error(transparent)]
     Label(#[from] crate::BadLabel),
-    /// Too few or too many things.
+    /// Too few or too many objects.
     #[error("`{verb}` takes {takes} things, {given} are given")]
     Arity {
         /// The verb.
         verb: Verb,
-        /// How many it takes.
+        /// How many objects it takes.
         takes: usize,
-        /// How many there are.
+        /// How many objects are given.
         given: usize,
     },
-    /// VirtualHome notation that is not well formed.
+    /// Malformed VirtualHome notation.
     #[error("`{0}` is not of the form `[VERB] <class> (number)`")]
     Notation(String),
-    /// A character is named where only an action is asked for.
-    #[error("an action does not say who acts, as `<char{0}>` does; a program's line may")]
+    /// The text names a character although it should contain only an action.
+    #[error("an action names no character such as `<char{0}>`; only a program's line may")]
     Character(u32),
-    /// A verb that VirtualHome does not know.
+    /// A verb that VirtualHome does not have.
     #[error("VirtualHome has no verb for `{0}`")]
     NotInVirtualHome(Verb),
 }
 
 impl Action {
-    /// An action on nothing: `stand`.
+    /// An action without objects: `stand`.
     pub const fn zero(verb: Verb) -> Self {
         Self { verb, object: None, target: None, called: Called::NOTHING }
     }
 
-    /// An action on one thing: `grab #12`.
+    /// An action on one object: `grab #12`.
     pub const fn one(verb: Verb, object: NodeId) -> Self {
         Self { object: Some(object), ..Self::zero(verb) }
     }
 
-    /// An action on two things: `place #12 #3`.
+    /// An action on two objects: `place #12 #3`.
     pub const fn two(verb: Verb, object: NodeId, target: NodeId) -> Self {
         Self { object: Some(object), target: Some(target), ..Self::zero(verb) }
     }
 
-    /// An action on as many things as are given.
+    /// An action on the given objects.
     ///
     /// # Errors
-    /// [`ActionError::Arity`] if the verb takes another number of things.
+    /// [`ActionError::Arity`] if the verb takes another number of objects.
     pub fn with(verb: Verb, things: &[NodeId]) -> Result<Self, ActionError> {
         let (takes, given) = (verb.arity(), things.len());
         // VirtualHome writes `[SLEEP]` and `[SLEEP] <bed> (1)` alike.
@@ -281,12 +281,12 @@ impl Action {
         Ok(Self { object: object.filter(|_| takes > 0), target, ..Self::zero(verb) })
     }
 
-    /// The things it is done to.
+    /// The objects that the action acts on.
     pub fn things(&self) -> impl Iterator<Item = NodeId> {
         self.object.into_iter().chain(self.target)
     }
 
-    /// The action with the classes of its things: `grab cup.12`.
+    /// The action with the classes of its objects: `grab cup.12`.
     pub fn describe<'a>(&'a self, graph: &'a SceneGraph) -> impl fmt::Display + 'a {
         Described { action: self, graph }
     }

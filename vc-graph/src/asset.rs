@@ -1,4 +1,4 @@
-//! Shapes as plain data: physics makes colliders of them, render makes meshes.
+//! Shapes as plain data, from which physics makes colliders and the renderer makes meshes.
 
 use std::sync::Arc;
 
@@ -11,12 +11,12 @@ use crate::geometry::is_finite;
 
 pub use crate::texture::Texture;
 
-/// Position of an [`Asset`] in its [`AssetLibrary`].
+/// Index of an [`Asset`] in its [`AssetLibrary`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct AssetId(pub u32);
 
-/// A solid shape, centred on its own origin unless said otherwise; metres.
+/// A solid shape, centred on its own origin unless stated otherwise; metres.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -67,20 +67,20 @@ pub enum Shape {
         #[serde(with = "serial::points")]
         points: Vec<Point3<f32>>,
     },
-    /// A profile turned around Z. The profile follows the surface from its bottom
-    /// and outside to its top and inside, the solid on its left: a beaker is
-    /// `[(r, 0), (r, h), (r - t, h), (r - t, t)]`. Where it starts or ends off the
-    /// axis, a flat disc closes it to the axis; where it ends in the point it
-    /// started from, it is a ring. Backwards is as good.
+    /// A solid of revolution: a profile turned around Z. The profile follows the surface from its bottom and
+    /// outside to its top and inside, with the solid on its left: a beaker is
+    /// `[(r, 0), (r, h), (r - t, h), (r - t, t)]`. If the profile starts or ends off the axis, a flat disc
+    /// closes it to the axis; if it ends in its starting point, it is a ring. The reverse order gives the same
+    /// solid.
     Lathe {
         /// Radius and height of each point of the profile.
         profile: Vec<(f32, f32)>,
     },
-    /// An outline in the XY plane drawn up along Z from zero.
+    /// An outline in the XY plane extruded along Z from zero.
     Extrusion {
         /// The outline, counter-clockwise.
         outline: Vec<(f32, f32)>,
-        /// How far up.
+        /// Height of the extrusion.
         height: f32,
     },
     /// A closed triangle mesh.
@@ -90,15 +90,15 @@ pub enum Shape {
         vertices: Vec<Point3<f32>>,
         /// Its triangles, counter-clockwise seen from outside.
         triangles: Vec<[u32; 3]>,
-        /// For each triangle, where its corners are in the material's [`Texture`]: across and
-        /// down in shares of its sides, from its upper left corner. None, or as many as there
-        /// are triangles.
+        /// For each triangle, the texture coordinates of its corners in the material's [`Texture`]: across and
+        /// down, as fractions of its width and height, from its upper left corner. Empty, or one entry for each
+        /// triangle.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         uvs: Vec<[[f32; 2]; 3]>,
     },
 }
 
-/// What a part is made of.
+/// The material of a part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// Its name, `oak`.
@@ -115,19 +115,19 @@ pub struct Material {
     pub roughness: f32,
     /// How metallic, 0 to 1.
     pub metallic: f32,
-    /// How much light passes, 0 to 1.
+    /// Fraction of the light that passes through, 0 to 1.
     pub transmission: f32,
-    /// Light it gives when on, watts per square metre and steradian.
+    /// Emitted radiance when on, watts per square metre and steradian.
     pub emission: [f32; 3],
-    /// Position in the library of a picture that `colour` and `emission` are multiplied with.
+    /// Index in the library of a texture that `colour` and `emission` are multiplied with.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub texture: Option<u32>,
 }
 
-/// How a moving part moves against the asset.
+/// The joint between a moving part and its asset.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Joint {
-    /// Turning or sliding.
+    /// Hinge or slide.
     pub kind: JointKind,
     /// A point of the axis, in the asset's frame, metres.
     #[serde(with = "serial::point")]
@@ -135,13 +135,13 @@ pub struct Joint {
     /// Direction of the axis, unit length, in the asset's frame.
     #[serde(with = "serial::vector")]
     pub axis: Vector3<f32>,
-    /// Least and greatest position: radians or metres; closed is zero.
+    /// Lower and upper limit of the position: radians or metres; the closed position is zero.
     pub limits: (f32, f32),
 }
 
 impl Joint {
-    /// How far what moves has moved from zero at a position (radians or metres), in
-    /// the asset's frame: a part at `pose` is then at `joint.motion(position) * pose`.
+    /// The motion, in the asset's frame, of a part from joint position zero to `position` (radians or metres):
+    /// a part at `pose` is then at `joint.motion(position) * pose`.
     pub fn motion(&self, position: f32) -> Pose {
         match self.kind {
             JointKind::Slide => {
@@ -173,44 +173,42 @@ pub struct Part {
     pub name: Arc<str>,
     /// Its shape.
     pub shape: Shape,
-    /// Its material, in the library's list.
+    /// Index of its material in the library.
     pub material: u32,
-    /// Where it is in the asset's frame, its joint at zero.
+    /// Pose in the asset's frame with its joint at zero.
     #[serde(with = "serial::pose")]
     pub pose: Pose,
-    /// How it moves, if it does.
+    /// Its joint; `None` if the part is fixed.
     pub joint: Option<Joint>,
 }
 
-/// How a [`Surface`] holds things.
+/// How a [`Surface`] supports objects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Hold {
-    /// They rest on it: relation `on`.
+    /// Objects rest on it: relation `on`.
     On,
-    /// They rest on it within walls or under a roof: relation `inside`.
+    /// Objects rest on it within walls or under a roof: relation `inside`.
     Inside,
-    /// They hang from its centre: relation `on`.
+    /// Objects hang from its centre: relation `on`.
     Hook,
 }
 
-/// A place of an asset where things are kept: a level rectangle and the room above
-/// it, or a hook.
+/// A place of an asset that holds objects: a level rectangle and the free space above it, or a hook.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Surface {
     /// Its name, `shelf_2`.
     pub name: Arc<str>,
-    /// How it holds things.
+    /// How it supports objects.
     pub hold: Hold,
-    /// Middle of the rectangle that carries, in the asset's frame, joints at zero.
+    /// Centre of the supporting rectangle, in the asset's frame, with joints at zero.
     #[serde(with = "serial::point")]
     pub centre: Point3<f32>,
     /// Half lengths along the asset's X and Y, metres.
     pub half: (f32, f32),
-    /// Free height above it (below it for a hook), metres; `None` where nothing of
-    /// the asset is above.
+    /// Free height above it (below it for a hook), metres; `None` if no part of the asset is above it.
     pub clearance: Option<f32>,
-    /// The joint it moves with, if it does: a drawer's.
+    /// The joint it moves with, such as a drawer's; `None` if it is fixed.
     pub joint: Option<Joint>,
 }
 
@@ -221,28 +219,27 @@ pub struct Asset {
     pub name: Arc<str>,
     /// Its parts.
     pub parts: Vec<Part>,
-    /// Where it holds things.
+    /// The surfaces that hold objects.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub surfaces: Vec<Surface>,
-    /// What physics goes by, where that is not the parts: convex pieces that move
-    /// with the joints they name. Empty where the parts themselves will do.
+    /// Collision shapes, if they differ from the parts: convex pieces that move with the joints they name.
+    /// Empty if the parts themselves serve as collision shapes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub collision: Vec<Part>,
 }
 
 impl Asset {
-    /// Smallest and largest corner of all parts, in the asset's frame, joints at
-    /// zero, metres.
+    /// Smallest and largest corner of the bounding box of all parts, in the asset's frame, with joints at zero,
+    /// metres.
     pub fn extent(&self) -> Option<(Point3<f32>, Point3<f32>)> {
         self.parts.iter().map(Part::extent).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
     }
 }
 
 impl Part {
-    /// Smallest and largest corner, in the asset's frame, metres.
+    /// Smallest and largest corner of the bounding box, in the asset's frame, metres.
     ///
-    /// Exact, however the part is turned; costs some operations, or some for each
-    /// point of hulls and meshes.
+    /// Exact, however the part is rotated; costs some operations, for hulls and meshes some per point.
     pub fn extent(&self) -> (Point3<f32>, Point3<f32>) {
         let (low, high) = if self.pose.rotation == UnitQuaternion::identity() {
             self.shape.extent()
@@ -261,44 +258,43 @@ pub struct AssetLibrary {
     assets: Vec<Arc<Asset>>,
 }
 
-/// What is wrong with an asset.
+/// An error in an asset.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AssetError {
     /// A part uses a material that is not in the library.
     #[error("part `{part}` uses material {material}, the library has {count}")]
     NoSuchMaterial {
-        /// Which part.
+        /// The part.
         part: Arc<str>,
-        /// Which material.
+        /// The material.
         material: u32,
-        /// How many there are.
+        /// The number of materials in the library.
         count: usize,
     },
-    /// A material has a figure that cannot be.
-    #[error("material `{0}` has a figure that is not finite or negative, or no density")]
+    /// A material has an invalid value.
+    #[error("material `{0}` has a value that is negative or not finite, or a density that is not positive")]
     BadMaterial(Arc<str>),
     /// A material uses a texture that is not in the library.
     #[error("material `{material}` uses texture {texture}, the library has {count}")]
     NoSuchTexture {
-        /// Which material.
+        /// The material.
         material: Arc<str>,
-        /// Which texture.
+        /// The texture.
         texture: u32,
-        /// How many there are.
+        /// The number of textures in the library.
         count: usize,
     },
-    /// A texture has no pixels, or not as many as its sides say.
+    /// A texture has no pixels, or not width times height of them.
     #[error("texture `{0}` has no pixels, or not as many as its width times its height")]
     BadTexture(Arc<str>),
-    /// A measure is not finite, negative or zero where it must not be.
+    /// A measure is not finite, or is negative or zero where it must be positive.
     #[error("part `{0}` has a measure that is not finite or not positive")]
     BadMeasure(Arc<str>),
-    /// A mesh's triangle names a vertex it does not have.
+    /// A triangle of a mesh refers to a vertex that does not exist.
     #[error("part `{0}` has a triangle with a vertex that does not exist")]
     BadTriangle(Arc<str>),
-    /// A mesh says for some of its triangles where they are in a texture, or places
-    /// that are not finite.
+    /// A mesh has texture coordinates for only some of its triangles, or coordinates that are not finite.
     #[error("part `{0}` has texture coordinates that are not finite, or not for each triangle")]
     BadCoordinates(Arc<str>),
     /// A surface's measure is not finite or is negative.
@@ -310,7 +306,7 @@ pub enum AssetError {
 }
 
 impl AssetLibrary {
-    /// Adds a texture that others may share, and returns its position.
+    /// Adds a shared texture and returns its index.
     ///
     /// # Errors
     /// [`AssetError::BadTexture`].
@@ -322,7 +318,7 @@ impl AssetLibrary {
         Ok(self.textures.len() as u32 - 1)
     }
 
-    /// Adds a material after checking it, and returns its position.
+    /// Checks and adds a material, and returns its index.
     ///
     /// # Errors
     /// [`AssetError::BadMaterial`], [`AssetError::NoSuchTexture`].
@@ -338,15 +334,15 @@ impl AssetLibrary {
         Ok(self.materials.len() as u32 - 1)
     }
 
-    /// Adds an asset after checking it.
+    /// Checks and adds an asset.
     ///
     /// # Errors
-    /// [`AssetError`] names the part.
+    /// [`AssetError`], which names the part.
     pub fn add(&mut self, asset: Asset) -> Result<AssetId, AssetError> {
         self.share(Arc::new(asset))
     }
 
-    /// Adds an asset that others share.
+    /// Adds a shared asset.
     ///
     /// # Errors
     /// As [`Self::add`].
@@ -359,17 +355,17 @@ impl AssetLibrary {
         Ok(AssetId(self.assets.len() as u32 - 1))
     }
 
-    /// The asset at a position.
+    /// The asset with an identifier.
     pub fn get(&self, id: AssetId) -> Option<&Arc<Asset>> {
         self.assets.get(id.0 as usize)
     }
 
-    /// The texture at a position.
+    /// The texture at an index.
     pub fn texture(&self, index: u32) -> Option<&Arc<Texture>> {
         self.textures.get(index as usize)
     }
 
-    /// The material at a position.
+    /// The material at an index.
     pub fn material(&self, index: u32) -> Option<&Material> {
         self.materials.get(index as usize)
     }
@@ -431,11 +427,11 @@ impl Joint {
 }
 
 impl Shape {
-    /// Whether every measure is finite and, where it must be, positive: what
-    /// [`AssetLibrary::add`] asks of a part's shape.
+    /// Whether every measure is finite and positive where it must be, which [`AssetLibrary::add`] requires of a
+    /// part's shape.
     pub fn measures_are_positive(&self) -> bool {
         let positive = |v: f32| v.is_finite() && v > 0.0;
-        // All of them, without a branch for each.
+        // Checks all of them, without a branch for each.
         let finite = |points: &[Point3<f32>]| {
             points.iter().fold(true, |all, p| all & p.x.is_finite() & p.y.is_finite() & p.z.is_finite())
         };
@@ -480,7 +476,7 @@ impl Shape {
         }
     }
 
-    /// Smallest and largest corner in the shape's own frame, metres.
+    /// Smallest and largest corner of the bounding box in the shape's own frame, metres.
     pub fn extent(&self) -> (Point3<f32>, Point3<f32>) {
         let around = |half: Vector3<f32>| (Point3::from(-half), Point3::from(half));
         let round = |radius: f32, half: f32| around(Vector3::new(radius, radius, half));
@@ -502,11 +498,11 @@ impl Shape {
 }
 
 impl Shape {
-    /// Smallest and largest corner of the shape turned about its origin, metres.
+    /// Smallest and largest corner of the bounding box of the shape rotated about its origin, metres.
     fn extent_turned(&self, turn: &UnitQuaternion<f32>) -> (Point3<f32>, Point3<f32>) {
         let matrix = turn.to_rotation_matrix().into_inner();
         let axis = matrix.column(2).into_owned();
-        // How far a flat ring around the axis reaches along each world axis, per radius.
+        // The extent of a flat ring around the axis along each world axis, per unit of its radius.
         let flat = axis.map(|a| (1.0 - a * a).max(0.0).sqrt());
         let around = |half: Vector3<f32>| (Point3::from(-half), Point3::from(half));
         let ring = |&(radius, z): &(f32, f32)| [axis * z - flat * radius, axis * z + flat * radius].map(Point3::from);
@@ -532,7 +528,7 @@ impl Shape {
 fn corners(points: impl Iterator<Item = Point3<f32>>) -> (Point3<f32>, Point3<f32>) {
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for p in points {
-        // Plain comparisons: an operation each, where `min` also asks for NaN.
+        // Plain comparisons take one operation each, whereas `min` also handles NaN.
         for k in 0..3 {
             low[k] = if p[k] < low[k] { p[k] } else { low[k] };
             high[k] = if p[k] > high[k] { p[k] } else { high[k] };

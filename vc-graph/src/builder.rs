@@ -27,28 +27,28 @@ pub struct SceneBuilder {
 }
 
 impl SceneBuilder {
-    /// A scene that goes by the built-in classes.
+    /// Starts a scene with the built-in classes.
     pub fn new(name: impl Into<Arc<str>>) -> Self {
         Self::with_classes(name, ClassTable::builtin())
     }
 
-    /// A scene that goes by a class table of your own.
+    /// Starts a scene with a given class table.
     pub fn with_classes(name: impl Into<Arc<str>>, classes: Arc<ClassTable>) -> Self {
         Self { graph: SceneGraph::new(name, classes) }
     }
 
-    /// Goes on building a scene.
+    /// Continues from an existing scene.
     pub fn of(graph: SceneGraph) -> Self {
         Self { graph }
     }
 
-    /// Sets the shapes the nodes point into.
+    /// Sets the library that the nodes' asset identifiers refer to.
     pub fn assets(&mut self, assets: Arc<AssetLibrary>) -> &mut Self {
         self.graph.assets = assets;
         self
     }
 
-    /// Adds a node that is nowhere yet: a room, or what is placed later.
+    /// Adds a node without a location: a room, or an object that is placed later.
     ///
     /// # Errors
     /// As [`Edit::add`](crate::Edit::add).
@@ -57,7 +57,7 @@ impl SceneBuilder {
         self.add_with_id(id, draft)
     }
 
-    /// Adds a node with a number of your own.
+    /// Adds a node with a given number.
     ///
     /// # Errors
     /// As [`Edit::add_with_id`](crate::Edit::add_with_id).
@@ -98,26 +98,26 @@ impl SceneBuilder {
         Ok(id)
     }
 
-    /// Begins an edit of what has been built so far.
+    /// Begins an edit of the scene built so far.
     pub fn edit(&mut self) -> crate::Edit<'_> {
         self.graph.edit()
     }
 
-    /// The scene as built so far.
+    /// The scene built so far.
     pub fn graph(&self) -> &SceneGraph {
         &self.graph
     }
 
-    /// Adds many relations at once, as a file lists them: no invariant is
-    /// enforced, [`SceneGraph::validate`] lists what is wrong.
+    /// Adds many relations at once, as a file lists them. No invariant is enforced; [`SceneGraph::validate`]
+    /// lists the violations.
     ///
     /// # Errors
-    /// [`EditError::NoSuchNode`] for an edge that ends nowhere; then none is added.
+    /// [`EditError::NoSuchNode`] if an edge refers to a missing node; then no edge is added.
     pub fn link_all(&mut self, edges: &[Edge]) -> Result<(), EditError> {
         self.link_each(edges).map_err(|(_, id)| EditError::NoSuchNode(id))
     }
 
-    /// As [`Self::link_all`]; an edge that ends nowhere is told by its position.
+    /// As [`Self::link_all`]; the error gives the position of the edge that refers to a missing node.
     pub(crate) fn link_each(&mut self, edges: &[Edge]) -> Result<(), (usize, NodeId)> {
         bulk::link(&mut self.graph, edges)
     }

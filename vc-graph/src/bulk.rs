@@ -1,17 +1,16 @@
-//! Adding many edges at once, in time linear in their number but for the sorting of
-//! each node's short list.
+//! Adding many edges at once, in time linear in their number apart from sorting each node's short list.
 
 use crate::node::Link;
 use crate::{Edge, NodeId, Relation, SceneGraph};
 
-/// Adds edges to a graph; all or, if one ends nowhere, none: then its position and
-/// the missing node are returned.
+/// Adds edges to a graph: all of them or, if one refers to a missing node, none; then the position of the edge
+/// and the missing node are returned.
 pub(crate) fn link(graph: &mut SceneGraph, edges: &[Edge]) -> Result<(), (usize, NodeId)> {
     let ids: Vec<NodeId> = graph.nodes().map(crate::Node::id).collect();
     let (first, count) = (ids.first().map_or(0, |id| id.0), ids.len());
     let dense = ids.last().is_none_or(|last| (last.0 - first) as usize + 1 == count);
     if dense {
-        // Numbers without gaps, as most scenes have them, are positions already.
+        // Consecutive numbers, as most scenes have them, differ from positions only by an offset.
         let position = |id: NodeId| Some(id.0.wrapping_sub(first) as usize).filter(|&p| p < count);
         link_at(graph, &ids, edges, position)
     } else {
@@ -34,8 +33,8 @@ fn link_at(
     Ok(())
 }
 
-/// Adds both ends of edges, of symmetric ones only the start, and returns the
-/// links by the node they start from.
+/// Adds edges to the lists of both end nodes (a symmetric edge only to that of its start), and returns the
+/// links by start node.
 fn add(
     graph: &mut SceneGraph,
     ids: &[NodeId],
@@ -86,7 +85,7 @@ fn merge(links: &mut Vec<Link>, more: &[Link]) {
 struct Lists {
     /// Where each node's list begins.
     starts: Vec<u32>,
-    /// Where its next link goes.
+    /// The index of the node's next link.
     next: Vec<u32>,
     links: Vec<Link>,
 }
@@ -127,10 +126,10 @@ impl Lists {
         &self.links[self.starts[node] as usize..self.starts[node + 1] as usize]
     }
 
-    /// Whether every symmetric link has its counterpart, in one pass: nodes come in
-    /// order, so each finds the links to smaller ones ticked off already and ticks
-    /// off its own at the larger ones. Of nodes with two kinds of symmetric links
-    /// it says no, which costs the caller time and nothing else.
+    /// Whether every symmetric link has its counterpart, in one pass: nodes come in order, so at each node the
+    /// links to smaller nodes have been ticked off already, and its own links are ticked off at the larger
+    /// ones. For nodes with two kinds of symmetric links it returns `false`, which costs the caller time and
+    /// nothing else.
     fn is_symmetric(&mut self, ids: &[NodeId], position: impl Fn(NodeId) -> Option<usize>) -> bool {
         let first = Link::new(Relation::Touching, NodeId(0));
         for node in 0..ids.len() {
@@ -153,7 +152,7 @@ impl Lists {
         true
     }
 
-    /// Passes over a node's next link if it is this one.
+    /// Advances past a node's next link if it equals `link`.
     fn tick_off(&mut self, node: usize, link: Link) -> bool {
         let next = &mut self.next[node];
         let found = *next < self.starts[node + 1] && self.links[*next as usize] == link;

@@ -1,4 +1,4 @@
-//! Checking labels: `milk.8` may name a node that is a knife.
+//! Checking labels: the text `milk.8` may refer to a node that is a knife.
 
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
@@ -7,19 +7,19 @@ use std::num::NonZeroU32;
 use crate::vocabulary::{clip, folded, same_word};
 use crate::{Action, Label, Node, NodeId, SceneGraph, nearest};
 
-/// A label whose class is not that of its node.
+/// A label whose class is not the class of its node.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{written}` names a thing that is {found}; write the class and the number of one thing")]
 pub struct Misnomer {
     /// The label as it was written.
     pub written: Label,
-    /// The node of its number.
+    /// The label of the node with that number.
     pub found: Label,
 }
 
 impl SceneGraph {
-    /// The classes of the scene, by name or alias, nearest to a misspelt name; none for a name that the
-    /// class table knows. See [`nearest`].
+    /// The classes of the scene, by name or alias, nearest to a misspelt name; empty for a name that the class
+    /// table has. See [`nearest`].
     pub fn nearest_classes(&self, name: &str) -> Vec<&str> {
         let table = self.classes();
         if table.get(name).is_some() {
@@ -30,8 +30,8 @@ impl SceneGraph {
         nearest(name, self.by_class.keys().chain(aliases).map(|name| &**name))
     }
 
-    /// Checks that a node is what a text calls it: its class, a class that it is a kind of, or another
-    /// name of these, in any spelling. A number that no node has passes: the use of it fails later.
+    /// Checks that a text names a node correctly: by its class, an ancestor class, or an alias of these, in any
+    /// spelling. A number that no node has passes the check: its use fails later.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -65,8 +65,8 @@ impl SceneGraph {
     }
 }
 
-/// The names by which a text calls the two things of an action, as marks that are small enough for an action to
-/// stay a few words long. All are equal, as other names do not make another action.
+/// The names by which a text calls the two objects of an action, as hashes, so that an action stays a few words
+/// long. All values compare equal, because the names do not make two actions different.
 ///
 /// ```
 /// use vc_graph::{Action, Draft, SceneBuilder, rule};
@@ -85,16 +85,16 @@ impl SceneGraph {
 pub struct Called([Option<NonZeroU32>; 2]);
 
 impl Called {
-    /// Nothing is called anything.
+    /// No names.
     pub const NOTHING: Self = Self([None; 2]);
 
-    /// The names that labels give the things of an action.
+    /// The names that labels give to the objects of an action.
     pub(crate) fn of(action: &Action, labels: &[Label]) -> Self {
         let name = |id: NodeId| labels.iter().find(|label| label.id == id).map(|label| mark(&label.class));
         Self([action.object, action.target].map(|id| id.and_then(name)))
     }
 
-    /// The first thing of an action that is not what it is called.
+    /// The first object of an action whose name does not fit it.
     pub(crate) fn misnamed(self, graph: &SceneGraph, action: &Action) -> Option<Label> {
         let things = [action.object, action.target].into_iter().zip(self.0);
         let nodes = things.filter_map(|(id, name)| Some((graph.node(id?)?, name?)));
@@ -103,7 +103,7 @@ impl Called {
 }
 
 impl SceneGraph {
-    /// Whether a name of a node, of its class or of a class that it is a kind of has a mark.
+    /// Whether the hash belongs to a name of the node, of its class or of an ancestor class.
     fn is_called(&self, node: &Node, name: NonZeroU32) -> bool {
         let spec = node.spec();
         let own = std::iter::once(&*spec.spelling).chain(spec.name.as_deref()).chain([&*spec.class]);
@@ -114,7 +114,7 @@ impl SceneGraph {
     }
 }
 
-/// A number for a name, the same for all its spellings (FNV-1a).
+/// A hash of a name, the same for all its spellings (FNV-1a).
 fn mark(name: &str) -> NonZeroU32 {
     let mix = |sum: u32, c: char| (sum ^ u32::from(c)).wrapping_mul(0x0100_0193);
     NonZeroU32::new(folded(name).fold(0x811c_9dc5, mix)).unwrap_or(NonZeroU32::MAX)

@@ -1,4 +1,4 @@
-//! Change sets: what an edit did, to be applied elsewhere or undone.
+//! Change sets: the changes of an edit, to be applied to another graph or undone.
 
 use std::sync::Arc;
 
@@ -9,40 +9,40 @@ use crate::{Edge, NodeId, Pose, SceneGraph, StateSet};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Change {
-    /// A node without relations came into being.
+    /// A node without relations was added.
     Add(Arc<Node>),
-    /// A node without relations went away.
+    /// A node without relations was removed.
     Remove(Arc<Node>),
     /// A node's states changed.
     States {
-        /// Whose.
+        /// The node.
         id: NodeId,
-        /// States it had.
+        /// States before.
         before: StateSet,
-        /// States it has.
+        /// States after.
         after: StateSet,
     },
-    /// A node moved.
+    /// A node's pose changed.
     Pose {
-        /// Which.
+        /// The node.
         id: NodeId,
-        /// Pose it had.
+        /// Pose before.
         before: Option<Pose>,
-        /// Pose it has.
+        /// Pose after.
         after: Option<Pose>,
     },
-    /// What is in a node to pour changed.
+    /// The contents of a container that can be poured from or into changed.
     Contents {
-        /// Which.
+        /// The node.
         id: NodeId,
-        /// Class of what was in it.
+        /// Class of the contents before.
         before: Option<Arc<str>>,
-        /// Class of what is in it.
+        /// Class of the contents after.
         after: Option<Arc<str>>,
     },
-    /// A relation began.
+    /// A relation was added.
     Link(Edge),
-    /// A relation ended.
+    /// A relation was removed.
     Unlink(Edge),
 }
 
@@ -59,7 +59,7 @@ impl Change {
         }
     }
 
-    /// Whether the graph is in the state this change starts from.
+    /// Whether the graph is in the state in which this change begins.
     fn fits(&self, graph: &SceneGraph) -> bool {
         match self {
             Self::Add(node) => graph.node(node.id).is_none(),
@@ -99,7 +99,7 @@ impl Change {
     }
 }
 
-/// A sequence of changes, as one edit or action made them.
+/// The sequence of changes made by one edit or action.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, State};
@@ -122,11 +122,11 @@ pub struct ChangeSet {
     pub(crate) changes: Vec<Change>,
 }
 
-/// A change set met a graph that is not the one it was made on.
+/// An error: a change set was applied to a graph that differs from the one it was made on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("change {index} of {total} does not fit this graph, nothing was changed: {change:?}")]
 pub struct Misfit {
-    /// Which change, counted from zero.
+    /// The index of the change, from zero.
     pub index: usize,
     /// How many changes there were.
     pub total: usize,
@@ -145,7 +145,7 @@ impl ChangeSet {
         self.changes.is_empty()
     }
 
-    /// Adds changes that were made after these.
+    /// Appends later changes.
     #[must_use]
     pub fn then(mut self, later: Self) -> Self {
         self.changes.extend(later.changes);
@@ -158,10 +158,10 @@ impl ChangeSet {
         Self { changes: self.changes.iter().rev().map(Change::inverse).collect() }
     }
 
-    /// Makes the changes on a graph that is as it was before them.
+    /// Applies the changes to a graph in the state before them.
     ///
     /// # Errors
-    /// [`Misfit`] if the graph is another; then it is left as it was.
+    /// [`Misfit`] if the graph is in another state; then it is left unchanged.
     pub fn apply(&self, graph: &mut SceneGraph) -> Result<(), Misfit> {
         for (index, change) in self.changes.iter().enumerate() {
             if !change.fits(graph) {
@@ -174,10 +174,10 @@ impl ChangeSet {
         Ok(())
     }
 
-    /// Undoes the changes on a graph that is as it was after them.
+    /// Undoes the changes on a graph in the state after them.
     ///
     /// # Errors
-    /// [`Misfit`] if the graph is another; then it is left as it was.
+    /// [`Misfit`] if the graph is in another state; then it is left unchanged.
     pub fn undo(&self, graph: &mut SceneGraph) -> Result<(), Misfit> {
         self.inverse().apply(graph)
     }

@@ -1,4 +1,4 @@
-//! Deeds as they are written: an action, the character that does it, and the names of its things.
+//! The text form of an action: the action, the character that performs it, and the names of its objects.
 
 use std::str::FromStr;
 
@@ -6,7 +6,7 @@ use crate::format::unmarked;
 use crate::vocabulary::{Word, clip};
 use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, Verb};
 
-/// An action as a text has it: with the character that does it, and the names that its things have there.
+/// A parsed action with the character that performs it and the names that the text gives its objects.
 ///
 /// ```
 /// use vc_graph::{Action, Deed, NodeId, Verb};
@@ -18,23 +18,23 @@ use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, 
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Deed {
-    /// The number of the character that does it, as in `<char1>`; 0 where none is named.
+    /// The number of the character, as in `<char1>`; 0 if none is named.
     pub character: u32,
     /// The action.
     pub action: Action,
-    /// The labels of its things as they are written; `#12` has none.
+    /// The labels of the objects as they are written; `#12` has none.
     pub labels: Vec<Label>,
 }
 
 impl From<Action> for Deed {
-    /// A deed of the first character, without labels.
+    /// An action of the first character, without labels.
     fn from(action: Action) -> Self {
         Self { character: 0, action, labels: Vec::new() }
     }
 }
 
 impl Deed {
-    /// Checks that the things are of the classes in their labels, see [`SceneGraph::check_name`].
+    /// Checks that the objects are of the classes in their labels, see [`SceneGraph::check_name`].
     ///
     /// # Errors
     /// The first [`Misnomer`].
@@ -54,7 +54,7 @@ impl FromStr for Deed {
     }
 }
 
-/// The number in front of `<char1> [GRAB] ...`, and the rest.
+/// Parses the number in `<char1> [GRAB] ...`; returns it and the rest of the text.
 fn character(text: &str) -> Result<(u32, &str), ActionError> {
     if !text.starts_with('<') {
         return Ok((0, text));
@@ -65,7 +65,7 @@ fn character(text: &str) -> Result<(u32, &str), ActionError> {
     Ok((number.parse().map_err(|_| bad())?, rest.trim_start()))
 }
 
-/// `grab cup.12`.
+/// Parses `grab cup.12`.
 fn native(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
     let mut words = text.split_whitespace();
     let verb = Verb::parse(words.next().ok_or(ActionError::Empty)?)?;
@@ -74,7 +74,7 @@ fn native(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
     Ok((Action::with(verb, &things)?, labels))
 }
 
-/// `cup.12` or `#12`.
+/// Parses `cup.12` or `#12`.
 fn thing(word: &str, labels: &mut Vec<Label>) -> Result<NodeId, BadLabel> {
     if let Some(number) = word.strip_prefix('#').and_then(|number| number.parse().ok()) {
         return Ok(NodeId(number));
@@ -85,8 +85,8 @@ fn thing(word: &str, labels: &mut Vec<Label>) -> Result<NodeId, BadLabel> {
     Ok(id)
 }
 
-/// `[GRAB] <cup> (12)`; numbers as `(1.12)`, VirtualHome's older form, name the
-/// instance after the dot. A number in brackets may follow, `[0]`.
+/// Parses `[GRAB] <cup> (12)`. In VirtualHome's older form, `(1.12)`, the number after the dot identifies the
+/// instance. A number in brackets may follow, `[0]`.
 fn virtualhome(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
     let bad = || ActionError::Notation(clip(text));
     let (verb, mut rest) = text.strip_prefix('[').and_then(|t| t.split_once(']')).ok_or_else(bad)?;
@@ -104,7 +104,7 @@ fn virtualhome(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
     if things.len() > 2 || !is_tail(rest.trim()) { Err(bad()) } else { Ok((Action::with(verb, &things)?, labels)) }
 }
 
-/// `12`, or `1.12`, where the instance comes after the dot.
+/// Parses `12` or `1.12`, in which the instance number follows the dot.
 fn instance(number: &str) -> Option<u32> {
     match number.split_once('.') {
         Some((before, number)) => before.trim().parse::<u32>().ok().and(number.trim().parse().ok()),
@@ -112,7 +112,7 @@ fn instance(number: &str) -> Option<u32> {
     }
 }
 
-/// Nothing, or a number in brackets.
+/// Whether the text is empty or a number in brackets.
 fn is_tail(text: &str) -> bool {
     let number = text.strip_prefix('[').and_then(|t| t.strip_suffix(']'));
     text.is_empty() || number.is_some_and(|n| n.trim().parse::<u32>().is_ok())

@@ -1,12 +1,12 @@
-//! A number that says whether two scenes are the same.
+//! Digests, which tell whether two scenes are the same.
 
 use std::fmt;
 
 use crate::hash::Digester;
 use crate::{Node, NodeId, Observation, SceneGraph};
 
-/// A 64-bit digest of a scene's content, the same on every machine.
-/// Made by a [`Digester`]: good for noticing a difference, no protection against an adversary.
+/// A 64-bit digest of a scene's content, the same on every machine. It is computed by a [`Digester`], which
+/// detects differences but does not protect against an adversary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Digest(pub u64);
 
@@ -36,8 +36,8 @@ impl SceneGraph {
 }
 
 impl Observation {
-    /// A digest of all that is seen: by whom, in which room, the nodes, and the relations
-    /// between them.
+    /// A digest of the whole observation: the agent, its room, the visible nodes, and the relations between
+    /// them.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Scope};
@@ -65,7 +65,7 @@ impl Observation {
     }
 }
 
-/// Adds a node and those of its relations whose other end is told of.
+/// Feeds a node and its relations to nodes for which `told` is true.
 fn feed(hash: &mut Digester, node: &Node, told: impl Fn(NodeId) -> bool) {
     let spec = node.spec();
     hash.word(u64::from(node.id.0));

@@ -11,7 +11,7 @@ use crate::{
     StateSet,
 };
 
-/// Why an edit was refused; the graph is as it was before that call.
+/// The reason why an edit was refused; the graph is as it was before that call.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EditError {
@@ -24,35 +24,35 @@ pub enum EditError {
     /// The last node number has been used.
     #[error("all node numbers are used up")]
     NumbersExhausted,
-    /// A thing would rest on itself.
+    /// An object would rest on itself.
     #[error("{thing} cannot rest at {at}: {at} itself rests on or in {thing}")]
     SupportCycle {
-        /// What was to be placed.
+        /// The object to be placed.
         thing: Label,
-        /// Where.
+        /// The place.
         at: Label,
     },
-    /// A node cannot play this part.
+    /// A node is of the wrong kind for its role.
     #[error("{node} is no {needed}")]
     WrongKind {
         /// The node.
         node: Label,
-        /// What it should have been.
+        /// The kind it should have been.
         needed: &'static str,
     },
     /// The agent's hands are full.
     #[error("{agent} has no free hand")]
     HandsFull {
-        /// Who.
+        /// The agent.
         agent: Label,
     },
-    /// A relation of this kind is not set by hand.
-    #[error("`{0}` says where a thing is; use `place`, `hold` or `move_to_room`")]
+    /// A relation that gives a location cannot be set directly.
+    #[error("`{0}` gives an object's location; use `place`, `hold` or `move_to_room`")]
     NotFree(Relation),
-    /// A relation of this kind does not say where a thing is.
-    #[error("`{0}` says not what a thing rests on, in or with; use `relate`, `hold` or `move_to_room`")]
+    /// A relation that does not give a location.
+    #[error("`{0}` gives no support, container or wearer; use `relate`, `hold` or `move_to_room`")]
     NotAPlace(Relation),
-    /// A room can only go when it is empty.
+    /// A room can be removed only when it is empty.
     #[error("{room} still contains {count} nodes, {first} among them; move or remove them first")]
     RoomNotEmpty {
         /// The room.
@@ -62,16 +62,15 @@ pub enum EditError {
         /// One of them.
         first: Label,
     },
-    /// A pose is not a pose.
+    /// A pose has values that are not finite.
     #[error("the pose of {0} is not finite")]
     NotFinite(Label),
 }
 
-/// An edit in progress. [`Edit::commit`] keeps it and returns what it did;
-/// dropping it undoes everything.
+/// An edit in progress. [`Edit::commit`] keeps it and returns its changes; dropping it undoes everything.
 ///
-/// It keeps: one support chain without cycles for what it moves, an object in at
-/// most one hand, states without opposites, and a room for all that moves.
+/// An edit keeps these invariants: for the objects it moves a single support chain without cycles, an object in
+/// at most one hand, no opposite states, and a room for every moved object.
 #[derive(Debug)]
 pub struct Edit<'g> {
     graph: &'g mut SceneGraph,
@@ -83,7 +82,7 @@ impl<'g> Edit<'g> {
         Self { graph, changes: Vec::new() }
     }
 
-    /// The graph as it is now.
+    /// The graph with the edit's changes so far.
     pub fn graph(&self) -> &SceneGraph {
         self.graph
     }
@@ -113,7 +112,7 @@ impl<'g> Edit<'g> {
         if node.kind() == Kind::Room { Err(EditError::WrongKind { node: node.label(), needed }) } else { Ok(()) }
     }
 
-    /// Adds a node that is nowhere yet, with the next number.
+    /// Adds a node without a location, with the next free number.
     ///
     /// # Errors
     /// [`EditError::NumbersExhausted`], [`EditError::NotFinite`].
@@ -121,7 +120,7 @@ impl<'g> Edit<'g> {
         self.add_with_id(next_id(self.graph)?, draft)
     }
 
-    /// Adds a node that is nowhere yet, with a number of your own.
+    /// Adds a node without a location, with a given number.
     ///
     /// # Errors
     /// [`EditError::Duplicate`], [`EditError::NotFinite`].
@@ -131,7 +130,7 @@ impl<'g> Edit<'g> {
         Ok(id)
     }
 
-    /// Adds a node of another scene, as it was seen there, which is nowhere yet.
+    /// Adds a node of another scene, as it was observed there, without a location.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -161,7 +160,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Removes a node; what rested on it stays in its room.
+    /// Removes a node; objects that rested on it stay in its room.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::RoomNotEmpty`].
@@ -183,8 +182,8 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Takes an affordance from a node, whatever its class says of it: for who has found that
-    /// nothing can be put on this one, or that it does not open. Its relations stay.
+    /// Removes an affordance from a node, even if its class has it: for a caller who has found that nothing can
+    /// be put on this node, or that it does not open. Its relations stay.
     ///
     /// ```
     /// use vc_graph::{Draft, Property, SceneBuilder};
@@ -207,11 +206,11 @@ impl<'g> Edit<'g> {
         self.respecify(id, |spec| spec.affordances = spec.affordances.minus(PropertySet::of(&[property])))
     }
 
-    /// Gives a node another scale, along the axes of its frame: cloth that is folded up small
-    /// takes less room one way and more another. Its relations stay.
+    /// Sets a node's scale along the axes of its frame: folded cloth takes less space along one axis and more
+    /// along another. Its relations stay.
     ///
     /// # Errors
-    /// [`EditError::NoSuchNode`]; [`EditError::NotFinite`] of a scale that is not positive.
+    /// [`EditError::NoSuchNode`]; [`EditError::NotFinite`] if the scale is not finite and positive.
     pub fn set_scale(&mut self, id: NodeId, scale: Vector3<f32>) -> Result<(), EditError> {
         if !scale.iter().all(|s| s.is_finite() && *s > 0.0) {
             return Err(EditError::NotFinite(self.graph.label(id)));
@@ -225,7 +224,7 @@ impl<'g> Edit<'g> {
         })
     }
 
-    /// Replaces a node by one with another specification, its relations kept.
+    /// Replaces a node by one with another specification and keeps its relations.
     fn respecify(&mut self, id: NodeId, change: impl FnOnce(&mut Spec)) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
         let out = node.out.iter().map(|l| Edge::new(id, l.relation(), l.node()));
@@ -245,7 +244,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Enters a state; its opposites end.
+    /// Adds a state and removes its opposites.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`].
@@ -254,7 +253,7 @@ impl<'g> Edit<'g> {
         self.set_states(id, before.entering(state))
     }
 
-    /// Leaves a state.
+    /// Removes a state.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`].
@@ -263,8 +262,7 @@ impl<'g> Edit<'g> {
         self.set_states(id, before.without(state))
     }
 
-    /// Sets all states at once, as seen; the states given should not exclude each
-    /// other.
+    /// Sets all states at once, as observed; the given states should not exclude each other.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`].
@@ -276,7 +274,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Says what is in a node to pour; `None` empties it.
+    /// Sets the contents of a node; `None` empties it.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`].
@@ -287,7 +285,7 @@ impl<'g> Edit<'g> {
         self.enter_state(id, state)
     }
 
-    /// Moves a node and nothing else.
+    /// Sets the pose of a node and changes nothing else.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::NotFinite`].
@@ -303,7 +301,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Moves a node with all that rests on, in or with it.
+    /// Moves a node with everything that rests on, in or with it.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::NotFinite`].
@@ -320,8 +318,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Adds a relation that does not say where a thing is: near, facing, under,
-    /// touching, between.
+    /// Adds a relation that does not give a location: near, facing, under, touching, between.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::NotFree`].
@@ -337,7 +334,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Ends relations of some kinds that start at a node.
+    /// Removes the relations of some kinds that start at a node.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`].
@@ -349,8 +346,8 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Puts a thing on, in or with another: it leaves where it was and comes, with
-    /// all that rests on it, to the other's room.
+    /// Puts an object on, in or with another: it leaves its previous place and comes, with everything that
+    /// rests on it, to the other's room.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::NotAPlace`], [`EditError::WrongKind`],
@@ -373,8 +370,8 @@ impl<'g> Edit<'g> {
         }
     }
 
-    /// Puts a thing where it has been seen, which may be several places at once (on
-    /// a board and in the cupboard), none, or a hand.
+    /// Puts an object where it was observed, which may be several places at once (on a board and in the
+    /// cupboard), none, or a hand.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::SupportCycle`], [`EditError::WrongKind`].
@@ -394,8 +391,8 @@ impl<'g> Edit<'g> {
         room.map_or(Ok(()), |room| self.bring(id, room))
     }
 
-    /// Puts a thing into an agent's free hand, the right one first. Holding what
-    /// it holds already changes nothing.
+    /// Puts an object into an agent's free hand, the right one first. Holding an object that the agent holds
+    /// already changes nothing.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::WrongKind`], [`EditError::HandsFull`],
@@ -420,8 +417,7 @@ impl<'g> Edit<'g> {
         }
     }
 
-    /// Takes a thing off, out of and away from whatever it is at; it stays in its
-    /// room.
+    /// Removes an object from whatever it rests on, in or with; it stays in its room.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`].
@@ -434,8 +430,8 @@ impl<'g> Edit<'g> {
         self.unrelate(id, &[Relation::Under, Relation::Touching])
     }
 
-    /// Brings a node, with all that rests on it, into a room. What it rested on in
-    /// another room it leaves behind.
+    /// Moves a node, with everything that rests on it, into a room. It no longer rests on supports in another
+    /// room.
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`], [`EditError::WrongKind`].
@@ -449,7 +445,7 @@ impl<'g> Edit<'g> {
         self.bring(id, room)
     }
 
-    /// As [`Edit::move_to_room`], with the node where it is.
+    /// As [`Edit::move_to_room`], without a change of the node's pose.
     fn bring(&mut self, id: NodeId, room: NodeId) -> Result<(), EditError> {
         self.check_movable(id)?;
         self.check_kind(room, Kind::Room, "room")?;
@@ -466,7 +462,7 @@ impl<'g> Edit<'g> {
         Ok(())
     }
 
-    /// Adds an edge whatever its kind; the callers keep the invariants.
+    /// Adds an edge of any kind; the callers keep the invariants.
     pub(crate) fn link(&mut self, edge: Edge) {
         if self.graph.link(edge) {
             self.changes.push(Change::Link(edge));
@@ -487,12 +483,12 @@ impl Drop for Edit<'_> {
     }
 }
 
-/// The number the next node gets.
+/// The number of the next node.
 pub(crate) fn next_id(graph: &SceneGraph) -> Result<NodeId, EditError> {
     if graph.next == u32::MAX { Err(EditError::NumbersExhausted) } else { Ok(NodeId(graph.next)) }
 }
 
-/// A node for a graph that does not have its number yet.
+/// Makes a node with a number that the graph does not have yet.
 pub(crate) fn make_node(graph: &SceneGraph, id: NodeId, draft: Draft) -> Result<Node, EditError> {
     if graph.node(id).is_some() {
         return Err(EditError::Duplicate(id));

@@ -1,28 +1,27 @@
-//! Poses and boxes.
+//! Poses and bounding boxes.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-/// Where a node is and how it is turned: metres, right-handed, Z up, X forward,
-/// Y left.
+/// Position and orientation of a node: metres, right-handed, Z up, X forward, Y left.
 pub type Pose = Isometry3<f32>;
 
-/// Which axes a node's box is aligned with.
+/// The axes that a node's bounding box is aligned with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Frame {
-    /// The node's own axes: the box turns with it.
+    /// The node's own axes: the box rotates with it.
     Object,
     /// The world's axes, whatever the node's rotation.
     World,
 }
 
-/// The box around a node, relative to its pose.
+/// The bounding box of a node, relative to its pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// From the pose's origin to the centre of the box, in `frame`, metres.
     pub offset: Vector3<f32>,
     /// Half the box's length along each axis of `frame`, metres.
     pub half: Vector3<f32>,
-    /// Whose axes the box is aligned with.
+    /// The axes that the box is aligned with.
     pub frame: Frame,
 }
 
@@ -73,12 +72,12 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// Middle of the box.
+    /// Centre of the box.
     pub fn centre(&self) -> Point3<f32> {
         nalgebra::center(&self.min, &self.max)
     }
 
-    /// The point of the box nearest to `point` (itself when it is inside).
+    /// The point of the box nearest to `point`, which is `point` itself if it is inside.
     pub fn nearest(&self, point: &Point3<f32>) -> Point3<f32> {
         Point3::from(point.coords.sup(&self.min.coords).inf(&self.max.coords))
     }
@@ -88,8 +87,8 @@ impl Aabb {
         nalgebra::distance(&self.nearest(point), point)
     }
 
-    /// The distance between two boxes along the axis along which they are farthest apart, metres: none is above zero
-    /// where they overlap or touch.
+    /// The distance between two boxes along the axis along which they are farthest apart, metres; at most zero
+    /// if they overlap or touch.
     ///
     /// ```
     /// use nalgebra::Point3;
@@ -103,7 +102,7 @@ impl Aabb {
         (0..3).map(|i| (self.min[i] - other.max[i]).max(other.min[i] - self.max[i])).fold(f32::NEG_INFINITY, f32::max)
     }
 
-    /// The least box that contains both.
+    /// The smallest box that contains both.
     pub fn joined(&self, other: &Self) -> Self {
         Self { min: self.min.inf(&other.min), max: self.max.sup(&other.max) }
     }

@@ -1,4 +1,4 @@
-//! The scene graph: nodes, their relations, and the questions one asks of them.
+//! The scene graph: nodes, their relations, and queries about them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,19 +14,18 @@ use crate::store::Store;
 use crate::vocabulary::key;
 use crate::{Edge, Edit, Label, NodeId, Property, Relation};
 
-/// How near is near: within reach of an agent's step and arm, metres.
-/// VirtualHome's CLOSE uses the same figure.
+/// The distance up to which an object counts as near: within reach of an agent's step and arm, metres.
+/// VirtualHome's CLOSE uses the same value.
 pub const NEAR: f32 = 1.5;
-/// Classes of things that are drawn over windows.
+/// Classes of objects that cover windows when closed.
 const WINDOW_COVERS: [&str; 3] = ["curtain", "blinds", "roller_shutter"];
 
 /// Rooms, agents and objects with their states, poses and relations.
 ///
-/// Cloning shares everything until one of the two is edited, so a search may
-/// clone freely. Iteration is always in the order of node numbers. Build one
-/// with [`SceneBuilder`](crate::SceneBuilder) or read one with
-/// [`format`](crate::format); change it with [`SceneGraph::edit`] or, as an agent
-/// would, with [`Simulator`](crate::Simulator).
+/// Cloning shares everything until one of the two is edited, so a search may clone freely. Iteration is always
+/// in the order of node numbers. Build one with [`SceneBuilder`](crate::SceneBuilder) or read one with
+/// [`format`](crate::format); change it with [`SceneGraph::edit`] or, through an agent's actions, with
+/// [`Simulator`](crate::Simulator).
 ///
 /// ```
 /// use vc_graph::{Draft, Relation, SceneBuilder};
@@ -53,17 +52,17 @@ pub struct SceneGraph {
     pub(crate) next: u32,
 }
 
-/// Where a thing is: on, in, held by or worn by what.
+/// The placement of an object: a relation and the node that it rests on or in, or that holds or wears it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Place {
-    /// On, inside, worn by, sitting on, lying on, or one of the holding hands.
+    /// On, inside, worn by, sitting on, lying on, or held in one of the hands.
     pub relation: Relation,
-    /// What it is on, in or with.
+    /// The support, container, holder or wearer.
     pub at: NodeId,
 }
 
 impl SceneGraph {
-    /// An empty scene that knows the classes of a table.
+    /// An empty scene with a class table.
     pub fn new(name: impl Into<Arc<str>>, classes: Arc<ClassTable>) -> Self {
         Self {
             name: name.into(),
@@ -83,12 +82,12 @@ impl SceneGraph {
         &self.name
     }
 
-    /// The classes the scene goes by.
+    /// The scene's class table.
     pub fn classes(&self) -> &Arc<ClassTable> {
         &self.classes
     }
 
-    /// The shapes its nodes point into.
+    /// The asset library that the nodes' asset identifiers refer to.
     pub fn assets(&self) -> &Arc<AssetLibrary> {
         &self.assets
     }
@@ -103,7 +102,7 @@ impl SceneGraph {
         self.len() == 0
     }
 
-    /// The node of a number.
+    /// The node with a number.
     pub fn node(&self, id: NodeId) -> Option<&Node> {
         self.nodes.get(id).map(Arc::as_ref)
     }
@@ -113,7 +112,7 @@ impl SceneGraph {
         self.nodes.iter().map(Arc::as_ref)
     }
 
-    /// Class and number of a node, for people; the class of a missing one is `?`.
+    /// Class and number of a node, for messages; the class of a missing node is `?`.
     pub fn label(&self, id: NodeId) -> Label {
         self.node(id).map_or_else(|| Label { class: "?".into(), id }, Node::label)
     }
@@ -128,8 +127,8 @@ impl SceneGraph {
         &self.agents
     }
 
-    /// Nodes of a class, of its kinds (`table` finds kitchen tables) or of another
-    /// spelling of it. Costs a look-up for each kind of the class.
+    /// Nodes of a class (in any spelling) and of its descendants: `table` finds kitchen tables. Costs a look-up
+    /// for each descendant class.
     pub fn of_class(&self, class: &str) -> Vec<NodeId> {
         let mut found: Vec<NodeId> = match self.classes.get(class) {
             Some(class) => self
@@ -145,12 +144,12 @@ impl SceneGraph {
         found
     }
 
-    /// What is in a room, wherever in it.
+    /// All nodes in a room, at whatever place in it.
     pub fn in_room(&self, room: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         self.relating(Relation::InRoom, room)
     }
 
-    /// The room a node is in; a room is in itself.
+    /// The room that a node is in; a room is in itself.
     pub fn room_of(&self, id: NodeId) -> Option<NodeId> {
         let node = self.node(id)?;
         match node.kind() {
@@ -159,14 +158,14 @@ impl SceneGraph {
         }
     }
 
-    /// Nodes whose position is within `radius` metres of a point, borders
-    /// included, by a grid: the cost grows with what is found, not with the scene.
+    /// Nodes whose position is within `radius` metres of a point, borders included. A grid makes the cost grow
+    /// with the number of nodes found, not with the scene.
     pub fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<NodeId> {
         self.grid.within(centre, radius)
     }
 
-    /// Whether a thing is drawn over a window or a door when it is closed: a curtain, blinds, a shutter or a kind of
-    /// these. Other covers, such as lids, bags and umbrellas, are not. False if there is no such node.
+    /// Whether an object covers a window or a door when it is closed: a curtain, blinds, a shutter or a kind of
+    /// these. Other covers, such as lids, bags and umbrellas, do not count. `false` if there is no such node.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -181,12 +180,12 @@ impl SceneGraph {
         self.node(id).is_some_and(|n| n.affords(Property::Openable) && hangs(n))
     }
 
-    /// Where a relation leads from a node.
+    /// The nodes that a relation leads to from a node.
     pub fn related(&self, from: NodeId, relation: Relation) -> impl Iterator<Item = NodeId> + '_ {
         self.node(from).into_iter().flat_map(move |n| n.out(relation))
     }
 
-    /// Where a relation comes from that ends at a node.
+    /// The nodes from which a relation leads to a node.
     pub fn relating(&self, relation: Relation, to: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         self.node(to).into_iter().flat_map(move |n| n.inc(relation))
     }
@@ -196,38 +195,38 @@ impl SceneGraph {
         self.node(edge.from).is_some_and(|n| n.has(edge.relation, edge.to))
     }
 
-    /// All relations, by start, kind and end; symmetric ones occur both ways.
+    /// All relations, ordered by start, kind and end; symmetric relations occur in both directions.
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation(), l.node())))
     }
 
-    /// What an agent holds, the right hand first.
+    /// The objects that an agent holds, the right hand first.
     pub fn held(&self, agent: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         Relation::hands().into_iter().flat_map(move |hand| self.related(agent, hand))
     }
 
-    /// The hand an agent has free, the right one first.
+    /// A free hand of an agent, the right one first.
     pub fn free_hand(&self, agent: NodeId) -> Option<Relation> {
         Relation::hands().into_iter().find(|&hand| self.related(agent, hand).next().is_none())
     }
 
-    /// Who holds a thing, and in which hand.
+    /// The agent that holds an object, and the hand.
     pub fn holder(&self, id: NodeId) -> Option<Place> {
         self.node(id)?.holders().next()
     }
 
-    /// Everything a node directly rests on, in or with.
+    /// All direct placements of a node.
     pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
         let node = self.node(id);
         let holders = node.into_iter().flat_map(Node::holders);
         holders.chain(node.into_iter().flat_map(Node::resting))
     }
 
-    /// The nearest thing a node rests on, in or with: of several containers the
-    /// innermost. `None` for what stands in the room itself.
+    /// The direct placement of a node; in nested containers the innermost. `None` for an object that stands in
+    /// the room itself.
     ///
-    /// Where relations contradict each other, as in real scenes a pot is on a table and in a closed dishwasher
-    /// beside it, the thing is inside: what it is on counts if that is inside the same things.
+    /// If placements contradict each other, as in real scenes in which a pot is on a table and in a closed
+    /// dishwasher beside it, containment wins: a support counts only if it is inside the same containers.
     pub fn place(&self, id: NodeId) -> Option<Place> {
         let depth = |p: &Place| self.related(p.at, Relation::Inside).count();
         let within = |p: &Place| {
@@ -244,12 +243,12 @@ impl SceneGraph {
         best.map(|(_, place)| place)
     }
 
-    /// What directly rests on, in or with a node, or is held by it.
+    /// Everything that directly rests on, in or with a node, or is held by it.
     pub fn resting_at(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         self.node(id).into_iter().flat_map(Node::carried)
     }
 
-    /// The node and all that moves with it, itself first.
+    /// The node and everything that moves with it, itself first.
     pub fn carried_with(&self, id: NodeId) -> Vec<NodeId> {
         let mut met = Met::default();
         met.add(id);
@@ -263,8 +262,7 @@ impl SceneGraph {
         met.into_vec()
     }
 
-    /// What a node rests on, in or with, directly or through other things,
-    /// nearest first.
+    /// The supports and containers of a node, direct and indirect, nearest first.
     pub fn support_chain(&self, id: NodeId) -> Vec<NodeId> {
         let mut chain = Vec::new();
         self.climb(id, &mut |place| {
@@ -274,8 +272,8 @@ impl SceneGraph {
         chain
     }
 
-    /// Walks up from a node, nearest first, until `stop` says so. Data may be cyclic
-    /// and chains of any length.
+    /// Visits the placements of a node upwards, nearest first, until `stop` returns `true`. The data may be
+    /// cyclic and chains may have any length.
     pub(crate) fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
         let mut met = Met::default();
         let (mut node, mut next) = (Some(id), 0);
@@ -291,26 +289,25 @@ impl SceneGraph {
         None
     }
 
-    /// The closed container that hides a node, if one does; the nearest, if several do. A container that is said to be
-    /// inside itself, directly or through others, does not hide itself.
+    /// The closed container that hides a node, the nearest if several do. A container that by the relations is
+    /// inside itself, directly or indirectly, does not hide itself.
     pub fn hidden_in(&self, id: NodeId) -> Option<NodeId> {
         let shut = |p: Place| p.relation == Relation::Inside && self.node(p.at).is_some_and(Node::hides_contents);
         let closed = |p: Place| shut(p) && p.at != id && !self.rests_at(p.at, id);
         self.climb(id, &mut { closed })
     }
 
-    /// Whether something rests on `at`, directly or through other things.
+    /// Whether `id` rests on or in `at`, directly or through other objects.
     pub fn rests_at(&self, id: NodeId, at: NodeId) -> bool {
         self.climb(id, &mut |p| p.at == at).is_some()
     }
 
-    /// Whether an agent is near a thing: it holds or wears it or rests on it; the graph says so;
-    /// where poses are known and the room is the same, its box is within [`NEAR`] metres; or it is
-    /// at hand with something near: it rests on or in that, or is near the same thing
-    /// (VirtualHome's rule).
+    /// Whether an agent is near an object. It is if the agent holds or wears it or rests on it; if the graph
+    /// says so; if poses are known, the room is the same and its box is within [`NEAR`] metres; or if the
+    /// object rests on or in something near, or is near the same object as the agent (VirtualHome's rule).
     ///
-    /// A thing in the next room is not at hand in that way: where poses and rooms are known, a picture on
-    /// the other side of the wall one stands at is not near.
+    /// The last case does not reach into the next room: if poses and rooms are known, a picture on the other
+    /// side of the wall that the agent stands at is not near.
     pub fn near(&self, agent: NodeId, id: NodeId) -> bool {
         let (Some(body), Some(node)) = (self.node(agent), self.node(id)) else { return false };
         if node.affords(crate::Property::BodyPart) || body.has(Relation::Near, id) {
@@ -327,8 +324,8 @@ impl SceneGraph {
         self.climb(id, &mut { at_hand }).is_some() || self.rests_at(agent, id) || (here && body.is_near_what(node))
     }
 
-    /// Whether a thing is in another room, as far as poses and rooms are known: what both are
-    /// near is the door between, or the wall.
+    /// Whether the object is known to be in another room, by poses and rooms: then the object that both are
+    /// near is the door or the wall between them.
     fn is_next_door(&self, agent: &Node, node: &Node) -> bool {
         let rooms = (self.room_of(agent.id), self.room_of(node.id));
         agent.pose.is_some() && node.pose.is_some() && rooms.0.is_some() && rooms.1.is_some() && rooms.0 != rooms.1
@@ -338,8 +335,8 @@ impl SceneGraph {
         self.room_of(agent.id) == self.room_of(node.id) && self.distance(agent.id, node.id).is_some_and(|d| d <= NEAR)
     }
 
-    /// Distance over the floor from a node's position to another's box (to its
-    /// position, if it has no box), metres; `None` without poses.
+    /// Horizontal distance from a node's position to another's box (to its position, if it has no box), metres;
+    /// `None` without poses.
     pub fn distance(&self, from: NodeId, to: NodeId) -> Option<f32> {
         let start = self.node(from)?.position()?;
         let target = self.node(to)?;
@@ -350,8 +347,8 @@ impl SceneGraph {
         Some((nearest - start).xy().norm())
     }
 
-    /// Whether an agent faces a thing, directly or through one thing that does
-    /// (a computer screen it sits before faces the same way).
+    /// Whether an agent faces an object, directly or through one intermediate object (a computer screen that
+    /// the agent faces may itself face the object).
     pub fn facing(&self, agent: NodeId, id: NodeId) -> bool {
         self.has(Edge::new(agent, Relation::Facing, id))
             || self.related(agent, Relation::Facing).any(|n| self.has(Edge::new(n, Relation::Facing, id)))
@@ -363,8 +360,8 @@ impl SceneGraph {
     }
 }
 
-/// The primitive writes that edits and change sets are made of. Each keeps both
-/// ends of a relation and all indexes in step, and nothing else.
+/// The primitive writes from which edits and change sets are made. Each keeps both ends of a relation and all
+/// indexes consistent, and checks nothing else.
 impl SceneGraph {
     pub(crate) fn insert(&mut self, node: Arc<Node>) {
         let (id, kind, class) = (node.id, node.kind(), node.class().clone());
@@ -381,7 +378,7 @@ impl SceneGraph {
         self.nodes.insert(id, node);
     }
 
-    /// Takes out a node that has no relations left.
+    /// Removes a node that has no relations left.
     pub(crate) fn take(&mut self, id: NodeId) -> Option<Arc<Node>> {
         let node = self.nodes.remove(id)?;
         if let Some(at) = node.position() {
@@ -402,7 +399,7 @@ impl SceneGraph {
         Some(node)
     }
 
-    /// Adds an edge; `false` if it was there or an end is missing.
+    /// Adds an edge; `false` if it exists already or an end is missing.
     pub(crate) fn link(&mut self, edge: Edge) -> bool {
         if self.node(edge.to).is_none() || self.has(edge) {
             return false;
@@ -410,7 +407,7 @@ impl SceneGraph {
         self.each_end(edge, add_sorted)
     }
 
-    /// Removes an edge; `false` if it was not there.
+    /// Removes an edge; `false` if it does not exist.
     pub(crate) fn unlink(&mut self, edge: Edge) -> bool {
         self.has(edge) && self.each_end(edge, remove_sorted)
     }
@@ -454,7 +451,7 @@ fn remove_sorted<T: Ord>(items: &mut Vec<T>, item: T) {
     }
 }
 
-/// Says what scene it is; to see all of it, write it in some format.
+/// Prints a short summary; to see the whole scene, write it in one of the formats.
 impl std::fmt::Debug for SceneGraph {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let digest = self.digest();
@@ -462,8 +459,7 @@ impl std::fmt::Debug for SceneGraph {
     }
 }
 
-/// Scenes are equal when they are the same scene: same name, same nodes, same
-/// relations. How they came to be does not matter.
+/// Two scenes are equal if name, nodes and relations are equal. Their editing histories do not matter.
 impl PartialEq for SceneGraph {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name && self.len() == other.len() && self.nodes.iter().eq(other.nodes.iter())

@@ -8,7 +8,7 @@ use nalgebra::Point3;
 
 use crate::NodeId;
 
-/// Side of a cell, metres: a home's rooms span a few, a city some ten thousand.
+/// Side of a cell, metres: a home's room spans a few cells, a city some ten thousand.
 const CELL: f32 = 2.0;
 /// Largest cell number; positions beyond share the outermost cells.
 const LIMIT: f32 = 1e6;
@@ -21,7 +21,7 @@ struct Entry {
     id: NodeId,
 }
 
-/// Mixes two small integers; the default hasher costs more than a cell's scan.
+/// Mixes two small integers; the default hasher costs more than scanning a cell.
 #[derive(Default)]
 struct CellHasher(u64);
 
@@ -38,7 +38,7 @@ impl Hasher for CellHasher {
     }
 }
 
-/// Points by cell. Cells are shared between clones until edited.
+/// Points by cell. Clones share the cells until they are edited.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Grid {
     cells: HashMap<Cell, Arc<Vec<Entry>>, BuildHasherDefault<CellHasher>>,

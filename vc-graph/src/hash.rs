@@ -1,4 +1,4 @@
-//! Hashes that are the same on every machine: of text, of words, and of what a digest is made from.
+//! Hashes that are the same on every machine: of text, of words, and for digests.
 
 use crate::Digest;
 
@@ -6,7 +6,7 @@ use crate::Digest;
 const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0000_0100_0000_01b3;
 
-/// The 64-bit FNV-1a hash of bytes, or of larger words taken as such.
+/// The 64-bit FNV-1a hash of bytes, or of larger words each taken as one unit.
 ///
 /// ```
 /// assert_eq!(vc_graph::hash::fnv1a("a".bytes()), 0xaf63_dc4c_8601_ec8c);
@@ -15,8 +15,8 @@ pub fn fnv1a<W: Into<u64>>(words: impl IntoIterator<Item = W>) -> u64 {
     words.into_iter().fold(OFFSET, |hash, word| (hash ^ word.into()).wrapping_mul(PRIME))
 }
 
-/// The finaliser of `SplitMix64` (Steele, Lea and Flood, OOPSLA 2014), with its increment: a bijection
-/// that spreads every bit over all others.
+/// The finaliser of `SplitMix64` (Steele, Lea and Flood, OOPSLA 2014), with its increment: a bijection in which
+/// every input bit affects all output bits.
 ///
 /// ```
 /// assert_eq!(vc_graph::hash::splitmix(0), 0xe220_a839_7b1d_cdaf);
@@ -32,8 +32,8 @@ pub fn finalised(value: u64) -> u64 {
     v ^ (v >> 31)
 }
 
-/// Makes a [`Digest`] from what it is fed, in this order: FNV-1a over 64-bit words, each folded. It notices
-/// differences and is no protection against an adversary.
+/// Computes a [`Digest`] from a sequence of values: FNV-1a over 64-bit words, with a fold after each. It
+/// detects differences but does not protect against an adversary.
 ///
 /// ```
 /// use vc_graph::hash::Digester;
@@ -53,26 +53,26 @@ impl Default for Digester {
 }
 
 impl Digester {
-    /// Nothing fed so far.
+    /// A digester without input.
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Adds one word.
     pub fn word(&mut self, word: u64) -> &mut Self {
-        // The fold brings the high bits down, which FNV's multiplication alone never does.
+        // The fold brings down the high bits, which FNV's multiplication alone never does.
         let mixed = (self.0 ^ word).wrapping_mul(PRIME);
         self.0 = mixed ^ (mixed >> 32);
         self
     }
 
-    /// Adds several words, without their number.
+    /// Adds several words, without their count.
     pub fn words(&mut self, words: impl IntoIterator<Item = u64>) -> &mut Self {
         words.into_iter().for_each(|word| _ = self.word(word));
         self
     }
 
-    /// Adds bytes: their number, then eight to a word.
+    /// Adds bytes: their count, then eight per word.
     pub fn bytes(&mut self, bytes: &[u8]) -> &mut Self {
         self.word(bytes.len() as u64);
         for chunk in bytes.chunks(8) {
@@ -88,12 +88,12 @@ impl Digester {
         self.bytes(text.as_bytes())
     }
 
-    /// Adds numbers, bit by bit: zero and minus zero differ.
+    /// Adds numbers by their bits: zero and minus zero differ.
     pub fn reals(&mut self, values: impl IntoIterator<Item = f32>) -> &mut Self {
         self.words(values.into_iter().map(|value| u64::from(value.to_bits())))
     }
 
-    /// The digest of all that was fed.
+    /// The digest of all input.
     pub fn digest(&self) -> Digest {
         Digest(self.0)
     }

@@ -6,8 +6,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-/// A node's number: stable for the life of a scene and never used again after
-/// the node is removed.
+/// A node's number: stable for the life of a scene and never reused after the node is removed.
 ///
 /// Prints as `#12`; with its class it prints as `cup.12`, see [`Label`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -68,7 +67,7 @@ impl FromStr for Label {
     }
 }
 
-/// Whether a class may have this name: one of class characters, or one of signs alone.
+/// Whether a class may have this name: it consists of class characters, or of symbols only.
 fn is_class(name: &str) -> bool {
     let signs = !name.chars().any(|c| c.is_alphanumeric() || c.is_whitespace() || c.is_control());
     !name.is_empty() && (signs || name.chars().all(is_class_char))

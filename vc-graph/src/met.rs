@@ -1,13 +1,13 @@
-//! The nodes met on a walk through the graph, in the order they were met.
+//! The nodes visited on a walk through the graph, in the order of the visits.
 
 use std::collections::BTreeSet;
 
 use crate::NodeId;
 
-/// So many are kept without an allocation: support chains are short.
+/// Number of nodes that are kept without an allocation: support chains are short.
 const FEW: usize = 6;
 
-/// An ordered set that starts small and copes with any size.
+/// An ordered set that is efficient while small and works at any size.
 #[derive(Debug, Default)]
 pub(crate) struct Met {
     few: [Option<NodeId>; FEW],
@@ -16,7 +16,7 @@ pub(crate) struct Met {
 }
 
 impl Met {
-    /// Adds a node; `false` if it was met before.
+    /// Adds a node; `false` if it was visited before.
     pub(crate) fn add(&mut self, id: NodeId) -> bool {
         for place in &mut self.few {
             match place {
@@ -35,7 +35,7 @@ impl Met {
         new
     }
 
-    /// The node met at a position.
+    /// The node at a position in the order of visits.
     pub(crate) fn get(&self, position: usize) -> Option<NodeId> {
         match self.few.get(position) {
             Some(id) => *id,
@@ -43,7 +43,7 @@ impl Met {
         }
     }
 
-    /// All nodes met, in order.
+    /// All visited nodes, in order.
     pub(crate) fn into_vec(self) -> Vec<NodeId> {
         self.few.into_iter().flatten().chain(self.many).collect()
     }

@@ -1,16 +1,16 @@
-//! Suggestions for misspelt words: the nearest known ones.
+//! Suggestions for misspelt words: the nearest known words.
 
 use crate::vocabulary::folded;
 
-/// Most words that are suggested.
+/// The largest number of suggestions.
 const MOST: usize = 3;
 
-/// Longest word that is compared, characters: a longer one is no misspelt word.
+/// Longest word that is compared, characters: a longer one is not a misspelling.
 const LONGEST: usize = 40;
 
-/// The known words nearest to a misspelt one, three at most: those that differ from it by the fewest slips.
-/// A slip is a letter too many, too few, wrong, or swapped with the next; one is allowed, or one for every
-/// three letters. Case and separators do not count.
+/// The known words nearest to a misspelt one, three at most: those with the smallest edit distance. An edit
+/// inserts, deletes or replaces a letter, or swaps two neighbouring letters; one edit is allowed, or one for
+/// every three letters. Case and separators do not count.
 ///
 /// ```
 /// let verbs = ["grab", "walk", "wake_up", "switch_on"];
@@ -36,14 +36,14 @@ pub fn nearest<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> Vec<
     near.into_iter().filter(|(slips, _)| *slips <= best).take(MOST).map(|(_, word)| word).collect()
 }
 
-/// The nearest words in brackets, to stand behind the misspelt one: ``(did you mean `grab`?)`` with a space
+/// The nearest words in brackets, to be appended to the misspelt word: ``(did you mean `grab`?)`` with a space
 /// before it. Empty if no word is near.
 pub fn did_you_mean<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> String {
     let near: Vec<String> = nearest(word, known).iter().map(|w| format!("`{w}`")).collect();
     if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
 }
 
-/// How many slips lie between two words: the distance of optimal string alignment.
+/// The edit distance of two words (optimal string alignment).
 fn slips(a: &[char], b: &[char]) -> usize {
     let mut before: Vec<usize> = Vec::new();
     let mut last: Vec<usize> = (0..=b.len()).collect();

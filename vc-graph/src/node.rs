@@ -1,4 +1,4 @@
-//! Nodes: what is constant about a thing, and what changes.
+//! Nodes: their constant specification and their changing state.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -10,22 +10,22 @@ use crate::geometry::{Aabb, Bounds, Pose};
 use crate::vocabulary::{Word, key};
 use crate::{AssetId, Label, NodeId, Place, Property, PropertySet, Relation, State, StateSet};
 
-/// What part a node plays in a scene.
+/// The role of a node in a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// A region that contains other nodes; it has no body.
     Room,
-    /// Somebody who acts.
+    /// A character that can act.
     Agent,
-    /// Everything else.
+    /// Any other node.
     Object,
 }
 
-/// What is constant about a node; shared between clones of a scene.
+/// The constant properties of a node; shared between clones of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spec {
-    /// The class under which the node is found: the class table's name, or the
-    /// folded spelling for a class the table does not know.
+    /// The class under which the node is found: the class table's name, or the folded spelling if the table
+    /// does not have the class.
     pub class: Arc<str>,
     /// The class as the scene's author spelled it.
     pub spelling: Arc<str>,
@@ -35,11 +35,11 @@ pub struct Spec {
     pub category: Arc<str>,
     /// Room, agent or object.
     pub kind: Kind,
-    /// Properties the scene's author wrote.
+    /// Properties given by the scene's author.
     pub properties: PropertySet,
-    /// What the transition rule goes by: the written properties and the class's.
+    /// Properties used by the transition rule: the author's and the class's.
     pub affordances: PropertySet,
-    /// Box around the node relative to its pose.
+    /// Bounding box relative to the node's pose.
     pub bounds: Option<Bounds>,
     /// Scale of the asset along each axis; the bounds already include it.
     pub scale: Vector3<f32>,
@@ -49,8 +49,8 @@ pub struct Spec {
     pub asset: Option<AssetId>,
 }
 
-/// One end of a relation, as seen from the node that keeps it: relation and node in
-/// one number, which sorts as the two do and costs half as much.
+/// One end of a relation, as stored in a node: relation and node packed into one integer, which sorts in the
+/// same order as the pair and takes half the memory.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Link(u64);
 
@@ -76,8 +76,8 @@ impl std::fmt::Debug for Link {
 
 /// A room, an agent or an object of a scene.
 ///
-/// Read-only: a [`SceneGraph`](crate::SceneGraph) changes its nodes by
-/// [`Edit`](crate::Edit)s, so that both ends of every relation stay in step.
+/// Read-only: a [`SceneGraph`](crate::SceneGraph) changes its nodes through [`Edit`](crate::Edit)s, which keep
+/// both ends of every relation consistent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
     pub(crate) id: NodeId,
@@ -85,9 +85,9 @@ pub struct Node {
     pub(crate) states: StateSet,
     pub(crate) pose: Option<Pose>,
     pub(crate) contents: Option<Arc<str>>,
-    /// Relations that start here, sorted.
+    /// Relations that start at the node, sorted.
     pub(crate) out: Vec<Link>,
-    /// Relations that end here, sorted; symmetric ones are only in `out`.
+    /// Relations that end at the node, sorted; symmetric relations are stored only in `out`.
     pub(crate) inc: Vec<Link>,
 }
 
@@ -97,7 +97,7 @@ impl Node {
         self.id
     }
 
-    /// What is constant about the node.
+    /// The constant properties of the node.
     pub fn spec(&self) -> &Spec {
         &self.spec
     }
@@ -117,7 +117,7 @@ impl Node {
         self.spec.kind
     }
 
-    /// The states that have been written or entered.
+    /// The states of the node.
     pub fn states(&self) -> StateSet {
         self.states
     }
@@ -127,22 +127,22 @@ impl Node {
         self.states.contains(state)
     }
 
-    /// Whether the node affords something.
+    /// Whether the node has an affordance.
     pub fn affords(&self, property: Property) -> bool {
         self.spec.affordances.contains(property)
     }
 
-    /// Where the node is, if the scene has poses.
+    /// The node's pose, if the scene has poses.
     pub fn pose(&self) -> Option<&Pose> {
         self.pose.as_ref()
     }
 
-    /// The class of what is in it to pour: `water` in a glass.
+    /// The class of the contents that can be poured from it: `water` in a glass.
     pub fn contents(&self) -> Option<&Arc<str>> {
         self.contents.as_ref()
     }
 
-    /// The world-aligned box around the node, if pose and box are known.
+    /// The world-aligned bounding box, if pose and box are known.
     pub fn aabb(&self) -> Option<Aabb> {
         Some(self.spec.bounds?.aabb(self.pose.as_ref()?))
     }
@@ -152,7 +152,7 @@ impl Node {
         self.pose.map(|p| Point3::from(p.translation.vector))
     }
 
-    /// How many places of a kind it has.
+    /// The number of its places of a kind.
     pub fn slots(&self, kind: SlotKind) -> u32 {
         self.spec.slots.iter().filter(|s| s.kind == kind).fold(0, |sum, s| sum.saturating_add(s.number))
     }
@@ -162,7 +162,8 @@ impl Node {
         matches!(&*self.spec.category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling")
     }
 
-    /// Whether it is closed and what is inside therefore hidden. A sink in a counter that opens at best has no lid.
+    /// Whether the node is closed and therefore hides its contents. A sink has no lid: at best the counter around
+    /// it can be opened.
     pub fn hides_contents(&self) -> bool {
         let holds = self.affords(Property::Container) || self.affords(Property::Recipient);
         self.is(State::Closed) && self.affords(Property::Openable) && holds
@@ -172,12 +173,12 @@ impl Node {
         self.out.binary_search(&Link::new(relation, node)).is_ok()
     }
 
-    /// Nodes a relation leads to, in number order.
+    /// The nodes to which a relation leads, in number order.
     pub(crate) fn out(&self, relation: Relation) -> impl Iterator<Item = NodeId> + '_ {
         of_relation(&self.out, relation)
     }
 
-    /// Nodes a relation comes from, in number order.
+    /// The nodes from which a relation comes, in number order.
     pub(crate) fn inc(&self, relation: Relation) -> impl Iterator<Item = NodeId> + '_ {
         let links = if relation.is_symmetric() { &self.out } else { &self.inc };
         of_relation(links, relation)
@@ -185,7 +186,7 @@ impl Node {
 }
 
 impl Node {
-    /// Whether both are near the same thing.
+    /// Whether both nodes are near the same node.
     pub(crate) fn is_near_what(&self, other: &Self) -> bool {
         let (mut mine, mut others) = (self.out(Relation::Near), other.out(Relation::Near));
         let (mut one, mut two) = (mine.next(), others.next());
@@ -200,8 +201,8 @@ impl Node {
     }
 }
 
-/// The relations that say what a thing rests on come first, so that they are a
-/// prefix of every sorted list of links.
+/// The links of relations that give a support or container. They sort first, so they are a prefix of every
+/// sorted list of links.
 fn resting(links: &[Link]) -> impl Iterator<Item = &Link> {
     links.iter().take_while(|l| l.relation() <= Relation::LyingOn)
 }
@@ -211,18 +212,18 @@ fn is_hand(link: &&Link) -> bool {
 }
 
 impl Node {
-    /// What the node rests on, in or with.
+    /// The supports and containers of the node.
     pub(crate) fn resting(&self) -> impl Iterator<Item = Place> {
         resting(&self.out).map(|l| Place { relation: l.relation(), at: l.node() })
     }
 
-    /// Who holds the node.
+    /// The agents that hold the node, with their hands.
     pub(crate) fn holders(&self) -> impl Iterator<Item = Place> {
         let start = self.inc.partition_point(|&l| l < Link::new(Relation::HoldsRight, NodeId(0)));
         self.inc[start..].iter().take_while(is_hand).map(|l| Place { relation: l.relation(), at: l.node() })
     }
 
-    /// What rests on, in or with the node, or is held by it.
+    /// Everything that rests on, in or with the node, or is held by it.
     pub(crate) fn carried(&self) -> impl Iterator<Item = NodeId> {
         let held = self.out.iter().filter(|l| self.spec.kind == Kind::Agent && is_hand(l));
         resting(&self.inc).chain(held).map(|l| l.node())
@@ -234,7 +235,7 @@ fn of_relation(links: &[Link], relation: Relation) -> impl Iterator<Item = NodeI
     links[start..].iter().take_while(move |l| l.relation() == relation).map(|l| l.node())
 }
 
-/// A node to be: only the class is needed, the class table fills in the rest.
+/// The description of a node to be added: only the class is needed, the class table fills in the rest.
 ///
 /// ```
 /// use vc_graph::{Draft, State};
@@ -251,31 +252,31 @@ pub struct Draft {
     pub category: Option<Arc<str>>,
     /// Properties; by default the class's affordances.
     pub properties: Option<PropertySet>,
-    /// States; by default those the class starts in.
+    /// States; by default the class's initial states.
     pub states: Option<StateSet>,
     /// States to enter on top of `states`.
     pub entering: Vec<State>,
     /// Pose, if the scene has poses.
     pub pose: Option<Pose>,
-    /// Box relative to the pose.
+    /// Bounding box relative to the pose.
     pub bounds: Option<Bounds>,
     /// Scale, by default one.
     pub scale: Option<Vector3<f32>>,
     /// Places in or on it; by default the class's.
     pub slots: Option<Vec<Slot>>,
-    /// Class of what is in it to pour.
+    /// Class of its contents.
     pub contents: Option<Arc<str>>,
     /// Shape, in the scene's asset library.
     pub asset: Option<AssetId>,
 }
 
 impl Draft {
-    /// A node of a class.
+    /// A draft of a class.
     pub fn new(class: impl Into<Arc<str>>) -> Self {
         Self { class: class.into(), ..Self::default() }
     }
 
-    /// The draft that a node would be made from: everything but its number and relations.
+    /// The draft from which a node could be made: everything but its number and relations.
     pub fn of(node: &Node) -> Self {
         let spec = node.spec();
         Self {
@@ -300,7 +301,7 @@ impl Draft {
         Self { name: Some(name.into()), ..self }
     }
 
-    /// Enters a state; its opposites end.
+    /// Adds a state and removes its opposites.
     #[must_use]
     pub fn state(mut self, state: State) -> Self {
         self.entering.push(state);
@@ -313,13 +314,13 @@ impl Draft {
         Self { pose: Some(pose), ..self }
     }
 
-    /// Sets the box.
+    /// Sets the bounding box.
     #[must_use]
     pub fn bounds(self, bounds: Bounds) -> Self {
         Self { bounds: Some(bounds), ..self }
     }
 
-    /// The node this draft describes, by the knowledge of a class table.
+    /// Makes the node that this draft describes; a class table fills in the rest.
     pub(crate) fn into_node(self, id: NodeId, classes: &ClassTable) -> Node {
         let class = classes.get(&self.class);
         let states = self.states.unwrap_or_else(|| class.map_or(StateSet::EMPTY, |c| c.starts));
@@ -366,10 +367,10 @@ fn kind_of(class: Option<&Class>, category: &str) -> Kind {
     }
 }
 
-/// What a node affords. Where the author lists properties, only the author says
-/// what opens, switches and plugs in; the class table adds the rest, which authors
-/// often leave out. VirtualHome's windows and desks open although it does not say so: what is
-/// written to be open or closed opens, unless it is a mere part of the building such as a door frame.
+/// The affordances of a node. If the author lists properties, these alone decide whether it can be opened,
+/// switched or plugged in; the class table adds the others, which authors often leave out. VirtualHome's
+/// windows and desks can be opened although their properties do not say so: a node with the state open or
+/// closed can be opened, unless it is a mere part of the building such as a door frame.
 fn affordances(written: Option<PropertySet>, class: Option<&Class>, states: StateSet) -> PropertySet {
     use Property::{Openable, Plug, Switchable};
     let known = class.map_or(PropertySet::EMPTY, |c| c.affordances);

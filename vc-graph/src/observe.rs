@@ -1,4 +1,4 @@
-//! What an agent can see.
+//! Observations: the part of a scene that an agent sees.
 
 use std::sync::Arc;
 
@@ -7,25 +7,24 @@ use serde::{Deserialize, Serialize};
 use crate::node::Kind;
 use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
 
-/// How far an observation reaches.
+/// The range of an observation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Scope {
-    /// The agent's room, as the thesis's belief uses it.
+    /// The agent's room, as in the thesis's belief.
     Room,
-    /// A radius around the agent, metres; needs poses. Below zero, or no number, it reaches nothing: one sees
-    /// the rooms there are, oneself and what one carries.
+    /// A radius around the agent, metres; needs poses. A negative radius or NaN covers nothing: the agent sees
+    /// only the rooms, itself and the objects it carries.
     Radius(f32),
-    /// Everything, closed containers included: full knowledge.
+    /// Everything, including the contents of closed containers: full observability.
     Whole,
 }
 
-/// What an agent sees: a snapshot that shares its nodes with the scene.
+/// An agent's observation: a snapshot that shares its nodes with the scene.
 ///
-/// By room and by radius one sees what is there and not inside anything closed,
-/// and always all rooms, oneself, and what one holds and wears. Relations are seen
-/// when both ends are.
+/// With the scopes room and radius the agent sees everything in range that is not inside a closed container,
+/// and always all rooms, itself, and the objects it holds and wears. A relation is visible if both ends are.
 #[derive(Debug, Clone)]
 pub struct Observation {
     agent: NodeId,
@@ -35,7 +34,8 @@ pub struct Observation {
 }
 
 impl SceneGraph {
-    /// The part of the scene that an agent sees; empty if there is no such node. Costs a look at each node in reach.
+    /// The part of the scene that an agent sees; empty if there is no such node. Costs a check of each node in
+    /// range.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Scope};
@@ -80,79 +80,78 @@ impl SceneGraph {
 }
 
 impl Observation {
-    /// Who observes.
+    /// The observing agent.
     pub fn agent(&self) -> NodeId {
         self.agent
     }
 
-    /// How far the observation reaches.
+    /// The range of the observation.
     pub fn scope(&self) -> Scope {
         self.scope
     }
 
-    /// The room the agent is in.
+    /// The room that the agent is in.
     pub fn room(&self) -> Option<NodeId> {
         self.room
     }
 
-    /// Everything seen, in number order.
+    /// All visible nodes, in number order.
     pub fn ids(&self) -> impl Iterator<Item = NodeId> + '_ {
         self.nodes.iter().map(|n| n.id())
     }
 
-    /// Number of nodes seen.
+    /// Number of visible nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Whether nothing is seen.
+    /// Whether nothing is visible.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// Whether a node is seen.
+    /// Whether a node is visible.
     pub fn sees(&self, id: NodeId) -> bool {
         self.get(id).is_some()
     }
 
-    /// A node that is seen: its states, pose and what it is. Its relations are
-    /// found in [`Observation::relations`].
+    /// A visible node: its specification, states and pose. [`Observation::relations`] lists its relations.
     pub fn get(&self, id: NodeId) -> Option<&Node> {
         let position = self.nodes.binary_search_by_key(&id, |n| n.id()).ok()?;
         Some(&self.nodes[position])
     }
 
-    /// All nodes seen, in number order.
+    /// All visible nodes, in number order.
     pub fn nodes(&self) -> impl Iterator<Item = &Node> {
         self.nodes.iter().map(Arc::as_ref)
     }
 
-    /// The relations whose both ends are seen.
+    /// The relations whose ends are both visible.
     pub fn relations(&self) -> impl Iterator<Item = Edge> + '_ {
         let edges = self.nodes().flat_map(|n| n.out.iter().map(|l| Edge::new(n.id, l.relation(), l.node())));
         edges.filter(|e| self.sees(e.to))
     }
 
-    /// The relations of a kind that start at a seen node and end at one.
+    /// The relations of a kind from a visible node to visible nodes.
     pub fn related(&self, from: NodeId, relation: Relation) -> impl Iterator<Item = Edge> + '_ {
         let targets = self.get(from).into_iter().flat_map(move |n| n.out(relation));
         targets.filter(|&to| self.sees(to)).map(move |to| Edge::new(from, relation, to))
     }
 
-    /// Where a seen thing is seen to be: on, in, worn or held by what.
+    /// The visible placements of a visible object.
     pub fn places(&self, id: NodeId) -> impl Iterator<Item = Place> + '_ {
         let node = self.get(id);
         let holders = node.into_iter().flat_map(Node::holders);
         holders.chain(node.into_iter().flat_map(Node::resting)).filter(|p| self.sees(p.at))
     }
 
-    /// The room a seen thing is in.
+    /// The room of a visible object.
     pub fn room_of(&self, id: NodeId) -> Option<NodeId> {
         let node = self.get(id)?;
         if node.kind() == Kind::Room { Some(id) } else { node.out(Relation::InRoom).next() }
     }
 
-    /// The seen part as a scene of its own.
+    /// The visible part as a scene of its own.
     pub fn to_graph(&self, of: &SceneGraph) -> SceneGraph {
         let mut part = SceneGraph::new(of.name.clone(), of.classes.clone());
         part.assets = of.assets.clone();

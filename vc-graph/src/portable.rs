@@ -1,13 +1,12 @@
-//! The same numbers on every machine.
+//! Elementary functions with the same results on every machine.
 //!
-//! Sums, products and roots of floats are exact to the last bit everywhere; sines,
-//! powers and logarithms of the standard library are those of the platform's C
-//! library, and differ in the last bit between systems. What is generated from a seed
-//! takes them from `libm`, written in Rust, instead. `clippy.toml` keeps the others
-//! out.
+//! Sums, products and square roots of floats are exact to the last bit everywhere. The standard library's
+//! sines, powers and logarithms are those of the platform's C library and differ in the last bit between
+//! systems. Everything generated from a seed therefore uses `libm`, which is written in Rust. `clippy.toml`
+//! forbids the others.
 
-/// Elementary functions with one result on every machine. Named in full, as the
-/// standard library's own names would hide them. A few nanoseconds each.
+/// Elementary functions with one result on every machine. Their names are written out, since methods with the
+/// standard library's names would be shadowed by its own. Each takes a few nanoseconds.
 ///
 /// ```
 /// use vc_graph::portable::Portable;
@@ -28,25 +27,25 @@ pub trait Portable: Copy {
     /// Sine and cosine of an angle in radians.
     #[must_use]
     fn sine_cosine(self) -> (Self, Self);
-    /// The angle of a sine, radians.
+    /// The arcsine, radians.
     #[must_use]
     fn arc_sine(self) -> Self;
-    /// The angle of a cosine, radians.
+    /// The arccosine, radians.
     #[must_use]
     fn arc_cosine(self) -> Self;
-    /// The angle of a tangent, radians.
+    /// The arctangent, radians.
     #[must_use]
     fn arc_tangent(self) -> Self;
-    /// The angle of the point (`x`, `self`), radians.
+    /// The angle of the point (`x`, `self`), radians (`atan2`).
     #[must_use]
     fn angle_to(self, x: Self) -> Self;
     /// The number to any power.
     #[must_use]
     fn power(self, exponent: Self) -> Self;
-    /// The number to a whole power: products in one order.
+    /// The number to an integer power: products in a fixed order.
     #[must_use]
     fn raised(self, exponent: i32) -> Self;
-    /// e to the number.
+    /// The exponential function.
     #[must_use]
     fn exponential(self) -> Self;
     /// The natural logarithm.
@@ -55,7 +54,7 @@ pub trait Portable: Copy {
     /// The cube root.
     #[must_use]
     fn cube_root(self) -> Self;
-    /// The root of the sum of both squares.
+    /// The square root of the sum of both squares.
     #[must_use]
     fn hypotenuse(self, other: Self) -> Self;
 }

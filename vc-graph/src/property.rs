@@ -1,4 +1,4 @@
-//! What an object affords: what can be done with it.
+//! Affordances: the actions that an object permits.
 
 use crate::vocabulary::{Set, vocabulary};
 
@@ -6,7 +6,7 @@ vocabulary! {
     /// An affordance or property of an object. The first twenty-three are
     /// VirtualHome's; [`Property::virtualhome`] gives their original names.
     Property, "property" {
-        /// Things can be put on it.
+        /// Objects can be put on it.
         Surface = "surface",
         /// A person can pick it up and carry it.
         Graspable = "graspable",
@@ -14,7 +14,7 @@ vocabulary! {
         Sittable = "sittable",
         /// A person can lie on it.
         Lieable = "lieable",
-        /// It hangs on hooks and hangers.
+        /// It can hang on hooks and hangers.
         Hangable = "hangable",
         /// A person can drink it.
         Drinkable = "drinkable",
@@ -24,17 +24,17 @@ vocabulary! {
         Recipient = "recipient",
         /// It can be cut.
         Cuttable = "cuttable",
-        /// What is in it can be poured out.
+        /// Its contents can be poured out.
         Pourable = "pourable",
-        /// It opens and closes.
+        /// It can be opened and closed.
         Openable = "openable",
-        /// It switches on and off.
+        /// It can be switched on and off.
         Switchable = "switchable",
         /// A person can read it.
         Readable = "readable",
-        /// A person watches it: a screen, a picture.
+        /// A person can watch it: a screen, a picture.
         Lookable = "lookable",
-        /// Things can be put in it.
+        /// Objects can be put in it.
         Container = "container",
         /// A person can wear it.
         Wearable = "wearable",
@@ -64,17 +64,17 @@ vocabulary! {
         Drivable = "drivable",
         /// It cuts: a knife, scissors.
         Cutter = "cutter",
-        /// It heats what is in or on it while it is on.
+        /// It heats the objects in or on it while it is on.
         Heater = "heater",
-        /// It cools what is in it.
+        /// It cools the objects in it.
         Cooler = "cooler",
-        /// It cleans what is in it while it is on.
+        /// It cleans the objects in it while it is on.
         Cleaner = "cleaner",
         /// Water comes out of it: a tap, a shower.
         WaterSource = "water_source",
-        /// It wipes: a cloth, a sponge, a mop.
+        /// It is a tool for wiping: a cloth, a sponge, a mop.
         Wiper = "wiper",
-        /// It gives light.
+        /// It emits light.
         Light = "light",
     }
 }

@@ -1,4 +1,4 @@
-//! How two nodes stand to each other.
+//! Relations between nodes.
 
 use crate::NodeId;
 use crate::vocabulary::{Word, vocabulary};
@@ -6,8 +6,8 @@ use crate::vocabulary::{Word, vocabulary};
 vocabulary! {
     /// A typed, directed relation `from -> to`.
     ///
-    /// [`Relation::places`] are those that say where a thing is; a thing that is
-    /// moved loses them all and gets new ones.
+    /// [`Relation::places`] lists the relations that give an object's support or container; an object that is
+    /// moved loses all of them and gets new ones.
     Relation, "relation" {
         /// `from` is supported by `to`.
         On = "on",
@@ -43,13 +43,13 @@ vocabulary! {
         Facing = "facing",
         /// Door `from` is between rooms: one edge to each.
         Between = "between",
-        /// Some of what was in `from` is now in `to`.
+        /// Some of the contents of `from` are now in `to`.
         PouredInto = "poured_into",
-        /// Held thing `from` was taken off `to`: where `put back` returns it.
+        /// Held object `from` was taken off `to`, where `put back` returns it.
         TakenOff = "taken_off",
-        /// Held thing `from` was taken out of `to`: where `put back` returns it.
+        /// Held object `from` was taken out of `to`, where `put back` returns it.
         TakenOut = "taken_out",
-        /// `from` and `to` stand side by side, by their size. Symmetric.
+        /// `from` and `to` stand side by side; the distance is judged by their sizes. Symmetric.
         Beside = "beside",
         /// Substance `to` lies or sticks on `from`.
         Covered = "covered",
@@ -71,17 +71,17 @@ vocabulary! {
 }
 
 impl Relation {
-    /// Whether the relation holds both ways whenever it holds one way.
+    /// Whether the relation is symmetric: it always holds in both directions.
     pub fn is_symmetric(self) -> bool {
         matches!(self, Self::Near | Self::Touching | Self::Beside)
     }
 
-    /// The relations that say what a thing rests on, in or with.
+    /// The relations that give an object's support, container or wearer.
     pub fn places() -> &'static [Self] {
         &[Self::On, Self::Inside, Self::WornBy, Self::SittingOn, Self::LyingOn]
     }
 
-    /// The hands an agent holds things with, the preferred one first.
+    /// The relations of an agent's two hands, the preferred one first.
     pub fn hands() -> [Self; 2] {
         [Self::HoldsRight, Self::HoldsLeft]
     }
@@ -90,11 +90,11 @@ impl Relation {
 /// One relation between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Edge {
-    /// The node the relation starts from.
+    /// The node at which the relation starts.
     pub from: NodeId,
-    /// What kind of relation it is.
+    /// The kind of relation.
     pub relation: Relation,
-    /// The node it leads to.
+    /// The node to which it leads.
     pub to: NodeId,
 }
 
@@ -104,7 +104,7 @@ impl Edge {
         Self { from, relation, to }
     }
 
-    /// The same edge seen from its other end.
+    /// The same edge in the opposite direction.
     pub(crate) fn reversed(self) -> Self {
         Self { from: self.to, relation: self.relation, to: self.from }
     }

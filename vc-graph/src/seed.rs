@@ -1,5 +1,4 @@
-//! Randomness: one seed, a sub-seed for everything that is chosen, and the stream
-//! of a seed.
+//! Randomness: seeds, sub-seeds for independent choices, and the random stream of a seed.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng};
@@ -7,9 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::hash::{fnv1a, splitmix};
 
-/// What everything random comes from. The same seed gives the same result on every
-/// machine; sub-seeds by label and index make each choice independent of how many
-/// others were made before it.
+/// The source of all randomness. The same seed gives the same result on every machine; sub-seeds by label and
+/// index make each choice independent of the number of choices made before it.
 ///
 /// ```
 /// use vc_graph::Seed;
@@ -34,7 +32,7 @@ impl Seed {
         Self(splitmix(self.0.rotate_left(32) ^ splitmix(index.wrapping_add(1))))
     }
 
-    /// The random numbers that come from this seed.
+    /// The random stream of this seed.
     pub fn stream(self) -> Stream {
         Stream { numbers: ChaCha8Rng::seed_from_u64(self.0) }
     }
@@ -49,38 +47,38 @@ pub struct Stream {
 impl Stream {
     /// A number from 0 up to 1, 1 excluded.
     pub fn unit(&mut self) -> f32 {
-        // 24 bits are what an f32 holds exactly.
+        // An f32 holds 24 bits exactly.
         (self.numbers.next_u32() >> 8) as f32 / (1 << 24) as f32
     }
 
-    /// A number from `low` to `high`; `low` where the range is empty.
+    /// A uniform number from `low` to `high`; `low` if the range is empty.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         low + self.unit() * (high - low).max(0.0)
     }
 
-    /// A whole number below `count`; zero where there is none.
+    /// A uniform integer below `count`; zero if `count` is zero.
     pub fn below(&mut self, count: usize) -> usize {
-        // The high half of a product: no modulo bias worth mentioning below 2^32.
+        // The high half of a product: its bias is negligible below 2^32.
         ((u64::from(self.numbers.next_u32()) * count as u64) >> 32) as usize
     }
 
-    /// A whole number from `low` to `high`, both included.
+    /// A uniform integer from `low` to `high`, both included.
     pub fn count(&mut self, low: usize, high: usize) -> usize {
         low + self.below(high.saturating_sub(low) + 1)
     }
 
-    /// True with a probability.
+    /// True with a given probability.
     pub fn chance(&mut self, probability: f32) -> bool {
         self.unit() < probability
     }
 
-    /// One of several, all equally likely; `None` of none.
+    /// One of several elements, all equally likely; `None` if there are none.
     pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
         of.get(self.below(of.len()))
     }
 
-    /// The position of one of several weights; zero weights are never chosen, and
-    /// nothing is where no weight is positive.
+    /// Chooses an index with probability proportional to its weight. Zero weights are never chosen; `None` if
+    /// no weight is positive.
     pub fn weighted(&mut self, weights: impl Iterator<Item = f32> + Clone) -> Option<usize> {
         let total: f32 = weights.clone().map(|w| w.max(0.0)).sum();
         let mut left = self.unit() * total;
@@ -95,13 +93,13 @@ impl Stream {
         last
     }
 
-    /// A normally distributed number (sum of twelve uniform ones, so never more than
-    /// six standard deviations off).
+    /// A normally distributed number (the sum of twelve uniform ones, hence never more than six standard
+    /// deviations from the mean).
     pub fn normal(&mut self, mean: f32, deviation: f32) -> f32 {
         mean + deviation * ((0..12).map(|_| self.unit()).sum::<f32>() - 6.0)
     }
 
-    /// Puts a list in random order.
+    /// Shuffles a list.
     pub fn shuffle<T>(&mut self, list: &mut [T]) {
         for last in (1..list.len()).rev() {
             list.swap(last, self.below(last + 1));

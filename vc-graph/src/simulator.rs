@@ -1,50 +1,49 @@
-//! A complete symbolic simulator: a graph, and what has been done in it.
+//! A symbolic simulator: a scene graph and the history of actions in it.
 
 use std::sync::Arc;
 
 use crate::rule::Memory;
 use crate::{Action, ChangeSet, NodeId, Refusal, SceneGraph, Semantics, Verb, rule};
 
-/// Something an agent has done.
+/// An action performed by an agent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Event {
-    /// Who.
+    /// The agent.
     pub agent: NodeId,
-    /// What.
+    /// The action.
     pub action: Action,
 }
 
-/// What has been done so far, oldest first. Goals such as `Eat(apple)` are about
-/// it. Cloning is cheap.
+/// The actions performed so far, oldest first. Goals such as `Eat(apple)` refer to it. Cloning is cheap.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct History {
     events: Arc<Vec<Event>>,
 }
 
 impl History {
-    /// Everything done, oldest first.
+    /// All events, oldest first.
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// Adds what was done last.
+    /// Appends the latest event.
     pub fn push(&mut self, event: Event) {
         Arc::make_mut(&mut self.events).push(event);
     }
 
-    /// Forgets what was done last.
+    /// Removes and returns the latest event.
     pub fn pop(&mut self) -> Option<Event> {
         Arc::make_mut(&mut self.events).pop()
     }
 
-    /// Whether a verb has been done to a thing, or at all.
+    /// Whether a verb has been performed on an object, or at all if `object` is `None`.
     pub fn has(&self, verb: Verb, object: Option<NodeId>) -> bool {
         let same = |e: &Event| e.action.verb == verb && (object.is_none() || e.action.object == object);
         self.events.iter().any(same)
     }
 }
 
-/// A scene in which agents act by the transition rule.
+/// A scene in which agents act according to the transition rule.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
@@ -68,17 +67,17 @@ pub struct Simulator {
     graph: SceneGraph,
     history: History,
     semantics: Semantics,
-    /// The memory of VirtualHome's simulator, which ours does not use.
+    /// State that only VirtualHome's transition rule uses.
     memory: Memory,
 }
 
 impl Simulator {
-    /// A simulator of a scene in which nothing has been done.
+    /// A simulator of a scene, with an empty history.
     pub fn new(graph: SceneGraph) -> Self {
         Self::with(graph, Semantics::VirtualCity)
     }
 
-    /// As [`Simulator::new`], by the transition rule of another simulator; a table of the differences is in
+    /// As [`Simulator::new`], with the transition rule of a given simulator; a table of the differences is in
     /// [`virtual_home`](crate::rule::virtual_home).
     ///
     /// ```
@@ -102,22 +101,22 @@ impl Simulator {
         Self { graph, history: History::default(), semantics, memory: Memory::default() }
     }
 
-    /// The transition rule by which actions are done.
+    /// The transition rule that is applied.
     pub fn semantics(&self) -> Semantics {
         self.semantics
     }
 
-    /// The scene as it is.
+    /// The current scene.
     pub fn graph(&self) -> &SceneGraph {
         &self.graph
     }
 
-    /// What has been done.
+    /// The actions performed so far.
     pub fn history(&self) -> &History {
         &self.history
     }
 
-    /// Lets an agent act.
+    /// Performs an agent's action.
     ///
     /// # Errors
     /// Every [`Refusal`]; then nothing has changed.
@@ -130,7 +129,7 @@ impl Simulator {
         Ok(changes)
     }
 
-    /// Every reason why an agent cannot do an action now; empty if it can.
+    /// Every reason why an agent cannot perform an action now; empty if it can.
     pub fn refusals(&self, agent: NodeId, action: &Action) -> Vec<Refusal> {
         match self.semantics {
             Semantics::VirtualCity => rule::refusals(&self.graph, agent, action),
@@ -138,10 +137,10 @@ impl Simulator {
         }
     }
 
-    /// Lets several agents act at once: each meets what those before it have done.
+    /// Performs actions of several agents in one step, in order: each sees the effects of those before it.
     ///
     /// # Errors
-    /// The first deed that was refused, with every [`Refusal`]; then nothing has changed.
+    /// The first refused action, with every [`Refusal`]; then nothing has changed.
     pub fn step_together(&mut self, deeds: &[Event]) -> Result<(), (Event, Vec<Refusal>)> {
         let before = (deeds.len() > 1).then(|| self.clone());
         let refused = deeds.iter().find_map(|deed| Some((*deed, self.step(deed.agent, &deed.action).err()?)));
@@ -151,7 +150,7 @@ impl Simulator {
         refused.map_or(Ok(()), Err)
     }
 
-    /// The scene, with the history dropped.
+    /// The scene, without the history.
     pub fn into_graph(self) -> SceneGraph {
         self.graph
     }

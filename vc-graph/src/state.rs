@@ -1,16 +1,15 @@
-//! What an object can be: open, on, clean, ...
+//! States of objects and agents: open, on, clean, ...
 
 use crate::vocabulary::{Set, vocabulary};
 
 vocabulary! {
-    /// A state an object or agent can be in. Opposites exclude each other, see
-    /// [`State::opposites`].
+    /// A state of an object or agent. Opposites exclude each other, see [`State::opposites`].
     State, "state" {
         /// Its door, lid or cover is open.
         Open = "open",
         /// Its door, lid or cover is closed.
         Closed = "closed",
-        /// It runs or shines.
+        /// It runs or emits light.
         On = "on",
         /// It does not run.
         Off = "off",
@@ -34,7 +33,7 @@ vocabulary! {
         Cold = "cold",
         /// It has been cooked.
         Cooked = "cooked",
-        /// It can be cooked and has not been.
+        /// It can be cooked but has not been.
         Raw = "raw",
         /// It has been cut up.
         Sliced = "sliced",
@@ -42,15 +41,15 @@ vocabulary! {
         Broken = "broken",
         /// It is folded.
         Folded = "folded",
-        /// It is spread out.
+        /// It is unfolded.
         Unfolded = "unfolded",
         /// It is wet.
         Wet = "wet",
         /// It is dry.
         Dry = "dry",
-        /// There is something to pour in it, see `Node::contents`.
+        /// It has contents that can be poured, see `Node::contents`.
         Filled = "filled",
-        /// It holds nothing to pour.
+        /// It has no contents that can be poured.
         Empty = "empty",
         /// It is frozen hard.
         Frozen = "frozen",
@@ -60,8 +59,7 @@ vocabulary! {
         Dusty = "dusty",
         /// It has a stain.
         Stained = "stained",
-        /// It is not there yet: something done will bring it forth, as baking brings
-        /// forth a cake.
+        /// It does not exist yet: an action will create it, as baking creates a cake.
         Future = "future",
     }
 }
@@ -69,7 +67,7 @@ vocabulary! {
 /// A set of [`State`]s.
 pub type StateSet = Set<State>;
 
-/// Groups of states of which an object has at most one.
+/// Groups of mutually exclusive states.
 const EXCLUSIVE: &[&[State]] = &[
     &[State::Open, State::Closed],
     &[State::On, State::Off],
@@ -85,7 +83,7 @@ const EXCLUSIVE: &[&[State]] = &[
 ];
 
 impl State {
-    /// The states that end when this one begins.
+    /// The states that this state excludes.
     ///
     /// ```
     /// use vc_graph::State;
@@ -99,13 +97,13 @@ impl State {
 }
 
 impl StateSet {
-    /// This set with the state entered: its opposites end.
+    /// This set with the state added and its opposites removed.
     #[must_use]
     pub fn entering(self, state: State) -> Self {
         self.minus(state.opposites()).with(state)
     }
 
-    /// The groups of opposites of which the set has more than one.
+    /// The groups of exclusive states from which the set has more than one.
     pub fn conflicts(self) -> impl Iterator<Item = StateSet> {
         EXCLUSIVE.iter().filter_map(move |group| {
             let both: StateSet = group.iter().copied().filter(|&s| self.contains(s)).collect();

@@ -1,8 +1,7 @@
 //! A persistent map from node number to node, in number order.
 //!
-//! Nodes live in chunks of sixteen behind `Arc`s: cloning copies one pointer for
-//! every sixteen numbers, an edit copies one chunk of pointers and one node, and
-//! looking up is two array accesses where numbers are dense.
+//! Nodes are stored in chunks of sixteen behind `Arc`s: cloning copies one pointer for every sixteen numbers,
+//! an edit copies one chunk of pointers and one node, and a look-up is two array accesses if numbers are dense.
 
 use std::sync::Arc;
 
@@ -66,7 +65,7 @@ impl<T> Store<T> {
         removed
     }
 
-    /// Puts a value at a number, returning what was there.
+    /// Stores a value under a number and returns the previous value.
     pub(crate) fn insert(&mut self, id: NodeId, value: Arc<T>) -> Option<Arc<T>> {
         let (chunk, offset) = split(id);
         let position = self.find(chunk).unwrap_or_else(|position| {
@@ -80,7 +79,7 @@ impl<T> Store<T> {
 }
 
 impl<T: Clone> Store<T> {
-    /// The value at a number, for editing: copied first if a clone shares it.
+    /// Mutable access to the value at a number; the value is copied first if a clone shares it.
     pub(crate) fn get_mut(&mut self, id: NodeId) -> Option<&mut T> {
         let (chunk, offset) = split(id);
         let position = self.find(chunk).ok()?;

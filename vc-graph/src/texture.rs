@@ -1,35 +1,34 @@
-//! Pictures that lie on surfaces.
+//! Textures: images on surfaces.
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-/// A picture of a material's colour. A [mesh](crate::asset::Shape::Mesh) says where its
-/// corners are in it; beyond its sides it repeats.
+/// An image that modulates a material's colour. A [mesh](crate::asset::Shape::Mesh) has the texture coordinates
+/// of its corners; beyond its sides the texture repeats.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Texture {
     /// Its name, `label`.
     pub name: Arc<str>,
-    /// Pixels across.
+    /// Width, pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height, pixels.
     pub height: u32,
-    /// Red, green and blue as sRGB encodes them, rows from the top. In JSON six
-    /// hexadecimal digits a pixel.
+    /// Red, green and blue in sRGB encoding, rows from the top. In JSON six hexadecimal digits per pixel.
     #[serde(with = "digits")]
     pub pixels: Vec<[u8; 3]>,
 }
 
 impl Texture {
-    /// Whether it has pixels, and as many as its sides say.
+    /// Whether it has pixels, exactly width times height of them.
     pub(crate) fn is_sound(&self) -> bool {
         let count = u64::from(self.width) * u64::from(self.height);
         count > 0 && count == self.pixels.len() as u64
     }
 }
 
-/// `#[serde(with)]` for pixels: two digits a byte.
+/// `#[serde(with)]` for pixels: two digits per byte.
 mod digits {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};

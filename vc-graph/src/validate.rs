@@ -1,4 +1,4 @@
-//! What is wrong with a scene: every violation, with the nodes it concerns.
+//! Validation of a scene: every violation, with the nodes concerned.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -7,35 +7,35 @@ use crate::geometry::is_finite;
 use crate::node::{Kind, Node};
 use crate::{ClassTable, Label, NodeId, Property, Relation, SceneGraph, StateSet};
 
-/// One thing that is wrong with a scene.
+/// A violation of a scene's invariants.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Violation {
-    /// Things rest on each other in a circle.
+    /// Objects rest on each other in a cycle.
     SupportCycle(Vec<Label>),
-    /// A node that is no room is in none.
+    /// A node other than a room is in no room.
     NoRoom(Label),
     /// A node is in several rooms.
     SeveralRooms(Label, Vec<Label>),
     /// A room is in a room.
     RoomInRoom(Label, Label),
-    /// A thing is held more than once.
+    /// An object is held more than once.
     HeldTwice(Label, Vec<Label>),
-    /// One hand holds several things.
+    /// One hand holds several objects.
     HandFull(Label, Relation, Vec<Label>),
-    /// Something that is no agent holds something.
+    /// A node that is not an agent holds something.
     HeldByNoAgent(Label, Label),
     /// A node is in states that exclude each other.
     ExclusiveStates(Label, StateSet),
-    /// A thing is in another room than what it rests on.
+    /// An object and its support are in different rooms.
     RoomApart(Label, Label),
-    /// Something rests on a thing that is no surface.
+    /// An object rests on a node that is not a surface.
     NotASurface(Label, Label),
-    /// Something is inside a thing that is no container.
+    /// An object is inside a node that is not a container.
     NotAContainer(Label, Label),
     /// A pose or box is not finite, or a box has no size.
     BadGeometry(Label),
-    /// More sit or lie on it than have place.
+    /// More agents sit or lie on it than it has places for.
     OverCapacity(Label, usize, u32),
 }
 
@@ -64,11 +64,10 @@ fn list(labels: &[Label]) -> String {
 }
 
 impl SceneGraph {
-    /// Every violation of a sound scene, in the order of node numbers; empty when
-    /// all is well. Files made by others often have some: a reader keeps them as
-    /// they are, and the transition rule copes.
+    /// Lists every violation of the invariants, in the order of node numbers; empty if there is none. Scene
+    /// files of others often have some: a reader keeps them unchanged, and the transition rule tolerates them.
     ///
-    /// Costs a walk over all nodes and their places.
+    /// Costs a walk over all nodes and their placements.
     pub fn validate(&self) -> Vec<Violation> {
         let mut found = self.support_cycles();
         for node in self.nodes() {
@@ -117,7 +116,7 @@ impl SceneGraph {
             if self.room_of(place.at) != room {
                 found.push(Violation::RoomApart(node.label(), at.label()));
             }
-            // Things that hang are on a wall or a ceiling.
+            // Hanging objects are on a wall or a ceiling.
             let is_borne = carries(at) || at.is_building();
             if place.relation == Relation::On && node.kind() == Kind::Object && !is_borne {
                 found.push(Violation::NotASurface(node.label(), at.label()));
@@ -142,8 +141,8 @@ impl SceneGraph {
         }
     }
 
-    /// Each circle of the support relation once, by depth-first search (with a stack
-    /// of its own: chains may be of any length).
+    /// Finds each cycle of the support relation once, by depth-first search with an explicit stack, since
+    /// chains may have any length.
     fn support_cycles(&self) -> Vec<Violation> {
         let (mut done, mut found) = (BTreeSet::new(), Vec::new());
         for node in self.nodes() {
@@ -166,7 +165,7 @@ impl SceneGraph {
     }
 }
 
-/// The way from where a search began to where it is, with the branches still open.
+/// The path of the search from its start to the current node, with the branches still to be visited.
 #[derive(Default)]
 struct Path {
     steps: Vec<(NodeId, Vec<NodeId>)>,
@@ -179,7 +178,7 @@ impl Path {
         self.on.insert(id);
     }
 
-    /// The node one is at and its next branch; without one, the node is left.
+    /// The current node and its next branch; if it has none, the node is left.
     fn step(&mut self) -> Option<(NodeId, Option<NodeId>)> {
         let (id, open) = self.steps.last_mut()?;
         let (id, next) = (*id, open.pop());
@@ -195,26 +194,25 @@ impl Path {
     }
 }
 
-/// Whether things may rest on a node: surfaces, and seats and beds, on which
-/// people put things too, and books.
+/// Whether objects may rest on a node: surfaces, seats and beds, on which people also put objects, and books.
 pub(crate) fn carries(node: &Node) -> bool {
     use Property::{Container, Heater, Lieable, Recipient, Sittable, Surface};
     [Surface, Sittable, Lieable, Container, Recipient, Heater].into_iter().any(|p| node.affords(p)) || is_leaves(node)
 }
 
-/// Whether a node is a book, a magazine, a sheet: what is flat and no larger lies on it well.
+/// Whether a node is a book, a magazine or a sheet of paper: a flat object of no larger size can lie on it.
 pub(crate) fn is_leaves(node: &Node) -> bool {
     [Property::Readable, Property::Paper, Property::Graspable].into_iter().all(|p| node.affords(p))
 }
 
-/// Whether a node takes up what is poured on it: a sponge, hands.
+/// Whether a node absorbs liquids poured on it: a sponge, hands.
 pub(crate) fn soaks(node: &Node) -> bool {
     node.affords(Property::Wiper) || node.affords(Property::BodyPart)
 }
 
-/// Whether things may be in a node: the author or the class table says that it holds something. A node of
-/// a class that the table does not know holds something if it opens; known classes that open may be doors
-/// or books.
+/// Whether objects may be in a node: the author or the class table says that it is a container. A node of a
+/// class that is not in the table counts as a container if it opens; known classes that open may be doors or
+/// books.
 pub(crate) fn encloses(node: &Node, classes: &ClassTable) -> bool {
     use Property::{Container, Drivable, Openable, Recipient};
     let holds = [Container, Recipient, Drivable].into_iter().any(|p| node.affords(p));

@@ -8,11 +8,11 @@ use crate::nearest::did_you_mean;
 
 /// A closed vocabulary: an enum whose variants each have one written word.
 pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
-    /// What a word of this vocabulary is called in messages ("state", "verb").
+    /// The noun for a word of this vocabulary in messages ("state", "verb").
     const WHAT: &'static str;
     /// Every word, in declaration order.
     const ALL: &'static [Self];
-    /// Position in [`Word::ALL`].
+    /// Index in [`Word::ALL`].
     fn index(self) -> usize;
     /// The written form: lower case, words joined by `_`.
     fn as_str(self) -> &'static str;
@@ -20,7 +20,7 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
     /// Finds the word for a spelling, ignoring case, spaces, `_` and `-`.
     ///
     /// # Errors
-    /// [`UnknownWord`] names the vocabulary and lists what is allowed.
+    /// [`UnknownWord`], which names the vocabulary and lists the allowed words.
     fn parse(text: &str) -> Result<Self, UnknownWord> {
         let exact = Self::ALL.iter().find(|w| w.as_str() == text);
         let found = exact.or_else(|| Self::ALL.iter().find(|w| same_word(w.as_str(), text)));
@@ -32,19 +32,19 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
     }
 }
 
-/// A word that is not in its vocabulary.
+/// An error: a word that is not in its vocabulary.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("unknown {what} `{word}`{}; use one of: {allowed}", did_you_mean(.word, .allowed.split(' ')))]
 pub struct UnknownWord {
-    /// Which vocabulary was asked.
+    /// The noun for a word of the vocabulary.
     pub what: &'static str,
     /// The spelling that was not found (clipped to a readable length).
     pub word: String,
-    /// Everything that would have been accepted.
+    /// All words of the vocabulary.
     pub allowed: String,
 }
 
-/// Shortens hostile or huge text for a message.
+/// Shortens a text, which may be hostile or huge, for a message.
 pub(crate) fn clip(text: &str) -> String {
     const LIMIT: usize = 60;
     match text.char_indices().nth(LIMIT) {
@@ -53,14 +53,14 @@ pub(crate) fn clip(text: &str) -> String {
     }
 }
 
-/// Letters and digits of a spelling, lower case: what matching compares. A name that has neither, such as an
-/// emoji, is compared by its signs.
+/// Letters and digits of a spelling in lower case, which matching compares. A name without any, such as an
+/// emoji, is compared by its symbols.
 pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
     let signs = !text.chars().any(char::is_alphanumeric);
     text.chars().filter(move |c| c.is_alphanumeric() || signs && !c.is_whitespace()).flat_map(char::to_lowercase)
 }
 
-/// The folded spelling as a key of a table.
+/// The folded spelling as a table key.
 pub(crate) fn key(text: &str) -> String {
     if !text.is_ascii() {
         return folded(text).collect();
@@ -70,7 +70,7 @@ pub(crate) fn key(text: &str) -> String {
     if key.is_empty() { folded(text).collect() } else { key }
 }
 
-/// Whether two spellings are the same word up to case and separators.
+/// Whether two spellings are equal up to case and separators.
 pub(crate) fn same_word(a: &str, b: &str) -> bool {
     folded(a).eq(folded(b))
 }
@@ -125,7 +125,7 @@ impl<W: Word> Set<W> {
         Self { bits: self.bits & !other.bits, ..self }
     }
 
-    /// Whether there is no word in the set.
+    /// Whether the set is empty.
     pub fn is_empty(self) -> bool {
         self.bits == 0
     }

@@ -1,4 +1,4 @@
-//! Shapes as data: checked when they come in, written and read with the scene.
+//! Shapes as data: checked on input, written and read with the scene.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -72,7 +72,7 @@ fn label() -> Texture {
     Texture { name: "label".into(), width: 3, height: 2, pixels }
 }
 
-/// A square in a texture, and the other way round on its second triangle.
+/// A textured square, with the texture reversed on its second triangle.
 fn square(uvs: Vec<[[f32; 2]; 3]>) -> Shape {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from).to_vec();
     Shape::Mesh { vertices: corners, triangles: vec![[0, 1, 2], [0, 2, 3]], uvs }
@@ -107,7 +107,7 @@ fn a_scene_keeps_its_textures() {
 #[test]
 fn meshes_keep_their_place_in_a_texture() {
     let Shape::Mesh { vertices, mut triangles, mut uvs } = square(CORNERS.to_vec()) else { unreachable!() };
-    // A triangle without area is left out, with its coordinates.
+    // A triangle without area is left out, with its texture coordinates.
     triangles.insert(1, [0, 1, 1]);
     uvs.insert(1, [[9.0; 2]; 3]);
     let mut mesh = Shape::Mesh { vertices, triangles, uvs }.mesh(0.0);

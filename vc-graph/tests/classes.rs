@@ -1,4 +1,4 @@
-//! The built-in class table, and tables of one's own.
+//! The built-in class table, and tables of users.
 #![allow(clippy::unwrap_used)]
 
 use vc_graph::class::{Category, Class, SlotKind};
@@ -33,7 +33,7 @@ fn the_classes_of_the_thesis_are_known() {
     let names: Vec<&str> = APPENDIX_C.iter().flat_map(|group| group.split(' ')).collect();
     let folded = |name: &str| name.replace('_', "");
     let known = |name: &str| {
-        // The whole name, not a part of it.
+        // By the whole name, not a part of it.
         let own = |c: &Class| std::iter::once(&c.name).chain(&c.aliases).any(|n| folded(n) == folded(name));
         table.get(name).is_some_and(own)
     };
@@ -78,7 +78,7 @@ fn names_are_read_forgivingly() {
             assert_eq!(table.get(name).map(|c| &*c.name), Some(class), "{name}");
         }
     }
-    // Listing 1 of the thesis has one.
+    // Listing 1 of the thesis has such a name.
     assert!(table.get("SM_Glass").is_some() && table.get("SM_L_Table").is_some_and(|c| &*c.name == "table"));
     for name in ["", "_", "42", "SM_", "xyzzy", "🪑"] {
         assert!(table.get(name).is_none(), "{name}");
@@ -257,7 +257,7 @@ fn tables_can_be_extended() {
     assert!(builtin.extended("mine.txt", "").is_ok_and(|t| t.len() == builtin.len()));
 }
 
-/// ALFRED's classes that are called otherwise here; of the others the name is the class's.
+/// ALFRED's classes that have other names here; the others have the same names.
 const ALFRED: &str = "ArmChair:armchair BaseballBat:baseball_bat BathtubBasin:bathtub Cart:serving_trolley Cloth:washcloth \
     CoffeeMachine:coffee_maker CounterTop:kitchen_counter Curtains:curtain DishSponge:sponge Drawer:kitchen_drawer \
     Footstool:ottoman GarbageCan:trash_can Glassbottle:water_bottle HandTowel:towel HandTowelHolder:towel_rack \
@@ -267,7 +267,7 @@ const ALFRED: &str = "ArmChair:armchair BaseballBat:baseball_bat BathtubBasin:ba
     StoveBurner:stove ToiletPaperHanger:toilet_roll_holder ToiletPaperRoll:toilet_paper TowelHolder:towel_rack \
     WineBottle:wine LaundryHamperLid: StoveKnob:";
 
-/// The others.
+/// The other classes.
 const ALFRED_SAME: &str = "AlarmClock Apple BasketBall Bathtub Bed Blinds Book Boots Bowl Box Bread ButterKnife Cabinet \
     Candle CD CellPhone Chair CreditCard Cup Desk DeskLamp Dresser Egg FloorLamp Fork Fridge HousePlant Kettle Knife \
     Ladle Laptop Lettuce LightSwitch Microwave Mirror Mug Newspaper Ottoman Painting PaperTowel Pen Pencil Pillow Plate \

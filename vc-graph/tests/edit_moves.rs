@@ -1,4 +1,4 @@
-//! Where things are after an edit that moves them.
+//! Locations of objects after an edit that moves them.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

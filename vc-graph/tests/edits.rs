@@ -1,4 +1,4 @@
-//! Edits keep the invariants, are undone whole, and never use a number twice.
+//! Edits keep the invariants, are undone completely, and never reuse a number.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -102,7 +102,7 @@ proptest! {
     }
 }
 
-/// A kitchen with a table, a cup on it and somebody.
+/// A kitchen with a table, a cup on it and a person.
 fn small() -> (SceneGraph, [NodeId; 4]) {
     let mut scene = SceneBuilder::new("small");
     let kitchen = scene.add(Draft::new("kitchen")).unwrap();
@@ -228,7 +228,7 @@ fn a_node_is_given_another_scale() {
     assert!(node.aabb().unwrap().min.z.abs() < 1e-6, "it stands where it stood");
     assert_eq!((graph.room_of(shirt), graph.place(shirt)), (Some(room), before.place(shirt)));
     assert!(graph.validate().is_empty());
-    // As every change it can be undone, and done again.
+    // Like every change it can be undone and redone.
     changes.undo(&mut graph).unwrap();
     assert_eq!(graph, before);
     for wrong in [0.0, -1.0, f32::NAN, f32::INFINITY] {

@@ -1,4 +1,4 @@
-//! Counts of things, pairs, the same and different things.
+//! Counts of objects, pairs, equal and different objects.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -39,7 +39,7 @@ fn holds(scene: &(SceneGraph, NodeId), text: &str) -> bool {
 
 #[test]
 fn pairs_are_one_with_one() {
-    // Both cups have the first plate only; the second plate has none.
+    // Both cups match only the first plate; the second plate has no match.
     let shared = table(3, 3, &[(0, 0), (1, 0), (2, 1), (2, 2)]);
     assert!(!holds(&shared, "pairs ?c: cup, ?p: plate. Covered(?c, ?p)"));
     assert!(holds(&shared, "marginal pairs ?c: cup, ?p: plate. Covered(?c, ?p)"));
@@ -78,7 +78,7 @@ fn so_many_things() {
     }
 }
 
-/// The most pairs by trying all.
+/// The largest number of pairs by exhaustive search.
 fn by_force(rows: &[Vec<usize>], taken: u32) -> usize {
     let Some((row, rest)) = rows.split_first() else { return 0 };
     let with = row.iter().filter(|&&c| taken & (1 << c) == 0).map(|&c| 1 + by_force(rest, taken | (1 << c)));

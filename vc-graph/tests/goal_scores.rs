@@ -1,4 +1,4 @@
-//! Random goals in random scenes: one if and only if it holds, and what is unmet.
+//! Random goals in random scenes: the score is one if and only if the goal holds, and the unmet parts fit.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

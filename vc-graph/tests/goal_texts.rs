@@ -1,4 +1,4 @@
-//! How goals are written: the thesis's way, forgiving names, errors that help.
+//! The text form of goals: the thesis's notation, tolerant names, helpful errors.
 #![allow(clippy::unwrap_used)]
 
 use vc_graph::Goal;
@@ -127,7 +127,7 @@ fn long_and_deep_goals_are_refused() {
     assert_eq!(fail(&("!".repeat(70) + "Open(x)")).problem, GoalProblem::TooDeep);
 }
 
-/// `On` is said of a lamp, and of an apple and a table.
+/// `On` can be said of a single lamp, or of an apple and a table.
 #[test]
 fn two_things_without_a_comma_are_not_one_that_is_on() {
     let error = "On(apple table)".parse::<vc_graph::Goal>().unwrap_err();

@@ -1,4 +1,4 @@
-//! Goals about what happened on the way.
+//! Goals about events and states along a trace.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -10,7 +10,7 @@ use shared::goals::goal;
 use vc_graph::goal::{Situation, Trace};
 use vc_graph::{Draft, Event, Goal, SceneBuilder, Simulator};
 
-/// What happens when `me` does things one by one.
+/// The trace of actions that `me` performs one by one.
 fn trace(actions: &[&str]) -> Trace {
     let mut flat = Flat::new();
     let mut trace = Trace::new(flat.graph().clone(), flat.me);
@@ -33,7 +33,7 @@ fn check(trace: &Trace, yes: &[&str], no: &[&str]) {
     no.iter().for_each(|text| assert!(!holds(text), "{text} holds"));
 }
 
-/// Milk taken out of the fridge and put on the table, the fridge closed again.
+/// Milk is taken out of the fridge and put on the table, and the fridge is closed again.
 fn milk() -> Trace {
     trace(&[
         "walk fridge",
@@ -188,7 +188,8 @@ proptest! {
     }
 }
 
-/// The verdicts of the Embodied Agent Interface's evaluator beside ours, on a fridge that is opened and closed.
+/// The verdicts of the Embodied Agent Interface's evaluator and of VirtualCity, on a fridge that is opened and
+/// closed.
 #[test]
 fn formulas_are_judged_as_published_beside_our_way() {
     let mut scene = SceneBuilder::new("flat");
@@ -203,23 +204,23 @@ fn formulas_are_judged_as_published_beside_our_way() {
         trace.push(world.graph().clone(), [Event { agent: me, action }]);
     }
     let cases = [
-        // By theirs a condition is met if it held at any step.
+        // For EAI a condition is met if it held at any step.
         ("OPEN(fridge.2)", false, Some(true)),
         ("exists x0. (OPEN(x0))", false, Some(true)),
         ("forn 1. x0. (OPEN(x0))", false, Some(true)),
         ("CLOSED(fridge.2) then OPEN(fridge.2)", false, Some(true)),
         ("OPEN(fridge.2) then CLOSED(fridge.2)", true, Some(true)),
         ("OPEN(fridge.2) then OPEN(fridge.2)", false, Some(false)),
-        // By theirs an action belongs to the state in which it begins.
+        // For EAI an action belongs to the state in which it begins.
         ("CLOSED(fridge.2) and CLOSE(fridge.2)", true, Some(false)),
         ("OPEN(fridge.2) and CLOSE(fridge.2)", false, Some(true)),
         ("CLOSE(fridge.2) then CLOSED(fridge.2)", true, Some(true)),
-        // Brackets around a sequence use up all there is.
+        // Brackets around a sequence use up all remaining steps.
         ("OPEN(fridge.2) then CLOSED(fridge.2) then CLOSED(fridge.2)", true, Some(false)),
         ("(WALK(fridge.2) then OPEN(fridge.2)) then CLOSED(fridge.2)", true, Some(false)),
         ("not (OPEN(fridge.2) then CLOSED(fridge.2))", false, Some(false)),
         ("not (OPEN(fridge.2) then OPEN(fridge.2))", true, Some(true)),
-        // Theirs knows only the edges that are written in a graph.
+        // EAI uses only the edges that are written in a graph.
         ("NEXT_TO(character.3, kitchen.1)", true, Some(false)),
         ("OPEN(cup.2)", false, Some(false)),
         ("OPEN(fridge.2) and (OPEN(fridge.2) then CLOSED(fridge.2))", false, None),

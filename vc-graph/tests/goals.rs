@@ -1,4 +1,4 @@
-//! When goals hold, how much of them, and what is missing.
+//! When goals hold, their scores, and their unmet parts.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

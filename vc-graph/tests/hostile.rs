@@ -1,5 +1,5 @@
-//! Scenes no home has: chains of a hundred thousand boxes in boxes, and numbers far
-//! apart. Nothing recurses without bound, and nothing takes quadratic time.
+//! Scenes unlike any home: chains of a hundred thousand nested boxes, and numbers far apart. Nothing recurses
+//! without bound, and nothing takes quadratic time.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -10,7 +10,7 @@ use vc_graph::{ClassTable, NodeId, Scope};
 
 const DEPTH: u32 = 100_000;
 
-/// A room with boxes in boxes in boxes, and an agent.
+/// A room with deeply nested boxes, and an agent.
 fn russian_dolls() -> String {
     let mut nodes = String::from(
         "{\"id\": 1, \"class\": \"kitchen\", \"category\": \"room\"},\n{\"id\": 2, \"class\": \"character\", \"category\": \"character\"}",

@@ -1,4 +1,4 @@
-//! Shapes as triangle meshes: closed, as large as they should be, facing outwards.
+//! Triangle meshes of shapes: closed, of the right size, facing outwards.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -34,7 +34,7 @@ fn check_normals(shape: &Shape, mesh: &TriangleMesh) {
         let flat = (b - a).cross(&(c - a));
         let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
         if flat.norm() < 1e-4 * longest * longest {
-            continue; // too thin to say where it faces
+            continue; // too thin for a definite normal
         }
         for v in triangle {
             let normal = mesh.normals[*v as usize].cast::<f64>();
@@ -47,7 +47,7 @@ fn near(found: f32, expected: f32, share: f32) {
     assert!((found - expected).abs() <= share * expected, "{found} instead of {expected}");
 }
 
-/// Extents of turned parts are those of their meshes, however they lie.
+/// Extents of rotated parts equal those of their meshes, in any orientation.
 fn check_turned(shape: &Shape, turn: UnitQuaternion<f32>) {
     let pose = Isometry3::from_parts(Vector3::new(1.0, -2.0, 0.5).into(), turn);
     let part = Part { name: "part".into(), shape: shape.clone(), material: 0, pose, joint: None };
@@ -247,7 +247,7 @@ fn odd() -> impl Strategy<Value = Shape> {
     ]
 }
 
-/// Points of a ball, a box or a lattice, many of them in one plane.
+/// Points of a ball, a box or a lattice, many of them coplanar.
 fn cloud() -> impl Strategy<Value = Vec<Point3<f32>>> {
     let lattice = (0i32..4, 0i32..4, 0i32..4).prop_map(|(x, y, z)| Point3::new(x as f32, y as f32, z as f32) * 0.1);
     let free = [-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0].prop_map(Point3::from);
@@ -272,7 +272,7 @@ proptest! {
             let shape = Shape::Hull { points: points.clone() };
             let mesh = shape.mesh(0.01);
             if mesh.volume() < 1e-6 {
-                continue; // all points in about one plane
+                continue; // all points nearly coplanar
             }
             check(&shape, 0.01);
             for triangle in &mesh.triangles {

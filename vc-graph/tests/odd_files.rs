@@ -1,4 +1,4 @@
-//! Files that are valid and odd: what they say is kept and found.
+//! Files that are valid but odd: their content is preserved and found.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -63,7 +63,7 @@ fn a_thing_is_in_the_room_that_was_found_for_its_support() {
     assert_eq!(graph.room_of(NodeId(7)), Some(NodeId(1)));
 }
 
-/// A cup of some name on a table of some name, by way of the thesis's format.
+/// A cup and a table with given names, written and read in the thesis's format.
 fn thesis_names(cup: &str, table: &str) -> Result<(), String> {
     let mut scene = SceneBuilder::new("names");
     let kitchen = scene.add(Draft::new("kitchen").at(Pose::identity())).unwrap();

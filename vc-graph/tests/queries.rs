@@ -1,4 +1,4 @@
-//! Queries against slow, obvious versions: scans over all nodes and edges.
+//! Queries compared with slow, obvious versions: scans over all nodes and edges.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -14,7 +14,7 @@ use vc_graph::{
     Draft, Kind, NEAR, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Scope, State, Word,
 };
 
-/// A scene that shows itself as its file.
+/// A scene whose debug output is its file.
 struct Shown(SceneGraph);
 
 impl std::fmt::Debug for Shown {
@@ -56,7 +56,7 @@ fn places(graph: &SceneGraph, id: NodeId) -> BTreeSet<Place> {
     on.chain(held.map(|e| Place { relation: e.relation, at: e.from })).collect()
 }
 
-/// All that a node rests at, directly or not.
+/// All supports and containers of a node, direct and indirect.
 fn chain(graph: &SceneGraph, id: NodeId) -> BTreeSet<NodeId> {
     let mut found = BTreeSet::new();
     let mut open = vec![id];
@@ -66,7 +66,7 @@ fn chain(graph: &SceneGraph, id: NodeId) -> BTreeSet<NodeId> {
     found
 }
 
-/// The closed things that a node is inside of, directly or not.
+/// The closed containers that a node is inside, directly or indirectly.
 fn hiding(graph: &SceneGraph, id: NodeId) -> BTreeSet<NodeId> {
     let below = chain(graph, id).into_iter().chain([id]);
     let inside = below.flat_map(|n| ends(graph, n, Relation::Inside));
@@ -93,7 +93,7 @@ fn near(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
     if node.kind() == Kind::Room && !node.affords(Property::BodyPart) {
         return mine.contains(&id) || room_of(graph, agent) == Some(id);
     }
-    // A thing of another room is not near by what is near, where all is known.
+    // If poses and rooms are known, an object in another room is not near through a near object.
     let known = [agent, id].iter().all(|n| graph.node(*n).unwrap().pose().is_some() && room_of(graph, *n).is_some());
     node.affords(Property::BodyPart)
         || mine.contains(&id)
@@ -233,8 +233,8 @@ fn positions_far_away_are_found() {
     assert_eq!(graph.within(Point3::new(8.0e6, -9.0e6, 0.0), 1.0), []);
 }
 
-/// Only that of two pictures on a wall is near that is in one's own room; where no poses are known, the
-/// graph is believed.
+/// If two pictures hang on either side of a wall, only the one in the agent's own room is near; without poses,
+/// the graph's relation decides.
 #[test]
 fn what_hangs_behind_the_wall_is_not_near() {
     use vc_graph::{Draft, Edge, Pose, SceneBuilder};
@@ -254,7 +254,7 @@ fn what_hangs_behind_the_wall_is_not_near() {
     }
 }
 
-/// A node that is not there sees nothing; an agent with a negative radius or NaN sees only the rooms and itself.
+/// A missing node sees nothing; an agent with a negative radius or NaN sees only the rooms and itself.
 #[test]
 fn nobody_sees_nothing() {
     let mut scene = SceneBuilder::new("flat");

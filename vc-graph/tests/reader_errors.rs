@@ -1,4 +1,4 @@
-//! A file that is wrong is refused with line, field and what was expected.
+//! An invalid file is refused with line, field and expected form.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

@@ -8,7 +8,7 @@ use shared::{cases, documents};
 use vc_graph::format::{eai, native, program, read_scene, thesis, virtualhome};
 use vc_graph::{Action, ClassTable, Goal, Label, SceneGraph, State, Word};
 
-/// Gives a text to every reader, and uses what comes out.
+/// Gives a text to every reader, and uses the results.
 fn read_all(text: &str) {
     let classes = ClassTable::builtin();
     let readers = [native::read, thesis::read, virtualhome::read, read_scene];
@@ -42,7 +42,7 @@ fn read_all(text: &str) {
     let _ = ClassTable::builtin().get(text);
 }
 
-/// Asks everything that walks over a scene as a file has it.
+/// Calls everything that traverses a scene, on a scene as read from a file.
 fn look_at(graph: &SceneGraph) {
     let _ = (graph.validate(), graph.digest(), native::write(graph), thesis::write(graph), virtualhome::write(graph));
     for node in graph.nodes() {
@@ -57,7 +57,7 @@ fn look_at(graph: &SceneGraph) {
     }
 }
 
-/// What to do with a document: where, how far, what, and what to put there.
+/// A mutation of a document: position, length, kind, and replacement.
 type Cut = (prop::sample::Index, usize, u8, usize);
 
 const TOKENS: &[&str] = &[
@@ -112,7 +112,7 @@ fn mutated(document: &str, cuts: &[Cut]) -> String {
             }
             2 => drop(bytes.splice(from..to, TOKENS[*token].bytes())),
             _ => {
-                // A number, from the cut on.
+                // The next number after the position.
                 let start = bytes[from..].iter().position(u8::is_ascii_digit).map_or(from, |p| from + p);
                 let is_number = |b: &u8| b.is_ascii_digit() || *b == b'.';
                 let end = start + bytes[start..].iter().take_while(|b| is_number(b)).count();
@@ -184,8 +184,7 @@ fn deep_nesting_is_refused() {
     assert!(closed.parse::<Goal>().unwrap_err().to_string().contains("nest"));
 }
 
-/// Run with a large stack: a reader that recurses without bound then answers
-/// instead of ending the process.
+/// Run with a large stack: a reader that recurses without bound then returns instead of ending the process.
 #[test]
 fn deep_quantifiers_are_refused() {
     let read = || {

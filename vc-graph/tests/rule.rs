@@ -1,4 +1,4 @@
-//! Every verb does what it should, and is refused where it should be.
+//! Every verb has its effects, and is refused when it should be.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -19,7 +19,7 @@ fn the_table_is_in_the_order_of_the_verbs() {
     }
 }
 
-/// What has been done before, and what can be done then. Separated by commas.
+/// Actions performed before, and an action that is then possible. Separated by commas.
 const DONE: &[(&str, &str)] = &[
     ("", "walk cup"),
     ("", "run book"),
@@ -82,7 +82,7 @@ const DONE: &[(&str, &str)] = &[
     ("walk plate", "soil plate"),
 ];
 
-/// What has been done before, what cannot be done then, and why.
+/// Actions performed before, an action that is then impossible, and the reason.
 const REFUSED: &[(&str, &str, &str)] = &[
     ("walk chair, sit chair", "walk cup", "one must stand up first"),
     ("walk single_bed, lie single_bed", "run cup", "one must stand up first"),
@@ -143,7 +143,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("walk knife, grab knife, walk book", "put_in knife book", "book is not a container"),
 ];
 
-/// Verbs that nothing forbids.
+/// Verbs that are always possible.
 const FREE: [Verb; 5] = [Verb::TurnTo, Verb::Wave, Verb::Exercise, Verb::Stretch, Verb::Smile];
 
 fn after(before: &str) -> Flat {

@@ -1,4 +1,4 @@
-//! Pouring, filling, cooking, cutting, folding: what things become.
+//! Pouring, filling, cooking, cutting, folding: changes of objects.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

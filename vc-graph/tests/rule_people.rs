@@ -1,4 +1,4 @@
-//! People among things and each other: hands, seats, trays, vehicles.
+//! People and objects: hands, seats, trays, vehicles.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

@@ -1,5 +1,5 @@
-//! Whatever people do, the scene stays sound; what is refused changes nothing; and
-//! the rule read backwards keeps its promises.
+//! After any actions the scene stays valid; refusals change nothing; and regression finds actions with the
+//! promised effects.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -10,14 +10,14 @@ use shared::flat::{Flat, plain};
 use vc_graph::rule::{allows, legal_actions, preconditions, refusals, regress::achievers, step};
 use vc_graph::{Action, Condition, Kind, Node, NodeId, Relation, State, Verb, Word};
 
-/// A step to be: who, which verb, and with what.
+/// A random step: agent, verb, and objects.
 type Wish = (bool, usize, usize, usize);
 
 fn wishes(most: usize) -> impl Strategy<Value = Vec<Wish>> {
     prop::collection::vec((any::<bool>(), any::<usize>(), any::<usize>(), any::<usize>()), 0..most)
 }
 
-/// Any action, on things near by or held if `choice` says so.
+/// Any action, on near or held objects if `choice` says so.
 fn any_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize)) -> Action {
     let verb = Verb::ALL[verb % Verb::ALL.len()];
     let graph = flat.graph();
@@ -30,7 +30,7 @@ fn any_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize)) -
     Action::with(verb, &[pick(x), pick(y)][..verb.arity()]).unwrap()
 }
 
-/// Of all that can be done with the things there are, the one the wish picks.
+/// The legal action on existing objects that the random numbers select.
 fn legal_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize)) -> Option<Action> {
     let ids: Vec<NodeId> = flat.graph().nodes().map(Node::id).collect();
     let verb = Verb::ALL[verb % Verb::ALL.len()];
@@ -48,7 +48,7 @@ fn legal_action(flat: &Flat, agent: NodeId, (verb, x, y): (usize, usize, usize))
     }
 }
 
-/// The legal actions are exactly those without a refusal: every verb with all things there are.
+/// The legal actions are exactly those without a refusal: every verb with all objects.
 fn all_legal(flat: &Flat, agent: NodeId) -> Result<(), TestCaseError> {
     let graph = flat.graph();
     let ids: Vec<NodeId> = graph.nodes().map(Node::id).collect();
@@ -67,7 +67,7 @@ fn all_legal(flat: &Flat, agent: NodeId) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Acts; checks that a refusal leaves all as it was.
+/// Acts; checks that a refusal changes nothing.
 fn act(flat: &mut Flat, agent: NodeId, action: &Action) -> Result<bool, TestCaseError> {
     let before = flat.graph().clone();
     let refused = refusals(&before, agent, action);
@@ -86,7 +86,7 @@ fn act(flat: &mut Flat, agent: NodeId, action: &Action) -> Result<bool, TestCase
     }
 }
 
-/// Nothing is wrong with the scene, and everybody is where he says he is.
+/// The scene is valid, and the agents' states fit their relations.
 fn sound(flat: &Flat) -> Result<(), TestCaseError> {
     prop_assert_eq!(flat.graph().validate(), []);
     let agents = flat.graph().agents().iter();
@@ -106,7 +106,7 @@ fn who(flat: &Flat, other: bool) -> NodeId {
     if other { flat.other } else { flat.me }
 }
 
-/// Conditions about things of every sort, of the kinds that one action achieves.
+/// Conditions on objects of every sort, of the kinds that one action achieves.
 fn conditions(flat: &Flat, agent: NodeId) -> Vec<Condition> {
     let mut all = vec![Condition::FreeHand, Condition::Upright];
     for node in flat.graph().nodes().filter(|n| n.id() != agent) {
@@ -127,7 +127,7 @@ fn conditions(flat: &Flat, agent: NodeId) -> Vec<Condition> {
     all
 }
 
-/// Every achiever that can be done does what it is to do.
+/// Every possible achiever has the required effect.
 fn promises(flat: &Flat, agent: NodeId) -> Result<(), TestCaseError> {
     for want in conditions(flat, agent) {
         if want.holds(flat.graph(), agent) {

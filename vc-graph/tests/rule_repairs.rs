@@ -1,5 +1,5 @@
-//! Where VirtualHome's symbolic simulator is broken, ours is not: one test for each
-//! line of the list in the rule's documentation.
+//! Faults of VirtualHome's symbolic simulator that VirtualCity does not have: one test for each item of the
+//! list in the rule's documentation.
 #![allow(clippy::unwrap_used)]
 
 mod shared;

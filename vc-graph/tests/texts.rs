@@ -1,4 +1,4 @@
-//! Goals, actions and labels print as what reads back.
+//! Goals, actions and labels print in a form that parses back equal.
 #![allow(clippy::unwrap_used)]
 
 mod shared;
@@ -265,7 +265,7 @@ fn misspelt_words_get_the_nearest() {
     assert!(vc_graph::nearest("", ["a", "on"]).is_empty());
 }
 
-/// An action that names things is not done to others; whoever writes numbers alone says nothing about classes.
+/// An action with labels is not performed on other nodes; plain numbers say nothing about classes.
 #[test]
 fn actions_are_done_to_what_they_name() {
     use vc_graph::{Draft, Refusal, SceneBuilder, rule};
@@ -287,7 +287,7 @@ fn actions_are_done_to_what_they_name() {
     }
     let second = format!("place apple.{} apple.{}", apple.0, table.0);
     assert_eq!(refusals(&second), [Refusal::Misnamed(label)]);
-    // It stays the same action, and prints as the scene calls things.
+    // It compares equal to the plain action, and prints as the plain action does.
     let (named, plain): (Action, Action) = ("grab apple.3".parse().unwrap(), Action::one(Verb::Grab, apple));
     assert_eq!((named, named.to_string()), (plain, "grab #3".to_owned()));
 }

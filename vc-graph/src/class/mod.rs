@@ -1,8 +1,7 @@
-//! Object classes: what kinds of things there are, what one can do with them, how
-//! big they are and where people keep them.
+//! Object classes: their categories, affordances, sizes and the places where people keep them.
 //!
-//! The built-in table is read from text files compiled into the crate; see
-//! [`ClassTable::parse`] for the format, in which users add their own classes.
+//! The built-in table is parsed from text files compiled into the crate. Users add their own classes in the
+//! same format, which [`ClassTable::parse`] describes.
 
 mod name;
 mod parse;
@@ -16,11 +15,11 @@ use crate::{PropertySet, Relation, StateSet};
 pub use parse::{ClassError, ClassProblem};
 
 vocabulary! {
-    /// What sort of thing a class is.
+    /// The category of a class.
     Category, "category" {
         /// A room or outdoor region.
         Room = "room",
-        /// Floors, walls, ceilings and what is built in.
+        /// Floors, walls, ceilings and built-in elements.
         Structure = "structure",
         /// A door between rooms.
         Door = "door",
@@ -36,7 +35,7 @@ vocabulary! {
         Lamp = "lamp",
         /// Decoration.
         Decor = "decor",
-        /// A small thing.
+        /// A small object.
         Prop = "prop",
         /// Food and drink.
         Food = "food",
@@ -50,13 +49,13 @@ vocabulary! {
         Toy = "toy",
         /// Sports gear.
         Sport = "sport",
-        /// What stands outdoors.
+        /// An outdoor object.
         Outdoor = "outdoor",
         /// A vehicle.
         Vehicle = "vehicle",
         /// A person.
         Character = "character",
-        /// An abstract class that others are kinds of.
+        /// An abstract class with subclasses.
         Group = "group",
     }
 }
@@ -72,9 +71,9 @@ vocabulary! {
         Compartment = "compartment",
         /// An open bowl or tub.
         Basin = "basin",
-        /// A hook to hang things on.
+        /// A hook to hang objects on.
         Hook = "hook",
-        /// A rack for many of a kind.
+        /// A rack for many objects of one kind.
         Rack = "rack",
         /// A rod for hangers.
         Rod = "rod",
@@ -82,34 +81,34 @@ vocabulary! {
         Seat = "seat",
         /// A place to lie.
         Lie = "lie",
-        /// A hob's cooking place.
+        /// A cooking zone of a hob.
         Burner = "burner",
         /// A pocket.
         Pocket = "pocket",
-        /// A place for exactly one thing.
+        /// A place for exactly one object.
         Slot = "slot",
     }
 }
 
-/// Which relation takes up which kind of place.
+/// The kind of place that each relation takes up.
 pub(crate) const OCCUPANCY: [(Relation, SlotKind); 2] =
     [(Relation::SittingOn, SlotKind::Seat), (Relation::LyingOn, SlotKind::Lie)];
 
 /// A number of places of one kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Slot {
-    /// What kind of place.
+    /// The kind of place.
     pub kind: SlotKind,
-    /// How many of them.
+    /// The number of places.
     pub number: u32,
 }
 
-/// A closed range of a measure.
+/// A closed range of values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// Least sensible value.
+    /// Smallest plausible value.
     pub low: f32,
-    /// Largest sensible value.
+    /// Largest plausible value.
     pub high: f32,
 }
 
@@ -120,39 +119,39 @@ impl Range {
     }
 }
 
-/// A place where people keep things of a class.
+/// A place where people keep objects of a class.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
     /// Class of the room; `None` for any room.
     pub room: Option<Arc<str>>,
-    /// On or inside which class; `None` for standing in the room itself.
+    /// The class on or inside which it is kept; `None` if it stands in the room itself.
     pub at: Option<(Relation, Arc<str>)>,
     /// Relative weight, at least 1.
     pub weight: u32,
 }
 
-/// What is known about a class of objects.
+/// The description of a class of objects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Class {
     /// The class's name, `coffee_table`.
     pub name: Arc<str>,
-    /// Classes it is a kind of, `table`.
+    /// Parent classes, `table`.
     pub parents: Vec<Arc<str>>,
     /// Other names of the same class.
     pub aliases: Vec<Arc<str>>,
-    /// What sort of thing it is.
+    /// Its category.
     pub category: Category,
-    /// What can be done with it.
+    /// Actions that it permits.
     pub affordances: PropertySet,
     /// Depth, width and height, metres; `None` for groups.
     pub size: Option<[Range; 3]>,
     /// Mass, kilograms; `None` for groups and rooms.
     pub mass: Option<Range>,
-    /// States it starts in.
+    /// Initial states.
     pub starts: StateSet,
     /// Places in or on it.
     pub slots: Arc<[Slot]>,
-    /// Where people keep it.
+    /// Places where people keep it.
     pub kept: Vec<Kept>,
     /// Position in the table.
     index: usize,
@@ -180,11 +179,11 @@ impl Class {
 pub struct ClassTable {
     classes: Vec<Class>,
     by_name: HashMap<String, usize>,
-    /// For each class all its kinds, itself included, by position.
+    /// For each class the indices of its descendants, itself included.
     kinds: Vec<Vec<usize>>,
 }
 
-/// The text of the built-in table, by theme.
+/// The texts of the built-in table, by theme.
 const BUILTIN: &[(&str, &str)] = &[
     ("groups.txt", include_str!("../../data/classes/groups.txt")),
     ("rooms.txt", include_str!("../../data/classes/rooms.txt")),
@@ -200,7 +199,7 @@ const BUILTIN: &[(&str, &str)] = &[
     ("vehicles.txt", include_str!("../../data/classes/vehicles.txt")),
 ];
 
-/// Says how many classes there are: the table is too long for a message.
+/// Prints only the number of classes: the table is too long for a message.
 impl std::fmt::Debug for ClassTable {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "ClassTable({} classes)", self.len())
@@ -223,20 +222,19 @@ impl ClassTable {
         self.classes.len()
     }
 
-    /// Whether the table knows nothing.
+    /// Whether the table has no classes.
     pub fn is_empty(&self) -> bool {
         self.classes.is_empty()
     }
 
-    /// All classes, in the order they were written.
+    /// All classes, in the order of the text.
     pub fn iter(&self) -> impl Iterator<Item = &Class> {
         self.classes.iter()
     }
 
-    /// The class of a name, in any usual spelling: case, `_`, `-` and spaces do
-    /// not matter, nor do engine prefixes and numbers (`SM_Coffee_Table_03`); of a
-    /// longer name its end counts (`SM_Glass_Milk` is milk, a fridge magnet no fridge); words such as
-    /// colours at its end are passed over.
+    /// Finds a class by name, in any usual spelling: case, `_`, `-` and spaces do not matter, nor do engine
+    /// prefixes and numbers (`SM_Coffee_Table_03`). In a longer name the end decides (`SM_Glass_Milk` is milk,
+    /// a fridge magnet is not a fridge); words such as colours at the end are skipped.
     pub fn get(&self, name: &str) -> Option<&Class> {
         let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
         let whole = plain.then(|| self.by_name.get(name)).flatten();
@@ -244,24 +242,24 @@ impl ClassTable {
         found.map(|&i| &self.classes[i])
     }
 
-    /// The class of a name up to case and separators; nothing is guessed.
+    /// Finds a class by name up to case and separators, without guessing.
     pub(crate) fn exact(&self, name: &str) -> Option<&Class> {
         let key = crate::vocabulary::key(name);
         self.by_name.get(&key).map(|&i| &self.classes[i])
     }
 
-    /// The names and aliases nearest to a misspelt one, see [`nearest`](crate::nearest).
+    /// The names and aliases nearest to a misspelt name, see [`nearest`](crate::nearest).
     pub fn nearest(&self, name: &str) -> Vec<&str> {
         let named = self.iter().flat_map(|class| std::iter::once(&class.name).chain(&class.aliases));
         crate::nearest(name, named.map(|name| &**name))
     }
 
-    /// The class and all its kinds.
+    /// The class and all its descendants.
     pub fn kinds_of(&self, class: &Class) -> impl Iterator<Item = &Class> {
         self.kinds[class.index].iter().map(|&i| &self.classes[i])
     }
 
-    /// Whether a class is another or a kind of it.
+    /// Whether a class equals `ancestor` or descends from it.
     pub fn is_a(&self, name: &str, ancestor: &str) -> bool {
         match (self.get(name), self.get(ancestor)) {
             (Some(class), Some(ancestor)) => self.kinds[ancestor.index].contains(&class.index),

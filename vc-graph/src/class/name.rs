@@ -1,11 +1,11 @@
-//! Forgiving names: which class a spelling might mean, best guess first.
+//! Tolerant name matching: the classes that a spelling might mean, best guess first.
 
 use crate::vocabulary::key;
 
-/// Words that engines and artists put around a name.
+/// Prefixes and other words that engines and artists add to a name.
 const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "app", "lam", "prefab", "mesh", "ingir"];
 
-/// Words that may follow a thing's name and describe it: `Table_Round_White`.
+/// Words that may follow an object's name and describe it: `Table_Round_White`.
 const QUALIFIERS: &[&str] = &[
     "small", "medium", "large", "big", "mini", "tall", "short", "long", "wide", "narrow", "high", "low", "left",
     "right", "front", "back", "top", "bottom", "upper", "lower", "inner", "outer", "open", "closed", "old", "new",
@@ -15,12 +15,12 @@ const QUALIFIERS: &[&str] = &[
     "version", "var", "ver", "lod",
 ];
 
-/// Longest name that is taken apart, words; longer ones are only matched whole.
+/// The largest number of words for which a name is split; longer names are only matched whole.
 const LONGEST: usize = 12;
 
-/// The folded spellings to look up, best first: the whole name, the name without
-/// noise and numbers, then its ends, longer before shorter: in English the last word says
-/// what a thing is, and a fridge magnet is no fridge.
+/// The folded spellings to look up, best first: the whole name, the name without noise words and numbers, then
+/// its ends, longer before shorter: in English the last word names the object, and a fridge magnet is not a
+/// fridge.
 pub(super) fn candidates(name: &str) -> impl Iterator<Item = String> {
     let whole = key(name);
     std::iter::once(whole).chain(std::iter::once_with(|| parts(name)).flatten())
@@ -47,7 +47,7 @@ fn unnumbered(name: &str) -> String {
     pieces.filter(|p| !NOISE.contains(&p.as_str()) && !p.chars().all(|c| c.is_ascii_digit())).collect()
 }
 
-/// The last words of a name, more before fewer.
+/// The ends of a name, from all its words to the last word.
 fn ends(words: &[&str]) -> Vec<String> {
     (0..words.len()).flat_map(|from| with_singular(words[from..].concat())).collect()
 }

@@ -11,10 +11,10 @@ use crate::{Property, Relation, State};
 const COLUMNS: [&str; 10] =
     ["name", "kind of", "aliases", "category", "affordances", "size", "mass", "starts", "slots", "kept"];
 
-/// Most classes that one may be a kind of, directly and indirectly.
+/// The largest number of ancestors of a class, direct and indirect.
 const DEEPEST: usize = 64;
 
-/// Where a class table is wrong.
+/// An error in a class table, with its location.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{file}, line {line}, column `{column}`: {problem}")]
 pub struct ClassError {
@@ -22,23 +22,23 @@ pub struct ClassError {
     pub file: String,
     /// Line, counted from one.
     pub line: usize,
-    /// Which column.
+    /// The column.
     pub column: &'static str,
-    /// What is wrong there.
+    /// The error.
     pub problem: ClassProblem,
 }
 
-/// What is wrong with an entry of a class table.
+/// An error in an entry of a class table.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ClassProblem {
     /// Wrong number of columns.
     #[error("a class has 10 columns separated by `|`, this line has {0}")]
     Columns(usize),
-    /// The name is taken.
+    /// The name is in use already.
     #[error("`{0}` is the name or alias of another class already")]
     Taken(String),
-    /// A class that is referred to does not exist.
+    /// A reference to a class that does not exist.
     #[error("there is no class `{0}`")]
     NoSuchClass(String),
     /// A word that is not in its vocabulary.
@@ -56,29 +56,28 @@ pub enum ClassProblem {
     /// Not a place.
     #[error("`{0}` is no place such as `kitchen/on/kitchen_table:3` or `kitchen:1`")]
     Kept(String),
-    /// A class is a kind of itself.
+    /// A class is its own ancestor.
     #[error("`{0}` is a kind of itself")]
     Circle(String),
     /// A class has too many ancestors.
     #[error("`{0}` has more than {DEEPEST} ancestors")]
     TooDeep(String),
-    /// No name given.
+    /// No name, or one with other characters than letters, digits, `_` and `-`.
     #[error("the name is missing or has characters other than letters, digits, `_` and `-`")]
     Name,
 }
 
 impl ClassTable {
-    /// Reads a class table.
+    /// Parses a class table.
     ///
     /// One class a line, ten columns separated by `|`; `#` starts a comment line:
     ///
     /// `name | kind of | aliases | category | affordances | size | mass | starts | slots | kept`
     ///
-    /// Lists are separated by spaces. Sizes are three ranges in metres (depth,
-    /// width, height), masses a range in kilograms, slots `drawer:3`, places
-    /// `room/on/class:weight`, `room/in/class:weight` or `room:weight`, with `*`
-    /// for any room. Empty columns are allowed everywhere but in the first and
-    /// fourth.
+    /// Lists are separated by spaces. A size is three ranges in metres (depth, width, height), a mass is a
+    /// range in kilograms, a slot is written `drawer:3`, and a place `room/on/class:weight`,
+    /// `room/in/class:weight` or `room:weight`, with `*` for any room. All columns except the first and the
+    /// fourth may be empty.
     ///
     /// ```
     /// use vc_graph::ClassTable;
@@ -89,13 +88,12 @@ impl ClassTable {
     /// ```
     ///
     /// # Errors
-    /// [`ClassError`] gives line, column and what was expected.
+    /// [`ClassError`], with line, column and the expected form.
     pub fn parse(file: &str, text: &str) -> Result<Self, ClassError> {
         parse(Self::default(), &[(file, text)])
     }
 
-    /// This table with the classes of another text added, which may refer to the
-    /// classes of this one.
+    /// This table extended by the classes of another text, which may refer to the classes of this table.
     ///
     /// # Errors
     /// As [`ClassTable::parse`].
@@ -104,7 +102,7 @@ impl ClassTable {
     }
 }
 
-/// Where a class was written, for errors found when all are known.
+/// The location of a class in the text, for errors found after all classes are read.
 struct Origin<'a> {
     file: &'a str,
     line: usize,
@@ -177,7 +175,7 @@ fn parse_class(line: &str, origin: &Origin<'_>, index: usize) -> Result<Class, C
     })
 }
 
-/// Whether a class can be found by a name.
+/// Whether a name is well formed, so that a class can be found by it.
 fn is_name(name: &str) -> bool {
     name.chars().any(char::is_alphanumeric) && name.chars().all(crate::id::is_class_char)
 }
@@ -233,7 +231,7 @@ fn kept(text: &str) -> Result<Kept, ClassProblem> {
     Ok(Kept { room, at, weight })
 }
 
-/// Replaces references by canonical names and lists every class's kinds.
+/// Replaces references by canonical names and lists every class's descendants.
 fn resolve(table: &mut ClassTable, first_new: usize, origins: &[Origin<'_>]) -> Result<(), ClassError> {
     let by_name = &table.by_name;
     let names: Vec<Arc<str>> = table.classes.iter().map(|c| c.name.clone()).collect();

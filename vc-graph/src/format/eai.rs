@@ -1,5 +1,5 @@
-//! Data of the Embodied Agent Interface: programs with the graphs before and
-//! after, and goals. VirtualHome's own files of such graphs are read as scenes.
+//! Data of the Embodied Agent Interface: programs with the graphs before and after them, and goals.
+//! VirtualHome's own files of such graphs are read as scenes.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,18 +13,18 @@ use crate::goal::{Goal, Predicate, Term};
 use crate::vocabulary::clip;
 use crate::{ClassTable, NodeId, Relation, SceneGraph, State, Verb, Word};
 
-/// A program with the graph it starts from and the one it should end in.
+/// A program with its initial and final graphs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     /// Its identifier, `file101_2`.
     pub id: String,
     /// Its title, `Work`.
     pub title: String,
-    /// What to do.
+    /// The program.
     pub program: Program,
-    /// Graph before.
+    /// The graph before the program.
     pub initial: EnvironmentGraph,
-    /// Graph after, as VirtualHome's simulator left it.
+    /// The graph after the program, according to VirtualHome's simulator.
     pub last: EnvironmentGraph,
 }
 
@@ -38,10 +38,10 @@ struct RecordFile {
     final_graph: EnvironmentGraph,
 }
 
-/// Reads one line of a JSON Lines file of programs.
+/// Parses one line of a JSON Lines file of programs.
 ///
 /// # Errors
-/// [`FormatError`] with field and what was expected.
+/// [`FormatError`], with the field and the expected form.
 pub fn read_record(line: &str) -> Result<Record, FormatError> {
     let source = Source::new("EAI program", line);
     let file: RecordFile = source.json()?;
@@ -59,11 +59,11 @@ struct GraphsFile {
     final_graph: Option<EnvironmentGraph>,
 }
 
-/// Reads the scene of a file that has graphs before and after, with a program or without:
-/// the one before, or the one after where there is no other.
+/// Reads the scene of a file with graphs before and after a program, with or without the program itself: the
+/// graph before, or if there is none the graph after.
 ///
 /// # Errors
-/// [`FormatError`] with field and what was expected.
+/// [`FormatError`], with the field and the expected form.
 pub fn read_start(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let source = Source::new("VirtualHome graphs", text);
     let GraphsFile { init_graph, final_graph } = source.json()?;
@@ -73,14 +73,14 @@ pub fn read_start(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, F
     graph.build("VirtualHome", classes).map_err(|(field, problem)| source.error(format!("{key}.{field}"), problem))
 }
 
-/// A goal by states, edges and actions, and as a formula.
+/// A goal given as states, edges and actions, and also as a formula.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Task {
     /// Its title, `Wash hands`.
     pub title: String,
-    /// States and relations at the end, and what must have been done.
+    /// The final states and relations, and the actions that must have been performed.
     pub goal: Goal,
-    /// The formula that says the same with an order, where there is one.
+    /// The formula that also states the order, if there is one.
     pub formula: Option<Goal>,
 }
 
@@ -108,10 +108,10 @@ enum PartFile {
     Edge { from_id: u32, relation_type: RelationType, to_id: u32 },
 }
 
-/// Reads goals: an object from identifiers to tasks.
+/// Parses goals: a JSON object from identifiers to tasks.
 ///
 /// # Errors
-/// [`FormatError`] with field and what was expected.
+/// [`FormatError`], with the field and the expected form.
 pub fn read_tasks(text: &str) -> Result<BTreeMap<String, Task>, FormatError> {
     let source = Source::new("EAI goals", text);
     let file: BTreeMap<String, TaskFile> = source.json()?;
@@ -134,7 +134,7 @@ impl GoalFile {
     }
 }
 
-/// `TOUCH|PUSH`: one of these was done, to anything.
+/// Parses `TOUCH|PUSH`: one of these verbs was performed on any object.
 fn done(words: &str) -> Result<Goal, Problem> {
     let read = |word: &str| {
         let unknown = || Verb::parse(word).map_err(Problem::Word);

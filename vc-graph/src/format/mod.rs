@@ -1,17 +1,17 @@
-//! Files: scenes, programs and goals as others and we write them.
+//! File formats for scenes, programs and goals.
 //!
-//! | module | what |
+//! | module | content |
 //! |---|---|
-//! | [`native`] | our own scene JSON, versioned, complete |
+//! | [`native`] | VirtualCity's own scene JSON, versioned and complete |
 //! | [`thesis`] | the thesis's scene JSON, in Unreal's units |
 //! | [`virtualhome`] | VirtualHome's environment graphs |
 //! | [`program`] | VirtualHome's programs, `[WALK] <kitchen> (11)` |
 //! | [`eai`] | programs with graphs and goals of the Embodied Agent Interface |
 //! | [`objects`] | a plain list of objects, for JSON |
 //!
-//! No reader panics, recurses or allocates without bound: texts are limited to
-//! [`LARGEST`] bytes, nesting to 128 levels (by serde_json), and what is built is
-//! proportional to the text. Errors say line, field and what was expected.
+//! No reader panics, recurses or allocates without bound: texts are limited to [`LARGEST`] bytes, nesting to
+//! 128 levels (by serde_json), and the size of the result is proportional to the text. Errors give the line,
+//! the field and the expected form.
 
 pub mod eai;
 pub mod native;
@@ -30,10 +30,11 @@ use crate::EditError;
 
 pub use scene::read_scene;
 
-/// Largest text a reader takes, bytes.
+/// Largest text that a reader accepts, bytes.
 pub const LARGEST: usize = 256 << 20;
 
-/// A text without the byte order mark that some editors write in front. Every reader here leaves it out.
+/// Strips the byte order mark that some editors write at the start of a text. All readers of this module strip
+/// it.
 ///
 /// ```
 /// assert_eq!(vc_graph::format::unmarked("\u{feff}[WALK] <kitchen> (11)"), "[WALK] <kitchen> (11)");
@@ -42,24 +43,24 @@ pub fn unmarked(text: &str) -> &str {
     text.trim_start_matches('\u{feff}')
 }
 
-/// Where a file is wrong.
+/// An error in a file, with its location.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormatError {
-    /// Which format was read.
+    /// The format that was read.
     pub format: &'static str,
-    /// Line, counted from one, where known.
+    /// Line, counted from one, if known.
     pub line: Option<usize>,
     /// The field, as a path: `nodes[3].states[0]`.
     pub field: String,
-    /// What is wrong there, and what was expected.
+    /// The error and the expected form.
     pub problem: Box<Problem>,
 }
 
-/// What is wrong with a file.
+/// An error in a file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// Not JSON, or not of this format's shape.
+    /// Not JSON, or not of the structure of this format.
     #[error("{0}")]
     Shape(String),
     /// Too large.
@@ -71,28 +72,28 @@ pub enum Problem {
     /// An unknown word.
     #[error(transparent)]
     Word(#[from] crate::UnknownWord),
-    /// A number that cannot be.
+    /// An invalid number.
     #[error("{0} is not a finite number of a sensible size")]
     Number(String),
-    /// A version this program does not know.
+    /// A version that this program does not support.
     #[error("version {0} is newer than this program, which reads up to {1}")]
     Version(u32, u32),
-    /// A name that means nothing here.
+    /// A name that no object has.
     #[error("no object is called `{0}`")]
     NoSuchName(String),
-    /// A name that too many objects share.
+    /// A name that several objects share.
     #[error("{1} objects are called `{0}`; write its number as well, as in `{0}.7`")]
     Ambiguous(String, usize),
-    /// An asset that is not sound.
+    /// An invalid asset.
     #[error(transparent)]
     Asset(#[from] crate::asset::AssetError),
-    /// An action that is not one.
+    /// An invalid action.
     #[error(transparent)]
     Action(#[from] crate::ActionError),
-    /// One character does two things in one step.
-    #[error("`<char{0}>` does two things at once; write them in two lines, or who else does one of them")]
+    /// One character performs two actions in one step.
+    #[error("`<char{0}>` does two things at once; write them in two lines, or name another character for one of them")]
     ActsTwice(u32),
-    /// A goal that is not one.
+    /// An invalid goal.
     #[error(transparent)]
     Goal(#[from] crate::goal::GoalError),
 }
@@ -112,7 +113,7 @@ impl fmt::Display for FormatError {
 
 impl std::error::Error for FormatError {}
 
-/// A text being read: makes errors of it.
+/// A text that is being parsed, for error messages.
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'t> {
     pub(crate) format: &'static str,
@@ -124,12 +125,12 @@ impl<'t> Source<'t> {
         Self { format, text: unmarked(text) }
     }
 
-    /// Reads JSON into a type.
+    /// Parses JSON into a type.
     pub(crate) fn json<T: DeserializeOwned>(&self) -> Result<T, FormatError> {
         if self.text.len() > LARGEST {
             return Err(self.error(String::new(), Problem::TooLarge(self.text.len())));
         }
-        // The path costs time, so it is only looked for when there is an error.
+        // Tracking the path costs time, so it is only determined after an error.
         serde_json::from_str(self.text).map_err(|plain| self.shape_error::<T>(&plain))
     }
 
@@ -144,7 +145,7 @@ impl<'t> Source<'t> {
         FormatError { format: self.format, line: Some(plain.line()), field, problem: Box::new(Problem::Shape(message)) }
     }
 
-    /// An error at a field; elements of lists, `nodes[3]`, are found in the text.
+    /// An error at a field; for elements of lists, `nodes[3]`, the line is looked up in the text.
     pub(crate) fn error(&self, field: String, problem: impl Into<Problem>) -> FormatError {
         let line = element_line(self.text, &field);
         FormatError { format: self.format, line, field, problem: Box::new(problem.into()) }

@@ -1,4 +1,4 @@
-//! Our own scene JSON: complete, versioned, the same bytes for the same scene.
+//! VirtualCity's scene JSON: complete, versioned, the same bytes for the same scene.
 //!
 //! ```json
 //! {"virtualcity": 1, "name": "flat",
@@ -9,8 +9,8 @@
 //!  "edges": [[2, "in_room", 1]]}
 //! ```
 //!
-//! One node and one edge a line. Metres, kilograms, right-handed, Z up, X forward;
-//! quaternions x, y, z, w.
+//! One node and one edge per line. Metres, kilograms, right-handed, Z up, X forward; quaternions are x, y, z,
+//! w.
 
 use std::fmt::Write;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ use crate::{
     asset::{Material, Texture},
 };
 
-/// The version this program writes, and the latest it reads.
+/// The version that this program writes, and the latest that it reads.
 pub const VERSION: u32 = 1;
 
 #[derive(Serialize, Deserialize)]
@@ -86,7 +86,7 @@ enum KindFile {
     Object,
 }
 
-/// The kind of a node that says nothing but its category.
+/// The kind of a node that gives only its category.
 fn implied(category: &str) -> KindFile {
     match category {
         "room" | "Rooms" => KindFile::Room,
@@ -108,8 +108,8 @@ fn implied(category: &str) -> KindFile {
 /// ```
 ///
 /// # Errors
-/// [`FormatError`]: not this format, a newer version, numbers that occur twice,
-/// edges that lead nowhere, poses that are none.
+/// [`FormatError`]: another format, a newer version, duplicate node numbers, edges to missing nodes, invalid
+/// poses.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let source = Source::new("virtualcity scene", text);
     let file: File = source.json()?;
@@ -179,7 +179,7 @@ pub fn write(graph: &SceneGraph) -> String {
     text
 }
 
-/// JSON of one of our own plain types, which always has one.
+/// JSON of one of this crate's plain types, for which serialisation cannot fail.
 fn json<T: Serialize + ?Sized>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
@@ -225,7 +225,7 @@ impl From<&Node> for NodeFile {
 }
 
 impl NodeFile {
-    /// The node, or the field that is wrong.
+    /// The node, or the name of the invalid field.
     fn into_node(self, classes: &ClassTable) -> Result<Node, &'static str> {
         let affordances: PropertySet = self.affordances.into_iter().collect();
         let kind = match self.kind.unwrap_or_else(|| implied(&self.category)) {

@@ -1,11 +1,11 @@
-//! A scene as a plain list, for programs that know nothing of graphs.
+//! A scene as a plain list of objects, for programs that do not use graphs.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{Aabb, Edge, Node, NodeId, Observation, Pose, SceneGraph};
 
-/// A node as plain data: class, room, pose, box, states and relations. Lengths are metres, axes right-handed,
-/// Z up, X forward.
+/// A node as plain data: class, room, pose, bounding box, states and relations. Lengths are metres, axes
+/// right-handed, Z up, X forward.
 ///
 /// ```
 /// use vc_graph::format::objects::{Object, objects};
@@ -33,25 +33,25 @@ pub struct Object {
     pub category: String,
     /// The room it is in.
     pub room: Option<NodeId>,
-    /// Where its origin is, metres.
+    /// Position of its origin, metres.
     pub position: Option<[f32; 3]>,
-    /// How it is turned: a unit quaternion, x, y, z, w.
+    /// Its rotation: a unit quaternion, x, y, z, w.
     pub rotation: Option<[f32; 4]>,
-    /// The box around it along the world's axes.
+    /// Its world-aligned bounding box.
     #[serde(rename = "box")]
     pub bounds: Option<Corners>,
     /// Its states, `open`.
     pub states: Vec<String>,
-    /// How it is related to others. A symmetric relation stands at both objects.
+    /// Its relations. A symmetric relation is listed at both objects.
     pub relations: Vec<Related>,
 }
 
-/// Two corners of a box, metres.
+/// The two extreme corners of a box, metres.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Corners {
-    /// The lowest along each axis.
+    /// The smallest coordinates.
     pub min: [f32; 3],
-    /// The highest.
+    /// The largest coordinates.
     pub max: [f32; 3],
 }
 
@@ -64,12 +64,12 @@ pub struct Related {
     pub to: NodeId,
 }
 
-/// All nodes of a scene but rooms, by number.
+/// All nodes of a scene except rooms, by number.
 pub fn objects(graph: &SceneGraph) -> Vec<Object> {
     listed(graph.nodes(), |id| graph.room_of(id), graph.edges())
 }
 
-/// All nodes of an observation but rooms, by number, with the relations of which both ends are seen.
+/// All nodes of an observation except rooms, by number, with the relations whose ends are both visible.
 ///
 /// ```
 /// use vc_graph::format::objects::seen;
@@ -80,7 +80,7 @@ pub fn objects(graph: &SceneGraph) -> Vec<Object> {
 /// scene.add_in(fridge, Draft::new("milk"))?;
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let seen = seen(&scene.build().observe(me, Scope::Room));
-/// // The fridge is shut.
+/// The fridge is closed.
 /// assert_eq!(seen.iter().map(|object| object.id).collect::<Vec<_>>(), [fridge, me]);
 /// assert_eq!(seen[0].room, Some(kitchen));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

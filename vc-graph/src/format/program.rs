@@ -1,4 +1,4 @@
-//! VirtualHome's programs: one action a line.
+//! VirtualHome's programs: one action per line.
 //!
 //! ```text
 //! Make coffee
@@ -9,43 +9,42 @@
 //! <char0> [GRAB] <cup> (12) | <char1> [WALK] <kitchen> (11)
 //! ```
 //!
-//! The deeds of several characters at once stand in one line. A line that looks like an action
-//! and is none is an error, wherever it stands; a title that is also a verb, `Sleep`, is a
-//! title if a blank line follows.
+//! Simultaneous actions of several characters share a line. A line that looks like an action but is invalid is
+//! an error, wherever it stands; a title that is also a verb, `Sleep`, is a title if a blank line follows.
 
 use super::{FormatError, LARGEST, Problem, unmarked};
 use crate::simulator::Event;
 use crate::{Action, ActionError, Deed, Label, Misnomer, SceneGraph, Verb, Word};
 
-/// A program: what characters are to do, in order.
+/// A program: a sequence of actions of one or more characters.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Program {
-    /// Title and description, as far as there are any.
+    /// Title and description; may be empty.
     pub heading: Vec<String>,
-    /// The deeds, step by step: in each step one deed, or one of each of several characters.
+    /// The actions, step by step: each step has one action, or one for each of several characters.
     pub steps: Vec<Vec<Deed>>,
 }
 
-/// Why a program cannot be carried out in a scene, whatever its actions do.
+/// The reason why a program does not match a scene, regardless of its actions' preconditions.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CastError {
-    /// A character is to act that is not there.
+    /// A character of the program does not exist in the scene.
     #[error("action {step}: there is no `<char{character}>`, the scene has {}", characters(*.agents))]
     NoSuchCharacter {
-        /// Which step, counted from one.
+        /// The step, counted from one.
         step: usize,
         /// The character's number.
         character: u32,
-        /// How many characters there are.
+        /// The number of characters in the scene.
         agents: usize,
     },
-    /// A thing is of another class than its label says.
+    /// An object is of another class than its label says.
     #[error("action {step}: {misnomer}")]
     Misnomer {
-        /// Which step, counted from one.
+        /// The step, counted from one.
         step: usize,
-        /// The thing's name in the program and in the scene.
+        /// The object's label in the program and in the scene.
         misnomer: Misnomer,
     },
 }
@@ -69,7 +68,7 @@ impl Program {
         self.steps.iter().flatten().map(|deed| deed.action)
     }
 
-    /// The deeds with the agents of a scene that do them, step by step: `<char0>` is its first
+    /// The actions with the agents of a scene that perform them, step by step: `<char0>` is the scene's first
     /// agent, `<char1>` its second.
     ///
     /// ```
@@ -87,7 +86,7 @@ impl Program {
     /// ```
     ///
     /// # Errors
-    /// [`CastError`]: a character that is not there, a thing of another class than its label says.
+    /// [`CastError`]: a missing character, or an object of another class than its label says.
     pub fn cast(&self, graph: &SceneGraph) -> Result<Vec<Vec<Event>>, CastError> {
         let agents = graph.agents();
         let event = |step: usize, deed: &Deed| {
@@ -102,7 +101,7 @@ impl Program {
     }
 }
 
-/// Reads a program in VirtualHome's notation or ours.
+/// Parses a program in VirtualHome's notation or VirtualCity's.
 ///
 /// ```
 /// use vc_graph::format::program;
@@ -113,7 +112,7 @@ impl Program {
 /// ```
 ///
 /// # Errors
-/// [`FormatError`] with the line that is no action.
+/// [`FormatError`], with the line that is not an action.
 pub fn read(text: &str) -> Result<Program, FormatError> {
     let fail = |line: usize, problem: Problem| FormatError {
         format: "program",
@@ -136,7 +135,7 @@ pub fn read(text: &str) -> Result<Program, FormatError> {
     Ok(program)
 }
 
-/// The deeds of a line, of one character or of several: `<char0> [..] | <char1> [..]`.
+/// Parses the actions in a line, of one character or of several: `<char0> [..] | <char1> [..]`.
 pub(super) fn step(line: &str) -> Result<Vec<Deed>, Problem> {
     let deeds: Vec<Deed> = line.split('|').map(str::parse).collect::<Result<_, ActionError>>()?;
     let twice = |(i, deed): (usize, &Deed)| deeds[..i].iter().any(|d| d.character == deed.character);
@@ -146,7 +145,7 @@ pub(super) fn step(line: &str) -> Result<Vec<Deed>, Problem> {
     }
 }
 
-/// How many of the lines are before the first action.
+/// The number of lines before the first action.
 fn heading(lines: &[(usize, &str)]) -> usize {
     let blank = |line: &&(usize, &str)| line.1.is_empty();
     let start = lines.iter().take_while(blank).count();
@@ -161,8 +160,7 @@ fn heading(lines: &[(usize, &str)]) -> usize {
     sure + more.count()
 }
 
-/// Whether a line is written as an action is, right or wrong: in VirtualHome's brackets, or as a
-/// verb with labels of things.
+/// Whether a line has the form of an action, valid or not: in VirtualHome's brackets, or as a verb with labels.
 fn is_meant_as_step(line: &str) -> bool {
     let verb = |text: &str| {
         let word = text.split(']').next().unwrap_or_default().trim();
@@ -176,7 +174,7 @@ fn is_meant_as_step(line: &str) -> bool {
     line.starts_with(['[', '<']) || line.split('[').skip(1).any(verb) || labelled(unnumbered(line))
 }
 
-/// The line without a number in front of it, `1. `.
+/// The line without a leading number, `1. `.
 fn unnumbered(line: &str) -> &str {
     let number = line.split_whitespace().next().unwrap_or_default();
     let counts = is_number(number.trim_end_matches(['.', ')', ':']));
@@ -187,11 +185,11 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Writes a program in VirtualHome's notation, with a scene's class names. Characters are written unless
-/// the first one does everything.
+/// Writes a program in VirtualHome's notation, with a scene's class names. Characters are written unless the
+/// first one performs all actions.
 ///
 /// # Errors
-/// [`ActionError::NotInVirtualHome`] for a verb it does not have.
+/// [`ActionError::NotInVirtualHome`] for a verb that VirtualHome does not have.
 pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionError> {
     let mut text: String = program.heading.iter().map(|line| format!("{line}\n")).collect();
     if !text.is_empty() {

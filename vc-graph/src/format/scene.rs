@@ -1,4 +1,4 @@
-//! Reading a scene in any of its formats, which is recognised by the structure of the JSON.
+//! Reading a scene in any supported format, which is recognised by the structure of the JSON.
 
 use std::fmt;
 use std::sync::Arc;
@@ -8,30 +8,30 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 use super::{FormatError, eai, native, thesis, unmarked, virtualhome};
 use crate::{ClassTable, SceneGraph};
 
-/// Reads a scene in whichever format the text is: ours, the thesis's, VirtualHome's, or
-/// VirtualHome's graphs before and after something, of which the first counts.
+/// Reads a scene in any supported format: VirtualCity's, the thesis's, VirtualHome's, or a pair of VirtualHome
+/// graphs before and after a program, of which the first is read.
 ///
 /// # Errors
-/// The [`FormatError`] of the format that the text looks most like.
+/// The [`FormatError`] of the most similar format.
 pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let mut outline = Outline::default();
     let mut json = serde_json::Deserializer::from_str(unmarked(text));
-    // Where the look ends early, the outline has the keys before that.
+    // If the scan ends early, the outline has the keys up to that point.
     let _ = Look { outline: &mut outline, top: true }.deserialize(&mut json);
     outline.reader()(text, classes)
 }
 
 type Reader = fn(&str, &Arc<ClassTable>) -> Result<SceneGraph, FormatError>;
 
-/// The structure in which formats differ: the keys at the top of a text, and for each whether its value is
-/// a list and which keys the first object below it has.
+/// The structure by which formats are recognised: the top-level keys, and for each whether its value is a list
+/// and the keys of the first object below it.
 #[derive(Default)]
 struct Outline {
     keys: Vec<(String, bool, Vec<String>)>,
 }
 
 impl Outline {
-    /// An error that ends the look as soon as the last key tells the format.
+    /// Returns an error, which ends the scan, as soon as the last key determines the format.
     fn told<E: Error>(&self) -> Result<(), E> {
         let known = |key: &String| key == "class_name" || key == "transform";
         let told = self
@@ -49,7 +49,7 @@ impl Outline {
         match self.keys.as_slice() {
             _ if no_list("virtualcity") => native::read,
             _ if no_list("init_graph") || no_list("final_graph") => eai::read_start,
-            // A scene of the thesis has one key, its name, which may be any.
+            // A scene of the thesis has a single key, its name, which is arbitrary.
             [(_, true, objects)] if objects.is_empty() || below(&["name", "transform"]) => thesis::read,
             _ if has("nodes") || has("edges") || below(&["class_name"]) => virtualhome::read,
             _ => thesis::read,
@@ -57,7 +57,7 @@ impl Outline {
     }
 }
 
-/// A look at a value, at the top or below it.
+/// A scan of a value, at the top level or below.
 struct Look<'o> {
     outline: &'o mut Outline,
     top: bool,
@@ -97,7 +97,7 @@ impl<'de> Visitor<'de> for Look<'_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(), A::Error> {
         match self.outline.keys.last_mut() {
             Some((_, list, _)) => *list = true,
-            // A list at the top is a key without a name.
+            // A top-level list counts as a key without a name.
             None => self.outline.keys.push((String::new(), true, Vec::new())),
         }
         seq.next_element_seed(Look { outline: &mut *self.outline, top: false })?;

@@ -1,6 +1,6 @@
-//! VirtualHome's environment graphs, both ways.
+//! VirtualHome's environment graphs, reading and writing.
 //!
-//! | VirtualHome | here |
+//! | VirtualHome | VirtualCity |
 //! |---|---|
 //! | `bounding_box`, metres, left-handed, Y up | pose at its centre and a world-aligned box, Y and Z swapped |
 //! | `obj_transform` (from version 2 on) | pose; the box stays world-aligned |
@@ -9,10 +9,10 @@
 //! | `ON` a character | [`Relation::WornBy`] |
 //! | `CLOSE`, written both ways | [`Relation::Near`], symmetric |
 //!
-//! A quaternion that is not of unit length is normalised, and the sign of a size is ignored.
-//! Reading and writing again keeps every node, state, property and edge that the
-//! format has. What it has no word for is not written: our further states and
-//! properties, contents, where a held thing was taken from, touching, directions.
+//! A quaternion that is not of unit length is normalised, and the sign of a size is ignored. Reading and
+//! writing again preserves every node, state, property and edge of the format. Information that the format
+//! cannot express is not written: VirtualCity's further states and properties, contents, the previous place of
+//! a held object, touching, directions.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -29,7 +29,7 @@ use crate::{
     SceneBuilder, SceneGraph, State, StateSet, UnknownWord, Word, did_you_mean,
 };
 
-/// An environment graph as the file has it.
+/// An environment graph as in the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EnvironmentGraph {
     /// Its nodes.
@@ -38,7 +38,7 @@ pub struct EnvironmentGraph {
     pub edges: Vec<EnvironmentEdge>,
 }
 
-/// A node as the file has it.
+/// A node as in the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EnvironmentNode {
     /// Number.
@@ -81,7 +81,7 @@ pub struct Transform {
     pub position: [f32; 3],
     /// Quaternion x, y, z, w.
     pub rotation: [f32; 4],
-    /// Along each axis; one where the file has none.
+    /// Scale along each axis; one if the file has none.
     #[serde(default = "unscaled")]
     pub scale: [f32; 3],
 }
@@ -90,14 +90,14 @@ fn unscaled() -> [f32; 3] {
     [1.0; 3]
 }
 
-/// A relation as the file has it.
+/// A relation as in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct EnvironmentEdge {
-    /// Where it starts.
+    /// The start node.
     pub from_id: u32,
-    /// What it is.
+    /// The kind of relation.
     pub relation_type: RelationType,
-    /// Where it leads.
+    /// The end node.
     pub to_id: u32,
 }
 
@@ -116,11 +116,11 @@ pub enum RelationType {
     Sitting,
 }
 
-/// Reads an environment graph.
+/// Parses an environment graph.
 ///
 /// # Errors
-/// [`FormatError`]: not this format, unknown states or properties, numbers that
-/// occur twice, edges that lead nowhere.
+/// [`FormatError`]: another format, unknown states or properties, duplicate node numbers, edges to missing
+/// nodes.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let source = Source::new("VirtualHome graph", text);
     let file: EnvironmentGraph = source.json()?;
@@ -135,10 +135,10 @@ pub fn write(graph: &SceneGraph) -> String {
 type Wrong = (String, Problem);
 
 impl EnvironmentGraph {
-    /// The scene.
+    /// Builds the scene.
     ///
     /// # Errors
-    /// The field and what is wrong with it.
+    /// The invalid field and the error.
     pub fn build(&self, name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, (String, Problem)> {
         let mut scene = SceneBuilder::with_classes(name, classes.clone());
         let mut category = Arc::from("");
@@ -154,7 +154,7 @@ impl EnvironmentGraph {
         Ok(scene.build())
     }
 
-    /// A scene as the format has it.
+    /// Converts a scene to this format.
     pub fn of(graph: &SceneGraph) -> Self {
         let mut edges: Vec<EnvironmentEdge> = graph.edges().filter_map(|e| EnvironmentEdge::of(graph, e)).collect();
         edges.sort_unstable();
@@ -163,7 +163,7 @@ impl EnvironmentGraph {
     }
 }
 
-/// The states VirtualHome has; its tools refuse any other.
+/// VirtualHome's states; its tools refuse any other.
 const STATES: [State; 10] = [
     State::Open,
     State::Closed,
@@ -177,29 +177,28 @@ const STATES: [State; 10] = [
     State::Lying,
 ];
 
-/// In what two environment graphs differ.
+/// The differences of two environment graphs.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Difference {
-    /// Nodes whose states differ: number, states here, states there.
+    /// Nodes whose states differ: number, states in this graph, states in the other.
     pub states: Vec<(u32, Vec<String>, Vec<String>)>,
-    /// Nodes that only one of them has.
+    /// Nodes that only one of the graphs has.
     pub nodes: Vec<u32>,
-    /// Edges only this graph has.
+    /// Edges that only this graph has.
     pub added: Vec<EnvironmentEdge>,
-    /// Edges only the other has.
+    /// Edges that only the other graph has.
     pub missing: Vec<EnvironmentEdge>,
 }
 
 impl Difference {
-    /// Whether the graphs are the same.
+    /// Whether the graphs are equal.
     pub fn is_empty(&self) -> bool {
         self.states.is_empty() && self.nodes.is_empty() && self.added.is_empty() && self.missing.is_empty()
     }
 }
 
 impl EnvironmentGraph {
-    /// In what this graph differs from another; the order of nodes, states and
-    /// edges does not matter.
+    /// The differences between this graph and another; the order of nodes, states and edges does not matter.
     pub fn difference(&self, other: &Self) -> Difference {
         let by_id = |g: &Self| -> BTreeMap<u32, BTreeSet<String>> {
             g.nodes.iter().map(|n| (n.id, n.states.iter().cloned().collect())).collect()
@@ -250,7 +249,7 @@ impl Transform {
 }
 
 impl EnvironmentNode {
-    /// The node; `category` is the last one's, which is often the same again.
+    /// Makes the node; `category` is that of the previous node, which is often the same.
     fn draft(&self, category: &mut Arc<str>) -> Result<Draft, Wrong> {
         let mut draft = Draft::new(&*self.class_name);
         if **category != *self.category {
@@ -305,7 +304,7 @@ impl EnvironmentNode {
     fn of(node: &Node) -> Self {
         let spec = node.spec();
         let turned = |pose: &&Pose| {
-            // Version 1 has boxes only: no turn, no scale, the pose is the box's centre.
+            // Version 1 has only boxes: no rotation, no scale, and the pose is the box's centre.
             spec.bounds.is_none_or(|b| b.offset != Vector3::zeros())
                 || pose.rotation != UnitQuaternion::identity()
                 || spec.scale != Vector3::repeat(1.0)
@@ -325,7 +324,7 @@ impl EnvironmentNode {
 
 fn bounding_box(node: &Node, aabb: &crate::Aabb) -> BoundingBox {
     match (node.spec().bounds, node.pose()) {
-        // The numbers that were read, not their sums and differences.
+        // Write the numbers that were read, not results of arithmetic on them.
         (Some(b), Some(pose)) if b.frame == Frame::World => {
             BoundingBox { center: swap_back(pose.translation.vector + b.offset), size: swap_back(b.half * 2.0) }
         }
@@ -334,7 +333,7 @@ fn bounding_box(node: &Node, aabb: &crate::Aabb) -> BoundingBox {
 }
 
 impl EnvironmentEdge {
-    /// The relation as we have it. Ends that do not exist are found out later.
+    /// The relation as VirtualCity's kind. Missing ends are detected later.
     fn read(&self, graph: &SceneGraph) -> Edge {
         let (from, to) = (NodeId(self.from_id), NodeId(self.to_id));
         let is = |id, kind| graph.node(id).is_some_and(|n| n.kind() == kind);
@@ -359,7 +358,7 @@ impl EnvironmentEdge {
     fn of(graph: &SceneGraph, edge: Edge) -> Option<Self> {
         let sits = || graph.node(edge.from).is_some_and(|n| n.is(State::Sitting));
         let relation_type = match edge.relation {
-            // Without the state, `ON` would be read as lying about.
+            // Without the state, `ON` would be read as an object lying there.
             Relation::SittingOn if !sits() => RelationType::Sitting,
             Relation::On | Relation::SittingOn | Relation::LyingOn | Relation::WornBy => RelationType::On,
             Relation::Inside | Relation::InRoom | Relation::PouredInto => RelationType::Inside,

@@ -1,43 +1,44 @@
-//! The Embodied Agent Interface's own verdicts on its formulas, beside ours.
+//! The verdict of the Embodied Agent Interface's evaluator on its formulas, beside VirtualCity's.
 //!
 //! | | [`Goal::holds_on`] | [`Goal::eai_verdict`] |
 //! |---|---|---|
 //! | a formula without `then` | holds at the end | holds at some step, all of it at the same |
-//! | a thing done | was done at some step | is done at the step whose state the rest is about, from that state on |
-//! | `a then b` | `a` holds at the end of some stretch, `b` at the end of what is left | `b` holds at some step after the first at which `a` does |
-//! | a `then` in brackets before another `then` | is cut from the rest as any part | takes up all there is: what comes after it never holds |
-//! | `not` | the part does not hold at the end | at some step it does not; of a `then`, it holds nowhere |
-//! | `forn` | so many at the end | so many at some one step; of a `then`, so many over all steps |
-//! | `and` of parts with and without `then` | as any other | has no verdict |
-//! | `ONTOP`, `INSIDE`, `NEXT_TO`, `FACING` | as goals mean them: through other things, by poses | the very edge is in the graph |
+//! | an action | was performed at some step | is performed at the step after the state in which the rest of the formula holds |
+//! | `a then b` | `a` holds at the end of some stretch, `b` at the end of the remaining steps | `b` holds at some step after the first at which `a` does |
+//! | a `then` in brackets before another `then` | gets its stretch like any part | takes up all remaining steps: nothing after it ever holds |
+//! | `not` | the part does not hold at the end | it fails at some step; for a `then`, it holds nowhere |
+//! | `forn` | counts at the end | counts at some single step; for a `then`, over all steps |
+//! | `and` of parts with and without `then` | like any other `and` | has no verdict |
+//! | `ONTOP`, `INSIDE`, `NEXT_TO`, `FACING` | as in goals: also through other objects, by poses | the exact edge is in the graph |
 //!
-//! So a state that held once and no longer does is enough there, and not here; and what was done is
-//! told apart from what was so only there.
+//! Hence for that evaluator it suffices that a state held at some time, even if it no longer does, whereas
+//! [`Goal::holds_on`] requires it at the end. Only that evaluator relates an action to the state in which it
+//! begins; for [`Goal::holds_on`] it may have been performed at any time.
 
 use super::{Comparison, Goal, Literal, Predicate, Quantified, Term, Trace};
 use crate::{Edge, NodeId, Relation, SceneGraph};
 
-/// Why a goal has no verdict by the Embodied Agent Interface.
+/// The reason why the Embodied Agent Interface gives no verdict on a goal.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoVerdict {
-    /// The goal is of a kind that its formulas lack.
+    /// The goal is of a kind that is not among its formulas.
     #[error("`{0}`: its formulas have and, or, not, imply, then, forall, exists and forn over literals")]
     NoFormula(String),
-    /// A part with `then` and one without are joined.
+    /// A part with `then` and one without are joined by `and` or `imply`.
     #[error("`{0}`: its formulas do not join a part with `then` and one without by `and` or `imply`")]
     Mixed(String),
-    /// Its evaluator goes past an end of the trajectory: a quantifier over a part with `then` is asked when no
-    /// step is left, or what follows a `not` of such a part.
-    #[error("`{0}`: its evaluator goes past an end of what happened")]
+    /// Its evaluator leaves the trajectory: it evaluates a quantifier over a part with `then` when no step is left,
+    /// or the part after a `not` of such a part.
+    #[error("`{0}`: its evaluator leaves the trajectory")]
     Ended(String),
 }
 
 type Verdict<T> = Result<T, NoVerdict>;
 
 impl Goal {
-    /// The verdict that the Embodied Agent Interface's evaluator gives on what happened; the module
-    /// [`eai`](self) says in what it differs from [`Goal::holds_on`].
+    /// The verdict of the Embodied Agent Interface's evaluator on a trace; the module [`eai`](self) lists the
+    /// differences from [`Goal::holds_on`].
     ///
     /// ```
     /// use vc_graph::goal::{Goal, Trace};
@@ -54,7 +55,7 @@ impl Goal {
     ///     trace.push(world.graph().clone(), [Event { agent: me, action }]);
     /// }
     /// let opened = Goal::from_eai("OPEN(fridge.2)")?;
-    /// // It was open on the way. At the end it is not.
+    /// It was open on the way, but at the end it is not.
     /// assert_eq!((opened.eai_verdict(&trace)?, opened.holds_on(&trace)), (true, false));
     /// let twice = Goal::from_eai("OPEN(fridge.2) then CLOSED(fridge.2) then OPEN(fridge.2)")?;
     /// assert!(!twice.eai_verdict(&trace)?);
@@ -62,12 +63,12 @@ impl Goal {
     /// ```
     ///
     /// # Errors
-    /// [`NoVerdict`] where its evaluator stops with an error, and for goals that are no formulas of its kind.
+    /// [`NoVerdict`] where its evaluator stops with an error, and for goals that are not among its formulas.
     pub fn eai_verdict(&self, trace: &Trace) -> Result<bool, NoVerdict> {
         Ok(Evaluator { trace, bound: Vec::new() }.after(self, 0)?.is_some())
     }
 
-    /// Whether a goal is about one step alone.
+    /// Whether a goal concerns a single step.
     fn is_of_one_step(&self) -> Verdict<bool> {
         let parts = self.parts().into_iter().map(Self::is_of_one_step).collect::<Verdict<Vec<bool>>>()?;
         let (all, any) = (parts.iter().all(|p| *p), parts.iter().any(|p| *p));
@@ -84,14 +85,14 @@ impl Goal {
     }
 }
 
-/// Where a part was found to hold: after so many steps, counted from where it was looked for; `None` if it holds
-/// nowhere. The negation of such a part, and a conjunction of no parts, are found at -1.
+/// The number of steps after which a part was found to hold, counted from the start of the search; `None` if it
+/// holds nowhere. For the negation of such a part, and for an empty conjunction, it is -1.
 type Found = Option<i64>;
 
-/// A goal, with what a variable in it stands for.
+/// A goal with the value of a variable in it.
 type Part<'g> = (Option<(&'g str, NodeId)>, &'g Goal);
 
-/// How far off a quantifier finds what it finds nowhere.
+/// The number of steps that `forn` of zero objects reports, since its part holds nowhere.
 const NOWHERE: i64 = 1_000_000_000;
 
 struct Evaluator<'g, 'a> {
@@ -100,12 +101,12 @@ struct Evaluator<'g, 'a> {
 }
 
 impl<'g> Evaluator<'g, '_> {
-    /// How many steps of the trace there are from one on, the end included.
+    /// The number of steps of the trace from `from` on, the end included.
     fn left(&self, from: usize) -> usize {
         (self.trace.steps() + 1).saturating_sub(from)
     }
 
-    /// Whether a goal holds on what is left from a step on, and after how many steps.
+    /// Whether a goal holds on the remaining steps from `from` on, and after how many steps.
     fn after(&mut self, goal: &'g Goal, from: usize) -> Verdict<Found> {
         if goal.is_of_one_step()? {
             let step = (from..=self.trace.steps()).find(|&step| self.at(goal, step));
@@ -141,7 +142,7 @@ impl<'g> Evaluator<'g, '_> {
         parts.into_iter().map(judge).collect()
     }
 
-    /// The first to hold, unless that is nowhere.
+    /// The earliest part to hold, unless it is at [`NOWHERE`].
     fn any<I>(&mut self, parts: I, from: usize) -> Verdict<Found>
     where
         I: IntoIterator<Item = Part<'g>>,
@@ -157,13 +158,13 @@ impl<'g> Evaluator<'g, '_> {
         Ok(found.map(|found| found.into_iter().max().unwrap_or(-1)))
     }
 
-    /// Things are looked for at the first step that is left.
+    /// The quantifier ranges over the objects at the first remaining step.
     fn choices(&self, goal: &Goal, q: &'g Quantified, from: usize) -> Verdict<Vec<Part<'g>>> {
         let graph = self.trace.graph(from).ok_or_else(|| NoVerdict::Ended(goal.to_string()))?;
         Ok(range(graph, q).into_iter().map(|id| (Some((&*q.variable, id)), &*q.body)).collect())
     }
 
-    /// One part after the other; all there is is used up by it.
+    /// The parts in order; together they use up all remaining steps.
     fn in_order(&mut self, goal: &'g Goal, parts: &'g [Goal], from: usize) -> Verdict<Found> {
         let mut used = 0;
         for part in parts {
@@ -175,7 +176,7 @@ impl<'g> Evaluator<'g, '_> {
         Ok(Some(self.left(from) as i64))
     }
 
-    /// The step so many after another. Before it is only the whole of what is left.
+    /// The step `used` steps after `from`. A negative number is valid only if it covers all remaining steps.
     fn skip(&self, goal: &Goal, from: usize, used: i64) -> Verdict<usize> {
         let left = self.left(from) as i64;
         match used {
@@ -185,7 +186,7 @@ impl<'g> Evaluator<'g, '_> {
         }
     }
 
-    /// Whether a goal about one step holds at it.
+    /// Whether a goal about a single step holds at `step`.
     fn at(&mut self, goal: &'g Goal, step: usize) -> bool {
         match goal {
             Goal::Literal(literal) => self.literal(literal, step),
@@ -229,7 +230,7 @@ impl<'g> Evaluator<'g, '_> {
         }
     }
 
-    /// The thing a term is the name of; a class alone is no name.
+    /// The object that a term names; a class alone names none.
     fn meant(&self, graph: &SceneGraph, term: &Term) -> Option<NodeId> {
         match term {
             Term::Me => Some(self.trace.agent()),

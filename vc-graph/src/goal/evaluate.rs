@@ -1,21 +1,21 @@
-//! One situation, and whether a predicate holds in it.
+//! Evaluation of predicates in a single situation.
 
 use super::{Predicate, Term};
 use crate::{Edge, Event, History, NodeId, Relation, SceneGraph, State};
 
-/// What a goal is judged by: the scene, who the agent is, what has been done. See
-/// [`Trace`](super::Trace) for goals about what was so on the way.
+/// The data by which a goal is evaluated: the scene, the agent, and the past actions. See
+/// [`Trace`](super::Trace) for goals about earlier states.
 #[derive(Debug, Clone, Copy)]
 pub struct Situation<'a> {
-    /// The scene as it is.
+    /// The current scene.
     pub graph: &'a SceneGraph,
-    /// Who `me` is.
+    /// The agent that `me` refers to.
     pub agent: NodeId,
-    /// What has been done, oldest first.
+    /// The past actions, oldest first.
     pub events: &'a [Event],
 }
 
-/// Things chosen for the terms of a literal; unused places are `None`.
+/// The objects chosen for the terms of a literal; `None` if there is no such term.
 pub type Things = [Option<NodeId>; 2];
 
 impl<'a> Situation<'a> {
@@ -24,7 +24,7 @@ impl<'a> Situation<'a> {
         Self { graph, agent, events: history.events() }
     }
 
-    /// The nodes a term can mean.
+    /// The nodes that a term can refer to.
     pub fn candidates(&self, term: &Term) -> Vec<NodeId> {
         match term {
             Term::Class(class) => self.graph.of_class(class),
@@ -35,8 +35,7 @@ impl<'a> Situation<'a> {
         }
     }
 
-    /// Whether a predicate holds of things. For what was done, `None` stands for
-    /// anything.
+    /// Whether a predicate holds for some objects. For past actions, `None` stands for any object.
     pub fn holds(&self, predicate: Predicate, things: Things) -> bool {
         match (predicate, things) {
             (Predicate::State(state), [Some(id), _]) => self.graph.node(id).is_some_and(|n| n.is(state)),
@@ -55,7 +54,7 @@ impl<'a> Situation<'a> {
     }
 }
 
-/// A relation as a goal means it.
+/// Whether a relation holds in the sense of goals.
 fn related(graph: &SceneGraph, from: NodeId, relation: Relation, to: NodeId) -> bool {
     let edge = |relation| graph.has(Edge::new(from, relation, to));
     match relation {
@@ -71,13 +70,13 @@ fn related(graph: &SceneGraph, from: NodeId, relation: Relation, to: NodeId) -> 
     }
 }
 
-/// Whether what is in a thing to pour is of a node's class.
+/// Whether the contents of a container are of a node's class.
 fn holds_liquid(graph: &SceneGraph, from: NodeId, to: NodeId) -> bool {
     let (Some(vessel), Some(liquid)) = (graph.node(from), graph.node(to)) else { return false };
     vessel.contents().is_some_and(|class| class == liquid.class())
 }
 
-/// Whether a thing is on or in something that is inside `to`.
+/// Whether an object is on or in something that is inside `to`.
 fn within(graph: &SceneGraph, from: NodeId, to: NodeId) -> bool {
     let chain = graph.support_chain(from);
     chain.contains(&to) && chain.iter().any(|&id| graph.has(Edge::new(id, Relation::Inside, to)))

@@ -1,4 +1,4 @@
-//! Whether a goal holds: the plain reading, part by part.
+//! Evaluation of goals, part by part.
 
 use super::trace::{Course, Stretch};
 use super::{Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Trace, Variable};
@@ -26,14 +26,13 @@ impl Goal {
         self.judge(Course::of(now))
     }
 
-    /// Whether the goal holds on what happened, see the [module](super) on time.
-    /// Costs a look at every part for every choice of things and, for each temporal
-    /// word around it, every step.
+    /// Whether the goal holds on a trace, see the [module](super) on time. Costs an evaluation of every part
+    /// for every choice of objects and, for each temporal operator around it, for every step.
     pub fn holds_on(&self, trace: &Trace) -> bool {
         self.judge(trace.course())
     }
 
-    /// Whether the goal holds on what had happened by the end of a step.
+    /// Whether the goal holds on the trace up to the end of a step.
     pub fn holds_by(&self, trace: &Trace, step: usize) -> bool {
         let course = trace.course();
         let stretch = Stretch::up_to(step.min(course.last()));
@@ -51,14 +50,14 @@ impl Goal {
 }
 
 impl Quantified {
-    /// Whether the body holds of a thing.
+    /// Whether the body holds for an object.
     pub fn holds_of(&self, thing: NodeId, now: &Situation<'_>) -> bool {
         let course = Course::of(now);
         Judge { course, bound: Vec::new() }.holds_of(self, thing, Stretch::all(&course))
     }
 }
 
-/// One who judges goals on a course of things.
+/// The evaluator of goals on a course.
 pub(super) struct Judge<'g, 'a> {
     pub(super) course: Course<'a>,
     /// Variables bound so far, innermost last.
@@ -105,7 +104,7 @@ impl<'g, 'a> Judge<'g, 'a> {
         }
     }
 
-    /// Cuts the stretch into one for each part, each as short as can be.
+    /// Cuts the stretch into one stretch per part, each as short as possible.
     fn in_order(&mut self, parts: &'g [Goal], on: Stretch) -> bool {
         let Some((last, others)) = parts.split_last() else { return true };
         let mut rest = on.rest();
@@ -118,7 +117,7 @@ impl<'g, 'a> Judge<'g, 'a> {
         self.holds(last, rest)
     }
 
-    /// With a variable standing for a thing.
+    /// Evaluates with a variable bound to an object.
     pub(super) fn with<T>(&mut self, variable: &'g str, id: NodeId, judge: impl FnOnce(&mut Self) -> T) -> T {
         self.bound.push((variable, id));
         let result = judge(self);
@@ -130,12 +129,12 @@ impl<'g, 'a> Judge<'g, 'a> {
         self.with(&q.variable, id, |judge| judge.holds(&q.body, on))
     }
 
-    /// For how many things a quantified goal holds.
+    /// The number of objects for which a quantified goal holds.
     pub(super) fn found(&mut self, q: &'g Quantified, on: Stretch) -> usize {
         self.each(q, on).into_iter().filter(|&id| self.holds_of(q, id, on)).count()
     }
 
-    /// The nodes a quantifier ranges over.
+    /// The nodes that a quantifier ranges over.
     pub(super) fn each(&self, q: &Quantified, on: Stretch) -> Vec<NodeId> {
         self.range(q.class.as_deref(), on)
     }
@@ -148,7 +147,7 @@ impl<'g, 'a> Judge<'g, 'a> {
         }
     }
 
-    /// How many things there are of both classes, and how many pairs of them.
+    /// The numbers of objects in the two ranges, and the number of pairs.
     pub(super) fn pairs(&mut self, pairs: &'g Pairs, on: Stretch) -> (usize, usize, usize) {
         let range = |v: &Variable| self.range(v.class.as_deref(), on);
         let (firsts, seconds) = (range(&pairs.first), range(&pairs.second));
@@ -163,7 +162,7 @@ impl<'g, 'a> Judge<'g, 'a> {
         (firsts.len(), seconds.len(), pairs.pairing.number(&rows, seconds.len()))
     }
 
-    /// The thing a term stands for, if it is one thing.
+    /// The object that a term refers to, if it is a single one.
     fn meant(&self, term: &Term) -> Option<NodeId> {
         match term {
             Term::Variable(name) => self.bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id),
@@ -173,7 +172,7 @@ impl<'g, 'a> Judge<'g, 'a> {
         }
     }
 
-    /// How many things in a literal's counted place satisfy it.
+    /// The number of objects for a literal's counted term that satisfy it.
     pub(super) fn count(&self, literal: &Literal, on: Stretch) -> usize {
         let now = on.situation(&self.course);
         let counted = literal.counted().unwrap_or(0);
@@ -193,7 +192,7 @@ impl<'g, 'a> Judge<'g, 'a> {
         first.iter().filter(|&&a| holds(a)).count()
     }
 
-    /// The nodes a term can mean; an event's `_` needs no enumeration.
+    /// The nodes that a term can refer to; an event's `_` needs no enumeration.
     fn choices(&self, literal: &Literal, term: &Term, now: &Situation<'_>) -> Vec<Option<NodeId>> {
         match (term, literal.predicate) {
             (Term::Anything, Predicate::Did(_)) => vec![None],

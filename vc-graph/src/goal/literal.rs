@@ -1,20 +1,20 @@
-//! Literals: a predicate of things.
+//! Literals: predicates applied to terms.
 
 use crate::{NodeId, Relation, State, Verb};
 
-/// How a count compares.
+/// The comparison of a count with a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Comparison {
-    /// At least so many.
+    /// At least that number.
     AtLeast,
-    /// Exactly so many.
+    /// Exactly that number.
     Exactly,
-    /// At most so many.
+    /// At most that number.
     AtMost,
 }
 
 impl Comparison {
-    /// Whether a found number satisfies it.
+    /// Whether a count satisfies the comparison.
     pub fn admits(self, found: usize, number: u32) -> bool {
         match self {
             Self::AtLeast => found >= number as usize,
@@ -24,41 +24,41 @@ impl Comparison {
     }
 }
 
-/// A predicate of things.
+/// A predicate with its terms.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Literal {
-    /// What is said.
+    /// The predicate.
     pub predicate: Predicate,
-    /// Of what: as many as [`Predicate::arity`].
+    /// The terms, as many as [`Predicate::arity`].
     pub terms: Vec<Term>,
 }
 
 impl Literal {
-    /// The position of the term a count is about: the first open one.
+    /// The index of the term that a count refers to: the first that is a class or `_`.
     pub fn counted(&self) -> Option<usize> {
         self.terms.iter().position(|t| matches!(t, Term::Class(_) | Term::Anything))
     }
 }
 
-/// What a literal says.
+/// The predicate of a literal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Predicate {
-    /// The thing is in a state.
+    /// The object is in a state.
     State(State),
-    /// The first thing stands so to the second. `On`, `Inside` and `Near` are
-    /// read generously, see the [module](super).
+    /// The first object stands in this relation to the second. `On`, `Inside` and `Near` are interpreted
+    /// generously, see the [module](super).
     Relation(Relation),
-    /// The first, an agent, holds the second in either hand.
+    /// The first object, an agent, holds the second in either hand.
     Holds,
-    /// The agent has done it.
+    /// The agent has performed an action with this verb.
     Did(Verb),
-    /// The thing is there: not in the state [`State::Future`].
+    /// The object exists: it is not in the state [`State::Future`].
     Real,
 }
 
 impl Predicate {
-    /// How many things it is about.
+    /// The number of terms.
     pub fn arity(self) -> usize {
         match self {
             Self::State(_) | Self::Real => 1,
@@ -68,17 +68,17 @@ impl Predicate {
     }
 }
 
-/// A thing a literal is about.
+/// A term of a literal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Term {
     /// Some node of a class.
     Class(String),
-    /// One node; the class is for the reader.
+    /// One node; the class is only for the reader.
     Node(Option<String>, NodeId),
     /// The variable of a quantifier.
     Variable(String),
     /// The agent.
     Me,
-    /// Anything.
+    /// Any object.
     Anything,
 }

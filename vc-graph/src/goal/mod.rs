@@ -1,4 +1,4 @@
-//! Goals: what an agent is to bring about.
+//! Goals: conditions that an agent should bring about.
 //!
 //! ```
 //! use vc_graph::Goal;
@@ -10,59 +10,57 @@
 //! # Ok::<(), vc_graph::goal::GoalError>(())
 //! ```
 //!
-//! A literal is a predicate of things. A thing is a class in any usual spelling
-//! (`coffee_table`: some node of it or of its kinds), a node (`cup.12` or `#12`),
-//! `me` (the agent), a variable (`?x`) or `_` (anything). A class whose name is no
-//! plain word stands in quotes: `"apple.n.01"`, `"apple.n.01".12`, `?"a b"`.
+//! A literal is a predicate with terms. A term is a class in any usual spelling (`coffee_table`: some node of
+//! it or of its descendants), a node (`cup.12` or `#12`), `me` (the agent), a variable (`?x`) or `_`
+//! (anything). A class whose name is not a plain word is written in quotes: `"apple.n.01"`, `"apple.n.01".12`,
+//! `?"a b"`.
 //!
 //! | predicate | holds when |
 //! |---|---|
-//! | `Open` `Closed` `SwitchedOn` `On(x)` `Clean` `Dirty` `Cooked` ... | the thing is in that [state](crate::State) |
-//! | `On(x, y)` | x rests on y; also sits, lies or is worn on it |
+//! | `Open` `Closed` `SwitchedOn` `On(x)` `Clean` `Dirty` `Cooked` ... | the object is in that [state](crate::State) |
+//! | `On(x, y)` | x rests on y, or sits or lies on it, or is worn by it |
 //! | `Inside(x, y)`, `In` | x is inside y, directly or on or in something inside it, or in room y |
 //! | `Covered(x, y)` `Filled(x, y)` `Attached(x, y)` ... | x stands in that [relation](crate::Relation) to y |
 //! | `Near(x)`, `Walk(x)` | the agent is near x, or in room x |
 //! | `Holds(x)`, `Grab(x)`, `HoldsRight`, `HoldsLeft` | the agent holds x |
 //! | `Sit(x)` `Lie(x)` `Wear(x)` `Facing(x)` | the agent sits or lies on, wears, faces x |
-//! | `Eat(x)` `Drink(x)` `Watch(x)` `did verb(x, y)` | the agent has done it |
-//! | `Real(x)` | x is there: not in the state `future` |
-//! | `?x = ?y`, `?x != ?y` | they are the same thing, or not; variables, nodes and `me` |
+//! | `Eat(x)` `Drink(x)` `Watch(x)` `did verb(x, y)` | the agent has performed this action |
+//! | `Real(x)` | x exists: it is not in the state `future` |
+//! | `?x = ?y`, `?x != ?y` | both are the same object, or are not; for variables, nodes and `me` |
 //!
-//! `, 3` after a literal asks for at least three different things in its first
-//! open place (`, = 3` and `, <= 3` for exactly and at most).
+//! `, 3` after a literal requires at least three different objects for its first term that is a class or `_`
+//! (`, = 3` and `, <= 3` require exactly and at most three).
 //!
 //! | form | holds when |
 //! |---|---|
 //! | `!a`, `a & b`, `a \| b`, `a => b` | as `not`, `and`, `or`, `imply`, which may be written instead |
-//! | `forall ?x: c. a`, `exists ?x: c. a` | it does for every, for some thing of class c; `: c` may be left out |
-//! | `exactly 2 ?x: c. a`, `at least`, `at most` | it does for so many things |
-//! | `pairs ?x: c, ?y: d. a` | things can be paired off, one x with one y, until one of the classes is used up |
-//! | `at least 2 pairs ?x: c, ?y: d. a` | so many pairs of different things can be formed at once |
-//! | `marginal pairs ...` | as many x have a y, and as many y an x ([`Pairing::Marginal`]) |
-//! | `eventually a`, `always a` | it does at some step, at all steps from here to the end |
-//! | `within 5 steps a` | it does at some step, at most five from here |
-//! | `at end a` | it does at the end, read as if it stood alone |
-//! | `a until b` | b does at some step, and a at all steps before |
-//! | `a before b` | a does at some step, and b at no step up to it |
-//! | `a then b` | the steps can be cut into stretches, on each of which one part does |
+//! | `forall ?x: c. a`, `exists ?x: c. a` | a holds for every, for some object of class c; `: c` may be left out |
+//! | `exactly 2 ?x: c. a`, `at least`, `at most` | a holds for that number of objects |
+//! | `pairs ?x: c, ?y: d. a` | objects can be paired, one x with one y, until one of the classes is used up |
+//! | `at least 2 pairs ?x: c, ?y: d. a` | that number of disjoint pairs can be formed |
+//! | `marginal pairs ...` | that number of x have a y, and that number of y have an x ([`Pairing::Marginal`]) |
+//! | `eventually a`, `always a` | a holds at some step, at all steps from here to the end |
+//! | `within 5 steps a` | a holds at some step, at most five from here |
+//! | `at end a` | a holds at the end, evaluated as if it stood alone |
+//! | `a until b` | b holds at some step, and a at all steps before |
+//! | `a before b` | a holds at some step, and b at no step up to it |
+//! | `a then b` | the steps can be cut into stretches such that each part holds on its stretch |
 //!
-//! `!` and the words before a single part bind tightest; then `&`, `|`, `=>`,
-//! `until` and `before`, `then`. Quantifiers reach as far as they can.
+//! `!` and the words before a single part bind tightest; then `&`, `|`, `=>`, `until` and `before`, `then`.
+//! Quantifiers extend as far as possible.
 //!
 //! # Time
 //!
-//! A [`Trace`] is what happened: a state for each step, and what was done in it.
-//! [`Goal::holds_on`] reads a goal on it as linear temporal logic on finite traces
-//! does (De Giacomo and Vardi, IJCAI 2013), with one convention, so that a goal
-//! without temporal words is about the end: a part that no temporal word governs is
-//! judged by the last state and by all that was done; a part that one governs is
-//! judged at single steps, by the state after that step and by what was done in it.
-//! Temporal words within temporal words look from their step to the end.
-//! `then` cuts what is left of the trace into stretches, each as short as can be and
-//! the last one up to the end; each part is read as a goal on its stretch.
+//! A [`Trace`] records an episode: a state for each step, and the actions in it. [`Goal::holds_on`] evaluates a
+//! goal on it by linear temporal logic on finite traces (De Giacomo and Vardi, IJCAI 2013), with one
+//! convention, by which a goal without temporal operators is about the end: a part outside all temporal
+//! operators is evaluated in the last state and with all actions; a part inside one is evaluated at single
+//! steps, in the state after the step and with the actions of that step. Temporal operators inside temporal
+//! operators range from their step to the end. `then` cuts the remaining trace into stretches, each as short as
+//! possible and the last one up to the end; each part is evaluated as a goal on its stretch.
 //!
-//! [`Goal::holds`] judges one [`Situation`], which knows one state: earlier steps
-//! are those of its events, and their states are taken to be as now.
+//! [`Goal::holds`] evaluates a goal in one [`Situation`], which has a single state: earlier steps are those of
+//! its events, and their states are assumed to equal the present one.
 
 pub mod eai;
 mod evaluate;
@@ -90,18 +88,18 @@ use crate::{Misnomer, SceneGraph};
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Goal {
-    /// At least one choice of things satisfies the literal.
+    /// At least one choice of objects satisfies the literal.
     Literal(Literal),
-    /// So many different things satisfy the literal.
+    /// A number of different objects satisfy the literal.
     Count {
         /// The literal.
         literal: Literal,
         /// At least, exactly or at most.
         comparison: Comparison,
-        /// How many.
+        /// The number.
         number: u32,
     },
-    /// Both are the same thing: variables, nodes or the agent.
+    /// Both are the same object: variables, nodes or the agent.
     Same(Term, Term),
     /// All parts hold.
     And(Vec<Goal>),
@@ -111,56 +109,56 @@ pub enum Goal {
     Not(Box<Goal>),
     /// The second holds if the first does.
     Imply(Box<Goal>, Box<Goal>),
-    /// The part holds for every thing of a class.
+    /// The part holds for every object of a class.
     ForAll(Quantified),
-    /// The part holds for some thing of a class.
+    /// The part holds for some object of a class.
     Exists(Quantified),
-    /// The part holds for so many things of a class.
+    /// The part holds for a number of objects of a class.
     ForN {
         /// At least, exactly or at most.
         comparison: Comparison,
-        /// How many.
+        /// The number.
         number: u32,
         /// The variable and the part.
         of: Quantified,
     },
-    /// Things of two classes can be paired off.
+    /// Objects of two classes can be paired.
     ForPairs(Pairs),
-    /// The steps can be cut so that each part holds on its stretch: what is to be
-    /// done in the parts was done in this order.
+    /// The steps can be cut into stretches such that each part holds on its stretch: the parts were achieved in
+    /// this order.
     Then(Vec<Goal>),
     /// The part holds at some step.
     Eventually(Box<Goal>),
     /// The part holds at all steps.
     Always(Box<Goal>),
-    /// The part holds at some step, at most so many from here.
+    /// The part holds at some step, at most that many from here.
     Within(u32, Box<Goal>),
     /// The part holds at the end, as a goal of its own.
     AtEnd(Box<Goal>),
-    /// The second holds at some step and the first at all before it.
+    /// The second holds at some step, and the first at all steps before it.
     Until(Box<Goal>, Box<Goal>),
     /// The first holds at some step, and up to that step the second does not.
     Before(Box<Goal>, Box<Goal>),
 }
 
-/// A variable and the goal it stands in.
+/// A variable and the goal that contains it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Quantified {
     /// The variable's name, without `?`.
     pub variable: String,
-    /// The class it ranges over; everything, if none.
+    /// The class that it ranges over; `None` for all objects.
     pub class: Option<String>,
-    /// The goal about it.
+    /// The goal in which the variable occurs.
     pub body: Box<Goal>,
 }
 
 impl Goal {
-    /// A literal about given things.
+    /// A literal with given terms.
     pub fn literal(predicate: Predicate, terms: Vec<Term>) -> Self {
         Self::Literal(Literal { predicate, terms })
     }
 
-    /// The goals directly within this one.
+    /// The direct parts of this goal.
     pub fn parts(&self) -> Vec<&Goal> {
         match self {
             Self::Literal(_) | Self::Count { .. } | Self::Same(..) => Vec::new(),
@@ -173,13 +171,12 @@ impl Goal {
         }
     }
 
-    /// How many parts are within parts; 1 for a literal.
+    /// The nesting depth; 1 for a literal.
     pub fn depth(&self) -> usize {
         1 + self.parts().into_iter().map(Self::depth).max().unwrap_or(0)
     }
 
-    /// The things the goal speaks of: the terms of its literals, and the classes its
-    /// variables range over.
+    /// The terms in the goal: those of its literals, and the classes that its variables range over.
     pub fn terms(&self) -> Vec<Term> {
         let mut terms: Vec<Term> = self.parts().into_iter().flat_map(Self::terms).collect();
         match self {
@@ -197,8 +194,7 @@ impl Goal {
         terms
     }
 
-    /// The labels in it whose class is not that of their node, each once: `fridge.6`, where 6 is a
-    /// glass.
+    /// The labels in the goal whose class is not that of their node, each once: `fridge.6`, where 6 is a glass.
     ///
     /// ```
     /// use vc_graph::{Draft, Goal, SceneBuilder};
@@ -218,7 +214,7 @@ impl Goal {
         found
     }
 
-    /// Whether it speaks of more than one step: some part is temporal.
+    /// Whether the goal concerns more than one step: it has a temporal operator.
     pub fn is_temporal(&self) -> bool {
         let here = matches!(
             self,

@@ -1,10 +1,10 @@
-//! What predicates are called.
+//! Names of predicates.
 
 use super::Predicate;
 use crate::vocabulary::{Word, same_word};
 use crate::{Relation, State, Verb};
 
-/// Predicates that may leave the agent out: `Near(table)`.
+/// Whether the agent may be omitted from a predicate's terms: `Near(table)`.
 pub(super) fn agent_is_meant(predicate: Predicate) -> bool {
     use Relation::{Facing, HoldsLeft, HoldsRight, LyingOn, Near, SittingOn};
     match predicate {
@@ -14,7 +14,7 @@ pub(super) fn agent_is_meant(predicate: Predicate) -> bool {
     }
 }
 
-/// Names of predicates besides those of states and relations.
+/// Names of predicates apart from those of states and relations.
 const NAMES: &[(&str, Predicate)] = &[
     ("in", Predicate::Relation(Relation::Inside)),
     ("room", Predicate::Relation(Relation::InRoom)),
@@ -79,6 +79,6 @@ pub(super) fn eai_predicate(name: &str, given: usize) -> Option<Predicate> {
     };
     let state = || State::parse(name).ok().filter(|_| given == 1).map(Predicate::State);
     let done = || Verb::from_virtualhome(name).map(Predicate::Did);
-    // A verb such as OPEN is a state when it has one thing, as in their vocabulary.
+    // A verb such as OPEN means the state if it has one object, as in EAI's vocabulary.
     relation.map(Predicate::Relation).or_else(state).or_else(done)
 }

@@ -1,35 +1,33 @@
-//! Pairs: things of two classes, one with one.
+//! Pairings of the objects of two classes.
 
 use super::{Comparison, Goal};
 
-/// A variable and the class it ranges over.
+/// A variable and the class that it ranges over.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Variable {
     /// Its name, without `?`.
     pub name: String,
-    /// The class; everything, if none.
+    /// The class; `None` for all objects.
     pub class: Option<String>,
 }
 
-/// Things of two classes can be paired off: BDDL's `forpairs` and `fornpairs`.
-/// Nothing is paired with itself.
+/// A pairing of the objects of two classes: BDDL's `forpairs` and `fornpairs`. No object is paired with itself.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Pairs {
     /// The first of a pair.
     pub first: Variable,
     /// The second.
     pub second: Variable,
-    /// How many pairs; none for as many as there are things of the rarer class.
+    /// The number of pairs; `None` for the number of objects of the smaller class.
     pub number: Option<(Comparison, u32)>,
-    /// What counts as that many pairs.
+    /// How pairs are counted.
     pub pairing: Pairing,
-    /// What holds of a pair.
+    /// The condition that a pair satisfies.
     pub body: Box<Goal>,
 }
 
 impl Pairs {
-    /// Whether so many pairs suffice, when the classes have `first` and `second`
-    /// things.
+    /// Whether `found` pairs suffice if the classes have `first` and `second` objects.
     pub fn admits(&self, found: usize, first: usize, second: usize) -> bool {
         match self.number {
             Some((comparison, number)) => comparison.admits(found, number),
@@ -38,21 +36,21 @@ impl Pairs {
     }
 }
 
-/// What counts as a number of pairs.
+/// How pairs are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Pairing {
-    /// The most pairs that can be formed at once, each thing in one of them.
+    /// The largest number of pairs that can be formed at once, each object in at most one of them.
     #[default]
     Matching,
-    /// How many first things have some second and how many second things some
-    /// first, whichever is less: the test of BDDL's Python package (3.6.0), which
-    /// is met where no pairing exists when things share partners.
+    /// The number of first objects that have a second, or of second objects that have a first, whichever is
+    /// less: the test of BDDL's Python package (3.6.0), which can also pass when objects share partners and no
+    /// pairing exists.
     Marginal,
 }
 
 impl Pairing {
-    /// The number of pairs in a table: `rows[i]` are the seconds, counted from
-    /// zero, that go with the first thing `i`. Costs edges times rows at most.
+    /// The number of pairs in a table: `rows[i]` are the second objects, counted from zero, that match the
+    /// first object `i`. Costs edges times rows at most.
     pub fn number(self, rows: &[Vec<usize>], seconds: usize) -> usize {
         match self {
             Self::Matching => largest_matching(rows, seconds),
@@ -66,12 +64,11 @@ impl Pairing {
     }
 }
 
-/// The most pairs that can be formed at once (a maximum bipartite matching by
-/// augmenting paths; Kuhn, Naval Research Logistics Quarterly 1955): each row and
-/// each column in at most one of them.
+/// The largest number of pairs that can be formed at once, with each row and each column in at most one of
+/// them: a maximum bipartite matching by augmenting paths (Kuhn, Naval Research Logistics Quarterly 1955).
 ///
 /// ```
-/// // Two bowls, both good for the first guest alone.
+/// Two bowls, both suitable only for the first guest.
 /// assert_eq!(vc_graph::goal::largest_matching(&[vec![0], vec![0]], 2), 1);
 /// ```
 pub fn largest_matching(rows: &[Vec<usize>], columns: usize) -> usize {
@@ -80,10 +77,10 @@ pub fn largest_matching(rows: &[Vec<usize>], columns: usize) -> usize {
     (0..rows.len()).filter(|&row| augment(row, row, rows, &mut partner, &mut seen)).count()
 }
 
-/// Finds a place for a row, moving others if need be. Columns seen in this round
-/// are not tried again; the depth is that of the rows moved.
+/// Finds a column for a row, reassigning other rows if necessary. Columns visited in this round are not tried
+/// again; the depth is the number of rows reassigned.
 fn augment(row: usize, round: usize, rows: &[Vec<usize>], partner: &mut [Option<usize>], seen: &mut [usize]) -> bool {
-    // Without recursion: a path may be as long as there are rows.
+    // An explicit stack instead of recursion: a path may be as long as there are rows.
     let mut path = vec![(row, 0)];
     while let Some(&mut (at, ref mut next)) = path.last_mut() {
         let Some(&column) = rows[at].get(*next) else {

@@ -1,4 +1,4 @@
-//! Reading literals: predicates of things, and what the names of things mean.
+//! Parsing of literals: predicates with terms, and the meaning of names.
 
 use super::names::{agent_is_meant, eai_predicate, native_predicate};
 use super::scan::{Token, is_plain};
@@ -81,8 +81,8 @@ impl Reader {
         }
     }
 
-    /// Refuses two words without a comma after a predicate that takes one thing or two (`On`), unless they
-    /// are the name of a class: they would be read as one thing.
+    /// Refuses two words without a comma after a predicate that takes one or two terms (`On`), unless they are
+    /// the name of a class: they would be read as one term.
     fn check_joined(&self, name: &str, class: &str, at: usize) -> Result<(), GoalError> {
         let joined = matches!(self.tokens.get(at + 1), Some((_, Token::Name(_))));
         let of_two = matches!(native_predicate(name, 2), Some(Predicate::Relation(_)));
@@ -97,7 +97,7 @@ impl Reader {
         Err(GoalError { at: *at, problem: GoalProblem::Expected { expected, found } })
     }
 
-    /// A term; `kitchen table` is written in two words as well.
+    /// Parses a term; a class may be written in two words, `kitchen table`.
     fn term(&mut self) -> Result<Term, GoalError> {
         let first = match self.peek() {
             Some(Token::Name(name)) if is_plain(name) => name.clone(),
@@ -115,7 +115,7 @@ impl Reader {
         self.named(&name)
     }
 
-    /// A term of one word.
+    /// Parses a term of one word.
     fn word(&mut self) -> Result<Term, GoalError> {
         let unbound = |r: &Self, name: &str| r.error(GoalProblem::Unbound(name.to_owned()));
         let term = match self.peek() {
@@ -135,7 +135,7 @@ impl Reader {
         Ok(term)
     }
 
-    /// What a name stands for.
+    /// The term that a name stands for.
     fn named(&self, name: &str) -> Result<Term, GoalError> {
         let variable = name.trim_start_matches('?');
         if self.bound.iter().any(|b| b == variable) {

@@ -1,13 +1,13 @@
-//! Reading connectives and quantifiers.
+//! Parsing of connectives and quantifiers.
 
 use super::scan::{Token, is_plain};
 use super::text::{Dialect, GoalError, GoalProblem, NESTED, Reader};
 use super::{Comparison, Goal, Pairing, Pairs, Quantified, Variable};
 
-/// Makes a goal of the two parts around a word.
+/// Joins the two parts around an operator.
 type Join = fn(Box<Goal>, Box<Goal>) -> Goal;
 
-/// Connectives, loosest first.
+/// Connectives, loosest binding first.
 impl Reader {
     pub(super) fn goal(&mut self) -> Result<Goal, GoalError> {
         self.list(&["then"], Goal::Then, Self::in_time)
@@ -18,7 +18,7 @@ impl Reader {
         self.infix(&words, |r| r.infix(&[(&["=>", "imply", "implies"], Goal::Imply)], Self::either))
     }
 
-    /// Two parts at most: what `a => b => c` means is better said with brackets.
+    /// Parses at most two parts: for `a => b => c` brackets are required, since its meaning is unclear.
     fn infix(
         &mut self,
         words: &[(&[&str], Join)],
@@ -50,7 +50,7 @@ impl Reader {
         Ok(if single { parts.remove(0) } else { build(parts) })
     }
 
-    /// `On(a, b), 1, Sit(c), 1`: the comma after a literal joins the next.
+    /// Whether the comma after a literal joins the next literal: `On(a, b), 1, Sit(c), 1`.
     fn comma_before_predicate(&mut self) -> bool {
         let rest = &self.tokens[self.next.min(self.tokens.len())..];
         let joins = matches!(rest, [(_, Token::Sign(",")), (_, Token::Name(_)), (_, Token::Sign("(")), ..]);
@@ -99,8 +99,7 @@ impl Reader {
         }
     }
 
-    /// A word that begins a part; none if it is followed by what makes it a
-    /// predicate.
+    /// A word that begins a part; `None` if the following token makes it a predicate.
     fn keyword(&mut self) -> Option<&'static str> {
         const WORDS: [&str; 13] = [
             "!",
@@ -140,9 +139,9 @@ impl Reader {
     }
 }
 
-/// Variables.
+/// Quantifiers and their variables.
 impl Reader {
-    /// What follows `exactly`.
+    /// Parses the rest after `exactly` and the like.
     fn for_n(&mut self, comparison: Comparison) -> Result<Goal, GoalError> {
         let number = self.number()?;
         if self.take(&["marginal"]) {
@@ -154,7 +153,7 @@ impl Reader {
         Ok(Goal::ForN { comparison, number, of: self.quantified()? })
     }
 
-    /// `forn 2. x. (...)`.
+    /// Parses `forn 2. x. (...)`.
     fn eai_for_n(&mut self) -> Result<Goal, GoalError> {
         let number = self.number()?;
         self.demand(".", "`.` after the number")?;
@@ -212,7 +211,7 @@ impl Reader {
         self.demand(".", "`.` after the variable")?;
         let outer = self.bound.len();
         self.bound.extend(variables.iter().map(|&v| v.to_owned()));
-        // EAI's quantifiers end with the bracket that follows them.
+        // EAI's quantifiers end with the bracket after them.
         let body = if self.dialect == Dialect::Eai { self.unary() } else { self.goal() };
         self.bound.truncate(outer);
         body.map(Box::new)

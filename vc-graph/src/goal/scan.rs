@@ -1,14 +1,14 @@
-//! Cutting the text of a goal into words and signs.
+//! Tokenising the text of a goal.
 
 use super::{GoalError, GoalProblem};
 use crate::NodeId;
 
-/// A word or sign.
+/// A token.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Token {
     /// A name, number, `?variable`, `#12` or `cup.12`.
     Name(String),
-    /// A class in quotes, with a node's number or without.
+    /// A class in quotes, with or without a node's number.
     Quoted(String, Option<NodeId>),
     /// A variable in quotes.
     Variable(String),
@@ -16,10 +16,10 @@ pub(super) enum Token {
     Sign(&'static str),
 }
 
-/// Longer ones first.
+/// The signs, longer ones first.
 const SIGNS: [&str; 17] = ["<=", ">=", "=>", "==", "!=", "&&", "||", "(", ")", ",", ":", ".", "!", "&", "|", "=", ";"];
 
-/// The tokens of a text, each with its place in characters, counted from one.
+/// The tokens of a text, each with its position in characters, counted from one.
 pub(super) fn scan(text: &str) -> Result<Vec<(usize, Token)>, GoalError> {
     let mut scanner = Scanner { chars: text.chars().collect(), at: 0 };
     let mut tokens = Vec::new();
@@ -34,7 +34,7 @@ pub(super) fn scan(text: &str) -> Result<Vec<(usize, Token)>, GoalError> {
     Ok(tokens)
 }
 
-/// Whether a class or variable of that name is written without quotes.
+/// Whether a class or variable of that name can be written without quotes.
 pub(super) fn is_plain(name: &str) -> bool {
     !name.is_empty() && name.chars().all(is_name)
 }
@@ -86,7 +86,7 @@ impl Scanner {
         self.chars[start..self.at].iter().collect()
     }
 
-    /// Whether a dot here joins a class and a number, `cup.12`.
+    /// Whether the dot here joins a class and a number, `cup.12`.
     fn number_follows(&self) -> bool {
         self.peek(0) == Some('.') && self.peek(1).is_some_and(|c| c.is_ascii_digit())
     }
@@ -108,7 +108,7 @@ impl Scanner {
         }
     }
 
-    /// What stands between quotes; `\"` and `\\` stand for `"` and `\`.
+    /// The text between quotes; `\"` and `\\` stand for `"` and `\`.
     fn quoted(&mut self) -> Result<String, GoalError> {
         self.at += 1;
         let mut text = String::new();

@@ -1,19 +1,18 @@
-//! How much of a goal holds.
+//! Scores: the degree to which a goal is satisfied.
 
 use super::judge::Judge;
 use super::trace::{Course, Stretch};
 use super::{Comparison, Goal, Quantified, Situation, Trace};
 
 impl Goal {
-    /// How much of the goal holds, 0 to 1; 1 if and only if it holds. The parts of
-    /// a conjunction count alike, a count by how many were found, a disjunction by
-    /// its best part.
+    /// The degree to which the goal is satisfied, 0 to 1; 1 if and only if it holds. The parts of a conjunction
+    /// have equal weight, a count is scored by the number of objects found, a disjunction by its best part.
     pub fn score(&self, now: &Situation<'_>) -> f64 {
         self.scored(Course::of(now))
     }
 
-    /// How much of the goal holds on what happened; what is to hold at some step
-    /// counts by the step where most of it did, what is to hold at all by all alike.
+    /// The degree to which the goal is satisfied on a trace; a part that must hold at some step is scored by
+    /// its best step, one that must hold at all steps by the mean over the steps.
     pub fn score_on(&self, trace: &Trace) -> f64 {
         self.scored(trace.course())
     }
@@ -52,7 +51,7 @@ impl<'g> Judge<'g, '_> {
             Goal::AtEnd(part) => self.score(part, on.alone()),
             Goal::Literal(_) | Goal::Count { .. } | Goal::ForN { .. } | Goal::Same(..) | Goal::Not(_) => 0.0,
         };
-        // All parts of a `then` may hold and their order not.
+        // All parts of a `then` may hold although their order is wrong.
         partial.min(1.0 - f64::EPSILON)
     }
 

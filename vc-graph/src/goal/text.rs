@@ -1,4 +1,4 @@
-//! Reading goals: what can be wrong, and what is read next.
+//! Parsing of goals: errors and the token stream.
 
 use std::str::FromStr;
 
@@ -8,53 +8,52 @@ use crate::format::unmarked;
 use crate::vocabulary::clip;
 use crate::{did_you_mean, goal::names};
 
-/// Longest goal that is read, bytes.
+/// Longest goal that is parsed, bytes.
 const LONGEST: usize = 64 * 1024;
-/// Deepest goal that is read: parts within parts.
+/// Deepest goal that is parsed, levels of nested parts.
 const DEEPEST: usize = 60;
-/// Deepest nesting in the text: a goal that is written may have a bracket for each
-/// part.
+/// Deepest nesting in the text: a written goal may have a bracket for each part.
 pub(super) const NESTED: usize = 2 * DEEPEST + 2;
 
-/// Where a goal is wrong.
+/// An error in a goal's text, with its location.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("goal, character {at}: {problem}")]
 pub struct GoalError {
     /// Character, counted from one.
     pub at: usize,
-    /// What is wrong there.
+    /// The error.
     pub problem: GoalProblem,
 }
 
-/// What is wrong with a goal.
+/// An error in a goal's text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GoalProblem {
-    /// Something else should stand here.
+    /// An unexpected token.
     #[error("expected {expected}, found {found}")]
     Expected {
-        /// What should stand here.
+        /// The expected text.
         expected: &'static str,
-        /// What does.
+        /// The actual text.
         found: String,
     },
-    /// No such predicate.
+    /// An unknown predicate.
     #[error(
         "unknown predicate `{0}`{near}; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)",
         near = did_you_mean(.0, names::predicates())
     )]
     Predicate(String),
-    /// A predicate with the wrong number of things.
+    /// A predicate with the wrong number of terms.
     #[error("`{predicate}` takes {takes} things, {given} are given")]
     Arity {
         /// The predicate.
         predicate: String,
-        /// How many it takes.
+        /// The number of terms it takes.
         takes: usize,
-        /// How many there are.
+        /// The number of terms given.
         given: usize,
     },
-    /// A variable no quantifier binds.
+    /// A variable that no quantifier binds.
     #[error("no forall or exists binds the variable `?{0}`")]
     Unbound(String),
     /// Too long.
@@ -74,9 +73,9 @@ impl FromStr for Goal {
 }
 
 impl Goal {
-    /// Reads a goal formula of the Embodied Agent Interface, such as
-    /// `(exists x0. (TYPE(x0)) then ON(computer.417))`. Its verbs are things done,
-    /// its `ONTOP` is our `On`, its `NEXT_TO` our `Near`, and `character` the agent.
+    /// Parses a goal formula of the Embodied Agent Interface, such as
+    /// `(exists x0. (TYPE(x0)) then ON(computer.417))`. Its verbs are past actions, its `ONTOP` is
+    /// VirtualCity's `On`, its `NEXT_TO` is `Near`, and `character` is the agent.
     ///
     /// ```
     /// use vc_graph::Goal;
@@ -86,7 +85,7 @@ impl Goal {
     /// ```
     ///
     /// # Errors
-    /// [`GoalError`] says where and what was expected.
+    /// [`GoalError`], with the location and the expected form.
     pub fn from_eai(text: &str) -> Result<Self, GoalError> {
         read(text, Dialect::Eai)
     }
@@ -122,7 +121,7 @@ pub(super) struct Reader {
     pub(super) depth: usize,
 }
 
-/// Tokens, errors.
+/// Tokens and errors.
 impl Reader {
     pub(super) fn peek(&self) -> Option<&Token> {
         self.ahead(0)
@@ -149,7 +148,7 @@ impl Reader {
         self.error(GoalProblem::Expected { expected, found })
     }
 
-    /// Takes one of some signs or keywords.
+    /// Consumes the next token if it is one of some signs or keywords.
     pub(super) fn take(&mut self, any: &[&str]) -> bool {
         let found = match self.peek() {
             Some(Token::Sign(sign)) => any.contains(sign),

@@ -1,11 +1,10 @@
-//! What happened: the states and events a goal is judged on.
+//! Traces: the states and events on which a goal is evaluated.
 
 use super::Situation;
 use crate::{Event, NodeId, SceneGraph};
 
-/// What happened, step by step: the state before the first step, and for each step
-/// what was done and the state after it. Scenes share what did not change between
-/// them, so a long trace is small.
+/// The record of an episode: the initial state, and for each step its actions and the state after it. The
+/// scenes share everything that did not change between them, so a long trace is small.
 ///
 /// ```
 /// use vc_graph::goal::{Goal, Trace};
@@ -33,47 +32,46 @@ pub struct Trace {
     agent: NodeId,
     graphs: Vec<SceneGraph>,
     events: Vec<Event>,
-    /// For each step how many events there were by its end.
+    /// For each step the number of events up to its end.
     ends: Vec<usize>,
 }
 
 impl Trace {
-    /// A trace in which nothing has happened.
+    /// A trace without steps.
     pub fn new(graph: SceneGraph, agent: NodeId) -> Self {
         Self { agent, graphs: vec![graph], events: Vec::new(), ends: vec![0] }
     }
 
-    /// Adds a step: what was done, and the state after it.
+    /// Appends a step: its actions and the state after it.
     pub fn push(&mut self, graph: SceneGraph, events: impl IntoIterator<Item = Event>) {
         self.graphs.push(graph);
         self.events.extend(events);
         self.ends.push(self.events.len());
     }
 
-    /// Who `me` is.
+    /// The agent that `me` refers to.
     pub fn agent(&self) -> NodeId {
         self.agent
     }
 
-    /// Number of steps that were done.
+    /// Number of steps.
     pub fn steps(&self) -> usize {
         self.graphs.len() - 1
     }
 
-    /// The state after a step; step 0 is the start.
+    /// The state after a step; step 0 is the initial state.
     pub fn graph(&self, step: usize) -> Option<&SceneGraph> {
         self.graphs.get(step)
     }
 
-    /// What was done in a step; nothing in step 0.
+    /// The actions of a step; empty for step 0.
     pub fn events(&self, step: usize) -> &[Event] {
         let after = |step: usize| self.ends.get(step).copied();
         let before = step.checked_sub(1).and_then(after).unwrap_or(0);
         after(step).map_or(&[], |end| &self.events[before..end])
     }
 
-    /// The situation after a step, by that step's state and all that was done up to
-    /// it.
+    /// The situation after a step: its state and all actions up to it.
     pub fn situation(&self, step: usize) -> Option<Situation<'_>> {
         let graph = self.graph(step)?;
         Some(Situation { graph, agent: self.agent, events: &self.events[..*self.ends.get(step)?] })
@@ -84,19 +82,19 @@ impl Trace {
     }
 }
 
-/// A trace, or a situation read as one.
+/// A trace, or a situation viewed as one.
 #[derive(Clone, Copy)]
 pub(super) struct Course<'a> {
     agent: NodeId,
-    /// One for each step, or one for all.
+    /// One state for each step, or one for all steps.
     graphs: &'a [SceneGraph],
     events: &'a [Event],
-    /// For each step how many events there were by its end; none for one a step.
+    /// For each step the number of events up to its end; `None` if each step has one event.
     ends: Option<&'a [usize]>,
 }
 
 impl<'a> Course<'a> {
-    /// A situation as a course in which every state is the present one.
+    /// A situation as a course in which every state equals the present one.
     pub(super) fn of(now: &Situation<'a>) -> Self {
         Self { agent: now.agent, graphs: std::slice::from_ref(now.graph), events: now.events, ends: None }
     }
@@ -113,7 +111,7 @@ impl<'a> Course<'a> {
         self.ends.map_or(step, |ends| ends[step])
     }
 
-    /// The state after a step, and what was done after step `since` up to it.
+    /// The state after a step, and the actions after step `since` up to it.
     pub(super) fn situation(&self, since: usize, step: usize) -> Situation<'a> {
         let graph = &self.graphs[step.min(self.graphs.len() - 1)];
         let events = &self.events[self.ended(since)..self.ended(step)];
@@ -121,14 +119,14 @@ impl<'a> Course<'a> {
     }
 }
 
-/// The part of a course on which a goal is judged.
+/// The part of a course on which a goal is evaluated.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch {
-    /// What was done after this step counts.
+    /// Actions after this step count.
     since: usize,
-    /// Temporal words look from this step on.
+    /// Temporal operators range from this step on.
     from: usize,
-    /// States are those after this step.
+    /// The state is the one after this step.
     now: usize,
     /// The last step.
     end: usize,
@@ -137,12 +135,12 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// All of a course.
+    /// The whole course.
     pub(super) fn all(course: &Course<'_>) -> Self {
         Self::up_to(course.last())
     }
 
-    /// All of a course up to a step.
+    /// The course up to a step.
     pub(super) fn up_to(step: usize) -> Self {
         Self::between(0, 0, step)
     }
@@ -155,38 +153,37 @@ impl Stretch {
         course.situation(self.since, self.now)
     }
 
-    /// A single step of it.
+    /// A single step of the stretch.
     fn at(self, step: usize) -> Self {
         Self { since: step.saturating_sub(1).max(self.whole.0), from: step, now: step, ..self }
     }
 
-    /// The steps temporal words look at.
+    /// The steps over which temporal operators range.
     pub(super) fn moments(self) -> impl DoubleEndedIterator<Item = Self> {
         (self.from..=self.end).map(move |step| self.at(step))
     }
 
-    /// The first of them, so many after the first one included.
+    /// The first step and the `steps` steps after it.
     pub(super) fn moments_within(self, steps: u32) -> impl Iterator<Item = Self> {
         self.moments().take((steps as usize).saturating_add(1))
     }
 
-    /// Its end, as if what is judged stood alone.
+    /// The end of the stretch, evaluated as if the goal stood alone.
     pub(super) fn alone(self) -> Self {
         Self { since: self.whole.0, from: self.whole.1, now: self.end, ..self }
     }
 
-    /// The stretches that a part of a sequence can have: its start is where `from`
-    /// is, the shortest come first.
+    /// The stretches that a part of a sequence can have: all begin at `from`; the shortest come first.
     pub(super) fn starts(self) -> impl Iterator<Item = Self> {
         (self.from..=self.end).map(move |end| Self::between(self.since, self.from, end))
     }
 
-    /// The stretch from here to the end, as one of its own.
+    /// The stretch from here to the end, as a stretch of its own.
     pub(super) fn rest(self) -> Self {
         Self::between(self.since, self.from, self.end)
     }
 
-    /// What is left after a stretch.
+    /// The remainder after a stretch.
     pub(super) fn after(self, first: Self) -> Self {
         Self::between(first.end, first.end, self.end)
     }

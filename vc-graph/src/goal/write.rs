@@ -1,4 +1,4 @@
-//! Writing goals.
+//! Writing goals as text.
 
 use std::fmt;
 
@@ -25,7 +25,7 @@ impl fmt::Display for Goal {
     }
 }
 
-/// How tightly a goal binds, for brackets.
+/// The binding strength of a goal, which decides where brackets are needed.
 fn rank(goal: &Goal) -> u8 {
     match goal {
         Goal::ForAll(_) | Goal::Exists(_) | Goal::ForN { .. } | Goal::ForPairs(_) => 0,
@@ -40,7 +40,7 @@ fn rank(goal: &Goal) -> u8 {
     }
 }
 
-/// Lists of none are written as what they come to.
+/// The text of an empty list of parts: its truth value.
 fn nothing(goal: &Goal) -> Option<&'static str> {
     match goal {
         Goal::And(parts) | Goal::Then(parts) if parts.is_empty() => Some("true"),
@@ -57,14 +57,14 @@ fn sign(comparison: Comparison) -> &'static str {
     }
 }
 
-/// `plugged_in` as `PluggedIn`.
+/// Capitalises: `plugged_in` becomes `PluggedIn`.
 fn capitalised(word: &str) -> String {
     word.split('_').map(|part| part[..1].to_uppercase() + &part[1..]).collect()
 }
 
 struct Writer<'g, 'f, 'b> {
     f: &'f mut fmt::Formatter<'b>,
-    /// Variables bound so far: a class of the same name stands in quotes.
+    /// Variables bound so far: a class of the same name is written in quotes.
     bound: Vec<&'g str>,
 }
 
@@ -112,7 +112,7 @@ impl<'g> Writer<'g, '_, '_> {
             if i > 0 {
                 self.f.write_str(sign)?;
             }
-            // A list of one would vanish without its brackets.
+            // A list with one part would be lost without its brackets.
             self.bracketed(part, rank(part) <= rank(whole) && nothing(part).is_none())?;
         }
         Ok(())
@@ -168,7 +168,7 @@ impl<'g> Writer<'g, '_, '_> {
         self.word(class, is_plain(class))
     }
 
-    /// A name, in quotes if it is not plain.
+    /// A name, quoted if it is not plain.
     fn word(&mut self, name: &str, plain: bool) -> fmt::Result {
         match plain {
             true => self.f.write_str(name),

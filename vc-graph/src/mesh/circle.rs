@@ -7,14 +7,14 @@ use crate::portable::Portable;
 const LEAST: usize = 8;
 const MOST: usize = 64;
 
-/// How many corners a circle needs for its chords to stay within `tolerance`.
+/// The number of corners with which a circle's chords stay within `tolerance`.
 pub(super) fn corners(radius: f32, tolerance: f32) -> usize {
     let sagitta = |n: usize| f64::from(radius) * (1.0 - turn(1, 2 * n).0);
     (LEAST..MOST).step_by(4).find(|&n| sagitta(n) <= f64::from(tolerance)).unwrap_or(MOST)
 }
 
-/// Cosine and sine of `n` evenly spaced angles; `n` is a multiple of four, and the
-/// quarters are exact mirror images.
+/// Cosine and sine of `n` evenly spaced angles; `n` is a multiple of four, and the quadrants are exact mirror
+/// images.
 pub(super) fn circle(n: usize) -> Vec<(f64, f64)> {
     (0..n)
         .map(|k| {
@@ -24,7 +24,7 @@ pub(super) fn circle(n: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Cosine and sine of `k / n` of a turn, at most a quarter.
+/// Cosine and sine of the angle `k / n` of a full turn, at most a quarter turn.
 fn turn(k: usize, n: usize) -> (f64, f64) {
     let angle = |k: f64| TAU * k / n as f64;
     if 8 * k <= n {

@@ -1,4 +1,4 @@
-//! Normals for triangles that come without.
+//! Normals for triangles that have none.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use nalgebra::{Point3, Vector3};
 use super::weld::Welded;
 use super::{CREASE, TriangleMesh};
 
-/// Corners of triangles, three each, in groups that share a vertex.
+/// Triangle corners, three per triangle, in groups that share a vertex.
 struct Groups(Vec<usize>);
 
 impl Groups {
@@ -25,8 +25,8 @@ impl Groups {
     }
 }
 
-/// The triangles with vertices shared across smooth edges and split at sharp ones.
-/// Triangles with corners that do not exist or are in one place are left out.
+/// Builds the mesh with vertices shared across smooth edges and split at sharp ones. Triangles with missing or
+/// coinciding corners are left out.
 pub(super) fn with_normals(vertices: &[Point3<f32>], triangles: &[[u32; 3]], uvs: &[[[f32; 2]; 3]]) -> TriangleMesh {
     let welded = Welded::new(vertices);
     let faces: Vec<[u32; 3]> = triangles.iter().filter_map(|&t| welded.triangle(t)).collect();
@@ -76,9 +76,8 @@ fn smooth(faces: &[[u32; 3]], normals: &[Vector3<f64>]) -> Groups {
     groups
 }
 
-/// How much a triangle counts at a corner: its angle there, so that it does not
-/// matter how a face is cut into triangles. Abramowitz and Stegun 4.4.45, good to
-/// 7e-5 radians and the same on every machine.
+/// The weight of a triangle at a corner: its angle there, so that the triangulation of a face does not matter.
+/// Abramowitz and Stegun 4.4.45, accurate to 7e-5 radians and the same on every machine.
 fn angle(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
     let lengths = a.norm() * b.norm();
     let cosine = if lengths > 0.0 { (a.dot(&b) / lengths).clamp(-1.0, 1.0) } else { 1.0 };

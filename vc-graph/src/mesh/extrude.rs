@@ -1,4 +1,4 @@
-//! Outlines drawn up along Z.
+//! Outlines extruded along Z.
 
 use nalgebra::{Point3, Vector2, Vector3};
 
@@ -20,7 +20,7 @@ pub(super) fn drawn_up(outline: &[(f32, f32)], height: f32) -> TriangleMesh {
     mesh
 }
 
-/// The outline counter-clockwise, no point twice in a row; empty if it has no area.
+/// The outline in counter-clockwise order without consecutive duplicates; empty if it has no area.
 fn counter_clockwise(outline: &[(f32, f32)]) -> Vec<(f32, f32)> {
     let mut points = outline.to_vec();
     points.dedup();

@@ -1,8 +1,8 @@
 //! Convex hulls.
 //!
-//! Quickhull (Barber, Dobkin, Huhdanpaa, ACM TOMS 22:4, 1996) with Shewchuk's exact
-//! predicate: a point in the plane of a face does not see it, so faces of many
-//! corners, a box's for example, need no tolerance.
+//! Quickhull (Barber, Dobkin, Huhdanpaa, ACM TOMS 22:4, 1996) with Shewchuk's exact predicate: a point in the
+//! plane of a face does not count as in front of it, so faces with many corners, such as those of a box, need
+//! no tolerance.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use robust::{Coord3D, orient3d};
 
 struct Face {
     corners: [usize; 3],
-    /// Points that see this face and no older one.
+    /// Points in front of this face that are assigned to no older face.
     outside: Vec<usize>,
     alive: bool,
 }
@@ -19,12 +19,11 @@ struct Face {
 struct Hull<'a> {
     points: &'a [Point3<f32>],
     faces: Vec<Face>,
-    /// The face on the left of each directed edge.
+    /// The face to the left of each directed edge.
     left: HashMap<(usize, usize), usize>,
 }
 
-/// The hull's triangles, counter-clockwise seen from outside; none if the points
-/// are all in one plane.
+/// The hull's triangles, counter-clockwise seen from outside; empty if the points are coplanar.
 pub(super) fn triangles(points: &[Point3<f32>]) -> Vec<[usize; 3]> {
     let Some([a, b, c, d]) = simplex(points) else { return Vec::new() };
     let mut hull = Hull { points, faces: Vec::new(), left: HashMap::new() };
@@ -42,7 +41,7 @@ pub(super) fn triangles(points: &[Point3<f32>]) -> Vec<[usize; 3]> {
     hull.faces.iter().filter(|f| f.alive).map(|f| f.corners).collect()
 }
 
-/// Four corners not in one plane, the last one below the other three.
+/// Four corners that are not coplanar, the last one below the plane of the other three.
 fn simplex(points: &[Point3<f32>]) -> Option<[usize; 4]> {
     let at = |i: usize| points[i].cast::<f64>();
     let a = 0;
@@ -52,7 +51,7 @@ fn simplex(points: &[Point3<f32>]) -> Option<[usize; 4]> {
     Some(if height(points, [a, b, c], d) > 0.0 { [a, c, b, d] } else { [a, b, c, d] })
 }
 
-/// The first of the greatest values, if it is above zero.
+/// The first index with the greatest value, if that is positive.
 fn farthest(count: usize, value: impl Fn(usize) -> f64) -> Option<usize> {
     let better = |(best, most): (Option<usize>, f64), i| {
         let v = value(i);
@@ -61,8 +60,7 @@ fn farthest(count: usize, value: impl Fn(usize) -> f64) -> Option<usize> {
     (0..count).fold((None, 0.0), better).0
 }
 
-/// Six times the volume between a triangle and a point; its sign, which side the
-/// point is on, is exact and above zero outside.
+/// Six times the signed volume between a triangle and a point. The sign, positive outside, is exact.
 fn height(points: &[Point3<f32>], corners: [usize; 3], point: usize) -> f64 {
     let at = |i: usize| {
         let p = points[i].cast::<f64>();
@@ -83,7 +81,7 @@ impl Hull<'_> {
         self.faces.push(Face { corners, outside: Vec::new(), alive: true });
     }
 
-    /// Gives each point to the first face, from `first` on, that it sees.
+    /// Assigns each point to the first face, from `first` on, that it is in front of.
     fn hand_out(&mut self, points: Vec<usize>, first: usize) {
         for point in points {
             let seen = (first..self.faces.len()).find(|&face| self.sees(point, face));
@@ -93,7 +91,7 @@ impl Hull<'_> {
         }
     }
 
-    /// Makes the farthest point outside a face a corner of the hull.
+    /// Adds the farthest point in front of a face to the hull.
     fn grow(&mut self, face: usize) {
         let (outside, corners) = (&self.faces[face].outside, self.faces[face].corners);
         let Some(at) = farthest(outside.len(), |i| height(self.points, corners, outside[i])) else { return };
@@ -111,7 +109,7 @@ impl Hull<'_> {
         self.hand_out(outside, first);
     }
 
-    /// The faces a point sees, one of them known, and the edges around them.
+    /// The faces visible from a point, one of which is known, and the edges around them.
     fn visible(&self, point: usize, face: usize) -> (Vec<usize>, Vec<(usize, usize)>) {
         let mut visible = vec![face];
         let mut known = HashMap::from([(face, true)]);

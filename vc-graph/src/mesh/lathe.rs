@@ -1,4 +1,4 @@
-//! Profiles turned around Z.
+//! Solids of revolution around Z.
 
 use nalgebra::{Point3, Vector2, Vector3};
 
@@ -7,7 +7,7 @@ use super::{CREASE, TriangleMesh};
 
 type Radial = Vector2<f64>;
 
-/// A piece of a profile: radius and height of both ends, and their outward normals.
+/// A segment of a profile: radius and height of both ends, and their outward normals.
 struct Stretch {
     ends: [(f32, f32); 2],
     normals: [Radial; 2],
@@ -28,14 +28,14 @@ pub(super) fn capsule(radius: f32, half_height: f32, tolerance: f32) -> Triangle
     revolved(&points.windows(2).map(piece).collect::<Vec<_>>(), n)
 }
 
-/// Any profile, closed to the axis, with creases where it bends sharply.
+/// Any profile, closed to the axis, with creases at sharp bends.
 pub(super) fn turned(profile: &[(f32, f32)], tolerance: f32) -> TriangleMesh {
     let widest = profile.iter().fold(0.0, |most: f32, p| most.max(p.0));
     revolved(&stretches(&closed(profile)), corners(widest, tolerance))
 }
 
-/// The profile with its discs, the solid on its left, no point twice in a row. A
-/// ring ends in the point it started from.
+/// The profile with its closing discs, the solid on its left, without consecutive duplicates. A ring ends in
+/// its starting point.
 fn closed(profile: &[(f32, f32)]) -> Vec<(f32, f32)> {
     let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else { return Vec::new() };
     let disc = |end: (f32, f32)| (end.0 > 0.0 && first != last).then_some((0.0, end.1));
@@ -61,7 +61,7 @@ fn stretches(points: &[(f32, f32)]) -> Vec<Stretch> {
     let normals: Vec<Radial> = points.windows(2).map(outward).collect();
     let ring = points.first() == points.last();
     let count = normals.len();
-    // What a stretch meets at its end: its neighbour, or at the axis its own mirror image.
+    // The normal across a segment's end: that of its neighbour, or on the axis that of its own mirror image.
     let meets = |i: usize, other: Option<usize>, radius: f32| match other {
         _ if radius == 0.0 => Radial::new(-normals[i].x, normals[i].y),
         Some(k) => normals[k],
@@ -81,7 +81,7 @@ fn stretches(points: &[(f32, f32)]) -> Vec<Stretch> {
         .collect()
 }
 
-/// Turns stretches of a profile around Z in `n` steps.
+/// Revolves the segments of a profile around Z in `n` steps.
 fn revolved(stretches: &[Stretch], n: usize) -> TriangleMesh {
     let table = circle(n);
     let mut mesh = TriangleMesh::default();
@@ -107,7 +107,7 @@ fn revolved(stretches: &[Stretch], n: usize) -> TriangleMesh {
     mesh
 }
 
-/// The vertices of one point of a profile, all around.
+/// The vertices around the axis at one point of a profile.
 #[derive(Clone, Copy)]
 struct Ring {
     first: u32,
@@ -126,7 +126,7 @@ fn ring(mesh: &mut TriangleMesh, table: &[(f64, f64)], (radius, height): (f32, f
     let count = if radius == 0.0 && normal.x.abs() < 1e-9 { 1 } else { n };
     for k in 0..count {
         let (c, s) = table[k];
-        // The tip of a cone belongs to every slice and faces the slice's middle.
+        // The tip of a cone has a vertex for every slice, whose normal points along the middle of the slice.
         let (facing_x, facing_y) =
             if radius == 0.0 { (c + table[(k + 1) % n].0, s + table[(k + 1) % n].1) } else { (c, s) };
         let facing = Vector2::new(facing_x, facing_y).normalize() * normal.x;

@@ -1,4 +1,4 @@
-//! Shapes as triangles: closed surfaces with normals.
+//! Triangle meshes of shapes: closed surfaces with normals.
 //!
 //! ```
 //! use vc_graph::asset::Shape;
@@ -9,9 +9,8 @@
 //! assert!(mesh.volume() < 0.00012); // it is hollow
 //! ```
 //!
-//! The same shape and tolerance give the same bytes on every machine: angles come
-//! from a series of our own, and what decides the hull of points and the triangles
-//! of an outline is computed exactly.
+//! The same shape and tolerance give the same bytes on every machine: angles are computed by a series of this
+//! crate, and the decisions in convex hulls and in triangulations of outlines are exact.
 
 mod circle;
 mod crease;
@@ -28,35 +27,34 @@ use crate::asset::Shape;
 use crate::{Aabb, Pose};
 use weld::Welded;
 
-/// Cosine of 40 degrees: surfaces that meet at a wider angle have an edge between
-/// them, others look like one curved surface.
+/// Cosine of 40 degrees: faces that meet at a larger angle have a sharp edge between them; others are shaded
+/// smoothly.
 const CREASE: f64 = 0.766_044_443;
 
-/// A surface of triangles, metres. Vertices are split where the surface has an edge.
+/// A surface of triangles, metres. Vertices are split at sharp edges.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TriangleMesh {
-    /// Where each vertex is, metres.
+    /// Position of each vertex, metres.
     pub positions: Vec<Point3<f32>>,
-    /// Outward normal of each vertex, unit length; as many as there are positions.
+    /// Outward unit normal of each vertex; as many as positions.
     pub normals: Vec<Vector3<f32>>,
-    /// Three vertices each, counter-clockwise seen from outside.
+    /// Three vertices per triangle, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Where the corners of each triangle are in a texture; empty where nothing is known.
+    /// Texture coordinates of the corners of each triangle; empty if there are none.
     pub uvs: Vec<[[f32; 2]; 3]>,
 }
 
 impl Shape {
     /// The surface of the shape in its own frame.
     ///
-    /// `tolerance` is the largest distance between a curve and its chords, metres:
-    /// a circle gets 8 to 64 corners, a multiple of four, so that the mesh is as
-    /// wide as the shape's [`extent`](Shape::extent). The mesh is closed, except
-    /// that [`Shape::Mesh`] is taken as it is. A shape without volume (points in
-    /// one plane, a profile that is a line) and one with a measure that is not
-    /// finite or not positive has no triangles.
+    /// `tolerance` is the largest distance between a curve and its chords, metres: a circle gets 8 to 64
+    /// corners, a multiple of four, so that the mesh is as wide as the shape's [`extent`](Shape::extent). The
+    /// mesh is closed, except for a [`Shape::Mesh`], which is used as it is. A shape without volume (coplanar
+    /// points, a profile that is a line) and one with a measure that is not finite or not positive has no
+    /// triangles.
     ///
-    /// Costs time in proportion to the triangles; a hull of `n` points
-    /// `n log n` mostly, an outline of `n` points the square of `n`.
+    /// Costs time proportional to the number of triangles; a hull of `n` points mostly takes `n log n`, an
+    /// outline of `n` points `n` squared.
     pub fn mesh(&self, tolerance: f32) -> TriangleMesh {
         if !self.measures_are_positive() {
             return TriangleMesh::default();
@@ -82,16 +80,15 @@ impl Shape {
 }
 
 impl TriangleMesh {
-    /// Whether it encloses a volume without a gap: when vertices at the same place
-    /// are taken as one, every triangle's edge has exactly one opposite. An empty
-    /// mesh is not closed.
+    /// Whether the mesh encloses a volume without a gap: if vertices at the same position are merged, every
+    /// triangle edge has exactly one opposite. An empty mesh is not closed.
     pub fn is_closed(&self) -> bool {
         let edges = Welded::new(&self.positions).edges(&self.triangles);
         !edges.is_empty() && edges.iter().all(|(&(a, b), &count)| count == 1 && edges.get(&(b, a)) == Some(&1))
     }
 
-    /// Enclosed volume, cubic metres; of use if the mesh is closed. Negative where
-    /// the triangles are the wrong way round.
+    /// Enclosed volume, cubic metres; meaningful only if the mesh is closed. Negative if the triangles are
+    /// oriented inwards.
     pub fn volume(&self) -> f32 {
         let Some(origin) = self.positions.first().map(|p| p.cast::<f64>()) else { return 0.0 };
         let six = |[a, b, c]: [Point3<f64>; 3]| (a - origin).dot(&(b - origin).cross(&(c - origin)));
@@ -103,7 +100,7 @@ impl TriangleMesh {
         (self.corners().map(|[a, b, c]| (b - a).cross(&(c - a)).norm()).sum::<f64>() / 2.0) as f32
     }
 
-    /// The box around its vertices, metres; none if it has no vertices.
+    /// The bounding box of its vertices, metres; `None` if it has no vertices.
     pub fn bounds(&self) -> Option<Aabb> {
         let start = *self.positions.first()?;
         let grow = |b: Aabb, p: &Point3<f32>| Aabb { min: b.min.inf(p), max: b.max.sup(p) };
@@ -115,7 +112,7 @@ impl TriangleMesh {
         self.triangles.is_empty()
     }
 
-    /// The mesh moved and turned.
+    /// The mesh transformed by a pose.
     #[must_use]
     pub fn transformed(&self, pose: &Pose) -> Self {
         Self {
@@ -140,7 +137,7 @@ impl TriangleMesh {
         self.triangles.extend(other.triangles.iter().map(|t| t.map(|v| v + first)));
     }
 
-    /// The corners of every triangle; those that do not exist are passed over.
+    /// The corners of every triangle; triangles with missing vertices are skipped.
     fn corners(&self) -> impl Iterator<Item = [Point3<f64>; 3]> {
         let corner = |v: u32| self.positions.get(v as usize).map(|p| p.cast::<f64>());
         self.triangles.iter().filter_map(move |&[a, b, c]| Some([corner(a)?, corner(b)?, corner(c)?]))
@@ -153,8 +150,7 @@ impl TriangleMesh {
         self.positions.len() as u32 - 1
     }
 
-    /// Without triangles that have two corners in one place, and empty if a sum of
-    /// large measures was too large.
+    /// Removes triangles with two corners at the same position; the result is empty if a coordinate overflowed.
     fn cleaned(mut self) -> Self {
         if self.positions.iter().any(|p| p.iter().any(|v| !v.is_finite())) {
             return Self::default();

@@ -1,9 +1,8 @@
-//! Triangles of a polygon: ears cut off one by one.
+//! Triangulation of a polygon by ear clipping.
 //!
-//! An outline of `n` corners always gives `n - 2` triangles that use all of them, even
-//! a corner in the middle of a straight edge and even where the outline touches or
-//! crosses itself, so that caps fit walls without a gap. O'Rourke, Computational
-//! Geometry in C, chapter 1.
+//! An outline of `n` corners always gives `n - 2` triangles that use all of them, even a corner in the middle
+//! of a straight edge and even if the outline touches or crosses itself, so that caps fit walls without a gap.
+//! O'Rourke, Computational Geometry in C, chapter 1.
 
 use robust::{Coord, orient2d};
 
@@ -14,7 +13,7 @@ fn side(a: (f32, f32), b: (f32, f32), c: (f32, f32)) -> Ordering {
     orient2d(a, b, c).total_cmp(&0.0)
 }
 
-/// The corners left of a polygon, in a circle.
+/// The remaining corners of a polygon, as a circular list.
 struct Left<'a> {
     outline: &'a [(f32, f32)],
     next: Vec<usize>,
@@ -42,7 +41,7 @@ impl Left<'_> {
         let (mut at, mut refused, mut crossed) = (0, 0, false);
         while triangles.len() + 2 < self.outline.len() {
             let (before, after) = (self.previous[at], self.next[at]);
-            // An outline that crosses itself may have no ear; then any corner goes.
+            // An outline that crosses itself may have no ear; then any corner is cut off.
             crossed |= refused > self.outline.len() - triangles.len();
             if !crossed && !self.is_ear(at) {
                 (at, refused) = (after, refused + 1);
@@ -50,7 +49,7 @@ impl Left<'_> {
             }
             triangles.push([before, at, after]);
             (self.next[before], self.previous[after]) = (after, before);
-            // A corner that turned convex cannot turn back.
+            // A corner that has become convex stays convex.
             let blunt = std::mem::take(&mut self.blunt);
             self.blunt =
                 blunt.into_iter().filter(|&v| v != at && (v != before && v != after || !self.is_convex(v))).collect();
@@ -68,7 +67,7 @@ impl Left<'_> {
         side(a, b, c) == Ordering::Greater
     }
 
-    /// Whether a corner is convex and no other is in its triangle or on its border.
+    /// Whether a corner is convex and no other corner is inside its triangle or on its border.
     fn is_ear(&self, v: usize) -> bool {
         let [a, b, c] = self.corner(v);
         let inside =

@@ -1,4 +1,4 @@
-//! Boxes, and solids of flat triangles.
+//! Boxes, and solids with flat triangles.
 
 use nalgebra::{Point3, Vector3};
 
@@ -22,13 +22,13 @@ pub(super) fn cuboid(half: Vector3<f32>) -> TriangleMesh {
     mesh
 }
 
-/// A box with rounded edges: a sphere whose eight octants are pulled apart.
+/// A box with rounded edges: a sphere whose eight octants are moved apart.
 pub(super) fn rounded(half: Vector3<f32>, radius: f32, tolerance: f32) -> TriangleMesh {
     let mut mesh = TriangleMesh::default();
     let around = pulled_apart(corners(radius, tolerance));
     let (rows, columns) = (around.len() / 2, around.len());
     let core = half.map(|h| h - radius);
-    // Rows go up from the south pole: the last quarter of the circle and the first.
+    // Rows go up from the south pole: the last quarter of the circle, then the first.
     for &(level, rise, _, up) in around[rows + rows / 2..].iter().chain(&around[..rows / 2]) {
         for &(c, s, x, y) in &around {
             let normal = Vector3::new(level * c, level * s, rise);
@@ -51,8 +51,7 @@ pub(super) fn rounded(half: Vector3<f32>, radius: f32, tolerance: f32) -> Triang
     mesh
 }
 
-/// Cosine and sine around a circle, each end of a quarter twice, with the signs of
-/// the quarter they belong to.
+/// Cosine and sine around a circle, with each end of a quadrant twice, and with the signs of the quadrant.
 fn pulled_apart(n: usize) -> Vec<(f64, f64, f32, f32)> {
     let (table, quarter) = (circle(n), n / 4);
     let signs = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
@@ -63,7 +62,7 @@ fn pulled_apart(n: usize) -> Vec<(f64, f64, f32, f32)> {
     (0..4).flat_map(|q| (0..=quarter).map(move |k| (q, k))).map(|(q, k)| point(q, k)).collect()
 }
 
-/// A solid of flat triangles: every corner a vertex of its own.
+/// A solid with flat triangles: every corner is a separate vertex.
 pub(super) fn faceted(points: &[Point3<f32>], triangles: &[[usize; 3]]) -> TriangleMesh {
     let mut mesh = TriangleMesh::default();
     for triangle in triangles {

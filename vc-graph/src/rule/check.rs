@@ -1,4 +1,4 @@
-//! Whether what actions need is the case, and if not, why.
+//! Checking an action's preconditions, with or without reasons.
 
 use std::marker::PhantomData;
 
@@ -8,7 +8,7 @@ use crate::rule::judge::Judge;
 use crate::rule::refusal::Refusal;
 use crate::{Action, NodeId, Place, Property, Relation, SceneGraph};
 
-/// Whether the action's agent and things exist and are as many as the verb takes.
+/// Whether the agent and the objects of an action exist and are as many as the verb takes.
 pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -> Option<Refusal> {
     let Some(body) = graph.node(agent) else { return Some(Refusal::NoSuchThing(agent)) };
     if body.kind() != Kind::Agent {
@@ -28,8 +28,8 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
     itself.map(|id| Refusal::WithItself(graph.label(id)))
 }
 
-/// The reason why a need is not met, or a mark in its place where nobody asks for the reason: wording it
-/// costs more than finding it.
+/// The reason why a precondition is not met, or a marker instead of it if the caller does not need the reason:
+/// formulating a reason costs more than the check.
 pub(super) trait Why: Sized {
     fn because(refusal: impl FnOnce() -> Refusal) -> Self;
 }
@@ -40,7 +40,7 @@ impl Why for Refusal {
     }
 }
 
-/// A need is not met, and nobody asks why.
+/// An unmet precondition without a reason.
 pub(super) struct Untold;
 
 impl Why for Untold {
@@ -50,16 +50,16 @@ impl Why for Untold {
 }
 
 impl Condition {
-    /// Whether the condition holds for an agent. Costs less than [`Condition::check`], as no
-    /// reason is worded.
+    /// Whether the condition holds for an agent. Costs less than [`Condition::check`], since no reason is
+    /// formulated.
     pub fn holds(&self, graph: &SceneGraph, agent: NodeId) -> bool {
         self.judged::<Untold>(graph, agent).is_ok()
     }
 
-    /// Whether the condition holds for an agent, and if not, why.
+    /// Checks whether the condition holds for an agent.
     ///
     /// # Errors
-    /// The [`Refusal`] an action that needs it meets.
+    /// The [`Refusal`] of an action with this precondition.
     pub fn check(&self, graph: &SceneGraph, agent: NodeId) -> Result<(), Refusal> {
         self.judged(graph, agent)
     }
@@ -70,7 +70,7 @@ impl Condition {
     }
 }
 
-/// A judge of an agent's needs that does not word reasons; `None` if the node is no agent of the scene.
+/// A checker of an agent's preconditions without reasons; `None` if the node is not an agent of the scene.
 pub(super) fn judge_of(graph: &SceneGraph, agent: NodeId) -> Option<Judge<'_, Untold>> {
     let body = graph.node(agent).filter(|body| body.kind() == Kind::Agent)?;
     Some(Judge { graph, agent, body, why: PhantomData })
@@ -82,13 +82,13 @@ impl Judge<'_, Untold> {
     }
 }
 
-/// The vehicle an agent is in.
+/// The vehicle that an agent is in.
 pub(super) fn vehicle_of(graph: &SceneGraph, agent: NodeId) -> Option<NodeId> {
     let drivable = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Drivable));
     graph.related(agent, Relation::Inside).find(drivable)
 }
 
-/// Where a held thing was taken from.
+/// The place from which a held object was taken.
 pub(super) fn origin(graph: &SceneGraph, id: NodeId) -> Option<Place> {
     let off = graph.related(id, Relation::TakenOff).next().map(|at| Place { relation: Relation::On, at });
     off.or_else(|| graph.related(id, Relation::TakenOut).next().map(|at| Place { relation: Relation::Inside, at }))

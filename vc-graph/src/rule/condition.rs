@@ -1,52 +1,52 @@
-//! What actions need.
+//! Preconditions of actions.
 
 use crate::rule::effect::Role;
 use crate::{Action, NodeId, Property, Relation, State};
 
-/// Something an action needs. `T` is the role of a thing in the rule table, or the
-/// thing itself when the condition is [grounded](Condition::ground).
+/// A precondition of an action. `T` is the role of an object in the rule table, or the object itself once the
+/// condition is [grounded](Condition::ground).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Condition<T = NodeId> {
-    /// The thing has a property.
+    /// The object has a property.
     Affords(T, Property),
-    /// The thing is in a state.
+    /// The object is in a state.
     In(T, State),
-    /// The thing is not in a state.
+    /// The object is not in a state.
     NotIn(T, State),
-    /// The agent is near the thing, see [`SceneGraph::near`](crate::SceneGraph::near).
+    /// The agent is near the object, see [`SceneGraph::near`](crate::SceneGraph::near).
     Near(T),
-    /// The thing is in a room or is one: one can go there.
+    /// The object is in a room, or is one, so that an agent can go there.
     Reachable(T),
-    /// The thing is not inside anything closed.
+    /// The object is not inside a closed container.
     Accessible(T),
-    /// The thing can be picked up.
+    /// The object can be picked up.
     Graspable(T),
-    /// No other agent holds or wears the thing, and nobody rests on it.
+    /// No other agent holds or wears the object, and no agent rests on it.
     NotElsewhereHeld(T),
     /// The agent has a free hand.
     FreeHand,
-    /// The agent has a free hand, or the thing is in one of its hands.
+    /// The agent has a free hand, or the object is in one of its hands.
     FreeHandOrHolding(T),
-    /// The agent holds the thing.
+    /// The agent holds the object.
     Holding(T),
     /// The agent holds something.
     HoldingSomething,
-    /// The agent holds something that has a property.
+    /// The agent holds an object with a property.
     HoldingKind(Property),
-    /// Things can be put on it.
+    /// Objects can be put on it.
     Carries(T),
-    /// Things can be put in it.
+    /// Objects can be put in it.
     Encloses(T),
-    /// If it opens, it is open.
+    /// If it can be opened, it is open.
     Accepts(T),
-    /// The first has room on or in the second, where sizes are known.
+    /// The first object fits on or in the second, if the sizes are known.
     Fits(T, T),
-    /// What the held thing was taken from is near, and open if need be.
+    /// The place from which the held object was taken is near, and open if it can be opened.
     OriginNear(T),
     /// The agent stands.
     Upright,
-    /// The agent stands, or is near the thing.
+    /// The agent stands, or is near the object.
     UprightOrNear(T),
     /// The agent sits or lies.
     AtRest,
@@ -60,48 +60,48 @@ pub enum Condition<T = NodeId> {
     BedFree(T),
     /// There is a free seat in the vehicle.
     SeatInside(T),
-    /// Nobody carries it about.
+    /// No agent carries it.
     Steady(T),
     /// The agent is in a vehicle.
     Aboard,
     /// The agent is in this vehicle.
     AboardOf(T),
-    /// The agent faces the thing.
+    /// The agent faces the object.
     Facing(T),
-    /// The thing is in the agent's room.
+    /// The object is in the agent's room.
     SameRoom(T),
-    /// The agent wears the thing.
+    /// The agent wears the object.
     Worn(T),
-    /// It can be eaten, or something on it can.
+    /// It can be eaten, or it has food on it.
     Edible(T),
-    /// It can be drunk, or something can be in it to drink.
+    /// It can be drunk, or it can contain a drink.
     Potable(T),
     /// It can be poured.
     Liquid(T),
-    /// Liquids can be poured into it, or onto it.
+    /// Liquids can be poured into or onto it.
     Receives(T),
     /// It is food that can be cut.
     Cuttable(T),
     /// It is on or in a heater that is on, directly or in a pot.
     OnHeat(T),
-    /// It is inside a cooler that runs, directly or on or in something.
+    /// It is inside a cooler that is on, directly or on or in another object.
     InCold(T),
-    /// It moves when pushed or pulled.
+    /// It can be pushed and pulled.
     Mobile(T),
-    /// It gives when squeezed.
+    /// It can be squeezed.
     Soft(T),
-    /// One can type on it.
+    /// It can be typed on.
     Typable(T),
-    /// It is off, or one opens it while it runs: a fridge, an oven.
+    /// It is off, or it may be opened while it is on: a fridge, an oven.
     SafeToOpen(T),
     /// It is a person.
     Personal(T),
-    /// A relation holds between two things. No verb needs it as such; goals do.
+    /// A relation holds between two objects. No verb needs it as such, but goals do.
     Related(T, Relation, T),
 }
 
 impl Condition<Role> {
-    /// The condition on the things of an action; `None` if the action lacks one.
+    /// The condition with the objects of an action; `None` if the action lacks one.
     pub fn ground(self, action: &Action) -> Option<Condition> {
         use Condition as C;
         let of = |role: Role| role.of(action);
@@ -156,7 +156,7 @@ impl Condition<Role> {
 }
 
 impl<T> Condition<T> {
-    /// Whether no action changes it: it is about what a thing is.
+    /// Whether no action can change it: it concerns constant properties of an object.
     pub fn is_lasting(&self) -> bool {
         use Condition as C;
         matches!(

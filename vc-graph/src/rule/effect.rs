@@ -1,4 +1,4 @@
-//! What actions do.
+//! Effects of actions.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
@@ -7,12 +7,12 @@ use crate::portable::Portable;
 use crate::rule::check::{origin, vehicle_of};
 use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 
-/// Which thing of an action a rule speaks of.
+/// The role of an object in an action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// The first thing: what is grabbed, opened, put.
+    /// The first object: the one that is grabbed, opened, put.
     X,
-    /// The second thing: where it is put.
+    /// The second object: the place where the first is put.
     Y,
 }
 
@@ -25,56 +25,56 @@ impl Role {
     }
 }
 
-/// Something an action does. `T` as in [`Condition`](super::Condition).
+/// An effect of an action. `T` as in [`Condition`](super::Condition).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Effect<T> {
-    /// The thing enters a state.
+    /// The object enters a state.
     Enter(T, State),
-    /// The thing enters a state, with all that is on or in it.
+    /// The object enters a state, with everything on or in it.
     EnterWith(T, State),
     /// The agent enters a state.
     EnterOwn(State),
     /// The agent leaves a state.
     LeaveOwn(State),
-    /// The agent goes there and takes along what it holds.
+    /// The agent goes there and takes the objects it holds along.
     GoTo(T),
-    /// The agent goes there unless it is near.
+    /// The agent goes there unless it is near already.
     Approach(T),
-    /// The agent faces the thing and nothing else.
+    /// The agent faces the object and nothing else.
     Face(T),
-    /// The thing is in the agent's hand.
+    /// The object is in the agent's hand.
     Hold(T),
     /// The first is on the second.
     PutOn(T, T),
     /// The first is inside the second.
     PutInto(T, T),
-    /// The thing is where it was taken from.
+    /// The object is back where it was taken from.
     PutWhereItWas(T),
-    /// The thing is in the room, on nothing in particular.
+    /// The object is in the room, without a support.
     LetGo(T),
-    /// The agent sits on the thing.
+    /// The agent sits on the object.
     SitOn(T),
-    /// The agent lies on the thing.
+    /// The agent lies on the object.
     LieOn(T),
     /// The agent stands.
     StandUp,
-    /// Some of the first is in the second.
+    /// Some of the first object's contents are in the second.
     PourInto(T, T),
-    /// The thing is filled with water.
+    /// The object is filled with water.
     FillWithWater(T),
-    /// The agent wears the thing.
+    /// The agent wears the object.
     PutOnBody(T),
     /// The agent is inside the vehicle.
     Board(T),
     /// The agent is outside its vehicle.
     Alight,
-    /// The first, with all in it, is where the second is.
+    /// The first object, with everything in it, moves to the second.
     DriveTo(T, T),
 }
 
 impl Effect<Role> {
-    /// The effect on the things of an action; `None` if the action lacks one.
+    /// The effect with the objects of an action; `None` if the action lacks one.
     pub fn ground(self, action: &Action) -> Option<Effect<NodeId>> {
         use Effect as E;
         let of = |role: Role| role.of(action);
@@ -104,13 +104,13 @@ impl Effect<Role> {
     }
 }
 
-/// How far from a thing an agent stops, metres.
+/// Distance from an object at which an agent stops, metres.
 const STAND_OFF: f32 = 0.4;
-/// Height of a hand above the floor, and how far in front of the body, metres.
+/// Position of a hand relative to the agent's pose, in front of the body and above the floor, metres.
 const HAND: Vector3<f32> = Vector3::new(0.3, 0.0, 1.0);
 
-/// Carries an effect out. Poses, where the scene has them, follow roughly: bodies
-/// and exact geometry are vc-physics' business.
+/// Carries out an effect. Poses, if the scene has them, are updated approximately: bodies and exact geometry
+/// are the subject of vc-physics.
 pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeId>) -> Result<(), EditError> {
     match effect {
         Effect::Enter(id, state) => edit.enter_state(id, state),
@@ -162,7 +162,7 @@ fn enter_with(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(), EditE
 const NEARNESS: [Relation; 5] =
     [Relation::Near, Relation::NearFront, Relation::NearBack, Relation::NearLeft, Relation::NearRight];
 
-/// Leaves what was near and comes near what it goes to, taking along what it holds.
+/// Ends nearness to the previous surroundings and adds it to the destination's, taking held objects along.
 fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError> {
     let Some(room) = edit.graph().room_of(id) else { return Ok(()) };
     leave_behind(edit, agent);
@@ -181,7 +181,8 @@ fn go_to(edit: &mut Edit<'_>, agent: NodeId, id: NodeId) -> Result<(), EditError
     }
 }
 
-/// Ends nearness between what moves with a node and what stays, and what it faced.
+/// Removes the nearness relations between the objects that move with a node and those that stay, and its
+/// facing.
 fn leave_behind(edit: &mut Edit<'_>, id: NodeId) {
     let moved = edit.graph().carried_with(id);
     let mut ended = Vec::new();
@@ -197,8 +198,8 @@ fn leave_behind(edit: &mut Edit<'_>, id: NodeId) {
     ended.into_iter().for_each(|edge| edit.unlink(edge));
 }
 
-/// What one comes near with a thing: what is on it, what is inside it unless it is
-/// closed, and what it is inside.
+/// The objects that an agent comes near together with an object: those on it, those inside it unless it is
+/// closed, and those that it is inside.
 fn at_hand_with(graph: &SceneGraph, id: NodeId) -> Vec<NodeId> {
     let openable = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Openable));
     let shut = graph.node(id).is_none_or(crate::Node::hides_contents);
@@ -207,7 +208,7 @@ fn at_hand_with(graph: &SceneGraph, id: NodeId) -> Vec<NodeId> {
     graph.relating(Relation::On, id).chain(inside).chain(around).collect()
 }
 
-/// A pose on the floor before a thing, or in the middle of a room, facing it.
+/// A pose on the floor in front of an object and facing it, or in the middle of a room.
 fn stand_point(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Option<Pose> {
     let body = graph.node(agent)?;
     let (from, target) = (body.position()?, graph.node(id)?);
@@ -271,8 +272,7 @@ fn put(edit: &mut Edit<'_>, agent: NodeId, id: NodeId, place: Place) -> Result<(
     }
 }
 
-/// Where a thing comes to rest, roughly: in the middle of the top, or of the
-/// inside.
+/// The approximate pose of a placed object: in the middle of the top, or of the inside.
 fn rest_pose(graph: &SceneGraph, id: NodeId, place: Place) -> Option<Pose> {
     let node = graph.node(id)?;
     let aabb = graph.node(place.at)?.aabb()?;
@@ -324,8 +324,8 @@ fn stand_up(edit: &mut Edit<'_>, agent: NodeId) -> Result<(), EditError> {
     seats.into_iter().try_for_each(|seat| edit.relate(Edge::new(agent, Relation::Near, seat)))
 }
 
-/// What is poured fills the vessel. Water is the liquid itself: it leaves the hand
-/// and is inside; of a bottle only the relation `poured_into` tells.
+/// Pouring fills the target. Water is itself the liquid: it leaves the hand and is then inside the target; for
+/// a bottle only the relation `poured_into` is recorded.
 fn pour(edit: &mut Edit<'_>, id: NodeId, into: NodeId) -> Result<(), EditError> {
     let Some(node) = edit.graph().node(id) else { return Ok(()) };
     let (class, vessel) = (node.class().clone(), node.contents().cloned());

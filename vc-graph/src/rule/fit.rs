@@ -1,14 +1,14 @@
-//! Room for things on and in others.
+//! Whether objects fit on and in others.
 
 use crate::class::SlotKind;
 use crate::node::Node;
 use crate::validate::is_leaves;
 use crate::{Property, Relation, SceneGraph};
 
-/// Why a thing has no room on or in another, where the sizes of both are known.
-/// A container with a lid must take the thing in some turn, together with its contents; things may
-/// stick out of a container that is open at the top, and hang over the edge of a surface. On a book lies
-/// what is of paper and no larger.
+/// The reason why an object does not fit on or in another, if the sizes of both are known. A container with a
+/// lid must take the object in some orientation, together with its contents; objects may stick out of a
+/// container that is open at the top, and overhang the edge of a surface. A book supports only paper objects of
+/// no larger size.
 pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<&'static str> {
     if thing.id() == target.id() || graph.rests_at(target.id(), thing.id()) {
         return Some("rests on or in it");
@@ -37,7 +37,8 @@ pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<
     (taken + size.volume() > space.volume()).then_some("is full")
 }
 
-/// By how much a box may be larger than the space its shape still fits, metres.
+/// Tolerance by which a box may exceed the space and still fit, since the shape is smaller than its box,
+/// metres.
 const SLACK: f32 = 0.02;
 
 fn sorted(size: nalgebra::Vector3<f32>) -> [f32; 3] {

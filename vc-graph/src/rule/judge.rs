@@ -1,4 +1,4 @@
-//! Judging an agent's needs in a scene.
+//! Checking an agent's preconditions in a scene.
 
 use std::collections::BTreeSet;
 use std::marker::PhantomData;
@@ -14,7 +14,7 @@ use crate::validate::{carries, encloses, soaks};
 use crate::vocabulary::{Word, key};
 use crate::{Edge, NodeId, Place, Property, Relation, SceneGraph, State};
 
-/// Classes besides clothes that can be squeezed.
+/// Classes apart from clothes that can be squeezed.
 const SOFT: &[&str] = &[
     "toothpaste",
     "shampoo",
@@ -34,10 +34,10 @@ const SOFT: &[&str] = &[
     "lotion_bottle",
 ];
 
-/// The classes of [`SOFT`], by what of their names counts.
+/// The classes of [`SOFT`], by their folded spelling.
 static SOFT_KEYS: LazyLock<BTreeSet<String>> = LazyLock::new(|| SOFT.iter().map(|name| key(name)).collect());
 
-/// A graph in which an agent's needs are judged; `W` says whether reasons are asked for.
+/// A graph in which an agent's preconditions are checked; `W` determines whether reasons are given.
 pub(super) struct Judge<'a, W> {
     pub(super) graph: &'a SceneGraph,
     pub(super) agent: NodeId,
@@ -165,7 +165,7 @@ impl<'a, W: Why> Judge<'a, W> {
 
     fn graspable(&self, id: NodeId) -> Result<(), W> {
         let node = self.node(id)?;
-        // Water is scooped up; VirtualHome's programs grab it.
+        // Water is scooped up with the hands, since VirtualHome's programs grab it.
         let scooped = &**node.class() == "water";
         self.require(scooped || node.affords(Property::Graspable), || Refusal::NotAfforded(node.label(), "graspable"))
     }
@@ -264,7 +264,7 @@ impl<'a, W: Why> Judge<'a, W> {
         self.require(taken < places as usize, || Refusal::Occupied { seat: self.graph.label(id), places })
     }
 
-    /// Nobody carries the thing, in a hand or on something in a hand.
+    /// No agent carries the object, in a hand or on an object in a hand.
     fn steady(&self, id: NodeId) -> Result<(), W> {
         let is_agent = |p: Place| self.graph.node(p.at).is_some_and(|n| n.kind() == Kind::Agent);
         let carrier = self.graph.climb(id, &mut { is_agent });

@@ -1,4 +1,4 @@
-//! All actions that an agent can do now.
+//! All actions that an agent can perform in a state.
 
 use std::cmp::Reverse;
 use std::sync::LazyLock;
@@ -11,12 +11,11 @@ use crate::rule::table::RULES;
 use crate::vocabulary::{Set, Word};
 use crate::{Action, Node, NodeId, SceneGraph, Verb};
 
-/// Everything an agent can do now: the actions that have no
-/// [`refusals`](super::refusals), of every verb with every thing there is. They come in the
-/// order of the verbs, then of the numbers of the things.
+/// All actions that an agent can perform now: those without [`refusals`](super::refusals), of every verb with
+/// every object. They are ordered by verb, then by the numbers of the objects.
 ///
-/// Each need is checked once for each thing, for all verbs that share it, and only while a verb still depends
-/// on it: some tens of microseconds for a home.
+/// Each precondition is checked once per object for all verbs that share it, and only while a verb still
+/// depends on it: some tens of microseconds for a home.
 ///
 /// ```
 /// use vc_graph::{Action, Draft, SceneBuilder, Verb, rule};
@@ -34,8 +33,8 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     legal_actions_with(graph, agent, &graph.nodes().map(Node::id).collect::<Vec<_>>())
 }
 
-/// As [`legal_actions`], with some things only: those at hand, say, or those in view. They come
-/// in the order of the things given.
+/// As [`legal_actions`], for some objects only, for instance those within reach or in view. The actions are in
+/// the order of the given objects.
 pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let Some(now) = judge_of(graph, agent) else { return Vec::new() };
     let verbs = NEEDS.of_agent.iter().fold(Verbs::of(Verb::ALL), |verbs, (need, having)| {
@@ -55,14 +54,14 @@ pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) 
 
 type Verbs = Set<Verb>;
 
-/// A need of one thing, and the verbs that have it of their first and of their second thing.
+/// A precondition on one object, and the verbs that require it of their first and of their second object.
 struct OfThing {
     need: Condition<Role>,
     first: Verbs,
     second: Verbs,
 }
 
-/// The needs of the verbs, each once; needs of two things at once are left out.
+/// The preconditions of the verbs, each once; those on two objects at once are left out.
 #[derive(Default)]
 struct Needs {
     of_agent: Vec<(Condition<Role>, Verbs)>,
@@ -71,15 +70,15 @@ struct Needs {
 
 static NEEDS: LazyLock<Needs> = LazyLock::new(Needs::read);
 
-/// An action with nothing to ground a need on.
+/// An action without objects, for grounding preconditions on the agent alone.
 const NOTHING: Action = Action::zero(Verb::Dance);
 
-/// An action with one thing in both roles, to ground a need on whichever it names.
+/// An action with one object in both roles, so that a precondition is grounded on it whichever role it names.
 fn both(id: NodeId) -> Action {
     Action { object: Some(id), target: Some(id), ..NOTHING }
 }
 
-/// Whether a need is of two things at once: neither alone grounds it.
+/// Whether a precondition concerns two objects at once: neither alone grounds it.
 fn is_of_two(need: Condition<Role>) -> bool {
     let one = both(NodeId(0));
     [Action { object: None, ..one }, Action { target: None, ..one }].iter().all(|a| need.ground(a).is_none())
@@ -95,7 +94,7 @@ impl Needs {
                 None => needs.note_of_thing(need, verb),
             }
         }
-        // The need that most verbs share comes first: where it is not met, least is left to ask.
+        // The precondition that most verbs share comes first: if it fails, the fewest checks remain.
         needs.of_thing.sort_by_key(|shared| Reverse(shared.first.len() + shared.second.len()));
         needs
     }
@@ -120,7 +119,7 @@ impl Needs {
     }
 }
 
-/// For each verb the things that can be its first, and those that can be its second.
+/// For each verb the objects that can be its first, and those that can be its second.
 struct Open {
     first: Vec<Vec<NodeId>>,
     second: Vec<Vec<NodeId>>,
@@ -138,7 +137,7 @@ impl Open {
         open
     }
 
-    /// The actions of a verb with two things.
+    /// The actions of a verb with two objects.
     fn pairs<'a>(&'a self, now: &'a Judge<'_, Untold>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
         let needs = verb.rule().needs.iter();
         let of_two: Vec<Condition<Role>> = needs.filter(|need| is_of_two(**need)).copied().collect();
@@ -149,8 +148,8 @@ impl Open {
     }
 }
 
-/// The verbs that can have a thing as their first and as their second. A need is asked after once, and not once no
-/// verb depends on it.
+/// The verbs that can have an object as their first and as their second. Each precondition is checked at most
+/// once, and not at all if no remaining verb depends on it.
 fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, id: NodeId) -> (Verbs, Verbs) {
     let (thing, mut first, mut second) = (both(id), verbs, verbs);
     for of in &NEEDS.of_thing {

@@ -1,38 +1,38 @@
-//! The transition rule: what every action needs and does, once.
+//! The transition rule: the preconditions and effects of every action, defined once.
 //!
-//! [`table`] lists the verbs; [`condition`] says what they need and [`refusal`] why
-//! not, [`effect`] carries out what they do, [`regress`] reads the table backwards. Everybody goes
-//! by it: the planner regresses through it, tasks validate with it, and an
-//! environment with bodies checks with it before they move.
+//! [`table`] lists the verbs; [`condition`] defines their preconditions and [`refusal`] the reasons for
+//! refusals; [`effect`] carries out the effects, and [`regress`] reads the table backwards. All parts of
+//! VirtualCity use this rule: the planner regresses through it, tasks are validated with it, and an environment
+//! with bodies checks it before they move.
 //!
-//! Where a program written for VirtualHome's symbolic simulator is valid there, it
-//! is valid here and does the same, except where that simulator is broken:
+//! A program for VirtualHome's symbolic simulator that is valid there is also valid here and has the same
+//! effects, except where that simulator has a fault:
 //!
-//! - `find` walks when it must, also for an agent with its hands full;
-//! - what an agent carries goes with it, with all that lies on it, and is in the
-//!   room where the agent is, not in the one it came from;
+//! - `find` walks if necessary, also for an agent with full hands;
+//! - objects that an agent carries move with it, with everything on them, and are in the room where the agent
+//!   is, not in the one it came from;
 //! - `take_off` works and puts the clothes into a hand;
-//! - `put_back` refuses when it cannot; a thing taken from nowhere in particular
-//!   is put down in the room;
+//! - `put_back` is refused if it is impossible; an object that was taken from no particular place is put down
+//!   in the room;
 //! - `stand` takes the agent off its seat; sitting is a relation of its own;
-//! - pulling the plug of a running machine and watching a hidden screen are
-//!   refused;
-//! - grabbing what one holds already does nothing, instead of putting it into both
-//!   hands;
-//! - a surface must be a surface, a container a container, and things must fit
-//!   where sizes are known;
-//! - fridges and ovens open while they are on;
-//! - seats are taken by people, not by the cushions on them.
+//! - unplugging a running machine and watching a hidden screen are refused;
+//! - grabbing an object that the agent already holds does nothing, instead of putting it into both hands;
+//! - only surfaces and containers can be put on and in, and objects must fit if sizes are known;
+//! - fridges and ovens can be opened while they are on;
+//! - seats are occupied by people, not by the cushions on them.
 //!
-//! Some programs of others leave it to common sense whether they can be done. Here
+//! Some programs of other sources rely on common sense for whether they are possible. In VirtualCity
 //!
-//! - a book, a magazine or a sheet carries what is of paper and no larger: a bookmark lies on a novel;
-//! - what a scene says is open or closed opens, though its properties do not say so: a desk has drawers;
-//! - what a scene says is inside itself is not shut in by itself: a closed basket that is can be opened;
+//! - a book, a magazine or a sheet supports paper objects of no larger size: a bookmark lies on a novel;
+//! - an object with the state open or closed can be opened, even if its properties do not say so: a desk has
+//!   drawers;
+//! - an object that by the relations is inside itself is not hidden by itself: such a closed basket can be
+//!   opened;
 //! - water can be poured over hands, which then hold it;
-//! - clothes that are taken off are in hand: whose hands are full of them grabs nothing before one is put down.
+//! - clothes that are taken off are in the hand: an agent whose hands are full of them cannot grab anything
+//!   before it puts one down.
 //!
-//! Their verdicts instead of these are those of [`virtual_home`].
+//! The verdicts of VirtualHome's simulator instead of these are in [`virtual_home`].
 
 mod check;
 pub mod condition;
@@ -55,7 +55,7 @@ pub use virtual_home::Semantics;
 
 use crate::{Action, ChangeSet, EditError, NodeId, SceneGraph};
 
-/// What an agent's action needs, as conditions on the graph.
+/// The preconditions of an agent's action, as conditions on the graph.
 ///
 /// ```
 /// use vc_graph::{Action, Condition, NodeId, Verb, rule};
@@ -67,12 +67,12 @@ pub fn preconditions(action: &Action) -> Vec<Condition> {
     action.verb.rule().needs.iter().filter_map(|c| c.ground(action)).collect()
 }
 
-/// What an agent's action does, without doing it.
+/// The effects of an agent's action, without carrying them out.
 pub fn effects(action: &Action) -> Vec<Effect<NodeId>> {
     action.verb.rule().does.iter().filter_map(|e| e.ground(action)).collect()
 }
 
-/// Every reason why an agent cannot do an action now; empty if it can.
+/// Every reason why an agent cannot perform an action now; empty if it can.
 pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refusal> {
     if let Some(refusal) = check::check_things(graph, agent, action) {
         return vec![refusal];
@@ -81,8 +81,8 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
     needs.filter_map(|c| c.check(graph, agent).err()).collect()
 }
 
-/// Whether an agent can do an action now: whether it has no [`refusals`]. Stops at the first
-/// need that is not met and words no reason, so that it costs a fraction of them.
+/// Whether an agent can perform an action now, that is, whether it has no [`refusals`]. Stops at the first
+/// unmet precondition and formulates no reason, so it costs a fraction of [`refusals`].
 ///
 /// ```
 /// use vc_graph::{Action, Draft, SceneBuilder, Verb, rule};
@@ -100,7 +100,7 @@ pub fn allows(graph: &SceneGraph, agent: NodeId, action: &Action) -> bool {
     check::check_things(graph, agent, action).is_none() && needs.all(|need| need.holds(graph, agent))
 }
 
-/// Lets an agent do an action and returns what changed.
+/// Performs an agent's action and returns the changes.
 ///
 /// Costs a few microseconds: it touches only the nodes concerned.
 ///
@@ -118,8 +118,8 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
     Ok(edit.commit())
 }
 
-/// Carries out one effect of an action, whether or not the agent could do the action: for what
-/// shows an action part by part. Costs as [`step`].
+/// Carries out one effect of an action, whether or not the agent could perform the action: for displays that
+/// show an action in parts. Costs as [`step`].
 ///
 /// ```
 /// use vc_graph::{Draft, Effect, SceneBuilder, State, rule};
@@ -134,7 +134,7 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
 /// ```
 ///
 /// # Errors
-/// [`EditError`] if a node is not there, or would be in itself; then nothing has changed.
+/// [`EditError`] if a node does not exist, or would be inside itself; then nothing has changed.
 pub fn carry_out(graph: &mut SceneGraph, agent: NodeId, effect: &Effect<NodeId>) -> Result<ChangeSet, EditError> {
     let mut edit = graph.edit();
     effect::carry_out(&mut edit, agent, *effect)?;

@@ -1,152 +1,151 @@
-//! Why actions are refused.
+//! Reasons for the refusal of actions.
 
 use crate::{EditError, Label, NodeId, Property, Relation, State, Verb};
 
-/// Why an action is refused. Every refusal names the things and says what is
-/// missing.
+/// The reason why an action is refused. Every refusal names the objects and the unmet precondition.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// There is no such thing.
+    /// The object does not exist.
     #[error("there is no node {0} in this scene")]
     NoSuchThing(NodeId),
-    /// The text that the action was read from calls the thing otherwise.
+    /// The text of the action gives the object another name.
     #[error("{0} is not what the action calls it; write the class and the number of one thing")]
     Misnamed(Label),
-    /// The one who is to act is no agent.
+    /// The acting node is not an agent.
     #[error("{0} is no agent and cannot act")]
     NoAgent(Label),
-    /// One thing is named twice.
+    /// An object is named twice.
     #[error("{0} is to be put on, in or with itself")]
     WithItself(Label),
-    /// Too few things are named.
+    /// Too few objects are named.
     #[error("`{verb}` takes {takes} things, {given} are given")]
     Arity {
         /// The verb.
         verb: Verb,
-        /// How many it takes.
+        /// The number of objects it takes.
         takes: usize,
-        /// How many there are.
+        /// The number of objects given.
         given: usize,
     },
-    /// The thing does not afford it.
+    /// The object lacks the affordance.
     #[error("{0} is not {1}")]
     NotAfforded(Label, &'static str),
-    /// The thing is not in the state.
+    /// The object is not in the state.
     #[error("{0} is not {1}")]
     NotInState(Label, State),
-    /// The thing is in the state.
+    /// The object is in the state.
     #[error("{0} is {1}")]
     InState(Label, State),
-    /// The thing is not near.
+    /// The object is not near.
     #[error("not near: {thing} is {}", far(*.distance))]
     NotNear {
-        /// The thing.
+        /// The object.
         thing: Label,
-        /// How far away, metres, where poses are known.
+        /// Its distance, metres, if poses are known.
         distance: Option<f32>,
     },
-    /// The thing is nowhere one could go.
-    #[error("{0} is in no room: there is no way to it")]
+    /// The object is in no room, so an agent cannot go there.
+    #[error("{0} is in no room, so no agent can go there")]
     NoWay(Label),
-    /// The thing is in something closed.
+    /// The object is inside a closed container.
     #[error("{thing} is inside {inside}, which is closed")]
     Hidden {
-        /// The thing.
+        /// The object.
         thing: Label,
-        /// What it is inside.
+        /// The container.
         inside: Label,
     },
     /// Both hands are full.
     #[error("no free hand: both hold something")]
     NoFreeHand,
-    /// The agent does not hold the thing.
+    /// The agent does not hold the object.
     #[error("{0} is not in hand")]
     NotHeld(Label),
     /// The agent's hands are empty.
     #[error("nothing is in hand")]
     EmptyHands,
-    /// The agent holds nothing of the kind.
+    /// The agent holds nothing with the property.
     #[error("nothing in hand is a {0}")]
     NoTool(Property),
-    /// Somebody holds the thing, or something that it is on.
+    /// Another agent holds the object, or something that it is on.
     #[error("{by} holds {thing}")]
     HeldByOther {
-        /// The thing.
+        /// The object.
         thing: Label,
-        /// Who holds it.
+        /// The holder.
         by: Label,
     },
-    /// Another agent wears the thing.
+    /// Another agent wears the object.
     #[error("{by} wears {thing}")]
     WornByOther {
-        /// The thing.
+        /// The object.
         thing: Label,
-        /// Who wears it.
+        /// The wearer.
         by: Label,
     },
-    /// The agent would carry what another rests on.
+    /// The agent would carry an object that another agent rests on.
     #[error("{by} is on {thing}")]
     UnderOther {
-        /// The thing.
+        /// The object.
         thing: Label,
         /// The agent on it.
         by: Label,
     },
-    /// The agent would carry what it rests on.
+    /// The agent would carry an object that it rests on itself.
     #[error("one rests on {0} oneself")]
     RestingOnIt(Label),
     /// The container is closed.
     #[error("{0} is closed")]
     Shut(Label),
-    /// There is no room for it.
+    /// The object does not fit.
     #[error("{thing} does not fit: {at} {why}")]
     DoesNotFit {
-        /// What was to be put there.
+        /// The object to be placed.
         thing: Label,
-        /// Where.
+        /// The place.
         at: Label,
-        /// What is in the way.
+        /// The reason.
         why: &'static str,
     },
     /// The agent sits or lies.
     #[error("one must stand up first")]
     NotUpright,
-    /// The agent does neither sit nor lie.
+    /// The agent neither sits nor lies.
     #[error("one neither sits nor lies")]
     NotAtRest,
-    /// The agent is in that posture already.
+    /// The agent has that posture already.
     #[error("one is {0} already")]
     PostureAlready(State),
     /// All places are taken.
     #[error("all {places} places on {seat} are taken")]
     Occupied {
-        /// What one would sit or lie on.
+        /// The seat or bed.
         seat: Label,
-        /// How many places it has.
+        /// The number of its places.
         places: u32,
     },
-    /// The agent is in no vehicle, or in another.
+    /// The agent is in no vehicle, or in another one.
     #[error("one is not in {0}")]
     NotAboard(String),
-    /// The agent does not face the thing.
+    /// The agent does not face the object.
     #[error("one does not face {0}; turn to it first")]
     NotFacing(Label),
-    /// The thing is in another room.
+    /// The object is in another room.
     #[error("{thing} is in {room}, another room")]
     OtherRoom {
-        /// The thing.
+        /// The object.
         thing: Label,
-        /// The room it is in.
+        /// Its room.
         room: Label,
     },
-    /// The agent does not wear the thing.
+    /// The agent does not wear the object.
     #[error("one does not wear {0}")]
     NotWorn(Label),
-    /// Nothing heats the thing.
+    /// Nothing heats the object.
     #[error("{0} is not on or in anything hot that is switched on")]
     NoHeat(Label),
-    /// Nothing cools the thing.
+    /// Nothing cools the object.
     #[error("{0} is not in anything that cools and runs")]
     NoCold(Label),
     /// The relation does not hold.

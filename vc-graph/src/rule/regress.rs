@@ -1,4 +1,4 @@
-//! The rule table read backwards: which actions would bring a condition about.
+//! The rule table read backwards: the actions that would bring about a condition.
 
 use crate::rule::check::origin;
 use crate::rule::condition::Condition;
@@ -7,12 +7,10 @@ use crate::rule::preconditions;
 use crate::rule::table::RULES;
 use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 
-/// Actions whose effects make a condition true for an agent, those first that need
-/// least in addition.
-/// What an action needs in turn is not looked at: regress through its
-/// [`preconditions`].
+/// Actions whose effects make a condition true for an agent, those with the fewest unmet preconditions first.
+/// The preconditions are not pursued further: regress through the action's [`preconditions`].
 ///
-/// Empty when no action helps: an apple does not become a surface.
+/// Empty if no action helps: an apple does not become a surface.
 ///
 /// ```
 /// use vc_graph::{rule, Condition, Draft, SceneBuilder};
@@ -29,7 +27,7 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
     let mut found = candidates(graph, agent, want);
     let unmet = |a: &Action| preconditions(a).iter().filter(|c| !c.holds(graph, agent)).count();
-    // Dropping needs least, but putting down is better manners.
+    // Dropping has the fewest preconditions, but putting down is preferred.
     let mannered = matches!(want, Condition::FreeHand | Condition::FreeHandOrHolding(_));
     if found.len() > 1 && found.len() < MANY && !mannered {
         found.sort_by_cached_key(unmet);
@@ -37,7 +35,7 @@ pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Act
     found
 }
 
-/// From so many candidates on, weighing them costs more than trying.
+/// The number of candidates from which on sorting them costs more than trying them.
 const MANY: usize = 16;
 
 fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
@@ -77,7 +75,7 @@ fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action
     }
 }
 
-/// The action of a verb that has an effect that makes the condition true.
+/// The action of a verb that has an effect which makes the condition true.
 fn by_effect(graph: &SceneGraph, agent: NodeId, verb: Verb, want: &Condition) -> Option<Action> {
     let bound = verb.rule().does.iter().find_map(|e| binding(*e, want, agent))?;
     let action = match bound {
@@ -108,7 +106,7 @@ enum Bound {
     Two(NodeId, NodeId),
 }
 
-/// How an effect's roles must be filled for it to make a condition true.
+/// The assignment of an effect's roles with which it makes a condition true.
 fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Bound> {
     use Bound::{Nothing, One, Two};
     use Condition as C;
@@ -140,8 +138,7 @@ fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Boun
     }
 }
 
-/// Ways to free a hand: put something on a surface at hand, else on one in the
-/// room, else drop it.
+/// Ways to free a hand: put a held object on a near surface, else on one in the room, else drop it.
 fn put_downs(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let surface = |id: &NodeId| graph.node(*id).is_some_and(|n| n.affords(Property::Surface));
     let usable = |id: &NodeId| surface(id) && !graph.rests_at(*id, agent) && graph.hidden_in(*id).is_none();
@@ -153,9 +150,8 @@ fn put_downs(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     at.iter().flat_map(place).chain(held.iter().map(|&id| Action::one(Verb::Drop, id))).collect()
 }
 
-/// Ways to have a thing in one hand rather than the other: that hand must be free, and what is in the
-/// wrong hand is put down. As the right hand is filled first, it takes something else where the left one
-/// is to be filled.
+/// Ways to have an object in a particular hand: that hand must be free, and an object in the wrong hand is put
+/// down. Since the right hand is filled first, it takes another object first if the left hand is to be filled.
 fn into_hand(graph: &SceneGraph, agent: NodeId, hand: Relation, id: NodeId) -> Vec<Action> {
     let occupied = graph.related(agent, hand).next();
     let wrong = graph.held(agent).find(|&held| held == id || Some(held) == occupied);
@@ -166,7 +162,7 @@ fn into_hand(graph: &SceneGraph, agent: NodeId, hand: Relation, id: NodeId) -> V
     }
 }
 
-/// Ways to have something of a kind in hand: what is near first.
+/// Ways to hold an object of a kind: near objects first.
 fn grabs(graph: &SceneGraph, agent: NodeId, kind: impl Fn(NodeId) -> bool) -> Vec<Action> {
     let graspable = |n: &&crate::Node| n.affords(Property::Graspable) && kind(n.id());
     let mut found: Vec<NodeId> = graph.nodes().filter(graspable).map(crate::Node::id).collect();
@@ -175,7 +171,7 @@ fn grabs(graph: &SceneGraph, agent: NodeId, kind: impl Fn(NodeId) -> bool) -> Ve
     found.into_iter().map(|id| Action::one(Verb::Grab, id)).collect()
 }
 
-/// Ways to be seated or lying: where one is already first.
+/// Ways to sit or lie: the present seat or bed first.
 fn rests(graph: &SceneGraph, agent: NodeId, posture: Option<State>) -> Vec<Action> {
     let postures = [(State::Sitting, Property::Sittable, Verb::Sit), (State::Lying, Property::Lieable, Verb::Lie)];
     let room = graph.room_of(agent);
@@ -191,7 +187,7 @@ fn rests(graph: &SceneGraph, agent: NodeId, posture: Option<State>) -> Vec<Actio
     found.into_iter().map(|(_, action)| action).collect()
 }
 
-/// Ways to be in a vehicle: one at hand first, then one where one is.
+/// Ways to be in a vehicle: near ones first, then those in the agent's room.
 fn vehicles(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let drivable = graph.nodes().filter(|n| n.affords(Property::Drivable));
     let mut found: Vec<NodeId> = drivable.map(crate::Node::id).collect();
@@ -200,7 +196,7 @@ fn vehicles(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     found.into_iter().map(|id| Action::one(Verb::Enter, id)).collect()
 }
 
-/// Ways to have something on heat: switch on what it is on, or put it there.
+/// Ways to heat an object: switch on the heater it is on, or put it on one.
 fn heat(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
     let heats = |n: &NodeId| graph.node(*n).is_some_and(|n| n.affords(Property::Heater));
     if let Some(heater) = graph.support_chain(id).into_iter().find(|n| heats(n)) {
@@ -210,7 +206,7 @@ fn heat(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
     heaters.flat_map(|at| [Action::two(Verb::Place, id, at), Action::two(Verb::PutIn, id, at)]).collect()
 }
 
-/// Ways to have something in the cold: switch on what it is in, or put it there.
+/// Ways to cool an object: switch on the cooler it is in, or put it into one.
 fn chill(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
     let cools = |n: &NodeId| graph.node(*n).is_some_and(|n| n.affords(Property::Cooler));
     let inside = |p: Place| p.relation == Relation::Inside && cools(&p.at);
@@ -221,7 +217,7 @@ fn chill(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Vec<Action> {
     coolers.map(|at| Action::two(Verb::PutIn, id, at)).collect()
 }
 
-/// Ways to be in a room: walk there, or carry it there and put it down.
+/// Ways to be in a room: walk there; for an object, carry it there and put it down.
 fn into_room(graph: &SceneGraph, agent: NodeId, id: NodeId, room: NodeId) -> Vec<Action> {
     if id == agent {
         return vec![Action::one(Verb::Walk, room)];

@@ -1,29 +1,29 @@
-//! The verbs: what each takes, needs and does.
+//! The rule table: each verb's arity, preconditions and effects.
 
 use crate::rule::condition::Condition::{self, *};
 use crate::rule::effect::Effect::{self, *};
 use crate::rule::effect::Role::{self, X, Y};
 use crate::{Property, State, Verb};
 
-/// What a verb takes, needs and does.
+/// A verb's arity, preconditions and effects.
 #[derive(Debug)]
 pub struct Rule {
     /// The verb.
     pub verb: Verb,
-    /// How many things it takes.
+    /// The number of objects that it takes.
     pub arity: usize,
-    /// What must hold, in the order in which one would bring it about.
+    /// The preconditions, in the order in which a planner would bring them about.
     pub needs: &'static [Condition<Role>],
-    /// What it does, in order.
+    /// The effects, in order.
     pub does: &'static [Effect<Role>],
-    /// One sentence about it.
+    /// A description in one sentence.
     pub about: &'static str,
 }
 
 impl Verb {
-    /// What the verb takes, needs and does.
+    /// The verb's arity, preconditions and effects.
     pub fn rule(self) -> &'static Rule {
-        // A test holds the table to the order of the verbs.
+        // A test checks that the table is in the order of the verbs.
         &RULES[self as usize]
     }
 }

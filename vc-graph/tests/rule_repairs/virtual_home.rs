@@ -1,10 +1,10 @@
-//! VirtualHome's own rule beside ours: one case for each line of the table of differences that
-//! a program can tell.
+//! VirtualHome's own rule beside VirtualCity's: one case for each row of the table of differences that a
+//! program can show.
 
 use vc_graph::format::virtualhome;
 use vc_graph::{Action, ClassTable, Edge, NodeId, Property, Relation, SceneGraph, Semantics, Simulator, State};
 
-/// Two rooms of VirtualHome's kind, with numbers that the programs below name.
+/// Two rooms in VirtualHome's format, with node numbers that the programs below use.
 const HOME: &str = r#"{"nodes": [
     {"id": 1, "class_name": "kitchen", "category": "Rooms"},
     {"id": 2, "class_name": "bedroom", "category": "Rooms"},
@@ -48,7 +48,7 @@ fn home() -> SceneGraph {
     virtualhome::read(HOME, &ClassTable::builtin()).unwrap()
 }
 
-/// The result of a program: the scene, or the line that was refused.
+/// The result of a program: the scene, or the refused line.
 fn run(semantics: Semantics, program: &str) -> Result<SceneGraph, String> {
     let mut world = Simulator::with(home(), semantics);
     for line in program.lines().map(str::trim).filter(|l| !l.is_empty()) {
@@ -65,12 +65,12 @@ fn both(program: &str) -> [Result<SceneGraph, String>; 2] {
     [Semantics::VirtualCity, Semantics::VirtualHome].map(|semantics| run(semantics, program))
 }
 
-/// Whether an edge is there after a program, by ours and by theirs.
+/// Whether an edge exists after a program, by VirtualCity's and by VirtualHome's rule.
 fn edge(program: &str, from: u32, relation: Relation, to: u32) -> [bool; 2] {
     both(program).map(|scene| scene.unwrap().has(Edge::new(NodeId(from), relation, NodeId(to))))
 }
 
-/// Whether a program can be done, by ours and by theirs.
+/// Whether a program is executable, by VirtualCity's and by VirtualHome's rule.
 fn done(program: &str) -> [bool; 2] {
     both(program).map(|scene| scene.is_ok())
 }
@@ -105,7 +105,7 @@ fn what_is_near_is_said_by_the_graph() {
     assert_eq!(done("walk bed.15\n touch teeth.9"), [true, true]);
     assert_eq!(edge("walk kitchen.1", 3, Relation::Near, 1), [false, true]);
     assert_eq!(edge("walk table.4", 3, Relation::Near, 7), [true, true]);
-    // A thing on something on the table is near by both, though no edge says so.
+    // An object on an object on the table is near by both rules, although no edge says so.
     assert_eq!(edge("walk plate.5\n grab plate.5", 3, Relation::Near, 4), [true, true]);
     assert_eq!(done("walk table.4\n grab bread.6"), [true, true]);
 }
@@ -117,7 +117,7 @@ fn postures_and_clothes_are_theirs() {
     assert_eq!(done("walk chair.11\n sit chair.11"), [true, false], "a pillow takes the seat");
     let bare = "walk table.4\n take_off shirt.10";
     assert_eq!(edge(bare, 3, Relation::HoldsRight, 10), [true, false]);
-    // Hands full of clothes: theirs are empty.
+    // Hands full of clothes: in VirtualHome they are empty.
     assert_eq!(edge(&format!("{bare}\n grab glass.7"), 3, Relation::HoldsRight, 7), [false, true]);
     let [ours, theirs] = both("walk bed.15\n sit bed.15\n sleep").map(|scene| scene.unwrap());
     let asleep = |scene: &SceneGraph| scene.node(NodeId(3)).unwrap().is(State::Asleep);
@@ -139,7 +139,7 @@ fn what_needs_sense_is_possible() {
     assert!(sliced(&ours) && !sliced(&theirs));
 }
 
-/// Our own rule does as common sense has it where programs of others leave things open.
+/// VirtualCity's rule follows common sense where programs of others rely on it.
 #[test]
 fn common_sense_decides_what_others_leave_open() {
     let read = |nodes: &str, edges: &str| {
@@ -169,14 +169,14 @@ fn common_sense_decides_what_others_leave_open() {
     assert!(
         act(scene, &["walk fork.5", "grab fork.5", "walk novel.3", "open novel.3", "put_in fork.5 novel.3"]).is_err()
     );
-    // A desk that is closed opens; a door frame does not.
+    // A closed desk opens; a door frame does not.
     let desk = r#"{"id": 3, "class_name": "desk", "category": "Furniture", "properties": ["SURFACES"], "states": ["CLOSED"]},
         {"id": 4, "class_name": "doorjamb", "category": "Doors", "properties": [], "states": ["CLOSED"]}"#;
     let scene = read(desk, &[inside(3), inside(4)].join(","));
     let opened = act(scene.clone(), &["walk desk.3", "open desk.3"]).unwrap();
     assert!(opened.node(NodeId(3)).unwrap().is(State::Open));
     assert!(!scene.node(NodeId(4)).unwrap().affords(Property::Openable));
-    // A closed basket that is said to be inside itself opens, and can be taken.
+    // A closed basket that is inside itself by the relations opens, and can be taken.
     let basket = r#"{"id": 3, "class_name": "basket", "category": "Props",
         "properties": ["GRABBABLE", "CAN_OPEN", "CONTAINERS"], "states": ["CLOSED"]}"#;
     let itself = r#"{"from_id": 3, "relation_type": "INSIDE", "to_id": 3}"#;
@@ -189,7 +189,7 @@ fn common_sense_decides_what_others_leave_open() {
     let scene = read(water, &[inside(3), inside(4)].join(","));
     let poured = act(scene, &["walk water.3", "grab water.3", "pour water.3 hands_both.4"]).unwrap();
     assert!(poured.has(Edge::new(NodeId(3), Relation::Inside, NodeId(4))));
-    // Clothes that are taken off are in hand: with two of them nothing more is grabbed.
+    // Clothes that are taken off are in the hand: with two of them nothing more can be grabbed.
     let clothes = r#"{"id": 3, "class_name": "shirt", "category": "Props", "properties": ["GRABBABLE", "CLOTHES"]},
         {"id": 4, "class_name": "jacket", "category": "Props", "properties": ["GRABBABLE", "CLOTHES"]},
         {"id": 5, "class_name": "towel", "category": "Props", "properties": ["GRABBABLE"]}"#;

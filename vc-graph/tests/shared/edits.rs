@@ -1,11 +1,11 @@
-//! Random edits that a careful author would make.
+//! Random valid edits.
 
 use proptest::prelude::*;
 use vc_graph::{Draft, Edge, Edit, EditError, Kind, Node, NodeId, Relation, SceneGraph, State, Word};
 
 use super::scenes::{CLASSES, places_for, pose};
 
-/// One edit to be: what to do, to which node, with what, and where to.
+/// A random edit: operation, node, argument, and destination.
 pub(crate) type Plan = (u8, usize, usize, [i16; 7]);
 
 pub(crate) fn plans(most: usize) -> impl Strategy<Value = Vec<Plan>> {
@@ -13,14 +13,14 @@ pub(crate) fn plans(most: usize) -> impl Strategy<Value = Vec<Plan>> {
     prop::collection::vec((0_u8..14, any::<usize>(), any::<usize>(), pose), 0..most)
 }
 
-/// Makes one edit on a graph and keeps it; the changes it made.
+/// Makes one edit on a graph and keeps it; returns its changes.
 pub(crate) fn apply(graph: &mut SceneGraph, plan: Plan) -> vc_graph::ChangeSet {
     let mut edit = graph.edit();
     make(&mut edit, plan).unwrap();
     edit.commit()
 }
 
-/// Makes one edit; does nothing if there is nothing to do it to.
+/// Makes one edit; does nothing if no node qualifies.
 pub(crate) fn make(edit: &mut Edit<'_>, (what, which, choice, numbers): Plan) -> Result<(), EditError> {
     let graph = edit.graph();
     let all: Vec<NodeId> = graph.nodes().map(Node::id).collect();

@@ -1,10 +1,10 @@
-//! A flat made by hand: no poses, every class once unless said otherwise.
+//! A hand-made flat: no poses, every class once unless stated otherwise.
 
 use vc_graph::{
     Action, ChangeSet, Draft, Edge, NodeId, Place, Refusal, Relation, SceneBuilder, SceneGraph, Simulator, State,
 };
 
-/// Rooms and what stands in them.
+/// Rooms and the objects that stand in them.
 const STANDING: &[(&str, &str)] = &[
     ("kitchen", "kitchen_table fridge stove sink faucet chair cat water dishwasher"),
     ("living_room", "sofa television coffee_table lamp computer rug"),
@@ -13,7 +13,7 @@ const STANDING: &[(&str, &str)] = &[
     ("street", "parasol"),
 ];
 
-/// What is on what.
+/// Objects and their supports.
 const ON: &[(&str, &str)] = &[
     ("cup", "kitchen_table"),
     ("plate", "kitchen_table"),
@@ -29,7 +29,7 @@ const ON: &[(&str, &str)] = &[
     ("hammer", "workbench"),
 ];
 
-/// What is in what.
+/// Objects and their containers.
 const IN: &[(&str, &str)] = &[("milk", "fridge"), ("apple", "fridge"), ("shirt", "wardrobe"), ("towel", "wardrobe")];
 
 /// A flat with two people in the kitchen, `me` and `other`.
@@ -62,7 +62,7 @@ impl Flat {
         Self { sim: Simulator::new(scene.build()), me, other }
     }
 
-    /// The flat after something has been done by `me`, step by step.
+    /// The flat after some actions of `me`.
     pub(crate) fn after(actions: &[&str]) -> Self {
         let mut flat = Self::new();
         flat.all(actions);
@@ -73,7 +73,7 @@ impl Flat {
         self.sim.graph()
     }
 
-    /// The first thing of a class; `me` and `other` are the people.
+    /// The first object of a class; `me` and `other` are the people.
     pub(crate) fn id(&self, name: &str) -> NodeId {
         match name {
             "me" => self.me,
@@ -82,7 +82,7 @@ impl Flat {
         }
     }
 
-    /// `put_in milk fridge`, with classes for things.
+    /// Parses `put_in milk fridge`, with classes for objects.
     pub(crate) fn action(&self, text: &str) -> Action {
         let mut words = text.split(' ');
         let verb = words.next().unwrap().parse().unwrap();
@@ -95,7 +95,7 @@ impl Flat {
         self.sim.step(me, &action)
     }
 
-    /// Does it, whoever is named first; panics with the refusals.
+    /// Performs the actions, of `other` if it is named first; panics with the refusals.
     pub(crate) fn all(&mut self, actions: &[&str]) {
         for text in actions {
             let (who, text) = text.strip_prefix("other ").map_or((self.me, *text), |rest| (self.other, rest));
@@ -116,7 +116,7 @@ impl Flat {
         self.graph().place(self.id(name))
     }
 
-    /// Edits the scene behind everybody's back.
+    /// Edits the scene without any action.
     pub(crate) fn edit(&mut self, edit: impl FnOnce(&mut vc_graph::Edit<'_>)) {
         let mut graph = self.graph().clone();
         let mut change = graph.edit();

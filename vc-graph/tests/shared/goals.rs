@@ -18,8 +18,7 @@ fn predicate() -> impl Strategy<Value = Predicate> + Clone {
     ]
 }
 
-/// Names of classes, plain ones and such as must stand in quotes; `v0` is a
-/// variable as well.
+/// Names of classes, plain ones and ones that need quotes; `v0` is also the name of a variable.
 fn class() -> impl Strategy<Value = String> + Clone {
     let classes = [
         "apple",
@@ -46,12 +45,12 @@ fn class() -> impl Strategy<Value = String> + Clone {
     .prop_map(str::to_owned)
 }
 
-/// The name of a variable by its depth; one needs quotes.
+/// The name of the variable at a depth; one needs quotes.
 fn variable(depth: usize) -> String {
     if depth == 2 { "v.2 ?".to_owned() } else { format!("v{depth}") }
 }
 
-/// A term that is one thing.
+/// A term that refers to a single object.
 fn thing(bound: usize) -> BoxedStrategy<Term> {
     let node = (prop::option::of(class()), any::<u32>()).prop_map(|(c, id)| Term::Node(c, NodeId(id)));
     let free = prop_oneof![node, Just(Term::Me)];
@@ -77,8 +76,8 @@ fn comparison() -> impl Strategy<Value = Comparison> {
     prop::sample::select(vec![Comparison::AtLeast, Comparison::Exactly, Comparison::AtMost])
 }
 
-/// A goal in normal form: lists of none or of several, `then` of several, counts
-/// other than the plain "at least one".
+/// A goal in normal form: lists with no or several parts, `then` with several, counts other than the plain "at
+/// least one".
 pub(crate) fn goal(bound: usize, depth: u32) -> BoxedStrategy<Goal> {
     let count = (literal(bound), comparison(), 0_u32..5)
         .prop_map(|(literal, comparison, number)| Goal::Count { literal, comparison, number })

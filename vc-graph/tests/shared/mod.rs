@@ -1,4 +1,4 @@
-//! What several test files use: scenes made by hand and at random.
+//! Code shared by several test files: hand-made and random scenes.
 #![allow(dead_code, reason = "each test file uses a part")]
 
 pub(crate) mod documents;
@@ -9,8 +9,8 @@ pub(crate) mod scenes;
 
 use proptest::test_runner::{Config, RngSeed};
 
-/// So many cases, the same ones every time. `PROPTEST_CASES` and
-/// `PROPTEST_RNG_SEED` ask for more or for others.
+/// A configuration with this number of cases, the same in every run. `PROPTEST_CASES` and `PROPTEST_RNG_SEED`
+/// set more or other cases.
 pub(crate) fn cases(number: u32) -> Config {
     let given = Config::default();
     let cases = std::env::var_os("PROPTEST_CASES").map_or(number, |_| given.cases);

@@ -7,7 +7,7 @@ use crate::{Action, Edge, Edit, EditError, NodeId, Property, Relation, State, Ve
 
 type Done = Result<(), EditError>;
 
-/// An agent that acts, and the scene as its action changes it.
+/// An acting agent, and the scene as its action changes it.
 struct Doing<'e, 'g> {
     edit: &'e mut Edit<'g>,
     agent: NodeId,
@@ -97,7 +97,7 @@ impl Doing<'_, '_> {
         View { graph: self.edit.graph(), agent: self.agent }
     }
 
-    /// Adds a relation, in the word that we have for it.
+    /// Adds a relation, as VirtualCity's corresponding relation.
     fn add(&mut self, from: NodeId, link: Link, to: NodeId) {
         let is = |kind| self.view().node(to).is_some_and(|n| n.kind() == kind);
         let relation = match link {
@@ -116,7 +116,7 @@ impl Doing<'_, '_> {
         }
     }
 
-    /// Ends relations of a thing with all others, whichever way they lead.
+    /// Removes an object's relations of some kinds with all others, in both directions.
     fn cut_all(&mut self, id: NodeId, links: &[Link]) {
         for &link in links {
             let (from, to) = (self.view().targets(id, link), self.view().sources(link, id));
@@ -149,7 +149,7 @@ impl Doing<'_, '_> {
         faced.into_iter().for_each(|id| self.cut(self.agent, Link::Facing, id));
     }
 
-    /// Things in hand move along, but stay in the room that the agent came from, and what is in them falls out.
+    /// Held objects move along but stay in the room that the agent came from, and their contents fall out.
     fn walk(&mut self, x: NodeId) {
         let Some(room) = self.view().room(x) else { return };
         let (me, before) = (self.agent, self.view().room(self.agent));
@@ -175,7 +175,7 @@ impl Doing<'_, '_> {
         things.into_iter().for_each(|id| self.add(self.agent, Link::Close, id));
     }
 
-    /// The parts of bodies, whoever's.
+    /// The body parts of all agents.
     fn body(&self) -> Vec<NodeId> {
         let graph = self.edit.graph();
         graph.nodes().map(crate::Node::id).filter(|&id| self.view().is_any(id, &[Property::BodyPart])).collect()
@@ -186,7 +186,7 @@ impl Doing<'_, '_> {
         self.let_go(x);
     }
 
-    /// The thing is inside, the bottle itself; only water leaves the hand.
+    /// The object itself, such as a bottle, is then inside; only water leaves the hand.
     fn pour(&mut self, x: NodeId, y: NodeId) {
         self.add(x, Link::Inside, y);
         if self.view().name(x) == "water" {
@@ -194,7 +194,7 @@ impl Doing<'_, '_> {
         }
     }
 
-    /// Sits or lies down; where one sat or lay before one is still.
+    /// Sits or lies down; a previous seat or bed is kept.
     fn rest(&mut self, x: NodeId, relation: Relation, (leave, enter): (State, State)) -> Done {
         self.rise();
         self.edit.unlink(Edge::new(self.agent, Relation::On, x));
@@ -206,7 +206,7 @@ impl Doing<'_, '_> {
         self.change(self.agent, leave, enter)
     }
 
-    /// The agent is now simply on the things on which it sat or lay.
+    /// The agent is then simply on the objects on which it sat or lay.
     fn rise(&mut self) {
         for relation in [Relation::SittingOn, Relation::LyingOn] {
             let seats: Vec<NodeId> = self.edit.graph().related(self.agent, relation).collect();

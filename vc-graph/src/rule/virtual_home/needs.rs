@@ -1,4 +1,4 @@
-//! The conditions under which VirtualHome's simulator does an action.
+//! The preconditions of actions in VirtualHome's simulator.
 
 use super::Memory;
 use super::view::{Link, View};
@@ -6,12 +6,12 @@ use crate::{Action, Label, NodeId, Property, Refusal, State, Verb};
 
 type Judged = Result<(), Refusal>;
 
-/// How many there may be on a seat, by the class as it is written; of others one.
+/// The number of agents that a seat holds, by the class as it is written; one for other classes.
 const SEATS: &[(&str, usize)] =
     &[("couch", 4), ("bed", 4), ("loveseat", 2), ("sofa", 4), ("pianobench", 2), ("bench", 2)];
 const BEDS: &[(&str, usize)] = &[("couch", 2), ("bathtub", 2), ("bed", 3), ("loveseat", 2), ("sofa", 2)];
 
-/// Classes of things that can be squeezed besides clothes.
+/// Classes apart from clothes that can be squeezed.
 const SOFT: &[&str] = &[
     "cleaning_solution",
     "tooth_paste",
@@ -32,7 +32,7 @@ fn require(holds: bool, refusal: impl FnOnce() -> Refusal) -> Judged {
 }
 
 impl View<'_> {
-    /// The first thing that is missing for an action.
+    /// Checks the preconditions of an action; the error is the first that is not met.
     pub(super) fn needs(self, action: &Action, memory: &Memory) -> Judged {
         match (action.verb, action.object, action.target) {
             (Verb::Stand | Verb::Sleep | Verb::WakeUp, ..) => require(self.at_rest(), || Refusal::NotAtRest),
@@ -109,7 +109,7 @@ impl View<'_> {
         self.is(self.agent, State::Sitting) || self.is(self.agent, State::Lying)
     }
 
-    /// Whether `find` goes nowhere for it: it is worn, part of the body, or near, or one is seated.
+    /// Whether `find` needs no walk: the object is worn, a body part, or near, or the agent sits or lies.
     pub(super) fn stays_to_find(self, x: NodeId) -> bool {
         self.has(x, Link::On, self.agent) || self.is_any(x, &[Property::BodyPart]) || self.near(x) || self.at_rest()
     }
@@ -180,7 +180,7 @@ impl View<'_> {
         self.in_some_room(self.agent)
     }
 
-    /// Whether a thing can be put somewhere.
+    /// Whether an object can be put somewhere.
     fn puttable(self, x: NodeId, y: NodeId, link: Link) -> Judged {
         self.held_by_agent(x)?;
         self.close(y)?;

@@ -1,16 +1,16 @@
-//! The order in which Python walks a set of numbers: where VirtualHome's simulator takes the first of
-//! several, it is the first in this order.
+//! The iteration order of a Python set of numbers: if VirtualHome's simulator takes the first of several, it is
+//! the first in this order.
 
-/// So many places beside its own a number is tried at before it is sent elsewhere.
+/// The number of slots after its own that a number is tried at before the next probe.
 const BESIDE: usize = 9;
 
-/// The table that CPython keeps the numbers of a set in.
+/// CPython's hash table of a set of numbers.
 struct Table {
     places: Vec<Option<u32>>,
     used: usize,
 }
 
-/// Numbers in the order in which a set walks them that they were put into in the order given.
+/// The iteration order of a set into which numbers are inserted in the given order.
 pub(super) fn walked(numbers: impl IntoIterator<Item = u32>) -> impl Iterator<Item = u32> {
     let mut table = Table { places: vec![None; 8], used: 0 };
     numbers.into_iter().for_each(|number| table.add(number));
@@ -24,7 +24,7 @@ impl Table {
             return;
         }
         self.used += 1;
-        // Three fifths full, it grows to the power of two above four times what it holds.
+        // At three fifths full, it grows to the power of two above four times its number of elements.
         if self.used * 5 >= (self.places.len() - 1) * 3 {
             let size = (self.used * 4 + 1).next_power_of_two().max(8);
             let old = std::mem::replace(&mut self.places, vec![None; size]);
@@ -35,7 +35,7 @@ impl Table {
         }
     }
 
-    /// Where a number is, or belongs.
+    /// The slot in which a number is, or would be inserted.
     fn place(&self, number: u32) -> usize {
         let mask = self.places.len() - 1;
         let mut rest = number as usize;
@@ -56,7 +56,7 @@ impl Table {
 mod tests {
     use super::walked;
 
-    /// As CPython 3.11 prints these sets.
+    /// The order in which CPython 3.11 prints these sets.
     #[test]
     fn numbers_come_in_pythons_order() {
         let cases: [(&[u32], &[u32]); 4] = [

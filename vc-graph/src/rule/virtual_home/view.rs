@@ -1,10 +1,10 @@
-//! A scene as VirtualHome's simulator reads it.
+//! A scene as VirtualHome's simulator sees it.
 
 use super::order::walked;
 use crate::node::Kind;
 use crate::{Edge, Node, NodeId, Property, Relation, SceneGraph, State};
 
-/// The relations that VirtualHome's actions go by.
+/// The relations that VirtualHome's actions use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Link {
     On,
@@ -18,8 +18,8 @@ pub(crate) enum Link {
 impl Link {
     pub(super) const HANDS: [Self; 2] = [Self::HoldsRight, Self::HoldsLeft];
 
-    /// The relations by which ours says the same: an agent that sits on something is `ON` it in theirs, and a thing in
-    /// a room is `INSIDE` it.
+    /// The corresponding relations of VirtualCity: in VirtualHome an agent that sits on something is `ON` it,
+    /// and an object in a room is `INSIDE` it.
     pub(super) fn relations(self) -> &'static [Relation] {
         use Relation::{
             Facing, HoldsLeft, HoldsRight, InRoom, Inside, LyingOn, Near, On, PouredInto, SittingOn, WornBy,
@@ -35,7 +35,7 @@ impl Link {
     }
 }
 
-/// A scene, and who is to act in it.
+/// A scene, and the acting agent.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
     pub(super) graph: &'a SceneGraph,
@@ -43,15 +43,15 @@ pub(super) struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    /// Where a relation leads, in the order in which Python walks a set.
+    /// The nodes to which a relation leads, in the iteration order of a Python set.
     pub(super) fn targets(self, id: NodeId, link: Link) -> Vec<NodeId> {
         let mut all: Vec<u32> = link.relations().iter().flat_map(|&r| self.graph.related(id, r)).map(|n| n.0).collect();
-        // Theirs puts new relations in before old ones, and an agent's are new.
+        // VirtualHome inserts new relations before old ones, and an agent's are new.
         all.sort_unstable_by_key(|&n| (!self.graph.agents().contains(&NodeId(n)), n));
         walked(all).map(NodeId).collect()
     }
 
-    /// Where a relation comes from.
+    /// The nodes from which a relation comes.
     pub(super) fn sources(self, link: Link, id: NodeId) -> Vec<NodeId> {
         let mut all: Vec<NodeId> = link.relations().iter().flat_map(|&r| self.graph.relating(r, id)).collect();
         all.sort_unstable();
@@ -71,12 +71,12 @@ impl<'a> View<'a> {
         self.node(id).is_some_and(|n| n.kind() == Kind::Room)
     }
 
-    /// Whether a thing's own properties, as they are written, have one of these.
+    /// Whether an object's own properties, as written, include one of these.
     pub(super) fn is_any(self, id: NodeId, properties: &[Property]) -> bool {
         self.node(id).is_some_and(|n| properties.iter().any(|&p| n.spec().properties.contains(p)))
     }
 
-    /// The class as it is written.
+    /// The class as written.
     pub(super) fn name(self, id: NodeId) -> &'a str {
         self.node(id).map_or("", |n| &n.spec().spelling)
     }
@@ -85,7 +85,7 @@ impl<'a> View<'a> {
         self.node(id).is_some_and(|n| n.is(state))
     }
 
-    /// The room a thing is in: the first of those that it is directly inside.
+    /// The room of an object: the first that it is directly inside.
     pub(super) fn room(self, id: NodeId) -> Option<NodeId> {
         if self.is_room(id) {
             return Some(id);
@@ -105,24 +105,25 @@ impl<'a> View<'a> {
         Link::HANDS.into_iter().find(|&hand| self.targets(self.agent, hand).is_empty())
     }
 
-    /// Close, close to something close, or on it.
+    /// Whether an object is close to the agent, close to something close, or on it.
     pub(super) fn near(self, id: NodeId) -> bool {
         let through = |at: NodeId| self.has(at, Link::Close, id) || self.has(id, Link::On, at);
         self.has(self.agent, Link::Close, id) || self.graph.related(self.agent, Relation::Near).any(through)
     }
 
-    /// Faced, or faced by something faced.
+    /// Whether the agent faces an object, directly or through an object that it faces.
     pub(super) fn faces(self, id: NodeId) -> bool {
         self.has(self.agent, Link::Facing, id)
             || self.targets(self.agent, Link::Facing).into_iter().any(|at| self.has(at, Link::Facing, id))
     }
 
-    /// The closed thing that something is directly inside.
+    /// The closed container that directly contains an object.
     pub(super) fn shut_in(self, id: NodeId) -> Option<NodeId> {
         self.targets(id, Link::Inside).into_iter().find(|&at| !self.is_room(at) && self.is(at, State::Closed))
     }
 
-    /// The first node but a room that a thing is on, else inside, else close to: from there it is grabbed.
+    /// The node from which an object is grabbed: the first one, except rooms, that it is on, else inside, else
+    /// close to.
     pub(super) fn origin(self, id: NodeId) -> Option<(NodeId, Link)> {
         [Link::On, Link::Inside, Link::Close]
             .into_iter()
