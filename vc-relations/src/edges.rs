@@ -64,7 +64,7 @@ impl<'w> Reader<'w> {
         }
         let facts = self.supports.facts;
         let within = world.pairs[index].iter().filter(|p| p.inside).map(|p| world.ids[p.other as usize]);
-        within.filter(|at| !facts.is_carried_without(*at, body.id)).for_each(|at| add(Relation::Inside, at));
+        within.filter(|at| !(facts.is_carried(*at) && facts.is_left(body.id))).for_each(|at| add(Relation::Inside, at));
         if let Some((relation, other)) = seat {
             add(relation, world.ids[other]);
         }

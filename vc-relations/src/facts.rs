@@ -84,9 +84,14 @@ impl Facts {
         hinged.chain(self.pushed.get(&id).into_iter().flat_map(|others| others.keys().copied()))
     }
 
-    /// Whether hands are known to move one thing and not the other.
-    pub(crate) fn is_carried_without(&self, thing: NodeId, other: NodeId) -> bool {
-        self.carried.as_ref().is_some_and(|all| all.contains(&thing) && !all.contains(&other))
+    /// Whether a thing is known to move with somebody's hands.
+    pub(crate) fn is_carried(&self, thing: NodeId) -> bool {
+        self.carried.as_ref().is_some_and(|all| all.contains(&thing))
+    }
+
+    /// Whether a thing is known to move with nobody's hands.
+    pub(crate) fn is_left(&self, thing: NodeId) -> bool {
+        self.carried.as_ref().is_some_and(|all| !all.contains(&thing))
     }
 
     /// The edges by which a thing is held or worn.

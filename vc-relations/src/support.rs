@@ -172,10 +172,11 @@ impl<'w> Supports<'w> {
 
     /// Whether one body may rest on the other of a pair. Only movable things are carried in hands: not the
     /// light switch that a full laundry basket brushes, nor the chair that a cushion touches. If it is known
-    /// what hands carry, nothing else is.
+    /// what hands carry, then nothing else rests on people or on the things in their hands.
     fn may_carry(&self, index: usize, pair: &Pair) -> bool {
         let other = pair.other as usize;
-        if self.facts.is_carried_without(self.world.ids[other], self.world.ids[index]) {
+        let is_agent = || self.world.bodies[other].as_deref().is_some_and(|b| b.traits.agent);
+        if self.facts.is_left(self.world.ids[index]) && (self.facts.is_carried(self.world.ids[other]) || is_agent()) {
             return false;
         }
         let Some(body) = self.world.bodies[index].as_deref().filter(|b| b.traits.moves) else {
@@ -257,7 +258,7 @@ impl<'w> Supports<'w> {
             p if p.hooked => Some(0),
             p if p.inside => Some(1),
             p if self.is_building(p) => Some(2),
-            p if (-SUPPORT_SINK..=TOUCH_GAP).contains(&p.gap) && self.is_firm(other) => Some(3),
+            p if (-SUPPORT_SINK..=TOUCH_GAP).contains(&p.gap) && self.may_hang(index, other) => Some(3),
             _ => None,
         }
     }
@@ -265,6 +266,12 @@ impl<'w> Supports<'w> {
     fn is_building(&self, pair: &Pair) -> bool {
         let other = self.world.bodies[pair.other as usize].as_deref();
         pair.gap <= HANG_GAP && other.is_some_and(|b| b.traits.structure)
+    }
+
+    /// Whether a body that merely touches another may hang on it: a towel on a shelf, but no shelf on a towel.
+    fn may_hang(&self, index: usize, other: usize) -> bool {
+        let moves = |i: usize| self.world.bodies[i].as_deref().is_some_and(|b| b.traits.moves);
+        (moves(index) || !moves(other)) && self.is_firm(other)
     }
 
     /// Whether a body is supported by more than mere touch.
