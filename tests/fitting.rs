@@ -12,10 +12,16 @@ use virtualcity::tasks::library::Benchmark;
 
 /// An environment of a benchmark task whose actions are all possible with bodies.
 fn environment(task: &str) -> (Environment, NodeId) {
+    environment_of(task, 0)
+}
+
+/// The same in another home.
+fn environment_of(task: &str, seed: u64) -> (Environment, NodeId) {
     let benchmark = Benchmark::v1();
     let activity = benchmark.get(task).unwrap();
     let open = |home: SceneGraph| Environment::of(home, 1).map_err(|e| WorldError::Failed(e.to_string()));
-    let made = at_home_that(activity, Seed(0), &generator(), open, |home, initial| feasible(activity, home, initial));
+    let made =
+        at_home_that(activity, Seed(seed), &generator(), open, |home, initial| feasible(activity, home, initial));
     let made = made.unwrap();
     (made.world, made.initial.agent)
 }
@@ -159,4 +165,59 @@ fn a_book_opens_in_the_hand() {
     assert!(home.world().openness(book) > Some(0.9));
     act(&mut home, agent, Verb::Close, &[book]);
     assert_eq!(home.world().openness(book), Some(0.0));
+}
+
+/// Fetches a thing out of what it is in, to another.
+fn fetch(home: &mut Environment, agent: NodeId, id: NodeId, to: NodeId) {
+    let hidden = home.graph().hidden_in(id);
+    if let Some(around) = hidden {
+        act(home, agent, Verb::Walk, &[around]);
+        act(home, agent, Verb::Open, &[around]);
+    } else {
+        act(home, agent, Verb::Walk, &[id]);
+    }
+    act(home, agent, Verb::Grab, &[id]);
+    act(home, agent, Verb::Walk, &[to]);
+}
+
+/// An oval table of eighty centimetres with a pie and apples in the middle: what is put at its far edge is put there
+/// from where one does not stand in it, and four plates find room between the others.
+#[test]
+fn a_table_is_set_around_what_stands_on_it() {
+    let (mut home, agent) = environment_of("setup_table-09", 1);
+    let table = first(&home, agent, "dining_table");
+    let before = home.graph().relating(Relation::On, table).count();
+    assert!(before > 3);
+    let plates: Vec<NodeId> = home.graph().of_class("plate");
+    let plates: Vec<NodeId> = plates.into_iter().filter(|id| home.can_get_at(agent, *id)).collect();
+    let size = |id: &NodeId| home.world().aabb(*id).map_or(0.0, |b| (b.max - b.min).norm());
+    let mut largest = plates.clone();
+    largest.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let largest: Vec<NodeId> = largest.into_iter().take(4).collect();
+    for id in largest {
+        fetch(&mut home, agent, id, table);
+        act(&mut home, agent, Verb::Place, &[id, table]);
+        assert!(home.graph().places(id).any(|p| p == Place { relation: Relation::On, at: table }));
+    }
+    assert_eq!(home.graph().relating(Relation::On, table).count(), before + 4);
+    let (mut home, agent) = environment_of("setup_table-11", 1);
+    let (table, bowl) = (first(&home, agent, "dining_table"), first(&home, agent, "salad_bowl"));
+    for id in [first(&home, agent, "bowl"), bowl] {
+        fetch(&mut home, agent, id, table);
+        act(&mut home, agent, Verb::Place, &[id, table]);
+    }
+}
+
+/// A pot that does not stand between the bowls and would roll off them: they are pushed together.
+#[test]
+fn a_pot_stands_in_the_dishwasher() {
+    let (mut home, agent) = environment_of("put_dishwasher-09", 2);
+    let (machine, pot) = (first(&home, agent, "dishwasher"), home.graph().of_class("pot"));
+    let pot = pot.into_iter().rfind(|id| home.can_get_at(agent, *id)).unwrap();
+    fetch(&mut home, agent, pot, machine);
+    act(&mut home, agent, Verb::Open, &[machine]);
+    act(&mut home, agent, Verb::PutIn, &[pot, machine]);
+    assert!(home.graph().places(pot).any(|p| p == Place { relation: Relation::Inside, at: machine }));
+    let up = home.world().pose(pot).unwrap().rotation * nalgebra::Vector3::z();
+    assert!(up.z > 0.99, "it stands: {up}");
 }

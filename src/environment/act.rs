@@ -160,6 +160,7 @@ impl Environment {
         let outcome = deed.all(action);
         let (course, folded) = (std::mem::take(&mut deed.course), std::mem::take(&mut deed.folded));
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
+        let done = done.map_err(|error| unsteady(error, course.balanced()));
         match &done {
             Ok(_) => {
                 self.history.push(Event { agent, action: *action });
@@ -240,12 +241,25 @@ fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]
     edit.commit()
 }
 
+/// The error of an action after which only a thing that would not stay where it was put is elsewhere: bodies know
+/// that they cannot do this.
+fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionError {
+    let ActionError::Disagreement(both) = error else { return error };
+    match both.differences.iter().find(|d| Some(d.thing.id) == balanced) {
+        Some(own) if both.differences.iter().all(|d| d.thing.id == own.thing.id) => {
+            let why = Impossible::Unsteady(own.thing.clone());
+            ActionError::Impossible { action: both.action, why }
+        }
+        _ => ActionError::Disagreement(both),
+    }
+}
+
 /// Whether an action failed after its outcome had been observed, so that relations still are those of the
 /// outcome that was taken back.
 fn was_looked_at(error: &ActionError) -> bool {
-    use Impossible::{FallsOut, Unreadable};
+    use Impossible::{FallsOut, Unreadable, Unsteady};
     match error {
-        ActionError::Impossible { why, .. } => matches!(why, FallsOut(_) | Unreadable(_)),
+        ActionError::Impossible { why, .. } => matches!(why, FallsOut(_) | Unreadable(_) | Unsteady(_)),
         _ => true,
     }
 }
@@ -326,6 +340,6 @@ impl Impossible {
     /// Whether another body or a piece of the home is in the way, rather than the deed
     /// being beyond bodies.
     pub fn is_in_the_way(&self) -> bool {
-        matches!(self, Self::NoStand(_) | Self::NoSpot { .. } | Self::Stuck { .. })
+        matches!(self, Self::NoStand(_) | Self::NoSpot { .. } | Self::Stuck { .. } | Self::Unsteady(_))
     }
 }

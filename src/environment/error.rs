@@ -178,6 +178,9 @@ pub enum Impossible {
         /// The things that are there already.
         by: Vec<Label>,
     },
+    /// It rolls or slides off wherever it is put there.
+    #[error("{0} does not stay where it is put there: take out or move what it would lie on")]
+    Unsteady(Label),
     /// A door, lid or drawer does not open or close.
     #[error("{thing} stays {open:.0}% open: {}", in_the_way(.by))]
     Stuck {

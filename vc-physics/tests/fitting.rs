@@ -6,7 +6,7 @@ mod common;
 
 use common::{Scene, at, block, part, plain, surface};
 use nalgebra::{Point3, Vector3};
-use vc_graph::asset::Hold;
+use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, SceneGraph};
 use vc_physics::{Hand, Order, Shapes, World};
 
@@ -121,6 +121,42 @@ fn things_are_heaped_in_containers_up_to_the_rim() {
 }
 
 /// A hanging shirt of 0.3 kg, beside the chest.
+/// Of a round top an asset states the rectangle within. Four plates find room around a pie all the same, and stay
+/// on the table.
+#[test]
+fn a_round_table_is_used_up_to_its_edge() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let disc = |radius: f32, half_height: f32| Shape::Cylinder { radius, half_height };
+    let parts = vec![
+        part("top", disc(0.4, 0.02), at(0.0, 0.0, 0.73), scene.wood),
+        part("foot", disc(0.25, 0.355), at(0.0, 0.0, 0.355), scene.wood),
+    ];
+    let surfaces = vec![surface("top", Hold::On, [0.0, 0.0, 0.75], (0.26, 0.26), None)];
+    let asset = scene.asset(Asset { name: "table".into(), parts, surfaces, ..Asset::default() });
+    let table = scene.add("table", asset, at(0.0, 0.0, 0.0));
+    let plate = scene.solid("plate", disc(0.125, 0.012), scene.wood);
+    let plates: Vec<NodeId> = (0..5).map(|i| scene.add("plate", plate, at(2.0 + 0.4 * i as f32, 0.0, 0.012))).collect();
+    let mut world = scene.world();
+    world.place(plates[0], at(0.0, 0.0, 0.763)).unwrap();
+    world.settle(60);
+    for &plate in &plates[1..] {
+        let spot = world.free_spot_at(plate, table, false, Order::Near(Point3::new(0.0, -1.0, 0.75))).unwrap().unwrap();
+        world.place(plate, spot).unwrap();
+        let report = world.settle(120);
+        assert!(report.at_rest && world.supports(plate) == [table], "{report:?}");
+    }
+    for (x, y) in [(0.5, 0.0), (0.5, 0.5)] {
+        let near = Order::Near(Point3::new(x, y, 0.75));
+        (0..5).for_each(|i| world.place(plates[i], at(2.0 + 0.4 * i as f32, 0.0, 0.012)).unwrap());
+        let spot = world.close_spot_at(plates[0], table, false, near).unwrap().unwrap();
+        world.place(plates[0], spot).unwrap();
+        world.settle(120);
+        let far = world.pose(plates[0]).unwrap().translation.vector.xy().norm();
+        assert!((0.28..0.36).contains(&far) && world.supports(plates[0]) == [table], "{far} m from the middle");
+    }
+}
+
 fn shirt() -> (SceneGraph, NodeId, NodeId, NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Edge, EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
 use vc_physics::{Hand, Order, Role};
 
-use super::{Deed, Done};
+use super::{Deed, Done, UPRIGHT};
 use crate::environment::Impossible;
 use crate::environment::act::calm;
 use crate::environment::beat::{Beat, Put};
@@ -74,14 +74,18 @@ impl Deed<'_> {
     }
 
     /// Sees to it that what was put down stays there, and what is beside it: if they come to rest
-    /// elsewhere, it is put in the middle instead, and if that does not help, it is balanced where
-    /// it was put.
+    /// elsewhere, it is put in the middle instead, or in a container where there is room once the others are pushed
+    /// together; and if that does not help, it is balanced where it was put. In a container the others are pushed
+    /// together for what has tipped over, too.
     fn steady(&mut self, id: NodeId, place: Place, spot: Pose, around: &[(NodeId, Pose)]) -> Done {
+        let inside = place.relation == Relation::Inside;
         if self.comes_to_rest(id, place, spot, around) {
+            if inside && self.has_tipped(id, &spot) {
+                self.rests_beside_others(id, place)?;
+            }
             return Ok(());
         }
         self.clear_away(id, around)?;
-        let inside = place.relation == Relation::Inside;
         if let Some(middle) = self.world.free_spot_at(id, place.at, inside, Order::Middle)? {
             self.world.place(id, middle)?;
             self.revise(middle, false);
@@ -90,10 +94,42 @@ impl Deed<'_> {
             }
             self.clear_away(id, around)?;
         }
+        if inside && self.rests_beside_others(id, place)? {
+            return Ok(());
+        }
         self.world.place(id, spot)?;
         self.world.rest();
         self.revise(spot, true);
         Ok(())
+    }
+
+    /// Whether a thing does not stand or lie as it was put.
+    fn has_tipped(&self, id: NodeId, spot: &Pose) -> bool {
+        let up = |pose: &Pose| pose.rotation * Vector3::z();
+        self.world.pose(id).is_some_and(|now| up(&now).dot(&up(spot)) < UPRIGHT)
+    }
+
+    /// Puts down a thing where there is room once the others are pushed together; if it does not come to rest there
+    /// either, all is as it was.
+    fn rests_beside_others(&mut self, id: NodeId, place: Place) -> Result<bool, Impossible> {
+        let (before, beats) = (self.world.clone(), self.course.beats.clone());
+        self.world.place(id, Pose::translation(0.0, 0.0, AWAY))?;
+        let Some(room) = self.make_room(id, place)? else {
+            self.world.clone_from(&before);
+            return Ok(false);
+        };
+        // They are pushed before it is put down.
+        let last = self.course.beats.len() - 1;
+        self.course.beats.swap(last.saturating_sub(1), last);
+        let around = self.loose_around(place);
+        self.world.place(id, room)?;
+        self.revise(room, false);
+        let rests = self.comes_to_rest(id, place, room, &around);
+        if !rests {
+            self.world.clone_from(&before);
+            self.course.beats = beats;
+        }
+        Ok(rests)
     }
 
     /// What was put down last has come elsewhere.
@@ -161,41 +197,70 @@ impl Deed<'_> {
         Ok(self.world.free_spot_at(id, place.at, place.relation == Relation::Inside, self.near_hands())?)
     }
 
-    /// Pushes together what is on or in a thing, away from the hands, the largest first, until
+    /// Pushes together what is on or in a thing, away from the hands or to a side, the largest first, until
     /// there is room for another; if there is none then, all stays where it was.
     fn make_room(&mut self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
-        let hands = self.feet() * Point3::new(AHEAD, 0.0, 1.0);
-        let Some(around) = self.world.aabb(place.at) else { return Ok(None) };
-        let far = around.centre() + (around.centre() - hands);
-        let size = |id: &NodeId| self.world.aabb(*id).map_or(0.0, |b| (b.max - b.min).xy().norm());
-        let mut things = self.loose_at(place);
-        things.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
-        let were: Vec<(NodeId, Pose)> = things.iter().filter_map(|id| Some((*id, self.world.pose(*id)?))).collect();
+        let things = self.movable_at(place);
+        let Some(around) = self.world.aabb(place.at).filter(|_| !things.is_empty()) else { return Ok(None) };
+        let (middle, hands) = (around.centre(), self.feet() * Point3::new(AHEAD, 0.0, 1.0));
+        let way = middle - hands;
+        let aside = Vector3::new(-way.y, way.x, 0.0);
+        let before = self.world.clone();
+        for (to, close) in [(way, false), (way, true), (aside, true), (-aside, true)] {
+            if let Some(moved) = self.push_together(&things, place, middle + to, close)?
+                && let Some(spot) = self.free_spot(id, place)?
+            {
+                moved.iter().try_for_each(|(thing, _)| self.world.wake(*thing))?;
+                self.course.push(Beat::Push(moved));
+                return Ok(Some(spot));
+            }
+            self.world.clone_from(&before);
+        }
+        Ok(None)
+    }
+
+    /// Puts some things of a place towards a point, one after the other, loosely or as close as they stand; their
+    /// poses, if there is room for all.
+    fn push_together(
+        &mut self,
+        things: &[NodeId],
+        place: Place,
+        to: Point3<f32>,
+        close: bool,
+    ) -> Result<Option<Vec<(NodeId, Pose)>>, Impossible> {
         for (index, thing) in things.iter().enumerate() {
             // Out of the way of those that come before it.
             self.world.place(*thing, Pose::translation(10.0 * index as f32, 0.0, AWAY))?;
         }
-        let (inside, mut moved) = (place.relation == Relation::Inside, Vec::new());
-        for &(thing, _) in &were {
-            let Some(spot) = self.world.free_spot_at(thing, place.at, inside, Order::Near(far))? else { break };
+        let (inside, order, mut moved) = (place.relation == Relation::Inside, Order::Near(to), Vec::new());
+        for &thing in things {
+            let spot = if close {
+                self.world.close_spot_at(thing, place.at, inside, order)?
+            } else {
+                self.world.free_spot_at(thing, place.at, inside, order)?
+            };
+            let Some(spot) = spot else { return Ok(None) };
             self.world.place(thing, spot)?;
             moved.push((thing, spot));
         }
-        let spot = if moved.len() == were.len() && !were.is_empty() { self.free_spot(id, place)? } else { None };
-        if spot.is_some() {
-            self.course.push(Beat::Push(moved));
-        } else {
-            were.into_iter().try_for_each(|(thing, was)| self.world.place(thing, was))?;
-        }
-        Ok(spot)
+        Ok(Some(moved))
     }
 
-    /// Loose things of which the graph says that they are on or in a thing and nothing else, with
-    /// nothing on them.
-    fn loose_at(&self, place: Place) -> Vec<NodeId> {
+    /// Things that can be pushed about, the largest first: those that are loose, or held still where they lie, of
+    /// which the graph says that they are on or in a thing and nothing else, with nothing on them.
+    fn movable_at(&self, place: Place) -> Vec<NodeId> {
         let alone = |id: &NodeId| self.before.places(*id).eq([place]) && self.before.resting_at(*id).next().is_none();
-        let loose = |id: &NodeId| self.world.role(*id) == Some(Role::Loose);
-        self.before.relating(place.relation, place.at).filter(|id| loose(id) && alone(id)).collect()
+        let carried = |id: NodeId| self.before.node(id).is_some_and(|n| n.affords(Property::Graspable));
+        let movable = |id: &NodeId| match self.world.role(*id) {
+            Some(Role::Loose) => true,
+            Some(Role::Hung) => carried(*id),
+            _ => false,
+        };
+        let size = |id: &NodeId| self.world.aabb(*id).map_or(0.0, |b| (b.max - b.min).xy().norm());
+        let there = self.before.relating(place.relation, place.at);
+        let mut things: Vec<NodeId> = there.filter(|id| movable(id) && alone(id)).collect();
+        things.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
+        things
     }
 
     /// Makes a flat bundle of cloth; whether it was any larger.

@@ -246,9 +246,11 @@ impl Deed<'_> {
         Ok(())
     }
 
-    /// Whether a thing can be put at a pose by an agent with its feet somewhere.
+    /// Whether a thing can be put at a pose by an agent with its feet somewhere: within reach, and not where its
+    /// own body is.
     pub(super) fn puts_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
         self.world.reach_to_put(self.agent, feet, id, spot).is_ok_and(|far| far <= self.plan().reach)
+            && (!self.stands() || self.world.stands_beside(self.agent, feet, id, spot).unwrap_or(false))
     }
 
     /// Walks to where a spot on or in a thing can be reached, else as near to it as one gets.

@@ -194,7 +194,9 @@ impl Player {
                 true
             }
             Beat::Push(moved) => {
-                moved.iter().for_each(|(id, pose)| drop(show.world.place(*id, *pose)));
+                for (id, pose) in moved {
+                    drop(show.world.place(*id, *pose).and_then(|()| show.world.wake(*id)));
+                }
                 true
             }
             Beat::Fold(id, scale) => {

@@ -1,13 +1,15 @@
 //! Doors and drawers that give way to who steps up.
 
-use rapier3d::geometry::{Collider, ColliderHandle};
+use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
+use rapier3d::math::Pose as EnginePose;
+use rapier3d::parry::query;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
 use super::Agent;
 use super::seat::upright;
 use crate::world::World;
-use crate::{AgentError, group};
+use crate::{AgentError, convert, group};
 
 /// How far open a part stays that gives way, as a fraction of its way.
 const AJAR: f32 = 0.1;
@@ -39,6 +41,21 @@ impl World {
     /// [`AgentError::NoSuchAgent`].
     pub fn doors_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsAside>, AgentError> {
         self.parts_moved(agent, feet, true)
+    }
+
+    /// Whether a thing at a pose would be clear of a body that stands with its feet somewhere.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`](crate::PhysicsError::NoBody).
+    pub fn stands_beside(&self, agent: NodeId, feet: &Pose, id: NodeId, pose: &Pose) -> Result<bool, AgentError> {
+        let (shape, at) = upright(&self.agent(agent)?.plan, feet);
+        let mut solid = self.thing(id)?.form.links.iter().filter_map(|link| link.solid.as_ref());
+        let meets = |part: &(SharedShape, EnginePose)| {
+            let between = at.inv_mul(&(convert::pose(pose) * part.1));
+            let contact = query::contact(&EnginePose::IDENTITY, &shape, &between, &*part.0, 0.0);
+            contact.ok().flatten().is_some()
+        };
+        Ok(!solid.any(meets))
     }
 
     fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsAside>, AgentError> {

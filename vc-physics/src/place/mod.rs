@@ -1,13 +1,18 @@
 //! Finding free places, and what is in the way.
 
+mod close;
+mod raster;
+mod way;
+
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, ColliderHandle, Ray, SharedShape};
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::asset::{Hold, Surface};
-use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose, Seed};
 
+use self::raster::{PITCH, is_burner, spots};
+use self::way::{ACROSS, HEAP, INTO, ONTO, TURNTABLE, Tip, Way};
 use crate::world::{Thing, World};
 use crate::{PhysicsError, Role, convert, group};
 
@@ -21,116 +26,6 @@ const SKIN: f32 = 0.001;
 const AROUND: f32 = 0.005;
 /// How far above a surface the bottom of a thing is that is on it, metres.
 const LOW: f32 = 0.02;
-/// Distance of the spots that are tried on a surface, metres.
-const PITCH: f32 = 0.04;
-/// Most spots tried along one side.
-const MOST: usize = 24;
-
-/// Heights above the bottom of a container at which things are let down on what is in it,
-/// metres.
-const HEAPED: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4];
-/// Heights above a surface at which things are laid across what rises beside it, the lowest first, metres.
-const ACROSS: [f32; 8] = [0.04, 0.08, 0.12, 0.16, 0.2, 0.24, 0.28, 0.32];
-/// How much of its half width may be over the edges of what is put down with its middle over them.
-const POISED: f32 = 0.9;
-/// How things are put into containers, the better ways first: as they stand, or on their side.
-const INTO: [Way; 2] = [WITHIN, Way { tips: &Tip::ALL, ..WITHIN }];
-/// How they are put in there otherwise: on what is in there, leaning, over the edge of a turntable.
-const HEAP: [Way; 4] = [
-    Way { heights: &HEAPED, ..WITHIN },
-    Way { tips: &Tip::ALL, heights: &HEAPED, ..WITHIN },
-    Way { tips: &Tip::ALL, slender: 0.0, ..WITHIN },
-    TURNTABLE,
-];
-const TURNTABLE: Way = Way { over: 0.4, ..WITHIN };
-/// How things are put on others: within the edges, a little over them, as a pan on a burner, or as far as
-/// their middle stays over them: a cushion on a chair. At last across what rises beside the surface, as the
-/// arms of a chair.
-const ONTO: [Way; 4] = [
-    WITHIN,
-    Way { over: 0.4, ..WITHIN },
-    Way { over: POISED, ..WITHIN },
-    Way { over: POISED, heights: &ACROSS, across: true, ..WITHIN },
-];
-/// As they stand, within the edges.
-const WITHIN: Way = Way { tips: &[Tip::Upright], heights: &[0.0], over: 0.0, slender: SLENDER, across: false };
-
-/// A surface that reaches no farther from its middle is no larger than a seat, metres.
-const SEAT: f32 = 0.35;
-/// A thing with two sides shorter than this may lean, metres.
-const THIN: f32 = 0.1;
-/// Least width of what is laid on its side, as a part of its height then.
-const SLENDER: f32 = 0.25;
-
-/// Half width of surfaces on which things are put in the middle, metres.
-const BURNER: f32 = 0.13;
-
-/// A way to put things down.
-struct Way {
-    tips: &'static [Tip],
-    /// Heights above the surface, metres.
-    heights: &'static [f32],
-    /// How much of its half width may be over the edges.
-    over: f32,
-    /// Least width of what is laid on its side, as a part of its height then.
-    slender: f32,
-    /// Whether it is carried by what rises beside the surface.
-    across: bool,
-}
-
-impl Way {
-    /// Whether a thing of an extent may be put so: over the edge of a board in a container goes only what is wider than
-    /// the board, far over an edge otherwise also what lies on something no larger than a seat, and leaning only
-    /// what is as slender as a tube of toothpaste.
-    fn is_for(&self, (low, high): (Point3<f32>, Point3<f32>), shelf: &Shelf) -> bool {
-        let sides = high - low;
-        let (wide, long) = (sides.x.min(sides.y) / 2.0, sides.x.max(sides.y) / 2.0);
-        let (width, length) = (shelf.half.0.min(shelf.half.1), shelf.half.0.max(shelf.half.1));
-        let is_wider = wide > width || long > length;
-        let overhangs = match shelf.hold {
-            Hold::Inside => self.over == 0.0 || is_wider,
-            _ => self.over < POISED || is_wider || length < SEAT,
-        };
-        let leans = self.slender < SLENDER;
-        overhangs && (!leans || [sides.x, sides.y, sides.z].into_iter().filter(|side| *side < THIN).count() > 1)
-    }
-}
-
-/// How a thing is put down.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Tip {
-    /// As it stands.
-    Upright,
-    /// On the side of its X.
-    OnX,
-    /// On the side of its Y.
-    OnY,
-}
-
-impl Tip {
-    const ALL: [Self; 3] = [Self::Upright, Self::OnX, Self::OnY];
-
-    /// Whether what has some sides stays so: a plate does not stand on its rim.
-    fn stands(self, sides: Vector3<f32>, slender: f32) -> bool {
-        let (height, along, across) = match self {
-            Self::Upright => (sides.z, sides.x, sides.y),
-            Self::OnX => (sides.x, sides.y, sides.z),
-            Self::OnY => (sides.y, sides.x, sides.z),
-        };
-        along.min(across) >= slender * height
-    }
-
-    /// The turns by which it comes to lie so, a quarter apart.
-    fn turns(self) -> [UnitQuaternion<f32>; 2] {
-        let quarter = |axis| UnitQuaternion::from_axis_angle(&axis, std::f32::consts::FRAC_PI_2);
-        let tip = match self {
-            Self::Upright => UnitQuaternion::identity(),
-            Self::OnX => quarter(Vector3::y_axis()),
-            Self::OnY => quarter(Vector3::x_axis()),
-        };
-        [tip, quarter(Vector3::z_axis()) * tip]
-    }
-}
 
 /// A place that holds things, in the world's frame as it is now.
 #[derive(Debug, Clone, PartialEq)]
@@ -262,7 +157,7 @@ impl World {
         let shelf = self.shelf(on, surface)?;
         let turn = turn(yaw, id)?;
         let free = |spot: &Pose| self.is_clear(thing, spot);
-        Ok(spots(thing.form.extent, &shelf, &turn, (0.0, 0.0), order).into_iter().find(free))
+        Ok(spots(thing.form.extent, &shelf, &turn, (0.0, 0.0), PITCH, order).into_iter().find(free))
     }
 
     /// As [`Self::free_spot`], for a box of half lengths that no node has yet: the pose of its
@@ -283,7 +178,7 @@ impl World {
         if !is_size(&half) {
             return Err(PhysicsError::NotFinite("the footprint", on));
         }
-        let spots = spots((Point3::from(-half), Point3::from(half)), &shelf, &turn(yaw, on)?, (0.0, 0.0), order);
+        let spots = spots((Point3::from(-half), Point3::from(half)), &shelf, &turn(yaw, on)?, (0.0, 0.0), PITCH, order);
         Ok(spots.into_iter().find(|spot| self.is_free(half, spot)))
     }
 
@@ -295,7 +190,8 @@ impl World {
 
     /// As [`Self::free_spot`], on whichever surface of a node has one: those inside
     /// if `inside`, otherwise those on top. What does not stand in a container is laid on its
-    /// side; what is wider than a surface is put in the middle of it and reaches over its edges.
+    /// side; what is wider than a surface is put in the middle of it and reaches over its edges. Where there is
+    /// no room left for the box around it, it is put [close](Self::close_spot_at) to what is there.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -306,11 +202,12 @@ impl World {
         inside: bool,
         order: Order,
     ) -> Result<Option<Pose>, PhysicsError> {
-        if inside {
-            self.spot_by(&INTO, id, at, Hold::Inside, order)
+        let apart = if inside {
+            self.spot_by(&INTO, id, at, Hold::Inside, order)?
         } else {
-            self.spot_by(&ONTO, id, at, Hold::On, order)
-        }
+            self.spot_by(&ONTO, id, at, Hold::On, order)?
+        };
+        if apart.is_some() { Ok(apart) } else { self.close_spot_at(id, at, inside, order) }
     }
 
     /// As [`Self::free_spot_at`], a little above what is in a container, upon which the thing is
@@ -331,12 +228,17 @@ impl World {
         order: Order,
     ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
-        let all = (0..below.form.surfaces.len()).filter_map(|s| self.shelf_of(below, s));
-        let mut shelves: Vec<Shelf> = all.filter(|s| s.hold == hold).collect();
+        let mut shelves = self.shelves_that(below, hold);
         // What is put on a stove goes to a burner that is free, not beside what is on another.
         shelves.sort_by_cached_key(|shelf| is_burner(shelf) && !self.is_bare(shelf));
         let mut spots = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
         Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order)))
+    }
+
+    /// The surfaces of a thing that hold things in a way.
+    fn shelves_that(&self, thing: &Thing, hold: Hold) -> Vec<Shelf> {
+        let all = (0..thing.form.surfaces.len()).filter_map(|s| self.shelf_of(thing, s));
+        all.filter(|s| s.hold == hold).collect()
     }
 
     /// Whether nothing stands or lies on a surface.
@@ -357,9 +259,14 @@ impl World {
             self.each_overlap(&around, &(convert::pose(spot) * middle), thing.id, &mut |id| !of(id))
         };
         let clear = |spot: &Pose| self.is_clear(thing, spot);
-        let loose = |id| shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose);
+        let loose = |id| self.is_loose_on(shelf, id);
         let apart = self.first_spot(thing, shelf, way, order, |spot| clear_around(spot, &|_| true));
         apart.or_else(|| self.first_spot(thing, shelf, way, order, |spot| clear(spot) && clear_around(spot, &loose)))
+    }
+
+    /// Whether a thing is loose, other than the one of a surface on top of which things are put.
+    fn is_loose_on(&self, shelf: &Shelf, id: NodeId) -> bool {
+        shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose)
     }
 
     /// The first spot that counts as free.
@@ -371,24 +278,30 @@ impl World {
         order: Order,
         free: impl Fn(&Pose) -> bool + Copy,
     ) -> Option<Pose> {
-        let Way { tips, heights, over, slender, across } = way;
+        let Way { heights, over, across, .. } = way;
         if !way.is_for(thing.form.extent, shelf) {
             return None;
         }
         // What reaches over the edges is balanced, and what is put on a burner is put on its middle.
         let order = if *over > 0.0 || is_burner(shelf) { Order::Middle } else { order };
         let (low, high) = thing.form.extent;
-        let laden = self.is_laden(thing);
-        let tips = tips.iter().filter(|tip| **tip == Tip::Upright || !laden && tip.stands(high - low, *slender));
-        let turns: Vec<UnitQuaternion<f32>> = tips.flat_map(|tip| tip.turns()).collect();
+        let turns = self.turns_of(thing, way);
         // What is heaped higher than the rim is not in it.
         let rim = self.aabb(shelf.id).map_or(f32::INFINITY, |b| b.max.z - shelf.pose.translation.z);
         let within = |height: &&f32| **height == 0.0 || **height < rim;
         heights.iter().filter(within).find_map(|&height| {
-            let lifted = |turn| spots((low, high), shelf, turn, (height, *over), order);
+            let lifted = |turn| spots((low, high), shelf, turn, (height, *over), PITCH, order);
             let carried = |spot: &Pose| !across || self.is_just_over(thing, spot, shelf.id);
             turns.iter().find_map(|turn| lifted(turn).into_iter().find(|spot| free(spot) && carried(spot)))
         })
+    }
+
+    /// The turns by which a thing may be put down in a way; what carries something is not tipped.
+    fn turns_of(&self, thing: &Thing, way: &Way) -> Vec<UnitQuaternion<f32>> {
+        let (low, high) = thing.form.extent;
+        let laden = self.is_laden(thing);
+        let stands = |tip: &&Tip| **tip == Tip::Upright || !laden && tip.stands(high - low, way.slender);
+        way.tips.iter().filter(stands).flat_map(|tip| tip.turns()).collect()
     }
 
     /// Whether a thing at a spot is no more than one step of [`ACROSS`] above another, and above nothing else.
@@ -485,11 +398,6 @@ impl World {
     }
 }
 
-/// Whether a surface is so small that what is put on it goes to its middle.
-fn is_burner(shelf: &Shelf) -> bool {
-    shelf.half.0.min(shelf.half.1) < BURNER && shelf.hold == Hold::On
-}
-
 /// Whether half lengths are those of a box.
 fn is_size(half: &Vector3<f32>) -> bool {
     half.iter().all(|h| *h > 0.0 && *h <= convert::LARGEST)
@@ -499,53 +407,4 @@ fn is_size(half: &Vector3<f32>) -> bool {
 fn turn(yaw: f32, of: NodeId) -> Result<UnitQuaternion<f32>, PhysicsError> {
     let sound = yaw.is_finite().then(|| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw));
     sound.ok_or(PhysicsError::NotFinite("the yaw", of))
-}
-
-/// The spots of a surface where a thing between two corners fits within edges and height, best
-/// first: so far above it, and with a part of its half width over the edges.
-fn spots(
-    (low, high): (Point3<f32>, Point3<f32>),
-    shelf: &Shelf,
-    turn: &UnitQuaternion<f32>,
-    (above, over): (f32, f32),
-    order: Order,
-) -> Vec<Pose> {
-    let half = turn.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
-    let room = (shelf.half.0 - half.x * (1.0 - over), shelf.half.1 - half.y * (1.0 - over));
-    let base = above + GAP;
-    let fits = room.0 >= 0.0 && room.1 >= 0.0 && shelf.clearance.is_none_or(|c| 2.0 * half.z + base <= c);
-    if !fits || shelf.hold == Hold::Hook {
-        return Vec::new();
-    }
-    let centre = turn * nalgebra::center(&low, &high).coords;
-    let at = |(x, y): (f32, f32)| {
-        let middle = Vector3::new(x, y, base + half.z);
-        shelf.pose * Pose::from_parts((middle - centre).into(), *turn)
-    };
-    let raster: Vec<(f32, f32)> = steps(room.0).flat_map(|x| steps(room.1).map(move |y| (x, y))).collect();
-    ordered(raster, shelf, order).into_iter().map(at).collect()
-}
-
-/// Offsets from -room to room, a raster's pitch apart or wider.
-fn steps(room: f32) -> impl Iterator<Item = f32> {
-    let count = ((2.0 * room / PITCH) as usize).min(MOST);
-    (0..=count).map(move |i| if count == 0 { 0.0 } else { room * (2.0 * i as f32 / count as f32 - 1.0) })
-}
-
-fn ordered(mut raster: Vec<(f32, f32)>, shelf: &Shelf, order: Order) -> Vec<(f32, f32)> {
-    let nearest = |to: (f32, f32)| {
-        move |a: &(f32, f32), b: &(f32, f32)| {
-            let far = |p: &(f32, f32)| (p.0 - to.0).raised(2) + (p.1 - to.1).raised(2);
-            far(a).total_cmp(&far(b))
-        }
-    };
-    match order {
-        Order::Middle => raster.sort_by(nearest((0.0, 0.0))),
-        Order::Near(point) => {
-            let local = shelf.pose.inverse_transform_point(&point);
-            raster.sort_by(nearest((local.x, local.y)));
-        }
-        Order::Random(seed) => seed.child("spot").stream().shuffle(&mut raster),
-    }
-    raster
 }
