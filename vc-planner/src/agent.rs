@@ -234,7 +234,7 @@ impl Agent {
     }
 
     /// Takes note that an action was refused: what it planned does not hold, and while nothing changes it does
-    /// not try that again.
+    /// not try that again; once it was refused three times, not at all.
     pub fn refused(&mut self, action: &Action) {
         self.refused.note(action);
         self.forget_plans();

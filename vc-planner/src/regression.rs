@@ -5,7 +5,9 @@ mod follow;
 mod tidy;
 
 use vc_graph::goal::{Goal, Situation};
-use vc_graph::{Action, ChangeSet, Condition, Event, Node, NodeId, Place, Property, SceneGraph, State, Verb, rule};
+use vc_graph::{
+    Action, ChangeSet, Condition, Event, Node, NodeId, Place, Property, Relation, SceneGraph, State, Verb, rule,
+};
 
 use crate::Known;
 use crate::manners::Touched;
@@ -235,6 +237,11 @@ impl<'a> Regression<'a> {
                 let mut found = rule::regress::achievers(self.graph, self.agent, want);
                 let wanted = |a: &Action| a.object.is_some_and(|id| self.hints.is_in_its_hand(&self.now(), id));
                 found.sort_by_cached_key(wanted);
+                found
+            }
+            Condition::Related(who, Relation::HoldsRight | Relation::HoldsLeft, _) if who == self.agent => {
+                let mut found = rule::regress::achievers(self.graph, self.agent, want);
+                self.hints.sort_fillers(&self.now(), &mut found);
                 found
             }
             _ => rule::regress::achievers(self.graph, self.agent, want),

@@ -1,7 +1,7 @@
 //! In which order to go about what is wanted, and what is nearest.
 
-use vc_graph::goal::{Goal, Predicate, Situation, Term};
-use vc_graph::{Condition, Edge, NodeId, Relation, State, Verb};
+use vc_graph::goal::{Goal, Literal, Predicate, Situation, Term};
+use vc_graph::{Action, Condition, NodeId, Relation, State, Verb};
 
 use crate::subgoal::View;
 use crate::want::Want;
@@ -9,46 +9,62 @@ use crate::want::Want;
 /// What the whole goal says about how to go about its parts.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Hints {
+    /// What it speaks of.
+    terms: Vec<Term>,
     /// The nodes it names: who is to hold a novel and to read something reads it.
     named: Vec<NodeId>,
     /// It wants the agent to lie.
     pub(crate) lying: bool,
-    /// Which hand it wants to hold what.
-    hands: Vec<(Relation, Term)>,
+    /// What it wants held, and in which hand if it says so.
+    held: Vec<(Option<Relation>, Term)>,
 }
 
 impl Hints {
     pub(crate) fn of(goal: &Goal) -> Self {
-        let mut hints = Self::default();
-        hints.gather(goal);
+        let terms = goal.terms();
+        let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
+        let mut hints = Self { named: terms.iter().filter_map(node).collect(), terms, ..Self::default() };
+        hints.gather(goal, true);
         hints
     }
 
-    fn gather(&mut self, goal: &Goal) {
+    fn gather(&mut self, goal: &Goal, wanted: bool) {
         match goal {
-            Goal::Literal(literal) | Goal::Count { literal, .. } => {
-                self.lying |= literal.predicate == Predicate::State(State::Lying);
-                if let (Predicate::Relation(hand @ (Relation::HoldsRight | Relation::HoldsLeft)), [_, thing]) =
-                    (literal.predicate, &*literal.terms)
-                {
-                    self.hands.push((hand, thing.clone()));
-                }
-                let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
-                self.named.extend(literal.terms.iter().filter_map(node));
-            }
-            Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => parts.iter().for_each(|p| self.gather(p)),
-            Goal::Not(part) => self.gather(part),
-            Goal::ForAll(q) | Goal::Exists(q) => self.gather(&q.body),
-            _ => {}
+            Goal::Literal(literal) | Goal::Count { literal, .. } if wanted => self.read(literal),
+            Goal::Not(part) => self.gather(part, !wanted),
+            _ => goal.parts().into_iter().for_each(|part| self.gather(part, wanted)),
         }
     }
-}
 
-impl Hints {
-    /// Whether a thing is in the hand in which the goal wants it.
+    fn read(&mut self, literal: &Literal) {
+        self.lying |= literal.predicate == Predicate::State(State::Lying);
+        let hand = match literal.predicate {
+            Predicate::Holds => None,
+            Predicate::Relation(hand @ (Relation::HoldsRight | Relation::HoldsLeft)) => Some(hand),
+            _ => return,
+        };
+        self.held.extend(literal.terms.get(1).map(|thing| (hand, thing.clone())));
+    }
+
+    /// Whether the goal wants a thing in a hand.
+    fn wants_in(&self, now: &Situation<'_>, hand: Relation, id: NodeId) -> bool {
+        let here = |wanted: Option<Relation>| wanted.is_none_or(|wanted| wanted == hand);
+        self.held.iter().any(|(wanted, thing)| here(*wanted) && now.candidates(thing).contains(&id))
+    }
+
+    /// Whether a thing is in a hand in which the goal wants it.
     pub(crate) fn is_in_its_hand(&self, now: &Situation<'_>, id: NodeId) -> bool {
-        let held = |hand| now.graph.has(Edge::new(now.agent, hand, id));
-        self.hands.iter().any(|(hand, term)| held(*hand) && now.candidates(term).contains(&id))
+        let hand = now.graph.holder(id).filter(|hand| hand.at == now.agent);
+        hand.is_some_and(|hand| self.wants_in(now, hand.relation, id))
+    }
+
+    /// Sorts what could be taken into the free hand so that the other one is next: first what the goal wants
+    /// there, last what it wants elsewhere.
+    pub(crate) fn sort_fillers(&self, now: &Situation<'_>, grabs: &mut [Action]) {
+        let Some(hand) = now.graph.free_hand(now.agent) else { return };
+        let spoken_of: Vec<NodeId> = self.terms.iter().flat_map(|term| now.candidates(term)).collect();
+        let order = |id: NodeId| (!self.wants_in(now, hand, id), spoken_of.contains(&id));
+        grabs.sort_by_cached_key(|grab| grab.object.map(order));
     }
 }
 

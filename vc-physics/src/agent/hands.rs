@@ -247,7 +247,8 @@ impl World {
         comes: impl Fn(NodeId) -> bool,
     ) -> Result<(), AgentError> {
         self.check_reach(agent, id)?;
-        self.take(agent, hand, id, comes, &[])
+        let load: Vec<NodeId> = self.load_on(id).into_iter().filter(|load| comes(*load)).collect();
+        self.take(agent, hand, id, &load)
     }
 
     /// As [`Self::grab`], but exactly the things of `load` come along, even those that do not touch the grabbed thing,
@@ -257,7 +258,11 @@ impl World {
     /// As [`Self::grab`].
     pub fn grab_all(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
         self.check_reach(agent, id)?;
-        self.take(agent, hand, id, |id| load.contains(&id), load)
+        let resting = self.load_on(id);
+        let free = |load: &&NodeId| matches!(self.role(**load), Some(Role::Loose | Role::Hung)) && **load != id;
+        let apart = load.iter().filter(|load| !resting.contains(load)).filter(free);
+        let all: Vec<NodeId> = resting.iter().filter(|resting| load.contains(resting)).chain(apart).copied().collect();
+        self.take(agent, hand, id, &all)
     }
 
     fn check_reach(&self, agent: NodeId, id: NodeId) -> Result<(), AgentError> {
@@ -266,42 +271,16 @@ impl World {
         if distance > reach { Err(AgentError::OutOfReach { agent, id, distance, reach }) } else { Ok(()) }
     }
 
-    /// As [`Self::grab_with`], from any distance, and with more that does not lie on it.
-    pub(crate) fn take(
-        &mut self,
-        agent: NodeId,
-        hand: Hand,
-        id: NodeId,
-        comes: impl Fn(NodeId) -> bool,
-        more: &[NodeId],
-    ) -> Result<(), AgentError> {
-        let body = self.agent(agent)?;
-        if let Some(held) = &body.hands[hand as usize] {
-            return Err(AgentError::HandFull { agent, held: held.id });
-        }
-        let thing = self.thing(id)?;
-        let (role, base, mass) = (thing.state.role, thing.state.base, self.mass(id).unwrap_or(0.0));
-        match role {
-            Role::Loose | Role::Hung => {}
-            Role::Carried => return Err(AgentError::Held(id)),
-            Role::Fixed | Role::Stopped => return Err(PhysicsError::NotFree(id).into()),
-        }
-        if mass > body.plan.carries {
-            return Err(AgentError::TooHeavy { id, mass, limit: body.plan.carries });
-        }
-        if let Some((&by, _)) = self.agents.iter().find(|(_, a)| a.posture.seat().is_some_and(|(seat, _)| seat == id)) {
-            return Err(AgentError::Occupied { seat: id, by });
-        }
-        let pose = self.engine.pose(base).unwrap_or_else(Pose::identity);
+    /// Takes a thing from any distance, with exactly the things of a load: what rests on it besides is left behind.
+    pub(crate) fn take(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
+        self.check_may_take(agent, hand, id)?;
+        let (body, thing) = (self.agent(agent)?, self.thing(id)?);
+        let pose = self.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
         let grip = grip(body, hand, &pose, thing.form.extent);
-        let mut load = self.load_of(base);
-        let free = |other: &NodeId| matches!(self.role(*other), Some(Role::Loose | Role::Hung)) && *other != id;
-        let more: Vec<NodeId> = more.iter().copied().filter(|other| free(other) && !load.contains(other)).collect();
-        load.extend(more);
         let pinned = |load: NodeId| self.role(load) == Some(Role::Hung);
         let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
-        let (load, left): (Vec<NodeId>, Vec<NodeId>) = load.into_iter().partition(|id| comes(*id));
-        let load: Vec<Loaded> = load.into_iter().filter_map(at).collect();
+        let left: Vec<NodeId> = self.load_on(id).into_iter().filter(|resting| !load.contains(resting)).collect();
+        let load: Vec<Loaded> = load.iter().copied().filter_map(at).collect();
         for carried in load.iter().map(|l| l.id).chain([id]) {
             self.set_role(carried, Role::Carried)?;
         }
@@ -309,6 +288,33 @@ impl World {
         self.agent_mut(agent)?.hands[hand as usize] = Some(Held { id, grip, load });
         self.embody(agent, true);
         Ok(())
+    }
+
+    /// Whether a hand is free and the agent may take a thing: it is loose, light enough, and nobody sits on it.
+    fn check_may_take(&self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
+        let body = self.agent(agent)?;
+        if let Some(held) = &body.hands[hand as usize] {
+            return Err(AgentError::HandFull { agent, held: held.id });
+        }
+        match self.thing(id)?.state.role {
+            Role::Loose | Role::Hung => {}
+            Role::Carried => return Err(AgentError::Held(id)),
+            Role::Fixed | Role::Stopped => return Err(PhysicsError::NotFree(id).into()),
+        }
+        let (mass, limit) = (self.mass(id).unwrap_or(0.0), body.plan.carries);
+        if mass > limit {
+            return Err(AgentError::TooHeavy { id, mass, limit });
+        }
+        let sits = |agent: &Agent| agent.posture.seat().is_some_and(|(seat, _)| seat == id);
+        match self.agents.iter().find(|(_, agent)| sits(agent)) {
+            Some((&by, _)) => Err(AgentError::Occupied { seat: id, by }),
+            None => Ok(()),
+        }
+    }
+
+    /// What rests on a thing, directly or through others; nothing where it has no body.
+    pub(crate) fn load_on(&self, id: NodeId) -> Vec<NodeId> {
+        self.thing(id).map_or_else(|_| Vec::new(), |thing| self.load_of(thing.state.base))
     }
 
     /// Where a hand holds what it holds: its pose against the agent's feet, or its seat.

@@ -207,7 +207,8 @@ impl World {
             for (hand, relation) in [(Hand::Right, Relation::HoldsRight), (Hand::Left, Relation::HoldsLeft)] {
                 for held in graph.related(id, relation).collect::<Vec<_>>() {
                     // What cannot be held (it has no body, or the hand is full) stays.
-                    let _ = self.take(id, hand, held, |_| true, &[]);
+                    let load = self.load_on(held);
+                    let _ = self.take(id, hand, held, &load);
                 }
             }
         }

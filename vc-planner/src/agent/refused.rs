@@ -1,4 +1,5 @@
-//! An agent learns from each refusal: it does not try a refused action again while nothing has changed.
+//! An agent learns from each refusal: it does not try a refused action again while nothing has changed, and after
+//! three refusals not at all.
 
 use vc_graph::{Action, Digest, NodeId, Observation, Verb};
 
@@ -7,7 +8,7 @@ use crate::Plan;
 use crate::compile::anchor;
 use crate::want::Unreachable;
 
-/// After so many refusals an action is not tried any more, whatever has changed.
+/// After so many refusals an action is not tried any more: what looks different each time may fail all the same.
 const MOST: usize = 3;
 /// How many other decisions are sought in place of one that would be in vain.
 const OTHERS: usize = 12;

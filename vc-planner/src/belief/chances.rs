@@ -6,19 +6,20 @@ use vc_graph::hash::fnv1a;
 use vc_graph::{NodeId, Place, SceneGraph};
 
 use super::Belief;
-use crate::prior::{HABIT, STRAY};
+use crate::prior::{HABIT, Kinds, STRAY};
 
 /// The chances of places for a thing.
 pub(crate) struct Chances<'a> {
     each: f64,
     by: [f64; 2],
-    places: Option<&'a [[f64; 2]]>,
+    likely: Option<&'a [[f64; 2]]>,
+    kinds: &'a Kinds,
 }
 
 impl Chances<'_> {
     /// The chance of a place not seen, by its number.
     pub(crate) fn at(&self, place: usize) -> f64 {
-        let likely = self.places.map_or([0.0; 2], |places| places[place]);
+        let likely = self.likely.map_or([0.0; 2], |likely| likely[self.kinds.of_place(place)]);
         self.each + self.by[HABIT] * likely[HABIT] + self.by[STRAY] * likely[STRAY]
     }
 }
@@ -28,7 +29,7 @@ impl Belief {
     pub(crate) fn chances_of(&self, id: NodeId) -> Option<Chances<'_>> {
         let class = self.supposed.get(self.graph.node(id)?.class())?;
         let (each, by) = self.tidiness.mix(class, self.unseen_share(), self.even());
-        Some(Chances { each, by, places: class.places.as_deref() })
+        Some(Chances { each, by, likely: class.likely.as_deref(), kinds: &self.kinds })
     }
 
     /// The chance of a place where all are alike.

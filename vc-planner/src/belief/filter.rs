@@ -70,7 +70,7 @@ impl Judge {
     }
 
     fn chance(&self, hypothesis: usize, item: usize, place: usize) -> f64 {
-        let likely = self.likely[item].as_ref().map(|likely| likely[place]);
+        let likely = self.likely[item].as_ref().map(|likely| likely[self.kinds.of_place(place)]);
         likely.map_or(self.even, |likely| prior::chance(HYPOTHESES[hypothesis].0, likely, self.even))
     }
 

@@ -12,14 +12,14 @@ impl Belief {
     pub(super) fn weigh(&mut self, id: NodeId) {
         let Some(class) = self.graph.node(id).map(|n| n.class().clone()) else { return };
         if let Some(known) = self.supposed.get_mut(&class) {
-            (known.missing, known.stale) = (known.missing + 1, true);
+            known.missing += 1;
             self.spread();
             return;
         }
         let weights = self.prior.weights(&self.graph, id, &self.kinds);
-        let places = weights.as_ref().map(|w| w.likely(&self.kinds));
-        let left = places.as_deref().map_or([1.0; 2], |places| left(places, &self.seen));
-        self.supposed.insert(class, Supposed { example: id, weights, places, stale: false, left, missing: 1 });
+        let likely = weights.as_ref().map(|w| w.likely(&self.kinds));
+        let left = likely.as_deref().map_or([1.0; 2], |likely| left(likely, &self.kinds, &self.seen));
+        self.supposed.insert(class, Supposed { example: id, weights, likely, stale: false, left, missing: 1 });
     }
 
     /// Notes what is found and which places are in view, and guesses anew what that
@@ -85,9 +85,10 @@ impl Belief {
         let Some(class) = self.graph.node(id).and_then(|n| self.supposed.get_mut(n.class())) else { return };
         class.missing = class.missing.saturating_sub(1);
         // Where it is found again after it was moved says nothing.
-        if let (Some(places), Some(at)) = (&class.places, at.filter(|&at| !self.seen[at])) {
-            self.tidiness.found(places[at], even);
-            class.find(self.kinds.of_place(at));
+        if let (Some(likely), Some(at)) = (&class.likely, at.filter(|&at| !self.seen[at])) {
+            let kind = self.kinds.of_place(at);
+            self.tidiness.found(likely[kind], even);
+            class.find(kind);
         }
     }
 
@@ -99,7 +100,7 @@ impl Belief {
                 continue;
             }
             (self.seen[index], new) = (true, true);
-            self.supposed.values_mut().for_each(|class| class.leave_out(index));
+            self.supposed.values_mut().for_each(|class| class.leave_out(self.kinds.of_place(index)));
         }
         new
     }
@@ -129,7 +130,7 @@ impl Belief {
             let out = self.shunned.iter().any(|&id| id == at || self.graph.rests_at(at, id));
             if out && !self.seen[index] {
                 self.seen[index] = true;
-                self.supposed.values_mut().for_each(|class| class.leave_out(index));
+                self.supposed.values_mut().for_each(|class| class.leave_out(self.kinds.of_place(index)));
             }
         }
     }

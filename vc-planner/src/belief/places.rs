@@ -27,6 +27,7 @@ impl Belief {
         self.seen.push(false);
         self.rooms.push(room.filter(|_| stays));
         self.kinds.add(&self.graph, &place, room);
+        self.supposed.values_mut().for_each(|class| class.stale = true);
     }
 
     /// Where things can be in a scene, none of it seen.
@@ -39,25 +40,20 @@ impl Belief {
 
     /// Spreads what is supposed anew where places have become known, or things of the class.
     pub(super) fn spread(&mut self) {
-        let number = self.places.len();
-        for class in self.supposed.values_mut().filter(|class| class.missing > 0) {
+        for class in self.supposed.values_mut().filter(|class| class.stale && class.missing > 0) {
             let Some(weights) = &mut class.weights else { continue };
-            let grown = class.places.as_ref().is_none_or(|p| p.len() < number);
-            if !grown && !class.stale {
-                continue;
-            }
             weights.meet(&self.graph, class.example, &self.kinds);
-            let places = weights.likely(&self.kinds);
-            class.left = left(&places, &self.seen);
-            (class.places, class.stale) = (Some(places), false);
+            let likely = weights.likely(&self.kinds);
+            class.left = left(&likely, &self.kinds, &self.seen);
+            (class.likely, class.stale) = (Some(likely), false);
         }
     }
 }
 
 /// How much of what is likely is at places not seen.
-pub(super) fn left(places: &[[f64; 2]], seen: &[bool]) -> [f64; 2] {
-    let unseen = places.iter().zip(seen).filter(|(_, seen)| !**seen);
-    unseen.fold([0.0; 2], |[a, b], ([x, y], _)| [a + x, b + y])
+pub(super) fn left(likely: &[[f64; 2]], kinds: &Kinds, seen: &[bool]) -> [f64; 2] {
+    let unseen = kinds.each().zip(seen).filter(|(_, seen)| !**seen).map(|(kind, _)| likely[kind]);
+    unseen.fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y])
 }
 
 /// Every fixed surface and container, floors included; of a room without a floor

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph};
 
-use super::Row;
+use super::{Kin, Row};
 
 /// The places of a belief by their kind, in the order in which they became known.
 #[derive(Debug, Clone, Default)]
@@ -12,6 +12,8 @@ pub(crate) struct Kinds {
     all: Vec<PlaceKind>,
     /// The kind of each place.
     of: Vec<u16>,
+    /// What the class table of the scene says of where things akin are kept.
+    kin: Arc<Kin>,
 }
 
 /// Places that are alike.
@@ -33,7 +35,7 @@ pub(crate) struct PlaceKind {
 
 impl Kinds {
     pub(crate) fn of(graph: &SceneGraph, places: &[Place]) -> Self {
-        let mut kinds = Self::default();
+        let mut kinds = Self { kin: Kin::of(graph.classes()), ..Self::default() };
         places.iter().for_each(|place| kinds.add(graph, place, graph.room_of(place.at)));
         kinds
     }
@@ -52,6 +54,10 @@ impl Kinds {
 
     pub(crate) fn all(&self) -> &[PlaceKind] {
         &self.all
+    }
+
+    pub(crate) fn kin(&self) -> &Kin {
+        &self.kin
     }
 
     /// The number of the kind of a place.

@@ -29,9 +29,9 @@ pub(crate) struct Supposed {
     pub(crate) example: NodeId,
     /// The weights that habit and kin give to kinds of place, if they say anything.
     pub(crate) weights: Option<Weights>,
-    /// How likely each place is by that.
-    pub(crate) places: Option<Likely>,
-    /// Since that was reckoned one of the class was found.
+    /// How likely a place of each kind is by that.
+    pub(crate) likely: Option<Likely>,
+    /// Since that was reckoned one of the class was found, or a place became known.
     pub(crate) stale: bool,
     /// How much of it is left in places not seen.
     pub(crate) left: [f64; 2],
@@ -48,9 +48,9 @@ impl Supposed {
         }
     }
 
-    /// Expects nothing at a place any more.
-    pub(crate) fn leave_out(&mut self, place: usize) {
-        let [habit, stray] = self.places.as_ref().and_then(|places| places.get(place)).copied().unwrap_or_default();
+    /// Expects nothing at a place of a kind any more.
+    pub(crate) fn leave_out(&mut self, kind: usize) {
+        let [habit, stray] = self.likely.as_ref().and_then(|likely| likely.get(kind)).copied().unwrap_or_default();
         self.left = [self.left[HABIT] - habit, self.left[STRAY] - stray];
     }
 }
@@ -81,7 +81,7 @@ impl Tidiness {
     /// Weighs what is still missing, with the share of places not seen.
     pub(crate) fn settle<'a>(&mut self, classes: impl Iterator<Item = &'a Supposed>, unseen: f64) {
         let mut logs = self.found;
-        for class in classes.filter(|c| c.places.is_some() && c.missing > 0) {
+        for class in classes.filter(|c| c.likely.is_some() && c.missing > 0) {
             for (log, (parts, _)) in logs.iter_mut().zip(HYPOTHESES) {
                 *log += class.missing as f64 * chance(parts, class.left, unseen).max(LEAST).ln();
             }
@@ -96,7 +96,7 @@ impl Tidiness {
     /// The chances of places for a class: so much for each, and so much for each unit of
     /// habit and of being astray.
     pub(crate) fn mix(&self, class: &Supposed, unseen: f64, even: f64) -> (f64, [f64; 2]) {
-        if class.places.is_none() {
+        if class.likely.is_none() {
             return (even / unseen.max(LEAST), [0.0; 2]);
         }
         let mut mixed = (0.0, [0.0; 2]);

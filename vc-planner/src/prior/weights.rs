@@ -5,9 +5,9 @@ use std::sync::Arc;
 use vc_graph::{NodeId, SceneGraph};
 
 use super::stray::stray;
-use super::{Kin, Kinds, Row};
+use super::{Kinds, Row};
 
-/// For each place the chance of what is where habit puts it, and of what is astray.
+/// For a place of each kind the chance of what is where habit puts it, and of what is astray.
 pub(crate) type Likely = Arc<[[f64; 2]]>;
 pub(crate) const HABIT: usize = 0;
 pub(crate) const STRAY: usize = 1;
@@ -38,16 +38,11 @@ impl Weights {
 
     /// Takes note of kinds of places that are new.
     pub(crate) fn meet(&mut self, graph: &SceneGraph, id: NodeId, kinds: &Kinds) {
-        let new = &kinds.all()[self.stray.len()..];
-        if new.is_empty() {
-            return;
-        }
-        let kin = Kin::of(graph.classes());
-        for kind in new {
+        for kind in &kinds.all()[self.stray.len()..] {
             let suiting = |(i, row): (usize, &Row)| kind.suits(graph, row).then_some(i);
             self.suits.push(self.rows.iter().enumerate().filter_map(suiting).collect());
             let home = self.rows.iter().any(|row| kind.is_room(graph, row));
-            self.stray.push(stray(graph, &kin, id, kind, home));
+            self.stray.push(stray(graph, kinds.kin(), id, kind, home));
             self.found.push(0);
         }
     }
@@ -59,8 +54,8 @@ impl Weights {
         }
     }
 
-    /// How likely each place is for a thing that is where habit puts it, and for one that is
-    /// not; both sum to one. The weight of a habit is shared by the places it speaks of, that of
+    /// How likely a place of each kind is for a thing that is where habit puts it, and for one that is
+    /// not; over all places both sum to one. The weight of a habit is shared by the places it speaks of, that of
     /// a kind of place by the places of the kind. Where no habit speaks of any place, all is astray.
     pub(crate) fn likely(&self, kinds: &Kinds) -> Likely {
         let mut number = vec![0.0; self.rows.len()];
@@ -81,8 +76,7 @@ impl Weights {
             let supposed = [if sums[HABIT] > 0.0 { each[kind][HABIT] / sums[HABIT] } else { astray }, astray];
             supposed.map(|part| (1.0 - trust) * part + trust * found[kind])
         };
-        let parts: Vec<[f64; 2]> = (0..each.len()).map(part).collect();
-        kinds.each().map(|kind| parts[kind]).collect()
+        (0..each.len()).map(part).collect()
     }
 
     /// How much what has been found of the class counts, and how likely each place of a kind is by
