@@ -250,7 +250,7 @@ fn no_tunnelling() {
                 let thing = edit.add(toy).unwrap();
                 edit.commit();
                 world.insert(&graph, thing, &shapes).unwrap();
-                // Others may be at its start.
+                // Other things may be at its spot.
                 let mut spot = world.pose(thing).unwrap();
                 while !world.overlaps(thing, &spot).unwrap().is_empty() {
                     spot = pose();

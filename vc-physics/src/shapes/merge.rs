@@ -33,7 +33,7 @@ pub(crate) fn merged(pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
     groups.truncate(LOOKED_AT);
     let mut pool = Pool::new(groups, surfaces.iter().filter_map(free_space).collect());
     while pool.groups.len() > MOST && pool.join_cheapest() {}
-    // Of the remaining excess, the smallest pieces are dropped.
+    // If there are still too many pieces, the smallest are dropped.
     let mut groups = pool.groups;
     groups.sort_by(|a, b| b.volume.total_cmp(&a.volume));
     groups.truncate(MOST * 2);
