@@ -115,8 +115,8 @@ pub struct Tally {
 /// actions, nor on whether actions are shown in time, nor on whether the environment is one of a batch; a saved
 /// and restored environment evolves as the original does; a reset leads back to the beginning.
 ///
-/// `make` makes the environment and is called twice with the same result expected; `actions` random actions are
-/// tried.
+/// `make` makes the environment; it is called twice and has to give equal environments. `actions` random actions
+/// are tried.
 ///
 /// # Errors
 /// [`MakeError`] if the environment cannot be made.

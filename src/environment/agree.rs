@@ -78,7 +78,7 @@ impl Outcome<'_> {
         effects.iter().any(|effect| matches!(effect, Effect::LetGo(at) if carries(*at)))
     }
 
-    /// Whether the thing was put back where it was taken from and that place has no name in the rule's graph.
+    /// Whether a thing is put back where it was taken from, for which the rule's graph has no place.
     fn lost_origin(&self, effects: &[Effect<NodeId>], id: NodeId) -> bool {
         effects.contains(&Effect::PutWhereItWas(id)) && self.ruled.places(id).next().is_none()
     }

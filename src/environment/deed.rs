@@ -152,7 +152,7 @@ impl Deed<'_> {
         }
     }
 
-    /// Whether the agent holds or wears a thing, or is itself its support.
+    /// Whether the agent holds or wears a thing, or a thing on which it rests.
     fn is_mine(&self, id: NodeId) -> bool {
         self.before.rests_at(id, self.agent)
     }
