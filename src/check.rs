@@ -21,7 +21,7 @@ const PICTURE: (u32, u32) = (64, 48);
 #[non_exhaustive]
 pub enum Breach {
     /// Two environments that were made alike differ.
-    #[error("made twice alike, the environments differ before anything was done")]
+    #[error("two environments that were made alike differ before any action")]
     MadeDifferently,
     /// The same actions lead to different states.
     #[error("after {actions} equal actions two equal environments differ")]
@@ -50,19 +50,19 @@ pub enum Breach {
     #[error("the order in which agents' actions are listed matters")]
     OrderMatters,
     /// An action that is shown in time ends differently from the same action done at once.
-    #[error("`{action}` ends otherwise in time than at once")]
+    #[error("`{action}` ends differently in time than at once")]
     ClocksDiffer {
         /// The action.
         action: String,
     },
     /// Rendering changed the environment, or two pictures of the same moment differ.
-    #[error("a picture changed the environment, or is another the second time")]
+    #[error("rendering changed the environment, or two pictures of the same moment differ")]
     ImpureRender,
     /// The environment cannot be rendered.
     #[error("it cannot be rendered: {0}")]
     NotRendered(String),
     /// An environment in a batch evolves differently from the same environment alone.
-    #[error("in a batch it goes on otherwise than alone")]
+    #[error("in a batch the environment evolves differently than alone")]
     BatchDiffers,
     /// A saved and restored environment evolves differently from the original.
     #[error("a restored environment differs after {actions} more actions")]
@@ -90,7 +90,7 @@ pub enum Breach {
         what: String,
     },
     /// A reset to the environment's own initial scene leads to a different state.
-    #[error("a reset to the scene as it was made does not lead back to it")]
+    #[error("a reset to the initial scene does not lead back to it")]
     ResetDiffers,
 }
 

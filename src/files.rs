@@ -28,7 +28,7 @@ pub enum FileProblem {
     #[error(transparent)]
     Io(#[from] std::io::Error),
     /// The file is larger than [`LARGEST`] bytes, packed or unpacked.
-    #[error("there are more than {LARGEST} bytes in it, which is the most that is read")]
+    #[error("the file has more than {LARGEST} bytes, which is the largest size that is read")]
     TooLarge,
     /// The file is not text in UTF-8.
     #[error("this is no text in UTF-8: save it in that encoding")]

@@ -105,7 +105,7 @@ pub enum AgentError<N = NodeId> {
         limit: f32,
     },
     /// Somebody sits or lies on the thing.
-    #[error("{by} is on {seat}; one does not carry that off")]
+    #[error("{by} is on {seat}, so it cannot be carried")]
     Occupied {
         /// The thing that was to be taken.
         seat: N,
@@ -124,7 +124,7 @@ pub enum AgentError<N = NodeId> {
         posture: &'static str,
     },
     /// There is no free place around the seat to get up to.
-    #[error("nowhere to get up to beside {0}")]
+    #[error("there is no free place around {0} to get up to")]
     NoExit(N),
     /// The seat has no free place.
     #[error("every place on {0} is taken")]
@@ -141,7 +141,7 @@ pub enum AgentError<N = NodeId> {
     #[error("{0} has nothing to sit or lie on")]
     NoSeat(N),
     /// There is no path to the target.
-    #[error("no way leads {agent} there")]
+    #[error("there is no path for {agent} to the target")]
     NoWay {
         /// The agent.
         agent: N,
@@ -229,6 +229,6 @@ pub enum SnapshotError {
     #[error("the world cannot be written as bytes: {0}")]
     Unwritable(String),
     /// The scene graph differs from that of the snapshot.
-    #[error("the scene graph has no node {0}, or it has another shape there, than the snapshot")]
+    #[error("node {0} is not in the scene graph, or has another shape than in the snapshot")]
     OtherScene(NodeId),
 }

@@ -62,7 +62,7 @@ pub enum RecordError {
     )]
     WithBodies,
     /// The header or the summary is missing.
-    #[error("a record has a first line about the episode and a last one about how it ended")]
+    #[error("a record needs a first line about the episode and a last line about its outcome")]
     TooShort,
 }
 
@@ -71,7 +71,7 @@ pub enum RecordError {
 #[non_exhaustive]
 pub enum Fault {
     /// The trajectory began in another scene.
-    #[error("the scene it began in is another")]
+    #[error("the trajectory began in another scene")]
     OtherScene,
     /// The same action was done twice in a row.
     #[error("step {0}: the same action as before")]
@@ -80,16 +80,16 @@ pub enum Fault {
     #[error("step {0}: {1}")]
     Refused(usize, String),
     /// An action was refused although it can be done.
-    #[error("step {0}: it was refused, and can be done")]
+    #[error("step {0}: recorded as refused, but it can be done")]
     NotRefused(usize),
     /// The recorded observation before a step differs: the room, the number of things, or the digest.
-    #[error("step {0}: what was seen before it is something else")]
+    #[error("step {0}: the recorded observation before it differs")]
     OtherSight(usize),
     /// The scene after a step differs.
-    #[error("step {0}: the scene after it is another")]
+    #[error("step {0}: the recorded scene after it differs")]
     OtherState(usize),
     /// A relation that an action establishes does not hold after it.
-    #[error("step {0}: `{1}` is not so after it")]
+    #[error("step {0}: `{1}` does not hold after it")]
     Relation(usize, String),
     /// The goal does not hold at the end although the record says so.
     #[error("the goal does not hold at the end")]

@@ -72,16 +72,16 @@ pub enum Unreachable {
     #[error("`{0}`: that cannot be done to it")]
     NotAfforded(String),
     /// A thing is in no room, so it cannot be reached.
-    #[error("`{0}`: there is no way there")]
+    #[error("`{0}`: the things it is about are in no room and cannot be reached")]
     NoRoute(String),
     /// The parts of the goal need the same things, or undo each other.
     #[error("`{0}`: its parts conflict, with each other or with the rest of the goal")]
     Conflicting(String),
     /// All things that could serve are in containers that do not open.
-    #[error("`{0}`: what it is about is shut in and cannot be got out")]
+    #[error("`{0}`: the things it is about are in containers that do not open")]
     Sealed(String),
     /// Other agents hold or wear the needed things.
-    #[error("`{0}`: others hold what it is about")]
+    #[error("`{0}`: other agents hold the things it is about")]
     HeldByAnother(String),
     /// The search covered every relevant state.
     #[error("all {checked} states that matter were looked at, and `{goal}` holds in none")]
