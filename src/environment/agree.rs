@@ -168,8 +168,8 @@ impl Outcome<'_> {
     }
 }
 
-/// Whether a place says no more than that a thing stands on the floor: always for agents, for things where the
-/// rule has no word for it.
+/// Whether a place says no more than that a thing stands on the floor: always for agents, and for things only
+/// where the rule has no word for it.
 fn is_ground(graph: &SceneGraph, id: NodeId, place: &Place) -> bool {
     let agent = graph.node(id).is_some_and(|n| n.kind() == Kind::Agent);
     agent && place.relation == Relation::On

@@ -30,7 +30,7 @@ pub(crate) fn best_look(belief: &Belief, me: NodeId, compiled: &Compiled, manner
     map.best()
 }
 
-/// Largest number of instances of a lacking thing that are told apart.
+/// Number of candidate instances of a lacking thing that a hunt considers, unless more are needed.
 const INSTANCES: usize = 6;
 
 /// A hunt, with the scene's meaning of its numbers.

@@ -23,8 +23,7 @@ impl Belief {
         learned
     }
 
-    /// Updates the belief with an observation that another agent tells, without the data on the observer
-    /// itself.
+    /// Updates the belief with an observation that another agent tells, except for the agent's own node.
     pub fn hear(&mut self, told: &Observation) -> Learned {
         let mut learned = Learned::default();
         let me = self.agent;
