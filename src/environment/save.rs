@@ -35,8 +35,8 @@ impl Environment {
     ///
     /// Uses `format::native::read`, `World::restore`, `Relations::rebuild` and `Floor::of`.
     ///
+    /// # Errors
     /// [`SaveError`] if the bytes are no saved environment, or were saved by one with another start.
-    /// [`SaveError`].
     pub fn restore(&self, bytes: &[u8]) -> Result<Self, SaveError> {
         let rest = bytes.strip_prefix(MAGIC.as_slice()).ok_or(SaveError::NotSaved)?;
         let (digest, rest) = number(rest)?;

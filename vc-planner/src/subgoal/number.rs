@@ -158,7 +158,7 @@ fn pair_up(pairs: &Pairs, table: Table, [firsts, seconds]: [usize; 2], number: u
 
 /// A bipartite matching by augmenting paths (Kuhn 1955).
 struct Matching {
-    /// The first thing of each second.
+    /// For each second thing, the first thing paired with it.
     partner: Vec<Option<usize>>,
     size: usize,
 }
