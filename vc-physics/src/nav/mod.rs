@@ -26,7 +26,8 @@ pub use stand::Stand;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Doors {
-    /// Walkers open the former and close the latter: only locked ones are obstacles.
+    /// Walkers open doors between rooms, and close open doors and drawers of furniture: only locked ones are
+    /// obstacles.
     #[default]
     Opened,
     /// They are obstacles in their present state.

@@ -34,8 +34,9 @@ pub(crate) use mass::scaled;
 /// suffice, and extends as far along its axes as the mesh. Parts that move together form one body of convex
 /// pieces. If there are more than 24 pieces, those are merged whose common bounding box wastes the least
 /// volume, but never across the free space above a surface that holds things. Pieces of the building are never
-/// merged, so that doorways stay open; a wall is best made of parts, since the mesh of a single part becomes
-/// its hull. Mass and inertia always come from the parts and their materials.
+/// merged, and its meshes are cut along their concave faces (into at most 64 pieces; a mesh of more than 4096
+/// triangles becomes a hull), so that doorways stay open. Mass and inertia always come from the parts and their
+/// materials.
 #[derive(Default)]
 pub struct Shapes {
     libraries: Mutex<HashMap<usize, Library>>,
