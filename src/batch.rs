@@ -1,12 +1,12 @@
-//! Many environments, stepped on all cores.
+//! Batches of environments, stepped on all cores.
 
 use rayon::prelude::*;
 use vc_graph::{Action, ChangeSet, NodeId, Observation};
 
 use crate::environment::{ActionError, Environment, MakeError};
 
-/// Environments that are stepped side by side. Each runs in one thread at a time, so that
-/// outcomes do not depend on how many threads there are, nor on which is done first.
+/// Environments that are stepped side by side. Each runs in one thread at a time, so outcomes do not depend on
+/// the number of threads or on which finishes first.
 ///
 /// ```no_run
 /// use virtualcity::Batch;
@@ -24,17 +24,17 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// Environments by name, each as [`Environment::make`] makes it.
+    /// Makes environments by name, each as [`Environment::make`] makes it.
     ///
     /// # Errors
-    /// [`MakeError`] of the first that cannot be made.
+    /// [`MakeError`] of the first environment that cannot be made.
     pub fn make(names: impl IntoIterator<Item = String>, agents: usize) -> Result<Self, MakeError> {
         let names: Vec<String> = names.into_iter().collect();
         let made: Vec<_> = names.par_iter().map(|name| Environment::make(name, agents)).collect();
         Ok(Self { environments: made.into_iter().collect::<Result<_, _>>()? })
     }
 
-    /// A batch of environments that are there: clones of one share what is constant.
+    /// A batch of existing environments. Clones of one environment share its constant data.
     pub fn of(environments: Vec<Environment>) -> Self {
         Self { environments }
     }
@@ -44,19 +44,19 @@ impl Batch {
         &self.environments
     }
 
-    /// The environments, to do with them what one likes.
+    /// The environments, mutable.
     pub fn environments_mut(&mut self) -> &mut [Environment] {
         &mut self.environments
     }
 
-    /// A list of actions for each environment: `Environment::set_actions`, in all at once.
-    /// Environments for which there is no list do nothing.
+    /// Applies a list of actions to each environment: `Environment::set_actions` in all of them at once.
+    /// Environments without a list do nothing.
     pub fn set_actions(&mut self, actions: &[Vec<(NodeId, Action)>]) -> Vec<Vec<Result<ChangeSet, ActionError>>> {
         let pairs = self.environments.par_iter_mut().zip(actions);
         pairs.map(|(environment, actions)| environment.set_actions(actions)).collect()
     }
 
-    /// What an agent of each environment sees of its room: `Environment::room_observation`.
+    /// The room observation of one agent in each environment: `Environment::room_observation`.
     pub fn room_observations(&self, agents: &[NodeId]) -> Vec<Observation> {
         let pairs = self.environments.par_iter().zip(agents);
         pairs.map(|(environment, agent)| environment.room_observation(*agent)).collect()

@@ -1,4 +1,4 @@
-//! The contract every environment keeps, as a test that anybody can run.
+//! The contract that every environment keeps, as a test that anybody can run.
 
 use vc_graph::{Action, Kind, NodeId, SceneGraph, Seed, Stream, Verb, Violation, Word, rule};
 
@@ -7,118 +7,119 @@ use crate::environment::{ActionError, Environment, MakeError};
 #[cfg(feature = "render")]
 use crate::{Viewpoint, render::Modality};
 
-/// Actions that are shown in time.
+/// Number of actions that are also shown in time.
 const SHOWN: usize = 4;
 
-/// How many are in a batch.
+/// Number of environments in the batch.
 const BATCH: usize = 3;
-/// Pixels of pictures, across and down.
+/// Size of the pictures in pixels, width and height.
 #[cfg(feature = "render")]
 const PICTURE: (u32, u32) = (64, 48);
 
-/// Something an environment does that it should not.
+/// A violation of the contract of an environment.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Breach {
-    /// Two environments made alike are not.
-    #[error("made twice alike, the environments differ before anything was done")]
+    /// Two environments that were made alike differ.
+    #[error("two environments that were made alike differ before any action")]
     MadeDifferently,
-    /// The same actions lead elsewhere.
+    /// The same actions lead to different states.
     #[error("after {actions} equal actions two equal environments differ")]
     RunDifferently {
-        /// After how many.
+        /// The number of actions after which they differ.
         actions: usize,
     },
-    /// To observe changed something.
+    /// An observation changed the environment.
     #[error("an observation changed the environment, after {actions} actions")]
     ImpureObservation {
-        /// After how many.
+        /// The number of actions done before the observation.
         actions: usize,
     },
     /// A refused action changed something.
     #[error("`{action}` was not done ({error}) and changed the environment")]
     RefusedAndChanged {
-        /// Which action.
+        /// The refused action.
         action: String,
-        /// Why it was not done.
+        /// The reason for the refusal.
         error: String,
     },
-    /// The rule refuses an action that the environment did.
+    /// The environment did an action that the transition rule refuses.
     #[error("`{0}` was done although the transition rule refuses it")]
     DoneThoughRefused(String),
-    /// The order of a list of actions mattered.
+    /// The result depends on the order in which actions are listed.
     #[error("the order in which agents' actions are listed matters")]
     OrderMatters,
-    /// An action shown in time ends otherwise than the same at once.
-    #[error("`{action}` ends otherwise in time than at once")]
+    /// An action that is shown in time ends differently from the same action done at once.
+    #[error("`{action}` ends differently in time than at once")]
     ClocksDiffer {
-        /// Which action.
+        /// The action.
         action: String,
     },
-    /// To render changed something, or the same moment does not look the same twice.
-    #[error("a picture changed the environment, or is another the second time")]
+    /// Rendering changed the environment, or two pictures of the same moment differ.
+    #[error("rendering changed the environment, or two pictures of the same moment differ")]
     ImpureRender,
-    /// It could not be rendered.
+    /// The environment cannot be rendered.
     #[error("it cannot be rendered: {0}")]
     NotRendered(String),
-    /// In a batch an environment goes on otherwise than alone.
-    #[error("in a batch it goes on otherwise than alone")]
+    /// An environment in a batch evolves differently from the same environment alone.
+    #[error("in a batch the environment evolves differently than alone")]
     BatchDiffers,
-    /// A saved environment does not go on as the original does.
+    /// A saved and restored environment evolves differently from the original.
     #[error("a restored environment differs after {actions} more actions")]
     RestoredDiffers {
-        /// After how many.
+        /// The number of actions after which they differ.
         actions: usize,
     },
-    /// It could not be saved or restored.
+    /// The environment could not be saved or restored.
     #[error("it cannot be saved and restored: {0}")]
     NotSaved(String),
-    /// The graph broke an invariant.
+    /// The graph violates an invariant.
     #[error("after `{action}`: {violation}")]
     Invariant {
-        /// After which action.
+        /// The action after which the invariant is violated.
         action: String,
-        /// What is wrong with the graph.
+        /// The violation.
         violation: String,
     },
-    /// A number is not finite, or something is out of the world.
+    /// A number is not finite, or an object has left the world.
     #[error("after `{action}`: {what}")]
     Lost {
-        /// After which action.
+        /// The action after which this happened.
         action: String,
-        /// What is lost.
+        /// A description of the lost object.
         what: String,
     },
-    /// A reset to its own beginning leads elsewhere.
-    #[error("a reset to the scene as it was made does not lead back to it")]
+    /// A reset to the environment's own initial scene leads to a different state.
+    #[error("a reset to the initial scene does not lead back to it")]
     ResetDiffers,
 }
 
-/// What a run of random actions came to.
+/// The result of a run of random actions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tally {
-    /// Actions that were done.
+    /// Number of actions that were done.
     pub done: usize,
-    /// Actions that the rule refused.
+    /// Number of actions that the transition rule refused.
     pub refused: usize,
-    /// What the bodies could not do, in words.
+    /// The actions that the bodies could not do, in words.
     pub impossible: Vec<String>,
-    /// Where bodies and rule disagreed, in words.
+    /// The disagreements between bodies and rule, in words.
     pub disagreements: Vec<String>,
-    /// What was wrong.
+    /// The breaches found.
     pub breaches: Vec<Breach>,
 }
 
-/// Checks the contract of an environment, as Gymnasium's checker does: the same seed gives
-/// the same bytes, to observe and to render changes nothing, an action that is not done changes
-/// nothing, the order of a list of actions does not matter, nor whether they are shown in time, nor
-/// whether it is one of a batch, what is saved and restored goes on as what was not, a reset leads
-/// back to the beginning. Returns every breach; none from a sound environment.
+/// Checks the contract of an environment, as Gymnasium's checker does, and returns every breach; a sound
+/// environment has none. The contract: the same seed gives the same bytes; observing and rendering change
+/// nothing; an action that is not done changes nothing; the result depends neither on the order of a list of
+/// actions, nor on whether actions are shown in time, nor on whether the environment is one of a batch; a saved
+/// and restored environment evolves as the original does; a reset leads back to the beginning.
 ///
-/// `make` makes the environment, twice alike; `actions` random ones are tried.
+/// `make` makes the environment; it is called twice and has to give equal environments. `actions` random actions
+/// are tried.
 ///
 /// # Errors
-/// [`MakeError`] if it cannot be made.
+/// [`MakeError`] if the environment cannot be made.
 ///
 /// ```no_run
 /// use virtualcity::{Environment, check_environment};
@@ -153,7 +154,7 @@ pub fn check_environment(
     Ok(breaches)
 }
 
-/// Lets an agent do a few legal actions at once, and in time.
+/// Lets an agent do a few legal actions, once at once and once in time, and compares the results.
 fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
     let (mut at_once, mut in_time, mut stream) = (environment.clone(), environment.clone(), seed.stream());
     for _ in 0..SHOWN {
@@ -167,7 +168,7 @@ fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach
     }
 }
 
-/// Lets each agent act, alone and among others in a batch.
+/// Lets each agent act, alone and in a batch, and compares the results.
 fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
     let mut stream = seed.stream();
     let act = |agent: &NodeId| (*agent, legal_action(environment.graph(), *agent, &mut stream));
@@ -182,7 +183,7 @@ fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>
     }
 }
 
-/// Looks through the eyes of each agent, twice.
+/// Renders the view of each agent twice.
 #[cfg(feature = "render")]
 fn check_render(environment: &Environment, breaches: &mut Vec<Breach>) {
     let before = environment.digest();
@@ -204,8 +205,8 @@ fn check_render(environment: &Environment, breaches: &mut Vec<Breach>) {
     }
 }
 
-/// Lets random agents do random actions, half of them legal, and looks after each whether
-/// the environment is sound.
+/// Lets random agents do random actions, half of them legal, and checks after each action whether the
+/// environment is sound.
 pub fn run(environment: &mut Environment, actions: usize, seed: Seed) -> Tally {
     let mut stream = seed.stream();
     let mut tally = Tally::default();
@@ -242,11 +243,11 @@ fn try_action(environment: &mut Environment, agent: NodeId, action: Action, tall
     tally.breaches.extend(unsound(environment, &text));
 }
 
-/// What is wrong with an environment after an action.
+/// The breaches that an environment shows after an action.
 fn unsound(environment: &Environment, action: &str) -> Vec<Breach> {
     let (graph, world) = (environment.graph(), environment.world());
     let known = environment.start().validate();
-    // What falls comes to lie on whatever is there: a pillow on a duvet, a sock on a pencil.
+    // A falling object comes to rest on whatever is there: a pillow on a duvet, a sock on a pencil.
     let fallen = |v: &Violation| matches!(v, Violation::NotASurface(..));
     let violations = graph.validate().into_iter().filter(|v| !known.contains(v) && !fallen(v));
     let broken = violations.map(|v| Breach::Invariant { action: action.to_owned(), violation: v.to_string() });
@@ -297,19 +298,19 @@ fn check_reset(environment: &mut Environment, breaches: &mut Vec<Breach>) {
     }
 }
 
-/// A random action: legal as often as not.
+/// A random action, legal in about half of the cases.
 pub fn random_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
     if stream.chance(0.5) { legal_action(graph, agent, stream) } else { any_action(graph, agent, stream) }
 }
 
-/// A random action that the rule allows; a dance where none is found.
+/// A random action that the rule allows, or a dance if none is found.
 pub fn legal_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
     let tries = (0..60).map(|_| any_action(graph, agent, stream));
     let legal = |action: &Action| rule::allows(graph, agent, action);
     tries.into_iter().find(legal).unwrap_or(Action::zero(Verb::Dance))
 }
 
-/// Any verb with any things, more often with what is near or in hand.
+/// An action of any verb with any things, more often with things that are near or in hand.
 fn any_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
     let verb = stream.pick(Verb::ALL).copied().unwrap_or(Verb::Dance);
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();

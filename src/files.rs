@@ -1,4 +1,4 @@
-//! Files: read whether packed or not and up to a limit, written whole or not at all.
+//! Files: reading them, gzipped or not, up to a size limit, and writing them whole or not at all.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use flate2::bufread::MultiGzDecoder;
 use vc_graph::format::{LARGEST, unmarked};
 
-/// The bytes that packed files begin with.
+/// The first bytes of gzipped files.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 
-/// Why a file was not read.
+/// The error of a file that was not read.
 #[derive(Debug, thiserror::Error)]
 #[error("{path}: {problem}")]
 pub struct FileError {
@@ -24,19 +24,19 @@ pub struct FileError {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileProblem {
-    /// It cannot be opened, read or unpacked.
+    /// The file cannot be opened, read or unpacked.
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// It is larger than [`LARGEST`] bytes, packed or unpacked.
-    #[error("there are more than {LARGEST} bytes in it, which is the most that is read")]
+    /// The file is larger than [`LARGEST`] bytes, packed or unpacked.
+    #[error("the file has more than {LARGEST} bytes, which is the largest size that is read")]
     TooLarge,
-    /// It is no text.
+    /// The file is not text in UTF-8.
     #[error("this is no text in UTF-8: save it in that encoding")]
     NoText,
 }
 
-/// The text of a file, unpacked if it is packed by gzip, whatever its name, and without a byte
-/// order mark. No more than [`LARGEST`] bytes are read, from pipes and devices either.
+/// Reads the text of a file, unpacked if its content is gzipped, whatever its name, and without a byte order
+/// mark. At most [`LARGEST`] bytes are read, also from pipes and devices.
 ///
 /// ```no_run
 /// let text = virtualcity::read_text("scene1.json.gz")?;
@@ -52,7 +52,7 @@ pub fn read_text(path: impl AsRef<Path>) -> Result<String, FileError> {
     Ok(if marked { unmarked(&text).to_owned() } else { text })
 }
 
-/// The bytes of a file, as [`read_text`] reads them.
+/// Reads the bytes of a file under the same rules as [`read_text`].
 ///
 /// # Errors
 /// [`FileError`] names the file.
@@ -70,15 +70,15 @@ fn unpacked(path: &Path) -> Result<Vec<u8>, FileProblem> {
     if file.fill_buf()?.starts_with(&GZIP) { limited(MultiGzDecoder::new(file)) } else { limited(file) }
 }
 
-/// All bytes, unless they are too many: one byte beyond the limit is enough to know.
+/// Reads all bytes unless they are too many: one byte beyond the limit is enough to know.
 fn limited(from: impl Read) -> Result<Vec<u8>, FileProblem> {
     let mut bytes = Vec::new();
     from.take(LARGEST as u64 + 1).read_to_end(&mut bytes)?;
     if bytes.len() > LARGEST { Err(FileProblem::TooLarge) } else { Ok(bytes) }
 }
 
-/// Writes a file whole or not at all: under another name first (`NAME.part`), which is then renamed. Its folder is made
-/// if need be.
+/// Writes a file whole or not at all: it is written under another name first (`NAME.part`) and then renamed.
+/// Its folder is created if it does not exist.
 ///
 /// ```
 /// let path = std::env::temp_dir().join("virtualcity-files").join("note.txt");
@@ -88,8 +88,8 @@ fn limited(from: impl Read) -> Result<Vec<u8>, FileProblem> {
 /// ```
 ///
 /// # Errors
-/// The system's error: the folder or the file cannot be written, or the disk is full. A file that was there
-/// stays as it was.
+/// The system's error if the folder or the file cannot be written, or the disk is full. An existing file stays
+/// as it was.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         std::fs::create_dir_all(folder)?;
@@ -99,12 +99,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let part = PathBuf::from(part);
     let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
     written.inspect_err(|_| {
-        // The part takes up space; if it cannot be removed, the first error is the one to tell.
+        // The partial file takes up space. If removing it fails, the first error is still the one to report.
         let _ = std::fs::remove_file(&part);
     })
 }
 
-/// Removes a file; one that is not there is no error.
+/// Removes a file. A missing file is not an error.
 ///
 /// # Errors
 /// The system's error if it cannot be removed.
@@ -115,8 +115,8 @@ pub fn remove(path: &Path) -> io::Result<()> {
     })
 }
 
-/// Removes the files of a folder whose names are a number, `first` or more, and an ending: `000.jpg`, `001.jpg` for
-/// `jpg`. A folder that does not exist is taken for empty.
+/// Removes the files of a folder whose names are a number of at least `first` with the given extension:
+/// `000.jpg`, `001.jpg` for `jpg`. A folder that does not exist counts as empty.
 ///
 /// # Errors
 /// The system's error if the folder cannot be listed, or a file cannot be removed.

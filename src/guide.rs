@@ -1,4 +1,4 @@
-//! Recipes for the first day: each is a whole program, and all of them run as tests.
+//! Recipes for the first day. Each is a complete program, and all of them run as tests.
 //!
 //! 1. [Many homes at once](#many-homes-at-once)
 //! 2. [A policy of your own](#a-policy-of-your-own)
@@ -7,12 +7,12 @@
 //! 5. [A scene of VirtualHome with bodies](#a-scene-of-virtualhome-with-bodies)
 //! 6. [A team](#a-team)
 //! 7. [A search that tries actions on copies](#a-search-that-tries-actions-on-copies)
-//! 8. [A thing where you want it, and an agent](#a-thing-where-you-want-it-and-an-agent)
-//! 9. [Ways over the floor by your own planner](#ways-over-the-floor-by-your-own-planner)
+//! 8. [Placing things and agents](#placing-things-and-agents)
+//! 9. [Paths from your own planner](#paths-from-your-own-planner)
 //! 10. [A language model](#a-language-model)
 //! 11. [Pictures as data](#pictures-as-data)
 //! 12. [What one may do with what one sees](#what-one-may-do-with-what-one-sees)
-//! 13. [Tasks that are sure to be possible](#tasks-that-are-sure-to-be-possible)
+//! 13. [Tasks that are certainly feasible](#tasks-that-are-certainly-feasible)
 //!
 //! # Many homes at once
 //!
@@ -40,8 +40,8 @@
 //!
 //! # A policy of your own
 //!
-//! A type that implements [`Policy`](crate::planner::Policy) can be run as ours are, symbolically or with bodies, and
-//! be recorded. This one goes to the first thing of a class that it sees and takes it.
+//! A type that implements [`Policy`](crate::planner::Policy) can be run like the built-in policies,
+//! symbolically or with bodies, and be recorded. This one goes to the first thing of a class that it sees and takes it.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -95,7 +95,7 @@
 //!
 //! # Rewards, action by action
 //!
-//! A [`Trial`](crate::tasks::Trial) is the other way round: your loop asks for observations and rewards.
+//! A [`Trial`](crate::tasks::Trial) turns the control around: your loop asks for observations and rewards.
 //! [`legal_actions`](crate::Environment::legal_actions) lists the actions to choose from.
 //!
 //! ```
@@ -125,7 +125,7 @@
 //!
 //! # A data set of several homes
 //!
-//! One COCO document for all, with numbers that are each used once: `pycocotools` reads it.
+//! One COCO document for all homes, with identifiers that are unique across them: `pycocotools` reads it.
 //!
 //! ```
 //! use virtualcity::{Dataset, Environment, Viewpoint};
@@ -148,8 +148,9 @@
 //!
 //! # A scene of VirtualHome with bodies
 //!
-//! `scene:FILE` reads VirtualHome's environment graphs, packed or not, the thesis's JSON and ours. The files are not
-//! part of this project: this recipe looks for them where `VC_DATA` says, and does nothing where they are missing.
+//! `scene:FILE` reads VirtualHome's environment graphs, gzipped or not, the thesis's JSON and VirtualCity's own
+//! format. The files are not part of this project: this recipe looks for them in the folder that `VC_DATA`
+//! names, and does nothing if they are missing.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -173,8 +174,9 @@
 //!
 //! # A team
 //!
-//! A [`Team`](crate::planner::Team) shares a goal and what its agents see. A [`Recorder`](crate::Recorder) around the
-//! environment writes a film and a page; its `finish` takes the episode of a team or of a single agent.
+//! A [`Team`](crate::planner::Team) shares a goal and the observations of its agents. A
+//! [`Recorder`](crate::Recorder) around the environment writes a film and a page; its `finish` takes the
+//! episode of a team or of a single agent.
 //!
 //! ```
 //! use virtualcity::planner::Team;
@@ -199,15 +201,15 @@
 //!
 //! # A search that tries actions on copies
 //!
-//! A clone is a snapshot that costs about a millisecond and goes on as the original does, bit for bit. A tree search
-//! needs nothing else; this one has depth two and is greedy by the share of the goal that holds.
+//! A clone is a snapshot that costs about a millisecond and evolves as the original does, bit for bit. A tree
+//! search needs nothing else; this one has depth two and is greedy by the share of the goal that holds.
 //!
 //! ```
 //! use virtualcity::Environment;
 //! use virtualcity::graph::{Action, NodeId, Verb};
 //! use virtualcity::tasks::Task;
 //!
-//! /// The best score in so many actions, and the first of them.
+//! /// The best score within `depth` actions, and the first of those actions.
 //! fn search(home: &Environment, me: NodeId, task: &Task, depth: usize) -> (f64, Option<Action>) {
 //!     let mut best = (task.score(home, me), None);
 //!     if depth == 0 || best.0 == 1.0 {
@@ -240,7 +242,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # A thing where you want it, and an agent
+//! # Placing things and agents
 //!
 //! ```
 //! use virtualcity::graph::{Place, Relation};
@@ -251,7 +253,7 @@
 //! let (me, kitchen) = (home.agents()[0], home.graph().of_class("kitchen")[0]);
 //! let table = home.graph().of_class("coffee_table")[0];
 //! let fridge = home.graph().of_class("fridge")[0];
-//! // A new mug on the table, and then in the fridge, which stays shut.
+//! // A new mug on the table, and then in the fridge, which stays closed.
 //! let mug = home.spawn("mug", Place { relation: Relation::On, at: table })?;
 //! home.put(mug, Place { relation: Relation::Inside, at: fridge })?;
 //! assert_eq!(home.graph().hidden_in(mug), Some(fridge));
@@ -259,16 +261,17 @@
 //! home.teleport(me, kitchen)?;
 //! let here = home.world().pose(me).ok_or("no body")?.translation.vector.xy();
 //! home.teleport(me, Point2::from(here))?;
-//! // An impossible wish is an error, and nothing has changed.
+//! // An impossible request is an error and changes nothing.
 //! assert!(matches!(home.spawn("flooble", Place { relation: Relation::On, at: table }), Err(AlterError::NoSuchClass { .. })));
 //! assert!(home.objects().iter().any(|object| object.id == mug && object.room == Some(kitchen)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Ways over the floor by your own planner
+//! # Paths from your own planner
 //!
-//! The walkable floor as a grid, for planners of your own; here it is searched breadth first. The body is then steered,
-//! or put where the way leads. (`home.floor().route(from, to)` is our own planner, at any angle.)
+//! The walkable floor is available as a grid for your own planner; here it is searched breadth first. The body
+//! is then steered, or teleported to the end of the path. (`home.floor().route(from, to)` is the built-in
+//! planner, for paths at any angle.)
 //!
 //! ```
 //! use std::collections::{BTreeMap, VecDeque};
@@ -293,7 +296,7 @@
 //!         }
 //!     }
 //! }
-//! // The farthest cell one gets to.
+//! // The farthest reachable cell.
 //! let steps = std::iter::successors(Some(last), |cell| (*cell != start).then(|| from[cell])).count();
 //! assert!(steps as f32 * grid.cell > 4.0, "{steps} cells of {} m", grid.cell);
 //! home.teleport(me, grid.centre(last.0, last.1))?;
@@ -302,10 +305,10 @@
 //!
 //! # A language model
 //!
-//! [`LanguageModel`](crate::planner::LanguageModel) is a policy that asks a closure, in which you ask your model. The
-//! closure gets a prompt: the task, the things in view, the actions done so far and those that are possible, as text
-//! and as a JSON schema of answers. The examples `language_model` and `language_endpoint` show recorded answers and a
-//! local server.
+//! [`LanguageModel`](crate::planner::LanguageModel) is a policy that asks a closure, in which you call your
+//! model. The closure gets a prompt: the task, the things in view, the actions done so far and the actions
+//! possible now, as text and as a JSON schema of answers. The examples `language_model` and
+//! `language_endpoint` show recorded answers and a local server.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -315,7 +318,7 @@
 //!
 //! let mut home = Environment::make("apartment/42", 1)?;
 //! let task = Task { step_limit: 8, ..Task::new("have a seat", "SittingOn(me, sofa)".parse()?) };
-//! // In place of a model: the first of the actions that is about sitting on a sofa.
+//! // In place of a model: the first action that sits down on a sofa.
 //! let mut model = LanguageModel::new(|prompt: &Prompt| {
 //!     let answer = prompt.actions.iter().find(|action| action.starts_with("sit sofa"));
 //!     Ok::<String, String>(answer.cloned().unwrap_or_else(|| "done".into()))
@@ -327,7 +330,7 @@
 //!
 //! # Pictures as data
 //!
-//! Frames hold plain lists, one value for each pixel, row by row: numbers of nodes and classes, depths in metres,
+//! Frames hold plain lists, one value for each pixel, row by row: node and class numbers, depths in metres,
 //! colours.
 //!
 //! ```
@@ -348,9 +351,10 @@
 //!
 //! # What one may do with what one sees
 //!
-//! [`legal_actions`](crate::Environment::legal_actions) lists what can be done in the whole home. For an agent that is
-//! to choose among what it sees, the things are given. [`objects_in_view`](crate::Environment::objects_in_view) is what it
-//! sees as a list for JSON.
+//! [`legal_actions`](crate::Environment::legal_actions) lists all actions that are possible in the whole home.
+//! For an agent that chooses among visible things, `rule::legal_actions_with` takes these things as an
+//! argument. [`objects_in_view`](crate::Environment::objects_in_view) lists the visible things as data for
+//! JSON.
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -360,7 +364,7 @@
 //! let me = home.agents()[0];
 //! let view: Vec<NodeId> = home.room_observation(me).ids().collect();
 //! let mut able = rule::legal_actions_with(home.graph(), me, &view);
-//! // Rooms are always known; a table is not to be typed on.
+//! // Rooms are always known. Two verbs are excluded: nobody types on a table.
 //! able.retain(|action| !matches!(action.verb, Verb::Rinse | Verb::Type));
 //! assert!(able.iter().flat_map(Action::things).all(|id| view.contains(&id)));
 //! assert!(able.len() < home.legal_actions(me).len());
@@ -368,13 +372,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Tasks that are sure to be possible
+//! # Tasks that are certainly feasible
 //!
-//! A home out of a seed may have no mug, and then an episode about mugs is lost at once: its
-//! [`reason`](crate::planner::Episode::reason) says what the home has too little of. `Task::obstacles` says so before.
-//! For the 145 tasks of the benchmark, and tasks of your own in that form,
-//! [`at_home_that`](crate::initial::at_home_that) finds a home and puts into it what is missing, so that nothing is done
-//! yet and all of it can be.
+//! A home generated from a seed may have no mug, and then an episode about mugs is lost at once: its
+//! [`reason`](crate::planner::Episode::reason) says which things the home lacks. `Task::obstacles` says so
+//! beforehand. For the 145 tasks of the benchmark, and your own tasks in that form,
+//! [`at_home_that`](crate::initial::at_home_that) finds a home and adds the missing things to it, so that
+//! nothing of the goal is done yet and all of it can be.
 //!
 //! ```
 //! use virtualcity::Environment;

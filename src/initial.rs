@@ -1,5 +1,4 @@
-//! Initial environments in generated homes: things from the catalogue, and homes
-//! that suit an activity.
+//! Initial environments in generated homes: objects from the catalogue, and homes that suit an activity.
 
 use std::sync::{Arc, LazyLock};
 
@@ -19,7 +18,7 @@ use vc_tasks::{World, WorldError};
 #[cfg(feature = "environment")]
 use crate::Environment;
 
-/// Every object that `vc-procgen` can make, in any number.
+/// The catalogue of every object that `vc-procgen` can make, in any number.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Catalogue;
 
@@ -34,8 +33,8 @@ impl Stock for Catalogue {
     }
 }
 
-/// Where the catalogue's materials begin in a library; they are added to one that
-/// lacks them.
+/// The index at which the catalogue's materials begin in a library; they are added to a library that lacks
+/// them.
 fn materials(assets: &mut AssetLibrary) -> Option<u32> {
     static OWN: LazyLock<AssetLibrary> = LazyLock::new(material::library);
     let own = || (0..).map_while(|i| OWN.material(i));
@@ -50,52 +49,51 @@ fn materials(assets: &mut AssetLibrary) -> Option<u32> {
     }
 }
 
-/// An initial environment in a home that was made for it.
+/// An initial environment in a home that was generated for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AtHome<W> {
-    /// The environment.
+    /// The initial environment.
     pub initial: Initial,
-    /// The world it is in force in.
+    /// The world that is in this initial state.
     pub world: W,
     /// The seed of the home.
     pub home: Seed,
-    /// The home as the world had it before anything was added.
+    /// The home before anything was added for the activity.
     pub bare: SceneGraph,
-    /// How many homes were tried, from one.
+    /// Number of homes that were tried, starting at one.
     pub homes: usize,
-    /// Why those before it did not suit.
+    /// The reasons why the earlier homes did not suit.
     pub passed_over: Vec<InitialError>,
 }
 
-/// Why no home was found for an activity.
+/// The reason why no home was found for an activity.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoHome {
-    /// No home has the rooms.
+    /// No home has the rooms that the activity needs.
     #[error(transparent)]
     Impossible(#[from] Impossible),
-    /// No world could be made of a home.
+    /// No world could be made from a home.
     #[error(transparent)]
     World(#[from] WorldError),
-    /// The last of so many homes could not be made ready.
+    /// None of the tried homes could be prepared for the activity.
     #[error("none of {homes} homes suits, the last: {last}")]
     Unsuitable {
-        /// How many homes were tried.
+        /// Number of homes that were tried.
         homes: usize,
-        /// What was wrong with the last.
+        /// The error of the last home.
         last: InitialError,
     },
 }
 
-/// Homes tried before an activity is given up.
+/// Number of homes that are tried before an activity is given up.
 const HOMES: usize = 40;
 
-/// A home with the rooms an activity asks for, made ready for it; if one cannot be
-/// (it has no balcony door to open, or its milk is in the fridge already), the next.
+/// Generates a home with the rooms that an activity needs and prepares it for the activity. If a home does not
+/// suit (it has no balcony door to open, or its milk is in the fridge already), the next one is tried.
 ///
-/// `open` makes a world of a home: [`Simulator::new`](vc_graph::Simulator::new), or an
-/// environment with bodies and an agent. Costs some milliseconds for each home, and a
-/// reset of the world for each try.
+/// `open` makes a world from a home: [`Simulator::new`](vc_graph::Simulator::new), or an environment with
+/// bodies and an agent. Costs some milliseconds for each home, and a reset of the world for each try.
 ///
 /// ```
 /// use virtualcity::graph::{Seed, Simulator};
@@ -121,8 +119,8 @@ pub fn at_home<W: World>(
     at_home_that(activity, seed, generator, open, |_, _| Ok(()))
 }
 
-/// As [`at_home`], in a home that suits besides: of one that does not, `suits` says why.
-/// [`feasible`] asks bodies.
+/// As [`at_home`], with a further condition on the home: `suits` returns the reason why a home does not suit.
+/// [`feasible`] is such a condition for environments with bodies.
 ///
 /// # Errors
 /// As [`at_home`].
@@ -152,14 +150,14 @@ pub fn at_home_that<W: World>(
     Err(NoHome::Unsuitable { homes: HOMES, last })
 }
 
-/// Whether bodies can do what an activity asks for, as far as the places of things tell: what
-/// was added and as many of all things as it needs can be got at, and there is room for what is
-/// to be put on or in something.
+/// Whether bodies can do an activity as far as the places of things tell: the added things and as many things
+/// of each class as the activity needs are reachable, and there is room for the things that are to be put on or
+/// in something.
 ///
-/// [`Environment::can_get_at`], [`Environment::has_room`].
+/// Uses [`Environment::can_get_at`] and [`Environment::has_room`].
 ///
 /// # Errors
-/// What cannot be got at, or for what there is no room.
+/// The thing that is not reachable, or for which there is no room, in words.
 #[cfg(feature = "environment")]
 pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> Result<(), String> {
     let (graph, agent) = (home.graph(), initial.agent);
@@ -185,7 +183,8 @@ pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> R
     })
 }
 
-/// What is still to be put on or in something for an activity's goal, each with where it may go.
+/// The things that still have to be put on or in something for an activity's goal, each with its possible
+/// places.
 #[cfg(feature = "environment")]
 fn wanted(activity: &Activity, graph: &SceneGraph, objects: impl Fn(&str) -> Vec<NodeId>) -> Vec<(NodeId, Vec<Place>)> {
     let literals = activity.goal.conjuncts().iter().filter_map(|part| match part {
@@ -209,13 +208,13 @@ fn wanted(activity: &Activity, graph: &SceneGraph, objects: impl Fn(&str) -> Vec
     wants
 }
 
-/// A generator that takes what is missing from the [`Catalogue`].
+/// A generator that takes missing things from the [`Catalogue`].
 pub fn generator() -> Generator<'static> {
     Generator::new(&Catalogue)
 }
 
-/// What an activity's places ask of a home. Studios are left out: their one room is
-/// no kitchen and no bedroom.
+/// The specification of a home with an activity's rooms. Studios are left out: their single room is neither a
+/// kitchen nor a bedroom.
 fn wishes(activity: &Activity, home: Seed) -> Specification {
     let bedrooms = home.child("bedrooms").stream().count(1, 4);
     let named = |room: &str| activity.places.iter().any(|p| p == room).then_some(true);

@@ -1,19 +1,19 @@
 //! VirtualCity: a headless, deterministic simulator of homes for embodied-AI research.
 //!
-//! This crate is the front door. It re-exports the crates that do the work:
+//! This crate is the entry point. It re-exports the other crates of the workspace:
 //!
-//! | module | crate | what |
+//! | module | crate | content |
 //! |---|---|---|
 //! | [`graph`] | `vc-graph` | scenes, object classes, actions, goals, file formats |
-//! | [`tasks`] | `vc-tasks` | tasks, and how attempts at them end |
+//! | [`tasks`] | `vc-tasks` | tasks, and the outcomes of attempts at them |
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
-//! | [`relations`] | `vc-relations` | what is on, in, under and near what, read from poses and shapes |
+//! | [`relations`] | `vc-relations` | spatial relations (on, in, under, near), read from poses and shapes |
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
-//! | `render` | `vc-render` | what cameras see: six modalities (feature `render`, on by default) |
+//! | `render` | `vc-render` | camera images in six modalities (feature `render`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
-//! | `initial` | here | environments for tasks in generated homes (feature `procgen`) |
+//! | `initial` | this crate | initial environments for tasks in generated homes (feature `procgen`) |
 //!
-//! An agent that sees only its room brings the milk:
+//! An agent that observes only its own room fetches the milk:
 //!
 //! ```
 //! use virtualcity::graph::{Draft, SceneBuilder, Simulator};
@@ -33,9 +33,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The same in a generated home with bodies: [`Environment`], whose five endpoints make a
-//! home, reset it, observe it, render it and let agents act. It is a [`tasks::World`] as
-//! the symbolic simulator is.
+//! The same works in a generated home with bodies. An [`Environment`] has five endpoints: make, reset, observe,
+//! render, and set an action. Like the symbolic simulator it is a [`tasks::World`].
 //!
 //! ```no_run
 //! use virtualcity::render::{Modality, picture};
@@ -50,23 +49,23 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | here | what |
+//! | item | content |
 //! |---|---|
 //! | [`Environment`] | make, reset, observation, render, set action; save and restore |
-//! | [`Batch`] | many of them, on all cores |
-//! | [`check_environment`] | the contract they keep, as a test |
-//! | [`Viewpoint`] | where a camera is |
+//! | [`Batch`] | many environments, stepped on all cores |
+//! | [`check_environment`] | a test of the contract that environments keep |
+//! | [`Viewpoint`] | the position of a camera |
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //! | [`Dataset`] | pictures of many homes as one COCO data set |
 //! | [`Page`] | an episode in any world as an HTML page |
-//! | [`files`] | reading files, packed or not, up to a limit, and writing them whole or not at all |
+//! | [`files`] | reading files, gzipped or not, up to a size limit, and writing them whole or not at all |
 //!
 //! [`guide`] has recipes for the first day.
 //!
-//! # What is not here
+//! # Limitations
 //!
-//! Nobody gets into vehicles yet. Cloth, liquids and flames are states, not bodies: what is dirty, wet
-//! or cooked looks so, how full a vessel is and what is cut is not seen. What is worn has no body.
+//! Agents do not get into vehicles yet. Cloth, liquids and flames are states, not bodies: dirty, wet and cooked
+//! things look so, but the fill level of a vessel and cuts are not visible. Worn clothes have no body.
 
 #[cfg(feature = "environment")]
 mod batch;
@@ -105,7 +104,7 @@ pub mod guide;
 #[cfg(feature = "procgen")]
 pub mod initial;
 
-/// The programs of the README.
+/// The programs of the README, as tests.
 #[cfg(all(doctest, feature = "environment", feature = "render"))]
 #[doc = include_str!("../README.md")]
 mod readme {}
@@ -113,7 +112,7 @@ mod readme {}
 #[cfg(feature = "environment")]
 pub use vc_geometry as geometry;
 pub use vc_graph as graph;
-/// Vectors, points and poses: the version of nalgebra that all crates here use.
+/// Vectors, points and poses: the version of nalgebra that all crates of the workspace use.
 pub use vc_graph::nalgebra;
 #[cfg(feature = "physics")]
 pub use vc_physics as physics;

@@ -1,31 +1,31 @@
-//! Whether what the bodies did is what the transition rule says.
+//! Comparison of the bodies' result with the prediction of the transition rule.
 
 use std::fmt;
 
 use vc_graph::{Action, Change, ChangeSet, Effect, Kind, Label, NodeId, Place, Relation, SceneGraph, State, rule};
 use vc_physics::World;
 
-/// How far a thing may come that stays where it was, metres.
+/// Distance below which a thing counts as not moved, metres.
 const STILL: f32 = 0.02;
 
-/// The bodies did an action, and what came out is not what the transition rule says.
+/// The bodies did an action, and the result is not what the transition rule predicts.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{action}: the bodies and the rule disagree: {}", listed(.differences))]
 pub struct Disagreement {
-    /// What was done.
+    /// The action that was done.
     pub action: String,
-    /// Where they disagree.
+    /// The differences between rule and bodies.
     pub differences: Vec<Difference>,
 }
 
-/// One thing about which the rule and the bodies say different things.
+/// One thing about which the rule and the bodies disagree.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// About what.
+    /// The thing.
     pub thing: Label,
-    /// What the transition rule says.
+    /// The prediction of the transition rule.
     pub rule: String,
-    /// What the bodies show.
+    /// The state that the bodies show.
     pub bodies: String,
 }
 
@@ -39,7 +39,7 @@ fn listed(differences: &[Difference]) -> String {
     differences.iter().map(Difference::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// The graph the rule makes, the graph as observed after, and the bodies.
+/// The graph that the rule predicts, the graph observed afterwards, and the bodies.
 pub(super) struct Outcome<'a> {
     pub(super) before: &'a SceneGraph,
     pub(super) ruled: &'a SceneGraph,
@@ -48,7 +48,7 @@ pub(super) struct Outcome<'a> {
 }
 
 impl Outcome<'_> {
-    /// Everything about which they disagree, among nodes that may have changed.
+    /// All differences among the nodes that may have changed.
     pub(super) fn differences(
         &self,
         agent: NodeId,
@@ -63,7 +63,7 @@ impl Outcome<'_> {
         let let_go = |id: NodeId| effects.contains(&Effect::LetGo(id)) || self.lost_origin(&effects, id);
         let kept = nodes.iter().filter(|id| !let_go(**id));
         let mut found: Vec<Difference> = kept.filter_map(|&id| self.place(id)).collect();
-        // A thing that is let go lies where it falls, which may be in the next room, beyond a threshold.
+        // A released thing lies where it falls, which may be beyond a threshold in the next room.
         let fell = |id: NodeId| self.fell_with(&effects, id);
         found.extend(nodes.iter().filter(|id| !fell(**id)).filter_map(|&id| self.room(id)));
         found.extend(nodes.iter().filter_map(|&id| self.open(id)));
@@ -72,13 +72,13 @@ impl Outcome<'_> {
         found
     }
 
-    /// Whether a thing is let go, or lies on or in one that is.
+    /// Whether a thing is released, or lies on or in a released thing.
     fn fell_with(&self, effects: &[Effect<NodeId>], id: NodeId) -> bool {
         let carries = |at: NodeId| at == id || self.before.rests_at(id, at);
         effects.iter().any(|effect| matches!(effect, Effect::LetGo(at) if carries(*at)))
     }
 
-    /// Put back where it was taken from, which is nowhere in particular.
+    /// Whether a thing is put back where it was taken from, for which the rule's graph has no place.
     fn lost_origin(&self, effects: &[Effect<NodeId>], id: NodeId) -> bool {
         effects.contains(&Effect::PutWhereItWas(id)) && self.ruled.places(id).next().is_none()
     }
@@ -86,37 +86,36 @@ impl Outcome<'_> {
     fn place(&self, id: NodeId) -> Option<Difference> {
         let (rule, bodies) = (self.places(self.ruled, id), self.places(self.observed, id));
         let was = self.places(self.before, id);
-        // A thing that the rule puts somewhere may rest on more than what it is put on, and
-        // no longer on what it is taken off.
+        // A thing that the rule puts somewhere may rest on further things besides its new support, and no
+        // longer rests on its former one.
         let ended = was.iter().any(|p| !rule.contains(p) && bodies.contains(p));
         let held = rule.iter().all(|p| bodies.contains(p)) && !ended;
         let agrees = if rule == was { self.stays(id, &rule, &bodies) } else { held };
         (!agrees).then(|| self.difference(id, |s| s.describe(&rule), |s| s.describe(&bodies)))
     }
 
-    /// Whether what the rule does not move stays where it was. A knife that slides onto
-    /// another while its drawer is pulled is still in the drawer: what counts is what a
-    /// thing rests on in the end.
+    /// Whether a thing that the rule does not move stays where it was. A knife that slides onto another while
+    /// its drawer is pulled is still in the drawer: the end of the support chain counts.
     fn stays(&self, id: NodeId, rule: &[Place], bodies: &[Place]) -> bool {
         let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(vc_graph::Node::is_building);
         let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
         let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
-        // A thing in a bowl that is lifted is no longer on the table below the bowl.
+        // A thing in a lifted bowl is no longer on the table below the bowl.
         let lifted = || self.observed.support_chain(id).iter().any(|at| self.observed.holder(*at).is_some());
         let lost_some = !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p)) && lifted();
         rule == bodies || lost_some || same_end() || self.lies_still(id)
     }
 
-    /// Whether a thing is where it was, about. What lay half on a newspaper that was taken away
-    /// lies on the table, what a sleeper was covered with on the bed: it has not moved, and is on
-    /// something else by that.
+    /// Whether a thing has approximately kept its pose. A thing that lay half on a newspaper lies on the table
+    /// once the newspaper is taken away, and the cover of a sleeper lies on the bed: neither has moved, but its
+    /// support is another one.
     fn lies_still(&self, id: NodeId) -> bool {
         let pose = |graph: &SceneGraph| graph.node(id).and_then(|n| n.pose().copied());
         let moved = pose(self.before).zip(pose(self.observed));
         moved.is_some_and(|(was, is)| (is.translation.vector - was.translation.vector).norm() < STILL)
     }
 
-    /// Where a thing is; what only stands on the building is nowhere in particular.
+    /// The places of a thing, without those that only say that it stands on the building.
     fn places(&self, graph: &SceneGraph, id: NodeId) -> Vec<Place> {
         let mut places: Vec<Place> = graph.places(id).filter(|p| !is_ground(graph, id, p)).collect();
         places.sort_unstable();
@@ -169,8 +168,8 @@ impl Outcome<'_> {
     }
 }
 
-/// Whether a place says no more than that a thing stands on the floor: for agents always,
-/// for things where the rule has no word for it.
+/// Whether a place says no more than that a thing stands on the floor: always for agents, and for things only
+/// where the rule has no word for it.
 fn is_ground(graph: &SceneGraph, id: NodeId, place: &Place) -> bool {
     let agent = graph.node(id).is_some_and(|n| n.kind() == Kind::Agent);
     agent && place.relation == Relation::On

@@ -1,4 +1,4 @@
-//! Homes of which only boxes are known: shapes for them, poses that stay, places that stay.
+//! Scenes that give only bounding boxes: they get shapes, and keep the poses and places that the scene states.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,29 +13,32 @@ use vc_procgen::dress::{self, DressError};
 use super::{Assets, Elsewhere, Start};
 use crate::figure;
 
-/// How far above its support a thing may hover in the scene, metres, and how far it may fall.
+/// Height above its support at which a thing may hover in the scene, and the distance it may fall, metres.
 const HOVER: f32 = 0.06;
 const REST: f32 = 0.002;
-/// How far from the box of its place a thing may be, metres; and how far from it a thing has lost it.
+/// Distance that a thing may have from the box of its place, and the distance at which it has lost its place,
+/// metres.
 const BESIDE: f32 = 0.1;
 const LOST: f32 = 0.3;
-/// A thing that has moved less is still where the scene has it, metres.
+/// A thing that has moved less than this is still where the scene has it, metres.
 const STILL: f32 = 0.02;
-/// How far an agent that stands in something is moved aside at most, metres.
+/// The farthest that an agent standing inside something is moved aside, metres.
 const ASIDE: f32 = 2.5;
 
-/// Things of which a scene has only boxes.
+/// The things for which a scene has only boxes.
 pub(super) fn bare(graph: &SceneGraph) -> Vec<NodeId> {
     graph.nodes().filter(|n| vc_geometry::is_bare(n)).map(Node::id).collect()
 }
 
-/// Whether a scene was an environment: its people have figures. Then it is at rest, and stays as it is.
+/// Whether a scene was saved from an environment: its people have figures. Such a scene is at rest and stays as
+/// it is.
 pub(super) fn was_at_rest(graph: &SceneGraph) -> bool {
     let has_figure = |id: &NodeId| graph.node(*id).is_some_and(|n| n.spec().asset.is_some() && n.pose().is_some());
     graph.agents().iter().any(has_figure)
 }
 
-/// The things that stay where a scene has them: all of one that was at rest, else those of which it has only boxes.
+/// The things that stay where a scene has them: all things of a scene at rest, otherwise those that have only
+/// boxes.
 pub(super) fn staying(graph: &SceneGraph) -> Vec<NodeId> {
     if !was_at_rest(graph) {
         return bare(graph);
@@ -43,7 +46,8 @@ pub(super) fn staying(graph: &SceneGraph) -> Vec<NodeId> {
     graph.nodes().filter(|n| n.kind() == Kind::Object && n.pose().is_some()).map(Node::id).collect()
 }
 
-/// Gives a shape to everything that has only a box, and a figure to people. `None` if nothing lacks one.
+/// Gives a shape to every thing that has only a box, and a figure to people. Returns `None` if nothing lacks
+/// one.
 pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<SceneGraph>, DressError> {
     if !graph.nodes().any(|n| vc_geometry::is_bare(n) || is_bare_agent(n)) {
         return Ok(None);
@@ -55,7 +59,7 @@ pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<SceneG
     shaped.map(Some)
 }
 
-/// The scene with shapes for some of it and a figure for people.
+/// The scene with the given shapes, and with a figure for each person.
 fn peopled(graph: &SceneGraph, mut shapes: BTreeMap<NodeId, Asset>) -> Result<SceneGraph, DressError> {
     let mut library = graph.assets().as_ref().clone();
     let material = library.add_material(vc_geometry::material())?;
@@ -81,7 +85,7 @@ fn is_bare_agent(node: &Node) -> bool {
     node.kind() == Kind::Agent && node.spec().asset.is_none() && node.spec().bounds.is_some() && node.pose().is_some()
 }
 
-/// An agent's pose is where its feet are: at the bottom of its box.
+/// Sets an agent's pose to its feet, at the bottom of its box.
 fn stand(draft: &mut Draft) {
     if let (Some(bounds), Some(pose)) = (draft.bounds, draft.pose.as_mut()) {
         let aabb = bounds.aabb(pose);
@@ -97,8 +101,8 @@ fn yaw(pose: &Pose) -> Vector3<f32> {
     Vector3::z() * angle
 }
 
-/// Pins the things that had only boxes and would not stay where they are, as boxes overlap and hover a
-/// little. A thing whose place is at another one goes along with that.
+/// Pins things that had only boxes and would move, since boxes overlap and hover a little. A thing whose place
+/// is at a pinned thing moves along with it.
 pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<(), PhysicsError> {
     let loose: Vec<NodeId> = bare.iter().copied().filter(|id| world.role(*id) == Some(Role::Loose)).collect();
     let mut held = Vec::new();
@@ -110,9 +114,9 @@ pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Re
     held.into_iter().try_for_each(|id| pin(world, graph, id))
 }
 
-/// Puts loose things that have moved back where the scene has them, and holds them there: a glass that stands on
-/// the edge of a mat would fall over. If the scene was at rest, things that have lost their support are not put
-/// back and fall. Returns whether any was put back.
+/// Puts loose things that have moved back to their poses in the scene and pins them there: a glass on the edge
+/// of a mat would otherwise fall over. If the scene was at rest, things that have lost their support are not
+/// put back and fall. Returns whether any was put back.
 pub(super) fn hold_moved(
     world: &mut World,
     graph: &SceneGraph,
@@ -132,7 +136,7 @@ pub(super) fn hold_moved(
     Ok(!moved.is_empty())
 }
 
-/// Holds in a world that was built anew what was held at the start and is where it was.
+/// Pins in a newly built world the things that were pinned at the start and are still where they were.
 pub(super) fn hold_as(start: &Start, world: &mut World, graph: &SceneGraph) -> Result<(), PhysicsError> {
     let same = |id: NodeId| graph.place(id) == start.graph.place(id) && is_still(&start.graph, graph, id);
     let held = |id: &NodeId| start.world.role(*id) == Some(Role::Hung) && world.role(*id) == Some(Role::Loose);
@@ -147,7 +151,7 @@ fn pin(world: &mut World, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsE
     }
 }
 
-/// Whether a thing is where the scene has it only if it is held there.
+/// Whether a thing stays at its pose in the scene only if it is pinned.
 fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, PhysicsError> {
     let (Some(pose), Some(own)) = (world.pose(id), world.aabb(id)) else { return Ok(false) };
     let lowered = |by: f32| world.overlaps(id, &(Pose::translation(0.0, 0.0, -by) * pose)).map(|o| !o.is_empty());
@@ -161,13 +165,13 @@ fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, Phy
     Ok(lowered(HOVER)? || graph.places(id).any(at))
 }
 
-/// Whether the scene has a thing at another one: what was at rest and has lost its table falls.
+/// Whether a thing is near the place that the scene gives it. A thing at rest that has lost its table falls.
 fn is_by_its_place(world: &World, graph: &SceneGraph, id: NodeId) -> bool {
     let Some(own) = graph.node(id).and_then(Node::aabb) else { return false };
     graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| own.gap(&at) < LOST))
 }
 
-/// Moves agents that the scene has standing in something to free floor.
+/// Moves agents that stand inside something in the scene to free floor.
 pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Result<(), vc_physics::AgentError> {
     for &agent in graph.agents() {
         let Some(feet) = world.pose(agent) else { continue };
@@ -180,9 +184,9 @@ pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -
     Ok(())
 }
 
-/// Keeps the places that the scene gives to things that have not moved, even where their boxes say
-/// otherwise: a thing that sticks out of a drawer is still in it. Returns all things for which geometry
-/// says another place than the scene.
+/// Keeps the places that the scene gives to things that have not moved, even where their boxes say otherwise: a
+/// thing that sticks out of a drawer is still in it. Returns all things for which geometry and scene give
+/// different places.
 pub(super) fn keep(
     scene: &SceneGraph,
     graph: &mut SceneGraph,
@@ -218,8 +222,8 @@ pub(super) fn keep(
     Ok(told)
 }
 
-/// The containers in which a thing is by geometry that stand where the scene has the thing itself: peppers that a
-/// scene has on the counter are in the bowl there, too.
+/// The containers that contain a thing by geometry and stand at the place that the scene gives the thing
+/// itself: peppers that the scene has on the counter are also in the bowl on that counter.
 fn nested(graph: &SceneGraph, id: NodeId, wanted: Place) -> Vec<Place> {
     let there = |p: &Place| p.at != wanted.at && graph.rests_at(p.at, wanted.at);
     let inside = |p: &Place| p.relation == Relation::Inside || sticks_out(graph, id, p.at);
@@ -227,14 +231,14 @@ fn nested(graph: &SceneGraph, id: NodeId, wanted: Place) -> Vec<Place> {
     within.map(|p| Place { relation: Relation::Inside, at: p.at }).collect()
 }
 
-/// Whether a thing is wider than the vessel that it lies on: it reaches below the rim.
+/// Whether a thing is wider than the vessel it lies on and reaches below its rim.
 fn sticks_out(graph: &SceneGraph, id: NodeId, vessel: NodeId) -> bool {
     let (Some(own), Some(at)) = (graph.node(id), graph.node(vessel)) else { return false };
     let below = own.aabb().zip(at.aabb()).is_some_and(|(own, at)| own.min.z < at.max.z - STILL);
     below && (at.affords(Property::Recipient) || at.affords(Property::Container))
 }
 
-/// Puts a thing at places; leaves it where it is if one of them rests on the thing itself.
+/// Gives a thing its places; leaves it unchanged if one of the places rests on the thing itself.
 fn place_where_possible(
     graph: &mut SceneGraph,
     id: NodeId,
@@ -250,7 +254,7 @@ fn place_where_possible(
     Ok(())
 }
 
-/// Keeps all places of a scene that was at rest, of the things that have not moved.
+/// Keeps all places that a scene at rest gives to things that have not moved.
 pub(super) fn keep_all(scene: &SceneGraph, graph: &mut SceneGraph) -> Result<(), EditError> {
     for node in scene.nodes().filter(|n| n.kind() == Kind::Object) {
         let (id, wanted) = (node.id(), places(scene, node.id()));
@@ -261,21 +265,21 @@ pub(super) fn keep_all(scene: &SceneGraph, graph: &mut SceneGraph) -> Result<(),
     Ok(())
 }
 
-/// The places of things where they are not those that geometry gives.
+/// The places of things that differ from those that geometry gives.
 pub(super) fn kept(traced: &SceneGraph, graph: &SceneGraph, staying: &[NodeId]) -> BTreeMap<NodeId, Vec<Place>> {
     let differ = |id: &NodeId| places(traced, *id) != places(graph, *id);
     staying.iter().copied().filter(differ).map(|id| (id, places(graph, id))).collect()
 }
 
-/// Those places that the scene gave to a thing and geometry does not, at which it still is: it lies there as it lay
-/// at the start, and nothing has put it elsewhere. `None` if geometry decides.
+/// The places that the scene, but not geometry, gives to a thing and that it still has: it lies there as it lay
+/// at the start, and nothing has moved it. `None` if geometry decides.
 pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: NodeId) -> Option<Vec<Place>> {
     let holds = |p: &Place| graph.places(id).any(|q| q == *p) && lies_as(&start.world, world, id, p.at);
     let still: Vec<Place> = start.kept.get(&id)?.iter().copied().filter(holds).collect();
     (!still.is_empty()).then_some(still)
 }
 
-/// Whether a thing is against another, or against one of its moving parts, as it was.
+/// Whether the pose of a thing relative to another, or to one of its moving parts, is unchanged.
 fn lies_as(before: &World, now: &World, id: NodeId, at: NodeId) -> bool {
     let (Some(was), Some(is)) = (before.pose(id), now.pose(id)) else { return false };
     let against = |frame: Pose, pose: &Pose| (frame.inverse() * pose).translation.vector;
@@ -283,7 +287,7 @@ fn lies_as(before: &World, now: &World, id: NodeId, at: NodeId) -> bool {
     pairs.any(|(a, b)| (against(a, &was) - against(b, &is)).norm() < STILL)
 }
 
-/// Where a thing and its moving parts are; rooms are where they were.
+/// The poses of a thing and of its moving parts; a room has the identity.
 fn frames(world: &World, at: NodeId) -> Vec<Pose> {
     let parts = (0..world.moving_parts(at).len()).filter_map(|part| world.part_pose(at, part));
     std::iter::once(world.pose(at).unwrap_or_else(Pose::identity)).chain(parts).collect()
@@ -293,15 +297,15 @@ fn rests(place: &Place) -> bool {
     matches!(place.relation, Relation::On | Relation::Inside)
 }
 
-/// The places of a thing, in order.
+/// The places of a thing, sorted.
 fn places(graph: &SceneGraph, id: NodeId) -> Vec<Place> {
     let mut places: Vec<Place> = graph.places(id).collect();
     places.sort_unstable();
     places
 }
 
-/// Keeps those places of a thing that count: a thing in a container is not also on the container's
-/// support, and a thing pinned on a plate is not also on the chair that it reaches into.
+/// Keeps those places of a thing for which `counts` is true: a thing in a container is not also on the
+/// container's support, and a thing pinned on a plate is not also on the chair that it reaches into.
 fn keep_those(graph: &mut SceneGraph, id: NodeId, counts: impl Fn(&Place) -> bool) -> Result<(), EditError> {
     let all: Vec<Place> = graph.places(id).collect();
     let kept: Vec<Place> = all.iter().copied().filter(counts).collect();

@@ -1,4 +1,4 @@
-//! What bodies do for each effect of the transition rule.
+//! Execution of the effects of the transition rule by bodies.
 
 mod hands;
 mod stance;
@@ -15,33 +15,33 @@ use super::{ActionError, Impossible, Start};
 
 pub(super) use hands::{comes_along, load_of};
 
-/// Steps after which a door that moves counts as stuck.
+/// Number of steps after which a moving door counts as stuck.
 const DRIVING: u32 = 300;
-/// Least part of its way a door has to open.
+/// The smallest share of its range that a door has to open.
 const WIDE: f32 = 0.35;
-/// How far a loose thing may shift that is opened, metres, and the cosine of how far it may lean.
+/// The farthest that a loose thing may shift while it is opened, metres, and the cosine of its largest tilt.
 const SHIFT: f32 = 0.1;
 const UPRIGHT: f32 = 0.9;
-/// How full a vessel is that has been filled.
+/// The fill level of a vessel that has been filled.
 const FULL: f32 = 0.8;
-/// How long a gesture takes, seconds.
+/// Duration of a gesture, seconds.
 const GESTURE: f32 = 1.5;
 
-/// An agent at its action: it moves bodies and notes what it did.
+/// The execution of an agent's action: moves bodies and records the course of the action.
 pub(super) struct Deed<'a> {
     pub(super) world: &'a mut World,
     pub(super) floor: &'a mut Floor,
     pub(super) start: &'a Start,
-    /// The scene before, and as the rule says it is after.
+    /// The scene before the action, and the scene that the rule predicts after it.
     pub(super) before: &'a SceneGraph,
     pub(super) after: &'a SceneGraph,
     pub(super) agent: NodeId,
     pub(super) run: bool,
-    /// Whether doors and drawers that stand open count as out of the way.
+    /// Whether open doors and drawers count as out of the way.
     pub(super) nudges: bool,
     pub(super) course: Course,
     care: &'a Care,
-    /// Cloth that was folded up, and its scale now.
+    /// Cloth that was folded, with its scale now.
     pub(super) folded: Vec<(NodeId, Vector3<f32>)>,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Deed<'a> {
 }
 
 impl Deed<'_> {
-    /// Does what the rule says of an action.
+    /// Executes all effects that the rule gives for an action.
     pub(super) fn all(&mut self, action: &Action) -> Result<(), ActionError> {
         let effects = rule::effects(action);
         self.hold_still();
@@ -66,7 +66,7 @@ impl Deed<'_> {
             let (action, why) = (action.describe(self.before).to_string(), why.in_scene(self.before));
             ActionError::Impossible { action, why }
         })?;
-        // What bodies do not do is shown by a gesture.
+        // Effects without a motion of bodies are shown by a gesture.
         let unseen = self.course.effects.iter().any(|(beat, _)| beat.is_none());
         if unseen || effects.is_empty() {
             self.course.push(Beat::Gesture(*action, GESTURE));
@@ -75,7 +75,7 @@ impl Deed<'_> {
     }
 
     fn hold_still(&mut self) {
-        // It is loose, so it can be held.
+        // The thing is loose, so it can be pinned.
         let steadied = &self.care.steadied;
         steadied.iter().for_each(|id| drop(self.world.pin(*id)));
         if !steadied.is_empty() {
@@ -83,11 +83,11 @@ impl Deed<'_> {
         }
     }
 
-    /// Does an effect, and notes with which beat it comes true.
+    /// Executes one effect and records the beat with which it comes true.
     fn note(&mut self, effect: &Effect<NodeId>) -> Done {
         let first = self.course.beats.len();
         self.one(effect)?;
-        // To step up to something does nothing to it.
+        // Stepping up to a thing does nothing to it.
         let goes = matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_));
         let does = |beat: &Beat| goes || !matches!(beat, Beat::Walk { .. } | Beat::Turn(_) | Beat::Nudge(_));
         let beat = self.course.beats.iter().skip(first).rposition(does).map(|i| first + i);
@@ -128,20 +128,20 @@ impl Deed<'_> {
             Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => {
                 Err(Impossible::NotModelled("nobody gets into vehicles here yet: `World::add_vehicle` drives them"))
             }
-            // Dirt, heat, sleep: states that no body has.
+            // States such as dirt, heat and sleep have no body.
             _ => Ok(()),
         }
     }
 
-    /// Steps within reach of what the action is done to, if the agent stands.
+    /// Moves the agent within reach of the action's objects if it stands.
     fn come_near(&mut self, action: &Action) -> Done {
-        // What one has to be near for one does by hand.
+        // Actions that require nearness are done by hand.
         let by_hand = rule::preconditions(action).iter().any(|c| matches!(c, Condition::Near(_)));
         let rests = matches!(action.verb, Verb::Sit | Verb::Lie);
-        // One puts things where there is room, which is looked for later.
+        // Things are put down where there is room, and that spot is searched later.
         let puts = matches!(action.verb, Verb::Place | Verb::PutIn | Verb::PutBack);
         match action.things().find(|id| !self.is_mine(*id)) {
-            // What hangs under the ceiling is switched at the wall, wherever the switch is.
+            // A lamp under the ceiling is switched at the wall, wherever the switch is.
             Some(id) if matches!(action.verb, Verb::SwitchOn | Verb::SwitchOff) && self.is_overhead(id) => {
                 self.face(id)
             }
@@ -152,7 +152,7 @@ impl Deed<'_> {
         }
     }
 
-    /// Whether the agent holds or wears a thing, or what it is on.
+    /// Whether the agent holds or wears a thing, or a thing on which it rests.
     fn is_mine(&self, id: NodeId) -> bool {
         self.before.rests_at(id, self.agent)
     }
@@ -169,14 +169,14 @@ impl Deed<'_> {
         self.world.posture(self.agent) == Some(Posture::Standing)
     }
 
-    /// The thing itself, or what it is on or in if it has no body.
+    /// The thing itself, or the nearest thing with a body in its support chain.
     fn body_of(&self, id: NodeId) -> Result<NodeId, Impossible> {
         let chain = std::iter::once(id).chain(self.before.support_chain(id));
         let body = chain.into_iter().find(|id| self.world.aabb(*id).is_some());
         body.ok_or_else(|| Impossible::NoBody(self.before.label(id)))
     }
 
-    /// Opens or closes whatever moves of a thing, from where nobody is in the way.
+    /// Opens or closes all moving parts of a thing, from a position where the agent is not in the way.
     fn drive(&mut self, id: NodeId, open: f32) -> Done {
         if self.is_mine(id) {
             return self.open_in_hand(id, open);
@@ -190,7 +190,7 @@ impl Deed<'_> {
             self.stand_clear(body, open)?;
         }
         let before = self.world.pose(id);
-        // An agent that stands makes way for what swings past.
+        // A standing agent gives way to a part that swings past it.
         let past = if self.stands() { std::slice::from_ref(&self.agent) } else { &[] };
         let pushes = self.care.pushes || !self.world.leap_open_past(id, open, past)?;
         if pushes {
@@ -204,13 +204,14 @@ impl Deed<'_> {
         if arrived && !squeezed { self.keeps_balance(id, before) } else { Err(self.stuck(id, open, now)?) }
     }
 
-    /// Why a thing stays open so far.
+    /// The error for a thing that is stuck at its present opening.
     fn stuck(&self, id: NodeId, open: f32, now: f32) -> Result<Impossible, Impossible> {
         let by = self.world.in_the_way(id, open)?.into_iter().map(|by| self.before.label(by)).collect();
         Ok(Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now, by })
     }
 
-    /// Refuses to open what falls over by that: it lies elsewhere then, or otherwise.
+    /// Refuses an opening that makes the thing fall over, so that it would lie in another place or another
+    /// pose.
     fn keeps_balance(&mut self, id: NodeId, before: Option<Pose>) -> Done {
         if self.world.role(id) != Some(Role::Loose) {
             return Ok(());
@@ -223,7 +224,7 @@ impl Deed<'_> {
         if moved { Err(Impossible::Topples(self.before.label(id))) } else { Ok(()) }
     }
 
-    /// Opens or closes what the agent holds: nothing is in its way.
+    /// Opens or closes a thing that the agent holds: nothing is in its way.
     fn open_in_hand(&mut self, id: NodeId, open: f32) -> Done {
         if !self.world.moving_parts(id).is_empty() {
             self.world.put_all_open(id, open)?;
@@ -237,8 +238,8 @@ impl Deed<'_> {
         self.course.push(Beat::Drive(Drive { id, open, pushes, end }));
     }
 
-    /// Opens or closes against what is in the way, which is pushed aside, or is not; what has no
-    /// motor pushes nothing. Drawers behind doors stay where they are if no door opens.
+    /// Opens or closes a thing against obstacles, which may be pushed aside. A part without a motor pushes
+    /// nothing. Drawers behind doors stay where they are if no door opens.
     fn push_open(&mut self, id: NodeId, open: f32) -> Done {
         let turns = |part: &MovingPart| part.kind == JointKind::Hinge;
         if open > 0.0 {
@@ -306,25 +307,25 @@ impl Deed<'_> {
         Ok(())
     }
 
-    /// Sets how full a vessel is, if its shape says that it holds liquids.
+    /// Sets the fill level of a vessel if its shape says that it holds liquids.
     fn level(&mut self, id: NodeId, level: f32) {
         let holds = self.before.node(id).is_some_and(|n| n.affords(Property::Recipient));
         if holds {
-            // A vessel without a body has no level.
+            // A vessel without a body has no fill level.
             let _ = self.world.fill(id, level);
         }
     }
 }
 
-/// The points beside which one sits or lies down on some places, the best first: their middles, for lying
-/// also where feet and head will be.
+/// The points beside which an agent sits or lies down, best first: the middles of the places, and for lying
+/// also the positions of feet and head.
 fn goals(places: &[Pose], lying: bool) -> impl Iterator<Item = Point3<f32>> {
     const END: f32 = 0.8;
     let along: &[f32] = if lying { &[0.0, END, -END] } else { &[0.0] };
     along.iter().flat_map(|x| places.iter().map(move |place| place * Point3::new(*x, 0.0, 0.0)))
 }
 
-/// The turn around the vertical whose X points along a way.
+/// The rotation around the vertical that turns X to the given direction.
 pub(in crate::environment) fn towards(way: nalgebra::Vector2<f32>) -> nalgebra::UnitQuaternion<f32> {
     use vc_graph::portable::Portable;
     nalgebra::UnitQuaternion::from_axis_angle(&Vector3::z_axis(), way.y.angle_to(way.x))

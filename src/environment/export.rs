@@ -1,4 +1,4 @@
-//! The home as it is, for other programs.
+//! Export of the home in its present state to other programs.
 
 use vc_graph::asset::Joint;
 use vc_graph::{NodeId, Pose, Relation, SceneGraph};
@@ -9,9 +9,9 @@ use super::Environment;
 use crate::figure::Bone;
 
 impl Environment {
-    /// The home as it is now as binary glTF (`.glb`): everything where it is, doors and drawers as far
-    /// open as they are, people as they stand or sit. Metres, Y up, as glTF has it. Takes some hundredths of a
-    /// second: `vc_procgen::gltf::posed_scene`.
+    /// The home in its present state as binary glTF (`.glb`): every thing at its pose, doors and drawers at
+    /// their present opening, people standing or sitting as they are. Metres, Y up, as glTF requires. Takes
+    /// some hundredths of a second: `vc_procgen::gltf::posed_scene`.
     ///
     /// ```no_run
     /// let home = virtualcity::Environment::make("apartment/42", 1)?;
@@ -20,23 +20,23 @@ impl Environment {
     /// ```
     ///
     /// # Errors
-    /// [`GltfError`] if a node's shape is not in the library, or all is too large for a file.
+    /// [`GltfError`] if a node's shape is not in the library, or the home is too large for one file.
     pub fn gltf(&self) -> Result<Vec<u8>, GltfError> {
         posed_scene(&self.unworn(), &Stage::default(), |id, joint| self.moved(id, joint))
     }
 
-    /// The scene without what somebody wears, which has no shape of its own then.
+    /// The scene without worn clothes, which have no shape of their own while worn.
     fn unworn(&self) -> SceneGraph {
         let mut graph = self.graph.clone();
         let worn: Vec<NodeId> = self.agents().iter().flat_map(|a| self.graph.relating(Relation::WornBy, *a)).collect();
         let mut edit = graph.edit();
-        // They are there.
+        // The nodes exist, so the edit cannot fail.
         worn.into_iter().for_each(|id| drop(edit.set_pose(id, None)));
         edit.commit();
         graph
     }
 
-    /// How far what hangs on a joint has moved: a limb, a door, a drawer.
+    /// The motion of a part on a joint: a limb, a door, a drawer.
     fn moved(&self, id: NodeId, joint: &Joint) -> Option<Pose> {
         match self.skeleton(id) {
             Some(skeleton) => Some(skeleton.motion(Bone::of(joint)?)),
@@ -45,7 +45,7 @@ impl Environment {
     }
 }
 
-/// Where a joint of a node is, by the bodies.
+/// The position of a node's joint, read from the bodies.
 pub(crate) fn position(graph: &SceneGraph, world: &World, id: NodeId, joint: &Joint) -> Option<f32> {
     let asset = graph.assets().get(graph.node(id)?.spec().asset?)?;
     let mut joints: Vec<&Joint> = Vec::new();

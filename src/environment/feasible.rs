@@ -1,4 +1,4 @@
-//! Questions to bodies that change nothing: what can be got at, and what there is room for.
+//! Queries to bodies that change nothing: which things are reachable, and where there is room.
 
 use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 
@@ -7,11 +7,11 @@ use super::deed::Deed;
 use super::undo::{Care, Step};
 
 impl Environment {
-    /// Whether an agent would find a way to a spot from which a thing is within reach of its
-    /// hands, in the thing's room; if the thing is shut away, the container too. What hangs under
-    /// the ceiling is looked at, and switched at the wall: it need only be near.
+    /// Whether an agent would find a path to a spot in the thing's room from which its hands reach the thing
+    /// and, if the thing is inside a closed container, the container too. A lamp under the ceiling is switched
+    /// at the wall, so it need only be near.
     ///
-    /// `Floor::stand_where` from where the agent is. Costs a copy of the bodies, a millisecond.
+    /// Uses `Floor::stand_where` from the agent's position. Costs a copy of the bodies, a millisecond.
     pub fn can_get_at(&self, agent: NodeId, id: NodeId) -> bool {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
@@ -25,16 +25,16 @@ impl Environment {
         self.graph.hidden_in(id).is_none_or(|container| deed.can_get_at(container)) && deed.can_get_at(id)
     }
 
-    /// Whether there are free spots for all of some things, each at one of several places, as an
-    /// agent puts held things there one after the other: containers are opened, cloth may be folded
-    /// up for it, and what is there pushed together. From somewhere in the room each has to be
-    /// within reach, and each can be got at while the container it goes into stands open.
+    /// Whether there are free spots for all of some things, each at one of several places. The things are
+    /// placed one after the other as an agent places held things: containers are opened, cloth may be folded up
+    /// to make room, and the present contents are pushed together. Each spot has to be within reach from
+    /// somewhere in the room, and each thing has to be reachable while the container it goes into stands open.
     ///
-    /// `World::leap_open`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
-    /// millisecond, and some for each thing.
+    /// Uses `World::leap_open`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
+    /// millisecond, and some more for each thing.
     ///
     /// # Errors
-    /// The first thing for which none of its places has room, or that none leaves a way to.
+    /// The first thing for which no place has room, or to which no path is left.
     pub fn has_room(&self, agent: NodeId, wants: &[(NodeId, Vec<Place>)]) -> Result<(), NodeId> {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
@@ -57,7 +57,7 @@ impl Environment {
                 let stand = deed.stand_to_put(self.graph.room_of(place.at), *id, &spot);
                 stand.is_ok_and(|stand| stand.is_some()).then_some(spot)
             });
-            // The spot is finite and the thing is there.
+            // The spot is finite and the thing exists.
             let put = spot.is_some_and(|spot| world.place(*id, spot).is_ok());
             if !put {
                 return Err(*id);

@@ -1,4 +1,4 @@
-//! From bodies back to the graph: poses, relations, and only of what has moved.
+//! Observation of bodies into the graph: poses and relations, only of things that have moved.
 
 use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
 use vc_physics::{Role, World};
@@ -9,8 +9,7 @@ use super::{Impossible, Start, boxes};
 /// Height of worn things above the wearer's feet, metres.
 const WORN: f32 = 0.9;
 
-/// Writes the poses of bodies, and of what they wear, into the graph, and gives the nodes that were
-/// elsewhere.
+/// Writes the poses of bodies and of worn things into the graph, and returns the nodes whose pose changed.
 pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
     let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
     let poses = world.poses().into_iter().chain(worn(graph, world));
@@ -20,14 +19,15 @@ pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<
     Ok((moved.into_iter().map(|(id, _)| id).collect(), edit.commit()))
 }
 
-/// Worn things with their poses: they have no body, and are where their wearer is.
+/// Worn things with their poses: they have no body and move with their wearer.
 fn worn(graph: &SceneGraph, world: &World) -> Vec<(NodeId, Pose)> {
     let at = |agent: NodeId| Some(world.pose(agent)? * Pose::translation(0.0, 0.0, WORN));
     let wearers = world.agents().filter_map(|agent| Some((agent, at(agent)?)));
     wearers.flat_map(|(agent, at)| graph.relating(Relation::WornBy, agent).map(move |id| (id, at))).collect()
 }
 
-/// The facts that relations cannot see: the positions of doors and drawers, and the things that hands carry.
+/// The facts that relations cannot observe: the positions of doors and drawers, and the things that hands
+/// carry.
 pub(super) fn evidence(world: &World) -> Evidence {
     let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(Role::Carried));
     let mut evidence = Evidence::default().carrying(carried);
@@ -41,11 +41,11 @@ pub(super) fn evidence(world: &World) -> Evidence {
     evidence
 }
 
-/// Looks again at what has moved or changed, and writes poses and relations into the
-/// graph. Returns all whose relations may be different, and what changed.
+/// Observes again the things that have moved or changed, and writes poses and relations into the graph. Returns
+/// all nodes whose relations may differ, and the changes.
 ///
-/// `changed` are those that the rule puts elsewhere. The graph then says the same as a scene read anew,
-/// whatever it said before; a thing that has not moved keeps the places that the scene gave it.
+/// `changed` lists the nodes that the rule puts elsewhere. The resulting graph equals that of a scene read
+/// anew, whatever the graph said before; a thing that has not moved keeps the places that the scene gave it.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     start: &Start,

@@ -1,23 +1,23 @@
-//! Which way one looks from where one is: into a room, and into what stands open.
+//! Viewing directions: from a position into a room, and into an open thing.
 
 use nalgebra::{Point2, Point3, Translation3, UnitQuaternion, Vector2, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose, SceneGraph};
 use vc_physics::World;
 
-/// Number of directions that are compared, and how many at each side of one are in view with it.
+/// Number of directions that are compared, and number of neighbours on each side that are in view with one.
 const WAYS: i32 = 32;
 const BESIDE: i32 = 3;
-/// Heights at which one looks around, metres: over tables, and under what hangs.
+/// Heights of the viewing rays, metres: above tables, and below hanging things.
 const HEIGHTS: [f32; 2] = [0.9, 1.5];
-/// How far one looks at most, metres.
+/// Largest viewing distance, metres.
 const FAR: f32 = 4.0;
-/// How much a thing counts that is in view, as metres of free sight.
+/// Weight of a thing in view, as metres of free sight.
 const THING: f32 = 1.0;
-/// Points of an inside along each axis, as parts of its size.
+/// Sample points inside a thing along each axis, as fractions of its size.
 const INSIDE: [f32; 3] = [0.25, 0.5, 0.75];
 
-/// The turn with which one who stands at a point of a room sees most of it: free floor and things.
+/// The rotation with which an agent at a point of a room sees most of it: free floor and things.
 pub(super) fn into_room(
     world: &World,
     graph: &SceneGraph,
@@ -43,7 +43,7 @@ fn way(number: i32) -> Vector2<f32> {
     Vector2::new(cosine, sine)
 }
 
-/// How far one sees along a way, metres, at all heights together.
+/// The free viewing distance in a direction, metres, summed over all heights.
 fn free_sight(world: &World, agent: NodeId, feet: &Point3<f32>, way: &Vector2<f32>) -> f32 {
     let far = |height: f32| {
         let eye = feet + Vector3::z() * height;
@@ -53,8 +53,9 @@ fn free_sight(world: &World, agent: NodeId, feet: &Point3<f32>, way: &Vector2<f3
     HEIGHTS.into_iter().map(far).sum()
 }
 
-/// How many of twenty-seven points in a thing somebody sees whose eyes are so high above feet somewhere, in a world
-/// in which the thing stands open; its contents hide nothing. `closed` is the box around the thing while it is shut.
+/// How many of twenty-seven points inside a thing are visible from a given eye height above the feet, in a
+/// world in which the thing stands open; its contents occlude nothing. `closed` is the bounding box of the
+/// closed thing.
 pub(super) fn into_thing(
     opened: &World,
     graph: &SceneGraph,

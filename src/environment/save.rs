@@ -1,4 +1,4 @@
-//! An environment as bytes.
+//! Environments as bytes.
 
 use std::collections::BTreeMap;
 
@@ -9,13 +9,12 @@ use vc_physics::{Floor, World};
 use super::undo::Undo;
 use super::{Environment, SaveError, observe};
 
-/// What saved environments begin with.
+/// The bytes with which saved environments begin.
 const MAGIC: &[u8; 8] = b"VCENV 1\n";
 
 impl Environment {
-    /// The environment as bytes, for [`restore`](Self::restore): the scene
-    /// (`format::native::write`), the bodies (`World::save`), what was done. For a copy in
-    /// memory `clone` is much cheaper.
+    /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`), the
+    /// bodies (`World::save`) and the history. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
     /// [`SaveError::World`].
@@ -31,13 +30,13 @@ impl Environment {
         Ok(bytes)
     }
 
-    /// The environment that was saved; it goes on as the saved one does, bit for bit. This
-    /// one has to have been made in the same way, and is not changed.
+    /// Restores a saved environment, which then evolves as the saved one does, bit for bit. `self` has to have
+    /// been made in the same way as the saved environment, and is not changed.
     ///
-    /// `format::native::read`, `World::restore`, `Relations::rebuild`, `Floor::of`.
+    /// Uses `format::native::read`, `World::restore`, `Relations::rebuild` and `Floor::of`.
     ///
     /// # Errors
-    /// [`SaveError`].
+    /// [`SaveError`] if the bytes are no saved environment, or were saved by one with another start.
     pub fn restore(&self, bytes: &[u8]) -> Result<Self, SaveError> {
         let rest = bytes.strip_prefix(MAGIC.as_slice()).ok_or(SaveError::NotSaved)?;
         let (digest, rest) = number(rest)?;
@@ -80,7 +79,7 @@ fn number(bytes: &[u8]) -> Result<(u64, &[u8]), SaveError> {
     Ok((u64::from_le_bytes(*head), rest))
 }
 
-/// A length, and so many bytes.
+/// Splits off a length and as many bytes.
 fn part(bytes: &[u8]) -> Result<(&[u8], &[u8]), SaveError> {
     let (length, rest) = number(bytes)?;
     let length = usize::try_from(length).map_err(|_| SaveError::NotSaved)?;

@@ -1,4 +1,4 @@
-//! Scenes by name, and shapes for what has none.
+//! Scenes by name, and shapes for things that have none.
 
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed};
@@ -7,7 +7,7 @@ use vc_procgen::dress::{self, DressError};
 
 use super::MakeError;
 
-/// How a scene becomes an environment: [`Environment::make_with`](super::Environment::make_with).
+/// Options for making an environment from a scene: [`Environment::make_with`](super::Environment::make_with).
 ///
 /// ```
 /// use virtualcity::{Assets, SceneOptions};
@@ -15,21 +15,21 @@ use super::MakeError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SceneOptions {
-    /// Which shapes things get that have a box and no shape.
+    /// The shapes for things that have a box and no shape.
     pub assets: Assets,
 }
 
-/// Which shapes things get that have only a class and a box, as in VirtualHome's scenes.
+/// The shapes for things that have only a class and a box, as in VirtualHome's scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Assets {
-    /// Plain shapes, enough to walk and to put things on: [`vc_geometry`].
+    /// Plain shapes, sufficient for walking and for placing things on them: [`vc_geometry`].
     None,
-    /// The shapes that the generators of their classes make in their sizes: [`vc_procgen::dress`].
+    /// The shapes that the class generators make in the size of the boxes: [`vc_procgen::dress`].
     #[default]
     Generated,
 }
 
-/// The scene of a name: `apartment/SEED` is generated, `scene:FILE` is read, packed or not.
+/// The scene with a name: `apartment/SEED` is generated, `scene:FILE` is read, gzipped or not.
 pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
     if let Some(seed) = name.strip_prefix("apartment/") {
         let seed = seed.parse().map_err(|_| MakeError::BadSeed(seed.to_owned()))?;
@@ -40,8 +40,8 @@ pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
     read_scene(&text, &ClassTable::builtin()).map_err(|error| MakeError::Format { path: path.to_owned(), error })
 }
 
-/// The scene with a shape for everything that has neither asset nor box and of whose class
-/// there is a generator. `None` if nothing lacks one.
+/// The scene with a shape for every thing that has neither asset nor box and whose class has a generator.
+/// `None` if nothing lacks one.
 pub(super) fn shaped(graph: &SceneGraph) -> Result<Option<SceneGraph>, DressError> {
     dress::shaped(graph, Seed(graph.len() as u64).child("shapes"))
 }

@@ -1,4 +1,4 @@
-//! A body steered by hand, tick by tick.
+//! Direct control of a body, tick by tick.
 
 use nalgebra::{Point3, Vector2, Vector3};
 use vc_graph::portable::Portable;
@@ -7,29 +7,29 @@ use vc_graph::{ChangeSet, NodeId};
 use super::undo::Undo;
 use super::{ActionError, Environment, Impossible, observe};
 
-/// What a steered body does in one tick.
+/// The control input of a body for one tick.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Steering {
-    /// Where it wants to go: metres a second along X and Y of the world.
+    /// The wanted velocity in metres per second along X and Y of the world.
     pub velocity: Vector2<f32>,
-    /// Which way it looks: the angle from X towards Y, radians.
+    /// The heading: the angle from X towards Y, radians.
     pub heading: f32,
-    /// Whether it jumps, if it stands on something.
+    /// Whether the body jumps, if it stands on something.
     pub jump: bool,
 }
 
 impl Environment {
-    /// Lets one tick pass in which an agent's body goes as it is steered: the character
-    /// controller climbs steps, slides along walls and pushes light things away. Everything
-    /// else moves as it does by itself. Relations of what has moved are observed again.
+    /// Lets one tick pass in which an agent's body moves as it is steered: the character controller climbs
+    /// steps, slides along walls and pushes light things away. Everything else moves by itself. The relations
+    /// of things that have moved are observed again.
     ///
-    /// This is what a person at a keyboard does, or a policy that walks by itself. It is no
-    /// action: the rule is not asked, and the history does not have it. It is made of
-    /// `World::go`, `World::jump`, `World::step`, `World::face` and `Relations::update_with`.
+    /// This serves a person at a keyboard, or a policy for locomotion. It is not an action: the transition rule
+    /// is not asked, and the history does not record it. It uses `World::go`, `World::jump`, `World::step`,
+    /// `World::face` and `Relations::update_with`.
     ///
     /// # Errors
-    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number
-    /// is not finite; then no time has passed.
+    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite; in
+    /// these cases no time has passed.
     ///
     /// ```
     /// use nalgebra::Vector2;
@@ -55,7 +55,7 @@ impl Environment {
             return Err(impossible(refused.into()));
         }
         self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
-        // What was done before cannot be done again from before this tick.
+        // Earlier actions cannot be replayed across this tick.
         self.undo = Undo::default();
         if steering.jump {
             self.world.jump(agent).map_err(|e| impossible(e.into()))?;

@@ -1,8 +1,8 @@
-//! Taking back what bodies did.
+//! Undo of the motions of bodies.
 //!
-//! To copy all bodies before each action, in case it fails, would cost more than most actions
-//! do. So one copy is kept for several actions, and when one fails, those before it are done
-//! again from there: bodies do the same again, bit for bit.
+//! Copying all bodies before each action, in case it fails, would cost more than most actions do. Therefore one
+//! copy is kept for several actions; when one fails, the actions before it are replayed from the copy, and
+//! bodies move again exactly as before, bit for bit.
 
 use std::sync::Arc;
 
@@ -12,20 +12,20 @@ use vc_physics::{Floor, World};
 use super::deed::Deed;
 use super::{Start, act};
 
-/// Most actions that are done again.
+/// The largest number of actions that are replayed.
 const KEPT: usize = 8;
 
-/// Bodies as they were some actions ago, and what was done since.
+/// A copy of the bodies from some actions ago, and the actions done since.
 #[derive(Clone, Default)]
 pub(super) struct Undo {
     kept: Option<Arc<World>>,
     since: Vec<Step>,
 }
 
-/// An action of which the bodies' part can be done again.
+/// An action whose effect on the bodies can be replayed.
 #[derive(Clone)]
 pub(super) struct Step {
-    /// The scene before, and as the rule says it is after.
+    /// The scene before the action, and the scene that the rule predicts after it.
     pub(super) before: SceneGraph,
     pub(super) after: SceneGraph,
     pub(super) agent: NodeId,
@@ -33,39 +33,39 @@ pub(super) struct Step {
     pub(super) care: Care,
 }
 
-/// What is heeded when an action is done again that has failed.
+/// Precautions for a second attempt at an action that has failed.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Care {
-    /// What is held still meanwhile: it would fall, though nobody touches it.
+    /// Things that are held still meanwhile: they would fall although nobody touches them.
     pub(super) steadied: Vec<NodeId>,
-    /// Whether doors and drawers are pushed all the way: put where they go, one left behind what it
-    /// should have taken along.
+    /// Whether doors and drawers are pushed all the way: setting them to their end position left a thing behind
+    /// that should have been carried along.
     pub(super) pushes: bool,
-    /// Whether the agent does not turn to a thing it is near: at the edge of its reach, turning would take
-    /// the thing out of reach.
+    /// Whether the agent does not turn to a thing it is near: at the edge of its reach, turning would take the
+    /// thing out of reach.
     pub(super) stays: bool,
 }
 
 impl Undo {
-    /// Makes sure that bodies can come back to where they are.
+    /// Makes sure that the bodies can be brought back to their present state.
     pub(super) fn keep(&mut self, world: &World) {
         if self.kept.is_none() || self.since.len() >= KEPT {
             (self.kept, self.since) = (Some(Arc::new(world.clone())), Vec::new());
         }
     }
 
-    /// Remembers an action that was done.
+    /// Records an action that was done.
     pub(super) fn push(&mut self, step: Step) {
         self.since.push(step);
     }
 
-    /// Brings bodies back to where they were after the last action that was remembered.
+    /// Brings the bodies back to their state after the last recorded action.
     pub(super) fn take_back(&self, world: &mut World, floor: &mut Floor, start: &Start) {
         let Some(kept) = &self.kept else { return };
         *world = World::clone(kept);
         for step in &self.since {
             let mut deed = Deed::new(world, floor, start, step);
-            // It was done before, so it can be done.
+            // The action was done before, so it can be done again.
             let _ = deed.all(&step.action);
             act::calm(world);
         }

@@ -1,4 +1,4 @@
-//! Bones: where they hang, and on what.
+//! Bones: their anchors and parents.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind};
@@ -19,7 +19,7 @@ pub(crate) enum Bone {
     Foot(Side),
 }
 
-/// Right or left.
+/// The side of the body, right or left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Side {
     Right,
@@ -29,7 +29,7 @@ pub(crate) enum Side {
 impl Side {
     pub(crate) const BOTH: [Self; 2] = [Self::Right, Self::Left];
 
-    /// Which way it is: left is along Y.
+    /// The sign of the side along Y: left is positive.
     pub(crate) fn sign(self) -> f32 {
         match self {
             Self::Right => -1.0,
@@ -38,7 +38,7 @@ impl Side {
     }
 }
 
-/// Lengths of upper arm, and of forearm to the palm, metres.
+/// Lengths of the upper arm, and of the forearm to the palm, metres.
 pub(crate) const ARM: [f32; 2] = [0.29, 0.33];
 /// Lengths of thigh and shin, metres.
 pub(crate) const LEG: [f32; 2] = [0.40, 0.40];
@@ -46,7 +46,7 @@ pub(crate) const LEG: [f32; 2] = [0.40, 0.40];
 pub(crate) const ANKLE: f32 = 0.08;
 
 impl Bone {
-    /// All of them, what carries others first.
+    /// All bones, parents before children.
     pub(crate) const ALL: [Self; 15] = [
         Self::Pelvis,
         Self::Chest,
@@ -69,7 +69,7 @@ impl Bone {
         Self::ALL.iter().position(|b| *b == self).unwrap_or(0)
     }
 
-    /// What it hangs on.
+    /// The parent bone.
     pub(crate) fn parent(self) -> Option<Self> {
         match self {
             Self::Pelvis => None,
@@ -84,7 +84,7 @@ impl Bone {
         }
     }
 
-    /// Where it turns when the figure stands with its arms down, metres.
+    /// The joint's position while the figure stands with its arms down, metres.
     pub(crate) fn anchor(self) -> Point3<f32> {
         let hip = ANKLE + LEG[0] + LEG[1];
         let shoulder = 0.82 * HEIGHT;
@@ -101,7 +101,7 @@ impl Bone {
         }
     }
 
-    /// The joint by which the asset tells the bone from others.
+    /// The joint by which the asset identifies the bone.
     pub(crate) fn joint(self) -> Joint {
         Joint { kind: JointKind::Hinge, anchor: self.anchor(), axis: Vector3::y(), limits: (-3.0, 3.0) }
     }

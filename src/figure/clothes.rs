@@ -1,11 +1,11 @@
-//! What people wear: which bones a piece of clothing covers, by its class.
+//! Clothes: the bones that a piece of clothing covers, by its class.
 
 use vc_graph::asset::Part;
 use vc_graph::{AssetLibrary, Node};
 
 use super::Bone;
 
-/// Which part of a body is covered.
+/// The part of the body that is covered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Cover {
     Hands,
@@ -14,11 +14,11 @@ enum Cover {
     /// From the chest to the thighs.
     Dress,
     Chest,
-    /// With sleeves.
+    /// The chest with sleeves.
     Coat,
 }
 
-/// By words of classes; what has none of them is worn around the chest.
+/// The cover by words of class names; classes with none of the words cover the chest.
 const COVERS: [(&str, Cover); 23] = [
     ("glove", Cover::Hands),
     ("mitten", Cover::Hands),
@@ -45,13 +45,13 @@ const COVERS: [(&str, Cover); 23] = [
     ("hoodie", Cover::Coat),
 ];
 
-/// What is worn and covers none of the figure's bones.
+/// Worn things that cover none of the figure's bones.
 const SMALL: [&str; 14] = [
     "watch", "ring", "glasses", "necklace", "bracelet", "earring", "belt", "tie", "backpack", "purse", "hat", "cap",
     "beanie", "helmet",
 ];
 
-/// Whether a bone is under a piece of clothing of a class.
+/// Whether a piece of clothing of a class covers a bone.
 pub(crate) fn covers(class: &str, bone: Bone) -> bool {
     if SMALL.iter().any(|word| class.contains(word)) {
         return false;
@@ -68,7 +68,7 @@ pub(crate) fn covers(class: &str, bone: Bone) -> bool {
     }
 }
 
-/// The linear reflectance of a piece of clothing: that of what there is most of.
+/// The linear reflectance of a piece of clothing: that of its largest part.
 pub(crate) fn colour(library: &AssetLibrary, node: &Node) -> Option<[f32; 3]> {
     let asset = library.get(node.spec().asset?)?;
     let size = |part: &&Part| {

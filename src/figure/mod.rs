@@ -1,4 +1,4 @@
-//! A person's figure: an asset of fifteen bones, and the poses it takes.
+//! The figure of a person: an asset of fifteen bones, and its poses.
 
 mod body;
 mod bone;
@@ -17,15 +17,15 @@ pub(crate) use reach::Reach;
 #[cfg(test)]
 pub(crate) use shape::palm;
 
-/// Height of the figure, metres: that of the physics' default body.
+/// Height of the figure, metres: the height of the physics' default body.
 pub(crate) const HEIGHT: f32 = 1.7;
 
-/// The box around a person who stands.
+/// The bounding box of a standing person.
 pub(crate) fn bounds() -> Bounds {
     Bounds::standing(nalgebra::Vector3::new(0.4, 0.5, HEIGHT))
 }
 
-/// Adds a person to a library; others of another number wear other clothes.
+/// Adds a person to a library; persons with different numbers wear different clothes.
 pub(crate) fn add_to(library: &mut AssetLibrary, number: usize) -> Result<AssetId, AssetError> {
     let asset = shape::person(library, number)?;
     library.add(asset)

@@ -1,4 +1,4 @@
-//! What a person looks like.
+//! The appearance of a person.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{AssetError, Material, Part, Shape};
@@ -6,21 +6,21 @@ use vc_graph::{Asset, AssetLibrary, Pose};
 
 use super::bone::{ANKLE, ARM, Bone, LEG, Side};
 
-/// Linear reflectance of shirts and of trousers, by the person's number.
+/// Linear reflectance of shirts and trousers, by the person's number.
 const CLOTHES: [[[f32; 3]; 2]; 4] = [
     [[0.05, 0.17, 0.42], [0.035, 0.04, 0.06]],
     [[0.42, 0.07, 0.05], [0.10, 0.08, 0.06]],
     [[0.09, 0.30, 0.12], [0.03, 0.035, 0.05]],
     [[0.48, 0.36, 0.08], [0.06, 0.05, 0.09]],
 ];
-/// Of skin and hair.
+/// Linear reflectance of skin and hair.
 const LOOKS: [[[f32; 3]; 2]; 3] = [
     [[0.58, 0.34, 0.24], [0.045, 0.025, 0.015]],
     [[0.24, 0.12, 0.07], [0.012, 0.010, 0.009]],
     [[0.66, 0.42, 0.31], [0.16, 0.08, 0.03]],
 ];
 
-/// Materials of a person, by their position in the library.
+/// Materials of a person, by their index in the library.
 struct Stuff {
     skin: u32,
     hair: u32,
@@ -58,7 +58,7 @@ impl Stuff {
     }
 }
 
-/// A person who stands, arms down, looking along X, feet at the origin.
+/// A standing person with its arms down, facing X, feet at the origin.
 pub(super) fn person(library: &mut AssetLibrary, number: usize) -> Result<Asset, AssetError> {
     let stuff = Stuff::of(library, number)?;
     let mut parts = Vec::new();
@@ -80,7 +80,7 @@ fn block(half: [f32; 3], radius: f32) -> Shape {
     Shape::RoundedBox { half: half.into(), radius }
 }
 
-/// A limb of a length that hangs down from its anchor, with round ends.
+/// A limb with round ends that hangs down from its anchor.
 fn limb(name: &str, bone: Bone, length: f32, radius: f32, material: u32) -> Part {
     let shape = Shape::Capsule { radius, half_height: length / 2.0 };
     part(name, bone, shape, material, Vector3::new(0.0, 0.0, -length / 2.0))
@@ -127,7 +127,7 @@ fn leg(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
     parts.push(part("shoe", Bone::Foot(side), shoe, stuff.shoes, Vector3::new(0.055, 0.0, 0.038 - ANKLE)));
 }
 
-/// Where the palm is when the arm hangs down.
+/// The position of the palm when the arm hangs down.
 pub(crate) fn palm(side: Side) -> Point3<f32> {
     Bone::UpperArm(side).anchor() - Vector3::z() * (ARM[0] + ARM[1])
 }

@@ -1,4 +1,4 @@
-//! A page about an episode: HTML that shows the files beside it.
+//! An HTML page about an episode, which shows the files beside it.
 
 use std::fmt::Write;
 
@@ -7,11 +7,11 @@ use vc_planner::{Step, Summary, Trajectory};
 const STYLE: &str = include_str!("page.css");
 const PLAYER: &str = include_str!("player.js");
 
-/// A page about an episode in any world, as plain data: it shows the fields that are filled in.
+/// An HTML page about an episode in any world, as plain data: it shows the fields that are filled in.
 ///
-/// [`Recorder`](crate::Recorder) writes one with film, pictures and log; [`Page::of`] makes one with the log
-/// from a trajectory in any world, the symbolic simulator or your own. It is one HTML file that loads nothing
-/// from the network, so that it opens from a disk; the pictures it names lie beside it.
+/// [`Recorder`](crate::Recorder) writes a page with film, pictures and log; [`Page::of`] makes a page with the
+/// log from a trajectory in any world, the symbolic simulator or your own. The page is one HTML file that loads
+/// nothing from the network, so that it opens from a disk; the pictures it names lie beside it.
 ///
 /// ```
 /// use virtualcity::Page;
@@ -40,7 +40,7 @@ pub struct Page {
     pub scene: String,
     /// The goal, as text.
     pub goal: String,
-    /// How it ended.
+    /// The outcome of the episode.
     pub summary: Summary,
     /// Further facts for the first line, such as "5.3 m walked".
     pub facts: Vec<String>,
@@ -50,24 +50,24 @@ pub struct Page {
     pub film: Option<PageFilm>,
     /// Pictures, in order.
     pub figures: Vec<PageFigure>,
-    /// Files to be downloaded: name and content in words.
+    /// Files for download: name, and content in words.
     pub files: Vec<(String, String)>,
 }
 
-/// An action, a row of the page's log.
+/// An action: one row of the page's log.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PageAction {
     /// The agent that did it, where there are several.
     pub agent: Option<String>,
     /// The action: `open fridge.1`.
     pub action: String,
-    /// Why it could not be done, if so.
+    /// The reason why the action was refused, if it was.
     pub refused: Option<String>,
-    /// The room it was done in.
+    /// The room in which it was done.
     pub room: Option<String>,
     /// The world's time after it, seconds.
     pub seconds: Option<f64>,
-    /// Things that were seen for the first time.
+    /// Things that were observed for the first time.
     pub found: Vec<String>,
 }
 
@@ -76,13 +76,13 @@ pub struct PageAction {
 pub struct PageFilm {
     /// The pictures' files, in order.
     pub pictures: Vec<String>,
-    /// How many are shown in a second.
+    /// Pictures per second.
     pub per_second: u16,
-    /// The picture with which each action begins, in the order of [`Page::actions`].
+    /// The index of the picture with which each action begins, in the order of [`Page::actions`].
     pub starts: Vec<usize>,
-    /// The pictures that show some actions best: number of the action, number of the picture, from zero.
+    /// The pictures that show some actions best: index of the action, index of the picture, from zero.
     pub moments: Vec<(usize, usize)>,
-    /// One sentence about what it shows.
+    /// One sentence about the film's content.
     pub caption: String,
 }
 
@@ -102,7 +102,7 @@ impl Page {
     pub const BELIEF: &str = "The things that the goal is about: green, where it has seen them; blue, where they may \
         be, the darker the likelier, with a dot where it supposed them.";
 
-    /// A page about an episode of which only the end is known.
+    /// A page about an episode without a log: only its summary.
     pub fn new(title: &str, scene: &str, goal: &str, summary: Summary) -> Self {
         Self {
             title: title.into(),
@@ -132,7 +132,7 @@ impl Page {
         self
     }
 
-    /// Adds a file to be downloaded.
+    /// Adds a file for download.
     #[must_use]
     pub fn file(mut self, name: &str, about: &str) -> Self {
         self.files.push((name.into(), about.into()));
@@ -169,14 +169,14 @@ impl Page {
         )
     }
 
-    /// The film with its caption and controls, and the strip below.
+    /// The film with its caption and controls, and the strip of pictures below.
     fn player(&self, film: &PageFilm) -> String {
         let Some(first) = film.pictures.first() else { return String::new() };
         let captions: Vec<String> = self.actions.iter().enumerate().map(|(i, a)| a.caption(i)).collect();
         let data = serde_json::json!({
             "pictures": film.pictures, "rate": film.per_second.max(1), "starts": film.starts, "captions": captions,
         });
-        // No text in it may end the script.
+        // Text in the data must not end the script element.
         let data = data.to_string().replace('<', "\\u003c");
         let shown = film.moments.iter().filter_map(|(action, picture)| {
             let (file, caption) = (film.pictures.get(*picture)?, captions.get(*action)?);
@@ -225,7 +225,7 @@ impl Page {
     }
 }
 
-/// Which columns the log has besides number and action.
+/// The columns that the log has besides number and action.
 struct Columns {
     time: bool,
     agent: bool,
@@ -285,7 +285,7 @@ impl PageFigure {
     }
 }
 
-/// The first few of a list, and how many more there are.
+/// The first items of a list, and the number of the remaining ones.
 fn few(items: &[String]) -> String {
     const SHOWN: usize = 6;
     match items.len() {

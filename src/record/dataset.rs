@@ -9,21 +9,21 @@ use super::journal::Journal;
 use super::{RecordError, at, save};
 use crate::{Environment, Viewpoint, files};
 
-/// The folder of a dataset's pictures.
+/// The folder of a data set's pictures.
 const FRAMES: &str = "frames";
 /// The COCO document.
 const DOCUMENT: &str = "annotations.json";
-/// The journal of a dataset that is not finished.
+/// The journal of an unfinished data set.
 const JOURNAL: &str = "annotations.jsonl.part";
 
-/// Pictures of one home or of many with boxes and masks of everything seen in them, as a folder: PNG files in
-/// `frames`, and one COCO document for `pycocotools`, `annotations.json`.
+/// Pictures of one or many homes with the bounding boxes and masks of everything visible in them, as a folder:
+/// PNG files in `frames`, and one COCO document for `pycocotools`, `annotations.json`.
 ///
-/// A program that was broken off goes on when it is started again: a picture that is there already is not made
-/// again, as long as it is of the same home in the same state, from the same viewpoint, of the same size and in the
-/// same light as the one asked for. From the first other one on all are made anew. So the files are in the end
-/// those of a run that was not broken off. Assets count by their numbers alone: if the shape of one changes between
-/// two runs, begin in another folder.
+/// An interrupted program resumes when it is started again: an existing picture is not rendered again if it
+/// shows the same home in the same state, from the same viewpoint, in the same size and the same light as
+/// requested. From the first picture that differs, all are rendered anew. The final files are therefore those
+/// of an uninterrupted run. Assets are compared by their numbers alone: if the shape of one changes between two
+/// runs, begin in another folder.
 ///
 /// ```no_run
 /// use virtualcity::{Dataset, Environment, Viewpoint};
@@ -46,11 +46,11 @@ pub struct Dataset {
 }
 
 impl Dataset {
-    /// Begins a dataset in a folder, which is made, or goes on with one that is not finished. The files of a finished
-    /// one are removed.
+    /// Begins a data set in a folder, which is created, or resumes an unfinished one. The files of a finished
+    /// data set are removed.
     ///
     /// # Errors
-    /// [`RecordError::File`] if the folder cannot be made or an old file not be removed.
+    /// [`RecordError::File`] if the folder cannot be created or an old file cannot be removed.
     pub fn create(folder: impl AsRef<Path>) -> Result<Self, RecordError> {
         let folder = folder.as_ref().to_path_buf();
         let frames = folder.join(FRAMES);
@@ -63,16 +63,16 @@ impl Dataset {
         Ok(Self { folder, seen: Coco::default(), journal })
     }
 
-    /// Removes the files of a dataset, finished or not; a folder without any stays as it is.
+    /// Removes the files of a data set, finished or not; a folder without a data set stays as it is.
     pub(super) fn clear(folder: &Path) -> Result<(), RecordError> {
         [DOCUMENT, JOURNAL].iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))?;
         files::remove_numbered(&folder.join(FRAMES), "png", 0).map_err(at(folder))
     }
 
-    /// Writes a picture of a home as it is, `width` by `height` pixels, and keeps its annotations.
+    /// Renders a picture of a home in its present state, `width` by `height` pixels, and keeps its annotations.
     ///
     /// # Errors
-    /// [`RecordError`]; then the dataset is as before.
+    /// [`RecordError`]; the data set is then unchanged.
     pub fn add(&mut self, home: &Environment, view: Viewpoint, width: u32, height: u32) -> Result<(), RecordError> {
         let (version, light) = (env!("CARGO_PKG_VERSION"), home.pictures());
         let of = format!("{version} {} {view:?} {width} {height} {light:?}", home.digest());
@@ -84,7 +84,7 @@ impl Dataset {
         Ok(())
     }
 
-    /// Makes the next picture, and notes what it is of.
+    /// Renders the next picture, and records its subject.
     fn make(
         &mut self,
         home: &Environment,
@@ -100,18 +100,18 @@ impl Dataset {
         Ok(picture)
     }
 
-    /// How many pictures it has.
+    /// The number of pictures.
     pub fn pictures(&self) -> usize {
         self.seen.pictures()
     }
 
-    /// Writes the annotations, and gives the path of their file.
+    /// Writes the annotations, and returns the path of their file.
     ///
     /// # Errors
     /// [`RecordError`] if they cannot be encoded or written.
     pub fn finish(self) -> Result<PathBuf, RecordError> {
         let (path, frames) = (self.folder.join(DOCUMENT), self.folder.join(FRAMES));
-        // A run that was broken off may have had more of them.
+        // An interrupted run may have left more pictures.
         files::remove_numbered(&frames, "png", self.seen.pictures() as u64).map_err(at(&frames))?;
         save(&path, self.seen.document()?.as_bytes())?;
         self.journal.remove().map_err(at(&self.folder.join(JOURNAL)))?;

@@ -1,5 +1,5 @@
-//! The journal of a dataset while it is being made: it lists the pictures that are finished, so that a run that was
-//! broken off goes on.
+//! The journal of an unfinished data set: it lists the finished pictures, so that an interrupted run can be
+//! resumed.
 
 use std::collections::VecDeque;
 use std::fs::{File, OpenOptions};
@@ -8,20 +8,20 @@ use std::path::{Path, PathBuf};
 
 use vc_render::format::CocoPicture;
 
-/// A file of JSON Lines: what a picture is of, and what was seen in it. Each line is there from the moment its
-/// picture is.
+/// A file of JSON Lines: the subject of each picture, and the annotations of what it shows. Each line is
+/// written as soon as its picture is.
 #[derive(Debug)]
 pub(super) struct Journal {
     path: PathBuf,
     file: File,
-    /// Pictures of a run that was broken off, which are not yet asked for again, with the ends of their lines.
+    /// Pictures of an interrupted run that have not been requested again yet, with the ends of their lines.
     left: VecDeque<((String, CocoPicture), u64)>,
-    /// The end of the last line that counts.
+    /// The end of the last valid line.
     end: u64,
 }
 
 impl Journal {
-    /// Opens the journal of a run that was broken off, or begins one. A last line that is not whole does not count.
+    /// Opens the journal of an interrupted run, or begins one. An incomplete last line is ignored.
     pub(super) fn open(path: PathBuf) -> io::Result<Self> {
         let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path)?;
         let mut bytes = Vec::new();
@@ -35,8 +35,9 @@ impl Journal {
         Ok(Self { path, file, left, end: 0 })
     }
 
-    /// The next picture with what was seen in it, if the earlier run made it of the same home, view, size and light and
-    /// its file is in the folder. From the first picture on for which this is not so, all are made anew.
+    /// The next picture with its annotations, if the earlier run made it with the same home, view, size and
+    /// light and its file is in the folder. From the first picture for which this does not hold, all are
+    /// rendered anew.
     pub(super) fn next(&mut self, of: &str, folder: &Path) -> Option<CocoPicture> {
         let same = |(known, picture): &(String, CocoPicture)| known == of && folder.join(picture.file_name()).is_file();
         match self.left.pop_front().filter(|(known, _)| same(known)) {
@@ -51,7 +52,7 @@ impl Journal {
         }
     }
 
-    /// Notes a picture whose file is written.
+    /// Records a picture whose file is written.
     pub(super) fn note(&mut self, of: &str, picture: &CocoPicture) -> io::Result<()> {
         let line = format!("{}\n", serde_json::to_string(&(of, picture))?);
         self.file.set_len(self.end)?;
@@ -61,7 +62,7 @@ impl Journal {
         Ok(())
     }
 
-    /// Removes the file: the document is written.
+    /// Removes the journal file once the document is written.
     pub(super) fn remove(self) -> io::Result<()> {
         std::fs::remove_file(&self.path)
     }

@@ -1,4 +1,4 @@
-//! What touches what, as plain data.
+//! Contacts as plain data.
 
 use std::collections::BTreeMap;
 
@@ -15,27 +15,27 @@ use crate::{Role, convert, group};
 /// Two bodies that touch, or are about to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// The one with the smaller number.
+    /// The node with the smaller number.
     pub a: NodeId,
-    /// The other.
+    /// The other node.
     pub b: NodeId,
-    /// From `a` towards `b`, unit length: the mean over their contact points by
+    /// The contact normal from `a` towards `b`, unit length: the mean over the contact points, weighted by
     /// impulse.
     pub normal: Vector3<f32>,
-    /// Where, the mean over their contact points, metres.
+    /// The mean position of the contact points, metres.
     pub point: Point3<f32>,
-    /// How far they overlap at most, metres; negative for a gap.
+    /// The largest penetration depth, metres; negative for a gap.
     pub depth: f32,
-    /// With what impulse `a` pushed `b` in the last step, newton seconds.
+    /// The impulse with which `a` pushed `b` in the last step, newton seconds.
     pub impulse: f32,
 }
 
-/// From which slope on a push from below carries: the cosine to the vertical.
+/// The smallest cosine between a push from below and the vertical for which the push counts as support.
 const CARRIES: f32 = 0.5;
-/// Gap up to which two bodies touch, metres: what the engine leaves between them.
+/// The largest gap between touching bodies, metres: the engine leaves such a gap.
 const TOUCHING: f32 = 0.005;
 
-/// How high things hop, metres.
+/// Height of a hop of a thing, metres.
 const HOP: f32 = 0.01;
 
 /// A point where two bodies touch.
@@ -47,7 +47,7 @@ pub(crate) struct Touch {
     impulse: f32,
 }
 
-/// Contact points added up.
+/// A weighted sum of contact points.
 #[derive(Default)]
 struct Sum {
     normal: Vector3<f32>,
@@ -58,9 +58,9 @@ struct Sum {
 }
 
 impl Sum {
-    /// Adds a point; `sign` says whether its normal runs from a to b.
+    /// Adds a point; `sign` is positive if its normal points from a to b.
     fn add(&mut self, point: &Touch, sign: f32) {
-        // Points without impulse count a little, for pairs that just met.
+        // Points without impulse count a little, for pairs that have just met.
         let weight = point.impulse.max(0.0) + 1e-6;
         self.depth = if self.weight == 0.0 { -point.gap } else { self.depth.max(-point.gap) };
         self.normal += point.normal * (weight * sign);
@@ -77,13 +77,12 @@ impl Sum {
 }
 
 impl World {
-    /// Everything that touches, by node numbers; parts of one node do not count.
-    /// As of the last step.
+    /// All contacts of the last step, sorted by node numbers; contacts between parts of one node are left out.
     pub fn contacts(&self) -> Vec<Contact> {
         self.gather(self.engine.narrow.contact_pairs())
     }
 
-    /// What touches a node.
+    /// The contacts of a node.
     pub fn contacts_of(&self, id: NodeId) -> Vec<Contact> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
         self.gather(thing.bodies().flat_map(|body| self.pairs_of(body)))
@@ -107,8 +106,8 @@ impl World {
         sums.into_iter().filter_map(|((a, b), sum)| sum.contact(a, b)).collect()
     }
 
-    /// The points of a pair at which it touches. The engine keeps points while bodies
-    /// move little, so their gaps are measured anew from where the bodies are.
+    /// The points at which a pair touches. The engine keeps points while bodies move little, so their gaps are
+    /// computed anew from the bodies' poses.
     pub(crate) fn touches<'a>(&'a self, pair: &'a ContactPair) -> impl Iterator<Item = Touch> + 'a {
         let place = |c: ColliderHandle| self.engine.colliders.get(c).map(|c| *c.position());
         let both = place(pair.collider1).zip(place(pair.collider2));
@@ -135,8 +134,8 @@ impl World {
         self.engine.colliders.get(collider).map(|c| group::marked(c.user_data).0)
     }
 
-    /// What a node rests on: the nodes that push it from below, the one that carries
-    /// most first. As of the last step; what sleeps keeps its supports.
+    /// The supports of a node: the nodes that push it from below, the one that carries most first. As of the
+    /// last step; a sleeping body keeps its supports.
     pub fn supports(&self, id: NodeId) -> Vec<NodeId> {
         let below = |c: &Contact| {
             let (other, up) = if c.a == id { (c.b, -c.normal.z) } else { (c.a, c.normal.z) };
@@ -147,8 +146,8 @@ impl World {
         found.into_iter().map(|(node, _)| node).collect()
     }
 
-    /// The things that rest on a body, directly or through others: loose ones, and those that are
-    /// pinned there.
+    /// The things that rest on a body, directly or through others: loose things, and things that are pinned to
+    /// it.
     pub(crate) fn load_of(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
         let own = part.map(|(id, _)| id);
@@ -176,8 +175,8 @@ impl World {
         load
     }
 
-    /// The node, and which of its links, on which a loose thing rests, directly or through others,
-    /// if that moves on a joint: a drawer, a rack, an open door.
+    /// The node and link on which a loose thing rests, directly or through others, if that link moves on a
+    /// joint: a drawer, a rack, an open door.
     pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
         let turns =
             |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
@@ -203,7 +202,7 @@ impl World {
         None
     }
 
-    /// What fell asleep in a hop, a millimetre or two above a body that holds it: it touches nothing.
+    /// Things that fell asleep during a hop, a millimetre or two above their support: they touch nothing.
     fn hovering_in(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let Some(around) = self.box_around([body].into_iter()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
@@ -218,18 +217,18 @@ impl World {
         loose.filter(|t| above(t.id) == Some(true) && !touches(t.state.base)).map(|t| t.id).collect()
     }
 
-    /// The things that were pinned on a node's link.
+    /// The things that were pinned to a node's link.
     pub(crate) fn pinned_on(&self, part: (NodeId, usize)) -> Vec<NodeId> {
         self.things.iter().filter(|t| t.state.rides == Some(part)).map(|t| t.id).collect()
     }
 
-    /// The things that are pinned to the node whose base a body is.
+    /// The things that are pinned to the node whose base is a body.
     fn pinned_on_base(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
         part.filter(|(_, link)| *link == 0).map_or_else(Vec::new, |part| self.pinned_on(part))
     }
 
-    /// The nodes, and which of their links, that push a body from below.
+    /// The nodes and links that push a body from below.
     fn carriers(&self, body: RigidBodyHandle) -> Vec<(NodeId, usize)> {
         let mut found = Vec::new();
         for pair in self.pairs_of(body).filter(|p| p.has_any_active_contact()) {
@@ -256,7 +255,7 @@ impl World {
         found
     }
 
-    /// Moves things as one, by a motion in the world's frame.
+    /// Moves things together, by a motion in the world's frame.
     pub(crate) fn carry_along(&mut self, load: &[NodeId], motion: &Pose) {
         for &id in load {
             let Some(base) = self.thing(id).ok().map(|t| t.state.base) else { continue };

@@ -1,4 +1,4 @@
-//! Between nalgebra, which callers see, and the engine's own vectors and poses.
+//! Conversions between nalgebra, which callers use, and the engine's own vectors and poses.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::math::{Pose as EnginePose, Vector};
@@ -28,18 +28,18 @@ pub(crate) fn point3(v: Vector) -> Point3<f32> {
     vector3(v).into()
 }
 
-/// How far from the origin anything may be, metres: there floats are six centimetres apart.
+/// The largest allowed distance from the origin, metres: there the spacing of floats is six centimetres.
 pub(crate) const FARTHEST: f32 = 1e6;
-/// How large anything may be, metres.
+/// The largest allowed size of a thing, metres.
 pub(crate) const LARGEST: f32 = 1e4;
 
-/// Whether a pose is within bounds and its rotation a rotation.
+/// Whether a pose is within bounds and its quaternion has unit length.
 pub(crate) fn is_sound(pose: &Pose) -> bool {
     let near = pose.translation.vector.iter().all(|v| v.abs() <= FARTHEST);
     near && (pose.rotation.coords.norm() - 1.0).abs() < 1e-3
 }
 
-/// Whether every number of a vector is finite.
+/// Whether every component of a vector is finite.
 pub(crate) fn is_finite(v: &Vector3<f32>) -> bool {
     v.iter().all(|c| c.is_finite())
 }

@@ -1,4 +1,4 @@
-//! Things in the place of others.
+//! Detection of things that coincide with others.
 
 use std::collections::BTreeMap;
 
@@ -9,12 +9,12 @@ use vc_graph::NodeId;
 use crate::world::{Thing, World};
 use crate::{Role, convert};
 
-/// Greatest distance between the middles of two things in one place: as a part of half the smaller
-/// one's least side, and in metres.
+/// The largest distance between the middles of two coinciding things: as a fraction of half the smaller one's
+/// shortest side, and in metres.
 const NEAR: f32 = 0.25;
 const FARTHEST: f32 = 0.02;
 
-/// A thing and where it is.
+/// A thing and its middle.
 struct Body<'a> {
     thing: &'a Thing,
     middle: Point3<f32>,
@@ -22,11 +22,11 @@ struct Body<'a> {
 }
 
 impl World {
-    /// Loose things that are in the place of another: their middles are about the same, and their
-    /// bodies overlap. The first thing in a place is not among them. A step would throw them about to
-    /// part them: put them elsewhere first.
+    /// The loose things that coincide with another thing: their middles nearly agree, and their bodies overlap.
+    /// The first thing at a place is not listed. A step would separate such things violently, so move them
+    /// elsewhere first.
     ///
-    /// Costs a fraction of a microsecond for each thing, however many are in one place.
+    /// Costs a fraction of a microsecond for each thing, however many coincide.
     pub fn crowded(&self) -> Vec<NodeId> {
         let mut first: BTreeMap<[i64; 3], Vec<Body<'_>>> = BTreeMap::new();
         let mut crowded = Vec::new();

@@ -1,4 +1,4 @@
-//! The physics engine's sets, in one piece that can be cloned and serialised.
+//! The physics engine's sets, in one struct that can be cloned and serialised.
 
 use std::sync::OnceLock;
 
@@ -16,36 +16,33 @@ use vc_graph::portable::Portable;
 
 use crate::{convert, footing};
 
-/// How far apart two bodies get their contact points, metres. The engine's own two
-/// centimetres are as long as a cup's foot is wide: points that do not touch crowd out
-/// those that do, and small things rock for ever.
+/// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
+/// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
+/// for ever.
 const PREDICTION: f32 = 0.005;
-/// How far ahead of a fast body contacts are looked for, metres, if it goes so far in
-/// one step.
+/// The contact prediction distance of a fast body, metres, if it moves that far in one step.
 const AHEAD: f32 = 0.25;
-/// Bodies faster than this are swept along their ways, metres a second.
+/// Bodies faster than this use continuous collision detection, metres per second.
 const FAST: f32 = 2.5;
-/// So are those that turn faster, radians a second.
+/// So do bodies that turn faster, radians per second.
 const WHIRLING: f32 = 15.0;
-/// What is faster than this, metres or radians a second, has left all that is simulated: long
-/// before numbers end, the engine's distances do not work any more.
+/// The speed beyond which a body is taken as lost, metres or radians per second: the engine's distance
+/// computations fail long before the range of floats ends.
 const WILD: f32 = 1e4;
-/// What turns slower keeps its spin: the gyroscopic moment goes with its square, and is
-/// worked out in every part of a step. Radians a second.
+/// Below this angular speed a body's gyroscopic moment is ignored. The moment grows with the square of the
+/// speed and is computed in every substep. Radians per second.
 const TURNING: f32 = 1.0;
-/// How far two bodies move against each other before their contact points are looked
-/// for anew, metres.
+/// The relative motion of two bodies after which their contact points are computed anew, metres.
 const RECYCLED: f32 = 0.01;
-/// Into how many parts the solver divides a step. With two, stacks lean; the engine's own
-/// four cost a fifth more.
+/// Number of solver substeps per step. With two, stacks lean; the engine's default of four costs a fifth more.
 const SUBSTEPS: usize = 3;
-/// How contacts give way: damping ratio. With the engine's own ten, a stack of ten cubes
-/// walks twice as far before it rests.
+/// Damping ratio of contacts. With the engine's default of ten, a stack of ten cubes drifts twice as far before
+/// it rests.
 const DAMPING: f32 = 5.0;
 /// How long a body has to be still before it falls asleep, seconds.
 const STILL: f32 = 0.25;
 
-/// What the engine calculates with; all of its state is here.
+/// The engine with all of its state.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct Engine {
     pub(crate) bodies: RigidBodySet,
@@ -55,22 +52,22 @@ pub(crate) struct Engine {
     broad: BroadPhaseBvh,
     #[serde(deserialize_with = "with_footings")]
     pub(crate) narrow: NarrowPhase,
-    // Unused, but the engine asks for them.
+    // Unused, but required by the engine's interface.
     multibodies: MultibodyJointSet,
     softs: SoftBodySet,
     parameters: IntegrationParameters,
     gravity: f32,
-    /// Whether there has been a step. Until then the engine's own tree is empty, so that the
-    /// first step makes it of all bodies at once.
+    /// Whether there has been a step. Until then the engine's own tree is empty, and the first step builds it
+    /// from all bodies at once.
     started: bool,
-    /// The tree for questions before the first step, made when there is one.
+    /// The tree for queries before the first step, built on demand.
     #[serde(skip)]
     early: OnceLock<BroadPhaseBvh>,
     #[serde(skip)]
     scratch: Scratch,
 }
 
-/// Buffers whose content means nothing between steps.
+/// Buffers whose content has no meaning between steps.
 #[derive(Default)]
 struct Scratch {
     pipeline: PhysicsPipeline,
@@ -106,7 +103,7 @@ impl Engine {
         self.parameters.dt
     }
 
-    /// One step; gives the bodies that became non-finite and were stopped.
+    /// Does one step; returns the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
         self.look_ahead();
         (self.started, self.early) = (true, OnceLock::new());
@@ -139,8 +136,8 @@ impl Engine {
         !self.awake_bodies().any(moves)
     }
 
-    /// Takes a kinematic body somewhere in the course of the next step; one that is
-    /// there already is left alone, so that it can sleep.
+    /// Moves a kinematic body to a pose in the course of the next step. A body that is there already is left
+    /// alone, so that it can sleep.
     pub(crate) fn carry(&mut self, body: RigidBodyHandle, pose: EnginePose) {
         if self.bodies.get(body).is_some_and(|b| *b.position() != pose)
             && let Some(rigid) = self.bodies.get_mut(body)
@@ -158,10 +155,10 @@ impl Engine {
         handle
     }
 
-    /// Lets fast bodies look ahead, and slow ones not: that costs time. Slow is who
-    /// gets less far in a step than contacts are looked for anyway. What turns slowly
-    /// turns as if it had no gyroscopic moment, what has gone wild is stopped, and only steps in which something is so
-    /// fast that looking ahead may not do sweep bodies along their ways.
+    /// Enables contact prediction for fast bodies and disables it for slow ones, since it costs time. A body is
+    /// slow if it moves less in a step than the general prediction distance. Bodies that turn slowly get no
+    /// gyroscopic moment, bodies that are too fast are stopped, and continuous collision detection is on only
+    /// in steps with a body for which prediction may not suffice.
     fn look_ahead(&mut self) {
         let slow = (PREDICTION / self.parameters.dt).raised(2);
         let ahead = |body: &RigidBody| if body.linvel().length_squared() > slow { AHEAD } else { 0.0 };
@@ -187,7 +184,7 @@ impl Engine {
         }
         for handle in wild {
             if let Some(body) = self.bodies.get_mut(handle) {
-                // What is no number the engine stops and names.
+                // The engine stops bodies with NaN and reports them.
                 body.set_linvel(rapier3d::math::Vector::splat(f32::NAN), false);
             }
         }
@@ -199,12 +196,12 @@ impl Engine {
         self.islands.active_bodies()
     }
 
-    /// Questions about shapes in space, as of now.
+    /// Queries about shapes in space, in the present state.
     pub(crate) fn queries<'a>(&'a self, filter: QueryFilter<'a>) -> QueryPipeline<'a> {
         self.tree().as_query_pipeline(self.narrow.query_dispatcher(), &self.bodies, &self.colliders, filter)
     }
 
-    /// The same, for the vehicle controller, which pushes bodies.
+    /// As `queries`, for the vehicle controller, which pushes bodies.
     pub(crate) fn queries_mut<'a>(&'a mut self, filter: QueryFilter<'a>) -> rapier3d::pipeline::QueryPipelineMut<'a> {
         self.tree();
         let tree = self.early.get().unwrap_or(&self.broad);
@@ -232,7 +229,7 @@ impl Engine {
         handle
     }
 
-    /// Moves a body at once, at rest and awake; queries see it there.
+    /// Moves a body at once, without velocity and awake; queries see it there.
     pub(crate) fn place(&mut self, body: RigidBodyHandle, pose: EnginePose) {
         let Some(rigid) = self.bodies.get_mut(body) else { return };
         rigid.set_position(pose, true);
@@ -244,7 +241,7 @@ impl Engine {
         self.refresh(body);
     }
 
-    /// Lets queries see a body where it is, before the next step does.
+    /// Updates a body's pose in the query tree before the next step does.
     pub(crate) fn refresh(&mut self, body: RigidBodyHandle) {
         let Some(rigid) = self.bodies.get(body) else { return };
         for &handle in rigid.colliders() {
@@ -259,7 +256,7 @@ impl Engine {
         self.early.take();
     }
 
-    /// Lets a body that the engine has disabled for being non-finite take part again.
+    /// Enables a body that the engine has disabled because it became non-finite.
     pub(crate) fn enable(&mut self, body: RigidBodyHandle) {
         let Some(rigid) = self.bodies.get_mut(body).filter(|b| !b.is_enabled()) else { return };
         rigid.set_enabled(true);
@@ -271,7 +268,7 @@ impl Engine {
         }
     }
 
-    /// Takes all colliders off a body.
+    /// Removes all colliders of a body.
     pub(crate) fn strip(&mut self, body: RigidBodyHandle) {
         self.early.take();
         let colliders = self.bodies.get(body).map(|b| b.colliders().to_vec()).unwrap_or_default();
@@ -280,7 +277,7 @@ impl Engine {
         }
     }
 
-    /// Takes a body out, its colliders and joints with it.
+    /// Removes a body with its colliders and joints.
     pub(crate) fn remove(&mut self, body: RigidBodyHandle) {
         self.early.take();
         self.bodies.remove(
@@ -299,7 +296,7 @@ impl Engine {
     }
 }
 
-/// What finds the contacts is not written with them.
+/// The query dispatcher is not serialised with the contacts.
 fn with_footings<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
     let mut narrow = NarrowPhase::deserialize(from)?;
     narrow.set_query_dispatcher(footing::dispatcher());
@@ -318,8 +315,8 @@ fn parameters(dt: f32) -> IntegrationParameters {
         num_solver_iterations: SUBSTEPS,
         contact_softness: damped(SpringCoefficients::contact_defaults()),
         static_contact_softness: damped(SpringCoefficients::contact_static_defaults()),
-        // It would keep four points of all that touch in a plane, whether or not they
-        // are the ones that carry; `footing` asks.
+        // The engine's clustering would keep four points of all points in a plane, whether or not they carry
+        // the load; `footing` checks this.
         contact_clustering: false,
         ..IntegrationParameters::default()
     }

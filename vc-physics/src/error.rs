@@ -1,13 +1,13 @@
-//! Why something cannot be done.
+//! Errors of worlds, agents and snapshots.
 
 use vc_graph::NodeId;
 
-/// The reason why a world refuses. It names nodes by their numbers; [`named`](Self::named) puts labels in their
-/// place.
+/// The reason why a world refuses a call. Nodes are given by their numbers; [`named`](Self::named) replaces
+/// them by labels.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PhysicsError<N = NodeId> {
-    /// The settings have a figure that cannot be.
+    /// A value in the settings is invalid.
     #[error("settings: {0}")]
     BadSettings(&'static str),
     /// The node is not in the scene graph.
@@ -19,140 +19,140 @@ pub enum PhysicsError<N = NodeId> {
     /// The node has a body already.
     #[error("{0} has a body already; move it instead")]
     Duplicate(N),
-    /// A number is not finite, a place is more than 1,000 km away, or a rotation is none.
+    /// A number is not finite, a position is more than 1,000 km away, or a rotation is invalid.
     #[error("{0} of {1} is not finite, or farther than 1,000 km")]
     NotFinite(&'static str, N),
     /// The node has no such moving part.
     #[error("{id} has {count} moving parts, asked for part {part}")]
     NoSuchPart {
-        /// Which node.
+        /// The node.
         id: N,
-        /// Which part was asked for.
+        /// The requested part.
         part: usize,
-        /// How many it has.
+        /// The number of parts.
         count: usize,
     },
-    /// It is locked.
+    /// The node is locked.
     #[error("{0} is locked; unlock it first")]
     Locked(N),
     /// The node has no such surface.
     #[error("{id} has {count} surfaces, asked for surface {surface}")]
     NoSuchSurface {
-        /// Which node.
+        /// The node.
         id: N,
-        /// Which surface was asked for.
+        /// The requested surface.
         surface: usize,
-        /// How many it has.
+        /// The number of surfaces.
         count: usize,
     },
-    /// It would be inside something else.
+    /// The node would overlap another one.
     #[error("{id} would be inside {other}; ask for a free spot")]
     Overlap {
-        /// What was to be put.
+        /// The node that was to be placed.
         id: N,
-        /// What is there already.
+        /// The node that is already there.
         other: N,
     },
     /// The body does not move by itself or by a push.
     #[error("{0} does not move: it is fixed, held, an agent or stopped")]
     NotFree(N),
-    /// A vehicle cannot be like that.
+    /// A vehicle's data are invalid.
     #[error("vehicle {0}: {1}")]
     BadVehicle(N, &'static str),
-    /// Water cannot be like that.
+    /// The data of water are invalid.
     #[error("water: {0}")]
     BadWater(&'static str),
 }
 
-/// Why an agent cannot do something with its body. It names nodes as [`PhysicsError`] does.
+/// The reason why an agent cannot do something with its body. Nodes are given as in [`PhysicsError`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AgentError<N = NodeId> {
-    /// The node is no agent of this world.
+    /// The node is not an agent of this world.
     #[error("{0} is not an agent of this world")]
     NoSuchAgent(N),
     /// The hand holds something.
     #[error("the hand of {agent} holds {held}; put it down first")]
     HandFull {
-        /// Whose hand.
+        /// The agent.
         agent: N,
-        /// What it holds.
+        /// The held thing.
         held: N,
     },
     /// The hand holds nothing.
     #[error("the hand of {0} holds nothing")]
     HandEmpty(N),
-    /// Too far away.
+    /// The thing is too far away.
     #[error("{id} is {distance:.2} m from the shoulder of {agent}, its reach is {reach:.2} m")]
     OutOfReach {
-        /// Whose reach.
+        /// The agent.
         agent: N,
-        /// What is too far.
+        /// The thing.
         id: N,
-        /// How far, metres.
+        /// Its distance, metres.
         distance: f32,
-        /// How far the agent reaches, metres.
+        /// The agent's reach, metres.
         reach: f32,
     },
-    /// Too heavy to carry.
+    /// The thing is too heavy to carry.
     #[error("{id} has {mass:.1} kg, an agent carries {limit:.1} kg")]
     TooHeavy {
-        /// What.
+        /// The thing.
         id: N,
         /// Its mass, kilograms.
         mass: f32,
         /// The limit, kilograms.
         limit: f32,
     },
-    /// Somebody sits or lies on it.
-    #[error("{by} is on {seat}; one does not carry that off")]
+    /// Somebody sits or lies on the thing.
+    #[error("{by} is on {seat}, so it cannot be carried")]
     Occupied {
         /// The thing that was to be taken.
         seat: N,
         /// The agent on it.
         by: N,
     },
-    /// Somebody holds it already.
+    /// Somebody already holds the thing.
     #[error("{0} is held already")]
     Held(N),
-    /// The agent stands where it should not, or sits where it should stand.
+    /// The agent has the wrong posture.
     #[error("{agent} is {posture}")]
     Posture {
-        /// Which agent.
+        /// The agent.
         agent: N,
-        /// What it does instead: standing, sitting, lying.
+        /// Its present posture: standing, sitting, lying.
         posture: &'static str,
     },
-    /// No free place beside the seat to get up to.
-    #[error("nowhere to get up to beside {0}")]
+    /// There is no free place around the seat to get up to.
+    #[error("there is no free place around {0} to get up to")]
     NoExit(N),
     /// The seat has no free place.
     #[error("every place on {0} is taken")]
     SeatTaken(N),
-    /// Something stands on the free places of the seat.
+    /// Things stand on the free places of the seat.
     #[error("{by} is in the way on {seat}; put it elsewhere first")]
     SeatCovered {
-        /// What one was to sit or lie on.
+        /// The seat.
         seat: N,
-        /// What is there, on the place nearest to the agent.
+        /// The thing on the place nearest to the agent.
         by: N,
     },
-    /// Nothing one could sit or lie on.
+    /// The node has no place for sitting or lying.
     #[error("{0} has nothing to sit or lie on")]
     NoSeat(N),
-    /// No way leads there.
-    #[error("no way leads {agent} there")]
+    /// There is no path to the target.
+    #[error("there is no path for {agent} to the target")]
     NoWay {
-        /// Which agent.
+        /// The agent.
         agent: N,
     },
-    /// The world refuses.
+    /// The world refuses the call.
     #[error(transparent)]
     World(#[from] PhysicsError<N>),
 }
 
 impl<N> PhysicsError<N> {
-    /// The same with other names for nodes: with their labels in a scene.
+    /// The same error with other names for nodes, such as their labels in a scene.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -183,7 +183,7 @@ impl<N> PhysicsError<N> {
 }
 
 impl<N> AgentError<N> {
-    /// The same with other names for nodes; see [`PhysicsError::named`].
+    /// The same error with other names for nodes; see [`PhysicsError::named`].
     pub fn named<M>(self, name: &impl Fn(N) -> M) -> AgentError<M> {
         use AgentError as E;
         match self {
@@ -207,19 +207,19 @@ impl<N> AgentError<N> {
     }
 }
 
-/// Why bytes are no snapshot.
+/// The reason why bytes cannot be restored as a snapshot.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SnapshotError {
     /// The bytes do not begin as a snapshot does.
     #[error("these bytes are not a snapshot of a world")]
     NotASnapshot,
-    /// Another version of this crate wrote them.
+    /// Another version of this crate wrote the bytes.
     #[error("the snapshot has format {found}, this crate reads format {expected}")]
     Version {
-        /// Of the snapshot.
+        /// The format of the snapshot.
         found: u32,
-        /// Of this crate.
+        /// The format of this crate.
         expected: u32,
     },
     /// The bytes have changed since they were written.
@@ -228,7 +228,7 @@ pub enum SnapshotError {
     /// The world could not be written.
     #[error("the world cannot be written as bytes: {0}")]
     Unwritable(String),
-    /// The scene graph is not the one the snapshot is of.
-    #[error("the scene graph has no node {0}, or it has another shape there, than the snapshot")]
+    /// The scene graph differs from that of the snapshot.
+    #[error("node {0} is not in the scene graph, or has another shape than in the snapshot")]
     OtherScene(NodeId),
 }

@@ -1,12 +1,11 @@
-//! Contact points for hulls, so that they stand on all corners of their bottom.
+//! Additional contact points for hulls, so that they stand on all corners of their bottom.
 //!
-//! For contacts the engine takes the one face of a hull that looks most at the other body. A bottom
-//! with more than four corners is bevelled (`shapes/hull`), so a hull that leans by a degree has its
-//! contact points on a bevel, at one side. Within a step its other side sinks in and is lifted out,
-//! then the first side sinks in: it rocks for ever. So where the points are all on one side of the
-//! hull's middle, the corners on the other side that are about as low become points too. They are in
-//! a manifold of their own: in the same one they would crowd out those that touch, as the engine
-//! solves four points of each.
+//! For contacts, the engine takes the single face of a hull that points most towards the other body. A bottom
+//! with more than four corners is bevelled (`shapes/hull`), so a hull that leans by a degree has its contact
+//! points on a bevel, at one side. Within a step its other side sinks in and is lifted out, then the first side
+//! sinks in: it rocks for ever. Therefore, where all points are on one side of the hull's middle, the corners
+//! on the other side at about the same height become contact points too. They form a manifold of their own: in
+//! the same manifold they would crowd out the points that touch, since the engine solves four points of each.
 
 use rapier3d::geometry::{ContactData, ContactManifold, ContactManifoldData};
 use rapier3d::math::{Pose, Vector};
@@ -15,17 +14,17 @@ use rapier3d::parry::shape::{ConvexPolyhedron, PackedFeatureId, PolygonalFeature
 
 type Point = TrackedContact<ContactData>;
 
-/// Number of points that the engine solves of a manifold.
+/// Number of points per manifold that the engine solves.
 const SOLVED: usize = 4;
-/// Greatest distance of two points that are the same, metres.
+/// Largest distance of two points that count as the same, metres.
 const SAME: f32 = 0.0001;
 /// Slope up to which a leaning hull may still come to stand within a step.
 const LEANS: f32 = 0.15;
-/// Cosine of the angle between a face and the contact's normal up to which the face carries.
+/// Smallest cosine of the angle between a face and the contact normal for which the face carries.
 const FACES: f32 = 0.999;
 
-/// Adds a second manifold for two convex shapes whose points are in the first one: the corners that the
-/// engine leaves out. The second manifold stays once it is there, as the engine keeps count.
+/// Adds a second manifold for two convex shapes whose points are in the first one: the corners that the engine
+/// leaves out. Once added, the second manifold stays, since the engine keeps count.
 pub(crate) fn complete(manifolds: &mut Vec<ContactManifold>, pos12: &Pose, shapes: (&dyn Shape, &dyn Shape)) {
     let Some(first) = manifolds.first() else { return };
     let (n1, n2) = (first.local_n1, first.local_n2);
@@ -51,8 +50,8 @@ fn left_out(manifold: &ContactManifold, pos12: &Pose, (first, second): (&dyn Sha
     found.into_iter().map(flipped).collect()
 }
 
-/// The corners of a hull that are over a face of a ground and about as low as the hull's contact points,
-/// if these points do not surround its middle. The first body of the points returned is the ground.
+/// The corners of a hull that are above a face of the ground and at about the height of the hull's contact
+/// points, if these points do not surround its middle. The first body of the returned points is the ground.
 fn corners(
     hull: &ConvexPolyhedron,
     pose: &Pose,
@@ -81,19 +80,19 @@ fn corners(
     outermost(found, foot_of(&feet), up)
 }
 
-/// The middle of some points.
+/// The mean of some points.
 fn foot_of(points: &[Vector]) -> Vector {
     points.iter().sum::<Vector>() / points.len().max(1) as f32
 }
 
-/// Whether points are on all sides of another, seen along a direction.
+/// Whether points surround another point, seen along a direction.
 fn surrounds(points: &[Vector], middle: Vector, up: Vector) -> bool {
     let ways = || points.iter().map(|p| *p - middle);
     let sided = |way: Vector, sign: f32| ways().any(|other| sign * up.cross(way).dot(other) > 0.0);
     points.len() > 2 && ways().all(|way| sided(way, 1.0) && sided(way, -1.0))
 }
 
-/// The face of a shape that looks in a direction, if there is one.
+/// The face of a shape that points in a direction, if there is one.
 fn face(shape: &dyn Shape, up: Vector) -> Option<PolygonalFeature> {
     let (features, border) = shape.as_polygonal_feature_map()?;
     let mut face = PolygonalFeature::default();
@@ -103,7 +102,7 @@ fn face(shape: &dyn Shape, up: Vector) -> Option<PolygonalFeature> {
     (border == 0.0 && face.num_vertices > 2 && normal.dot(up).abs() >= FACES).then_some(face)
 }
 
-/// Whether a point is over a face.
+/// Whether a point is above a face.
 fn is_over(face: &PolygonalFeature, point: Vector, up: Vector) -> bool {
     let ring = &face.vertices[..face.num_vertices];
     let side = |(from, to): (&Vector, &Vector)| up.cross(*to - *from).dot(point - *from);
@@ -116,8 +115,8 @@ fn flipped(point: Point) -> Point {
     Point { local_p1: point.local_p2, local_p2: point.local_p1, fid1: point.fid2, fid2: point.fid1, ..point }
 }
 
-/// Four of some points: the one farthest from a place, the one farthest from that, and those farthest
-/// to both sides.
+/// Selects four points: the one farthest from a position, the one farthest from that, and those farthest to
+/// both sides.
 fn outermost(points: Vec<Point>, from: Vector, up: Vector) -> Vec<Point> {
     if points.len() <= SOLVED {
         return points;

@@ -1,10 +1,9 @@
-//! What stands on several feet stands on the outermost of their points.
+//! Reduction of the contact points of a body with several feet to the outermost ones.
 //!
-//! The engine finds contact points for every two parts of two bodies by themselves, and its
-//! solver pays for each: a table on a rug has sixteen, a cupboard's carcass as many. Of points
-//! in one plane four that surround all others carry whatever these can. The engine's own
-//! clusters merge whenever normals agree, and so keep points that hover where others carry; here
-//! points are left as they are unless nothing is lost.
+//! The engine finds contact points separately for every two parts of two bodies, and its solver pays for each:
+//! a table on a rug has sixteen, a cupboard's carcass as many. Among points in one plane, four that surround
+//! all others can carry the same loads. The engine's own clusters merge points whenever normals agree, and so
+//! keep points that hover where others carry; this module leaves points as they are unless nothing is lost.
 
 use crate::foot;
 use rapier3d::geometry::{ContactData, ContactManifold, ContactManifoldData};
@@ -19,18 +18,18 @@ use rapier3d::parry::shape::Shape;
 
 type Point = TrackedContact<ContactData>;
 
-/// What marks a merged manifold.
+/// The mark of a merged manifold.
 const MERGED: u32 = u32::from_le_bytes(*b"feet");
-/// Cosine of the angle up to which normals agree.
+/// Smallest cosine of the angle between normals that agree.
 const AGREE: f32 = 0.9998;
-/// How far from one plane points may be to carry alike, metres.
+/// Largest distance from a plane for points that carry alike, metres.
 const LEVEL: f32 = 0.001;
-/// How far outside the four corners others may lie, as a part of the longer diagonal.
+/// Largest distance of other points outside the four corners, as a fraction of the longer diagonal.
 const OUTSIDE: f32 = 0.02;
-/// How far a point may have moved to be the same as before, metres.
+/// Largest motion of a point that counts as the same as before, metres.
 const SAME: f32 = 0.005;
 
-/// What the engine is to ask for contacts: its own ways, with footings.
+/// The dispatcher for the engine's contact queries: the engine's own, with this reduction.
 pub(crate) fn dispatcher() -> impl PersistentQueryDispatcher<ContactManifoldData, ContactData> {
     Footing.chain(DefaultQueryDispatcher)
 }
@@ -52,9 +51,9 @@ impl PersistentQueryDispatcher<ContactManifoldData, ContactData> for Footing {
             foot::complete(manifolds, pos12, (g1, g2));
             return Ok(());
         }
-        // The workspace tells which manifold is of which parts: of merged ones it tells
-        // nothing, and all are found anew. It is left where it is, as the engine knows by it
-        // that a pair's manifolds may be others than before.
+        // The workspace records which manifold belongs to which parts. It has no entry for merged manifolds, so
+        // all are computed anew. The workspace itself is left in place, since the engine uses it to detect that
+        // a pair's manifolds may differ from before.
         let mut before = Vec::new();
         if manifolds.iter().any(|m| m.data.user_data == MERGED) {
             before = std::mem::take(manifolds);
@@ -80,7 +79,7 @@ impl PersistentQueryDispatcher<ContactManifoldData, ContactData> for Footing {
     }
 }
 
-/// Merges manifolds whose points lie in one plane and between four of them.
+/// Merges manifolds whose points lie in one plane and within four of them.
 fn merge(manifolds: &mut Vec<ContactManifold>) {
     let mut left: Vec<ContactManifold> = Vec::new();
     let mut any = false;
@@ -158,7 +157,7 @@ fn corners(points: &[Point], normal: Vector) -> Option<Vec<usize>> {
     (apart && (0..points.len()).all(inside)).then_some(ring)
 }
 
-/// Gives points what the solver knew of those at the same places.
+/// Copies the solver's impulses to points at the same positions, for warm starting.
 fn warm(manifolds: &mut [ContactManifold], before: &[ContactManifold]) {
     let known: Vec<(Vector, Point)> = before
         .iter()
@@ -180,7 +179,7 @@ fn warm(manifolds: &mut [ContactManifold], before: &[ContactManifold]) {
     }
 }
 
-/// All questions but those for contacts are the engine's own.
+/// All queries except those for contacts are left to the engine.
 impl QueryDispatcher for Footing {
     fn intersection_test(&self, _: &Pose, _: &dyn Shape, _: &dyn Shape) -> Result<ShapeIntersection, Unsupported> {
         Err(Unsupported)
@@ -251,7 +250,7 @@ mod tests {
             feet.extend([(x, y, 0.001), (x * 0.9, y * 0.9, 0.001)]);
         }
         assert_eq!(outer(&feet), Some(vec![0, 2, 4, 6]));
-        // A foot that hovers: which three carry, the solver is to find out.
+        // One foot hovers: the solver has to find out which three carry.
         feet[2].2 = 0.003;
         assert_eq!(outer(&feet), None);
     }

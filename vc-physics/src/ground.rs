@@ -1,8 +1,8 @@
-//! The ground below floors, and where a fall past their edge ends.
+//! The ground below floors, and the end of a fall past their edge.
 //!
-//! A floor of a scene may be as thin as paper: things that fall fast go through it within a step, and
-//! thin things are pushed out at the wrong side. So everything below a floor is solid, down to the next
-//! thing of the scene. Things that get past its edge fall, and are stopped before they are far.
+//! A floor of a scene may be as thin as paper: fast falling things pass through it within a step, and thin
+//! things are pushed out at the wrong side. Therefore everything below a floor is solid, down to the next thing
+//! of the scene. Things that get past the edge of the floor fall, and are soon stopped.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
@@ -13,19 +13,19 @@ use crate::shapes::Form;
 use crate::world::{Thing, World};
 use crate::{Role, convert, group};
 
-/// How deep the ground is below a thin floor if nothing is there, metres: more than twice as far as
+/// Depth of the ground below a thin floor if nothing is there, metres: more than twice the distance that
 /// anything falls in a step of a sixtieth of a second.
 const DEPTH: f32 = 1.0;
-/// Least thickness of a floor that needs no ground, metres: it stops things that fall from a few metres,
-/// and the thinner a body is, the finer are the engine's distances to it.
+/// Smallest thickness of a floor that needs no ground, metres: such a floor stops things that fall from a few
+/// metres. The thinner a body is, the finer are the engine's distances to it.
 const THICK: f32 = 0.19;
-/// By how much boxes that are beside each other may overlap, metres.
+/// Largest overlap of boxes that count as beside each other, metres.
 const BESIDE: f32 = 0.02;
 /// Cosine of the tilt beyond which a floor is a ramp.
 const LEVEL: f32 = 0.999;
-/// How deep in the ground the middle of a thing may be, metres: mats are as thin as that.
+/// Largest depth of a thing's middle in the ground, metres: the thickness of mats.
 const SUNK: f32 = 0.02;
-/// How far below all fixed things a falling thing is stopped, metres.
+/// Distance below all fixed things at which a falling thing is stopped, metres.
 const ABYSS: f32 = 2.0;
 
 /// The boxes that may be below a floor: rooms, and other floors.
@@ -38,7 +38,7 @@ impl Storeys {
         Self(rooms.chain(floors).filter_map(|id| graph.node(id)?.aabb()).collect())
     }
 
-    /// How deep the ground reaches below a node, metres: not at all if it is no floor.
+    /// The depth of the ground below a node, metres; zero if it is not a floor.
     pub(crate) fn ground_below(&self, node: &Node, classes: &ClassTable, form: &Form, pose: &Pose) -> f32 {
         if !is_floor(node, classes) || (pose.rotation * Vector3::z()).z < LEVEL {
             return 0.0;
@@ -59,7 +59,7 @@ fn is_floor(node: &Node, classes: &ClassTable) -> bool {
     node.kind() == Kind::Object && (classes.is_a(node.class(), "floor") || &*node.spec().category == "Floors")
 }
 
-/// The box around a form at a pose.
+/// The bounding box of a form at a pose.
 fn around(form: &Form, pose: &Pose) -> Aabb {
     let (low, high) = form.extent;
     let corner =
@@ -69,14 +69,14 @@ fn around(form: &Form, pose: &Pose) -> Aabb {
 }
 
 impl World {
-    /// Notes the height of the lowest fixed thing's bottom.
+    /// Records the height of the lowest fixed thing's bottom.
     pub(crate) fn find_bottom(&mut self) {
         let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed);
         let low = fixed.filter_map(|t| Some(around(&t.form, &self.engine.pose(t.state.base)?).min.z));
         self.bottom = low.reduce(f32::min).unwrap_or(f32::NEG_INFINITY);
     }
 
-    /// The ground below each floor, as the box around it, up to where mats may sink in.
+    /// The ground below each floor as a bounding box, up to the height to which mats may sink in.
     pub(crate) fn grounds(&self) -> Vec<Aabb> {
         let floors = self.things.iter().filter(|t| t.state.ground > 0.0);
         let ground = |floor: &Thing| {
@@ -96,7 +96,7 @@ impl World {
         };
         let fallen: Vec<NodeId> = awake.iter().filter_map(fell).collect();
         for id in fallen {
-            // It has a body, as it fell, so this cannot fail.
+            // The thing has a body, since it fell, so this cannot fail.
             let _ = self.set_role(id, Role::Stopped);
             if !self.stopped.contains(&id) {
                 self.stopped.push(id);
@@ -104,14 +104,14 @@ impl World {
         }
     }
 
-    /// Whether an agent has fallen as far as a fall goes: below all fixed things or, without any, below
-    /// where it stood.
+    /// Whether an agent has fallen to the end of a fall: below all fixed things or, if there are none, below
+    /// its former floor.
     pub(crate) fn is_in_abyss(&self, agent: &Agent) -> bool {
         let bottom = if self.bottom.is_finite() { self.bottom } else { agent.floor };
         agent.feet.translation.z < bottom - ABYSS
     }
 
-    /// Whether an agent stands where nothing is below, beside all floors.
+    /// Whether an agent stands beside all floors, where there is no ground below.
     pub fn is_beside_floors(&self, agent: NodeId) -> bool {
         self.agents.get(&agent).is_some_and(|a| {
             let standing = a.posture == crate::Posture::Standing;

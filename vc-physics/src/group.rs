@@ -1,8 +1,7 @@
-//! Who collides with whom.
+//! Collision groups.
 //!
-//! What moves on a joint collides with what moves freely and with agents, never with
-//! what is fixed nor with other such parts: a drawer does not rub against the
-//! cupboard beside it. What is carried collides with nothing.
+//! Parts on joints collide with loose things and with agents, but neither with fixed things nor with other such
+//! parts: a drawer does not rub against the cupboard beside it. Carried things collide with nothing.
 
 use rapier3d::geometry::{Collider, Group, InteractionGroups, InteractionTestMode};
 use vc_graph::NodeId;
@@ -38,13 +37,12 @@ pub(crate) fn agent() -> InteractionGroups {
     groups(AGENT, LOOSE.union(LEAF).union(AGENT))
 }
 
-/// Groups of the body of an agent that sits or lies: others walk around it, cushions are not
-/// pushed away by it.
+/// Groups of the body of an agent that sits or lies: others walk around it, but it does not push cushions away.
 pub(crate) fn seated() -> InteractionGroups {
     groups(AGENT, AGENT)
 }
 
-/// Groups of what collides with nothing.
+/// Groups of colliders that collide with nothing.
 pub(crate) fn nothing() -> InteractionGroups {
     groups(CARRIED, Group::NONE)
 }
@@ -59,7 +57,7 @@ pub(crate) fn mark(id: NodeId, link: usize) -> u128 {
     u128::from(id.0) | (link as u128) << 32
 }
 
-/// The node and the part of a mark.
+/// The node and the part that a mark denotes.
 pub(crate) fn marked(mark: u128) -> (NodeId, usize) {
     (NodeId(mark as u32), (mark >> 32) as u32 as usize)
 }

@@ -1,4 +1,4 @@
-//! Letting things down onto what is right below.
+//! Lowering things onto the support right below them.
 
 use nalgebra::Vector3;
 use rapier3d::geometry::{Collider, ColliderHandle};
@@ -9,13 +9,12 @@ use vc_graph::{NodeId, Pose};
 use crate::world::World;
 use crate::{PhysicsError, Role, convert, group};
 
-/// Gap that is left, metres: what lies so near rests at once.
+/// The gap that is left, metres: a thing at this distance rests at once.
 const GAP: f32 = 0.0005;
 
 impl World {
-    /// Lowers a loose thing until it almost touches what is below, by no more than so many
-    /// metres, and gives by how much: it need not fall then. Nothing is lowered below which there
-    /// is nothing so near.
+    /// Lowers a loose thing until it almost touches its support, by at most `within` metres, so that it need
+    /// not fall; returns the distance. A thing without a support within that distance is not lowered.
     ///
     /// Costs some ten microseconds.
     ///

@@ -1,4 +1,4 @@
-//! Back to the start, or to a scene that differs a little.
+//! Reset to the start, or to a scene that differs a little.
 
 use vc_graph::{Kind, Node, NodeId, Pose, SceneGraph};
 
@@ -7,37 +7,34 @@ use crate::shapes::Shapes;
 use crate::world::{Thing, World};
 use crate::{PhysicsError, Role, convert};
 
-/// How a world was reset.
+/// The result of a reset.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Reset {
-    /// Whether the world was built anew, because too much differs.
+    /// Whether the world was built anew because too much differs.
     pub built: bool,
     /// Nodes that were moved.
     pub moved: Vec<NodeId>,
     /// Nodes that were inserted.
     pub inserted: Vec<NodeId>,
-    /// Nodes that were taken out.
+    /// Nodes that were removed.
     pub removed: Vec<NodeId>,
     /// Nodes whose doors, lids or drawers were opened or closed.
     pub turned: Vec<NodeId>,
 }
 
-/// Up to which difference of two poses they are the same, metres and parts of a unit
-/// quaternion.
+/// The largest difference of two equal poses, metres and quaternion units.
 const SAME: f32 = 1e-5;
 
 impl World {
-    /// A world for a scene that differs little from the one this was built from: a
-    /// copy of this one, in which only what differs has moved. Keep a settled world
-    /// for each scene and reset from it.
+    /// A world for a scene that differs little from the one this world was built from: a copy of this world in
+    /// which only the differing things are changed. Keep a settled world for each scene and reset from it.
     ///
-    /// What the graph has where it was when this world was built stays where it has
-    /// settled, asleep. What it has elsewhere is put there, awake; so is what is new.
-    /// Agents stand where the graph has them. If more than half of the scene differs, if
-    /// a node has another shape than before, if there are other agents or anybody holds
-    /// anything, the world is built anew.
+    /// Things at the same pose in the graph as when this world was built stay where they have settled, asleep.
+    /// Things at another pose are moved there, awake, and new things are inserted. Agents stand where the graph
+    /// has them. If more than half of the scene differs, if a node has another shape than before, if the agents
+    /// differ or anybody holds anything, the world is built anew.
     ///
-    /// Costs a clone, and some microseconds for everything that differs.
+    /// Costs a clone, and some microseconds for each difference.
     ///
     /// # Errors
     /// As [`World::build`].
@@ -58,7 +55,7 @@ impl World {
         for id in std::mem::take(&mut plan.inserted) {
             match world.insert(graph, id, shapes) {
                 Ok(()) => plan.inserted.push(id),
-                // What has neither pose nor shape is passed over, as where a world is built.
+                // A node with neither pose nor shape is skipped, as in building a world.
                 Err(PhysicsError::NoBody(_)) => world.skipped.push(id),
                 Err(error) => return Err(error),
             }
@@ -82,7 +79,7 @@ impl World {
         Ok((world, plan))
     }
 
-    /// What was moved may hang where it lay, or lie where it hung.
+    /// A moved thing may now hang where it lay before, or lie where it hung.
     fn give_roles(&mut self, graph: &SceneGraph, moved: &[NodeId]) -> Result<(), PhysicsError> {
         let roles = Roles::new(graph, self.settings);
         for &id in moved {
@@ -96,7 +93,7 @@ impl World {
         Ok(())
     }
 
-    /// What differs; `None` where it is better to build.
+    /// The differences; `None` if building anew is better.
     fn plan(&self, graph: &SceneGraph) -> Option<Reset> {
         let mut plan = Reset::default();
         let mut things = self.things.iter().peekable();
@@ -115,7 +112,7 @@ impl World {
         (differs * 2 <= self.things.len() && self.has_agents_of(graph)).then_some(plan)
     }
 
-    /// Whether the graph has the same agents, and nobody holds anything, here or there.
+    /// Whether the graph has the same agents, and nobody holds anything, in the graph or here.
     fn has_agents_of(&self, graph: &SceneGraph) -> bool {
         let standing = graph.agents().iter().filter(|a| graph.node(**a).is_some_and(|n| n.pose().is_some()));
         let idle = self.agents.values().all(|a| a.hands.iter().all(Option::is_none));

@@ -1,4 +1,4 @@
-//! Which part a node plays: fixed, loose, hung, or no body at all.
+//! The physical role of a node: fixed, loose, hung, or no body at all.
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
@@ -9,25 +9,25 @@ use vc_graph::{Kind, Node, Property, Relation, SceneGraph};
 use crate::settings::{Fixing, Settings, Unplaced};
 use crate::shapes::Form;
 
-/// How far from the box around a thing the hook may be that it hangs on, metres.
+/// The largest distance of a hook from the bounding box of the thing that hangs on it, metres.
 const HOOK: f32 = 0.05;
 
-/// How a body takes part.
+/// The role of a body in the simulation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Role {
-    /// It stays where it is: the building, heavy furniture.
+    /// The body stays where it is: the building, heavy furniture.
     Fixed,
-    /// It moves freely.
+    /// The body moves freely.
     Loose,
-    /// It hangs where it is until it is taken or pushed off.
+    /// The body hangs where it is until it is taken or pushed off.
     Hung,
-    /// An agent's hand, or something that one holds, carries it.
+    /// An agent's hand, or something in a hand, carries the body.
     Carried,
-    /// It became non-finite, flew off or fell below everything, and was stopped.
+    /// The body became non-finite, flew off or fell below everything, and was stopped.
     Stopped,
 }
 
-/// What deciding needs to know about the whole scene.
+/// The scene data that decide the roles.
 pub(crate) struct Roles<'a> {
     graph: &'a SceneGraph,
     settings: Settings,
@@ -41,8 +41,8 @@ impl<'a> Roles<'a> {
         Self { graph, settings, places_are_known: asks && graph.nodes().any(rests) }
     }
 
-    /// The part a node plays; `mass` is what its asset has, kilograms. `None` for
-    /// rooms and agents, whose bodies are not made of assets.
+    /// The role of a node; `mass` is that of its asset, kilograms. `None` for rooms and agents, whose bodies
+    /// are not made from assets.
     pub(crate) fn of(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<Role> {
         if node.kind() != Kind::Object {
             return None;
@@ -55,8 +55,8 @@ impl<'a> Roles<'a> {
         Some(if hangs { Role::Hung } else { Role::Loose })
     }
 
-    /// Whether a hook of what a node is at reaches into the box around it: a coat on a
-    /// rack, a shirt on the rail of a wardrobe.
+    /// Whether a hook of a node's support reaches into the node's bounding box: a coat on a rack, a shirt on
+    /// the rail of a wardrobe.
     fn is_on_a_hook(&self, node: &Node, form: &Form) -> bool {
         let at = self.graph.place(node.id()).and_then(|p| self.graph.node(p.at));
         let asset = at.and_then(|at| self.graph.assets().get(at.spec().asset?));
@@ -70,7 +70,7 @@ impl<'a> Roles<'a> {
 
     fn stays(&self, node: &Node, known: bool, mass: f32) -> bool {
         let carried = node.affords(Property::Graspable);
-        // Of a class nobody knows only the mass can tell.
+        // For an unknown class only the mass can decide.
         let moves = !known || carried || node.affords(Property::Movable) || node.affords(Property::Drivable);
         match self.settings.fixing {
             Fixing::Structure => false,

@@ -1,13 +1,13 @@
-//! How hard things are to roll: a table by class.
+//! Rolling resistance: a table by class.
 
 use std::sync::LazyLock;
 
 use vc_graph::ClassTable;
 
-/// The row for classes that are neither named nor a kind of one that is.
+/// The row for classes that are not listed and have no listed ancestor.
 const OTHERWISE: &str = "otherwise";
 
-/// Classes, and the force against their rolling as a part of their weight.
+/// Classes, and their rolling resistance as a fraction of the weight.
 static TABLE: LazyLock<Vec<(&str, f32)>> = LazyLock::new(|| {
     let lines = include_str!("../data/rolling.txt").lines().filter(|line| !line.starts_with('#'));
     let row = |line: &'static str| {
@@ -17,8 +17,8 @@ static TABLE: LazyLock<Vec<(&str, f32)>> = LazyLock::new(|| {
     lines.filter_map(row).collect()
 });
 
-/// The force against rolling of a thing of a class, as a part of its weight: that of the class, or of
-/// the nearest kind above it that has one.
+/// The rolling resistance of a thing of a class, as a fraction of its weight: that of the class, or of its
+/// nearest ancestor that has one.
 pub(crate) fn resistance(classes: &ClassTable, class: &str) -> f32 {
     let of = |name: &str| TABLE.iter().find(|(class, _)| *class == name).map(|(_, part)| *part);
     let (mut names, mut next) = (vec![class], 0);

@@ -1,4 +1,4 @@
-//! How poses and places of other crates are written in snapshots.
+//! Serialisation of poses and places of other crates in snapshots.
 
 /// A pose as seven numbers.
 pub(crate) mod pose {
@@ -13,7 +13,7 @@ pub(crate) mod pose {
 
     pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Pose, D::Error> {
         let [x, y, z, i, j, k, w] = <[f32; 7]>::deserialize(from)?;
-        // Not normalised: the bits are to stay as they were.
+        // The quaternion is not normalised, so that its bits stay the same.
         Ok(Pose::from_parts(Translation3::new(x, y, z), Unit::new_unchecked(Quaternion::new(w, i, j, k))))
     }
 }

@@ -1,34 +1,33 @@
-//! What one may choose when a world is built.
+//! The settings of a world.
 
 use serde::{Deserialize, Serialize};
 
-/// Which objects stay where they are.
+/// Which objects are fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Fixing {
-    /// The building, what people neither carry nor move, and furniture of more than
-    /// [`Settings::heavy`] kilograms.
+    /// The building, things that people neither carry nor move, and furniture of more than [`Settings::heavy`]
+    /// kilograms.
     #[default]
     Heavy,
-    /// The building, and what people neither carry nor move.
+    /// The building, and things that people neither carry nor move.
     Immovable,
-    /// The building only: walls, floors, ceilings, doors, windows. As in the thesis.
+    /// Only the building: walls, floors, ceilings, doors, windows. As in the thesis.
     Structure,
 }
 
-/// What happens to a thing of which the graph does not say what it rests on, in a
-/// graph that says so of other things.
+/// The treatment of a thing without a support in a graph that states the supports of other things.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Unplaced {
-    /// It hangs: a picture, a wall clock. It stays until it is taken or pushed off.
+    /// The thing hangs, as a picture or a wall clock does, and stays until it is taken or pushed off.
     #[default]
     Hangs,
-    /// It falls.
+    /// The thing falls.
     Falls,
 }
 
-/// How a [`World`](crate::World) is built and how its time passes.
+/// The settings by which a [`World`](crate::World) is built and stepped.
 ///
 /// ```
 /// let settings = vc_physics::Settings { substeps: 2, ..Default::default() };
@@ -38,30 +37,28 @@ pub enum Unplaced {
 pub struct Settings {
     /// Time of one step, seconds.
     pub dt: f32,
-    /// Steps of the engine in one step of the world, each of `dt / substeps`.
+    /// Number of engine steps in one step of the world, each of `dt / substeps`.
     pub substeps: u32,
     /// Acceleration of free fall, metres per second squared, downwards.
     pub gravity: f32,
-    /// Which objects stay where they are.
+    /// Which objects are fixed.
     pub fixing: Fixing,
-    /// From which mass on furniture is heavy, kilograms.
+    /// The mass from which on furniture is heavy, kilograms.
     pub heavy: f32,
-    /// What hangs and what falls.
+    /// Whether things without a support hang or fall.
     pub unplaced: Unplaced,
     /// Friction torque of hinges, newton metres for each kilogram that turns.
     pub hinge_friction: f32,
     /// Friction force of slides, newtons for each kilogram that slides.
     pub slide_friction: f32,
-    /// Whether doors and lids stay where they are left, as if a spring or a
-    /// counterweight carried them; otherwise they fall shut or open.
+    /// Whether doors and lids stay where they are left, as if a spring or a counterweight held them; otherwise
+    /// they fall shut or open.
     pub balanced: bool,
-    /// Whether doors, lids and drawers that are shut stay shut until they are
-    /// opened.
+    /// Whether closed doors, lids and drawers stay closed until they are opened.
     pub latches: bool,
-    /// Whether a mass that no member of the class has is brought to the nearest that
-    /// one has. Assets are often modelled with too much or too little material. The
-    /// range grows with the volume of a scaled node;
-    /// [`World::modelled_mass`](crate::World::modelled_mass) has the mass before.
+    /// Whether masses outside the range of the node's class are clamped to that range. Assets are often
+    /// modelled with too much or too little material. The range grows with the volume of a scaled node;
+    /// [`World::modelled_mass`](crate::World::modelled_mass) returns the unclamped mass.
     pub class_masses: bool,
 }
 
@@ -84,7 +81,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The first figure that cannot be.
+    /// The first invalid value.
     pub(crate) fn fault(&self) -> Option<&'static str> {
         let positive = |v: f32| v.is_finite() && v > 0.0;
         let least = |v: f32| v.is_finite() && v >= 0.0;

@@ -1,4 +1,4 @@
-//! Letting a scene come to rest, and what happened on the way.
+//! Settling of a scene, and a report about it.
 
 use rapier3d::math::Vector;
 use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
@@ -6,35 +6,34 @@ use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
 use crate::world::{Thing, World};
 use crate::{Role, convert};
 
-/// Up to which distance a thing counts as not moved, metres.
+/// The largest distance of a thing that counts as not moved, metres.
 const STILL: f32 = 0.02;
-/// Up to which angle, radians.
+/// The largest angle, radians.
 const STRAIGHT: f32 = 0.1;
-/// From which drop on a thing has fallen, metres.
+/// The smallest drop of a thing that has fallen, metres.
 const DROP: f32 = 0.05;
-/// From which overlap on two things are inside each other, metres. At rest the
-/// engine leaves up to 5 mm.
+/// The smallest penetration of two things that overlap, metres. At rest the engine leaves up to 5 mm.
 const DEEP: f32 = 0.01;
-/// How far outside every room's box something may stand, metres: in a doorway.
+/// The largest distance outside every room's box for things in a doorway, metres.
 const DOORSTEP: f32 = 0.3;
 
-/// A thing that is not where it was.
+/// A thing that has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moved {
-    /// Which.
+    /// The thing.
     pub id: NodeId,
-    /// How far its origin is from where it was, metres.
+    /// The distance of its origin from the former position, metres.
     pub distance: f32,
-    /// How far it has turned, radians.
+    /// The angle by which it has turned, radians.
     pub angle: f32,
-    /// How far down its centre of mass is from where it was, metres.
+    /// The drop of its centre of mass, metres.
     pub drop: f32,
 }
 
-/// What happened while a scene came to rest.
+/// The report about settling a scene.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Settling {
-    /// Steps that passed.
+    /// Number of steps.
     pub steps: u32,
     /// Whether everything sleeps.
     pub at_rest: bool,
@@ -42,12 +41,12 @@ pub struct Settling {
     pub moved: Vec<Moved>,
     /// Things whose centre of mass is more than 5 cm lower than before.
     pub fell: Vec<NodeId>,
-    /// Things that do not rest any more on what they rested on, or in what they were
-    /// in, by the graph they were built from.
+    /// Things that no longer rest on their support, or no longer are in their container, by the graph from
+    /// which they were built.
     pub left: Vec<(NodeId, Place)>,
     /// Things outside every room, or below the floor.
     pub outside: Vec<NodeId>,
-    /// Pairs that are inside each other, and how deep, metres.
+    /// Pairs of overlapping things, with their penetration depth, metres.
     pub overlapping: Vec<(NodeId, NodeId, f32)>,
     /// Things that became non-finite and were stopped.
     pub stopped: Vec<NodeId>,
@@ -62,11 +61,10 @@ impl Settling {
 }
 
 impl World {
-    /// Lets steps pass until everything sleeps, `limit` at most, and tells what
-    /// happened.
+    /// Steps until everything sleeps, at most `limit` times, and reports the changes.
     ///
-    /// Bodies fall asleep a quarter of a second after they have come to rest, so some twenty
-    /// steps are the least for a scene that is awake.
+    /// Bodies fall asleep a quarter of a second after they have come to rest, so a scene that is awake takes at
+    /// least some twenty steps.
     pub fn settle(&mut self, limit: u32) -> Settling {
         let before: Vec<(NodeId, Pose, Vector)> = self.loose().filter_map(|t| self.whereabouts(t)).collect();
         let known = self.stopped.len();
@@ -109,7 +107,7 @@ impl World {
         Some(Moved { id: *id, distance, angle, drop: centre.z - lower.z })
     }
 
-    /// The place the graph gave a thing, if it has left it.
+    /// The place that the graph gave a thing, if the thing has left it.
     fn lost_place(&self, thing: &Thing) -> Option<Place> {
         let place = thing.state.rests?;
         self.index(place.at).ok()?;
@@ -124,14 +122,14 @@ impl World {
         (!kept).then_some(place)
     }
 
-    /// Loose things, and those that were stopped, that are outside every room, below the lowest floor, or
-    /// in the ground below a floor; without rooms, those outside the box around everything that is
-    /// fixed. Things that hang are among them only if they are below all rooms.
+    /// Loose and stopped things that are outside every room, below the lowest floor, or in the ground below a
+    /// floor; without rooms, those outside the bounding box of everything fixed. Hanging things are listed only
+    /// if they are below all rooms.
     pub fn outside(&self) -> Vec<NodeId> {
         self.beyond(self.things.iter())
     }
 
-    /// Those of some nodes that are [outside](Self::outside).
+    /// The nodes among some that are [outside](Self::outside).
     pub fn outside_among(&self, nodes: &[NodeId]) -> Vec<NodeId> {
         self.beyond(nodes.iter().filter_map(|id| self.thing(*id).ok()))
     }
@@ -160,7 +158,7 @@ impl World {
         }
     }
 
-    /// The boxes in which things are.
+    /// The boxes that contain the scene.
     fn inside(&self) -> Vec<Aabb> {
         let mut boxes: Vec<Aabb> = self.rooms.iter().map(|(_, aabb)| grown(aabb, DOORSTEP)).collect();
         if boxes.is_empty() {
@@ -171,8 +169,8 @@ impl World {
         boxes
     }
 
-    /// Pairs of things that are deeper in each other than what the engine leaves at
-    /// rest, as of the last step.
+    /// Pairs of things with a penetration depth beyond that which the engine leaves at rest, as of the last
+    /// step.
     pub fn overlapping(&self) -> Vec<(NodeId, NodeId, f32)> {
         let deep = self.contacts().into_iter().filter(|c| c.depth > DEEP);
         deep.map(|c| (c.a, c.b, c.depth)).collect()

@@ -1,4 +1,4 @@
-//! A world as bytes, and as a number.
+//! Snapshots and digests of worlds.
 
 use std::collections::BTreeMap;
 
@@ -14,14 +14,14 @@ use crate::water::Water;
 use crate::world::{Places, State, Thing, World};
 use crate::{Settings, SnapshotError};
 
-/// What a snapshot begins with.
+/// The first bytes of a snapshot.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
-/// Changes whenever what follows changes.
+/// The format version, increased whenever the content changes.
 const VERSION: u32 = 6;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 
-/// What is written. Forms and rooms are found again by the scene graph.
+/// The content of a snapshot. Forms and rooms are reconstructed from the scene graph.
 #[derive(Serialize, Deserialize)]
 struct Content {
     settings: Settings,
@@ -38,8 +38,8 @@ struct Content {
 }
 
 impl World {
-    /// The world as bytes, for [`restore`](Self::restore). For a copy in memory
-    /// `clone` is several times cheaper. About 3 KiB a body.
+    /// The world as bytes, for [`restore`](Self::restore), about 3 KiB per body. A copy in memory by `clone` is
+    /// several times cheaper.
     ///
     /// # Errors
     /// [`SnapshotError::Unwritable`].
@@ -66,14 +66,14 @@ impl World {
         Ok(bytes)
     }
 
-    /// The world that was saved. It goes on as the saved one does, bit for bit.
+    /// Restores a saved world. It evolves as the saved one does, bit for bit.
     ///
-    /// `graph` is the scene it was built from; nodes that were inserted later have to
-    /// be in it. The checksum finds damage, not malice: bytes made up to fit it can
-    /// still be no world, so restore what you saved yourself.
+    /// `graph` is the scene from which the world was built; nodes that were inserted later have to be in it.
+    /// The checksum detects damage, not malice: forged bytes may pass it without being a valid world, so
+    /// restore only snapshots from a trusted source.
     ///
     /// # Errors
-    /// [`SnapshotError`].
+    /// [`SnapshotError`] if the bytes are no snapshot, are damaged, or belong to another scene.
     pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &Shapes) -> Result<Self, SnapshotError> {
         let content = decoded(bytes)?;
         let things = shapes.session(graph.assets(), |session| {
@@ -104,9 +104,9 @@ impl World {
         Ok(world)
     }
 
-    /// A 64-bit digest of what moves and how: poses, velocities and sleep of all
-    /// bodies, parts on joints, agents, vehicles, water, fill levels and the time. Equal worlds have
-    /// equal digests, whatever made them.
+    /// A 64-bit digest of the dynamic state: poses, velocities and sleep of all bodies, parts on joints,
+    /// agents, vehicles, water, fill levels and the time. Equal worlds have equal digests, whatever their
+    /// history.
     pub fn digest(&self) -> Digest {
         let mut hash = Digester::new();
         hash.word(self.ticks);

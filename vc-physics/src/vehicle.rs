@@ -1,8 +1,7 @@
-//! Vehicles: a body on springs, with wheels that are rays.
+//! Vehicles: a body on springs, with ray-cast wheels.
 //!
-//! The engine's ray-cast controller (after Bullet's `btRaycastVehicle`), Z up, X
-//! forward. Springs, dampers and forces are given in newtons; friction limits what
-//! wheels can push.
+//! The engine's ray-cast controller (after Bullet's `btRaycastVehicle`), Z up, X forward. Springs and dampers
+//! have SI units and forces are in newtons; friction limits the force of the wheels.
 
 use nalgebra::Point3;
 use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
@@ -16,7 +15,7 @@ use vc_graph::{NodeId, Pose};
 use crate::world::World;
 use crate::{PhysicsError, Role, convert};
 
-/// Part of its weight by which springs may press more or less than it at rest.
+/// The largest imbalance between spring force and weight at rest, as a fraction of the weight.
 const CARRIED: f32 = 0.005;
 
 /// A wheel.
@@ -26,13 +25,13 @@ pub struct WheelPlan {
     pub at: Point3<f32>,
     /// Radius, metres.
     pub radius: f32,
-    /// Whether the steering wheel turns it.
+    /// Whether the wheel is steered.
     pub steered: bool,
-    /// Whether the engine turns it.
+    /// Whether the engine drives the wheel.
     pub driven: bool,
 }
 
-/// How a vehicle is built.
+/// The design of a vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VehiclePlan {
     /// Its wheels.
@@ -45,26 +44,25 @@ pub struct VehiclePlan {
     pub travel: f32,
     /// Friction coefficient between tyres and road.
     pub grip: f32,
-    /// Greatest force of the engine, all wheels together, newtons.
+    /// The largest force of the engine, all wheels together, newtons.
     pub engine: f32,
-    /// Greatest force of the brakes, all wheels together, newtons.
+    /// The largest force of the brakes, all wheels together, newtons.
     pub brakes: f32,
-    /// Greatest steering angle, radians.
+    /// The largest steering angle, radians.
     pub steering: f32,
 }
 
 impl VehiclePlan {
-    /// A car of four wheels, front wheels steered and driven, for a chassis of a mass
-    /// in kilograms whose wheels stand `base` apart along X and `track` along Y, with
-    /// springs that make it bounce at 1.5 hertz and dampers at 0.3 of the critical
-    /// rate, as road cars have. `axle` is the height of the axles above the chassis's
-    /// origin when it stands, metres.
+    /// A car with four wheels, front wheels steered and driven, for a chassis with a mass in kilograms. The
+    /// wheels stand `base` apart along X and `track` along Y; the springs have a bounce frequency of 1.5 hertz
+    /// and the dampers 0.3 of the critical rate, as in road cars. `axle` is the height of the axles above the
+    /// chassis's origin at rest, metres.
     pub fn car(mass: f32, base: f32, track: f32, radius: f32, axle: f32) -> Self {
         let share = mass / 4.0;
         let frequency = std::f32::consts::TAU * 1.5;
         let spring = share * frequency * frequency;
         let travel = 0.3;
-        // Standing, the spring is shorter by what the weight presses it.
+        // At rest the spring is compressed by the weight.
         let top = axle + travel - share * 9.81 / spring;
         let wheel = |x: f32, y: f32| WheelPlan {
             at: Point3::new(x * base / 2.0, y * track / 2.0, top),
@@ -98,7 +96,7 @@ impl VehiclePlan {
     }
 }
 
-/// What the driver does.
+/// The driver's controls.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Controls {
     /// Throttle, -1 (full backwards) to 1 (full ahead).
@@ -121,7 +119,7 @@ pub(crate) struct Vehicle {
 }
 
 impl World {
-    /// Makes a loose thing a vehicle, its brakes on.
+    /// Makes a loose thing a vehicle, with its brakes on.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`],
@@ -154,10 +152,10 @@ impl World {
         Ok(())
     }
 
-    /// Sets what the driver does, until it is set again.
+    /// Sets the driver's controls until they are set again.
     ///
     /// # Errors
-    /// [`PhysicsError::NotFinite`]; [`PhysicsError::NotFree`] for what is no vehicle.
+    /// [`PhysicsError::NotFinite`]; [`PhysicsError::NotFree`] if the node is not a vehicle.
     pub fn steer(&mut self, id: NodeId, controls: Controls) -> Result<(), PhysicsError> {
         let all = [controls.throttle, controls.brake, controls.steering];
         if all.iter().any(|v| !v.is_finite()) {
@@ -172,15 +170,15 @@ impl World {
         Ok(())
     }
 
-    /// A vehicle's speed along its front, metres a second; `None` for what is none.
+    /// A vehicle's forward speed, metres per second; `None` if the node is not a vehicle.
     pub fn speed(&self, id: NodeId) -> Option<f32> {
         self.vehicles.get(&id)?;
         let front = self.pose(id)?.rotation * nalgebra::Vector3::x();
         Some(self.velocity(id)?.dot(&front))
     }
 
-    /// Where a vehicle's wheels are, in the order of its plan: their centres, turned
-    /// as they roll and steer; their axles are the poses' Y.
+    /// The poses of a vehicle's wheels, in the order of its plan: their centres, rotated by rolling and
+    /// steering; Y is the axle.
     pub fn wheels(&self, id: NodeId) -> Vec<Pose> {
         let (Some(vehicle), Some(chassis)) = (self.vehicles.get(&id), self.pose(id)) else { return Vec::new() };
         let pose = |wheel: &rapier3d::control::Wheel| {
@@ -191,8 +189,8 @@ impl World {
         vehicle.controller.wheels().iter().map(pose).collect()
     }
 
-    /// Lets the wheels push. What sleeps with no foot on the throttle stays asleep, and what its
-    /// springs do not carry yet does not fall asleep: at the turn of a bounce it is slow.
+    /// Applies the wheels' forces. A sleeping vehicle without throttle stays asleep, and a vehicle that its
+    /// springs do not carry yet does not fall asleep, although it is slow at the turn of a bounce.
     pub(crate) fn push_vehicles(&mut self) {
         let dt = self.engine.dt();
         let mut vehicles = std::mem::take(&mut self.vehicles);
@@ -212,8 +210,7 @@ impl World {
         self.vehicles = vehicles;
     }
 
-    /// Whether a vehicle's springs press otherwise than its weight wants, and nothing else
-    /// carries it.
+    /// Whether a vehicle's spring forces differ from its weight while nothing else carries it.
     fn bounces(&self, vehicle: &Vehicle, body: &RigidBody) -> bool {
         let pressed: f32 = vehicle.controller.wheels().iter().map(|w| w.wheel_suspension_force).sum();
         let weight = body.mass() * self.settings.gravity;
@@ -224,14 +221,14 @@ impl World {
 }
 
 impl Vehicle {
-    /// Feeds what it does and how its wheels stand into a hash.
+    /// Adds the controls and the state of the wheels to a hash.
     pub(crate) fn feed(&self, id: NodeId, hash: &mut Digester) {
         hash.word(u64::from(id.0));
         hash.reals([self.controls.throttle, self.controls.brake, self.controls.steering]);
         self.controller.wheels().iter().for_each(|w| _ = hash.reals([w.steering, w.rotation]));
     }
 
-    /// Spreads what the driver does over the wheels.
+    /// Distributes the driver's controls over the wheels.
     fn apply(&mut self, dt: f32) {
         let driven = self.driven.iter().filter(|d| **d).count().max(1) as f32;
         let all = self.driven.len() as f32;
@@ -248,7 +245,7 @@ impl Vehicle {
     }
 }
 
-/// The engine wants springs and dampers per kilogram of the chassis.
+/// The engine takes springs and dampers per kilogram of the chassis.
 fn tuning(plan: &VehiclePlan, mass: f32) -> WheelTuning {
     WheelTuning {
         suspension_stiffness: plan.spring / mass,

@@ -1,8 +1,8 @@
-//! Water: what floats in it, and how full things are.
+//! Water: buoyancy, and fill levels of containers.
 //!
-//! Buoyancy is exact for the convex pieces of a body: their triangles are cut at the
-//! surface of the water, and the part below gives displaced volume and its centre
-//! (Catto, "Exact buoyancy for polyhedra", Game Programming Gems 6, 2006).
+//! Buoyancy is exact for the convex pieces of a body: their triangles are cut at the water's surface, and the
+//! part below gives the displaced volume and its centre (Catto, "Exact buoyancy for polyhedra", Game
+//! Programming Gems 6, 2006).
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBody;
@@ -18,24 +18,24 @@ use crate::{PhysicsError, Role, convert};
 
 /// Density of water, kilograms per cubic metre.
 const DENSITY: f32 = 1000.0;
-/// Drag coefficient of a body about as wide as it is long.
+/// Drag coefficient of a body about as wide as long.
 const DRAG: f32 = 1.0;
-/// How fast waves carry away what a body bobs and rolls, per second, where it displaces its own
-/// mass: a block loses a third of its swing from one bob to the next.
+/// Rate of the damping of bobbing and rolling by waves, per second, for a body that displaces its own mass: a
+/// block loses a third of its amplitude from one bob to the next.
 const WAVES: f32 = 3.0;
-/// From which share of it below the surface on a body makes no waves.
+/// The submerged share from which on a body makes no waves.
 const DEEP: f32 = 0.999;
-/// From which speed on a floating body may not fall asleep, metres a second: a millimetre or
-/// two from where it floats.
+/// The speed from which on a floating body may not fall asleep, metres per second: it is then a millimetre or
+/// two from equilibrium.
 const RESTLESS: f32 = 0.01;
-/// Share of the displaced water that moves with a body: that of a sphere.
+/// Added mass as a share of the displaced water: that of a sphere.
 const ADDED: f32 = 0.5;
 
-/// How far below its bottom a body in water may have its centre, metres: the engine lets what
-/// lies there sink in by some millimetres.
+/// The largest depth of a body's centre below the bottom of the water, metres: the engine lets bodies on the
+/// bottom sink in by some millimetres.
 const BELOW: f32 = 0.05;
 
-/// Still water in an upright box, turned around the vertical; its surface is level.
+/// Still water in an upright box that may be rotated around the vertical; its surface is level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Water {
     /// Middle of its bottom.
@@ -43,7 +43,7 @@ pub(crate) struct Water {
     at: Pose,
     /// Half its lengths along X and Y, and its depth, metres.
     size: [f32; 3],
-    /// What it is in.
+    /// The container that holds it.
     container: Option<NodeId>,
 }
 
@@ -74,7 +74,7 @@ impl Water {
         Aabb { min, max }
     }
 
-    /// Feeds what it pushes with into a hash.
+    /// Adds the data that determine its forces to a hash.
     pub(crate) fn feed(&self, hash: &mut Digester) {
         hash.reals(self.at.translation.vector.iter().copied());
         hash.reals(self.at.rotation.coords.iter().copied());
@@ -99,8 +99,8 @@ impl World {
         self.waters.iter().map(Water::aabb).collect()
     }
 
-    /// Fills a container to a level, 0 to 1. In what is fixed and has room inside (a
-    /// bath, a sink) things float; in a cup the level is a state and nothing more.
+    /// Fills a container to a level, 0 to 1. Things float in a fixed container with space inside (a bath, a
+    /// sink); for a cup the level is only a state.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
@@ -119,7 +119,7 @@ impl World {
         Ok(())
     }
 
-    /// Takes the water out of a container.
+    /// Removes the water from a container.
     pub(crate) fn drain(&mut self, id: NodeId) {
         self.fills.remove(&id);
         if self.waters.iter().any(|w| w.container == Some(id)) {
@@ -128,13 +128,13 @@ impl World {
         }
     }
 
-    /// How full a container is, 0 to 1; 0 where nobody filled it.
+    /// The fill level of a container, 0 to 1; 0 if nobody has filled it.
     pub fn level(&self, id: NodeId) -> f32 {
         self.fills.get(&id).copied().unwrap_or(0.0)
     }
 
-    /// How much a container holds, cubic metres: the space above its inner surfaces,
-    /// or six tenths of its box. `None` without a body.
+    /// The capacity of a container, cubic metres: the space above its inner surfaces, or six tenths of its
+    /// bounding box. `None` if it has no body.
     pub fn capacity(&self, id: NodeId) -> Option<f32> {
         let thing = self.thing(id).ok()?;
         let space = |s: &Surface| 4.0 * s.half.0 * s.half.1 * s.clearance.unwrap_or(0.0);
@@ -143,7 +143,7 @@ impl World {
         Some(if inner > 0.0 { inner } else { 0.6 * size.x * size.y * size.z })
     }
 
-    /// Where the water of a container's largest inner surface is at a level, and its size.
+    /// The pose and size of the water in a container's largest inner surface at a level.
     fn basin(&self, thing: &Thing, level: f32) -> Option<(Pose, [f32; 3])> {
         let area = |s: &&Surface| s.half.0 * s.half.1;
         let inner = thing.form.surfaces.iter().filter(|s| s.hold == Hold::Inside && s.joint.is_none());
@@ -155,7 +155,7 @@ impl World {
         Some((at, [surface.half.0, surface.half.1, depth]))
     }
 
-    /// Adds water, and wakes what is in it.
+    /// Adds water, and wakes the bodies in it.
     fn pour(&mut self, water: Water) {
         let loose = self.things.iter().filter(|t| t.state.role == Role::Loose).map(|t| t.state.base);
         let bodies: Vec<_> = loose.collect();
@@ -170,7 +170,7 @@ impl World {
         self.waters.push(water);
     }
 
-    /// Pushes what is awake and in water.
+    /// Applies forces to awake bodies in water.
     pub(crate) fn push_floating(&mut self) {
         if self.waters.is_empty() {
             return;
@@ -193,7 +193,7 @@ impl World {
     }
 }
 
-/// Takes the water's push of the last step from a body.
+/// Removes the water's forces of the last step from a body.
 fn let_go(body: &mut RigidBody) {
     body.reset_forces(false);
     body.reset_torques(false);
@@ -204,12 +204,12 @@ fn let_go(body: &mut RigidBody) {
 struct Submerged {
     volume: f32,
     centre: Point3<f32>,
-    /// Of the whole body.
+    /// The share of the whole body.
     share: f32,
 }
 
-/// Volume below a level and its centre, by tetrahedra from a point of the surface to
-/// every triangle below it: the lid has no volume then and need not be made.
+/// The volume below a level and its centre, by tetrahedra from a point of the surface to every triangle below
+/// it: the lid has no volume in this sum and need not be built.
 fn submerged(mesh: &[[Point3<f32>; 3]], pose: &Pose, level: f32) -> Option<Submerged> {
     let apex = Point3::new(pose.translation.x, pose.translation.y, level);
     let (mut volume, mut moment, mut whole) = (0.0, Vector3::zeros(), 0.0);
@@ -228,8 +228,7 @@ fn submerged(mesh: &[[Point3<f32>; 3]], pose: &Pose, level: f32) -> Option<Subme
     sound.then(|| Submerged { volume, centre, share: (volume / whole).min(1.0) })
 }
 
-/// Signed volume of a tetrahedron with its fourth corner at the origin, and volume
-/// times centre.
+/// The signed volume of a tetrahedron with its fourth corner at the origin, and the volume times its centre.
 fn tetrahedron([a, b, c]: [Vector3<f32>; 3]) -> (f32, Vector3<f32>) {
     let volume = a.dot(&b.cross(&c)) / 6.0;
     (volume, (a + b + c) * (volume / 4.0))
@@ -252,30 +251,30 @@ fn below(triangle: &[Vector3<f32>; 3]) -> ([Vector3<f32>; 4], usize) {
     (polygon, count)
 }
 
-/// Buoyancy, drag, and the waves that carry energy away. The water that moves with
-/// the body makes it slower, which also keeps light bodies from being flung up.
+/// Applies buoyancy, drag, and damping by waves. The added mass of the water slows the body, which also keeps
+/// light bodies from being flung up.
 fn float(body: &mut RigidBody, below: &Submerged, dt: f32, gravity: f32) {
     if body.linvel().length() > RESTLESS {
-        // What bobs slows down at every turn: it does not rest yet.
+        // A bobbing body is slow at every turn but does not rest yet.
         body.activation_mut().time_since_can_sleep = 0.0;
     }
     let (mass, displaced) = (body.mass(), DENSITY * below.volume);
     let slower = mass / (mass + ADDED * displaced);
     let weight = mass * gravity;
-    // Gravity itself is added by the engine: what counts is the difference.
+    // The engine adds gravity itself: only the difference is applied here.
     let lift = displaced * gravity - weight;
     let velocity = body.linvel();
     let area = nalgebra::ComplexField::cbrt(below.volume).raised(2);
     let drag = 0.5 * DENSITY * DRAG * area * velocity.length() * dt / (mass + ADDED * displaced);
-    // Waves go with the water a body moves, not with how much of the body is below: what is
-    // light and floats high would bob for minutes. What is deep makes none.
+    // Waves scale with the displaced water relative to the body's mass, not with the submerged share: otherwise
+    // a light body that floats high would bob for minutes. A deeply submerged body makes none.
     let waves = if below.share < DEEP { WAVES * displaced / (mass + ADDED * displaced) * dt } else { 0.0 };
     let slow = 1.0 / (1.0 + drag + waves);
     let spin = 1.0 / (1.0 + waves + body.angvel().length() * below.share * dt);
     body.set_linvel(velocity * slow, false);
     body.set_angvel(body.angvel() * spin, false);
-    // A force, as gravity is one, which the engine adds in parts through the step: an impulse at
-    // its start would leave what floats still with a speed, and never let it sleep.
+    // A force, as gravity, which the engine distributes over the substeps. An impulse at the start of the step
+    // would leave a floating body with a speed, and it would never sleep.
     let force = Vector3::z() * (lift * slower + weight);
     body.add_force_at_point(convert::vector(force), convert::point(below.centre), false);
 }

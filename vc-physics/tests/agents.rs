@@ -28,7 +28,7 @@ fn walking_at_speed_and_stopping() {
     let end = position(&world, me);
     assert!((end - Vector3::new(3.0, 2.0, 0.0)).norm() < 0.06, "{end:?}");
     assert_eq!(world.walk(me).unwrap(), Walk::Still);
-    // It looks where it went.
+    // It faces the direction in which it walked.
     assert!((world.pose(me).unwrap().rotation * Vector3::x()).y > 0.99);
     world.go(me, Vector2::new(-100.0, 0.0)).unwrap();
     world.run(60);
@@ -85,8 +85,7 @@ fn walls_stairs_and_slopes() {
     assert!(position(&world, climber).z.abs() < 0.05, "and comes down behind");
 }
 
-/// A slope of less than forty degrees is climbed, a steeper one is not, nor a step of thirty
-/// centimetres.
+/// A slope of less than forty degrees is climbed; a steeper one, or a step of thirty centimetres, is not.
 #[test]
 fn what_is_too_steep_or_too_high() {
     let ends = [0.5, 0.9].map(|slope: f32| {
@@ -94,7 +93,7 @@ fn what_is_too_steep_or_too_high() {
         scene.floor(20.0, 0.9);
         let ramp = scene.solid("ramp", block([4.0, 1.0, 0.1]), scene.wood);
         let (sin, cos) = slope.sin_cos();
-        // Its upper side begins at the floor, a metre ahead.
+        // The ramp's upper side begins at the floor, a metre ahead.
         let middle = Vector3::new(1.0 + 4.0 * cos + 0.1 * sin, 0.0, 4.0 * sin - 0.1 * cos);
         scene.add("floor", ramp, turned(middle.x, 0.0, middle.z, Vector3::y(), -slope));
         let me = scene.agent(at(0.0, 0.0, 0.0));
@@ -125,7 +124,7 @@ fn jumping_and_landing() {
     let mut world = scene.world();
     world.run(10);
     let ground = position(&world, me).z;
-    // Walking does not hold it down.
+    // Walking does not hold the agent down.
     world.go(me, Vector2::new(1.0, 0.0)).unwrap();
     world.jump(me).unwrap();
     let mut highest: f32 = 0.0;
@@ -190,7 +189,7 @@ fn taking_carrying_and_putting_down() {
     world.follow(me, &[Point2::new(-2.0, 0.0), Point2::new(-2.0, 2.0)], false).unwrap();
     world.run(300);
     assert!((position(&world, me) - Vector3::new(-2.0, 2.0, 0.0)).norm() < 0.1, "carrying does not hinder");
-    // The cup on the tray came along, turned with it.
+    // The cup on the tray came along and turned with it.
     let now = position(&world, cup) - position(&world, tray);
     assert!((now.norm() - between.norm()).abs() < 1e-3 && (now.z - between.z).abs() < 1e-3);
     assert!(position(&world, tray).z > 0.8);
@@ -212,7 +211,7 @@ fn taking_carrying_and_putting_down() {
     assert_eq!(world.put(me, Hand::Right, spot), Err(AgentError::HandEmpty(me)));
 }
 
-/// What is carried touches nothing: cubes that it is swept through stay.
+/// Carried things touch nothing: cubes that one is swept through stay in place.
 #[test]
 fn what_is_held_pushes_nothing() {
     let mut scene = Scene::default();
@@ -246,13 +245,13 @@ fn dropping() {
     assert_eq!(world.velocity(toy), Some(Vector3::zeros()));
     assert!(world.settle(200).at_rest);
     assert!((position(&world, toy).z - 0.05).abs() < 0.01);
-    // What is taken out of the world while it is held leaves an empty hand.
+    // If a thing is removed from the world while it is held, the hand is empty.
     world.grab(me, Hand::Left, toy).unwrap();
     world.remove(toy).unwrap();
     assert_eq!(world.held(me, Hand::Left), None);
 }
 
-/// What the graph says is held is in the hand.
+/// Things that are held by the graph are in the hand.
 #[test]
 fn held_in_the_graph() {
     let mut scene = Scene::default();
@@ -269,7 +268,7 @@ fn held_in_the_graph() {
     assert!(position(&world, toy).x < 1.0);
 }
 
-/// A sofa of three seats 2 m ahead, its front towards the origin.
+/// A sofa with three seats 2 m ahead, its front towards the origin.
 fn sofa(scene: &mut Scene) -> NodeId {
     let w = scene.wood;
     let parts = vec![
@@ -298,7 +297,7 @@ fn sitting_lying_and_getting_up() {
     assert!(places.iter().all(|p| (p.z - 0.4).abs() < 1e-4 && (p.x - 2.0).abs() < 1e-4), "{places:?}");
     assert!(matches!(world.posture(people[0]), Some(Posture::Sitting(on, _)) if on == sofa));
     assert!(world.go(people[0], Vector2::x()).is_err(), "who sits does not walk");
-    // The sofa's front looks to -X: there they get up.
+    // The sofa's front faces -X, so they get up on that side.
     world.run(20);
     world.stand_up(people[0]).unwrap();
     let p = position(&world, people[0]);
@@ -318,7 +317,7 @@ fn sitting_lying_and_getting_up() {
     assert!(position(&world, people[3]).z.abs() < 0.01);
 }
 
-/// One sits beside a box and upon a cushion; where there is no room but on boxes, one is told.
+/// An agent sits beside a box and upon a cushion; if only places with boxes are free, an error says so.
 #[test]
 fn seats_that_are_covered() {
     let mut scene = Scene::default();
@@ -341,7 +340,7 @@ fn seats_that_are_covered() {
     assert!(position(&world, people[1]).y.abs() < 0.05);
 }
 
-/// Nobody walks through one who sits.
+/// Nobody walks through a sitting agent.
 #[test]
 fn who_sits_is_in_the_way() {
     let mut scene = Scene::default();
@@ -360,7 +359,7 @@ fn who_sits_is_in_the_way() {
     assert!(least > 0.38, "as near as {least} m");
 }
 
-/// Walled in on all sides, there is nowhere to get up to.
+/// An agent that is walled in on all sides cannot get up.
 #[test]
 fn no_exit() {
     let mut scene = Scene::default();
@@ -381,7 +380,7 @@ fn no_exit() {
     assert_eq!(world.stand_up(me), Err(AgentError::NoExit(stool)));
 }
 
-/// Two who meet in a doorway, and in a narrow corridor, both come through.
+/// Two agents that meet in a doorway, or in a narrow corridor, both get through.
 #[test]
 fn people_meet_where_it_is_narrow() {
     for (half_width, length) in [(0.42, 0.1), (0.6, 3.0)] {
@@ -402,7 +401,7 @@ fn people_meet_where_it_is_narrow() {
     }
 }
 
-/// Six people change places across a room without touching.
+/// Six agents change places across a room without touching.
 #[test]
 fn people_walk_past_each_other() {
     let mut scene = Scene::default();
@@ -430,7 +429,7 @@ fn people_walk_past_each_other() {
     }
 }
 
-/// What is walked over time and what is done at once end the same.
+/// Walking over time and moving at once have the same result.
 #[test]
 fn walking_and_being_there_end_the_same() {
     let mut scene = Scene::default();
@@ -459,7 +458,7 @@ fn walking_and_being_there_end_the_same() {
     }
 }
 
-/// An agent, a door that is shut, and a cube beside it.
+/// An agent, a closed door, and a cube beside it.
 fn beside_a_door() -> (World, NodeId, NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
@@ -470,20 +469,20 @@ fn beside_a_door() -> (World, NodeId, NodeId) {
     (scene.world(), me, door)
 }
 
-/// Where one is out of the way of a door, however far it is open.
+/// The positions that a door does not sweep, however far it is open.
 #[test]
 fn clear_of_a_door_that_swings() {
     let (mut world, me, door) = beside_a_door();
     let clear = |world: &World, x: f32, y: f32, open: &[f32]| world.stands_clear(me, &at(x, y, 0.0), door, open);
-    // In its way, but neither where it begins nor where it ends.
+    // In the door's way, but at neither its start nor its end.
     assert_eq!(clear(&world, 0.5, 0.0, &[0.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.0, &[0.5]), Ok(false));
     assert_eq!(clear(&world, 0.5, -0.2, &[1.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.0, &[0.0, 0.5, 1.0]), Ok(false));
     assert_eq!(clear(&world, 0.4, -1.0, &[0.0, 0.5, 1.0]), Ok(true));
-    // Other things count wherever the door is.
+    // Other things count at any position of the door.
     assert_eq!(clear(&world, -0.5, 0.0, &[0.0]), Ok(false));
-    // The door counts where it would be, not where it is.
+    // The door counts at the queried position, not at its present one.
     world.put_all_open(door, 1.0).unwrap();
     assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
     assert_eq!(clear(&world, 0.5, 0.4, &[0.0]), Ok(true));
@@ -510,7 +509,7 @@ fn agents_refuse_nonsense() {
     assert_eq!(boxed.pose, None);
 }
 
-/// A door that stands open gives way to who steps up; a wall does not.
+/// An open door gives way to an approaching agent; a wall does not.
 #[test]
 fn open_doors_give_way() {
     let (mut world, me, door) = beside_a_door();
@@ -522,7 +521,7 @@ fn open_doors_give_way() {
     aside.iter().try_for_each(|(id, part, open)| world.put_open(*id, *part, *open)).unwrap();
     assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(true));
     assert_eq!(world.parts_aside(me, &at(-0.5, 0.0, 0.0)), Ok(None));
-    // What is shut does not open to let anybody in.
+    // A closed door does not open to let anybody in.
     world.put_all_open(door, 0.0).unwrap();
     assert_eq!(world.parts_aside(me, &at(0.0, 0.0, 0.0)), Ok(None));
     assert!(world.parts_aside(NodeId(77), &at(0.0, 0.0, 0.0)).is_err());

@@ -1,4 +1,4 @@
-//! Clone, restored snapshot and rebuilt world go on alike, bit for bit.
+//! A clone, a restored snapshot and a rebuilt world evolve identically, bit for bit.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -9,7 +9,7 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Aabb, Bounds, Draft, NodeId, SceneGraph, Seed};
 use vc_physics::{Controls, Hand, Posture, Role, Settings, Shapes, SnapshotError, VehiclePlan, World};
 
-/// Who and what is moved in the scene.
+/// The agents and things that are moved in the scene.
 #[derive(Clone, Copy)]
 struct Others {
     chest: NodeId,
@@ -44,7 +44,7 @@ fn graph() -> (SceneGraph, Vec<NodeId>, Others) {
     (scene.graph(), things, Others { chest, door, car, stool, me, sitter })
 }
 
-/// What happens in the world at a step, always the same.
+/// The events in the world at a step, always the same.
 fn act(world: &mut World, step: u32, things: &[NodeId], others: Others) {
     let Others { chest, door, car, stool, me, sitter } = others;
     match step {
@@ -87,7 +87,7 @@ fn clone_restore_and_rebuild_are_the_same_world() {
     let (mut original, mut rebuilt) = (build(), build());
     let mut copies: Vec<(&str, World)> = Vec::new();
     for step in 0..240 {
-        // Copies are made in the middle of things.
+        // Copies are made while things move.
         if step == 0 || step == 70 {
             copies.push(("clone", original.clone()));
             let bytes = original.save().unwrap();
@@ -103,7 +103,7 @@ fn clone_restore_and_rebuild_are_the_same_world() {
             assert_eq!(original.digest(), copy.digest(), "{what}, step {step}");
         }
     }
-    // The whole state, not only what the digest looks at.
+    // The whole state, not only the part covered by the digest.
     let bytes = original.save().unwrap();
     assert_eq!(rebuilt.save().unwrap(), bytes);
     for (what, copy) in &copies {
@@ -111,8 +111,8 @@ fn clone_restore_and_rebuild_are_the_same_world() {
     }
 }
 
-/// Whatever was taken out, put elsewhere and put back before, a restored world goes on as the saved one does:
-/// falls end where they ended too.
+/// Whatever was removed, moved and put back before, a restored world evolves as the saved one does; falls end
+/// at the same places, too.
 #[test]
 fn a_restored_world_is_the_saved_one_after_any_edits() {
     for seed in 0..12 {
@@ -148,7 +148,7 @@ fn a_restored_world_is_the_saved_one_after_any_edits() {
     }
 }
 
-/// The same world on one thread, and among others on several, ends the same.
+/// The same world ends in the same state on one thread, and among others on several threads.
 #[test]
 fn any_number_of_threads() {
     let (graph, things, others) = graph();
@@ -195,7 +195,8 @@ fn damaged_snapshots_are_refused() {
     assert!(matches!(World::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
 }
 
-/// A reset moves what differs and leaves the rest asleep; too much is built anew.
+/// A reset moves the differing things and leaves the rest asleep; with too many differences the world is built
+/// anew.
 #[test]
 fn reset_moves_what_differs() {
     let mut scene = Scene::default();
@@ -231,7 +232,7 @@ fn reset_moves_what_differs() {
     assert!(world.openness(chest).unwrap() > 0.999);
     assert_eq!(world.pose(cubes[7]), None);
     assert_eq!(world.pose(cubes[20]), template.pose(cubes[20]));
-    // The template is untouched and can be used again.
+    // The template is unchanged and can be used again.
     assert_eq!(template.reset(&graph, &shapes).unwrap().0.digest(), template.digest());
 
     let mut edit = other.edit();
@@ -243,7 +244,7 @@ fn reset_moves_what_differs() {
     assert!(plan.built && built.ticks() == 0);
 }
 
-/// Who has walked away, or sits, stands again where the graph has it.
+/// An agent that has walked away, or sits, stands again where the graph has it.
 #[test]
 fn a_reset_brings_agents_back() {
     let mut scene = Scene::default();
@@ -270,8 +271,7 @@ fn a_reset_brings_agents_back() {
     }
 }
 
-/// A coat that hung on a hook and is on the bed now is free to move, as in a world that is
-/// built so.
+/// A coat that hung on a hook and now lies on the bed is free to move, as in a world built from that scene.
 #[test]
 fn a_reset_takes_things_off_hooks() {
     let mut scene = Scene::default();
@@ -300,12 +300,12 @@ fn a_reset_takes_things_off_hooks() {
     assert_eq!((world.role(coat), plan.built), (built.role(coat), false));
     world.settle(200);
     assert!((world.pose(coat).unwrap().translation.z - 0.79).abs() < 0.006, "{:?}", world.pose(coat));
-    // And back on the hook.
+    // The coat is back on the hook.
     let (hung, _) = world.reset(&graph, &shapes).unwrap();
     assert_eq!(hung.role(coat), Some(Role::Hung));
 }
 
-/// Two resets to the same scene are the same world.
+/// Two resets to the same scene give the same world.
 #[test]
 fn resets_are_deterministic() {
     let (graph, things, _) = graph();

@@ -1,4 +1,4 @@
-//! Doors and drawers: opened, shut, locked, among neighbours.
+//! Doors and drawers: opened, closed, locked, next to neighbours.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -30,7 +30,7 @@ fn doors_and_drawers_follow_the_graph_and_back() {
     assert!(world.settle(400).at_rest);
     assert_eq!((world.open_state(shut), world.open_state(ajar)), (Some(State::Open), Some(State::Closed)));
     assert!(world.openness(ajar).unwrap() < 0.006);
-    // Shut and latched, it does not give way; locked, it cannot be opened.
+    // A closed, latched door does not give way; a locked one cannot be opened.
     world.push(ajar, Vector3::x(), Point3::origin()).unwrap_err();
     world.lock(ajar, 0, true).unwrap();
     assert_eq!(world.drive(ajar, 0, 1.0), Err(PhysicsError::Locked(ajar)));
@@ -40,7 +40,7 @@ fn doors_and_drawers_follow_the_graph_and_back() {
     assert_eq!(world.drive(ajar, 7, 1.0), Err(PhysicsError::NoSuchPart { id: ajar, part: 7, count: 1 }));
 }
 
-/// A door stops at a person, and goes on when the person has left.
+/// A door stops at a person, and continues when the person has left.
 #[test]
 fn a_door_does_not_go_through_a_person() {
     let mut scene = Scene::default();
@@ -59,7 +59,7 @@ fn a_door_does_not_go_through_a_person() {
     assert!(world.openness(door).unwrap() > 0.99);
 }
 
-/// What lies in a drawer comes along, pulled or put.
+/// The contents of a drawer come along, whether it is driven or set.
 #[test]
 fn a_drawer_takes_its_content_along() {
     for (at_once, pinned) in [(false, false), (true, false), (false, true), (true, true)] {
@@ -87,8 +87,7 @@ fn a_drawer_takes_its_content_along() {
     }
 }
 
-/// A drawer between two cupboards that leave it no gap opens all the same, and they
-/// stay where they are.
+/// A drawer between two cupboards without any gap still opens, and the cupboards stay in place.
 #[test]
 fn a_drawer_does_not_rub_against_its_neighbours() {
     let mut scene = Scene::default();
@@ -105,8 +104,8 @@ fn a_drawer_does_not_rub_against_its_neighbours() {
     assert_eq!(world.pose(snug), Some(at(0.1, 0.265, 0.3)));
 }
 
-/// A chest of one board with a lid of another, hinged at the back: its axis lies level, and it
-/// opens towards negative angles.
+/// A chest of one board with a lid of another, hinged at the back: its axis is horizontal, and it opens towards
+/// negative angles.
 fn lidded(scene: &mut Scene) -> vc_graph::NodeId {
     let joint =
         Joint { kind: JointKind::Hinge, anchor: Point3::new(-0.3, 0.0, 0.4), axis: Vector3::y(), limits: (-1.4, 0.0) };
@@ -117,7 +116,7 @@ fn lidded(scene: &mut Scene) -> vc_graph::NodeId {
     scene.add("kitchen_cabinet", chest, at(0.0, 0.0, 0.0))
 }
 
-/// A lid that a spring balances stays where it is left; one that none does falls shut.
+/// A balanced lid stays where it is left; an unbalanced one falls shut.
 #[test]
 fn lids_stay_or_fall() {
     for balanced in [true, false] {
@@ -133,7 +132,7 @@ fn lids_stay_or_fall() {
     }
 }
 
-/// What stands in the door of a fridge comes along and stays there.
+/// Things in the door of a fridge come along and stay there.
 #[test]
 fn milk_rides_in_the_fridge_door() {
     let mut scene = Scene::default();
@@ -167,7 +166,7 @@ fn milk_rides_in_the_fridge_door() {
     assert!((now.translation.z - before.translation.z).abs() < 0.006);
 }
 
-/// The two leaves of a window open and shut one by one.
+/// The two leaves of a window open and close one by one.
 #[test]
 fn a_window_of_two_leaves() {
     let mut scene = Scene::default();
@@ -201,8 +200,8 @@ fn a_window_of_two_leaves() {
     assert_eq!(world.open_state(window), Some(State::Closed));
 }
 
-/// A door that is opened at once is where it is when it has been opened in time; where a
-/// person is in the way it stays as it was.
+/// A door that is opened at once ends where it ends when opened over time; if a person is in the way it stays
+/// as it was.
 #[test]
 fn doors_that_leap() {
     let scene = |person: bool| {
@@ -228,8 +227,8 @@ fn doors_that_leap() {
     assert_eq!(blocked.digest(), before);
 }
 
-/// A cupboard with a board that slides out, and a door before it with a rack; a jar stands on
-/// the rack, before the board. Beyond, there may be a wall that the jar meets while the door opens.
+/// A cupboard with a sliding board, and in front of it a door with a rack; a jar stands on the rack, in front
+/// of the board. There may be a wall that the jar hits while the door opens.
 fn racked(wall: bool) -> (World, vc_graph::NodeId, vc_graph::NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
@@ -259,7 +258,7 @@ fn racked(wall: bool) -> (World, vc_graph::NodeId, vc_graph::NodeId) {
     (world, cupboard, jar)
 }
 
-/// A door is opened before what is behind it, and shut after it, with all that stands in it.
+/// A door is opened before the part behind it, and closed after it, with all its contents.
 #[test]
 fn what_is_in_the_way_moves_first() {
     let (mut world, cupboard, jar) = racked(false);
@@ -272,7 +271,7 @@ fn what_is_in_the_way_moves_first() {
     }
 }
 
-/// A door opens no farther than what stands in it may go.
+/// A door opens only as far as its contents can move.
 #[test]
 fn a_door_opens_as_far_as_its_load_goes() {
     let (mut world, cupboard, jar) = racked(true);

@@ -1,4 +1,4 @@
-//! Physics whose answers are known.
+//! Physics problems with known answers.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -47,8 +47,7 @@ fn slope_at_the_friction_angle() {
     }
 }
 
-/// A tall stool on legs tips over once its centre of mass is beyond the outer edge of its feet,
-/// whether they are four or six.
+/// A tall stool tips over once its centre of mass is beyond the outer edge of its feet, with four legs or six.
 #[test]
 fn what_stands_on_legs_tips_over_their_edge() {
     let lean = |feet: &[(f32, f32)], angle: f32| {
@@ -78,8 +77,8 @@ fn what_stands_on_legs_tips_over_their_edge() {
     }
 }
 
-/// A ball rolls until rolling resistance, 0.02 of its weight, has stopped it: of a full
-/// sphere the resistance slows the roll by 5/7 of that.
+/// A ball rolls until rolling resistance, 0.02 of its weight, has stopped it: for a solid sphere the
+/// deceleration is 5/7 of that.
 #[test]
 fn a_ball_rolls_to_a_stop() {
     let mut scene = Scene::default();
@@ -101,7 +100,7 @@ fn a_stack_of_ten_rests() {
     let mut world = scene.world();
     let report = world.settle(300);
     assert!(report.at_rest && report.fell.is_empty() && report.overlapping.is_empty(), "{report:?}");
-    // The engine lets bodies into each other by up to 5 mm.
+    // The engine lets bodies overlap by up to 5 mm.
     let mut below = -0.1;
     for (i, cube) in cubes.iter().enumerate() {
         let p = world.pose(*cube).unwrap().translation;
@@ -111,7 +110,7 @@ fn a_stack_of_ten_rests() {
     assert_eq!(world.supports(cubes[5]), [cubes[4]]);
 }
 
-/// A leaf a metre high that hangs from a level hinge.
+/// A leaf one metre high that hangs from a horizontal hinge.
 fn flap(scene: &mut Scene) -> vc_graph::NodeId {
     let joint =
         Joint { kind: JointKind::Hinge, anchor: Point3::new(0.0, 0.0, 2.0), axis: Vector3::y(), limits: (-1.5, 1.5) };
@@ -122,7 +121,7 @@ fn flap(scene: &mut Scene) -> vc_graph::NodeId {
     scene.add("door", flap, at(0.0, 0.0, 0.0))
 }
 
-/// It swings with the period of its pendulum.
+/// The leaf swings with the period of its pendulum.
 #[test]
 fn period_of_a_pendulum_door() {
     let mut scene = Scene::default();
@@ -131,7 +130,7 @@ fn period_of_a_pendulum_door() {
     let mut world = scene.world_with(settings);
     world.put_open(flap, 0, 0.1).unwrap();
     let start = world.moving_parts(flap)[0].position;
-    // Small swings: 2 pi sqrt(I / (m g d)), the inertia around the hinge.
+    // Small swings: 2 pi sqrt(I / (m g d)), with the inertia around the hinge.
     let (height, thick, arm) = (1.0_f32, 0.04_f32, 0.5_f32);
     let inertia = (height * height + thick * thick) / 12.0 + arm * arm;
     let period = std::f32::consts::TAU * (inertia / (9.81 * arm)).sqrt();
@@ -148,8 +147,7 @@ fn period_of_a_pendulum_door() {
     assert!((measured / period - 1.0).abs() < 0.02, "{measured} s, should be {period} s");
 }
 
-/// Under a friction torque M each swing to the other side ends 2 M / (m g d) short of the
-/// last one.
+/// Under a friction torque M each swing to the other side ends 2 M / (m g d) short of the last one.
 #[test]
 fn friction_of_a_pendulum_door() {
     let mut scene = Scene::default();
@@ -168,7 +166,7 @@ fn friction_of_a_pendulum_door() {
         }
         before = [before[1], now];
     }
-    // Of larger swings the weight's torque goes with the sine: energies are compared.
+    // For larger swings the weight's torque goes with the sine: energies are compared.
     let (arm, gravity) = (0.5_f32, 9.81_f32);
     for pair in ends.windows(2) {
         let energy = |angle: f32| gravity * arm * (1.0 - angle.cos());
@@ -226,9 +224,9 @@ fn depth_of_a_floating_block() {
     let middle = world.pose(wood).unwrap().translation.z;
     assert!((middle - 0.98).abs() < 0.003, "{middle}");
     assert!(world.pose(rock).unwrap().translation.z < 0.11, "a stone sinks");
-    // The ball came up, bobbed, and floats with a tenth of its volume below.
+    // The ball came up, bobbed, and floats with a tenth of its volume below the surface.
     let depth = |share: f32| {
-        // Height h of a cap of share of the volume: h^2 (3 r - h) / (4 r^3) = share.
+        // Height h of a cap with a share of the volume: h^2 (3 r - h) / (4 r^3) = share.
         let (mut low, mut high) = (0.0_f32, 0.24_f32);
         for _ in 0..40 {
             let h = f32::midpoint(low, high);
@@ -242,7 +240,7 @@ fn depth_of_a_floating_block() {
     assert!(highest > expected + 0.005 && highest < 1.6, "it bobs: {highest}");
 }
 
-/// Momentum is kept where two balls meet on the level.
+/// Momentum is conserved when two balls collide on a level floor.
 #[test]
 fn momentum_of_a_collision() {
     let mut scene = Scene::default();
@@ -261,7 +259,7 @@ fn momentum_of_a_collision() {
     assert!((vb - 2.0 / 4.375 * 3.0).abs() < 0.15, "{vb}");
 }
 
-/// A stone sinks as fast as its drag lets it: with `2 (m - rho V) g = rho A c v^2`.
+/// A stone sinks at its terminal speed: `2 (m - rho V) g = rho A c v^2`.
 #[test]
 fn speed_of_a_sinking_stone() {
     let mut scene = Scene::default();
@@ -285,7 +283,7 @@ fn car(scene: &mut Scene, mass: f32) -> vc_graph::NodeId {
     scene.add("car", asset, at(0.0, 0.0, 0.0))
 }
 
-/// With wheels that grip with 0.8 of its weight, a car stops from v in v^2 / (2 mu g).
+/// With tyres whose grip is 0.8 of its weight, a car stops from v within v^2 / (2 mu g).
 #[test]
 fn stopping_distance_of_a_car() {
     let mut scene = Scene::default();
@@ -314,8 +312,8 @@ fn stopping_distance_of_a_car() {
     assert!((world.pose(car).unwrap().translation.x - from - distance).abs() < 0.1, "it stands");
 }
 
-/// Let down from its stand, a car bounces at the rate of its springs, and each bounce is lower
-/// than the last as its dampers want.
+/// Released from its stand, a car bounces at the frequency of its springs, and each bounce is lower than the
+/// last in accordance with its dampers.
 #[test]
 fn springs_and_dampers_of_a_car() {
     let mut scene = Scene::default();
@@ -339,7 +337,7 @@ fn springs_and_dampers_of_a_car() {
         }
         before = [before[1], now];
     }
-    // Of 1.5 Hz and 0.3 of the critical damping.
+    // 1.5 Hz and 0.3 of the critical damping.
     let damped = 1.5 * (1.0_f32 - 0.09).sqrt();
     let measured = 60.0 / (crossings[1] - crossings[0]);
     assert!((measured / damped - 1.0).abs() < 0.1, "{measured} Hz, should be {damped} Hz");
@@ -362,7 +360,7 @@ fn a_car_turns_and_climbs_a_ramp() {
     world.run(240);
     let p = world.pose(car).unwrap().translation;
     assert!(p.x > 8.0 && p.z > 0.3 && p.y.abs() < 0.3, "{p}");
-    // To the left, X forward, is towards positive Y.
+    // With X forward, left is positive Y.
     let mut left = before;
     left.steer(car, Controls { throttle: 0.3, steering: 0.5, ..Controls::default() }).unwrap();
     left.run(120);
@@ -370,7 +368,7 @@ fn a_car_turns_and_climbs_a_ramp() {
     assert_eq!(left.wheels(car).len(), 4);
 }
 
-/// One drop test for each shape that the engine has upright along another axis.
+/// One drop test for each shape whose axis differs in the engine.
 #[test]
 fn shapes_stand_upright() {
     let shapes = [

@@ -1,4 +1,4 @@
-//! Ways over the floor, against a slow search that sees every corner.
+//! Paths on the floor, compared with a slow search over all corners.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -21,7 +21,7 @@ fn turned(centre: Point2<f32>, half: (f32, f32), angle: f32) -> Outline {
     vec![corner(-half.0, -half.1), corner(half.0, -half.1), corner(half.0, half.1), corner(-half.0, half.1)]
 }
 
-/// A floor of eight by six metres with boxes, some turned.
+/// A floor of eight by six metres with boxes, some of them rotated.
 fn random_floor(seed: u64) -> (Vec<Outline>, Vec<Outline>) {
     let mut rng = Seed(seed).stream();
     let mut obstacles: Vec<Outline> = (0..rng.count(4, 14))
@@ -32,7 +32,7 @@ fn random_floor(seed: u64) -> (Vec<Outline>, Vec<Outline>) {
             turned(centre, half, angle)
         })
         .collect();
-    // Its edges are walls.
+    // The edges of the floor are walls.
     let walls = [(-0.1, -0.1, 8.1, 0.0), (-0.1, 6.0, 8.1, 6.1), (-0.1, -0.1, 0.0, 6.1), (8.0, -0.1, 8.1, 6.1)];
     obstacles.extend(walls.map(|(a, b, c, d)| rectangle(a, b, c, d)));
     (vec![rectangle(0.0, 0.0, 8.0, 6.0)], obstacles)
@@ -76,9 +76,9 @@ fn distance_to_path(p: Point2<f32>, path: &[Point2<f32>]) -> f32 {
     path.windows(2).map(edge).fold(f32::MAX, f32::min)
 }
 
-/// The true shortest way that keeps a distance from everything: corners are circles
-/// around the obstacles' corners, as polygons of many sides that lie outside them, and
-/// every pair of points is looked at (Dijkstra on the visibility graph).
+/// The true shortest path that keeps a distance from everything: corners are circles around the obstacles'
+/// corners, as circumscribed polygons with many sides, and every pair of points is tested (Dijkstra on the
+/// visibility graph).
 fn brute_force(obstacles: &[Outline], radius: f32, from: Point2<f32>, to: Point2<f32>) -> Option<f32> {
     const SIDES: usize = 48;
     let clear = |p: Point2<f32>| obstacles.iter().all(|o| distance_to(p, o) >= radius - 1e-4);
@@ -124,7 +124,7 @@ fn ways_are_within_two_percent_of_the_shortest() {
         let mut rng = Seed(seed).child("ends").stream();
         let mut point = || loop {
             let p = Point2::new(rng.between(0.0, 8.0), rng.between(0.0, 6.0));
-            // A little off the edge of the free floor, where both agree what is free.
+            // A little off the edge of the free floor, where both searches agree about free points.
             if obstacles.iter().all(|o| distance_to(p, o) > plan.radius + 0.05) && floor.is_free(p) {
                 break p;
             }
@@ -135,8 +135,8 @@ fn ways_are_within_two_percent_of_the_shortest() {
                 check(&route.points, &obstacles, plan.radius - 0.036);
                 let mut ratio = route.length / shortest;
                 if ratio > 1.02 {
-                    // A gap with less than two centimetres to spare may be shut on cells:
-                    // then the shortest way of a body one centimetre wider is what counts.
+                    // A gap with less than two centimetres to spare may be closed on the grid: then the
+                    // shortest path of a body one centimetre wider is the reference.
                     let wider = brute_force(&obstacles, plan.radius + 0.01, from, to).unwrap();
                     tight += 1;
                     ratio = route.length / wider;
@@ -146,7 +146,7 @@ fn ways_are_within_two_percent_of_the_shortest() {
                 compared += 1;
             }
             (Some(_), Some(_)) | (None, None) => {}
-            // A gap as wide as the body is open to one and shut to the other.
+            // A gap as wide as the body may be open in one search and closed in the other.
             _ => only_one += 1,
         }
     }
@@ -163,8 +163,8 @@ fn check(points: &[Point2<f32>], obstacles: &[Outline], clearance: f32) {
     }
 }
 
-/// On the same cells the way is exactly the shortest: compared with a search over all
-/// corners of the free cells.
+/// On the same cells the path is exactly the shortest: compared with a search over all corners of the free
+/// cells.
 #[test]
 fn ways_are_the_shortest_over_the_cells() {
     let plan = FloorPlan { radius: 0.2, cell: 0.2, ..FloorPlan::default() };
@@ -188,7 +188,7 @@ fn ways_are_the_shortest_over_the_cells() {
     }
 }
 
-/// Points of an ellipse, turned; some of them twice.
+/// Points of an ellipse, rotated; some of them repeated.
 fn around(centre: Point2<f32>, half: (f32, f32), corners: usize, angle: f32, twice: bool) -> Outline {
     let corner = |i: usize| {
         let (sin, cos) = (i as f32 / corners as f32 * std::f32::consts::TAU).sin_cos();
@@ -208,7 +208,7 @@ fn cells_are_free_whose_middles_keep_clear() {
         let mut one = || {
             let centre = Point2::new(rng.between(-0.5, 4.5), rng.between(-0.5, 3.5));
             let half = (rng.between(0.02, 0.8), rng.between(0.02, 0.8));
-            // Right angles with the axes among them.
+            // Rectangles along the axes are included.
             let angle = if rng.chance(0.4) { 0.0 } else { rng.between(0.0, 3.0) };
             around(centre, half, rng.count(1, 17), angle, rng.chance(0.2))
         };
@@ -222,7 +222,7 @@ fn cells_are_free_whose_middles_keep_clear() {
             };
             let clear = obstacles.iter().map(edge).fold(f32::MAX, f32::min);
             let covered = obstacles.iter().any(|o| o.len() > 2 && distance_to(p, o) == 0.0);
-            // Within rounding of the radius or of the floor's edge either will do.
+            // Within rounding of the radius or of the floor's edge either result is correct.
             if (clear - plan.radius).abs() < 1e-4 || p.x > 3.999 || p.y > 2.999 {
                 continue;
             }
@@ -240,7 +240,7 @@ fn to_segment(p: Point2<f32>, a: Point2<f32>, b: Point2<f32>) -> f32 {
     (p - (a + way * t)).norm()
 }
 
-/// Dijkstra over all corners of cells, with lines of sight sampled finely.
+/// Dijkstra over all corners of cells, with finely sampled lines of sight.
 fn over_cells(floor: &Floor, cell: f32, from: Point2<f32>, to: Point2<f32>) -> Option<f32> {
     let free = |x: f32, y: f32| floor.is_free(Point2::new(x, y));
     let mut points = vec![from, to];
@@ -286,7 +286,7 @@ fn over_cells(floor: &Floor, cell: f32, from: Point2<f32>, to: Point2<f32>) -> O
     }
 }
 
-/// Three rooms in a row, doors between them.
+/// Three rooms in a row, with doors between them.
 fn rooms() -> (Scene, Vec<NodeId>) {
     let mut scene = Scene::default();
     scene.floor(6.0, 0.5);
@@ -331,7 +331,7 @@ fn doors_block_and_open() {
     assert!(any.route(left, Point2::new(0.0, 0.0)).is_some());
 }
 
-/// A drawer left open is shut in passing, and told; as it is, it is in the way.
+/// An open drawer is closed in passing, and listed; under `AsTheyAre` it is an obstacle.
 #[test]
 fn open_drawers_are_shut_in_passing() {
     let (mut scene, _) = rooms();
@@ -360,12 +360,12 @@ fn chairs_in_the_way() {
     world.place(crate_, at(4.5, -1.5, 0.45)).unwrap();
     assert!(floor.update(&world));
     assert!((floor.route(a, b).unwrap().length - 5.5).abs() < 0.01);
-    // What is carried is not in the way.
+    // Carried things are not obstacles.
     world.remove(crate_).unwrap();
     assert!(floor.update(&world));
 }
 
-/// What lies on a table is in nobody's way; what juts out over its edge is.
+/// Things on a table are not obstacles; things that jut out over its edge are.
 #[test]
 fn things_on_tables_are_not_in_the_way() {
     let (mut scene, _) = rooms();
@@ -412,13 +412,13 @@ fn places_to_stand() {
     let _ = high;
 }
 
-/// The place to stand is the nearest on foot of all from which a thing is within reach and in
-/// sight: not behind the board that hides it.
+/// The standing position is the nearest, by path length, from which a thing is within reach and visible: not
+/// behind the board that hides it.
 #[test]
 fn the_nearest_place_to_stand() {
     let mut scene = Scene::default();
     scene.floor(6.0, 0.5);
-    // A stand, and a board before its near side.
+    // A stand, and a board in front of its near side.
     scene.wall([-0.15, -0.15, 0.0], [0.15, 0.15, 0.74]);
     scene.wall([-0.19, -0.4, 0.0], [-0.17, 0.4, 2.2]);
     let cup = scene.cube(0.05, at(0.0, 0.0, 0.79));
@@ -429,7 +429,7 @@ fn the_nearest_place_to_stand() {
     let (plan, from) = (BodyPlan::default(), Point2::new(-3.0, 0.2));
     let stand = floor.stand(&world, &plan, from, cup).unwrap().unwrap();
     let length = |spot: Point2<f32>| floor.route(from, spot).map(|r| r.length);
-    // Of all spots of a fine raster at which one could stand, asked as an agent is asked there.
+    // All spots of a fine grid where the agent could stand, tested as for the agent there.
     let mut best = f32::MAX;
     for (i, k) in (0..70).flat_map(|i| (0..70).map(move |k| (i, k))) {
         let spot = Point2::new(-1.4 + 0.04 * i as f32, -1.4 + 0.04 * k as f32);

@@ -1,4 +1,4 @@
-//! Coming to rest: what hangs, what trembles, what settling tells.
+//! Coming to rest: hanging things, trembling things, and the report of settling.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -10,7 +10,7 @@ use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, Place, Relation};
 use vc_physics::{Role, Settings, Shapes, Unplaced, World};
 
-/// A picture that rests on nothing hangs, if the graph says what other things rest on.
+/// A picture without a support hangs, if the graph states the supports of other things.
 #[test]
 fn what_hangs_stays_until_it_is_touched() {
     let mut scene = Scene::default();
@@ -33,8 +33,8 @@ fn what_hangs_stays_until_it_is_touched() {
     assert_eq!(world.settle(300).fell, [picture]);
 }
 
-/// A coat on a hook hangs there, though the graph says what it is on; one that lies
-/// beside does not.
+/// A coat on a hook hangs there, although the graph states its support; a coat that lies beside the hook does
+/// not hang.
 #[test]
 fn what_is_on_a_hook_hangs() {
     let mut scene = Scene::default();
@@ -57,7 +57,8 @@ fn what_is_on_a_hook_hangs() {
     assert_eq!(world.settle(400).fell, [falls]);
 }
 
-/// What certainly rests may sleep at once; what is about to tip, or stands on that, may not.
+/// Things that are certainly at rest may sleep at once; a thing that is about to tip, or stands on such a
+/// thing, may not.
 #[test]
 fn who_dozes_off() {
     let mut scene = Scene::default();
@@ -73,12 +74,12 @@ fn who_dozes_off() {
     world.step();
     let asleep = [safe, stacked, edge, burden].map(|id| world.is_asleep(id));
     assert_eq!(asleep, [true, true, false, false]);
-    // Nothing has been stopped: it falls in time.
+    // Nothing has been stopped: the thing falls in time.
     assert_eq!(world.settle(400).fell, [edge, burden]);
     assert_eq!(world.supports(safe), [table]);
 }
 
-/// What is pinned stays where it is, at no cost, until it is pushed.
+/// A pinned thing stays where it is, at no cost, until it is pushed.
 #[test]
 fn what_is_pinned_stays() {
     let mut scene = Scene::default();
@@ -148,7 +149,7 @@ fn settle_tells_what_happened() {
     assert!(contact.normal.z > 0.99 && contact.point.z > 0.73 && contact.depth < 0.006, "{contact:?}");
 }
 
-/// A bowl holds an apple, a solid of its hull would not.
+/// A bowl holds an apple; a solid hull of it would not.
 #[test]
 fn bowls_are_hollow() {
     let mut scene = Scene::default();
@@ -165,7 +166,7 @@ fn bowls_are_hollow() {
     assert_eq!(world.supports(apple), [bowl]);
 }
 
-/// Two things put into each other are told, with how deep.
+/// Two overlapping things are reported with their penetration depth.
 #[test]
 fn settle_tells_what_is_inside_what() {
     let mut scene = Scene::default();
@@ -180,7 +181,7 @@ fn settle_tells_what_is_inside_what() {
     assert!(depth > 0.01 && depth < 0.05, "{depth}");
 }
 
-/// What hovers a little is let down, and rests at once; what is high up is not.
+/// A thing that hovers a little is lowered and rests at once; a thing high up is not lowered.
 #[test]
 fn let_down_it_rests() {
     let mut scene = Scene::default();
@@ -204,7 +205,7 @@ fn let_down_it_rests() {
     assert!(world.is_asleep(low) && !world.is_asleep(high));
 }
 
-/// A board that leans on a wall sleeps again where it slept, without another look at it.
+/// A board that leans on a wall sleeps again where it slept before, without another test.
 #[test]
 fn what_leans_sleeps_where_it_slept() {
     let mut scene = Scene::default();
@@ -220,7 +221,7 @@ fn what_leans_sleeps_where_it_slept() {
     world.doze();
     world.step();
     assert!(world.is_asleep(leaning));
-    // Moved, it does not.
+    // After it has been moved it does not.
     world.place(leaning, at(-0.01, 0.0, 0.0) * rested).unwrap();
     world.step();
     world.doze();
@@ -228,7 +229,7 @@ fn what_leans_sleeps_where_it_slept() {
     assert!(!world.is_asleep(leaning));
 }
 
-/// A thing falls if the rack that it hung on is taken away.
+/// A thing falls if the rack on which it hung is removed.
 #[test]
 fn what_hung_from_it_falls() {
     let mut scene = Scene::default();
@@ -249,8 +250,8 @@ fn what_hung_from_it_falls() {
     assert_eq!((world.settle(400).fell, world.role(coat)), (vec![coat], Some(Role::Loose)));
 }
 
-/// A block whose bottom has eight corners comes to rest from any small tilt: it does not rock from
-/// one side to the other for ever.
+/// A block whose bottom has eight corners comes to rest from any small tilt: it does not rock from side to side
+/// for ever.
 #[test]
 fn flat_blocks_do_not_rock() {
     let corners = [(0.06, 0.03), (0.05, 0.04), (-0.05, 0.04), (-0.06, 0.03)];

@@ -1,4 +1,4 @@
-//! From scene graphs to worlds: what is fixed, how heavy it is, where there is room.
+//! Worlds built from scene graphs: roles, masses, and free spots.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -26,7 +26,7 @@ fn roles_by_class() {
         [floor, table, sofa, fridge, cup, strange].map(|id| world.role(id).unwrap())
     };
     use Role::{Fixed, Loose};
-    // The table has 33 kg, the blocks 130.
+    // The mass of the table is 33 kg, that of the blocks 130 kg.
     assert_eq!(roles(Fixing::Heavy), [Fixed, Fixed, Fixed, Fixed, Loose, Fixed]);
     assert_eq!(roles(Fixing::Immovable), [Fixed, Loose, Loose, Fixed, Loose, Loose]);
     assert_eq!(roles(Fixing::Structure), [Fixed, Loose, Loose, Loose, Loose, Loose]);
@@ -40,7 +40,7 @@ fn class_masses() {
     let graph = scene.graph();
     let modelled = World::build(&graph, &Shapes::new(), plain()).unwrap();
     assert!((modelled.mass(heavy).unwrap() - 0.3072).abs() < 1e-3);
-    // No cup has more than 0.3 kg.
+    // No cup weighs more than 0.3 kg.
     let real = World::build(&graph, &Shapes::new(), Settings::default()).unwrap();
     assert!((real.mass(heavy).unwrap() - 0.3).abs() < 1e-4);
     assert_eq!(real.modelled_mass(heavy), modelled.mass(heavy));
@@ -74,7 +74,7 @@ fn free_spots() {
         world.place(cube, spot).unwrap();
         placed += 1;
     }
-    // The table has room for 0.8 * 1.4 / 0.1^2 cubes at the very most.
+    // The table has room for at most 0.8 * 1.4 / 0.1^2 cubes.
     assert!(placed > 30, "{placed}");
     assert_eq!(world.free_spot(large, table, 0, 0.0, Order::Middle).unwrap(), None);
     let report = world.settle(200);
@@ -87,7 +87,7 @@ fn free_spots() {
     assert!(!world.is_free(Vector3::repeat(0.2), &at(1.0, 1.0, 0.7)));
 }
 
-/// A spot for what is not there yet is one at which it stands once it is.
+/// A free spot for a thing that is not in the world yet is one at which it then stands.
 #[test]
 fn free_spots_for_a_footprint() {
     let mut scene = Scene::default();
@@ -118,12 +118,12 @@ fn free_spots_for_a_footprint() {
     assert!(world.free_spot_for(Vector3::repeat(0.1), table, 9, 0.0, Order::Middle).is_err());
 }
 
-/// However many parts a wall has, its window stays open.
+/// A wall keeps its window open, however many parts it has.
 #[test]
 fn a_wall_of_many_parts_keeps_its_window() {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
-    // A raster of bricks half a metre wide, without those of the window.
+    // A grid of bricks half a metre wide, except at the window.
     let bricks =
         (0..8).flat_map(|i| (0..5).map(move |k| (i, k))).filter(|(i, k)| !(3..5).contains(i) || !(2..4).contains(k));
     let brick = |(i, k): (i32, i32)| {
@@ -144,12 +144,12 @@ fn a_wall_of_many_parts_keeps_its_window() {
     assert!(x(through) > 2.5 && x(against) < 2.0, "{} {}", x(through), x(against));
 }
 
-/// A wall of one mesh, as model files have it, keeps its doorway.
+/// A wall that is a single mesh, as in model files, keeps its doorway.
 #[test]
 fn a_wall_of_one_mesh_keeps_its_doorway() {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
-    // The outline of the wall around the doorway, drawn along x.
+    // The outline of the wall around the doorway, extruded along x.
     let outline = [(-2.0, 0.0), (-0.5, 0.0), (-0.5, 2.0), (0.5, 2.0), (0.5, 0.0), (2.0, 0.0), (2.0, 2.6), (-2.0, 2.6)];
     let vertices: Vec<Point3<f32>> =
         [-0.05, 0.05].iter().flat_map(|&x| outline.map(|(y, z)| Point3::new(x, y, z))).collect();
@@ -205,7 +205,7 @@ fn free_spots_in_containers_keep_below_their_roof() {
     assert_eq!(world.supports(tall), [shelf]);
 }
 
-/// However many parts an asset has, it has few pieces, and its shelves stay open.
+/// An asset with many parts has few pieces, and its shelves stay open.
 #[test]
 fn many_parts_become_few_pieces() {
     let mut scene = Scene::default();
@@ -237,7 +237,7 @@ fn many_parts_become_few_pieces() {
     }
 }
 
-/// Scaled assets are as large and as heavy as they should be.
+/// Scaled assets have the correct sizes and masses.
 #[test]
 fn scales() {
     for (scale, factor) in [([2.0, 2.0, 2.0], 8.0), ([1.0, 2.0, 3.0], 6.0)] {

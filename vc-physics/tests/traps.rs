@@ -1,4 +1,4 @@
-//! The engine's traps, each with what this crate does instead.
+//! Pitfalls of the physics engine, each with this crate's remedy.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -13,7 +13,7 @@ use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Draft};
 use vc_physics::{Settings, Shapes, World};
 
-/// Bodies inserted asleep fall into what they rest on: `rest` finds contacts first.
+/// Bodies that are inserted asleep sink into their supports: `rest` finds contacts first.
 #[test]
 fn a_scene_put_to_rest_stays_where_it_is() {
     let mut scene = Scene::default();
@@ -25,7 +25,7 @@ fn a_scene_put_to_rest_stays_where_it_is() {
     let before: Vec<_> = cubes.iter().map(|c| world.pose(*c).unwrap()).collect();
     world.run(120);
     assert_eq!(before, cubes.iter().map(|c| world.pose(*c).unwrap()).collect::<Vec<_>>());
-    // Pushed, they move and come to rest again.
+    // When pushed, the cubes move and come to rest again.
     world.push(cubes[3], Vector3::new(0.0, 0.6, 0.0), Point3::new(-1.4, 0.0, 0.05)).unwrap();
     let report = world.settle(200);
     assert!(report.at_rest && report.moved.iter().any(|m| m.id == cubes[3]), "{report:?}");
@@ -35,7 +35,7 @@ fn a_scene_put_to_rest_stays_where_it_is() {
     }
 }
 
-/// Bodies are registered before the first step, so nothing hangs in the air.
+/// Bodies are registered before the first step, so none of them hangs in the air.
 #[test]
 fn bodies_fall_after_queries() {
     let mut scene = Scene::default();
@@ -48,7 +48,7 @@ fn bodies_fall_after_queries() {
     assert!((world.pose(ball).unwrap().translation.z - 0.1).abs() < 0.006);
 }
 
-/// A spot inside something is told before anything is put there.
+/// An overlap is reported before anything is placed.
 #[test]
 fn overlap_is_told_beforehand() {
     let mut scene = Scene::default();
@@ -58,12 +58,12 @@ fn overlap_is_told_beforehand() {
     let world = scene.world();
     assert_eq!(world.overlaps(cube, &at(0.0, 0.0, 0.72)).unwrap(), [table]);
     assert_eq!(world.overlaps(cube, &at(0.37, 0.67, 0.05)).unwrap(), [floor, table]);
-    // Touching is no overlap.
+    // Touching is not overlapping.
     assert!(world.overlaps(cube, &at(0.0, 0.0, 0.84)).unwrap().is_empty());
     assert!(world.overlaps(cube, &at(0.0, 0.0, 0.3)).unwrap().is_empty(), "under the table");
 }
 
-/// What becomes non-finite is stopped, named and reported; the rest goes on.
+/// A body that becomes non-finite is stopped, named and reported; the others continue.
 #[test]
 fn a_body_that_becomes_non_finite_is_named() {
     let mut scene = Scene::default();
@@ -82,12 +82,12 @@ fn a_body_that_becomes_non_finite_is_named() {
     assert!(world.push(wild, Vector3::x(), Point3::origin()).is_err());
 }
 
-/// A mesh is no solid where it holds things: a ball stays in a tub.
+/// A mesh is not solid where it holds things: a ball stays in a tub.
 #[test]
 fn a_tub_of_one_mesh_is_hollow() {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
-    // Rings of four corners: outside from below, then inside from above.
+    // Rings of four corners: the outside from below, then the inside from above.
     let rings = [(0.8, 0.0), (0.8, 0.5), (0.7, 0.5), (0.7, 0.12)];
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
     let ring = |&(r, z): &(f32, f32)| corners.map(|(x, y)| Point3::new(r * x, r * y, z));
@@ -114,8 +114,8 @@ fn a_tub_of_one_mesh_is_hollow() {
     }
 }
 
-/// A straw's inertia is below what the engine's eigenvectors can tell from nothing: with
-/// the wrong axes it digs into what it lies on.
+/// The inertia of a straw is below the resolution of the engine's eigenvectors: with wrong axes it digs into
+/// its support.
 #[test]
 fn thin_things_lie_still() {
     let mut scene = Scene::default();
@@ -134,8 +134,8 @@ fn thin_things_lie_still() {
     }
 }
 
-/// Of a face with many corners the engine sees four that lie side by side: a round top
-/// would carry on one side only, and a pot of one hull stand on an edge.
+/// The engine uses only four adjacent corners of a face with many: a round top would carry on one side only,
+/// and a pot of one hull would stand on an edge.
 #[test]
 fn faces_with_many_corners_carry_everywhere() {
     let around = |radius: f32, i: u32| {
@@ -169,8 +169,8 @@ fn hostile(sound: std::ops::Range<f32>) -> impl Strategy<Value = f32> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever the measures, poses and orders: done or refused, never a panic, and what is
-    /// left is finite.
+    /// Whatever the measures, poses and calls, they are done or refused without a panic, and the resulting
+    /// world is finite.
     #[test]
     fn hostile_worlds(
         boxes in prop::collection::vec(prop::array::uniform7(hostile(0.01..2.0)), 1..6),
@@ -184,7 +184,7 @@ proptest! {
         for [x, y, z, sx, sy, sz, turn] in boxes {
             let pose = common::turned(x, y, z, Vector3::new(0.2, 1.0, 0.4), turn);
             let bounds = vc_graph::Bounds::standing(Vector3::new(sx, sy, sz));
-            // The graph refuses some of these itself.
+            // The graph itself refuses some of these.
             drop(scene.builder.add(vc_graph::Draft::new("toy").at(pose).bounds(bounds)));
         }
         let mut world = scene.world();
@@ -214,8 +214,8 @@ proptest! {
     }
 }
 
-/// Ten thousand things thrown at random into a room, while others fly and fall there: none goes
-/// through its floor or its walls.
+/// Ten thousand things are thrown at random into a room in which others fly and fall: none passes through its
+/// floor or its walls.
 #[test]
 fn no_tunnelling() {
     let mut out = 0;
@@ -250,7 +250,7 @@ fn no_tunnelling() {
                 let thing = edit.add(toy).unwrap();
                 edit.commit();
                 world.insert(&graph, thing, &shapes).unwrap();
-                // Others are under way where it is to be.
+                // Other things may be at its spot.
                 let mut spot = world.pose(thing).unwrap();
                 while !world.overlaps(thing, &spot).unwrap().is_empty() {
                     spot = pose();
@@ -274,7 +274,7 @@ fn no_tunnelling() {
     assert_eq!(out, 0, "of 10,000 things went through the floor or a wall");
 }
 
-/// Sub-steps and other step lengths fall as far.
+/// Falls are as far with substeps and other step lengths.
 #[test]
 fn steps_of_other_lengths() {
     for (dt, substeps) in [(1.0 / 60.0, 4), (1.0 / 240.0, 1), (1.0 / 30.0, 2)] {
@@ -295,8 +295,8 @@ fn steps_of_other_lengths() {
     }
 }
 
-/// Everything below a floor is solid, however thin the floor is: things that fall fast or are thin do not get
-/// through. The floor's box is no thicker for that.
+/// Everything below a floor is solid, however thin the floor is: fast or thin falling things do not pass
+/// through. The floor's bounding box is not made thicker.
 #[test]
 fn floors_have_ground_below_them() {
     for thick in [1e-5_f32, 0.01, 0.1] {
@@ -321,8 +321,8 @@ fn floors_have_ground_below_them() {
     }
 }
 
-/// A thing that gets past the edge of all floors is stopped and named before it is far, and takes part again
-/// where it is put.
+/// A thing that gets past the edge of all floors is soon stopped and named, and takes part again where it is
+/// placed.
 #[test]
 fn what_falls_out_of_the_world_is_stopped() {
     let mut scene = Scene::default();
@@ -345,7 +345,7 @@ fn what_falls_out_of_the_world_is_stopped() {
     assert!(feet.z > -0.2 && feet.y < 2.4, "{feet}");
 }
 
-/// An agent over nothing falls as things do, is stopped and named, and stands again where it is put.
+/// An agent without ground below falls as things do, is stopped and named, and stands again where it is placed.
 #[test]
 fn an_agent_over_nothing_falls() {
     for floor in [true, false] {
@@ -372,7 +372,7 @@ fn an_agent_over_nothing_falls() {
     }
 }
 
-/// Things in the place of another are told, however many.
+/// Coinciding things are reported, however many there are.
 #[test]
 fn what_is_in_one_place_is_told() {
     let mut scene = Scene::default();

@@ -1,4 +1,4 @@
-//! Water in what holds it: filled, emptied, moved, turned, taken away.
+//! Water in containers that are filled, emptied, moved, rotated and removed.
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
@@ -52,7 +52,7 @@ fn fill_levels() {
     assert!(world.fill(duck, f32::NAN).is_err());
 }
 
-/// What stands under a filled basin, or beside one that is turned, stays dry.
+/// Things below a filled basin, or beside a rotated one, stay dry.
 #[test]
 fn water_is_only_in_its_basin() {
     let mut scene = Scene::default();
@@ -60,7 +60,7 @@ fn water_is_only_in_its_basin() {
     let high = bath(&mut scene, at(0.0, 0.0, 0.7));
     let aslant = bath(&mut scene, turned(3.0, 0.0, 0.0, Vector3::z(), std::f32::consts::FRAC_PI_4));
     let under = scene.ball(0.06, at(0.0, 0.0, 0.06));
-    // Within the box around the turned bath, but outside of the bath.
+    // Within the bounding box of the rotated bath, but outside of the bath.
     let beside = scene.ball(0.06, at(3.6, 0.6, 0.06));
     let within = scene.ball(0.06, at(3.0 - 0.35, 0.35, 0.2));
     let mut world = scene.world();
@@ -77,7 +77,7 @@ fn water_is_only_in_its_basin() {
     assert!((height(&world, within) - 0.44).abs() < 0.03, "it floats: {:?}", world.pose(within));
 }
 
-/// Water goes where its basin goes, and with it.
+/// Water moves with its basin, and is removed with it.
 #[test]
 fn water_stays_with_its_basin() {
     let mut scene = Scene::default();

@@ -1,12 +1,10 @@
-//! What deciding costs: plans from scratch, and the next action of an agent that sees
-//! only its room.
+//! The cost of deciding: plans from scratch, and the next action of an agent that observes only its own room.
 //!
-//! Plans are made in a home of five hundred objects, and in homes of other sizes, for
-//! goals of one to thirty parts; the growth is plotted in `target/planner/`. Each of 200
-//! goals is timed as the best of five, as the machine may be busy with other things;
-//! median and 99th percentile are over the goals. The decisions are in VirtualHome's
-//! first scene where the shared data is there (`VC_DATA` or `../shared/data`), else in
-//! the bundled apartment; `benches/README.md` has the peers' figures.
+//! Plans are made in a home with five hundred objects, and in homes of other sizes, for goals with one to
+//! thirty parts; the growth is plotted in `target/planner/`. The time for each of 200 goals is the best of
+//! five, since the machine may be busy with other things; median and 99th percentile are over the goals. The
+//! decisions are made in VirtualHome's first scene if the shared data exist (`VC_DATA` or `../shared/data`),
+//! otherwise in the bundled apartment; `benches/README.md` lists the times of comparable planners.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
@@ -29,13 +27,13 @@ const GOAL: &str = "On(plate, kitchen_table), 2 & Inside(apple, fridge) & Closed
 const GOALS: u64 = 200;
 const REPEATS: usize = 5;
 
-/// So many errands as one goal.
+/// A goal of a number of errands.
 fn goal(scene: &SceneGraph, parts: usize, seed: u64) -> Goal {
     errands(scene, parts, seed).join(" & ").parse().unwrap()
 }
 
 fn main() {
-    // `cargo bench -p vc-planner -- decision` times only what is named.
+    // `cargo bench -p vc-planner -- decision` runs only the named benchmarks.
     let only: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
     let wanted = |name: &str| only.is_empty() || only.iter().any(|o| name.contains(o.as_str()));
     if wanted("plan") {
@@ -50,7 +48,7 @@ fn main() {
     }
 }
 
-/// First plans where the bars are.
+/// The first plans, for the sizes with a required time.
 fn plans() {
     for parts in [6, 12] {
         planning(500, parts);
@@ -81,7 +79,7 @@ fn draw(name: &str, title: &str, figures: &[(f64, (Duration, Duration))]) {
     std::fs::write(folder.join(format!("{name}.svg")), svg(title, name, "microseconds", &lines)).unwrap();
 }
 
-/// First plans from scratch over many goals.
+/// The first plans from scratch over many goals.
 fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
     let scene = home(objects, 1);
     let me = scene.agents()[0];
@@ -109,7 +107,7 @@ fn scene() -> SceneGraph {
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 
-/// Runs an episode; the time of each decision, seeing and deciding.
+/// Runs an episode; returns the time of each decision, observation and planning together.
 fn episode(scene: &SceneGraph, mut agent: Agent) -> Vec<Duration> {
     let mut times = Vec::new();
     let me = scene.agents()[0];
@@ -128,7 +126,7 @@ fn episode(scene: &SceneGraph, mut agent: Agent) -> Vec<Duration> {
     times
 }
 
-/// Whole decisions under partial observation.
+/// Whole decisions under partial observability.
 fn deciding() {
     let home = home(500, 1);
     let cases: Vec<(&str, SceneGraph, Vec<Goal>)> = vec![
@@ -142,7 +140,7 @@ fn deciding() {
     }
 }
 
-/// The mean time of the decisions of some agents; tells more.
+/// Prints the mean decision time of some agents, with details.
 fn decisions(
     name: &str,
     scene: &SceneGraph,

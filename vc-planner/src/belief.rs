@@ -1,4 +1,4 @@
-//! What an agent believes about a scene it sees only in part.
+//! The belief of an agent under partial observability.
 
 mod chances;
 mod draw;
@@ -18,61 +18,58 @@ use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, Scene
 use crate::prior::{Kinds, Supposed, Tidiness};
 use crate::{Known, Prior};
 
-/// Where things are, as far as an agent knows, and for the others a guess.
+/// An agent's belief: the places of things that it knows, and a guess for the others.
 ///
-/// It is told the plan of the home when it moves in: the rooms, the fixed things
-/// and which movable things exist. It is not told where the movable ones are, nor
-/// what is open or on. For each of them every place, that is every surface and
-/// container and the floor of each room, is as likely as its [`Prior`] says until it
-/// has been seen without the thing (the thesis's section 4.3, where all are equally
-/// likely). Containers that can be carried are places from when they are first seen. The
-/// guess is a sample, kept until an observation proves it false; when every place has been
-/// seen without it, the belief widens to all places again, because something was moved
-/// meanwhile.
+/// An agent that moves in is told the plan of the home: the rooms, the fixed things, and which movable things
+/// exist. It is not told the places of the movable things, nor which things are open or on. For each movable
+/// thing, every place (every surface and container, and the floor of each room) is as likely as its [`Prior`]
+/// says until the place has been seen without the thing (the thesis's section 4.3, where all places are equally
+/// likely). Containers that can be carried become places when they are first seen. The guess is a sample, kept
+/// until an observation disproves it; when every place has been seen without the thing, the belief widens to
+/// all places again, because the thing must have been moved meanwhile.
 ///
-/// Updating costs a look at each node seen and at each thing still missing.
+/// An update costs a look at each node seen and at each thing still missing.
 #[derive(Debug, Clone)]
 pub struct Belief {
     agent: NodeId,
-    /// The sampled state: what is known, and guesses for the rest.
+    /// The sampled state: the known part of the scene, and guesses for the rest.
     graph: SceneGraph,
     known: Known,
-    /// Where things can be; `seen` says which of them have been looked at.
+    /// The possible places of things; `seen` says which of them have been looked at.
     places: Vec<Place>,
     seen: Vec<bool>,
-    /// The room of each place, and its kind.
+    /// The room of each place, and the kind of each place.
     rooms: Vec<Option<NodeId>>,
     kinds: Kinds,
     prior: Prior,
-    /// What is supposed about each class of missing things.
+    /// The hypothesis about each class of missing things.
     supposed: BTreeMap<Arc<str>, Supposed>,
     tidiness: Tidiness,
-    /// Things not yet found, with the place of their guess.
+    /// The things not yet found, with the guessed place of each.
     missing: Vec<(NodeId, usize)>,
     last: Option<Observation>,
-    /// It has not been told what there is: that is learned by walking in.
+    /// Whether the agent was told nothing about the contents of the home: it learns them by observation.
     stranger: bool,
     /// Nodes whose guess the agent's own last action has changed.
     touched: Vec<NodeId>,
-    /// Where it cannot get.
+    /// The nodes that it cannot reach.
     shunned: Vec<NodeId>,
     widened: usize,
     rng: ChaCha8Rng,
 }
 
-/// What an observation taught.
+/// The information gained from an observation.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Learned {
     /// Things seen for the first time.
     pub found: Vec<NodeId>,
-    /// Things whose guessed place was proved false.
+    /// Things whose guessed place was disproved.
     pub disproved: Vec<NodeId>,
 }
 
 impl Belief {
-    /// The belief of an agent that knows only the plan of a home. `graph` is the
-    /// true scene: rooms and fixed things are taken from it, the places of movable
-    /// things and all states are forgotten.
+    /// The belief of an agent that knows only the plan of a home. `graph` is the true scene: rooms and fixed
+    /// things are taken from it; the places of movable things and all states are forgotten.
     pub fn of_newcomer(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
         Self::by_prior(graph, agent, seed, Prior::Uniform)
     }
@@ -97,9 +94,8 @@ impl Belief {
         belief
     }
 
-    /// The belief of an agent that knows the rooms and no more, neither furniture nor which
-    /// things exist: what it sees is added, and surfaces and containers are places from then
-    /// on.
+    /// The belief of an agent that knows only the rooms, neither the furniture nor which things exist: it adds
+    /// what it sees, and surfaces and containers become places once seen.
     pub fn of_stranger(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         (belief.prior, belief.stranger) = (prior, true);
@@ -107,7 +103,7 @@ impl Belief {
         let mut edit = belief.graph.edit();
         let unknown = |n: &&Node| n.kind() == Kind::Object && !carried.contains(&n.id());
         for id in graph.nodes().filter(unknown).map(Node::id) {
-            // What is there can be taken out.
+            // The node exists, so it can be removed.
             let _ = edit.remove(id);
         }
         edit.commit();
@@ -151,28 +147,27 @@ impl Belief {
         &self.graph
     }
 
-    /// The sampled state, for a planner to try actions on and take them back, and
-    /// what of it is known.
+    /// The sampled state, on which a planner can try actions and take them back, and the set of known nodes.
     pub(crate) fn sampled_and_known(&mut self) -> (&mut SceneGraph, &Known) {
         (&mut self.graph, &self.known)
     }
 
-    /// What the agent has seen.
+    /// The nodes that the agent has seen.
     pub fn known(&self) -> &Known {
         &self.known
     }
 
-    /// How often everything had been searched and the belief widened.
+    /// How often the belief has widened after a search of all places.
     pub fn widened(&self) -> usize {
         self.widened
     }
 
-    /// The places where something not yet found can be.
+    /// The places where missing things can still be.
     pub fn possible_places(&self) -> impl Iterator<Item = Place> + '_ {
         self.places.iter().zip(&self.seen).filter(|(_, seen)| !**seen).map(|(place, _)| *place)
     }
 
-    /// How many places there are where something not yet found can be.
+    /// The number of places where missing things can still be.
     pub fn open_places(&self) -> usize {
         self.seen.iter().filter(|seen| !**seen).count()
     }
@@ -182,7 +177,7 @@ impl Belief {
         open.map(|(i, place)| (i, *place, self.rooms[i]))
     }
 
-    /// Whether the scene has neither a room nor anything on or in which things could be.
+    /// Whether the scene has neither a room nor a place for things.
     pub(crate) fn has_no_place(&self) -> bool {
         self.places.is_empty()
     }
@@ -191,22 +186,22 @@ impl Belief {
         self.places.len()
     }
 
-    /// Whether it is only guessed where a thing is.
+    /// Whether the place of a thing is only a guess.
     pub fn is_missing(&self, id: NodeId) -> bool {
         self.missing.iter().any(|&(missing, _)| missing == id)
     }
 
-    /// Whether there is nothing it would have to guess: it moved in long ago.
+    /// Whether nothing has to be guessed, as for a long-time resident.
     pub fn knows_all(&self) -> bool {
         self.places.is_empty()
     }
 
-    /// Whether a node was in view when it looked last.
+    /// Whether a node was in view in the last observation.
     pub(crate) fn sees(&self, id: NodeId) -> bool {
         self.last.as_ref().is_some_and(|seen| seen.sees(id))
     }
 
-    /// Whether there may be things it has not heard of.
+    /// Whether there may be things that the agent does not know of.
     pub(crate) fn is_stranger(&self) -> bool {
         self.stranger
     }
@@ -221,7 +216,7 @@ impl Belief {
         edit.commit();
     }
 
-    /// Forgets where things are and what state anything is in.
+    /// Forgets the places of things and the states of all things.
     fn forget(&mut self, hidden: &[NodeId]) {
         let states: Vec<(NodeId, StateSet)> =
             self.graph.nodes().filter(|n| n.kind() == Kind::Object).map(|n| (n.id(), presumed(n))).collect();
@@ -243,7 +238,7 @@ impl Belief {
     }
 }
 
-/// What is presumed of an object before it has been seen: closed, off and clean.
+/// The presumed state of an object before it has been seen: closed, off and clean.
 fn presumed(node: &Node) -> StateSet {
     let mut states = node.states();
     if states.contains(State::Dirty) {

@@ -1,26 +1,25 @@
-//! How much is at least left to do: a lower bound on the cost to the goal.
+//! A lower bound on the remaining cost to the goal.
 //!
-//! Counted are: a put and a grab for each item still needed, an opening for each door
-//! that must be gone through, closings and switches, and the walks. A spot must be
-//! walked to at least once for every two items that go there or come from there,
-//! since there are two hands.
+//! The bound counts a put and a grab for each item still needed, an opening for each door on the way to an item
+//! or a target, closings and switches, and the walks. Since there are two hands, a spot must be walked to at
+//! least once for every two items that are brought there or taken from there.
 
 use crate::packed::{ACTION, BITS, MOST, Need, Problem, State, ones};
 
-/// What has to be done, whatever the way.
+/// The necessary work, whatever the plan.
 struct Must {
-    /// Spots with any business at all.
+    /// Spots at which there is anything to do.
     spots: u64,
     doors: u64,
     actions: u32,
-    /// What comes from each spot that several piles could have served.
+    /// Items taken from each spot for which several piles could have served.
     out: [u8; BITS],
-    /// Spots of which `out` speaks.
+    /// Spots that `out` covers.
     chosen: u64,
 }
 
 impl Problem {
-    /// A lower bound on the cost of the rest, never too high.
+    /// A lower bound on the cost of the rest; it is admissible.
     pub(crate) fn bound(&self, s: &State) -> u32 {
         let index = &self.index;
         let hands = index.serves(s.hands[0]) | index.serves(s.hands[1]);
@@ -46,8 +45,8 @@ impl Problem {
         (must.actions + self.walks(s, short, &must)) * ACTION
     }
 
-    /// Where one item can serve two needs, a grab and a put may serve them all: those of
-    /// the largest need count.
+    /// The actions that are needed at least. Where one item can serve two needs, one grab and put may serve all
+    /// needs: then only the largest of the carried needs counts.
     fn fewest_actions(&self, s: &State) -> u32 {
         let all = |n: &Need| ones(n.units & s.needs).map(|unit| self.index.units[unit].actions).sum::<u32>();
         let carried = |n: &&Need| n.units & self.index.carried != 0;
@@ -55,8 +54,8 @@ impl Problem {
         done + self.needs.iter().filter(carried).map(all).max().unwrap_or(0)
     }
 
-    /// How many things some units are about; where one item can serve two needs, no
-    /// more than the largest of the needs.
+    /// The number of things for some units. Where one item can serve two needs, it is at most the largest of
+    /// the needs.
     fn tally(&self, units: u64) -> u32 {
         if !self.shared {
             return ones(units).count() as u32;
@@ -64,8 +63,8 @@ impl Problem {
         self.needs.iter().map(|n| (n.units & units).count_ones()).max().unwrap_or(0)
     }
 
-    /// Needs of several, or that several piles can serve: where but one pile is left,
-    /// it must be gone to.
+    /// Counts needs of several items, and needs that several piles can serve: where only one pile is left, its
+    /// spot must be visited.
     fn count_choosy(&self, s: &State, must: &mut Must) {
         let carried = [s.hands[0], s.hands[1], s.down[0], s.down[1]].map(|h| self.kind(h));
         let mut taken = [0u8; MOST];
@@ -88,7 +87,7 @@ impl Problem {
             let spot = 1 << pile.spot;
             must.spots |= spot;
             must.doors |= pile.door.map_or(0, |d| 1 << d);
-            // Two hands limit what leaves a spot, not what is moved or used there.
+            // Two hands limit the number of items that leave a spot, but not moves and uses within the spot.
             if need.units & self.index.carried != 0 && need.spots & spot == 0 && taken[p] < short as u8 {
                 must.out[pile.spot as usize] += short as u8 - taken[p];
                 taken[p] = short as u8;
@@ -108,7 +107,7 @@ impl Problem {
             walks += if s.at >> spot & 1 == 0 {
                 into.div_ceil(2).max(out.div_ceil(2)).max(1)
             } else {
-                // What is in the hands can be put here now, and the hands filled.
+                // The held items can be put down here now, and the hands filled.
                 into.saturating_sub(held).div_ceil(2).max(out.saturating_sub(2).div_ceil(2))
             };
         }

@@ -1,30 +1,30 @@
-//! A goal taken apart into demands on things.
+//! Decomposition of a goal into demands on things.
 
 use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term};
 use vc_graph::{NodeId, State};
 
 use crate::few::Few;
 
-/// So many things of a list are to satisfy a predicate.
+/// A demand that a number of things from a list satisfy a predicate.
 #[derive(Debug, Clone)]
 pub(crate) struct Demand<'g> {
     pub(crate) predicate: Predicate,
-    /// What can stand in each place of the predicate.
+    /// The candidates for each argument of the predicate.
     pub(crate) things: [Few; 2],
-    /// Which place is counted.
+    /// The argument that is counted.
     pub(crate) counted: usize,
     pub(crate) number: usize,
-    /// The part of the goal it comes from.
+    /// The part of the goal from which the demand comes.
     pub(crate) part: &'g Goal,
 }
 
 impl Demand<'_> {
-    /// The things counted.
+    /// The candidates of the counted argument.
     pub(crate) fn subjects(&self) -> &[NodeId] {
         &self.things[self.counted]
     }
 
-    /// The things that stand in the other place.
+    /// The candidates of the other argument.
     pub(crate) fn others(&self) -> &[NodeId] {
         &self.things[1 - self.counted]
     }
@@ -33,7 +33,7 @@ impl Demand<'_> {
         if self.counted == 0 { [Some(subject), other] } else { [other, Some(subject)] }
     }
 
-    /// Whether the predicate holds of a thing, with some other.
+    /// Whether the predicate holds of a thing with some candidate of the other argument.
     pub(crate) fn holds(&self, now: &Situation<'_>, subject: NodeId) -> bool {
         let other = self.others();
         if other.is_empty() {
@@ -43,7 +43,7 @@ impl Demand<'_> {
     }
 }
 
-/// Which of several ways is taken at each `or`, as the digits of a counter.
+/// The alternative that is chosen at each `or`, as the digits of a counter.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Choice {
     digits: Vec<(usize, usize)>,
@@ -59,7 +59,7 @@ impl Choice {
         self.digits[self.next - 1].0
     }
 
-    /// Goes on to the next choice; `false` after the last.
+    /// Advances to the next choice; `false` after the last.
     pub(crate) fn advance(&mut self) -> bool {
         self.next = 0;
         while let Some((digit, of)) = self.digits.pop() {
@@ -72,19 +72,19 @@ impl Choice {
     }
 }
 
-/// The demands of a goal under a choice, and whether anything is left out of them.
+/// The demands of a goal under a choice, and whether they leave anything out.
 #[derive(Debug, Default)]
 pub(crate) struct Demands<'g> {
     pub(crate) all: Vec<Demand<'g>>,
-    /// Parts that are no demands: orders, upper bounds, negations.
+    /// Whether the goal has parts that are not demands: orders, upper bounds, negations.
     pub(crate) rest: bool,
-    /// A part that is false whatever is done: that one thing is another.
+    /// A part that no action can make true: a claim that one thing is another.
     pub(crate) refuted: Option<&'g Goal>,
-    /// Sitting and lying is left to regression, which sees when a seat is at hand anyway.
+    /// Whether postures are left to regression, which notices a seat that is at hand anyway.
     pub(crate) regress_postures: bool,
 }
 
-/// Takes a goal apart.
+/// Decomposes a goal.
 pub(crate) struct Reader<'a, 'g> {
     pub(crate) now: &'a Situation<'a>,
     pub(crate) choice: &'a mut Choice,
@@ -123,7 +123,7 @@ impl<'a, 'g> Reader<'a, 'g> {
                 0 => self.part(part),
                 _ => self.not(condition),
             },
-            // What is to hold at some step may as well hold at the last.
+            // A part that has to hold at some step may as well hold at the last.
             Goal::Eventually(part) | Goal::AtEnd(part) => self.part(part),
             Goal::Until(_, part) | Goal::Before(part, _) | Goal::Within(_, part) => {
                 self.found.rest = true;
@@ -138,7 +138,7 @@ impl<'a, 'g> Reader<'a, 'g> {
             }
             Goal::Exists(q) => {
                 let mut range = self.range(q.class.as_deref());
-                // Those of which most holds already are tried first.
+                // Candidates for which most parts hold already are tried first.
                 range.sort_by_cached_key(|&id| {
                     std::cmp::Reverse(self.bound_to(&[(&q.variable, id)], |r| r.met(&q.body)))
                 });
@@ -152,13 +152,12 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// How many parts of a body hold now of what its variables stand for.
+    /// The number of parts of a body that hold now under the variables' bindings.
     fn met(&self, body: &Goal) -> usize {
         body.conjuncts().iter().filter(|part| self.holds(part)).count()
     }
 
-    /// Whether a literal, or that things are the same or not, holds now; of the rest of the
-    /// language nothing is said.
+    /// Whether a literal or a (dis)equality holds now; other parts of the language count as not holding.
     fn holds(&self, part: &Goal) -> bool {
         match part {
             Goal::Same(a, b) => self.meant(a).is_some_and(|a| self.meant(b) == Some(a)),
@@ -176,7 +175,7 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// The thing a term stands for, if it is one thing.
+    /// The thing that a term denotes, if it is a single thing.
     fn meant(&self, term: &Term) -> Option<NodeId> {
         match term {
             Term::Class(_) | Term::Anything => None,
@@ -184,7 +183,7 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// That one thing is another, or is not, is so or never will be.
+    /// Handles equality or inequality of two things: it holds, or it never will.
     fn same(&mut self, part: &'g Goal, a: &Term, b: &Term, wanted: bool) {
         let same = self.meant(a).is_some_and(|a| self.meant(b) == Some(a));
         if same != wanted {
@@ -192,7 +191,7 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// So many of a class, those first of which the part holds already.
+    /// Demands a number of things of a class, first those for which the part holds already.
     fn so_many(&mut self, comparison: Comparison, number: usize, q: &'g Quantified) {
         self.found.rest |= comparison != Comparison::AtLeast;
         if comparison == Comparison::AtMost {
@@ -206,8 +205,7 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// Things of two classes, one with one: pairs that hold already, then the others in
-    /// order.
+    /// Demands pairs of things of two classes, one to one: pairs that hold already, then the others in order.
     fn pairs(&mut self, pairs: &'g Pairs) {
         self.found.rest = true;
         let (comparison, number) = match pairs.number {
@@ -242,7 +240,7 @@ impl<'a, 'g> Reader<'a, 'g> {
         self.bound_to(&[(&q.variable, id)], |r| r.part(&q.body));
     }
 
-    /// With variables standing for things.
+    /// Runs `read` with variables bound to things.
     fn bound_to<T>(&mut self, things: &[(&'g str, NodeId)], read: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.bound.len();
         self.bound.extend_from_slice(things);
@@ -258,7 +256,8 @@ impl<'a, 'g> Reader<'a, 'g> {
         }
     }
 
-    /// A state has an opposite that can be demanded of all; else it is left.
+    /// Demands the opposite of a state for all candidates, if the state has an opposite; otherwise the part is
+    /// left.
     fn not(&mut self, part: &'g Goal) {
         let opposite = |state| match state {
             State::Open => Some(State::Closed),
@@ -310,8 +309,8 @@ impl<'a, 'g> Reader<'a, 'g> {
     fn demand(&mut self, part: &'g Goal, literal: &'g Literal, number: usize) {
         let terms = &literal.terms;
         let things = [0, 1].map(|i| terms.get(i).map_or(Few::NONE, |t| self.candidates(t)));
-        // Of what is held, not of who holds it, there may be several; one thing that is to
-        // be at some place is a need of one, whatever the places.
+        // For `Holds` the held things are counted, not the holder. One thing that is to be at one of several
+        // places is a need of one, whatever the places.
         let held = literal.predicate == Predicate::Holds;
         let one = number == 1 && matches!(terms.first(), Some(Term::Variable(_) | Term::Node(..)));
         let counted = if held { 1 } else { literal.counted().filter(|_| !one).unwrap_or(0).min(1) };
@@ -327,7 +326,7 @@ impl<'a, 'g> Reader<'a, 'g> {
             Term::Variable(name) => {
                 self.bound.iter().rev().find(|(n, _)| n == name).map_or(Few::NONE, |&(_, id)| Few::One(id))
             }
-            // An agent that has not been told what there is knows no thing by its number before seeing it.
+            // An agent that has not been told what exists knows no thing by its number before seeing it.
             Term::Node(_, id) => {
                 if self.now.graph.node(*id).is_some() {
                     Few::One(*id)

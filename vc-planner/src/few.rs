@@ -1,10 +1,10 @@
-//! Lists of which most hold one thing.
+//! Lists that usually hold one element.
 
 use std::ops::Deref;
 
 use vc_graph::NodeId;
 
-/// Some things, mostly one: then nothing is allocated.
+/// A list of things that needs no allocation in the usual case of one thing.
 #[derive(Debug, Clone)]
 pub(crate) enum Few {
     One(NodeId),

@@ -1,12 +1,12 @@
-//! A search for things, small enough to be played to its end many times.
+//! A search for things, small enough for many rollouts.
 //!
-//! What to do next, look somewhere or see to something already found, is settled by
-//! playing on from each candidate in homes drawn from the belief, and taking the one
-//! with the lowest mean number of actions: a rollout of a base policy (Bertsekas and
-//! Castanon, *Rollout Algorithms for Stochastic Scheduling Problems*, 1999), which is
-//! never worse than the base policy in expectation. The base policy looks by falling
-//! chance over cost and delivers with both hands full. All candidates meet the same
-//! homes, and the worse half of them is dropped as the homes become more (Karnin, Koren
+//! The next move, looking somewhere or handling a found thing, is chosen by rollouts: each candidate is played
+//! to the end in homes sampled from the belief, and the candidate with the lowest mean number of actions wins.
+//! This is a rollout of a base policy (Bertsekas and Castanon, *Rollout Algorithms for Stochastic Scheduling
+//! Problems*, 1999), which in expectation is never worse than the base policy. The base policy looks in the
+//! order of decreasing probability over cost and delivers once both hands are full. All candidates are played
+//! in the same homes, and the worse half is dropped as the number of homes grows (Karnin, Koren and Somekh,
+//! *Almost Optimal Exploration in Multi-Armed Bandits*, 2013).
 //! and Somekh, *Almost Optimal Exploration in Multi-Armed Bandits*, 2013).
 
 mod play;
@@ -16,43 +16,42 @@ use std::ops::Range;
 
 use play::Play;
 
-/// Most sites, rooms, wanted things and kinds of what is lacking: bits and small arrays.
+/// Largest numbers of sites, rooms, wanted things and kinds of lacking things: they are bits and small arrays.
 pub(crate) const MOST_SITES: usize = 512;
 pub(crate) const MOST_ROOMS: usize = 64;
 pub(crate) const MOST_QUARRIES: usize = 24;
 pub(crate) const MOST_LACKS: usize = 8;
 const MOST_ITEMS: usize = 12;
 pub(crate) const MOST_TARGETS: usize = 24;
-/// Spots from here on are things lying on a floor: each is walked up to itself.
+/// Spots from this number on are things on a floor: each is walked up to individually.
 const FLOOR: u16 = 0x8000;
 
-/// A place not yet looked at.
+/// A place that has not been looked at.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Site {
-    /// What is walked up to; nothing for the floor.
+    /// The spot to walk up to; `None` for the floor.
     pub(crate) spot: Option<u16>,
-    /// It must be opened to be seen; else entering its room shows it.
+    /// Whether it must be opened to be seen; otherwise entering its room shows it.
     pub(crate) shut: bool,
 }
 
-/// Where something is to be put.
+/// A place where something is to be put.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Target {
     pub(crate) spot: u16,
     pub(crate) room: u8,
-    /// The site that is opened to put something there.
+    /// The site that must be opened to put something there.
     pub(crate) door: Option<u16>,
 }
 
-/// So many things of a kind are lacking, and go to a target; if none, having one in
-/// the hand is enough.
+/// A number of lacking things of one kind, and their target; without a target, holding one is enough.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lacking {
     pub(crate) left: u8,
     pub(crate) target: Option<u8>,
 }
 
-/// A thing that would do, with the chance that it is at each site.
+/// A thing that would serve, with the probability that it is at each site.
 #[derive(Debug, Clone)]
 pub(crate) struct Quarry {
     pub(crate) lack: u8,
@@ -67,68 +66,67 @@ pub(crate) struct Item {
     pub(crate) target: Option<u8>,
 }
 
-/// What to do next.
+/// A move of the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Move {
-    /// Walk to a spot in a room not seen yet; to the room itself if there is none.
+    /// Walk to a spot in a room not seen yet; to the room itself if there is no spot.
     Visit { room: u8, spot: Option<u16> },
-    /// Walk up to a shut site and open it.
+    /// Walk up to a closed site and open it.
     Open(u16),
     /// Fetch a known item.
     Fetch(u8),
-    /// Bring what is in a hand to its target.
+    /// Bring a held thing to its target.
     Deliver(u8),
 }
 
 /// The whole search, as far as it is known.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Hunt {
-    /// By room; in each those in view first, then those that are shut, likeliest first.
+    /// Sorted by room; in each room the visible sites first, then the closed ones, likeliest first.
     pub(crate) sites: Vec<Site>,
-    /// The sites of each room, and from where on they are shut.
+    /// The sites of each room, and the index from which on they are closed.
     pub(crate) rooms: Vec<(Range<u16>, u16)>,
     pub(crate) targets: Vec<Target>,
     pub(crate) lacks: Vec<Lacking>,
     pub(crate) quarries: Vec<Quarry>,
     pub(crate) items: Vec<Item>,
-    /// Targets of what is in the hands.
+    /// Targets of the held things.
     pub(crate) hands: Vec<u8>,
-    /// How many hands hold something else.
+    /// The number of hands that hold something else.
     pub(crate) blocked: u8,
-    /// Where the agent is, and what is at hand at first.
+    /// The agent's room, and the spots that are at hand at first.
     pub(crate) room: u8,
     pub(crate) near: Vec<u16>,
-    /// What opening costs: one, or two where it is closed again.
+    /// Cost of opening: one, or two where the container is closed again.
     pub(crate) opening: u32,
-    /// For each set of lacks (bits), and in it for each site, how many of them are to be
-    /// expected there.
+    /// For each set of lacks (bits) and each site, the expected number of these things there.
     pub(crate) values: Vec<f64>,
-    /// For each set of lacks, and in it for each room, what is to be expected of walking in.
+    /// For each set of lacks and each room, the expected result of entering the room.
     pub(crate) outlooks: Vec<Outlook>,
     /// The room of each site.
     pub(crate) room_of: Vec<u8>,
 }
 
-/// What is to be expected of walking into a room.
+/// The expected result of entering a room.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Outlook {
-    /// How many of the things lacking are in view.
+    /// The expected number of lacking things in view.
     value: f64,
-    /// The likeliest of what can be walked up to, if there is any.
+    /// The likeliest spot that can be walked up to, if there is any.
     spot: Option<u16>,
 }
 
-/// How many homes candidates are played in, at each stage of the contest.
+/// Number of homes for the rollouts at each stage of the contest.
 const STAGES: [usize; 3] = [6, 18, 48];
-/// At most so many homes are played in when these are all there are.
+/// Largest number of homes if all of them are enumerated.
 const ALL: usize = 72;
-/// How many candidates are tried.
+/// Number of candidates that are tried.
 const CANDIDATES: usize = 10;
-/// A play that takes so many actions is cut short.
+/// A rollout of this many actions is cut short.
 const LONGEST: u32 = 2_000;
 
 impl Hunt {
-    /// The best thing to do next; `None` if there is nothing to look at or to see to.
+    /// The best next move; `None` if there is nothing to look at or to handle.
     pub(crate) fn best(&mut self) -> Option<Move> {
         if self.lacks.iter().all(|l| l.left == 0) {
             return None;
@@ -162,7 +160,7 @@ impl Hunt {
         for quarry in &self.quarries {
             for (sums, chance) in chances.iter_mut().zip(&quarry.chances) {
                 let sum = &mut sums[quarry.lack as usize];
-                // That at least one is there.
+                // The probability that at least one is there.
                 *sum = 1.0 - (1.0 - *sum) * (1.0 - chance);
             }
         }
@@ -189,7 +187,7 @@ impl Hunt {
         }
     }
 
-    /// What to try: the base policy's choice first.
+    /// The candidate moves, the base policy's choice first.
     fn moves(&self) -> Vec<Move> {
         let start = Play::start(self);
         let full = start.full();
@@ -211,7 +209,7 @@ impl Hunt {
         moves
     }
 
-    /// The looks at a room, with what they are worth.
+    /// Collects the looks in a room with their values.
     fn looks(&self, play: &Play, room: u8, full: bool, looks: &mut Vec<(f64, Move)>) {
         let (range, shut) = &self.rooms[room as usize];
         let fresh = play.entered >> room & 1 == 0;
@@ -251,7 +249,7 @@ impl Hunt {
         }
     }
 
-    /// What walking into a room shows of a set of lacks.
+    /// The expected result of entering a room for a set of lacks.
     fn look_into(&self, set: usize, (range, shut): &(Range<u16>, u16)) -> Outlook {
         let value = |s: &u16| self.values[set * self.sites.len() + *s as usize];
         let spots = (range.start..*shut).filter(|&s| self.sites[s as usize].spot.is_some());
@@ -261,7 +259,7 @@ impl Hunt {
     }
 }
 
-/// Keeps the better half of the candidates, the base policy's choice among them, in order.
+/// Keeps the better half of the candidates, always including the base policy's choice, in order.
 fn halve(moves: &mut Vec<Move>, costs: &mut Vec<f64>) {
     let mut order: Vec<usize> = (0..moves.len()).collect();
     order.sort_by(|&a, &b| costs[a].total_cmp(&costs[b]).then(a.cmp(&b)));

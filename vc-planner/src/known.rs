@@ -1,16 +1,16 @@
-//! Which nodes an agent has seen.
+//! The set of nodes that an agent has seen.
 
 use vc_graph::NodeId;
 
-/// A set of nodes, kept as bits by number.
+/// A set of nodes, stored as bits by node number.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Known {
     bits: Vec<u64>,
-    /// Numbers too large for bits.
+    /// Numbers too large for the bits.
     rest: Vec<NodeId>,
 }
 
-/// Numbers below this are kept as bits: 512 KiB at most.
+/// Numbers below this are stored as bits: 512 KiB at most.
 const DENSE: u32 = 1 << 22;
 
 impl Known {
@@ -22,7 +22,7 @@ impl Known {
         self.bits.get(id.0 as usize / 64).is_some_and(|word| word >> (id.0 % 64) & 1 == 1)
     }
 
-    /// Adds a node; `false` if it was there.
+    /// Adds a node; `false` if it was present.
     pub fn insert(&mut self, id: NodeId) -> bool {
         if id.0 >= DENSE {
             let Err(position) = self.rest.binary_search(&id) else { return false };
@@ -40,7 +40,7 @@ impl Known {
 }
 
 impl Known {
-    /// Takes a node out again.
+    /// Removes a node.
     pub(crate) fn remove(&mut self, id: NodeId) {
         if let Some(word) = self.bits.get_mut(id.0 as usize / 64) {
             *word &= !(1 << (id.0 % 64));

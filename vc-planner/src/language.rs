@@ -1,5 +1,5 @@
-//! A language model as a policy. The model itself is the user's: a closure from a
-//! prompt to an answer, so that any library, server or recording will do.
+//! A language model as a policy. The user supplies the model as a closure from a prompt to an answer, so any
+//! library, server or recording will do.
 
 use std::fmt::Write as _;
 
@@ -9,55 +9,55 @@ use vc_tasks::WorldError;
 use crate::policy::{Brief, Policy, Reaction};
 use crate::{Decision, Learned, Plan, Unreachable};
 
-/// How often an answer that is none is asked for again.
+/// How often the model is asked again after an unusable answer.
 const RETRIES: usize = 3;
-/// How far down things are looked for in each other.
+/// The maximal nesting depth of things that is followed.
 const DEEPEST: usize = 16;
-/// How many actions of the past a prompt tells.
+/// Number of past actions in a prompt.
 const REMEMBERED: usize = 30;
 
-/// What a model is asked.
+/// A prompt for a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Prompt {
-    /// Who it is and how to answer; the same for a whole episode.
+    /// The role and the answer format; the same for a whole episode.
     pub system: String,
-    /// Task, what is seen, what has been done, what can be done.
+    /// The task, the visible things, the past actions and the possible actions.
     pub user: String,
-    /// The actions that can be done now, as they are written.
+    /// The actions that can be done now, in the syntax of answers.
     pub actions: Vec<String>,
     /// A JSON schema of answers: one of the actions, or `done`.
     pub schema: serde_json::Value,
 }
 
-/// Why an answer is no action.
+/// The reason why an answer is no action.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AnswerError {
-    /// It says nothing.
+    /// The answer is empty.
     #[error("the answer is empty")]
     Empty,
-    /// It has no action in it.
+    /// The answer contains no action.
     #[error("`{0}` is no action; write a verb and what it is about, such as `grab cup.12`")]
     NoAction(String),
-    /// What it names is not there.
+    /// The answer names a thing that does not exist.
     #[error("there is no `{name}`; did you mean one of: {like}?")]
     NoSuchThing {
-        /// As it was written.
+        /// The name as written.
         name: String,
-        /// What there is of that class.
+        /// The existing things of that class.
         like: String,
     },
-    /// The verb takes more or fewer things.
+    /// The verb takes a different number of things.
     #[error("`{0}`")]
     Arity(String),
 }
 
-/// What a model answered.
+/// The content of a model's answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
-    /// To do something.
+    /// An action.
     Act(Action),
-    /// That the task is done.
+    /// The statement that the task is done.
     Done,
 }
 
@@ -69,7 +69,7 @@ pub struct LanguageModel<F> {
     scene: Option<SceneGraph>,
     seen: Option<Observation>,
     past: Vec<String>,
-    /// What was wrong with the last answer.
+    /// The error in the last answer.
     wrong: Option<String>,
     refusals: usize,
 }
@@ -106,8 +106,9 @@ const SYSTEM: &str = "You are a person in a home. You see only the room you are 
 containers. Answer with one action at a time, as JSON {\"action\": \"grab cup.12\"} or as plain text. Answer \
 `done` when the task is done.";
 
-/// The actions that an agent can do now where it is: those that [`rule::legal_actions_with`] lists for the
-/// things in its room that are not shut away, without running and finding, and walks to the other rooms.
+/// The actions that an agent can do now at its position: those that [`rule::legal_actions_with`] lists for the
+/// things in its room that are not inside closed containers, without running and finding, and walks to the
+/// other rooms.
 pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let Some(room) = graph.room_of(agent) else { return Vec::new() };
     let here: Vec<NodeId> = graph.in_room(room).filter(|&id| id != agent && graph.hidden_in(id).is_none()).collect();
@@ -115,13 +116,13 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let walks = other_rooms.map(|r| Action::one(Verb::Walk, r)).filter(|a| rule::allows(graph, agent, a));
     let mut all = rule::legal_actions_with(graph, agent, &here);
     all.retain(|action| !matches!(action.verb, Verb::Run | Verb::Find));
-    // Actions on nothing are least often meant.
+    // Actions without an object are the least likely to be meant.
     all.sort_by_key(|action| action.object.is_none());
     walks.chain(all).collect()
 }
 
-/// An observation as text: where one is and what is at hand, then a line for each thing,
-/// where it is and in what state.
+/// An observation as text: the agent's position and the things at hand, then a line for each thing with its
+/// place and state.
 pub fn describe_seen(seen: &Observation) -> String {
     let mut text = describe_self(seen);
     for node in seen.nodes().filter(|n| n.kind() == Kind::Object) {
@@ -151,7 +152,7 @@ pub fn describe_seen(seen: &Observation) -> String {
     text
 }
 
-/// Where one is, on what, and what is at hand.
+/// The agent's room and support, and the things at hand.
 fn describe_self(seen: &Observation) -> String {
     let me = seen.agent();
     let mut text = String::from("You are");
@@ -164,7 +165,7 @@ fn describe_self(seen: &Observation) -> String {
         }
     }
     let near: Vec<NodeId> = seen.related(me, Relation::Near).map(|edge| edge.to).collect();
-    // What is on or in a thing is at hand with it.
+    // The contents of a thing at hand are at hand, too.
     let down = |id: &NodeId| seen.places(*id).next().map(|place| place.at);
     let within_reach = |id| std::iter::successors(Some(id), down).take(DEEPEST).any(|at| near.contains(&at));
     let objects = seen.nodes().filter(|n| n.kind() == Kind::Object && within_reach(n.id()));
@@ -174,9 +175,9 @@ fn describe_self(seen: &Observation) -> String {
     text
 }
 
-/// Reads a model's answer: JSON with an `action`, or text with an action on some line;
-/// the usual decorations (quotes, list numbers, code fences, VirtualHome's brackets)
-/// are stripped. Things may be named by class alone where there is one of it.
+/// Reads a model's answer: JSON with an `action`, or text with an action on some line; the usual decorations
+/// (quotes, list numbers, code fences, VirtualHome's brackets) are stripped. A class name alone denotes a thing
+/// if there is only one of the class.
 ///
 /// # Errors
 /// [`AnswerError`] in words that a model can use.
@@ -185,7 +186,7 @@ pub fn read_answer(text: &str, graph: &SceneGraph) -> Result<Answer, AnswerError
     for line in candidate_lines(text) {
         match read_line(&line, graph) {
             Ok(answer) => return Ok(answer),
-            // The first line that names a verb tells best what was meant.
+            // The first line that names a verb shows best what was meant.
             Err(error @ (AnswerError::NoSuchThing { .. } | AnswerError::Arity(_))) => return Err(error),
             Err(error) => problem = problem.or(Some(error)),
         }
@@ -193,7 +194,7 @@ pub fn read_answer(text: &str, graph: &SceneGraph) -> Result<Answer, AnswerError
     Err(problem.unwrap_or(AnswerError::Empty))
 }
 
-/// The `action` of the first JSON object, else the lines.
+/// The `action` of the first JSON object, otherwise the lines.
 fn candidate_lines(text: &str) -> Vec<String> {
     let object = text.find('{').and_then(|start| {
         let values = serde_json::Deserializer::from_str(&text[start..]).into_iter::<serde_json::Value>().next();
@@ -276,7 +277,7 @@ impl<F: FnMut(&Prompt) -> Result<String, String>> Policy for LanguageModel<F> {
 
     fn decide(&mut self) -> Decision {
         let (Some(scene), Some(seen)) = (&self.scene, &self.seen) else { return Decision::Done };
-        // What is seen and nothing else: a model is not told what it cannot know.
+        // The graph contains only observed things: a model is not told what the agent cannot know.
         let graph = seen.to_graph(scene);
         for _ in 0..=RETRIES {
             let prompt = self.prompt(&graph, seen);

@@ -29,7 +29,7 @@ mod trip;
 mod want;
 mod weigh;
 
-// What scenes and tasks are made of, so that one crate is enough to begin with.
+// The crates of scenes and tasks are re-exported, so that one crate is enough to begin with.
 pub use vc_graph as graph;
 pub use vc_tasks as tasks;
 

@@ -1,7 +1,7 @@
-//! What to do next while something is lacking: where to look, what to bring where.
+//! The next step while something is lacking: searching and delivering.
 //!
-//! Here the belief and the packed problem become a [`Hunt`], whose best move becomes
-//! something to do in the scene.
+//! This module turns the belief and the packed problem into a [`Hunt`], and the hunt's best move back into a
+//! step in the scene.
 
 use vc_graph::{Action, NodeId, Place, Relation, SceneGraph, Verb};
 
@@ -11,19 +11,18 @@ use crate::hunt::{Hunt, Item, Lacking, MOST_LACKS, MOST_QUARRIES, MOST_ROOMS, MO
 use crate::manners::Manners;
 use crate::packed::Way;
 
-/// What to do next.
+/// The next step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Look {
-    /// Walk up to a thing or into a room, to see what is there.
+    /// Walk up to a thing or into a room, to observe it.
     Visit(NodeId),
     /// Open a container and look into it.
     Open(NodeId),
-    /// See to something found.
+    /// Handle a found thing.
     Do(Action),
 }
 
-/// The best thing to do for what is lacking and what is found; `None` if nothing is
-/// left to look at.
+/// The best step for the lacking and the found things; `None` if there is nothing left to look at.
 pub(crate) fn best_look(belief: &Belief, me: NodeId, compiled: &Compiled, manners: Manners) -> Option<Look> {
     let mut map = Map::new(belief, me, compiled, manners);
     map.see_to_found();
@@ -31,10 +30,10 @@ pub(crate) fn best_look(belief: &Belief, me: NodeId, compiled: &Compiled, manner
     map.best()
 }
 
-/// So many instances of what is lacking are told apart from infinitely many.
+/// Number of candidate instances of a lacking thing that a hunt considers, unless more are needed.
 const INSTANCES: usize = 6;
 
-/// A hunt, and what its numbers stand for.
+/// A hunt, with the scene's meaning of its numbers.
 struct Map<'a> {
     belief: &'a Belief,
     graph: &'a SceneGraph,
@@ -43,11 +42,11 @@ struct Map<'a> {
     hunt: Hunt,
     rooms: Vec<NodeId>,
     spots: Vec<NodeId>,
-    /// What is opened to see a site, in the order of sites.
+    /// The container that is opened to see a site, in the order of sites.
     shut: Vec<Option<NodeId>>,
     /// The site of each place of the belief.
     site_of: Vec<Option<u16>>,
-    /// The things of the hunt's items, and what puts down those in its hands.
+    /// The things of the hunt's items, and the actions that put down the things in its hands.
     items: Vec<NodeId>,
     puts: Vec<Action>,
 }
@@ -103,7 +102,7 @@ impl<'a> Map<'a> {
         }) as u16
     }
 
-    /// Gives the places not seen yet their numbers.
+    /// Numbers the places that have not been seen.
     fn sites(&mut self) {
         let values = self.values();
         let here = self.graph.room_of(self.me);
@@ -118,7 +117,7 @@ impl<'a> Map<'a> {
                 continue;
             }
             let at = anchor(self.graph, place.at);
-            // What lies on a floor is walked up to itself.
+            // A thing on a floor is walked up to individually.
             let spot =
                 (self.graph.node(at).is_some_and(|n| !crate::compile::is_ground(self.graph, n.id()))).then_some(at);
             unseen.push(Unseen { room, shut, spot, value: values[index], places: vec![index] });
@@ -142,7 +141,7 @@ impl<'a> Map<'a> {
         }
     }
 
-    /// For each place how many of the things lacking are to be expected there.
+    /// For each place, the expected number of lacking things there.
     fn values(&self) -> Vec<f64> {
         let mut all = vec![0.0; self.belief.places_known()];
         for lack in self.compiled.lacks.iter().take(MOST_LACKS) {
@@ -154,7 +153,7 @@ impl<'a> Map<'a> {
         all
     }
 
-    /// What is known and wanted elsewhere, in the hands and not.
+    /// Adds the known things that are wanted elsewhere, held or not.
     fn see_to_found(&mut self) {
         let (problem, start) = (&self.compiled.problem, &self.compiled.start);
         let mut left: Vec<usize> = problem.piles.iter().map(|p| p.items.len()).collect();
@@ -195,7 +194,7 @@ impl<'a> Map<'a> {
         self.items.push(id);
     }
 
-    /// A room that the hunt has; one without sites is added.
+    /// The number of a room in the hunt; a room without sites is added.
     fn room_known(&mut self, id: NodeId) -> Option<u8> {
         let room = self.room(id)?;
         while self.hunt.rooms.len() <= room as usize {
@@ -220,7 +219,7 @@ impl<'a> Map<'a> {
         (number < crate::hunt::MOST_TARGETS).then_some(number as u8)
     }
 
-    /// What is lacking, and where it can be.
+    /// Adds the lacking things and their possible places.
     fn seek(&mut self) {
         for (number, lack) in self.compiled.lacks.iter().take(MOST_LACKS).enumerate() {
             let target = lack.ways.first().and_then(|way| self.target(way));
@@ -236,7 +235,7 @@ impl<'a> Map<'a> {
                 }
                 self.hunt.quarries.push(Quarry { lack: number as u8, chances: by_site });
             }
-            // What is fixed and has only not been seen need not be looked for.
+            // Fixed things that merely have not been seen need not be searched.
             let left = lack.number.min(self.hunt.quarries.len() - before) as u8;
             self.hunt.lacks.push(Lacking { left, target });
         }
@@ -268,8 +267,7 @@ fn put(way: &Way, id: NodeId) -> Option<Action> {
     }
 }
 
-/// The container that must be opened to see a place; `None` if it is in view in its
-/// room.
+/// The container that must be opened to see a place; `None` if the place is visible from its room.
 fn box_at(graph: &SceneGraph, place: &Place, here: bool) -> Option<NodeId> {
     let shut = |id: NodeId| graph.node(id).is_some_and(vc_graph::Node::hides_contents);
     if let Some(around) = graph.hidden_in(place.at) {

@@ -1,8 +1,8 @@
-//! How a home is to be left.
+//! The state in which an agent leaves a home.
 
 use vc_graph::{Action, NodeId, SceneGraph, State, Verb};
 
-/// How a home is to be left.
+/// The rule for the state in which an agent leaves a home.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator, State};
@@ -27,28 +27,28 @@ pub enum Manners {
     /// Only the goal counts.
     #[default]
     GoalOnly,
-    /// What was closed is closed again and what was off switched off, unless the goal
-    /// wants it otherwise; what was open or on is left so, too.
+    /// Things that were closed are closed again and things that were off are switched off, unless the goal
+    /// wants it otherwise; things that were open or on are left so, too.
     Tidy,
 }
 
-/// How doors and switches are to be left, beside what the goal says.
+/// The requirements on doors and switches besides the goal.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Leave<'a> {
-    /// What has been touched, for those who put it back.
+    /// The touched doors and switches, for agents that restore them.
     pub(crate) tidy: Option<&'a Touched>,
-    /// To these another is bringing something: they are neither closed nor switched.
+    /// Containers to which another agent is bringing something: they are neither closed nor switched.
     pub(crate) awaited: &'a [NodeId],
-    /// What others hold they see to.
+    /// Whether others pursue the goal, too: they handle the things they hold.
     pub(crate) in_company: bool,
 }
 
-/// Doors and switches that have been touched, each with the state it was in at first.
+/// The doors and switches that have been touched, each with its original state.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Touched(Vec<(NodeId, State)>);
 
 impl Touched {
-    /// Takes note of an action that was done.
+    /// Records an action that was done.
     pub(crate) fn note(&mut self, action: &Action) {
         let (Some(id), Some(was)) = (action.object, before(action.verb)) else { return };
         let same = |(other, state): &(NodeId, State)| *other == id && is_door(*state) == is_door(was);
@@ -57,13 +57,13 @@ impl Touched {
         }
     }
 
-    /// Those that are not as they were, the last touched first.
+    /// The touched nodes that are not in their original state, the last touched first.
     pub(crate) fn amiss(&self, graph: &SceneGraph) -> impl Iterator<Item = (NodeId, State)> {
         self.0.iter().rev().copied().filter(|(id, was)| graph.node(*id).is_some_and(|n| !n.is(*was)))
     }
 }
 
-/// What a thing must have been before a verb could be done to it.
+/// The state that a thing must have had before a verb was applied to it.
 fn before(verb: Verb) -> Option<State> {
     match verb {
         Verb::Open => Some(State::Closed),

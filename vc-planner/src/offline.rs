@@ -1,7 +1,7 @@
-//! Trajectories as transitions, for reinforcement learning from what others have done.
+//! Trajectories as transitions, for offline reinforcement learning.
 //!
-//! A record need not say all that was seen. Since actions on a scene are
-//! deterministic, the observations are made again by replaying it from its first scene.
+//! A record need not contain all observations. Since actions on a scene are deterministic, the observations are
+//! reconstructed by a replay from the initial scene.
 
 #[cfg(feature = "parquet")]
 mod table;
@@ -16,36 +16,34 @@ use crate::{Fault, Trajectory};
 #[cfg(feature = "parquet")]
 pub use table::{TableError, write_parquet};
 
-/// One step of an episode, as offline reinforcement learning wants it: what was seen,
-/// what was done, what came of it.
+/// One step of an episode in the form of offline reinforcement learning: observation, action and result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Transition {
     /// Number of the step, from one.
     pub step: usize,
-    /// What the agent saw, as JSON: its room, the things with their states, and the
-    /// relations between them.
+    /// The agent's observation as JSON: its room, the things with their states, and the relations between them.
     pub observation: String,
-    /// What it did, `place apple.5 kitchen_table.3`.
+    /// The action, such as `place apple.5 kitchen_table.3`.
     pub action: String,
-    /// How much more of the goal holds after it, -1 to 1. Over an episode that won the
-    /// rewards sum to what did not hold at first.
+    /// The increase of the share of the goal that holds, -1 to 1. Over an episode that won, the rewards sum to
+    /// the share that did not hold at first.
     pub reward: f64,
-    /// What it saw then.
+    /// The next observation.
     pub next_observation: String,
-    /// The goal was reached with it.
+    /// Whether the step reached the goal.
     pub terminated: bool,
-    /// The episode ended with it for another reason: the step limit, or the agent gave
-    /// up or was stopped.
+    /// Whether the episode ended with this step for another reason: the step limit, or the agent gave up or was
+    /// stopped.
     pub truncated: bool,
 }
 
 impl Trajectory {
-    /// The steps as transitions, seen so much of, by replaying them from the scene in
-    /// which the episode began.
+    /// The steps as transitions with observations of a scope, reconstructed by a replay from the scene in which
+    /// the episode began.
     ///
     /// # Errors
-    /// [`Fault::OtherScene`] if it began in another scene, [`Fault::Refused`] if a step
-    /// that was done cannot be done there.
+    /// [`Fault::OtherScene`] if the episode began in another scene, [`Fault::Refused`] if a step that was done
+    /// cannot be done there.
     pub fn transitions(&self, initial: &SceneGraph, scope: Scope) -> Result<Vec<Transition>, Fault> {
         self.is_of(initial)?;
         let (goal, me) = (&self.header.goal, self.header.agent);

@@ -1,13 +1,12 @@
-//! The packed state of a planning problem: what matters of a scene, in a few words.
+//! The packed state of a planning problem: the relevant part of a scene in a few words.
 //!
-//! A household goal is, after what does not matter is taken away, a pickup and
-//! delivery problem with two hands: items lie in piles at spots, some behind doors,
-//! and are needed elsewhere. [`Problem`] is the constant part of it, [`State`] the
-//! part that actions change, and an [`Op`] is a macro: what is done at one spot,
-//! with the walk and the opening that it takes.
+//! Without its irrelevant parts, a household goal is a pickup and delivery problem with two hands: items lie in
+//! piles at spots, some behind doors, and are needed elsewhere. [`Problem`] is the constant part of it,
+//! [`State`] the part that actions change, and an [`Op`] is a macro: the actions at one spot, with the walk and
+//! the opening that they need.
 //!
-//! Numbers are kept in unary: a need of three is three bits, a pile of two is two. What
-//! is left to do, or can still be had, is then one word, and counting is counting bits.
+//! Numbers are stored in unary: a need of three is three bits, a pile of two is two bits. The remaining needs
+//! and the remaining items are one word each, and counting is a population count.
 
 mod apply;
 mod index;
@@ -19,25 +18,24 @@ use crate::few::Few;
 
 use index::Index;
 
-/// Most piles and needs of a problem, and how much is needed or lies in piles in all; of
-/// larger goals the rest is packed where the plan for these ends.
+/// Largest number of piles and of needs of a problem, and of units in all needs and in all piles; the rest of
+/// larger goals is packed when the plan for these ends.
 pub(crate) const MOST: usize = 32;
 pub(crate) const UNITS: usize = 64;
-/// Most spots, doors, switches and uses: they are bits of a word.
+/// Largest number of spots, doors, switches and uses: they are bits of a word.
 pub(crate) const BITS: usize = 64;
-/// What an action costs. The rest is for breaking ties: a change of room, a thing
-/// left on the floor.
+/// Cost of an action. The lower bits break ties: a change of room, a thing left on the floor.
 pub(crate) const ACTION: u32 = 1 << FINE;
 pub(crate) const FINE: u32 = 4;
 
-/// A thing one walks up to; what rests on or in it is then at hand.
+/// A thing that can be walked up to; its contents are then at hand.
 #[derive(Debug, Clone)]
 pub(crate) struct Spot {
     pub(crate) anchor: NodeId,
     pub(crate) room: Option<NodeId>,
-    /// Itself and what is at hand with it, as bits.
+    /// The spot itself and the spots at hand with it, as bits.
     pub(crate) reach: u64,
-    /// Something can be put down here for a while without harm.
+    /// Whether something can be put down here temporarily.
     pub(crate) surface: bool,
 }
 
@@ -46,13 +44,13 @@ pub(crate) struct Spot {
 pub(crate) struct Door {
     pub(crate) node: NodeId,
     pub(crate) spot: u8,
-    /// Its switch, if it must be off for it to open.
+    /// Its switch, if it must be off before the door opens.
     pub(crate) unsafe_when_on: Option<u8>,
-    /// How it is to be left.
+    /// The wanted final state.
     pub(crate) want: Option<bool>,
 }
 
-/// Something that is on or off.
+/// A thing that is on or off.
 #[derive(Debug, Clone)]
 pub(crate) struct Switch {
     pub(crate) node: NodeId,
@@ -67,7 +65,7 @@ pub(crate) struct Pile {
     pub(crate) kind: u8,
     pub(crate) spot: u8,
     pub(crate) door: Option<u8>,
-    /// One for each bit.
+    /// One item for each bit.
     pub(crate) items: Few,
     pub(crate) units: u64,
 }
@@ -75,17 +73,17 @@ pub(crate) struct Pile {
 /// One way to serve a need.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Way {
-    /// An item of a serving kind is put there.
+    /// An item of a serving kind is put at a place.
     Put { verb: Verb, at: NodeId, spot: u8, door: Option<u8> },
-    /// Something is done to a thing where it is; `bit` says that it has been done.
+    /// An action is done to a thing at its place; `bit` records that it has been done.
     Use { verb: Verb, on: Option<NodeId>, spot: Option<u8>, door: Option<u8>, bit: u8 },
-    /// Something is done with an item in the hand.
+    /// An action is done with a held item.
     UseHeld { verb: Verb },
-    /// It is held in the end.
+    /// An item is held at the end.
     Keep,
 }
 
-/// So many of something are needed: as many as it has bits.
+/// A need of as many items or uses as it has bits.
 #[derive(Debug, Clone)]
 pub(crate) struct Need {
     pub(crate) ways: Vec<Way>,
@@ -94,7 +92,7 @@ pub(crate) struct Need {
     pub(crate) spots: u64,
 }
 
-/// What is constant about a problem.
+/// The constant part of a problem.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Problem {
     pub(crate) spots: Vec<Spot>,
@@ -102,20 +100,20 @@ pub(crate) struct Problem {
     pub(crate) switches: Vec<Switch>,
     pub(crate) piles: Vec<Pile>,
     pub(crate) needs: Vec<Need>,
-    /// For each kind of item the needs it serves.
+    /// For each kind of item, the needs it serves.
     pub(crate) kinds: Vec<u32>,
-    /// What is in the hands at first.
+    /// The items held at first.
     pub(crate) held: [Option<NodeId>; 2],
-    /// One item can serve two needs at one place: sums would count twice.
+    /// Whether one item can serve two needs at one place, so that sums would count it twice.
     pub(crate) shared: bool,
-    /// Needs that are about holding something in the end.
+    /// Needs of holding something at the end.
     pub(crate) keeps: u32,
-    /// The need, as its bits, that is served when all else is done.
+    /// The need, as its bits, that is served after everything else.
     pub(crate) last: u64,
     pub(crate) index: Index,
 }
 
-/// What actions change.
+/// The part of a problem that actions change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct State {
     /// Spots at hand.
@@ -126,19 +124,19 @@ pub(crate) struct State {
     pub(crate) on: u64,
     /// Uses done.
     pub(crate) used: u64,
-    /// What is left in the piles, and of the needs.
+    /// The remaining units of piles and of needs.
     pub(crate) piles: u64,
     pub(crate) needs: u64,
-    /// Kind in each hand, plus one; the larger first, as hands are alike.
+    /// The kind in each hand plus one; the larger first, since hands are interchangeable.
     pub(crate) hands: [u8; 2],
-    /// Kinds put down for a while, plus one.
+    /// The kinds that are put down temporarily, plus one.
     pub(crate) down: [u8; 2],
-    /// Those put down are still at hand.
+    /// Whether the items put down are still at hand.
     pub(crate) fresh: bool,
     pub(crate) room: u8,
 }
 
-/// A macro.
+/// A macro action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Op {
     Start,
@@ -159,7 +157,7 @@ pub(crate) enum Op {
         hand: u8,
         need: u8,
     },
-    /// Puts down at a spot or where one stands; on the floor if there is no surface.
+    /// Puts an item down at a spot or at the present position; on the floor if there is no surface.
     PutDown {
         hand: u8,
         spot: Option<u8>,
@@ -171,7 +169,7 @@ pub(crate) fn bit(i: u8) -> u64 {
     1 << (i & 63)
 }
 
-/// The numbers of the bits that are set.
+/// The indices of the set bits.
 pub(crate) fn ones(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lowest = (bits != 0).then(|| bits.trailing_zeros() as usize);
@@ -180,7 +178,7 @@ pub(crate) fn ones(mut bits: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The next bits after those in use; fewer, if so many are not left.
+/// The next bits after those in use; fewer if not enough are left.
 pub(crate) fn run_of(used: u64, number: usize) -> u64 {
     let free = used.leading_zeros();
     let number = number.min(free as usize) as u32;
@@ -205,7 +203,7 @@ impl State {
 }
 
 impl Problem {
-    /// Nothing to do yet, with memory for what so many demands mostly come to.
+    /// An empty problem with memory for the usual size of a number of demands.
     pub(crate) fn for_demands(number: usize) -> Self {
         let usual = 2 * number;
         Self {
@@ -218,7 +216,7 @@ impl Problem {
         }
     }
 
-    /// The needs that a kind serves, by what a hand holds; none for an empty one.
+    /// The needs served by the kind in a hand; none for an empty hand.
     pub(crate) fn kind(&self, hand: u8) -> u32 {
         match hand {
             0 => 0,
@@ -226,22 +224,22 @@ impl Problem {
         }
     }
 
-    /// What is left of a need.
+    /// The remaining units of a need.
     pub(crate) fn left(&self, s: &State, need: usize) -> u32 {
         (s.needs & self.needs[need].units).count_ones()
     }
 
-    /// Whether everything needed is so.
+    /// Whether all needs are satisfied.
     pub(crate) fn is_goal(&self, s: &State) -> bool {
         s.needs & self.last == 0 && self.is_all_but_last(s)
     }
 
-    /// Whether everything is so but what comes last.
+    /// Whether all needs but the last are satisfied.
     fn is_all_but_last(&self, s: &State) -> bool {
         s.needs & !self.index.keeps & !self.last == 0 && self.left_open(s) == 0 && self.keeps_held(s)
     }
 
-    /// Whether the hands hold what is to be held, each item for one need.
+    /// Whether the hands hold the things that are to be held, each item for one need.
     fn keeps_held(&self, s: &State) -> bool {
         if self.keeps == 0 {
             return true;
@@ -253,7 +251,7 @@ impl Problem {
         keeps().all(single) && useful >= (s.needs & self.index.keeps).count_ones()
     }
 
-    /// Doors and switches that are not yet as they are to be left.
+    /// Doors and switches that are not in their wanted final state.
     fn left_open(&self, s: &State) -> u64 {
         let wanted = &self.index.wanted;
         wanted.open & !s.open | wanted.closed & s.open | wanted.on & !s.on | wanted.off & s.on

@@ -1,4 +1,4 @@
-//! Where things are likely to be before anything has been seen.
+//! Prior probabilities of the places of things.
 
 mod kin;
 mod kinds;
@@ -17,25 +17,25 @@ pub(crate) use tidiness::{CAUTION, HYPOTHESES, chance};
 pub(crate) use tidiness::{Supposed, Tidiness};
 pub(crate) use weights::{HABIT, Likely, STRAY, Weights};
 
-/// What is supposed about the places of things that have not been seen.
+/// The prior over the places of things that have not been seen.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Prior {
     /// Every place is equally likely, as in the thesis.
     Uniform,
-    /// Things are where people keep them, by the `kept` column of the scene's class
-    /// table, or anywhere. How many are is learned from where things are found.
+    /// Things are where people keep them, by the `kept` column of the scene's class table, or anywhere else.
+    /// The fraction that is where people keep it is learned from the places of found things.
     #[default]
     Kept,
-    /// As [`Prior::Kept`], by habits of your own.
+    /// As [`Prior::Kept`], with custom habits.
     Habits(Arc<[Habit]>),
 }
 
-/// That people keep things of a class at a place: of those that are where habit puts them so many times as many
-/// as at one with weight 1.
+/// The habit of keeping things of a class at a place. Among the things that are at their habitual places, a
+/// place with weight `w` holds `w` times as many as a place with weight 1.
 ///
-/// Things that are not where habit puts them are somewhere near it or anywhere, so no chance is
-/// zero: the weights say how much is added to that.
+/// Things that are not at a habitual place are near one or anywhere, so no probability is zero: the weights add
+/// to that.
 ///
 /// ```
 /// use vc_graph::{Draft, Place, Relation, SceneBuilder};
@@ -66,20 +66,20 @@ pub enum Prior {
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Habit {
-    /// Class of the thing, `mug`; kinds of it are meant as well.
+    /// Class of the thing, such as `mug`; its subclasses are included.
     pub class: String,
-    /// Class of the room; any, if none.
+    /// Class of the room; any room if `None`.
     pub room: Option<String>,
     /// On or inside.
     pub relation: Relation,
-    /// Class of what it is on or in.
+    /// Class of the support or container.
     pub at: String,
     /// Relative weight.
     pub weight: f64,
 }
 
 impl Prior {
-    /// The weights of places for a thing; `None` where all places are alike.
+    /// The weights of places for a thing; `None` if all places are equally likely.
     pub(crate) fn weights(&self, graph: &SceneGraph, id: NodeId, kinds: &Kinds) -> Option<Weights> {
         let rows = match self {
             Self::Uniform => return None,
@@ -92,16 +92,16 @@ impl Prior {
     }
 }
 
-/// A habit as it is asked for.
+/// A habit in the form used for queries.
 #[derive(Debug, Clone)]
 pub(crate) struct Row {
     room: Option<Arc<str>>,
-    /// `None`: on the floor.
+    /// `None` means on the floor.
     at: Option<(Relation, Arc<str>)>,
     weight: f64,
 }
 
-/// By the class table.
+/// The habits in the class table.
 fn kept(graph: &SceneGraph, id: NodeId) -> Vec<Row> {
     let Some(own) = graph.node(id).and_then(|n| graph.classes().get(n.class())) else { return Vec::new() };
     let rows = own.kept.iter().map(|habit| Row {

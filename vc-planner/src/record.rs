@@ -1,4 +1,4 @@
-//! Trajectories: written as JSON Lines, read back, replayed and checked.
+//! Trajectories as JSON Lines: writing, reading, replaying and checking.
 
 use std::fmt::Write as _;
 
@@ -11,91 +11,90 @@ use vc_tasks::{Outcome, Task, World};
 use crate::offline::as_json;
 use crate::{Policy, Run, Step, Summary};
 
-/// The first line of a record: what the episode was about.
+/// The first line of a record: the subject of the episode.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// The scene's name.
     pub scene: String,
-    /// Digest of the scene at first.
+    /// Digest of the initial scene.
     pub digest: String,
     /// The task's title.
     pub task: String,
-    /// What was to be done.
+    /// The goal.
     pub goal: Goal,
-    /// Who acted.
+    /// The acting agent.
     pub agent: NodeId,
     /// The policy's name.
     pub policy: String,
-    /// How far it saw.
+    /// The scope of its observations.
     pub scope: Scope,
-    /// Its seed.
+    /// The policy's seed.
     pub seed: Seed,
 }
 
 /// A whole episode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
-    /// What it was about.
+    /// The subject of the episode.
     pub header: Header,
-    /// What was done.
+    /// The steps.
     pub steps: Vec<Step>,
-    /// How it ended.
+    /// The outcome of the episode.
     pub summary: Summary,
 }
 
-/// Where a record is wrong.
+/// An error in a record.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordError {
-    /// A line is not what it should be.
+    /// A line cannot be read.
     #[error("line {line}: {error}")]
     Line {
         /// Line, counted from one.
         line: usize,
-        /// What is wrong with it.
+        /// The error in the line.
         error: serde_json::Error,
     },
-    /// The first line is that of a `Recorder`, which writes what bodies did, with times and places.
+    /// The first line is that of a `Recorder`, which records the motions of bodies, with times and positions.
     #[error(
         "line 1 is of a record with bodies, which the `Recorder` of the crate `virtualcity` writes: its lines are read \
          as JSON; a `Trajectory` is what `to_json_lines` writes"
     )]
     WithBodies,
-    /// There is no header or no summary.
-    #[error("a record has a first line about the episode and a last one about how it ended")]
+    /// The header or the summary is missing.
+    #[error("a record needs a first line about the episode and a last line about its outcome")]
     TooShort,
 }
 
-/// What is wrong with a trajectory.
+/// A fault of a trajectory.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
-    /// It began in another scene.
-    #[error("the scene it began in is another")]
+    /// The trajectory began in another scene.
+    #[error("the trajectory began in another scene")]
     OtherScene,
     /// The same action was done twice in a row.
     #[error("step {0}: the same action as before")]
     Duplicate(usize),
-    /// An action cannot be done, though the record says that it was.
+    /// An action cannot be done although the record says that it was done.
     #[error("step {0}: {1}")]
     Refused(usize, String),
-    /// An action was refused, though it can be done.
-    #[error("step {0}: it was refused, and can be done")]
+    /// An action was refused although it can be done.
+    #[error("step {0}: recorded as refused, but it can be done")]
     NotRefused(usize),
-    /// What was seen before a step is something else: the room, the number of things, or
-    /// the digest.
-    #[error("step {0}: what was seen before it is something else")]
+    /// The recorded observation before a step differs: the room, the number of things, or the digest.
+    #[error("step {0}: the recorded observation before it differs")]
     OtherSight(usize),
-    /// The scene after a step is another.
-    #[error("step {0}: the scene after it is another")]
+    /// The scene after a step differs.
+    #[error("step {0}: the recorded scene after it differs")]
     OtherState(usize),
-    /// A relation that an action makes does not hold after it.
-    #[error("step {0}: `{1}` is not so after it")]
+    /// A relation that an action establishes does not hold after it.
+    #[error("step {0}: `{1}` does not hold after it")]
     Relation(usize, String),
-    /// The goal does not hold at the end, though the record says so.
+    /// The goal does not hold at the end although the record says so.
     #[error("the goal does not hold at the end")]
     NotMet,
-    /// The goal holds at the end, though the record says otherwise.
+    /// The goal holds at the end although the record says otherwise.
     #[error("the goal holds at the end")]
     Met,
 }
@@ -125,10 +124,10 @@ impl Trajectory {
         Self { header, steps, summary: episode.summary() }
     }
 
-    /// As JSON Lines: a header, a line for each step, a summary.
+    /// The trajectory as JSON Lines: a header, a line for each step, a summary.
     ///
     /// # Errors
-    /// What serde_json says.
+    /// The error of serde_json.
     pub fn to_json_lines(&self) -> serde_json::Result<String> {
         let mut text = serde_json::to_string(&self.header)? + "\n";
         for step in &self.steps {
@@ -153,12 +152,12 @@ impl Trajectory {
         Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })
     }
 
-    /// The scenes an episode went through, replayed symbolically: the first one, then that
-    /// after each step. They share what did not change.
+    /// The scenes of an episode, replayed symbolically: the initial one, then the one after each step. They
+    /// share their unchanged parts.
     ///
     /// # Errors
-    /// [`Fault::OtherScene`] if it began in another scene, [`Fault::Refused`] if a step
-    /// that was done cannot be done there.
+    /// [`Fault::OtherScene`] if the episode began in another scene, [`Fault::Refused`] if a step that was done
+    /// cannot be done there.
     pub fn replay(&self, initial: &SceneGraph) -> Result<Vec<SceneGraph>, Fault> {
         self.is_of(initial)?;
         let mut world = Simulator::new(initial.clone());
@@ -174,7 +173,7 @@ impl Trajectory {
         if initial.digest().to_string() == self.header.digest { Ok(()) } else { Err(Fault::OtherScene) }
     }
 
-    /// Does a step once more. What was refused changes nothing.
+    /// Repeats a step. A refused action changes nothing.
     pub(crate) fn redo(&self, world: &mut Simulator, step: &Step) -> Result<(), Fault> {
         if step.refused.is_some() {
             return Ok(());
@@ -182,8 +181,8 @@ impl Trajectory {
         world.step(self.header.agent, &step.action).map(drop).map_err(|why| refused(step, &why))
     }
 
-    /// What is wrong with the trajectory when it is replayed symbolically from a scene:
-    /// the thesis's post-processing check. Empty if nothing is.
+    /// The faults of the trajectory when it is replayed symbolically from a scene: the thesis's post-processing
+    /// check. Empty if there are none.
     pub fn check(&self, initial: &SceneGraph) -> Vec<Fault> {
         if let Err(fault) = self.is_of(initial) {
             return vec![fault];
@@ -232,14 +231,14 @@ fn refused(step: &Step, why: &[Refusal]) -> Fault {
     Fault::Refused(step.step, why.first().map_or_else(String::new, ToString::to_string))
 }
 
-/// Whether a step's record of what was seen is right.
+/// Whether a step's record of the observation is correct.
 fn saw(step: &Step, seen: &Observation, graph: &SceneGraph) -> bool {
     let room = seen.room().map(|id| graph.label(id).to_string());
     let whole = step.observation.as_ref().is_none_or(|told| *told == as_json(seen));
     whole && room == step.room && seen.len() == step.seen && seen.digest().to_string() == step.sight
 }
 
-/// Whether a first line names its agent, as records with bodies do; ours give the agent's number.
+/// Whether a first line names its agent as records with bodies do; a `Trajectory` gives the agent's number.
 fn is_with_bodies(line: &str) -> bool {
     let header = serde_json::from_str::<serde_json::Value>(line);
     header.is_ok_and(|header| header.get("agent").is_some_and(serde_json::Value::is_string))
@@ -249,7 +248,7 @@ fn read<T: serde::de::DeserializeOwned>(&(line, text): &(usize, &str)) -> Result
     serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })
 }
 
-/// The relation an action is done for.
+/// The relation that an action is meant to establish.
 fn expected(graph: &SceneGraph, me: NodeId, action: &Action) -> Option<Edge> {
     let (object, target) = (action.object?, action.target);
     match action.verb {

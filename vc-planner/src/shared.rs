@@ -1,11 +1,11 @@
-//! What of a goal anybody can bring about.
+//! The part of a goal that any agent can bring about.
 
 use vc_graph::Goal;
 use vc_graph::Relation;
 use vc_graph::goal::{Literal, Predicate, Term};
 
-/// What of a goal anybody can bring about: where things are and in what state. What the
-/// one of whom it speaks is to hold, eat or sit on is its own affair.
+/// The part of a goal that any agent can bring about: places and states of things. The things that a particular
+/// agent is to hold, eat or sit on concern only that agent.
 pub(crate) fn shared(goal: &Goal) -> Goal {
     match goal {
         Goal::And(parts) => Goal::And(parts.iter().map(shared).filter(|part| *part != nothing()).collect()),
@@ -18,12 +18,12 @@ fn nothing() -> Goal {
     Goal::And(Vec::new())
 }
 
-/// Whether all of a part is anybody's.
+/// Whether any agent can bring about all of a part.
 fn is_shared(part: &Goal) -> bool {
     match part {
         Goal::Literal(literal) | Goal::Count { literal, .. } => is_anybodys(literal),
         Goal::Same(a, b) => *a != Term::Me && *b != Term::Me,
-        // Of what was when only the one of whom it speaks keeps count.
+        // Only the agent itself keeps a record of the past.
         part if part.is_temporal() => false,
         part => part.parts().into_iter().all(is_shared),
     }

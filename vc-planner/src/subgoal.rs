@@ -1,4 +1,4 @@
-//! From a goal to the things that are still to be brought about.
+//! Derivation of the open subgoals from a goal.
 
 mod literal;
 mod number;
@@ -11,16 +11,16 @@ use crate::Known;
 use crate::want::{Subgoal, Unreachable, Want};
 use crate::weigh::Hints;
 
-/// A goal seen by an agent that knows only a part.
+/// A goal as seen by an agent with partial knowledge.
 pub(crate) struct View<'a> {
     pub(crate) now: Situation<'a>,
     pub(crate) known: &'a Known,
-    /// Where things that have not been found can be.
+    /// The places where things that have not been found can be.
     pub(crate) unseen: &'a [Place],
     pub(crate) hints: &'a Hints,
 }
 
-/// Variables and what they stand for.
+/// Variables and the things they are bound to.
 type Bindings<'g> = Vec<(&'g str, NodeId)>;
 
 type Found = Result<Vec<Subgoal>, Unreachable>;
@@ -30,8 +30,7 @@ impl View<'_> {
         self.now.graph
     }
 
-    /// The open parts of a goal, in the order in which to go about them; none when
-    /// the goal is known to hold.
+    /// The open parts of a goal, in the order in which they should be done; none if the goal is known to hold.
     pub(crate) fn subgoals(&self, goal: &Goal) -> Found {
         let mut found = self.open(goal, &mut Vec::new())?;
         for part in goal.conjuncts().iter().filter(|part| presses(part)) {
@@ -76,8 +75,8 @@ impl View<'_> {
         }
     }
 
-    /// The second part; the first must be so up to then. Of a state only what it is now is
-    /// known: it matters if the second part is a deed, before which there was a step.
+    /// The second part; the first must hold until then. Only the present value of a state is known: it matters
+    /// if the second part is a deed, before which there was a step.
     fn until<'g>(&self, meanwhile: &'g Goal, part: &'g Goal, bound: &mut Bindings<'g>) -> Found {
         let open = self.open(part, bound)?;
         if !open.is_empty() || !speaks_of_deeds(part) || speaks_of_deeds(meanwhile) {
@@ -86,8 +85,7 @@ impl View<'_> {
         self.open(meanwhile, bound)
     }
 
-    /// The first part; the second must not be so up to then. A state that is so now is
-    /// taken to have been so before.
+    /// The first part; the second must not hold before. A state that holds now is taken to have held before.
     fn before<'g>(&self, part: &'g Goal, later: &'g Goal, bound: &mut Bindings<'g>) -> Found {
         let open = self.open(part, bound)?;
         if !open.is_empty() || speaks_of_deeds(later) {
@@ -96,7 +94,7 @@ impl View<'_> {
         self.not(later, bound)
     }
 
-    /// Whether two terms stand for the same thing.
+    /// Whether two terms denote the same thing.
     fn same(&self, a: &Term, b: &Term, bound: &Bindings<'_>) -> bool {
         let meant = |term: &Term| match term {
             Term::Variable(name) => bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id),
@@ -114,7 +112,7 @@ impl View<'_> {
         }
     }
 
-    /// What is found with the variable standing for each thing of its class.
+    /// The results with the variable bound to each thing of its class.
     fn each<'g>(
         &self,
         q: &'g Quantified,
@@ -125,7 +123,7 @@ impl View<'_> {
         range.into_iter().map(|id| bind(&q.variable, id, bound, &mut find)).collect()
     }
 
-    /// One of several ways: the one with least to do; single steps are pooled.
+    /// One of several alternatives: the one with the fewest subgoals; alternatives of a single step are pooled.
     fn any(&self, goal: &Goal, ways: Vec<Found>) -> Found {
         let (mut possible, reason) = sift(ways);
         possible.sort_by_key(Vec::len);
@@ -200,12 +198,12 @@ impl View<'_> {
     }
 }
 
-/// Whether a part has to be done before others: later it may be too late for it.
+/// Whether a part has to be done before others because it may be too late afterwards.
 fn presses(part: &Goal) -> bool {
     matches!(part, Goal::Within(..) | Goal::Before(..))
 }
 
-/// Whether some part is about what has been done.
+/// Whether some part is about past actions.
 fn speaks_of_deeds(goal: &Goal) -> bool {
     match goal {
         Goal::Literal(literal) | Goal::Count { literal, .. } => matches!(literal.predicate, Predicate::Did(_)),
@@ -213,12 +211,12 @@ fn speaks_of_deeds(goal: &Goal) -> bool {
     }
 }
 
-/// What all parts come to; the first that cannot be says why.
+/// The subgoals of all parts; the first impossible part gives the error.
 fn all(parts: impl Iterator<Item = Found>) -> Found {
     Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-/// The ways there are, and why the first of the others is none.
+/// The possible alternatives, and the error of the first impossible one.
 fn sift(ways: Vec<Found>) -> (Vec<Vec<Subgoal>>, Option<Unreachable>) {
     let (mut possible, mut reason) = (Vec::new(), None);
     for way in ways {

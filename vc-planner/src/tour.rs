@@ -1,21 +1,21 @@
-//! From macros to actions.
+//! Expansion of macros into actions.
 
 use vc_graph::{Action, NodeId, SceneGraph, Verb};
 
 use crate::packed::{Op, Problem, State, Way, bit};
 
-/// Whether a walk leads into another room and something is let go there, which stays where
-/// one stands: such a walk is needed, though what comes after it could be done without.
+/// Whether a walk leads into another room where something is then dropped. The thing stays where the agent
+/// stands, so the walk is needed although the later actions could be done without it.
 pub(crate) fn drops_elsewhere(graph: &SceneGraph, agent: NodeId, walk: &Action, then: &[Action]) -> bool {
     let leads_to = walk.object.and_then(|id| graph.room_of(id));
     leads_to != graph.room_of(agent) && then.iter().any(|a| a.verb == Verb::Drop)
 }
 
-/// Writes macros out, with the things they are about.
+/// Expands macros, with the things that they concern.
 pub(crate) struct Tour<'a> {
     problem: &'a Problem,
     state: State,
-    /// What is carried or put down for a while, with its kind plus one.
+    /// The items that are carried or put down temporarily, with their kind plus one.
     carried: Vec<(u8, NodeId)>,
     actions: Vec<Action>,
 }
@@ -48,7 +48,7 @@ impl<'a> Tour<'a> {
         }
     }
 
-    /// Takes an item of a kind out of what is carried.
+    /// Takes an item of a kind out of the carried ones.
     fn take(&mut self, kind: u8) -> Option<NodeId> {
         let position = self.carried.iter().position(|(k, _)| *k == kind)?;
         Some(self.carried.remove(position).1)
@@ -134,7 +134,7 @@ impl<'a> Tour<'a> {
         self.act(on.map_or(Action::zero(verb), |id| Action::one(verb, id)));
     }
 
-    /// On a surface at hand, else on the floor.
+    /// Puts an item on a surface at hand, otherwise on the floor.
     fn put_down(&mut self, hand: u8, spot: Option<u8>) {
         if let Some(spot) = spot {
             self.go(spot);

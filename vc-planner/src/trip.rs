@@ -1,25 +1,24 @@
-//! What an agent brings where on its next trip: what it can tell others beforehand.
+//! The deliveries of an agent's next trip, which it can announce to others.
 
 use vc_graph::{Action, NodeId, Place, Relation, SceneGraph, Verb};
 
-/// That a thing will be at a place, which is in the agent's hand for what it keeps.
+/// A thing and its promised place; the place is the agent's hand if the agent keeps the thing.
 pub(crate) type Promise = (NodeId, Place);
 
-/// How many things go on one trip: as many as there are hands.
+/// Number of things per trip: the number of hands.
 const LOAD: usize = 2;
 
 /// The beginning of a plan.
 #[derive(Debug, Default)]
 pub(crate) struct Trip {
-    /// How many actions it has.
+    /// The number of actions.
     pub(crate) length: usize,
-    /// What is brought where.
+    /// The promised places of things.
     pub(crate) promises: Vec<Promise>,
 }
 
 impl Trip {
-    /// The first trip of a plan: it ends when the hands are empty, or before the way to a
-    /// third thing.
+    /// The first trip of a plan: it ends when the hands are empty, or before the walk to a third thing.
     pub(crate) fn of(graph: &SceneGraph, agent: NodeId, plan: &[Action]) -> Self {
         let mut items: Vec<NodeId> = graph.held(agent).collect();
         let mut hands = items.len();
@@ -28,7 +27,7 @@ impl Trip {
             let Some(item) = action.object.filter(|_| action.verb == Verb::Grab || is_put(action)) else { continue };
             if is_put(action) {
                 hands = hands.saturating_sub(1);
-                // What is put down to open something is taken up again.
+                // A thing that is put down to open something is picked up again.
                 let again = |a: &Action| a.verb == Verb::Grab && a.object.is_some_and(|id| items.contains(&id));
                 if hands == 0 && !plan[number + 1..].iter().any(again) {
                     length = number + 1;
@@ -54,7 +53,7 @@ fn is_put(action: &Action) -> bool {
     matches!(action.verb, Verb::Place | Verb::PutIn | Verb::Drop)
 }
 
-/// Where a plan leaves some things.
+/// The final places of some things in a plan.
 pub(crate) fn ends(graph: &SceneGraph, agent: NodeId, plan: &[Action], items: &[NodeId]) -> Vec<Promise> {
     let mut ends: Vec<Promise> =
         items.iter().map(|&id| (id, Place { relation: Relation::HoldsRight, at: agent })).collect();
@@ -74,7 +73,7 @@ pub(crate) fn ends(graph: &SceneGraph, agent: NodeId, plan: &[Action], items: &[
     ends
 }
 
-/// Puts things where they are promised to be. What cannot be imagined is not counted on.
+/// Puts things at their promised places. Promises that the graph cannot represent are not counted on.
 pub(crate) fn imagine(graph: &mut SceneGraph, promises: &[Promise]) {
     let mut edit = graph.edit();
     for &(id, place) in promises {

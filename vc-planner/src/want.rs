@@ -1,32 +1,32 @@
-//! What there is to bring about, and why it may not be possible.
+//! Subgoals, and the reasons why a goal may be unreachable.
 
 use vc_graph::{Action, Condition, NodeId, Word};
 
-/// Something to bring about.
+/// A condition to be brought about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Want {
     /// A condition on the scene.
     Hold(Condition),
-    /// An action to have been done.
+    /// An action that has to be done.
     Do(Action),
-    /// A thing to be seen: the goal seems to hold of it, but only by guess.
+    /// A thing to be seen: the goal seems to hold of it, but only by a guess.
     See(NodeId),
-    /// A container to be looked into: there may be something the goal forbids.
+    /// A container to be looked into: it may contain something that the goal forbids.
     LookInto(NodeId),
 }
 
 impl Want {
-    /// Whether it is only to see what is so.
+    /// Whether it is only an observation.
     pub(crate) fn is_look(&self) -> bool {
         matches!(self, Self::See(_) | Self::LookInto(_))
     }
 }
 
-/// One open part of a goal: any of its options settles it.
+/// One open part of a goal; any of its options settles it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Subgoal {
-    /// What settles it, cheapest first.
+    /// The options, cheapest first.
     pub options: Vec<Want>,
 }
 
@@ -42,68 +42,68 @@ impl std::fmt::Display for Want {
     }
 }
 
-/// Why a goal cannot be reached. Running out of steps is no such reason: it is an
+/// The reason why a goal cannot be reached. Running out of steps is not such a reason: it is an
 /// [`Outcome`](vc_tasks::Outcome).
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreachable {
-    /// A label of the goal is of another class than its node.
+    /// A label in the goal names a class that differs from that of its node.
     #[error(transparent)]
     Misnomer(#[from] vc_graph::Misnomer),
-    /// The scene lacks what a part of the goal is about.
+    /// The scene lacks the things that a part of the goal is about.
     #[error("nothing in this scene can satisfy `{0}`")]
     NoInstance(String),
-    /// What would have to be moved cannot be picked up.
+    /// The thing that would have to be moved cannot be picked up.
     #[error("`{0}`: nothing it is about can be picked up")]
     NotGraspable(String),
-    /// Nothing can be put on what a part of the goal names.
+    /// Nothing can be put on the thing that a part of the goal names.
     #[error("`{0}`: nothing can be put on that")]
     NotASurface(String),
-    /// Nothing can be put in what a part of the goal names.
+    /// Nothing can be put in the thing that a part of the goal names.
     #[error("`{0}`: nothing can be put in that")]
     NotAContainer(String),
-    /// What a part of the goal names does not open.
+    /// The thing that a part of the goal names cannot be opened.
     #[error("`{0}`: it does not open")]
     NotOpenable(String),
-    /// What a part of the goal names has no switch.
+    /// The thing that a part of the goal names has no switch.
     #[error("`{0}`: it has no switch")]
     NotSwitchable(String),
-    /// That cannot be done to what a part of the goal names.
+    /// The action cannot be done to the thing that a part of the goal names.
     #[error("`{0}`: that cannot be done to it")]
     NotAfforded(String),
-    /// A thing is in no room: one cannot go there.
-    #[error("`{0}`: there is no way there")]
+    /// A thing is in no room, so it cannot be reached.
+    #[error("`{0}`: the things it is about are in no room and cannot be reached")]
     NoRoute(String),
-    /// The parts of the goal need the same things, or each undoes another.
+    /// The parts of the goal need the same things, or undo each other.
     #[error("`{0}`: its parts conflict, with each other or with the rest of the goal")]
     Conflicting(String),
-    /// All that could serve is shut in something that does not open.
-    #[error("`{0}`: what it is about is shut in and cannot be got out")]
+    /// All things that could serve are in containers that do not open.
+    #[error("`{0}`: the things it is about are in containers that do not open")]
     Sealed(String),
-    /// Others have in their hands what is needed, or wear it.
-    #[error("`{0}`: others hold what it is about")]
+    /// Other agents hold or wear the needed things.
+    #[error("`{0}`: other agents hold the things it is about")]
     HeldByAnother(String),
-    /// Every state that matters was looked at.
+    /// The search covered every relevant state.
     #[error("all {checked} states that matter were looked at, and `{goal}` holds in none")]
     SearchExhausted {
         /// The goal.
         goal: String,
-        /// How many states.
+        /// The number of states.
         checked: usize,
     },
-    /// No sequence of actions that was tried brings a part about.
+    /// None of the action sequences tried brings a part about.
     #[error("no actions were found that bring about any of: {0}")]
     NoPlan(String),
-    /// What has been done cannot be undone.
+    /// A past action cannot be undone.
     #[error("`{0}` has been done and cannot be undone")]
     Irrevocable(String),
-    /// A language model gave no answer that could be used.
+    /// A language model gave no usable answer.
     #[error("no usable answer: {0}")]
     NoAnswer(String),
-    /// A missing thing can be nowhere: there are no rooms and nothing that holds or carries.
+    /// A missing thing can be nowhere: there are no rooms and no supports or containers.
     #[error("`{0}` is out of sight, and this scene has no room and no place where it could be")]
     Nowhere(String),
-    /// An action without which there is no way is refused again and again.
+    /// A necessary action is refused repeatedly.
     #[error("`{0}` is refused whenever it is tried, and there is no other way")]
     Refused(String),
     /// Every place has been searched.

@@ -1,5 +1,5 @@
-//! Whatever is asked, and however the world behaves: plans are right, nobody loops, and
-//! what cannot be reached is told with its reason, while what can be is not refused.
+//! For any goal and any behaviour of the world: plans are correct, no policy loops, unreachable goals are
+//! reported with a reason, and reachable goals are not refused.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap and tell")]
 
@@ -26,7 +26,7 @@ fn home(seed: u64) -> SceneGraph {
     let fixed: Vec<NodeId> =
         FIXED.iter().map(|f| scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new(*f)).unwrap()).collect();
     for class in ITEMS.iter().chain(&ITEMS[..4]) {
-        // Surfaces and containers; not every thing can hold every thing.
+        // Surfaces and containers; not every one can hold every thing.
         let at = *stream.pick(&[fixed[0], fixed[1], fixed[2], fixed[3], fixed[7]]).unwrap();
         let inside = at != fixed[0] && at != fixed[3];
         if inside { scene.add_in(at, Draft::new(*class)) } else { scene.add_on(at, Draft::new(*class)) }.unwrap();
@@ -35,7 +35,7 @@ fn home(seed: u64) -> SceneGraph {
     scene.build()
 }
 
-/// Any goal the language has, sensible or not.
+/// Any goal that the language can express, sensible or not.
 fn any_goal(stream: &mut Stream, depth: usize) -> String {
     let mut class = |all: &[&str]| (*stream.pick(all).unwrap()).to_owned();
     let things = ["apple", "plate", "mug", "book", "fridge", "sofa", "television", "unicorn", "kitchen", "closet"];
@@ -93,7 +93,7 @@ fn any_goal(stream: &mut Stream, depth: usize) -> String {
     }
 }
 
-/// Goals that can be read, with the number of the home they are asked for in.
+/// Goals that can be parsed, with the number of the home in which they are asked.
 fn any_goals(number: u64) -> impl Iterator<Item = (u64, String, Goal)> {
     (0..number).filter_map(|seed| {
         let text = any_goal(&mut Seed(seed).child("goal").stream(), seed as usize % 3);
@@ -102,13 +102,13 @@ fn any_goals(number: u64) -> impl Iterator<Item = (u64, String, Goal)> {
     })
 }
 
-/// What can be done about what a goal names, and about what that is on or in.
+/// The possible actions on the things that a goal names, and on their supports and containers.
 fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
     let named = scene.nodes().filter(|n| n.kind() != Kind::Agent && text.contains(&**n.class())).map(|n| n.id());
     let mut things: Vec<NodeId> = named.flat_map(|id| [Some(id), scene.place(id).map(|p| p.at)]).flatten().collect();
     things.sort_unstable();
     things.dedup();
-    // To look at things and the like changes nothing, unless it is asked for.
+    // Actions such as looking change nothing, so they are left out unless the goal names them.
     let idle = |verb: Verb| !verb.rule().does.iter().any(|e| !matches!(e, Effect::Face(_)));
     let named = |verb: Verb| text.contains(&format!("{verb:?}("));
     let useful = |verb: &Verb| *verb != Verb::Run && *verb != Verb::Find && (named(*verb) || !idle(*verb));
@@ -127,7 +127,7 @@ fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
     all
 }
 
-/// What is refused is not to be had by a few actions, whichever they are.
+/// A goal that is refused cannot be reached by any few actions.
 #[test]
 fn what_is_refused_cannot_be_had_by_a_few_actions() {
     const DEPTH: usize = 5;
@@ -172,7 +172,7 @@ fn plans_for_any_goal_are_accepted_and_reach_it() {
     assert!(planned >= 50 && refused >= 20, "{planned} {refused}");
 }
 
-/// So many steps nobody needs in a home as small.
+/// More steps than anybody needs in such a small home.
 const LIMIT: usize = 1_500;
 
 #[test]
@@ -187,8 +187,7 @@ fn no_goal_makes_an_agent_loop() {
     }
 }
 
-/// A world that does not do what it is asked: it refuses every so many actions, or shows
-/// another home after them.
+/// A world that does not obey: it refuses an action now and then, or changes into another home.
 struct Contrary {
     homes: Vec<SceneGraph>,
     history: History,
@@ -226,7 +225,7 @@ fn no_world_makes_an_agent_loop() {
             for policy in
                 [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()]
             {
-                // The same things in other places.
+                // The same things at other places.
                 let homes = (0..homes).map(|i| home(1_000 + seed + i)).collect();
                 let mut world = Contrary { homes, history: History::default(), steps: 0, refuses };
                 let episode = Run::seeded(seed).episode(policy, &task, &mut world, &mut |_| {});
@@ -236,7 +235,7 @@ fn no_world_makes_an_agent_loop() {
     }
 }
 
-/// A flat in which some goals are out of reach.
+/// A flat in which some goals are unreachable.
 fn flat() -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("flat");
     let kitchen = scene.add(Draft::new("kitchen")).unwrap();
@@ -247,14 +246,14 @@ fn flat() -> (SceneGraph, NodeId) {
     for item in ["apple", "mug", "mug", "book"] {
         scene.add_on(table, Draft::new(item)).unwrap();
     }
-    // It runs for ever, and nothing can stop it.
+    // The thing runs for ever, and nothing can stop it.
     let endless = Draft {
         properties: Some(PropertySet::of(&[Property::Container, Property::Openable])),
         ..Draft::new("washing_machine")
     };
     let washing = scene.add_in(kitchen, endless.state(State::Closed).state(State::On)).unwrap();
     scene.add_in(washing, Draft::new("towel")).unwrap();
-    // It is in no room.
+    // The thing is in no room.
     scene.add(Draft::new("cellphone")).unwrap();
     let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
     (scene.build(), me)
@@ -334,8 +333,8 @@ fn what_has_been_done_cannot_be_undone() {
     assert!(matches!(why, Unreachable::Irrevocable(_)), "{why:?}");
 }
 
-/// A thing that is said to be on one thing and inside another that is elsewhere, as real graphs have it,
-/// counts as inside: it is hidden while that is closed, and is got at there.
+/// A thing that a real graph places both on one thing and inside another one elsewhere counts as inside: it is
+/// hidden while the container is closed, and is reached there.
 #[test]
 fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
     for apart in [false, true] {
@@ -350,7 +349,7 @@ fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
                     ("HoldsLeft(me, pot)", 8),
                 ] {
                     let task = Task::new("contradiction", text.parse().unwrap());
-                    // A policy that does not know where the pot is can only go by one of its two rooms.
+                    // A policy that does not know the place of the pot can only search one of its two rooms.
                     let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(Resident::default())];
                     if !apart {
                         policies
@@ -370,7 +369,7 @@ fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
     }
 }
 
-/// A pot on a table and in a closed dishwasher, which are in one room or in two.
+/// A pot both on a table and in a closed dishwasher, which are in one room or in two.
 fn contradiction(apart: bool, box_first: bool, poses: bool) -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("contradiction");
     let rooms = ["kitchen", "living_room"].map(|r| scene.add(Draft::new(r)).unwrap());

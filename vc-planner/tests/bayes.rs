@@ -1,5 +1,5 @@
-//! In small homes the agent needs hardly more steps than the best possible policy,
-//! found by brute force over all it could know.
+//! In small homes the agent needs hardly more steps than the optimal policy, which is found by brute force over
+//! all belief states.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -9,18 +9,18 @@ use vc_graph::{Draft, NodeId, Place, Property, PropertySet, Relation, SceneBuild
 use vc_planner::{Belief, Newcomer, Prior, Run};
 use vc_tasks::{Outcome, Task};
 
-/// Three rooms, eight places (the rooms' floors among them), two things.
+/// Three rooms, eight places (including the rooms' floors), two things.
 const ROOMS: [&str; 3] = ["kitchen", "living_room", "bedroom"];
 const PLACES: usize = 8;
 const THINGS: [&str; 2] = ["apple", "book"];
 
 struct Layout {
     name: &'static str,
-    /// Class, room, whether it is a container. The places after the floors.
+    /// Class, room, and whether it is a container: the places after the floors.
     furniture: [(&'static str, usize, bool); 5],
-    /// The room in which one begins.
+    /// The room in which the agent begins.
     start: usize,
-    /// Where each thing is to go.
+    /// The target of each thing.
     targets: [usize; 2],
 }
 
@@ -117,7 +117,7 @@ impl Layout {
     }
 }
 
-/// Where a thing is, as far as is known.
+/// The known state of a thing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Known {
     Unknown,
@@ -138,7 +138,7 @@ struct State {
 type Memo = HashMap<State, f64>;
 
 impl Layout {
-    /// The expected number of steps of the best policy.
+    /// The expected number of steps of the optimal policy.
     fn value(&self, s: State, memo: &mut Memo) -> f64 {
         if s.things == [Known::Done; 2] {
             return 0.0;
@@ -149,7 +149,7 @@ impl Layout {
         let mut best = f64::INFINITY;
         let held = s.things.iter().filter(|t| **t == Known::Held).count();
         let walk = |at: usize| if s.at == Some(at) { 0.0 } else { 1.0 };
-        // A room is as well entered by walking up to something in it.
+        // A room can also be entered by walking up to something in it.
         let into = (0..ROOMS.len()).map(|room| (room, None));
         let up_to = (ROOMS.len()..PLACES).map(|p| (self.room_of(p), Some(p)));
         for (room, at) in into.chain(up_to).filter(|(room, _)| *room != s.room) {
@@ -161,14 +161,14 @@ impl Layout {
         for place in (0..PLACES).filter(|&p| self.is_box(p) && s.seen >> p & 1 == 0) {
             let next = State { room: self.room_of(place), at: Some(place), ..s };
             let new = self.unseen(&next) | 1 << place;
-            // With both hands full something is put down before it and taken up after it.
+            // With both hands full, a thing is put down first and taken up afterwards.
             let free = if held == 2 { 2.0 } else { 0.0 };
             best = best.min(walk(place) + 1.0 + free + self.looked(next, new, memo));
         }
         for i in 0..2 {
             match s.things[i] {
                 Known::At(place) if held < 2 => {
-                    // On the floor it is itself what one walks up to.
+                    // A thing on the floor is walked up to individually.
                     let spot = if place < ROOMS.len() { PLACES + i } else { place };
                     let mut next = State { room: self.room_of(place), at: Some(spot), ..s };
                     next.things[i] = Known::Held;
@@ -190,13 +190,13 @@ impl Layout {
         best
     }
 
-    /// What is in view in the room and has not been seen.
+    /// The places in view in the room that have not been seen.
     fn unseen(&self, s: &State) -> u8 {
         let in_view = (0..PLACES).filter(|&p| self.room_of(p) == s.room && !self.is_box(p));
         in_view.fold(0, |bits, p| bits | 1 << p) & !s.seen
     }
 
-    /// The expectation over what is found in places that are seen now.
+    /// The expectation over the things found in newly seen places.
     fn looked(&self, s: State, new: u8, memo: &mut Memo) -> f64 {
         if new == 0 {
             return self.value(s, memo);
@@ -220,7 +220,7 @@ impl Layout {
         total
     }
 
-    /// The best possible number of steps on average.
+    /// The expected number of steps of the optimal policy from the start.
     fn best(&self) -> f64 {
         let start = State { room: self.start, at: None, seen: 0, things: [Known::Unknown; 2] };
         self.looked(start, self.unseen(&start), &mut Memo::new())
@@ -238,7 +238,7 @@ fn home(layout: &Layout, at: [usize; 2]) -> Home {
     let mut places: Vec<Place> = rooms.iter().map(|&at| Place { relation: Relation::InRoom, at }).collect();
     for (class, room, container) in layout.furniture {
         let relation = if container { Relation::Inside } else { Relation::On };
-        // The class table's containers are surfaces as well: these are none.
+        // The class table's containers are surfaces as well; these are not.
         let properties = container.then(|| PropertySet::of(&[Property::Container, Property::Openable]));
         let mut draft = Draft { properties, ..Draft::new(class) };
         if container {
@@ -257,7 +257,7 @@ fn home(layout: &Layout, at: [usize; 2]) -> Home {
     Home { scene: scene.build(), places }
 }
 
-/// Steps on average over all homes there could be.
+/// The mean number of steps over all possible homes.
 fn mean_steps(layout: &Layout) -> f64 {
     let task = Task::new(layout.name, layout.goal().parse().unwrap());
     let mut steps = 0;

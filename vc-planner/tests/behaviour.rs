@@ -1,5 +1,5 @@
-//! How agents behave on the way: what ends an episode and why, no steps in vain, nothing
-//! undone, and no new plan without need.
+//! The behaviour of agents during an episode: its end and the reason, no useless steps, no undone parts of the
+//! goal, and no needless replanning.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -31,7 +31,7 @@ fn a_step_limit_is_told_apart_from_what_cannot_be() {
     }
 }
 
-/// Which parts of a goal hold, before the first action and after each.
+/// The parts of a goal that hold, before the first action and after each.
 fn truths(scene: &SceneGraph, me: NodeId, goal: &Goal, actions: &[Action]) -> Vec<Vec<bool>> {
     let mut world = Simulator::new(scene.clone());
     let now = |world: &Simulator| {
@@ -46,7 +46,7 @@ fn truths(scene: &SceneGraph, me: NodeId, goal: &Goal, actions: &[Action]) -> Ve
     all
 }
 
-/// Goals whose parts are all about where things are to be.
+/// Goals all of whose parts are about the places of things.
 const DELIVERIES: [&str; 6] = [
     "On(apple, kitchen_table) & Inside(milk, fridge)",
     "On(mug, coffee_table) & On(book, coffee_table) & On(plate, coffee_table)",
@@ -76,7 +76,7 @@ fn nothing_achieved_is_undone() {
     assert!(achieved > 200, "{achieved}");
 }
 
-/// The steps of policies in homes at random, with the homes.
+/// The steps of policies in random homes, with the homes.
 fn episodes(policies: &mut [&mut dyn Policy]) -> Vec<(String, SceneGraph, Vec<Step>)> {
     let mut all = Vec::new();
     for seed in 0..12 {
@@ -94,7 +94,7 @@ fn episodes(policies: &mut [&mut dyn Policy]) -> Vec<(String, SceneGraph, Vec<St
     all
 }
 
-/// Whether what was seen after a step was new: a thing, or a place not looked at before.
+/// Whether the observation after a step was new: a thing, or a place not looked at before.
 fn taught(before: &Step, after: &Step) -> bool {
     !after.found.is_empty() || after.places < before.places
 }
@@ -115,7 +115,7 @@ fn no_walk_is_in_vain() {
     assert!(vain.is_empty(), "{vain:#?}");
 }
 
-/// Nobody walks to the middle of a room on the way to what it knows already.
+/// No agent walks to the middle of a room on the way to a known thing.
 #[test]
 fn what_is_known_is_walked_up_to() {
     let (mut rooms, mut vain) = (0, Vec::new());
@@ -138,7 +138,7 @@ fn what_is_known_is_walked_up_to() {
     assert!(vain.is_empty(), "{vain:#?}");
 }
 
-/// Two rooms with as much to do in each: everything in one is done before the other.
+/// Two rooms with equally much work: one is finished before the other is begun.
 #[test]
 fn rooms_are_toured_one_after_the_other() {
     let mut scene = SceneBuilder::new("twins");
@@ -153,7 +153,7 @@ fn rooms_are_toured_one_after_the_other() {
     }
     let me = scene.add_in(rooms[0], Draft::new("character")).unwrap();
     let scene = scene.build();
-    // In whatever order they are asked for.
+    // In any order of the goal's parts.
     for order in [[0, 1, 2, 3], [0, 2, 1, 3], [3, 1, 2, 0], [2, 3, 0, 1]] {
         let text = order.map(|i| goal[i].as_str()).join(" & ");
         let found = plan(&mut scene.clone(), me, &text.parse().unwrap(), &History::default()).unwrap();
@@ -169,7 +169,7 @@ fn rooms_are_toured_one_after_the_other() {
     }
 }
 
-/// What is found by the way and does not matter leaves the rest of the plan as it is.
+/// Finding an irrelevant thing on the way leaves the rest of the plan unchanged.
 #[test]
 fn an_irrelevant_find_keeps_the_plan() {
     let mut scene = SceneBuilder::new("flat");

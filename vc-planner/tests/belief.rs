@@ -1,12 +1,12 @@
-//! What an agent believes: certain where it has looked, a guess elsewhere, and never
-//! more than it can know.
+//! The belief of an agent: certain where it has looked, a guess elsewhere, and never based on more than it can
+//! know.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::{Draft, NodeId, Place, Property, Relation, SceneBuilder, SceneGraph, Scope, Simulator, State, Verb};
 use vc_planner::{Agent, Belief, Decision};
 
-/// A flat of two rooms with closed cupboards; the apple is in the one of a number.
+/// A flat of two rooms with closed cupboards; the apple is in the cupboard with a given number.
 struct Flat {
     scene: SceneGraph,
     me: NodeId,
@@ -134,15 +134,14 @@ fn when_everything_is_disproved_the_belief_widens() {
     assert!(belief.possible_places().count() > 0);
 }
 
-/// Two homes that differ only in what cannot be seen make the agent do the same
-/// until it sees the difference.
+/// In two homes that differ only in hidden things the agent does the same until it sees the difference.
 #[test]
 fn agents_know_no_more_than_they_can_see() {
     for seed in 0..10 {
         let runs: Vec<Vec<String>> = [0, 1].iter().map(|&at| trail(&flat(at), seed)).collect();
         let length = runs[0].iter().zip(&runs[1]).take_while(|(a, b)| a == b).count();
         assert!(length >= 1, "{runs:?}");
-        // The first difference comes when one of the kitchen's cupboards is open.
+        // The first difference arises when one of the kitchen's cupboards is open.
         assert!(runs[0][..length].iter().any(|a| a.starts_with("open kitchen_cabinet")), "{runs:?}");
     }
 }
@@ -163,7 +162,7 @@ fn trail(flat: &Flat, seed: u64) -> Vec<String> {
     done
 }
 
-/// A tidy home: dishes in the kitchen's cupboards, the living room as it should be.
+/// A tidy home: dishes in the kitchen's cupboards, the living room in its usual state.
 fn tidy() -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("tidy");
     let rooms = ["living_room", "bathroom", "kitchen", "bedroom", "hallway"];
@@ -222,8 +221,8 @@ fn a_plate_is_not_looked_for_in_a_bathroom() {
     }
 }
 
-/// A made-up world in which plates live in bookshelves: once one has been found in one, the others
-/// are looked for in bookshelves, after two other looks at most.
+/// In an artificial world where plates are kept in bookshelves: once one plate has been found in a bookshelf,
+/// the others are searched in bookshelves, after at most two other looks.
 #[test]
 fn where_one_was_found_the_others_are_looked_for() {
     for seed in 0..10 {

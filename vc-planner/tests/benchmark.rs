@@ -1,5 +1,5 @@
-//! The thesis's 145 tasks: what the oracle can do, the planners that see only their
-//! room can do as well.
+//! The thesis's 145 tasks: every task that the oracle can do, the planners that observe only their own room can
+//! do as well.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -13,7 +13,7 @@ use vc_tasks::initial::{Generator, PlainStock};
 use vc_tasks::library::Benchmark;
 use vc_tasks::{Outcome, World};
 
-/// The bundled apartment, and VirtualHome's first where it is there.
+/// The bundled apartment, and VirtualHome's first scene if its file exists.
 fn scenes() -> Vec<(&'static str, SceneGraph)> {
     let read = |text: &str| read_scene(text, &ClassTable::builtin()).unwrap();
     let mut all = vec![("bundled", read(include_str!("../../examples/data/apartment.json")))];

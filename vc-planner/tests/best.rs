@@ -1,4 +1,4 @@
-//! The best plans: none shorter exists, by brute force through the transition rule.
+//! Optimal plans: brute force through the transition rule finds none that is shorter.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -16,7 +16,7 @@ use vc_graph::{
 use vc_planner::{Agent, Decision, Resident, plan, run_episode};
 use vc_tasks::{Outcome, Task};
 
-/// A small home at random, what can be moved in it, and where it can be put.
+/// A small random home, its movable things, and the places where they can be put.
 struct World {
     scene: SceneGraph,
     me: NodeId,
@@ -67,7 +67,7 @@ fn goal(seed: u64) -> Goal {
     chosen.join(" & ").parse().unwrap()
 }
 
-/// Everything that can be done here, whatever it is for.
+/// All possible actions, whatever their purpose.
 fn actions(world: &World) -> Vec<Action> {
     let mut all = Vec::new();
     for &id in world.items.iter().chain(&world.places) {
@@ -129,7 +129,7 @@ fn no_plan_is_shorter() {
     assert!(worst.is_empty(), "{} of {compared}:\n{}", worst.len(), worst.join("\n"));
 }
 
-/// Counts, pairs, conditions and negations: what the packed problem does not know.
+/// Counts, pairs, conditions and negations, which the packed problem cannot express.
 const FORMS: [&str; 12] = [
     "exists ?a: apple. (?a != apple.7 & On(?a, desk))",
     "forall ?a: apple. (?a = apple.7 | On(?a, kitchen_table))",
@@ -158,12 +158,12 @@ fn no_form_is_refused_that_can_be_met() {
     }
     println!("{compared} compared: {ours} actions against {least}");
     assert!(compared >= 100, "{compared}");
-    // Regression finds some way, not the shortest.
+    // Regression finds some plan, not the shortest.
     assert!(ours * 100 <= least * 105, "{ours} {least}");
 }
 
-/// A plan of many parts is not proved to be the best when it is begun: what is left of it
-/// is improved on the way, and never made longer.
+/// A plan with many parts is not proved optimal at its beginning: its rest is improved on the way, and never
+/// made longer.
 #[test]
 fn long_plans_are_improved_on_the_way() {
     let (mut planned, mut done) = (0, 0);
@@ -190,7 +190,7 @@ fn long_plans_are_improved_on_the_way() {
     assert!(done < planned, "{done} {planned}");
 }
 
-/// The length of a plan that has been carried out and has reached its goal.
+/// The length of a plan that has been executed and has reached its goal.
 fn length(scene: &SceneGraph, goal: &Goal) -> usize {
     let me = scene.agents()[0];
     let found = plan(&mut scene.clone(), me, goal, &History::default()).unwrap_or_else(|why| panic!("{goal}: {why}"));
@@ -200,7 +200,7 @@ fn length(scene: &SceneGraph, goal: &Goal) -> usize {
     found.actions.len()
 }
 
-/// More than can be packed at once is planned in parts, with both hands throughout.
+/// A goal that is too large to be packed at once is planned in parts, using both hands throughout.
 #[test]
 fn an_errand_of_forty_costs_no_more_than_one_of_twenty() {
     let (mut few, mut many) = (0, 0);
@@ -221,7 +221,7 @@ fn an_errand_of_forty_costs_no_more_than_one_of_twenty() {
     assert!(many <= 2 * few && done_many <= 2 * done_few, "{few} {many} {done_few} {done_many}");
 }
 
-/// Of many things any will do: what is needed finds room before what could be taken instead.
+/// If any of many things would do, needed things are packed before alternatives.
 #[test]
 fn a_large_goal_about_classes_is_planned_with_both_hands() {
     const THINGS: [&str; 12] =
@@ -239,7 +239,7 @@ fn a_large_goal_about_classes_is_planned_with_both_hands() {
     }
 }
 
-/// What serves one part where it is may be the only thing for another.
+/// A thing that already serves one part may be the only one for another.
 #[test]
 fn what_holds_is_given_up_where_that_is_best() {
     let (mut compared, mut moved) = (0, 0);
@@ -268,8 +268,8 @@ fn what_holds_is_given_up_where_that_is_best() {
     assert!(compared >= 30 && moved >= 8, "{compared} {moved}");
 }
 
-/// A book and a mug on a desk, a closed nightstand elsewhere: with both hands full it
-/// cannot be opened, unless one puts something down.
+/// A book and a mug on a desk, and a closed nightstand elsewhere: with both hands full the nightstand cannot be
+/// opened, unless the agent puts something down.
 #[test]
 fn a_hand_is_freed_in_between() {
     let mut scene = SceneBuilder::new("hands");
@@ -284,6 +284,6 @@ fn a_hand_is_freed_in_between() {
     assert!(graph.node(cabinet).unwrap().is(State::Closed));
     let goal = "Inside(book, bathroom_cabinet) & Inside(mug, bathroom_cabinet)".parse().unwrap();
     let found = plan(&mut graph, me, &goal, &History::default()).unwrap();
-    // Opening it first saves the putting down, as a walk is one action however far.
+    // Opening the nightstand first saves the putting down, since a walk is one action at any distance.
     assert_eq!(found.actions.len(), 8, "{:?}", found.actions);
 }

@@ -1,5 +1,4 @@
-//! What a belief says where things are likeliest, and that what can be carried is a place
-//! to look into as well.
+//! The likeliest places by the belief, and carriable containers as further places to look into.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -13,7 +12,7 @@ use vc_graph::{
 use vc_planner::{Belief, Newcomer, Policy, Prior, Run};
 use vc_tasks::{Outcome, Task};
 
-/// Where a thing is, on a bare floor as well.
+/// The place of a thing, also on a bare floor.
 fn place(scene: &SceneGraph, id: NodeId) -> Option<Place> {
     let floor = || Some(Place { relation: Relation::InRoom, at: scene.room_of(id)? });
     scene.place(id).or_else(floor)
@@ -27,7 +26,7 @@ fn the_likeliest_state_has_each_thing_where_it_is_likeliest() {
             let me = scene.agents()[0];
             let mut belief = Belief::by_prior(&scene, me, seed, prior.clone());
             check_likeliest(&belief, &scene);
-            // Again when something has been seen.
+            // Once more after an observation.
             belief.observe(&scene.observe(me, Scope::Room));
             check_likeliest(&belief, &scene);
         }
@@ -103,9 +102,9 @@ fn what_can_be_carried_becomes_a_place_when_it_is_seen() {
             belief.observe(&world.graph().observe(me, Scope::Room));
             let chance = belief.probability(apple, inside);
             assert!(chance > 0.0 && (whole(&belief) - 1.0).abs() < 1e-9, "{class} {prior:?}: {chance}");
-            // The table and the floor have been seen without it.
+            // The table and the floor have been seen without the apple.
             assert_eq!(places(&belief), before - 2 + 1, "{class} {prior:?}: {belief}");
-            // Opened, it holds the apple.
+            // The opened container holds the apple.
             for verb in [Verb::Walk, Verb::Open] {
                 world.step(me, &Action::one(verb, inside.at)).unwrap();
             }
@@ -130,7 +129,7 @@ fn what_is_shut_in_something_portable_is_found() {
     }
 }
 
-/// Of two of a class each is as likely anywhere, and whichever is found first will do.
+/// Two things of a class are equally likely at every place, and whichever is found first will do.
 #[test]
 fn instances_of_a_class_are_interchangeable() {
     let mut taken = Vec::new();

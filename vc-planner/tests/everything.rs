@@ -1,4 +1,4 @@
-//! Whatever can be done and be so at all can be planned in a home that has what it takes.
+//! Every action and every state that is possible can be planned in a home with the necessary things.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -11,12 +11,12 @@ use vc_planner::{Newcomer, Policy, Run, plan};
 use vc_tasks::format::alfred::Template;
 use vc_tasks::{Outcome, Task};
 
-/// What no verb brings about: it is so from the beginning, or comes by itself.
+/// States that no verb brings about: they exist from the beginning, or arise by themselves.
 const NOBODYS: [State; 9] = [
     State::Raw,
     State::Broken,
     State::Wet,
-    // What is poured out of does not run dry.
+    // A vessel that is poured out does not become empty.
     State::Empty,
     State::Frozen,
     State::OnFire,
@@ -57,7 +57,7 @@ fn home() -> SceneGraph {
     scene.build()
 }
 
-/// Whether a goal has a plan that the rule accepts and that reaches it.
+/// Whether a goal has a plan that the rule accepts and that reaches the goal.
 fn is_planned(scene: &SceneGraph, goal: &Goal) -> bool {
     let me = scene.agents()[0];
     let Ok(found) = plan(&mut scene.clone(), me, goal, &History::default()) else { return false };
@@ -103,8 +103,8 @@ fn every_state_can_be_planned() {
     }
 }
 
-/// Tasks of ALFRED, also those about hot or cold things and whole vessels, are done by agents that know the
-/// home and by agents that see it for the first time.
+/// Tasks of ALFRED, including those about hot or cold things and whole vessels, are done by agents that know
+/// the home and by agents that see it for the first time.
 #[test]
 fn alfreds_tasks_can_be_done() {
     let scene = home();

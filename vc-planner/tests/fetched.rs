@@ -1,4 +1,4 @@
-//! In a team each thing is fetched by one.
+//! In a team each thing is fetched by one agent only.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -14,7 +14,7 @@ const SHUT: [&str; 4] = ["kitchen_cabinet", "closet", "bathroom_cabinet", "cabin
 const THINGS: [&str; 12] =
     ["apple", "book", "mug", "plate", "milk", "cellphone", "fork", "bowl", "mug", "apple", "book", "plate"];
 
-/// A home with two people and a dozen things, on what stands open and in what is shut.
+/// A home with two people and a dozen things, on open furniture and in closed containers.
 fn home(seed: u64) -> SceneGraph {
     let mut stream = Seed(seed).child("fetched").stream();
     let mut scene = SceneBuilder::new("home");
@@ -49,7 +49,7 @@ const GOALS: [&str; 4] = [
      On(book, coffee_table) & On(mug, desk) & Inside(cellphone, closet) & Closed(fridge)",
 ];
 
-/// What a team of so many does for a goal, and in how many rounds.
+/// The actions of a team of `number` agents for a goal, and the number of rounds.
 fn work(scene: &SceneGraph, goal: &str, number: usize, known: bool, seed: u64) -> (Vec<Event>, usize) {
     let task = Task::new("together", goal.parse().unwrap());
     let ids = &scene.agents()[..number];
@@ -63,7 +63,7 @@ fn work(scene: &SceneGraph, goal: &str, number: usize, known: bool, seed: u64) -
     (world.history().events().to_vec(), episode.rounds)
 }
 
-/// Nobody takes what another has fetched, wherever that one has put it down; and two need at
+/// No agent takes a thing that another has fetched, wherever that one has put it down; and two agents need at
 /// most 0.65 of the rounds of one.
 #[test]
 fn each_thing_is_fetched_by_one() {

@@ -1,5 +1,5 @@
-//! Manners: who is tidy leaves doors and switches as they were at first, as far as the
-//! goal allows; who is not leaves them as it comes.
+//! Manners: a tidy agent leaves doors and switches in their original state as far as the goal allows; others
+//! leave them as they happen to be.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -8,8 +8,8 @@ use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Sim
 use vc_planner::{Manners, Newcomer, Planner, Policy, Resident, Run, Unreachable};
 use vc_tasks::{Outcome, Task};
 
-/// A home in which some doors are open and some machines run at first, and most things
-/// are shut in somewhere.
+/// A home in which some doors are open and some machines run at first, and most things are in closed
+/// containers.
 fn home(seed: u64) -> SceneGraph {
     let mut stream = Seed(seed).child("manners").stream();
     let mut scene = SceneBuilder::new("home");
@@ -27,7 +27,7 @@ fn home(seed: u64) -> SceneGraph {
     for class in ["apple", "milk", "plate", "mug", "book", "towel", "chicken", "plate", "book"] {
         scene.add_in(*stream.pick(&boxes).unwrap(), Draft::new(class)).unwrap();
     }
-    // One machine runs and is in the way of what is in it.
+    // One running machine blocks access to its contents.
     let mut scene = {
         scene.add_in(*stream.pick(&rooms).unwrap(), Draft::new("character")).unwrap();
         scene.build()
@@ -56,7 +56,7 @@ const GOALS: [&str; 10] = [
 
 const WORDS: [State; 4] = [State::Open, State::Closed, State::On, State::Off];
 
-/// Doors and switches that are not as they were though the goal would hold all the same.
+/// Doors and switches that are not in their original state although the goal would hold with it.
 fn amiss(before: &SceneGraph, world: &Simulator, me: NodeId, goal: &Goal) -> Vec<String> {
     let after = world.graph();
     let word = |scene: &SceneGraph, id, word: &State| scene.node(id).unwrap().is(*word);
@@ -76,7 +76,7 @@ fn amiss(before: &SceneGraph, world: &Simulator, me: NodeId, goal: &Goal) -> Vec
     found
 }
 
-/// Lets a policy do a task; returns what it leaves amiss.
+/// Lets a policy do a task; returns the doors and switches that it leaves in another state.
 fn left(policy: &mut dyn Policy, seed: u64, text: &str) -> Vec<String> {
     let scene = home(seed);
     let me = scene.agents()[0];

@@ -1,5 +1,5 @@
-//! A language model as a policy: what the world refuses is told to it, and it is not
-//! asked for ever.
+//! A language model as a policy: it is told which actions the world refuses, and the number of repeated queries
+//! is limited.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -17,8 +17,7 @@ fn flat() -> SceneGraph {
     scene.build()
 }
 
-/// An episode with these answers, the last of which is given again and again, and all
-/// that was asked.
+/// An episode with the given answers, the last of which is repeated, and all prompts.
 fn episode(answers: &[&str]) -> (Episode, Vec<Prompt>) {
     let task = Task::new("fetch the milk", "Holds(milk)".parse().unwrap());
     let mut asked: Vec<Prompt> = Vec::new();
@@ -40,7 +39,7 @@ fn what_the_world_refuses_is_told_with_its_reason() {
     assert!(!asked[0].user.contains(REFUSED));
     let line = asked[1].user.lines().find(|l| l.starts_with(REFUSED)).unwrap();
     assert!(line.contains("open") && line.contains("near"), "{line}");
-    // What could not be done is not told as done, and what then went well ends the blame.
+    // A failed action is not reported as done, and a later success ends the error message.
     assert!(asked[1].user.contains("You have done:\n\n"), "{}", asked[1].user);
     assert!(!asked[2].user.contains(REFUSED) && asked[2].user.contains("You have done:\nwalk fridge.2\n"));
 }
@@ -52,7 +51,7 @@ fn after_four_refusals_it_is_over() {
     let reason = over.reason.unwrap();
     assert!(reason.contains("open fridge.2") && reason.contains("near"), "{reason}");
     assert!(asked[1..].iter().all(|prompt| prompt.user.contains(REFUSED)));
-    // Three in a row are borne, and counted anew after something was done.
+    // Three failures in a row are tolerated, and counted anew after an action succeeded.
     let stubborn = ["open fridge.2", "open fridge.2", "open fridge.2", "walk fridge.2"];
     let again = ["grab milk.3", "grab milk.3", "grab milk.3", "open fridge.2", "grab milk.3"];
     let (won, asked) = episode(&[&stubborn[..], &again[..]].concat());

@@ -1,4 +1,4 @@
-//! What is not to be somewhere is looked for there alone.
+//! If a thing must not be at a place, only that place is searched for it.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -28,7 +28,7 @@ fn home(seed: u64, on_table: usize) -> SceneGraph {
     scene.build()
 }
 
-/// What each of two newcomers does for a goal.
+/// The actions of each of two newcomers for a goal.
 fn deeds(scene: &SceneGraph, goal: &str, seed: u64) -> [Vec<Action>; 2] {
     let task = Task::new("not there", goal.parse().unwrap());
     [Newcomer::best(), Newcomer::faithful()].map(|mut policy| {
@@ -39,12 +39,12 @@ fn deeds(scene: &SceneGraph, goal: &str, seed: u64) -> [Vec<Action>; 2] {
     })
 }
 
-/// What was opened.
+/// The opened things.
 fn opened(actions: &[Action]) -> impl Iterator<Item = NodeId> {
     actions.iter().filter(|a| a.verb == Verb::Open).filter_map(|a| a.object)
 }
 
-/// Of a table a look at it tells; what else there is need not be found.
+/// One look at a table suffices for it; other things need not be found.
 #[test]
 fn what_is_not_to_be_on_a_table_is_looked_for_there() {
     let goals = [
@@ -56,7 +56,7 @@ fn what_is_not_to_be_on_a_table_is_looked_for_there() {
     for (seed, goal) in (0..10).flat_map(|seed| goals.map(|goal| (seed, goal))) {
         for on_table in 0..3 {
             for actions in deeds(&home(seed, on_table), goal, seed) {
-                // One walk to the table, and for each mug one to it and a grab.
+                // One walk to the table, and for each mug one walk to it and a grab.
                 assert!(actions.len() <= 1 + 2 * on_table, "{seed} {goal}: {actions:?}");
                 assert_eq!(opened(&actions).count(), 0, "{seed} {goal}");
             }
@@ -79,7 +79,7 @@ fn only_what_may_hold_it_is_opened() {
     }
 }
 
-/// Of what has been seen elsewhere nothing need be looked at.
+/// Things that have been seen elsewhere need no look.
 #[test]
 fn what_is_known_to_be_elsewhere_is_not_looked_for() {
     let mut scene = SceneBuilder::new("home");

@@ -1,5 +1,5 @@
-//! Plans: they can be carried out, reach the goal, and leave the scene alone; goals
-//! that cannot be reached are refused with a reason.
+//! Plans can be executed, reach the goal, and leave the scene unchanged; unreachable goals are refused with a
+//! reason.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -7,7 +7,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Draft, Goal, History, Node, NodeId, Property, Relation, SceneBuilder, SceneGraph, Simulator, State};
 use vc_planner::{Unreachable, plan};
 
-/// A kitchen and a living room with what the goals below are about.
+/// A kitchen and a living room with the things of the goals below.
 fn home() -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("home");
     let kitchen = scene.add(Draft::new("kitchen")).unwrap();
@@ -37,7 +37,7 @@ fn home() -> (SceneGraph, NodeId) {
     (scene.build(), me)
 }
 
-/// Goals of every kind the language has, and how many actions they take at most.
+/// Goals of every kind in the language, with the largest number of actions for each.
 const GOALS: &[(&str, usize)] = &[
     ("On(apple, kitchen_table), 3 & Closed(fridge)", 12),
     ("Inside(plate, dishwasher), 3 & Closed(dishwasher) & SwitchedOn(dishwasher)", 18),
@@ -65,12 +65,12 @@ const GOALS: &[(&str, usize)] = &[
     ("Open(fridge) & Holds(apple) & Holds(book)", 10),
     ("Dance() & Wave()", 2),
     ("Lie(sofa) & Sleep()", 4),
-    // The same thing or another.
+    // Equality and inequality.
     ("exists ?a: apple. (?a != apple.18 & On(?a, kitchen_table))", 4),
     ("forall ?a: apple. (On(?a, kitchen_table) | ?a = apple.14)", 4),
     ("exists ?a: apple. (?a = apple.16 & Holds(?a))", 2),
     ("!(exists ?a: apple. (?a != apple.14 & On(?a, coffee_table)))", 2),
-    // So many things.
+    // Numbers of things.
     ("exactly 1 ?a: apple. On(?a, kitchen_counter)", 0),
     ("exactly 2 ?a: apple. On(?a, kitchen_table)", 4),
     ("exactly 1 ?p: plate. (Clean(?p) & On(?p, kitchen_counter))", 4),
@@ -84,7 +84,7 @@ const GOALS: &[(&str, usize)] = &[
     ("exactly 1 pairs ?p: plate, ?t: table. On(?p, ?t)", 4),
     ("at most 2 pairs ?p: plate, ?t: table. On(?p, ?t)", 2),
     ("!(pairs ?p: plate, ?t: table. On(?p, ?t))", 2),
-    // Conditions, and what is not to be.
+    // Conditions, and negations.
     ("SwitchedOn(television) => Sit(sofa)", 0),
     ("Closed(fridge) => Open(dishwasher)", 2),
     ("!(Closed(fridge) => On(apple, coffee_table))", 2),
@@ -104,7 +104,7 @@ const GOALS: &[(&str, usize)] = &[
     ("(Grab(apple) then did open(fridge)) & Closed(fridge)", 5),
 ];
 
-/// What is wrong with the plan for a goal, if anything.
+/// The fault of the plan for a goal, if there is one.
 fn fault(text: &str, most: usize) -> Option<String> {
     let (mut scene, me) = home();
     let before = scene.clone();
@@ -203,7 +203,7 @@ fn full_hands_are_emptied_where_it_does_no_harm() {
     let mut world = Simulator::new(scene);
     plan.actions.iter().for_each(|a| drop(world.step(me, a).unwrap()));
     assert!(goal.holds(&Situation::new(world.graph(), me, world.history())));
-    // What was in the hands is on furniture, or still there; of the rest only an apple moves.
+    // The formerly held things are on furniture or still held; of the other things only an apple moves.
     let (after, told) = (world.graph(), || format!("{:?}", plan.actions));
     let [book, jacket] = ["book", "jacket"].map(|c| after.of_class(c)[0]);
     let is_fixed = |id: NodeId| !after.node(id).unwrap().affords(Property::Graspable);

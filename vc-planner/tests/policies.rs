@@ -1,5 +1,5 @@
-//! Policies in random small homes: they win where it is possible, know why not where
-//! it is not, and leave records that replay.
+//! Policies in random small homes: they win where it is possible, give the reason where it is not, and leave
+//! records that replay.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -81,7 +81,7 @@ fn what_is_nowhere_is_searched_for_and_given_up() {
     }
 }
 
-/// A home where things are where people keep them, as far as it has such places.
+/// A home with things where people keep them, as far as it has such places.
 fn tidy_home(seed: u64) -> SceneGraph {
     let mut scene = home(seed);
     let mut stream = Seed(seed).child("tidy").stream();
@@ -102,8 +102,8 @@ fn tidy_home(seed: u64) -> SceneGraph {
     scene
 }
 
-/// Fewer steps than the thesis's agent, both where things are anywhere, so that only the order of
-/// looking and the second hand help, and where they are where people keep them.
+/// The agent needs fewer steps than the thesis's agent, both where things are anywhere, so that only the order
+/// of the search and the second hand help, and where they are where people keep them.
 #[test]
 fn fewer_steps_than_the_agent_of_the_thesis() {
     type Home = fn(u64) -> SceneGraph;
@@ -123,8 +123,7 @@ fn fewer_steps_than_the_agent_of_the_thesis() {
     }
 }
 
-/// Who supposes that things are where people keep them loses next to nothing where they
-/// are not: it notices.
+/// An agent that expects things where people keep them loses almost nothing where they are not: it notices.
 #[test]
 fn habits_do_not_hurt_where_there_are_none() {
     let (mut by_habit, mut evenly) = (0, 0);
@@ -140,8 +139,8 @@ fn habits_do_not_hurt_where_there_are_none() {
     assert!(by_habit * 100 <= evenly * 102, "{by_habit} {evenly}");
 }
 
-/// The prior is made from a table of classes, and tried in homes of others: VirtualHome's scenes, with
-/// things in furniture that it would not choose, and with things anywhere.
+/// The prior is derived from a table of classes, and tested in foreign homes: VirtualHome's scenes, with things
+/// in furniture that the prior would not choose, and with things anywhere.
 #[test]
 fn the_prior_holds_in_homes_of_others() {
     let scenes: Vec<SceneGraph> = common::SCENES.into_iter().filter_map(common::scene).collect();
@@ -236,13 +235,13 @@ fn a_language_model_is_asked_and_corrected() {
     assert!(asked[1].user.contains("is no action"));
     assert!(asked[2].user.contains("there is no `milk`"), "{}", asked[2].user);
     assert!(asked[3].user.contains("walk fridge.2"));
-    // It is told where it stands, what it can reach from there, and what lies on the floor.
+    // The model is told its position, the things within reach, and the things on the floor.
     let sees = |asked: &vc_planner::language::Prompt, line: &str| asked.user.lines().any(|l| l == line);
     assert!(sees(&asked[0], "You are in kitchen.1. At hand: nothing."), "{}", asked[0].user);
     assert!(sees(&asked[3], "You are in kitchen.1. At hand: fridge.2."), "{}", asked[3].user);
     assert!(sees(&asked[4], "You are in kitchen.1. At hand: fridge.2, milk.3."), "{}", asked[4].user);
     assert!(sees(&asked[0], "towel.5 (clean, folded) on the floor of kitchen.1"), "{}", asked[0].user);
-    // What is in the closed fridge is not told.
+    // The contents of the closed fridge are not in the prompt.
     assert!(!asked[0].user.contains("milk.3") && asked[4].user.contains("milk.3"));
 
     let read = |text| read_answer(text, &scene);

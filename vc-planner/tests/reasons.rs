@@ -1,4 +1,4 @@
-//! Goals that cannot be reached, and the exact reason.
+//! Unreachable goals, and the exact reason for each.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -25,7 +25,7 @@ fn why(goal: &str) -> Unreachable {
     plan(&mut scene, me, &goal.parse().unwrap(), &History::default()).unwrap_err()
 }
 
-/// One thing cannot be at two places: the parts are named that ask for both.
+/// One thing cannot be at two places: the error names the parts that ask for both.
 #[test]
 fn what_conflicts_is_named() {
     let part = |goal| match why(goal) {
@@ -38,8 +38,8 @@ fn what_conflicts_is_named() {
     assert_eq!(part("Open(fridge) & Closed(fridge)"), "Closed(fridge)");
 }
 
-/// The apple is a fruit and serves two parts at one place, so that counting things does not
-/// show the conflict: every state is looked at.
+/// The apple is a fruit and serves two parts at one place, so that counting things does not show the conflict:
+/// every state is examined.
 #[test]
 fn what_only_a_search_can_tell_says_how_much_was_checked() {
     let goal = "On(apple, sofa) & On(fruit, sofa) & Inside(apple, fridge)";
@@ -49,7 +49,7 @@ fn what_only_a_search_can_tell_says_how_much_was_checked() {
     assert!(*checked > 1, "{checked}");
     let text = exhausted.to_string();
     assert!(text.starts_with(&format!("all {checked} states that matter were looked at")), "{text}");
-    // The same with a second fruit is no conflict.
+    // With a second fruit there is no conflict.
     let (scene, me) = flat();
     let table = scene.of_class("kitchen_table")[0];
     let mut scene = SceneBuilder::of(scene);
@@ -57,7 +57,8 @@ fn what_only_a_search_can_tell_says_how_much_was_checked() {
     assert!(plan(&mut scene.build(), me, &goal.parse().unwrap(), &History::default()).is_ok());
 }
 
-/// A label has class and number, and both must be those of one thing: planners and episodes say so.
+/// A label has a class and a number, which must belong to the same thing: planners and episodes report
+/// violations.
 #[test]
 fn a_thing_that_is_called_what_it_is_not_is_refused() {
     let (scene, me) = flat();
@@ -76,7 +77,7 @@ fn a_thing_that_is_called_what_it_is_not_is_refused() {
         assert_eq!((episode.outcome, episode.steps), (vc_tasks::Outcome::Lost, 0));
         assert_eq!(episode.reason.unwrap(), why);
     }
-    // Kinds and other spellings are right.
+    // Superclasses and other spellings are correct.
     for goal in
         [format!("Holds(fruit.{apple})"), format!("On(Apple.{apple}, table.{table})"), format!("Holds(#{book})")]
     {
@@ -84,7 +85,8 @@ fn a_thing_that_is_called_what_it_is_not_is_refused() {
     }
 }
 
-/// An episode that is lost because the scene has too little of something says of what, and how much there is.
+/// If an episode is lost because the scene has too few things, the reason says which ones, and how many there
+/// are.
 #[test]
 fn what_the_scene_lacks_is_named() {
     let (scene, _) = flat();

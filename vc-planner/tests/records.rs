@@ -1,4 +1,4 @@
-//! Records: what was seen is in them and is checked, and they give the states back.
+//! Records contain the observations, which are checked, and allow the states to be reconstructed.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -38,7 +38,7 @@ fn what_was_seen_is_recorded_and_checked() {
             assert_eq!(faults, [Fault::OtherSight(2)], "{}", policy.name());
         }
     }
-    // One who is said to have seen more than it did.
+    // A record that claims a larger scope of observation.
     let mut other = record(&Run::seeded(4), &mut Newcomer::best(), &scene, GOALS[1]);
     other.header.scope = Scope::Whole;
     let blamed = other.check(&scene).iter().filter(|f| matches!(f, Fault::OtherSight(_))).count();
@@ -60,7 +60,7 @@ fn what_was_seen_can_be_kept_whole() {
     other.steps[0].observation = other.steps[1].observation.clone();
     other.steps[0].observation.as_mut().unwrap()["room"] = "attic.99".into();
     assert_eq!(other.check(&scene), [Fault::OtherSight(1)]);
-    // Without the switch there are digests alone, the same ones.
+    // Without the option there are only the digests, with the same values.
     let brief = record(&Run::seeded(5), &mut Newcomer::best(), &scene, GOALS[0]);
     assert!(brief.steps.iter().all(|s| s.observation.is_none()));
     assert!(brief.steps.iter().map(|s| &s.sight).eq(whole.steps.iter().map(|s| &s.sight)));
@@ -90,7 +90,7 @@ fn a_record_gives_the_states_back() {
     assert!(matches!(odd.replay(&scene), Err(Fault::Refused(1, _))));
 }
 
-/// What was refused is told, and changes nothing when it is replayed.
+/// A refused action is recorded, and changes nothing in a replay.
 #[test]
 fn refused_steps_are_skipped() {
     let scene = home(0);

@@ -1,4 +1,4 @@
-//! What bodies cannot do is done otherwise: another thing is taken, another place is found.
+//! Reactions to actions that bodies cannot do: another thing is taken, another place is found.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
@@ -14,11 +14,11 @@ use vc_graph::{
 use vc_planner::{Newcomer, Policy, Resident, Run};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
-/// A world in which some things cannot be done, whatever the transition rule says.
+/// A world in which some actions fail, whatever the transition rule says.
 struct Clumsy {
     world: Simulator,
     cannot: Vec<Action>,
-    /// Whether it says that the rule forbids the action, rather than that the action failed.
+    /// Whether the failure is reported as forbidden by the rule, rather than as failed.
     forbids: bool,
     failures: usize,
 }
@@ -71,7 +71,7 @@ fn another_thing_is_taken_and_another_place_found() {
         assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == far), "{}", policy.name());
         assert!(world.failures <= 4, "{}: {} times what cannot be done", policy.name(), world.failures);
     }
-    // What nothing else can stand in for is given up.
+    // A goal without any substitute is given up.
     let cannot = vec![Action::one(Verb::Open, fridge)];
     let mut world = Clumsy { world: Simulator::new(scene), cannot, forbids: false, failures: 0 };
     let task = Task::new("air", "Open(fridge)".parse().unwrap());
@@ -80,7 +80,7 @@ fn another_thing_is_taken_and_another_place_found() {
     assert!(!World::graph(&world).node(fridge).unwrap().states().contains(State::Open));
 }
 
-/// Where nothing goes in twice in a row, another container is taken, or it is given up.
+/// If two things in a row do not fit into a container, another container is taken, or the goal is given up.
 #[test]
 fn what_is_full_is_left_alone() {
     for (fridges, wins) in [(1, false), (2, true)] {
@@ -105,7 +105,7 @@ fn what_is_full_is_left_alone() {
     }
 }
 
-/// What there is no way to is left out of account, with all that is known or supposed there.
+/// Unreachable places are excluded, with all known and supposed contents.
 #[test]
 fn what_there_is_no_way_to_is_left_alone() {
     let mut scene = SceneBuilder::new("flat");
@@ -116,7 +116,7 @@ fn what_there_is_no_way_to_is_left_alone() {
     let mugs = [0, 2].map(|i| scene.add_in(cabinets[i], Draft::new("mug")).unwrap());
     let scene = scene.build();
     let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
-    // Nobody gets to the first, and the second does not open.
+    // The first cabinet cannot be reached, and the second does not open.
     let cannot = vec![Action::one(Verb::Walk, cabinets[0]), Action::one(Verb::Open, cabinets[1])];
     for seed in 0..20 {
         let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
@@ -131,13 +131,13 @@ fn what_there_is_no_way_to_is_left_alone() {
     }
 }
 
-/// A world that refuses at random, now by the rule's word and now by its own.
+/// A world that refuses at random, sometimes in the name of the rule and sometimes not.
 struct Moody {
     world: Simulator,
     stream: Stream,
-    /// In how many of a hundred cases it refuses.
+    /// The refusals, in percent.
     percent: usize,
-    /// The actions that were refused since something was last done.
+    /// The actions refused since the last successful one.
     vain: Vec<Action>,
     refused: BTreeMap<Action, usize>,
 }
@@ -184,8 +184,8 @@ impl World for Moody {
     }
 }
 
-/// An agent learns from every refusal: it does not try the same again while nothing has changed, goes about it
-/// otherwise, and ends with a verdict.
+/// An agent learns from every refusal: it does not repeat the action while nothing has changed, tries another
+/// way, and ends with a verdict.
 #[test]
 fn what_was_refused_is_not_tried_again_while_nothing_changes() {
     for (percent, least) in [(10, 90), (30, 50), (100, 0)] {
@@ -207,7 +207,7 @@ fn what_was_refused_is_not_tried_again_while_nothing_changes() {
                     let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                     let told = format!("{} {seed} {goal} {percent}%: {episode:?}", policy.name());
                     assert!(episode.outcome != Outcome::TimedOut, "{told}");
-                    // A stranger takes what it has not heard of not to be there.
+                    // A stranger takes unknown things as absent.
                     let told_why = episode.reason.is_some() || policy.name() == "stranger";
                     assert!(episode.outcome == Outcome::Won || told_why, "{told}");
                     all += 1;
@@ -219,8 +219,8 @@ fn what_was_refused_is_not_tried_again_while_nothing_changes() {
     }
 }
 
-/// A refusal is learned from, whatever the reason: the same is not asked for again and again, and
-/// where there is another place it is taken.
+/// The agent learns from a refusal, whatever the reason: it does not repeat the action again and again, and
+/// uses another place if there is one.
 #[test]
 fn what_is_forbidden_is_not_tried_for_ever() {
     for (tables, wins) in [(1, false), (2, true)] {

@@ -1,4 +1,4 @@
-//! Who knows the rooms and no more learns by walking in what there is.
+//! An agent that knows only the rooms learns their contents by entering them.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
@@ -52,7 +52,7 @@ fn places_are_added_when_they_are_seen() {
     assert!(world.graph().nodes().all(same));
 }
 
-/// It reaches every goal that one who was told of everything reaches, in more steps.
+/// The stranger reaches every goal that a fully informed newcomer reaches, in more steps.
 #[test]
 fn goals_are_reached_without_knowing_the_furniture() {
     let (mut told, mut stranger) = (0, 0);
@@ -74,7 +74,7 @@ fn goals_are_reached_without_knowing_the_furniture() {
     assert!(stranger <= 2 * told, "{stranger} against {told}");
 }
 
-/// It gives up when it has looked everywhere, and not before.
+/// The agent gives up when it has looked everywhere, and not before.
 #[test]
 fn what_is_nowhere_is_given_up_when_all_has_been_seen() {
     let scene = home(3);
@@ -89,7 +89,7 @@ fn what_is_nowhere_is_given_up_when_all_has_been_seen() {
     assert!(left.is_empty(), "{left:?}");
 }
 
-/// In a scene with neither rooms nor furniture a thing that is out of sight cannot be anywhere.
+/// In a scene with neither rooms nor furniture an unseen thing cannot be anywhere.
 #[test]
 fn what_can_be_nowhere_is_given_up_at_once() {
     let mut scene = SceneBuilder::new("nothing");
@@ -109,7 +109,7 @@ fn what_can_be_nowhere_is_given_up_at_once() {
     assert_eq!(apples.map(|id| belief.distribution(id).len()), [0, 0]);
 }
 
-/// Things that the goal numbers are found as those are that it names by class.
+/// Things that the goal names by number are found like those that it names by class.
 #[test]
 fn numbered_things_in_rooms_not_seen_are_found() {
     let mut scene = SceneBuilder::new("flat");
@@ -151,14 +151,14 @@ fn numbered_things_in_rooms_not_seen_are_found() {
         let (by_number, by_name) = (steps(numbered), steps(named));
         assert!(by_number <= by_name + 2, "{numbered}: {by_number} steps, by name {by_name}");
     }
-    // A goal about a thing that the scene lacks is lost once all has been seen.
+    // A goal about a thing that the scene lacks is lost once everything has been seen.
     let task = Task::new("numbers", "On(pudding, #999) & SittingOn(me, chair)".parse().unwrap());
     let mut world = Simulator::new(scene.clone());
     let episode = Run::seeded(1).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
     assert!(episode.outcome == Outcome::Lost && episode.steps < 20, "{episode:?}");
 }
 
-/// A scene of one character and one apple, and nothing where it could be.
+/// A scene with one character and one apple, and no place where the apple could be.
 #[test]
 fn a_scene_without_any_place_is_lost_with_a_reason() {
     let text = r#"{"nodes": [{"id": 1, "class_name": "character", "category": "Characters"},

@@ -1,4 +1,5 @@
-//! What is only seen of an action: the hand at what it is done to, a cup at the mouth.
+//! Gestures: motions for the effects that no body shows, such as a hand on the object of an action or a cup at
+//! the mouth.
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
@@ -10,42 +11,42 @@ use super::hands::side;
 use crate::environment::Environment;
 use crate::figure::{Doing, Reach};
 
-/// Share of a gesture in which a hand goes out, and in which it comes back.
+/// Share of a gesture in which the hand goes out, and equally in which it comes back.
 const EASE: f32 = 0.3;
-/// Where the mouth is, and where one reads, from the eyes, metres.
+/// Position of the mouth and of a book while reading, relative to the eyes, metres.
 const MOUTH: Vector3<f32> = Vector3::new(0.04, 0.0, -0.1);
 const BOOK: Vector3<f32> = Vector3::new(0.32, 0.0, -0.2);
-/// How far one points, metres.
+/// Distance of the hand while pointing, metres.
 const POINTING: f32 = 0.55;
-/// How far a vessel is held above what is poured into, metres, and how it is tilted then and at
+/// Height of a vessel above the thing it is poured into, metres, and its tilt while pouring and at
 /// the mouth, radians.
 const ABOVE: f32 = 0.14;
 const TILT: (f32, f32) = (1.5, -0.5);
-/// How far wiping hands go to and fro, and knives up and down, metres.
+/// Amplitude of wiping hands (sideways) and of knives (up and down), metres.
 const STROKE: (f32, f32) = (0.09, 0.04);
-/// Radians a second in which they do.
+/// Angular frequency of these motions, radians per second.
 const BEAT: f32 = 9.0;
 
-/// Where a gesture brings a hand, and how that turns what it holds.
+/// The target of a hand in a gesture, and the orientation of the held thing.
 struct Aim {
     hand: Hand,
     point: Point3<f32>,
     hold: Hold,
-    /// Whether the eyes follow.
+    /// Whether the eyes follow the hand.
     looks: bool,
 }
 
-/// How a hand turns what it holds.
+/// The orientation of a held thing.
 #[derive(Debug, Clone, Copy)]
 enum Hold {
-    /// Forwards by an angle, radians.
+    /// Tilted forwards by an angle, radians.
     Tilted(f32),
-    /// Its broad side to the eyes.
+    /// With its broad side towards the eyes.
     Shown,
 }
 
 impl Player {
-    /// What is only seen of an action: the hand at what it is done to, a cup at the mouth.
+    /// Plays the gesture of an action, such as a hand on the action's object or a cup at the mouth.
     pub(super) fn gesture(&mut self, show: &mut Environment, action: &Action, seconds: f32) -> bool {
         let doing = Doing { gesture: Some((action.verb, self.time)), ..Doing::default() };
         show.poses.insert(self.agent, doing);
@@ -60,14 +61,14 @@ impl Player {
         self.time >= seconds
     }
 
-    /// Brings a hand to where a gesture wants it, with what it holds.
+    /// Moves a hand and the thing it holds towards the gesture's target.
     fn follow(&mut self, show: &mut Environment, aim: &Aim, share: f32) {
         let feet = self.feet(show);
         if let Some(grip) = show.world.grip(self.agent, aim.hand) {
             let rest = *self.handling.rest.get_or_insert(grip);
             let held = show.world.held(self.agent, aim.hand);
             let middle = held.and_then(|id| show.world.aabb(id)).map_or(Point3::origin(), |b| b.centre());
-            // Where its middle is in its own frame, by where it is held now.
+            // The middle of the thing in its own frame, computed from the present grip.
             let own = (feet * grip).inverse_transform_point(&middle);
             let turn = match aim.hold {
                 Hold::Tilted(angle) => UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle) * rest.rotation,
@@ -85,7 +86,7 @@ impl Player {
         }
     }
 
-    /// Which hand an action brings where.
+    /// The hand that an action moves, and its target.
     fn aim(&self, show: &Environment, action: &Action) -> Option<Aim> {
         use Verb::{Cut, Drink, Eat, Fill, PointAt, Pour, Read};
         let (x, y) = (action.object?, action.target);
@@ -102,7 +103,7 @@ impl Player {
         let (point, hold) = match action.verb {
             Drink => (self.at_mouth(show, x), Hold::Tilted(TILT.1)),
             Eat if self.hand_of(show, x).is_some() => (self.at_mouth(show, x), level),
-            // First to the plate, then to the mouth.
+            // The hand goes to the plate first, then to the mouth.
             Eat => {
                 let bite = (2.0 * self.time - 1.0).clamp(0.0, 1.0);
                 let plate = box_of(x)?.nearest(&from);
@@ -129,19 +130,19 @@ impl Player {
             Verb::Watch | Verb::LookAt | Verb::Greet | Verb::TurnTo => return None,
             _ => (box_of(x)?.nearest(&from), level),
         };
-        // To the mouth one finds without.
+        // Hands find the mouth without looking.
         let looks = !matches!(action.verb, Drink | Eat);
         Some(Aim { hand, point, hold, looks })
     }
 
     fn before_eyes(&self, show: &Environment, offset: Vector3<f32>) -> Point3<f32> {
         let eyes = show.skeleton(self.agent).map_or_else(|| Pose::translation(0.1, 0.0, 1.55), |s| s.eyes());
-        // Heads are held upright here, however they look.
+        // Heads are taken as upright here, whatever their pose.
         self.feet(show) * (Point3::from(eyes.translation.vector) + offset)
     }
 
-    /// How a thing is turned in a body's frame whose broad side is before the eyes and whose long one
-    /// is upright, with as little turning as that takes.
+    /// The rotation, in the body's frame, that turns a thing's broad side to the eyes and its longest axis
+    /// upright, with the smallest possible turn.
     fn shown(&self, show: &Environment, id: NodeId, now: &UnitQuaternion<f32>) -> Option<UnitQuaternion<f32>> {
         let half = show.graph.node(id)?.spec().bounds?.half;
         let (thin, long) = (half.imin(), half.imax());
@@ -159,7 +160,7 @@ impl Player {
         Some(UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes)))
     }
 
-    /// Where a held thing's middle is while its upper rim is at the mouth.
+    /// The position of a held thing's middle while its upper rim is at the mouth.
     fn at_mouth(&self, show: &Environment, id: NodeId) -> Point3<f32> {
         let half = show.world.aabb(id).map_or_else(Vector3::zeros, |b| (b.max - b.min) / 2.0);
         self.before_eyes(show, MOUTH + Vector3::new(half.x.min(half.y), 0.0, -0.8 * half.z))
@@ -170,8 +171,7 @@ impl Player {
         show.world.holder(id).filter(|(holder, _)| *holder == self.agent).map(|(_, hand)| hand)
     }
 
-    /// The hand that holds something else than a thing, to do something with it to that; or a free
-    /// one.
+    /// The hand that holds a tool, which is any other thing than the action's object; or a free hand.
     fn tool_hand(&self, show: &Environment, thing: NodeId) -> Hand {
         let other = |hand: &Hand| show.world.held(self.agent, *hand).is_some_and(|held| held != thing);
         Hand::BOTH.into_iter().find(other).unwrap_or_else(|| self.free_hand(show))

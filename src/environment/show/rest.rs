@@ -1,4 +1,4 @@
-//! Sitting down, lying down and getting up: the body goes from one posture to the other.
+//! Sitting down, lying down and getting up: the transition between two postures.
 
 use vc_graph::Pose;
 use vc_physics::Hand;
@@ -7,20 +7,21 @@ use super::{Player, between};
 use crate::environment::Environment;
 use crate::figure::{Doing, Skeleton};
 
-/// Seconds that it takes.
+/// Duration of the transition, seconds.
 const SETTLING: f32 = 1.0;
 
-/// A body on its way between two postures.
+/// A transition between two postures.
 #[derive(Debug, Clone)]
 pub(super) struct Settling {
-    /// How it was, seen from where it is.
+    /// The former skeleton, relative to the present pose.
     from: Skeleton,
-    /// Where hands held what they hold, and where they hold it in the end.
+    /// The grips of the held things at the beginning and at the end.
     held: Vec<(Hand, Pose, Pose)>,
 }
 
 impl Player {
-    /// Takes a posture: in the world at once, and shown on the way; gives whether it is taken.
+    /// Takes a posture, in the world at once and in the picture gradually; returns whether the posture is
+    /// reached.
     pub(super) fn settle(&mut self, show: &mut Environment, before: f32, act: impl FnOnce(&mut Environment)) -> bool {
         if before == 0.0 {
             let (was, skeleton) = (self.feet(show), show.skeleton(self.agent));
@@ -37,10 +38,10 @@ impl Player {
         }
         let Some(Settling { from, held }) = &self.settling else { return true };
         let share = (self.time / SETTLING).min(1.0);
-        // Slow at both ends.
+        // Eased at both ends.
         let share = share * share * (3.0 - 2.0 * share);
         for (hand, from, to) in held {
-            // It is in that hand.
+            // The thing is in that hand.
             let _ = show.world.regrip(self.agent, *hand, between(from, to, share));
         }
         show.poses.insert(self.agent, Doing { settles: Some((from.clone(), share)), ..Doing::default() });

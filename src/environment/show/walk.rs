@@ -1,4 +1,4 @@
-//! Feet on their way, and the doors they pass.
+//! Walking along a path, and the doors on it.
 
 use nalgebra::{Point2, Translation3, Vector2};
 use vc_graph::{NodeId, Pose, Relation};
@@ -8,27 +8,27 @@ use crate::environment::Environment;
 use crate::environment::deed::towards;
 use crate::figure::Doing;
 
-/// How near a walker is to a door when it opens it, metres, and how far when it shuts it.
+/// Distance to a door at which a walker opens it, and at which it shuts it, metres.
 const AT_DOOR: (f32, f32) = (1.1, 1.2);
-/// Share of its way a door moves in a second as one walks through.
+/// Share of its range that a door moves per second while somebody walks through.
 const SWING: f32 = 1.6;
-/// How long one waits for a door, seconds.
+/// Longest wait for a door, seconds.
 const PATIENCE: f32 = 1.0;
-/// What share of its way a door is where it is to be, about.
+/// Tolerance for the position of a door, as a share of its range.
 const STILL: f32 = 1e-3;
-/// Distance of the points of a way at which it is looked whether a door is near, metres.
+/// Distance of the points along a path that are tested for doors, metres.
 const FINE: f32 = 0.1;
-/// How fast one turns, radians a second: a right angle in a quarter of a second.
+/// Turning speed, radians per second: a right angle in a quarter of a second.
 const TURN: f32 = 6.3;
 
 /// A door that is passed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passage {
-    /// How far open it was.
+    /// Its opening before.
     was: f32,
-    /// How far open it is while somebody passes.
+    /// Its opening while somebody passes.
     wide: f32,
-    /// Along the way, where it is, metres.
+    /// Its position along the path, metres.
     at: f32,
 }
 
@@ -49,7 +49,7 @@ impl Player {
         let Some((at, front)) = along(points, way) else {
             show.poses.remove(&self.agent);
             let turned = self.turn(show, feet);
-            // One waits until the door behind one is shut, or jams.
+            // The walker waits until the door behind it is shut, or jams.
             self.handling.waited += show.world.settings().dt;
             let swings = self.handling.waited < PATIENCE && self.swing_doors(show, f32::INFINITY);
             if swings || !turned {
@@ -65,7 +65,8 @@ impl Player {
         false
     }
 
-    /// Puts feet somewhere and turns them towards how they are to stand there; gives whether they do.
+    /// Puts the feet at a pose's position and turns them towards its orientation; returns whether they have
+    /// reached it.
     pub(super) fn turn(&self, show: &mut Environment, feet: &Pose) -> bool {
         let now = self.feet(show);
         let most = TURN * show.world.settings().dt;
@@ -76,8 +77,8 @@ impl Player {
         left <= most
     }
 
-    /// Opens doors that are near, and brings those that are behind back to where they were; gives
-    /// whether any moves.
+    /// Opens doors that are near and returns those behind to their former opening; returns whether any door
+    /// moves.
     fn swing_doors(&self, show: &mut Environment, way: f32) -> bool {
         let (step, mut moving) = (SWING * show.world.settings().dt, false);
         for (&door, passage) in &self.doors {
@@ -96,7 +97,8 @@ impl Player {
     }
 }
 
-/// Where a way passes a door; what is no door between rooms is shut before one comes by.
+/// The position at which a path passes a door. Anything but a door between rooms is shut before the walker
+/// arrives.
 fn passage(show: &Environment, points: &[Point2<f32>], door: NodeId) -> Option<Passage> {
     let (middle, was) = (show.world.aabb(door)?.centre().xy(), show.world.openness(door)?);
     let length: f32 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
@@ -107,8 +109,7 @@ fn passage(show: &Environment, points: &[Point2<f32>], door: NodeId) -> Option<P
     Some(Passage { was, wide: if is_room_door { 1.0 } else { 0.0 }, at })
 }
 
-/// Where one is after so many metres of a way, and which way one goes there; `None` after
-/// its end.
+/// The position and direction after a distance in metres along a path; `None` beyond its end.
 fn along(points: &[Point2<f32>], mut way: f32) -> Option<(Point2<f32>, Vector2<f32>)> {
     for pair in points.windows(2) {
         let step = pair[1] - pair[0];

@@ -1,4 +1,4 @@
-//! Sitting, lying, and getting up.
+//! Sitting down, lying down, and getting up.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, ColliderHandle};
@@ -14,36 +14,37 @@ use super::{Agent, Posture};
 use crate::world::{Thing, World};
 use crate::{AgentError, PhysicsError, Role, convert, group};
 
-/// From how far one can sit or lie down, metres to where the body will be: a step.
+/// The largest distance to the body's future position from which an agent can sit or lie down, metres: one
+/// step.
 const STEP: f32 = 1.5;
-/// Places counted on one thing at most.
+/// The largest number of places counted on one thing.
 const MOST: u32 = 64;
-/// Greatest difference of height of surfaces that are one seat, metres, and least share of the largest
-/// one's area that each has: cushions are side by side, arms are no seats.
+/// The largest height difference between surfaces that form one seat, metres, and the smallest area of each
+/// relative to the largest: cushions lie side by side, and armrests are not seats.
 const STEPPED: f32 = 0.06;
 const ALIKE: f32 = 0.4;
-/// Heights of surfaces one sits on, metres above the floor.
+/// Heights of surfaces for sitting, metres above the floor.
 const SEATS: std::ops::Range<f32> = 0.2..0.95;
-/// Up to which mass what lies on a seat is sat upon, kilograms.
+/// The largest mass of a thing on a seat that agents sit upon, kilograms.
 const LIGHT: f32 = 2.0;
-/// Up to which height above the seat, metres: that of a folded duvet.
+/// The largest height of such a thing above the seat, metres: that of a folded duvet.
 const FLAT: f32 = 0.25;
-/// Distances from the place at which one may get up, metres, in steps.
+/// Distances from the place at which an agent may get up, metres, and their step.
 const EXITS: (f32, f32) = (0.45, 1.75);
 const EXIT_STEP: f32 = 0.05;
-/// In how many directions they are looked for to each side.
+/// Number of directions to each side in which exits are searched.
 const EXIT_TURNS: usize = 12;
 
 impl World {
-    /// Places to sit on a node, in the world's frame, metres: the middle of each seat, X towards its front.
-    /// There are as many as the node's slots say, one at least, shared out among the asset's level surfaces
-    /// at the height of seats, or side by side on its box.
+    /// Places to sit on a node, in the world's frame, metres: the middle of each seat, with X towards its
+    /// front. Their number is that of the node's slots, at least one. They are distributed over the asset's
+    /// level surfaces at the height of seats, or side by side on its box.
     pub fn seats(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, false)).unwrap_or_default()
     }
 
-    /// Places to lie on a node, in the world's frame, metres: the middle of each, X along the body towards
-    /// the feet. There are as many as the node's slots say, one at least.
+    /// Places to lie on a node, in the world's frame, metres: the middle of each, with X along the body towards
+    /// the feet. Their number is that of the node's slots, at least one.
     pub fn beds(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, true)).unwrap_or_default()
     }
@@ -56,13 +57,13 @@ impl World {
         each.map(|place| pose * place).collect()
     }
 
-    /// Sits an agent down on the nearest free place of a node. Cushions, covers and what else
-    /// is light or flat do not count: one sits on them.
+    /// Sits an agent down on the nearest free place of a node. Cushions, covers and other light or flat things
+    /// do not occupy a place: agents sit on them.
     ///
     /// # Errors
-    /// [`AgentError::Posture`] if it does not stand, [`AgentError::NoSeat`],
-    /// [`AgentError::OutOfReach`], [`AgentError::SeatTaken`] by others,
-    /// [`AgentError::SeatCovered`] by things, [`AgentError::Held`] if somebody carries it.
+    /// [`AgentError::Posture`] if the agent does not stand, [`AgentError::NoSeat`], [`AgentError::OutOfReach`],
+    /// [`AgentError::SeatTaken`] by other agents, [`AgentError::SeatCovered`] by things, [`AgentError::Held`]
+    /// if somebody carries the node.
     pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
         let places = self.seats(on);
         self.settle_down(agent, on, &places, Posture::Sitting)
@@ -115,7 +116,7 @@ impl World {
         Ok(())
     }
 
-    /// What stands on a seat where the body of an agent would be.
+    /// The thing on a seat that is in the way of an agent's body.
     fn covers(&self, agent: NodeId, seat: NodeId, place: &Pose, posture: Posture) -> Option<NodeId> {
         let (body, seat) = (self.agent(agent).ok()?, self.thing(seat).ok()?);
         let (shape, at, _) = body.plan.body(posture);
@@ -135,11 +136,11 @@ impl World {
         self.load_of(seat.state.base).into_iter().find(|id| stands(id) && heavy(id) && meets(id))
     }
 
-    /// Gets an agent up from where it sits or lies, to the nearest free place beside
-    /// it, before it first.
+    /// Gets an agent up from where it sits or lies, to the nearest free place around the seat, places in front
+    /// first.
     ///
     /// # Errors
-    /// [`AgentError::Posture`] if it stands, [`AgentError::NoExit`].
+    /// [`AgentError::Posture`] if the agent stands, [`AgentError::NoExit`].
     pub fn stand_up(&mut self, agent: NodeId) -> Result<(), AgentError> {
         let body = self.agent(agent)?;
         let Some((seat, _)) = body.posture.seat() else {
@@ -149,7 +150,7 @@ impl World {
         self.teleport(agent, exit)
     }
 
-    /// Spots around a seat: near before far, before the seat first.
+    /// Spots around a seat: near before far, in front of the seat first.
     fn exits(&self, body: &Agent) -> impl Iterator<Item = Pose> + use<> {
         let (place, floor) = (body.feet, body.floor);
         let steps = ((EXITS.1 - EXITS.0) / EXIT_STEP).round() as usize;
@@ -165,8 +166,7 @@ impl World {
         })
     }
 
-    /// Whether one can get up to a spot: the body fits, there is a floor, and no wall
-    /// is between.
+    /// Whether an agent can get up to a spot: the body fits, there is a floor, and no wall is between.
     fn is_exit(&self, body: &Agent, seat: NodeId, spot: &Pose) -> bool {
         let at = Point3::from(spot.translation.vector);
         let ground = self.ray(at + Vector3::z() * 0.3, at - Vector3::z() * 0.3, &[]);
@@ -175,8 +175,8 @@ impl World {
         ground.is_some() && self.ray(from, to, &past).is_none() && self.fits(body, spot)
     }
 
-    /// Whether an agent would stand free with its feet at a pose: its body overlaps
-    /// nothing a little above the floor.
+    /// Whether an agent would stand free with its feet at a pose, so that its body overlaps nothing a little
+    /// above the floor.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
@@ -184,11 +184,11 @@ impl World {
         Ok(self.fits(self.agent(agent)?, feet))
     }
 
-    /// Whether an agent would stand free with its feet at a pose however far the moving parts
-    /// of a node are open: of each of some fractions of their way (0 closed, 1 open).
+    /// Whether an agent would stand free with its feet at a pose while the moving parts of a node are open by
+    /// each of some fractions of their range (0 closed, 1 open).
     ///
     /// # Errors
-    /// [`AgentError::NoSuchAgent`]; as [`World::drive`].
+    /// [`AgentError::NoSuchAgent`]; otherwise as [`World::drive`].
     pub fn stands_clear(&self, agent: NodeId, feet: &Pose, id: NodeId, open: &[f32]) -> Result<bool, AgentError> {
         let body = self.agent(agent)?;
         for part in 0..self.thing(id)?.state.moving.len() {
@@ -201,7 +201,7 @@ impl World {
         Ok(self.fits_but(body, feet, Some(id)))
     }
 
-    /// Whether a body with its feet at a pose would meet a part of a node that is open so far.
+    /// Whether a body with its feet at a pose would overlap a part of a node that is open by a fraction.
     pub(super) fn meets_part(
         &self,
         body: &Agent,
@@ -222,7 +222,7 @@ impl World {
         self.fits_but(body, spot, None)
     }
 
-    /// The same, the moving parts of a node left out.
+    /// As `fits`, ignoring the moving parts of one node.
     fn fits_but(&self, body: &Agent, spot: &Pose, but: Option<NodeId>) -> bool {
         let (shape, at) = upright(&body.plan, spot);
         let own = body.body;
@@ -236,7 +236,7 @@ impl World {
     }
 }
 
-/// The capsule of an agent that stands, a little above the floor, and where it is.
+/// The capsule of a standing agent, a little above the floor, and its pose.
 pub(super) fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePose) {
     let lift = 0.02;
     let half = (plan.height / 2.0 - plan.radius - lift).max(0.01);
@@ -248,17 +248,17 @@ pub(super) fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePo
 struct Level {
     centre: Point3<f32>,
     half: (f32, f32),
-    /// Whether bodies lie along Y, and are side by side along X.
+    /// Whether bodies lie along Y, and side by side along X.
     across: bool,
 }
 
 impl Level {
-    /// Room to each side of one of so many places, metres.
+    /// The half width of one of `count` places, metres.
     fn room(&self, count: u32) -> f32 {
         (if self.across { self.half.0 } else { self.half.1 }) / count as f32
     }
 
-    /// The middle of one of so many places.
+    /// The middle of one of `count` places.
     fn place(&self, index: u32, count: u32) -> Pose {
         let aside = self.room(count) * (2 * index + 1) as f32 - self.room(1);
         let (x, y) = if self.across { (aside, 0.0) } else { (0.0, aside) };
@@ -267,7 +267,7 @@ impl Level {
     }
 }
 
-/// How many of so many places are on each level: each goes where it leaves most room.
+/// Distributes places over the levels: each goes where it leaves the most room.
 fn share_out(levels: &[Level], count: u32) -> Vec<u32> {
     let mut shares = vec![0; levels.len()];
     for _ in 0..count.min(MOST) {
@@ -279,7 +279,7 @@ fn share_out(levels: &[Level], count: u32) -> Vec<u32> {
 }
 
 /// The levels on which people sit or lie: the largest level surface at the height of seats and, for sitting,
-/// those that continue it; or the top of the box.
+/// the surfaces that continue it; or the top of the box.
 fn levels(thing: &Thing, lying: bool) -> Vec<Level> {
     let area = |s: &&Surface| s.half.0 * s.half.1;
     let level = thing.form.surfaces.iter().filter(|s| s.hold == Hold::On && SEATS.contains(&s.centre.z));

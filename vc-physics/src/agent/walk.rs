@@ -1,4 +1,4 @@
-//! Walking: the engine's character controller, along paths and past each other.
+//! Walking: the engine's character controller, paths, and avoidance of other walkers.
 
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 use rapier3d::control::{CharacterAutostep, CharacterCollision, CharacterLength, KinematicCharacterController};
@@ -15,38 +15,38 @@ use crate::nav::avoid::{self, Walker};
 use crate::world::World;
 use crate::{AgentError, PhysicsError, convert, group};
 
-/// How near a waypoint counts as there, metres.
+/// Distance at which a waypoint counts as reached, metres.
 const THERE: f32 = 0.03;
-/// Steps without progress after which a walk is given up.
+/// Number of steps without progress after which a walk is given up.
 const PATIENCE: u32 = 90;
-/// Progress that counts, metres a step.
+/// The smallest motion that counts as progress, metres per step.
 const PROGRESS: f32 = 0.001;
-/// Greatest force with which a walker pushes things aside, newtons.
+/// The largest force with which a walker pushes things aside, newtons.
 const PUSH: f32 = 150.0;
-/// Steps between looks at the ground of one who stands still.
+/// Number of steps between ground checks of an agent that stands still.
 const GLANCE: u64 = 8;
 
-/// Up to how deep feet are put into what lies on the floor before they stand on it, metres: a rug,
-/// which would be thrown up with all that stands on it.
+/// The largest depth by which the feet of a placed agent are lifted onto a thing on the floor, metres.
+/// Otherwise the agent would throw up a rug with everything on it.
 const SUNK: f32 = 0.05;
-/// How deep in the ground is not in it, metres.
+/// Penetration depth that does not count as being in the ground, metres.
 const TOUCH: f32 = 1e-3;
 
-/// How high one jumps from standing, metres (the mean of adults in vertical jump tests).
+/// Height of a standing jump, metres (the mean of adults in vertical jump tests).
 const JUMP: f32 = 0.4;
 
-/// How a walk stands.
+/// The state of a walk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Walk {
-    /// It stands still, or has arrived.
+    /// The agent stands still, or has arrived.
     Still,
-    /// It is on its way.
+    /// The agent is on its way.
     Walking,
-    /// It gave up: something is in the way.
+    /// The agent gave up: something is in the way.
     Stuck,
 }
 
-/// What the legs do.
+/// The motion of an agent's legs.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) enum Motion {
     #[default]
@@ -64,7 +64,7 @@ pub(crate) enum Motion {
 }
 
 impl Motion {
-    /// The velocity it asks for.
+    /// The velocity that the motion asks for.
     fn wish(&self, at: Point2<f32>, dt: f32) -> Vector2<f32> {
         match self {
             Self::Still | Self::Stuck => Vector2::zeros(),
@@ -79,7 +79,7 @@ impl Motion {
         }
     }
 
-    /// After a step to a point: on to the next waypoint, or the end.
+    /// Continues after a step to a point: on to the next waypoint, or the end.
     fn advance(&mut self, at: Point2<f32>, moved: f32) {
         let Self::Along { points, next, idle, .. } = self else { return };
         while points.get(*next).is_some_and(|p| (Point2::from(*p) - at).norm() <= THERE) {
@@ -95,8 +95,8 @@ impl Motion {
 }
 
 impl World {
-    /// Lets an agent go at a velocity over the floor, metres a second, until told
-    /// otherwise; no faster than it runs. Zero stops it.
+    /// Lets an agent move at a velocity over the floor, metres per second, until told otherwise, no faster than
+    /// its running speed. Zero stops it.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`],
@@ -124,7 +124,7 @@ impl World {
         Ok(())
     }
 
-    /// Lets an agent walk along points, metres, or run.
+    /// Lets an agent walk or run along points, metres.
     ///
     /// # Errors
     /// As [`Self::go`].
@@ -154,7 +154,7 @@ impl World {
         Ok(())
     }
 
-    /// How an agent's walk stands.
+    /// The state of an agent's walk.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
@@ -174,7 +174,7 @@ impl World {
         }
     }
 
-    /// One step of all agents: who walks looks where the others go.
+    /// One step of all agents, which avoid each other.
     pub(crate) fn move_agents(&mut self) {
         if self.agents.is_empty() {
             return;
@@ -192,8 +192,7 @@ impl World {
         }
     }
 
-    /// The velocities agents go at: what each wishes, corrected so that they do not
-    /// run into each other.
+    /// The velocities of the agents: their wishes, corrected so that they do not run into each other.
     fn wishes(&self) -> Vec<(NodeId, Vector2<f32>)> {
         let dt = self.settings.dt;
         let standing: Vec<_> = self.agents.iter().filter(|(_, a)| a.posture == Posture::Standing).collect();
@@ -216,8 +215,8 @@ impl World {
         let fall = if agent.grounded { 0.0 } else { agent.fall + self.settings.gravity * dt };
         let desired = Vector::new(wish.x * dt, wish.y * dt, -fall * dt);
         let (mut moved, mut grounded, hits) = self.slide(agent, desired);
-        // Nobody who stands steps, and nobody who jumps falls, to where nothing is below; who is put there does
-        // fall, until the fall ends.
+        // A standing agent never steps, and a jumping agent never falls, to where there is no ground. An agent
+        // that is placed there does fall, until the fall ends.
         let over_nothing = |way: Vector3<f32>| self.is_over_nothing(&(agent.feet * Point3::from(way)), agent.body);
         let ends = self.is_in_abyss(agent);
         let stays = || ends || agent.grounded || !over_nothing(Vector3::zeros());
@@ -228,7 +227,7 @@ impl World {
             self.stopped.push(id);
         }
         hits.iter().for_each(|hit| self.push_aside(id, hit, wish));
-        // Who goes up has left the ground, however near it is.
+        // An agent that moves up has left the ground, however near it is.
         let grounded = grounded && fall >= 0.0;
         let Some(agent) = self.agents.get_mut(&id) else { return };
         agent.feet.translation.vector += moved;
@@ -246,7 +245,7 @@ impl World {
 
     /// How far an agent gets, whether it then stands on something, and what it hit.
     fn slide(&self, agent: &Agent, desired: Vector) -> (Vector3<f32>, bool, Vec<CharacterCollision>) {
-        // Those who are in one place, as who walks by at set times may be, part as they go and do not climb each other.
+        // Agents in one place, such as scripted walkers, separate as they move and do not climb each other.
         let own = |c: &Collider| self.agents.get(&group::marked(c.user_data).0).is_some_and(|a| a.is_with(agent));
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !own(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
@@ -261,7 +260,7 @@ impl World {
         (convert::vector3(moved.translation), moved.grounded, hits)
     }
 
-    /// Lifts an agent that was put down in something low onto it, though not onto people.
+    /// Lifts an agent that was placed inside something low onto it, but not onto people.
     pub(super) fn step_up(&mut self, id: NodeId) {
         let Some(agent) = self.agents.get(&id) else { return };
         let is_person = |c: &Collider| self.agents.contains_key(&group::marked(c.user_data).0);
@@ -270,7 +269,7 @@ impl World {
         let above = agent.feet * vc_graph::Pose::translation(0.0, 0.0, agent.plan.height / 2.0 + SUNK);
         let options = ShapeCastOptions { max_time_of_impact: SUNK, ..ShapeCastOptions::default() };
         let ground = queries.cast_shape(&convert::pose(&above), -Vector::Z, &upright(&agent.plan), options);
-        // What meets the raised body at once is no ground.
+        // Anything that overlaps the raised body at once is not ground.
         let depth = ground.map(|(_, hit)| hit.time_of_impact).filter(|gap| *gap > 0.0).map(|gap| SUNK - gap);
         let Some(agent) = self.agents.get_mut(&id) else { return };
         agent.feet.translation.z += depth.filter(|depth| *depth > TOUCH).unwrap_or(0.0);
@@ -293,12 +292,12 @@ impl World {
     }
 }
 
-/// The shape of a body that stands.
+/// The shape of a standing body.
 fn upright(plan: &super::BodyPlan) -> Capsule {
     Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius)
 }
 
-/// Legs that keep to the ground, unless they jump.
+/// The controller for an agent's legs, which keep to the ground unless they jump.
 fn legs(plan: &super::BodyPlan, jumping: bool) -> KinematicCharacterController {
     KinematicCharacterController {
         up: Vector::Z,

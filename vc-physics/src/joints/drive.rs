@@ -12,26 +12,24 @@ use crate::shapes::Link;
 use crate::world::{Moving, World};
 use crate::{PhysicsError, Role, convert, group};
 
-/// How fast the motor goes for each unit that is missing, per second: an arm slows
-/// down before it is there.
+/// Speed of the motor per unit of remaining distance, per second: like an arm, it slows down before it arrives.
 const EAGER: f32 = 8.0;
-/// Seconds it takes for the whole way, but for slowing down.
+/// Time for the whole range without slowing down, seconds.
 const WHOLE_WAY: f32 = 0.8;
-/// How firmly it keeps its speed, per second.
+/// Velocity gain of the motor, per second.
 const FIRM: f32 = 1000.0;
-/// Greatest torque or force of the motor, newton metres or newtons.
+/// Largest torque or force of the motor, newton metres or newtons.
 const STRENGTH: f32 = 80.0;
-/// Seconds after which a motor that does not get there gives up.
+/// Time after which a motor that does not arrive gives up, seconds.
 const PATIENCE: f32 = 4.0;
-/// How slow a part has to be to have arrived, metres or radians a second.
+/// Largest speed of a part that has arrived, metres or radians per second.
 const SLOW: f32 = 0.02;
-/// How near its target a motor has to come, as a fraction of the way.
+/// Largest distance from the target of a part that has arrived, as a fraction of the range.
 const ARRIVED: f32 = 0.005;
 
 impl World {
-    /// Sets a motor on a part: it takes it to a fraction of its way (0 closed, 1
-    /// open) in about a second, as an arm would, if nothing is in the way. What has
-    /// no motor is there at once.
+    /// Starts a part's motor, which takes the part to a fraction of its range (0 closed, 1 open) in about a
+    /// second, as an arm would, if nothing is in the way. A part without a motor is moved at once.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchPart`],
@@ -62,7 +60,7 @@ impl World {
         Ok(())
     }
 
-    /// Opens or closes a part at once; what lies in a drawer comes along.
+    /// Opens or closes a part at once; the contents of a drawer move along.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -99,7 +97,7 @@ impl World {
         (0..parts).try_for_each(|part| self.put_open(id, part, open))
     }
 
-    /// The shape of a node's moving part, if it has any, and where it would be, open by a fraction.
+    /// The shape of a node's moving part, if it has any, and its pose when open by a fraction.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -117,7 +115,7 @@ impl World {
         Ok(solid.map(|(joint, (shape, at))| (shape.clone(), convert::pose(&(base * joint.motion(target))) * *at)))
     }
 
-    /// Locks or unlocks a part: locked, it neither moves nor lets itself be opened.
+    /// Locks or unlocks a part; a locked part neither moves nor can be opened.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchPart`].
@@ -153,8 +151,7 @@ impl World {
         Ok(shut + open.clamp(0.0, 1.0) * (wide - shut))
     }
 
-    /// Looks after the motors: those that have arrived, or have tried long enough,
-    /// stop.
+    /// Updates the motors: those that have arrived, or have tried long enough, stop.
     pub(crate) fn tend_motors(&mut self) {
         if self.driven.is_empty() {
             return;
@@ -175,7 +172,7 @@ impl World {
         }
     }
 
-    /// Sets the speed of a part's motor by how far there is to go.
+    /// Sets the speed of a part's motor by the remaining distance.
     fn turn_on(&mut self, index: usize, part: usize) {
         let thing = &self.things[index];
         let (moving, kind) = (&thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
@@ -187,8 +184,7 @@ impl World {
         }
     }
 
-    /// Whether a part is where its motor takes it, and slow against its base; and
-    /// where it is.
+    /// Whether a part has reached its motor's target and is slow relative to its base; and its position.
     fn has_arrived(&self, index: usize, part: usize) -> (bool, f32) {
         let thing = &self.things[index];
         let moving = &thing.state.moving[part];
@@ -199,8 +195,7 @@ impl World {
         (slow && (position - target).abs() <= ARRIVED * (moving.limits.1 - moving.limits.0), position)
     }
 
-    /// Ends what a motor did: friction holds the part; shut, it latches; locked, it
-    /// is stuck.
+    /// Ends a motor's motion: friction holds the part, a closed part latches, a locked one is blocked.
     fn settle_part(&mut self, index: usize, part: usize) {
         let position = self.part_position(&self.things[index], part);
         let thing = &mut self.things[index];

@@ -10,21 +10,21 @@ use super::motion::fraction;
 use crate::world::{Thing, World};
 use crate::{PhysicsError, convert, group};
 
-/// Positions looked at on the way, its end with them.
+/// Number of positions that are tested on the way, including the end.
 const LOOKS: usize = 8;
-/// Share of its way that a part opens at least, if it cannot open all the way.
+/// Smallest share of its range that a part opens if it cannot open completely.
 const HALF: f32 = 0.5;
-/// What overlaps less is only touched, metres.
+/// Smaller overlaps count as touching only, metres.
 const SKIN: f32 = 0.001;
 
 impl World {
-    /// Opens or closes every part of a node at once, what lies in a drawer with it, where nothing
-    /// loose and nobody is in the way; gives whether it did. Where it does, the parts end where
-    /// [`drive`](Self::drive) takes them, but for two kinds, which that would press against things:
-    /// a part that cannot open all the way, as what stands in it would meet a wall, opens as far as
-    /// it can, if that is half of the way; a drawer that cannot stays shut, if others open.
+    /// Opens or closes every part of a node at once, with the contents of drawers, where neither loose things
+    /// nor agents are in the way; returns whether it did. The parts then end where [`drive`](Self::drive) takes
+    /// them, except in two cases in which `drive` would press a part against things: a part that cannot open
+    /// completely, because its contents would hit a wall, opens as far as possible if that is at least half of
+    /// the range; a drawer that cannot open stays closed if others open.
     ///
-    /// Doors and lids open before drawers, whose content would be in their way, and shut after them.
+    /// Doors and lids open before drawers, whose contents would be in their way, and close after them.
     ///
     /// Costs some ten microseconds for each part.
     ///
@@ -34,8 +34,7 @@ impl World {
         self.leap_open_past(id, open, &[])
     }
 
-    /// As [`Self::leap_open`], past some nodes as if they were not there: an agent that opens a door makes
-    /// way for it.
+    /// As [`Self::leap_open`], ignoring some nodes as obstacles: an agent that opens a door gives way to it.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -51,12 +50,11 @@ impl World {
         if !self.leap_each(id, doors, open, past)? {
             return Ok(false);
         }
-        // A drawer that stays shut does not matter where anything else is open.
+        // A drawer that stays closed does not matter if another part is open.
         Ok(self.leap_each(id, drawers, open, past)? || self.openness(id).is_some_and(|o| o >= HALF))
     }
 
-    /// Opens or closes some parts as far as they go, what is freest first; gives whether all of them
-    /// did.
+    /// Opens or closes some parts as far as they go, the freest first; returns whether all of them moved.
     fn leap_each(
         &mut self,
         id: NodeId,
@@ -75,8 +73,8 @@ impl World {
         Ok(parts.is_empty())
     }
 
-    /// Of some parts the first that can go all the way, else the one that gets farthest: its position
-    /// among them, and the share of its way.
+    /// The first of some parts that can move completely, otherwise the one that gets farthest: its index among
+    /// them, and the share of its way.
     fn freest(
         &self,
         id: NodeId,
@@ -98,20 +96,20 @@ impl World {
         Ok(best)
     }
 
-    /// Whether a part meets nothing on its way to where it is open by a fraction.
+    /// Whether a part meets no obstacle on its way to a fraction of its range.
     pub(crate) fn is_free_way(&self, id: NodeId, part: usize, open: f32) -> bool {
         self.way(id, part, open)
             .is_ok_and(|(from, target)| self.free_share(self.turn(id, part, from, target, &[])) == 1.0)
     }
 
-    /// Where a part is, and where it is at a fraction of its way.
+    /// The present position of a part, and its position at a fraction of its range.
     fn way(&self, id: NodeId, part: usize, open: f32) -> Result<(f32, f32), PhysicsError> {
         let target = self.target(id, part, open)?;
         Ok((self.part_position(self.thing(id)?, part).unwrap_or(target), target))
     }
 
-    /// The nodes that keep the parts of a node from opening to a fraction, 0 to 1, by number: those that the
-    /// parts, and the things they carry, would meet first. Empty where the way is free.
+    /// The nodes that block the parts of a node on the way to a fraction of their range, 0 to 1, sorted by
+    /// number: the first obstacles of the parts and of the things they carry. Empty if the way is free.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -128,8 +126,7 @@ impl World {
         Ok(met)
     }
 
-    /// Up to which share of its way a part meets nothing that it collides with, and what it
-    /// carries has room.
+    /// The share of its way up to which a part meets no obstacle, and its load has room.
     fn free_share(&self, turn: Option<Turn<'_>>) -> f32 {
         let Some(turn) = turn else { return 1.0 };
         let free = (1..=LOOKS).take_while(|&look| self.met_by_part(&turn, look).next().is_none()).count();
@@ -137,7 +134,7 @@ impl World {
         (1..=free).rev().find(has_room).map_or(0.0, share)
     }
 
-    /// A part on its way from one position to another; none if it is there, or has no joint.
+    /// The motion of a part from one position to another; `None` if it is there already, or has no joint.
     fn turn(&self, id: NodeId, part: usize, from: f32, target: f32, past: &[NodeId]) -> Option<Turn<'_>> {
         let thing = self.thing(id).ok()?;
         let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
@@ -146,16 +143,16 @@ impl World {
         Some(Turn { thing, part, joint, base, load, past: past.to_vec(), way: (from, target) })
     }
 
-    /// The nodes that a part and its load would meet at a position looked at.
+    /// The obstacles of a part and its load at a tested position.
     fn met_on_turn(&self, turn: &Turn<'_>, look: usize) -> Vec<NodeId> {
         self.met_by_part(turn, look).chain(self.met_by_load(turn, look)).collect()
     }
 
-    /// The nodes that a part would meet at a position looked at.
+    /// The obstacles of a part at a tested position.
     fn met_by_part(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
         let thing = turn.thing;
         let solid = thing.form.links[turn.part + 1].solid.as_ref();
-        // A lid that moves with its box collides as that does.
+        // A lid that moves with its box has the collision groups of the box.
         let moving = thing.state.moving[turn.part];
         let own = moving.body.map_or_else(|| group::base(thing.state.role), |_| group::leaf());
         let other = |_: ColliderHandle, c: &Collider| {
@@ -178,38 +175,38 @@ impl World {
         met.into_iter().flatten()
     }
 
-    /// The nodes that a part's load would meet at a position looked at.
+    /// The obstacles of a part's load at a tested position.
     fn met_by_load(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
         let motion = turn.at(look) * turn.at(0).inverse();
         let met = |id: &NodeId| {
             let all = self.pose(*id).and_then(|pose| self.overlaps(*id, &(motion * pose)).ok());
-            // A thing that cannot be asked has no room: it is in its own way.
+            // A thing for which the query fails has no room: it counts as its own obstacle.
             all.map_or_else(|| vec![*id], |all| all.into_iter().filter(|m| turn.meets(*m)).collect())
         };
         turn.load.iter().flat_map(met).collect::<Vec<NodeId>>().into_iter()
     }
 }
 
-/// A part on its way.
+/// The motion of a part.
 struct Turn<'w> {
     thing: &'w Thing,
     part: usize,
     joint: Joint,
     base: Pose,
-    /// The things it carries.
+    /// The things that the part carries.
     load: Vec<NodeId>,
-    /// Nodes that count as not there.
+    /// Nodes that are ignored.
     past: Vec<NodeId>,
     way: (f32, f32),
 }
 
 impl Turn<'_> {
-    /// Whether a node in the way counts.
+    /// Whether a node counts as an obstacle.
     fn meets(&self, id: NodeId) -> bool {
         id != self.thing.id && !self.load.contains(&id) && !self.past.contains(&id)
     }
 
-    /// Where the part is at a position looked at.
+    /// The pose of the part at a tested position.
     fn at(&self, look: usize) -> Pose {
         let (from, target) = self.way;
         self.base * self.joint.motion(from + (target - from) * share(look))

@@ -1,4 +1,4 @@
-//! Bodies and joints of parts that move.
+//! Bodies and joints of moving parts.
 
 use rapier3d::dynamics::{
     GenericJoint, JointAxis, MotorModel, PrismaticJointBuilder, RevoluteJointBuilder, RigidBodyBuilder, RigidBodyType,
@@ -11,10 +11,10 @@ use crate::shapes::Link;
 use crate::world::{Moving, Thing, collider};
 use crate::{Role, Settings, convert, group};
 
-/// From which mass on a base carries jointed bodies, kilograms.
+/// The mass from which on a base carries jointed bodies, kilograms.
 const STURDY: f32 = 10.0;
 
-/// Gives a thing's moving parts their bodies.
+/// Creates the bodies of a thing's moving parts.
 pub(crate) fn add(engine: &mut Engine, thing: &mut Thing, settings: &Settings, open: bool) {
     let sturdy = thing.state.role == Role::Fixed || thing.form.mass() * thing.state.mass_factor > STURDY;
     for index in 1..thing.form.links.len() {
@@ -61,7 +61,7 @@ fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, set
     Moving { body: Some(body), joint: Some(handle), latched, ..moving }
 }
 
-/// A part that moves with its base: only where it is changes.
+/// A part that moves with its base: only its local pose changes.
 fn weld(engine: &mut Engine, thing: &Thing, index: usize, position: f32) {
     let link = &thing.form.links[index];
     let (Some((shape, at)), Some(joint)) = (&link.solid, link.joint) else { return };
@@ -93,7 +93,7 @@ pub(super) fn axis(kind: JointKind) -> JointAxis {
     }
 }
 
-/// Coulomb friction: a motor that wants to stand still and is only so strong.
+/// Coulomb friction: a motor with target speed zero and limited strength.
 pub(super) fn idle(data: &mut GenericJoint, kind: JointKind, friction: f32) {
     let axis = axis(kind);
     if friction > 0.0 {

@@ -1,8 +1,8 @@
 //! Doors, lids and drawers: parts that turn or slide against their base.
 //!
-//! On a base that is fixed, or heavier than ten kilograms, a part has a body and a
-//! joint of its own, with limits, friction and a motor. On something light, such as
-//! a book, it moves with the base and is opened at once.
+//! On a base that is fixed, or heavier than ten kilograms, a part has a body and a joint of its own, with
+//! limits, friction and a motor. On a light thing, such as a book, it moves with the base and is opened at
+//! once.
 
 mod drive;
 mod leap;
@@ -16,30 +16,30 @@ use crate::world::{Thing, World};
 
 pub(crate) use make::add;
 
-/// How open a part may be and still count as closed, as a fraction.
+/// The largest opening of a part that counts as closed, as a fraction.
 pub(crate) const SHUT: f32 = 0.02;
 
-/// A part that moves, as data.
+/// A moving part, as data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovingPart {
-    /// Its name, that of the asset's first part that moves so.
+    /// Its name: that of the asset's first part on this joint.
     pub name: std::sync::Arc<str>,
-    /// Turning or sliding.
+    /// Hinge or slide.
     pub kind: JointKind,
-    /// Least and greatest position, radians or metres.
+    /// The smallest and largest position, radians or metres.
     pub limits: (f32, f32),
-    /// Where it is, radians or metres.
+    /// The present position, radians or metres.
     pub position: f32,
-    /// How far open it is, 0 to 1.
+    /// The opening, 0 to 1.
     pub open: f32,
     /// Whether it is locked.
     pub locked: bool,
-    /// Whether it has a body of its own, which a motor drives; else it is opened at once.
+    /// Whether it has a body of its own, which a motor drives; otherwise it is opened at once.
     pub has_motor: bool,
 }
 
 impl World {
-    /// The moving parts of a node, in the asset's order; none where nothing moves.
+    /// The moving parts of a node, in the asset's order; empty if it has none.
     pub fn moving_parts(&self, id: NodeId) -> Vec<MovingPart> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
         (0..thing.state.moving.len()).filter_map(|part| self.moving_part(thing, part)).collect()
@@ -68,15 +68,14 @@ impl World {
         Some(motion::position(&joint, &self.engine.pose(thing.state.base)?, &self.engine.pose(body)?))
     }
 
-    /// How far a part has moved from where the asset has it, in the asset's frame.
+    /// The motion of a part relative to its pose in the asset, in the asset's frame.
     pub(crate) fn part_motion(&self, thing: &Thing, joint: &Joint) -> Pose {
         let part = thing.form.links.iter().skip(1).position(|l| l.joint.as_ref() == Some(joint));
         let position = part.and_then(|p| self.part_position(thing, p));
         position.map_or_else(Pose::identity, |p| joint.motion(p))
     }
 
-    /// How far open a node is: its most open part, 0 to 1; `None` where nothing
-    /// moves.
+    /// The opening of a node's most open part, 0 to 1; `None` if it has no moving parts.
     pub fn openness(&self, id: NodeId) -> Option<f32> {
         self.moving_parts(id).iter().map(|p| p.open).reduce(f32::max)
     }
@@ -86,8 +85,8 @@ impl World {
         self.driven.iter().any(|(d, _)| *d == id)
     }
 
-    /// The state a node's moving parts show, as the graph has it: open, closed, or
-    /// none where nothing moves.
+    /// The state of a node's moving parts in the graph's terms: open, closed, or `None` if it has no moving
+    /// parts.
     pub fn open_state(&self, id: NodeId) -> Option<vc_graph::State> {
         let open = self.openness(id)? > SHUT;
         Some(if open { vc_graph::State::Open } else { vc_graph::State::Closed })

@@ -1,22 +1,21 @@
-//! Walking past each other: optimal reciprocal collision avoidance.
+//! Mutual avoidance of walkers: optimal reciprocal collision avoidance.
 //!
-//! Each walker takes half of the turn that two need to miss each other, and the
-//! velocity nearest to its wish that keeps clear of all others (van den Berg, Guy,
-//! Lin and Manocha, "Reciprocal n-body collision avoidance", 2011): a linear programme
-//! in two dimensions, solved line by line.
+//! Each walker takes half of the change that two walkers need to avoid each other, and chooses the velocity
+//! nearest to its wish that keeps clear of all others (van den Berg, Guy, Lin and Manocha, "Reciprocal n-body
+//! collision avoidance", 2011): a linear program in two dimensions, solved line by line.
 
 use nalgebra::{Point2, Vector2};
 
-/// How far ahead walkers look, seconds.
+/// Time horizon, seconds.
 const AHEAD: f32 = 1.5;
-/// Beyond which distance others do not matter, metres.
+/// Distance beyond which other walkers are ignored, metres.
 const SIGHT: f32 = 4.0;
-/// How much to the right of its wish a walker goes where others are near.
+/// Deviation to the right of the wish while others are near.
 const RIGHT: f32 = 0.12;
-/// Below which speed a cross product counts as zero.
+/// Cross products below this count as zero.
 const TINY: f32 = 1e-5;
 
-/// Somebody on the floor.
+/// A walker on the floor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Walker {
     pub(crate) at: Point2<f32>,
@@ -26,14 +25,14 @@ pub(crate) struct Walker {
     pub(crate) fastest: f32,
 }
 
-/// Velocities on the left of a line are allowed.
+/// A half-plane: velocities on the left of the line are allowed.
 #[derive(Clone, Copy)]
 struct Line {
     point: Vector2<f32>,
     direction: Vector2<f32>,
 }
 
-/// For each walker the velocity to take.
+/// The velocity for each walker.
 pub(crate) fn velocities(walkers: &[Walker], dt: f32) -> Vec<Vector2<f32>> {
     (0..walkers.len()).map(|i| velocity(walkers, i, dt)).collect()
 }
@@ -44,16 +43,16 @@ fn velocity(walkers: &[Walker], own: usize, dt: f32) -> Vector2<f32> {
     let others = walkers.iter().enumerate().filter(|(i, _)| *i != own).map(|(_, w)| w).filter(near);
     let lines: Vec<Line> = others.map(|other| half_plane(me, other, dt)).collect();
     if lines.is_empty() || me.wish == Vector2::zeros() {
-        // Who does not want to go lets the others go round.
+        // A walker without a wish lets the others walk around it.
         return me.wish;
     }
-    // Everybody keeps a little to the right, or those who meet head on would stop.
+    // Everybody keeps a little to the right; otherwise walkers that meet head on would stop.
     let wish = Vector2::new(me.wish.x + RIGHT * me.wish.y, me.wish.y - RIGHT * me.wish.x);
     let (best, failed) = program(&lines, me.fastest, wish, false);
     failed.map_or(best, |from| least_bad(&lines, from, me.fastest, best))
 }
 
-/// What another walker leaves me: half of the change that avoids it, all of it if it
+/// The half-plane that another walker imposes on `me`: half of the avoiding change, or all of it if the other
 /// stands.
 fn half_plane(me: &Walker, other: &Walker, dt: f32) -> Line {
     let (apart, closing) = (other.at - me.at, me.velocity - other.velocity);
@@ -73,15 +72,15 @@ fn half_plane(me: &Walker, other: &Walker, dt: f32) -> Line {
     Line { point: me.velocity + change * share, direction }
 }
 
-/// Projection on the round end of the velocity obstacle.
+/// Projection onto the round end of the velocity obstacle.
 fn cap(from: Vector2<f32>, radius: f32) -> (Vector2<f32>, Vector2<f32>) {
     let length = from.norm();
-    // Two in the same place part to where one of them looks first.
+    // Two walkers at the same position separate along the fixed direction X.
     let unit = if length > TINY { from / length } else { Vector2::x() };
     (Vector2::new(unit.y, -unit.x), unit * (radius - length))
 }
 
-/// Projection on a side of the velocity obstacle.
+/// Projection onto a side of the velocity obstacle.
 fn leg(
     apart: Vector2<f32>,
     closing: Vector2<f32>,
@@ -139,8 +138,8 @@ fn on_line(lines: &[Line], at: usize, fastest: f32, wish: Vector2<f32>, far: boo
     Some(line.point + line.direction * t)
 }
 
-/// The velocity within all lines nearest to a wish (or farthest along it), and the
-/// first line that cannot be kept, if there is one.
+/// The velocity within all half-planes that is nearest to a wish (or farthest along it), and the first line
+/// that cannot be satisfied, if there is one.
 fn program(lines: &[Line], fastest: f32, wish: Vector2<f32>, far: bool) -> (Vector2<f32>, Option<usize>) {
     let mut best = match wish.norm() {
         _ if far => wish * fastest,
@@ -158,7 +157,7 @@ fn program(lines: &[Line], fastest: f32, wish: Vector2<f32>, far: bool) -> (Vect
     (best, None)
 }
 
-/// Where not all lines can be kept, the velocity that breaks them least.
+/// The velocity that violates the lines least, if not all can be satisfied.
 fn least_bad(lines: &[Line], from: usize, fastest: f32, start: Vector2<f32>) -> Vector2<f32> {
     let (mut best, mut worst) = (start, 0.0);
     for (i, line) in lines.iter().enumerate().skip(from) {
@@ -176,7 +175,7 @@ fn least_bad(lines: &[Line], from: usize, fastest: f32, start: Vector2<f32>) -> 
     best
 }
 
-/// The line on which two lines are broken equally.
+/// The line on which two lines are violated equally.
 fn bisector(line: &Line, other: &Line) -> Option<Line> {
     let denominator = cross(line.direction, other.direction);
     let point = if denominator.abs() <= TINY {

@@ -1,7 +1,7 @@
-//! The free floor as bands: rectangles that are as wide as the floor is free there.
+//! The free floor as bands: rectangles as wide as the free floor there.
 //!
-//! Left and right of a band is always something in the way, so ways lead only over
-//! its lower and its upper side.
+//! On the left and right of a band there is always an obstacle, so paths leave it only across its lower and
+//! upper sides.
 
 use super::raster::Raster;
 
@@ -12,13 +12,12 @@ pub(crate) struct Band {
     pub(crate) x1: u32,
     pub(crate) y0: u32,
     pub(crate) y1: u32,
-    /// Its gates: where they begin in the list of those downwards and upwards, and how
-    /// many they are.
+    /// Its gates: their first index and number in the lists of downward and upward gates.
     below: (u32, u32),
     above: (u32, u32),
 }
 
-/// A way from one band to the next: columns `from..to` of their common side.
+/// A passage from one band to the next: columns `from..to` of their common side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Gate {
     pub(crate) band: u32,
@@ -26,13 +25,13 @@ pub(crate) struct Gate {
     pub(crate) to: u32,
 }
 
-/// All bands and the ways between them.
+/// All bands and their gates.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Bands {
     pub(crate) all: Vec<Band>,
     up: Vec<Gate>,
     down: Vec<Gate>,
-    /// For each row the bands in it by column, in `in_rows`.
+    /// For each row, its range in `in_rows`, which lists its bands by column.
     rows: Vec<(u32, u32)>,
     in_rows: Vec<u32>,
 }
@@ -51,7 +50,7 @@ impl Bands {
         bands
     }
 
-    /// The bands of a row: those of the row before that go on, and new ones.
+    /// The bands of a row: continued bands of the row before, and new ones.
     fn row(&mut self, raster: &Raster, row: u32, before: &[u32]) -> Vec<u32> {
         let mut old = before.iter().copied().peekable();
         let mut current = Vec::new();
@@ -67,8 +66,8 @@ impl Bands {
         current
     }
 
-    /// Finds the gates: bands that end at a row beside bands that begin there. Those
-    /// of one band on one side are met one after the other.
+    /// Finds the gates: bands that end at a row, next to bands that begin there. The gates of one band on one
+    /// side are found consecutively.
     fn join(&mut self) {
         let Self { all, up, down, rows, in_rows } = self;
         for pair in rows.windows(2) {
@@ -91,7 +90,7 @@ impl Bands {
         }
     }
 
-    /// Ways out of a band over its upper or its lower side.
+    /// The gates of a band on its upper or its lower side.
     pub(crate) fn gates(&self, band: u32, up: bool) -> &[Gate] {
         let band = &self.all[band as usize];
         let ((from, count), gates) = if up { (band.above, &self.up) } else { (band.below, &self.down) };
@@ -108,7 +107,7 @@ impl Bands {
     }
 }
 
-/// Adds a gate to a list, and to the part of it that is a band's.
+/// Appends a gate to a list, and extends the range of a band in it.
 fn extend((from, count): &mut (u32, u32), list: &mut Vec<Gate>, gate: Gate) {
     if *count == 0 {
         *from = list.len() as u32;

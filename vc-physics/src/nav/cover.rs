@@ -1,4 +1,4 @@
-//! What bodies cover of the floor.
+//! The areas of the floor that bodies cover.
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{NodeId, Pose};
@@ -9,22 +9,22 @@ use crate::Role;
 use crate::shapes::{Footprint, Link, levels, rectangle};
 use crate::world::{Thing, World};
 
-/// Up to which motion a door counts as shut, metres.
+/// Motion up to which a door counts as closed, metres.
 const SAME: f32 = 0.005;
-/// How far below the floor's level a floor may be and still be it, metres.
+/// The largest depth of a floor piece below the floor's level, metres.
 const BELOW: f32 = 0.1;
-/// Up to which imaginary part of its turn a thing stands upright.
+/// The largest horizontal quaternion component of an upright thing.
 const LEVEL: f32 = 1e-3;
-/// Most things between a thing and what is fixed below it.
+/// The largest number of things between a thing and its fixed support.
 const STACKED: usize = 8;
 
-/// What a node covers, and how it stood when that was found.
+/// The area that a node covers, and the poses for which it was computed.
 #[derive(Debug, Clone)]
 pub(crate) struct Cover {
     pub(crate) id: NodeId,
     pub(crate) outlines: Vec<Outline>,
-    /// What whoever walks moves out of the way: of a door between rooms the shut leaf,
-    /// of furniture what stands open.
+    /// The parts that walkers move out of the way: the closed leaf of a door between rooms, the open parts of
+    /// furniture.
     pub(crate) gate: Vec<Outline>,
     poses: Vec<Pose>,
     role: Option<Role>,
@@ -71,7 +71,7 @@ impl Cover {
     }
 }
 
-/// Whether two poses are the same but for what does not matter.
+/// Whether two poses agree within tolerance.
 fn near(a: &Pose, b: &Pose) -> bool {
     (a.translation.vector - b.translation.vector).norm() < SAME && (a.rotation.coords - b.rotation.coords).norm() < SAME
 }
@@ -87,9 +87,8 @@ fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
     std::iter::once(base).chain(parts).collect()
 }
 
-/// Whether what a thing is on or in by the graph, or that in turn, is fixed and covers
-/// all of it: cups on a table are in nobody's way. What lies in a drawer that stands open goes
-/// with it when it is shut.
+/// Whether some support in the graph's support chain of a thing is fixed and covers all of it: cups on a table
+/// obstruct nobody. The contents of an open drawer move along when it is closed.
 fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
     let below = |t: &Thing| world.thing(t.state.rests?.at).ok();
     let mut chain = std::iter::successors(below(thing), |t| below(t)).take(STACKED);
@@ -107,7 +106,7 @@ fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
     covers || goes_along(world, at, &around.centre().xy(), plan)
 }
 
-/// Whether a point is over a part of a thing that stands open and is shut in passing.
+/// Whether a point is over an open part of a thing that is closed in passing.
 fn goes_along(world: &World, thing: &Thing, point: &Point2<f32>, plan: &FloorPlan) -> bool {
     let locked = thing.state.moving.iter().any(|m| m.locked);
     let poses = poses(world, thing);
@@ -118,7 +117,7 @@ fn goes_along(world: &World, thing: &Thing, point: &Point2<f32>, plan: &FloorPla
     open.any(|(link, pose)| outlines(&thing.form.links[link], pose, in_the_way).iter().any(over))
 }
 
-/// Outlines of the pieces of a link that count, by the heights from where to where they reach.
+/// Outlines of the relevant pieces of a link, selected by their lower and upper heights.
 fn outlines(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Outline> {
     if is_upright(pose) { standing(link, pose, counts) } else { tilted(link, pose, counts) }
 }
@@ -128,13 +127,12 @@ fn is_upright(pose: &Pose) -> bool {
     pose.rotation.i.abs() < LEVEL && pose.rotation.j.abs() < LEVEL
 }
 
-/// Whether what reaches from one height to another is between floor and head.
+/// Whether a height range lies between floor and head.
 fn is_in_the_way(plan: &FloorPlan, low: f32, high: f32) -> bool {
     high > plan.level + plan.step && low < plan.level + plan.height
 }
 
-/// Of what stands upright, the footprints that were made beforehand, without those
-/// that others cover.
+/// The precomputed footprints of an upright link, without those that others cover.
 fn standing(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Outline> {
     let (all, z) = (link.footprints(), pose.translation.z);
     let counts = |f: &Footprint| counts(z + f.levels().0, z + f.levels().1);
@@ -154,13 +152,13 @@ fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Ou
     link.hulls().iter().filter_map(piece).collect()
 }
 
-/// What all nodes cover.
+/// The covered areas of all nodes.
 pub(crate) fn covers(world: &World, plan: &FloorPlan) -> Vec<Cover> {
     world.things.iter().map(|t| Cover::of(world, t, plan)).collect()
 }
 
-/// Brings covers up to date; gives whether any outline changed. They depend on where
-/// bodies are and not on how they came there.
+/// Updates the covers; returns whether any outline changed. The covers depend only on the bodies' poses, not on
+/// their history.
 pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -> bool {
     if covers.len() != world.things.len() || covers.iter().zip(&world.things).any(|(c, t)| c.id != t.id) {
         *covers = self::covers(world, plan);
@@ -177,8 +175,7 @@ pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -
     changed
 }
 
-/// Outlines of what one stands on: pieces of the building whose top is the floor; the
-/// rooms' boxes where there are none.
+/// Outlines of the ground: pieces of the building whose top is the floor; the rooms' boxes if there are none.
 pub(crate) fn ground(world: &World, plan: &FloorPlan) -> Vec<Outline> {
     let tops = plan.level - BELOW..=plan.level + plan.step;
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! Ways over the floor.
+//! Navigation on the floor.
 
 pub(crate) mod avoid;
 mod bands;
@@ -22,32 +22,32 @@ use raster::Raster;
 pub use occupancy::Occupancy;
 pub use stand::Stand;
 
-/// How doors between rooms count, and doors and drawers of furniture that stand open.
+/// The treatment of doors between rooms, and of open doors and drawers of furniture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Doors {
-    /// Whoever walks opens the ones and shuts the others: only what is locked is in the
-    /// way.
+    /// Walkers open doors between rooms, and close open doors and drawers of furniture: only locked ones are
+    /// obstacles.
     #[default]
     Opened,
-    /// They are in the way as they stand.
+    /// They are obstacles in their present state.
     AsTheyAre,
 }
 
-/// Which floor, for whom.
+/// The parameters of a floor and of its walkers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloorPlan {
     /// Height of the floor, metres.
     pub level: f32,
-    /// What one walks over without a thought, metres: rugs, sills.
+    /// Height that is walked over without effort, metres: rugs, sills.
     pub step: f32,
-    /// Height of who walks, metres: what hangs higher is not in the way.
+    /// Height of the walker, metres: things that hang higher are not obstacles.
     pub height: f32,
-    /// Distance kept from everything, metres: the radius of the body and a little.
+    /// Clearance from all obstacles, metres: the body's radius and a little more.
     pub radius: f32,
-    /// Side of a cell, metres.
+    /// Side of a grid cell, metres.
     pub cell: f32,
-    /// How doors count.
+    /// The treatment of doors.
     pub doors: Doors,
 }
 
@@ -57,28 +57,25 @@ impl Default for FloorPlan {
     }
 }
 
-/// A way over the floor.
+/// A path on the floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Route {
-    /// Its corners, start and goal included, metres.
+    /// The path's corners, start and goal included, metres.
     pub points: Vec<Point2<f32>>,
-    /// Its length, metres.
+    /// The path's length, metres.
     pub length: f32,
-    /// Doors it goes through, in order; those that are shut have to be opened. Furniture
-    /// with them whose open doors or drawers are to be shut before.
+    /// The doors on the path, in order; closed ones have to be opened. The list includes furniture whose open
+    /// doors or drawers have to be closed first.
     pub doors: Vec<NodeId>,
 }
 
-/// The floor one can walk on: cells that keep clear of everything in the way, and the
-/// shortest ways over them.
+/// The walkable floor: the cells with enough clearance from all obstacles, and shortest paths over them.
 ///
-/// What stands in the way is taken from the bodies as they are: every convex piece
-/// between the floor and the walker's head, seen from above and grown by the radius. A
-/// cell is free if its centre is, so every point of the free floor keeps at least
-/// `radius - 0.71 * cell` away from everything.
+/// Obstacles are taken from the bodies in their present state: every convex piece between the floor and the
+/// walker's head, projected onto the floor and grown by the radius. A cell is free if its centre is, so every
+/// point of the free floor keeps at least `radius - 0.71 * cell` away from everything.
 ///
-/// A query gives the shortest way there is over the free cells, at any angle, in some
-/// ten microseconds.
+/// A query returns the shortest any-angle path over the free cells, in some ten microseconds.
 ///
 /// ```
 /// use nalgebra::Point2;
@@ -101,19 +98,18 @@ pub struct Floor {
     bands: Bands,
 }
 
-/// How far from a free cell a start or a goal may be, metres.
+/// The largest distance of a start or a goal from a free cell, metres.
 const SNAP: f32 = 0.6;
 
 impl Floor {
-    /// The floor of a world as it is.
+    /// The floor of a world in its present state.
     pub fn of(world: &World, plan: FloorPlan) -> Self {
         let covers = cover::covers(world, &plan);
         let ground = cover::ground(world, &plan);
         Self::new(plan, covers, ground)
     }
 
-    /// A floor from convex outlines, corners counter-clockwise, metres: what one
-    /// stands on, and what is in the way.
+    /// A floor from convex outlines, corners counter-clockwise, metres: the ground and the obstacles.
     pub fn of_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], plan: FloorPlan) -> Self {
         let finite = |o: &&Vec<Point2<f32>>| o.iter().all(|p| p.x.abs() < 1e5 && p.y.abs() < 1e5);
         let cover = Cover::fixed(obstacles.iter().filter(finite).cloned().collect());
@@ -130,9 +126,9 @@ impl Floor {
         floor
     }
 
-    /// Follows what has moved since: doors, chairs, things on the floor. Gives whether
-    /// anything had. Costs about a microsecond for ten bodies if nothing has, else
-    /// little less than making the floor anew.
+    /// Updates the floor to the things that have moved since: doors, chairs, things on the floor. Returns
+    /// whether any had moved. Costs about a microsecond for ten bodies if none has moved, otherwise little less
+    /// than making the floor anew.
     pub fn update(&mut self, world: &World) -> bool {
         let moved = cover::update(&mut self.covers, world, &self.plan);
         if moved {
@@ -151,18 +147,17 @@ impl Floor {
         self.bands = Bands::of(raster);
     }
 
-    /// The plan it was made by.
+    /// The plan from which the floor was made.
     pub fn plan(&self) -> &FloorPlan {
         &self.plan
     }
 
-    /// Whether one can stand at a point.
+    /// Whether a walker can stand at a point.
     pub fn is_free(&self, point: Point2<f32>) -> bool {
         self.raster.as_ref().is_some_and(|r| r.holds(&point))
     }
 
-    /// The free point nearest to a point within a distance, metres: itself, or the
-    /// middle of a cell.
+    /// The free point nearest to a point within a distance, metres: the point itself, or the centre of a cell.
     pub fn nearest(&self, point: Point2<f32>, within: f32) -> Option<Point2<f32>> {
         self.raster.as_ref()?.nearest(&point, within)
     }
@@ -177,9 +172,8 @@ impl Floor {
         self.bands.all.len()
     }
 
-    /// The shortest way from one point to another; a point up to 0.6 m off the free
-    /// floor (one who stands close to a table) is brought there first. `None` if there
-    /// is no way.
+    /// The shortest path from one point to another. A point up to 0.6 m off the free floor (a person close to a
+    /// table) is moved there first. `None` if there is no path.
     pub fn route(&self, from: Point2<f32>, to: Point2<f32>) -> Option<Route> {
         let (points, length) = self.corners(from, to)?;
         let doors = self.doors_on(&points);
@@ -204,7 +198,7 @@ impl Floor {
         Some((points, length))
     }
 
-    /// What has to be opened or shut on a way, in order.
+    /// The doors that have to be opened or closed on a path, in order.
     fn doors_on(&self, points: &[Point2<f32>]) -> Vec<NodeId> {
         let mut found = Vec::new();
         for pair in points.windows(2) {

@@ -5,11 +5,11 @@ use serde::{Deserialize, Serialize};
 
 use super::Floor;
 
-/// Which cells of the floor one can stand on, for planners of one's own: rows of square cells along the world's axes.
+/// An occupancy grid of the walkable floor for other planners: rows of square cells along the world's axes.
 ///
-/// Columns go along X, rows along Y, both upwards from `origin`; cells are listed row by row. A cell is free if
-/// a person whose middle is at its centre keeps clear of everything, as [`FloorPlan`](crate::FloorPlan) says: things
-/// are grown by the walker's radius already, and people are not among them.
+/// Columns run along X and rows along Y, both upwards from `origin`; cells are listed row by row. A cell is
+/// free if a person whose middle is at its centre keeps clear of everything, as [`FloorPlan`](crate::FloorPlan)
+/// specifies: obstacles are already grown by the walker's radius, and people are not among them.
 ///
 /// ```
 /// use nalgebra::Point2;
@@ -35,7 +35,7 @@ pub struct Occupancy {
     pub columns: usize,
     /// Number of cells along Y.
     pub rows: usize,
-    /// Whether one can stand on each: cell (column, row) is at `row * columns + column`.
+    /// Whether a walker can stand on each cell: cell (column, row) is at `row * columns + column`.
     pub free: Vec<bool>,
 }
 
@@ -51,7 +51,7 @@ impl Occupancy {
         Point2::new(at(self.origin[0], column), at(self.origin[1], row))
     }
 
-    /// Column and row of the cell a point is in; none outside.
+    /// Column and row of the cell that contains a point; `None` outside the grid.
     pub fn cell_of(&self, point: Point2<f32>) -> Option<(usize, usize)> {
         let along = |value: f32, low: f32| (value - low) / self.cell;
         let (x, y) = (along(point.x, self.origin[0]), along(point.y, self.origin[1]));
@@ -61,7 +61,7 @@ impl Occupancy {
 }
 
 impl Floor {
-    /// The floor's cells as plain data, free or not. Linear in their number.
+    /// The floor's cells as plain data, free or not. Takes time linear in their number.
     pub fn occupancy(&self) -> Occupancy {
         let cell = self.plan.cell;
         let none = Occupancy { origin: [0.0; 2], cell, columns: 0, rows: 0, free: Vec::new() };

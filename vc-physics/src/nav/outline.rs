@@ -1,11 +1,11 @@
-//! Plane convex outlines: what a body covers of the floor.
+//! Convex outlines in the plane: the area that a body covers of the floor.
 
 use nalgebra::{Point2, Point3};
 
-/// A convex polygon, counter-clockwise; a point or a segment where it has no area.
+/// A convex polygon, counter-clockwise; a point or a segment if it has no area.
 pub(crate) type Outline = Vec<Point2<f32>>;
 
-/// The convex hull of points seen from above (Andrew's monotone chain, 1979).
+/// The convex hull of points projected onto the floor (Andrew's monotone chain, 1979).
 pub(crate) fn hull(points: impl IntoIterator<Item = Point3<f32>>) -> Outline {
     let mut all: Outline = points.into_iter().map(|p| p.xy()).collect();
     all.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -33,7 +33,7 @@ pub(crate) fn turn(a: &Point2<f32>, b: &Point2<f32>, c: &Point2<f32>) -> f32 {
     (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
 }
 
-/// Whether one convex outline covers all of another.
+/// Whether one convex outline contains another.
 pub(crate) fn contains(outer: &[Point2<f32>], inner: &[Point2<f32>]) -> bool {
     let edges = || outer.iter().zip(outer.iter().cycle().skip(1));
     outer.len() > 2 && inner.iter().all(|p| edges().all(|(a, b)| turn(a, b, p) >= -1e-7))

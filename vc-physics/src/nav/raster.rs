@@ -5,25 +5,25 @@ use nalgebra::Point2;
 use super::outline::Outline;
 use super::spans::{Spans, ceil};
 
-/// Most cells a grid has; larger floors get larger cells.
+/// The largest number of cells in a grid; larger floors get larger cells.
 const MOST: f32 = 4.0e6;
 
-/// Cells in rows; `low` is the corner of the first.
+/// Cells in rows; `low` is the corner of the first cell.
 #[derive(Debug, Clone)]
 pub(crate) struct Raster {
     pub(crate) low: Point2<f32>,
     pub(crate) cell: f32,
     pub(crate) columns: usize,
     pub(crate) rows: usize,
-    /// Words in a row.
+    /// Number of words in a row.
     words: usize,
     bits: Vec<u64>,
-    /// Kept for its memory.
+    /// Kept to reuse its memory.
     spans: Spans,
 }
 
 impl Raster {
-    /// An empty grid over a rectangle; none if that is empty or not finite.
+    /// An empty grid over a rectangle; `None` if the rectangle is empty or not finite.
     pub(crate) fn over(low: Point2<f32>, high: Point2<f32>, cell: f32) -> Option<Self> {
         let size = high - low;
         if !(size.x > 0.0 && size.y > 0.0 && size.x.is_finite() && size.y.is_finite() && cell > 0.0) {
@@ -78,7 +78,7 @@ impl Raster {
         column < self.columns && row < self.rows && self.bits[row * self.words + column / 64] >> (column % 64) & 1 == 1
     }
 
-    /// Runs of set cells of a row: first and one past the last.
+    /// Runs of set cells in a row: the first cell, and one past the last.
     pub(crate) fn runs(&self, row: usize) -> impl Iterator<Item = (u32, u32)> + '_ {
         let words = &self.bits[row * self.words..(row + 1) * self.words];
         let mut at = 0_usize;
@@ -95,18 +95,18 @@ impl Raster {
         self.bits.iter().map(|w| w.count_ones() as usize).sum()
     }
 
-    /// A point in cells.
+    /// A point in units of cells.
     pub(crate) fn cells(&self, p: &Point2<f32>) -> (f64, f64) {
         (f64::from(p.x - self.low.x) / f64::from(self.cell), f64::from(p.y - self.low.y) / f64::from(self.cell))
     }
 
-    /// A point in cells as a point, metres.
+    /// The point of a position in cells, metres.
     pub(crate) fn point(&self, (x, y): (f64, f64)) -> Point2<f32> {
         let at = |low: f32, n: f64| (f64::from(low) + n * f64::from(self.cell)) as f32;
         Point2::new(at(self.low.x, x), at(self.low.y, y))
     }
 
-    /// The cell a point is in.
+    /// The cell that contains a point.
     pub(crate) fn cell_of(&self, p: &Point2<f32>) -> Option<(usize, usize)> {
         let (x, y) = self.cells(p);
         let inside = x >= 0.0 && y >= 0.0 && x < self.columns as f64 && y < self.rows as f64;
@@ -118,8 +118,7 @@ impl Raster {
         self.cell_of(p).is_some_and(|(x, y)| self.get(x, y))
     }
 
-    /// Middle of the nearest set cell within a distance; the point itself if its own
-    /// cell is set.
+    /// The centre of the nearest set cell within a distance; the point itself if its own cell is set.
     pub(crate) fn nearest(&self, p: &Point2<f32>, within: f32) -> Option<Point2<f32>> {
         if self.holds(p) {
             return Some(*p);
@@ -135,7 +134,7 @@ impl Raster {
     }
 }
 
-/// The first bit of a value at or after a position.
+/// The position of the first bit with a value, at or after a position.
 fn next(words: &[u64], from: usize, value: bool) -> Option<usize> {
     let wanted = |word: u64| if value { word } else { !word };
     let mut word = from / 64;

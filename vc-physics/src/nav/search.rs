@@ -1,41 +1,41 @@
-//! The shortest way over bands, any angle.
+//! The shortest any-angle path over bands.
 //!
-//! Polyanya (Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation
-//! mesh", IJCAI 2017) on a mesh of rectangles whose only ways lead up and down. A
-//! search node is an interval of a level line that is visible from a root: the last
-//! corner the way has turned at. The way found is the shortest there is.
+//! Polyanya (Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh", IJCAI 2017) on a
+//! mesh of rectangles that are connected only upwards and downwards. A search node is an interval of a
+//! horizontal line that is visible from a root: the last corner at which the path has turned. The path found is
+//! a shortest one.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::bands::Bands;
 
-/// A point in cells.
+/// A point in units of cells.
 pub(crate) type At = (f64, f64);
 
-/// Part of a level line that is visible from a root.
+/// A part of a horizontal line that is visible from a root.
 #[derive(Clone, Copy)]
 struct Node {
     root: At,
-    /// Length of the way to the root.
+    /// Length of the path to the root.
     cost: f64,
     y: f64,
     left: f64,
     right: f64,
-    /// The band it leads into, and the one it comes from.
+    /// The band that the node leads into, and the one it comes from.
     into: u32,
     from: u32,
     up: bool,
     parent: u32,
-    /// The corner the root is, for finding cheaper ways to it; none for the start.
+    /// The number of the root's corner, for finding cheaper paths to it; none for the start.
     corner: u32,
 }
 
-/// What is looked at next: the least estimate first, then the oldest.
+/// An entry of the open list: the smallest estimate first, then the oldest.
 struct Open {
     estimate: f64,
     node: u32,
-    /// The goal itself, reached from the node.
+    /// Whether it is the goal itself, reached from the node.
     goal: bool,
 }
 
@@ -60,7 +60,7 @@ impl Ord for Open {
 }
 
 const NONE: u32 = u32::MAX;
-/// Differences of lengths below this do not count, cells.
+/// Smaller differences of lengths do not count, cells.
 const TINY: f64 = 1e-9;
 
 struct Search<'a> {
@@ -69,12 +69,12 @@ struct Search<'a> {
     goal_band: u32,
     nodes: Vec<Node>,
     open: BinaryHeap<Open>,
-    /// Cheapest way yet to each band's four corners.
+    /// The cheapest path so far to each band's four corners.
     best: Vec<f64>,
 }
 
-/// The corners of the shortest way between two points, both included, and its length
-/// in cells; `None` if there is none. Both points have to be in free cells.
+/// The corners of the shortest path between two points, both included, and its length in cells; `None` if there
+/// is none. Both points have to be in free cells.
 pub(crate) fn shortest(bands: &Bands, start: At, goal: At) -> Option<(Vec<At>, f64)> {
     let band = |p: At| bands.at(p.0.max(0.0) as usize, p.1.max(0.0) as usize);
     let (start_band, goal_band) = (band(start)?, band(goal)?);
@@ -114,7 +114,7 @@ impl Search<'_> {
         }
     }
 
-    /// Height of a band's upper or lower side.
+    /// The height of a band's upper or lower side.
     fn side(&self, band: u32, up: bool) -> f64 {
         let band = &self.bands.all[band as usize];
         f64::from(if up { band.y1 } else { band.y0 })
@@ -147,8 +147,8 @@ impl Search<'_> {
         self.turn_back(index, &node);
     }
 
-    /// Over the far side of the band: what the root sees of it, and what lies round
-    /// the corners at the ends of the interval.
+    /// Continues across the far side of the band: the part that the root sees, and the parts around the corners
+    /// at the ends of the interval.
     fn go_on(&mut self, index: u32, node: &Node) {
         let far = self.side(node.into, node.up);
         let (seen_left, seen_right) = self.seen(node, far);
@@ -180,21 +180,21 @@ impl Search<'_> {
         }
     }
 
-    /// What the root sees of a level line through the interval.
+    /// The part of a horizontal line that the root sees through the interval.
     fn seen(&self, node: &Node, far: f64) -> (f64, f64) {
         let band = &self.bands.all[node.into as usize];
         let (x0, x1) = (f64::from(band.x0), f64::from(band.x1));
         let rise = node.y - node.root.1;
         if rise.abs() < TINY {
-            // The root is on the line, at an end of the interval: it sees everything.
+            // The root is on the line, at an end of the interval, and sees everything.
             return (x0, x1);
         }
         let at = |x: f64| node.root.0 + (x - node.root.0) * ((far - node.root.1) / rise);
         (at(node.left).clamp(x0, x1), at(node.right).clamp(x0, x1))
     }
 
-    /// The end of an interval as a corner to turn at: there one of the two bands it lies
-    /// between ends, and the other does not.
+    /// The end of an interval as a turning corner: there one of the two adjacent bands ends, and the other does
+    /// not.
     fn corner_at(&self, node: &Node, left: bool) -> Option<(At, u32)> {
         let (from, into) = (&self.bands.all[node.from as usize], &self.bands.all[node.into as usize]);
         let (a, b, end) = if left { (from.x0, into.x0, node.left) } else { (from.x1, into.x1, node.right) };
@@ -204,8 +204,8 @@ impl Search<'_> {
         (a != b && end == at).then_some(((at, node.y), number))
     }
 
-    /// Back over the near side, round what is between two bands: along the line to
-    /// the near end of another gate.
+    /// Turns back across the near side, around the obstacle between two bands: along the line to the near end
+    /// of another gate.
     fn turn_back(&mut self, index: u32, node: &Node) {
         for left in [true, false] {
             let Some((turn, _)) = self.corner_at(node, left) else { continue };
@@ -232,7 +232,7 @@ impl Search<'_> {
         }
     }
 
-    /// The corners of the way that ends with a node.
+    /// The corners of the path that ends with a node.
     fn way(&self, last: u32, start: At) -> Vec<At> {
         let mut corners = vec![self.goal];
         let mut index = last;
@@ -241,7 +241,7 @@ impl Search<'_> {
         }
         while index != NONE {
             let node = &self.nodes[index as usize];
-            // A way back along a line turns at both of its ends.
+            // A path back along a line turns at both of its ends.
             let parent = self.nodes.get(node.parent as usize);
             for point in std::iter::once(node.root).chain(parent.and_then(|p| self.bend(p, node))) {
                 if corners.last() != Some(&point) {
@@ -257,28 +257,28 @@ impl Search<'_> {
         corners
     }
 
-    /// Where the way from a node's root to the next root turns at the interval.
+    /// Where the path from a node's root to the next root turns at the interval.
     fn bend(&self, node: &Node, next: &Node) -> Option<At> {
         let back = next.up != node.up;
         back.then_some((if next.root.0 <= node.left { node.left } else { node.right }, node.y))
     }
 }
 
-/// Number of a corner of a band.
+/// The number of a corner of a band.
 fn corner(band: u32, left: bool, up: bool) -> u32 {
     band * 4 + u32::from(left) * 2 + u32::from(up)
 }
 
-/// A lower bound of the way from a node's root through its interval to the goal: a
-/// goal on the root's side is looked at in the mirror of the line.
+/// A lower bound on the path from a node's root through its interval to the goal. A goal on the root's side is
+/// mirrored at the line.
 fn estimate(node: &Node, goal: At) -> f64 {
     let behind = if node.up { goal.1 < node.y } else { goal.1 > node.y };
     let target = if behind { (goal.0, 2.0 * node.y - goal.1) } else { goal };
     through(node, target).1
 }
 
-/// The way from a node's root through its interval to a point beyond: where it turns,
-/// if it does, and how long it is.
+/// The path from a node's root through its interval to a point beyond: its turning point, if any, and its
+/// length.
 fn through(node: &Node, to: At) -> (Option<At>, f64) {
     let rise = to.1 - node.root.1;
     let x = if rise.abs() < TINY { to.0 } else { node.root.0 + (to.0 - node.root.0) * ((node.y - node.root.1) / rise) };

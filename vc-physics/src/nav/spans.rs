@@ -1,13 +1,13 @@
-//! Which part of each row of a raster a grown outline covers.
+//! The part of each row of a raster that a grown outline covers.
 //!
-//! Every side, moved outwards by the radius, and every corner's arc between two sides is
-//! followed over the rows it crosses. What is convex needs no more than its least and greatest x.
+//! Every side, moved outwards by the radius, and every corner's arc between two sides is traced over the rows
+//! it crosses. A convex outline needs only its smallest and largest x in each row.
 
 use std::ops::Range;
 
 use nalgebra::{Point2, Vector2};
 
-/// From where to where rows are covered; the rows' middles are a pitch apart.
+/// The covered interval of each row; the rows' middles are a pitch apart.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Spans {
     /// Height of the first row's middle.
@@ -17,8 +17,8 @@ pub(crate) struct Spans {
 }
 
 impl Spans {
-    /// Follows a convex outline, corners counter-clockwise, grown by a radius, over
-    /// some rows from a first one on. Costs the rows that its sides and arcs cross.
+    /// Traces a convex outline, corners counter-clockwise, grown by a radius, over `count` rows from `first`
+    /// on. The cost is linear in the rows that its sides and arcs cross.
     pub(crate) fn trace(&mut self, outline: &[Point2<f32>], radius: f32, first: f32, pitch: f32, count: usize) {
         (self.first, self.pitch) = (first, pitch);
         self.rows.clear();
@@ -38,7 +38,7 @@ impl Spans {
         }
     }
 
-    /// The rows that are covered, by their position, and from where to where.
+    /// The covered rows: index and interval.
     pub(crate) fn covered(&self) -> impl Iterator<Item = (usize, (f32, f32))> + '_ {
         self.rows.iter().copied().enumerate().filter(|(_, (low, high))| low <= high)
     }
@@ -57,7 +57,7 @@ impl Spans {
         *span = (span.0.min(low), span.1.max(high));
     }
 
-    /// What a corner grows to between the sides before and after it, which move outwards.
+    /// Adds the arc around a corner between the outward normals of the sides before and after it.
     fn arc(&mut self, corner: &Point2<f32>, radius: f32, before: &Vector2<f32>, after: &Vector2<f32>) {
         let (mut low, mut high) = (before.y.min(after.y), before.y.max(after.y));
         if before.x > 0.0 && after.x < 0.0 {
@@ -69,7 +69,7 @@ impl Spans {
         self.disc(corner, radius, corner.y + low, corner.y + high);
     }
 
-    /// The part of a disc between two heights.
+    /// Adds the part of a disc between two heights.
     fn disc(&mut self, centre: &Point2<f32>, radius: f32, low: f32, high: f32) {
         for row in self.between(low, high) {
             let rise = self.middle(row) - centre.y;
@@ -88,8 +88,8 @@ impl Spans {
     }
 }
 
-/// The least whole number that is not below a number; zero for less and for none. A cast is
-/// quicker than the call that rounding is on processors as old as the target allows.
+/// The ceiling of a number; zero for negative numbers and NaN. A cast is quicker than the rounding call on
+/// processors as old as the target allows.
 pub(crate) fn ceil(x: f32) -> usize {
     let whole = x as usize;
     whole + usize::from((whole as f32) < x)

@@ -1,4 +1,4 @@
-//! Where to stand to get at something, and walking there.
+//! Standing positions for reaching a thing, and walking there.
 
 use nalgebra::{Point2, Point3};
 use vc_graph::{NodeId, Pose};
@@ -8,26 +8,25 @@ use crate::agent::{BodyPlan, facing};
 use crate::world::World;
 use crate::{AgentError, PhysicsError};
 
-/// How much nearer than its reach one stands, metres: nobody stops on the spot.
+/// Margin by which an agent stands nearer than its reach, metres: nobody stops exactly on the spot.
 const SLACK: f32 = 0.06;
-/// Distance of the spots that are looked at, metres.
+/// Distance between candidate spots, metres.
 const PITCH: f32 = 0.1;
 
-/// A place to stand.
+/// A standing position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stand {
-    /// Where the feet are; X points to what is to be reached.
+    /// The pose of the feet; X points to the thing to be reached.
     pub feet: Pose,
-    /// The way there.
+    /// The path there.
     pub route: Route,
 }
 
 impl Floor {
-    /// The spot nearest on foot from which a body can reach a thing and see it, and
-    /// the way there. `None` if there is no such spot, or no way to any.
+    /// The nearest spot, by path length, from which a body can reach and see a thing, and the path there.
+    /// `None` if there is no such spot, or no path to any.
     ///
-    /// Costs about a microsecond for each spot looked at, and a query for the best of
-    /// them.
+    /// Costs about a microsecond for each candidate spot, and a path query for the best of them.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -41,8 +40,8 @@ impl Floor {
         self.stand_where(world, plan, from, id, |feet| self.sees(world, plan, feet, id))
     }
 
-    /// As [`Self::stand`], at a spot that a condition admits, which is asked last; whether
-    /// the thing can be seen from there is up to it.
+    /// As [`Self::stand`], at a spot that satisfies a condition, which is tested last; the condition also
+    /// decides whether the thing has to be visible from there.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -64,7 +63,7 @@ impl Floor {
         spots.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.x.total_cmp(&b.1.x)).then(a.1.y.total_cmp(&b.1.y)));
         let mut best: Option<(Route, Point2<f32>)> = None;
         for (straight, spot) in spots {
-            // No way is shorter than the straight one.
+            // No path is shorter than the straight line.
             if best.as_ref().is_some_and(|(route, _)| straight >= route.length) {
                 break;
             }
@@ -91,15 +90,15 @@ impl Floor {
         Ok(world.distance_to(id, arm)? <= plan.reach - SLACK)
     }
 
-    /// Whether a body that stands somewhere sees a thing: as
-    /// [`World::can_see`], from there. Agents are not in the way.
+    /// Whether a body standing at a pose sees a thing, as [`World::can_see`] from there. Agents do not occlude
+    /// it.
     pub fn sees(&self, world: &World, plan: &BodyPlan, feet: &Pose, id: NodeId) -> bool {
         let agents: Vec<NodeId> = world.agents().collect();
         world.sees(feet * Point3::new(0.0, 0.0, plan.eye()), id, &agents).unwrap_or(false)
     }
 }
 
-/// Points of a raster over a rectangle.
+/// The points of a grid over a rectangle.
 fn raster(low: Point2<f32>, high: Point2<f32>) -> impl Iterator<Item = Point2<f32>> {
     let count = |length: f32| ((length / PITCH).ceil().max(0.0) as usize).min(400);
     let (columns, rows) = (count(high.x - low.x), count(high.y - low.y));
@@ -108,8 +107,8 @@ fn raster(low: Point2<f32>, high: Point2<f32>) -> impl Iterator<Item = Point2<f3
 }
 
 impl World {
-    /// Lets an agent walk, or run, the shortest way to a point. Doors on it have to
-    /// be opened as it comes to them.
+    /// Lets an agent walk or run the shortest path to a point. Doors on it have to be opened as the agent
+    /// reaches them.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`], [`AgentError::NoWay`].
@@ -120,8 +119,8 @@ impl World {
         Ok(route)
     }
 
-    /// Puts an agent at once where [`walk_to`](Self::walk_to) would have brought it,
-    /// facing the way it would have come.
+    /// Puts an agent at once where [`walk_to`](Self::walk_to) would have brought it, facing the direction of
+    /// arrival.
     ///
     /// # Errors
     /// As [`Self::walk_to`].

@@ -1,22 +1,22 @@
-//! Surfaces cut by planes.
+//! Cutting of surfaces by planes.
 //!
-//! A piece of a body is convex. What is not, is cut: where a thing holds others along the sides
-//! of the space above its surfaces, of the building along the very faces that turn inwards, so
-//! that a wall's mesh keeps its doorway.
+//! A piece of a body is convex, so other shapes are cut: a thing that holds others along the sides of the space
+//! above its surfaces, a part of the building along its own concave faces, so that a wall's mesh keeps its
+//! doorway.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Part;
 
 use super::piece::Piece;
 
-/// How far a corner may be in front of a face of the same convex piece, metres.
+/// The largest distance of a corner in front of a face of the same convex piece, metres.
 const INWARDS: f32 = 0.002;
-/// Into how many pieces a mesh is cut at most; what is left then is a hull.
+/// The largest number of pieces of a mesh; the rest becomes a hull.
 const MOST: usize = 64;
-/// Meshes of more triangles are hulls: cutting asks every face about every corner.
+/// Meshes with more triangles become hulls: cutting tests every face against every corner.
 const TRIANGLES: usize = 4096;
 
-/// A plane: its points have `normal` times themselves equal to `at`.
+/// A plane: its points satisfy `normal · point = at`.
 #[derive(Clone, Copy)]
 pub(super) struct Plane {
     pub(super) normal: Vector3<f32>,
@@ -28,12 +28,12 @@ impl Plane {
         Self { normal: Vector3::ith(axis, 1.0), at }
     }
 
-    /// How far a point is in front.
+    /// The signed distance of a point in front of the plane.
     fn height(&self, point: &Point3<f32>) -> f32 {
         self.normal.dot(&point.coords) - self.at
     }
 
-    /// Of a polygon (Newell's sum); nothing if that has no area.
+    /// The plane of a polygon (Newell's sum); `None` if it has no area.
     fn of(polygon: impl Iterator<Item = Point3<f32>> + Clone) -> Option<Self> {
         let first = polygon.clone().next()?;
         let ends = polygon.clone().zip(polygon.cycle().skip(1));
@@ -43,23 +43,23 @@ impl Plane {
     }
 }
 
-/// The corners of polygons, where these are cut those of the cuts too.
+/// The corners of polygons, including those that cuts create.
 pub(super) struct Corners {
     points: Vec<Point3<f32>>,
-    /// How far each is in front of the plane that cuts.
+    /// The distance of each corner in front of the cutting plane.
     heights: Vec<f32>,
 }
 
-/// Polygons, by the numbers of their corners.
+/// Polygons, given by the indices of their corners.
 #[derive(Default)]
 pub(super) struct Polygons {
     corners: Vec<u32>,
-    /// Where each ends among the corners.
+    /// The end of each polygon among the corners.
     ends: Vec<u32>,
 }
 
 impl Polygons {
-    /// The polygons, each the numbers of its corners.
+    /// The polygons, each as the indices of its corners.
     fn iter(&self) -> impl Iterator<Item = &[u32]> {
         let starts = std::iter::once(&0).chain(&self.ends);
         starts.zip(&self.ends).map(|(from, to)| &self.corners[*from as usize..*to as usize])
@@ -70,7 +70,7 @@ impl Polygons {
         self.end();
     }
 
-    /// Ends a polygon; leaves it out if it has too few corners.
+    /// Ends a polygon; discards it if it has too few corners.
     fn end(&mut self) {
         let from = self.ends.last().map_or(0, |end| *end as usize);
         if self.corners.len() - from > 2 {
@@ -96,7 +96,7 @@ impl Corners {
         (Self { points, heights: Vec::new() }, all)
     }
 
-    /// What polygons have behind a plane and in front of it (Sutherland and Hodgman, 1974).
+    /// The parts of polygons behind and in front of a plane (Sutherland and Hodgman, 1974).
     pub(super) fn divided(&mut self, polygons: &Polygons, plane: Plane) -> [Polygons; 2] {
         let Self { points, heights } = self;
         heights.clear();
@@ -106,7 +106,7 @@ impl Corners {
             let height = |v: &u32| heights[*v as usize];
             let inside = [polygon.iter().all(|v| height(v) <= 0.0), polygon.iter().all(|v| height(v) >= 0.0)];
             if inside[0] || inside[1] {
-                // What lies in the plane is on both sides.
+                // Corners in the plane are on both sides.
                 sides.iter_mut().zip(inside).for_each(|(side, inside)| {
                     if inside {
                         side.push(polygon)
@@ -160,8 +160,8 @@ impl Corners {
         pieces
     }
 
-    /// Those of the polygons that are not in a plane: faces in it belong to neither side, their
-    /// corners are those of their neighbours.
+    /// The polygons that are not in a plane: faces in the plane belong to neither side, and their corners are
+    /// those of their neighbours.
     fn out_of(&self, plane: Plane, side: &Polygons) -> Polygons {
         let mut out = Polygons::default();
         let leaves = |polygon: &&[u32]| self.at(polygon).any(|p| plane.height(&p).abs() > INWARDS);
@@ -169,7 +169,7 @@ impl Corners {
         out
     }
 
-    /// The plane of a face that has corners in front of it and others behind.
+    /// The plane of a face with corners both in front of and behind it.
     fn inwards(&self, polygons: &Polygons) -> Option<Plane> {
         let corners = self.of_all(polygons);
         let turns = |plane: &Plane| {

@@ -1,4 +1,4 @@
-//! What pieces cover of the floor, made once for all that stand upright.
+//! Footprints: the areas that pieces cover of the floor, computed once for all upright things.
 
 use std::f32::consts::FRAC_1_SQRT_2;
 use std::sync::OnceLock;
@@ -9,25 +9,25 @@ use super::piece::Piece;
 use super::scale;
 use crate::nav::outline::{Outline, contains, hull};
 
-/// What a piece covers of the floor while its asset stands upright.
+/// The area that a piece covers of the floor while its asset stands upright.
 ///
-/// Its box is made at once, its outline when first asked for: most pieces are too high or too
-/// low to be in anyone's way, or covered by a box.
+/// Its box is computed at once, its outline on demand: most pieces are too high or too low to obstruct anyone,
+/// or covered by a box.
 pub(crate) struct Footprint {
     piece: Piece,
-    /// Its least and greatest corner in the asset's frame, metres.
+    /// Its minimal and maximal corners in the asset's frame, metres.
     low: Point3<f32>,
     high: Point3<f32>,
     outline: OnceLock<Outline>,
-    /// Another piece that covers all of it: a table's top its legs.
+    /// The index of another piece that covers all of it, as a table's top covers its legs.
     pub(crate) within: Option<usize>,
 }
 
-/// By how much an outline's box may reach beyond that of one that covers it, metres: rounding.
+/// Tolerance by which an outline's box may exceed that of an outline that covers it, metres: rounding.
 const SLACK: f32 = 1e-3;
-/// Part of its volume by which a box may differ from the box around it and still be that.
+/// Largest relative difference of volumes for which a box equals its bounding box.
 const SAME: f32 = 1e-4;
-/// By how much the height of a unit vector may differ from that of one that is upright or level.
+/// Tolerance for the height of a unit vector that is upright or level.
 const LEVEL: f32 = 1e-5;
 
 impl Footprint {
@@ -36,12 +36,12 @@ impl Footprint {
         Self { piece: piece.clone(), low, high, outline: OnceLock::new(), within: None }
     }
 
-    /// From where to where it reaches along Z, metres.
+    /// The range of its heights along Z, metres.
     pub(crate) fn levels(&self) -> (f32, f32) {
         (self.low.z, self.high.z)
     }
 
-    /// In the asset's frame, seen from above.
+    /// The outline in the asset's frame, seen from above.
     pub(crate) fn outline(&self) -> &Outline {
         self.outline.get_or_init(|| {
             if self.is_its_box() {
@@ -51,7 +51,7 @@ impl Footprint {
         })
     }
 
-    /// Whether it covers all of an outline, given with its least and greatest corner.
+    /// Whether it covers all of an outline, given with its minimal and maximal corners.
     pub(crate) fn covers(&self, outline: &[Point2<f32>], low: &Point2<f32>, high: &Point2<f32>) -> bool {
         self.is_around(low, high, SLACK) && contains(self.outline(), outline)
     }
@@ -60,14 +60,14 @@ impl Footprint {
         (0..2).all(|k| self.low[k] <= low[k] + slack && self.high[k] + slack >= high[k])
     }
 
-    /// Whether it covers all of another.
+    /// Whether it covers all of another footprint.
     fn hides(&self, other: &Self) -> bool {
         let (low, high) = (other.low.xy(), other.high.xy());
         self.is_around(&low, &high, SLACK)
             && (self.is_its_box() && self.is_around(&low, &high, 0.0) || contains(self.outline(), other.outline()))
     }
 
-    /// Whether seen from above it is the rectangle around it.
+    /// Whether seen from above it is its own bounding rectangle.
     fn is_its_box(&self) -> bool {
         let volume = |size: Vector3<f32>| size.x * size.y * size.z;
         let own = self.piece.shape.as_cuboid().map(|c| 8.0 * c.half_extents.x * c.half_extents.y * c.half_extents.z);
@@ -75,12 +75,12 @@ impl Footprint {
     }
 }
 
-/// The corners of the rectangle between two.
+/// The corners of the rectangle between two corners.
 pub(crate) fn rectangle(low: &Point2<f32>, high: &Point2<f32>) -> Outline {
     vec![*low, Point2::new(high.x, low.y), *high, Point2::new(low.x, high.y)]
 }
 
-/// A cylinder, whose axis is the engine's Y: sixteen corners where it stands, four where it lies.
+/// The outline of a cylinder, whose axis is the engine's Y: sixteen corners if it stands, four if it lies.
 fn cylinder(piece: &Piece) -> Option<Outline> {
     const ARC: [(f32, f32); 4] =
         [(1.0, 0.0), (0.923_879_5, 0.382_683_43), (FRAC_1_SQRT_2, FRAC_1_SQRT_2), (0.382_683_43, 0.923_879_5)];
@@ -98,18 +98,18 @@ fn cylinder(piece: &Piece) -> Option<Outline> {
     Some(corners.into_iter().map(|c| piece.at.translation.vector.xy() + c).map(Point2::from).collect())
 }
 
-/// Footprints of pieces. Costs the square of their number.
+/// The footprints of pieces. Costs the square of their number.
 pub(super) fn of(pieces: &[Piece]) -> Vec<Footprint> {
     let mut all: Vec<Footprint> = pieces.iter().map(Footprint::of).collect();
     for i in 0..all.len() {
-        // Of two that cover each other the first one counts.
+        // If two cover each other, the first one counts.
         let covers = |&j: &usize| j != i && all[j].hides(&all[i]) && (j < i || !all[i].hides(&all[j]));
         all[i].within = (0..all.len()).find(covers);
     }
     all
 }
 
-/// Least and greatest height of points.
+/// The smallest and largest height of points.
 pub(crate) fn levels(points: &[Point3<f32>]) -> (f32, f32) {
     let start = (f32::INFINITY, f32::NEG_INFINITY);
     points.iter().fold(start, |(low, high), p| (low.min(p.z), high.max(p.z)))

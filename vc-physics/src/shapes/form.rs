@@ -1,4 +1,4 @@
-//! What the engine needs to know about an asset.
+//! Forms: the engine's data about an asset.
 
 use std::sync::{Arc, OnceLock};
 
@@ -17,32 +17,32 @@ use super::piece::{self, Piece};
 use super::{hollow, merge, scale};
 use crate::convert;
 
-/// Density of things of which nothing is known but a box, kilograms per cubic metre.
+/// Density of things of which only a box is known, kilograms per cubic metre.
 const BOX_DENSITY: f32 = 150.0;
-/// Friction of what has no material.
+/// Friction of parts without a material.
 const FRICTION: f32 = 0.5;
 
-/// How far what is on a box may stick out of it without being a piece of its own, metres before
-/// it is scaled: prints, labels, panes.
+/// The largest protrusion of a part from a box that does not make it a piece of its own, metres before scaling:
+/// prints, labels, panes.
 const TRIM: f32 = 0.001;
 
-/// Everything the engine needs to know about an asset at a scale.
+/// The engine's data about an asset at a scale.
 pub(crate) struct Form {
-    /// What moves as one; the first is the base, the others have joints.
+    /// The rigid links; the first is the base, the others have joints.
     pub(crate) links: Vec<Link>,
-    /// Where it holds things, scaled.
+    /// The scaled surfaces for placing things.
     pub(crate) surfaces: Vec<Surface>,
-    /// Smallest and largest corner of what collides, joints at zero.
+    /// Minimal and maximal corner of the collision shapes, with joints at zero.
     pub(crate) extent: (Point3<f32>, Point3<f32>),
 }
 
-/// Parts that move as one.
+/// Parts that move as one rigid body.
 pub(crate) struct Link {
     pub(crate) name: Arc<str>,
     pub(crate) joint: Option<Joint>,
-    /// Its shape, and where that is in the asset's frame.
+    /// Its shape, and the pose of the shape in the asset's frame.
     pub(crate) solid: Option<(SharedShape, EnginePose)>,
-    /// In the asset's frame.
+    /// The mass properties in the asset's frame.
     pub(crate) mass: MassProperties,
     pub(crate) friction: f32,
     pub(crate) restitution: f32,
@@ -55,7 +55,7 @@ pub(crate) struct Link {
 }
 
 impl Link {
-    /// Its surface as triangles in the asset's frame, made when first asked for.
+    /// Its surface as triangles in the asset's frame, computed on demand.
     pub(crate) fn mesh(&self) -> &[[Point3<f32>; 3]] {
         let triangles = |piece: &Piece| {
             let (vertices, triangles) = scale::mesh(piece);
@@ -64,18 +64,17 @@ impl Link {
         self.mesh.get_or_init(|| self.pieces.iter().flat_map(triangles).collect())
     }
 
-    /// Corners of each of its pieces, in the asset's frame; made when first asked for.
+    /// Corners of each of its pieces, in the asset's frame, computed on demand.
     pub(crate) fn hulls(&self) -> &[Vec<Point3<f32>>] {
         self.hulls.get_or_init(|| self.pieces.iter().map(scale::corners).collect())
     }
 
-    /// What each of its pieces covers of the floor while the asset stands upright; made
-    /// when first asked for.
+    /// The footprints of its pieces while the asset stands upright, computed on demand.
     pub(crate) fn footprints(&self) -> &[Footprint] {
         self.footprints.get_or_init(|| footprint::of(&self.pieces))
     }
 
-    /// Its shape, all of it reaching farther down by so many metres, and where that is in the asset's frame.
+    /// Its shape extended downwards by a distance in metres, and the pose of the shape in the asset's frame.
     pub(crate) fn deepened(&self, by: f32) -> Option<(SharedShape, EnginePose)> {
         let deeper: Option<Vec<Piece>> = self.pieces.iter().map(|piece| scale::deepened(piece, by)).collect();
         compound(&deeper?)
@@ -87,19 +86,18 @@ impl Link {
     }
 }
 
-/// What is made of an asset.
+/// The kind of form that an asset gets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Kind {
     /// One body.
     Rigid,
     /// A base, and parts that move on joints.
     Jointed,
-    /// A part of the building. Of its pieces none are joined: that would wall up its doors and
-    /// windows.
+    /// A part of the building. Its pieces are not merged, which would close its door and window openings.
     Building,
 }
 
-/// What the links of a form are made with.
+/// The parameters for making the links of a form.
 struct Making<'a> {
     library: &'a AssetLibrary,
     by: &'a Vector3<f32>,
@@ -130,7 +128,7 @@ impl Form {
         Self::new(joints.iter().map(link).collect(), surfaces.clone())
     }
 
-    /// The box of a node that has nothing else; hollow if things are inside.
+    /// The form of a node that has only a box; hollow if it contains things.
     pub(super) fn of_box(bounds: &Bounds, pose: &Pose, hollow: bool) -> Self {
         let at = Pose::from_parts(bounds.offset.into(), nalgebra::UnitQuaternion::identity());
         let at = match bounds.frame {
@@ -162,7 +160,7 @@ impl Form {
         Self { links, surfaces, extent }
     }
 
-    /// Whether it is no larger than anything may be.
+    /// Whether its size is within the allowed limit.
     pub(crate) fn is_of_this_world(&self) -> bool {
         let (low, high) = self.extent;
         low.iter().chain(high.iter()).all(|c| c.abs() <= convert::LARGEST)
@@ -173,8 +171,8 @@ impl Form {
         self.links.iter().map(|l| l.mass.mass()).sum()
     }
 
-    /// What to multiply masses by so that the whole is as heavy as a member of its
-    /// class can be; one that is scaled may be as much heavier as its volume is larger.
+    /// The factor on masses that brings the total mass into the range of the class; for a scaled node the range
+    /// is multiplied by the volume.
     pub(crate) fn mass_factor(&self, range: Option<Range>, volume: f32) -> f32 {
         let (mass, volume) = (self.mass(), volume.abs());
         let wanted = range.map_or(mass, |r| mass.clamp(r.low * volume, r.high.max(r.low) * volume));
@@ -221,8 +219,7 @@ fn is_round(shape: &Shape) -> bool {
     matches!(shape, Sphere { .. } | Capsule { .. } | Cylinder { .. } | Cone { .. } | Lathe { .. })
 }
 
-/// The parts but for those that are in a box that is another part, or stick out of it by no more
-/// than [`TRIM`].
+/// The parts without those that are inside a box of another part, or protrude from it by at most [`TRIM`].
 fn without_trim<'a>(parts: &[&'a Part]) -> Vec<&'a Part> {
     let extents: Vec<_> = parts.iter().map(|p| p.shape.extent()).collect();
     let is_box = |i: &usize| matches!(parts[*i].shape, Shape::Box { .. } | Shape::RoundedBox { .. });
@@ -236,7 +233,7 @@ fn without_trim<'a>(parts: &[&'a Part]) -> Vec<&'a Part> {
         let ((low, high), (least, most)) = (extents[a], extents[b]);
         (0..3).all(|k| least[k] + way[k] >= low[k] - TRIM && most[k] + way[k] <= high[k] + TRIM)
     };
-    // Of two that are in each other the first is kept.
+    // If two parts are in each other, the first is kept.
     let is_trim = |i: usize| boxes.iter().any(|&b| covers(b, i) && (b < i || !is_box(&i) || !covers(i, b)));
     (0..parts.len()).filter(|&i| !is_trim(i)).map(|i| parts[i]).collect()
 }
@@ -270,7 +267,7 @@ fn compound(pieces: &[Piece]) -> Option<(SharedShape, EnginePose)> {
     }
 }
 
-/// Masses of parts; friction and restitution added up by mass.
+/// The masses of parts; friction and restitution weighted by mass.
 #[derive(Default)]
 struct Sum {
     total: Moments,
@@ -300,7 +297,7 @@ impl Sum {
     }
 }
 
-/// Six walls of a box that is hollow.
+/// The six walls of a hollow box.
 fn shell(half: Vector3<f32>) -> Vec<(Vector3<f32>, Vector3<f32>)> {
     let wall = (half.min() * 0.1).clamp(0.001, 0.01);
     let side = |axis: usize, sign: f32| {

@@ -1,8 +1,8 @@
-//! What holds things is not solid.
+//! Hollow collision shapes for things that hold others.
 //!
-//! A mesh is its convex hull. Where that would fill the space above a surface, a
-//! bathtub's or a seat's, the mesh is cut along the sides of that space, and what is
-//! left on each side is a hull of its own.
+//! The collision shape of a mesh is its convex hull. If the hull would fill the space above a surface, such as
+//! that of a bathtub or a seat, the mesh is cut along the sides of this space, and the remainder on each side
+//! gets a hull of its own.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
@@ -14,10 +14,10 @@ use super::merge::Box3;
 use super::piece::Piece;
 use crate::convert;
 
-/// Height of the space above a surface that does not say, metres.
+/// Height of the space above a surface without a stated clearance, metres.
 const CLEARANCE: f32 = 0.3;
 
-/// The space above a surface; none above hooks and where it is lower than a centimetre.
+/// The space above a surface; `None` for hooks and for spaces lower than a centimetre.
 pub(super) fn space(surface: &Surface) -> Option<Box3> {
     let height = surface.clearance.unwrap_or(CLEARANCE);
     let half = Vector3::new(surface.half.0, surface.half.1, 0.0);
@@ -25,8 +25,7 @@ pub(super) fn space(surface: &Surface) -> Option<Box3> {
     (surface.hold != Hold::Hook && height >= 0.01).then_some((surface.centre - half, high))
 }
 
-/// The pieces of a part in the frame of the scaled asset, none in the space above the
-/// asset's surfaces.
+/// The pieces of a part in the frame of the scaled asset, leaving the space above the asset's surfaces free.
 pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Vec<Piece> {
     let whole = form::placed(part, by);
     let (Shape::Mesh { vertices, triangles, .. }, [hull]) = (&part.shape, &whole[..]) else { return whole };
@@ -52,8 +51,8 @@ fn contains(shape: &SharedShape, point: Point3<f32>) -> bool {
     shape.contains_local_point(convert::point(point))
 }
 
-/// The hull of polygons; where it fills a space, the hulls of what is under it, on its
-/// four sides and above it.
+/// Adds the hull of polygons; if it fills a space, the hulls of the parts below the space, on its four sides
+/// and above it.
 fn split(corners: &mut Corners, polygons: Polygons, hull: Piece, spaces: &[Box3], out: &mut Vec<Piece>) {
     let Some(index) = spaces.iter().position(|s| fills(&hull, s)) else {
         out.push(hull);

@@ -1,9 +1,8 @@
 //! Convex hulls that stand still.
 //!
-//! Of a face with more than four corners the engine sees four, side by side: a pot would
-//! stand on one edge of its bottom, and what stands on a round table would sink in. So of
-//! such a face four corners are kept that lie far apart, and the others are set back a
-//! little, as if the face were bevelled there.
+//! The engine uses only four adjacent corners of a face with more: a pot would stand on one edge of its bottom,
+//! and things on a round table would sink in. Therefore four corners of such a face that lie far apart are
+//! kept, and the others are set back a little, as if the face were bevelled there.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
@@ -13,27 +12,27 @@ use rapier3d::parry::transformation::try_convex_hull;
 use super::quick::{self, Rough};
 use crate::convert;
 
-/// How much the corners that are not kept are set back, for each metre they are outside of
-/// the four. The engine takes faces for one that differ by less than 0.026.
+/// The setback of the corners that are not kept, per metre outside of the four. The engine merges faces that
+/// differ by less than 0.026.
 const BEVEL: f32 = 0.03;
-/// Up to which length an edge is none, metres.
+/// The largest length of an edge that counts as zero, metres.
 const SHORT: f32 = 1e-5;
-/// Cosine of the angle up to which triangles are one face.
+/// The smallest cosine of the angle between triangles of one face.
 const FLAT: f32 = 0.9996;
 
-/// How far a hull may leave the true one, metres.
+/// The largest deviation of a hull from the true one, metres.
 const TRUE: f32 = 0.002;
-/// And as a part of half of its least side: of a round thing as a ring of wedges does.
+/// The same as a fraction of half the shortest side: the deviation of a ring of wedges from a round thing.
 const ROUGH: f32 = 0.05;
-/// Up to where it need not be truer, metres.
+/// The deviation below which no further accuracy is needed, metres.
 const FINE: f32 = 0.0005;
-/// From how many corners on it may leave it farther.
+/// The number of corners from which on the larger deviation is allowed.
 const CORNERS: usize = 24;
-/// Parts of the largest coordinate that count as nothing.
+/// Rounding tolerance, as a fraction of the largest coordinate.
 const ROUNDING: f32 = 1e-6;
 
-/// The hull of points, about; `None` where they have no volume. `up` is the way up among them,
-/// `thick` half of their least side.
+/// The approximate hull of points; `None` if they have no volume. `up` is the upward direction in their frame,
+/// `thick` half of their shortest side.
 pub(super) fn hull(points: &[Point3<f32>], up: &Vector3<f32>, thick: f32) -> Option<SharedShape> {
     let mut all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
     let first = footed(&mut all, convert::vector(*up));
@@ -43,8 +42,7 @@ pub(super) fn hull(points: &[Point3<f32>], up: &Vector3<f32>, thick: f32) -> Opt
     bevelled(corners, &triangles)
 }
 
-/// Bevels the faces of the box around points, and the one they stand on; gives the corners that
-/// are kept of each.
+/// Bevels the faces of the points' bounding box, and the one they stand on; returns the kept corners of each.
 fn footed(points: &mut [Vector], up: Vector) -> Vec<u32> {
     let start = (Vector::splat(f32::INFINITY), Vector::splat(f32::NEG_INFINITY));
     let (low, high) = points.iter().fold(start, |(low, high), p| (low.min(*p), high.max(*p)));
@@ -53,7 +51,7 @@ fn footed(points: &mut [Vector], up: Vector) -> Vec<u32> {
     let tilted = axes.iter().all(|a| a.dot(up) < FLAT);
     let mut first = Vec::new();
     for (number, way) in axes.into_iter().enumerate() {
-        // What is set back along one axis stays where it is along the others.
+        // A setback along one axis keeps the coordinates along the others.
         let axis = number % 3;
         let face = if number < 3 {
             of_face(points, |p| p[axis] >= high[axis] - slack)
@@ -76,7 +74,7 @@ fn of_face(points: &[Vector], is_in: impl Fn(&Vector) -> bool) -> Vec<u32> {
     (0..).zip(points).filter(|(_, p)| is_in(p)).map(|(i, _)| i).collect()
 }
 
-/// Sets back the corners of a face but for four, and adds those to the ones that are kept.
+/// Sets back the corners of a face except four, and adds those four to the kept ones.
 fn bevel(points: &mut [Vector], face: Vec<u32>, way: Vector, kept: &mut Vec<u32>) {
     let Some(four) = farthest_four(&face, way, |i| points[*i as usize]) else {
         kept.extend(face);
@@ -90,8 +88,8 @@ fn bevel(points: &mut [Vector], face: Vec<u32>, way: Vector, kept: &mut Vec<u32>
     kept.extend(four);
 }
 
-/// The hull of eight corners: four around a face, counter-clockwise seen from outside, and
-/// those across from them; `None` where two of them are one.
+/// The hull of eight corners: four around a face, counter-clockwise seen from outside, and the four opposite
+/// ones; `None` if two of them coincide.
 pub(super) fn hexahedron(face: [Point3<f32>; 4], across: [Point3<f32>; 4]) -> Option<SharedShape> {
     let next = |k: usize| (k + 1) % 4;
     let long = |a: &Point3<f32>, b: &Point3<f32>| (a - b).norm() > SHORT;
@@ -124,8 +122,8 @@ pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
     quick::triangles(points)
 }
 
-/// The corners of the hull of points and its triangles; by the engine's own way where ours
-/// finds no volume.
+/// The corners and the triangles of the hull of points, from the engine's own algorithm if ours finds no
+/// volume.
 fn mesh(points: &[Point3<f32>], rough: Option<&Rough<'_>>) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
     let triangles = rough.map_or_else(|| quick::triangles(points), |rough| quick::rough(points, rough));
     let Some(mut triangles) = triangles else {
@@ -142,7 +140,7 @@ fn mesh(points: &[Point3<f32>], rough: Option<&Rough<'_>>) -> Option<(Vec<Vector
     Some((corners, triangles))
 }
 
-/// Corners to be set back, and by how much.
+/// The corners to be set back, and their displacements.
 fn bevels(corners: &[Vector], triangles: &[[u32; 3]]) -> Vec<(usize, Vector)> {
     let normal = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| corners[i as usize]);
@@ -163,7 +161,7 @@ fn bevels(corners: &[Vector], triangles: &[[u32; 3]]) -> Vec<(usize, Vector)> {
                 next += 1;
             }
         }
-        // Of two triangles or one there is nothing to set back.
+        // Faces of one or two triangles need no setback.
         if face.len() <= 6 {
             continue;
         }
@@ -177,8 +175,7 @@ fn bevels(corners: &[Vector], triangles: &[[u32; 3]]) -> Vec<(usize, Vector)> {
     found
 }
 
-/// Four corners of a face that lie far apart, in order around it; `None` where it has no
-/// more than four.
+/// Four corners of a face that lie far apart, in order around it; `None` if it has no more than four.
 fn farthest_four(face: &[u32], up: Vector, at: impl Fn(&u32) -> Vector) -> Option<[u32; 4]> {
     if face.len() <= 4 {
         return None;
@@ -193,7 +190,7 @@ fn farthest_four(face: &[u32], up: Vector, at: impl Fn(&u32) -> Vector) -> Optio
     Some([first, second, third, fourth])
 }
 
-/// How far a point of a face is outside a quadrangle in it, whose corners go around `up`.
+/// The distance of a point of a face outside a quadrangle in it, whose corners go around `up`.
 fn outside(point: Vector, corners: [Vector; 4], up: Vector) -> f32 {
     let beyond = |i: usize| {
         let (from, to) = (corners[i], corners[(i + 1) % 4]);

@@ -1,9 +1,9 @@
-//! Mass, centre and inertia, from the parts as they are modelled.
+//! Mass, centre of mass and inertia, from the parts as modelled.
 //!
-//! Of every shape the integrals of 1, x and x xᵀ over its volume are known in closed form
-//! (a profile or outline: sums over its edges, by Green's theorem; triangles: over the
-//! tetrahedra between them and the origin). They are added up in double precision, and turned
-//! into the engine's principal axes once, at the end.
+//! The integrals of 1, x and x xᵀ over the volume of every shape are known in closed form (for a profile or
+//! outline: sums over its edges, by Green's theorem; for triangles: sums over the tetrahedra between them and
+//! the origin). They are added up in double precision, and converted to the engine's principal axes once, at
+//! the end.
 
 use std::f64::consts::PI;
 
@@ -17,10 +17,10 @@ use super::hull;
 use super::piece::{Piece, pieces};
 use super::scale;
 
-/// Rows and columns of a matrix on and above its diagonal.
+/// Rows and columns of a matrix's entries on and above its diagonal.
 const ABOVE: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
 
-/// Mass and its moments about the origin: they add up, and follow every linear map.
+/// Mass and its moments about the origin: they are additive, and transform under linear maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moments {
     mass: f64,
@@ -51,7 +51,7 @@ impl std::ops::Mul<f64> for Moments {
 }
 
 impl Moments {
-    /// Of a solid shape, per unit of density; of its pieces where it encloses nothing.
+    /// The moments of a solid shape, per unit of density; those of its pieces if it encloses nothing.
     pub(crate) fn of(shape: &Shape) -> Self {
         if !shape.measures_are_positive() {
             return Self::default();
@@ -75,7 +75,7 @@ impl Moments {
         if own.is_sound() { own } else { Self::of_pieces(&pieces(shape, &Vector3::z())) }
     }
 
-    /// Of convex pieces, per unit of density.
+    /// The moments of convex pieces, per unit of density.
     pub(crate) fn of_pieces(pieces: &[Piece]) -> Self {
         let mut sum = Self::default();
         for piece in pieces {
@@ -105,8 +105,8 @@ impl Moments {
         sum
     }
 
-    /// A profile of (radius, height) turned around Z: discs of the thickness of dz, added along
-    /// the profile, with three points of Gauss each edge, which is exact.
+    /// A profile of (radius, height) rotated around Z: discs of thickness dz, integrated along the profile with
+    /// three Gauss points per edge, which is exact.
     fn turned(profile: &[(f32, f32)]) -> Self {
         const POINTS: [(f64, f64); 3] =
             [(-0.774_596_669_241_483_4, 5.0 / 18.0), (0.0, 8.0 / 18.0), (0.774_596_669_241_483_4, 5.0 / 18.0)];
@@ -127,7 +127,7 @@ impl Moments {
         Self { mass, first: Vector3::z() * lift, second }.outward()
     }
 
-    /// An outline drawn up along Z.
+    /// An outline extruded along Z.
     fn drawn_up(outline: &[(f32, f32)], height: f32) -> Self {
         let mut flat = Self::default();
         let next = outline.iter().cycle().skip(1);
@@ -149,7 +149,7 @@ impl Moments {
         sum
     }
 
-    /// What triangles enclose.
+    /// The volume that triangles enclose.
     fn enclosed(vertices: &[Point3<f32>], triangles: &[[u32; 3]]) -> Self {
         let Some(origin) = vertices.first().map(|v| v.coords.cast::<f64>()) else { return Self::default() };
         let corner = |v: u32| vertices.get(v as usize).map(|p| p.coords.cast::<f64>() - origin);
@@ -159,7 +159,7 @@ impl Moments {
             let (volume, middle) = (a.dot(&b.cross(&c)) / 6.0, a + b + c);
             mass += volume;
             first += middle * (volume / 4.0);
-            // The matrix is its own mirror image: half of it is enough.
+            // The matrix is symmetric, so half of it is enough.
             for (sum, (i, j)) in above.iter_mut().zip(ABOVE) {
                 *sum += (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + middle[i] * middle[j]) * (volume / 20.0);
             }
@@ -171,7 +171,7 @@ impl Moments {
         Self { mass, first, second }.outward().shifted(&origin)
     }
 
-    /// The same with a mass that is not negative, whichever way its surface went around.
+    /// The same moments with a mass that is not negative, whatever the orientation of the surface.
     fn outward(self) -> Self {
         if self.mass < 0.0 { self * -1.0 } else { self }
     }
@@ -182,14 +182,14 @@ impl Moments {
         Self { first: self.first + by * self.mass, second, ..self }
     }
 
-    /// Moved to where the part is.
+    /// Moved by the part's pose.
     pub(crate) fn moved(self, at: &Pose) -> Self {
         let turn = at.rotation.to_rotation_matrix().matrix().cast::<f64>();
         let turned = Self { first: turn * self.first, second: turn * self.second * turn.transpose(), ..self };
         turned.shifted(&at.translation.vector.cast::<f64>())
     }
 
-    /// Stretched along the axes.
+    /// Scaled along the axes.
     pub(crate) fn stretched(self, by: &Vector3<f32>) -> Self {
         let by = by.cast::<f64>();
         let (map, volume) = (Matrix3::from_diagonal(&by), by.product().abs());
@@ -200,22 +200,22 @@ impl Moments {
         self.mass as f32
     }
 
-    /// Variances and covariances about the centre, times the mass.
+    /// The covariance about the centre, times the mass.
     fn spread(&self) -> Matrix3<f64> {
         self.second - self.first * self.first.transpose() / self.mass
     }
 
-    /// Whether all is finite, there is some mass, and it is in more than one plane.
+    /// Whether all values are finite, the mass is positive, and it is not all in one plane.
     pub(crate) fn is_sound(&self) -> bool {
         let spread = self.spread();
         let finite = self.first.iter().chain(spread.iter()).all(|v| v.is_finite());
         self.mass.is_finite() && self.mass > 0.0 && finite && (0..3).all(|i| spread[(i, i)] > 0.0)
     }
 
-    /// As the engine has it.
+    /// Converts the moments to the engine's mass properties.
     ///
-    /// The engine takes a body for a ball whose inertia is below 1e-5, whatever the unit, and
-    /// that of a pen is in kilograms: its axes are sought in a unit that suits it.
+    /// The engine treats a body with an inertia below 1e-5, whatever the unit, as a ball, and the inertia of a
+    /// pen in SI units is below that. Therefore the axes are computed in a suitable unit.
     pub(crate) fn properties(&self) -> MassProperties {
         if !self.is_sound() {
             return MassProperties::default();
@@ -234,7 +234,7 @@ impl Moments {
     }
 }
 
-/// Whether mass, centre and inertia are finite, and there is some mass.
+/// Whether mass, centre and inertia are finite, and the mass is positive.
 pub(crate) fn is_sound(properties: &MassProperties) -> bool {
     let inertia = properties.principal_inertia();
     let positive = |v: f32| v.is_finite() && v > 0.0;
@@ -281,7 +281,7 @@ mod tests {
         all.sort_by(f64::total_cmp);
         let known = [r * r / 2.0, (3.0 * r * r + 4.0 * h * h) / 12.0];
         assert!((all[0] - known[0]).abs() < 1e-5 && (all[1] - known[1]).abs() < 1e-5, "{all:?} {known:?}");
-        // A pipe is a rod without its core, whichever way its profile goes.
+        // A pipe is a rod without its core, in whichever direction its profile runs.
         let ring = vec![(0.3, -0.5), (0.3, 0.5), (0.2, 0.5), (0.2, -0.5), (0.3, -0.5)];
         let mut whole = Moments::of(&Shape::Lathe { profile: ring.iter().rev().copied().collect() });
         same(&whole, &Moments::of(&Shape::Lathe { profile: ring }), 1e-9);

@@ -1,10 +1,9 @@
-//! Fewer pieces where an asset has too many.
+//! Merging of pieces if an asset has too many.
 //!
-//! Of the pieces the two are joined whose common box wastes the least volume, until
-//! few enough are left; that box is the joint piece. (A hull would be tighter, but of a
-//! face with many corners the engine sees only four, and those side by side: what stands
-//! on it sinks in.) No joint piece may reach into the free space above a surface
-//! that holds things, so that shelves stay open.
+//! Repeatedly, the two pieces whose common bounding box wastes the least volume are merged into that box, until
+//! few enough are left. (A hull would be tighter, but the engine uses only four adjacent corners of a face with
+//! many: things on it would sink in.) A merged piece never reaches into the free space above a surface that
+//! holds things, so that shelves stay open.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Surface;
@@ -12,19 +11,19 @@ use vc_graph::asset::Surface;
 use super::hollow;
 use super::piece::Piece;
 
-/// Most pieces a moving link of an asset has.
+/// The largest number of pieces of an asset's moving link.
 pub(crate) const MOST: usize = 24;
-/// Most pieces that are looked at for joining; of more, the smallest are left out.
+/// The largest number of pieces that are considered for merging; beyond it, the smallest are left out.
 const LOOKED_AT: usize = 256;
 
-/// Least side of a box by which its volume is measured, metres: a flat piece is not free of cost.
+/// The smallest side of a box in its volume, metres, so that flat pieces have a cost.
 const THIN: f32 = 0.001;
 
-/// Least and largest corner.
+/// The minimal and maximal corner of a box.
 pub(super) type Box3 = (Point3<f32>, Point3<f32>);
 
-/// [`MOST`] pieces or little more; what is few enough stays as it is. Costs about
-/// the square of the pieces.
+/// [`MOST`] pieces or a few more; a smaller number stays as it is. Costs about the square of the number of
+/// pieces.
 pub(crate) fn merged(pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
     if pieces.len() <= MOST {
         return pieces;
@@ -34,25 +33,24 @@ pub(crate) fn merged(pieces: Vec<Piece>, surfaces: &[Surface]) -> Vec<Piece> {
     groups.truncate(LOOKED_AT);
     let mut pool = Pool::new(groups, surfaces.iter().filter_map(free_space).collect());
     while pool.groups.len() > MOST && pool.join_cheapest() {}
-    // What still is too much are the smallest pieces.
+    // If there are still too many pieces, the smallest are dropped.
     let mut groups = pool.groups;
     groups.sort_by(|a, b| b.volume.total_cmp(&a.volume));
     groups.truncate(MOST * 2);
     groups.into_iter().filter_map(Group::piece).collect()
 }
 
-/// Groups, for each the waste of its best partner and which that is, and the boxes
-/// that must stay free.
+/// Groups, for each its best partner and the wasted volume, and the boxes that must stay free.
 struct Pool {
     groups: Vec<Group>,
     boxes: Boxes,
     best: Vec<Option<(f32, usize)>>,
     free: Vec<Box3>,
-    /// What each group wastes with the one that is looked at.
+    /// The wasted volume of each group with the group under consideration.
     wastes: Vec<f32>,
 }
 
-/// The groups' boxes, side by side: how much volume one wastes with each is found for several at
+/// The groups' boxes as a structure of arrays: the wasted volume with one box is computed for several boxes at
 /// once.
 #[derive(Default)]
 struct Boxes {
@@ -85,7 +83,7 @@ impl Boxes {
         self.volume.swap_remove(at);
     }
 
-    /// How much volume every group wastes together with one.
+    /// The wasted volume of every group merged with a given one.
     fn wastes(&self, with: usize, wastes: &mut Vec<f32>) {
         wastes.clear();
         wastes.extend_from_slice(&self.volume);
@@ -119,14 +117,14 @@ impl Pool {
         pool
     }
 
-    /// Whether the box of two groups leaves free what must stay so.
+    /// Whether the common box of two groups leaves the required spaces free.
     fn may_join(&self, a: usize, b: usize) -> bool {
         let joint = around(self.groups[a].extent, self.groups[b].extent);
         !self.free.iter().any(|f| overlap(*f, joint))
     }
 
-    /// The partner with which a group wastes the least volume, and how much that is. Whether
-    /// two may be joined is looked at where they waste less than others only.
+    /// The partner with which a group wastes the least volume, and that volume. Whether two groups may be
+    /// merged is tested only where they waste less than others.
     fn find_best(&mut self, of: usize) {
         let mut wastes = std::mem::take(&mut self.wastes);
         self.boxes.wastes(of, &mut wastes);
@@ -140,7 +138,7 @@ impl Pool {
         self.wastes = wastes;
     }
 
-    /// Joins the two that waste least; `false` if none may be joined.
+    /// Merges the two groups that waste the least; `false` if none may be merged.
     fn join_cheapest(&mut self) -> bool {
         let all = self.best.iter().enumerate().filter_map(|(i, b)| b.map(|(waste, j)| (waste, i, j)));
         let Some((_, a, b)) = all.min_by(|x, y| x.0.total_cmp(&y.0)) else { return false };
@@ -159,8 +157,8 @@ impl Pool {
         true
     }
 
-    /// Sees to a group's partner after one group has grown by another, in whose place is the
-    /// last one now. Who had no partner has none: what has grown is where each of the two was.
+    /// Updates a group's partner after one group has grown by another, whose index is now that of the last
+    /// group. A group without a partner still has none: the grown group contains both of its predecessors.
     fn follow(&mut self, of: usize, grown: usize, gone: usize, waste: f32) {
         let Some((least, partner)) = self.best[of] else { return };
         let lost = partner == grown || partner == gone;
@@ -199,7 +197,7 @@ impl Group {
     }
 }
 
-/// The middle of the space above a surface, a little in from its edges.
+/// The middle of the space above a surface, a little inside its edges.
 fn free_space(surface: &Surface) -> Option<Box3> {
     let (low, high) = hollow::space(surface)?;
     let size = high - low;

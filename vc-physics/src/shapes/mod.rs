@@ -1,4 +1,4 @@
-//! From assets to what the engine needs, made once and shared.
+//! Conversion of assets to collision shapes and masses, computed once and shared.
 
 mod cut;
 mod footprint;
@@ -23,34 +23,33 @@ use form::Kind;
 pub(crate) use form::{Form, Link};
 pub(crate) use mass::scaled;
 
-/// Shapes made of assets, kept for the next world.
+/// A cache of shapes made from assets.
 ///
-/// One cache serves any number of worlds and threads. What belongs to an asset
-/// library is dropped after the library is. An asset's shapes depend on its parts,
-/// its materials and the scale of the node, on nothing else.
+/// One cache serves any number of worlds and threads. Its entries for an asset library are dropped after the
+/// library is. An asset's shapes depend only on its parts, its materials and the scale of the node.
 ///
-/// **Which shapes.** The asset's [`collision`](vc_graph::Asset::collision) pieces where it has
-/// any, else its parts; a mesh is its convex hull, but for the space above a surface that
-/// holds things: a bathtub stays hollow. A hull has about 24 corners at most, is true to
-/// 2 mm where these suffice, and reaches as far along its axes as the mesh. What moves
-/// together is one body of convex pieces; if these are more than 24, those are joined whose
-/// common box wastes the least volume, but never across the free space above a surface that
-/// holds things; those of the building never, so that doorways stay open, and a wall is best
-/// made of parts: a mesh that is one is its hull. Mass and inertia
-/// always come from the parts and their materials.
+/// **Shapes.** The shapes are the asset's [`collision`](vc_graph::Asset::collision) pieces if it has any,
+/// otherwise its parts. A mesh becomes its convex hull, except that the space above a surface that holds things
+/// stays free: a bathtub stays hollow. A hull has at most about 24 corners, is accurate to 2 mm where these
+/// suffice, and extends as far along its axes as the mesh. Parts that move together form one body of convex
+/// pieces. If there are more than 24 pieces, those are merged whose common bounding box wastes the least
+/// volume, but never across the free space above a surface that holds things. Pieces of the building are never
+/// merged, and its meshes are cut along their concave faces (into at most 64 pieces; a mesh of more than 4096
+/// triangles becomes a hull), so that doorways stay open. Mass and inertia always come from the parts and their
+/// materials.
 #[derive(Default)]
 pub struct Shapes {
     libraries: Mutex<HashMap<usize, Library>>,
 }
 
-/// The forms of one library, found by its address, which is its own as long as the
-/// weak pointer lives.
+/// The forms of one library. The library is identified by its address, which is unique as long as the weak
+/// pointer lives.
 struct Library {
     alive: Weak<AssetLibrary>,
     forms: HashMap<Key, Arc<Form>>,
 }
 
-/// Asset, scale, and what is made of it.
+/// Asset, scale, and kind of form.
 type Key = (AssetId, [u32; 3], Kind);
 
 impl std::fmt::Debug for Shapes {
@@ -65,22 +64,22 @@ impl Shapes {
         Self::default()
     }
 
-    /// Number of shapes kept.
+    /// Number of cached shapes.
     pub fn len(&self) -> usize {
         self.lock().values().map(|l| l.forms.len()).sum()
     }
 
-    /// Whether nothing is kept.
+    /// Whether the cache is empty.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<usize, Library>> {
-        // What is in the map is whole even if a thread stopped while it held the lock.
+        // The map is consistent even if a thread panicked while it held the lock.
         self.libraries.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
-    /// Forms of several nodes, under one lock.
+    /// Gives access to the forms of several nodes, under one lock.
     pub(crate) fn session<R>(&self, library: &Arc<AssetLibrary>, work: impl FnOnce(&mut Session<'_>) -> R) -> R {
         let mut libraries = self.lock();
         libraries.retain(|_, l| l.alive.strong_count() > 0);

@@ -1,9 +1,8 @@
-//! From shapes to convex pieces.
+//! Decomposition of shapes into convex pieces.
 //!
-//! Boxes, cylinders, cones, capsules and balls are what they are; rounded boxes are
-//! boxes. Hulls and meshes are convex hulls. What is turned or drawn up is cut into
-//! slabs where its outline has corners: a bowl becomes a bottom and a ring of
-//! wedges, a vase too narrow to put anything in is solid.
+//! Boxes, cylinders, cones, capsules and balls keep their shape; rounded boxes become boxes. Hulls and meshes
+//! become convex hulls. Lathed and extruded shapes are cut into slabs at the corners of their outline: a bowl
+//! becomes a bottom and a ring of wedges; a vase too narrow to put anything in becomes solid.
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use rapier3d::geometry::SharedShape;
@@ -14,27 +13,25 @@ use super::hull;
 use super::slab::{Slab, simplified, slabs};
 use crate::convert;
 
-/// Half of the least thickness of a piece, metres: thinner ones the engine does not
-/// hold apart.
+/// Half of the smallest thickness of a piece, metres: the engine does not keep thinner pieces apart.
 const LEAST: f32 = 0.001;
-/// Half of the thickness up to which a hull is the box around it, metres. Of a hull the
-/// engine sees one face at a time, and what is small tips over its edge within a step.
+/// Half of the thickness up to which a hull is replaced by its bounding box, metres. The engine uses one face
+/// of a hull at a time, and a small thing would tip over its edge within a step.
 const THIN: f32 = 0.0025;
-/// How high the curved bottom of a hull is pressed flat, metres: on facets it would rock
-/// to and fro.
+/// The height over which the curved bottom of a hull is flattened, metres: on facets it would rock to and fro.
 const PRESSED: f32 = 0.0015;
-/// Wedges in a ring.
+/// Number of wedges in a ring.
 const WEDGES: usize = 10;
-/// A hollow narrower than this radius is taken as full, metres: nothing is put in.
+/// The radius below which a cavity is filled, metres: nothing is put into it.
 const NARROW: f32 = 0.02;
-/// Radius of the polygon between two discs, as a part of the discs' radius there.
+/// Radius of the polygon between two discs, as a fraction of the discs' radius there.
 const INNER: f32 = 0.97;
-/// Height of the discs a cone stands on, metres.
+/// Height of the discs on which a cone stands, metres.
 const FOOT: f32 = 0.006;
-/// How far a simplified outline may leave the true one, metres.
+/// The largest deviation of a simplified outline from the true one, metres.
 const TOLERANCE: f32 = 0.002;
 
-/// A convex piece of a body: its shape and where it is in the asset's frame.
+/// A convex piece of a body: its shape, and the pose of the shape in the asset's frame.
 #[derive(Clone)]
 pub(crate) struct Piece {
     pub(crate) shape: SharedShape,
@@ -46,8 +43,8 @@ impl Piece {
         Self { shape, at: Pose::identity() }
     }
 
-    /// The hull of points, among which `up` is the asset's Z, about; their box where it is
-    /// thin, nothing where they are no points.
+    /// The approximate hull of points, where `up` is the asset's Z in their frame; their bounding box if it is
+    /// thin, `None` if the points are missing or not finite.
     pub(crate) fn hull(points: &[Point3<f32>], up: &Vector3<f32>) -> Option<Self> {
         let finite = points.iter().all(|p| p.iter().all(|c| c.is_finite() && c.abs() < 1e6));
         if points.is_empty() || !finite {
@@ -64,8 +61,8 @@ impl Piece {
         Some(Self { shape: cuboid(half), at: Pose::translation(centre.x, centre.y, centre.z) })
     }
 
-    /// As [`Self::hull`], of eight corners: four around a face, counter-clockwise seen from
-    /// outside, and those across from them. They are known to be a hull, which is not sought.
+    /// As [`Self::hull`], for eight corners: four around a face, counter-clockwise seen from outside, and the
+    /// opposite ones. They are known to be the corners of a hull, which need not be computed.
     fn hexahedron(face: [Point3<f32>; 4], across: [Point3<f32>; 4]) -> Option<Self> {
         let all = [face, across].concat();
         let (low, high) = all.iter().fold((all[0], all[0]), |(l, h), p| (l.inf(p), h.sup(p)));
@@ -74,7 +71,7 @@ impl Piece {
         shape.map(Self::new).or_else(|| Self::hull(&all, &Vector3::z()))
     }
 
-    /// Least and greatest corner, in the asset's frame.
+    /// The minimal and maximal corner in the asset's frame.
     pub(crate) fn extent(&self) -> (Point3<f32>, Point3<f32>) {
         let aabb = self.shape.compute_aabb(&convert::pose(&self.at));
         (convert::point3(aabb.mins), convert::point3(aabb.maxs))
@@ -86,13 +83,13 @@ pub(super) fn cuboid(half: Vector3<f32>) -> SharedShape {
     SharedShape::cuboid(half.x, half.y, half.z)
 }
 
-/// A shape made for Y turned so that its axis is Z.
+/// A shape along Y, turned so that its axis is Z.
 fn upright(shape: SharedShape) -> Piece {
     let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
     Piece { shape, at: Pose::from_parts(Vector3::zeros().into(), turn) }
 }
 
-/// The points with a flat foot: those that are lowest but for [`PRESSED`] are level.
+/// The points with a flat bottom: points within [`PRESSED`] of the lowest one are levelled.
 fn footed(points: &[Point3<f32>], up: &Vector3<f32>) -> Vec<Point3<f32>> {
     let height = |p: &Point3<f32>| p.coords.dot(up);
     let ground = points.iter().map(height).fold(f32::INFINITY, f32::min);
@@ -103,8 +100,8 @@ fn footed(points: &[Point3<f32>], up: &Vector3<f32>) -> Vec<Point3<f32>> {
     points.iter().map(lowered).collect()
 }
 
-/// The convex pieces of a shape in its own frame, in which `up` is the asset's Z; none
-/// where its measures cannot be.
+/// The convex pieces of a shape in its own frame, where `up` is the asset's Z; empty if its measures are
+/// invalid.
 pub(crate) fn pieces(shape: &Shape, up: &Vector3<f32>) -> Vec<Piece> {
     if !shape.measures_are_positive() {
         return Vec::new();
@@ -122,7 +119,7 @@ pub(crate) fn pieces(shape: &Shape, up: &Vector3<f32>) -> Vec<Piece> {
         }
         Shape::Lathe { profile } => turned(profile),
         Shape::Extrusion { outline, height } => drawn_up(outline, *height),
-        // A shape of a later version is as good as the box around it.
+        // A shape kind of a later version is replaced by its bounding box.
         other => {
             let (low, high) = other.extent();
             Piece::hull(&[low, high], up).into_iter().collect()
@@ -143,7 +140,7 @@ fn drawn_up(outline: &[(f32, f32)], height: f32) -> Vec<Piece> {
     slabs(&simplified(outline, TOLERANCE)).iter().filter_map(prism).collect()
 }
 
-/// A slab with right angles, drawn up.
+/// An extruded rectangular slab.
 fn block(slab: &Slab, height: f32) -> Piece {
     let ((left, right), (bottom, top)) = (slab.low, (slab.bottom, slab.top));
     let half = Vector3::new(right - left, top - bottom, height) / 2.0;
@@ -151,10 +148,10 @@ fn block(slab: &Slab, height: f32) -> Piece {
     Piece { shape: cuboid(half.abs()), at: centre }
 }
 
-/// A profile of (radius, height) turned around Z.
+/// A profile of (radius, height) rotated around Z.
 fn turned(profile: &[(f32, f32)]) -> Vec<Piece> {
     let mut outline = simplified(profile, TOLERANCE);
-    // Close it to the axis where it does not close itself.
+    // Closes the profile to the axis if it is open.
     if let (Some(&first), Some(&last)) = (outline.first(), outline.last())
         && first != last
     {
@@ -170,8 +167,8 @@ fn turned(profile: &[(f32, f32)]) -> Vec<Piece> {
     slabs.iter().flat_map(ring).collect()
 }
 
-/// A slab of a profile turned around Z: full where it reaches the axis, else a wedge, turned
-/// around it.
+/// The pieces of a slab of a profile rotated around Z: solid if the slab reaches the axis, otherwise a ring of
+/// rotated wedges.
 fn ring(slab: &Slab) -> Vec<Piece> {
     let (inner, outer) = ((slab.low.0, slab.high.0), (slab.low.1, slab.high.1));
     if inner.0 > 0.0 || inner.1 > 0.0 {
@@ -181,11 +178,10 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     if (outer.0 - outer.1).abs() < TOLERANCE {
         return vec![disc(outer.0.max(outer.1), slab.bottom, slab.top)];
     }
-    // It stands on a disc, and lies on one: the engine keeps discs still, and rocks
-    // polygons of many corners.
+    // It stands and lies on discs: the engine keeps discs still, but lets polygons with many corners rock.
     let height = slab.top - slab.bottom;
     let foot = (height / 3.0).min(FOOT);
-    // The piece rolls on the discs: the polygon is within them.
+    // The piece rolls on its discs: the polygon is within them.
     let radius = |z: f32| INNER * (outer.0 + (outer.1 - outer.0) * (z - slab.bottom) / height);
     let (low, high) = (slab.bottom + foot / 2.0, slab.top - foot / 2.0);
     let middle = Slab { bottom: low, top: high, low: (0.0, radius(low)), high: (0.0, radius(high)) };
@@ -193,7 +189,7 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     ends.into_iter().chain(wedge(&middle, 0, WEDGES - 1)).collect()
 }
 
-/// From a ring's first corner to another.
+/// The rotation from a ring's first corner to another.
 fn turn(corner: usize) -> Pose {
     let (cos, sin) = direction(corner);
     let turn = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
@@ -221,7 +217,7 @@ fn wedge(slab: &Slab, from: usize, to: usize) -> Option<Piece> {
     Piece::hull(&points, &Vector3::z())
 }
 
-/// The unit vectors of the corners of a regular polygon, the same on every machine.
+/// The unit vector to a corner of a regular polygon, identical on every machine.
 fn direction(corner: usize) -> (f32, f32) {
     const STEP: (f64, f64) = (0.809_016_994_374_947_5, 0.587_785_252_292_473_1);
     let turn = |(x, y): (f64, f64)| (x * STEP.0 - y * STEP.1, x * STEP.1 + y * STEP.0);

@@ -1,67 +1,66 @@
-//! The convex hull of points (Barber, Dobkin and Huhdanpaa, "The quickhull algorithm for
-//! convex hulls", 1996), in double precision.
+//! The convex hull of points in double precision (Barber, Dobkin and Huhdanpaa, "The quickhull algorithm for
+//! convex hulls", 1996).
 //!
-//! Costs about `n log n` for `n` points. What is no farther out than a millionth of the
-//! coordinates' size, to which they were rounded, counts as within: points of one face stay in
-//! one face.
+//! Costs about `n log n` for `n` points. The coordinates were rounded, so points outside by less than a
+//! millionth of their size count as inside: points of one face stay in one face.
 //!
-//! What is farthest out comes next, so the hull of the first few corners is about as near as
-//! one of so many can be. A rough hull is that, from some points on that it has to have: what is
-//! within its tolerance, or comes after its last corner, is left out.
+//! The farthest point is always added next, so the hull after a number of corners is nearly as accurate as one
+//! with so many corners can be. A rough hull is such an intermediate hull that begins with some required
+//! points: points within its tolerance, or beyond its number of corners, are left out.
 
 use nalgebra::{Point3, Vector3};
 
 type V = Vector3<f64>;
 
-/// Parts of the largest coordinate that count as nothing.
+/// Rounding tolerance, as a fraction of the largest coordinate.
 const ROUNDING: f64 = 1e-6;
-/// No point, no face.
+/// The index for no point and no face.
 const NONE: u32 = u32::MAX;
-/// Faces there is room for from the start, those that are gone again among them.
+/// The initial capacity of faces, including faces that are removed again.
 const FACES: usize = 128;
 
 struct Face {
     corners: [u32; 3],
-    /// Across the edge that starts at each corner.
+    /// The neighbour across the edge that starts at each corner.
     beyond: [u32; 3],
     normal: V,
     level: f64,
-    /// The first of the points outside of it that are its own to see to, and the farthest.
+    /// The first of the outside points assigned to the face, and the farthest one.
     first: u32,
     farthest: (u32, f64),
     alive: bool,
 }
 
-/// Where an edge starts and ends, and the face beyond it.
+/// Start and end of an edge, and the face beyond it.
 type Edge = (u32, u32, u32);
 
 struct Hull {
     points: Vec<V>,
     faces: Vec<Face>,
-    /// The next of the points that are the same face's.
+    /// The next point that is assigned to the same face.
     next: Vec<u32>,
-    /// Faces that have had points outside.
+    /// Faces with outside points.
     open: Vec<u32>,
     slack: f64,
-    /// What a point that is taken in sees, and the edge of that: kept for the next.
+    /// The faces visible from an added point, and their boundary; kept to reuse the memory.
     seen: Vec<u32>,
     edge: Vec<Edge>,
-    /// How far out of all faces a point has to be to be taken in.
+    /// The distance outside all faces from which on a point is added.
     reach: f64,
 }
 
-/// How rough a hull may be.
+/// The tolerance of a rough hull.
 pub(super) struct Rough<'a> {
-    /// The points that are taken in first.
+    /// The points that are added first.
     pub(super) first: &'a [u32],
-    /// How far points may be outside, metres.
+    /// The largest distance of points outside the hull, metres.
     pub(super) by: f32,
-    /// From how many corners on they may be farther outside.
+    /// The number of corners from which on larger distances are allowed.
     pub(super) corners: usize,
 }
 
-/// The triangles of the hull, counter-clockwise seen from outside; `None` where the points have
-/// no volume, or rounding left no closed surface.
+/// The triangles of the hull, counter-clockwise seen from outside; `None` if the points have no volume, or
+/// rounding left no closed surface.
 pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
     let mut hull = Hull::new(points);
     let all: Vec<u32> = (0..points.len() as u32).collect();
@@ -70,7 +69,7 @@ pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
     Some(hull.triangles())
 }
 
-/// As [`triangles`], of a hull that is about that of the points.
+/// As [`triangles`], for a hull that approximates that of the points.
 pub(super) fn rough(points: &[Point3<f32>], rough: &Rough<'_>) -> Option<Vec<[u32; 3]>> {
     let mut hull = Hull::new(points);
     hull.begin(rough.first)?;
@@ -97,8 +96,7 @@ impl Hull {
         self.faces.iter().filter(|f| f.alive).map(|f| f.corners).collect()
     }
 
-    /// Takes in the points that are farthest outside, so many at most; gives how many corners
-    /// there are then.
+    /// Adds the farthest outside points, at most `most` of them; returns the resulting number of corners.
     fn grow_to(&mut self, most: usize) -> Option<usize> {
         let mut left = most;
         while left > 0
@@ -107,18 +105,18 @@ impl Hull {
             self.grow(face)?;
             left -= 1;
         }
-        // Euler's formula, of a closed surface of triangles.
+        // Euler's formula for a closed surface of triangles.
         Some(self.faces.iter().filter(|f| f.alive).count() / 2 + 2)
     }
 
-    /// The face that a point is farthest outside of.
+    /// The face with the farthest outside point.
     fn farthest(&mut self) -> Option<u32> {
         self.open.retain(|&f| self.faces[f as usize].alive);
         let far = self.open.iter().map(|&f| (f, self.faces[f as usize].farthest.1));
         far.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(f, _)| f)
     }
 
-    /// The tetrahedron of points that lie far apart, and to whom the others belong.
+    /// Builds a tetrahedron of points that lie far apart, and assigns the other points to its faces.
     fn begin(&mut self, among: &[u32]) -> Option<()> {
         let at = |i: u32| self.points[i as usize];
         let [a, b] = self.ends(among)?;
@@ -164,7 +162,7 @@ impl Hull {
         face.normal.dot(&self.points[point as usize]) - face.level
     }
 
-    /// Gives a point to the face, of those from a number on, that it is farthest outside of.
+    /// Assigns a point to the face, among those from an index on, that it is farthest outside of.
     fn give(&mut self, point: u32, from: usize) {
         let at = self.points[point as usize];
         let mut best = (NONE, self.reach);
@@ -188,8 +186,8 @@ impl Hull {
         }
     }
 
-    /// Takes in the farthest point of a face: what it sees of the hull goes, and a fan from
-    /// the edge of that to the point comes instead.
+    /// Adds the farthest point of a face: the faces visible from it are removed, and a fan from their boundary
+    /// to the point replaces them.
     fn grow(&mut self, face: u32) -> Option<()> {
         let point = self.faces[face as usize].farthest.0;
         self.look(face, point);
@@ -220,7 +218,7 @@ impl Hull {
         Some(())
     }
 
-    /// Finds the faces that a point sees, which are gone now, and the edges around them.
+    /// Finds and removes the faces visible from a point, and collects the edges around them.
     fn look(&mut self, face: u32, point: u32) {
         self.faces[face as usize].alive = false;
         let (mut seen, mut edge, mut next) = (std::mem::take(&mut self.seen), std::mem::take(&mut self.edge), 0);
@@ -247,7 +245,7 @@ impl Hull {
     }
 }
 
-/// Puts edges in the order in which one goes on from the other; whether they are one ring.
+/// Sorts edges into a ring; returns whether they form one ring.
 fn is_put_in_order(edge: &mut [Edge]) -> bool {
     for at in 1..edge.len() {
         let Some(found) = edge[at..].iter().position(|e| e.0 == edge[at - 1].1) else { return false };
@@ -264,7 +262,7 @@ mod tests {
 
     use super::*;
 
-    /// Volume enclosed, and how far the farthest point is outside.
+    /// The enclosed volume, and the distance of the farthest point outside.
     fn judged(points: &[Point3<f32>], triangles: &[[u32; 3]]) -> (f64, f64) {
         let corner = |i: u32| points[i as usize].coords.cast::<f64>();
         let (mut volume, mut outside) = (0.0, f64::NEG_INFINITY);
@@ -288,7 +286,7 @@ mod tests {
         assert!((volume - 0.064).abs() < 1e-6 && outside < 1e-6, "{volume} {outside}");
     }
 
-    /// Points all over a ball that is not at the origin.
+    /// Points on a ball that is not at the origin.
     fn round() -> Vec<Point3<f32>> {
         let point = |i: u32| {
             let (turn, rise) = (i as f32 * 2.4, (i as f32 + 0.5) / 150.0 - 1.0);
@@ -324,7 +322,7 @@ mod tests {
         let (volume, outside) = judged(&points, &triangles);
         let ball = 4.0 / 3.0 * std::f64::consts::PI * 0.008;
         assert!(volume > 0.95 * ball && volume < ball && outside < 1e-5, "{volume} of {ball}, {outside}");
-        // Euler's formula, of a closed surface of triangles.
+        // Euler's formula for a closed surface of triangles.
         let mut corners: Vec<u32> = triangles.as_flattened().to_vec();
         corners.sort_unstable();
         corners.dedup();

@@ -1,4 +1,4 @@
-//! Assets at another size.
+//! Scaling of assets.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::TypedShape;
@@ -8,15 +8,15 @@ use vc_graph::asset::{Joint, JointKind, Shape, Surface};
 use super::piece::{Piece, cuboid};
 use crate::convert;
 
-/// Cosine of the tilt up to which a box stands upright.
+/// The smallest cosine of the tilt of an upright box.
 const UPRIGHT: f32 = 0.999_999;
 
-/// The one factor of a scale that is the same along all axes.
+/// The factor of a uniform scale; `None` if the scale is not uniform.
 pub(crate) fn uniform(scale: &Vector3<f32>) -> Option<f32> {
     (scale.x == scale.y && scale.y == scale.z && scale.x > 0.0).then_some(scale.x)
 }
 
-/// A shape with all its measures multiplied.
+/// A shape with all its measures multiplied by a factor.
 pub(crate) fn shape(shape: &Shape, by: f32) -> Shape {
     let pairs = |list: &[(f32, f32)]| list.iter().map(|&(a, b)| (a * by, b * by)).collect();
     let points = |list: &[Point3<f32>]| list.iter().map(|p| p * by).collect();
@@ -39,13 +39,13 @@ pub(crate) fn shape(shape: &Shape, by: f32) -> Shape {
     }
 }
 
-/// A pose with its translation multiplied.
+/// A pose with its translation scaled.
 pub(crate) fn pose(pose: &Pose, by: &Vector3<f32>) -> Pose {
     Pose::from_parts(pose.translation.vector.component_mul(by).into(), pose.rotation)
 }
 
-/// A joint of a scaled asset. A scale that differs between the axes turns an axis
-/// only in so far as it is still a unit vector afterwards.
+/// A joint of a scaled asset. A scale that differs between the axes changes the joint's axis, which is
+/// normalised afterwards.
 pub(crate) fn joint(joint: &Joint, by: &Vector3<f32>) -> Joint {
     let stretched = joint.axis.component_mul(by);
     let length = stretched.norm();
@@ -68,13 +68,13 @@ pub(crate) fn surface(surface: &Surface, by: &Vector3<f32>) -> Surface {
     }
 }
 
-/// A piece stretched along the asset's axes: the hull of its stretched corners.
+/// A piece scaled along the asset's axes: the hull of its scaled corners.
 pub(crate) fn stretched(piece: &Piece, by: &Vector3<f32>) -> Option<Piece> {
     let points: Vec<Point3<f32>> = corners(piece).iter().map(|p| p.coords.component_mul(by).into()).collect();
     Piece::hull(&points, &Vector3::z())
 }
 
-/// A piece that reaches farther down in the asset's frame; nothing where there is no such hull.
+/// A piece extended downwards in the asset's frame; `None` if there is no such hull.
 pub(crate) fn deepened(piece: &Piece, by: f32) -> Option<Piece> {
     let up = piece.at.rotation.inverse_transform_vector(&Vector3::z());
     if let TypedShape::Cuboid(s) = piece.shape.as_typed_shape()
@@ -89,7 +89,7 @@ pub(crate) fn deepened(piece: &Piece, by: f32) -> Option<Piece> {
     Piece::hull(&points, &Vector3::z())
 }
 
-/// Corners of a piece in the asset's frame; of round pieces, of a polyhedron within.
+/// The corners of a piece in the asset's frame; for round pieces, those of an inscribed polyhedron.
 pub(crate) fn corners(piece: &Piece) -> Vec<Point3<f32>> {
     match piece.shape.as_typed_shape() {
         TypedShape::ConvexPolyhedron(s) => s.points().iter().map(|p| piece.at * convert::point3(*p)).collect(),
@@ -102,7 +102,7 @@ pub(crate) fn corners(piece: &Piece) -> Vec<Point3<f32>> {
     }
 }
 
-/// The piece as triangles, in the asset's frame.
+/// The piece as triangles in the asset's frame.
 pub(crate) fn mesh(piece: &Piece) -> (Vec<Point3<f32>>, Vec<[u32; 3]>) {
     let (vertices, triangles) = match piece.shape.as_typed_shape() {
         TypedShape::Cuboid(s) => s.to_trimesh(),

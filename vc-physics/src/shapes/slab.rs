@@ -1,6 +1,6 @@
-//! Cutting a plane outline into trapezia between level lines.
+//! Cutting of a plane outline into trapezia between horizontal lines.
 
-/// A trapezium between two levels: left and right end at its bottom and at its top.
+/// A trapezium between two levels: its left and right ends at the bottom and at the top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slab {
     pub(crate) bottom: f32,
@@ -14,7 +14,7 @@ impl Slab {
         [(self.low.0, self.bottom), (self.low.1, self.bottom), (self.high.1, self.top), (self.high.0, self.top)]
     }
 
-    /// Whether another slab goes on upwards where this one ends, without a corner.
+    /// Whether another slab continues this one upwards without a corner.
     fn goes_on(&self, next: &Self) -> bool {
         let slope = |s: &Self| {
             let height = s.top - s.bottom;
@@ -26,8 +26,8 @@ impl Slab {
     }
 }
 
-/// Cuts the inside of an outline (a closed polygon, even-odd rule) at the level of
-/// every corner. Costs the square of the corners.
+/// Cuts the inside of an outline (a closed polygon, even-odd rule) at the level of every corner. Costs the
+/// square of the number of corners.
 pub(crate) fn slabs(outline: &[(f32, f32)]) -> Vec<Slab> {
     let mut levels: Vec<f32> = outline.iter().map(|p| p.1).collect();
     levels.sort_by(f32::total_cmp);
@@ -48,7 +48,7 @@ pub(crate) fn slabs(outline: &[(f32, f32)]) -> Vec<Slab> {
     done
 }
 
-/// Where edges cross a level, as their ends at the bottom and at the top of a slab.
+/// The edges that cross a level, given by their ends at the bottom and at the top of a slab.
 fn crossings(outline: &[(f32, f32)], level: f32, bottom: f32, top: f32) -> Vec<(f32, f32)> {
     let next = outline.iter().cycle().skip(1);
     let edges = outline.iter().zip(next).filter(|(a, b)| (a.1 < level) != (b.1 < level));
@@ -56,8 +56,8 @@ fn crossings(outline: &[(f32, f32)], level: f32, bottom: f32, top: f32) -> Vec<(
     edges.map(|(a, b)| (at(a, b, bottom), at(a, b, top))).collect()
 }
 
-/// An outline with the corners left out that change it by less than a tolerance
-/// (Ramer 1972, Douglas and Peucker 1973), repeated points with them.
+/// An outline without the corners that change it by less than a tolerance (Ramer 1972, Douglas and Peucker
+/// 1973), and without repeated points.
 pub(crate) fn simplified(outline: &[(f32, f32)], tolerance: f32) -> Vec<(f32, f32)> {
     let mut keep = vec![false; outline.len()];
     if let Some(last) = outline.len().checked_sub(1) {

@@ -1,4 +1,4 @@
-//! From a scene graph to bodies, and single bodies in and out.
+//! Building of a world from a scene graph, and insertion and removal of single bodies.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -18,14 +18,13 @@ use crate::shapes::{Link, Session, Shapes, scaled};
 use crate::{PhysicsError, Role, Settings, convert, group, joints, rolling};
 
 impl World {
-    /// A world with a body for every object that has a pose and an asset or a box,
-    /// and for every agent that has a pose; nodes without are in
-    /// [`skipped`](Self::skipped). Things that are open in the graph are open here,
-    /// things that agents hold are in their hands.
+    /// A world with a body for every object that has a pose and an asset or a box, and for every agent that has
+    /// a pose; nodes without are listed in [`skipped`](Self::skipped). Things that are open in the graph are
+    /// open here, and things that agents hold are in their hands.
     ///
-    /// Bodies are awake: call [`settle`](Self::settle), or [`rest`](Self::rest) for
-    /// a scene that is known to be at rest. Costs about 3 µs a body, and some
-    /// hundred microseconds for each asset that `shapes` does not have yet.
+    /// Bodies are awake: call [`settle`](Self::settle), or [`rest`](Self::rest) for a scene that is known to be
+    /// at rest. Costs about 3 µs per body, and some hundred microseconds for each asset that is not in `shapes`
+    /// yet.
     ///
     /// # Errors
     /// [`PhysicsError::BadSettings`].
@@ -79,8 +78,8 @@ impl World {
         }
     }
 
-    /// Adds the body of a node of a scene graph, awake. Look first whether the spot
-    /// is free, with [`overlaps`](Self::overlaps).
+    /// Adds the body of a node of a scene graph, awake. Check first whether the spot is free, with
+    /// [`overlaps`](Self::overlaps).
     ///
     /// # Errors
     /// [`PhysicsError::NoSuchNode`], [`PhysicsError::Duplicate`], and
@@ -104,7 +103,7 @@ impl World {
         Ok(())
     }
 
-    /// Takes a node's body out of the world; things that rested on it or hung from it fall.
+    /// Removes a node's body from the world; things that rested on it or hung from it fall.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -161,7 +160,7 @@ impl World {
         true
     }
 
-    /// Adds the body of a thing's base, with a shape in place of its own if there is one.
+    /// Adds the body of a thing's base, with another shape in place of its own if one is given.
     fn add_base(&mut self, thing: &Thing, instead: Option<(SharedShape, EnginePose)>, pose: &Pose) -> RigidBodyHandle {
         let builder = match thing.state.role {
             Role::Loose => RigidBodyBuilder::dynamic(),
@@ -178,14 +177,13 @@ impl World {
         body
     }
 
-    /// Nodes of the graph that got no body: they had no pose, or neither asset nor
-    /// box.
+    /// Nodes of the graph without a body: they have no pose, or neither asset nor box.
     pub fn skipped(&self) -> &[NodeId] {
         &self.skipped
     }
 }
 
-/// The rules by which the nodes of a scene take part.
+/// The data that determine the roles of a scene's nodes.
 struct Rules<'a> {
     roles: Roles<'a>,
     storeys: Storeys,
@@ -197,13 +195,13 @@ impl<'a> Rules<'a> {
     }
 }
 
-/// Rooms and their boxes.
+/// Rooms and their bounding boxes.
 pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
     graph.rooms().iter().filter_map(|&id| Some((id, graph.node(id)?.aabb()?))).collect()
 }
 
-/// A collider of a link, with the link's mass. The engine adds up what colliders and body
-/// have, and loses the axes of inertia of small things when there is more than one to add.
+/// A collider of a link, with the link's mass. The engine adds the mass properties of colliders and body, and
+/// loses the inertia axes of small things when there is more than one to add.
 pub(crate) fn collider(link: &Link, shape: &SharedShape, at: &EnginePose, mass_factor: f32) -> ColliderBuilder {
     let mass = scaled(link.mass, link.mass.mass() * mass_factor).transform_by(&at.inverse());
     let builder = ColliderBuilder::new(shape.clone()).position(*at).mass_properties(mass);

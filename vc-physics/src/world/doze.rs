@@ -1,10 +1,9 @@
-//! Sleep for what certainly rests.
+//! Early sleep for things that are certainly at rest.
 //!
-//! The engine lets a body sleep that has been slow for a while, because who is slow now may be
-//! about to tip. Of most things statics tells at once: whose centre of mass is over the middle
-//! of the points that carry it, and on which nothing presses beside them, cannot tip. And what is
-//! where it was at rest, between things of which the same holds, is at rest: books that lean on
-//! each other.
+//! The engine lets a body sleep only after it has been slow for a while, because a slow body may be about to
+//! tip. For most things statics decides at once: a thing cannot tip if its centre of mass is over the middle of
+//! its supporting points and nothing presses on it beside them. And a thing that is where it was at rest,
+//! between things for which the same holds, is at rest: books that lean on each other.
 
 use std::collections::BTreeMap;
 
@@ -17,33 +16,33 @@ use crate::contact::Touch;
 use crate::nav::outline::{Outline, hull, turn};
 use crate::{Role, convert, group};
 
-/// How slow a thing is that rests, metres a second, its rim with it.
+/// The largest speed of a thing at rest, including its rim, metres per second.
 const SLOW: f32 = 0.03;
-/// How slow a thing is that has not been moved, metres a second, and how near to where it was it is,
-/// metres.
+/// The largest speed of a thing that has not been moved, metres per second, and its largest distance from its
+/// former position, metres.
 const STILL: f32 = 0.01;
 const SAME: f32 = 0.0005;
-/// How far within the points that carry it a thing's centre of mass is, metres; of small
-/// things, as a part of their size.
+/// The smallest distance of a thing's centre of mass inside its supporting points, metres; for small things, as
+/// a fraction of their size.
 const WITHIN: (f32, f32) = (0.004, 0.05);
-/// How far beside them something may press, metres: edges of what is stacked lie on each other.
+/// The largest distance beside the supporting points at which something may press, metres: edges of stacked
+/// things lie on each other.
 const BESIDE: f32 = 0.004;
-/// Cosine of the slope from which on a thing may slide.
+/// The cosine of the slope from which on a thing may slide.
 const LEVEL: f32 = 0.94;
-/// From which slope on a contact is at the side.
+/// The vertical component of a normal below which a contact is lateral.
 const UPRIGHT: f32 = 0.2;
-/// Gap up to which a point carries, metres.
+/// The largest gap at which a point carries, metres.
 const CARRIES: f32 = 0.0015;
-/// From which overlap on things are pushed apart, metres.
+/// The overlap from which on things are pushed apart, metres.
 const DEEP: f32 = 0.003;
 
 impl World {
-    /// Lets those things sleep that certainly rest: they are slow, and with everything that
-    /// they touch and that is awake they stand on what carries them such that they cannot tip.
-    /// All others stay awake. Call it a few steps after things were put somewhere: what is in
-    /// the air then falls already.
+    /// Puts the things to sleep that are certainly at rest: they are slow, and they and all awake things that
+    /// they touch stand on their supports such that they cannot tip. All others stay awake. Call it a few steps
+    /// after things were placed: things in the air are falling by then.
     ///
-    /// Costs a few microseconds for everything that is awake.
+    /// Costs a few microseconds for each awake thing.
     pub fn doze(&mut self) {
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
         let moves =
@@ -62,8 +61,8 @@ impl World {
             }
         }
         for (body, _) in awake.into_iter().zip(stays).filter(|(_, stays)| !stays) {
-            // The engine is told that it has been still for long enough: sent to sleep by hand,
-            // one of an island wakes again, and falls for a step before its contacts are known.
+            // The engine's rest timer is set to its limit. If a single body of an island were put to sleep
+            // directly, it would wake again and fall for a step before its contacts are known.
             if let Some(rigid) = self.engine.bodies.get_mut(body) {
                 let activation = rigid.activation_mut();
                 activation.time_since_can_sleep = activation.time_until_sleep;
@@ -71,7 +70,7 @@ impl World {
         }
     }
 
-    /// The bodies of some that a body touches or is about to.
+    /// The bodies in a set that a body touches or is about to touch.
     fn touched(&self, body: RigidBodyHandle, number: &BTreeMap<u32, usize>) -> Vec<usize> {
         let parent = |c| self.engine.colliders.get(c).and_then(|c| c.parent());
         let pairs = self.pairs_of(body).filter(|p| p.has_any_active_contact());
@@ -89,7 +88,7 @@ impl World {
             return false;
         }
         if link > 0 {
-            // Friction holds a door, or it would be faster by now.
+            // Friction holds the door; otherwise it would be faster by now.
             return !self.is_driven(id);
         }
         if self.is_where_it_slept(thing, rigid, size) {
@@ -99,7 +98,7 @@ impl World {
         alone && self.stands(body, rigid, size)
     }
 
-    /// Remembers where those are that have fallen asleep.
+    /// Records the poses of bodies that have fallen asleep.
     pub(crate) fn note_sleepers(&mut self, were_awake: &[RigidBodyHandle]) {
         for &handle in were_awake {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic() && b.is_sleeping()) else {
@@ -112,15 +111,15 @@ impl World {
         }
     }
 
-    /// Whether a thing is still where it was at rest. What it touches is asked the same, so it is
-    /// carried as it was.
+    /// Whether a thing is still where it was at rest. The same is tested for the things that it touches, so it
+    /// is supported as before.
     fn is_where_it_slept(&self, thing: &Thing, rigid: &RigidBody, size: f32) -> bool {
         let still = rigid.linvel().length() + rigid.angvel().length() * size <= STILL;
         let now = Spot::of(rigid.position());
         still && thing.state.slept.is_some_and(|spot| spot.distance(&now, thing.form.extent) <= SAME)
     }
 
-    /// Whether a body cannot tip: see above.
+    /// Whether a body cannot tip, by the test in the module's description.
     fn stands(&self, body: RigidBodyHandle, rigid: &RigidBody, size: f32) -> bool {
         let (mut carry, mut press) = (Vec::new(), Vec::new());
         for pair in self.pairs_of(body).filter(|p| p.has_any_active_contact()) {
@@ -143,7 +142,7 @@ impl World {
     }
 }
 
-/// Whether a point is within a convex outline and so far from its edges.
+/// Whether a point is within a convex outline by a margin.
 fn is_within(outline: &Outline, point: &Point2<f32>, margin: f32) -> bool {
     let edges = outline.iter().zip(outline.iter().cycle().skip(1));
     let inside = |(a, b): (&Point2<f32>, &Point2<f32>)| turn(a, b, point) >= margin * (b - a).norm();

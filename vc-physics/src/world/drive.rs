@@ -1,4 +1,4 @@
-//! Time, and pushing things about.
+//! Time steps, and direct changes of bodies.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::{RigidBodyHandle, RigidBodyType};
@@ -8,8 +8,7 @@ use super::World;
 use crate::{PhysicsError, Role, convert, group};
 
 impl World {
-    /// Lets one step of time pass: agents walk, vehicles drive, water carries, motors
-    /// turn, bodies fall.
+    /// Lets one step of time pass: agents walk, vehicles drive, water carries, motors turn, bodies fall.
     ///
     /// Costs a microsecond or two while everything sleeps.
     pub fn step(&mut self) {
@@ -28,14 +27,14 @@ impl World {
         self.ticks += 1;
     }
 
-    /// Lets many steps pass.
+    /// Lets a number of steps pass.
     pub fn run(&mut self, steps: u32) {
         (0..steps).for_each(|_| self.step());
     }
 
-    /// Puts everything to sleep where it is, as a scene that is known to be at rest:
-    /// one step passes, which finds the contacts, and then nothing moves until it is
-    /// disturbed. (To insert bodies asleep would lose their contacts.)
+    /// Puts everything to sleep in its present state, for a scene that is known to be at rest: one step passes,
+    /// which finds the contacts, and then nothing moves until it is disturbed. (Bodies inserted asleep would
+    /// have no contacts.)
     pub fn rest(&mut self) {
         self.step();
         let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
@@ -47,7 +46,7 @@ impl World {
         self.note_sleepers(&all);
     }
 
-    /// Names a body that has become non-finite.
+    /// Stops and lists a body that has become non-finite.
     fn stop(&mut self, body: RigidBodyHandle) {
         let Some(id) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0) else { return };
         if let Ok(thing) = self.thing_mut(id) {
@@ -58,13 +57,12 @@ impl World {
         }
     }
 
-    /// Moves a node at once, at rest; moving parts and the water in it come along, and a thing that was
-    /// stopped takes part again. Look first whether the spot is free, with
-    /// [`overlaps`](Self::overlaps).
+    /// Moves a node at once, without velocity; its moving parts and the water in it come along, and a stopped
+    /// thing takes part again. Check first whether the spot is free, with [`overlaps`](Self::overlaps).
     ///
     /// # Errors
-    /// [`PhysicsError::NoBody`]; [`PhysicsError::NotFinite`]; for what an agent
-    /// carries [`PhysicsError::NotFree`].
+    /// [`PhysicsError::NoBody`]; [`PhysicsError::NotFinite`]; [`PhysicsError::NotFree`] for things that an
+    /// agent carries.
     pub fn place(&mut self, id: NodeId, pose: Pose) -> Result<(), PhysicsError> {
         let thing = self.thing(id)?;
         if !convert::is_sound(&pose) {
@@ -97,7 +95,7 @@ impl World {
         }
     }
 
-    /// Lets a thing that was stopped take part again.
+    /// Lets a stopped thing take part again.
     fn set_going(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         self.stopped.retain(|other| *other != id);
         let bodies: Vec<_> = self.thing(id)?.bodies().collect();
@@ -105,8 +103,7 @@ impl World {
         self.set_role(id, Role::Loose)
     }
 
-    /// Pushes a node with an impulse at a point, newton seconds and metres; something
-    /// that hangs comes down.
+    /// Pushes a node with an impulse at a point, newton seconds and metres; a hanging thing comes down.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`],
@@ -122,8 +119,7 @@ impl World {
         Ok(())
     }
 
-    /// Sets the velocity of a node's centre of mass and how fast it turns, metres and
-    /// radians a second.
+    /// Sets the velocity of a node's centre of mass and its angular velocity, metres and radians per second.
     ///
     /// # Errors
     /// As [`Self::push`].
@@ -151,9 +147,8 @@ impl World {
         Ok(())
     }
 
-    /// Holds a loose thing where it is, as if it hung there, until it is taken or pushed:
-    /// for what will not come to rest. In a drawer or on another part that moves it comes along
-    /// with that.
+    /// Pins a loose thing where it is, as if it hung there, until it is taken or pushed: for things that do not
+    /// come to rest. In a drawer or on another moving part it moves along with the part.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
@@ -170,8 +165,8 @@ impl World {
         }
     }
 
-    /// As [`Self::pin`], as a part of another thing: it goes along when that is taken. For things in a box
-    /// that reach into its walls.
+    /// As [`Self::pin`], as a part of another thing, with which it then moves. For things in a box that reach
+    /// into its walls.
     ///
     /// # Errors
     /// As [`Self::pin`]; [`PhysicsError::NoBody`] also for the other thing.
@@ -184,7 +179,7 @@ impl World {
         Ok(())
     }
 
-    /// The body of a thing that moves; what hangs is taken down.
+    /// The body of a movable thing; a hanging thing is taken down.
     fn loosen(&mut self, id: NodeId) -> Result<RigidBodyHandle, PhysicsError> {
         let thing = self.thing(id)?;
         let (base, role) = (thing.state.base, thing.state.role);
@@ -196,7 +191,7 @@ impl World {
         Ok(base)
     }
 
-    /// Changes how a thing takes part, its body and colliders with it.
+    /// Changes the role of a thing, and adapts its body and colliders.
     pub(crate) fn set_role(&mut self, id: NodeId, role: Role) -> Result<(), PhysicsError> {
         let thing = self.thing_mut(id)?;
         (thing.state.role, thing.state.rides) = (role, None);

@@ -1,4 +1,4 @@
-//! Cloth takes whatever form there is room for.
+//! Folding of cloth, which takes whatever form there is room for.
 
 use nalgebra::Vector3;
 use vc_graph::portable::Portable;
@@ -9,15 +9,15 @@ use super::build::collider;
 use crate::shapes::Shapes;
 use crate::{PhysicsError, group};
 
-/// How dense cloth is that has been folded up loosely, kilograms for each cubic metre: that of
-/// a full drum of laundry, 7 kg in 60 litres.
+/// Density of loosely folded cloth, kilograms per cubic metre: that of a full drum of laundry, 7 kg in 60
+/// litres.
 const LOOSE: f32 = 115.0;
-/// The sides of a bundle, as parts of the longest.
+/// The sides of a bundle, relative to the longest.
 const FLAT: Vector3<f32> = Vector3::new(1.0, 1.0, 0.5);
 
 impl World {
-    /// By how much a thing's own axes would be scaled if it were cloth folded up to a flat
-    /// bundle: as much room as its mass takes. `None` where it would be no smaller.
+    /// The scale along a thing's own axes if it were cloth folded to a flat bundle with the volume that its
+    /// mass takes. `None` if it would be no smaller.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -30,12 +30,12 @@ impl World {
         Ok(smaller.then(|| bundle.component_div(&size)))
     }
 
-    /// Gives a node the shape that a graph has of it by now, of another scale, where it is or in
-    /// the hand that holds it. It keeps its mass.
+    /// Gives a node the shape that the graph has for it now, at another scale, at its pose or in the hand that
+    /// holds it. It keeps its mass.
     ///
     /// # Errors
-    /// [`PhysicsError::NoSuchNode`], [`PhysicsError::NoBody`]; [`PhysicsError::NotFree`] of what
-    /// has moving parts.
+    /// [`PhysicsError::NoSuchNode`], [`PhysicsError::NoBody`]; [`PhysicsError::NotFree`] for a node with moving
+    /// parts.
     pub fn reshape(&mut self, graph: &SceneGraph, id: NodeId, shapes: &Shapes) -> Result<(), PhysicsError> {
         let node = graph.node(id).ok_or(PhysicsError::NoSuchNode(id))?;
         if self.thing(id)?.form.links.len() > 1 {

@@ -1,4 +1,4 @@
-//! The world: bodies of a scene's nodes, in a physics engine.
+//! The world: the bodies of a scene's nodes, in a physics engine.
 
 mod build;
 mod doze;
@@ -25,12 +25,11 @@ use crate::vehicle::Vehicle;
 use crate::water::Water;
 use crate::{PhysicsError, Role};
 
-/// Bodies of a scene's nodes, and the time that passes for them.
+/// The bodies of a scene's nodes, and their time.
 ///
-/// Built from a [`SceneGraph`](vc_graph::SceneGraph) and its assets; poses, contacts
-/// and joint positions come back as plain data under the nodes' own numbers.
-/// `Clone` copies what moves and shares the shapes; a clone goes on as the original
-/// does, bit for bit.
+/// A world is built from a [`SceneGraph`](vc_graph::SceneGraph) and its assets; poses, contacts and joint
+/// positions are available as plain data by node number. `Clone` copies the dynamic state and shares the
+/// shapes; a clone evolves as the original does, bit for bit.
 #[derive(Clone)]
 pub struct World {
     pub(crate) settings: Settings,
@@ -40,11 +39,11 @@ pub struct World {
     pub(crate) agents: BTreeMap<NodeId, Agent>,
     pub(crate) vehicles: BTreeMap<NodeId, Vehicle>,
     pub(crate) waters: Vec<Water>,
-    /// How full containers are, 0 to 1.
+    /// The fill levels of containers, 0 to 1.
     pub(crate) fills: BTreeMap<NodeId, f32>,
-    /// Moving parts that a motor drives, in the order in which they were told to.
+    /// Moving parts with an active motor, in the order in which they were started.
     pub(crate) driven: Vec<(NodeId, usize)>,
-    /// Rooms and their boxes.
+    /// Rooms and their bounding boxes.
     pub(crate) rooms: Arc<[(NodeId, Aabb)]>,
     /// Height of the lowest fixed thing's bottom, metres.
     pub(crate) bottom: f32,
@@ -53,7 +52,7 @@ pub struct World {
     pub(crate) skipped: Vec<NodeId>,
 }
 
-/// A node's body, or bodies.
+/// The body or bodies of a node.
 #[derive(Clone)]
 pub(crate) struct Thing {
     pub(crate) id: NodeId,
@@ -62,7 +61,7 @@ pub(crate) struct Thing {
     pub(crate) state: State,
 }
 
-/// How many people have place on a node, by its slots.
+/// The number of places for people on a node, by its slots.
 #[derive(Clone, Copy)]
 pub(crate) struct Places {
     pub(crate) seats: u32,
@@ -75,52 +74,52 @@ impl Places {
     }
 }
 
-/// The part of a thing that a snapshot keeps; form and places are found again by the graph.
+/// The part of a thing that a snapshot keeps; form and places are reconstructed from the graph.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct State {
     pub(crate) role: Role,
     pub(crate) base: RigidBodyHandle,
     pub(crate) moving: Vec<Moving>,
-    /// What its parts' masses were multiplied by.
+    /// The factor on its parts' masses.
     pub(crate) mass_factor: f32,
-    /// The shape it was built from, and where the graph had it.
+    /// The asset and scale from which it was built, and its pose in the graph.
     pub(crate) asset: Option<AssetId>,
     pub(crate) scale: [u32; 3],
     #[serde(with = "crate::serial::pose")]
     pub(crate) written: Pose,
-    /// Since when it has been about where it is.
+    /// How long it has been at about the same pose.
     pub(crate) watch: rest::Watch,
-    /// Where it last fell asleep.
+    /// The pose at which it last fell asleep.
     pub(crate) slept: Option<rest::Spot>,
-    /// The node and its link on which it was pinned: it comes along with that.
+    /// The node and link to which it is pinned, and with which it moves.
     pub(crate) rides: Option<(NodeId, usize)>,
-    /// What the graph says it rests on.
+    /// Its support by the graph.
     #[serde(with = "crate::serial::place")]
     pub(crate) rests: Option<Place>,
-    /// Whether the graph counts it to the building.
+    /// Whether the graph counts it as a part of the building.
     pub(crate) structure: bool,
     /// Whether it is a door between rooms.
     pub(crate) door: bool,
     /// Whether people carry it.
     pub(crate) graspable: bool,
-    /// The force against its rolling as a part of its weight.
+    /// Its rolling resistance as a fraction of its weight.
     pub(crate) rolling: f32,
-    /// How far the ground reaches below the floor's own shape, metres.
+    /// The depth of the ground below the floor's own shape, metres.
     pub(crate) ground: f32,
 }
 
-/// A part that moves against its base.
+/// A part that moves relative to its base.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Moving {
-    /// Its body; without one it is fixed to the base's, at `position`.
+    /// Its body; without one it is fixed to the base's body, at `position`.
     pub(crate) body: Option<RigidBodyHandle>,
     pub(crate) joint: Option<ImpulseJointHandle>,
     pub(crate) limits: (f32, f32),
-    /// Where it was last put, or a step ago while a motor drives it.
+    /// Its position when last set, or one step ago while a motor drives it.
     pub(crate) position: f32,
-    /// Where its motor takes it.
+    /// The target of its motor.
     pub(crate) target: Option<f32>,
-    /// Steps its motor may still try.
+    /// Remaining steps before its motor gives up.
     pub(crate) patience: u32,
     pub(crate) locked: bool,
     pub(crate) latched: bool,

@@ -1,9 +1,9 @@
-//! How things come to rest: rolling and rocking are slowed down, trembling things may sleep.
+//! Coming to rest: rolling and rocking are damped, and trembling things may sleep.
 //!
-//! The engine has no rolling resistance, and it lets bodies sleep by how far they move
-//! in a single step. Things on small feet can tremble for long, to and fro by less than
-//! a millimetre; things with small rims creep on, as their contact points jump. They are watched: what stays
-//! about where it is, or is for long so slow that rolling resistance would have stopped it, counts as at rest.
+//! The engine has no rolling resistance, and decides about sleep by the motion of a body in a single step.
+//! Things on small feet can tremble for long, to and fro by less than a millimetre; things with small rims
+//! creep on, as their contact points jump. Therefore things are watched: a thing counts as at rest if it stays
+//! at about the same pose, or is slow for so long that rolling resistance would have stopped it.
 
 use nalgebra::Point3;
 use rapier3d::dynamics::{RigidBody, RigidBodyActivation, RigidBodyHandle};
@@ -14,27 +14,27 @@ use vc_graph::NodeId;
 use super::{Thing, World};
 use crate::group;
 
-/// Least lever of rolling resistance, however hard a thing is, metres: 0.2 to 0.5 mm for steel and wood
-/// on wood in handbooks of mechanics.
+/// The smallest lever of rolling resistance, however hard a thing is, metres: handbooks of mechanics give 0.2
+/// to 0.5 mm for steel and wood on wood.
 const FLATTENED: f32 = 0.0005;
-/// Greatest lever for things that are not round, metres: with a longer one a thing could stay up with its
-/// middle beyond the edge that it stands on.
+/// The largest lever for things that are not round, metres: with a longer one a thing could stay up with its
+/// middle beyond the edge on which it stands.
 const TIPS: f32 = 0.001;
-/// Below which spin nothing is slowed down, radians a second.
+/// The spin below which nothing is damped, radians per second.
 const SLOW: f32 = 0.05;
-/// Time between looks at where things are, seconds.
+/// Time between two checks of the poses, seconds.
 const LOOK: f32 = 0.1;
-/// Within which distance a thing counts as where it was, metres.
+/// The largest distance of a thing that counts as not moved, metres.
 const ABOUT: f32 = 0.02;
-/// After how many looks it may tremble and sleep all the same.
+/// Number of checks after which a trembling thing may sleep.
 const LOOKS: u8 = 4;
-/// How fast what stays where it is may tremble, metres a second.
+/// The largest trembling speed of a thing that stays where it is, metres per second.
 const TREMBLES: f32 = 1.0;
 
-/// Smallest and largest corner of a thing in its own frame.
+/// Minimal and maximal corner of a thing in its own frame.
 type Extent = (Point3<f32>, Point3<f32>);
 
-/// Where a thing is and how it is turned.
+/// The pose of a thing.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Spot(EnginePose);
 
@@ -43,8 +43,8 @@ impl Spot {
         Self(*pose)
     }
 
-    /// The greatest distance of a corner of a thing from where it is at another spot, metres. If a thing only
-    /// turns about its axis, that is at most its diagonal across the axis.
+    /// The largest distance of a corner of a thing from its position at another spot, metres. For a rotation
+    /// about the thing's axis this is at most its diagonal across the axis.
     pub(super) fn distance(&self, other: &Self, (low, high): Extent) -> f32 {
         let corner =
             |i: usize| Vector::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
@@ -53,8 +53,8 @@ impl Spot {
     }
 }
 
-/// Where a thing was first seen that has not gone far since, or has been slow all the time, and how often
-/// it has been seen so.
+/// The spot at which a thing was first seen, if it has not gone far since or has been slow all the time, and
+/// the number of checks since.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Watch {
     at: Spot,
@@ -62,7 +62,7 @@ pub(crate) struct Watch {
 }
 
 impl Watch {
-    /// Looks again at a thing.
+    /// Updates the watch with a thing's present pose.
     fn look(&mut self, pose: &EnginePose, extent: Extent, slow: bool) {
         let now = Spot::of(pose);
         if now.distance(&self.at, extent) > ABOUT {
@@ -71,14 +71,14 @@ impl Watch {
         self.looks = self.looks.saturating_add(1);
     }
 
-    /// Whether the thing is where it was, or has been slow, for long.
+    /// Whether the thing has stayed in place, or been slow, for long enough.
     fn is_calm(&self) -> bool {
         self.looks > LOOKS
     }
 }
 
 impl World {
-    /// Lets what only trembles sleep.
+    /// Lets things sleep that merely tremble.
     pub(crate) fn watch(&mut self) {
         let every = (LOOK / self.settings.dt).round().max(1.0) as u64;
         if !self.ticks.is_multiple_of(every) {
@@ -106,11 +106,11 @@ impl World {
         }
     }
 
-    /// Slows down things that turn on something: rolling takes force, and rocking dies away.
+    /// Damps things that turn on a support: rolling meets resistance, and rocking dies away.
     ///
-    /// The torque against it is the weight times a lever: a part of the radius, and half a millimetre
-    /// at least, as nothing is quite hard; for things that are not round, so little that they tip all
-    /// the same.
+    /// The resisting torque is the weight times a lever. The lever is a fraction of the radius, and at least
+    /// half a millimetre, since nothing is perfectly hard; for things that are not round it is so small that
+    /// they still tip.
     pub(crate) fn resist_rolling(&mut self) {
         let (dt, gravity) = (self.engine.dt(), self.settings.gravity.abs());
         let rolling: Vec<RigidBodyHandle> = self.engine.awake_bodies().filter(|&b| self.rolls(b)).collect();
@@ -127,17 +127,17 @@ impl World {
         }
     }
 
-    /// Whether a thing has no more energy, its parts with it, than rolling resistance takes from it on a way
-    /// that is too short to count: whatever has so little for long is kept going by the engine alone.
+    /// Whether the kinetic energy of a thing and its parts is no more than rolling resistance would take from
+    /// it over a negligible distance: a thing that has so little for long is kept moving by the engine alone.
     fn would_have_stopped(&self, thing: &Thing) -> bool {
         let bodies = || thing.bodies().filter_map(|b| self.engine.bodies.get(b));
         let weight = bodies().map(RigidBody::mass).sum::<f32>() * self.settings.gravity.abs();
-        // A thing that is not round is no easier to roll than one that is.
+        // A thing that is not round rolls no more easily than a round one.
         let part = thing.state.rolling.max(lever(thing) / radius(thing));
         bodies().map(RigidBody::kinetic_energy).sum::<f32>() <= part * weight * ABOUT
     }
 
-    /// Stops a thing that creeps on, and tells the engine that it has been still for long enough.
+    /// Stops a creeping thing, and sets the engine's rest timer to its limit.
     fn halt(&mut self, id: NodeId) {
         let bodies: Vec<RigidBodyHandle> = self.thing(id).map_or_else(|_| Vec::new(), |t| t.bodies().collect());
         for handle in bodies {
@@ -149,7 +149,7 @@ impl World {
         }
     }
 
-    /// Whether a body is free to turn, does so, and touches something.
+    /// Whether a body is free to turn, turns, and touches something.
     fn rolls(&self, handle: RigidBodyHandle) -> bool {
         let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { return false };
         let turns = group::marked(body.user_data).1 == 0 && body.angvel().length_squared() > SLOW * SLOW;
@@ -158,13 +158,13 @@ impl World {
     }
 }
 
-/// The lever of rolling resistance of a thing, metres.
+/// The lever of a thing's rolling resistance, metres.
 fn lever(thing: &Thing) -> f32 {
     let soft = thing.state.rolling * radius(thing);
     if thing.form.links[0].round { soft.max(FLATTENED) } else { (soft + FLATTENED).min(TIPS) }
 }
 
-/// The radius of a thing that rolls on its side: half of its least measure, metres.
+/// The radius of a thing that rolls on its side: half of its smallest extent, metres.
 fn radius(thing: &Thing) -> f32 {
     let (low, high) = thing.form.extent;
     (high - low).min() / 2.0

@@ -115,8 +115,8 @@ impl Scene {
         self.add("kitchen_table", asset, pose)
     }
 
-    /// A door leaf of 0.8 by 2 m that turns around Z at its edge, standing on its
-    /// origin, which is the middle of the doorway; the leaf lies along Y.
+    /// A door leaf of 0.8 by 2 m that turns around Z at its edge. It stands on its origin, which is the middle
+    /// of the doorway; the leaf lies along Y.
     pub(crate) fn door_asset(&mut self) -> AssetId {
         let w = self.wood;
         let joint = Joint {
@@ -186,7 +186,7 @@ impl Scene {
     }
 }
 
-/// Masses as modelled.
+/// Settings with the masses as modelled.
 pub(crate) fn plain() -> Settings {
     Settings { class_masses: false, ..Settings::default() }
 }

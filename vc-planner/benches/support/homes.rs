@@ -1,4 +1,4 @@
-//! Homes and goals to plan in, of any size.
+//! Random homes of any size, and goals in them.
 
 use vc_graph::{Draft, NodeId, SceneBuilder, SceneGraph, Seed};
 
@@ -7,8 +7,8 @@ const ITEMS: [&str; 12] =
 const SURFACES: [&str; 6] = ["kitchen_table", "kitchen_counter", "coffee_table", "desk", "nightstand", "dresser"];
 const BOXES: [&str; 4] = ["fridge", "kitchen_cabinet", "bathroom_cabinet", "closet"];
 
-/// A home of five rooms and so many objects: a tenth of them surfaces and containers,
-/// the rest things in and on these.
+/// A home with five rooms and a number of objects: a tenth of them are surfaces and containers, the rest are
+/// things in and on these.
 pub(crate) fn home(objects: usize, seed: u64) -> SceneGraph {
     let mut stream = Seed(seed).stream();
     let mut scene = SceneBuilder::new("home");
@@ -34,8 +34,7 @@ pub(crate) fn home(objects: usize, seed: u64) -> SceneGraph {
     scene.build()
 }
 
-/// A goal that asks for so many single things to be somewhere, as a household task
-/// names them.
+/// A goal that asks for a number of single things to be at places, named as in household tasks.
 pub(crate) fn errands(scene: &SceneGraph, parts: usize, seed: u64) -> Vec<String> {
     let mut stream = Seed(seed).child("goal").stream();
     let targets = [("On", "kitchen_table"), ("On", "coffee_table"), ("Inside", "fridge"), ("Inside", "closet")];

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-/// A line of a plot: what it is called, and its points.
+/// A line of a plot: its name and its points.
 pub(crate) struct Line<'a> {
     pub(crate) name: &'a str,
     pub(crate) points: Vec<(f64, f64)>,
@@ -13,7 +13,7 @@ const HEIGHT: f64 = 320.0;
 const MARGIN: f64 = 56.0;
 const COLOURS: [&str; 3] = ["#1f6feb", "#bc4c00", "#57606a"];
 
-/// Lines as SVG, with an axis across, one upwards, and a mark at each power of ten.
+/// Draws lines as SVG, with a horizontal and a vertical axis and a mark at each power of ten.
 pub(crate) fn svg(title: &str, across: &str, up: &str, lines: &[Line<'_>]) -> String {
     let all = || lines.iter().flat_map(|l| &l.points);
     let (x, y) = (Axis::over(all().map(|p| p.0)), Axis::over(all().map(|p| p.1)));
@@ -68,7 +68,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// From the power of ten below to the one above.
+    /// The range from the power of ten below the values to the one above.
     fn over(values: impl Iterator<Item = f64> + Clone) -> Self {
         let low = values.clone().fold(f64::INFINITY, f64::min).max(1e-9).log10().floor();
         let high = values.fold(1e-9, f64::max).log10().ceil();

@@ -1,4 +1,4 @@
-//! From an action in a plan to one that can be done now.
+//! Turns a planned action into one that can be done now.
 
 use vc_graph::{Action, Property, Refusal, Relation, State, Verb, rule};
 
@@ -8,9 +8,9 @@ use crate::compile::anchor;
 use crate::tour::drops_elsewhere;
 
 impl Agent {
-    /// Acts, after what the action needs first: a walk, an opening, a free hand.
+    /// Does an action after its prerequisites: a walk, an opening, a free hand.
     pub(super) fn act(&mut self, action: Action, plan: Vec<Action>) -> Decision {
-        // A walk that is not needed for what comes after it is left out.
+        // A walk that the next action does not need is left out.
         let spared = match plan.as_slice() {
             [walk, then, ..] if walk.verb == Verb::Walk && *walk == action && then.verb != Verb::Walk => {
                 let needed = drops_elsewhere(self.belief.graph(), self.id, walk, &[*then]);
@@ -33,19 +33,20 @@ impl Agent {
         rule::refusals(self.belief.graph(), self.id, action)
     }
 
-    /// Whether an action can be done at once and does not lead away.
+    /// Whether an action can be done at once without walking away.
     pub(super) fn is_at_hand(&self, action: &Action) -> bool {
         action.verb != Verb::Walk && self.refusals(action).is_empty()
     }
 
-    /// An action, or what has to be done before it.
+    /// The action itself if it can be done, otherwise the action that has to be done before it.
     fn doable(&self, mut action: Action) -> Option<Action> {
         for _ in 0..6 {
             let Some(refusal) = self.refusals(&action).into_iter().next() else { return Some(action) };
             action = match refusal {
                 Refusal::NotUpright => Action::zero(Verb::Stand),
                 Refusal::NotNear { thing, .. } => {
-                    // A thing said to be in one room, and inside something in another room, is not near the latter.
+                    // A thing that the belief has in one room, inside something in another room, is not near
+                    // the latter.
                     let (graph, at) = (self.belief.graph(), anchor(self.belief.graph(), thing.id));
                     Action::one(Verb::Walk, if graph.near(self.id, at) { thing.id } else { at })
                 }
@@ -59,7 +60,7 @@ impl Agent {
         None
     }
 
-    /// Frees a hand: on a surface at hand, else on the floor.
+    /// Frees a hand: puts the held thing on a surface at hand, otherwise on the floor.
     fn put_down(&self) -> Option<Action> {
         let held = self.belief.graph().held(self.id).last()?;
         let graph = self.belief.graph();

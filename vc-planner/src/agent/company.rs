@@ -1,4 +1,4 @@
-//! Others that pursue the goal as well: what they promise, and what they are promised.
+//! Cooperation with other agents that pursue the same goal: promises given and received.
 
 use vc_graph::{Action, NodeId, Relation, SceneGraph, Verb};
 
@@ -8,8 +8,8 @@ use crate::look::Look;
 use crate::trip::{Promise, Trip, ends, imagine};
 
 impl Agent {
-    /// What others have promised to bring where: that counts as done, and a plan that is
-    /// about it is no longer followed.
+    /// Takes note of the deliveries that other agents have promised: they count as done, and a plan that
+    /// concerns them is dropped.
     pub(crate) fn count_on(&mut self, promised: Vec<Promise>) {
         let ends = |a: &Action| matches!(a.verb, Verb::Close | Verb::SwitchOn | Verb::SwitchOff);
         let clashes = |a: &Action| {
@@ -23,20 +23,19 @@ impl Agent {
         self.planner.in_company = true;
     }
 
-    /// What it will bring where on its next trip.
+    /// The deliveries that the agent will make on its next trip.
     pub(crate) fn promises(&self) -> &[Promise] {
         &self.promises
     }
 
-    /// The sampled state, with what others have promised done.
+    /// The sampled state in which the promises of others are fulfilled.
     pub(super) fn imagined(&self) -> SceneGraph {
         let mut graph = self.belief.graph().clone();
         imagine(&mut graph, &self.counted_on);
         graph
     }
 
-    /// In company, promises the next trip of a plan and keeps to that: what comes after it
-    /// others may do.
+    /// In company, promises the next trip of a plan and commits to it; others may do the rest of the plan.
     pub(super) fn promise(&mut self, plan: &Plan) {
         if !self.planner.in_company {
             return;
@@ -50,21 +49,22 @@ impl Agent {
 
     fn promise_one(&mut self, (item, place): Promise) {
         match self.promises.iter_mut().find(|(known, _)| *known == item) {
-            // A plan that is only about what comes next does not say where things go.
+            // A plan that covers only the next step does not say where things go.
             Some(_) if place.relation == Relation::HoldsRight => {}
             Some((_, known)) => *known = place,
             None => self.promises.push((item, place)),
         }
     }
 
-    /// What it holds or goes for is brought where it has said, if nothing else is decided.
+    /// Keeps only the promises for things that the agent holds or is about to handle.
     pub(super) fn keep_promises(&mut self) {
         let (graph, next) = (self.belief.graph(), &self.next);
         let in_mind = |id| graph.held(self.id).any(|held| held == id) || next.iter().any(|a| a.object == Some(id));
         self.promises.retain(|(item, _)| in_mind(*item));
     }
 
-    /// Who looks for something goes on to bring what it holds and fetches where it belongs.
+    /// Promises, during a search, the deliveries of the held things and of the thing that the agent is about to
+    /// fetch.
     pub(super) fn promise_found(&mut self, look: Option<Look>, plan: &[Action]) {
         if !self.planner.in_company {
             return;

@@ -1,4 +1,4 @@
-//! What to do now.
+//! The choice of the next action.
 
 use vc_graph::goal::Situation;
 use vc_graph::{Action, NodeId, State, Verb};
@@ -12,20 +12,20 @@ use crate::packed::Way;
 use crate::plan::{Refined, Sketch, plan_in_belief};
 use crate::want::Unreachable;
 
-/// After so many searches of everything a faithful agent gives up.
+/// Number of complete searches of the home after which a faithful agent gives up.
 const PATIENCE: usize = 4;
-/// So many decisions without learning anything are a sign of going in circles.
+/// Number of decisions without new information that indicates going in circles.
 const CIRCLES: usize = 300;
-/// How often it does the same before it takes that for going in circles.
+/// Number of repetitions of an action that counts as going in circles.
 const AGAIN: usize = 2;
-/// How many ways to take a goal's alternatives are tried.
+/// Number of combinations of a goal's alternatives that are tried.
 const ALTERNATIVES: usize = 12;
-/// How many actions it takes, roughly, to find something.
+/// Approximate number of actions for finding a thing.
 const SEARCH: usize = 6;
 
 impl Agent {
-    /// As [`Agent::think`], but who goes round in circles goes on as the thesis's agent
-    /// does: one subgoal after the other.
+    /// As [`Agent::think`], but an agent that goes in circles continues as the thesis's agent does: one subgoal
+    /// after the other.
     pub(super) fn think_on(&mut self) -> Decision {
         let decision = self.think();
         let decision = if self.may_be_rash(&decision) { self.explore().unwrap_or(decision) } else { decision };
@@ -66,8 +66,8 @@ impl Agent {
         self.decide_best()
     }
 
-    /// Looks for a shorter way to do what is left of a plan, with what it would cost to
-    /// improve a new one: the less is left the more of the ways are seen.
+    /// Searches for a shorter version of the rest of a plan, at the cost of improving a new plan: the shorter
+    /// the rest, the more alternatives the search covers.
     fn refine(&mut self) {
         let Some(mut choice) = self.unproved.take().filter(|_| !self.next.is_empty()) else { return };
         let now = Situation { graph: self.belief.graph(), agent: self.id, events: self.history.events() };
@@ -98,14 +98,14 @@ impl Agent {
         }
     }
 
-    /// Plans for what is known; where something is lacking, looks for it unless there
-    /// is something to do at hand or the hands are full.
+    /// Plans for the known things. If something is lacking, searches for it, unless there is something to do at
+    /// hand or the hands are full.
     fn decide_best(&mut self) -> Decision {
         let (sketch, choice) = match self.best_sketch() {
             Ok(found) => found,
             Err(reason) => {
                 return match self.decide_by_regression() {
-                    // Who has nothing else to do looks where it may be by now.
+                    // An agent with nothing else to do searches where the thing may be by now.
                     Decision::GiveUp(_) if self.has_let_go(&reason) => self.decide_best(),
                     Decision::GiveUp(_) => Decision::GiveUp(reason),
                     other => other,
@@ -121,7 +121,7 @@ impl Agent {
             self.unproved = (!sketch.proved).then_some(choice);
             return decision;
         }
-        // What is still to be filled is neither closed nor switched on.
+        // A container that will still be filled is neither closed nor switched on.
         let early = |a: &Action| {
             let ending = matches!(a.verb, Verb::Close | Verb::SwitchOn | Verb::SwitchOff);
             ending && a.object.is_some_and(|id| doors_lacking(&sketch).any(|d| d == id))
@@ -144,7 +144,7 @@ impl Agent {
         matches!(reason, Unreachable::HeldByAnother(_)) && self.belief.let_go_of_held()
     }
 
-    /// For those with manners, the closing of what was opened in vain, while it is at hand.
+    /// The closing of a container at hand that was opened in vain, for agents with manners.
     fn put_back(&self, sketch: &Sketch) -> Option<Action> {
         let Compiled { problem, start, .. } = &sketch.compiled;
         let useful = |id: NodeId| {
@@ -160,7 +160,7 @@ impl Agent {
         })
     }
 
-    /// Does something after the walk it takes, unless that shows something new.
+    /// Does an action after the necessary walk, unless the walk shows something new.
     pub(super) fn go_and(&mut self, action: Action) -> Decision {
         let decision = self.act(action, Vec::new());
         if matches!(decision, Decision::Act(first, _) if first.verb == Verb::Walk) {
@@ -169,7 +169,7 @@ impl Agent {
         decision
     }
 
-    /// The alternative of the goal that promises the least to do.
+    /// The alternative of the goal with the least estimated work.
     fn best_sketch(&mut self) -> Result<(Sketch, Choice), Unreachable> {
         let (mut best, mut reason) = (None::<(usize, Sketch, Choice)>, None);
         let mut choice = Choice::default();
@@ -195,21 +195,21 @@ impl Agent {
             .ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(self.goal.to_string())))
     }
 
-    /// What the packed plan leaves is left to regression, once the plan is done.
+    /// Starts the packed plan. Regression handles the remaining parts of the goal once the plan is done.
     fn decide_with_rest(&mut self, actions: Vec<Action>) -> Decision {
         if actions.is_empty() { self.decide_by_regression() } else { self.start(actions) }
     }
 
-    /// Begins a plan whose rest is kept for the next decisions.
+    /// Begins a plan and keeps its rest for the next decisions.
     fn start(&mut self, actions: Vec<Action>) -> Decision {
         match actions.first() {
-            // What is left is what others have promised.
+            // The promises of others cover the rest of the goal.
             None if !self.counted_on.is_empty() => Decision::Done,
             None => self.decide_by_regression(),
             Some(&first) => {
                 let decision = self.act(first, actions.clone());
                 if let Decision::Act(action, _) = &decision {
-                    // What was put before the plan does not use it up.
+                    // Actions inserted before the plan do not use it up.
                     let used = actions.iter().position(|a| a == action).map_or(0, |i| i + 1);
                     self.next = actions[used..].iter().copied().collect();
                 }
@@ -219,7 +219,7 @@ impl Agent {
     }
 }
 
-/// Containers that what is lacking will be put into.
+/// The containers that lacking things will be put into.
 fn doors_lacking(sketch: &Sketch) -> impl Iterator<Item = NodeId> {
     sketch.compiled.lacks.iter().flat_map(|l| &l.ways).filter_map(|way| door(sketch, way))
 }

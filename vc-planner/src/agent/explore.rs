@@ -1,4 +1,5 @@
-//! Who does not know what there is looks round before it says that there is no way.
+//! Exploration: an agent that does not know what the home contains explores it before it reports a goal as
+//! unreachable.
 
 use vc_graph::goal::Comparison;
 use vc_graph::{Action, Goal, NodeId, Place, Relation, Verb};
@@ -6,7 +7,7 @@ use vc_graph::{Action, Goal, NodeId, Place, Relation, Verb};
 use super::{Agent, Decision};
 
 impl Agent {
-    /// Whether what it has not heard of may change its mind.
+    /// Whether unknown things might change a decision.
     pub(super) fn may_be_rash(&self, decision: &Decision) -> bool {
         self.belief.is_stranger()
             && match decision {
@@ -16,7 +17,7 @@ impl Agent {
             }
     }
 
-    /// Looks at a place not seen: rooms first, then what is shut, each time what is nearest.
+    /// Looks at an unseen place: rooms first, then closed containers, the nearest first.
     pub(super) fn explore(&mut self) -> Option<Decision> {
         let graph = self.belief.graph();
         let here = graph.room_of(self.id);
@@ -34,8 +35,8 @@ impl Agent {
     }
 }
 
-/// Whether a goal is about what is not, or about all there is: then it does not hold for
-/// certain while there may be more.
+/// Whether a goal is about absence or about all things of a kind: then it is not certain to hold while there
+/// may be further things.
 fn speaks_of_all(goal: &Goal) -> bool {
     match goal {
         Goal::Literal(_) => false,

@@ -1,4 +1,4 @@
-//! A belief as a picture.
+//! Drawing a belief as SVG.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -9,17 +9,16 @@ use super::Belief;
 
 /// Width of a column and height of a row, pixels.
 const CELL: (f64, f64) = (26.0, 15.0);
-/// What names of places and of things take, pixels.
+/// Space for the names of places and of things, pixels.
 const NAMES: (f64, f64) = (230.0, 120.0);
 
 impl Belief {
-    /// A table of places and things as SVG: a row for each place where one of the things can
-    /// be, by rooms, and a column for each thing. The darker a field, the likelier is the thing
-    /// there, beside its likeliest place; a dot marks where the sampled state has it; green is
-    /// what has been seen. Numbers are told when one points at a field.
+    /// A table of places and things as SVG: a row for each place where one of the things can be, grouped by
+    /// room, and a column for each thing. The darker a field, the likelier the thing is there, relative to its
+    /// likeliest place; a dot marks the place in the sampled state; green fields have been seen. A tooltip on
+    /// each field tells the numbers.
     ///
-    /// Costs a look at all places for each thing. Of things that the scene does not have there
-    /// is nothing to see.
+    /// Costs a look at all places for each thing. Things that are not in the scene are left out.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -68,7 +67,7 @@ impl Belief {
         self.graph.label(id).to_string()
     }
 
-    /// Rooms, each with the places in it where any of the things can be.
+    /// The rooms, each with its places where any of the things can be.
     fn rows(&self, chances: &[Vec<(Place, f64)>]) -> Vec<Row> {
         let mut rooms: BTreeMap<Option<NodeId>, Vec<Place>> = BTreeMap::new();
         for (place, _) in chances.iter().flatten().filter(|(_, chance)| *chance > 0.0) {
@@ -108,7 +107,7 @@ impl Belief {
     }
 }
 
-/// A line of the table.
+/// A row of the table.
 enum Row {
     Room(Option<NodeId>),
     Place(Place),

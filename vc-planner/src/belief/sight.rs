@@ -1,4 +1,4 @@
-//! What an agent sees, hears and does: its sampled state is brought in line with it.
+//! Updates of the sampled state by observations, messages and actions.
 
 use vc_graph::{
     Action, Change, ChangeSet, Edge, Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph, rule,
@@ -7,13 +7,13 @@ use vc_graph::{
 use super::{Belief, Learned};
 
 impl Belief {
-    /// Expects what an action of the agent's own does.
+    /// Applies the expected effects of the agent's own action.
     pub fn expect(&mut self, action: &Action) {
         let changes = rule::step(&mut self.graph, self.agent, action);
         self.touched = changes.as_ref().map(touched).unwrap_or_default();
     }
 
-    /// Takes in what the agent sees.
+    /// Updates the belief with the agent's observation.
     pub fn observe(&mut self, seen: &Observation) -> Learned {
         let mut learned = Learned::default();
         self.meet(seen);
@@ -23,7 +23,7 @@ impl Belief {
         learned
     }
 
-    /// Takes in what another agent sees and tells: all but who sees it.
+    /// Updates the belief with an observation that another agent tells, except for the agent's own node.
     pub fn hear(&mut self, told: &Observation) -> Learned {
         let mut learned = Learned::default();
         let me = self.agent;
@@ -37,12 +37,12 @@ impl Belief {
             self.take_over_node(told, node);
         }
         self.look(told, &mut learned);
-        // What was told may be newer than what was seen last.
+        // The message may be newer than the agent's own last observation.
         self.last = None;
         learned
     }
 
-    /// Takes an affordance from a thing; whether it had it.
+    /// Removes an affordance from a thing; returns whether the thing had it.
     pub(crate) fn bar(&mut self, id: NodeId, property: Property) -> bool {
         let affords = self.graph.node(id).is_some_and(|n| n.affords(property));
         let mut edit = self.graph.edit();
@@ -51,7 +51,7 @@ impl Belief {
         barred
     }
 
-    /// Who has not been told what there is takes note of what it sees for the first time.
+    /// Adds the nodes that a stranger sees for the first time.
     fn meet(&mut self, seen: &Observation) {
         if !self.stranger {
             return;
@@ -59,18 +59,18 @@ impl Belief {
         let new: Vec<&Node> = seen.nodes().filter(|n| self.graph.node(n.id()).is_none()).collect();
         let mut edit = self.graph.edit();
         for node in new {
-            // It is not there yet, and everything about it is taken over as it is seen.
+            // The node is new, and all its data are taken from the observation.
             let _ = edit.add_as_seen(node);
         }
         edit.commit();
     }
 
-    /// Brings the sampled state in line with what is seen.
+    /// Makes the sampled state agree with an observation.
     fn take_over(&mut self, seen: &Observation, learned: &mut Learned) {
         let last = self.last.take();
         for node in seen.nodes() {
             let id = node.id();
-            // Snapshots share unchanged nodes: the same node need not be compared.
+            // Snapshots share unchanged nodes, so an identical node need not be compared.
             let same = last.as_ref().and_then(|l| l.get(id)).is_some_and(|old| std::ptr::eq(old, node));
             if same && !self.touched.contains(&id) {
                 continue;
@@ -99,7 +99,7 @@ impl Belief {
         let places: Vec<Place> = if moved { seen.places(id).collect() } else { Vec::new() };
         let (pose, contents) = (node.pose().copied(), node.contents().cloned());
         let mut edit = self.graph.edit();
-        // What is seen is sound; where two sightings contradict the later one wins.
+        // Observations are consistent; if two contradict each other, the later one counts.
         let _ = edit.set_states(id, states);
         let _ = edit.set_pose(id, pose);
         if edit.graph().node(id).is_some_and(|n| n.contents() != contents.as_ref()) {
@@ -111,7 +111,7 @@ impl Belief {
         edit.commit();
     }
 
-    /// What the agent itself, and others in view, are near and face.
+    /// Updates which things the agent itself, and other visible agents, are near and face.
     fn take_over_agents(&mut self, seen: &Observation) {
         for agent in self.graph.agents().to_vec() {
             if agent == self.agent || seen.sees(agent) {
@@ -127,7 +127,7 @@ impl Belief {
         };
         let before = links(&self.graph);
         let mut now: Vec<Edge> = kinds.iter().flat_map(|&r| seen.related(agent, r)).collect();
-        // It remembers what one has turned to that is out of view.
+        // The belief remembers a faced thing that is out of view.
         now.extend(before.iter().filter(|e| e.relation == Relation::Facing && !seen.sees(e.to)));
         if before == now {
             return;
@@ -141,7 +141,7 @@ impl Belief {
     }
 }
 
-/// The nodes a change set is about.
+/// The nodes that a change set concerns.
 fn touched(changes: &ChangeSet) -> Vec<NodeId> {
     let mut all: Vec<NodeId> = Vec::new();
     for change in changes.changes() {

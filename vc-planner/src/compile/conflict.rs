@@ -1,24 +1,24 @@
-//! Whether the needs of a problem ask for more than there is.
+//! Detection of conflicting needs.
 
 use vc_graph::goal::largest_matching;
 
 use super::Compiled;
 use crate::packed::{Problem, ones};
 
-/// How many things can be held in the end.
+/// The number of things that can be held at the end.
 const HANDS: u32 = 2;
 
 impl Compiled {
-    /// Whether the needs conflict: more is to be held than there are hands, or there are
-    /// not enough items for all needs at once, each of which serves one. For saying why
-    /// there is no plan; where one item can serve two needs it is not looked into.
+    /// Whether the needs conflict: more things are to be held than there are hands, or there are too few items
+    /// for all needs at once if each item serves one. Used to explain why there is no plan. Problems in which
+    /// one item can serve two needs are not examined.
     pub(crate) fn conflicts(&self) -> bool {
         let problem = &self.problem;
         let kept: u32 = ones(u64::from(problem.keeps)).map(|n| problem.needs[n].units.count_ones()).sum();
         kept > HANDS || (!problem.shared && !matched(problem, &self.items()))
     }
 
-    /// The needs that each item serves that is carried or put somewhere.
+    /// For each item that is carried or put somewhere, the needs it serves.
     pub(super) fn items(&self) -> Vec<u32> {
         let in_hands = self.start.hands.iter().map(|&h| self.problem.kind(h));
         let pile = |p: &crate::packed::Pile| vec![self.problem.kinds[p.kind as usize]; p.items.len()];
@@ -26,7 +26,7 @@ impl Compiled {
     }
 }
 
-/// Whether every unit that must be carried has an item of its own.
+/// Whether every unit that must be carried can have an item of its own.
 fn matched(problem: &Problem, items: &[u32]) -> bool {
     let serving = |unit: usize| {
         let need = problem.index.need_of[unit];

@@ -1,4 +1,4 @@
-//! What there is to carry: what is held, and piles of things.
+//! The things to carry: held things, and piles of things.
 
 use vc_graph::goal::largest_matching;
 use vc_graph::{Edge, Kind, Node, NodeId, Property, Relation};
@@ -9,7 +9,7 @@ use crate::few::Few;
 use crate::packed::{MOST, Need, Pile, Spot, Way, ones, run_of};
 
 impl Compiler<'_> {
-    /// What is held now.
+    /// Adds the held things.
     pub(super) fn hands(&mut self) {
         let held: Vec<NodeId> = self.graph().held(self.now.agent).take(2).collect();
         for (hand, &id) in held.iter().enumerate() {
@@ -29,7 +29,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Where a full hand can be emptied on the spot.
+    /// Records a surface at hand on which a full hand can be emptied.
     fn table_at_hand(&mut self) {
         let graph = self.now.graph;
         let steady = |n: &Node| n.affords(Property::Surface) && !n.affords(Property::Graspable);
@@ -48,12 +48,12 @@ impl Compiler<'_> {
         }) as u8
     }
 
-    /// Gathers items into piles, the most useful first where there are more than enough.
+    /// Gathers items into piles, the most useful first if there are more than enough.
     pub(super) fn piles(&mut self) {
         let items = std::mem::take(&mut self.items);
         let mut piles: Vec<Lot> = Vec::with_capacity(items.len().min(MOST));
         for (id, serves) in items {
-            // What another holds or wears is left to it.
+            // Things that another agent holds or wears are left to it.
             if self.is_held_by_another(id) {
                 continue;
             }
@@ -84,8 +84,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Where an item stands. What lies beside something that matters anyway is at hand there
-    /// as well, and need not be walked up to.
+    /// Where an item stands. An item beside a thing that is visited anyway is at hand there, and needs no walk
+    /// of its own.
     fn standing(&self, id: NodeId) -> Standing {
         let (graph, standing) = (self.now.graph, Standing::of(self.now.graph, id));
         if standing.anchor != id || graph.near(self.now.agent, id) {
@@ -102,7 +102,7 @@ impl Compiler<'_> {
         spot.map_or(standing, |spot| Standing { anchor: spot.anchor, ..standing })
     }
 
-    /// Those that are needed before those that could be taken instead.
+    /// The piles that are needed, before those that could serve as alternatives.
     fn needed_first(&self, piles: Vec<Lot>) -> Vec<Lot> {
         let mut short = [0usize; MOST];
         let needs = self.out.problem.needs.iter().map(|need| need.units.count_ones() as usize);
@@ -117,7 +117,7 @@ impl Compiler<'_> {
         needed
     }
 
-    /// Leaves for later what too few items have found room for.
+    /// Defers the units for which too few items were packed.
     fn leave_unserved(&mut self) {
         let items = self.out.items();
         let carried = |need: &Need| !matches!(need.ways.first(), Some(Way::Use { .. }) | None);
@@ -134,7 +134,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Where something is to be done already, several things, nothing to open, here.
+    /// Sorts piles by preference: spots that are visited anyway, several things, no door to open, the present
+    /// room.
     fn rank(&self, piles: &mut [Lot]) {
         let graph = self.now.graph;
         let here = graph.room_of(self.now.agent);
@@ -152,7 +153,7 @@ impl Compiler<'_> {
         });
     }
 
-    /// A pile of the items of a lot; `None` if it finds no room, or only some of it.
+    /// Makes a pile of the items of a lot; `None` if there is no room for all of it.
     fn pile(&mut self, lot: Lot) -> Option<()> {
         if self.out.problem.piles.len() == MOST {
             return None;
@@ -163,7 +164,7 @@ impl Compiler<'_> {
             return None;
         };
         let (kind, mut items) = (self.kind(lot.serves), lot.items);
-        // More than can serve any need are of no use.
+        // More items than can serve any need are useless.
         let number = |n: usize| self.out.problem.needs[n].units.count_ones() as usize;
         let useful = items.len().min(ones(u64::from(lot.serves)).map(number).sum());
         let units = run_of(self.out.start.piles, useful);

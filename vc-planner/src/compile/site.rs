@@ -1,4 +1,4 @@
-//! What is there for packed plans to work on: spots to walk to, doors and switches.
+//! The sites that packed plans work on: spots to walk to, doors and switches.
 
 use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
 
@@ -31,15 +31,15 @@ impl Compiler<'_> {
         Some(number as u8)
     }
 
-    /// Where something stands: its spot, and the door it is behind, if any. `None` if
-    /// there are several doors, or no room for it.
+    /// Where something stands: its spot, and its enclosing door, if any. `None` if there are several doors, or
+    /// no room for another.
     pub(super) fn site(&mut self, id: NodeId) -> Option<(u8, Option<u8>)> {
         let standing = Standing::of(self.now.graph, id);
         let spot = self.spot(standing.anchor)?;
         Some((spot, self.door_of(&standing, spot)?))
     }
 
-    /// The door something is behind, if any; `None` if there are several.
+    /// The enclosing door of a thing, if any; `None` if there are several.
     pub(super) fn door_of(&mut self, standing: &Standing, spot: u8) -> Option<Option<u8>> {
         match standing.inside {
             _ if standing.nested => None,
@@ -89,9 +89,9 @@ impl Compiler<'_> {
         Some(number as u8)
     }
 
-    /// Wants doors and switches left as they are now, or as they were before they were
-    /// touched, where the goal says nothing about them. While there is more to do than is
-    /// packed what was touched is left: it may be needed for that.
+    /// Requires doors and switches to be left as they are now, or as they were before they were touched, where
+    /// the goal says nothing about them. While the goal has more parts than are packed, touched doors and
+    /// switches are left: they may be needed for the rest.
     pub(super) fn tidy_up(&mut self, touched: &Touched) {
         let graph = self.now.graph;
         let more = self.out.rest;
@@ -125,7 +125,7 @@ impl Compiler<'_> {
 
     pub(super) fn finish(&mut self) {
         let problem = &mut self.out.problem;
-        // In a room one is wherever in it one is.
+        // Every spot in a room also counts as being in the room.
         for i in 0..problem.spots.len() {
             let room = |(_, s): &(usize, &Spot)| Some(s.anchor) == problem.spots[i].room;
             let around = problem.spots.iter().enumerate().find(room).map_or(0, |(j, _)| bit(j as u8));
@@ -153,22 +153,22 @@ impl Compiler<'_> {
     }
 }
 
-/// How far down things are looked for in each other.
+/// The maximal nesting depth of things that is followed.
 const DEEPEST: usize = 16;
 
 /// Where a thing stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Standing {
-    /// What one walks up to, to have it at hand: the furniture it is on or in.
+    /// The furniture on or in which the thing is: walking up to it brings the thing within reach.
     pub(crate) anchor: NodeId,
-    /// The nearest container that opens around it.
+    /// The nearest enclosing container that opens.
     pub(super) inside: Option<NodeId>,
-    /// There is another such container around that one.
+    /// Whether another such container encloses that one.
     pub(super) nested: bool,
 }
 
 impl Standing {
-    /// Goes down from a thing to the floor.
+    /// Follows the support chain from a thing down to the floor.
     pub(crate) fn of(graph: &SceneGraph, id: NodeId) -> Self {
         let mut standing = Self { anchor: id, inside: None, nested: false };
         for _ in 0..DEEPEST {
@@ -187,12 +187,12 @@ impl Standing {
     }
 }
 
-/// What one walks up to, to have a thing at hand: the furniture it is on or in.
+/// The furniture on or in which a thing is: walking up to it brings the thing within reach.
 pub(crate) fn anchor(graph: &SceneGraph, id: NodeId) -> NodeId {
     Standing::of(graph, id).anchor
 }
 
-/// Floors and rugs: standing on them is no reason to be near all that does.
+/// Whether a node is a floor or a rug: standing on it does not mean being near everything on it.
 pub(crate) fn is_ground(graph: &SceneGraph, id: NodeId) -> bool {
     graph.node(id).is_none_or(|n| {
         n.kind() != Kind::Object

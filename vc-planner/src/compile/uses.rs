@@ -1,4 +1,4 @@
-//! What is done to things where they are: doors, switches, deeds and postures.
+//! Actions on things at their places: doors, switches, deeds and postures.
 
 use vc_graph::{Action, Condition, NodeId, Property, Relation, State as Word, Verb, rule};
 
@@ -10,8 +10,8 @@ use crate::want::Unreachable;
 
 impl Compiler<'_> {
     pub(super) fn state(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
-        // Which of several is to be so is settled at once: those that are so already and that
-        // nothing is done to, then those that something is done to anyway.
+        // If several things would do, the choice is made at once: first things that are in the state already
+        // and that nothing else changes, then things that are handled anyway.
         let problem = &self.out.problem;
         let touched = |id: NodeId| match word {
             Word::Open | Word::Closed => problem.doors.iter().any(|d| d.node == id),
@@ -86,7 +86,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// Whether an action needs no more than to be at the thing.
+    /// Whether an action requires no more than being at the thing.
     fn is_simple(&self, action: &Action) -> bool {
         let (graph, me) = (self.now.graph, self.now.agent);
         rule::preconditions(action).iter().all(|c| match c {
@@ -110,7 +110,7 @@ impl Compiler<'_> {
         Some(Way::Use { verb, on, spot, door, bit: self.bits - 1 })
     }
 
-    /// The agent sits or lies in the end: what is done last, as who rests walks nowhere.
+    /// Sitting or lying at the end. It is done last, since an agent that rests cannot walk.
     pub(super) fn posture(&mut self, demand: &Demand<'_>, verb: Verb) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
         let rests = [Relation::SittingOn, Relation::LyingOn].iter().any(|&r| graph.related(me, r).next().is_some());
@@ -133,7 +133,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// Leaves resting to the general planner where more is to be done than is packed.
+    /// Leaves resting to the general planner if the goal has more parts than are packed.
     pub(super) fn rest_last(&mut self) {
         let last = self.out.problem.last;
         if last != 0 && (self.out.rest || !self.out.lacks.is_empty()) {
@@ -142,7 +142,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Something that is to be done.
+    /// A deed that is to be done.
     pub(super) fn deed(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
         if verb.arity() == 0 {
@@ -179,7 +179,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Settles how a door or a switch is to be left: a goal cannot ask for both.
+/// Sets the final state of a door or switch: a goal cannot ask for both states.
 fn settle(want: &mut Option<bool>, to: bool, demand: &Demand<'_>) -> Result<()> {
     if *want == Some(!to) {
         return Err(Unreachable::Conflicting(demand.part.to_string()));

@@ -1,4 +1,4 @@
-//! A search played to its end in one home.
+//! Rollouts of a search in one home.
 
 use std::ops::Range;
 
@@ -8,25 +8,25 @@ use super::{
 };
 use crate::packed::ones;
 
-/// A search being played.
+/// The state of a rollout.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Play {
     cost: u32,
     room: u8,
-    /// The spot at hand; at first those the hunt says.
+    /// The spot at hand; at first those that the hunt lists.
     at: Option<u16>,
     begun: bool,
     pub(super) entered: u64,
     seen: [u64; MOST_SITES / 64],
     found: u32,
     left: [u8; MOST_LACKS],
-    /// The lacks of which something is left, as bits.
+    /// The lacks that are still open, as bits.
     lacking: u8,
     items: [Item; MOST_ITEMS],
     known: u8,
     held: [Option<u8>; 2],
     hands: u8,
-    /// The best look in each room, but for the rooms (bits) in which something has changed.
+    /// The best look in each room, out of date for the `stale` rooms (bits).
     offers: [Option<(f64, Move)>; MOST_ROOMS],
     stale: u64,
 }
@@ -62,7 +62,7 @@ impl Play {
         play
     }
 
-    /// The cost of a move and of all that comes after it by the base policy.
+    /// The cost of a move and of the rollout of the base policy after it.
     pub(super) fn played(mut self, hunt: &Hunt, world: &World, first: Move) -> f64 {
         self.make(hunt, world, first);
         loop {
@@ -100,7 +100,7 @@ impl Play {
     }
 
     fn go(&mut self, hunt: &Hunt, world: &World, room: u8, spot: Option<u16>) {
-        // What was at hand is not any more.
+        // The former spots are no longer at hand.
         self.stale |= if self.begun { 1 << self.room | 1 << room } else { every_room(hunt) };
         (self.cost, self.room, self.at, self.begun) = (self.cost + 1, room, spot, true);
         if self.entered >> room & 1 == 0 {
@@ -136,7 +136,7 @@ impl Play {
             }
             let spot = hunt.sites[site as usize].spot.unwrap_or(FLOOR | i as u16);
             let room = hunt.room_of[site as usize];
-            // What already lies where it is to be is done.
+            // A thing that already lies at its target is done.
             let target = hunt.lacks[lack].target;
             if target.is_none_or(|t| hunt.targets[t as usize].spot != spot) {
                 self.learn(Item { spot, room, target });
@@ -170,7 +170,7 @@ impl Play {
     fn put(&mut self, hunt: &Hunt, world: &World, hand: u8) {
         let Some(target) = self.target(hunt, hand) else { return };
         if let Some(site) = target.door.filter(|s| !self.has_seen(*s)) {
-            // A full hand is put down and taken up again.
+            // A full hand is emptied first and filled again afterwards.
             self.cost += 1 + 2 * u32::from(self.full());
             self.reveal(hunt, world, site);
         }
@@ -178,7 +178,7 @@ impl Play {
         (self.held[hand as usize], self.hands) = (None, self.hands - 1);
     }
 
-    /// What takes no walk: putting down what is wanted at hand, taking what is.
+    /// Does everything that needs no walk: puts down held things wanted at hand, takes wanted things at hand.
     fn at_once(&mut self, hunt: &Hunt) {
         for hand in 0..2 {
             let open = |t: &Target| t.door.is_none_or(|s| self.has_seen(s));
@@ -204,8 +204,7 @@ impl Play {
         self.held.iter().position(Option::is_some).map(|hand| Move::Deliver(hand as u8))
     }
 
-    /// Where the base policy looks next. Only rooms in which something has changed are
-    /// weighed again.
+    /// The next look of the base policy. Only rooms in which something has changed are evaluated again.
     fn look(&mut self, hunt: &Hunt) -> Option<Move> {
         for room in ones(self.stale) {
             self.offers[room] = self.best_in(hunt, room as u8);
@@ -220,7 +219,7 @@ impl Play {
         best.map(|(_, next)| next)
     }
 
-    /// The look in a room that is most worth while.
+    /// The best look in a room.
     fn best_in(&self, hunt: &Hunt, room: u8) -> Option<(f64, Move)> {
         let (range, shut) = &hunt.rooms[room as usize];
         let mut best: Option<(f64, Move)> = None;
@@ -236,7 +235,7 @@ impl Play {
         let open = f64::from(hunt.opening);
         for s in (*shut..range.end).filter(|&s| !self.has_seen(s)) {
             let own = self.value(hunt, s);
-            // The likeliest come first: from here on none makes it more worth while.
+            // The likeliest sites come first: no later site can be better.
             if cost > 0.0 && own * cost < chance * open {
                 break;
             }
@@ -250,8 +249,8 @@ impl Play {
         best
     }
 
-    /// How much is at least left to do with what is known: every spot and target is
-    /// walked to once for two things.
+    /// A lower bound on the remaining work for the known things: every spot and target is visited once per two
+    /// things.
     fn rest(&self, hunt: &Hunt) -> u32 {
         let items = &self.items[..self.known as usize];
         let mut into = [0u8; MOST_TARGETS];
@@ -271,7 +270,7 @@ impl Play {
         cost
     }
 
-    /// Whether both hands are full and one can be emptied where it is wanted.
+    /// Whether both hands are full and one can be emptied at a target.
     pub(super) fn full(&self) -> bool {
         self.hands >= 2 && self.held != [None; 2]
     }
@@ -285,7 +284,7 @@ impl Play {
         if self.begun { self.at == Some(spot) } else { hunt.near.contains(&spot) }
     }
 
-    /// How many of what is lacking are to be expected at a site.
+    /// The expected number of lacking things at a site.
     pub(super) fn value(&self, hunt: &Hunt, site: u16) -> f64 {
         hunt.values[self.lacking as usize * hunt.sites.len() + site as usize]
     }

@@ -1,8 +1,8 @@
-//! Homes to play in: where the things looked for may be.
+//! Sampled homes for rollouts: possible places of the wanted things.
 
 use super::{ALL, Hunt, MOST_QUARRIES, Quarry, STAGES};
 
-/// A home with its chance, and as bits the quarries at each site.
+/// A home with its probability, and the quarries at each site as bits.
 #[derive(Debug, Clone, Default)]
 pub(super) struct World {
     pub(super) chance: f64,
@@ -17,7 +17,7 @@ impl World {
 }
 
 impl Hunt {
-    /// Homes to play in, and whether these are all there are: else they are a sample.
+    /// The homes for rollouts, and whether they are an enumeration of all rather than a sample.
     pub(super) fn worlds(&self) -> (Vec<World>, bool) {
         let mut supports = self.quarries.iter().map(|q| q.chances.iter().filter(|c| **c > 0.0).count());
         match supports.try_fold(1usize, |all, n| all.checked_mul(n)) {
@@ -43,8 +43,8 @@ impl Hunt {
         worlds
     }
 
-    /// So many homes: for each quarry the points of a Kronecker sequence, which fall more
-    /// evenly than random ones.
+    /// Samples a number of homes: for each quarry the points of a Kronecker sequence, which are more evenly
+    /// distributed than random ones.
     fn draw(&self, homes: usize) -> Vec<World> {
         let mut worlds = vec![World { chance: 1.0, at: vec![0; self.sites.len()] }; homes];
         for (number, quarry) in self.quarries.iter().enumerate() {

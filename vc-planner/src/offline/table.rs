@@ -1,4 +1,4 @@
-//! Transitions as a Parquet file, a row for each step and a row group for each episode.
+//! Transitions as a Parquet file: a row for each step and a row group for each episode.
 
 use std::io::Write;
 use std::sync::Arc;
@@ -30,16 +30,16 @@ const SCHEMA: &str = "message transition {
     required boolean truncated;
 }";
 
-/// Why no table was written.
+/// The reason why no table was written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// An episode cannot be replayed from the scene it is said to have begun in.
+    /// An episode cannot be replayed from the given initial scene.
     #[error("episode {episode}: {fault}")]
     Episode {
         /// Position in the list, from zero.
         episode: usize,
-        /// What is wrong with it.
+        /// The fault of the episode.
         fault: Fault,
     },
     /// The file could not be written.
@@ -47,14 +47,13 @@ pub enum TableError {
     Write(#[from] ParquetError),
 }
 
-/// Writes episodes, each with the scene it began in, as one Parquet file: a row for each
-/// step, with the columns `episode`, `task`, `goal`, `policy`, `seed`, `step`,
-/// `observation`, `action`, `reward`, `next_observation`, `terminated` and `truncated`;
-/// see [`Transition`]. Texts repeat, so they are kept in dictionaries; nothing is
-/// compressed beyond that.
+/// Writes episodes, each with its initial scene, as one Parquet file: a row for each step, with the columns
+/// `episode`, `task`, `goal`, `policy`, `seed`, `step`, `observation`, `action`, `reward`, `next_observation`,
+/// `terminated` and `truncated`; see [`Transition`]. Texts repeat, so they are stored in dictionaries, without
+/// further compression.
 ///
 /// # Errors
-/// [`TableError`] if an episode cannot be replayed or the file not be written.
+/// [`TableError`] if an episode cannot be replayed or the file cannot be written.
 pub fn write_parquet<'a>(
     out: impl Write + Send,
     scope: Scope,

@@ -1,14 +1,14 @@
-//! What a macro does to a packed state, and what it costs.
+//! Effects and costs of macros on a packed state.
 
 use super::{ACTION, Op, Problem, State, Way, bit, ones};
 
-/// A walk into another room is a little worse than one within it.
+/// Cost of a walk into another room beyond that of a walk within a room.
 const ROOM: u32 = 1;
-/// Putting down is better manners than dropping.
+/// Cost of dropping a thing beyond that of putting it down.
 const UNTIDY: u32 = 2;
 
 impl Problem {
-    /// Carries a macro out; `None` if it cannot be done. Returns its cost.
+    /// Applies a macro and returns its cost; `None` if it cannot be done.
     pub(crate) fn apply(&self, s: &mut State, op: Op) -> Option<u32> {
         match op {
             Op::Start => Some(0),
@@ -40,7 +40,7 @@ impl Problem {
         }
     }
 
-    /// One less of a need is left.
+    /// Removes one unit of a need.
     fn serve(&self, s: &mut State, need: usize) {
         let left = s.needs & self.needs[need].units;
         s.needs ^= left & left.wrapping_neg();
@@ -112,7 +112,7 @@ impl Problem {
         let walk = spot.map_or(0, |spot| self.go(s, spot));
         let kind = s.hands[hand as usize];
         if self.kind(kind) != 0 {
-            // A useful thing must be picked up again: there are two places for such.
+            // A useful item must be picked up again: there are two slots for such items.
             let slot = s.down.iter().position(|&d| d == 0)?;
             if s.down[1 - slot] != 0 && !s.fresh {
                 return None;

@@ -1,8 +1,8 @@
-//! What is asked of a problem again and again, gathered into words once.
+//! Precomputed words about a problem for frequent queries.
 
 use super::{BITS, MOST, Pile, Problem, UNITS, Way, bit, ones};
 
-/// What is wanted of doors and switches, as bits.
+/// The wanted final states of doors and switches, as bits.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Wanted {
     pub(crate) open: u64,
@@ -11,57 +11,55 @@ pub(crate) struct Wanted {
     pub(crate) off: u64,
 }
 
-/// What a bit of a need is known to take, whatever else is done.
+/// The known requirements of one unit of a need, whatever else is done.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Unit {
     /// Spots and doors of the only way to serve it.
     pub(crate) spot: u64,
     pub(crate) door: u64,
-    /// Spots and doors of the only pile that has it.
+    /// Spots and doors of the only pile that contains it.
     pub(crate) from: u64,
     pub(crate) behind: u64,
-    /// How many actions it takes where one stands: a grab and a put, or a use.
+    /// The number of actions at its spots: a grab and a put, or a use.
     pub(crate) actions: u32,
 }
 
-/// Words about a problem. Bits are units of needs, if nothing else is said.
+/// Words about a problem. Bits are units of needs unless stated otherwise.
 #[derive(Debug, Clone)]
 pub(crate) struct Index {
-    /// By what a hand holds.
+    /// Indexed by the kind in a hand.
     serves: [u64; BITS],
     pub(crate) need_of: [u8; UNITS],
     pub(crate) pile_of: [u8; UNITS],
     pub(crate) units: Vec<Unit>,
-    /// For each spot what can only be put there, and what can only be had from there.
+    /// For each spot, the units that can only be put there, and those that can only be taken from there.
     pub(crate) traffic: Vec<Traffic>,
-    /// Spots to which more than two things go, or from which they come.
+    /// Spots to or from which more than two things go.
     pub(crate) busy: u64,
-    /// For each door what lies behind it (bits of piles), and what goes through it.
+    /// For each door, the contents behind it (bits of piles), and the units that go through it.
     pub(crate) doors: Vec<Passage>,
-    /// Switches that keep a door shut while they are on.
+    /// Switches that keep a door closed while they are on.
     pub(crate) bars: u64,
     pub(crate) wanted: Wanted,
-    /// What is put or kept; what is done to things where they are; what is held in the
-    /// end.
+    /// Units that are put or kept; units of actions on things at their places; units that are held at the end.
     pub(crate) carried: u64,
     pub(crate) uses: u64,
     pub(crate) keeps: u64,
-    /// Needs of several, or that several piles serve; for each need the piles (bits of
-    /// piles).
+    /// Needs of several items, and needs that several piles serve; for each need its piles (bits of piles).
     pub(crate) choosy: u64,
     pub(crate) from: [u64; MOST],
     /// Needs whose items are put at one of several spots.
     pub(crate) anywhere: u64,
 }
 
-/// What comes to a spot, and what leaves it.
+/// The units that go to a spot, and those that leave it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Traffic {
     pub(crate) into: u64,
     pub(crate) out: u64,
 }
 
-/// What lies behind a door (bits of piles), and what goes through it.
+/// The contents behind a door (bits of piles), and the units that go through it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Passage {
     pub(crate) behind: u64,
@@ -91,14 +89,14 @@ impl Default for Index {
 }
 
 impl Index {
-    /// What an item in a hand serves; nothing, if the hand is empty.
+    /// The units that a held item serves; none if the hand is empty.
     pub(crate) fn serves(&self, hand: u8) -> u64 {
         self.serves[hand as usize % BITS]
     }
 }
 
 impl Problem {
-    /// Gathers what is asked for again and again into bits; when all else is there.
+    /// Fills in the index; called when the rest of the problem is complete.
     pub(crate) fn index(&mut self) {
         let mut index = std::mem::take(&mut self.index);
         index.traffic.resize(self.spots.len(), Traffic::default());
@@ -176,7 +174,7 @@ impl Problem {
         self.index_sources(n, carried, &mut one, index);
         for unit in ones(units) {
             index.need_of[unit] = n as u8;
-            // Units are given out in the order of needs.
+            // Units are assigned in the order of needs.
             index.units.push(one);
         }
     }
@@ -189,7 +187,7 @@ impl Problem {
         let need = &self.needs[n];
         if need.spots.is_power_of_two() && (put || need.ways.len() == 1) {
             one.spot = need.spots;
-            // Where some item lies that is needed there no trip is saved by a free hand.
+            // If some item already lies at the target, a free hand saves no trip.
             let local = self.serving(n).any(|p| need.spots & bit(p.spot) != 0);
             if put && !local {
                 index.traffic[one.spot.trailing_zeros() as usize].into |= need.units;
@@ -206,7 +204,8 @@ impl Problem {
         match (piles.next(), piles.next()) {
             (Some(pile), None) if need.units.is_power_of_two() && self.serves_one(pile) => {
                 (one.from, one.behind) = (bit(pile.spot), pile.door.map_or(0, bit));
-                // Two hands limit what leaves a spot, not what is moved or used there.
+                // Two hands limit the number of items that leave a spot, but not moves and uses within the
+                // spot.
                 if carried && need.spots & one.from == 0 {
                     index.traffic[pile.spot as usize].out |= need.units;
                 }
@@ -221,7 +220,7 @@ impl Problem {
     }
 }
 
-/// All but the lowest bit: something, if there are several.
+/// All bits but the lowest: nonzero if there are several.
 fn several(bits: u64) -> u64 {
     bits & bits.wrapping_sub(1)
 }

@@ -1,9 +1,9 @@
-//! Which macros may help in a packed state.
+//! The macros that may help in a packed state.
 
 use super::{Op, Problem, State, Way, bit, ones};
 
 impl Problem {
-    /// All macros that may help.
+    /// Lists all macros that may help.
     pub(crate) fn ops(&self, s: &State, ops: &mut Vec<Op>) {
         ops.clear();
         if let Some(op) = self.forced(s) {
@@ -28,8 +28,8 @@ impl Problem {
         self.use_ops(s, ops);
     }
 
-    /// What costs nothing to do at once: delivering what is at hand and serves nothing
-    /// else.
+    /// A macro that can be done at once without loss: delivering a held item that serves only one need, at a spot
+    /// at hand.
     fn forced(&self, s: &State) -> Option<Op> {
         for hand in 0..2u8 {
             let serves = self.index.serves(s.hands[hand as usize]) & s.needs;
@@ -74,9 +74,9 @@ impl Problem {
         }
     }
 
-    /// With both hands full: what is of no use is put down anywhere; what is, only if there
-    /// is something to open, and then where one stands or, if all that is held is on its way
-    /// through shut doors, before a door.
+    /// Lists the ways to put an item down with both hands full. A useless item is put down anywhere; a useful
+    /// one only if there is something to open, and then at the present position or, if all held items are to go
+    /// through closed doors, in front of a door.
     fn put_down_ops(&self, s: &State, hand: u8, ops: &mut Vec<Op>) {
         let useless = self.index.serves(s.hands[hand as usize]) & (s.needs | self.index.keeps) == 0;
         if useless {
@@ -93,15 +93,14 @@ impl Problem {
         }
     }
 
-    /// Whether there is a way to put what is held where it is needed without opening a door.
+    /// Whether a held item can be delivered without opening a door.
     fn can_be_delivered(&self, s: &State, held: u8) -> bool {
         let open = |way: &Way| matches!(way, Way::Put { door, .. } if s.is_open(*door));
         let needs = ones(self.index.serves(held) & s.needs).map(|unit| self.index.need_of[unit]);
         needs.into_iter().any(|need| self.needs[need as usize].ways.iter().any(open))
     }
 
-    /// Doors that are shut, and are to be open or have something still needed behind
-    /// them.
+    /// Closed doors that are to be open at the end or have something needed behind them.
     fn worth_opening(&self, s: &State) -> u64 {
         let mut worth = self.index.wanted.open & !s.open;
         for (d, passage) in self.index.doors.iter().enumerate() {

@@ -1,23 +1,24 @@
-//! Where things akin to another are kept, by the class table.
+//! Habitual places of related classes, by the class table.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use vc_graph::{Class, ClassTable, Relation};
 
-/// On or in things of a class; on the floor, if none.
+/// On or in things of a class; `None` means on the floor.
 type At = Option<(Relation, Arc<str>)>;
 
-/// For each group of classes, in what parts its things are kept where; a group's parts sum to one.
+/// For each group of classes, the fraction of its things that is kept at each place; the fractions of a group
+/// sum to one.
 #[derive(Debug, Default)]
 pub(crate) struct Kin(BTreeMap<Arc<str>, BTreeMap<At, f64>>);
 
-/// How much less a group counts than the one within it: cakes tell more of where a cake is than
-/// food does.
+/// The weight of a group relative to the next narrower one: cakes tell more about the place of a cake than food
+/// does.
 const WIDER: f64 = 0.5;
 
 impl Kin {
-    /// The kin of a class table; that of the built-in one is made once.
+    /// The table for a class table; that of the built-in one is computed once.
     pub(crate) fn of(classes: &Arc<ClassTable>) -> Arc<Self> {
         static BUILTIN: LazyLock<Arc<Kin>> = LazyLock::new(|| Arc::new(Kin::read(&ClassTable::builtin())));
         if Arc::ptr_eq(classes, &ClassTable::builtin()) { BUILTIN.clone() } else { Arc::new(Self::read(classes)) }
@@ -43,7 +44,8 @@ impl Kin {
         kin
     }
 
-    /// Which part of the things akin to one is kept at a kind of place, narrower kin first.
+    /// The fraction of a thing's relatives that is kept at a kind of place, with a higher weight for closer
+    /// relatives.
     pub(crate) fn part(&self, classes: &ClassTable, thing: &Class, relation: Relation, at: Option<&Class>) -> f64 {
         let around: Vec<At> = match at {
             Some(at) => lineage(classes, at).into_iter().map(|(name, _)| Some((relation, name))).collect(),
@@ -60,7 +62,7 @@ impl Kin {
     }
 }
 
-/// A class and what it is a kind of, each with how far up.
+/// A class and its ancestors, each with its distance.
 fn lineage(classes: &ClassTable, class: &Class) -> Vec<(Arc<str>, i32)> {
     let mut found = vec![(class.name.clone(), 0)];
     let mut next = 0;
@@ -76,11 +78,11 @@ fn lineage(classes: &ClassTable, class: &Class) -> Vec<(Arc<str>, i32)> {
     found
 }
 
-/// The groups a class is in, and last all things of its sort.
+/// The groups of a class, the last being all things of its category.
 fn groups(classes: &ClassTable, class: &Class) -> Vec<(Arc<str>, i32)> {
     let mut found = lineage(classes, class);
     let farthest = found.iter().map(|(_, far)| *far).max().unwrap_or(0);
-    // No class is called so.
+    // No class has such a name.
     found.push((format!("all {}", class.category).into(), farthest + 1));
     found
 }

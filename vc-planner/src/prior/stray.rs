@@ -1,29 +1,27 @@
-//! How likely a thing that is not where habit puts it is at a kind of place.
+//! Probability of a kind of place for a thing that is not at a habitual place.
 
 use vc_graph::{NodeId, Relation, SceneGraph};
 
 use super::Kin;
 use super::kinds::PlaceKind;
 
-/// How much less likely something is astray in a room where things like it are not kept
-/// anywhere: a plate in a bathroom.
+/// Factor for a room in which related things are not kept anywhere, such as a bathroom for a plate.
 const FOREIGN: f64 = 0.2;
-/// The weight that any place has beside the part of the thing's kin that is kept there.
+/// Weight of any place besides the fraction of the thing's relatives that is kept there.
 const ANY: f64 = 0.1;
-/// How much less likely a thing is at a place where it does not go in, or lies over the edge.
+/// Factor for a place into which the thing does not fit, or over whose edge it would stick out.
 const MISFIT: f64 = 0.02;
-/// How the chance grows with the volume: a place of eight times the volume holds twice as much.
+/// Exponent of the volume: a place of eight times the volume holds twice as much.
 const GROWTH: f64 = 1.0 / 3.0;
-/// Room above a surface that counts, metres, and the volume of a floor, cubic metres.
+/// Usable height above a surface, metres, and the effective volume of a floor, cubic metres.
 const ABOVE: f64 = 0.3;
 const FLOOR: f64 = 0.03;
-/// The volume where none is known, cubic metres; the least, as no chance is zero, and the most that count.
+/// The volume if none is known, the lower limit (no probability is zero), and the upper limit, cubic metres.
 const UNKNOWN: f64 = 0.1;
 const LEAST: f64 = 1e-6;
 const LARGEST: f64 = 1.0;
 
-/// How likely a thing is at places of a kind, all of them together; only how it compares with
-/// other kinds has a meaning.
+/// The unnormalized probability that a thing is at any of the places of a kind.
 pub(crate) fn stray(graph: &SceneGraph, kin: &Kin, id: NodeId, kind: &PlaceKind, home: bool) -> f64 {
     let classes = graph.classes();
     let thing = graph.node(id).and_then(|n| classes.get(n.class()));
@@ -33,7 +31,7 @@ pub(crate) fn stray(graph: &SceneGraph, kin: &Kin, id: NodeId, kind: &PlaceKind,
     (ANY + kept) * volume(kind).powf(GROWTH) * if fits { 1.0 } else { MISFIT } * if home { 1.0 } else { FOREIGN }
 }
 
-/// The size of a thing: its own, or what is usual for its class; depth, width, height, metres.
+/// The size of a thing, its own or the typical size of its class: depth, width, height, metres.
 pub(crate) fn size(graph: &SceneGraph, id: NodeId) -> Option<[f64; 3]> {
     let node = graph.node(id)?;
     let usual = || graph.classes().get(node.class())?.typical_size();
@@ -41,14 +39,14 @@ pub(crate) fn size(graph: &SceneGraph, id: NodeId) -> Option<[f64; 3]> {
     Some([size.x, size.y, size.z].map(f64::from))
 }
 
-/// Whether a thing goes into a container in some turn, or onto a surface.
+/// Whether a thing fits into a container in some orientation, or onto a surface.
 fn fits(thing: Option<[f64; 3]>, kind: &PlaceKind) -> bool {
     let (Some(mut thing), Some(mut space)) = (thing, kind.size) else { return true };
     if kind.floor {
         return true;
     }
     if kind.relation == Relation::On {
-        // It stands on its smallest side at worst.
+        // The thing may stand on its smallest side.
         space[2] = f64::INFINITY;
     }
     thing.sort_unstable_by(f64::total_cmp);

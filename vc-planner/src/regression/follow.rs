@@ -1,4 +1,4 @@
-//! Carrying out what has been planned in macros.
+//! Execution of plans that consist of macros.
 
 use vc_graph::goal::Goal;
 use vc_graph::{Action, Refusal, Verb, rule};
@@ -7,9 +7,8 @@ use super::{ROUNDS, Regression};
 use crate::tour::drops_elsewhere;
 
 impl Regression<'_> {
-    /// Carries actions out, where need be with a walk or a rise between them, and
-    /// leaves out walks that are not needed. Stops at the first that cannot be done;
-    /// `false` if there was one.
+    /// Executes actions, adds a walk or a rise between them where necessary, and leaves out unnecessary walks.
+    /// Stops at the first action that cannot be done and then returns `false`.
     pub(crate) fn follow(&mut self, actions: &[Action]) -> bool {
         let mut next = 0;
         while next < actions.len() {
@@ -32,7 +31,7 @@ impl Regression<'_> {
         true
     }
 
-    /// What has been carried into the room where it is to be need not be let go in the end.
+    /// Removes final drops: a thing that has been carried into its target room need not be released at the end.
     pub(crate) fn keep_in_hand(&mut self, goal: &Goal) {
         while let Some(last) = self.events.last().copied().filter(|e| e.action.verb == Verb::Drop) {
             if self.trail.is_empty() {
@@ -46,7 +45,7 @@ impl Regression<'_> {
         }
     }
 
-    /// Does an action; walks up to the thing or rises first if that is all it takes.
+    /// Does an action; walks up to the thing or rises first if that makes it possible.
     fn step_there(&mut self, action: &Action) -> bool {
         for _ in 0..ROUNDS {
             let refusals = rule::refusals(self.graph, self.agent, action);

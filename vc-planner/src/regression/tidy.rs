@@ -1,4 +1,4 @@
-//! Leaving doors and switches as they were.
+//! Restoring doors and switches to their original states.
 
 use vc_graph::goal::Goal;
 use vc_graph::{Condition, NodeId, State};
@@ -7,12 +7,12 @@ use super::Regression;
 use crate::manners::Touched;
 use crate::want::{Subgoal, Want};
 
-/// Subgoals from this stage on come after tidying up: who sits walks nowhere.
+/// Subgoals from this stage on come after tidying up, since an agent that sits cannot walk.
 const LAST: u8 = 6;
 
 impl Regression<'_> {
-    /// Doors and switches touched before or by this plan that are not as they were; none
-    /// for those without manners.
+    /// Doors and switches touched before or by this plan that are not in their original state; none for agents
+    /// without manners.
     pub(crate) fn amiss(&self) -> Vec<(NodeId, State)> {
         let Some(before) = self.touched else { return Vec::new() };
         let mut touched: Touched = before.clone();
@@ -20,8 +20,7 @@ impl Regression<'_> {
         touched.amiss(self.graph).collect()
     }
 
-    /// Puts one of them back when only what is done last is open, and the goal is no
-    /// further off afterwards.
+    /// Restores one of them when only the last subgoals are open, if the goal is no further off afterwards.
     pub(super) fn put_back(&mut self, goal: &Goal, subgoals: &[Subgoal]) -> Option<(Want, usize)> {
         self.touched?;
         let last = |s: &Subgoal| s.options.first().is_none_or(|want| self.view().stage(want) >= LAST);

@@ -1,11 +1,11 @@
-//! Beam search: breadth-first with only so many states kept.
+//! Beam search: breadth-first with a limited number of states kept.
 
 use super::Search;
 use crate::packed::{Op, Problem, State};
 
 impl Search {
-    /// Of the states that as many macros lead to, the `width` most promising are gone on
-    /// from. Returns the cheapest way found and its cost, if it costs less than `under`.
+    /// Expands, among the states reached by the same number of macros, the `width` most promising. Returns the
+    /// cheapest plan found and its cost, if it costs less than `under`.
     pub(super) fn beam(&mut self, problem: &Problem, start: State, width: usize, under: u32) -> Option<(Vec<Op>, u32)> {
         self.begin(problem, start, under, 0, 2);
         let mut best = None;
@@ -27,7 +27,7 @@ impl Search {
         }
     }
 
-    /// The most promising of the states just reached; the others are forgotten.
+    /// Takes the most promising of the states just reached; the others are forgotten.
     fn take_layer(&mut self, width: usize) {
         self.layer.clear();
         while self.layer.len() < width {

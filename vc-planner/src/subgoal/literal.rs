@@ -1,4 +1,4 @@
-//! What is open of a literal: of which things it is to hold, or no longer.
+//! Open subgoals of a literal: the things for which it is to become true or false.
 
 use vc_graph::goal::{Goal, Literal, Predicate, Term};
 use vc_graph::{Action, Node, NodeId, Place, Property, Relation, Verb};
@@ -8,7 +8,7 @@ use super::{Bindings, Found, View};
 use crate::want::{Subgoal, Unreachable, Want};
 
 impl View<'_> {
-    /// So many different things at least, or at most, are to satisfy a literal.
+    /// At least, or at most, a number of different things has to satisfy a literal.
     pub(super) fn literals(&self, goal: &Goal, literal: &Literal, limit: Limit, bound: &Bindings<'_>) -> Found {
         match limit {
             Limit::AtLeast(number) => self.at_least(goal, literal, number, bound),
@@ -16,7 +16,7 @@ impl View<'_> {
         }
     }
 
-    /// So many different things must satisfy a literal.
+    /// At least a number of different things has to satisfy a literal.
     pub(super) fn at_least(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
         if literal.terms.is_empty() {
             let done = self.now.holds(literal.predicate, [None, None]);
@@ -46,11 +46,11 @@ impl View<'_> {
             return Err(Unreachable::NoPlan(goal.to_string()));
         }
         options.sort_by_cached_key(|w| self.cost(w));
-        // One subgoal for all that are missing: after each the rest is counted anew.
+        // One subgoal for all missing things: the rest is counted anew after each.
         Ok(vec![Subgoal { options }])
     }
 
-    /// At most so many things may satisfy a literal.
+    /// At most a number of things may satisfy a literal.
     pub(super) fn at_most(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
         let (mut holding, mut carried) = (Vec::new(), Vec::new());
         let mut looks: Vec<Want> = Vec::new();
@@ -76,7 +76,8 @@ impl View<'_> {
                 Ok(vec![Subgoal { options }])
             };
         }
-        // What has been carried out of a room does not go back there with who looks on.
+        // A thing that has been carried out of a room is dropped first, lest the agent carry it back in when it
+        // looks further.
         if let Some(&id) = carried.first().filter(|_| !looks.is_empty()) {
             return Ok(vec![Subgoal { options: vec![Want::Do(Action::one(Verb::Drop, id))] }]);
         }
@@ -84,7 +85,7 @@ impl View<'_> {
         Ok(looks.into_iter().map(|want| Subgoal { options: vec![want] }).collect())
     }
 
-    /// Whether a thing is in the hand that is not to be in a room.
+    /// Whether a thing that is not to be in a room is in the agent's hand.
     fn is_carried_out(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> bool {
         let (Predicate::Relation(Relation::Inside | Relation::InRoom), [Some(id), Some(at)]) = (predicate, things)
         else {
@@ -93,7 +94,7 @@ impl View<'_> {
         self.graph().rooms().contains(&at) && self.graph().holder(id).is_some_and(|hand| hand.at == self.now.agent)
     }
 
-    /// For each thing that counts, the choices of all things with it.
+    /// For each counted thing, all argument tuples with it.
     fn choices(&self, literal: &Literal, bound: &Bindings<'_>) -> Vec<(NodeId, Vec<[Option<NodeId>; 2]>)> {
         let lists: Vec<Vec<NodeId>> =
             literal.terms.iter().enumerate().map(|(i, t)| self.candidates(literal.predicate, i, t, bound)).collect();
@@ -114,13 +115,13 @@ impl View<'_> {
                 bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
             }
             (Term::Anything, Predicate::Did(verb)) => self.fit_for(verb, position),
-            // An agent that has not been told what there is knows no thing by its number before seeing it.
+            // An agent that has not been told what exists knows no thing by its number before seeing it.
             (Term::Node(_, id), _) => self.graph().node(*id).map(Node::id).into_iter().collect(),
             _ => self.now.candidates(term),
         }
     }
 
-    /// The things a verb can be done to, by what they are.
+    /// The things to which a verb can be applied, by their properties.
     fn fit_for(&self, verb: Verb, position: usize) -> Vec<NodeId> {
         let fits = |node: &&Node| {
             let id = node.id();
@@ -136,7 +137,7 @@ impl View<'_> {
         matches!(literal.predicate, Predicate::Did(_)) || things.iter().flatten().all(|&id| self.known.contains(id))
     }
 
-    /// What to look at to be sure of a literal.
+    /// The things to look at to be certain of a literal.
     fn to_see(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
         if matches!(literal.predicate, Predicate::Did(_)) {
             return Vec::new();
@@ -144,8 +145,8 @@ impl View<'_> {
         things.iter().flatten().filter(|&&id| !self.known.contains(id)).take(1).map(|&id| Want::See(id)).collect()
     }
 
-    /// What to look at to be sure that a literal does not hold: of where a thing is, the
-    /// places not seen that it names.
+    /// The things to look at to be certain that a literal does not hold: for the place of a thing, the unseen
+    /// places that the literal names.
     fn to_rule_out(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
         let (
             Predicate::Relation(relation @ (Relation::On | Relation::Inside | Relation::InRoom)),
@@ -155,7 +156,7 @@ impl View<'_> {
             return self.to_see(literal, things);
         };
         let graph = self.graph();
-        // What is fixed stays where it is, what has been seen is not elsewhere.
+        // A fixed thing stays where it is, and a thing that has been seen is not elsewhere.
         if self.known.contains(id) || !graph.node(id).is_some_and(|n| n.affords(Property::Graspable)) {
             return Vec::new();
         }

@@ -1,4 +1,4 @@
-//! So many things, or pairs of things, of which a part is to hold.
+//! Numbers of things, or of pairs of things, for which a part is to hold.
 
 use vc_graph::NodeId;
 use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
@@ -6,22 +6,21 @@ use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
 use super::{Bindings, Found, View, bind, sift};
 use crate::want::{Subgoal, Unreachable, Want};
 
-/// How many there are to be.
+/// The required number.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Limit {
     AtLeast(usize),
     AtMost(usize),
 }
 
-/// Finds what is open under a limit.
+/// Finds the open subgoals under a limit.
 type Find<'f> = &'f mut dyn FnMut(Limit) -> Found;
 
-/// What is open of each pair: the numbers of the two things, and how it can be made to
-/// hold.
+/// The open subgoals of each pair: the indices of the two things, and the ways to make the pair hold.
 type Table = Vec<(usize, usize, Vec<Subgoal>)>;
 
 impl View<'_> {
-    /// So many as a comparison says.
+    /// The subgoals for a number that satisfies a comparison.
     pub(super) fn number(&self, comparison: Comparison, number: u32, find: Find<'_>) -> Found {
         let number = number as usize;
         match comparison {
@@ -31,7 +30,7 @@ impl View<'_> {
         }
     }
 
-    /// Any other number than a comparison says.
+    /// The subgoals for any number that violates a comparison.
     pub(super) fn other_number(&self, goal: &Goal, comparison: Comparison, number: u32, find: Find<'_>) -> Found {
         let more = Limit::AtLeast(number as usize + 1);
         let fewer = |find: Find<'_>| match (number as usize).checked_sub(1) {
@@ -48,8 +47,8 @@ impl View<'_> {
         }
     }
 
-    /// The part for so many things of a class, or against all but so many: those with
-    /// least to do.
+    /// The part for a number of things of a class, or its negation for all but a number: those with the fewest
+    /// subgoals.
     pub(super) fn so_many<'g>(&self, goal: &Goal, q: &'g Quantified, limit: Limit, bound: &mut Bindings<'g>) -> Found {
         let (ways, number) = match limit {
             Limit::AtLeast(number) => (self.each(q, bound, |b| self.open(&q.body, b)), number),
@@ -63,13 +62,12 @@ impl View<'_> {
         if possible.len() < number {
             return Err(reason.unwrap_or_else(|| Unreachable::NoInstance(goal.to_string())));
         }
-        // What need only be looked at comes before what would have to be undone.
+        // Ways that only need a look come before ways that would undo something.
         possible.sort_by_key(|way| (matches!(limit, Limit::AtMost(_)) && !is_look(way), way.len()));
         Ok(possible.into_iter().take(number).flatten().collect())
     }
 
-    /// How many pairs are wanted: without a number, as many as there are things of the
-    /// rarer class.
+    /// The number of wanted pairs: if none is given, the number of things of the rarer class.
     pub(super) fn pairs_wanted(&self, pairs: &Pairs) -> (Comparison, u32) {
         pairs.number.unwrap_or_else(|| {
             let [first, second] = self.sides(pairs).map(|side| side.len());
@@ -81,7 +79,7 @@ impl View<'_> {
         [&pairs.first, &pairs.second].map(|side| self.range(side.class.as_deref()))
     }
 
-    /// So many pairs of things, each thing in one of them.
+    /// A number of pairs of things, each thing in at most one pair.
     pub(super) fn pairs<'g>(&self, goal: &Goal, pairs: &'g Pairs, limit: Limit, bound: &mut Bindings<'g>) -> Found {
         let [firsts, seconds] = self.sides(pairs);
         let mut table = |find: &dyn Fn(&mut Bindings<'g>) -> Found| -> (Table, Option<Unreachable>) {
@@ -106,7 +104,7 @@ impl View<'_> {
             Limit::AtMost(number) => {
                 let (table, reason) = table(&|b| self.not(&pairs.body, b));
                 let mut rows: Vec<Vec<usize>> = vec![(0..seconds.len()).collect(); firsts.len()];
-                // Of these it is known that they are no pairs.
+                // These are known to be no pairs.
                 for (i, j, _) in table.iter().filter(|(.., open)| open.is_empty()) {
                     rows[*i].retain(|other| other != j);
                 }
@@ -128,14 +126,13 @@ impl View<'_> {
     }
 }
 
-/// Whether a way is only to look, or nothing at all.
+/// Whether a way consists only of looks, or of nothing.
 fn is_look(way: &[Subgoal]) -> bool {
     way.iter().all(|s| s.options.first().is_some_and(Want::is_look))
 }
 
-/// What is open of so many pairs: those with little to do are taken first, and no pair
-/// that holds is given up unless its things are needed for others. `None` if there cannot
-/// be so many.
+/// The open subgoals of a number of pairs: pairs with few subgoals are preferred, and no pair that holds is
+/// given up unless its things are needed for others. `None` if there cannot be that many.
 fn pair_up(pairs: &Pairs, table: Table, [firsts, seconds]: [usize; 2], number: usize) -> Option<Vec<Subgoal>> {
     let up_to = |most: usize| {
         let mut rows = vec![Vec::new(); firsts];
@@ -159,15 +156,15 @@ fn pair_up(pairs: &Pairs, table: Table, [firsts, seconds]: [usize; 2], number: u
     Some(table.into_iter().filter(chosen).flat_map(|(.., open)| open).collect())
 }
 
-/// Pairs, no thing in two of them; by augmenting paths (Kuhn 1955).
+/// A bipartite matching by augmenting paths (Kuhn 1955).
 struct Matching {
-    /// The first thing of each second.
+    /// For each second thing, the first thing paired with it.
     partner: Vec<Option<usize>>,
     size: usize,
 }
 
 impl Matching {
-    /// Adds pairs from a table until there are so many, or no more can be.
+    /// Adds pairs from a table until the number is reached, or no more can be added.
     fn grow(&mut self, rows: &[Vec<usize>], number: usize) {
         for row in 0..rows.len() {
             if self.size < number && !self.partner.contains(&Some(row)) {
@@ -177,7 +174,7 @@ impl Matching {
         }
     }
 
-    /// Finds a second for a first, which may make others change theirs.
+    /// Finds a second thing for a first one, possibly reassigning the partners of others.
     fn augment(&mut self, row: usize, rows: &[Vec<usize>], tried: &mut [bool]) -> bool {
         for &column in &rows[row] {
             if std::mem::replace(&mut tried[column], true) {

@@ -1,4 +1,4 @@
-//! What makes a predicate true of things, or false.
+//! Ways to make a predicate true or false for given things.
 
 use vc_graph::goal::Predicate;
 use vc_graph::{Action, Condition, NodeId, Property, Relation, State, Verb};
@@ -7,7 +7,7 @@ use super::View;
 use crate::want::Want;
 
 impl View<'_> {
-    /// What would make a predicate true of things.
+    /// The wants that would make a predicate true for given things.
     pub(super) fn wants(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
         let me = self.now.agent;
         let hold = |c| vec![Want::Hold(c)];
@@ -49,7 +49,7 @@ impl View<'_> {
         }
     }
 
-    /// What would make a predicate false of things.
+    /// The wants that would make a predicate false for given things.
     pub(super) fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
         let me = self.now.agent;
         match (predicate, things) {
@@ -64,7 +64,7 @@ impl View<'_> {
                 Relation::HoldsRight | Relation::HoldsLeft => vec![Want::Do(Action::one(Verb::Drop, to))],
                 Relation::SittingOn | Relation::LyingOn => vec![Want::Hold(Condition::Upright)],
                 Relation::On | Relation::Inside if from == me => vec![Want::Hold(Condition::Upright)],
-                // Who only takes it up has it there still.
+                // Picking a thing up does not take it out of the room.
                 Relation::Inside | Relation::InRoom if self.graph().rooms().contains(&to) => {
                     let others = self.graph().rooms().iter().filter(|room| **room != to);
                     others.map(|&room| Want::Hold(Condition::Related(from, Relation::InRoom, room))).collect()

@@ -1,4 +1,4 @@
-//! Small homes at random, and goals in them.
+//! Small random homes, and goals in them.
 
 #![allow(dead_code, clippy::unwrap_used, reason = "each test file uses a part, and tests may unwrap")]
 
@@ -7,10 +7,10 @@ use vc_graph::{Draft, NodeId, SceneBuilder, SceneGraph, Seed};
 const ROOMS: [&str; 4] = ["kitchen", "living_room", "bedroom", "bathroom"];
 const SURFACES: [&str; 6] = ["kitchen_table", "kitchen_counter", "coffee_table", "desk", "nightstand", "dresser"];
 const BOXES: [&str; 5] = ["fridge", "kitchen_cabinet", "microwave", "bathroom_cabinet", "closet"];
-/// Of each there are two.
+/// There are two of each item.
 pub(crate) const ITEMS: [&str; 8] = ["apple", "book", "mug", "plate", "milk", "cellphone", "towel", "fork"];
 
-/// A home at random: some furniture, some of it closed, two of each item anywhere.
+/// A random home: some furniture, some of it closed, two of each item anywhere.
 pub(crate) fn home(seed: u64) -> SceneGraph {
     let mut stream = Seed(seed).child("home").stream();
     let mut scene = SceneBuilder::new("home");
@@ -30,7 +30,7 @@ pub(crate) fn home(seed: u64) -> SceneGraph {
     scene.build()
 }
 
-/// Goals of many kinds that can be reached in these homes.
+/// Goals of many kinds that are reachable in these homes.
 pub(crate) const GOALS: &[&str] = &[
     "On(apple, kitchen_table)",
     "On(apple, kitchen_table), 2 & Inside(milk, fridge) & Closed(fridge)",

@@ -5,13 +5,13 @@
 use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Seed, Stream};
 use vc_planner::Belief;
 
-/// By which rule things are placed.
+/// The rule by which things are placed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Rule {
-    /// On any surface, in any container, on any floor: each place is as likely.
+    /// On any surface, in any container, on any floor: all places are equally likely.
     Anywhere,
-    /// In and on ten kinds of furniture, each kind as likely, whatever the thing: as
-    /// Watch-And-Help has it.
+    /// In and on ten kinds of furniture, all kinds equally likely, whatever the thing: the rule of
+    /// Watch-And-Help.
     Foreign,
     /// In furniture of one class.
     In(&'static str),
@@ -31,7 +31,7 @@ const FURNITURE: [(Relation, &str); 10] = [
     (Relation::On, "kitchen_table"),
 ];
 
-/// The things that errands are about, and the furniture to which the agent is to bring them.
+/// The things of the errands, and the furniture to which the agent is to bring them.
 const DISHES: [&str; 4] = ["plate", "water_glass", "wine_glass", "fork"];
 const FOOD: [&str; 7] = ["cupcake", "juice", "pancake", "pound_cake", "wine", "pudding", "apple"];
 const ERRANDS: [(&str, &str, &[&str]); 4] = [
@@ -41,7 +41,7 @@ const ERRANDS: [(&str, &str, &[&str]); 4] = [
     ("On", "kitchen_table", &FOOD),
 ];
 
-/// A scene with things placed by a rule, and a goal about so many of them.
+/// A scene with things placed by a rule, and a goal about `number` of them.
 pub(crate) fn errand(scene: &SceneGraph, rule: Rule, number: usize, seed: u64) -> (SceneGraph, String) {
     let mut stream = Seed(seed).child("errand").stream();
     let feasible: Vec<_> = ERRANDS.iter().filter(|(_, at, _)| !scene.of_class(at).is_empty()).collect();
@@ -82,7 +82,7 @@ fn put(home: &mut SceneBuilder, class: &str, place: Place) {
     .unwrap();
 }
 
-/// Where a thing begins: not where it is to go.
+/// The initial place of a thing: never its target.
 fn place(scene: &SceneGraph, rule: Rule, target: NodeId, stream: &mut Stream) -> Place {
     let all = match rule {
         Rule::Anywhere => Belief::of_newcomer(scene, scene.agents()[0], 0).possible_places().collect(),

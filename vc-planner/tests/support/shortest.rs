@@ -5,18 +5,18 @@ use std::collections::HashSet;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, Event, Goal, NodeId, SceneGraph, Simulator, rule};
 
-/// Where plans are looked for.
+/// The search problem.
 pub(crate) struct World<'a> {
     pub(crate) scene: &'a SceneGraph,
     pub(crate) me: NodeId,
-    /// All that may be done.
+    /// All allowed actions.
     pub(crate) actions: &'a [Action],
-    /// What of the past the goal speaks of: all else is forgotten.
+    /// The part of the history that the goal mentions: the rest is forgotten.
     pub(crate) remembered: &'a dyn Fn(&[Event]) -> Vec<Action>,
 }
 
-/// The length of the shortest plan, if it is below a limit and few enough states are
-/// met: `Err` says that too many were.
+/// The length of the shortest plan, if it is below a limit and few enough states are visited; `Err` if there
+/// were too many states.
 pub(crate) fn shortest(world: &World<'_>, goal: &Goal, below: usize, most: usize) -> Result<Option<usize>, ()> {
     let me = world.me;
     let mut level = vec![Simulator::new(world.scene.clone())];
