@@ -9,7 +9,7 @@
 //! | [`planner`] | `vc-planner` | belief, regression planner, agents, episodes |
 //! | [`relations`] | `vc-relations` | spatial relations (on, in, under, near), read from poses and shapes |
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
-//! | `render` | `vc-render` | camera images in six modalities (feature `render`, on by default) |
+//! | `render` | `vc-render` | camera images: colours, depth, flow, normals, masks, boxes (feature `render`, on by default) |
 //! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
 //! | `initial` | this crate | initial environments for tasks in generated homes (feature `procgen`) |
 //!

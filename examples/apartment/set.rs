@@ -7,7 +7,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 use std::str::FromStr;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
@@ -107,11 +107,13 @@ pub(crate) fn run(set: &Set) -> Result<(), Complaint> {
     progress.set_position(there);
     progress.reset_eta();
     let missing: Vec<Volume> = volumes.iter().zip(&sidecars).filter(|(_, s)| s.is_none()).map(|(v, _)| *v).collect();
-    let mut made = Workshop::new(set, &missing, &progress).run()?.into_iter();
+    let (made, resumed) = Workshop::new(set, &missing, &progress).run()?;
+    let mut made = made.into_iter();
     sidecars.iter_mut().filter(|s| s.is_none()).for_each(|s| *s = made.next());
     progress.finish_and_clear();
     let sidecars: Vec<Sidecar> = sidecars.into_iter().flatten().collect();
     let spent = start.elapsed().as_secs_f64();
+    let there = there + resumed;
     say!("{} homes made in {spent:.1} s, {there} were there", total - there);
     manifest::write(set, &sidecars)
 }
@@ -213,6 +215,8 @@ struct Workshop<'a> {
     /// Batches per file; the longest file's number is used for all.
     batches: usize,
     next: AtomicUsize,
+    /// Homes of an interrupted run.
+    resumed: AtomicU64,
     files: Vec<Mutex<File>>,
     error: Mutex<Option<Complaint>>,
 }
@@ -229,11 +233,12 @@ impl<'a> Workshop<'a> {
     fn new(set: &'a Set, volumes: &'a [Volume], progress: &'a ProgressBar) -> Self {
         let batches = volumes.iter().map(Volume::batches).max().unwrap_or(0);
         let files = volumes.iter().map(|_| Mutex::default()).collect();
-        Self { set, volumes, progress, batches, next: AtomicUsize::new(0), files, error: Mutex::new(None) }
+        let (next, resumed) = (AtomicUsize::new(0), AtomicU64::new(0));
+        Self { set, volumes, progress, batches, next, resumed, files, error: Mutex::new(None) }
     }
 
-    /// Makes all files and returns their sidecars in order.
-    fn run(self) -> Result<Vec<Sidecar>, Complaint> {
+    /// Makes all files. Returns their sidecars in order, and the number of homes that an interrupted run had made.
+    fn run(self) -> Result<(Vec<Sidecar>, u64), Complaint> {
         std::thread::scope(|scope| {
             for _ in 0..self.set.jobs {
                 scope.spawn(|| self.work());
@@ -242,7 +247,10 @@ impl<'a> Workshop<'a> {
         let error = self.error.into_inner().unwrap_or_else(PoisonError::into_inner);
         match error {
             Some(error) => Err(error),
-            None => Ok(self.files.iter().filter_map(|f| locked(f).sidecar.take()).collect()),
+            None => {
+                let sidecars = self.files.iter().filter_map(|f| locked(f).sidecar.take()).collect();
+                Ok((sidecars, self.resumed.into_inner()))
+            }
         }
     }
 
@@ -266,7 +274,10 @@ impl<'a> Workshop<'a> {
         let (seeds, unfinished) = (volume.batch(batch), self.unfinished(file, volume)?);
         let (count, key) = (seeds.end - seeds.start, seeds.start.to_string());
         let part = match unfinished.there.get(&key) {
-            Some(there) => there.clone(),
+            Some(there) => {
+                self.resumed.fetch_add(count, Ordering::Relaxed);
+                there.clone()
+            }
             None => unfinished.add(&key, &self.set.part(seeds)?)?,
         };
         self.progress.inc(count);

@@ -30,7 +30,7 @@ pub(crate) fn choose(options: &Options, world: &dyn World, me: NodeId) -> Result
 /// The goal of a text as a task, if it is meaningful in this home.
 pub(crate) fn told(options: &Options, goal: &str, world: &dyn World) -> Result<Task, Complaint> {
     let goal = goal.parse().map_err(Complaint::new)?;
-    let task = Task { title: "as told".into(), goal, step_limit: options.steps };
+    let task = Task { title: "a goal of your own".into(), goal, step_limit: options.steps };
     let obstacles: Vec<String> = task.obstacles(world.graph()).iter().map(ToString::to_string).collect();
     match obstacles.is_empty() {
         true => Ok(task),

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 use clap::{Parser, ValueEnum};
 use support::{Complaint, say};
 use virtualcity::graph::{ClassTable, Node, NodeId, Property, SceneGraph, Seed, format};
-use virtualcity::procgen::Apartment;
+use virtualcity::procgen::{Apartment, dress};
 use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot, picture};
 
 /// All modalities of a room.
@@ -27,7 +27,8 @@ struct Options {
     /// The home's seed.
     #[arg(long, default_value_t = 42)]
     seed: u64,
-    /// A scene file (native format, may be gzipped) with the home, instead of a generated one.
+    /// A scene file with the home (may be gzipped), instead of a generated one; things without shapes get those of
+    /// their class.
     #[arg(long)]
     scene: Option<PathBuf>,
     /// Class of the room.
@@ -86,7 +87,9 @@ impl Hour {
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let scene = match &options.scene {
-        Some(path) => format::native::read(&support::read(path)?, &ClassTable::builtin()).map_err(Complaint::new)?,
+        Some(path) => {
+            shaped(format::read_scene(&support::read(path)?, &ClassTable::builtin()).map_err(Complaint::new)?)?
+        }
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
     std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
@@ -125,6 +128,12 @@ fn main() -> Result<(), Complaint> {
         files::light(&options.out.join(format!("{name}_reference")), &photograph)?;
     }
     write(&options.out.join(format!("{name}_reference.png")), &photograph.picture())
+}
+
+/// A scene of boxes with the shapes of its classes; a scene with shapes as it is.
+fn shaped(scene: SceneGraph) -> Result<SceneGraph, Complaint> {
+    let bare = scene.assets().is_empty();
+    if bare { dress::dressed(&scene, dress::seed_of(&scene)).map_err(Complaint::new) } else { Ok(scene) }
 }
 
 fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complaint> {

@@ -68,6 +68,12 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
 
     /// Removes the file once all results are written elsewhere.
     pub(crate) fn remove(&self) -> Result<(), Complaint> {
-        std::fs::remove_file(&self.path).map_err(|e| unwritten(&self.path, &e))
+        std::fs::remove_file(&self.path).map_err(|e| match e.kind() {
+            std::io::ErrorKind::NotFound => {
+                let path = self.path.display();
+                Complaint::new(format!("{path} is gone: another run writes to the same folder; choose another --out"))
+            }
+            _ => unwritten(&self.path, &e),
+        })
     }
 }

@@ -96,6 +96,7 @@ impl Dataset {
         let name = format!("{FRAMES}/{:06}.png", self.seen.pictures());
         save(&self.folder.join(&name), &picture::png(&picture::rgb(&frame))?)?;
         let picture = CocoPicture::of(name, &frame, &home.snapshot()?)?;
+        let picture = picture.taken(home.graph().name(), view.describe(home.graph()));
         self.journal.note(of, &picture).map_err(at(&self.folder.join(JOURNAL)))?;
         Ok(picture)
     }

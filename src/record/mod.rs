@@ -157,6 +157,10 @@ impl Recorder {
         if !home.agents().contains(&agent) {
             return Err(RecordError::NoSuchAgent { agent, there: home.agents().to_vec() });
         }
+        let width = options.width;
+        if width == 0 || width > vc_render::camera::MAX_SIDE {
+            return Err(RenderError::BadSize { width, height: width }.into());
+        }
         let daylight = options.daylight.unwrap_or(home.pictures().daylight);
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();

@@ -1,7 +1,7 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, NodeId};
+use vc_graph::{Aabb, Kind, NodeId, SceneGraph};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use crate::Environment;
@@ -44,6 +44,20 @@ pub enum Viewpoint {
 }
 
 impl Viewpoint {
+    /// The viewpoint in words, with labels: `eyes of character.460`, `in kitchen.1`, `overhead`.
+    pub fn describe(&self, graph: &SceneGraph) -> String {
+        match self {
+            Self::Agent(agent) => format!("eyes of {}", graph.label(*agent)),
+            Self::Room(room) => format!("in {}", graph.label(*room)),
+            Self::Above(room) => format!("above {}", graph.label(*room)),
+            Self::Overhead => "overhead".into(),
+            Self::Free(camera) => {
+                let at = camera.pose.translation;
+                format!("at {:.2} {:.2} {:.2}", at.x, at.y, at.z)
+            }
+        }
+    }
+
     /// Whether it is above rooms whose ceilings are taken off.
     pub(super) fn is_plan(&self) -> bool {
         matches!(self, Self::Above(_) | Self::Overhead)

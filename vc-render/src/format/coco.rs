@@ -55,8 +55,8 @@ impl Coco {
     /// Adds the record of a picture.
     pub fn push(&mut self, picture: CocoPicture) {
         let image_id = self.images.len() + 1;
-        let CocoPicture { file_name, width, height, objects } = picture;
-        self.images.push(Image { id: image_id, file_name, width, height });
+        let CocoPicture { file_name, width, height, scene, viewpoint, objects } = picture;
+        self.images.push(Image { id: image_id, file_name, width, height, scene, viewpoint });
         for seen in objects {
             let category_id = self.category(seen.class, seen.name, seen.category);
             let SeenObject { node, segmentation, area, bbox, .. } = seen;
@@ -104,6 +104,10 @@ pub struct CocoPicture {
     file_name: String,
     width: usize,
     height: usize,
+    #[serde(default)]
+    scene: Option<String>,
+    #[serde(default)]
+    viewpoint: Option<String>,
     objects: Vec<SeenObject>,
 }
 
@@ -129,7 +133,15 @@ impl CocoPicture {
                 bbox: [label.visible.x, label.visible.y, label.visible.width, label.visible.height],
             }
         });
-        Ok(Self { file_name: file_name.into(), width: frame.width, height: frame.height, objects: objects.collect() })
+        let (width, height, objects) = (frame.width, frame.height, objects.collect());
+        Ok(Self { file_name: file_name.into(), width, height, scene: None, viewpoint: None, objects })
+    }
+
+    /// Adds the name of the scene and a description of the viewpoint: `scene` and `viewpoint` of the document's
+    /// `images`, which tools for COCO pass over.
+    #[must_use]
+    pub fn taken(self, scene: impl Into<String>, viewpoint: impl Into<String>) -> Self {
+        Self { scene: Some(scene.into()), viewpoint: Some(viewpoint.into()), ..self }
     }
 
     /// The name of the picture's file.
@@ -177,6 +189,10 @@ struct Image {
     file_name: String,
     width: usize,
     height: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scene: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    viewpoint: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
