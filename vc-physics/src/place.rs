@@ -387,7 +387,14 @@ impl World {
         heights.iter().filter(within).find_map(|&height| {
             let lifted = |turn| spots((low, high), shelf, turn, (height, *over), order);
             let carried = |spot: &Pose| !across || self.is_just_over(thing, spot, shelf.id);
-            turns.iter().find_map(|turn| lifted(turn).into_iter().find(|spot| free(spot) && carried(spot)))
+            let found = |mut spots: Vec<Pose>| spots.drain(..).find(|spot| free(spot) && carried(spot));
+            if *over == 0.0 {
+                return turns.iter().find_map(|turn| found(lifted(turn)));
+            }
+            // Of what reaches over the edges, as little as possible does.
+            let mut all: Vec<Pose> = turns.iter().flat_map(lifted).collect();
+            all.sort_by_key(|spot| overhang((low, high), shelf, spot));
+            found(all)
         })
     }
 
@@ -524,6 +531,15 @@ fn spots(
     };
     let raster: Vec<(f32, f32)> = steps(room.0).flat_map(|x| steps(room.1).map(move |y| (x, y))).collect();
     ordered(raster, shelf, order).into_iter().map(at).collect()
+}
+
+/// How far a thing between two corners reaches over an edge of a surface at a spot, at most, centimetres.
+fn overhang((low, high): (Point3<f32>, Point3<f32>), shelf: &Shelf, spot: &Pose) -> u32 {
+    let own = shelf.pose.inverse() * spot;
+    let half = own.rotation.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
+    let middle = own * nalgebra::center(&low, &high);
+    let over = (middle.x.abs() + half.x - shelf.half.0).max(middle.y.abs() + half.y - shelf.half.1);
+    (100.0 * over.max(0.0)).round() as u32
 }
 
 /// Offsets from -room to room, a raster's pitch apart or wider.
