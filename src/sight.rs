@@ -7,7 +7,6 @@ mod options;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock};
 
-use nalgebra::Point3;
 use vc_graph::asset::Joint;
 use vc_graph::class::Category;
 use vc_graph::{Kind, Node, NodeId, Pose, Property, Relation, SceneGraph, State, Word};
@@ -15,6 +14,7 @@ use vc_physics::Role;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 pub use self::camera::Viewpoint;
+pub(crate) use self::camera::{GLANCE, sight_of};
 use self::light::{Lit, lit, switch};
 pub use self::options::PictureOptions;
 use crate::Environment;
@@ -32,8 +32,8 @@ pub(crate) struct Sight {
     base: OnceLock<Result<Base, RenderError>>,
     /// Light that was made, the last one first.
     light: Mutex<Vec<(Lit, Lighting)>>,
-    /// Where cameras in rooms are.
-    corners: Mutex<BTreeMap<NodeId, Point3<f32>>>,
+    /// At which of its places the camera of a room is.
+    corners: Mutex<BTreeMap<NodeId, usize>>,
 }
 
 #[derive(Debug)]

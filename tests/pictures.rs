@@ -177,3 +177,36 @@ fn document(bytes: &[u8]) -> serde_json::Value {
     let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
     serde_json::from_slice(&bytes[20..20 + length]).unwrap()
 }
+
+/// A room, its viewpoint's instances and depths.
+fn from_viewpoint(seed: u64, class: &str) -> (Frame, f32) {
+    use virtualcity::render::{NOTHING, Renderer, Shot};
+    let scene = virtualcity::procgen::Apartment::from_seed(virtualcity::graph::Seed(seed)).unwrap().scene();
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&scene).unwrap();
+    let view = renderer.viewpoint(&snapshot, scene.of_class(class)[0], &Camera::with_fov(120, 90, 1.15)).unwrap();
+    let mut frame = Frame::new();
+    renderer.render(&Shot::new(&snapshot, &view, Modality::Instance | Modality::Depth), &mut frame).unwrap();
+    let sky = frame.instance.iter().filter(|id| **id == NOTHING).count() as f32 / frame.instance.len() as f32;
+    (frame, sky)
+}
+
+#[test]
+fn viewpoints_are_not_beside_a_blank_wall() {
+    for (seed, class) in [(92547, "kitchen"), (56320, "kitchen"), (56320, "bedroom")] {
+        let (frame, _) = from_viewpoint(seed, class);
+        let near = frame.instance.iter().zip(&frame.depth).filter(|(_, depth)| **depth < 1.5);
+        let mut count = std::collections::BTreeMap::<NodeId, usize>::new();
+        near.for_each(|(id, _)| *count.entry(*id).or_default() += 1);
+        let most = count.into_values().max().unwrap_or(0) as f32 / frame.depth.len() as f32;
+        assert!(most < 0.25, "{class} of {seed}: a near thing fills {most} of the picture");
+    }
+}
+
+#[test]
+fn viewpoints_on_balconies_look_outwards() {
+    for seed in [56320, 67806] {
+        let (_, sky) = from_viewpoint(seed, "balcony");
+        assert!(sky > 0.05, "balcony of {seed}: the sky fills {sky} of the picture");
+    }
+}

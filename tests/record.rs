@@ -52,6 +52,23 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     found
 }
 
+/// The first view is shown where nothing has to be done.
+#[test]
+fn an_episode_without_actions_shows_the_home() {
+    let at = folder("nothing");
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("nothing", "!Holds(novel)".parse().unwrap());
+    let mut recorder = Recorder::create(&at, home, me, &task, RecordOptions { dataset: false, ..SMALL }).unwrap();
+    let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+    assert_eq!(episode.outcome, Outcome::Won);
+    assert_eq!(episode.steps, 0);
+    recorder.finish(&episode, None).unwrap();
+    let bytes = std::fs::read(at.join("strip.png")).unwrap();
+    let image = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+    assert!(image.info().width > 2 * SMALL.width, "two views beside each other");
+}
+
 #[test]
 fn an_episode_is_written_down_and_read_again() {
     let at = folder("record");

@@ -4,7 +4,7 @@
 
 use nalgebra::Point3;
 use virtualcity::graph::asset::Part;
-use virtualcity::graph::{Node, NodeId, SceneGraph, Seed};
+use virtualcity::graph::{Node, NodeId, SceneGraph, Seed, State};
 use virtualcity::procgen::Apartment;
 use virtualcity::render::{RayCaster, Renderer};
 
@@ -64,4 +64,38 @@ fn no_outer_wall_is_seen_between_a_window_and_its_room() {
         }
     }
     assert!(windows > 20, "{windows} windows");
+}
+
+/// Level rays from a room through the window's hole, half a millimetre apart across the edges of its sashes, that end
+/// beyond the wall.
+fn passing(scene: &SceneGraph, caster: &RayCaster, window: NodeId) -> usize {
+    let node = scene.node(window).unwrap();
+    let ([half, wide, high], pose) = (hole(scene, node), node.pose().unwrap());
+    let passes = |(y, z): (f32, f32)| {
+        let from = pose * Point3::new(half + 0.3, y, z);
+        let hit = caster.first(&from, &(pose.rotation * -nalgebra::Vector3::x()), 5.0);
+        hit.is_none_or(|hit| pose.inverse_transform_point(&hit.point).x < -half - 0.01)
+    };
+    let steps = (0..200).map(|i| 0.0005 * (i as f32 + 0.5));
+    let across = steps.flat_map(|off| {
+        let upright = [wide - off, off - wide, off, -off].map(|y| (y, 0.4 * high));
+        let level = [off, high - off].map(|z| (0.3 * wide, z));
+        upright.into_iter().chain(level)
+    });
+    across.filter(|at| passes(*at)).count()
+}
+
+#[test]
+fn no_light_passes_between_a_sash_and_its_frame() {
+    let mut windows = 0;
+    for seed in [3, 42] {
+        let scene = Apartment::from_seed(Seed(seed)).unwrap().scene();
+        let caster = RayCaster::new(&Renderer::new().snapshot(&scene).unwrap());
+        let shut = |id: &&NodeId| !scene.node(**id).unwrap().is(State::Open);
+        for window in scene.of_class("window").iter().filter(shut) {
+            assert_eq!(passing(&scene, &caster, *window), 0, "seed {seed}: {window} has a slit");
+            windows += 1;
+        }
+    }
+    assert!(windows > 5, "{windows} windows");
 }

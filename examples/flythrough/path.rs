@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3};
 use virtualcity::graph::{NodeId, SceneGraph, State};
-use virtualcity::physics::{Floor, FloorPlan, Route, Settings, Shapes, World};
+use virtualcity::physics::{Doors, Floor, FloorPlan, Route, Settings, Shapes, World};
 use virtualcity::render::Camera;
 
 use crate::support::Complaint;
@@ -15,25 +15,26 @@ pub(crate) struct Walk {
     pub(crate) rooms: usize,
 }
 
-/// The path through the rooms; doors on it are opened.
+/// Distances kept from everything, metres: the smaller one where open doors leave no wider way.
+const RADII: [f32; 2] = [0.3, 0.15];
+
+/// The path through the rooms; doors on it are opened, and it goes around their leaves.
 pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
-    let world = World::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
-    let floor = Floor::of(&world, FloorPlan { radius: 0.3, ..FloorPlan::default() });
-    let middle = |room: &NodeId| {
-        let around = scene.node(*room)?.aabb()?.centre();
-        floor.nearest(Point2::new(around.x, around.y), 1.5)
-    };
-    let middles: Vec<Point2<f32>> = scene.rooms().iter().filter_map(middle).collect();
-    // Start in the room from which most rooms can be reached.
-    let tours = (0..middles.len()).map(|first| Tour::from(&floor, &middles, first));
-    let Tour { points, doors, rooms } = tours
-        .reduce(|a, b| if b.rooms > a.rooms { b } else { a })
-        .ok_or_else(|| Complaint::new("no room has free floor"))?;
+    let mut world = World::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
+    let wanted = FloorPlan { radius: RADII[0], ..FloorPlan::default() };
+    let first =
+        Tour::longest(scene, &Floor::of(&world, wanted)).ok_or_else(|| Complaint::new("no room has free floor"))?;
     let mut edit = scene.edit();
-    for door in doors {
-        edit.enter_state(door, State::Open).map_err(Complaint::new)?;
+    for door in &first.doors {
+        edit.enter_state(*door, State::Open).map_err(Complaint::new)?;
+        world.put_all_open(*door, 1.0).map_err(Complaint::new)?;
     }
     edit.commit();
+    let around = RADII.map(|radius| FloorPlan { radius, doors: Doors::AsTheyAre, ..FloorPlan::default() });
+    let tours = around.iter().filter_map(|plan| Tour::longest(scene, &Floor::of(&world, *plan)));
+    // A tour that reaches fewer rooms because a leaf is in its way is no better than one through the leaf.
+    let best = tours.chain([first]).reduce(|a, b| if b.rooms > a.rooms { b } else { a });
+    let Tour { points, rooms, .. } = best.ok_or_else(|| Complaint::new("no room has free floor"))?;
     Ok(Walk { points, rooms })
 }
 
@@ -45,6 +46,17 @@ struct Tour {
 }
 
 impl Tour {
+    /// From the middle of the room from which most rooms can be reached.
+    fn longest(scene: &SceneGraph, floor: &Floor) -> Option<Self> {
+        let middle = |room: &NodeId| {
+            let around = scene.node(*room)?.aabb()?.centre();
+            floor.nearest(Point2::new(around.x, around.y), 1.5)
+        };
+        let middles: Vec<Point2<f32>> = scene.rooms().iter().filter_map(middle).collect();
+        let tours = (0..middles.len()).map(|first| Self::from(floor, &middles, first));
+        tours.reduce(|a, b| if b.rooms > a.rooms { b } else { a })
+    }
+
     /// Goes to the nearest unvisited room each time, as long as one can be reached.
     fn from(floor: &Floor, middles: &[Point2<f32>], first: usize) -> Self {
         let mut left = middles.to_vec();

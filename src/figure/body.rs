@@ -34,22 +34,33 @@ impl Environment {
 
 /// How far ahead hands hold things by their middle, metres; farther away by what is nearest of them.
 const AHEAD: f32 = 0.45;
-/// Widest thing that is held at its side, half, metres.
+/// Widest thing that is held at its side, half, metres; a wider one is held at its front, so far from its middle.
 const WIDE: f32 = 0.3;
-/// From the middle of the palm to what is in it, metres.
-const PALM: f32 = 0.02;
+/// From the middle of the palm to the surface of what is in it, metres: fingers close around edges.
+const PALM: f32 = 0.012;
 
-/// Where the palm is on a thing, in the body's frame: at its outer side.
+/// Where the palm is on a thing, in the body's frame: at the point of its shapes that is nearest to a point beside it.
 fn grip(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
-    let aabb = world.aabb(id)?;
+    let beside = beside(world, feet, hand, id)?;
+    let touched = feet.inverse_transform_point(&world.nearest_point(id, feet * beside)?);
+    let out = (beside - touched).try_normalize(1e-4).unwrap_or_else(Vector3::zeros);
+    Some(touched + out * PALM)
+}
+
+/// A point at the outer side of a thing, or before a wide one, in the body's frame.
+fn beside(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
+    let (low, high) = world.own_box(id)?;
     let side = if hand == Hand::Right { -1.0 } else { 1.0 };
-    let centre = feet.inverse_transform_point(&aabb.centre());
+    let own = feet.inverse() * world.pose(id)?;
+    let (centre, half) = (own * nalgebra::center(&low, &high), (high - low) / 2.0);
     // Half its width across and ahead, as it is turned.
-    let half = (aabb.max - aabb.min) / 2.0;
-    let along = |axis: Vector3<f32>| (feet.rotation * axis).abs().dot(&half);
+    let along = |axis: Vector3<f32>| (own.rotation.inverse() * axis).abs().dot(&half);
     let (across, ahead) = (along(Vector3::y()), along(Vector3::x()));
     let x = AHEAD.clamp((centre.x - ahead).min(centre.x - 0.01), centre.x - 0.01);
-    Some(Point3::new(x, centre.y + side * (across.min(WIDE) + PALM), centre.z))
+    Some(match across > WIDE {
+        false => Point3::new(x, centre.y + side * (across + 2.0 * PALM), centre.z),
+        true => Point3::new(centre.x - ahead - 2.0 * PALM, centre.y + side * WIDE, centre.z),
+    })
 }
 
 #[cfg(test)]
@@ -61,14 +72,14 @@ mod tests {
     use super::*;
     use crate::figure::{Bone, Side, palm};
 
-    /// How far the palm is from where it holds something, at worst, of all hands that hold.
+    /// How far the palm is from what it holds, at worst, of all hands that hold.
     fn away(home: &Environment, agent: NodeId) -> f32 {
         let skeleton = home.skeleton(agent).unwrap();
         let feet = home.world().pose(agent).unwrap();
         let off = Side::BOTH.into_iter().zip(Hand::BOTH).filter_map(|(side, hand)| {
             let held = home.world().held(agent, hand)?;
             let own = feet * (skeleton.motion(Bone::Hand(side)) * palm(side));
-            Some((own - home.palm_on(agent, hand, held)?).norm())
+            Some((own - home.world().nearest_point(held, own)?).norm())
         });
         off.fold(0.0, f32::max)
     }

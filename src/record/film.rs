@@ -10,6 +10,7 @@ use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
 use super::dataset::Dataset;
 use super::{RecordError, feet, save};
+use crate::sight::{GLANCE, sight_of};
 use crate::{Environment, PageFilm, PictureOptions, Viewpoint};
 
 /// Ticks of the home between two pictures, at first.
@@ -19,8 +20,8 @@ const MOST: usize = 180;
 
 /// Quality of the film's pictures as JPEG: no blocks are seen.
 const JPEG_QUALITY: u8 = 88;
-/// Pixels of 80 by 60 in which somebody is seen well.
-const SEEN: usize = 60;
+/// Pictures in a row in which somebody is not seen well before the corner's camera goes elsewhere.
+const PATIENCE: u32 = 3;
 
 /// Pictures of an episode.
 pub(super) struct Film {
@@ -32,6 +33,8 @@ pub(super) struct Film {
     every: u32,
     ticks: u32,
     room: Option<NodeId>,
+    /// The camera in that room, and in how many pictures from it the agent has not been seen well.
+    corner: Option<(Viewpoint, u32)>,
     /// All modalities of the moment that tells most, from the eyes and from the corner.
     modalities: Option<[Picture; 2]>,
     /// How much that moment tells.
@@ -52,6 +55,7 @@ impl Film {
             every: EVERY,
             ticks: 0,
             room: home.graph().room_of(me),
+            corner: None,
             modalities: None,
             most_telling: 0,
             before: None,
@@ -83,10 +87,17 @@ impl Film {
         starts.windows(2).enumerate().step_by(every).map(moment).filter(|(_, at)| *at < self.pictures.len()).collect()
     }
 
-    /// A picture of each action, eight at most.
-    pub(super) fn strip(&self) -> Picture {
+    /// A picture of each action, eight at most; of the home as it is if nothing was done.
+    pub(super) fn strip(&mut self, home: &Environment) -> Result<Picture, RenderError> {
         let shown: Vec<Picture> = self.moments().iter().map(|(_, at)| self.pictures[*at].clone()).collect();
-        Picture::sheet(&shown, 2, 4)
+        if shown.is_empty() { self.pair(home) } else { Ok(Picture::sheet(&shown, 2, 4)) }
+    }
+
+    /// The home as it is, from the eyes and from the corner.
+    fn pair(&mut self, home: &Environment) -> Result<Picture, RenderError> {
+        let views = self.views(home)?;
+        let pair = [self.shot(home, views, 0)?, self.shot(home, views, 1)?];
+        Ok(Picture::sheet(&pair, 2, 4))
     }
 
     /// Writes the film in its formats; none if it has no picture.
@@ -113,7 +124,7 @@ impl Film {
     pub(super) fn tick(&mut self, home: &Environment, dataset: Option<&mut Dataset>) -> Result<(), RecordError> {
         self.ticks += 1;
         if self.ticks.is_multiple_of(self.every) {
-            let views = self.views(home);
+            let views = self.views(home)?;
             let pair = [self.shot(home, views, 0)?, self.shot(home, views, 1)?];
             self.pictures.push(Picture::sheet(&pair, 2, 4));
             if self.pictures.len() > MOST {
@@ -141,10 +152,21 @@ impl Film {
     }
 
     /// The agent's eyes, and the camera of the room it is in.
-    fn views(&mut self, home: &Environment) -> [Viewpoint; 2] {
-        self.room = home.room_at(feet(home, self.me)).or(self.room);
-        let corner = self.room.map_or(Viewpoint::Agent(self.me), Viewpoint::Room);
-        [Viewpoint::Agent(self.me), corner]
+    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], RenderError> {
+        let room = home.room_at(feet(home, self.me)).or(self.room);
+        if room != self.room {
+            (self.room, self.corner) = (room, None);
+        }
+        let Some(room) = room else { return Ok([Viewpoint::Agent(self.me); 2]) };
+        let (view, missed) = self.corner.unwrap_or((Viewpoint::Room(room), PATIENCE));
+        let glance = home.render(view, Modality::Instance, GLANCE.0, GLANCE.1)?;
+        let now = match (sight_of(&glance, self.me) >= 1.0, missed + 1) {
+            (true, _) => (view, 0),
+            (false, missed) if missed < PATIENCE => (view, missed),
+            _ => (Viewpoint::Free(home.witness(self.me, room, self.size)?), 0),
+        };
+        self.corner = Some(now);
+        Ok([Viewpoint::Agent(self.me), now.0])
     }
 
     /// A picture from one of the views. An eye gets used to other light little by little, unless its view has
@@ -185,28 +207,18 @@ impl Film {
         if (feet(before, self.me) - feet(now, self.me)).norm() <= 1e-3 {
             return Ok(0);
         }
-        let [eyes, corner] =
-            [(now, views[0]), (before, views[1])].map(|(home, view)| home.render(view, Modality::Instance, 80, 60));
+        let [eyes, corner] = [(now, views[0]), (before, views[1])]
+            .map(|(home, view)| home.render(view, Modality::Instance, GLANCE.0, GLANCE.1));
         let seen: BTreeSet<NodeId> = eyes?.instance.iter().copied().collect();
         let holds = now.graph().held(self.me).next().is_some();
-        Ok(seen.len() + if holds { 1000 } else { 0 } + if is_whole(&corner?, self.me) { 500 } else { 0 })
+        Ok(seen.len() + if holds { 1000 } else { 0 } + if sight_of(&corner?, self.me) >= 1.0 { 500 } else { 0 })
     }
 
     /// One more picture, from the corner.
     pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError> {
-        let views = self.views(home);
+        let views = self.views(home)?;
         self.shot(home, views, 1)
     }
-}
-
-/// Whether somebody is seen well, and the picture's border cuts nothing off.
-fn is_whole(frame: &Frame, who: NodeId) -> bool {
-    let (width, height) = (frame.width, frame.height);
-    let at = |i: &usize| (i % width, i / width);
-    let pixels: Vec<(usize, usize)> =
-        (0..frame.instance.len()).filter(|i| frame.instance[*i] == who).map(|i| at(&i)).collect();
-    let inside = |(x, y): &(usize, usize)| *x > 0 && *y > 0 && x + 1 < width && y + 1 < height;
-    pixels.len() >= SEEN && pixels.iter().all(inside)
 }
 
 /// The six modalities: colours, instances, classes; depth, flow, boxes with masks.

@@ -217,7 +217,8 @@ impl Recorder {
         let end = self.film.end(&self.home)?;
         self.picture("end.png", &end)?;
         self.picture("map.png", &map::of(&self.home, &self.ways)?)?;
-        self.picture("strip.png", &self.film.strip())?;
+        let strip = self.film.strip(&self.home)?;
+        self.picture("strip.png", &strip)?;
         let film = self.film.write(&self.folder)?;
         if let Some([eyes, corner]) = self.film.modalities() {
             self.picture("eyes.png", eyes)?;

@@ -26,6 +26,11 @@ const WEIGHTS: [f32; 3] = [60.0, 20.0, 30.0];
 const FLOOR: f32 = 0.3;
 /// How much somebody counts who is in the room as the home begins, as things.
 const PERSON: f32 = 5.0;
+/// Pixels of the pictures by which it is found how well somebody is seen, those of a body that is seen well, and how
+/// much that counts, as things.
+pub(crate) const GLANCE: (u32, u32) = (80, 60);
+const SEEN: f32 = 60.0;
+const WITNESS: f32 = 100.0;
 
 /// Where a camera is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,38 +109,54 @@ impl Environment {
 
     /// A camera in the corner of a room from which most things in it are seen as the home begins.
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
+        let places = self.places(room, camera)?;
+        // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
+        let known = || self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(place) = known().get(&room) {
+            return Ok(places[*place]);
+        }
+        let base = self.base()?;
+        let mut frame = Frame::new();
+        let mut scores = Vec::new();
+        for small in self.places(room, Camera::with_fov(LOOK.0, LOOK.1, FIELD))? {
+            base.renderer.render(&Shot::new(&base.snapshot, &small, Modality::Instance), &mut frame)?;
+            scores.push(self.shown(room, &frame) - WEIGHTS[0] * self.blocked(&small));
+        }
+        let best = first_best(&scores);
+        known().insert(room, best);
+        Ok(places[best])
+    }
+
+    /// A camera in a corner of a room, or in the middle of a wall, from which an agent is seen best as the home is now:
+    /// all of it, large enough, and much of the room around it.
+    pub(crate) fn witness(&self, agent: NodeId, room: NodeId, size: (u32, u32)) -> Result<Camera, RenderError> {
+        let places = self.places(room, Camera::with_fov(size.0, size.1, FIELD))?;
+        let mut scores = Vec::new();
+        for camera in &places {
+            let frame = self.render(Viewpoint::Free(*camera), Modality::Instance, GLANCE.0, GLANCE.1)?;
+            let view = self.shown(room, &frame) - WEIGHTS[0] * self.blocked(camera);
+            scores.push(WITNESS * sight_of(&frame, agent) + view);
+        }
+        Ok(places[first_best(&scores)])
+    }
+
+    /// Cameras in the corners of a room and in the middles of its walls, which look across it.
+    fn places(&self, room: NodeId, camera: Camera) -> Result<[Camera; 8], RenderError> {
         let bounds = self.bounds_of(room)?;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
         let target = |eye: &Point3<f32>| {
             let far = (middle.xy() - eye.xy()).norm();
             Point3::new(middle.x, middle.y, (low.z + CORNER.1).max(eye.z - STEEP * far))
         };
-        // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
-        let known = || self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some(eye) = known().get(&room) {
-            return Ok(camera.looking(*eye, target(eye)));
-        }
-        let base = self.base()?;
-        let small = Camera::with_fov(LOOK.0, LOOK.1, FIELD);
-        let mut frame = Frame::new();
-        let mut best: Option<(f32, Point3<f32>)> = None;
-        for (x, y) in [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 2), (2, 0), (2, 1)] {
-            let along = |i: i32, low: f32, high: f32| match i {
-                0 => low + 0.22,
-                1 => high - 0.22,
-                _ => (low + high) / 2.0,
-            };
+        let along = |i: i32, low: f32, high: f32| match i {
+            0 => low + 0.22,
+            1 => high - 0.22,
+            _ => (low + high) / 2.0,
+        };
+        Ok([(0, 0), (0, 1), (1, 0), (1, 1), (0, 2), (1, 2), (2, 0), (2, 1)].map(|(x, y)| {
             let eye = Point3::new(along(x, low.x, high.x), along(y, low.y, high.y), low.z + CORNER.0);
-            let small = small.looking(eye, target(&eye));
-            base.renderer.render(&Shot::new(&base.snapshot, &small, Modality::Instance), &mut frame)?;
-            let score = self.shown(room, &frame) - WEIGHTS[0] * self.blocked(&small);
-            if best.is_none_or(|b| score > b.0) {
-                best = Some((score, eye));
-            }
-        }
-        let eye = best.map_or(middle, |(_, eye)| eye);
-        known().insert(room, eye);
-        Ok(camera.looking(eye, target(&eye)))
+            camera.looking(eye, target(&eye))
+        }))
     }
 
     /// Which share of a camera's view something is in that is close to it, panes too; the floor does not count.
@@ -168,6 +189,21 @@ impl Environment {
     }
 }
 
+/// How well a picture of [`GLANCE`] shows somebody, 0 to 1: it is large enough, and half as well if the border cuts
+/// it off.
+pub(crate) fn sight_of(frame: &Frame, who: NodeId) -> f32 {
+    let (width, height) = (frame.width, frame.height);
+    let pixels = || (0..frame.instance.len()).filter(|i| frame.instance[*i] == who).map(|i| (i % width, i / width));
+    let inside = |(x, y): (usize, usize)| x > 0 && y > 0 && x + 1 < width && y + 1 < height;
+    let large = (pixels().count() as f32 / SEEN).min(1.0);
+    if pixels().all(inside) { large } else { 0.5 * large }
+}
+
+/// The position of the highest score, the first of equal ones.
+fn first_best(scores: &[f32]) -> usize {
+    (1..scores.len()).fold(0, |best, i| if scores[i] > scores[best] { i } else { best })
+}
+
 /// Straight down on a box, cut open below the ceiling.
 fn above(camera: Camera, low: Point3<f32>, high: Point3<f32>) -> Camera {
     let middle = nalgebra::center(&low, &high);
@@ -179,4 +215,33 @@ fn above(camera: Camera, low: Point3<f32>, high: Point3<f32>) -> Camera {
     let up = camera.pose.translation.z - at.z;
     camera.near = up.max(0.01);
     camera
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+mod tests {
+    use vc_graph::{Action, Verb};
+
+    use super::*;
+
+    /// Wherever an agent stands, a camera that looks for it sees it at least as well as the room's own.
+    #[test]
+    fn witnesses_see_agents() {
+        let mut home = Environment::make("apartment/44756", 1).unwrap();
+        let me = home.agents()[0];
+        let (mut seen, mut all) = (0, 0);
+        for class in ["fridge", "stove", "sofa", "double_bed", "washbasin", "wardrobe"] {
+            let Some(at) = home.graph().of_class(class).first().copied() else { continue };
+            if home.set_action(me, Action::one(Verb::Walk, at)).is_err() {
+                continue;
+            }
+            let room = home.graph().room_of(me).unwrap();
+            let sight = |view| sight_of(&home.render(view, Modality::Instance, GLANCE.0, GLANCE.1).unwrap(), me);
+            let (own, best) = (sight(Viewpoint::Room(room)), home.witness(me, room, (160, 120)).unwrap());
+            let best = sight(Viewpoint::Free(best));
+            assert!(best >= own, "{class}: {best} instead of {own}");
+            (seen, all) = (seen + usize::from(best >= 1.0), all + 1);
+        }
+        assert!(all > 3 && seen + 1 >= all, "seen whole in {seen} of {all} places");
+    }
 }

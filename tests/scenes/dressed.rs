@@ -235,3 +235,48 @@ fn a_home_of_the_thesis_format_looks_as_it_did() {
     }
     assert!(shared * 4 >= all * 3, "{shared} of {all} share a material with what they were");
 }
+
+/// Doors of furniture stop before the walls beside them: a corner of an open one is in no wall.
+#[test]
+fn doors_of_furniture_open_into_no_wall() {
+    let mut checked = 0;
+    for (_, looks) in scenes() {
+        let placed = |node: &Node, (low, high): (nalgebra::Point3<f32>, nalgebra::Point3<f32>)| {
+            let half = (high - low) / 2.0;
+            let offset = nalgebra::center(&low, &high).coords;
+            vc_graph::Bounds { offset, half, frame: vc_graph::Frame::Object }.aabb(node.pose().unwrap())
+        };
+        let walls: Vec<Aabb> = looks
+            .nodes()
+            .filter(|n| &**n.class() == "wall")
+            .flat_map(|n| asset(&looks, n).parts.iter().map(move |p| placed(n, p.extent())))
+            .collect();
+        for node in looks.nodes().filter(|n| n.kind() == Kind::Object && !builds(n) && n.spec().asset.is_some()) {
+            for part in &asset(&looks, node).parts {
+                let Some(joint) = part.joint.filter(|j| j.kind == JointKind::Hinge && j.axis.z.abs() > 0.9) else {
+                    continue;
+                };
+                let wide = if joint.limits.1 >= -joint.limits.0 { joint.limits.1 } else { joint.limits.0 };
+                // One that a wall keeps from opening by half opens by half.
+                if wide.abs() < 0.95 {
+                    continue;
+                }
+                let (low, high) = part.extent();
+                let corner = |i: usize| {
+                    let at = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+                    let moved = joint.motion(wide) * nalgebra::Point3::new(at(0), at(1), at(2));
+                    node.pose().unwrap() * nalgebra::Point3::from(moved.coords.component_mul(&node.spec().scale))
+                };
+                let within = |w: &Aabb, p: &nalgebra::Point3<f32>| {
+                    (0..3).all(|i| p[i] > w.min[i] + 0.01 && p[i] < w.max[i] - 0.01)
+                };
+                let stuck = (0..8).map(corner).find(|p| walls.iter().any(|w| within(w, p)));
+                assert_eq!(stuck, None, "{} {} opens into a wall", node.label(), part.name);
+                checked += 1;
+            }
+        }
+    }
+    if checked == 0 {
+        eprintln!("SKIPPED: no scene is there");
+    }
+}

@@ -231,3 +231,26 @@ fn what_does_not_come_along_is_left_behind() {
     assert!((before - after).xy().norm() < 0.05 && (0.015..0.025).contains(&(before - after).z), "{after:?}");
     assert!(world.pose(one).unwrap().translation.z > 0.9);
 }
+
+/// What is deeper than the room on a seat is turned so that it reaches over the front edge as little as possible.
+#[test]
+fn what_is_deeper_than_a_seat_reaches_over_it_little() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let w = scene.wood;
+    let parts = vec![
+        part("seat", block([0.25, 0.9, 0.2]), at(0.0, 0.0, 0.2), w),
+        part("back", block([0.075, 0.9, 0.4]), at(-0.175, 0.0, 0.6), w),
+    ];
+    let surfaces = vec![surface("seat", Hold::On, [0.0, 0.0, 0.4], (0.25, 0.9), None)];
+    let sofa = scene.asset(Asset { name: "sofa".into(), parts, surfaces, ..Asset::default() });
+    let sofa = scene.add("sofa", sofa, at(0.0, 0.0, 0.0));
+    // Turned by a quarter it reaches over the edge less.
+    let pillow = scene.solid("pillow", block([0.3, 0.26, 0.06]), w);
+    let pillow = scene.add("pillow", pillow, at(2.0, 0.0, 0.06));
+    let mut world = scene.world();
+    let spot = world.free_spot_at(pillow, sofa, false, Order::Middle).unwrap().unwrap();
+    world.place(pillow, spot).unwrap();
+    let over = world.aabb(pillow).unwrap().max.x - 0.25;
+    assert!(over < 0.22, "{over} m over the edge");
+}

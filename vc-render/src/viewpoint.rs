@@ -6,7 +6,7 @@ use vc_graph::NodeId;
 use crate::RenderError;
 use crate::affine;
 use crate::camera::Camera;
-use crate::frame::Frame;
+use crate::frame::{Frame, NOTHING};
 use crate::modality::Modality;
 use crate::renderer::Renderer;
 use crate::scene::{Instance, Snapshot};
@@ -22,6 +22,11 @@ const CLEAR: f32 = 0.1;
 const WITHIN: f32 = -1e3;
 /// Surfaces farther away than this show a room, metres.
 const FAR: f32 = 2.2;
+/// The distance within which one surface must not fill much of a picture, metres, the share that it may fill, and the
+/// penalty for what it fills beyond that.
+const NEAR: f32 = 1.5;
+const FILLED: f32 = 0.12;
+const WALLED: f32 = 120.0;
 /// Candidate places along each wall.
 const PLACES: usize = 5;
 /// Share of a picture that windows of the room should fill, and the factor by which their light adds to the
@@ -34,9 +39,9 @@ const SIDE: f32 = 80.0;
 impl Renderer {
     /// Finds a camera pose in a room that shows most of it. The candidates are places in the room's corners and
     /// along its walls, at eye height, looking past the middle of the room or along a wall. The best one sees
-    /// most things of the room, is far from what it sees, has a window in view, and has little in view that
-    /// stands close before it or belongs to other rooms. It is inside a thing's box only where there is no
-    /// other place. All but the pose is taken from `camera`.
+    /// most things of the room, is far from what it sees, has a window or the sky in view, and has little in view
+    /// that stands close before it, fills much of the picture from nearby, or belongs to other rooms. It is inside a
+    /// thing's box only where there is no other place. All but the pose is taken from `camera`.
     ///
     /// The room must have a box in the graph. The search costs 64 renderings of ids and depth, 80 pixels
     /// across.
@@ -128,14 +133,17 @@ fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
 }
 
 /// Score of a view: the number of visible things of the room, weighted up by windows, plus the share that is
-/// far away, minus what stands in the way or belongs to other rooms.
+/// far away, minus what stands in the way, fills much of the picture, or belongs to other rooms. The open sky counts
+/// as a window.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
     let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.class(body.class));
     let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(mine).collect();
     let pixels = frame.depth.len() as f32;
-    let foreign = (frame.instance.len() - seen.len()) as f32 / pixels;
-    let windows = seen.iter().filter(|n| class(n).is_some_and(|c| **c == *"window")).count() as f32 / pixels;
+    let sky = frame.instance.iter().filter(|n| **n == NOTHING).count();
+    let foreign = (frame.instance.len() - seen.len() - sky) as f32 / pixels;
+    let panes = seen.iter().filter(|n| class(n).is_some_and(|c| **c == *"window")).count();
+    let windows = (panes + sky) as f32 / pixels;
     let daylight = 1.0 + DAYLIGHT * (windows / WINDOWS).min(1.0);
     seen.sort_unstable();
     seen.dedup();
@@ -144,5 +152,18 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let ahead = || frame.depth.chunks(frame.width).flat_map(|row| &row[middle.clone()]);
     let nearer = |than: f32| ahead().filter(|d| **d < than).count() as f32 / ahead().count().max(1) as f32;
     let far = 1.0 - nearer(FAR);
-    seen.len() as f32 * daylight + 12.0 * far - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
+    seen.len() as f32 * daylight + 12.0 * far
+        - 60.0 * nearer(0.7)
+        - 15.0 * nearer(1.3)
+        - 25.0 * foreign
+        - WALLED * (walled(frame) - FILLED).max(0.0)
+}
+
+/// The share of a picture that the part of one thing fills that is near.
+fn walled(frame: &Frame) -> f32 {
+    let near = frame.instance.iter().zip(&frame.depth).filter(|(_, depth)| **depth < NEAR);
+    let mut near: Vec<NodeId> = near.map(|(id, _)| *id).collect();
+    near.sort_unstable();
+    let most = near.chunk_by(|a, b| a == b).map(<[NodeId]>::len).max().unwrap_or(0);
+    most as f32 / frame.depth.len().max(1) as f32
 }

@@ -125,6 +125,32 @@ fn a_drawn_cover_hides_its_window_and_an_open_one_is_as_it_was() {
     }
 }
 
+/// Scenes of others have several curtains in one place.
+#[test]
+fn covers_in_the_same_place_are_one_behind_the_other() {
+    let mut stage = Stage::new();
+    let cloth = stage.library.add_material(material("white_cotton", [0.8; 3])).unwrap();
+    stage.one("window", block([0.003, 0.5, 0.6]), Pose::translation(2.1, 0.0, 1.5), 2);
+    let at = common::pose([1.9, 0.6, 1.5], std::f32::consts::PI, 0.0);
+    // The second would be in front of the first by half a millimetre.
+    let [first, second] = [0.02, 0.0205].map(|deep| stage.one("curtain", block([deep, 0.14, 0.7]), at, cloth));
+    let mut graph = stage.build();
+    let mut renderer = Renderer::new();
+    for closed in [false, true] {
+        let mut edit = graph.edit();
+        let state = if closed { State::Closed } else { State::Open };
+        [first, second].map(|cover| edit.enter_state(cover, state).unwrap());
+        edit.commit();
+        let snapshot = renderer.snapshot(&graph).unwrap();
+        let [front, back] = [first, second].map(|cover| snapshot.bounds(cover).unwrap());
+        assert!(front.max.x < back.min.x + 1e-3 && front.min.x < back.min.x - 0.01, "{front:?} {back:?}");
+        let mut frame = Frame::new();
+        let camera = Camera::with_fov(96, 72, 1.0).looking(Point3::new(-1.0, 0.6, 1.5), Point3::new(2.1, 0.6, 1.5));
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance.into()), &mut frame).unwrap();
+        assert!(frame.instance.contains(&first) && !frame.instance.contains(&second));
+    }
+}
+
 #[test]
 fn drawn_covers_darken_reference_pictures_but_not_to_black() {
     for (kind, day) in [(Kind::Blinds, sunny()), (Kind::Curtains, Daylight::overcast())] {

@@ -292,7 +292,14 @@ impl World {
         heights.iter().filter(within).find_map(|&height| {
             let lifted = |turn| spots((low, high), shelf, turn, (height, *over), PITCH, order);
             let carried = |spot: &Pose| !across || self.is_just_over(thing, spot, shelf.id);
-            turns.iter().find_map(|turn| lifted(turn).into_iter().find(|spot| free(spot) && carried(spot)))
+            let found = |mut spots: Vec<Pose>| spots.drain(..).find(|spot| free(spot) && carried(spot));
+            if *over == 0.0 {
+                return turns.iter().find_map(|turn| found(lifted(turn)));
+            }
+            // A thing that has to reach over the edges does so as little as possible.
+            let mut all: Vec<Pose> = turns.iter().flat_map(lifted).collect();
+            all.sort_by_key(|spot| overhang((low, high), shelf, spot));
+            found(all)
         })
     }
 
@@ -407,4 +414,13 @@ fn is_size(half: &Vector3<f32>) -> bool {
 fn turn(yaw: f32, of: NodeId) -> Result<UnitQuaternion<f32>, PhysicsError> {
     let sound = yaw.is_finite().then(|| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw));
     sound.ok_or(PhysicsError::NotFinite("the yaw", of))
+}
+
+/// How far a thing between two corners reaches over an edge of a surface at a spot, at most, centimetres.
+fn overhang((low, high): (Point3<f32>, Point3<f32>), shelf: &Shelf, spot: &Pose) -> u32 {
+    let own = shelf.pose.inverse() * spot;
+    let half = own.rotation.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
+    let middle = own * nalgebra::center(&low, &high);
+    let over = (middle.x.abs() + half.x - shelf.half.0).max(middle.y.abs() + half.y - shelf.half.1);
+    (100.0 * over.max(0.0)).round() as u32
 }

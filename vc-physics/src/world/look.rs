@@ -83,6 +83,22 @@ impl World {
         Some(around)
     }
 
+    /// The box around a node's shapes in the node's own frame, moving parts where its asset has them: its lowest and
+    /// its highest corner, metres. An agent has none.
+    pub fn own_box(&self, id: NodeId) -> Option<(Point3<f32>, Point3<f32>)> {
+        self.thing(id).ok().map(|t| t.form.extent)
+    }
+
+    /// The point of a node's shapes, moving parts with them, that is nearest to a point; the point itself where a
+    /// shape is around it. `None` without a body, and for agents.
+    pub fn nearest_point(&self, id: NodeId, to: Point3<f32>) -> Option<Point3<f32>> {
+        let bodies = self.thing(id).ok()?.bodies().filter_map(|b| self.engine.bodies.get(b));
+        let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
+        let points = colliders.map(|c| c.shape().project_point(c.position(), convert::point(to), true).point);
+        let points = points.map(convert::point3);
+        points.min_by(|a, b| (a - to).norm_squared().total_cmp(&(b - to).norm_squared()))
+    }
+
     /// The box around some bodies.
     pub(crate) fn box_around(&self, bodies: impl Iterator<Item = RigidBodyHandle>) -> Option<Aabb> {
         let bodies = bodies.filter_map(|b| self.engine.bodies.get(b));

@@ -11,6 +11,7 @@
 //! | boxes aligned with the world | unchanged; the node is rotated by quarter turns within them |
 //! | boxes of rotated nodes | unchanged; the object fills them, its front along the node's X |
 //! | boxes thinner than any object of the class | grow to the class's least size: floors downwards, ceilings upwards |
+//! | doors of furniture beside a wall | open only as far as the wall allows, but half of their way at least |
 //! | boxes of doors and windows | become those of the object: leaf, frame and handles in the opening of the wall |
 //!
 //! ```
@@ -34,6 +35,7 @@ mod house;
 mod kind;
 mod load;
 mod shell;
+mod swing;
 mod turn;
 
 use std::collections::BTreeMap;
@@ -82,8 +84,11 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
     let mut wardrobe = Wardrobe::new(graph, seed)?;
     let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
     needs.iter().for_each(|need| wardrobe.load(need));
-    let looks =
-        graph.nodes().zip(needs).map(|(node, need)| wardrobe.look(node, need)).collect::<Result<Vec<_>, _>>()?;
+    let looks = graph
+        .nodes()
+        .zip(needs)
+        .map(|(node, need)| wardrobe.look(&house, node, need))
+        .collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library)
 }
 
@@ -125,6 +130,8 @@ struct Wardrobe {
     style: Style,
     seed: Seed,
     made: BTreeMap<Key, (AssetId, Vector3<f32>)>,
+    /// Shapes whose doors stop at walls, by the shape and the limits of its joints.
+    stopped: BTreeMap<(AssetId, Vec<[i32; 2]>), AssetId>,
     /// The loads of all objects that look the same.
     loads: BTreeMap<Key, Vec<load::Load>>,
 }
@@ -145,7 +152,8 @@ impl Wardrobe {
     fn new(graph: &SceneGraph, seed: Seed) -> Result<Self, AssetError> {
         let mut library = graph.assets().as_ref().clone();
         let offset = crate::material::join(&mut library)?;
-        Ok(Self { library, offset, style: Style::from_seed(seed), seed, made: BTreeMap::new(), loads: BTreeMap::new() })
+        let (made, stopped, loads) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        Ok(Self { library, offset, style: Style::from_seed(seed), seed, made, stopped, loads })
     }
 
     /// Determines the shape that a node needs.
@@ -170,16 +178,16 @@ impl Wardrobe {
         }
     }
 
-    fn look(&mut self, node: &Node, need: Need) -> Result<Option<Look>, AssetError> {
+    fn look(&mut self, house: &House, node: &Node, need: Need) -> Result<Option<Look>, AssetError> {
         match need {
             Need::Nothing => Ok(None),
             Need::Usual => self.usual(node),
             Need::Built(made) => self.keep(made.asset, made.pose, made.bounds).map(Some),
-            Need::Thing(place, key, _) => self.thing(place, key).map(Some),
+            Need::Thing(place, key, _) => self.thing(house, place, key).map(Some),
         }
     }
 
-    fn thing(&mut self, place: turn::Place, key: Key) -> Result<Look, AssetError> {
+    fn thing(&mut self, house: &House, place: turn::Place, key: Key) -> Result<Look, AssetError> {
         let bounds = place.bounds;
         let (asset, scale) = match self.made.get(&key) {
             Some(known) => *known,
@@ -192,7 +200,29 @@ impl Wardrobe {
                 (asset, made.scale)
             }
         };
+        let asset = self.stopped(house, asset, &place.pose, &scale)?;
         Ok(Look { asset, pose: Some(place.pose), bounds, scale })
+    }
+
+    /// A shape whose doors stop at the walls around it; the same one if none does.
+    fn stopped(
+        &mut self,
+        house: &House,
+        asset: AssetId,
+        pose: &Pose,
+        scale: &Vector3<f32>,
+    ) -> Result<AssetId, AssetError> {
+        let made = self.library.get(asset).and_then(|made| swing::within_walls(made, pose, scale, &house.walls));
+        let Some(made) = made else { return Ok(asset) };
+        let number = |v: f32| (v * 1e4).round() as i32;
+        let limits = made.parts.iter().filter_map(|p| p.joint).map(|j| [number(j.limits.0), number(j.limits.1)]);
+        let key = (asset, limits.collect());
+        if let Some(known) = self.stopped.get(&key) {
+            return Ok(*known);
+        }
+        let id = self.library.add(made)?;
+        self.stopped.insert(key, id);
+        Ok(id)
     }
 
     /// A shape of the class's usual size, if the node has neither shape nor box.

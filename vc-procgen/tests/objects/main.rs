@@ -181,3 +181,25 @@ fn pictures_of_screens_are_of_light() {
         }
     }
 }
+
+/// A panel behind the slats of a louvred door hides the contents.
+#[test]
+fn louvred_doors_are_closed_behind_their_slats() {
+    let generator = object::generator("wardrobe").unwrap();
+    let mut louvred = 0;
+    for seed in 0..40 {
+        let asset = generator.object(&Style::from_seed(Seed(seed)), Seed(seed)).asset;
+        let named = |name: &'static str| asset.parts.iter().filter(move |p| &*p.name == name && p.joint.is_some());
+        let joints: Vec<_> = named("slat").filter_map(|p| p.joint).collect();
+        for joint in joints.iter().enumerate().filter(|(i, j)| !joints[..*i].contains(j)).map(|(_, j)| *j) {
+            let around = |name| cases::around(named(name).filter(|p| p.joint == Some(joint)));
+            let (slats, panel) = (around("slat"), around("panel"));
+            for axis in 1..3 {
+                assert!(panel[0][axis] <= slats[0][axis] + 1e-4 && panel[1][axis] >= slats[1][axis] - 1e-4, "{seed}");
+            }
+            assert!(panel[1].x < slats[1].x, "{seed}: the panel is in front of the slats");
+            louvred += 1;
+        }
+    }
+    assert!(louvred > 0);
+}

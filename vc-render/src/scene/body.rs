@@ -76,7 +76,7 @@ pub(crate) struct Instance {
     pub(crate) coat: Coat,
     /// For the liquid in a vessel: whether it is there.
     pub(super) liquid: Option<Poured>,
-    /// For part of a blind or curtain: the stretch that draws it over its window.
+    /// For part of a blind or curtain: the maps that draw it over its window and set it apart from others.
     pub(super) drawn: Option<Drawn>,
     /// For part of a curtain that can be tied: when it is there.
     pub(super) tied: Option<Tied>,
@@ -110,7 +110,7 @@ impl Instance {
 
     /// Whether it is drawn over a window.
     pub(crate) fn covers(&self) -> bool {
-        self.drawn.as_ref().is_some_and(|drawn| drawn.closed)
+        self.drawn.as_ref().is_some_and(|drawn| drawn.closed && drawn.stretch.is_some())
     }
 
     /// The point, in the mesh's frame, to which it is shrunk while it is not to be seen.
@@ -129,11 +129,9 @@ impl Instance {
 
     /// Places it according to its body's pose and its own motion.
     pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
-        let placed = match &self.drawn {
-            Some(Drawn { closed: true, stretch }) => {
-                Affine::of(pose).after(stretch).after(&Affine::placed(&Pose::identity(), scale))
-            }
-            _ => Affine::placed(pose, scale),
+        let placed = match self.drawn.as_ref().and_then(Drawn::map) {
+            Some(map) => Affine::of(pose).after(map).after(&Affine::placed(&Pose::identity(), scale)),
+            None => Affine::placed(pose, scale),
         };
         let placed = placed.after(&Affine::of(own));
         // A hidden instance shrinks to an invisible speck: nothing is seen of it, but every holder of the scene

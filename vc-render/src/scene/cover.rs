@@ -20,12 +20,41 @@ const FLAT: f32 = 0.03;
 /// above things that stand out farther.
 const SWEEP: f32 = 0.2;
 
-/// A cover that can be drawn over an opening.
+/// Least share of the smaller of two extents, along each axis, that covers in the same place share.
+const TOGETHER: f32 = 0.5;
+
+/// Part of a cover: how it is placed when the cover is drawn over its opening, and otherwise, in the frame of its
+/// pose.
 #[derive(Debug, Clone)]
 pub(super) struct Drawn {
     pub(super) closed: bool,
-    /// The map that stretches it over its share of the opening, in the frame of its pose.
-    pub(super) stretch: Arc<Affine>,
+    /// The map that stretches it over its share of the opening, if it is stretched.
+    pub(super) stretch: Option<Arc<Affine>>,
+    /// The map into its layer, if several covers hang in the same place.
+    pub(super) aside: Option<Arc<Affine>>,
+}
+
+impl Drawn {
+    /// The map that applies now.
+    pub(super) fn map(&self) -> Option<&Affine> {
+        let stretch = self.stretch.as_deref().filter(|_| self.closed);
+        stretch.or(self.aside.as_deref())
+    }
+}
+
+/// The layer of a cover among those that hang in the same place: its position from the back, and their number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Layer {
+    at: usize,
+    of: usize,
+}
+
+impl Layer {
+    /// The map that flattens a cover of an extent along X into its layer.
+    fn of(self, [back, front]: [f32; 2]) -> Affine {
+        let end = |layer: usize| back + (front - back) * layer as f32 / self.of as f32;
+        spanned(0, [back, front], [end(self.at), end(self.at + 1)])
+    }
 }
 
 /// The boxes of a cover and of its opening in the cover's frame: X out of the wall, Z upwards.
@@ -48,17 +77,59 @@ pub(super) struct Around {
     pub(super) standing: Vec<usize>,
 }
 
-/// Finds the opening of each cover, and draws covers according to their states.
+/// Finds the opening of each cover, sets covers that hang in the same place apart, and draws covers according to
+/// their states.
 pub(super) fn hang((bodies, instances): (&mut [Body], &mut [Instance]), around: &Around) {
-    for ((body, closed), stretch) in around.covers.iter().zip(stretches((bodies, instances), around)) {
-        let Some((wide, stretch)) = stretch.map(|(wide, stretch)| (wide, Arc::new(stretch))) else { continue };
+    let stretches = stretches((bodies, instances), around);
+    let layers = layers(bodies, around);
+    for (((body, closed), stretch), layer) in around.covers.iter().zip(stretches).zip(layers) {
         let body = &mut bodies[*body];
+        let depth = ends(&body.bounds, 0);
+        let aside = layer.map(|layer| Arc::new(layer.of(depth)));
+        let wide = stretch.as_ref().is_some_and(|(wide, _)| *wide);
+        let stretch = stretch.map(|(_, map)| match layer {
+            Some(layer) => layer.of(depth.map(|x| along_x(&map, x))).after(&map),
+            None => map,
+        });
+        let stretch = stretch.map(Arc::new);
         let own = &mut instances[body.instances.start as usize..body.instances.end as usize];
-        for instance in own.iter_mut().filter(|i| !(wide && i.link.head)) {
-            instance.drawn = Some(Drawn { closed: false, stretch: stretch.clone() });
+        for instance in own.iter_mut() {
+            let stretch = stretch.clone().filter(|_| !(wide && instance.link.head));
+            if stretch.is_some() || aside.is_some() {
+                instance.drawn = Some(Drawn { closed: !*closed, stretch, aside: aside.clone() });
+            }
         }
         draw((body, instances), *closed);
     }
+}
+
+/// The coordinate along X to which a map of axes takes another.
+fn along_x(map: &Affine, x: f32) -> f32 {
+    (map.0[0][0] * f64::from(x) + map.0[0][3]) as f32
+}
+
+/// The layer of each cover that hangs where others do: the first of them is in front.
+fn layers(bodies: &[Body], around: &Around) -> Vec<Option<Layer>> {
+    let covers = || around.covers.iter().map(|(body, _)| &bodies[*body]);
+    let layer = |cover: &Body| {
+        let together: Vec<&Body> = covers().filter(|other| hang_together(cover, other)).collect();
+        let (first, of) = (*together.first()?, together.len());
+        let rank = together.iter().position(|other| other.node == cover.node)?;
+        let axis = |body: &Body| body.pose.rotation * nalgebra::Vector3::x();
+        let faces = axis(first).dot(&axis(cover)) >= 0.0;
+        (of > 1).then_some(Layer { at: if faces { of - 1 - rank } else { rank }, of })
+    };
+    covers().map(layer).collect()
+}
+
+/// Whether two covers hang in the same place: a cover does with itself.
+fn hang_together(cover: &Body, other: &Body) -> bool {
+    let Some(back) = Affine::of(&cover.pose).inverse() else { return false };
+    let (own, other) = (cover.bounds, turned(&back.after(&Affine::of(&other.pose)).narrow(), &other.bounds));
+    (0..3).all(|axis| {
+        let ([a, b], [c, d]) = (ends(&own, axis), ends(&other, axis));
+        b.min(d) - a.max(c) >= TOGETHER * (b - a).min(d - c)
+    })
 }
 
 /// Draws a cover over its opening, or aside.

@@ -309,11 +309,14 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, l
         }
         Look::Louvred => {
             frame(b, name, low, high, w, mat);
+            // A thin panel behind the slats hides the contents.
+            let (l, h) = inner(low[0] + 0.001, low[0] + thick * 0.2);
+            b.block("panel", l, h, mat);
             let count = ((tall - 2.0 * w) / 0.055).clamp(2.0, 14.0) as usize;
             let pitch = (tall - 2.0 * w) / count as f32;
             for i in 0..count {
                 let z = low[2] + w + pitch * i as f32;
-                let (x0, x1) = (low[0] + 0.002, high[0] - 0.002);
+                let (x0, x1) = (low[0] + thick * 0.2 - 0.0005, high[0] - 0.002);
                 let outline = [(x0, z + pitch * 0.55), (x1, z), (x1, z + pitch * 0.4), (x0, z + pitch * 0.95)];
                 b.prism("slat", Axis::Y, [0.0, low[1] + w, 0.0], &outline, wide - 2.0 * w, mat);
             }

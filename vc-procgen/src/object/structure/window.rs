@@ -38,8 +38,16 @@ pub(super) fn window(b: &mut Build<'_>) {
     let gap = 0.002;
     let inner = (y - border - gap, border + gap, h - border - gap);
     let (back, front) = (-depth * 0.4, depth + 0.006);
+    // A rebate outside the sashes covers the gaps around them.
+    let (stop, lap) = (back - 0.001, 0.012 * u);
+    rim_x(b, "rebate", [-depth + 0.001, -y + border, border], [stop, y - border, h - border], lap, mat);
     let halves: &[(Swing, f32, f32)] = if y > 0.5 {
         b.block("mullion", [-depth, -border * 0.4, border], [depth, border * 0.4, h - border], mat);
+        for side in [-1.0_f32, 1.0] {
+            let (a, c) = (side * border * 0.4, side * (border * 0.4 + lap));
+            let (low, high) = ([-depth + 0.001, a.min(c), border + lap], [stop, a.max(c), h - border - lap]);
+            b.block("rebate", low, high, mat);
+        }
         let middle = border * 0.4 + gap;
         &[(Swing::Right, -inner.0, -middle), (Swing::Left, middle, inner.0)]
     } else {
