@@ -33,7 +33,7 @@ pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Op
     match &**node.class() {
         "floor" => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
         "wall" => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
-        "ceiling" => ceiling(node),
+        "ceiling" => ceiling(house, node),
         _ if goes_around(node) => painted(house, node, style.worktop),
         _ => {
             let opening = house.openings.iter().find(|o| o.door == node.id())?;
@@ -55,12 +55,22 @@ fn painted(house: &House, node: &Node, mat: Mat) -> Option<Built> {
     Some(Built { asset, pose: *node.pose()?, bounds: around(low, high) })
 }
 
-fn ceiling(node: &Node) -> Option<Built> {
+fn ceiling(house: &House, node: &Node) -> Option<Built> {
     let (bounds, pose) = (node.spec().bounds?, node.pose()?);
-    let pose = upright(pose, &bounds);
-    let (low, mut high) = (Point3::from(bounds.offset - bounds.half), Point3::from(bounds.offset + bounds.half));
-    high.z = high.z.max(low.z + SLAB);
-    Some(Built { asset: one_block(node.class(), (low, high), material::WALL_WHITE), pose, bounds: around(low, high) })
+    let shape = house.shapes.get(&node.id()).filter(|asset| asset.parts.len() > 1);
+    let (pose, pieces) = match shape {
+        Some(asset) => (*pose, asset.parts.iter().map(vc_graph::asset::Part::extent).collect()),
+        None => (upright(pose, &bounds), vec![corners(&bounds)]),
+    };
+    let thick = |(low, high): (Point3<f32>, Point3<f32>)| (low, Point3::new(high.x, high.y, high.z.max(low.z + SLAB)));
+    let parts = pieces.into_iter().map(thick).map(|(low, high)| block(node.class(), low, high, material::WALL_WHITE));
+    let asset = Asset { name: node.class().clone(), parts: parts.collect(), ..Asset::default() };
+    let (low, high) = asset.extent()?;
+    Some(Built { asset, pose, bounds: around(low, high) })
+}
+
+fn corners(bounds: &Bounds) -> (Point3<f32>, Point3<f32>) {
+    (Point3::from(bounds.offset - bounds.half), Point3::from(bounds.offset + bounds.half))
 }
 
 /// The pose whose axes a node's box is aligned with.
@@ -127,8 +137,13 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     let size = hole.max - hole.min;
     let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };
     let own = node.spec().name.as_deref().unwrap_or("opening");
-    let made = generator.sized(size, style, seed.child(own));
     let (pose, bounds) = (node.pose()?, node.spec().bounds?);
+    let mut made = generator.sized(size, style, seed.child(own));
+    if !super::is_unturned(&bounds) {
+        // Its box is its own, frame and handles included, and not that of the hole.
+        let frame = made.size() - size;
+        made = generator.sized(Vector3::new(size.x, size.y - frame.y, size.z - frame.z), style, seed.child(own));
+    }
     let known = Some(pose.rotation).filter(|turn| !super::is_unturned(&bounds) && quarter(turn));
     let (turn, mirrored) = hung(house, (&hole, opening.across), node.id(), known);
     let made = if mirrored { made.mirrored() } else { made };
