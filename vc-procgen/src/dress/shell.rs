@@ -9,12 +9,16 @@ use super::house::{House, goes_around};
 use crate::Style;
 use crate::furnish::Facing;
 use crate::material::{self, Mat};
-use crate::object::{self, Object};
+use crate::object::{self, Generator, Object};
 
 /// Thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
 /// How far from an opening's box the walls may be that it is in, metres.
 const NEAR: f32 = 0.12;
+/// Thickness of a hole's walls at least, metres.
+const THIN: f32 = 0.02;
+/// How many doors or windows are made for one as deep as its box, with its handles and sill.
+const LIKE: u64 = 8;
 /// Height of the strip on the floor below a door, metres.
 const STRIP: f32 = 0.004;
 /// Rooms with tiles on the floor; the first also has them on its walls.
@@ -31,6 +35,7 @@ pub(super) struct Built {
 pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
     match &**node.class() {
+        "floor" if room == "balcony" => painted(house, node, material::CONCRETE),
         "floor" => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
         "wall" => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
         "ceiling" => ceiling(house, node),
@@ -136,14 +141,13 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     let hole = hole(house, opening);
     let size = hole.max - hole.min;
     let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };
-    let own = node.spec().name.as_deref().unwrap_or("opening");
+    let seed = seed.child(node.spec().name.as_deref().unwrap_or("opening"));
     let (pose, bounds) = (node.pose()?, node.spec().bounds?);
-    let mut made = generator.sized(size, style, seed.child(own));
-    if !super::is_unturned(&bounds) {
-        // Its box is its own, frame and handles included, and not that of the hole.
-        let frame = made.size() - size;
-        made = generator.sized(Vector3::new(size.x, size.y - frame.y, size.z - frame.z), style, seed.child(own));
-    }
+    let made = if super::is_unturned(&bounds) {
+        generator.sized(size, style, seed)
+    } else {
+        nearest(generator, size, &bounds.size(), style, seed)
+    };
     let known = Some(pose.rotation).filter(|turn| !super::is_unturned(&bounds) && quarter(turn));
     let (turn, mirrored) = hung(house, (&hole, opening.across), node.id(), known);
     let made = if mirrored { made.mirrored() } else { made };
@@ -153,6 +157,16 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     let Object { asset, bounds, .. } = made;
     let bounds = Bounds { offset: bounds.offset + by, ..bounds };
     Some(Built { asset: moved(asset, by), pose, bounds })
+}
+
+/// The one for a hole that is as large as a box of its own, frame and handles included.
+fn nearest(generator: &Generator, hole: Vector3<f32>, own: &Vector3<f32>, style: &Style, seed: Seed) -> Object {
+    let first = generator.sized(hole, style, seed);
+    let off = own - first.size();
+    let hole = (hole + off).map(|side| side.max(THIN));
+    let made = |n: u64| generator.sized(hole, style, if n == 0 { seed } else { seed.nth(n) });
+    let misfit = |o: &Object| (own - o.size()).amax();
+    (0..LIKE).map(made).min_by(|a, b| misfit(a).total_cmp(&misfit(b))).unwrap_or(first)
 }
 
 /// Which way a door or window looks, and whether its hinge is on the right: it opens to the side
