@@ -1,7 +1,7 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, NodeId};
+use vc_graph::{Aabb, Kind, Label, NodeId};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use crate::Environment;
@@ -56,11 +56,11 @@ impl Environment {
     ///
     /// # Errors
     /// [`RenderError::NoBody`] if there is no such agent or room.
-    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError> {
+    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError<Label>> {
         let camera = Camera::with_fov(width, height, FIELD);
         match view {
             Viewpoint::Free(free) => Ok(free.resized(width, height)),
-            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or(RenderError::NoBody(agent)),
+            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or_else(|| self.no_body(agent)),
             Viewpoint::Room(room) => self.corner(room, camera),
             Viewpoint::Above(room) => {
                 let aabb = self.bounds_of(room)?;
@@ -76,9 +76,13 @@ impl Environment {
     }
 
     /// The box around a room.
-    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError> {
+    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError<Label>> {
         let node = self.graph().node(room).filter(|n| n.kind() == Kind::Room);
-        node.and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))
+        node.and_then(|n| n.aabb()).ok_or_else(|| self.no_body(room))
+    }
+
+    fn no_body(&self, id: NodeId) -> RenderError<Label> {
+        RenderError::NoBody(self.graph().label(id))
     }
 
     fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
@@ -89,7 +93,7 @@ impl Environment {
     }
 
     /// A camera in the corner of a room from which most things in it are seen as the home begins.
-    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
+    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError<Label>> {
         let bounds = self.bounds_of(room)?;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
         let target = |eye: &Point3<f32>| {
