@@ -2,22 +2,23 @@
 //!
 //! `cargo run --release --example boxes -- FILE...` takes scenes (VirtualHome's or the thesis's; `.gz` is
 //! unpacked). For each it prints the rooms between which an agent can walk, and how many of the graspable
-//! objects it can take and put back where the scene has them. Unreadable files are named, and the exit status
+//! objects it can take and put back where the scene has them, and why not the others. Unreadable files are named, and the exit status
 //! is then 1. `--out DIR` draws each scene from above.
 
+#[path = "support/placements.rs"]
+mod placements;
 mod support;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 use support::{Complaint, say};
 use vc_graph::goal::Situation;
-use vc_graph::{Action, NodeId, Place, Property, Relation, Verb};
+use vc_graph::{Action, Verb};
 use vc_planner::{Newcomer, Run, Step};
 use vc_tasks::{Outcome, Task};
-use virtualcity::{ActionError, Assets, Environment, SceneOptions};
+use virtualcity::{Assets, Environment, SceneOptions};
 
 /// Tests how much agents can do in homes of which only bounding boxes are known.
 #[derive(Parser)]
@@ -42,9 +43,9 @@ struct Options {
 
 fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
-    let (mut won, mut failed) = ((0, 0), 0);
+    let (mut won, mut put, mut failed) = ((0, 0), placements::Tally::default(), 0);
     for file in &options.files {
-        if let Err(complaint) = look_at(file, &options, &mut won) {
+        if let Err(complaint) = look_at(file, &options, &mut won, &mut put) {
             let (file, why) = (file.display().to_string(), format!("{complaint:?}"));
             say!("{}", if why.starts_with(&file) { why } else { format!("{file}: {why}") });
             failed += 1;
@@ -53,6 +54,10 @@ fn main() -> Result<ExitCode, Complaint> {
     if options.goals {
         say!("{} of {} goals won", won.0, won.1);
     }
+    if !options.rooms_only && options.files.len() > 1 {
+        say!("in all scenes");
+        put.say();
+    }
     if failed > 0 {
         say!("{failed} of {} scenes could not be looked at", options.files.len());
     }
@@ -60,15 +65,21 @@ fn main() -> Result<ExitCode, Complaint> {
 }
 
 /// Runs all requested tests in one scene.
-fn look_at(file: &Path, options: &Options, won: &mut (usize, usize)) -> Result<(), Complaint> {
+fn look_at(
+    file: &Path,
+    options: &Options,
+    won: &mut (usize, usize),
+    put: &mut placements::Tally,
+) -> Result<(), Complaint> {
     let assets = if options.plain { Assets::None } else { Assets::Generated };
     let home = Environment::make_with(&format!("scene:{}", file.display()), 1, &SceneOptions { assets });
     let home = home.map_err(Complaint::new)?;
-    say!("{}: {} nodes, left out {:?}", file.display(), home.graph().len(), home.left_out());
+    say!("{}: {} nodes, {} left out", file.display(), home.graph().len(), home.left_out().len());
+    home.left_out().iter().for_each(|left| say!("  {left}"));
     say!("  {} things are elsewhere by geometry", home.elsewhere().len());
     rooms(&home);
     if !options.rooms_only {
-        places(&home);
+        put.add(placements::all(&home));
     }
     if options.goals {
         goals(&home, won)?;
@@ -118,63 +129,6 @@ fn rooms(home: &Environment) {
         }
     }
     say!("  {reached} of {} rooms reached", home.graph().rooms().len());
-}
-
-/// Takes every graspable object and puts it back where it was.
-fn places(home: &Environment) {
-    let graph = home.graph();
-    let carried = graph.nodes().filter(|n| n.affords(Property::Graspable));
-    let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
-    let wanted: Vec<(NodeId, Place)> =
-        carried.filter_map(|n| Some((n.id(), graph.place(n.id()).filter(rests)?))).collect();
-    let (mut done, mut failed) = (0, BTreeMap::<String, Vec<String>>::new());
-    for &(id, place) in &wanted {
-        match put_back(&mut home.clone(), id, place) {
-            Ok(()) => done += 1,
-            Err((step, error)) => {
-                let (kind, detail) = sorted(&error);
-                let thing = format!("{} {}: {detail}", graph.label(id), graph.label(place.at));
-                failed.entry(format!("{step}: {kind}")).or_default().push(thing);
-            }
-        }
-    }
-    say!("  {done} of {} things are put back where they were", wanted.len());
-    for (kind, things) in failed {
-        say!("    {} {kind}", things.len());
-        things.iter().take(12).for_each(|t| say!("      {t}"));
-    }
-}
-
-fn put_back(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, Box<ActionError>)> {
-    let me = home.agents()[0];
-    let mut act = |name: &'static str, action: Action| {
-        home.set_action(me, action).map(|_| home.graph().hidden_in(id)).map_err(|e| (name, Box::new(e)))
-    };
-    let mut hidden = act("walk", Action::one(Verb::Walk, id))?;
-    while let Some(container) = hidden {
-        act("walk", Action::one(Verb::Walk, container))?;
-        hidden = act("open", Action::one(Verb::Open, container))?;
-    }
-    act("walk", Action::one(Verb::Walk, id))?;
-    act("grab", Action::one(Verb::Grab, id))?;
-    act("walk back", Action::one(Verb::Walk, place.at))?;
-    if home.graph().node(place.at).is_some_and(vc_graph::Node::hides_contents) {
-        home.set_action(me, Action::one(Verb::Open, place.at)).map_err(|e| ("open", Box::new(e)))?;
-    }
-    let mut act =
-        |name: &'static str, action: Action| home.set_action(me, action).map(drop).map_err(|e| (name, Box::new(e)));
-    let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
-    act("put", Action::two(verb, id, place.at))
-}
-
-fn sorted(error: &ActionError) -> (&'static str, String) {
-    let kind = match error {
-        ActionError::Refused(_) => "refused",
-        ActionError::Impossible { .. } => "impossible",
-        ActionError::Disagreement(_) => "disagreement",
-        _ => "other",
-    };
-    (kind, error.to_string())
 }
 
 #[cfg(feature = "render")]

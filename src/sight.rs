@@ -9,7 +9,7 @@ use std::sync::{Mutex, OnceLock};
 
 use vc_graph::asset::Joint;
 use vc_graph::class::Category;
-use vc_graph::{Kind, Node, NodeId, Pose, Property, Relation, SceneGraph, State, Word};
+use vc_graph::{Kind, Label, Node, NodeId, Pose, Property, Relation, SceneGraph, State, Word};
 use vc_physics::Role;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -29,7 +29,7 @@ const EVEN: f32 = 0.9;
 /// Uploaded meshes and the light, made when first asked for and shared by clones.
 #[derive(Debug, Default)]
 pub(crate) struct Sight {
-    base: OnceLock<Result<Base, RenderError>>,
+    base: OnceLock<Result<Base, RenderError<Label>>>,
     /// Light that was made, the last one first.
     light: Mutex<Vec<(Lit, Lighting)>>,
     /// At which of its places the camera of a room is.
@@ -85,7 +85,7 @@ impl Environment {
         wanted: impl Into<Modalities>,
         width: u32,
         height: u32,
-    ) -> Result<Frame, RenderError> {
+    ) -> Result<Frame, RenderError<Label>> {
         self.picture(&self.pictures, None, (view, wanted.into()), (width, height))
     }
 
@@ -109,7 +109,7 @@ impl Environment {
         wanted: impl Into<Modalities>,
         width: u32,
         height: u32,
-    ) -> Result<Frame, RenderError> {
+    ) -> Result<Frame, RenderError<Label>> {
         let anew = |now: &Snapshot| Ok(self.base()?.renderer.light(now, &self.pictures.daylight));
         self.picture_lit(&self.pictures, None, (view, wanted.into()), (width, height), anew)
     }
@@ -127,7 +127,7 @@ impl Environment {
         wanted: impl Into<Modalities>,
         width: u32,
         height: u32,
-    ) -> Result<Frame, RenderError> {
+    ) -> Result<Frame, RenderError<Label>> {
         self.picture(&self.pictures, Some(later), (view, wanted.into()), (width, height))
     }
 
@@ -138,7 +138,7 @@ impl Environment {
         later: Option<&Self>,
         what: (Viewpoint, Modalities),
         size: (u32, u32),
-    ) -> Result<Frame, RenderError> {
+    ) -> Result<Frame, RenderError<Label>> {
         self.picture_lit(how, later, what, size, |now| self.lighting(&how.daylight, now))
     }
 
@@ -148,11 +148,24 @@ impl Environment {
         later: Option<&Self>,
         (view, wanted): (Viewpoint, Modalities),
         (width, height): (u32, u32),
-        light: impl Fn(&Snapshot) -> Result<Lighting, RenderError>,
-    ) -> Result<Frame, RenderError> {
+        light: impl Fn(&Snapshot) -> Result<Lighting, RenderError<Label>>,
+    ) -> Result<Frame, RenderError<Label>> {
+        let drawn = self.drawn(how, later, (view, wanted), (width, height), light);
+        drawn.map_err(|e| self.named(e))
+    }
+
+    fn drawn(
+        &self,
+        how: &PictureOptions,
+        later: Option<&Self>,
+        (view, wanted): (Viewpoint, Modalities),
+        (width, height): (u32, u32),
+        light: impl Fn(&Snapshot) -> Result<Lighting, RenderError<Label>>,
+    ) -> Result<Frame, RenderError<Label>> {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
-        let then = later.map(|l| Ok::<_, RenderError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
+        let then =
+            later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
         let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
         let lighting = lighting.map(|light| if view.is_plan() { light.evened(EVEN) } else { light });
         let mut shot = Shot::new(&snapshot, &camera, wanted).finer(how.finer);
@@ -170,7 +183,16 @@ impl Environment {
     ///
     /// # Errors
     /// [`RenderError`] if something has no sound pose or no shape.
-    pub fn snapshot(&self) -> Result<Snapshot, RenderError> {
+    pub fn snapshot(&self) -> Result<Snapshot, RenderError<Label>> {
+        self.as_now().map_err(|e| self.named(e))
+    }
+
+    /// A renderer's error with the labels of the scene.
+    fn named(&self, error: impl Into<RenderError<Label>>) -> RenderError<Label> {
+        error.into().named(&|label: Label| self.graph().label(label.id))
+    }
+
+    fn as_now(&self) -> Result<Snapshot, RenderError<Label>> {
         let base = self.base()?;
         let mut snapshot = base.snapshot.clone();
         for (id, was) in &base.poses {
@@ -217,8 +239,8 @@ impl Environment {
         self.room_at(at.translation.vector.xy().into()).or_else(|| self.graph().room_of(id))
     }
 
-    fn base(&self) -> Result<&Base, RenderError> {
-        let base = self.sight().base.get_or_init(|| Base::of(self));
+    fn base(&self) -> Result<&Base, RenderError<Label>> {
+        let base = self.sight().base.get_or_init(|| Base::of(self).map_err(|e| self.named(e)));
         base.as_ref().map_err(Clone::clone)
     }
 }

@@ -31,9 +31,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     if options.lamps == Lamps::AtDark && daylight.is_some_and(|daylight| daylight.is_dark()) {
         home.switch_lamps(true).map_err(Complaint::new)?;
     }
-    for (id, class) in home.left_out() {
-        say!("left out  {class}.{}, which fell out of the home", id.0);
-    }
+    home.left_out().iter().for_each(|left| say!("left out  {left}"));
     let me = home.agents()[0];
     if options.list {
         symbolic::list(home.graph(), me);

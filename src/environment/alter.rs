@@ -59,7 +59,7 @@ pub enum AlterError {
     #[error("{0} cannot be put elsewhere: it is fixed, held or worn")]
     NotLoose(Label),
     /// There is no place for the thing.
-    #[error("{} has no place there: {}", .0.thing, .0.why)]
+    #[error(transparent)]
     Unplaced(Unplaced),
     /// The thing does not stay there.
     #[error("{} does not stay {} {}", .0.thing, .0.wanted.relation, .0.wanted.at)]

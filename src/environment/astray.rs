@@ -1,17 +1,12 @@
 //! Things that a scene has where nothing can be: below or beside its floors, or several in one
 //! place. They are put back where the scene says they are, or left out and named.
 
-use std::sync::Arc;
-
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
 use vc_physics::{Floor, Order, Posture, Role, World};
 
 use super::make::{RINGS, Spaced, around};
-use super::{Elsewhere, MakeError, act};
-
-/// Things of the scene that are not in the environment, with their classes.
-pub(super) type LeftOut = Vec<(NodeId, Arc<str>)>;
+use super::{Elsewhere, MakeError, Unplaced, Why, act, reset};
 
 /// A thing that is lower than this below its place in the scene has fallen, metres.
 const FALL: f32 = 0.1;
@@ -25,7 +20,7 @@ const FAR: f32 = 3.0;
 
 /// Lets a world come to rest. Things that are astray before or after are put to a free spot at the place
 /// that the scene gives them; those for which there is none are taken out of the scene, and named.
-pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<LeftOut, MakeError> {
+pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Vec<Unplaced>, MakeError> {
     // Steps would take long to part things that are in one place, and would throw them far.
     let mut astray = world.outside();
     astray.extend(world.crowded());
@@ -43,7 +38,8 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Left
         if outside.is_empty() {
             return Ok(left_out);
         }
-        leave_out(world, builder, outside, &mut left_out)?;
+        let fell = outside.into_iter().map(|id| (id, Why::FellOut)).collect();
+        left_out.extend(leave_out(world, builder, fell)?);
         act::calm(world);
     }
 }
@@ -75,7 +71,11 @@ impl Full {
 }
 
 /// Puts things where the scene says they are; takes out those for which there is no room.
-fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeId>) -> Result<LeftOut, MakeError> {
+fn put_back(
+    world: &mut World,
+    builder: &mut SceneBuilder,
+    mut astray: Vec<NodeId>,
+) -> Result<Vec<Unplaced>, MakeError> {
     astray.sort_unstable();
     astray.dedup();
     let wanted: Vec<(NodeId, Pose)> = astray.iter().filter_map(|id| Some((*id, world.pose(*id)?))).collect();
@@ -96,13 +96,12 @@ fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeI
             }
             None => {
                 full.0.extend(place.zip(size));
-                lost.push(id);
+                let why = place.map_or(Why::Astray, |place| reset::no_spot(world, builder.graph(), id, place));
+                lost.push((id, why));
             }
         }
     }
-    let mut left_out = LeftOut::new();
-    leave_out(world, builder, lost, &mut left_out)?;
-    Ok(left_out)
+    leave_out(world, builder, lost)
 }
 
 /// A free spot for a thing where a scene says it is.
@@ -133,20 +132,20 @@ fn restore(world: &mut World, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(
     Ok(())
 }
 
+/// Takes things out of the scene, and tells which and why.
 fn leave_out(
     world: &mut World,
     builder: &mut SceneBuilder,
-    lost: Vec<NodeId>,
-    left_out: &mut LeftOut,
-) -> Result<(), MakeError> {
-    for id in lost {
-        left_out.extend(builder.graph().node(id).map(|n| (id, n.class().clone())));
+    lost: Vec<(NodeId, Why)>,
+) -> Result<Vec<Unplaced>, MakeError> {
+    let told = lost.iter().map(|(id, why)| Unplaced { thing: builder.graph().label(*id), why: why.clone() }).collect();
+    for (id, _) in lost {
         world.remove(id)?;
         let mut edit = builder.edit();
         edit.remove(id)?;
         edit.commit();
     }
-    Ok(())
+    Ok(told)
 }
 
 /// A thing that has moved and is outside the home now.

@@ -47,6 +47,8 @@ pub(super) struct Put {
     pub(super) pose: Pose,
     /// Whether it would not stay there by itself and is held still.
     pub(super) balanced: bool,
+    /// Where it is held as it was at the start, as it would overlap something.
+    pub(super) tight: Option<NodeId>,
 }
 
 /// How the parts of a thing are moved.

@@ -8,10 +8,9 @@ use vc_graph::{AssetId, Draft, History, Kind, NodeId, Pose, SceneBuilder, SceneG
 use vc_physics::{BodyPlan, Floor, FloorPlan, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
-use super::astray::{self, LeftOut};
 use super::reset::undress;
 use super::undo::Undo;
-use super::{Assets, Environment, MakeError, SceneOptions, Start, act, boxes, observe, scene};
+use super::{Assets, Environment, MakeError, SceneOptions, Start, Unplaced, act, astray, boxes, observe, scene};
 use crate::figure;
 
 /// Steps in which agents find the ground.
@@ -29,7 +28,7 @@ struct Made {
     world: World,
     floor: Floor,
     shapes: Shapes,
-    left_out: LeftOut,
+    left_out: Vec<Unplaced>,
     /// Things that stay where the scene has them, and whether that was an environment's.
     staying: Vec<NodeId>,
     at_rest: bool,

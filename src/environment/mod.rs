@@ -100,7 +100,7 @@ struct Start {
     relations: Relations,
     floor: Floor,
     shapes: Shapes,
-    left_out: Vec<(NodeId, Arc<str>)>,
+    left_out: Vec<Unplaced>,
     elsewhere: Vec<Elsewhere>,
     /// Places that the scene gives to things and geometry does not: they hold while these have not moved.
     kept: std::collections::BTreeMap<NodeId, Vec<vc_graph::Place>>,
@@ -147,10 +147,10 @@ impl Environment {
         &self.start.graph
     }
 
-    /// The things that [`make`](Self::make) took out of the scene, with their classes: they were or fell
+    /// The things that [`make`](Self::make) took out of the scene, and why: they were or fell
     /// outside the home, or were in the place of another, and there was no free spot where the scene has
     /// them. There are hardly ever any.
-    pub fn left_out(&self) -> &[(NodeId, Arc<str>)] {
+    pub fn left_out(&self) -> &[Unplaced] {
         &self.start.left_out
     }
 

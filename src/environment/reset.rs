@@ -34,7 +34,8 @@ pub struct ResetReport {
 }
 
 /// A thing for which there was no place.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{thing} has no place there: {why}")]
 pub struct Unplaced {
     /// Which.
     pub thing: Label,
@@ -47,8 +48,22 @@ pub struct Unplaced {
 #[non_exhaustive]
 pub enum Why {
     /// No spot on or in what it is to be at is free.
-    #[error("no spot {0} {1} is free and large enough")]
-    NoSpot(Relation, Label),
+    #[error(
+        "no spot {relation} {at} is free and large enough for its {:.2} x {:.2} x {:.2} m: make room there, or name \
+         another place",
+        .size[0], .size[1], .size[2]
+    )]
+    NoSpot {
+        /// On or inside.
+        relation: Relation,
+        /// What it is to be at.
+        at: Label,
+        /// Its depth, width and height as it stands, metres.
+        size: [f32; 3],
+    },
+    /// It is where nothing can be, and the scene does not say where else it belongs.
+    #[error("it is below, beside or far from all floors, and the scene has it on or in nothing")]
+    Astray,
     /// Neither the graph says where it is, nor does it have a pose.
     #[error("it has neither a pose nor a place on or in anything")]
     Nowhere,
@@ -330,10 +345,16 @@ pub(super) fn settle_place(
     let order = if posed { Order::Near(Point3::from(pose.translation.vector)) } else { Order::Middle };
     let inside = place.relation == Relation::Inside;
     let Some(spot) = world.free_spot_at(id, place.at, inside, order)? else {
-        return Ok(Err(Why::NoSpot(place.relation, graph.label(place.at))));
+        return Ok(Err(no_spot(world, graph, id, place)));
     };
     world.place(id, spot)?;
     Ok(Ok(()))
+}
+
+/// Why there is no room for a thing at a place.
+pub(super) fn no_spot(world: &World, graph: &SceneGraph, id: NodeId, place: Place) -> Why {
+    let size = world.aabb(id).map_or([0.0; 3], |b| (b.max - b.min).into());
+    Why::NoSpot { relation: place.relation, at: graph.label(place.at), size }
 }
 
 /// Whether a thing overlaps nothing at a pose and something is right below it.

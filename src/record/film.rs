@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use rayon::prelude::*;
-use vc_graph::NodeId;
+use vc_graph::{Label, NodeId};
 use vc_render::picture::{self, Picture};
 use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
@@ -171,7 +171,7 @@ impl Film {
 
     /// A picture from one of the views. An eye gets used to other light little by little, unless its view has
     /// jumped to another room.
-    fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError> {
+    fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError<Label>> {
         let (view, seconds) = (views[which], self.every as f32 * home.world().settings().dt);
         let used = self.used[which].filter(|(from, _)| *from == view);
         let adapts = used.map(|(_, from)| Adaptation::after(from, seconds));
@@ -186,14 +186,14 @@ impl Film {
     }
 
     /// Keeps all modalities of the moment that tells most.
-    fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), RenderError> {
+    fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), RenderError<Label>> {
         let Some(before) = self.before.take() else { return Ok(()) };
         let telling = self.telling(&before, home, views)?;
         if telling <= self.most_telling {
             return Ok(());
         }
         self.most_telling = telling;
-        let sheet = |view| -> Result<Picture, RenderError> {
+        let sheet = |view| -> Result<Picture, RenderError<Label>> {
             let frame = before.render_until(home, view, Modalities::SIX, self.size.0, self.size.1);
             Ok(six(&frame?))
         };
@@ -203,7 +203,12 @@ impl Film {
 
     /// How much a moment tells: nothing unless the agent moves; more while it holds something, while
     /// all of it is seen from the corner, and the more things it sees.
-    fn telling(&self, before: &Environment, now: &Environment, views: [Viewpoint; 2]) -> Result<usize, RenderError> {
+    fn telling(
+        &self,
+        before: &Environment,
+        now: &Environment,
+        views: [Viewpoint; 2],
+    ) -> Result<usize, RenderError<Label>> {
         if (feet(before, self.me) - feet(now, self.me)).norm() <= 1e-3 {
             return Ok(0);
         }
@@ -215,7 +220,7 @@ impl Film {
     }
 
     /// One more picture, from the corner.
-    pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError> {
+    pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError<Label>> {
         let views = self.views(home)?;
         self.shot(home, views, 1)
     }

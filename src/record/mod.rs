@@ -10,7 +10,7 @@ mod trajectory;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Point2;
-use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph};
+use vc_graph::{Action, ChangeSet, History, Label, NodeId, SceneGraph};
 use vc_planner::Summary;
 use vc_render::picture::{self, Picture};
 use vc_render::{Daylight, RenderError};
@@ -126,18 +126,28 @@ pub enum RecordError {
     },
     /// A picture could not be made.
     #[error("no picture of the episode can be made: {0}")]
-    Picture(#[from] RenderError),
+    Picture(#[from] RenderError<Label>),
     /// The scene could not be written as glTF.
     #[error("the scene cannot be written as glTF: {0}")]
     Scene(#[from] vc_procgen::gltf::GltfError),
     /// The agent that is followed is none of the environment's.
-    #[error("{agent} is no agent of this environment; it has {there:?}")]
+    #[error("{agent} is no agent of this environment; it has {}", listed(.there))]
     NoSuchAgent {
         /// Who is to be followed.
-        agent: NodeId,
+        agent: Label,
         /// Who is there.
-        there: Vec<NodeId>,
+        there: Vec<Label>,
     },
+}
+
+impl From<RenderError> for RecordError {
+    fn from(error: RenderError) -> Self {
+        Self::Picture(error.into())
+    }
+}
+
+fn listed(labels: &[Label]) -> String {
+    labels.iter().map(Label::to_string).collect::<Vec<_>>().join(", ")
 }
 
 impl Recorder {
@@ -155,7 +165,9 @@ impl Recorder {
         options: RecordOptions,
     ) -> Result<Self, RecordError> {
         if !home.agents().contains(&agent) {
-            return Err(RecordError::NoSuchAgent { agent, there: home.agents().to_vec() });
+            let label = |id: &NodeId| home.graph().label(*id);
+            let there = home.agents().iter().map(label).collect();
+            return Err(RecordError::NoSuchAgent { agent: label(&agent), there });
         }
         let width = options.width;
         if width == 0 || width > vc_render::camera::MAX_SIDE {

@@ -1,7 +1,7 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, NodeId, SceneGraph};
+use vc_graph::{Aabb, Kind, Label, NodeId, SceneGraph};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use crate::Environment;
@@ -75,11 +75,11 @@ impl Environment {
     ///
     /// # Errors
     /// [`RenderError::NoBody`] if there is no such agent or room.
-    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError> {
+    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError<Label>> {
         let camera = Camera::with_fov(width, height, FIELD);
         match view {
             Viewpoint::Free(free) => Ok(free.resized(width, height)),
-            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or(RenderError::NoBody(agent)),
+            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or_else(|| self.no_body(agent)),
             Viewpoint::Room(room) => self.corner(room, camera),
             Viewpoint::Above(room) => {
                 let aabb = self.bounds_of(room)?;
@@ -95,9 +95,13 @@ impl Environment {
     }
 
     /// The box around a room.
-    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError> {
+    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError<Label>> {
         let node = self.graph().node(room).filter(|n| n.kind() == Kind::Room);
-        node.and_then(|n| n.aabb()).ok_or(RenderError::NoBody(room))
+        node.and_then(|n| n.aabb()).ok_or_else(|| self.no_body(room))
+    }
+
+    fn no_body(&self, id: NodeId) -> RenderError<Label> {
+        RenderError::NoBody(self.graph().label(id))
     }
 
     fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
@@ -108,7 +112,7 @@ impl Environment {
     }
 
     /// A camera in the corner of a room from which most things in it are seen as the home begins.
-    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError> {
+    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError<Label>> {
         let places = self.places(room, camera)?;
         // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
         let known = || self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -129,7 +133,7 @@ impl Environment {
 
     /// A camera in a corner of a room, or in the middle of a wall, from which an agent is seen best as the home is now:
     /// all of it, large enough, and much of the room around it.
-    pub(crate) fn witness(&self, agent: NodeId, room: NodeId, size: (u32, u32)) -> Result<Camera, RenderError> {
+    pub(crate) fn witness(&self, agent: NodeId, room: NodeId, size: (u32, u32)) -> Result<Camera, RenderError<Label>> {
         let places = self.places(room, Camera::with_fov(size.0, size.1, FIELD))?;
         let mut scores = Vec::new();
         for camera in &places {
@@ -141,7 +145,7 @@ impl Environment {
     }
 
     /// Cameras in the corners of a room and in the middles of its walls, which look across it.
-    fn places(&self, room: NodeId, camera: Camera) -> Result<[Camera; 8], RenderError> {
+    fn places(&self, room: NodeId, camera: Camera) -> Result<[Camera; 8], RenderError<Label>> {
         let bounds = self.bounds_of(room)?;
         let (low, high, middle) = (bounds.min, bounds.max, bounds.centre());
         let target = |eye: &Point3<f32>| {

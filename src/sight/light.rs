@@ -3,7 +3,7 @@
 use std::sync::MutexGuard;
 
 use vc_graph::asset::{Joint, Part};
-use vc_graph::{Node, NodeId, Pose, SceneGraph, State};
+use vc_graph::{Label, Node, NodeId, Pose, SceneGraph, State};
 use vc_render::{Daylight, Lighting, RenderError, Snapshot};
 
 use super::Base;
@@ -34,7 +34,7 @@ pub(super) struct Lit {
 impl Environment {
     /// The light as it is: `Renderer::light` of the home as it begins, then `Renderer::follow`. As `follow` makes the
     /// same shadows as `light`, the result does not depend on earlier pictures.
-    pub(super) fn lighting(&self, daylight: &Daylight, now: &Snapshot) -> Result<Lighting, RenderError> {
+    pub(super) fn lighting(&self, daylight: &Daylight, now: &Snapshot) -> Result<Lighting, RenderError<Label>> {
         let base = self.base()?;
         let lit = self.lit(base, daylight);
         let known = self.lights().iter().find(|(known, _)| *known == lit).map(|(_, lighting)| lighting.clone());

@@ -4,7 +4,7 @@
 use virtualcity::graph::format::read_scene;
 use virtualcity::graph::{Action, Bounds, ClassTable, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder, Verb};
 use virtualcity::physics::Role;
-use virtualcity::{Environment, MakeError};
+use virtualcity::{Environment, MakeError, Why};
 
 use super::home;
 
@@ -73,7 +73,8 @@ fn what_has_no_place_to_go_back_to_is_named() {
         let mut kitchen = kitchen(true);
         let mug = kitchen.mug(at, None);
         let home = kitchen.home();
-        assert_eq!(home.left_out(), [(mug, "mug".into())], "{at:?}");
+        let [left] = home.left_out() else { panic!("{:?}", home.left_out()) };
+        assert_eq!((left.thing.id, &left.why), (mug, &Why::Astray), "{at:?}");
         assert!(home.graph().node(mug).is_none());
         is_whole(&home);
     }
@@ -100,6 +101,8 @@ fn many_in_one_place_are_spread() {
     let there = mugs.iter().filter(|id| home.graph().node(**id).is_some());
     assert!(there.clone().count() > 8, "{} left out", home.left_out().len());
     assert_eq!(there.clone().count() + home.left_out().len(), mugs.len());
+    // No more stand there than there is room for, and the reason says where there is none.
+    assert!(home.left_out().iter().all(|left| matches!(&left.why, Why::NoSpot { at, .. } if at.id == table)));
     for id in there {
         let p = home.world().pose(*id).unwrap().translation.vector;
         assert!((p.x - 1.5).abs() < 1.5 && p.y.abs() < 1.5, "{p}");
@@ -195,7 +198,7 @@ fn what_is_far_from_its_place_is_put_back() {
     let text = text.replace("  {\"from_id\": 4, \"relation_type\": \"ON\", \"to_id\": 3},\n", "");
     let home = made(&text.replace("\"center\": [1.5, 0.84, 0]", "\"center\": [10, 0.9, 10]"));
     assert!(home.graph().of_class("apple").is_empty());
-    assert!(home.left_out().iter().any(|(_, class)| &**class == "apple"), "{:?}", home.left_out());
+    assert!(home.left_out().iter().any(|left| &*left.thing.class == "apple"), "{:?}", home.left_out());
 }
 
 /// Agents that a graph has in the void, or several at one position, are put onto the floor, apart, and

@@ -96,7 +96,7 @@ fn resets_report() {
     assert_eq!((report.removed, report.added), (vec![gone], vec![bed, idea, apple]));
     assert!(report.moved.contains(&moved) && report.moved.len() <= 2, "{:?}", report.moved);
     let why = |id: NodeId| report.unplaced.iter().find(|u| u.thing.id == id).map(|u| u.why.clone());
-    assert!(matches!(why(bed), Some(Why::NoSpot(Relation::On, at)) if at.id == table), "{:?}", why(bed));
+    assert!(matches!(why(bed), Some(Why::NoSpot { at, .. }) if at.id == table), "{:?}", why(bed));
     assert_eq!(why(idea), Some(Why::NoShape));
     assert!(matches!(why(apple), Some(Why::NoSupport(at)) if at.id == idea), "{:?}", why(apple));
     // A lamp is not a seat: the agent stands, the graph says so, and the report has the requested place.

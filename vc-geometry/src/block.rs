@@ -14,6 +14,12 @@ const ALONG: f32 = 0.02;
 /// upright one around it.
 const TURNED: f32 = 0.3;
 
+/// Pieces of a box that are narrower are left out, metres.
+const SLIVER: f32 = 0.005;
+
+/// A box by its corners.
+pub(crate) type Piece = (Vector3<f32>, Vector3<f32>);
+
 /// A box in its node's frame, metres.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Block {
@@ -50,6 +56,12 @@ impl Block {
             self.pose.inverse_transform_point(&Point3::new(pick(0, 0), pick(1, 1), pick(2, 2))).coords
         };
         (1..8).map(corner).fold((corner(0), corner(0)), |(low, high), c| (low.inf(&c), high.sup(&c)))
+    }
+
+    /// Whether its sides are along the world's axes.
+    pub(crate) fn is_along(&self) -> bool {
+        let front = self.pose.rotation * Vector3::x();
+        front.x.abs().min(front.y.abs()) < ALONG
     }
 
     /// All of it as one part.
@@ -102,4 +114,42 @@ pub(crate) fn part(name: &str, low: Vector3<f32>, high: Vector3<f32>) -> Part {
     let (centre, half) = ((low + high) / 2.0, ((high - low) / 2.0).map(|h| h.max(LEAST / 2.0)));
     let pose = Pose::translation(centre.x, centre.y, centre.z);
     Part { name: name.into(), shape: Shape::Box { half }, material: 0, pose, joint: None }
+}
+
+/// The pieces of a box that are left without another: beside it, above and below.
+pub(crate) fn cut((low, high): Piece, (from, to): &Piece) -> Vec<Piece> {
+    if (0..3).any(|i| from[i] >= high[i] || to[i] <= low[i]) {
+        return vec![(low, high)];
+    }
+    let (mut rest, mut left) = ((low, high), Vec::new());
+    for axis in 0..3 {
+        if from[axis] > rest.0[axis] + SLIVER {
+            let mut below = rest;
+            below.1[axis] = from[axis];
+            left.push(below);
+            rest.0[axis] = from[axis];
+        }
+        if to[axis] < rest.1[axis] - SLIVER {
+            let mut above = rest;
+            above.0[axis] = to[axis];
+            left.push(above);
+            rest.1[axis] = to[axis];
+        }
+    }
+    left
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_doorway_leaves_both_sides_and_the_lintel() {
+        let wall = (Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.1, 4.0, 2.5));
+        let left = cut(wall, &(Vector3::new(-1.0, 1.0, 0.0), Vector3::new(1.0, 2.0, 2.0)));
+        let volume: f32 = left.iter().map(|(low, high)| (high - low).product()).sum();
+        assert_eq!(left.len(), 3);
+        assert!((volume - (0.1 * 4.0 * 2.5 - 0.1 * 1.0 * 2.0)).abs() < 1e-5);
+        assert_eq!(cut(wall, &(Vector3::repeat(5.0), Vector3::repeat(6.0))), [wall]);
+    }
 }

@@ -1,11 +1,12 @@
 //! Floors: slabs below their tops, joined with those beside them.
 
 use nalgebra::Vector3;
-use vc_graph::asset::Part;
-use vc_graph::{Aabb, Node, SceneGraph};
+use vc_graph::asset::Hold;
+use vc_graph::{Aabb, Asset, Node, SceneGraph};
 
-use crate::block::{Block, part};
+use crate::block::{Block, Piece, part};
 use crate::opening::size;
+use crate::share::own_pieces;
 
 /// Thickness of a floor at least, metres, below its top.
 const THICK: f32 = 0.15;
@@ -16,9 +17,21 @@ const STEP: f32 = 0.05;
 /// How long two floors must run beside each other, metres.
 const BESIDE: f32 = 0.3;
 
+/// Builds the slab of a floor, less what is its neighbours'.
+pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut Asset) {
+    let Some(whole) = slab(graph, node, block) else { return };
+    let pieces = own_pieces(graph, node, block, whole);
+    let top = |b: &Block| b.surface("floor", Hold::On, block.high.z, 0.0, None);
+    asset.surfaces = match pieces.len() {
+        1 => vec![top(block)],
+        _ => pieces.iter().map(|&(low, high)| top(&Block { low, high, ..*block })).collect(),
+    };
+    asset.parts = pieces.into_iter().map(|(low, high)| part("floor", low, high)).collect();
+}
+
 /// The slab of a floor, up to the floors beside it: those of the next room begin beyond a wall.
-pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Part> {
-    let Some(own) = node.aabb() else { return Vec::new() };
+fn slab(graph: &SceneGraph, node: &Node, block: &Block) -> Option<Piece> {
+    let own = node.aabb()?;
     let others: Vec<Aabb> = graph
         .of_class("floor")
         .into_iter()
@@ -33,8 +46,7 @@ pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Part>
     }
     let (low, high) = block.local(&joined);
     let bottom = (block.high.z - THICK).min(block.low.z);
-    let (low, high) = (Vector3::new(low.x, low.y, bottom), Vector3::new(high.x, high.y, block.high.z));
-    vec![part("floor", low, high)]
+    Some((Vector3::new(low.x, low.y, bottom), Vector3::new(high.x, high.y, block.high.z)))
 }
 
 /// The least gap to a floor beside one, if it is narrow, else none.

@@ -8,7 +8,7 @@
 //! | box of | shape |
 //! |---|---|
 //! | walls | the box, or where it is as deep as wide the sides along which the floor ends; doorways and windows are cut out |
-//! | floors | a slab below their top, as far as the next floor |
+//! | floors, ceilings | a slab below their top, as far as the next floor; where the boxes of two rooms overlap, that room's whose things are there |
 //! | doors | a leaf on a hinge in the plane of the wall; of their frames two posts and a lintel |
 //! | furniture around a corner | two arms, without the corner in which other furniture stands |
 //! | tables, seats, beds | boards at the height at which things lie on them, or the class's |
@@ -35,12 +35,13 @@ mod form;
 mod furniture;
 mod level;
 mod opening;
+mod share;
 mod wall;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use vc_graph::asset::Material;
+use vc_graph::asset::{Material, Part};
 use vc_graph::class::Category;
 use vc_graph::{Asset, Kind, Node, NodeId, SceneGraph};
 
@@ -84,10 +85,8 @@ fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -
     let mut asset = Asset { name: node.class().clone(), ..Asset::default() };
     match (&**node.class(), category(graph, node)) {
         ("wall", _) => asset.parts = wall::parts(graph, node, block, openings),
-        ("floor", _) => {
-            asset.parts = floor::parts(graph, node, block);
-            asset.surfaces = vec![block.surface("floor", vc_graph::asset::Hold::On, block.high.z, 0.0, None)];
-        }
+        ("floor", _) => floor::build(graph, node, block, &mut asset),
+        ("ceiling", _) if !pieces(graph, node, block).is_empty() => asset.parts = pieces(graph, node, block),
         ("doorjamb", _) => asset.parts = door::frame(block),
         (_, Some(Category::Door)) => {
             asset.parts = openings.iter().find(|o| o.door == node.id()).map_or_else(Vec::new, |o| door::leaf(block, o));
@@ -98,6 +97,13 @@ fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -
         asset.parts = vec![block.whole("box")];
     }
     asset
+}
+
+/// The pieces of a ceiling, if its box is also around its neighbours.
+fn pieces(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Part> {
+    let pieces = share::own_pieces(graph, node, block, (block.low, block.high));
+    let pieces = pieces.into_iter().map(|(low, high)| block::part("ceiling", low, high)).collect::<Vec<_>>();
+    if pieces.len() > 1 { pieces } else { Vec::new() }
 }
 
 fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {

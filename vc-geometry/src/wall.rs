@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Part;
 use vc_graph::{Node, Relation, SceneGraph};
 
-use crate::block::{Block, part};
+use crate::block::{Block, Piece, cut, part};
 use crate::opening::Opening;
 
 /// Thickness of the sides of a wall around a corner, metres.
@@ -13,12 +13,6 @@ const THICK: f32 = 0.06;
 const CORNER: f32 = 0.5;
 /// How far from a side one looks whether there is floor, metres.
 const BESIDE: f32 = 0.15;
-/// Pieces of wall that are narrower are left out, metres.
-const SLIVER: f32 = 0.005;
-
-/// A box by its corners.
-type Piece = (Vector3<f32>, Vector3<f32>);
-
 /// The pieces of a wall.
 pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -> Vec<Part> {
     let size = block.size();
@@ -76,42 +70,4 @@ fn sides(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Piece> {
         ends(axis, if upper { block.high[axis] } else { block.low[axis] }).then_some((low, high))
     };
     [(0, false), (0, true), (1, false), (1, true)].into_iter().filter_map(|(axis, upper)| side(axis, upper)).collect()
-}
-
-/// The pieces of a box that are left without another: beside it, above and below.
-fn cut((low, high): Piece, (from, to): &Piece) -> Vec<Piece> {
-    if (0..3).any(|i| from[i] >= high[i] || to[i] <= low[i]) {
-        return vec![(low, high)];
-    }
-    let (mut rest, mut left) = ((low, high), Vec::new());
-    for axis in 0..3 {
-        if from[axis] > rest.0[axis] + SLIVER {
-            let mut below = rest;
-            below.1[axis] = from[axis];
-            left.push(below);
-            rest.0[axis] = from[axis];
-        }
-        if to[axis] < rest.1[axis] - SLIVER {
-            let mut above = rest;
-            above.0[axis] = to[axis];
-            left.push(above);
-            rest.1[axis] = to[axis];
-        }
-    }
-    left
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_doorway_leaves_both_sides_and_the_lintel() {
-        let wall = (Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.1, 4.0, 2.5));
-        let left = cut(wall, &(Vector3::new(-1.0, 1.0, 0.0), Vector3::new(1.0, 2.0, 2.0)));
-        let volume: f32 = left.iter().map(|(low, high)| (high - low).product()).sum();
-        assert_eq!(left.len(), 3);
-        assert!((volume - (0.1 * 4.0 * 2.5 - 0.1 * 1.0 * 2.0)).abs() < 1e-5);
-        assert_eq!(cut(wall, &(Vector3::repeat(5.0), Vector3::repeat(6.0))), [wall]);
-    }
 }

@@ -189,14 +189,15 @@ const IDLE: usize = 4;
 /// Lets several policies act in one world, in rounds, each for an agent of its own, until
 /// the task's goal holds for the first of them, nobody does anything any more, or the
 /// step limit is reached. Each agent sees what the agents in its view do. A task whose goal has a label of
-/// another class than its node is lost at once.
+/// another class than its node is lost at once, and so is one with somebody who is no agent of the scene.
 pub fn run_together(
     policies: &mut [(NodeId, &mut dyn Policy)],
     task: &Task,
     world: &mut dyn World,
     seed: vc_graph::Seed,
 ) -> TeamEpisode {
-    if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph()) {
+    let ids: Vec<NodeId> = policies.iter().map(|(id, _)| *id).collect();
+    if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph(), &ids) {
         return lost;
     }
     for (agent, policy) in policies.iter_mut() {

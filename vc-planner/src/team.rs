@@ -1,6 +1,6 @@
 //! Several agents with one goal, and one that helps another whose goal it infers.
 
-use vc_graph::{Event, Goal, NodeId, SceneGraph, Scope, Verb};
+use vc_graph::{Event, Goal, NodeId, Refusal, SceneGraph, Scope, Verb};
 use vc_tasks::{Outcome, Task, World};
 
 use crate::shared::shared;
@@ -42,11 +42,14 @@ impl From<&TeamEpisode> for Summary {
 }
 
 impl TeamEpisode {
-    /// An episode that is lost before it begins, as the goal has a label of another class than its node.
-    pub(crate) fn misnamed(goal: &Goal, graph: &SceneGraph) -> Option<Self> {
-        let misnomer = goal.misnomers(graph).into_iter().next()?;
-        let reason = Some(misnomer.to_string());
-        Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason })
+    /// An episode that is lost before it begins, as the goal has a label of another class than its node, or
+    /// somebody who is to act is no agent of the scene.
+    pub(crate) fn misnamed(goal: &Goal, graph: &SceneGraph, ids: &[NodeId]) -> Option<Self> {
+        let no_agent = ids.iter().copied().find(|id| !graph.agents().contains(id));
+        let unknown = |id| graph.node(id).map_or(Refusal::NoSuchThing(id), |n| Refusal::NoAgent(n.label()));
+        let stranger = || no_agent.map(|id| unknown(id).to_string());
+        let reason = goal.misnomers(graph).into_iter().next().map(|misnomer| misnomer.to_string()).or_else(stranger)?;
+        Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason: Some(reason) })
     }
 
     /// An episode that has ended after so many rounds and actions.
@@ -83,9 +86,9 @@ impl Team {
 
     /// Lets the team pursue its goal until it holds, nobody knows what to do, or the
     /// task's limit of steps is reached, in rounds. A task whose goal has a label of another class than
-    /// its node is lost at once.
+    /// its node is lost at once, and so is one of a team with a member that is no agent.
     pub fn run(&mut self, task: &Task, world: &mut dyn World) -> TeamEpisode {
-        if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph()) {
+        if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph(), &self.ids) {
             return lost;
         }
         let (mut rounds, mut actions, mut idle) = (0, 0, 0);

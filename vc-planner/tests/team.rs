@@ -205,3 +205,26 @@ fn a_goal_that_calls_a_thing_what_it_is_not_is_lost_and_names_both() {
         assert!(summary.reason.as_ref().is_some_and(|why| why.starts_with(&told)), "{summary:?}");
     }
 }
+
+#[test]
+fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
+    let scene = home(3);
+    let (me, apple) = (scene.agents()[0], scene.of_class("apple")[0]);
+    let task = Task::new("fetch", "Inside(apple, fridge)".parse().unwrap());
+    for (stranger, told) in [
+        (apple, format!("apple.{} is no agent and cannot act", apple.0)),
+        (NodeId(9_999_999), "there is no node #9999999 in this scene".to_owned()),
+    ] {
+        let mut team = Team::newcomers(&scene, &[me, stranger], &task.goal, 3);
+        let (mut one, mut other) = (Newcomer::best(), Newcomer::best());
+        let mut together = [(me, &mut one as &mut dyn Policy), (stranger, &mut other as &mut dyn Policy)];
+        let mut world = Simulator::new(scene.clone());
+        for episode in [
+            team.run(&task, &mut world),
+            run_together(&mut together, &task, &mut Simulator::new(scene.clone()), Seed(3)),
+        ] {
+            assert_eq!((episode.outcome, episode.rounds), (Outcome::Lost, 0));
+            assert_eq!(episode.reason.as_deref(), Some(&*told));
+        }
+    }
+}

@@ -1,11 +1,12 @@
 //! Errors of rendering.
 
-use vc_graph::NodeId;
+use vc_graph::{Label, NodeId};
 
-/// The reason why nothing was rendered.
+/// The reason why nothing was rendered. It names nodes by their numbers; [`named`](Self::named) puts labels in their
+/// place.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum RenderError {
+pub enum RenderError<N = NodeId> {
     /// A side of the image is zero or longer than [`MAX_SIDE`](crate::camera::MAX_SIDE).
     #[error("an image of {width} x {height} pixels cannot be rendered: sides are 1 to {most}", most = crate::camera::MAX_SIDE)]
     BadSize {
@@ -20,14 +21,14 @@ pub enum RenderError {
     BadCamera(&'static str),
     /// A node's pose, scale or joint is not finite, or the node would be farther away than 1e15 metres.
     #[error("the pose, scale or joint of {0} is not finite, or is beyond 1e15 metres: correct it where it was set")]
-    BadPose(NodeId),
+    BadPose(N),
     /// A node points to an asset that its library does not have.
     #[error(
         "{node} has asset {asset}, which is not in its scene's library: add it there, or let the node have a box only"
     )]
     NoSuchAsset {
         /// The node.
-        node: NodeId,
+        node: N,
         /// Number of the missing asset.
         asset: u32,
     },
@@ -61,10 +62,10 @@ pub enum RenderError {
     BadDaylight(&'static str),
     /// There is no such node in the snapshot, or it has no body.
     #[error("{0} has no body in this snapshot: only nodes with a pose and an asset or a box have one")]
-    NoBody(NodeId),
+    NoBody(N),
     /// There is no such room in the snapshot, or the graph has no box for it.
     #[error("{0} is not a room of this snapshot, or has no bounding box: ask for one of the graph's rooms")]
-    NoRoom(NodeId),
+    NoRoom(N),
     /// The number of frames differs from the number of shots.
     #[error("{shots} shots need as many frames, but {frames} are given")]
     FrameCount {
@@ -90,4 +91,44 @@ pub enum RenderError {
     /// A file could not be encoded.
     #[error("cannot be encoded: {0}")]
     Encoding(String),
+}
+
+impl<N> RenderError<N> {
+    /// The same with other names for nodes.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let cup = scene.add(Draft::new("cup"))?;
+    /// let graph = scene.build();
+    /// let error = vc_render::RenderError::NoBody(cup).named(&|id| graph.label(id));
+    /// assert!(error.to_string().starts_with("cup.1 has no body"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn named<M>(self, name: &impl Fn(N) -> M) -> RenderError<M> {
+        use RenderError as E;
+        match self {
+            E::BadSize { width, height } => E::BadSize { width, height },
+            E::BadCamera(wrong) => E::BadCamera(wrong),
+            E::BadPose(id) => E::BadPose(name(id)),
+            E::NoSuchAsset { node, asset } => E::NoSuchAsset { node: name(node), asset },
+            E::Missing { wanted, needs } => E::Missing { wanted, needs },
+            E::OtherScene { what, here, there } => E::OtherScene { what, here, there },
+            E::OtherRenderer(what) => E::OtherRenderer(what),
+            E::BadDaylight(wrong) => E::BadDaylight(wrong),
+            E::NoBody(id) => E::NoBody(name(id)),
+            E::NoRoom(id) => E::NoRoom(name(id)),
+            E::FrameCount { shots, frames } => E::FrameCount { shots, frames },
+            E::TooManyClasses { classes } => E::TooManyClasses { classes },
+            E::BadShape { numbers, shape } => E::BadShape { numbers, shape },
+            E::Encoding(why) => E::Encoding(why),
+        }
+    }
+}
+
+impl From<RenderError> for RenderError<Label> {
+    /// Of nodes only the numbers are known yet: `node.12`.
+    fn from(error: RenderError) -> Self {
+        error.named(&|id| Label { class: "node".into(), id })
+    }
 }

@@ -67,9 +67,14 @@ impl Deed<'_> {
             }
         }
         self.turn_to(&spot);
+        if self.spot_as_begun(id, place)? == Some(spot) {
+            self.world.put_as(&self.start.world, (self.agent, hand), spot, place.at)?;
+            self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: true, tight: Some(place.at) }));
+            return Ok(());
+        }
         let around = self.loose_around(place);
         self.world.put(self.agent, hand, spot)?;
-        self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false }));
+        self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
         self.steady(id, place, spot, &around)
     }
 
@@ -168,10 +173,18 @@ impl Deed<'_> {
         there.filter_map(|id| Some((id, self.world.pose(id)?))).collect()
     }
 
-    /// A free spot for a thing on or in another. If there is none, cloth is folded up, what is
+    /// A free spot for a thing on or in another. If there is none, or if the thing did not stay there by itself at the
+    /// start, it goes back to where it was, however tight. Else cloth is folded up, what is
     /// there is pushed together, and into containers things are put on the others at last.
     pub(in crate::environment) fn spot(&mut self, id: NodeId, place: Place) -> Result<Pose, Impossible> {
-        let mut spot = self.free_spot(id, place)?;
+        let held = self.start.world.role(id) == Some(Role::Hung);
+        let mut spot = if held { self.spot_as_begun(id, place)? } else { None };
+        if spot.is_none() {
+            spot = self.free_spot(id, place)?;
+        }
+        if spot.is_none() {
+            spot = self.spot_as_begun(id, place)?;
+        }
         if spot.is_none() && self.fold_up(id)? {
             spot = self.free_spot(id, place)?;
         }
@@ -187,6 +200,12 @@ impl Deed<'_> {
             at: self.before.label(place.at),
             by: self.before.relating(place.relation, place.at).map(|by| self.before.label(by)).collect(),
         })
+    }
+
+    /// Where a thing was at its place at the start, if nothing has come there since.
+    fn spot_as_begun(&self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
+        let was_there = self.start.graph.places(id).any(|p| p == place);
+        Ok(if was_there { self.world.spot_as(&self.start.world, id, place.at)? } else { None })
     }
 
     fn near_hands(&self) -> Order {
@@ -282,7 +301,7 @@ impl Deed<'_> {
         if let Some(spot) = self.floor_spot(id).filter(|spot| self.puts_from(&self.feet(), id, spot))
             && self.world.put(self.agent, hand, spot).is_ok()
         {
-            self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false }));
+            self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
             return Ok(());
         }
         self.world.drop(self.agent, hand)?;

@@ -64,7 +64,13 @@ impl Player {
         if self.time < REACHING {
             self.bring(show, put.hand);
         } else if before < REACHING {
-            drop(show.world.put(agent, put.hand, put.pose));
+            match put.tight {
+                Some(at) => {
+                    let start = show.start.clone();
+                    drop(show.world.put_as(&start.world, (agent, put.hand), put.pose, at));
+                }
+                None => drop(show.world.put(agent, put.hand, put.pose)),
+            }
             self.handling.at = show.palm_on(agent, put.hand, put.id);
             if put.balanced {
                 drop(show.world.pin(put.id));

@@ -61,7 +61,7 @@ impl PoseFile {
 }
 
 /// A box.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BoundsFile {
     offset: [f32; 3],

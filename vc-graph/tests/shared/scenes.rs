@@ -73,8 +73,7 @@ fn add(scene: &mut SceneBuilder, step: Step, posed: bool) {
 
 fn draft(class: &str, state: usize, flags: u8, numbers: [i16; 7], posed: bool) -> Draft {
     let mut draft = Draft::new(class);
-    // The thesis's format finds the class in the name, so only known ones get one.
-    if flags & 1 != 0 && class != "gizmo" {
+    if flags & 1 != 0 {
         draft = draft.named(format!("SM_{class}_{:02}", state % 7));
     }
     let state = State::ALL[state % State::ALL.len()];
@@ -87,7 +86,8 @@ fn draft(class: &str, state: usize, flags: u8, numbers: [i16; 7], posed: bool) -
     if posed {
         let size = Vector3::new(numbers[0], numbers[1], numbers[2]).map(|v| 0.1 + f32::from(v.abs()) / 997.0);
         draft.pose = Some(pose(numbers, flags & 8 != 0));
-        draft.bounds = (flags & 16 != 0).then(|| Bounds::standing(size));
+        let around = if flags & 64 != 0 { Bounds::centred(size) } else { Bounds::standing(size) };
+        draft.bounds = (flags & 16 != 0).then_some(around);
         draft.scale = (flags & 32 != 0).then_some(size);
     }
     draft

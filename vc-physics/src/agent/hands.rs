@@ -359,6 +359,31 @@ impl World {
         self.free_hand(agent, hand, Some(pose))
     }
 
+    /// Puts what a hand holds back to where it was in another moment of this world, which need not be free: it is held
+    /// there as a part of the thing that it was on or in, or of the part of that which carried it. Look for the pose
+    /// with [`spot_as`](Self::spot_as).
+    ///
+    /// # Errors
+    /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`], [`PhysicsError::NoBody`].
+    pub fn put_as(
+        &mut self,
+        then: &Self,
+        (agent, hand): (NodeId, Hand),
+        pose: Pose,
+        at: NodeId,
+    ) -> Result<NodeId, AgentError> {
+        let body = self.agent(agent)?;
+        let id = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?.id;
+        let (distance, reach) = (self.reach_to_put(agent, &body.feet, id, &pose)?, body.plan.reach);
+        if distance > reach {
+            return Err(AgentError::OutOfReach { agent, id, distance, reach });
+        }
+        self.free_hand(agent, hand, Some(pose))?;
+        self.pin_to(id, at)?;
+        self.thing_mut(id)?.state.rides = Some((at, then.link_below(id, at)));
+        Ok(id)
+    }
+
     /// Lets go of what a hand holds: it falls from where it is, or from the nearest
     /// free place before the agent.
     ///

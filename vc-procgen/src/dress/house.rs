@@ -18,7 +18,7 @@ pub(super) struct House<'g> {
     pub(super) walls: Vec<Aabb>,
     /// Doors, door frames and windows.
     pub(super) openings: Vec<Opening>,
-    /// The shapes that `vc-geometry` gives to walls, floors and counters around corners.
+    /// The shapes that `vc-geometry` gives to walls, floors, ceilings and counters around corners.
     pub(super) shapes: BTreeMap<NodeId, Asset>,
     /// The objects that are in the way of a walking person.
     standing: Vec<(NodeId, Aabb)>,
@@ -34,7 +34,7 @@ impl<'g> House<'g> {
         let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
         let of_class = |class: &'static str| objects().filter(move |n| &**n.class() == class);
         let mut shapes = vc_geometry::shapes(graph);
-        let built = |n: &Node| ["wall", "floor"].contains(&&**n.class()) || goes_around(n);
+        let built = |n: &Node| ["wall", "floor", "ceiling"].contains(&&**n.class()) || goes_around(n);
         shapes.retain(|id, _| graph.node(*id).is_some_and(built));
         let pieces = |n: &Node| shapes.get(&n.id()).map_or_else(Vec::new, |asset| pieces(n, asset));
         let mut house = Self {

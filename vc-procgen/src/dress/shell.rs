@@ -9,12 +9,16 @@ use super::house::{House, goes_around};
 use crate::Style;
 use crate::furnish::Facing;
 use crate::material::{self, Mat};
-use crate::object::{self, Object};
+use crate::object::{self, Generator, Object};
 
 /// The thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
 /// The greatest distance between an opening's box and the walls that contain it, metres.
 const NEAR: f32 = 0.12;
+/// Thickness of a hole's walls at least, metres.
+const THIN: f32 = 0.02;
+/// How many doors or windows are made for one as deep as its box, with its handles and sill.
+const LIKE: u64 = 8;
 /// The height of the strip on the floor below a door, metres.
 const STRIP: f32 = 0.004;
 /// The rooms with tiled floors; the first also has tiled walls.
@@ -31,9 +35,10 @@ pub(super) struct Built {
 pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
     match &**node.class() {
+        "floor" if room == "balcony" => painted(house, node, material::CONCRETE),
         "floor" => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
         "wall" => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
-        "ceiling" => ceiling(node),
+        "ceiling" => ceiling(house, node),
         _ if goes_around(node) => painted(house, node, style.worktop),
         _ => {
             let opening = house.openings.iter().find(|o| o.door == node.id())?;
@@ -55,12 +60,22 @@ fn painted(house: &House, node: &Node, mat: Mat) -> Option<Built> {
     Some(Built { asset, pose: *node.pose()?, bounds: around(low, high) })
 }
 
-fn ceiling(node: &Node) -> Option<Built> {
+fn ceiling(house: &House, node: &Node) -> Option<Built> {
     let (bounds, pose) = (node.spec().bounds?, node.pose()?);
-    let pose = upright(pose, &bounds);
-    let (low, mut high) = (Point3::from(bounds.offset - bounds.half), Point3::from(bounds.offset + bounds.half));
-    high.z = high.z.max(low.z + SLAB);
-    Some(Built { asset: one_block(node.class(), (low, high), material::WALL_WHITE), pose, bounds: around(low, high) })
+    let shape = house.shapes.get(&node.id()).filter(|asset| asset.parts.len() > 1);
+    let (pose, pieces) = match shape {
+        Some(asset) => (*pose, asset.parts.iter().map(vc_graph::asset::Part::extent).collect()),
+        None => (upright(pose, &bounds), vec![corners(&bounds)]),
+    };
+    let thick = |(low, high): (Point3<f32>, Point3<f32>)| (low, Point3::new(high.x, high.y, high.z.max(low.z + SLAB)));
+    let parts = pieces.into_iter().map(thick).map(|(low, high)| block(node.class(), low, high, material::WALL_WHITE));
+    let asset = Asset { name: node.class().clone(), parts: parts.collect(), ..Asset::default() };
+    let (low, high) = asset.extent()?;
+    Some(Built { asset, pose, bounds: around(low, high) })
+}
+
+fn corners(bounds: &Bounds) -> (Point3<f32>, Point3<f32>) {
+    (Point3::from(bounds.offset - bounds.half), Point3::from(bounds.offset + bounds.half))
 }
 
 /// The pose whose axes a node's box is aligned with.
@@ -126,9 +141,13 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     let hole = hole(house, opening);
     let size = hole.max - hole.min;
     let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };
-    let own = node.spec().name.as_deref().unwrap_or("opening");
-    let made = generator.sized(size, style, seed.child(own));
+    let seed = seed.child(node.spec().name.as_deref().unwrap_or("opening"));
     let (pose, bounds) = (node.pose()?, node.spec().bounds?);
+    let made = if super::is_unturned(&bounds) {
+        generator.sized(size, style, seed)
+    } else {
+        nearest(generator, size, &bounds.size(), style, seed)
+    };
     let known = Some(pose.rotation).filter(|turn| !super::is_unturned(&bounds) && quarter(turn));
     let (turn, mirrored) = hung(house, (&hole, opening.across), node.id(), known);
     let made = if mirrored { made.mirrored() } else { made };
@@ -138,6 +157,16 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     let Object { asset, bounds, .. } = made;
     let bounds = Bounds { offset: bounds.offset + by, ..bounds };
     Some(Built { asset: moved(asset, by), pose, bounds })
+}
+
+/// The one for a hole that is as large as a box of its own, frame and handles included.
+fn nearest(generator: &Generator, hole: Vector3<f32>, own: &Vector3<f32>, style: &Style, seed: Seed) -> Object {
+    let first = generator.sized(hole, style, seed);
+    let off = own - first.size();
+    let hole = (hole + off).map(|side| side.max(THIN));
+    let made = |n: u64| generator.sized(hole, style, if n == 0 { seed } else { seed.nth(n) });
+    let misfit = |o: &Object| (own - o.size()).amax();
+    (0..LIKE).map(made).min_by(|a, b| misfit(a).total_cmp(&misfit(b))).unwrap_or(first)
 }
 
 /// The facing direction of a door or window, and whether its hinge is on the right: it opens to the

@@ -21,6 +21,11 @@
 //!   name; a bare name means the nearest of them.
 //! - An object that is said to be in no room is in that of its support, else in
 //!   the room whose box contains it.
+//! - What these keys cannot say of a thing is under a further one, `virtualcity`, which other readers pass over: the
+//!   class where the name does not tell it, a box that does not stand on the thing's origin, states of its class that
+//!   it is not in.
+
+mod beyond;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -29,6 +34,8 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::{FormatError, Problem, Source};
+use beyond::{Beyond, down};
+
 use crate::class::{Slot, SlotKind};
 use crate::node::Kind;
 use crate::vocabulary::clip;
@@ -47,6 +54,8 @@ struct ObjectFile {
     #[serde(default)]
     state: Vec<String>,
     transform: [String; 3],
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    virtualcity: Option<Beyond>,
 }
 
 /// Relative difference up to which a size is the one that a scale gives, and distance in metres up to which
@@ -133,9 +142,8 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     Ok(scene.build())
 }
 
-/// Writes a scene. Sizes of boxes are written as scales of their classes' typical sizes. The format has no
-/// words for the contents of vessels, properties, assets, and boxes of classes that the table does not
-/// know: these are not written.
+/// Writes a scene. Sizes of boxes are written as scales of their classes' typical sizes. Assets, and places in or on
+/// things that are not their classes', are not written.
 pub fn write(graph: &SceneGraph) -> String {
     let mut by_name: HashMap<String, usize> = HashMap::new();
     for node in graph.nodes() {
@@ -175,11 +183,12 @@ impl ObjectFile {
         let rotation = numbers(1, ["P", "Y", "R"])?;
         let scale = numbers(2, ["X", "Y", "Z"])?.map(|v| v as f32);
         let states = self.state.iter().map(|word| State::parse(word)).collect::<Result<Vec<State>, _>>();
-        let class = classes.get(&self.name);
+        let named = self.virtualcity.as_ref().and_then(|beyond| beyond.class.as_deref());
+        let class = classes.get(named.unwrap_or(&self.name));
         let size = class.and_then(crate::Class::typical_size);
         let scale = Vector3::from(scale);
-        Ok(Draft {
-            class: class.map_or_else(|| self.name.as_str().into(), |c| c.name.clone()),
+        let mut draft = Draft {
+            class: named.map(Into::into).or(class.map(|c| c.name.clone())).unwrap_or_else(|| self.name.as_str().into()),
             name: Some(self.name.as_str().into()),
             // On top of those its class starts in: closed and off, unless said here.
             entering: states.map_err(|e| ("state", Problem::Word(e)))?,
@@ -188,7 +197,9 @@ impl ObjectFile {
             scale: Some(scale),
             slots: self.slots(class),
             ..Draft::default()
-        })
+        };
+        let added = self.virtualcity.as_ref().map_or(Ok(()), |beyond| beyond.add_to(&mut draft, class));
+        added.map(|()| draft).map_err(|problem| ("virtualcity", problem))
     }
 
     /// The class's places, unless the file counts other ones.
@@ -211,13 +222,15 @@ impl ObjectFile {
             let to = if to.id() == node.id() { numbered(to) } else { reference(to) };
             Some(format!("{own} {phrase} {to}"))
         });
+        let (name, bounds) = (name_of(node), untold(graph, node));
         Self {
             containers: storage(&node.spec().slots),
             id: node.id().0,
-            name: name_of(node),
             relation: relation.collect(),
             state: node.states().iter().map(|s| titled(s.as_str())).collect(),
             transform: to_unreal(&base(node), scale(graph, node)),
+            virtualcity: Beyond::of(node, &name, graph.classes(), bounds),
+            name,
         }
     }
 }
@@ -225,27 +238,44 @@ impl ObjectFile {
 /// The pose at the middle of the base of a node's box.
 fn base(node: &Node) -> Pose {
     let pose = node.pose().copied().unwrap_or_else(Pose::identity);
-    let Some(own) = own_box(node) else { return pose };
-    let down = own.offset - Vector3::z() * own.half.z;
-    // A pose at the base of the box stays as it is, to the last bit.
-    if down.norm() < SAME { pose } else { pose * Translation3::from(down) }
+    let Some(bounds) = node.spec().bounds.filter(|b| !stands(b)) else { return pose };
+    let down = Translation3::from(down(&bounds));
+    match frame(node, &bounds) {
+        Frame::Object => pose * down,
+        Frame::World => down * pose,
+    }
+}
+
+/// Whether a box stands on its node's origin: then the pose is written as it is, to the last bit.
+fn stands(bounds: &Bounds) -> bool {
+    down(bounds).norm() < SAME
+}
+
+/// Whose axes a node's box is along; a room is not turned, and its box is along both.
+fn frame(node: &Node, bounds: &Bounds) -> Frame {
+    let turned = node.pose().is_some_and(|p| p.rotation != UnitQuaternion::identity());
+    if node.kind() == Kind::Room && !turned { Frame::Object } else { bounds.frame }
+}
+
+/// The box of a node where pose and scale do not tell it.
+fn untold(graph: &SceneGraph, node: &Node) -> Option<Bounds> {
+    let sized = typical_size(graph, node).is_some();
+    let told = |b: &Bounds| sized && stands(b) && frame(node, b) == Frame::Object;
+    node.spec().bounds.filter(|b| !told(b))
+}
+
+fn typical_size(graph: &SceneGraph, node: &Node) -> Option<Vector3<f32>> {
+    graph.classes().get(node.class()).and_then(crate::Class::typical_size)
 }
 
 /// The scale that makes a node's size of its class's typical size.
 fn scale(graph: &SceneGraph, node: &Node) -> Vector3<f32> {
     let written = node.spec().scale;
-    let typical = graph.classes().get(node.class()).and_then(crate::Class::typical_size);
-    let Some((own, typical)) = own_box(node).zip(typical) else { return written };
+    let Some((own, typical)) = node.spec().bounds.zip(typical_size(graph, node)) else { return written };
     let size = own.size();
     let is_so = (0..3).all(|i| (typical[i] * written[i].abs() - size[i]).abs() <= SAME * size[i]);
     let side = |i: usize, _| size[i] / typical[i] * if written[i] < 0.0 { -1.0 } else { 1.0 };
     if is_so { written } else { Vector3::from_fn(side) }
-}
-
-/// A node's box, if it is along the node's own axes.
-fn own_box(node: &Node) -> Option<Bounds> {
-    let turned = node.pose().is_some_and(|p| p.rotation != UnitQuaternion::identity());
-    node.spec().bounds.filter(|b| b.frame == Frame::Object || !turned)
 }
 
 /// `plugged_in` as `Plugged_In`.
