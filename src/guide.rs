@@ -93,6 +93,55 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! A refused action ends the episode, unless the policy overrides [`refused`](crate::planner::Policy::refused). This one
+//! tries a list of verbs on a sofa and goes on with the next when one is refused.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Action, NodeId, Observation, Verb};
+//! use virtualcity::planner::{Brief, Decision, Learned, Plan, Policy, Reaction, run_episode};
+//! use virtualcity::tasks::{Outcome, Task, WorldError};
+//!
+//! #[derive(Default)]
+//! struct Trier {
+//!     sofa: Option<NodeId>,
+//!     verbs: Vec<Verb>,
+//! }
+//!
+//! impl Policy for Trier {
+//!     fn name(&self) -> &str {
+//!         "trier"
+//!     }
+//!
+//!     fn begin(&mut self, brief: &Brief<'_>) {
+//!         self.sofa = brief.scene.of_class("sofa").first().copied();
+//!         self.verbs = vec![Verb::Sit, Verb::Walk, Verb::Grab, Verb::Open]; // from the last to the first
+//!     }
+//!
+//!     fn see(&mut self, _: &Observation) -> Learned {
+//!         Learned::default()
+//!     }
+//!
+//!     fn decide(&mut self) -> Decision {
+//!         let (Some(sofa), Some(verb)) = (self.sofa, self.verbs.pop()) else { return Decision::Done };
+//!         Decision::Act(Action::one(verb, sofa), Plan::default())
+//!     }
+//!
+//!     fn did(&mut self, _: &Action) {}
+//!
+//!     fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+//!         println!("{action}: {why}");
+//!         Reaction::GoOn
+//!     }
+//! }
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let task = Task::new("sit down", "SittingOn(me, sofa)".parse()?);
+//! let episode = run_episode(&mut Trier::default(), &task, &mut home);
+//! assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Rewards, action by action
 //!
 //! A [`Trial`](crate::tasks::Trial) turns the control around: your loop asks for observations and rewards.

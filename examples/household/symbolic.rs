@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use vc_graph::format::read_scene;
-use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
 use vc_planner::{Episode, Header, Run, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
@@ -132,11 +131,13 @@ fn wrapped(what: &str, text: &str) {
 /// Reports the result, after replaying the actions from the initial scene.
 fn verdict(scene: &SceneGraph, me: NodeId, task: &Task, world: &Simulator, episode: &Episode) -> Result<(), Complaint> {
     let mut again = Simulator::new(scene.clone());
+    let mut progress = task.begin(&again, me);
     for event in world.history().events() {
         again.step(event.agent, &event.action).map_err(|r| Complaint::new(format!("replay refused: {}", r[0])))?;
+        progress.note(&again);
     }
     let same = again.graph().digest() == episode.digest;
-    let holds = task.goal.holds(&Situation::new(again.graph(), me, again.history()));
+    let holds = progress.holds(&again);
     say!("\n{:?} after {} actions, {:.0}% of the goal holds", episode.outcome, episode.steps, 100.0 * episode.score);
     say!(
         "replayed from the start: goal {}, scene {}",

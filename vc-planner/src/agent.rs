@@ -5,12 +5,14 @@ mod company;
 mod decide;
 mod explore;
 mod refused;
+mod stages;
 
 use std::collections::VecDeque;
 
 use vc_graph::goal::Term;
 use vc_graph::{Action, Event, Goal, History, Kind, NodeId, Observation, Place, Property, SceneGraph, Verb};
 
+use crate::agenda::{Agenda, Aim};
 use crate::demand::Choice;
 use crate::manners::Manners;
 use crate::plan::{Horizon, Planner};
@@ -71,7 +73,11 @@ enum Mind {
 #[derive(Debug, Clone)]
 pub struct Agent {
     id: NodeId,
+    /// What it pursues now: of a goal with words of time the present stage.
     goal: Goal,
+    /// What is left of a goal with words of time, and its present stage.
+    agenda: Option<Agenda>,
+    aim: Option<Aim>,
     /// The things the goal is about.
     concerns: Vec<NodeId>,
     belief: Belief,
@@ -126,10 +132,13 @@ impl Agent {
 
     fn with(id: NodeId, goal: Goal, belief: Belief, mind: Mind) -> Self {
         let concerns = concerns(&goal, belief.graph());
+        let agenda = goal.is_temporal().then(|| Agenda::new(&goal));
         let planner = Planner { effort: Effort { first: 2_000, improve: 500 }, ..Planner::default() };
         Self {
             id,
             goal,
+            agenda,
+            aim: None,
             concerns,
             belief,
             history: History::default(),
@@ -182,12 +191,13 @@ impl Agent {
 
     /// What it pursues.
     pub fn goal(&self) -> &Goal {
-        &self.goal
+        self.agenda.as_ref().map_or(&self.goal, Agenda::goal)
     }
 
     /// Takes up another goal, with all it knows.
     pub fn pursue(&mut self, goal: Goal) {
         self.concerns = concerns(&goal, self.belief.graph());
+        (self.agenda, self.aim) = (goal.is_temporal().then(|| Agenda::new(&goal)), None);
         self.goal = goal;
         self.promises.clear();
         self.forget_plans();
@@ -199,7 +209,7 @@ impl Agent {
         self.refused.see(seen);
         let learned = self.belief.observe(seen);
         if self.belief.is_stranger() && !learned.found.is_empty() {
-            self.concerns = concerns(&self.goal, self.belief.graph());
+            self.concerns = concerns(self.goal(), self.belief.graph());
         }
         let matters = |id: &NodeId| self.concerns.binary_search(id).is_ok();
         if learned.found.iter().any(matters) || learned.disproved.iter().any(matters) {
@@ -215,10 +225,19 @@ impl Agent {
         self.belief.hear(told)
     }
 
-    /// What it would do now.
+    /// What it would do now. Of a goal with words of time it pursues the stages that these make (the parts of a `then`
+    /// in their order, what is to hold at some step before what is to hold at the end), and it takes no plan that breaks
+    /// an `always`, an `until` or a `before`: if it finds no other, it gives up and says which part stands in the way.
     pub fn decide(&mut self) -> Decision {
         self.keep_promises();
-        let decision = self.think_twice();
+        let decision = match self.agenda.take() {
+            None => self.think_twice(),
+            Some(mut agenda) => {
+                let decision = self.decide_in_time(&mut agenda);
+                self.agenda = Some(agenda);
+                decision
+            }
+        };
         if let Decision::Act(_, plan) = &decision {
             self.promise(plan);
         }

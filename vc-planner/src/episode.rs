@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
-use vc_tasks::{Outcome, Task, World};
+use vc_tasks::{Outcome, Progress, Task, World, WorldError};
 
 use crate::offline::as_json;
 use crate::policy::{Brief, Policy, Reaction};
@@ -113,7 +113,7 @@ impl Run {
 
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
-    /// policy believes. An episode is lost at once in a scene without an agent, and for a task whose
+    /// policy believes, and for a goal with words of time by the trace of true scenes: [`Progress`]. An episode is lost at once in a scene without an agent, and for a task whose
     /// goal has a label of another class than its node.
     pub fn episode(
         &self,
@@ -133,7 +133,8 @@ impl Run {
             return lost(misnomer.to_string());
         }
         policy.begin(&Brief { scene: world.graph(), agent, task, seed: self.seed });
-        let mut running = Running { agent, task, world, done: 0, keeps_observations: self.keeps_observations };
+        let (progress, keeps_observations) = (task.begin(world, agent), self.keeps_observations);
+        let mut running = Running { agent, task, world, progress, done: 0, refused: None, keeps_observations };
         let (outcome, reason) = loop {
             if let Some(end) = running.step(policy, watch) {
                 break end;
@@ -150,7 +151,10 @@ struct Running<'a> {
     agent: NodeId,
     task: &'a Task,
     world: &'a mut dyn World,
+    progress: Progress,
     done: usize,
+    /// The last action that was refused and has not been done since, and why.
+    refused: Option<(Action, String)>,
     keeps_observations: bool,
 }
 
@@ -167,7 +171,7 @@ impl Running<'_> {
             }
             Decision::Act(action, plan) => (action, plan),
             Decision::Done => return Some((Outcome::Lost, None)),
-            Decision::GiveUp(why) => return Some((Outcome::Lost, Some(self.why(&why)))),
+            Decision::GiveUp(why) => return Some((Outcome::Lost, Some(told(&why, self.task, self.world.graph())))),
         };
         let mut step = describe(self.world.graph(), policy, &seen, &learned, action, &plan);
         step.observation = self.keeps_observations.then(|| as_json(&seen));
@@ -177,13 +181,16 @@ impl Running<'_> {
         step.step = self.done;
         let end = match self.world.step(self.agent, &action) {
             Ok(_) => {
+                self.refused.take_if(|(refused, _)| *refused == action);
+                self.progress.note(self.world);
                 policy.did(&action);
                 None
             }
             Err(why) => {
                 step.refused = Some(why.to_string());
+                self.refused = Some((action, refusal(&step.described, &why)));
                 let stop = policy.refused(&action, &why) == Reaction::Stop;
-                stop.then(|| (Outcome::Aborted, Some(format!("`{}` was refused: {why}", step.described))))
+                stop.then_some((Outcome::Aborted, None))
             }
         };
         step.digest = self.world.graph().digest().to_string();
@@ -191,28 +198,38 @@ impl Running<'_> {
         end
     }
 
-    /// Why a policy gives up, and what the scene, which it need not know, has too little of.
-    fn why(&self, reason: &Unreachable) -> String {
-        let obstacles = match reason {
-            Unreachable::NoInstance(_) => self.task.obstacles(self.world.graph()),
-            _ => Vec::new(),
-        };
-        let obstacles: Vec<String> = obstacles.iter().map(ToString::to_string).collect();
-        if obstacles.is_empty() { reason.to_string() } else { format!("{reason}: {}", obstacles.join("; ")) }
+    fn holds(&mut self) -> bool {
+        self.progress.holds(self.world)
     }
 
-    fn holds(&self) -> bool {
-        self.task.holds(self.world, self.agent)
+    /// The verdict: who stopped has won if the goal holds. What was refused is a reason, too.
+    fn end(&mut self, outcome: Outcome, reason: Option<String>) -> Episode {
+        let score = self.progress.score(self.world);
+        let (steps, digest) = (self.done, self.world.graph().digest());
+        if self.holds() {
+            return Episode { outcome: Outcome::Won, score, steps, reason: None, digest };
+        }
+        let refused = self.refused.take().filter(|_| outcome != Outcome::TimedOut).map(|(_, why)| why);
+        let reasons: Vec<String> = reason.into_iter().chain(refused).collect();
+        let reason = (!reasons.is_empty()).then(|| reasons.join("; "));
+        Episode { outcome, score, steps, reason, digest }
     }
+}
 
-    /// The verdict: who stopped has won if the goal holds.
-    fn end(&self, outcome: Outcome, reason: Option<String>) -> Episode {
-        let holds = self.holds();
-        let outcome = if holds { Outcome::Won } else { outcome };
-        let reason = if holds { None } else { reason };
-        let score = self.task.score(self.world, self.agent);
-        Episode { outcome, score, steps: self.done, reason, digest: self.world.graph().digest() }
-    }
+/// Why an action was not done.
+pub(crate) fn refusal(action: &str, why: &WorldError) -> String {
+    let why = why.to_string();
+    format!("`{action}` was refused: {}", why.strip_prefix("refused: ").unwrap_or(&why))
+}
+
+/// Why a policy gives up, and what the scene, which it need not know, has too little of.
+pub(crate) fn told(reason: &Unreachable, task: &Task, graph: &SceneGraph) -> String {
+    let obstacles = match reason {
+        Unreachable::NoInstance(_) | Unreachable::Conflicting(_) => task.obstacles(graph),
+        _ => Vec::new(),
+    };
+    let obstacles: Vec<String> = obstacles.iter().map(ToString::to_string).collect();
+    if obstacles.is_empty() { reason.to_string() } else { format!("{reason}: {}", obstacles.join("; ")) }
 }
 
 fn describe(

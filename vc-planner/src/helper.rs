@@ -3,10 +3,11 @@
 use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Verb, rule};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
+use crate::episode::{refusal, told};
 use crate::policy::{Brief, Policy, Reaction};
 use crate::shared::shared;
 use crate::trip::{Promise, Trip};
-use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Watcher};
+use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Unreachable, Watcher};
 
 /// It helps with a goal when it is likelier than this: than all others together.
 const SURE: f64 = 0.5;
@@ -188,8 +189,8 @@ const IDLE: usize = 4;
 
 /// Lets several policies act in one world, in rounds, each for an agent of its own, until
 /// the task's goal holds for the first of them, nobody does anything any more, or the
-/// step limit is reached. Each agent sees what the agents in its view do. A task whose goal has a label of
-/// another class than its node is lost at once, and so is one with somebody who is no agent of the scene.
+/// step limit is reached. Each agent sees what the agents in its view do. Without a policy, or if the goal has a label of
+/// another class than its node or somebody is no agent of the scene, the task is lost at once.
 pub fn run_together(
     policies: &mut [(NodeId, &mut dyn Policy)],
     task: &Task,
@@ -197,33 +198,53 @@ pub fn run_together(
     seed: vc_graph::Seed,
 ) -> TeamEpisode {
     let ids: Vec<NodeId> = policies.iter().map(|(id, _)| *id).collect();
-    if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph(), &ids) {
+    if let Some(lost) = TeamEpisode::hopeless(&ids, &task.goal, world.graph()) {
         return lost;
     }
     for (agent, policy) in policies.iter_mut() {
         policy.begin(&Brief { scene: world.graph(), agent: *agent, task, seed });
     }
-    let holds = |world: &dyn World, first: Option<NodeId>| first.is_none_or(|id| task.holds(world, id));
-    let first = policies.first().map(|(id, _)| *id);
-    let (mut rounds, mut actions, mut idle) = (0, 0, 0);
-    while rounds < task.step_limit && idle < IDLE && !holds(world, first) {
-        let done = (0..policies.len()).filter(|&index| turn(policies, index, world)).count();
+    let mut progress = task.begin(world, policies[0].0);
+    let (mut rounds, mut actions, mut idle, mut reasons) = (0, 0, 0, Vec::new());
+    while rounds < task.step_limit && idle < IDLE && !progress.holds(world) {
+        reasons.clear();
+        let mut done = 0;
+        for index in 0..policies.len() {
+            match turn(policies, index, world) {
+                Turn::Done => done += 1,
+                Turn::Waited => {}
+                Turn::GaveUp(why) => reasons.push(told(&why, task, world.graph())),
+                Turn::Refused(why) => reasons.push(why),
+            }
+            progress.note(world);
+        }
         (rounds, actions) = (rounds + 1, actions + done);
         idle = if done == 0 { idle + 1 } else { 0 };
     }
     let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
-    let outcome = if holds(world, first) { Outcome::Won } else { lost };
-    let score = first.map_or(0.0, |id| task.score(world, id));
-    TeamEpisode::ended(outcome, (rounds, actions), score)
+    let outcome = if progress.holds(world) { Outcome::Won } else { lost };
+    TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
 }
 
-/// One policy looks, decides and acts; the others see it, if they can. Whether it did
-/// anything.
-fn turn(policies: &mut [(NodeId, &mut dyn Policy)], index: usize, world: &mut dyn World) -> bool {
+/// What came of a policy's turn.
+enum Turn {
+    Done,
+    Waited,
+    GaveUp(Unreachable),
+    Refused(String),
+}
+
+/// One policy looks, decides and acts; the others see it, if they can.
+fn turn(policies: &mut [(NodeId, &mut dyn Policy)], index: usize, world: &mut dyn World) -> Turn {
     let (agent, policy) = &mut policies[index];
     let agent = *agent;
     policy.see(&world.graph().observe(agent, policy.scope()));
-    let Decision::Act(action, _) = policy.decide() else { return false };
+    let action = match policy.decide() {
+        Decision::Act(action, _) => action,
+        Decision::Done => return Turn::Waited,
+        Decision::GiveUp(why) => return Turn::GaveUp(why),
+    };
+    let words = action.describe(world.graph()).to_string();
     // Who goes out of view has been seen going.
     let witnesses = |world: &dyn World, policies: &[(NodeId, &mut dyn Policy)]| -> Vec<bool> {
         policies.iter().map(|(id, p)| *id != agent && world.graph().observe(*id, p.scope()).sees(agent)).collect()
@@ -237,11 +258,11 @@ fn turn(policies: &mut [(NodeId, &mut dyn Policy)], index: usize, world: &mut dy
                 debug_assert_ne!(i, index);
                 other.saw(&Event { agent, action });
             }
-            true
+            Turn::Done
         }
         Err(why) => {
             policies[index].1.refused(&action, &why);
-            false
+            Turn::Refused(refusal(&words, &why))
         }
     }
 }

@@ -1,5 +1,6 @@
 #![doc = include_str!("../FRONT.md")]
 
+mod agenda;
 mod agent;
 mod belief;
 mod bound;

@@ -7,9 +7,8 @@
 mod table;
 
 use serde_json::{Value, json};
-use vc_graph::goal::Situation;
 use vc_graph::{Kind, Observation, SceneGraph, Scope, Simulator};
-use vc_tasks::Outcome;
+use vc_tasks::{Outcome, Progress};
 
 use crate::{Fault, Trajectory};
 
@@ -46,15 +45,15 @@ impl Trajectory {
     /// cannot be done there.
     pub fn transitions(&self, initial: &SceneGraph, scope: Scope) -> Result<Vec<Transition>, Fault> {
         self.is_of(initial)?;
-        let (goal, me) = (&self.header.goal, self.header.agent);
+        let me = self.header.agent;
         let mut world = Simulator::new(initial.clone());
-        let score = |world: &Simulator| goal.score(&Situation::new(world.graph(), me, world.history()));
+        let mut progress = Progress::new(&self.header.goal, &world, me);
         let look = |world: &Simulator| as_json(&world.graph().observe(me, scope)).to_string();
-        let (mut before, mut seen) = (score(&world), look(&world));
+        let (mut before, mut seen) = (progress.score(&world), look(&world));
         let mut all = Vec::new();
         for (i, step) in self.steps.iter().enumerate() {
             self.redo(&mut world, step)?;
-            let (after, now) = (score(&world), look(&world));
+            let (after, now) = (progress.score(&world), look(&world));
             let (last, won) = (i + 1 == self.steps.len(), self.summary.outcome == Outcome::Won);
             all.push(Transition {
                 step: step.step,

@@ -33,6 +33,9 @@ pub enum Reaction {
 ///
 /// It is object-safe: runners take `&mut dyn Policy`.
 ///
+/// An action that is refused ends the episode unless the policy says otherwise: [`Policy::refused`] answers
+/// [`Reaction::Stop`] by default. A policy that tries what may not work overrides it and goes on.
+///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
 /// use vc_planner::{Policy, Random, Resident, Newcomer, run_episode};
@@ -78,7 +81,8 @@ pub trait Policy {
     /// The action was done.
     fn did(&mut self, action: &Action);
 
-    /// The action was refused, and nothing has changed.
+    /// The action was refused, for this reason, and nothing has changed. By default the episode ends here as
+    /// [`Aborted`](vc_tasks::Outcome::Aborted); with [`Reaction::GoOn`] it goes on, and the refusal counts as a step.
     fn refused(&mut self, _action: &Action, _why: &WorldError) -> Reaction {
         Reaction::Stop
     }

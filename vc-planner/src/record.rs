@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
 use vc_graph::format::unmarked;
-use vc_graph::goal::Situation;
 use vc_graph::{Action, Edge, Goal, NodeId, Observation, Refusal, Relation, SceneGraph, Scope, Seed, Simulator, Verb};
-use vc_tasks::{Outcome, Task, World};
+use vc_tasks::{Outcome, Progress, Task, World};
 
 use crate::offline::as_json;
 use crate::{Policy, Run, Step, Summary};
@@ -189,13 +188,14 @@ impl Trajectory {
         }
         let mut faults = Vec::new();
         let mut world = Simulator::new(initial.clone());
+        let mut progress = Progress::new(&self.header.goal, &world, self.header.agent);
         let mut last: Option<Action> = None;
         for step in &self.steps {
             self.check_step(&mut world, step, last, &mut faults);
+            progress.note(&world);
             last = step.refused.is_none().then_some(step.action);
         }
-        let met = self.header.goal.holds(&Situation::new(world.graph(), self.header.agent, world.history()));
-        match (met, self.summary.outcome == Outcome::Won) {
+        match (progress.holds(&world), self.summary.outcome == Outcome::Won) {
             (false, true) => faults.push(Fault::NotMet),
             (true, false) => faults.push(Fault::Met),
             _ => {}

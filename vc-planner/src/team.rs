@@ -1,8 +1,9 @@
 //! Several agents with one goal, and one that helps another whose goal it infers.
 
 use vc_graph::{Event, Goal, NodeId, Refusal, SceneGraph, Scope, Verb};
-use vc_tasks::{Outcome, Task, World};
+use vc_tasks::{Outcome, Progress, Task, World};
 
+use crate::episode::{refusal, told};
 use crate::shared::shared;
 use crate::{Agent, Decision, Effort, Planner, Summary};
 
@@ -42,22 +43,32 @@ impl From<&TeamEpisode> for Summary {
 }
 
 impl TeamEpisode {
-    /// An episode that is lost before it begins, as the goal has a label of another class than its node, or
-    /// somebody who is to act is no agent of the scene.
-    pub(crate) fn misnamed(goal: &Goal, graph: &SceneGraph, ids: &[NodeId]) -> Option<Self> {
+    /// An episode that is lost before it begins: there is no agent, the goal has a label of another class than its
+    /// node, or somebody who is to act is no agent of the scene.
+    pub(crate) fn hopeless(ids: &[NodeId], goal: &Goal, graph: &SceneGraph) -> Option<Self> {
+        let nobody = || ids.is_empty().then(|| "there is no agent to act: the team is empty".to_owned());
         let no_agent = ids.iter().copied().find(|id| !graph.agents().contains(id));
         let unknown = |id| graph.node(id).map_or(Refusal::NoSuchThing(id), |n| Refusal::NoAgent(n.label()));
         let stranger = || no_agent.map(|id| unknown(id).to_string());
-        let reason = goal.misnomers(graph).into_iter().next().map(|misnomer| misnomer.to_string()).or_else(stranger)?;
+        let misnomer = || goal.misnomers(graph).into_iter().next().map(|misnomer| misnomer.to_string());
+        let reason = nobody().or_else(misnomer).or_else(stranger)?;
         Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason: Some(reason) })
     }
 
-    /// An episode that has ended after so many rounds and actions.
-    pub(crate) fn ended(outcome: Outcome, (rounds, actions): (usize, usize), score: f64) -> Self {
+    /// An episode that has ended after so many rounds and actions; if the agents stopped, for these reasons.
+    pub(crate) fn ended(
+        outcome: Outcome,
+        (rounds, actions): (usize, usize),
+        score: f64,
+        mut reasons: Vec<String>,
+    ) -> Self {
+        let mut given = std::collections::BTreeSet::new();
+        reasons.retain(|reason| given.insert(reason.clone()));
         let reason = match outcome {
             Outcome::Won => None,
             Outcome::TimedOut => Some("step limit reached".to_owned()),
-            _ => Some("none of the agents knows what else to do".to_owned()),
+            _ if reasons.is_empty() => Some("none of the agents knows what else to do".to_owned()),
+            _ => Some(format!("none of the agents knows what else to do: {}", reasons.join("; "))),
         };
         Self { outcome, rounds, actions, score, reason }
     }
@@ -85,32 +96,36 @@ impl Team {
     }
 
     /// Lets the team pursue its goal until it holds, nobody knows what to do, or the
-    /// task's limit of steps is reached, in rounds. A task whose goal has a label of another class than
-    /// its node is lost at once, and so is one of a team with a member that is no agent.
+    /// task's limit of steps is reached, in rounds. The verdict is that on the first agent, as in
+    /// [`run_episode`](crate::run_episode). A team of nobody has lost at once, and so has one whose task's goal has a
+    /// label of another class than its node, or with a member that is no agent; [`TeamEpisode::reason`] says so.
     pub fn run(&mut self, task: &Task, world: &mut dyn World) -> TeamEpisode {
-        if let Some(lost) = TeamEpisode::misnamed(&task.goal, world.graph(), &self.ids) {
+        if let Some(lost) = TeamEpisode::hopeless(&self.ids, &task.goal, world.graph()) {
             return lost;
         }
-        let (mut rounds, mut actions, mut idle) = (0, 0, 0);
-        while rounds < task.step_limit && idle < IDLE && !self.holds(task, world) {
-            let done = self.round(world);
+        // The goal speaks of the first agent.
+        let mut progress = task.begin(world, self.ids[0]);
+        let (mut rounds, mut actions, mut idle, mut reasons) = (0, 0, 0, Vec::new());
+        while rounds < task.step_limit && idle < IDLE && !progress.holds(world) {
+            reasons.clear();
+            let done = self.round(task, world, &mut progress, &mut reasons);
             actions += done;
             rounds += 1;
             idle = if done == 0 { idle + 1 } else { 0 };
         }
         let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
-        let outcome = if self.holds(task, world) { Outcome::Won } else { lost };
-        let score = self.ids.first().map_or(0.0, |&id| task.score(world, id));
-        TeamEpisode::ended(outcome, (rounds, actions), score)
+        let outcome = if progress.holds(world) { Outcome::Won } else { lost };
+        TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
     }
 
-    /// Whether the goal holds for the one of whom it speaks, the first agent.
-    fn holds(&self, task: &Task, world: &dyn World) -> bool {
-        self.ids.first().is_none_or(|&id| task.holds(world, id))
-    }
-
-    /// Everybody looks, tells, and acts once; returns how many did something.
-    fn round(&mut self, world: &mut dyn World) -> usize {
+    /// Everybody looks, tells, and acts once; returns how many did something. `reasons` is told why the others did not.
+    fn round(
+        &mut self,
+        task: &Task,
+        world: &mut dyn World,
+        progress: &mut Progress,
+        reasons: &mut Vec<String>,
+    ) -> usize {
         let mut done = 0;
         for index in 0..self.agents.len() {
             self.look(world);
@@ -120,12 +135,25 @@ impl Team {
                 self.agents[index].count_on(promised);
             }
             let agent = &mut self.agents[index];
-            let Decision::Act(action, _) = agent.decide() else { continue };
-            if world.step(self.ids[index], &action).is_ok() {
-                agent.did(&action);
-                done += 1;
-            } else {
-                agent.refused(&action);
+            let action = match agent.decide() {
+                Decision::Act(action, _) => action,
+                Decision::GiveUp(why) => {
+                    reasons.push(told(&why, task, world.graph()));
+                    continue;
+                }
+                Decision::Done => continue,
+            };
+            let words = action.describe(world.graph()).to_string();
+            match world.step(self.ids[index], &action) {
+                Ok(_) => {
+                    progress.note(world);
+                    agent.did(&action);
+                    done += 1;
+                }
+                Err(why) => {
+                    reasons.push(refusal(&words, &why));
+                    agent.refused(&action);
+                }
             }
         }
         done

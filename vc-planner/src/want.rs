@@ -97,6 +97,32 @@ pub enum Unreachable {
     /// A past action cannot be undone.
     #[error("`{0}` has been done and cannot be undone")]
     Irrevocable(String),
+    /// A part of the goal no longer holds, whatever is done from now on.
+    #[error("`{0}` does not hold any more, and nothing that is done can change that")]
+    Broken(String),
+    /// Every way that was found breaks a part of the goal that must hold on the way.
+    #[error("no way to `{goal}` was found that keeps `{part}`: `{action}` breaks it")]
+    Breaks {
+        /// What is to be reached.
+        goal: String,
+        /// The part that would be broken.
+        part: String,
+        /// The action that would break it.
+        action: String,
+    },
+    /// A part of the goal is reached only after its last step.
+    #[error("`{part}`: the shortest way that was found reaches it at step {steps}, which is too late")]
+    TooLate {
+        /// The part.
+        part: String,
+        /// The step at which it would be reached.
+        steps: usize,
+    },
+    /// Words of time stand in each other in a way that no agent here plans for.
+    #[error(
+        "`{0}`: the planner does not plan for words of time that stand in each other so; judge it with another policy"
+    )]
+    Beyond(String),
     /// A language model gave no usable answer.
     #[error("no usable answer: {0}")]
     NoAnswer(String),

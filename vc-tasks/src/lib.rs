@@ -4,8 +4,8 @@
 //! A [`Task`] is a goal with a title and a step limit. [`Task::obstacles`] lists the reasons why a
 //! goal cannot make sense in a scene before any attempt, an [`Outcome`] says how an attempt ended,
 //! and [`household`] is a list of everyday tasks. A [`World`] is the environment in which tasks are
-//! executed, symbolic or with bodies; a [`Trial`] executes a task action by action, with
-//! observations and rewards. The [`library`] holds the thesis's hundred tasks and the benchmark of
+//! executed, symbolic or with bodies; [`Progress`] is the verdict on an episode step by step, and a
+//! [`Trial`] executes a task action by action, with observations and rewards. The [`library`] holds the thesis's hundred tasks and the benchmark of
 //! 145, and [`initial`] prepares a scene for one of them.
 //!
 //! [`compile`] turns a goal into a flat program over the atoms that matter, kept up to date while a
@@ -37,6 +37,7 @@ pub mod initial;
 pub mod library;
 pub mod lint;
 mod obstacle;
+mod progress;
 pub mod report;
 pub mod score;
 mod task;
@@ -46,6 +47,7 @@ mod world;
 pub use explain::{Bindings, MinimalSets, Part, SETS, Unmet, explain, first_held};
 pub use household::household;
 pub use obstacle::Obstacle;
+pub use progress::Progress;
 pub use task::{Outcome, Task, TaskError};
 pub use trial::{Feedback, Trial};
 pub use world::{World, WorldError};

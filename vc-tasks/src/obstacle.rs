@@ -3,7 +3,7 @@
 use std::fmt;
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
-use vc_graph::{Node, Property, Relation, SceneGraph, State, did_you_mean};
+use vc_graph::{Misnomer, Node, NodeId, Property, Relation, SceneGraph, State, did_you_mean};
 
 use crate::Task;
 
@@ -33,6 +33,17 @@ pub enum Obstacle {
         /// The affordance that they lack.
         must_be: &'static str,
     },
+    /// A label of the goal is of another class than its node.
+    Misnomer(Misnomer),
+    /// The scene has no node of a number that the goal names.
+    NoSuchNode(String),
+    /// An agent is to hold more at once than it has hands.
+    TooManyHeld {
+        /// The parts of the goal that say so.
+        parts: String,
+        /// The number of objects to be held, at least.
+        held: usize,
+    },
 }
 
 impl fmt::Display for Obstacle {
@@ -45,21 +56,102 @@ impl fmt::Display for Obstacle {
             Self::NotAfforded { part, class, must_be } => {
                 write!(f, "`{part}` needs `{class}` to be {must_be}, which it is not in this scene")
             }
+            Self::Misnomer(misnomer) => misnomer.fmt(f),
+            Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
+            Self::TooManyHeld { parts, held } => {
+                write!(f, "`{parts}` needs {held} things to be held at once, and an agent has {HANDS} hands")
+            }
         }
     }
 }
 
 impl Task {
     /// The reasons why the goal makes no sense in a scene; empty if it does make sense. Considers the
-    /// parts that must hold, but not negations; one alternative of a disjunction must be possible.
+    /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels are
+    /// checked wherever they stand.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// for class in ["milk", "apple", "bread"] {
+    ///     scene.add_in(kitchen, Draft::new(class))?;
+    /// }
+    /// let scene = scene.build();
+    /// let why = |goal: &str| -> Result<String, vc_graph::goal::GoalError> {
+    ///     Ok(Task::new("t", goal.parse()?).obstacles(&scene).iter().map(ToString::to_string).collect())
+    /// };
+    /// assert!(why("Holds(milk) & Holds(apple) & Holds(bread)")?.ends_with("an agent has 2 hands"));
+    /// assert!(why("On(apple, floor.2)")?.contains("`floor.2` names a thing that is milk.2"));
+    /// assert_eq!(why("Holds(milk.99)")?, "there is no `milk.99` in this scene");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn obstacles(&self, graph: &SceneGraph) -> Vec<Obstacle> {
-        obstacles(&self.goal, graph)
+        let mut found: Vec<Obstacle> = self.goal.misnomers(graph).into_iter().map(Obstacle::Misnomer).collect();
+        found.extend(unknown(&self.goal, graph));
+        found.extend(obstacles(&self.goal, graph));
+        found
+    }
+}
+
+/// The number of things that an agent can hold at once.
+const HANDS: usize = 2;
+
+/// The nodes that a goal names and the scene does not have, each once.
+fn unknown(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
+    let mut found = Vec::new();
+    for term in goal.terms() {
+        let Term::Node(class, id) = term else { continue };
+        let label = class.map_or_else(|| format!("#{}", id.0), |class| format!("{class}.{}", id.0));
+        let obstacle = Obstacle::NoSuchNode(label);
+        if graph.node(id).is_none() && !found.contains(&obstacle) {
+            found.push(obstacle);
+        }
+    }
+    found
+}
+
+/// Whether more is to be held at once than there are hands: things of parts that no thing can serve both of.
+fn hands(parts: &[Goal], graph: &SceneGraph) -> Option<Obstacle> {
+    let (mut serving, mut told, mut held): (Vec<NodeId>, Vec<String>, usize) = (Vec::new(), Vec::new(), 0);
+    for part in parts {
+        let Some((thing, number)) = held_by_me(part) else { continue };
+        let things = match thing {
+            Term::Class(class) => graph.of_class(class),
+            Term::Node(_, id) => vec![*id],
+            _ => continue,
+        };
+        if !things.is_empty() && !things.iter().any(|thing| serving.contains(thing)) {
+            serving.extend(things);
+            told.push(part.to_string());
+            held += number;
+        }
+    }
+    (held > HANDS).then(|| Obstacle::TooManyHeld { parts: told.join(" & "), held })
+}
+
+/// What an agent is to hold by a part of a goal, and how many of it.
+fn held_by_me(part: &Goal) -> Option<(&Term, usize)> {
+    let (literal, number) = match part {
+        Goal::Literal(literal) => (literal, 1),
+        Goal::Count { literal, comparison: Comparison::AtLeast | Comparison::Exactly, number } => {
+            (literal, *number as usize)
+        }
+        _ => return None,
+    };
+    let in_hand =
+        matches!(literal.predicate, Predicate::Holds | Predicate::Relation(Relation::HoldsRight | Relation::HoldsLeft));
+    match literal.terms.as_slice() {
+        [Term::Me, thing] if in_hand => Some((thing, number)),
+        _ => None,
     }
 }
 
 fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     let mut found = Vec::new();
     look(goal, graph, &mut found);
+    found.extend(hands(std::slice::from_ref(goal), graph));
     found
 }
 
@@ -69,7 +161,10 @@ fn look(goal: &Goal, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
         Goal::Count { literal, comparison: Comparison::AtLeast | Comparison::Exactly, number } => {
             look_at(goal, literal, *number as usize, graph, found);
         }
-        Goal::And(parts) | Goal::Then(parts) => parts.iter().for_each(|p| look(p, graph, found)),
+        Goal::And(parts) | Goal::Then(parts) => {
+            parts.iter().for_each(|p| look(p, graph, found));
+            found.extend(hands(parts, graph).filter(|_| matches!(goal, Goal::And(_))));
+        }
         Goal::Or(parts) => {
             let each: Vec<Vec<Obstacle>> = parts.iter().map(|p| obstacles(p, graph)).collect();
             if each.iter().all(|o| !o.is_empty()) {

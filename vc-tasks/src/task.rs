@@ -2,17 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::format::unmarked;
-use vc_graph::goal::{GoalError, Situation};
+use vc_graph::goal::GoalError;
 use vc_graph::{Goal, NodeId};
 
-use crate::World;
+use crate::{Progress, World};
 
 /// A goal to be reached in a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Task {
     /// The task's name, `set the table`.
     pub title: String,
-    /// The goal, which is to hold at the end.
+    /// The goal, which is to hold at the end; words of time in it are about all that happens in the episode.
     pub goal: Goal,
     /// The number of actions after which an attempt is over.
     #[serde(default = "default_limit")]
@@ -65,15 +65,30 @@ impl Task {
         Self { title: title.into(), goal, step_limit: STEP_LIMIT }
     }
 
-    /// Whether the goal holds for an agent in the world's current state: in the true scene, not in
-    /// anybody's belief.
-    pub fn holds(&self, world: &dyn World, agent: NodeId) -> bool {
-        self.goal.holds(&Situation::new(world.graph(), agent, world.history()))
+    /// Begins an episode of an agent in a world as it is: the verdict on it, step by step. This is how
+    /// episodes are judged; a goal with words of time can be judged in no other way.
+    pub fn begin(&self, world: &dyn World, agent: NodeId) -> Progress {
+        Progress::new(&self.goal, world, agent)
     }
 
-    /// How much of the goal holds for an agent, 0 to 1: [`Goal::score`].
+    /// Whether the goal holds for an agent in the world's current state: in the true scene, not in
+    /// anybody's belief.
+    ///
+    /// A world does not keep its earlier states. So a goal with words of time ([`Goal::is_temporal`]) does not hold
+    /// by this function once something has been done, whatever was so on the way: [`Task::begin`] judges it.
+    pub fn holds(&self, world: &dyn World, agent: NodeId) -> bool {
+        self.can_be_judged(world) && self.goal.holds(&world.situation(agent))
+    }
+
+    /// How much of the goal holds for an agent, 0 to 1: [`Goal::score`]. For a goal with words of time it is 0 once
+    /// something has been done; see [`Task::holds`].
     pub fn score(&self, world: &dyn World, agent: NodeId) -> f64 {
-        self.goal.score(&Situation::new(world.graph(), agent, world.history()))
+        if self.can_be_judged(world) { self.goal.score(&world.situation(agent)) } else { 0.0 }
+    }
+
+    /// Whether the world's present state is all that the verdict depends on.
+    fn can_be_judged(&self, world: &dyn World) -> bool {
+        !self.goal.is_temporal() || world.history().events().is_empty()
     }
 
     /// Reads a list of tasks: one a line, `title: goal`; `#` starts a comment line.

@@ -2,14 +2,15 @@
 
 use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
 
-use crate::{Task, World, WorldError};
+use crate::{Progress, Task, World, WorldError};
 
 /// An agent with a task in a world, action by action, as in reinforcement learning: each action returns
 /// an observation and a reward. The caller runs the loop; `Policy` and `run_episode` of `vc-planner` run it
 /// themselves.
 ///
-/// The reward of an action is the change of [`Task::score`], so the rewards of an episode that was won sum to
-/// the part of the goal that did not hold at first. Action costs and the like are left to the caller.
+/// The reward of an action is the change of the score of [`Progress`], so the rewards of an episode that was won sum
+/// to the part of the goal that did not hold at first. A goal with words of time is judged on the trace since the trial
+/// began. Action costs and the like are left to the caller.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
@@ -40,6 +41,7 @@ pub struct Trial<W> {
     task: Task,
     agent: NodeId,
     scope: Scope,
+    progress: Progress,
     score: f64,
     steps: usize,
 }
@@ -63,8 +65,9 @@ pub struct Feedback {
 impl<W: World> Trial<W> {
     /// Begins a task in a world in its current state; the agent observes the room it is in.
     pub fn new(world: W, task: Task, agent: NodeId) -> Self {
-        let (start, score) = (world.graph().clone(), task.score(&world, agent));
-        Self { world, start, task, agent, scope: Scope::Room, score, steps: 0 }
+        let (start, mut progress) = (world.graph().clone(), task.begin(&world, agent));
+        let score = progress.score(&world);
+        Self { world, start, task, agent, scope: Scope::Room, progress, score, steps: 0 }
     }
 
     /// Sets which part of the scene the agent observes.
@@ -78,8 +81,8 @@ impl<W: World> Trial<W> {
     pub fn step(&mut self, action: &Action) -> Feedback {
         let refused = self.world.step(self.agent, action).err();
         self.steps += 1;
-        let before = std::mem::replace(&mut self.score, self.task.score(&self.world, self.agent));
-        let terminated = self.task.holds(&self.world, self.agent);
+        let before = std::mem::replace(&mut self.score, self.progress.score(&self.world));
+        let terminated = self.progress.holds(&self.world);
         let truncated = !terminated && self.steps >= self.task.step_limit;
         Feedback { observation: self.observation(), reward: self.score - before, terminated, truncated, refused }
     }
@@ -90,7 +93,8 @@ impl<W: World> Trial<W> {
     /// As [`World::reset`]; then nothing has changed.
     pub fn reset(&mut self) -> Result<Observation, WorldError> {
         self.world.reset(&self.start)?;
-        (self.score, self.steps) = (self.task.score(&self.world, self.agent), 0);
+        self.progress = self.task.begin(&self.world, self.agent);
+        (self.score, self.steps) = (self.progress.score(&self.world), 0);
         Ok(self.observation())
     }
 

@@ -1,5 +1,6 @@
 //! The interface that tasks need of an environment.
 
+use vc_graph::goal::Situation;
 use vc_graph::{Action, ChangeSet, History, NodeId, Refusal, SceneGraph, Simulator};
 
 /// A place where agents act: the symbolic [`Simulator`], or an environment with
@@ -30,6 +31,11 @@ pub trait World {
 
     /// The history of the actions executed since the last reset.
     fn history(&self) -> &History;
+
+    /// The present state and the history, as goals of an agent are judged on.
+    fn situation(&self, agent: NodeId) -> Situation<'_> {
+        Situation::new(self.graph(), agent, self.history())
+    }
 
     /// Executes an agent's action.
     ///

@@ -70,6 +70,7 @@ mod names;
 mod pairing;
 mod read_literals;
 mod read_parts;
+mod replace;
 mod scan;
 mod score;
 mod text;

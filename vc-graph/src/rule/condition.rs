@@ -18,6 +18,8 @@ pub enum Condition<T = NodeId> {
     Near(T),
     /// The object is in a room, or is one, so that an agent can go there.
     Reachable(T),
+    /// The object is a thing or a person, not a room.
+    Tangible(T),
     /// The object is not inside a closed container.
     Accessible(T),
     /// The object can be picked up.
@@ -111,6 +113,7 @@ impl Condition<Role> {
             C::NotIn(t, s) => C::NotIn(of(t)?, s),
             C::Near(t) => C::Near(of(t)?),
             C::Reachable(t) => C::Reachable(of(t)?),
+            C::Tangible(t) => C::Tangible(of(t)?),
             C::Accessible(t) => C::Accessible(of(t)?),
             C::Graspable(t) => C::Graspable(of(t)?),
             C::NotElsewhereHeld(t) => C::NotElsewhereHeld(of(t)?),
@@ -175,6 +178,7 @@ impl<T> Condition<T> {
                 | C::Typable(_)
                 | C::Personal(_)
                 | C::Reachable(_)
+                | C::Tangible(_)
         )
     }
 }

@@ -55,6 +55,10 @@ impl<'a, W: Why> Judge<'a, W> {
             C::NotIn(t, s) => self.require(!self.node(t)?.is(s), || Refusal::InState(graph.label(t), s)),
             C::Near(t) => self.near(t),
             C::Reachable(t) => self.require(graph.room_of(t).is_some(), || Refusal::NoWay(graph.label(t))),
+            C::Tangible(t) => {
+                let node = self.node(t)?;
+                self.require(node.kind() != Kind::Room, || Refusal::IsRoom(node.label()))
+            }
             C::Accessible(t) => self.accessible(t),
             C::Graspable(t) => self.graspable(t),
             C::NotElsewhereHeld(t) => self.not_elsewhere_held(t),

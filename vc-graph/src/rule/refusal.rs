@@ -31,6 +31,9 @@ pub enum Refusal {
     /// The object lacks the affordance.
     #[error("{0} is not {1}")]
     NotAfforded(Label, &'static str),
+    /// The thing is a room.
+    #[error("{0} is a room: name a thing in it, such as its floor")]
+    IsRoom(Label),
     /// The object is not in the state.
     #[error("{0} is not {1}")]
     NotInState(Label, State),

@@ -1,7 +1,8 @@
 //! The choice of the next action.
 
 use vc_graph::goal::Situation;
-use vc_graph::{Action, NodeId, State, Verb};
+use vc_graph::{Action, NodeId, State, Verb, rule};
+use vc_tasks::{Obstacle, Task};
 
 use super::{Agent, Decision, Mind};
 use crate::Plan;
@@ -10,6 +11,7 @@ use crate::demand::Choice;
 use crate::look::{Look, best_look};
 use crate::packed::Way;
 use crate::plan::{Refined, Sketch, plan_in_belief};
+use crate::tour::drops_elsewhere;
 use crate::want::Unreachable;
 
 /// Number of complete searches of the home after which a faithful agent gives up.
@@ -56,6 +58,9 @@ impl Agent {
             return self.decide_by_regression();
         }
         self.refine();
+        if self.is_walk_spared() {
+            self.next.pop_front();
+        }
         if let Some(action) = self.next.pop_front() {
             if self.refusals(&action).is_empty() {
                 let plan = std::iter::once(action).chain(self.next.iter().copied()).collect();
@@ -66,11 +71,25 @@ impl Agent {
         self.decide_best()
     }
 
+    /// Whether the plan goes on with a walk that is not needed for what is done after it, up to the next walk.
+    fn is_walk_spared(&self) -> bool {
+        let mut plan = self.next.iter().copied();
+        let Some(walk) = plan.next().filter(|action| action.verb == Verb::Walk) else { return false };
+        let stretch: Vec<Action> = plan.take_while(|action| action.verb != Verb::Walk).collect();
+        let graph = self.belief.graph();
+        if stretch.is_empty() || drops_elsewhere(graph, self.id, &walk, &stretch) {
+            return false;
+        }
+        let mut graph = graph.clone();
+        stretch.iter().all(|action| rule::step(&mut graph, self.id, action).is_ok())
+    }
+
     /// Searches for a shorter version of the rest of a plan, at the cost of improving a new plan: the shorter
     /// the rest, the more alternatives the search covers.
     fn refine(&mut self) {
         let Some(mut choice) = self.unproved.take().filter(|_| !self.next.is_empty()) else { return };
-        let now = Situation { graph: self.belief.graph(), agent: self.id, events: self.history.events() };
+        let events = self.history.events().get(self.since()..).unwrap_or_default();
+        let now = Situation { graph: self.belief.graph(), agent: self.id, events };
         match self.planner.refine(&self.goal, &now, self.belief.known(), &mut choice, self.next.len()) {
             Refined::Shorter(actions, best) => {
                 self.next = actions.into();
@@ -87,7 +106,8 @@ impl Agent {
 
     pub(super) fn decide_by_regression(&mut self) -> Decision {
         let intent = (self.pursued, self.planner.tidy());
-        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, self.history.events(), self.horizon, intent);
+        let events = self.history.events().get(self.since()..).unwrap_or_default();
+        let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, events, self.horizon, intent);
         self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
         match plan {
             Ok(plan) => match plan.actions.first() {
@@ -103,6 +123,8 @@ impl Agent {
     fn decide_best(&mut self) -> Decision {
         let (sketch, choice) = match self.best_sketch() {
             Ok(found) => found,
+            // What takes more hands than there are is not tried by turns.
+            Err(reason) if self.lacks_hands() => return Decision::GiveUp(reason),
             Err(reason) => {
                 return match self.decide_by_regression() {
                     // An agent with nothing else to do searches where the thing may be by now.
@@ -140,6 +162,13 @@ impl Agent {
         }
     }
 
+    /// Whether the goal asks for more to be held at once than there are hands.
+    fn lacks_hands(&self) -> bool {
+        let task = Task::new("", self.goal.clone());
+        let obstacles = task.obstacles(self.belief.graph());
+        obstacles.iter().any(|obstacle| matches!(obstacle, Obstacle::TooManyHeld { .. }))
+    }
+
     fn has_let_go(&mut self, reason: &Unreachable) -> bool {
         matches!(reason, Unreachable::HeldByAnother(_)) && self.belief.let_go_of_held()
     }
@@ -175,7 +204,8 @@ impl Agent {
         let mut choice = Choice::default();
         let imagined = (!self.counted_on.is_empty()).then(|| self.imagined());
         let graph = imagined.as_ref().unwrap_or(self.belief.graph());
-        let now = Situation { graph, agent: self.id, events: self.history.events() };
+        let events = self.history.events().get(self.since()..).unwrap_or_default();
+        let now = Situation { graph, agent: self.id, events };
         for _ in 0..ALTERNATIVES {
             match self.planner.sketch(&self.goal, &now, self.belief.known(), &mut choice) {
                 Ok(sketch) => {

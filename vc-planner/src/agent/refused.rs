@@ -3,6 +3,7 @@
 
 use vc_graph::{Action, Digest, NodeId, Observation, Verb};
 
+use super::stages::Breach;
 use super::{Agent, Decision};
 use crate::Plan;
 use crate::compile::anchor;
@@ -60,15 +61,26 @@ impl Refused {
 }
 
 impl Agent {
-    /// Decides; what would be tried in vain is gone about otherwise, and if it cannot be, given up.
+    /// Decides; what would be tried in vain, or breaks what must stay so, is gone about otherwise, and if it cannot be,
+    /// given up.
     pub(super) fn think_twice(&mut self) -> Decision {
-        let mut vain = None;
+        let (mut vain, mut breach) = (None, None);
         for _ in 0..OTHERS {
-            let decision = self.think_on();
-            let Decision::Act(action, _) = &decision else { return decision };
-            let action = *action;
+            let (action, plan) = match (self.think_on(), breach.take()) {
+                (Decision::Act(action, plan), _) => (action, plan),
+                (Decision::GiveUp(_), Some(why)) => return Decision::GiveUp(why),
+                (decision, _) => return decision,
+            };
+            if let Some(Breach { why, action }) = self.breach(&plan.actions) {
+                self.forget_plans();
+                if !action.is_some_and(|action| self.bar(&action)) {
+                    return Decision::GiveUp(why);
+                }
+                breach = Some(why);
+                continue;
+            }
             if !self.is_vain(&action) {
-                return decision;
+                return Decision::Act(action, plan);
             }
             vain = Some(action);
             self.forget_plans();
@@ -78,6 +90,9 @@ impl Agent {
             if !self.bar(&action) {
                 break;
             }
+        }
+        if let Some(why) = breach {
+            return Decision::GiveUp(why);
         }
         let told = vain.map_or_else(String::new, |action| action.describe(self.belief.graph()).to_string());
         Decision::GiveUp(Unreachable::Refused(told))

@@ -19,7 +19,8 @@ struct Names<'t> {
 impl Activity {
     /// The goal; pairs are one-to-one matchings.
     ///
-    /// The first declared object is node 1, the next node 2.
+    /// The first declared object is node 1, the next node 2. A scene has other numbers and classes:
+    /// [`Activity::bind`] gives the goal for a scene.
     ///
     /// # Errors
     /// [`ReadError`] for an unknown predicate or object.

@@ -16,7 +16,11 @@
 //! `exists (?v - class) c`, `forn (N) (?v - class) c`,
 //! `forpairs (?v - class) (?w - class) c`, `fornpairs (N) (?v - class) (?w - class) c`
 //! and atoms with one or two arguments. A `?` before a name is allowed and has no meaning.
+//!
+//! [`Activity::to_goal`] numbers the declared objects; [`Activity::bind`] finds things of a scene for them, so that the
+//! goal can be pursued and judged there.
 
+mod bind;
 mod condition;
 mod facts;
 mod goal;
@@ -26,6 +30,7 @@ use std::fmt;
 
 use super::ReadError;
 use super::sexpr::{Expr, Tree};
+pub use bind::{BindError, Bound};
 pub use condition::{Atom, Part, Variable};
 use condition::{check, only};
 pub use facts::{Facts, Objects};

@@ -216,6 +216,7 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
     Ok(vec![match needed {
         C::Affords(t, property) => affords(property, t),
         C::Reachable(t) => lasting("spot", C::Reachable(x), t),
+        C::Tangible(t) => lasting("tangible", C::Tangible(x), t),
         C::Graspable(t) => lasting("graspable", C::Graspable(x), t),
         C::Carries(t) => lasting("carries", C::Carries(x), t),
         C::Encloses(t) => lasting("encloses", C::Encloses(x), t),

@@ -1,0 +1,126 @@
+//! The verdict on a task while an episode goes on.
+
+use vc_graph::goal::Trace;
+use vc_graph::{Goal, NodeId, SceneGraph};
+
+use crate::World;
+use crate::compile::Monitor;
+
+/// A goal judged step by step in an episode.
+///
+/// A goal without words of time is judged on the world's present state, and nothing is kept. A goal with words of
+/// time ([`Goal::is_temporal`]) is judged on the trace since the episode began, as [`Goal::holds_on`] judges it: each
+/// action of any agent is a step of the trace, and the states share what did not change between them.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_tasks::{Task, World};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+///
+/// let [fetch, never] = ["Open(fridge) then Closed(fridge) & Holds(milk)", "always Closed(fridge) & Holds(milk)"];
+/// let mut fetch = Task::new("fetch", fetch.parse()?).begin(&world, me);
+/// let mut never = Task::new("never open", never.parse()?).begin(&world, me);
+/// for line in ["walk fridge.2", "open fridge.2", "grab milk.3", "close fridge.2"] {
+///     World::step(&mut world, me, &line.parse()?)?;
+///     fetch.note(&world);
+///     never.note(&world);
+/// }
+/// assert!(fetch.holds(&world));
+/// assert!(!never.holds(&world)); // the fridge was opened on the way
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Progress {
+    goal: Goal,
+    agent: NodeId,
+    past: Option<Box<Past>>,
+}
+
+/// The trace of an episode.
+#[derive(Debug, Clone)]
+struct Past {
+    trace: Trace,
+    /// The same trace as truth values, while the scene has the nodes that it began with.
+    monitor: Option<Monitor>,
+    /// How many actions the world's history had at the last step.
+    done: usize,
+}
+
+impl Progress {
+    /// A goal of an agent in an episode that begins with the world as it is.
+    pub fn new(goal: &Goal, world: &dyn World, agent: NodeId) -> Self {
+        let past = goal.is_temporal().then(|| Box::new(Past::new(goal, world, agent)));
+        Self { goal: goal.clone(), agent, past }
+    }
+
+    /// Takes note of what has been done since the last call, as one step. Call it after each action; after a reset of
+    /// the world the trace begins anew.
+    ///
+    /// Costs nothing for a goal without words of time; else one read of each fact that the goal is about, and a visit
+    /// of each step so far for each word of time.
+    pub fn note(&mut self, world: &dyn World) {
+        let Some(past) = &mut self.past else { return };
+        let events = world.history().events();
+        match events.get(past.done..) {
+            Some([]) => {}
+            Some(_) => past.push(world),
+            None => **past = Past::new(&self.goal, world, self.agent),
+        }
+    }
+
+    /// Whether the goal holds now; takes note of what has been done before.
+    pub fn holds(&mut self, world: &dyn World) -> bool {
+        self.note(world);
+        match &self.past {
+            None => self.goal.holds(&world.situation(self.agent)),
+            Some(past) => past.holds(&self.goal),
+        }
+    }
+
+    /// How much of the goal holds now, 0 to 1: [`Goal::score`], or [`Goal::score_on`] the trace. Takes note of what has
+    /// been done before.
+    pub fn score(&mut self, world: &dyn World) -> f64 {
+        self.note(world);
+        match &self.past {
+            None => self.goal.score(&world.situation(self.agent)),
+            Some(past) if past.holds(&self.goal) => 1.0,
+            Some(past) => self.goal.score_on(&past.trace),
+        }
+    }
+}
+
+impl Past {
+    fn new(goal: &Goal, world: &dyn World, agent: NodeId) -> Self {
+        let trace = Trace::new(world.graph().clone(), agent);
+        // A goal too large to be compiled is judged on the states.
+        let monitor = Monitor::on(goal, &trace);
+        Self { trace, monitor, done: world.history().events().len() }
+    }
+
+    fn push(&mut self, world: &dyn World) {
+        let (graph, events) = (world.graph(), world.history().events());
+        if !self.trace.graph(0).is_some_and(|first| has_nodes_of(first, graph)) {
+            self.monitor = None;
+        }
+        self.trace.push(graph.clone(), events[self.done..].iter().copied());
+        self.done = events.len();
+        if let (Some(monitor), Some(now)) = (&mut self.monitor, self.trace.situation(self.trace.steps())) {
+            monitor.push(&now);
+        }
+    }
+
+    fn holds(&self, goal: &Goal) -> bool {
+        self.monitor.as_ref().map_or_else(|| goal.holds_on(&self.trace), Monitor::holds)
+    }
+}
+
+/// Whether two states of a scene have the same nodes.
+fn has_nodes_of(a: &SceneGraph, b: &SceneGraph) -> bool {
+    let ids = |graph: &SceneGraph| graph.nodes().map(vc_graph::Node::id).collect::<Vec<_>>();
+    a.len() == b.len() && ids(a) == ids(b)
+}
