@@ -88,13 +88,13 @@ impl Film {
     }
 
     /// A picture of each action, eight at most; of the home as it is if nothing was done.
-    pub(super) fn strip(&mut self, home: &Environment) -> Result<Picture, RenderError> {
+    pub(super) fn strip(&mut self, home: &Environment) -> Result<Picture, RenderError<Label>> {
         let shown: Vec<Picture> = self.moments().iter().map(|(_, at)| self.pictures[*at].clone()).collect();
         if shown.is_empty() { self.pair(home) } else { Ok(Picture::sheet(&shown, 2, 4)) }
     }
 
     /// The home as it is, from the eyes and from the corner.
-    fn pair(&mut self, home: &Environment) -> Result<Picture, RenderError> {
+    fn pair(&mut self, home: &Environment) -> Result<Picture, RenderError<Label>> {
         let views = self.views(home)?;
         let pair = [self.shot(home, views, 0)?, self.shot(home, views, 1)?];
         Ok(Picture::sheet(&pair, 2, 4))
@@ -152,7 +152,7 @@ impl Film {
     }
 
     /// The agent's eyes, and the camera of the room it is in.
-    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], RenderError> {
+    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], RenderError<Label>> {
         let room = home.room_at(feet(home, self.me)).or(self.room);
         if room != self.room {
             (self.room, self.corner) = (room, None);

@@ -171,7 +171,7 @@ impl Recorder {
         }
         let width = options.width;
         if width == 0 || width > vc_render::camera::MAX_SIDE {
-            return Err(RenderError::BadSize { width, height: width }.into());
+            return Err(RecordError::Picture(RenderError::BadSize { width, height: width }));
         }
         let daylight = options.daylight.unwrap_or(home.pictures().daylight);
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
