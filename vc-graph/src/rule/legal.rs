@@ -52,6 +52,8 @@ pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) 
     found
 }
 
+use Condition as C;
+
 type Verbs = Set<Verb>;
 
 /// A precondition on one object, and the verbs that require it of their first and of their second object.
@@ -65,6 +67,10 @@ struct OfThing {
 #[derive(Default)]
 struct Needs {
     of_agent: Vec<(Condition<Role>, Verbs)>,
+    without_first: Verbs,
+    without_second: Verbs,
+    /// Those that are told by the node of the thing, which costs least.
+    of_node: Vec<OfThing>,
     of_thing: Vec<OfThing>,
 }
 
@@ -86,7 +92,9 @@ fn is_of_two(need: Condition<Role>) -> bool {
 
 impl Needs {
     fn read() -> Self {
-        let mut needs = Self::default();
+        let below = |arity: usize| Verb::ALL.iter().copied().filter(|v| v.arity() < arity).collect::<Vec<Verb>>();
+        let (without_first, without_second) = (Verbs::of(&below(1)), Verbs::of(&below(2)));
+        let mut needs = Self { without_first, without_second, ..Self::default() };
         for (need, verb) in RULES.iter().flat_map(|rule| rule.needs.iter().map(|need| (*need, rule.verb))) {
             match need.ground(&NOTHING) {
                 Some(_) => needs.note_of_agent(need, verb),
@@ -96,6 +104,8 @@ impl Needs {
         }
         // The precondition that most verbs share comes first: if it fails, the fewest checks remain.
         needs.of_thing.sort_by_key(|shared| Reverse(shared.first.len() + shared.second.len()));
+        let is_told = |of: &mut OfThing| matches!(of.need, C::Affords(..) | C::In(..) | C::NotIn(..));
+        needs.of_node = needs.of_thing.extract_if(.., is_told).collect();
         needs
     }
 
@@ -129,10 +139,10 @@ impl Open {
     fn of(now: &Judge<'_, Untold>, verbs: Verbs, things: &[NodeId]) -> Self {
         let none = || vec![Vec::new(); Verb::ALL.len()];
         let mut open = Self { first: none(), second: none() };
-        for &id in things.iter().filter(|id| now.graph.node(**id).is_some()) {
-            let (first, second) = open_to(now, verbs, id);
-            first.iter().for_each(|verb| open.first[verb.index()].push(id));
-            second.iter().for_each(|verb| open.second[verb.index()].push(id));
+        for node in things.iter().filter_map(|id| now.graph.node(*id)) {
+            let (first, second) = open_to(now, verbs, node);
+            first.iter().for_each(|verb| open.first[verb.index()].push(node.id()));
+            second.iter().for_each(|verb| open.second[verb.index()].push(node.id()));
         }
         open
     }
@@ -150,8 +160,14 @@ impl Open {
 
 /// The verbs that can have an object as their first and as their second. Each precondition is checked at most
 /// once, and not at all if no remaining verb depends on it.
-fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, id: NodeId) -> (Verbs, Verbs) {
-    let (thing, mut first, mut second) = (both(id), verbs, verbs);
+fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, node: &Node) -> (Verbs, Verbs) {
+    let thing = both(node.id());
+    let (mut first, mut second) = (verbs.minus(NEEDS.without_first), verbs.minus(NEEDS.without_second));
+    for of in &NEEDS.of_node {
+        if !is_met_by(node, of.need) {
+            (first, second) = (first.minus(of.first), second.minus(of.second));
+        }
+    }
     for of in &NEEDS.of_thing {
         let matters = first.intersects(of.first) || second.intersects(of.second);
         if matters && !of.need.ground(&thing).is_some_and(|need| now.meets(&need)) {
@@ -159,4 +175,14 @@ fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, id: NodeId) -> (Verbs, Verbs) 
         }
     }
     (first, second)
+}
+
+/// Whether a node meets a need that it tells itself; others it does not refuse.
+fn is_met_by(node: &Node, need: Condition<Role>) -> bool {
+    match need {
+        C::Affords(_, property) => node.affords(property),
+        C::In(_, state) => node.is(state),
+        C::NotIn(_, state) => !node.is(state),
+        _ => true,
+    }
 }
