@@ -164,7 +164,8 @@ impl Environment {
     ) -> Result<Frame, RenderError<Label>> {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
-        let then = later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
+        let then =
+            later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
         let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
         let lighting = lighting.map(|light| if view.is_plan() { light.evened(EVEN) } else { light });
         let mut shot = Shot::new(&snapshot, &camera, wanted).finer(how.finer);

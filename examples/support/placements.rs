@@ -70,9 +70,7 @@ pub(crate) fn all(home: &Environment) -> Tally {
 fn by_rule(graph: &SceneGraph, me: NodeId, id: NodeId, place: Place) -> Result<(), (&'static str, String)> {
     let mut home = Simulator::new(graph.clone());
     let listed = |all: Vec<Refusal>| all.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ");
-    carry(&mut home, id, place, Simulator::graph, |home, action| {
-        home.step(me, &action).map(drop).map_err(listed)
-    })
+    carry(&mut home, id, place, Simulator::graph, |home, action| home.step(me, &action).map(drop).map_err(listed))
 }
 
 fn with_bodies(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, ActionError)> {

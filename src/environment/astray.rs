@@ -71,7 +71,11 @@ impl Full {
 }
 
 /// Puts things where the scene says they are; takes out those for which there is no room.
-fn put_back(world: &mut World, builder: &mut SceneBuilder, mut astray: Vec<NodeId>) -> Result<Vec<Unplaced>, MakeError> {
+fn put_back(
+    world: &mut World,
+    builder: &mut SceneBuilder,
+    mut astray: Vec<NodeId>,
+) -> Result<Vec<Unplaced>, MakeError> {
     astray.sort_unstable();
     astray.dedup();
     let wanted: Vec<(NodeId, Pose)> = astray.iter().filter_map(|id| Some((*id, world.pose(*id)?))).collect();

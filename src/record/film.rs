@@ -181,7 +181,12 @@ impl Film {
 
     /// How much a moment tells: nothing unless the agent moves; more while it holds something, while
     /// all of it is seen from the corner, and the more things it sees.
-    fn telling(&self, before: &Environment, now: &Environment, views: [Viewpoint; 2]) -> Result<usize, RenderError<Label>> {
+    fn telling(
+        &self,
+        before: &Environment,
+        now: &Environment,
+        views: [Viewpoint; 2],
+    ) -> Result<usize, RenderError<Label>> {
         if (feet(before, self.me) - feet(now, self.me)).norm() <= 1e-3 {
             return Ok(0);
         }

@@ -73,7 +73,10 @@ fn a_home_comes_back_from_the_thesis_form_as_it_stood() {
         let all: Vec<Edge> = graph.edges().collect();
         assert!(read.edges().eq(all.iter().copied()), "{}: relations are read as they are written", graph.name());
         for (was, is) in graph.nodes().zip(read.nodes()) {
-            assert_eq!((was.label(), was.states(), &was.spec().properties), (is.label(), is.states(), &is.spec().properties));
+            assert_eq!(
+                (was.label(), was.states(), &was.spec().properties),
+                (is.label(), is.states(), &is.spec().properties)
+            );
         }
         let again = Environment::of_with(read, 1, &SceneOptions::default()).unwrap();
         let (now, share) = (again.graph(), |part: usize, of: usize| 100.0 * part as f64 / of as f64);
@@ -93,7 +96,8 @@ fn a_home_comes_back_from_the_thesis_form_as_it_stood() {
 /// Things that are more than a centimetre or a degree from where they were.
 fn strayed(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
     let is_near = |a: &Pose, b: &Pose| {
-        (a.translation.vector - b.translation.vector).norm() < 0.01 && a.rotation.angle_to(&b.rotation).to_degrees() < 1.0
+        (a.translation.vector - b.translation.vector).norm() < 0.01
+            && a.rotation.angle_to(&b.rotation).to_degrees() < 1.0
     };
     let pose = |graph: &SceneGraph, id| graph.node(id).and_then(|n| n.pose().copied());
     let strayed = |n: &&Node| pose(was, n.id()).zip(pose(now, n.id())).is_none_or(|(a, b)| !is_near(&a, &b));
@@ -153,7 +157,8 @@ fn what_is_wider_than_its_bowl_goes_along() {
 #[test]
 fn what_lies_tight_goes_back_where_it_lay() {
     let (mut tried, mut back) = (0, 0);
-    for (home, every) in [(Some(kept()), 1), (scene(6), 3)].into_iter().filter_map(|(home, every)| Some((home?, every))) {
+    for (home, every) in [(Some(kept()), 1), (scene(6), 3)].into_iter().filter_map(|(home, every)| Some((home?, every)))
+    {
         let (graph, me) = (home.graph(), home.agents()[0]);
         let held = |n: &&Node| n.affords(Property::Graspable) && home.world().role(n.id()) == Some(Role::Hung);
         let hidden = |n: &&Node| graph.hidden_in(n.id()).is_some();

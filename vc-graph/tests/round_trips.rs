@@ -96,7 +96,9 @@ proptest! {
 
 fn is_same_box(one: &Node, other: &Node) -> bool {
     match (one.spec().bounds, other.spec().bounds) {
-        (Some(a), Some(b)) => (a.offset - b.offset).norm() < 1e-3 && (a.half - b.half).norm() < 1e-3 && a.frame == b.frame,
+        (Some(a), Some(b)) => {
+            (a.offset - b.offset).norm() < 1e-3 && (a.half - b.half).norm() < 1e-3 && a.frame == b.frame
+        }
         (a, b) => a == b,
     }
 }

@@ -219,9 +219,10 @@ fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
         let (mut one, mut other) = (Newcomer::best(), Newcomer::best());
         let mut together = [(me, &mut one as &mut dyn Policy), (stranger, &mut other as &mut dyn Policy)];
         let mut world = Simulator::new(scene.clone());
-        for episode in
-            [team.run(&task, &mut world), run_together(&mut together, &task, &mut Simulator::new(scene.clone()), Seed(3))]
-        {
+        for episode in [
+            team.run(&task, &mut world),
+            run_together(&mut together, &task, &mut Simulator::new(scene.clone()), Seed(3)),
+        ] {
             assert_eq!((episode.outcome, episode.rounds), (Outcome::Lost, 0));
             assert_eq!(episode.reason.as_deref(), Some(&*told));
         }
