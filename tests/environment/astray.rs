@@ -74,7 +74,9 @@ fn what_has_no_place_to_go_back_to_is_named() {
         let mug = kitchen.mug(at, None);
         let home = kitchen.home();
         let [left] = home.left_out() else { panic!("{:?}", home.left_out()) };
-        assert_eq!((left.thing.id, &left.why), (mug, &Why::Astray), "{at:?}");
+        // Beside the floor's edge it falls; elsewhere it is nowhere from the start.
+        let told = matches!(left.why, Why::Astray | Why::FellOut);
+        assert!(left.thing.id == mug && told, "{at:?}: {left}");
         assert!(home.graph().node(mug).is_none());
         is_whole(&home);
     }

@@ -121,6 +121,10 @@ fn numbers_that_are_none() {
         let wanted = "expected `X=0 Y=0 Z=0`, found `";
         check(&in_thesis("X=120 Y=-40 ", &format!("{bad} Y=-40 ")), 6, "Apartment_0[2].transform", wanted);
     }
+    for bad in ["-1, 1, 1", "1e39, 1, 1"] {
+        let more = format!(r#""id": 7, "virtualcity": {{"bounds": {{"offset": [0, 0, 0], "half": [{bad}]}}}}"#);
+        check(&in_thesis(r#""id": 7"#, &more), 6, "Apartment_0[2].virtualcity", "is not a finite number");
+    }
     check(&in_thesis("P=0 Y=90 R=-10", "P=0 Y=90 R=-10 Q=1"), 6, "Apartment_0[2].transform", "expected `P=0 Y=0 R=0`");
     check(&in_native(r#""id": 4"#, r#""id": 4294967296"#), 8, "nodes[3].id", "invalid value");
     check(&in_native(r#""id": 4"#, r#""id": -1"#), 8, "nodes[3].id", "invalid value");

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::super::Problem;
-use super::super::serial::BoundsFile;
+use super::super::serial::{BoundsFile, FARTHEST, within};
 use crate::vocabulary::{Word, clip, key};
 use crate::{Bounds, Class, ClassTable, Draft, Frame, Node, Property, PropertySet, State, StateSet};
 
@@ -73,6 +73,8 @@ impl Beyond {
         if let Some(file) = &self.bounds {
             let bounds = file.bounds().ok_or_else(|| Problem::Number(clip(&format!("{file:?}"))))?;
             draft.pose = draft.pose.map(|base| above(&base, &bounds));
+            let far = draft.pose.filter(|pose| !within(pose.translation.vector.as_slice(), FARTHEST));
+            far.map_or(Ok(()), |pose| Err(Problem::Number(clip(&format!("{pose}")))))?;
             draft.bounds = Some(bounds);
         }
         for lack in &self.lacks {

@@ -33,6 +33,7 @@ use std::sync::Arc;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::serial::{FARTHEST, within};
 use super::{FormatError, Problem, Source};
 use beyond::{Beyond, down};
 
@@ -61,6 +62,9 @@ struct ObjectFile {
 /// Relative difference up to which a size is the one that a scale gives, and distance in metres up to which
 /// the base of a box is at its node's origin.
 const SAME: f32 = 1e-4;
+
+/// The part of the farthest distance that rounding does not lead beyond.
+const NEAR: f32 = 0.99;
 
 /// The file's keys and what is under them; a map would drop a key that occurs twice.
 struct Environments(Vec<(String, Vec<ObjectFile>)>);
@@ -235,15 +239,24 @@ impl ObjectFile {
     }
 }
 
-/// The pose at the middle of the base of a node's box.
+/// The pose at the middle of the base of a node's box; that of the node, if the base is farther away than this format
+/// can say.
 fn base(node: &Node) -> Pose {
     let pose = node.pose().copied().unwrap_or_else(Pose::identity);
-    let Some(bounds) = node.spec().bounds.filter(|b| !stands(b)) else { return pose };
-    let down = Translation3::from(down(&bounds));
-    match frame(node, &bounds) {
+    let bounds = node.spec().bounds.filter(|b| !stands(b));
+    bounds.map(|b| base_of(node, &pose, &b)).filter(is_near).unwrap_or(pose)
+}
+
+fn base_of(node: &Node, pose: &Pose, bounds: &Bounds) -> Pose {
+    let down = Translation3::from(down(bounds));
+    match frame(node, bounds) {
         Frame::Object => pose * down,
         Frame::World => down * pose,
     }
+}
+
+fn is_near(pose: &Pose) -> bool {
+    within(pose.translation.vector.as_slice(), NEAR * FARTHEST)
 }
 
 /// Whether a box stands on its node's origin: then the pose is written as it is, to the last bit.
@@ -261,7 +274,8 @@ fn frame(node: &Node, bounds: &Bounds) -> Frame {
 fn untold(graph: &SceneGraph, node: &Node) -> Option<Bounds> {
     let sized = typical_size(graph, node).is_some();
     let told = |b: &Bounds| sized && stands(b) && frame(node, b) == Frame::Object;
-    node.spec().bounds.filter(|b| !told(b))
+    let pose = node.pose().copied().unwrap_or_else(Pose::identity);
+    node.spec().bounds.filter(|b| !told(b) && is_near(&base_of(node, &pose, b)))
 }
 
 fn typical_size(graph: &SceneGraph, node: &Node) -> Option<Vector3<f32>> {
