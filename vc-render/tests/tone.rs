@@ -52,20 +52,20 @@ fn sunlit_walls_keep_their_hue_and_shading() {
     // The light that a white wall reflects in the light of the room: it is displayed at about two fifths.
     let white = std::iter::successors(Some(1e-3_f32), |v| Some(1.02 * v)).find(|v| {
         made.light[0] = [*v; 3];
-        made.picture().pixels[0][1] >= 172
+        made.picture().pixels[0][1] >= 175
     });
     let white = white.unwrap();
     for colour in [[0.9, 0.9, 0.9], [0.1, 0.3, 0.7], [0.8, 0.55, 0.1], [0.7, 0.2, 0.15]] {
         let shown = |light: f32| {
-            let mut made = Photograph { light: vec![colour.map(|c: f32| c * light * white)], ..made.clone() };
-            made.height = 1;
+            let mut made = made.clone();
+            made.light[0] = colour.map(|c: f32| c * light * white);
             made.picture().pixels[0].map(f32::from)
         };
         let bright = |c: [f32; 3]| c.into_iter().fold(0.0, f32::max);
         for sun in [5.0, 10.0, 20.0, 30.0] {
             let [side, front] = [0.6 * sun, sun].map(shown);
             assert!(bright(front) < 245.0, "{colour:?} in {sun} times the light is {front:?}");
-            assert!(bright(front) > bright(side) + 5.0, "{colour:?}: {side:?} and {front:?} from the side");
+            assert!(bright(front) > bright(side) + 3.0, "{colour:?}: {side:?} and {front:?} from the side");
             let order = |c: [f32; 3]| (0..2).map(|i| (c[i + 1] - c[i]).signum()).collect::<Vec<f32>>();
             let spread = bright(front) - front.into_iter().fold(255.0, f32::min);
             let hued = colour != [0.9; 3];

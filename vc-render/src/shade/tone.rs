@@ -40,7 +40,7 @@ fn strength(x: f32) -> f32 {
 
 const GAIN: f32 = 1.7;
 const CONTRAST: f32 = 1.2;
-const SHOULDER: f32 = 1.0;
+const SHOULDER: f32 = 1.3;
 const FLATTER: f32 = 0.7;
 
 /// How far all colours of a light saturate together, by the greatest of them, and not each by itself: bright things
