@@ -149,9 +149,7 @@ impl Adaptation {
         let between = |from: f32, to: f32| from * (to / from).power(share);
         let sound = self.from.iter().all(|v| v.is_finite() && *v > 0.0) && share.is_finite();
         match sound {
-            true if share > 0.0 => {
-                three(|c| between(self.from[c], now[c]).clamp(now[c] / BLINDED, now[c] * DAZZLED))
-            }
+            true if share > 0.0 => three(|c| between(self.from[c], now[c]).clamp(now[c] / BLINDED, now[c] * DAZZLED)),
             true => self.from,
             false => now,
         }

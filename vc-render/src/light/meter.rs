@@ -60,8 +60,7 @@ impl Lighting {
     /// Meters the light of a surface, without its gloss and the details of its texture.
     pub(crate) fn metered(&self, patch: &Patch<'_>) -> Spot {
         let &Patch { surface, coat, body, at, normal, room } = patch;
-        let (around, direct) =
-            (self.around(at, normal, room), self.direct(at, normal, room, self.sunlight(room)));
+        let (around, direct) = (self.around(at, normal, room), self.direct(at, normal, room, self.sunlight(room)));
         let colour = surface.thrown(coat);
         let falls = three(|i| colour[i] * (around[i] + direct[i]));
         let own = self.glow(surface, body);
