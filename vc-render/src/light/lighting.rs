@@ -52,8 +52,8 @@ pub struct Lighting {
     // Clones share the large members.
     pub(crate) sun: Option<Arc<ShadowMap>>,
     pub(crate) lamps: Arc<Vec<Lamp>>,
-    /// For each body, the factors for its own emission and for that of its shade.
-    pub(super) gains: Vec<[f32; 2]>,
+    /// For each body, the factor for its own emission, and those for each colour of its shade's.
+    pub(super) gains: Vec<[f32; 4]>,
     /// For each luminous body that is not a lamp, the greatest brightness of its materials.
     pub(super) screens: Vec<(u32, f32)>,
     pub(super) grids: Arc<Vec<Grid>>,
@@ -281,9 +281,9 @@ impl Lighting {
     /// Emission of a body's surface; with an emissive texture, that of its white texels.
     #[inline(always)]
     pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
-        let [gain, shade] = self.gains[body as usize];
+        let [gain, shade @ ..] = self.gains[body as usize];
         match surface.role {
-            Role::Shade => scaled(surface.colour, shade),
+            Role::Shade => three(|i| surface.colour[i] * shade[i]),
             _ => scaled(surface.emission, gain),
         }
     }

@@ -40,18 +40,18 @@ fn strength(x: f32) -> f32 {
 
 const GAIN: f32 = 1.7;
 const CONTRAST: f32 = 1.2;
-const SHOULDER: f32 = 1.0;
+const SHOULDER: f32 = 1.3;
 const FLATTER: f32 = 0.7;
 
 /// How far all colours of a light saturate together, by the greatest of them, and not each by itself: bright things
 /// keep their colour. The strength from which on this is lost: the brightest lights are white.
-const TOGETHER: f32 = 0.7;
+const TOGETHER: f32 = 0.6;
 const WHITE: f32 = 40.0;
 
 /// The exposure from which on pictures are displayed darker, and the exponent: in darkness eyes see what there is, but
 /// the night stays dark, its sky too.
 const NIGHT: f32 = 2500.0;
-const NIGHTFALL: f32 = 0.5;
+const NIGHTFALL: f32 = 0.35;
 
 /// How bright a picture of an exposure is displayed, 0 to 1: less than 1 at night.
 pub(crate) fn night(exposure: f32) -> f32 {
