@@ -139,14 +139,16 @@ fn covers_in_the_same_place_are_one_behind_the_other() {
     for closed in [false, true] {
         let mut edit = graph.edit();
         let state = if closed { State::Closed } else { State::Open };
-        [first, second].map(|cover| edit.enter_state(cover, state).unwrap());
+        for cover in [first, second] {
+            edit.enter_state(cover, state).unwrap();
+        }
         edit.commit();
         let snapshot = renderer.snapshot(&graph).unwrap();
         let [front, back] = [first, second].map(|cover| snapshot.bounds(cover).unwrap());
         assert!(front.max.x < back.min.x + 1e-3 && front.min.x < back.min.x - 0.01, "{front:?} {back:?}");
         let mut frame = Frame::new();
         let camera = Camera::with_fov(96, 72, 1.0).looking(Point3::new(-1.0, 0.6, 1.5), Point3::new(2.1, 0.6, 1.5));
-        renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance.into()), &mut frame).unwrap();
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Instance), &mut frame).unwrap();
         assert!(frame.instance.contains(&first) && !frame.instance.contains(&second));
     }
 }
