@@ -139,7 +139,9 @@ fn covers_in_the_same_place_are_one_behind_the_other() {
     for closed in [false, true] {
         let mut edit = graph.edit();
         let state = if closed { State::Closed } else { State::Open };
-        [first, second].into_iter().for_each(|cover| edit.enter_state(cover, state).unwrap());
+        for cover in [first, second] {
+            edit.enter_state(cover, state).unwrap();
+        }
         edit.commit();
         let snapshot = renderer.snapshot(&graph).unwrap();
         let [front, back] = [first, second].map(|cover| snapshot.bounds(cover).unwrap());
