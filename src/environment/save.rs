@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use vc_graph::format::native;
 use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
-use vc_physics::{Floor, World};
+use vc_physics::World;
 
 use super::undo::Undo;
 use super::{Environment, SaveError, observe};
 
 /// What saved environments begin with.
-const MAGIC: &[u8; 8] = b"VCENV 1\n";
+const MAGIC: &[u8; 8] = b"VCENV 2\n";
 
 impl Environment {
     /// The environment as bytes, for [`restore`](Self::restore): the scene
@@ -24,6 +24,7 @@ impl Environment {
         let history: String = self.history.events().iter().map(line).collect();
         let mut bytes = MAGIC.to_vec();
         bytes.extend(self.start.graph.digest().0.to_le_bytes());
+        bytes.extend(u64::from(self.graph.next_number()).to_le_bytes());
         for part in [native::write(&self.graph).as_bytes(), &self.world.save()?, history.as_bytes()] {
             bytes.extend((part.len() as u64).to_le_bytes());
             bytes.extend(part);
@@ -34,7 +35,7 @@ impl Environment {
     /// The environment that was saved; it goes on as the saved one does, bit for bit. This
     /// one has to have been made in the same way, and is not changed.
     ///
-    /// `format::native::read`, `World::restore`, `Relations::rebuild`, `Floor::of`.
+    /// `format::native::read`, `World::restore`, `Relations::rebuild`, `Floor::update`.
     ///
     /// # Errors
     /// [`SaveError`].
@@ -45,6 +46,8 @@ impl Environment {
         if expected != found {
             return Err(SaveError::OtherStart { expected, found });
         }
+        let (next, rest) = number(rest)?;
+        let next = u32::try_from(next).map_err(|_| SaveError::NotSaved)?;
         let (scene, rest) = part(rest)?;
         let (world, rest) = part(rest)?;
         let (history, rest) = part(rest)?;
@@ -57,12 +60,14 @@ impl Environment {
         if builder.graph().assets() == self.graph.assets() {
             builder.assets(self.graph.assets().clone());
         }
+        builder.number_from(next);
         graph = builder.build();
         let world = World::restore(world, &graph, &self.start.shapes)?;
         let mut relations = self.start.relations.clone();
         relations.rebuild(&graph)?;
         relations.set_evidence(&graph, observe::evidence(&world))?;
-        let floor = Floor::of(&world, *self.floor.plan());
+        let mut floor = self.start.floor.clone();
+        floor.update(&world);
         let none = (History::default(), Undo::default());
         let mut copy = Self { graph, world, relations, floor, history: none.0, undo: none.1, ..self.clone() };
         copy.poses = BTreeMap::new();

@@ -17,7 +17,7 @@ use crate::{Settings, SnapshotError};
 /// What a snapshot begins with.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
 /// Changes whenever what follows changes.
-const VERSION: u32 = 6;
+const VERSION: u32 = 7;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 
