@@ -131,17 +131,22 @@ fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<F
 
 /// Only checks that planning domains and problems can be parsed.
 fn planning(file: &Path, text: &str, tally: &mut Tally) -> Vec<Finding> {
-    let read = match text.parse::<Domain>() {
-        Ok(domain) => Ok(format!("the PDDL domain {}, with {} operators", domain.name, domain.operators.len())),
-        Err(_) => {
-            text.parse::<Problem>().map(|p| format!("the PDDL problem {}, with {} things", p.name, p.objects.len()))
-        }
-    };
+    let domain = |d: Domain| format!("the PDDL domain {}, with {} operators", d.name, d.operators.len());
+    let problem = |p: Problem| format!("the PDDL problem {}, with {} things", p.name, p.objects.len());
+    let read = if is_problem(text) { text.parse().map(problem) } else { text.parse().map(domain) };
     match read {
         Ok(about) => say!("{}: {about}; PDDL is read here, and looked at no further", file.display()),
         Err(why) => tally.cannot_read(why.in_file(file)),
     }
     Vec::new()
+}
+
+/// Whether a PDDL file is meant as a problem: `(define (problem ...`.
+fn is_problem(text: &str) -> bool {
+    let lines = text.lines().map(|line| line.split(';').next().unwrap_or_default());
+    let mut words = lines.flat_map(|line| line.split(|c: char| c.is_whitespace() || "()".contains(c)));
+    words.by_ref().any(|word| word.trim_start_matches('\u{feff}').eq_ignore_ascii_case("define"))
+        && words.find(|word| !word.is_empty()).is_some_and(|word| word.eq_ignore_ascii_case("problem"))
 }
 
 /// The tasks of a list or of a task file of VirtualCity.

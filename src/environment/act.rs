@@ -2,7 +2,7 @@
 //! compared.
 
 use nalgebra::Vector3;
-use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Place, Property, Relation, SceneGraph, State, rule};
+use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Place, Property, Relation, SceneGraph, State, Verb, rule};
 use vc_physics::{Role, World};
 use vc_relations::threshold::FACING_COSINE;
 
@@ -143,9 +143,11 @@ impl Environment {
     }
 
     /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
-    /// on or in one, nor with the agent.
+    /// on or in one, nor with the agent. A thing on one that is only opened or closed has no part in that.
     fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
-        let of_it = |about: NodeId| id == about || self.graph.rests_at(id, about) || self.graph.rests_at(about, id);
+        let opens = matches!(action.verb, Verb::Open | Verb::Close);
+        let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
+        let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
         self.world.role(id) == Some(Role::Loose) && !action.things().chain([agent]).any(of_it)
     }
 

@@ -6,7 +6,7 @@ use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, Sce
 use vc_physics::{Floor, Order, Posture, Role, World};
 
 use super::make::{RINGS, Spaced, around};
-use super::{Elsewhere, MakeError, Unplaced, Why, act, reset};
+use super::{Elsewhere, MakeError, Unplaced, Why, act, make, reset};
 
 /// A thing that is lower than this below its place in the scene has fallen, metres.
 const FALL: f32 = 0.1;
@@ -159,16 +159,18 @@ pub(super) fn fell_out(world: &World, changes: &ChangeSet) -> Option<NodeId> {
     world.outside_among(&free).first().copied()
 }
 
-/// Puts agents that the scene has where no floor is, or several in one place, to the nearest free places on the floor.
-/// Returns those that were moved.
-pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Vec<NodeId> {
-    let (mut taken, mut moved) = (Spaced::new(&[]), Vec::new());
+/// Puts agents that the scene has where no floor is, in walls or furniture, or several in one place, to the nearest
+/// free places on the floor. Returns those that were moved.
+pub(super) fn stand_on_floor(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Vec<NodeId> {
+    let (mut taken, mut moved, mut base) = (Spaced::new(&[]), Vec::new(), None);
     for agent in world.agents().collect::<Vec<_>>() {
         let standing = world.posture(agent) == Some(Posture::Standing);
         let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
         let own = Point2::from(feet.translation.vector.xy());
         let on_floor = !world.is_beside_floors(agent);
-        if on_floor && !taken.has_within(&own, TOGETHER) {
+        let together = taken.has_within(&own, TOGETHER);
+        // Others in the same place are no furniture.
+        if on_floor && !together && !world.is_stuck_in(agent) {
             taken.take(own);
             continue;
         }
@@ -178,8 +180,9 @@ pub(super) fn stand_on_floor(world: &mut World, floor: &Floor) -> Vec<NodeId> {
             let spots = (0..RINGS).flat_map(move |ring| around(&start, ring));
             spots.filter(|p| floor.is_free(*p) && taken.is_free(p))
         };
-        // A spot to which there is a way comes before one behind a wall.
-        let reached = free().find(|p| floor.route(start, *p).is_some());
+        // A spot from which the home is reached comes before one behind a wall.
+        let base = *base.get_or_insert_with(|| make::base(graph, floor).unwrap_or(start));
+        let reached = free().find(|p| floor.route(base, *p).is_some());
         let Some(spot) = reached.or_else(|| free().next()) else { continue };
         taken.take(spot);
         let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);

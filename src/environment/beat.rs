@@ -29,8 +29,8 @@ pub(super) enum Beat {
     Drive(Drive),
     /// Sits or lies down.
     Rest(NodeId, bool),
-    /// Gets up.
-    GetUp,
+    /// Gets up to a pose.
+    GetUp(Pose),
     /// Puts on a thing.
     Dress(NodeId),
     /// Takes a thing off, into a hand.

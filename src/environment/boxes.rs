@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::{
     Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
 };
-use vc_physics::{Floor, PhysicsError, Role, World};
+use vc_physics::{Floor, PhysicsError, Posture, Role, World};
 use vc_procgen::dress::{self, DressError};
 
 use super::{Assets, Elsewhere, Start};
@@ -22,6 +22,8 @@ const BESIDE: f32 = 0.1;
 const LOST: f32 = 0.3;
 /// A thing that has moved less than this is still where the scene has it, metres.
 const STILL: f32 = 0.02;
+/// A thing that has turned less is still as the scene has it, radians.
+const STRAIGHT: f32 = 0.1;
 /// The farthest that an agent standing inside something is moved aside, metres.
 const ASIDE: f32 = 2.5;
 
@@ -136,6 +138,19 @@ pub(super) fn hold_moved(
     Ok(!moved.is_empty())
 }
 
+/// Puts loose things that have hardly moved to rest exactly where the scene has them, which was at rest.
+pub(super) fn rest_as(world: &mut World, graph: &SceneGraph, things: &[NodeId]) -> Result<(), PhysicsError> {
+    let near = |now: &Pose, pose: &Pose| {
+        let far = (now.translation.vector - pose.translation.vector).norm();
+        now != pose && far <= STILL && now.rotation.angle_to(&pose.rotation) <= STRAIGHT
+    };
+    let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
+    let loose = things.iter().filter(|id| world.role(**id) == Some(Role::Loose)).filter_map(wanted);
+    let back: Vec<(NodeId, Pose)> =
+        loose.filter(|(id, pose)| world.pose(*id).is_some_and(|now| near(&now, pose))).collect();
+    if back.is_empty() { Ok(()) } else { world.rest_at(&back) }
+}
+
 /// Pins in a newly built world the things that were pinned at the start and are still where they were.
 pub(super) fn hold_as(start: &Start, world: &mut World, graph: &SceneGraph) -> Result<(), PhysicsError> {
     let same = |id: NodeId| graph.place(id) == start.graph.place(id) && is_still(&start.graph, graph, id);
@@ -174,7 +189,8 @@ fn is_by_its_place(world: &World, graph: &SceneGraph, id: NodeId) -> bool {
 /// Moves agents that stand inside something in the scene to free floor.
 pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Result<(), vc_physics::AgentError> {
     for &agent in graph.agents() {
-        let Some(feet) = world.pose(agent) else { continue };
+        let standing = world.posture(agent) == Some(Posture::Standing);
+        let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
         let at = feet.translation.vector.xy().into();
         if let Some(spot) = floor.nearest(at, ASIDE) {
             let level = nalgebra::Translation3::new(spot.x, spot.y, floor.plan().level);
@@ -277,6 +293,20 @@ pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: Nod
     let holds = |p: &Place| graph.places(id).any(|q| q == *p) && lies_as(&start.world, world, id, p.at);
     let still: Vec<Place> = start.kept.get(&id)?.iter().copied().filter(holds).collect();
     (!still.is_empty()).then_some(still)
+}
+
+/// The places of a thing that has not moved and whose doors, lids or drawers stand open: these reach over things that
+/// it is not on. Who sits or lies is on the seat, whatever is beside it.
+pub(super) fn opened_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
+    match world.posture(id) {
+        Some(Posture::Sitting(at, _)) => return Some(vec![Place { relation: Relation::SittingOn, at }]),
+        Some(Posture::Lying(at, _)) => return Some(vec![Place { relation: Relation::LyingOn, at }]),
+        Some(Posture::Standing) => return None,
+        None => {}
+    }
+    let open = !moved.contains(&id) && world.moving_parts(id).iter().any(|part| part.position != 0.0);
+    let places = places(graph, id);
+    (open && !places.is_empty() && places.iter().all(rests)).then_some(places)
 }
 
 /// Whether the pose of a thing relative to another, or to one of its moving parts, is unchanged.

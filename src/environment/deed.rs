@@ -3,10 +3,10 @@
 mod hands;
 mod stance;
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::asset::JointKind;
 use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
-use vc_physics::{BodyPlan, Floor, MovingPart, Posture, Role, World};
+use vc_physics::{AgentError, BodyPlan, Floor, MovingPart, Posture, Role, World};
 
 use super::act::calm;
 use super::beat::{Beat, Course, Drive};
@@ -288,9 +288,19 @@ impl Deed<'_> {
         Ok(())
     }
 
+    /// Gets up to a spot from which the floor is reached on which the agent stood before; else to where it stood.
     fn get_up(&mut self) -> Done {
-        self.world.stand_up(self.agent)?;
-        self.course.push(Beat::GetUp);
+        self.floor.update(self.world);
+        let stood = self.world.stood(self.agent).unwrap_or_else(|| self.feet());
+        let at = |feet: &Pose| Point2::from(feet.translation.vector.xy());
+        let back = |feet: &Pose| self.floor.route(at(feet), at(&stood)).is_some();
+        let exit = self.world.exit_where(self.agent, back);
+        let feet = match exit {
+            Err(AgentError::NoExit(_)) if self.world.stands_free(self.agent, &stood)? => stood,
+            exit => exit?,
+        };
+        self.world.teleport(self.agent, feet)?;
+        self.course.push(Beat::GetUp(feet));
         Ok(())
     }
 

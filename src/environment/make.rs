@@ -10,9 +10,13 @@ use vc_relations::{Relations, Rule};
 
 use super::reset::undress;
 use super::undo::Undo;
-use super::{Assets, Environment, MakeError, SceneOptions, Start, Unplaced, act, astray, boxes, observe, scene};
+use super::{
+    Assets, Elsewhere, Environment, MakeError, SceneOptions, Start, Unplaced, act, astray, boxes, observe, scene, seats,
+};
 use crate::figure;
 
+/// How often relations are read at most, until the rooms of floors no longer change.
+const READINGS: usize = 4;
 /// Steps in which agents find the ground.
 const LANDING: u32 = 24;
 /// Free floor kept between agents, metres from middle to middle.
@@ -34,8 +38,8 @@ struct Made {
     at_rest: bool,
     /// Which shapes things got of which the scene had only boxes.
     assets: Assets,
-    /// Agents of the scene that were put onto the floor or apart.
-    put_apart: Vec<NodeId>,
+    /// Agents of the scene that are elsewhere than it has them.
+    told: Vec<Elsewhere>,
 }
 
 impl Environment {
@@ -103,6 +107,7 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
+        vc_relations::check_sizes(&graph)?;
         // Things that had only a box stay where the scene has them, whichever shape they get; so do all that were
         // at rest.
         let (at_rest, staying) = (boxes::was_at_rest(&graph), boxes::staying(&graph));
@@ -112,9 +117,10 @@ impl Environment {
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
         }
+        let (mut graph, shapes) = (graph, Shapes::new());
+        let mut world = World::build(&graph, &shapes, Settings::default())?;
+        let mut told = seats::take(&mut world, &mut graph)?;
         let mut builder = SceneBuilder::of(graph);
-        let shapes = Shapes::new();
-        let mut world = World::build(builder.graph(), &shapes, Settings::default())?;
         boxes::hold(&mut world, builder.graph(), &staying)?;
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;
@@ -125,7 +131,8 @@ impl Environment {
         if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
-        let put_apart = astray::stand_on_floor(&mut world, &floor);
+        let without_way = seats::leave_ways(&mut world, builder.graph(), &floor);
+        let put_apart = astray::stand_on_floor(&mut world, builder.graph(), &floor);
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         let mut library = builder.graph().assets().as_ref().clone();
         let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
@@ -139,27 +146,31 @@ impl Environment {
         world.run(LANDING);
         // Who lands may have shaken something; a reset has to find all at rest.
         act::calm(&mut world);
+        if at_rest {
+            boxes::rest_as(&mut world, builder.graph(), &staying)?;
+        }
         if builder.graph().agents().is_empty() {
             return Err(MakeError::NoAgents);
         }
-        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets, put_apart };
-        Self::begin(builder.build(), made)
+        let mut graph = builder.build();
+        told.extend(astray::told(&graph, &put_apart));
+        told.extend(seats::stand(&mut graph, &without_way)?);
+        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets, told };
+        Self::begin(graph, made)
     }
 
     fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
-        let Made { world, floor, shapes, left_out, staying, at_rest, assets, put_apart } = made;
+        let Made { world, floor, shapes, left_out, staying, at_rest, assets, told } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
-        let relations = Relations::new(&graph, Rule::Repaired, observe::evidence(&world))?;
-        let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-        relations.write(&mut graph, &all)?;
+        let relations = read_relations(&mut graph, &world)?;
         let traced = graph.clone();
         let mut elsewhere = if at_rest {
             boxes::keep_all(&scene, &mut graph).map(|()| Vec::new())?
         } else {
             boxes::keep(&scene, &mut graph, &world, &staying)?
         };
-        elsewhere.extend(astray::told(&scene, &put_apart));
+        elsewhere.extend(told);
         let kept = boxes::kept(&traced, &graph, &staying);
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets };
         Ok(Self::at(Arc::new(start)))
@@ -182,6 +193,26 @@ impl Environment {
             start,
         }
     }
+}
+
+/// Reads all relations and writes them into the graph. A floor that gets its room by that makes the room larger:
+/// then they are read again, so that who reads them from the graph later finds the same rooms.
+fn read_relations(graph: &mut SceneGraph, world: &World) -> Result<Relations, MakeError> {
+    let rooms = |graph: &SceneGraph| {
+        let parts = graph.nodes().filter(|n| n.is_building());
+        parts.map(|n| graph.room_of(n.id())).collect::<Vec<Option<NodeId>>>()
+    };
+    let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
+    let mut relations = Relations::new(graph, Rule::Repaired, observe::evidence(world))?;
+    for _ in 0..READINGS {
+        let before = rooms(graph);
+        relations.write(graph, &all)?;
+        if rooms(graph) == before {
+            break;
+        }
+        relations.rebuild(graph)?;
+    }
+    Ok(relations)
 }
 
 /// Rooms and feet for the agents that are still missing: in the middles of rooms that can
@@ -263,6 +294,12 @@ impl Spaced {
         let near = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (x.saturating_add(i), y.saturating_add(j))));
         near.filter_map(|square| self.0.get(&square)).flatten().any(|taken| (taken - point).norm() < distance)
     }
+}
+
+/// A point of the floor from which most rooms can be reached.
+pub(super) fn base(graph: &SceneGraph, floor: &Floor) -> Option<Point2<f32>> {
+    let middles = graph.rooms().iter().filter_map(|&room| middle(graph, floor, room)).collect();
+    most_joined(floor, middles).first().map(|(_, base)| *base)
 }
 
 /// Of the middles of rooms the most between which one can walk.

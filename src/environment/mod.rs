@@ -16,6 +16,7 @@ mod outlook;
 mod reset;
 mod save;
 mod scene;
+mod seats;
 mod show;
 mod steer;
 mod survey;
@@ -157,7 +158,7 @@ impl Environment {
     /// Things of a scene of boxes that geometry places elsewhere than the scene does: coats that stick
     /// out of the wardrobe they are in, a table in the box around a corner sofa. A thing that people
     /// carry and that has not moved counts as where the scene has it until it is moved; `now` is its
-    /// place by geometry.
+    /// place by geometry. Agents too, who stand beside what they are to sit or lie on, or who were put onto free floor.
     pub fn elsewhere(&self) -> &[Elsewhere] {
         &self.start.elsewhere
     }

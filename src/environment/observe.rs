@@ -45,7 +45,8 @@ pub(super) fn evidence(world: &World) -> Evidence {
 /// all nodes whose relations may differ, and the changes.
 ///
 /// `changed` lists the nodes that the rule puts elsewhere. The resulting graph equals that of a scene read
-/// anew, whatever the graph said before; a thing that has not moved keeps the places that the scene gave it.
+/// anew, whatever the graph said before; a thing that has not moved keeps the places that the scene gave it,
+/// and one that only opens keeps all its places.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     start: &Start,
@@ -54,10 +55,12 @@ pub(super) fn look_again(
     changed: &[NodeId],
 ) -> Result<(Vec<NodeId>, ChangeSet), Impossible> {
     let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
-    let (mut moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
-    moved.extend_from_slice(changed);
-    let met = relations.update_with(graph, &moved, evidence(world)).map_err(|e| unreadable(&e))?;
-    let kept = |graph: &SceneGraph, id: NodeId| boxes::still_at(start, graph, world, id);
+    let (moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
+    let all = [moved.as_slice(), changed].concat();
+    let met = relations.update_with(graph, &all, evidence(world)).map_err(|e| unreadable(&e))?;
+    let kept = |graph: &SceneGraph, id: NodeId| {
+        boxes::still_at(start, graph, world, id).or_else(|| boxes::opened_at(graph, world, id, &moved))
+    };
     let edges = relations.write_but(graph, &met, kept).map_err(|e| unreadable(&e))?;
     Ok((met, poses.then(edges)))
 }

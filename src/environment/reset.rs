@@ -3,12 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
-use vc_graph::{Effect, History, Kind, Label, NodeId, Place, Pose, Relation, SceneGraph, rule};
-use vc_physics::{Order, PhysicsError, World};
+use vc_graph::{EditError, History, Kind, Label, Node, NodeId, Place, Pose, Relation, SceneGraph};
+use vc_physics::{Floor, Order, PhysicsError, Role, World};
 use vc_relations::Relations;
 
 use super::undo::Undo;
-use super::{Environment, ResetError, act, astray, boxes, observe, scene};
+use super::{Environment, ResetError, act, astray, boxes, observe, scene, seats};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
@@ -95,7 +95,7 @@ impl Environment {
     /// them, states are the graph's, what was done is forgotten.
     ///
     /// It starts from the bodies as they were made, at rest, and moves only what differs
-    /// (`World::reset`). What the graph says to be on or in something else than at the
+    /// (`World::reset`); a thing that the graph has where it is now stays there. What the graph says to be on or in something else than at the
     /// start, and new things, keep their pose if it is free and something is right below;
     /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
     /// is none, they are left out and reported. What hovers by less than two centimetres is let
@@ -132,26 +132,35 @@ impl Environment {
             self.begin_anew();
             return Ok(ResetReport::default());
         }
+        if *graph == self.graph && self.world.awake() == 0 {
+            (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
+            return Ok(Plan::of(&self.start.graph, graph).report(graph, graph));
+        }
         let shaped = scene::shaped(graph)?;
         let shaped = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?.or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
         let mut plan = Plan::of(&self.start.graph, &wanted);
+        let standing = self.still_there(&wanted);
+        plan.open.retain(|(id, _)| standing.binary_search(id).is_err());
         plan.lend_poses(&mut wanted)?;
         let (mut world, how) = self.start.world.reset(&wanted, &self.start.shapes)?;
         if how.built {
             boxes::hold_as(&self.start, &mut world, &wanted)?;
         }
         undress(&mut world, &wanted)?;
+        self.leave_as_they_are(&mut world, &standing)?;
         plan.settle_places(&mut world, &mut wanted)?;
-        plan.lower(&mut world)?;
-        seat(&mut world, &mut wanted, &mut plan.report)?;
+        plan.lower(&mut world, &standing)?;
         let mut floor = self.start.floor.clone();
         floor.update(&world);
-        let moved = astray::stand_on_floor(&mut world, &floor);
-        plan.report.elsewhere.extend(astray::told(&wanted, &moved));
+        plan.report.elsewhere.extend(settle_agents(&mut world, &mut wanted, &floor)?);
         act::calm(&mut world);
+        if boxes::hold_moved(&mut world, &wanted, &standing, true)? {
+            act::calm(&mut world);
+        }
         plan.take_out(&mut world, &mut wanted)?;
+        boxes::rest_as(&mut world, &wanted, &standing)?;
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         floor.update(&world);
         let report = plan.report(graph, &wanted);
@@ -163,6 +172,38 @@ impl Environment {
             self.sight = std::sync::Arc::default();
         }
         Ok(report)
+    }
+
+    /// The things that a graph has where they are now, by number.
+    fn still_there(&self, graph: &SceneGraph) -> Vec<NodeId> {
+        let placed = |id: NodeId, graph: &SceneGraph| graph.places(id).collect::<BTreeSet<Place>>();
+        let stands = |node: &&Node| {
+            let now = self.graph.node(node.id()).and_then(Node::pose);
+            let same =
+                now.is_some() && now == node.pose() && placed(node.id(), graph) == placed(node.id(), &self.graph);
+            same && self.world.role(node.id()).is_some_and(|role| role != Role::Carried)
+        };
+        let things = graph.nodes().filter(|n| n.kind() == Kind::Object);
+        things.filter(stands).map(Node::id).collect()
+    }
+
+    /// Opens doors and drawers of things that stay as far as they are open now, and puts all that stays where it is.
+    fn leave_as_they_are(&self, world: &mut World, standing: &[NodeId]) -> Result<(), PhysicsError> {
+        let free = |id: &&NodeId| world.role(**id).is_some_and(|role| role != Role::Carried);
+        let standing: Vec<NodeId> = standing.iter().filter(free).copied().collect();
+        for &id in &standing {
+            if world.open_state(id) != self.world.open_state(id) {
+                continue;
+            }
+            for (part, now) in self.world.moving_parts(id).iter().enumerate() {
+                if world.moving_parts(id).get(part).is_some_and(|p| p.position != now.position) {
+                    world.put_open(id, part, now.open)?;
+                }
+            }
+        }
+        let pose = |id: NodeId| self.world.pose(id).filter(|pose| world.pose(id) != Some(*pose));
+        let moved: Vec<(NodeId, Pose)> = standing.iter().filter_map(|id| Some((*id, pose(*id)?))).collect();
+        moved.into_iter().try_for_each(|(id, pose)| world.place(id, pose))
     }
 
     /// Back to the start itself, bit for bit.
@@ -180,7 +221,8 @@ impl Environment {
     fn observed(&self, graph: &mut SceneGraph, world: &World, anew: bool) -> Result<Relations, ResetError> {
         let mut relations = self.start.relations.clone();
         let wanted = graph.clone();
-        let (mut changed, _) = observe::write_poses(graph, world)?;
+        let (moved, _) = observe::write_poses(graph, world)?;
+        let mut changed = moved.clone();
         let same = graph.len() == self.start.graph.len()
             && graph.nodes().map(vc_graph::Node::id).eq(self.start.graph.nodes().map(vc_graph::Node::id));
         let differs = |n: &&vc_graph::Node| self.start.graph.node(n.id()) != Some(*n);
@@ -193,7 +235,9 @@ impl Environment {
             relations.set_evidence(graph, evidence)?;
             graph.nodes().map(vc_graph::Node::id).collect()
         };
-        relations.write_but(graph, &met, |graph, id| boxes::still_at(&self.start, graph, world, id))?;
+        relations.write_but(graph, &met, |graph, id| {
+            boxes::still_at(&self.start, graph, world, id).or_else(|| boxes::opened_at(graph, world, id, &moved))
+        })?;
         let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
         boxes::keep(&wanted, graph, world, &kept)?;
         Ok(relations)
@@ -207,22 +251,14 @@ pub(super) fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), Physi
     bodies.into_iter().try_for_each(|id| world.remove(id))
 }
 
-/// Lets sit or lie who does so by the graph; who cannot, as the place is taken or there is none,
-/// stands, and is reported.
-fn seat(world: &mut World, graph: &mut SceneGraph, report: &mut ResetReport) -> Result<(), ResetError> {
-    for agent in graph.agents().to_vec() {
-        let on = |relation| graph.related(agent, relation).next().map(|at| Place { relation, at });
-        let Some(wanted) = on(Relation::SittingOn).or_else(|| on(Relation::LyingOn)) else { continue };
-        let done = match wanted.relation {
-            Relation::SittingOn => world.sit(agent, wanted.at),
-            _ => world.lie(agent, wanted.at),
-        };
-        if done.is_err() {
-            report.elsewhere.push(Elsewhere { thing: graph.label(agent), wanted, now: None });
-            rule::carry_out(graph, agent, &Effect::StandUp)?;
-        }
-    }
-    Ok(())
+/// Lets agents sit, lie or stand as the graph has them, and tells who does not.
+fn settle_agents(world: &mut World, graph: &mut SceneGraph, floor: &Floor) -> Result<Vec<Elsewhere>, EditError> {
+    let mut told = seats::take(world, graph)?;
+    let without_way = seats::leave_ways(world, graph, floor);
+    let moved = astray::stand_on_floor(world, graph, floor);
+    told.extend(astray::told(graph, &moved));
+    told.extend(seats::stand(graph, &without_way)?);
+    Ok(told)
 }
 
 /// What is to be placed, and what has become of it.
@@ -273,8 +309,8 @@ impl Plan {
     }
 
     /// Lets down what hovers a little.
-    fn lower(&self, world: &mut World) -> Result<(), ResetError> {
-        let there = |id: &&NodeId| world.pose(**id).is_some();
+    fn lower(&self, world: &mut World, standing: &[NodeId]) -> Result<(), ResetError> {
+        let there = |id: &&NodeId| world.pose(**id).is_some() && standing.binary_search(id).is_err();
         let moved: Vec<NodeId> = self.report.moved.iter().filter(there).copied().collect();
         moved.into_iter().try_for_each(|id| world.lower(id, HOVER).map(drop))?;
         Ok(())

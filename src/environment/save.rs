@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use vc_graph::format::native;
 use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
-use vc_physics::{Floor, World};
+use vc_physics::World;
 
 use super::undo::Undo;
 use super::{Environment, SaveError, observe};
 
 /// The bytes with which saved environments begin.
-const MAGIC: &[u8; 8] = b"VCENV 1\n";
+const MAGIC: &[u8; 8] = b"VCENV 2\n";
 
 impl Environment {
     /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`), the
@@ -23,6 +23,7 @@ impl Environment {
         let history: String = self.history.events().iter().map(line).collect();
         let mut bytes = MAGIC.to_vec();
         bytes.extend(self.start.graph.digest().0.to_le_bytes());
+        bytes.extend(u64::from(self.graph.next_number()).to_le_bytes());
         for part in [native::write(&self.graph).as_bytes(), &self.world.save()?, history.as_bytes()] {
             bytes.extend((part.len() as u64).to_le_bytes());
             bytes.extend(part);
@@ -33,7 +34,7 @@ impl Environment {
     /// Restores a saved environment, which then evolves as the saved one does, bit for bit. `self` has to have
     /// been made in the same way as the saved environment, and is not changed.
     ///
-    /// Uses `format::native::read`, `World::restore`, `Relations::rebuild` and `Floor::of`.
+    /// Uses `format::native::read`, `World::restore`, `Relations::rebuild` and `Floor::update`.
     ///
     /// # Errors
     /// [`SaveError`] if the bytes are no saved environment, or were saved by one with another start.
@@ -44,6 +45,8 @@ impl Environment {
         if expected != found {
             return Err(SaveError::OtherStart { expected, found });
         }
+        let (next, rest) = number(rest)?;
+        let next = u32::try_from(next).map_err(|_| SaveError::NotSaved)?;
         let (scene, rest) = part(rest)?;
         let (world, rest) = part(rest)?;
         let (history, rest) = part(rest)?;
@@ -56,12 +59,14 @@ impl Environment {
         if builder.graph().assets() == self.graph.assets() {
             builder.assets(self.graph.assets().clone());
         }
+        builder.number_from(next);
         graph = builder.build();
         let world = World::restore(world, &graph, &self.start.shapes)?;
         let mut relations = self.start.relations.clone();
         relations.rebuild(&graph)?;
         relations.set_evidence(&graph, observe::evidence(&world))?;
-        let floor = Floor::of(&world, *self.floor.plan());
+        let mut floor = self.start.floor.clone();
+        floor.update(&world);
         let none = (History::default(), Undo::default());
         let mut copy = Self { graph, world, relations, floor, history: none.0, undo: none.1, ..self.clone() };
         copy.poses = BTreeMap::new();

@@ -2,9 +2,12 @@
 //! beside them.
 
 use virtualcity::graph::format::{native, read_scene, thesis};
-use virtualcity::graph::{Action, ClassTable, Edge, Node, NodeId, Place, Pose, Property, Relation, SceneGraph, Verb};
-use virtualcity::physics::Role;
-use virtualcity::{Environment, SceneOptions};
+use virtualcity::graph::{
+    Action, Bounds, ClassTable, Draft, Edge, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+    State, Verb,
+};
+use virtualcity::physics::{Posture, Role};
+use virtualcity::{Environment, MakeError, SceneOptions};
 
 use super::boxes::one;
 use super::{act, common, home};
@@ -184,4 +187,168 @@ fn what_lies_tight_goes_back_where_it_lay() {
         }
     }
     assert!(back > 0 && back * 10 >= tried * 9, "{back} of {tried}");
+}
+
+/// Who gets up from a bed in a corner, or from a mat, gets to a spot from which the home is reached as before.
+#[test]
+fn who_gets_up_gets_on() {
+    for (seed, verb, thing) in [(970_002, Verb::Sit, "double_bed.187"), (970_008, Verb::Lie, "bath_mat.39")] {
+        let mut home = home(seed, 1);
+        let (me, seat) = (home.agents()[0], thing.rsplit('.').next().unwrap().parse().map(NodeId).unwrap());
+        assert_eq!(home.graph().label(seat).to_string(), thing);
+        act(&mut home, me, Verb::Walk, &[seat]);
+        act(&mut home, me, verb, &[seat]);
+        act(&mut home, me, Verb::Stand, &[]);
+        for room in home.graph().rooms().to_vec() {
+            let mut then = home.clone();
+            act(&mut then, me, Verb::Walk, &[room]);
+        }
+    }
+}
+
+/// Those who sit in a scene sit in the home made from it, and get up; after a reset, too.
+#[test]
+fn who_sits_in_a_scene_sits() {
+    let scene = read_scene(include_str!("../data/seated.json"), &ClassTable::builtin()).unwrap();
+    let of_boxes = Environment::of_with(scene, 1, &SceneOptions::default()).unwrap();
+    let mut sitting = home(42, 1);
+    let (me, sofa) = (sitting.agents()[0], one(&sitting, "sofa"));
+    act(&mut sitting, me, Verb::Walk, &[sofa]);
+    act(&mut sitting, me, Verb::Sit, &[sofa]);
+    let again = Environment::of(sitting.graph().clone(), 1).unwrap();
+    assert_eq!(again.posture(me), sitting.posture(me));
+    assert_eq!(again.world().pose(me), sitting.world().pose(me));
+    let mut reset = home(42, 1);
+    assert!(reset.reset(sitting.graph()).unwrap().elsewhere.is_empty());
+    for mut home in [of_boxes, again, reset] {
+        let (me, sofa) = (home.agents()[0], one(&home, "sofa"));
+        assert!(home.elsewhere().iter().all(|e| e.thing.id != me));
+        assert!(matches!(home.posture(me), Some(Posture::Sitting(on, _)) if on == sofa));
+        assert_eq!(home.graph().place(me), Some(Place { relation: Relation::SittingOn, at: sofa }));
+        act(&mut home, me, Verb::Stand, &[]);
+        let fridge = one(&home, "fridge");
+        act(&mut home, me, Verb::Walk, &[fridge]);
+    }
+}
+
+/// A reset to a home's own graph, from there or from the start, keeps what is in an open fridge, on its door too.
+#[test]
+fn an_open_fridge_stays_full() {
+    let mut home = home(42, 1);
+    let (start, me, fridge) = (home.clone(), home.agents()[0], one(&home, "fridge"));
+    act(&mut home, me, Verb::Walk, &[fridge]);
+    act(&mut home, me, Verb::Open, &[fridge]);
+    let graph = home.graph().clone();
+    let full = |home: &Environment| home.graph().relating(Relation::Inside, fridge).count();
+    let (was, poses) = (full(&home), home.world().poses());
+    assert!(home.reset(&graph).unwrap().unplaced.is_empty());
+    assert!(home.world().poses() == poses && home.graph() == &graph);
+    let mut moved = graph.clone();
+    let mut edit = moved.edit();
+    edit.enter_state(one(&home, "television"), State::On).unwrap();
+    edit.commit();
+    for mut home in [home, start] {
+        let report = home.reset(&moved).unwrap();
+        assert!(report.unplaced.is_empty() && report.elsewhere.is_empty(), "{report:?}");
+        assert_eq!(full(&home), was);
+    }
+}
+
+/// An agent that a graph has in a wall or in furniture is put on free floor, and that is told.
+#[test]
+fn nobody_stays_in_a_wall() {
+    let mut home = home(42, 1);
+    let (me, start) = (home.agents()[0], home.start().clone());
+    for class in ["wall", "fridge"] {
+        let middle = start.node(start.of_class(class)[0]).unwrap().aabb().unwrap().centre();
+        let mut graph = start.clone();
+        let mut edit = graph.edit();
+        edit.set_pose(me, Some(Pose::translation(middle.x, middle.y, 0.0))).unwrap();
+        edit.commit();
+        let report = home.reset(&graph).unwrap();
+        assert!(report.elsewhere.iter().any(|e| e.thing.id == me), "{class}: {report:?}");
+        let at = home.world().pose(me).unwrap().translation.vector.xy();
+        assert!(home.floor().is_free(at.into()), "{class}");
+    }
+}
+
+/// A home made from its own graph is the same to the bit, as everything is at rest there.
+#[test]
+fn a_home_of_its_own_graph_is_the_same() {
+    let home = home(7123, 1);
+    let again = Environment::of(home.graph().clone(), 1).unwrap();
+    let shifted: Vec<String> = moved_at_all(home.graph(), again.graph());
+    assert_eq!(shifted, Vec::<String>::new());
+    assert!(home.graph().edges().eq(again.graph().edges()));
+}
+
+fn moved_at_all(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
+    let same = |id: NodeId| was.node(id).map(|n| n.pose()) == now.node(id).map(|n| n.pose());
+    was.nodes().filter(|n| !same(n.id())).map(|n| n.label().to_string()).collect()
+}
+
+/// Who sits in a bathtub is there, whatever opens beside it; and a thing that opens stays where it is.
+#[test]
+fn a_thing_that_opens_keeps_its_places() {
+    let mut home = home(880_001, 1);
+    let (me, tub, cabinet) = (home.agents()[0], one(&home, "bathtub"), one(&home, "bathroom_cabinet"));
+    act(&mut home, me, Verb::Walk, &[tub]);
+    act(&mut home, me, Verb::Sit, &[tub]);
+    let before: Vec<Place> = home.graph().places(cabinet).collect();
+    act(&mut home, me, Verb::Open, &[cabinet]);
+    assert_eq!(home.graph().place(me), Some(Place { relation: Relation::SittingOn, at: tub }));
+    assert!(home.graph().places(cabinet).eq(before));
+}
+
+/// A thing whose box is far from its origin is put on its table, and takes part.
+#[test]
+fn a_box_far_from_its_origin_rests_on_the_table() {
+    let scene = read_scene(include_str!("../data/box_above.json"), &ClassTable::builtin()).unwrap();
+    let home = Environment::of_with(scene, 1, &SceneOptions::default()).unwrap();
+    let (apple, table) = (one(&home, "apple"), one(&home, "kitchen_table"));
+    assert!(home.left_out().is_empty());
+    assert_eq!(home.world().role(apple), Some(Role::Loose));
+    let (own, at) = (home.world().aabb(apple).unwrap(), home.world().aabb(table).unwrap());
+    assert!((own.min.z - at.max.z).abs() < STILL, "{own:?}");
+    assert_eq!(home.graph().place(apple), Some(Place { relation: Relation::On, at: table }));
+}
+
+/// A home whose floor is in no room of the scene is restored as it was saved: the rooms of all things, the walkable
+/// floor, and the number of the next node, after nodes were removed too.
+#[test]
+fn what_is_restored_is_what_was_saved() {
+    let mut scene = SceneBuilder::new("narrow");
+    let standing = |x: f32, y: f32, z: f32| Bounds::standing([x, y, z].into());
+    let mut add = |class: &str, bounds: Bounds, at: [f32; 3]| {
+        scene.add(Draft::new(class).bounds(bounds).at(Pose::translation(at[0], at[1], at[2]))).unwrap()
+    };
+    add("kitchen", standing(1.5, 6.0, 2.5), [0.0; 3]);
+    add("floor", standing(6.0, 6.0, 0.1), [0.0, 0.0, -0.1]);
+    let table = add("kitchen_table", standing(1.0, 1.0, 0.8), [1.5, 0.0, 0.0]);
+    add("apple", standing(0.08, 0.08, 0.08), [1.5, 0.0, 0.8]);
+    let mut home = Environment::of(scene.build(), 1).unwrap();
+    let mut graph = home.graph().clone();
+    let pear = home.spawn("pear", Place { relation: Relation::On, at: table }).unwrap();
+    let mut with = home.graph().clone();
+    let mut edit = with.edit();
+    edit.remove(pear).unwrap();
+    edit.commit();
+    for (name, wanted) in [("without", &mut graph), ("removed", &mut with)] {
+        home.reset(wanted).unwrap();
+        let restored = home.restore(&home.save().unwrap()).unwrap();
+        assert_eq!(restored.graph(), home.graph(), "{name}");
+        assert_eq!(restored.graph().next_number(), home.graph().next_number(), "{name}");
+        assert!(restored.relations().edges() == home.relations().edges(), "{name}");
+        assert!((restored.floor().area() - home.floor().area()).abs() < 1e-6, "{name}");
+    }
+}
+
+/// A box of a hundred kilometres is refused before bodies are made.
+#[test]
+fn a_huge_box_is_refused_at_once() {
+    let mut scene = SceneBuilder::new("huge");
+    let bounds = Bounds::standing([0.7, 0.7, 1e5].into());
+    scene.add(Draft::new("fridge").bounds(bounds).at(Pose::identity())).unwrap();
+    let error = Environment::of(scene.build(), 1).unwrap_err();
+    assert!(matches!(error, MakeError::Relations(_)), "{error}");
 }

@@ -103,6 +103,12 @@ impl SceneBuilder {
         self.graph.edit()
     }
 
+    /// Numbers further nodes from a number on, if it is greater than those of all nodes: smaller ones may have been
+    /// those of removed nodes. See [`SceneGraph::next_number`].
+    pub fn number_from(&mut self, number: u32) {
+        self.graph.next = self.graph.next.max(number);
+    }
+
     /// The scene built so far.
     pub fn graph(&self) -> &SceneGraph {
         &self.graph

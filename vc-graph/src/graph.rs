@@ -404,6 +404,11 @@ impl SceneGraph {
 /// The primitive writes from which edits and change sets are made. Each keeps both ends of a relation and all
 /// indexes consistent, and checks nothing else.
 impl SceneGraph {
+    /// The number that the next added node gets. It grows past the numbers of nodes that have been removed.
+    pub fn next_number(&self) -> u32 {
+        self.next
+    }
+
     pub(crate) fn insert(&mut self, node: Arc<Node>) {
         let (id, kind, class) = (node.id, node.kind(), node.class().clone());
         if let Some(at) = node.position() {

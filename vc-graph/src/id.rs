@@ -67,10 +67,11 @@ impl FromStr for Label {
     }
 }
 
-/// Whether a class may have this name: it consists of class characters, or of symbols only.
+/// Whether a class may have this name: it consists of class characters and symbols such as emoji, or of signs only.
 fn is_class(name: &str) -> bool {
-    let signs = !name.chars().any(|c| c.is_alphanumeric() || c.is_whitespace() || c.is_control());
-    !name.is_empty() && (signs || name.chars().all(is_class_char))
+    let visible = !name.chars().any(|c| c.is_whitespace() || c.is_control());
+    let signs = !name.chars().any(char::is_alphanumeric);
+    !name.is_empty() && visible && (signs || name.chars().all(|c| is_class_char(c) || !c.is_ascii()))
 }
 
 /// Characters a class name may contain.

@@ -53,21 +53,22 @@ pub(crate) fn clip(text: &str) -> String {
     }
 }
 
-/// Letters and digits of a spelling in lower case, which matching compares. A name without any, such as an
-/// emoji, is compared by its symbols.
+/// Letters, digits and symbols of a spelling in lower case, which matching compares; ASCII punctuation separates
+/// words. In a number, `-1`, hyphens count too, and in a name of symbols only, all of them.
 pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
-    let signs = !text.chars().any(char::is_alphanumeric);
-    text.chars().filter(move |c| c.is_alphanumeric() || signs && !c.is_whitespace()).flat_map(char::to_lowercase)
+    let (number, signs) = (!text.chars().any(char::is_alphabetic), !text.chars().any(char::is_alphanumeric));
+    let sign = move |c: &char| !c.is_ascii() || number && matches!(c, '-' | '_') || signs;
+    text.chars().filter(move |c| c.is_alphanumeric() || sign(c) && !c.is_whitespace()).flat_map(char::to_lowercase)
 }
 
 /// The folded spelling as a table key.
 pub(crate) fn key(text: &str) -> String {
-    if !text.is_ascii() {
+    if !text.is_ascii() || !text.bytes().any(|b| b.is_ascii_alphabetic()) {
         return folded(text).collect();
     }
     let mut key = String::with_capacity(text.len());
     key.extend(text.bytes().filter(u8::is_ascii_alphanumeric).map(|b| char::from(b.to_ascii_lowercase())));
-    if key.is_empty() { folded(text).collect() } else { key }
+    key
 }
 
 /// Whether two spellings are equal up to case and separators.

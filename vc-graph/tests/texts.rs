@@ -178,6 +178,9 @@ fn lines_that_are_meant_as_actions_are_no_titles() {
         ("wlak kitchen.1\ngrab cup.2", 1, "(did you mean `walk`?)"),
         ("dance\nwvae", 2, "(did you mean `wave`?)"),
         ("[WALK] <waterglass> (6) [x]", 1, "is not of the form"),
+        ("WALK] <waterglass> (6)\n[GRAB] <waterglass> (6)", 1, "is not of the form"),
+        ("STANDUP]\n[GRAB] <waterglass> (6)", 1, "is not of the form"),
+        ("walk <waterglass> (6)\n[GRAB] <waterglass> (6)", 1, "`<waterglass>`"),
     ] {
         let error = program::read(text).unwrap_err();
         assert!(error.line == Some(line) && error.to_string().contains(told), "{error}: {text}");
@@ -302,4 +305,19 @@ fn numbers_that_no_node_can_have_are_errors() {
         assert!(text.parse::<Action>().is_err(), "{text}");
     }
     assert_eq!("[GRAB] <cup> (1.7)".parse::<Action>().unwrap(), Action::one(Verb::Grab, NodeId(7)));
+}
+
+/// Names of numbers and symbols are classes of their own, and their labels are read back.
+#[test]
+fn names_of_symbols_are_distinct() {
+    let names = ["-1", "1", "_1", "😀_1", "😀1", "😀", "1😀", "!?"];
+    let mut scene = vc_graph::SceneBuilder::new("odd");
+    let ids = names.map(|name| scene.add(vc_graph::Draft::new(name)).unwrap());
+    let graph = scene.build();
+    let classes: std::collections::BTreeSet<&str> = graph.nodes().map(|n| &**n.class()).collect();
+    assert_eq!(classes.len(), names.len(), "{classes:?}");
+    for id in ids {
+        let label = graph.label(id);
+        assert_eq!(label.to_string().parse::<vc_graph::Label>().unwrap(), label);
+    }
 }

@@ -87,11 +87,11 @@ impl World {
         floors.filter_map(ground).collect()
     }
 
-    /// Stops things that have fallen below all fixed things.
+    /// Stops things that have fallen below all fixed things: their middles, as an origin may be far from its box.
     pub(crate) fn stop_what_fell(&mut self, awake: &[RigidBodyHandle]) {
         let deep = self.bottom - ABYSS;
         let fell = |body: &RigidBodyHandle| {
-            let body = self.engine.bodies.get(*body).filter(|b| b.is_dynamic() && b.position().translation.z < deep)?;
+            let body = self.engine.bodies.get(*body).filter(|b| b.is_dynamic() && b.center_of_mass().z < deep)?;
             Some(group::marked(body.user_data).0)
         };
         let fallen: Vec<NodeId> = awake.iter().filter_map(fell).collect();

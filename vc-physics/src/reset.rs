@@ -45,6 +45,11 @@ impl World {
         };
         let mut world = self.clone();
         plan.removed.iter().try_for_each(|&id| world.remove(id))?;
+        // Doors take along the things on them, of which the graph may say where they are then.
+        for &id in &plan.turned {
+            let open = graph.node(id).is_some_and(|n| n.is(vc_graph::State::Open));
+            world.put_all_open(id, if open { 1.0 } else { 0.0 })?;
+        }
         for &id in &plan.moved {
             if let Some(pose) = graph.node(id).and_then(Node::pose) {
                 world.place(id, *pose)?;
@@ -61,10 +66,6 @@ impl World {
             }
         }
         world.skipped.sort_unstable();
-        for &id in &plan.turned {
-            let open = graph.node(id).is_some_and(|n| n.is(vc_graph::State::Open));
-            world.put_all_open(id, if open { 1.0 } else { 0.0 })?;
-        }
         for (&id, agent) in &self.agents {
             let stays = |p: &Pose| same(p, &agent.feet) || (same(p, &agent.written) && agent.has_only_landed());
             if let Some(pose) = graph.node(id).and_then(Node::pose).filter(|p| !stays(p))

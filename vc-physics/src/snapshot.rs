@@ -17,7 +17,7 @@ use crate::{Settings, SnapshotError};
 /// The first bytes of a snapshot.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
 /// The format version, increased whenever the content changes.
-const VERSION: u32 = 6;
+const VERSION: u32 = 7;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 

@@ -190,7 +190,7 @@ fn damaged_snapshots_are_refused() {
     }
     let mut newer = bytes.clone();
     newer[8] = 99;
-    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 6 }));
+    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 7 }));
     let other = Scene::default().graph();
     assert!(matches!(World::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
 }

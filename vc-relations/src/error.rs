@@ -96,6 +96,16 @@ pub(crate) fn check_scene(graph: &SceneGraph) -> Result<(), InputError> {
     refuse_if_any(flaws)
 }
 
+/// Checks the sizes of a scene's boxes only. This is cheap, while bodies of huge boxes are slow: check first.
+///
+/// # Errors
+/// Every size that no box can have.
+pub fn check_sizes(graph: &SceneGraph) -> Result<(), InputError> {
+    let mut flaws = Vec::new();
+    graph.nodes().for_each(|node| check_size(node, &mut flaws));
+    refuse_if_any(flaws)
+}
+
 /// # Errors
 /// Every flaw of these nodes; nodes that do not exist have none.
 pub(crate) fn check_nodes(graph: &SceneGraph, ids: &[NodeId]) -> Result<(), InputError> {
@@ -127,10 +137,16 @@ fn check_node(node: &Node, flaws: &mut Vec<Flaw>) {
     }
     if let Some(bounds) = node.spec().bounds {
         check(&id, "offset", bounds.offset.as_slice(), -WORLD_REACH, flaws);
-        check(&id, "size", bounds.half.as_slice(), 0.0, flaws);
     }
+    check_size(node, flaws);
     let scale = node.spec().scale.abs();
     check(&id, "scale", scale.as_slice(), f32::MIN_POSITIVE, flaws);
+}
+
+fn check_size(node: &Node, flaws: &mut Vec<Flaw>) {
+    if let Some(bounds) = node.spec().bounds {
+        check(&|| node.label(), "size", bounds.half.as_slice(), 0.0, flaws);
+    }
 }
 
 fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f32, flaws: &mut Vec<Flaw>) {

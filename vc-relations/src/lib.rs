@@ -120,7 +120,7 @@ mod world;
 mod write;
 
 pub use box_trace::Trace;
-pub use error::{Flaw, InputError};
+pub use error::{Flaw, InputError, check_sizes};
 pub use evidence::{Attachment, Contact, Evidence};
 pub use explanation::{Explanation, Hit, Hook, Seat, Sight, Traced, Verdict, Within};
 pub use near::Side;

@@ -103,6 +103,7 @@ fn what_is_not_declared_is_said_with_its_place() {
     assert_eq!(
         lines,
         [
+            "an unknown domain: no `(:domain ...)` is given; known are omnigibson and igibson",
             "line 3, column 9: not declared: object `c`",
             "line 3, column 21: a fact repeated: (ontop a c)",
             "line 3, column 21: not declared: object `c`",

@@ -212,7 +212,7 @@ impl Player {
                 let world = &mut show.world;
                 drop(if *lying { world.lie(agent, *id) } else { world.sit(agent, *id) });
             }),
-            Beat::GetUp => self.settle(show, before, |show| drop(show.world.stand_up(agent))),
+            Beat::GetUp(feet) => self.settle(show, before, |show| drop(show.world.teleport(agent, *feet))),
             Beat::Gesture(action, seconds) => self.gesture(show, action, *seconds),
         }
     }

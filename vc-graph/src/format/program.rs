@@ -171,7 +171,22 @@ fn is_meant_as_step(line: &str) -> bool {
         let thing = |word: &str| word.parse::<Label>().is_ok() || word.strip_prefix('#').is_some_and(is_number);
         things.peek().is_some() && things.all(thing)
     };
-    line.starts_with(['[', '<']) || line.split('[').skip(1).any(verb) || labelled(unnumbered(line))
+    // One whose opening bracket was lost: `WALK] <cup> (12)`.
+    let unopened = |line: &str| line.split_once(']').is_some_and(|(word, _)| verb(word));
+    line.starts_with(['[', '<'])
+        || line.split('[').skip(1).any(verb)
+        || unopened(unnumbered(line))
+        || names_thing(line)
+        || labelled(unnumbered(line))
+}
+
+/// Whether a line names an object in VirtualHome's notation, `<cup> (12)`.
+fn names_thing(line: &str) -> bool {
+    let number = |after: &str| {
+        let inner = after.trim_start().strip_prefix('(').and_then(|text| text.split(')').next());
+        inner.is_some_and(|number| is_number(number.trim()))
+    };
+    line.split('<').skip(1).any(|text| text.split_once('>').is_some_and(|(_, after)| number(after)))
 }
 
 /// The line without a leading number, `1. `.

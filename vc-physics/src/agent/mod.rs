@@ -147,6 +147,9 @@ pub(crate) struct Agent {
     #[serde(with = "crate::serial::pose")]
     pub(crate) written: Pose,
     pub(crate) posture: Posture,
+    /// Where one who sits or lies stood before.
+    #[serde(with = "crate::serial::pose")]
+    pub(crate) stood: Pose,
     pub(crate) hands: [Option<hands::Held>; 2],
     pub(crate) walk: walk::Motion,
     /// Velocity over the floor in the last step, metres a second.
@@ -241,6 +244,7 @@ impl World {
             feet,
             written,
             posture: Posture::Standing,
+            stood: feet,
             hands: [None, None],
             walk: walk::Motion::Still,
             velocity: [0.0; 2],

@@ -32,6 +32,8 @@ const FLAT: f32 = 0.25;
 /// Distances from the place at which an agent may get up, metres, and their step.
 const EXITS: (f32, f32) = (0.45, 1.75);
 const EXIT_STEP: f32 = 0.05;
+/// How much of its radius is the middle of a body.
+const SLIM: f32 = 0.5;
 /// Number of directions to each side in which exits are searched.
 const EXIT_TURNS: usize = 12;
 
@@ -109,7 +111,7 @@ impl World {
             return Err(covered(first).map_or(AgentError::SeatTaken(on), |by| AgentError::SeatCovered { seat: on, by }));
         };
         let body = self.agent_mut(agent)?;
-        body.feet = super::upright(&places[place as usize]);
+        (body.stood, body.feet) = (body.feet, super::upright(&places[place as usize]));
         body.posture = posture(on, place);
         body.walk = super::walk::Motion::Still;
         self.embody(agent, true);
@@ -142,12 +144,47 @@ impl World {
     /// # Errors
     /// [`AgentError::Posture`] if the agent stands, [`AgentError::NoExit`].
     pub fn stand_up(&mut self, agent: NodeId) -> Result<(), AgentError> {
+        let exit = self.exit_where(agent, |_| true)?;
+        self.teleport(agent, exit)
+    }
+
+    /// The nearest free place beside the seat of an agent that a condition admits, to which it can get up: that
+    /// from there a way leads on, as [`Floor::route`](crate::Floor::route) says.
+    ///
+    /// # Errors
+    /// As [`Self::stand_up`].
+    pub fn exit_where(&self, agent: NodeId, admits: impl Fn(&Pose) -> bool) -> Result<Pose, AgentError> {
         let body = self.agent(agent)?;
         let Some((seat, _)) = body.posture.seat() else {
             return Err(AgentError::Posture { agent, posture: Posture::Standing.as_str() });
         };
-        let exit = self.exits(body).find(|p| self.is_exit(body, seat, p)).ok_or(AgentError::NoExit(seat))?;
-        self.teleport(agent, exit)
+        let good = |spot: &Pose| self.is_exit(body, seat, spot) && admits(spot);
+        self.exits(body).find(good).ok_or(AgentError::NoExit(seat))
+    }
+
+    /// Where an agent that sits or lies stood before.
+    pub fn stood(&self, agent: NodeId) -> Option<Pose> {
+        self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
+    }
+
+    /// Sets where an agent that sits or lies [stood](Self::stood) before: it may sit from the start.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].
+    pub fn set_stood(&mut self, agent: NodeId, feet: Pose) -> Result<(), AgentError> {
+        if !convert::is_sound(&feet) {
+            return Err(PhysicsError::NotFinite("the pose", agent).into());
+        }
+        self.agent_mut(agent)?.stood = super::upright(&feet);
+        Ok(())
+    }
+
+    /// Whether an agent stands in a thing: the thing meets its middle, and not only its sides.
+    pub fn is_stuck_in(&self, agent: NodeId) -> bool {
+        self.agents.get(&agent).filter(|a| a.posture == Posture::Standing).is_some_and(|a| {
+            let slim = super::BodyPlan { radius: SLIM * a.plan.radius, ..a.plan };
+            !self.has_room(&slim, &a.feet, |c| !self.agents.contains_key(&group::marked(c.user_data).0))
+        })
     }
 
     /// Spots around a seat: near before far, in front of the seat first.
@@ -224,13 +261,16 @@ impl World {
 
     /// As `fits`, ignoring the moving parts of one node.
     fn fits_but(&self, body: &Agent, spot: &Pose, but: Option<NodeId>) -> bool {
-        let (shape, at) = upright(&body.plan, spot);
-        let own = body.body;
-        let counts = |c: &Collider| {
+        self.has_room(&body.plan, spot, |c| {
             let (id, link) = group::marked(c.user_data);
-            link == 0 || Some(id) != but
-        };
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(own) && counts(c);
+            c.parent() != Some(body.body) && (link == 0 || Some(id) != but)
+        })
+    }
+
+    /// Whether nothing that counts is where a body would stand.
+    fn has_room(&self, plan: &super::BodyPlan, spot: &Pose, counts: impl Fn(&Collider) -> bool) -> bool {
+        let (shape, at) = upright(plan, spot);
+        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && counts(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         queries.intersect_shape(at, &shape).next().is_none()
     }

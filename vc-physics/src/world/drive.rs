@@ -46,6 +46,24 @@ impl World {
         self.note_sleepers(&all);
     }
 
+    /// Puts loose things to sleep at poses at which they are known to be at rest, to the bit; everything else
+    /// [rests](Self::rest) where it is.
+    ///
+    /// # Errors
+    /// As [`Self::place`].
+    pub fn rest_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
+        poses.iter().try_for_each(|(id, pose)| self.place(*id, *pose))?;
+        self.rest();
+        for (id, pose) in poses {
+            let body = self.thing(*id)?.state.base;
+            if let Some(rigid) = self.engine.bodies.get_mut(body) {
+                rigid.set_position(convert::pose(pose), false);
+            }
+            self.engine.refresh(body);
+        }
+        Ok(())
+    }
+
     /// Stops and lists a body that has become non-finite.
     fn stop(&mut self, body: RigidBodyHandle) {
         let Some(id) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0) else { return };

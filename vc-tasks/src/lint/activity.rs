@@ -61,9 +61,9 @@ impl<'t> Look<'t> {
 
     fn domain(&mut self, activity: &'t Activity) {
         let domain = activity.domain();
-        // A missing domain makes no difference to the other checks.
-        if !domain.is_empty() && !DOMAINS.contains(&domain) {
-            let part = format!("{domain}; known are {}", DOMAINS.join(" and "));
+        if !DOMAINS.contains(&domain) {
+            let name = if domain.is_empty() { "no `(:domain ...)` is given" } else { domain };
+            let part = format!("{name}; known are {}", DOMAINS.join(" and "));
             self.found.push(Finding { kind: Kind::UnknownDomain, at: None, part });
         }
     }
