@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn a_box_around_a_corner_leaves_out_what_is_there() -> Result<(), EditError> {
         let mut scene = SceneBuilder::new("two rooms");
-        let [hall, closet] = [scene.add(Draft::new("hallway"))?, scene.add(Draft::new("closet_room"))?];
+        let [hall, closet] = [scene.add(Draft::new("hallway"))?, scene.add(Draft::new("storage_room"))?];
         let slab = |x: f32, y: f32| Draft::new("floor").bounds(Bounds::standing([x, y, 0.1].into()));
         let outer = scene.add_in(hall, slab(4.0, 4.0).at(Pose::identity()))?;
         let inner = scene.add_in(closet, slab(1.0, 1.0).at(Pose::translation(1.5, 1.5, 0.0)))?;
