@@ -267,8 +267,9 @@ impl Environment {
     }
 
     /// Switches the home's lamps on or off at once, as people who are at home in the evening have them: all that can be
-    /// switched, but those that lie about without being plugged in, as torches and spare bulbs do. Gives those that
-    /// were switched. The history does not contain this.
+    /// switched, but those that lie about without being plugged in, as torches and spare bulbs do. Lamps without a
+    /// switch of their own, as in VirtualHome's scenes, are switched by the light switches of their room, and if it has
+    /// none, themselves. Gives the lamps and light switches that were switched. The history does not contain this.
     ///
     /// `Edit::enter_state`. Costs some microseconds.
     ///
@@ -285,12 +286,21 @@ impl Environment {
     /// [`AlterError`]; then nothing has changed.
     pub fn switch_lamps(&mut self, on: bool) -> Result<Vec<NodeId>, AlterError> {
         let state = if on { State::On } else { State::Off };
-        let switched = |n: &&Node| is_lamp(&self.graph, n) && n.is(State::On) != on;
-        let lamps: Vec<NodeId> = self.graph.nodes().filter(switched).map(Node::id).collect();
+        let lamps = self.graph.nodes().filter(|n| is_lamp(&self.graph, n)).map(Node::id);
+        let mut lamps: Vec<NodeId> = lamps.flat_map(|lamp| self.switches(lamp)).collect();
+        lamps.retain(|id| self.graph.node(*id).is_some_and(|n| n.is(State::On) != on));
+        lamps.sort_unstable();
+        lamps.dedup();
         let mut edit = self.graph.edit();
         lamps.iter().try_for_each(|id| edit.enter_state(*id, state))?;
         edit.commit();
         Ok(lamps)
+    }
+
+    /// The things that switch a lamp: the light switches of its room, or itself.
+    fn switches(&self, lamp: NodeId) -> Vec<NodeId> {
+        let switches: Vec<NodeId> = self.graph.light_switches(lamp).collect();
+        if switches.is_empty() { vec![lamp] } else { switches }
     }
 
     /// A place where something can be put; a room stands for its floor.
@@ -396,7 +406,7 @@ fn no_thing(class: &Class) -> Option<&'static str> {
 fn is_lamp(graph: &SceneGraph, node: &Node) -> bool {
     let known = graph.classes().get(node.class()).is_some_and(|class| class.category == Category::Lamp);
     let lies_about = node.affords(Property::Graspable) && !node.is(State::PluggedIn);
-    known && node.affords(Property::Switchable) && !lies_about
+    known && !lies_about
 }
 
 fn unreadable(error: vc_relations::InputError) -> AlterError {

@@ -112,10 +112,10 @@ impl Base {
     }
 }
 
-/// What is on and glows: of a dishwasher nobody sees that it runs.
+/// What is lit and glows: of a dishwasher nobody sees that it runs.
 pub(super) fn lit(graph: &SceneGraph) -> Vec<NodeId> {
-    let on = graph.nodes().filter(|n| n.is(State::On) && n.pose().is_some());
-    on.filter(|n| glows(graph, n)).map(Node::id).collect()
+    let lit = graph.nodes().filter(|n| n.pose().is_some() && graph.is_lit(n.id()));
+    lit.filter(|n| glows(graph, n)).map(Node::id).collect()
 }
 
 fn glows(graph: &SceneGraph, node: &Node) -> bool {

@@ -6,17 +6,19 @@ use std::sync::Arc;
 use nalgebra::Point3;
 
 use crate::asset::AssetLibrary;
-use crate::class::ClassTable;
+use crate::class::{Category, ClassTable};
 use crate::grid::Grid;
 use crate::met::Met;
 use crate::node::{Kind, Link, Node};
 use crate::store::Store;
 use crate::vocabulary::key;
-use crate::{Edge, Edit, Label, NodeId, Property, Relation};
+use crate::{Edge, Edit, Label, NodeId, Property, Relation, State};
 
 /// How near is near: within reach of an agent's step and arm, metres.
 /// VirtualHome's CLOSE uses the same figure.
 pub const NEAR: f32 = 1.5;
+/// The class of what switches the lamps of a room.
+const LIGHT_SWITCH: &str = "lightswitch";
 /// Classes of things that are drawn over windows.
 const WINDOW_COVERS: [&str; 3] = ["curtain", "blinds", "roller_shutter"];
 
@@ -179,6 +181,45 @@ impl SceneGraph {
     pub fn covers_windows(&self, id: NodeId) -> bool {
         let hangs = |n: &Node| WINDOW_COVERS.iter().any(|class| self.classes().is_a(n.class(), class));
         self.node(id).is_some_and(|n| n.affords(Property::Openable) && hangs(n))
+    }
+
+    /// Whether a thing that can glow does: it is on, or it is a lamp without a switch of its own and a light switch of
+    /// its room is on, as in VirtualHome's scenes. False if there is no such node.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, PropertySet, SceneBuilder, State};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let lamp = Draft { properties: Some(PropertySet::default()), ..Draft::new("ceiling_lamp") };
+    /// let lamp = scene.add_in(kitchen, lamp)?;
+    /// let switch = scene.add_in(kitchen, Draft::new("lightswitch").state(State::On))?;
+    /// let mut scene = scene.build();
+    /// assert!(scene.is_lit(lamp));
+    /// let mut edit = scene.edit();
+    /// edit.enter_state(switch, State::Off)?;
+    /// edit.commit();
+    /// assert!(!scene.is_lit(lamp));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn is_lit(&self, id: NodeId) -> bool {
+        let on = |id: NodeId| self.node(id).is_some_and(|n| n.is(State::On));
+        on(id) || self.light_switches(id).any(on)
+    }
+
+    /// The light switches by which a lamp is switched that has no switch of its own: those of its room. None for all
+    /// other things.
+    pub fn light_switches(&self, lamp: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        let is = |n: &Node, class: &str| self.classes().is_a(n.class(), class);
+        let fixed = |n: &&Node| !n.affords(Property::Switchable) && !n.affords(Property::Graspable);
+        let lamp = self.node(lamp).filter(fixed).filter(|n| self.is_lamp(n));
+        let room = lamp.and_then(|n| self.room_of(n.id));
+        let things = room.into_iter().flat_map(|room| self.in_room(room));
+        things.filter(move |id| self.node(*id).is_some_and(|n| is(n, LIGHT_SWITCH) && n.affords(Property::Switchable)))
+    }
+
+    /// Whether a node's class is that of a lamp.
+    fn is_lamp(&self, node: &Node) -> bool {
+        self.classes().get(node.class()).is_some_and(|class| class.category == Category::Lamp)
     }
 
     /// Where a relation leads from a node.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 use vc_graph::asset::{Joint, Surface};
-use vc_graph::{Asset, AssetId, AssetLibrary, Node, NodeId, Pose, SceneGraph, State};
+use vc_graph::{Asset, AssetId, AssetLibrary, Node, NodeId, Pose, SceneGraph};
 
 use super::GltfError;
 use super::document as json;
@@ -103,7 +103,7 @@ pub fn posed_scene(
         let Some(id) = node.spec().asset else { continue };
         let asset = library.get(id).ok_or(GltfError::NoSuchAsset(id))?;
         // An asset with emissive materials has other materials when it is on than when it is off.
-        let key = (id, node.is(State::On) && writer.glows(asset));
+        let key = (id, graph.is_lit(node.id()) && writer.glows(asset));
         if let std::collections::btree_map::Entry::Vacant(vacant) = shared.entry(key) {
             writer.lit = key.1;
             vacant.insert(writer.links(asset)?);

@@ -89,7 +89,7 @@ impl Snapshot {
                 class: classes.number(node.class()),
                 room,
                 stands: Stands::of(category(graph, node)),
-                lit: node.is(State::On),
+                lit: graph.is_lit(node.id()),
                 pose: *pose,
                 scale,
                 instances: first..instances.len() as u32,
