@@ -51,6 +51,30 @@ fn a_mounted_camera_looks_along_x_with_y_to_its_left_and_z_up() {
     assert_eq!(base.mounted(&pose([1.0, 2.0, 3.0], 0.5, 0.1)).mounted(&Pose::identity()), base);
 }
 
+/// A plan shows a wall that it cuts open as far as its outer side; a camera within a thing does not see the thing.
+#[test]
+fn plans_cut_things_open() {
+    let mut stage = Stage::new();
+    let wall = stage.one("wall", block([0.2, 1.0, 1.25]), pose([2.0, 0.0, 1.25], 0.0, 0.0), 1);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let mut frame = Frame::new();
+    let mut seen = |camera: &Camera, at: Point3<f32>| {
+        renderer.render(&Shot::new(&snapshot, camera, Modality::Instance), &mut frame).unwrap();
+        let [x, y] = seen(camera, at);
+        frame.instance[y as usize * 80 + x as usize]
+    };
+    let camera = Camera::with_fov(80, 80, 1.2);
+    // Cut at a height of 2.1 metres, where the wall reaches from 1.8 to 2.2.
+    let plan = Camera { near: 4.0, ..camera.looking(Point3::new(0.0, 0.0, 6.1), Point3::origin()) };
+    for x in [1.82, 1.9, 2.0, 2.1, 2.17] {
+        assert_eq!(seen(&plan, Point3::new(x, 0.3, 2.1)), wall, "{x}");
+    }
+    assert_ne!(seen(&plan, Point3::new(2.27, 0.3, 2.1)), wall);
+    let within = camera.looking(Point3::new(2.0, 0.0, 1.2), Point3::new(2.0, 5.0, 1.2));
+    assert_ne!(seen(&within, Point3::new(2.0, 5.0, 1.2)), wall);
+}
+
 #[test]
 fn from_overhead_a_span_of_ground_fills_the_height_and_x_is_up() {
     let at = Point3::new(1.5, -2.0, 0.25);

@@ -7,12 +7,16 @@ use pulp::{Simd, WithSimd};
 use super::clip::Polygon;
 use super::cull::{Frustum, looks_away};
 use super::fill;
-use super::project::Points;
+use super::project::{Corner, Points};
 use super::setup::{EIGHT, SIFTED, Setup};
 use super::target::{Solid, Target, Visible};
 use crate::affine::{Affine, Narrow};
 use crate::mesh::{Cluster, Mesh, TOLERANCES};
 use crate::scene::Instance;
+
+/// Distance of the near plane from which on it cuts things open, as a plan does, metres: their back faces are drawn,
+/// too, as one sees into them. Nearer planes only leave out what the eye is in.
+const CUTS: f32 = 0.5;
 
 /// Instances to draw, and the view.
 #[derive(Clone, Copy)]
@@ -157,8 +161,9 @@ impl Layers {
             return;
         }
         let eye = crate::affine::point(&instance.inverse, drawing.frustum.eye);
+        let open = drawing.frustum.near >= CUTS && placed.nearest <= drawing.frustum.near;
         for cluster in &mesh.clusters[clusters] {
-            if looks_away(cluster, eye) || self.hidden(drawing, &narrow, &cluster.bounds) {
+            if (looks_away(cluster, eye) && !open) || self.hidden(drawing, &narrow, &cluster.bounds) {
                 continue;
             }
             let run = Run {
@@ -168,6 +173,7 @@ impl Layers {
                 narrow: &narrow,
                 near: drawing.frustum.near,
                 mirrored: instance.mirrored,
+                open,
             };
             let name = |triangle: u32| Visible::new(placed.instance, placed.level, triangle);
             self.cluster(simd, &run, name);
@@ -190,7 +196,7 @@ impl Layers {
         let stray = points.project(axes, run.narrow, run.near);
         let first = run.cluster.triangles.start;
         let triangles = &run.mesh.corners[first as usize..run.cluster.triangles.end as usize];
-        if stray {
+        if stray || run.open {
             return self.with_strays(simd, run, triangles, name);
         }
         let setup = self.setup.get_or_insert_with(|| Box::new(Setup::new()));
@@ -225,12 +231,15 @@ impl Layers {
         for (corners, index) in triangles.iter().zip(run.cluster.triangles.start..) {
             let number = self.visible.len() as u32;
             let any = corners.iter().any(|&v| points.stray[usize::from(v)] != 0);
+            let mut fill = |t: [Corner; 3]| {
+                let [a, b, c] = t;
+                fill::triangle(simd, &mut self.front, &t, number)
+                    || (run.open && fill::triangle(simd, &mut self.front, &[a, c, b], number))
+            };
             let drawn = if any {
-                run.clipped(*corners)
-                    .triangles()
-                    .fold(false, |d, t| fill::triangle(simd, &mut self.front, &t, number) | d)
+                run.clipped(*corners).triangles().fold(false, |d, t| fill(t) | d)
             } else {
-                fill::triangle(simd, &mut self.front, &points.triangle(*corners, run.mirrored), number)
+                fill(points.triangle(*corners, run.mirrored))
             };
             if drawn {
                 self.visible.push(name(index));
@@ -247,6 +256,8 @@ struct Run<'a> {
     narrow: &'a Narrow,
     near: f32,
     mirrored: bool,
+    /// Whether the near plane cuts the instance open.
+    open: bool,
 }
 
 impl Run<'_> {
