@@ -246,6 +246,59 @@ fn outside_has_its_own_light() {
     assert!(sky < 80, "the night's sky is as bright as {sky}");
 }
 
+/// The colours of the eyes' picture, by the greatest part of each: their mean, and that of the sky.
+fn bright(home: &Environment, adapts: Option<Adaptation>) -> (f32, Vec<[u8; 3]>, [f32; 3]) {
+    let mut home = home.clone();
+    home.set_pictures(PictureOptions { adapts, ..*home.pictures() });
+    let room = home.graph().of_class("living_room")[0];
+    let frame = home.render(Viewpoint::Room(room), Modality::Rgb | Modality::Instance, 64, 48).unwrap();
+    let mean = |of: &[[u8; 3]]| of.as_flattened().iter().map(|v| f32::from(*v)).sum::<f32>() / (3 * of.len()) as f32;
+    let sky = (0..frame.rgb.len()).filter(|i| frame.instance[*i] == NOTHING).map(|i| frame.rgb[i]).collect();
+    (mean(&frame.rgb), sky, frame.exposure)
+}
+
+/// At night an unlit room is dim and the sky in its windows dark and blue. When a lamp is switched on, eyes that are used
+/// to the dark see the room, and nothing white.
+#[test]
+fn eyes_get_used_to_the_night_and_to_a_lamp() {
+    let mut home = home(7, 1);
+    home.set_pictures(PictureOptions { daylight: Daylight::at(23.0), ..PictureOptions::default() });
+    let (dark, sky, used) = bright(&home, None);
+    assert!((4.0..80.0).contains(&dark), "the unlit room's picture has a mean of {dark}");
+    for colour in sky {
+        assert!(colour[2] < 130 && colour[2] >= colour[0], "the sky is {colour:?}");
+    }
+    home.switch_lamps(true).unwrap();
+    let (first, _, used) = bright(&home, Some(Adaptation::after(used, 1.0 / 6.0)));
+    let (later, ..) = bright(&home, Some(Adaptation::after(used, 1.0)));
+    assert!(first < 215.0 && (60.0..200.0).contains(&later), "a mean of {first}, and a second later of {later}");
+}
+
+/// Lamps without a switch of their own burn with the light switch of their room.
+#[test]
+fn lamps_burn_with_their_rooms_light_switch() {
+    let mut scene = Apartment::from_seed(Seed(7)).unwrap().scene();
+    let lamps: Vec<NodeId> = scene.of_class("ceiling_lamp");
+    let mut edit = scene.edit();
+    lamps.iter().for_each(|lamp| edit.bar(*lamp, Property::Switchable).unwrap());
+    edit.commit();
+    let mut home = Environment::of(scene, 1).unwrap();
+    home.set_pictures(PictureOptions { daylight: Daylight::at(23.0), ..PictureOptions::default() });
+    let all = home.clone().switch_lamps(true).unwrap();
+    let switches = |lamp: &NodeId| home.graph().light_switches(*lamp).collect::<Vec<NodeId>>();
+    for lamp in &lamps {
+        let by = switches(lamp);
+        assert!(if by.is_empty() { all.contains(lamp) } else { by.iter().all(|id| all.contains(id)) }, "{lamp:?}");
+    }
+    let (lamp, switch) = lamps.iter().find_map(|lamp| Some((*lamp, *switches(lamp).first()?))).unwrap();
+    let (me, room) = (home.agents()[0], home.graph().room_of(lamp).unwrap());
+    let level = |home: &Environment| home.render(Viewpoint::Room(room), Modality::Rgb, 48, 36).unwrap().exposure[1];
+    act(&mut home, me, Verb::Walk, &[switch]);
+    let dark = level(&home);
+    act(&mut home, me, Verb::SwitchOn, &[switch]);
+    assert!(home.graph().is_lit(lamp) && level(&home) < 0.2 * dark, "{dark}, then {}", level(&home));
+}
+
 /// Light that is made anew has the shadow of who has walked where that is now; labels are the same.
 #[test]
 fn light_can_be_made_of_what_has_moved() {

@@ -4,11 +4,12 @@ use rayon::prelude::*;
 use vc_graph::asset::Joint;
 use vc_graph::{NodeId, SceneGraph};
 
+use crate::affine::{self, three};
 use crate::frame::{Band, Frame, Memory, Strip};
 use crate::label::{self, Other};
-use crate::light::Lighting;
+use crate::light::{Lighting, Patch, Spot, dot};
 use crate::modality::Modality;
-use crate::raster::{Drawing, Frustum, Layers};
+use crate::raster::{Drawing, Frustum, Layers, Visible};
 use crate::scene::{Snapshot, Store};
 use crate::shade::{self, Shading};
 use crate::view::{Shot, View};
@@ -256,11 +257,50 @@ impl Renderer {
         let (strip, memory) = Strip::of(frame);
         let Memory { bands, open, .. } = memory;
         let open = (!shot.plain).then(|| shade::occlusion(view.camera, bands, open));
-        let exposure = lighting.exposure(view.camera.eye().into(), seen_rooms(lighting, view, bands));
+        let exposure = lighting.exposure(view.camera.eye().into(), self.spots(lighting, view, bands));
         let exposure = shot.adapts.map_or(exposure, |adapts| adapts.towards(exposure));
         shade_bands(&Shading { renderer: self, lighting, view, open, exposure }, strip, bands);
         frame.exposure = exposure;
         shade::smooth(frame);
+    }
+
+    /// Meters the light at pixels scattered over a picture, of opaque surfaces, including those seen through glass.
+    fn spots<'a>(
+        &'a self,
+        lighting: &'a Lighting,
+        View { snapshot, camera }: View<'a>,
+        bands: &'a [Band],
+    ) -> impl Iterator<Item = Spot> + 'a {
+        camera.strewn().filter_map(move |[x, y]| {
+            let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
+            let solid = band.layers.solid();
+            let triangle = *solid.triangle_row(y as i32).get(x as usize)?;
+            let seen = band.layers.visible.get(triangle as usize)?;
+            let depth = 1.0 / *solid.inverse_row(y as i32).get(x as usize)?;
+            Some(self.metered(lighting, snapshot, (seen, camera.unproject(x, y, depth).into()), camera.eye().into()))
+        })
+    }
+
+    /// Meters the light at a point of a visible triangle.
+    fn metered(
+        &self,
+        lighting: &Lighting,
+        snapshot: &Snapshot,
+        (seen, at): (&Visible, [f32; 3]),
+        eye: [f32; 3],
+    ) -> Spot {
+        let instance = &snapshot.instances[seen.instance as usize];
+        let (mesh, index) = (seen.mesh(&snapshot.instances), seen.index());
+        let normal = label::unit(affine::normal(&instance.inverse, mesh.normals[index][0]));
+        let faces = dot(normal, three(|i| eye[i] - at[i])) >= 0.0;
+        lighting.metered(&Patch {
+            surface: &self.store.surfaces[usize::from(mesh.faces[index].surface)],
+            coat: &instance.coat,
+            body: instance.body,
+            at,
+            normal: if faces { normal } else { normal.map(|v| -v) },
+            room: lighting.room_seen(snapshot, seen, eye),
+        })
     }
 
     fn band(&self, shot: &Shot<'_>, mut strip: Strip<'_>, band: &mut Band, other: &[Other; 2]) {
@@ -304,19 +344,6 @@ impl Renderer {
         let ([after, before], [next, last]) = (views, other);
         rayon::join(|| draw(next, after), || draw(last, before));
     }
-}
-
-/// The rooms seen at sample pixels scattered over a picture, including those seen through glass.
-fn seen_rooms<'a>(
-    lighting: &'a Lighting,
-    View { snapshot, camera }: View<'a>,
-    bands: &'a [Band],
-) -> impl Iterator<Item = u16> + 'a {
-    camera.strewn().filter_map(move |[x, y]| {
-        let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
-        let triangle = *band.layers.solid().triangle_row(y as i32).get(x as usize)?;
-        Some(lighting.room_seen(snapshot, band.layers.visible.get(triangle as usize)?, camera.eye().into()))
-    })
 }
 
 /// Computes a band's optical flow and its occlusion at the other moments.

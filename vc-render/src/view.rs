@@ -116,12 +116,17 @@ pub struct Adaptation {
     /// The exposure that the camera is adapted to: [`Frame::exposure`](crate::Frame::exposure) of the previous
     /// picture.
     pub from: [f32; 3],
-    /// How far the exposure goes from there to the one for the light seen now: 0 not at all, 1 all the way.
+    /// How far the exposure goes from there to the one for the light seen now: 0 not at all, 1 all the way. Unless it
+    /// is 0, the picture is at most twice too bright and two and a half times too dark.
     pub share: f32,
 }
 
 /// Seconds in which the exposure adapts two thirds of the way: quicker than human eyes, as cameras are.
 const GETS_USED: f32 = 0.35;
+/// Factors by which a picture is at most too bright and too dark while the camera adapts: the rest of a large step, as
+/// when a lamp is switched on in the dark, is adapted to at once.
+const DAZZLED: f32 = 2.0;
+const BLINDED: f32 = 2.5;
 
 impl Adaptation {
     /// The adaptation of a camera whose exposure was `from` some seconds ago; for a film, that of the previous
@@ -143,7 +148,11 @@ impl Adaptation {
         let share = self.share.clamp(0.0, 1.0);
         let between = |from: f32, to: f32| from * (to / from).power(share);
         let sound = self.from.iter().all(|v| v.is_finite() && *v > 0.0) && share.is_finite();
-        if sound { three(|c| between(self.from[c], now[c])) } else { now }
+        match sound {
+            true if share > 0.0 => three(|c| between(self.from[c], now[c]).clamp(now[c] / BLINDED, now[c] * DAZZLED)),
+            true => self.from,
+            false => now,
+        }
     }
 }
 

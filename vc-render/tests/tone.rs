@@ -43,6 +43,83 @@ fn more_light_is_never_darker_on_film() {
     assert!(bytes.len() > 200, "{} bytes of 256", bytes.len());
 }
 
+/// Sunlit things keep their hue and shading: five to thirty times the light of the room is neither white nor flat.
+#[test]
+fn sunlit_walls_keep_their_hue_and_shading() {
+    let mut made = photograph();
+    made.light = vec![[1.0; 3]];
+    (made.width, made.height) = (1, 1);
+    // The light that a white wall reflects in the light of the room: it is displayed at about two fifths.
+    let white = std::iter::successors(Some(1e-3_f32), |v| Some(1.02 * v)).find(|v| {
+        made.light[0] = [*v; 3];
+        made.picture().pixels[0][1] >= 175
+    });
+    let white = white.unwrap();
+    for colour in [[0.9, 0.9, 0.9], [0.1, 0.3, 0.7], [0.8, 0.55, 0.1], [0.7, 0.2, 0.15]] {
+        let shown = |light: f32| {
+            let mut made = made.clone();
+            made.light[0] = colour.map(|c: f32| c * light * white);
+            made.picture().pixels[0].map(f32::from)
+        };
+        let bright = |c: [f32; 3]| c.into_iter().fold(0.0, f32::max);
+        for sun in [5.0, 10.0, 20.0, 30.0] {
+            let [side, front] = [0.6 * sun, sun].map(shown);
+            assert!(bright(front) < 245.0, "{colour:?} in {sun} times the light is {front:?}");
+            assert!(bright(front) > bright(side) + 3.0, "{colour:?}: {side:?} and {front:?} from the side");
+            let order = |c: [f32; 3]| (0..2).map(|i| (c[i + 1] - c[i]).signum()).collect::<Vec<f32>>();
+            let spread = bright(front) - front.into_iter().fold(255.0, f32::min);
+            let hued = colour != [0.9; 3];
+            assert!(!hued || (order(front) == order(colour) && spread > 60.0), "{colour:?} looks {front:?}");
+        }
+    }
+}
+
+/// A dark board fills the view of a lit room: it is readable, and still darker than a white one.
+#[test]
+fn cameras_meter_what_they_see() {
+    let mut stage = Stage::new();
+    let dark = stage.library.add_material(material("plain", [0.05, 0.035, 0.025])).unwrap();
+    stage.one("floor", block([3.0, 3.0, 0.1]), Pose::translation(0.0, 0.0, -0.1), 1);
+    for (x, board) in [(2.0, dark), (-2.0, 1)] {
+        stage.one("bookcase", block([0.1, 2.5, 1.5]), Pose::translation(x, 0.0, 1.5), board);
+    }
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let lighting = renderer.light(&snapshot, &even());
+    let mut frame = Frame::new();
+    let [dark, white] = [1.0, -1.0].map(|x| {
+        let camera = Camera::with_fov(32, 24, 0.9).looking(Point3::new(0.0, 0.0, 1.5), Point3::new(2.0 * x, 0.0, 1.5));
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+        (frame.rgb[12 * 32 + 16][0], frame.exposure[1])
+    });
+    assert!(dark.0 > 75 && white.0 > dark.0 + 40 && white.0 < 200, "{dark:?} and {white:?}");
+    assert!(dark.1 > 2.5 * white.1, "{dark:?} and {white:?}");
+}
+
+/// A camera that adapts is dazzled for a moment only; one whose share is zero keeps its exposure.
+#[test]
+fn a_large_step_is_adapted_to_at_once() {
+    let mut stage = Stage::new();
+    stage.one("box", block([0.5; 3]), Pose::translation(2.0, 0.0, 0.0), 1);
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&stage.build()).unwrap();
+    let lighting = renderer.light(&snapshot, &even());
+    let camera = Camera::with_fov(8, 6, 1.0);
+    let exposure = |adapts: Option<Adaptation>| {
+        let mut frame = Frame::new();
+        let shot = Shot { adapts, ..Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting) };
+        renderer.render(&shot, &mut frame).unwrap();
+        frame.exposure[1]
+    };
+    let own = exposure(None);
+    for (from, least, most) in [(1e4, 1.9, 2.1), (1e-4, 0.38, 0.42)] {
+        let first = exposure(Some(Adaptation::after([from * own; 3], 0.1))) / own;
+        assert!((least..most).contains(&first), "{first} times the exposure");
+        let kept = exposure(Some(Adaptation { from: [from * own; 3], share: 0.0 })) / own;
+        assert!((kept / from - 1.0).abs() < 1e-3, "{kept}");
+    }
+}
+
 #[test]
 fn light_that_cannot_be_has_a_colour() {
     let mut made = photograph();

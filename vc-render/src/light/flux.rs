@@ -39,7 +39,7 @@ impl Leaving {
 }
 
 /// The light that leaves a lamp; none if all of it is absorbed within.
-pub(super) fn leaving(renderer: &Renderer, tracer: &Tracer, body: u32, gains: &[f32; 2]) -> Option<Leaving> {
+pub(super) fn leaving(renderer: &Renderer, tracer: &Tracer, body: u32, gains: &[f32; 4]) -> Option<Leaving> {
     let givers = givers(renderer, tracer, body, gains);
     let all = givers.last().map_or(0.0, |giver| giver.sum);
     let (mut flux, mut axis, mut middle) = ([0.0; 3], [0.0; 3], [0.0; 3]);
@@ -95,7 +95,7 @@ fn out(
 }
 
 /// All luminous triangles of a lamp.
-fn givers(renderer: &Renderer, tracer: &Tracer, body: u32, [gain, shade]: &[f32; 2]) -> Vec<Giver> {
+fn givers(renderer: &Renderer, tracer: &Tracer, body: u32, [gain, shade @ ..]: &[f32; 4]) -> Vec<Giver> {
     let (body, mut sum) = (&tracer.snapshot.bodies[body as usize], 0.0);
     let mut givers = Vec::new();
     for instance in &tracer.snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
@@ -104,7 +104,7 @@ fn givers(renderer: &Renderer, tracer: &Tracer, body: u32, [gain, shade]: &[f32;
             for triangle in cluster.triangles.clone() {
                 let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
                 let light = match surface.role {
-                    Role::Shade => scaled(surface.colour, *shade),
+                    Role::Shade => three(|i| surface.colour[i] * shade[i]),
                     _ => scaled(surface.mean_emission(), *gain),
                 };
                 let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));

@@ -40,8 +40,8 @@ pub(crate) struct Lamp {
 
 /// The luminous bodies of a scene: lamps and screens.
 pub(super) struct Shining {
-    /// For each body, the factors for the emission of its luminous parts and of its shade.
-    pub(super) gains: Vec<[f32; 2]>,
+    /// For each body, the factor for the emission of its luminous parts, and those for each colour of its shade's.
+    pub(super) gains: Vec<[f32; 4]>,
     /// Luminous bodies that are not lamps, each with the greatest brightness of its materials.
     pub(super) screens: Vec<(u32, f32)>,
     pub(super) lamps: Vec<Lamp>,
@@ -64,21 +64,22 @@ pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32
 /// Finds the luminous bodies of a scene. Lamps in `kept` already have their shadows.
 pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shining {
     let snapshot = &tracer.snapshot;
-    let mut gains = vec![[0.0; 2]; snapshot.bodies.len()];
+    let mut gains = vec![[0.0; 4]; snapshot.bodies.len()];
     let (mut found, mut screens) = (Vec::new(), Vec::new());
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
         let glow = Glow::of(renderer, snapshot, body);
         let Some(target) = lumens(snapshot, body, glow.area) else {
-            gains[index] = [FAINT, 0.0];
+            gains[index] = [FAINT, 0.0, 0.0, 0.0];
             screens.push((index as u32, glow.most));
             continue;
         };
         if glow.area > 0.0 {
             let gain = target / LUMENS / brightness(glow.flux).max(1e-9);
-            // A third of the light passes through the shade.
+            // A third of the light passes through the shade, in the bulb's colour.
             let through = 0.35 * target / LUMENS;
             let shade = if glow.shade > 0.0 { through / (std::f32::consts::PI * glow.shade) } else { 0.0 };
-            gains[index] = [gain, shade];
+            let [red, green, blue] = scaled(glow.flux, shade / brightness(glow.flux).max(1e-9));
+            gains[index] = [gain, red, green, blue];
             found.push((index as u32, glow));
         }
     }
@@ -145,7 +146,7 @@ pub(super) fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
 }
 
 impl Lamp {
-    fn new(renderer: &Renderer, tracer: &Tracer, (index, gains): (u32, &[f32; 2]), glow: &Glow) -> Self {
+    fn new(renderer: &Renderer, tracer: &Tracer, (index, gains): (u32, &[f32; 4]), glow: &Glow) -> Self {
         let snapshot = &tracer.snapshot;
         let others: Vec<u32> = others(snapshot, index).collect();
         let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();

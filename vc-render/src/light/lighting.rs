@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use arrayvec::ArrayVec;
 use nalgebra::Point3;
 
 use super::ambient::Ambient;
@@ -12,7 +11,6 @@ use super::shadow::ShadowMap;
 use super::{Daylight, extent::rooms, room};
 use crate::RenderError;
 use crate::affine::{scaled, three};
-use crate::camera::STREWN;
 use crate::renderer::Renderer;
 use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
@@ -54,8 +52,8 @@ pub struct Lighting {
     // Clones share the large members.
     pub(crate) sun: Option<Arc<ShadowMap>>,
     pub(crate) lamps: Arc<Vec<Lamp>>,
-    /// For each body, the factors for its own emission and for that of its shade.
-    pub(super) gains: Vec<[f32; 2]>,
+    /// For each body, the factor for its own emission, and those for each colour of its shade's.
+    pub(super) gains: Vec<[f32; 4]>,
     /// For each luminous body that is not a lamp, the greatest brightness of its materials.
     pub(super) screens: Vec<(u32, f32)>,
     pub(super) grids: Arc<Vec<Grid>>,
@@ -69,19 +67,6 @@ pub struct Lighting {
     pub(super) cast: Arc<Snapshot>,
 }
 
-/// How far the white balance goes towards the colour of the room's light: lamplight stays warm, but does not
-/// turn everything yellow.
-const BALANCE: f32 = 0.6;
-/// Greatest factor by which a room counts as brighter than the mean of all rooms in view.
-const BRIGHTER: f32 = 4.0;
-/// Light levels below which the exposure does not adapt: in rooms, and outside.
-const DARK: [f32; 2] = [1e-7, 5e-4];
-/// The light level below which the exposure adapts only partly, so that dim rooms look dim, and the exponent of
-/// this adaptation.
-const DIM: f32 = 0.01;
-const PART: f32 = 0.75;
-/// Light levels below this share of the mean in view count as black: the exposure does not adapt to them.
-const BLACK: f32 = 1e-3;
 /// Greatest displayed brightness of a screen as a multiple of middle grey: eyes that look at a screen adapt to
 /// it.
 const SCREEN: f32 = 1.6;
@@ -296,9 +281,9 @@ impl Lighting {
     /// Emission of a body's surface; with an emissive texture, that of its white texels.
     #[inline(always)]
     pub(crate) fn glow(&self, surface: &Surface, body: u32) -> [f32; 3] {
-        let [gain, shade] = self.gains[body as usize];
+        let [gain, shade @ ..] = self.gains[body as usize];
         match surface.role {
-            Role::Shade => scaled(surface.colour, shade),
+            Role::Shade => three(|i| surface.colour[i] * shade[i]),
             _ => scaled(surface.emission, gain),
         }
     }
@@ -311,73 +296,10 @@ impl Lighting {
         scaled(glow, (SCREEN / most.max(1e-9)).min(1.0))
     }
 
-    /// The exposure: factors that bring the light in view to a picture's middle grey, and its colour part of
-    /// the way to white. They are computed from the light of the rooms in view, weighted by the visible share
-    /// of each, so that they change with the view and do not jump in a doorway; if no room is in view, from the
-    /// light of the camera's own room. In dim light they go part of the way only.
-    pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = u16>) -> [f32; 3] {
-        use vc_graph::portable::Portable;
-        // Seen from inside, the outside does not count, so that a piece of sunny balcony does not darken the
-        // room.
-        let outdoors = self.room_for(eye) + 1 == self.rooms.len();
-        let dark = DARK[usize::from(outdoors)];
-        let inside = |room: &usize| outdoors || room + 1 < self.rooms.len();
-        let levels = seen.into_iter().map(|r| usize::from(r).min(self.rooms.len() - 1)).filter(inside);
-        let mut levels: ArrayVec<_, STREWN> = levels.map(|room| self.level(room)).take(STREWN).collect();
-        if levels.is_empty() {
-            levels.push(self.level(self.room_for(eye)));
-        }
-        let count = levels.len() as f32;
-        let dark = dark.max(BLACK * levels.iter().map(|(level, _)| level / count).sum::<f32>());
-        let first = levels[0].0.max(dark);
-        // Taken relative to the first level, so that the mean of equal levels is exactly that level.
-        let off = levels.iter().map(|(level, _)| (level.max(dark) / first).logarithm()).sum::<f32>() / count;
-        let most = BRIGHTER * first * off.exponential();
-        let mean = levels.iter().map(|(level, _)| level.min(most)).sum::<f32>() / count;
-        let colour = levels.iter().fold([0.0; 3], |sum, (_, c)| {
-            let share = 1.0 / brightness(*c);
-            three(|i| sum[i] + share * c[i])
-        });
-        let mean = mean.max(dark);
-        let adapted = if mean < DIM { DIM * (mean / DIM).power(PART) } else { mean };
-        three(|c| 0.8 / adapted / (colour[c] / count).max(0.1).power(BALANCE))
-    }
-
-    /// Light level of a room: mean radiance of grey surfaces, indirect and straight from its lamps; and the
-    /// colour of this light.
-    pub(super) fn level(&self, room: usize) -> (f32, [f32; 3]) {
-        let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == room);
-        let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
-        let (grid, share) = (&self.grids[room], 0.25 / (self.floor(room) * 4.0).max(1.0));
-        (grid.middling + brightness(own) * share, three(|c| grid.colour[c] + own[c] * share + 1e-6))
-    }
-
     /// Area of a room's floor.
     pub(super) fn floor(&self, room: usize) -> f32 {
         let (low, high) = self.rooms[room];
         (high[0] - low[0]) * (high[1] - low[1])
-    }
-
-    /// The room for whose light a picture is exposed: the one that the camera is in; seen from above, the one
-    /// below if it fills half of the view, otherwise the largest.
-    fn room_for(&self, eye: [f32; 3]) -> usize {
-        if let Some(around) = self.room_around(eye) {
-            return around;
-        }
-        let outside = self.rooms.len() - 1;
-        let over = |i: &usize| {
-            let (low, high) = self.rooms[*i];
-            (0..2).all(|k| eye[k] >= low[k] && eye[k] <= high[k])
-        };
-        let by_floor = |a: &usize, b: &usize| self.floor(*a).total_cmp(&self.floor(*b));
-        let fills = |i: &usize| {
-            let (low, high) = self.rooms[*i];
-            (high[0] - low[0]).max(high[1] - low[1]) >= 0.65 * (eye[2] - high[2])
-        };
-        let under = || (0..outside).filter(|i| over(i) && fills(i)).min_by(by_floor);
-        let is_above = (0..outside).any(|i| over(&i) && eye[2] > self.rooms[i].1[2]);
-        let seen = if is_above { under().or_else(|| (0..outside).max_by(by_floor)) } else { None };
-        seen.unwrap_or(outside)
     }
 }
 

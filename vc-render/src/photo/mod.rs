@@ -24,13 +24,13 @@ mod spots;
 use rayon::prelude::*;
 
 use crate::RenderError;
-use crate::affine::{self, Affine, three};
+use crate::affine::{self, Affine};
 use crate::camera::Camera;
 use crate::label::unit;
-use crate::light::Lighting;
+use crate::light::{Lighting, Patch, Spot};
 use crate::picture::Picture;
 use crate::renderer::Renderer;
-use crate::shade::{encoded, film};
+use crate::shade::{displayed, encoded};
 use crate::trace::Ray;
 use cover::Covers;
 use film::Pixel;
@@ -165,20 +165,28 @@ impl Progress<'_> {
 
 impl Photograph {
     /// The displayable picture: exposed for the rooms in view, with bright light compressed like fast colours
-    /// (Naka and Rushton 1966). Costs three powers for each pixel.
+    /// (Naka and Rushton 1966). Costs two powers for each pixel.
     pub fn picture(&self) -> Picture {
-        let pixels = self.light.iter().map(|c| encoded(three(|i| film(c[i] * self.exposure[i])))).collect();
+        let pixels = self.light.iter().map(|c| encoded(displayed(*c, self.exposure))).collect();
         Picture { width: self.width, height: self.height, pixels }
     }
 }
 
-/// The rooms seen at sample pixels scattered over a picture, including those seen through glass.
-fn seen_rooms(lighting: &Lighting, camera: &Camera) -> impl Iterator<Item = u16> {
-    let pose = Affine::of(&camera.pose).narrow();
-    camera.strewn().filter_map(move |[x, y]| {
-        let along = unit(affine::vector(&pose, camera.ray(x, y).into()));
-        let met = lighting.tracer.first(&Ray { from: camera.eye().into(), along, end: 1e4 })?;
-        Some(spots::room(lighting, &met))
+/// Meters the light at pixels scattered over a picture, of opaque surfaces, including those seen through glass.
+fn metered<'a>(renderer: &'a Renderer, lighting: &'a Lighting, camera: &Camera) -> impl Iterator<Item = Spot> + 'a {
+    let (pose, eye) = (Affine::of(&camera.pose).narrow(), camera.eye().into());
+    let rays: Vec<[f32; 3]> = camera.strewn().map(|[x, y]| affine::vector(&pose, camera.ray(x, y).into())).collect();
+    rays.into_iter().filter_map(move |ray| {
+        let along = unit(ray);
+        let met = lighting.tracer.first(&Ray { from: eye, along, end: 1e4 })?.facing(along.map(|v| -v));
+        Some(lighting.metered(&Patch {
+            surface: &renderer.store.surfaces[usize::from(met.face.surface)],
+            coat: &met.instance.coat,
+            body: met.instance.body,
+            at: met.at,
+            normal: met.normal,
+            room: spots::room(lighting, &met),
+        }))
     })
 }
 
@@ -214,7 +222,7 @@ impl Renderer {
         let lights = Lights::of(self, lighting);
         let spots = Spots::of(self, lighting, &lights);
         let covers = Covers::of(lighting);
-        let exposure = lighting.exposure(camera.eye().into(), seen_rooms(lighting, camera));
+        let exposure = lighting.exposure(camera.eye().into(), metered(self, lighting, camera));
         let paths = Paths {
             renderer: self,
             lighting,

@@ -23,7 +23,7 @@ pub(crate) use look::{Look, look};
 pub(crate) use occlusion::Openness;
 pub(crate) use shrink::shrink;
 pub(crate) use smooth::Smoother;
-pub(crate) use tone::{decoded, encoded, film};
+pub(crate) use tone::{decoded, displayed, encoded, night};
 
 use self::edge::Find;
 use self::extra::Extra;

@@ -3,6 +3,8 @@
 use std::sync::LazyLock;
 
 use crate::affine::three;
+use crate::light::brightness;
+use crate::simd::whole;
 
 /// Steps of the table from linear to sRGB.
 const STEPS: usize = 4096;
@@ -28,22 +30,60 @@ static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
     (0..256).map(decode).collect()
 });
 
-/// The tone curve, in linear display light: the response of the eye's photoreceptors (Naka and Rushton 1966),
-/// which never saturates, with a shoulder that keeps the sky and the surroundings of lamps distinct from white.
-/// A white wall in the light of its room is displayed at a half, ten times that light at six sevenths, and a
-/// hundred times at nineteen twentieths.
-pub(crate) fn film(x: f32) -> f32 {
+/// The strength of the eye's response to light: the tone curve before it saturates. It grows with the light's power of
+/// [`CONTRAST`] up to [`SHOULDER`], and from there on more slowly, by [`FLATTER`].
+fn strength(x: f32) -> f32 {
     use vc_graph::portable::Portable;
-    let light = 1.9 * x.max(0.0);
-    let beyond = (light / SHOULDER).raised(4);
-    let strength = light.power(CONTRAST) / (1.0 + beyond).power(FLATTER / 4.0);
-    if light < 1e9 { strength / (1.0 + strength) } else { 1.0 }
+    let light = GAIN * x;
+    light.power(CONTRAST) / (1.0 + (light / SHOULDER).raised(4)).power(FLATTER / 4.0)
 }
 
-/// Slope of the tone curve in the middle, the light from which on it is flatter, and by how much.
+const GAIN: f32 = 1.7;
 const CONTRAST: f32 = 1.2;
-const SHOULDER: f32 = 2.0;
-const FLATTER: f32 = 0.6;
+const SHOULDER: f32 = 1.3;
+const FLATTER: f32 = 0.7;
+
+/// How far all colours of a light saturate together, by the greatest of them, and not each by itself: bright things
+/// keep their colour. The strength from which on this is lost: the brightest lights are white.
+const TOGETHER: f32 = 0.6;
+const WHITE: f32 = 40.0;
+
+/// The exposure from which on pictures are displayed darker, and the exponent: in darkness eyes see what there is, but
+/// the night stays dark, its sky too.
+const NIGHT: f32 = 2500.0;
+const NIGHTFALL: f32 = 0.35;
+
+/// How bright a picture of an exposure is displayed, 0 to 1: less than 1 at night.
+pub(crate) fn night(exposure: f32) -> f32 {
+    use vc_graph::portable::Portable;
+    if exposure > NIGHT { (NIGHT / exposure).power(NIGHTFALL) } else { 1.0 }
+}
+
+/// A colour in linear display light, given the strength of the greatest of its parts.
+#[inline(always)]
+fn saturated(light: [f32; 3], greatest: f32, strength: f32) -> [f32; 3] {
+    let (over, together) = (strength / greatest, TOGETHER / (1.0 + strength / WHITE));
+    let bottom = 1.0 + together * strength;
+    three(|c| light[c] * over / (bottom + (1.0 - together) * light[c] * over))
+}
+
+/// Light at an exposure, within what the tone curve is made for; what is no number is dark.
+#[allow(clippy::manual_clamp, reason = "what is no number is dark")]
+#[inline(always)]
+fn within(light: f32, exposure: f32) -> f32 {
+    (light * exposure).max(DARK).min(BRIGHT)
+}
+
+/// The display colour of light at an exposure, linear: the response of the eye's photoreceptors (Naka and Rushton
+/// 1966), which never saturates, with a shoulder that keeps the shading of sunlit things, the sky and the surroundings
+/// of lamps distinct from white, and keeps their hue. A white wall in the light of its room is displayed at two fifths,
+/// ten times that light at three quarters, and a hundred times at nine tenths.
+pub(crate) fn displayed(light: [f32; 3], exposure: [f32; 3]) -> [f32; 3] {
+    let light = three(|c| within(light[c], exposure[c]));
+    let greatest = light[0].max(light[1]).max(light[2]);
+    let (shown, dim) = (saturated(light, greatest, strength(greatest)), night(brightness(exposure)));
+    three(|c| dim * shown[c])
+}
 
 /// Encodes a linear colour in sRGB.
 #[inline(always)]
@@ -59,8 +99,8 @@ pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
     three(|c| table[usize::from(colour[c])])
 }
 
-/// Bits of a float between neighbouring entries of the table from light to colours, and the light of its first
-/// entry and the brightest it is used for.
+/// Bits of a float between neighbouring entries of the table of strengths, and the light of its first entry and the
+/// brightest it is used for.
 const PART: u32 = 15;
 const DARK: f32 = 1.0 / 4096.0;
 const BRIGHT: f32 = 65536.0;
@@ -68,29 +108,39 @@ const BRIGHT: f32 = 65536.0;
 /// Number of entries of the table, a power of two; the last ones are unused.
 const ENTRIES: usize = 8192;
 
-/// The table from light, in 256 steps for each doubling, to sRGB.
-static FILM: LazyLock<Box<[u8; ENTRIES]>> = LazyLock::new(|| {
+/// The table of [`strength`], in 256 steps for each doubling of the light.
+static STRENGTHS: LazyLock<Box<[f32; ENTRIES]>> = LazyLock::new(|| {
     let first = (DARK.to_bits() >> PART) as usize;
-    let colour = |step: u32| encoded([film(f32::from_bits(step << PART | 1 << (PART - 1))); 3])[0];
-    Box::new(std::array::from_fn(|entry| colour((first + entry) as u32)))
+    let of = |step: u32| strength(f32::from_bits(step << PART | 1 << (PART - 1)));
+    Box::new(std::array::from_fn(|entry| of((first + entry) as u32)))
 });
 
-/// Display colours for the light of a row's pixels.
-#[allow(clippy::manual_clamp, reason = "what is no number is dark")]
+/// Number of pixels converted together.
+const MANY: usize = 64;
+
+/// Display colours for the light of a row's pixels, as [`displayed`] gives them.
 #[inline(always)]
 pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]]) {
-    let table: &[u8; ENTRIES] = &FILM;
-    let mut steps = [[0_u32; 64]; 3];
-    for (part, out) in out.chunks_mut(64).enumerate() {
-        for ((steps, light), exposure) in steps.iter_mut().zip(light).zip(exposure) {
-            for (step, light) in steps.iter_mut().zip(&light[part * 64..]) {
-                let light = (light * exposure).max(DARK).min(BRIGHT);
-                *step = (light.to_bits() - DARK.to_bits()) >> PART;
+    let (strengths, codes): (&[f32; ENTRIES], &[u8; STEPS]) = (&STRENGTHS, &TABLE);
+    let top = (STEPS - 1) as f32 * night(brightness(exposure));
+    for (part, out) in out.chunks_mut(MANY).enumerate() {
+        let (mut exposed, mut greatest, mut strong) = ([[DARK; MANY]; 3], [DARK; MANY], [0.0; MANY]);
+        for ((exposed, light), exposure) in exposed.iter_mut().zip(light).zip(exposure) {
+            for ((exposed, greatest), light) in exposed.iter_mut().zip(&mut greatest).zip(&light[part * MANY..]) {
+                *exposed = within(*light, exposure);
+                *greatest = greatest.max(*exposed);
             }
         }
-        let colour = |step: u32| table[step as usize % ENTRIES];
+        for (strong, greatest) in strong.iter_mut().zip(&greatest) {
+            *strong = strengths[(greatest.to_bits() - DARK.to_bits()) as usize >> PART & (ENTRIES - 1)];
+        }
+        let mut steps = [[0_u32; MANY]; 3];
+        for i in 0..MANY {
+            let shown = saturated(exposed.each_ref().map(|list| list[i]), greatest[i], strong[i]);
+            (0..3).for_each(|c| steps[c][i] = whole(shown[c] * top));
+        }
         for (i, out) in out.iter_mut().enumerate() {
-            *out = [colour(steps[0][i]), colour(steps[1][i]), colour(steps[2][i])];
+            *out = three(|c| codes[steps[c][i] as usize % STEPS]);
         }
     }
 }

@@ -38,7 +38,7 @@ pub(crate) struct Surface {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Role {
     Plain,
-    /// A lampshade: light shines through it.
+    /// A lampshade of cloth, paper or glass: light shines through it.
     Shade,
     /// A floor: its wood is laid as boards.
     Floor,
@@ -59,6 +59,10 @@ impl Role {
 
 impl Surface {
     pub(crate) fn of(material: &Material, role: Role) -> Self {
+        let pattern = Pattern::of(material, role);
+        // No light shines through a shade of metal.
+        let translucent = material.transmission > 0.0 || matches!(pattern, Pattern::Weave | Pattern::Paper);
+        let role = if role == Role::Shade && !translucent { Role::Plain } else { role };
         Self {
             // No material reflects all light.
             colour: material.colour.map(|c| c.min(0.9)),
@@ -67,7 +71,7 @@ impl Surface {
             transmission: material.transmission.min(1.0),
             emission: material.emission,
             role,
-            pattern: Pattern::of(material, role),
+            pattern,
             picture: None,
         }
     }
