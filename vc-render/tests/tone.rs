@@ -96,6 +96,29 @@ fn cameras_meter_what_they_see() {
     assert!(dark.1 > 2.5 * white.1, "{dark:?} and {white:?}");
 }
 
+/// A shade of cloth around a bulb glows, one of metal does not.
+#[test]
+fn light_shines_through_cloth_only() {
+    let shade = |name: &str| {
+        let mut stage = Stage::new();
+        let cover = stage.library.add_material(material(name, [0.3, 0.25, 0.2])).unwrap();
+        let bulb = common::part("bulb", vc_graph::asset::Shape::Sphere { radius: 0.04 }, [0.0; 3], 3);
+        let asset = stage.asset(vec![bulb, common::part("shade", block([0.1; 3]), [0.0; 3], cover)]);
+        let lamp = stage.put("pendant_lamp", asset, Pose::translation(1.5, 0.0, 1.5));
+        stage.one("floor", block([3.0, 3.0, 0.1]), Pose::translation(0.0, 0.0, -0.1), 1);
+        let mut renderer = Renderer::new();
+        let mut snapshot = renderer.snapshot(&stage.build()).unwrap();
+        snapshot.switch(lamp, true).unwrap();
+        let lighting = renderer.light(&snapshot, &Daylight::night());
+        let camera = Camera::with_fov(32, 24, 0.5).looking(Point3::new(0.0, 0.0, 1.5), Point3::new(1.5, 0.0, 1.5));
+        let mut frame = Frame::new();
+        renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
+        frame.rgb[12 * 32 + 16][0]
+    };
+    let (cloth, metal) = (shade("natural_linen"), shade("black_enamelled_metal"));
+    assert!(cloth > 120 && metal < 60, "{cloth} through cloth, {metal} through metal");
+}
+
 /// A camera that adapts is dazzled for a moment only; one whose share is zero keeps its exposure.
 #[test]
 fn a_large_step_is_adapted_to_at_once() {

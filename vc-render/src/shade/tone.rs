@@ -144,3 +144,25 @@ pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use vc_graph::portable::Portable;
+
+    use super::{colours, displayed, encoded};
+
+    /// Fast pictures and reference pictures display the same light in the same colours, by day and at night.
+    #[test]
+    fn fast_colours_are_those_of_references() {
+        let light = |i: usize, k: usize| 1.05_f32.power(i as f32) * [1e-4, 3e-5, 2e-3][k];
+        let lists = [0, 1, 2].map(|k| (0..256).map(|i| light(i, k)).collect::<Vec<f32>>());
+        for exposure in [[8.0, 9.0, 10.0], [4e4; 3]] {
+            let mut fast = [[0; 3]; 256];
+            colours([&lists[0], &lists[1], &lists[2]], exposure, &mut fast);
+            for (i, fast) in fast.iter().enumerate() {
+                let reference = encoded(displayed([light(i, 0), light(i, 1), light(i, 2)], exposure));
+                assert!((0..3).all(|c| fast[c].abs_diff(reference[c]) <= 2), "{i}: {fast:?}, {reference:?}");
+            }
+        }
+    }
+}
