@@ -22,7 +22,8 @@ const RADII: [f32; 2] = [0.3, 0.15];
 pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
     let mut world = World::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     let wanted = FloorPlan { radius: RADII[0], ..FloorPlan::default() };
-    let first = Tour::longest(scene, &Floor::of(&world, wanted)).ok_or_else(|| Complaint::new("no room has free floor"))?;
+    let first =
+        Tour::longest(scene, &Floor::of(&world, wanted)).ok_or_else(|| Complaint::new("no room has free floor"))?;
     let mut edit = scene.edit();
     for door in &first.doors {
         edit.enter_state(*door, State::Open).map_err(Complaint::new)?;

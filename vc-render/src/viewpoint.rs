@@ -152,7 +152,10 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let ahead = || frame.depth.chunks(frame.width).flat_map(|row| &row[middle.clone()]);
     let nearer = |than: f32| ahead().filter(|d| **d < than).count() as f32 / ahead().count().max(1) as f32;
     let far = 1.0 - nearer(FAR);
-    seen.len() as f32 * daylight + 12.0 * far - 60.0 * nearer(0.7) - 15.0 * nearer(1.3) - 25.0 * foreign
+    seen.len() as f32 * daylight + 12.0 * far
+        - 60.0 * nearer(0.7)
+        - 15.0 * nearer(1.3)
+        - 25.0 * foreign
         - WALLED * (walled(frame) - FILLED).max(0.0)
 }
 

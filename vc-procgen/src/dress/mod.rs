@@ -84,8 +84,11 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
     let mut wardrobe = Wardrobe::new(graph, seed)?;
     let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
     needs.iter().for_each(|need| wardrobe.load(need));
-    let looks =
-        graph.nodes().zip(needs).map(|(node, need)| wardrobe.look(&house, node, need)).collect::<Result<Vec<_>, _>>()?;
+    let looks = graph
+        .nodes()
+        .zip(needs)
+        .map(|(node, need)| wardrobe.look(&house, node, need))
+        .collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library)
 }
 
