@@ -207,6 +207,14 @@ impl<'g> Edit<'g> {
         self.respecify(id, |spec| spec.affordances = spec.affordances.minus(PropertySet::of(&[property])))
     }
 
+    /// Gives a node an affordance, such as one that [`Edit::bar`] took from it. Its relations stay.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn allow(&mut self, id: NodeId, property: Property) -> Result<(), EditError> {
+        self.respecify(id, |spec| spec.affordances = spec.affordances.with(property))
+    }
+
     /// Gives a node another scale, along the axes of its frame: cloth that is folded up small
     /// takes less room one way and more another. Its relations stay.
     ///

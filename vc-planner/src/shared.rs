@@ -23,6 +23,8 @@ fn is_shared(part: &Goal) -> bool {
     match part {
         Goal::Literal(literal) | Goal::Count { literal, .. } => is_anybodys(literal),
         Goal::Same(a, b) => *a != Term::Me && *b != Term::Me,
+        // All keep to what is to stay so.
+        Goal::Always(part) if !part.is_temporal() => is_shared(part),
         // Of what was when only the one of whom it speaks keeps count.
         part if part.is_temporal() => false,
         part => part.parts().into_iter().all(is_shared),

@@ -47,7 +47,8 @@ impl TeamEpisode {
     /// node.
     pub(crate) fn hopeless(agents: usize, goal: &Goal, graph: &SceneGraph) -> Option<Self> {
         let misnomer = goal.misnomers(graph).into_iter().next().map(|misnomer| misnomer.to_string());
-        let reason = if agents == 0 { Some("there is no agent to act: the team is empty".to_owned()) } else { misnomer };
+        let reason =
+            if agents == 0 { Some("there is no agent to act: the team is empty".to_owned()) } else { misnomer };
         let reason = Some(reason?);
         Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason })
     }

@@ -119,7 +119,9 @@ pub enum Unreachable {
         steps: usize,
     },
     /// Words of time stand in each other in a way that no agent here plans for.
-    #[error("`{0}`: the planner does not plan for words of time that stand in each other so; judge it with another policy")]
+    #[error(
+        "`{0}`: the planner does not plan for words of time that stand in each other so; judge it with another policy"
+    )]
     Beyond(String),
     /// A language model gave no answer that could be used.
     #[error("no usable answer: {0}")]

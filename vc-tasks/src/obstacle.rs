@@ -140,10 +140,8 @@ fn held_by_me(part: &Goal) -> Option<(&Term, usize)> {
         }
         _ => return None,
     };
-    let in_hand = matches!(
-        literal.predicate,
-        Predicate::Holds | Predicate::Relation(Relation::HoldsRight | Relation::HoldsLeft)
-    );
+    let in_hand =
+        matches!(literal.predicate, Predicate::Holds | Predicate::Relation(Relation::HoldsRight | Relation::HoldsLeft));
     match literal.terms.as_slice() {
         [Term::Me, thing] if in_hand => Some((thing, number)),
         _ => None,

@@ -121,12 +121,7 @@ fn assigned(choices: &[Vec<NodeId>]) -> Vec<Option<NodeId>> {
     things
 }
 
-fn augment(
-    row: usize,
-    choices: &[Vec<NodeId>],
-    taken: &mut HashMap<NodeId, usize>,
-    tried: &mut Vec<NodeId>,
-) -> bool {
+fn augment(row: usize, choices: &[Vec<NodeId>], taken: &mut HashMap<NodeId, usize>, tried: &mut Vec<NodeId>) -> bool {
     for &thing in &choices[row] {
         if tried.contains(&thing) {
             continue;
