@@ -80,6 +80,8 @@ pub struct Agent {
     aim: Option<Aim>,
     /// How many affordances had been taken from things when the conditions of the present stage began.
     bars: usize,
+    /// Why a plan for the present stage was not taken.
+    breach: Option<Unreachable>,
     /// The things the goal is about.
     concerns: Vec<NodeId>,
     belief: Belief,
@@ -142,6 +144,7 @@ impl Agent {
             agenda,
             aim: None,
             bars: 0,
+            breach: None,
             concerns,
             belief,
             history: History::default(),

@@ -244,7 +244,10 @@ impl Running<'_> {
 /// Why an action was not done.
 pub(crate) fn refusal(action: &str, why: &WorldError) -> String {
     let why = why.to_string();
-    format!("`{action}` was refused: {}", why.strip_prefix("refused: ").unwrap_or(&why))
+    let why = why.strip_prefix("refused: ").unwrap_or(&why);
+    // Bodies name the action themselves.
+    let why = why.strip_prefix(action).and_then(|rest| rest.strip_prefix(": ")).unwrap_or(why);
+    format!("`{action}` was refused: {why}")
 }
 
 /// Why a policy gives up, and what the scene, which it need not know, has too little of.

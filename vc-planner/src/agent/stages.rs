@@ -45,7 +45,7 @@ impl Agent {
         // What was barred to keep a condition is allowed again when the condition has ended.
         if self.aim.as_ref().is_none_or(|before| before.guards != aim.guards) {
             self.belief.unbar(self.bars);
-            self.bars = self.belief.bars();
+            (self.bars, self.breach) = (self.belief.bars(), None);
         }
         self.aim = Some(aim);
         let decision = self.think_twice();
@@ -55,6 +55,8 @@ impl Agent {
             (Decision::Done, Some(Aim { beyond: Some(part), .. })) => {
                 Decision::GiveUp(Unreachable::Beyond(part.clone()))
             }
+            // It looked elsewhere because of a condition, in vain.
+            (Decision::GiveUp(why), _) => Decision::GiveUp(self.breach.clone().unwrap_or(why)),
             (decision, _) => decision,
         }
     }

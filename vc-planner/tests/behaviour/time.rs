@@ -44,10 +44,10 @@ const REACHED: &[(&str, usize)] = &[
 /// Goals that cannot be reached, and what the reason names.
 const LOST: &[(&str, &str)] = &[
     ("always Closed(fridge) & Holds(egg)", "`always Closed(fridge)`: `open fridge"),
-    ("within 1 steps Holds(milk)", "`within 1 steps Holds(milk)`"),
-    ("Closed(fridge) until Holds(milk)", "`Closed(fridge) until Holds(milk)`: `open fridge"),
-    ("always !Holds(milk) & Inside(milk, microwave)", "`always !Holds(milk)`: `grab milk"),
-    ("Open(fridge) until Holds(apple)", "`Open(fridge) until Holds(apple)` does not hold any more"),
+    ("within 1 steps Holds(milk)", "`within 1 steps Holds(me, milk)`"),
+    ("Closed(fridge) until Holds(milk)", "`Closed(fridge) until Holds(me, milk)`: `open fridge"),
+    ("always !Holds(milk) & Inside(milk, microwave)", "`always !Holds(me, milk)`: `grab milk"),
+    ("Open(fridge) until Holds(apple)", "`Open(fridge) until Holds(me, apple)` does not hold any more"),
     ("always (Closed(fridge) => eventually Open(microwave)) & Holds(apple)", "does not plan for words of time"),
 ];
 
