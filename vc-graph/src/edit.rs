@@ -206,6 +206,14 @@ impl<'g> Edit<'g> {
         self.respecify(id, |spec| spec.affordances = spec.affordances.minus(PropertySet::of(&[property])))
     }
 
+    /// Gives a node an affordance, such as one that [`Edit::bar`] took from it. Its relations stay.
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchNode`].
+    pub fn allow(&mut self, id: NodeId, property: Property) -> Result<(), EditError> {
+        self.respecify(id, |spec| spec.affordances = spec.affordances.with(property))
+    }
+
     /// Sets a node's scale along the axes of its frame: folded cloth takes less space along one axis and more
     /// along another. Its relations stay.
     ///

@@ -83,8 +83,6 @@ pub(crate) struct Guard {
     pub(crate) part: String,
     /// It must hold at the step at which the aim is reached as well.
     pub(crate) to_the_end: bool,
-    /// It must hold at every step of the episode.
-    pub(crate) forever: bool,
 }
 
 /// What a goal asks for next.

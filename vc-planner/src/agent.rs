@@ -78,6 +78,10 @@ pub struct Agent {
     /// What is left of a goal with words of time, and its present stage.
     agenda: Option<Agenda>,
     aim: Option<Aim>,
+    /// How many affordances had been taken from things when the conditions of the present stage began.
+    bars: usize,
+    /// Why a plan for the present stage was not taken.
+    breach: Option<Unreachable>,
     /// The things the goal is about.
     concerns: Vec<NodeId>,
     belief: Belief,
@@ -139,6 +143,8 @@ impl Agent {
             goal,
             agenda,
             aim: None,
+            bars: 0,
+            breach: None,
             concerns,
             belief,
             history: History::default(),

@@ -54,6 +54,8 @@ pub struct Belief {
     touched: Vec<NodeId>,
     /// The nodes that it cannot reach.
     shunned: Vec<NodeId>,
+    /// What is expected no more of things.
+    barred: Vec<(NodeId, Property)>,
     widened: usize,
     rng: ChaCha8Rng,
 }
@@ -137,6 +139,7 @@ impl Belief {
             stranger: false,
             touched: Vec::new(),
             shunned: Vec::new(),
+            barred: Vec::new(),
             widened: 0,
             rng: ChaCha8Rng::seed_from_u64(seed),
         }

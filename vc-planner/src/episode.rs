@@ -89,6 +89,31 @@ impl From<&Episode> for Summary {
 
 /// Lets a policy do a task in a world as its first agent, with seed 0. See [`Run`] for
 /// more.
+///
+/// The verdict and the score are those of [`Progress`]: of the true scene at the end, and for a goal with words of time
+/// of all that happened in the episode.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_planner::{Resident, run_episode};
+/// use vc_tasks::{Outcome, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// scene.add_in(fridge, Draft::new("egg"))?;
+/// scene.add_in(kitchen, Draft::new("character"))?;
+/// let scene = scene.build();
+/// let run = |goal: &str| -> Result<_, vc_graph::goal::GoalError> {
+///     let task = Task::new("in time", goal.parse()?);
+///     Ok(run_episode(&mut Resident::default(), &task, &mut Simulator::new(scene.clone())))
+/// };
+/// let aired = run("eventually Open(fridge) & Closed(fridge)")?;
+/// assert_eq!((aired.outcome, aired.steps), (Outcome::Won, 3)); // walk, open, close
+/// let shut = run("always Closed(fridge) & Holds(egg)")?;
+/// assert_eq!(shut.outcome, Outcome::Lost);
+/// println!("{}", shut.reason.unwrap_or_default()); // opening the fridge breaks `always Closed(fridge)`
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn run_episode(policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Episode {
     Run::default().episode(policy, task, world, &mut |_| {})
 }
@@ -219,7 +244,10 @@ impl Running<'_> {
 /// Why an action was not done.
 pub(crate) fn refusal(action: &str, why: &WorldError) -> String {
     let why = why.to_string();
-    format!("`{action}` was refused: {}", why.strip_prefix("refused: ").unwrap_or(&why))
+    let why = why.strip_prefix("refused: ").unwrap_or(&why);
+    // Bodies name the action themselves.
+    let why = why.strip_prefix(action).and_then(|rest| rest.strip_prefix(": ")).unwrap_or(why);
+    format!("`{action}` was refused: {why}")
 }
 
 /// Why a policy gives up, and what the scene, which it need not know, has too little of.

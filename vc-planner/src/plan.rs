@@ -38,6 +38,9 @@ pub struct Plan {
 /// Plans for an agent in a scene it knows entirely, with the usual effort and no
 /// manners; see [`Planner`].
 ///
+/// Words of time are read as [`Goal::holds`] reads them in one situation: earlier states are taken to be as the present
+/// one. An [`Agent`](crate::Agent) and the policies made of it pursue such goals by stages.
+///
 /// ```
 /// use vc_graph::{Draft, History, SceneBuilder};
 /// let mut scene = SceneBuilder::new("flat");

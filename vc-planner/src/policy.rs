@@ -4,7 +4,7 @@ use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Seed
 use vc_tasks::library::THESIS_VERBS;
 use vc_tasks::{Task, WorldError};
 
-use crate::{Agent, Belief, Decision, Horizon, Learned, Manners, Plan, Prior};
+use crate::{Agent, Belief, Decision, Effort, Horizon, Learned, Manners, Plan, Prior};
 
 /// What a policy is told when an episode begins.
 #[derive(Debug, Clone, Copy)]
@@ -283,7 +283,8 @@ impl Policy for Resident {
 
     fn begin(&mut self, brief: &Brief<'_>) {
         let agent = Agent::resident(brief.scene, brief.agent, brief.task.goal.clone());
-        self.planning.begin(agent.planning(Horizon::Goal).mannered(self.manners));
+        // Others are measured by its plans.
+        self.planning.begin(agent.planning(Horizon::Goal).trying(Effort::THOROUGH).mannered(self.manners));
     }
 
     plans!();

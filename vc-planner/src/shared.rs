@@ -23,6 +23,8 @@ fn is_shared(part: &Goal) -> bool {
     match part {
         Goal::Literal(literal) | Goal::Count { literal, .. } => is_anybodys(literal),
         Goal::Same(a, b) => *a != Term::Me && *b != Term::Me,
+        // All agents keep a condition that is to stay true.
+        Goal::Always(part) if !part.is_temporal() => is_shared(part),
         // Only the agent itself keeps a record of the past.
         part if part.is_temporal() => false,
         part => part.parts().into_iter().all(is_shared),

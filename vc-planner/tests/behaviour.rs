@@ -5,6 +5,8 @@
 
 #[path = "support/homes.rs"]
 mod homes;
+#[path = "behaviour/time.rs"]
+mod time;
 
 use homes::{GOALS, home};
 use vc_graph::goal::Situation;

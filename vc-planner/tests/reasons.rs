@@ -99,3 +99,19 @@ fn what_the_scene_lacks_is_named() {
         assert!(reason.contains("needs 2 of `mug`, the scene has 0"), "{reason}");
     }
 }
+
+/// Three things are not held by turns in two hands: that is told at once, or when all are found.
+#[test]
+fn two_hands_hold_two_things() {
+    let (scene, _) = flat();
+    let task = vc_tasks::Task::new("armful", "Holds(apple) & Holds(book) & Holds(chicken)".parse().unwrap());
+    for policy in
+        [&mut vc_planner::Newcomer::best() as &mut dyn vc_planner::Policy, &mut vc_planner::Resident::default()]
+    {
+        let mut world = vc_graph::Simulator::new(scene.clone());
+        let episode = vc_planner::run_episode(policy, &task, &mut world);
+        let reason = episode.reason.unwrap();
+        assert!(reason.contains("needs 3 things to be held at once, and an agent has 2 hands"), "{reason}");
+        assert!(episode.steps < 20, "{} {}", policy.name(), episode.steps);
+    }
+}

@@ -228,3 +228,29 @@ fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
         }
     }
 }
+
+/// Nobody can win nothing, and a team that stops says what is missing.
+#[test]
+fn a_lost_team_says_why() {
+    let scene = home(1);
+    let run = |ids: &[NodeId], goal: &str| {
+        let task = Task::new("together", goal.parse().unwrap());
+        Team::newcomers(&scene, ids, &task.goal, 1).run(&task, &mut Simulator::new(scene.clone()))
+    };
+    let nobody = run(&[], "Holds(apple)");
+    assert_eq!((nobody.outcome, nobody.actions), (Outcome::Lost, 0));
+    assert_eq!(nobody.reason.as_deref(), Some("there is no agent to act: the team is empty"));
+    let task = Task::new("together", "Holds(apple)".parse().unwrap());
+    let nobody = run_together(&mut [], &task, &mut Simulator::new(scene.clone()), Seed(1));
+    assert_eq!((nobody.outcome, nobody.rounds), (Outcome::Lost, 0));
+    let lost = run(scene.agents(), "On(unicorn, kitchen_table)");
+    assert_eq!(lost.outcome, Outcome::Lost);
+    let reason = lost.reason.unwrap();
+    assert!(reason.contains("`On(unicorn, kitchen_table)` needs 1 of `unicorn`"), "{reason}");
+    // A goal with words of time is judged on the trace.
+    let opened = run(scene.agents(), "eventually Open(fridge) & Closed(fridge)");
+    assert_eq!((opened.outcome, opened.score), (Outcome::Won, 1.0), "{opened:?}");
+    let kept = run(scene.agents(), "always Closed(fridge) & Inside(apple, fridge)");
+    assert_eq!(kept.outcome, Outcome::Lost, "{kept:?}");
+    assert!(kept.reason.as_ref().unwrap().contains("always Closed(fridge)"), "{kept:?}");
+}

@@ -14,8 +14,9 @@ use shared::edits::{apply, plans};
 use shared::goals::goal;
 use shared::scenes::{scene, steps};
 use vc_graph::goal::{Situation, Trace};
-use vc_graph::{Change, Event, Goal, History};
+use vc_graph::{Action, Change, ChangeSet, Event, Goal, History, NodeId, SceneGraph};
 use vc_tasks::compile::{CompileError, Known, Monitor, Program, Tracker, Verdict};
+use vc_tasks::{Progress, World, WorldError};
 
 fn agree(program: &Program, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
     let bits = program.read(now);
@@ -147,6 +148,59 @@ proptest! {
         prop_assert_eq!(monitor.first_held(), &held[..]);
         prop_assert_eq!(vc_tasks::first_held(&goal, &trace), held);
         prop_assert!(goal.is_temporal() || Program::new(&goal, &room.now()).is_ok());
+    }
+}
+
+/// A world to which anything can happen.
+struct Shown {
+    room: Room,
+}
+
+impl World for Shown {
+    fn graph(&self) -> &SceneGraph {
+        &self.room.graph
+    }
+
+    fn history(&self) -> &History {
+        &self.room.history
+    }
+
+    fn step(&mut self, _: NodeId, _: &Action) -> Result<ChangeSet, WorldError> {
+        Err(WorldError::Failed("it is shown".into()))
+    }
+
+    fn reset(&mut self, _: &SceneGraph) -> Result<(), WorldError> {
+        Ok(())
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn progress_says_what_a_reading_of_the_trace_would(
+        goal in common::temporal(3), first in flips(20), then in prop::collection::vec((common::flip(), 0_usize..4), 0..7),
+        adds in 0_usize..9
+    ) {
+        let mut world = Shown { room: Room::new(&first) };
+        let me = world.room.me;
+        let mut progress = Progress::new(&goal, &world, me);
+        let mut trace = Trace::new(world.room.graph.clone(), me);
+        for (number, (flip, deed)) in then.into_iter().enumerate() {
+            world.room.flip(flip);
+            if number == adds {
+                let mut edit = world.room.graph.edit();
+                edit.add(vc_graph::Draft::new("cup")).unwrap();
+                edit.commit();
+            }
+            let action = ["grab #2", "grab #5", "eat #3", "place #2 #5"][deed].parse().unwrap();
+            let event = Event { agent: me, action };
+            world.room.history.push(event);
+            trace.push(world.room.graph.clone(), [event]);
+            progress.note(&world);
+            prop_assert_eq!(progress.holds(&world), goal.holds_on(&trace), "{}", goal);
+            prop_assert_eq!(progress.score(&world), goal.score_on(&trace), "{}", goal);
+        }
     }
 }
 

@@ -185,3 +185,48 @@ fn conditions_are_written_as_they_are_read() {
         assert!(bddl::condition(&goal(refused), &objects).is_err(), "{refused}");
     }
 }
+
+/// A flat with two cups, a table and a person.
+fn flat() -> (SceneGraph, [NodeId; 4]) {
+    let mut scene = SceneBuilder::new("flat");
+    let [hall, kitchen] = ["hallway", "kitchen"].map(|room| scene.add(Draft::new(room)).unwrap());
+    scene.add_in(hall, Draft::new("kitchen_table")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    let cups = [(); 2].map(|()| scene.add_on(table, Draft::new("cup")).unwrap());
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    (scene.build(), [table, cups[0], cups[1], me])
+}
+
+fn activity(objects: &str, goal: &str) -> bddl::Activity {
+    let init = "(inroom table.n.02_1 kitchen)";
+    let text = format!("(define (problem p-0) (:objects {objects}) (:init {init}) (:goal {goal}))");
+    bddl::Activity::read(&text).unwrap()
+}
+
+#[test]
+fn activities_are_bound_to_things_of_a_scene() {
+    let (scene, [table, first, second, me]) = flat();
+    let objects = "cup.n.01_1 cup.n.01_2 - cup.n.01 table.n.02_1 - table.n.02 agent.n.01_1 - agent.n.01";
+    let history = History::default();
+    let now = Situation::new(&scene, me, &history);
+    for (condition, holds) in [
+        ("(forall (?c - cup.n.01) (ontop ?c ?table.n.02_1))", true),
+        ("(exists (?c - cup.n.01) (not (ontop ?c ?table.n.02_1)))", false),
+        ("(forn (2) (?c - cup.n.01) (ontop ?c ?table.n.02_1))", true),
+        ("(forn (1) (?c - cup.n.01) (ontop ?c ?table.n.02_1))", false),
+        ("(forpairs (?c - cup.n.01) (?t - table.n.02) (ontop ?c ?t))", true),
+        ("(fornpairs (2) (?c - cup.n.01) (?t - table.n.02) (ontop ?c ?t))", false),
+    ] {
+        let bound = activity(objects, condition).bind(&scene).unwrap();
+        let things: Vec<NodeId> = bound.objects.iter().map(|(_, thing)| *thing).collect();
+        assert_eq!(things, [first, second, table, me], "{condition}");
+        assert_eq!(bound.goal.holds(&now), holds, "{condition}: {}", bound.goal);
+        assert!(bound.goal.misnomers(&scene).is_empty() && Task::new("t", bound.goal).obstacles(&scene).is_empty());
+    }
+    // What finds nothing is named, all of it.
+    let more = "cup.n.01_1 cup.n.01_2 cup.n.01_3 - cup.n.01 table.n.02_1 - table.n.02 harp.n.01_1 - harp.n.01";
+    let error = activity(more, "(ontop ?cup.n.01_1 ?table.n.02_1)").bind(&scene).unwrap_err();
+    let bddl::BindError::Missing(missing) = &error else { panic!("{error}") };
+    assert_eq!(missing.iter().map(|(name, _)| &**name).collect::<Vec<_>>(), ["cup.n.01_3", "harp.n.01_1"]);
+    assert!(error.to_string().contains("`harp.n.01_1` of class `harp.n.01`"), "{error}");
+}

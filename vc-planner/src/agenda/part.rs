@@ -181,7 +181,7 @@ impl Part {
             Self::Once(once) => open.once.push(once.stage()),
             Self::Always(goal) => {
                 let part = Goal::Always(Box::new(goal.clone())).to_string();
-                open.guards.push(Guard { goal: goal.clone(), part, to_the_end: true, forever: true });
+                open.guards.push(Guard { goal: goal.clone(), part, to_the_end: true });
             }
             Self::All(parts) => parts.iter().for_each(|part| part.gather(open)),
             Self::Any(parts) => {
@@ -193,7 +193,7 @@ impl Part {
             Self::Then(active, _) => {
                 let mut stretch = Open::default();
                 active.gather(&mut stretch);
-                open.guards.extend(stretch.guards.into_iter().map(|guard| Guard { forever: false, ..guard }));
+                open.guards.extend(stretch.guards);
                 open.beyond = open.beyond.take().or(stretch.beyond);
                 if stretch.once.is_empty() {
                     let (goal, since) = (joined(stretch.ends), Some(stretch.since));
@@ -238,7 +238,7 @@ impl Once {
     }
 
     fn stage(&self) -> Stage {
-        let guard = |goal: Goal, to_the_end| Guard { goal, part: self.whole.to_string(), to_the_end, forever: false };
+        let guard = |goal: Goal, to_the_end| Guard { goal, part: self.whole.to_string(), to_the_end };
         let until = self.until.iter().map(|goal| guard(goal.clone(), false));
         let before = self.before.iter().map(|goal| guard(negated(goal), true));
         let by = self.by.map(|by| (by, self.whole.to_string()));

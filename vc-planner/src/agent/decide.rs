@@ -1,7 +1,7 @@
 //! The choice of the next action.
 
-use vc_graph::goal::Situation;
-use vc_graph::{Action, NodeId, State, Verb, rule};
+use vc_graph::goal::{Literal, Predicate, Situation};
+use vc_graph::{Action, Goal, NodeId, Relation, State, Verb, rule};
 use vc_tasks::{Obstacle, Task};
 
 use super::{Agent, Decision, Mind};
@@ -49,6 +49,9 @@ impl Agent {
         }
         if let Some(id) = self.concerns.iter().find(|&&id| self.belief.has_no_place() && self.belief.is_missing(id)) {
             return Decision::GiveUp(Unreachable::Nowhere(self.belief.graph().label(*id).to_string()));
+        }
+        if self.idle == 0 && self.lacks_hands() {
+            return Decision::GiveUp(Unreachable::Conflicting(self.goal.to_string()));
         }
         self.idle += 1;
         if self.idle > CIRCLES {
@@ -164,6 +167,15 @@ impl Agent {
 
     /// Whether the goal asks for more to be held at once than there are hands.
     fn lacks_hands(&self) -> bool {
+        let held = |part: &Goal| match part {
+            Goal::Literal(literal) => usize::from(is_held(literal)),
+            Goal::Count { literal, number, .. } if is_held(literal) => *number as usize,
+            _ => 0,
+        };
+        // Mostly that is seen at once.
+        if self.goal.conjuncts().iter().map(held).sum::<usize>() <= 2 {
+            return false;
+        }
         let task = Task::new("", self.goal.clone());
         let obstacles = task.obstacles(self.belief.graph());
         obstacles.iter().any(|obstacle| matches!(obstacle, Obstacle::TooManyHeld { .. }))
@@ -247,6 +259,10 @@ impl Agent {
             }
         }
     }
+}
+
+fn is_held(literal: &Literal) -> bool {
+    matches!(literal.predicate, Predicate::Holds | Predicate::Relation(Relation::HoldsRight | Relation::HoldsLeft))
 }
 
 /// The containers that lacking things will be put into.

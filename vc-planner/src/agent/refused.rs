@@ -73,6 +73,7 @@ impl Agent {
             };
             if let Some(Breach { why, action }) = self.breach(&plan.actions) {
                 self.forget_plans();
+                self.breach = Some(why.clone());
                 if !action.is_some_and(|action| self.bar(&action)) {
                     return Decision::GiveUp(why);
                 }

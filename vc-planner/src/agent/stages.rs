@@ -42,20 +42,21 @@ impl Agent {
             (self.unproved, self.idle) = (None, 0);
             self.tried.clear();
         }
-        // What a condition that ends bars is only barred for this decision.
-        let passing = aim.guards.iter().any(|guard| !guard.forever);
-        let belief = passing.then(|| self.belief.clone());
+        // What was barred to keep a condition is allowed again when the condition has ended.
+        if self.aim.as_ref().is_none_or(|before| before.guards != aim.guards) {
+            self.belief.unbar(self.bars);
+            (self.bars, self.breach) = (self.belief.bars(), None);
+        }
         self.aim = Some(aim);
         let decision = self.think_twice();
-        if let Some(belief) = belief {
-            self.belief = belief;
-        }
         match (decision, &self.aim) {
             // The agent believes that a stage is reached, and cannot tell that it is.
             (Decision::Done, Some(aim)) if !aim.is_last => Decision::GiveUp(Unreachable::NoPlan(aim.goal.to_string())),
             (Decision::Done, Some(Aim { beyond: Some(part), .. })) => {
                 Decision::GiveUp(Unreachable::Beyond(part.clone()))
             }
+            // It looked elsewhere because of a condition, in vain.
+            (Decision::GiveUp(why), _) => Decision::GiveUp(self.breach.clone().unwrap_or(why)),
             (decision, _) => decision,
         }
     }

@@ -48,7 +48,30 @@ impl Belief {
         let mut edit = self.graph.edit();
         let barred = affords && edit.bar(id, property).is_ok();
         edit.commit();
+        if barred {
+            self.barred.push((id, property));
+        }
         barred
+    }
+
+    /// How many affordances have been taken from things.
+    pub(crate) fn bars(&self) -> usize {
+        self.barred.len()
+    }
+
+    /// Gives back all affordances that were taken from things but the first so many, and expects again to get at
+    /// everything.
+    pub(crate) fn unbar(&mut self, kept: usize) {
+        if self.barred.len() <= kept {
+            return;
+        }
+        self.shunned.clear();
+        let mut edit = self.graph.edit();
+        for (id, property) in self.barred.drain(kept..) {
+            // It was taken from a node that is there.
+            let _ = edit.allow(id, property);
+        }
+        edit.commit();
     }
 
     /// Adds the nodes that a stranger sees for the first time.
