@@ -166,7 +166,8 @@ impl World {
         self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
     }
 
-    /// Sets where an agent that sits or lies [stood](Self::stood) before: it may sit from the start.
+    /// Sets where an agent that sits or lies [stood](Self::stood) before, and at which height it gets up: it may sit
+    /// from the start.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].
@@ -174,7 +175,8 @@ impl World {
         if !convert::is_sound(&feet) {
             return Err(PhysicsError::NotFinite("the pose", agent).into());
         }
-        self.agent_mut(agent)?.stood = super::upright(&feet);
+        let body = self.agent_mut(agent)?;
+        (body.stood, body.floor) = (super::upright(&feet), feet.translation.z);
         Ok(())
     }
 
@@ -182,9 +184,7 @@ impl World {
     pub fn is_stuck_in(&self, agent: NodeId) -> bool {
         self.agents.get(&agent).filter(|a| a.posture == Posture::Standing).is_some_and(|a| {
             let slim = super::BodyPlan { radius: SLIM * a.plan.radius, ..a.plan };
-            !self.has_room(&slim, &a.feet, |c| {
-                !self.agents.contains_key(&group::marked(c.user_data).0)
-            })
+            !self.has_room(&slim, &a.feet, |c| !self.agents.contains_key(&group::marked(c.user_data).0))
         })
     }
 
