@@ -138,16 +138,20 @@ pub(super) fn hold_moved(
     Ok(!moved.is_empty())
 }
 
-/// Puts loose things that have hardly moved to rest exactly where the scene has them, which was at rest.
+/// Puts things that have hardly moved to rest exactly where the scene has them, which was at rest, and agents too.
 pub(super) fn rest_as(world: &mut World, graph: &SceneGraph, things: &[NodeId]) -> Result<(), PhysicsError> {
     let near = |now: &Pose, pose: &Pose| {
         let far = (now.translation.vector - pose.translation.vector).norm();
         now != pose && far <= STILL && now.rotation.angle_to(&pose.rotation) <= STRAIGHT
     };
     let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
-    let loose = things.iter().filter(|id| world.role(**id) == Some(Role::Loose)).filter_map(wanted);
+    let moves = |id: &&NodeId| match world.posture(**id) {
+        Some(posture) => posture == Posture::Standing,
+        None => matches!(world.role(**id), Some(Role::Loose | Role::Hung)),
+    };
+    let all = things.iter().chain(graph.agents()).filter(moves).filter_map(wanted);
     let back: Vec<(NodeId, Pose)> =
-        loose.filter(|(id, pose)| world.pose(*id).is_some_and(|now| near(&now, pose))).collect();
+        all.filter(|(id, pose)| world.pose(*id).is_some_and(|now| near(&now, pose))).collect();
     if back.is_empty() { Ok(()) } else { world.rest_at(&back) }
 }
 
@@ -295,18 +299,21 @@ pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: Nod
     (!still.is_empty()).then_some(still)
 }
 
-/// The places of a thing that has not moved and whose doors, lids or drawers stand open: these reach over things that
-/// it is not on. Who sits or lies is on the seat, whatever is beside it.
-pub(super) fn opened_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
+/// The places of a thing that has not moved and whose doors, lids or drawers stand open, as these reach over things that
+/// it is not on, or that is fixed to the building. Who sits or lies is on the seat, whatever is beside it.
+pub(super) fn unmoved_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     match world.posture(id) {
         Some(Posture::Sitting(at, _)) => return Some(vec![Place { relation: Relation::SittingOn, at }]),
         Some(Posture::Lying(at, _)) => return Some(vec![Place { relation: Relation::LyingOn, at }]),
         Some(Posture::Standing) => return None,
         None => {}
     }
-    let open = !moved.contains(&id) && world.moving_parts(id).iter().any(|part| part.position != 0.0);
     let places = places(graph, id);
-    (open && !places.is_empty() && places.iter().all(rests)).then_some(places)
+    let fixed = |id: NodeId| world.role(id) == Some(Role::Fixed);
+    let attached = (fixed(id) || world.role(id) == Some(Role::Hung)) && places.iter().all(|p| fixed(p.at));
+    let stays = attached || world.moving_parts(id).iter().any(|part| part.position != 0.0);
+    let keeps = stays && !moved.contains(&id) && !places.is_empty() && places.iter().all(rests);
+    keeps.then_some(places)
 }
 
 /// Whether the pose of a thing relative to another, or to one of its moving parts, is unchanged.

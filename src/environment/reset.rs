@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
-use vc_graph::{EditError, History, Kind, Label, Node, NodeId, Place, Pose, Relation, SceneGraph};
+use vc_graph::{EditError, History, Kind, Label, Node, NodeId, Place, Pose, Relation, SceneGraph, State};
 use vc_physics::{Floor, Order, PhysicsError, Role, World};
 use vc_relations::Relations;
 
@@ -156,7 +156,8 @@ impl Environment {
         floor.update(&world);
         plan.report.elsewhere.extend(settle_agents(&mut world, &mut wanted, &floor)?);
         act::calm(&mut world);
-        if boxes::hold_moved(&mut world, &wanted, &standing, true)? {
+        let held = [standing.as_slice(), &plan.in_open_things(&world, &wanted)].concat();
+        if boxes::hold_moved(&mut world, &wanted, &held, true)? {
             act::calm(&mut world);
         }
         plan.take_out(&mut world, &mut wanted)?;
@@ -236,7 +237,7 @@ impl Environment {
             graph.nodes().map(vc_graph::Node::id).collect()
         };
         relations.write_but(graph, &met, |graph, id| {
-            boxes::still_at(&self.start, graph, world, id).or_else(|| boxes::opened_at(graph, world, id, &moved))
+            boxes::still_at(&self.start, graph, world, id).or_else(|| boxes::unmoved_at(graph, world, id, &moved))
         })?;
         let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
         boxes::keep(&wanted, graph, world, &kept)?;
@@ -306,6 +307,16 @@ impl Plan {
         }
         edit.commit();
         Ok(())
+    }
+
+    /// Things that the graph has in something open: how far its doors and drawers are open the graph does not say, so
+    /// these things may stand on none of them.
+    fn in_open_things(&self, world: &World, graph: &SceneGraph) -> Vec<NodeId> {
+        let open = |id: &NodeId| {
+            let inside = graph.place(*id).filter(|p| p.relation == Relation::Inside);
+            inside.is_some_and(|p| world.open_state(p.at) == Some(State::Open)) && !self.unposed.contains(id)
+        };
+        self.report.moved.iter().copied().filter(open).collect()
     }
 
     /// Lets down what hovers a little.

@@ -47,6 +47,9 @@ pub(super) fn leave_ways(world: &mut World, graph: &SceneGraph, floor: &Floor) -
     let mut without = Vec::new();
     // They are there, and all poses are sound.
     for agent in seated {
+        let mut below = world.pose(agent).unwrap_or_else(Pose::identity);
+        below.translation.z = floor.plan().level;
+        drop(world.set_stood(agent, below));
         match world.exit_where(agent, leads_on) {
             Ok(exit) => drop(world.set_stood(agent, exit)),
             Err(_) => without.push(agent),

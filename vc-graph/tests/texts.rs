@@ -178,8 +178,8 @@ fn lines_that_are_meant_as_actions_are_no_titles() {
         ("wlak kitchen.1\ngrab cup.2", 1, "(did you mean `walk`?)"),
         ("dance\nwvae", 2, "(did you mean `wave`?)"),
         ("[WALK] <waterglass> (6) [x]", 1, "is not of the form"),
-        ("WALK] <waterglass> (6)\n[GRAB] <waterglass> (6)", 1, "is not of the form"),
-        ("STANDUP]\n[GRAB] <waterglass> (6)", 1, "is not of the form"),
+        ("WALK] <waterglass> (6)\n[GRAB] <waterglass> (6)", 1, "`<waterglass>` names no object"),
+        ("STANDUP]\n[GRAB] <waterglass> (6)", 1, "program, line 1"),
         ("walk <waterglass> (6)\n[GRAB] <waterglass> (6)", 1, "`<waterglass>`"),
     ] {
         let error = program::read(text).unwrap_err();

@@ -167,7 +167,8 @@ impl World {
         self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
     }
 
-    /// Sets where an agent that sits or lies [stood](Self::stood) before: it may sit from the start.
+    /// Sets where an agent that sits or lies [stood](Self::stood) before, and at which height it gets up: it may sit
+    /// from the start.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].
@@ -175,7 +176,8 @@ impl World {
         if !convert::is_sound(&feet) {
             return Err(PhysicsError::NotFinite("the pose", agent).into());
         }
-        self.agent_mut(agent)?.stood = super::upright(&feet);
+        let body = self.agent_mut(agent)?;
+        (body.stood, body.floor) = (super::upright(&feet), feet.translation.z);
         Ok(())
     }
 

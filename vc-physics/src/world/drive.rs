@@ -46,16 +46,26 @@ impl World {
         self.note_sleepers(&all);
     }
 
-    /// Puts loose things to sleep at poses at which they are known to be at rest, to the bit; everything else
-    /// [rests](Self::rest) where it is.
+    /// Puts things to sleep at poses at which they are known to be at rest, and lets agents stand at them, to the
+    /// bit; everything else [rests](Self::rest) where it is.
     ///
     /// # Errors
     /// As [`Self::place`].
     pub fn rest_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
-        poses.iter().try_for_each(|(id, pose)| self.place(*id, *pose))?;
+        for (id, pose) in poses.iter().filter(|(id, _)| !self.agents.contains_key(id)).collect::<Vec<_>>() {
+            let rides = self.thing(*id)?.state.rides;
+            self.place(*id, *pose)?;
+            self.thing_mut(*id)?.state.rides = rides;
+        }
         self.rest();
         for (id, pose) in poses {
-            let body = self.thing(*id)?.state.base;
+            let body = match self.agents.get_mut(id) {
+                Some(agent) => {
+                    agent.feet = *pose;
+                    agent.body
+                }
+                None => self.thing(*id)?.state.base,
+            };
             if let Some(rigid) = self.engine.bodies.get_mut(body) {
                 rigid.set_position(convert::pose(pose), false);
             }
