@@ -122,13 +122,15 @@ fn assigned(choices: &[Vec<NodeId>]) -> Vec<Option<NodeId>> {
 }
 
 fn augment(row: usize, choices: &[Vec<NodeId>], taken: &mut HashMap<NodeId, usize>, tried: &mut Vec<NodeId>) -> bool {
+    // A free thing is taken before another object has to take another one.
+    if let Some(&free) = choices[row].iter().find(|thing| !taken.contains_key(thing)) {
+        taken.insert(free, row);
+        return true;
+    }
     for &thing in &choices[row] {
-        if tried.contains(&thing) {
-            continue;
-        }
+        let Some(owner) = taken.get(&thing).copied().filter(|_| !tried.contains(&thing)) else { continue };
         tried.push(thing);
-        let owner = taken.get(&thing).copied();
-        if owner.is_none_or(|owner| augment(owner, choices, taken, tried)) {
+        if augment(owner, choices, taken, tried) {
             taken.insert(thing, row);
             return true;
         }
