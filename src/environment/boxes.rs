@@ -299,8 +299,8 @@ pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: Nod
     (!still.is_empty()).then_some(still)
 }
 
-/// The places of a thing that has not moved and whose doors, lids or drawers stand open, as these reach over things that
-/// it is not on, or that is fixed to the building. Who sits or lies is on the seat, whatever is beside it.
+/// The places of a thing that has not moved and whose doors, lids or drawers stand open: these reach over things that
+/// it is not on. Who sits or lies is on the seat, whatever is beside it.
 pub(super) fn unmoved_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     match world.posture(id) {
         Some(Posture::Sitting(at, _)) => return Some(vec![Place { relation: Relation::SittingOn, at }]),
@@ -308,12 +308,17 @@ pub(super) fn unmoved_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &
         Some(Posture::Standing) => return None,
         None => {}
     }
+    let open = !moved.contains(&id) && world.moving_parts(id).iter().any(|part| part.position != 0.0);
+    let places = places(graph, id);
+    (open && !places.is_empty() && places.iter().all(rests)).then_some(places)
+}
+
+/// The places of a thing that has not moved and is fixed to the building: doors that open before it change nothing.
+pub(super) fn fixed_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     let places = places(graph, id);
     let fixed = |id: NodeId| world.role(id) == Some(Role::Fixed);
-    let attached = (fixed(id) || world.role(id) == Some(Role::Hung)) && places.iter().all(|p| fixed(p.at));
-    let stays = attached || world.moving_parts(id).iter().any(|part| part.position != 0.0);
-    let keeps = stays && !moved.contains(&id) && !places.is_empty() && places.iter().all(rests);
-    keeps.then_some(places)
+    let attached = (fixed(id) || world.role(id) == Some(Role::Hung)) && places.iter().all(|p| rests(p) && fixed(p.at));
+    (attached && !moved.contains(&id) && !places.is_empty()).then_some(places)
 }
 
 /// Whether the pose of a thing relative to another, or to one of its moving parts, is unchanged.

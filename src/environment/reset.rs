@@ -237,7 +237,9 @@ impl Environment {
             graph.nodes().map(vc_graph::Node::id).collect()
         };
         relations.write_but(graph, &met, |graph, id| {
-            boxes::still_at(&self.start, graph, world, id).or_else(|| boxes::unmoved_at(graph, world, id, &moved))
+            let scene = boxes::still_at(&self.start, graph, world, id);
+            let unmoved = || boxes::unmoved_at(graph, world, id, &moved);
+            scene.or_else(unmoved).or_else(|| boxes::fixed_at(graph, world, id, &moved))
         })?;
         let kept: Vec<NodeId> = self.start.elsewhere.iter().map(|e| e.thing.id).collect();
         boxes::keep(&wanted, graph, world, &kept)?;

@@ -18,7 +18,8 @@ fn edges(graph: &SceneGraph) -> Vec<Edge> {
     edges
 }
 
-/// The scene's relations read anew from its poses, the positions of its doors and the things that hands carry.
+/// The scene's relations read anew from its poses, the positions of its doors and the things that hands carry. A
+/// thing that stands open keeps its places, as it has not moved: its open door may touch another wall.
 fn rebuilt(home: &Environment) -> SceneGraph {
     let world = home.world();
     let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(Role::Carried));
@@ -30,7 +31,11 @@ fn rebuilt(home: &Environment) -> SceneGraph {
     let relations = Relations::new(home.graph(), Rule::Repaired, evidence).unwrap();
     let mut graph = home.graph().clone();
     let all: Vec<NodeId> = graph.nodes().map(Node::id).collect();
-    relations.write(&mut graph, &all).unwrap();
+    let is_open = |id: NodeId| world.moving_parts(id).iter().any(|part| part.position != 0.0);
+    let places = |graph: &SceneGraph, id: NodeId| graph.places(id).collect::<Vec<Place>>();
+    let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
+    let kept = |graph: &SceneGraph, id| Some(places(graph, id)).filter(|all| is_open(id) && all.iter().all(rests));
+    relations.write_but(&mut graph, &all, |graph, id| kept(graph, id).filter(|all| !all.is_empty())).unwrap();
     graph
 }
 
