@@ -39,8 +39,8 @@ const SIDE: f32 = 80.0;
 impl Renderer {
     /// Finds a camera pose in a room that shows most of it. The candidates are places in the room's corners and
     /// along its walls, at eye height, looking past the middle of the room or along a wall. The best one sees
-    /// most things of the room, is far from what it sees, has a window or the sky in view, and has little in view
-    /// that stands close before it, fills much of the picture from nearby, or belongs to other rooms. It is inside a
+    /// most things of the room, is far from what it sees, has a window in view, and has little in view that
+    /// stands close before it, fills much of the picture from nearby, or belongs to other rooms. It is inside a
     /// thing's box only where there is no other place. All but the pose is taken from `camera`.
     ///
     /// The room must have a box in the graph. The search costs 64 renderings of ids and depth, 80 pixels
@@ -133,8 +133,8 @@ fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
 }
 
 /// Score of a view: the number of visible things of the room, weighted up by windows, plus the share that is
-/// far away, minus what stands in the way, fills much of the picture, or belongs to other rooms. The open sky counts
-/// as a window.
+/// far away, minus what stands in the way, fills much of the picture, or belongs to other rooms. The open sky belongs
+/// to none.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
     let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.class(body.class));
@@ -142,8 +142,7 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let pixels = frame.depth.len() as f32;
     let sky = frame.instance.iter().filter(|n| **n == NOTHING).count();
     let foreign = (frame.instance.len() - seen.len() - sky) as f32 / pixels;
-    let panes = seen.iter().filter(|n| class(n).is_some_and(|c| **c == *"window")).count();
-    let windows = (panes + sky) as f32 / pixels;
+    let windows = seen.iter().filter(|n| class(n).is_some_and(|c| **c == *"window")).count() as f32 / pixels;
     let daylight = 1.0 + DAYLIGHT * (windows / WINDOWS).min(1.0);
     seen.sort_unstable();
     seen.dedup();
