@@ -58,7 +58,7 @@ fn an_episode_without_actions_shows_the_home() {
     let at = folder("nothing");
     let home = Environment::make("apartment/42", 1).unwrap();
     let me = home.agents()[0];
-    let task = Task::new("nothing", "!Holds(novel)".parse().unwrap());
+    let task = Task::new("nothing", "InRoom(me, living_room)".parse().unwrap());
     let mut recorder = Recorder::create(&at, home, me, &task, RecordOptions { dataset: false, ..SMALL }).unwrap();
     let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
     assert_eq!(episode.outcome, Outcome::Won);

@@ -279,7 +279,7 @@ fn impossible() -> Vec<(Specification, &'static [&'static str])> {
         (of(None, Some(-30.0)), &["area", "-30"]),
         (of(None, Some(f32::INFINITY)), &["area", "inf"]),
         (of(Some(9), None), &["bedrooms", "9"]),
-        (of(Some(0), Some(390.0)), &["390.0 m²", "more rooms or less area"]),
+        (of(Some(0), Some(390.0)), &["390.0 m²", "add rooms or reduce the area"]),
         (bathrooms(4), &["bathrooms", "4"]),
         (bathrooms(0), &["bathrooms", "0"]),
         (clutter(1.5), &["clutter", "1.5"]),

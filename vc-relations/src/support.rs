@@ -270,8 +270,13 @@ impl<'w> Supports<'w> {
 
     /// Whether a body that merely touches another may hang on it: a towel on a shelf, but no shelf on a towel.
     fn may_hang(&self, index: usize, other: usize) -> bool {
-        let moves = |i: usize| self.world.bodies[i].as_deref().is_some_and(|b| b.traits.moves);
-        (moves(index) || !moves(other)) && self.is_firm(other)
+        let body = |i: usize| self.world.bodies[i].as_deref();
+        let moves = |i: usize| body(i).is_some_and(|b| b.traits.moves);
+        let larger = || {
+            let size = |i: usize| body(i).map_or(0.0, |b| (b.region.high - b.region.low).product());
+            size(index) > size(other)
+        };
+        (moves(index) || !moves(other) || !larger()) && self.is_firm(other)
     }
 
     /// Whether a body is supported by more than mere touch.

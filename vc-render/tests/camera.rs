@@ -68,9 +68,9 @@ fn plans_cut_things_open() {
     // Cut at a height of 2.1 metres, where the wall reaches from 1.8 to 2.2.
     let plan = Camera { near: 4.0, ..camera.looking(Point3::new(0.0, 0.0, 6.1), Point3::origin()) };
     for x in [1.82, 1.9, 2.0, 2.1, 2.17] {
-        assert_eq!(seen(&plan, Point3::new(x, 0.3, 2.1)), wall, "{x}");
+        assert_eq!(seen(&plan, Point3::new(x, 0.3, 2.09)), wall, "{x}");
     }
-    assert_ne!(seen(&plan, Point3::new(2.27, 0.3, 2.1)), wall);
+    assert_ne!(seen(&plan, Point3::new(2.27, 0.3, 2.09)), wall);
     let within = camera.looking(Point3::new(2.0, 0.0, 1.2), Point3::new(2.0, 5.0, 1.2));
     assert_ne!(seen(&within, Point3::new(2.0, 5.0, 1.2)), wall);
 }

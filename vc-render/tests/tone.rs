@@ -93,7 +93,7 @@ fn cameras_meter_what_they_see() {
         (frame.rgb[12 * 32 + 16][0], frame.exposure[1])
     });
     assert!(dark.0 > 75 && white.0 > dark.0 + 40 && white.0 < 200, "{dark:?} and {white:?}");
-    assert!(dark.1 > 2.5 * white.1, "{dark:?} and {white:?}");
+    assert!(dark.1 > 2.0 * white.1, "{dark:?} and {white:?}");
 }
 
 /// A shade of cloth around a bulb glows, one of metal does not.
@@ -116,7 +116,7 @@ fn light_shines_through_cloth_only() {
         frame.rgb[12 * 32 + 16][0]
     };
     let (cloth, metal) = (shade("natural_linen"), shade("black_enamelled_metal"));
-    assert!(cloth > 120 && metal < 60, "{cloth} through cloth, {metal} through metal");
+    assert!(cloth > 120 && u32::from(metal) * 3 < u32::from(cloth), "{cloth} through cloth, {metal} through metal");
 }
 
 /// A camera that adapts is dazzled for a moment only; one whose share is zero keeps its exposure.

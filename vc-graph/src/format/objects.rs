@@ -80,7 +80,7 @@ pub fn objects(graph: &SceneGraph) -> Vec<Object> {
 /// scene.add_in(fridge, Draft::new("milk"))?;
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let seen = seen(&scene.build().observe(me, Scope::Room));
-/// The fridge is closed.
+/// // The fridge is closed.
 /// assert_eq!(seen.iter().map(|object| object.id).collect::<Vec<_>>(), [fridge, me]);
 /// assert_eq!(seen[0].room, Some(kitchen));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -55,7 +55,7 @@ impl Goal {
     ///     trace.push(world.graph().clone(), [Event { agent: me, action }]);
     /// }
     /// let opened = Goal::from_eai("OPEN(fridge.2)")?;
-    /// It was open on the way, but at the end it is not.
+    /// // It was open on the way, but at the end it is not.
     /// assert_eq!((opened.eai_verdict(&trace)?, opened.holds_on(&trace)), (true, false));
     /// let twice = Goal::from_eai("OPEN(fridge.2) then CLOSED(fridge.2) then OPEN(fridge.2)")?;
     /// assert!(!twice.eai_verdict(&trace)?);

@@ -68,7 +68,7 @@ impl Pairing {
 /// them: a maximum bipartite matching by augmenting paths (Kuhn, Naval Research Logistics Quarterly 1955).
 ///
 /// ```
-/// Two bowls, both suitable only for the first guest.
+/// // Two bowls, both suitable only for the first guest.
 /// assert_eq!(vc_graph::goal::largest_matching(&[vec![0], vec![0]], 2), 1);
 /// ```
 pub fn largest_matching(rows: &[Vec<usize>], columns: usize) -> usize {

@@ -33,9 +33,9 @@ const USUAL: f32 = 0.8;
 const SPREAD: f32 = 50.0;
 /// How far the exposure goes from the one for the room to the one for what is in view: a dark bookcase stays darker
 /// than a white wall, but is readable.
-const METERED: f32 = 0.6;
+const METERED: f32 = 0.45;
 /// Limits of the factor by which it changes the exposure.
-const LIMITS: [f32; 2] = [0.4, 4.0];
+const LIMITS: [f32; 2] = [0.5, 2.5];
 
 /// A spot of a view at which its light is metered.
 #[derive(Debug, Clone, Copy)]
