@@ -73,9 +73,9 @@ fn by_rule(graph: &SceneGraph, me: NodeId, id: NodeId, place: Place) -> Result<(
     carry(&mut home, id, place, Simulator::graph, |home, action| home.step(me, &action).map(drop).map_err(listed))
 }
 
-fn with_bodies(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, ActionError)> {
+fn with_bodies(home: &mut Environment, id: NodeId, place: Place) -> Result<(), (&'static str, Box<ActionError>)> {
     let me = home.agents()[0];
-    carry(home, id, place, Environment::graph, |home, action| home.set_action(me, action).map(drop))
+    carry(home, id, place, Environment::graph, |home, action| home.set_action(me, action).map(drop).map_err(Box::new))
 }
 
 /// Opens what a thing is shut in, takes it and puts it at a place. If that fails, says in which step and why.

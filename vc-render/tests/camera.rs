@@ -1,5 +1,7 @@
 //! Orientation of cameras: what lies at the borders of their pictures, and which way is up and left.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use common::{Stage, block, pose};
