@@ -32,7 +32,7 @@ impl Tally {
 }
 
 /// Takes everything that can be carried and puts it back where it was, each from how the home begins, and says why
-/// others were not. Of several places the first counts at which the rule lets people put things: a picture that is on
+/// others were not. The first of several places counts at which the rule lets people put things: a picture that is on
 /// a wall and on a shelf goes back to the shelf.
 pub(crate) fn all(home: &Environment) -> Tally {
     let (graph, mut tally) = (home.graph(), Tally::default());

@@ -77,7 +77,7 @@ impl Course {
         self.beats.push(beat);
     }
 
-    /// What was put down last, if it would not stay where it was put.
+    /// The thing that was put down last, if it would not stay where it was put.
     pub(super) fn balanced(&self) -> Option<NodeId> {
         self.beats.iter().rev().find_map(|beat| match beat {
             Beat::Put(put) if put.balanced => Some(put.id),

@@ -300,7 +300,7 @@ pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: Nod
 }
 
 /// The places of a thing that has not moved and whose doors, lids or drawers stand open: these reach over things that
-/// it is not on. Who sits or lies is on the seat, whatever is beside it.
+/// it is not on. An agent that sits or lies is on the seat, whatever is beside it.
 pub(super) fn unmoved_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     match world.posture(id) {
         Some(Posture::Sitting(at, _)) => return Some(vec![Place { relation: Relation::SittingOn, at }]),

@@ -56,7 +56,7 @@ pub enum Why {
     NoSpot {
         /// On or inside.
         relation: Relation,
-        /// What it is to be at.
+        /// The place where it is to be.
         at: Label,
         /// Its depth, width and height as it stands, metres.
         size: [f32; 3],
@@ -95,7 +95,7 @@ impl Environment {
     /// them, states are the graph's, what was done is forgotten.
     ///
     /// It starts from the bodies as they were made, at rest, and moves only what differs
-    /// (`World::reset`); a thing that the graph has where it is now stays there. What the graph says to be on or in something else than at the
+    /// (`World::reset`); a thing that the graph has where it is now stays there. A thing that the graph has on or in something else than at the
     /// start, and new things, keep their pose if it is free and something is right below;
     /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
     /// is none, they are left out and reported. What hovers by less than two centimetres is let

@@ -112,7 +112,7 @@ impl Base {
     }
 }
 
-/// What is lit and glows: of a dishwasher nobody sees that it runs.
+/// The things that are lit and glow: nobody sees from outside that a dishwasher runs.
 pub(super) fn lit(graph: &SceneGraph) -> Vec<NodeId> {
     let lit = graph.nodes().filter(|n| n.pose().is_some() && graph.is_lit(n.id()));
     lit.filter(|n| glows(graph, n)).map(Node::id).collect()

@@ -78,7 +78,7 @@ fn what_cannot_appear_is_said_and_changes_nothing() {
     assert_eq!(spawned[1], AlterError::NotAPlace(Relation::WornBy));
     assert_eq!(spawned[2], AlterError::NoSuchNode(NodeId(9_999_999)));
     assert!(matches!(spawned[3], AlterError::Unplaced(_)), "{:?}", spawned[3]);
-    // What is too large for a room says how large it is.
+    // The error about a thing too large for a room gives its size.
     let bathroom = home.graph().of_class("bathroom")[0];
     let large = home.spawn("double_bed", place(Relation::InRoom, bathroom)).unwrap_err().to_string();
     assert!(large.contains("large enough for its ") && large.contains(" m"), "{large}");

@@ -189,7 +189,7 @@ fn what_lies_tight_goes_back_where_it_lay() {
     assert!(back > 0 && back * 10 >= tried * 9, "{back} of {tried}");
 }
 
-/// Who gets up from a bed in a corner, or from a mat, gets to a spot from which the home is reached as before.
+/// An agent that gets up from a bed in a corner, or from a mat, gets to a spot from which the home is reached as before.
 #[test]
 fn who_gets_up_gets_on() {
     for (seed, verb, thing) in [(970_002, Verb::Sit, "double_bed.187"), (970_008, Verb::Lie, "bath_mat.39")] {
@@ -294,7 +294,7 @@ fn moved_at_all(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
     was.nodes().filter(|n| !same(n.id())).map(|n| n.label().to_string()).collect()
 }
 
-/// Who sits in a bathtub is there, whatever opens beside it; and a thing that opens stays where it is.
+/// An agent that sits in a bathtub stays there, whatever opens beside it; and a thing that opens stays where it is.
 #[test]
 fn a_thing_that_opens_keeps_its_places() {
     let mut home = home(880_001, 1);

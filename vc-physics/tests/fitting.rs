@@ -121,7 +121,7 @@ fn things_are_heaped_in_containers_up_to_the_rim() {
 }
 
 /// A hanging shirt of 0.3 kg, beside the chest.
-/// Of a round top an asset states the rectangle within. Four plates find room around a pie all the same, and stay
+/// An asset states the rectangle within a round top. Four plates find room around a pie all the same, and stay
 /// on the table.
 #[test]
 fn a_round_table_is_used_up_to_its_edge() {
@@ -232,7 +232,7 @@ fn what_does_not_come_along_is_left_behind() {
     assert!(world.pose(one).unwrap().translation.z > 0.9);
 }
 
-/// What is deeper than the room on a seat is turned so that it reaches over the front edge as little as possible.
+/// A thing that is deeper than the room on a seat is turned so that it reaches over the front edge as little as possible.
 #[test]
 fn what_is_deeper_than_a_seat_reaches_over_it_little() {
     let mut scene = Scene::default();

@@ -85,12 +85,12 @@ pub(crate) struct Guard {
     pub(crate) to_the_end: bool,
 }
 
-/// What a goal asks for next.
+/// The part of a goal to be pursued next.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Aim {
     /// A goal without words of time.
     pub(crate) goal: Goal,
-    /// What was done before so many actions does not count.
+    /// Actions before this number do not count.
     pub(crate) since: usize,
     /// The number of the last step at which it may be reached, and the part that says so.
     pub(crate) by: Option<(usize, String)>,
@@ -101,7 +101,7 @@ pub(crate) struct Aim {
     pub(crate) beyond: Option<String>,
 }
 
-/// What is left of a goal with words of time.
+/// The remainder of a goal with words of time.
 #[derive(Debug, Clone)]
 pub(crate) struct Agenda {
     goal: Goal,
@@ -119,7 +119,7 @@ impl Agenda {
         &self.goal
     }
 
-    /// What is to be brought about next.
+    /// The goal to be brought about next.
     ///
     /// # Errors
     /// [`Unreachable::Broken`] if a part can no longer hold, whatever is done.

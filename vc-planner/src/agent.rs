@@ -73,9 +73,9 @@ enum Mind {
 #[derive(Debug, Clone)]
 pub struct Agent {
     id: NodeId,
-    /// What it pursues now: of a goal with words of time the present stage.
+    /// The goal that it pursues now; for a goal with words of time, the present stage.
     goal: Goal,
-    /// What is left of a goal with words of time, and its present stage.
+    /// The remainder of a goal with words of time, and its present stage.
     agenda: Option<Agenda>,
     aim: Option<Aim>,
     /// How many affordances had been taken from things when the conditions of the present stage began.
@@ -231,7 +231,7 @@ impl Agent {
         self.belief.hear(told)
     }
 
-    /// What it would do now. Of a goal with words of time it pursues the stages that these make (the parts of a `then`
+    /// The decision that it would make now. For a goal with words of time it pursues the stages that these make (the parts of a `then`
     /// in their order, what is to hold at some step before what is to hold at the end), and it takes no plan that breaks
     /// an `always`, an `until` or a `before`: if it finds no other, it gives up and says which part stands in the way.
     pub fn decide(&mut self) -> Decision {

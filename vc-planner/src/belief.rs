@@ -54,7 +54,7 @@ pub struct Belief {
     touched: Vec<NodeId>,
     /// The nodes that it cannot reach.
     shunned: Vec<NodeId>,
-    /// What is expected no more of things.
+    /// Affordances that are no longer expected of things.
     barred: Vec<(NodeId, Property)>,
     widened: usize,
     rng: ChaCha8Rng,

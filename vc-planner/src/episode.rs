@@ -227,7 +227,7 @@ impl Running<'_> {
         self.progress.holds(self.world)
     }
 
-    /// The verdict: who stopped has won if the goal holds. What was refused is a reason, too.
+    /// The verdict: an agent that stopped has won if the goal holds. A refusal is a reason, too.
     fn end(&mut self, outcome: Outcome, reason: Option<String>) -> Episode {
         let score = self.progress.score(self.world);
         let (steps, digest) = (self.done, self.world.graph().digest());

@@ -226,7 +226,7 @@ pub fn run_together(
     TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
 }
 
-/// What came of a policy's turn.
+/// The result of a policy's turn.
 enum Turn {
     Done,
     Waited,

@@ -103,7 +103,7 @@ pub enum Unreachable {
     /// Every way that was found breaks a part of the goal that must hold on the way.
     #[error("no way to `{goal}` was found that keeps `{part}`: `{action}` breaks it")]
     Breaks {
-        /// What is to be reached.
+        /// The goal to be reached.
         goal: String,
         /// The part that would be broken.
         part: String,

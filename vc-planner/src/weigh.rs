@@ -9,13 +9,13 @@ use crate::want::Want;
 /// What the whole goal says about how to go about its parts.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Hints {
-    /// What it speaks of.
+    /// The things it names.
     terms: Vec<Term>,
     /// The nodes it names: who is to hold a novel and to read something reads it.
     named: Vec<NodeId>,
     /// It wants the agent to lie.
     pub(crate) lying: bool,
-    /// What it wants held, and in which hand if it says so.
+    /// The things it wants held, and in which hand if it says so.
     held: Vec<(Option<Relation>, Term)>,
 }
 

@@ -294,7 +294,7 @@ fn shorter(rect: Rect, way: &Opening, room: usize) -> Rect {
     }
 }
 
-/// A placeholder for a room without rectangles: an empty floor.
+/// The empty floor of a room without rectangles.
 fn unreachable_floor(room: usize) -> Item {
     let object = Object {
         class: "floor",

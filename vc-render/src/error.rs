@@ -127,7 +127,7 @@ impl<N> RenderError<N> {
 }
 
 impl From<RenderError> for RenderError<Label> {
-    /// Of nodes only the numbers are known yet: `node.12`.
+    /// Only the numbers of nodes are known yet: `node.12`.
     fn from(error: RenderError) -> Self {
         error.named(&|id| Label { class: "node".into(), id })
     }

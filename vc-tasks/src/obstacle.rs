@@ -131,7 +131,7 @@ fn hands(parts: &[Goal], graph: &SceneGraph) -> Option<Obstacle> {
     (held > HANDS).then(|| Obstacle::TooManyHeld { parts: told.join(" & "), held })
 }
 
-/// What an agent is to hold by a part of a goal, and how many of it.
+/// The things an agent is to hold by a part of a goal, and their number.
 fn held_by_me(part: &Goal) -> Option<(&Term, usize)> {
     let (literal, number) = match part {
         Goal::Literal(literal) => (literal, 1),

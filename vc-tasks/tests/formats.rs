@@ -223,7 +223,7 @@ fn activities_are_bound_to_things_of_a_scene() {
         assert_eq!(bound.goal.holds(&now), holds, "{condition}: {}", bound.goal);
         assert!(bound.goal.misnomers(&scene).is_empty() && Task::new("t", bound.goal).obstacles(&scene).is_empty());
     }
-    // What finds nothing is named, all of it.
+    // All objects that find nothing are named.
     let more = "cup.n.01_1 cup.n.01_2 cup.n.01_3 - cup.n.01 table.n.02_1 - table.n.02 harp.n.01_1 - harp.n.01";
     let error = activity(more, "(ontop ?cup.n.01_1 ?table.n.02_1)").bind(&scene).unwrap_err();
     let bddl::BindError::Missing(missing) = &error else { panic!("{error}") };

@@ -312,7 +312,7 @@ impl World {
         }
     }
 
-    /// What rests on a thing, directly or through others; nothing where it has no body.
+    /// The things that rest on a thing, directly or through others; nothing where it has no body.
     pub(crate) fn load_on(&self, id: NodeId) -> Vec<NodeId> {
         self.thing(id).map_or_else(|_| Vec::new(), |thing| self.load_of(thing.state.base))
     }

@@ -1,4 +1,4 @@
-//! What is left of each part of a goal with words of time.
+//! The remainder of each part of a goal with words of time.
 
 use std::collections::VecDeque;
 
@@ -6,7 +6,7 @@ use vc_graph::goal::{Goal, Predicate, Quantified, Term};
 
 use super::{Aim, Guard, Moment, negated};
 
-/// What is left of a part.
+/// The remainder of a part.
 #[derive(Debug, Clone)]
 pub(super) enum Part {
     /// It has come about.
@@ -151,7 +151,7 @@ impl Part {
         }
     }
 
-    /// What comes next, after so many steps.
+    /// The next stage, after so many steps.
     pub(super) fn aim(&self, step: usize) -> Aim {
         let mut open = Open::default();
         self.gather(&mut open);
@@ -249,13 +249,13 @@ impl Once {
 /// Something to be reached before the end.
 struct Stage {
     goal: Goal,
-    /// What was done before so many actions does not count; before the present step, if none.
+    /// Actions before this number do not count; those before the present step, if none.
     since: Option<usize>,
     by: Option<(usize, String)>,
     guards: Vec<Guard>,
 }
 
-/// What is open of a goal.
+/// The open parts of a goal.
 #[derive(Default)]
 struct Open {
     once: Vec<Stage>,

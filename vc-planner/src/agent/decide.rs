@@ -126,7 +126,7 @@ impl Agent {
     fn decide_best(&mut self) -> Decision {
         let (sketch, choice) = match self.best_sketch() {
             Ok(found) => found,
-            // What takes more hands than there are is not tried by turns.
+            // A goal that takes more hands than there are is not tried by turns.
             Err(reason) if self.lacks_hands() => return Decision::GiveUp(reason),
             Err(reason) => {
                 return match self.decide_by_regression() {

@@ -42,7 +42,7 @@ impl Agent {
             (self.unproved, self.idle) = (None, 0);
             self.tried.clear();
         }
-        // What was barred to keep a condition is allowed again when the condition has ended.
+        // Actions barred to keep a condition are allowed again when the condition has ended.
         if self.aim.as_ref().is_none_or(|before| before.guards != aim.guards) {
             self.belief.unbar(self.bars);
             (self.bars, self.breach) = (self.belief.bars(), None);
@@ -61,7 +61,7 @@ impl Agent {
         }
     }
 
-    /// What was done before so many actions does not count for the present goal.
+    /// Actions before this number do not count for the present goal.
     pub(super) fn since(&self) -> usize {
         self.aim.as_ref().map_or(0, |aim| aim.since)
     }

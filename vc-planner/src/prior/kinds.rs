@@ -12,7 +12,7 @@ pub(crate) struct Kinds {
     all: Vec<PlaceKind>,
     /// The kind of each place.
     of: Vec<u16>,
-    /// What the class table of the scene says of where things akin are kept.
+    /// The places where the scene's class table keeps things of related classes.
     kin: Arc<Kin>,
 }
 

@@ -70,7 +70,7 @@ impl Lighting {
     /// The exposure: factors that bring the light in view to a picture's middle grey, and its colour part of
     /// the way to white. They are computed from the light of the rooms in view, weighted by the visible share
     /// of each, so that they change with the view and do not jump in a doorway; if no room is in view, from the
-    /// light of the camera's own room. In dim light they go part of the way only. What is in view makes a picture
+    /// light of the camera's own room. In dim light they go part of the way only. The view makes a picture
     /// that would be darker or brighter than usual lighter or darker, by the larger part.
     pub(crate) fn exposure(&self, eye: [f32; 3], seen: impl IntoIterator<Item = Spot>) -> [f32; 3] {
         // Seen from inside, the outside does not count, so that a piece of sunny balcony does not darken the

@@ -30,7 +30,7 @@ pub(super) struct Beyond {
     lacks: Vec<Lack>,
 }
 
-/// What a node lacks that every object of the thesis has.
+/// The facts that a node lacks and every object of the thesis has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Lack {
@@ -39,7 +39,7 @@ enum Lack {
 }
 
 impl Beyond {
-    /// What reading a node by its name, its states and its scale would not tell of it; `bounds` is its box, where
+    /// The facts that reading a node by its name, its states and its scale would not tell; `bounds` is its box, where
     /// these do not tell that.
     pub(super) fn of(node: &Node, name: &str, classes: &ClassTable, bounds: Option<Bounds>) -> Option<Self> {
         let spec = node.spec();

@@ -21,7 +21,7 @@
 //!   name; a bare name means the nearest of them.
 //! - An object that is said to be in no room is in that of its support, else in
 //!   the room whose box contains it.
-//! - What these keys cannot say of a thing is under a further one, `virtualcity`, which other readers pass over: the
+//! - Facts that these keys cannot say are under a further one, `virtualcity`, which other readers pass over: the
 //!   class where the name does not tell it, a box that does not stand on the thing's origin, states of its class that
 //!   it is not in.
 
@@ -264,7 +264,7 @@ fn stands(bounds: &Bounds) -> bool {
     down(bounds).norm() < SAME
 }
 
-/// Whose axes a node's box is along; a room is not turned, and its box is along both.
+/// The axes that a node's box is along; a room is not turned, and its box is along both.
 fn frame(node: &Node, bounds: &Bounds) -> Frame {
     let turned = node.pose().is_some_and(|p| p.rotation != UnitQuaternion::identity());
     if node.kind() == Kind::Room && !turned { Frame::Object } else { bounds.frame }

@@ -43,7 +43,7 @@ pub(crate) fn wheel(b: &mut Build<'_>, name: &str, at: P, radius: f32, width: f3
     turning(b, at, |b| tyred(b, name, at, (radius, width), side, rim));
 }
 
-/// A tyred wheel with an axle stub that rotates with it and ends at the distance `end` from the
+/// A tyred wheel with an axle end that rotates with it and ends at the distance `end` from the
 /// vehicle's centre plane, where it meets the body.
 pub(super) fn axled(b: &mut Build<'_>, name: &str, at: P, (radius, width): (f32, f32), side: f32, rim: Rim, end: f32) {
     turning(b, at, |b| {

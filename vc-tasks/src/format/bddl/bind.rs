@@ -138,7 +138,7 @@ fn augment(row: usize, choices: &[Vec<NodeId>], taken: &mut HashMap<NodeId, usiz
     false
 }
 
-/// What the objects of an activity are in a scene.
+/// The nodes of a scene that stand for the objects of an activity.
 struct Places<'a> {
     graph: &'a SceneGraph,
     nodes: HashMap<NodeId, NodeId>,
