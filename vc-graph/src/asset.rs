@@ -6,8 +6,8 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::Pose;
-use crate::format::serial;
 use crate::geometry::is_finite;
+use crate::serial;
 
 pub use crate::texture::Texture;
 

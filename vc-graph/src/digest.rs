@@ -1,20 +1,7 @@
 //! Digests, which tell whether two scenes are the same.
 
-use std::fmt;
-
-use crate::hash::Digester;
+use crate::hash::{Digest, Digester};
 use crate::{Node, NodeId, Observation, SceneGraph};
-
-/// A 64-bit digest of a scene's content, the same on every machine. It is computed by a [`Digester`], which
-/// detects differences but does not protect against an adversary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Digest(pub u64);
-
-impl fmt::Display for Digest {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:016x}", self.0)
-    }
-}
 
 impl SceneGraph {
     /// A digest of everything in the scene: nodes, states, poses, relations.

@@ -77,6 +77,13 @@ pub struct Edit<'g> {
     changes: Vec<Change>,
 }
 
+impl SceneGraph {
+    /// Begins an edit that keeps the graph's invariants.
+    pub fn edit(&mut self) -> Edit<'_> {
+        Edit::new(self)
+    }
+}
+
 impl<'g> Edit<'g> {
     pub(crate) fn new(graph: &'g mut SceneGraph) -> Self {
         Self { graph, changes: Vec::new() }

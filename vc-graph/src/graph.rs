@@ -10,9 +10,9 @@ use crate::class::{Category, ClassTable};
 use crate::grid::Grid;
 use crate::met::Met;
 use crate::node::{Kind, Link, Node};
+use crate::spelling::key;
 use crate::store::Store;
-use crate::vocabulary::key;
-use crate::{Edge, Edit, Label, NodeId, Property, Relation, State};
+use crate::{Edge, Label, NodeId, Place, Property, Relation, State};
 
 /// The distance up to which an object counts as near: within reach of an agent's step and arm, metres.
 /// VirtualHome's CLOSE uses the same value.
@@ -52,15 +52,6 @@ pub struct SceneGraph {
     pub(crate) agents: Arc<Vec<NodeId>>,
     pub(crate) grid: Arc<Grid>,
     pub(crate) next: u32,
-}
-
-/// The placement of an object: a relation and the node that it rests on or in, or that holds or wears it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Place {
-    /// On, inside, worn by, sitting on, lying on, or held in one of the hands.
-    pub relation: Relation,
-    /// The support, container, holder or wearer.
-    pub at: NodeId,
 }
 
 impl SceneGraph {
@@ -393,11 +384,6 @@ impl SceneGraph {
     pub fn facing(&self, agent: NodeId, id: NodeId) -> bool {
         self.has(Edge::new(agent, Relation::Facing, id))
             || self.related(agent, Relation::Facing).any(|n| self.has(Edge::new(n, Relation::Facing, id)))
-    }
-
-    /// Begins an edit that keeps the graph's invariants.
-    pub fn edit(&mut self) -> Edit<'_> {
-        Edit::new(self)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Hashes that are the same on every machine: of text, of words, and for digests.
 
-use crate::Digest;
+use std::fmt;
 
 /// The published constants of 64-bit FNV-1a (Fowler, Noll, Vo).
 const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
@@ -30,6 +30,17 @@ pub fn finalised(value: u64) -> u64 {
     let v = (value ^ (value >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let v = (v ^ (v >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     v ^ (v >> 31)
+}
+
+/// A 64-bit digest of a scene's content, the same on every machine. It is computed by a [`Digester`], which
+/// detects differences but does not protect against an adversary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Digest(pub u64);
+
+impl fmt::Display for Digest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
 }
 
 /// Computes a [`Digest`] from a sequence of values: FNV-1a over 64-bit words, with a fold after each. It

@@ -57,7 +57,7 @@ impl FromStr for Label {
     type Err = BadLabel;
 
     fn from_str(text: &str) -> Result<Self, BadLabel> {
-        let bad = || BadLabel(crate::vocabulary::clip(text));
+        let bad = || BadLabel(crate::spelling::clip(text));
         let (class, number) = text.trim().rsplit_once('.').ok_or_else(bad)?;
         if !is_class(class) {
             return Err(bad());

@@ -7,7 +7,8 @@ use nalgebra::{Point3, Vector3};
 
 use crate::class::{Class, ClassTable, Slot, SlotKind};
 use crate::geometry::{Aabb, Bounds, Pose};
-use crate::vocabulary::{Word, key};
+use crate::spelling::key;
+use crate::vocabulary::Word;
 use crate::{AssetId, Label, NodeId, Place, Property, PropertySet, Relation, State, StateSet};
 
 /// The role of a node in a scene.

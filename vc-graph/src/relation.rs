@@ -115,3 +115,12 @@ impl std::fmt::Display for Edge {
         write!(f, "{} {} {}", self.from, self.relation.as_str(), self.to)
     }
 }
+
+/// The placement of an object: a relation and the node that it rests on or in, or that holds or wears it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// On, inside, worn by, sitting on, lying on, or held in one of the hands.
+    pub relation: Relation,
+    /// The support, container, holder or wearer.
+    pub at: NodeId,
+}

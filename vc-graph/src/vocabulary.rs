@@ -4,7 +4,7 @@ use std::fmt;
 use std::hash::Hash;
 use std::marker::PhantomData;
 
-use crate::nearest::did_you_mean;
+use crate::spelling::{clip, did_you_mean, same_word};
 
 /// A closed vocabulary: an enum whose variants each have one written word.
 pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
@@ -42,38 +42,6 @@ pub struct UnknownWord {
     pub word: String,
     /// All words of the vocabulary.
     pub allowed: String,
-}
-
-/// Shortens a text, which may be hostile or huge, for a message.
-pub(crate) fn clip(text: &str) -> String {
-    const LIMIT: usize = 60;
-    match text.char_indices().nth(LIMIT) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
-    }
-}
-
-/// Letters, digits and symbols of a spelling in lower case, which matching compares; ASCII punctuation separates
-/// words. In a number, `-1`, hyphens count too, and in a name of symbols only, all of them.
-pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
-    let (number, signs) = (!text.chars().any(char::is_alphabetic), !text.chars().any(char::is_alphanumeric));
-    let sign = move |c: &char| !c.is_ascii() || number && matches!(c, '-' | '_') || signs;
-    text.chars().filter(move |c| c.is_alphanumeric() || sign(c) && !c.is_whitespace()).flat_map(char::to_lowercase)
-}
-
-/// The folded spelling as a table key.
-pub(crate) fn key(text: &str) -> String {
-    if !text.is_ascii() || !text.bytes().any(|b| b.is_ascii_alphabetic()) {
-        return folded(text).collect();
-    }
-    let mut key = String::with_capacity(text.len());
-    key.extend(text.bytes().filter(u8::is_ascii_alphanumeric).map(|b| char::from(b.to_ascii_lowercase())));
-    key
-}
-
-/// Whether two spellings are equal up to case and separators.
-pub(crate) fn same_word(a: &str, b: &str) -> bool {
-    folded(a).eq(folded(b))
 }
 
 /// A set of words of one vocabulary, as a bit mask (64 words at most).

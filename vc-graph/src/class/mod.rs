@@ -244,7 +244,7 @@ impl ClassTable {
 
     /// Finds a class by name up to case and separators, without guessing.
     pub(crate) fn exact(&self, name: &str) -> Option<&Class> {
-        let key = crate::vocabulary::key(name);
+        let key = crate::spelling::key(name);
         self.by_name.get(&key).map(|&i| &self.classes[i])
     }
 
@@ -263,7 +263,7 @@ impl ClassTable {
     pub fn is_a(&self, name: &str, ancestor: &str) -> bool {
         match (self.get(name), self.get(ancestor)) {
             (Some(class), Some(ancestor)) => self.kinds[ancestor.index].contains(&class.index),
-            _ => crate::vocabulary::same_word(name, ancestor),
+            _ => crate::spelling::same_word(name, ancestor),
         }
     }
 }

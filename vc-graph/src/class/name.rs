@@ -1,6 +1,6 @@
 //! Tolerant name matching: the classes that a spelling might mean, best guess first.
 
-use crate::vocabulary::key;
+use crate::spelling::key;
 
 /// Prefixes and other words that engines and artists add to a name.
 const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "app", "lam", "prefab", "mesh", "ingir"];

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
-use crate::format::unmarked;
-use crate::vocabulary::{Set, Word, clip, key};
+use crate::spelling::unmarked;
+use crate::spelling::{clip, key};
+use crate::vocabulary::{Set, Word};
 use crate::{Property, Relation, State};
 
 const COLUMNS: [&str; 10] =

@@ -10,7 +10,7 @@ use super::program::{self, Program};
 use super::virtualhome::{EnvironmentGraph, RelationType};
 use super::{FormatError, Problem, Source};
 use crate::goal::{Goal, Predicate, Term};
-use crate::vocabulary::clip;
+use crate::spelling::clip;
 use crate::{ClassTable, NodeId, Relation, SceneGraph, State, Verb, Word};
 
 /// A program with its initial and final graphs.

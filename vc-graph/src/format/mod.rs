@@ -18,7 +18,6 @@ pub mod native;
 pub mod objects;
 pub mod program;
 mod scene;
-pub(crate) mod serial;
 pub mod thesis;
 pub mod virtualhome;
 
@@ -30,18 +29,10 @@ use crate::EditError;
 
 pub use scene::read_scene;
 
+pub use crate::spelling::unmarked;
+
 /// Largest text that a reader accepts, bytes.
 pub const LARGEST: usize = 256 << 20;
-
-/// Strips the byte order mark that some editors write at the start of a text. All readers of this module strip
-/// it.
-///
-/// ```
-/// assert_eq!(vc_graph::format::unmarked("\u{feff}[WALK] <kitchen> (11)"), "[WALK] <kitchen> (11)");
-/// ```
-pub fn unmarked(text: &str) -> &str {
-    text.trim_start_matches('\u{feff}')
-}
 
 /// An error in a file, with its location.
 #[derive(Debug, Clone, PartialEq, Eq)]

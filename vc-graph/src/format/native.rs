@@ -17,11 +17,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::serial::{BoundsFile, LARGEST_SCALE, PoseFile, within};
 use super::{FormatError, Problem, Source};
 use crate::class::Slot;
 use crate::node::{Kind, Node, Spec};
-use crate::vocabulary::key;
+use crate::serial::{BoundsFile, LARGEST_SCALE, PoseFile, within};
+use crate::spelling::key;
 use crate::{
     Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, PropertySet, Relation, SceneBuilder, SceneGraph,
     Set, StateSet, Word,

@@ -20,10 +20,10 @@ use std::sync::Arc;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::serial::{FARTHEST, LARGEST_SCALE, is_box, mended, within};
 use super::{FormatError, Problem, Source};
 use crate::node::Kind;
-use crate::vocabulary::clip;
+use crate::serial::{FARTHEST, LARGEST_SCALE, is_box, mended, within};
+use crate::spelling::clip;
 use crate::{
     Bounds, ClassTable, Draft, Edge, EditError, Frame, Node, NodeId, Pose, Property, PropertySet, Relation,
     SceneBuilder, SceneGraph, State, StateSet, UnknownWord, Word, did_you_mean,

@@ -1,7 +1,8 @@
 //! Names of predicates.
 
 use super::Predicate;
-use crate::vocabulary::{Word, same_word};
+use crate::spelling::same_word;
+use crate::vocabulary::Word;
 use crate::{Relation, State, Verb};
 
 /// Whether the agent may be omitted from a predicate's terms: `Near(table)`.

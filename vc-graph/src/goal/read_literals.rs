@@ -4,7 +4,8 @@ use super::names::{agent_is_meant, eai_predicate, native_predicate};
 use super::scan::{Token, is_plain};
 use super::text::{Dialect, GoalError, GoalProblem, Reader};
 use super::{Comparison, Goal, Literal, Predicate, Term};
-use crate::vocabulary::{Word, clip, same_word};
+use crate::spelling::{clip, same_word};
+use crate::vocabulary::Word;
 use crate::{ClassTable, NodeId, Relation, Verb};
 
 impl Reader {

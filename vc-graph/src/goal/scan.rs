@@ -104,7 +104,7 @@ impl Scanner {
         let digits: String = self.chars[start..self.at].iter().collect();
         match digits.parse() {
             Ok(id) => Ok(Token::Quoted(class, Some(NodeId(id)))),
-            Err(_) => Err(self.expected("a node's number", format!("`{}`", crate::vocabulary::clip(&digits)))),
+            Err(_) => Err(self.expected("a node's number", format!("`{}`", crate::spelling::clip(&digits)))),
         }
     }
 

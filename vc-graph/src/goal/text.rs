@@ -4,8 +4,8 @@ use std::str::FromStr;
 
 use super::Goal;
 use super::scan::{Token, scan};
-use crate::format::unmarked;
-use crate::vocabulary::clip;
+use crate::spelling::clip;
+use crate::spelling::unmarked;
 use crate::{did_you_mean, goal::names};
 
 /// Longest goal that is parsed, bytes.

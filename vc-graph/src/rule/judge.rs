@@ -10,8 +10,9 @@ use crate::rule::check::{Why, origin, vehicle_of};
 use crate::rule::condition::Condition;
 use crate::rule::fit::misfit;
 use crate::rule::refusal::Refusal;
+use crate::spelling::key;
 use crate::validate::{carries, encloses, soaks};
-use crate::vocabulary::{Word, key};
+use crate::vocabulary::Word;
 use crate::{Edge, NodeId, Place, Property, Relation, SceneGraph, State};
 
 /// Classes apart from clothes that can be squeezed.

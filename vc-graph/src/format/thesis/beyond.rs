@@ -3,8 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::super::Problem;
-use super::super::serial::{BoundsFile, FARTHEST, within};
-use crate::vocabulary::{Word, clip, key};
+use crate::serial::{BoundsFile, FARTHEST, within};
+use crate::spelling::{clip, key};
+use crate::vocabulary::Word;
 use crate::{Bounds, Class, ClassTable, Draft, Frame, Node, Property, PropertySet, State, StateSet};
 
 /// Metres, in our axes. A field is there where the rest of the object would be read otherwise.

@@ -33,13 +33,13 @@ use std::sync::Arc;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::serial::{FARTHEST, within};
 use super::{FormatError, Problem, Source};
+use crate::serial::{FARTHEST, within};
 use beyond::{Beyond, down};
 
 use crate::class::{Slot, SlotKind};
 use crate::node::Kind;
-use crate::vocabulary::clip;
+use crate::spelling::clip;
 use crate::{
     Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word,
 };

@@ -8,7 +8,7 @@ use crate::{Bounds, Frame, Pose};
 /// A pose: position in metres, rotation as quaternion x, y, z, w.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct PoseFile {
+pub(crate) struct PoseFile {
     position: [f32; 3],
     rotation: [f32; 4],
 }
@@ -20,19 +20,19 @@ impl From<&Pose> for PoseFile {
 }
 
 /// Farthest from the origin that any format places a thing, metres.
-pub(super) const FARTHEST: f32 = 1e7;
+pub(crate) const FARTHEST: f32 = 1e7;
 /// Largest scale that any format has.
-pub(super) const LARGEST_SCALE: f32 = 1e9;
+pub(crate) const LARGEST_SCALE: f32 = 1e9;
 /// Largest size and offset of a box, metres: things may be scaled by [`LARGEST_SCALE`].
 const LARGEST_BOX: f32 = 1e12;
 
 /// Whether numbers are finite and no larger than a limit, either sign.
-pub(super) fn within(numbers: &[f32], limit: f32) -> bool {
+pub(crate) fn within(numbers: &[f32], limit: f32) -> bool {
     numbers.iter().all(|v| v.abs() <= limit)
 }
 
 /// Whether the numbers of a box are within the limits of every format.
-pub(super) fn is_box(numbers: &[f32]) -> bool {
+pub(crate) fn is_box(numbers: &[f32]) -> bool {
     within(numbers, LARGEST_BOX)
 }
 
@@ -43,7 +43,7 @@ fn is_unit(rotation: &Quaternion<f32>) -> bool {
 }
 
 /// The rotation of a quaternion of any length; one of no length turns nothing.
-pub(super) fn mended(rotation: Quaternion<f32>) -> UnitQuaternion<f32> {
+pub(crate) fn mended(rotation: Quaternion<f32>) -> UnitQuaternion<f32> {
     if is_unit(&rotation) {
         return UnitQuaternion::new_unchecked(rotation);
     }
@@ -52,7 +52,7 @@ pub(super) fn mended(rotation: Quaternion<f32>) -> UnitQuaternion<f32> {
 
 impl PoseFile {
     /// The pose, if its numbers are sensible and its rotation has unit length.
-    pub(super) fn pose(&self) -> Option<Pose> {
+    pub(crate) fn pose(&self) -> Option<Pose> {
         let rotation = Quaternion::from(nalgebra::Vector4::from(self.rotation));
         let sound = is_unit(&rotation) && within(&self.position, FARTHEST);
         let rotation = UnitQuaternion::new_unchecked(rotation);
@@ -63,7 +63,7 @@ impl PoseFile {
 /// A box.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct BoundsFile {
+pub(crate) struct BoundsFile {
     offset: [f32; 3],
     half: [f32; 3],
     #[serde(default, skip_serializing_if = "is_false")]
@@ -82,7 +82,7 @@ impl From<&Bounds> for BoundsFile {
 }
 
 impl BoundsFile {
-    pub(super) fn bounds(&self) -> Option<Bounds> {
+    pub(crate) fn bounds(&self) -> Option<Bounds> {
         let sound = is_box(&self.offset) && is_box(&self.half) && self.half.iter().all(|v| *v >= 0.0);
         let frame = if self.world { Frame::World } else { Frame::Object };
         sound.then(|| Bounds { offset: self.offset.into(), half: self.half.into(), frame })

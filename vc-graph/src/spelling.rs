@@ -1,12 +1,51 @@
-//! Suggestions for misspelt words: the nearest known words.
-
-use crate::vocabulary::folded;
+//! How words and names are compared: case and separators do not count, and a misspelt word gets suggestions.
 
 /// The largest number of suggestions.
 const MOST: usize = 3;
 
 /// Longest word that is compared, characters: a longer one is not a misspelling.
 const LONGEST: usize = 40;
+
+/// Strips the byte order mark that some editors write at the start of a text. All readers strip it.
+///
+/// ```
+/// assert_eq!(vc_graph::format::unmarked("\u{feff}[WALK] <kitchen> (11)"), "[WALK] <kitchen> (11)");
+/// ```
+pub fn unmarked(text: &str) -> &str {
+    text.trim_start_matches('\u{feff}')
+}
+
+/// Shortens a text, which may be hostile or huge, for a message.
+pub(crate) fn clip(text: &str) -> String {
+    const LIMIT: usize = 60;
+    match text.char_indices().nth(LIMIT) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// Letters, digits and symbols of a spelling in lower case, which matching compares; ASCII punctuation separates
+/// words. In a number, `-1`, hyphens count too, and in a name of symbols only, all of them.
+pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
+    let (number, signs) = (!text.chars().any(char::is_alphabetic), !text.chars().any(char::is_alphanumeric));
+    let sign = move |c: &char| !c.is_ascii() || number && matches!(c, '-' | '_') || signs;
+    text.chars().filter(move |c| c.is_alphanumeric() || sign(c) && !c.is_whitespace()).flat_map(char::to_lowercase)
+}
+
+/// The folded spelling as a table key.
+pub(crate) fn key(text: &str) -> String {
+    if !text.is_ascii() || !text.bytes().any(|b| b.is_ascii_alphabetic()) {
+        return folded(text).collect();
+    }
+    let mut key = String::with_capacity(text.len());
+    key.extend(text.bytes().filter(u8::is_ascii_alphanumeric).map(|b| char::from(b.to_ascii_lowercase())));
+    key
+}
+
+/// Whether two spellings are equal up to case and separators.
+pub(crate) fn same_word(a: &str, b: &str) -> bool {
+    folded(a).eq(folded(b))
+}
 
 /// The known words nearest to a misspelt one, three at most: those with the smallest edit distance. An edit
 /// inserts, deletes or replaces a letter, or swaps two neighbouring letters; one edit is allowed, or one for

@@ -2,9 +2,10 @@
 
 use std::str::FromStr;
 
-use crate::format::unmarked;
-use crate::vocabulary::{Word, clip};
-use crate::{Action, ActionError, BadLabel, Label, Misnomer, NodeId, SceneGraph, Verb};
+use super::{Action, ActionError, Misnomer, Verb};
+use crate::spelling::{clip, unmarked};
+use crate::vocabulary::Word;
+use crate::{BadLabel, Label, NodeId, SceneGraph};
 
 /// A parsed action with the character that performs it and the names that the text gives its objects.
 ///

@@ -2,9 +2,15 @@
 
 use std::fmt;
 
-use crate::called::Called;
-use crate::vocabulary::{same_word, vocabulary};
-use crate::{Deed, NodeId, SceneGraph};
+use crate::spelling::same_word;
+use crate::vocabulary::vocabulary;
+use crate::{NodeId, SceneGraph};
+
+mod names;
+mod text;
+
+pub use names::{Called, Misnomer};
+pub use text::Deed;
 
 vocabulary! {
     /// A verb. [`Verb::rule`](crate::Verb::rule) gives the arity, preconditions and effects of each.

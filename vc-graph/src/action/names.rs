@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 use std::num::NonZeroU32;
 
-use crate::vocabulary::{clip, folded, same_word};
-use crate::{Action, Label, Node, NodeId, SceneGraph, nearest};
+use super::Action;
+use crate::spelling::{clip, folded, same_word};
+use crate::{Label, Node, NodeId, SceneGraph, nearest};
 
 /// A label whose class is not the class of its node.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
