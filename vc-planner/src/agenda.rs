@@ -11,8 +11,8 @@ use vc_graph::goal::{Goal, Situation};
 
 use crate::Known;
 use crate::subgoal::View;
+use crate::subgoal::hints::Hints;
 use crate::want::Unreachable;
-use crate::weigh::Hints;
 use part::Part;
 
 /// A step as an agent sees it.

@@ -15,7 +15,8 @@ use vc_graph::{Action, Event, Goal, History, Kind, NodeId, Observation, Place, P
 use crate::agenda::{Agenda, Aim};
 use crate::demand::Choice;
 use crate::manners::Manners;
-use crate::plan::{Horizon, Planner};
+use crate::plan::Horizon;
+use crate::planner::Planner;
 use crate::search::Effort;
 use crate::trip::Promise;
 use crate::want::{Unreachable, Want};

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
 use vc_tasks::{Outcome, Progress, Task, World, WorldError};
 
-use crate::offline::as_json;
+use crate::observation::as_json;
 use crate::policy::{Brief, Policy, Reaction};
 use crate::{Decision, Learned, Plan, Unreachable};
 

@@ -14,9 +14,11 @@ mod known;
 pub mod language;
 mod look;
 mod manners;
+mod observation;
 mod offline;
 mod packed;
 mod plan;
+mod planner;
 mod policy;
 mod prior;
 mod record;
@@ -28,7 +30,6 @@ mod team;
 mod tour;
 mod trip;
 mod want;
-mod weigh;
 
 // The crates of scenes and tasks are re-exported, so that one crate is enough to begin with.
 pub use vc_graph as graph;
@@ -44,7 +45,8 @@ pub use manners::Manners;
 pub use offline::Transition;
 #[cfg(feature = "parquet")]
 pub use offline::{TableError, write_parquet};
-pub use plan::{Horizon, Plan, Planner, plan};
+pub use plan::{Horizon, Plan};
+pub use planner::{Planner, plan};
 pub use policy::{Brief, Newcomer, Policy, Random, Reaction, Resident, Scripted, objects_of_interest};
 pub use prior::{Habit, Prior};
 pub use record::{Fault, Header, RecordError, Trajectory};

@@ -7,7 +7,7 @@ use vc_graph::format::unmarked;
 use vc_graph::{Action, Edge, Goal, NodeId, Observation, Refusal, Relation, SceneGraph, Scope, Seed, Simulator, Verb};
 use vc_tasks::{Outcome, Progress, Task, World};
 
-use crate::offline::as_json;
+use crate::observation::as_json;
 use crate::{Policy, Run, Step, Summary};
 
 /// The first line of a record: the subject of the episode.

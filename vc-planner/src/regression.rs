@@ -13,8 +13,8 @@ use crate::Known;
 use crate::manners::Touched;
 use crate::plan::{Horizon, Plan};
 use crate::subgoal::View;
+use crate::subgoal::hints::Hints;
 use crate::want::{Unreachable, Want};
-use crate::weigh::Hints;
 
 /// How many actions a plan may hold, tried ones included.
 const BUDGET: usize = 4000;

@@ -1,5 +1,6 @@
 //! Derivation of the open subgoals from a goal.
 
+pub(crate) mod hints;
 mod literal;
 mod number;
 mod wants;
@@ -9,7 +10,7 @@ use vc_graph::{NodeId, Place, SceneGraph};
 
 use crate::Known;
 use crate::want::{Subgoal, Unreachable, Want};
-use crate::weigh::Hints;
+use hints::Hints;
 
 /// A goal as seen by an agent with partial knowledge.
 pub(crate) struct View<'a> {

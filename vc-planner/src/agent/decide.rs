@@ -10,7 +10,7 @@ use crate::compile::Compiled;
 use crate::demand::Choice;
 use crate::look::{Look, best_look};
 use crate::packed::Way;
-use crate::plan::{Refined, Sketch, plan_in_belief};
+use crate::planner::{Refined, Sketch, plan_in_belief};
 use crate::tour::drops_elsewhere;
 use crate::want::Unreachable;
 

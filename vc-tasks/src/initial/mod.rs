@@ -48,7 +48,6 @@ use crate::{Task, World};
 use attempt::{Asked, Attempt, Ground};
 
 pub use error::{InitialError, Why};
-pub(crate) use start::needed_classes;
 pub use stock::{PlainStock, Stock};
 
 /// The default number of attempts.

@@ -90,17 +90,6 @@ pub(super) fn allows(affordances: PropertySet, state: State) -> bool {
     affordances.contains(needed)
 }
 
-/// The classes that a start names as seats and as held objects, and therefore needs.
-pub(crate) fn needed_classes(start: &Goal) -> Vec<String> {
-    let named = |part: &Goal| match part {
-        Goal::Literal(Literal { predicate: Predicate::Relation(_) | Predicate::Holds, terms }) => {
-            terms.iter().find_map(|t| if let Term::Class(class) = t { Some(class.clone()) } else { None })
-        }
-        _ => None,
-    };
-    start.conjuncts().iter().filter_map(named).collect()
-}
-
 /// The first part of a start that does not hold; a state of a class without objects counts as
 /// holding.
 pub(super) fn unmet(now: &vc_graph::goal::Situation<'_>, start: &Goal) -> Option<String> {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use vc_graph::class::Category;
 use vc_graph::format::unmarked;
-use vc_graph::goal::{Comparison, Goal, Term};
+use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
 use vc_graph::{ClassTable, Relation, State, Verb};
 
 use super::Need;
@@ -87,7 +87,7 @@ impl Activity {
     pub fn all_needs(&self) -> Vec<Need> {
         let mut named = BTreeMap::new();
         [&self.goal, &self.natural].into_iter().for_each(|goal| named_things(goal, 1, &mut named));
-        crate::initial::needed_classes(&self.start).into_iter().for_each(|class| {
+        needed_classes(&self.start).into_iter().for_each(|class| {
             named.entry(class).or_insert(1);
         });
         let written = |class: &str| self.needs.iter().any(|n| n.class == class);
@@ -209,4 +209,15 @@ fn verbs_of_relation(relation: Relation) -> &'static [Verb] {
         Relation::Facing => &[Verb::TurnTo],
         _ => &[],
     }
+}
+
+/// The classes that a start names as seats and as held objects, and therefore needs.
+fn needed_classes(start: &Goal) -> Vec<String> {
+    let named = |part: &Goal| match part {
+        Goal::Literal(Literal { predicate: Predicate::Relation(_) | Predicate::Holds, terms }) => {
+            terms.iter().find_map(|t| if let Term::Class(class) = t { Some(class.clone()) } else { None })
+        }
+        _ => None,
+    };
+    start.conjuncts().iter().filter_map(named).collect()
 }
