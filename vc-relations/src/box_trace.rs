@@ -14,7 +14,6 @@ use nalgebra::Vector3;
 use vc_graph::{Edge, NodeId, Relation};
 
 use crate::body::Body;
-use crate::edges::toward;
 use crate::near::Side;
 use crate::region::Region;
 use crate::solid::{Solid, sweep};
@@ -98,7 +97,7 @@ pub(crate) fn edges(world: &World) -> Vec<Edge> {
             if let Some(to) = id(trace(world, index, Trace::Side(side))) {
                 let near = [Edge::new(body.id, Relation::Near, to), Edge::new(to, Relation::Near, body.id)];
                 edges.extend(near);
-                edges.push(Edge::new(body.id, toward(side), to));
+                edges.push(Edge::new(body.id, side.relation(), to));
             }
         }
     }

@@ -119,7 +119,7 @@ impl<'w> Reader<'w> {
         pairs.iter().filter(|p| p.gap <= TOUCH_GAP).for_each(|p| add(Relation::Touching, to(p)));
         pairs.iter().filter(|p| p.distance.is_finite()).for_each(|p| add(Relation::Near, to(p)));
         for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
-            pairs.iter().filter(|p| p.side == Some(side)).for_each(|p| add(toward(side), to(p)));
+            pairs.iter().filter(|p| p.side == Some(side)).for_each(|p| add(side.relation(), to(p)));
         }
     }
 
@@ -137,15 +137,5 @@ impl<'w> Reader<'w> {
             }
         });
         faced.into_iter().for_each(|to| add(Relation::Facing, to));
-    }
-}
-
-/// The relation of being near at a side.
-pub(crate) fn toward(side: Side) -> Relation {
-    match side {
-        Side::Front => Relation::NearFront,
-        Side::Back => Relation::NearBack,
-        Side::Left => Relation::NearLeft,
-        Side::Right => Relation::NearRight,
     }
 }

@@ -1,6 +1,7 @@
 //! Distance between two boxes, and the sides of each other at which they are.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
+use vc_graph::Relation;
 
 use crate::body::Body;
 use crate::distance::distance;
@@ -20,6 +21,18 @@ pub enum Side {
     Left,
     /// Towards its -Y.
     Right,
+}
+
+impl Side {
+    /// The relation of being near at this side.
+    pub(crate) fn relation(self) -> Relation {
+        match self {
+            Self::Front => Relation::NearFront,
+            Self::Back => Relation::NearBack,
+            Self::Left => Relation::NearLeft,
+            Self::Right => Relation::NearRight,
+        }
+    }
 }
 
 /// Two boxes within reach of each other.
