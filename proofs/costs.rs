@@ -12,8 +12,11 @@ use virtualcity::planner::{Agent, Decision};
 use virtualcity::render::Modalities;
 use virtualcity::{Environment, Viewpoint, legal_action};
 
+/// An operation, done a number of times.
+type Operation = fn(usize);
+
 /// The operations, by name.
-const OPERATIONS: [(&str, fn(usize)); 6] = [
+const OPERATIONS: [(&str, Operation); 6] = [
     ("make", make),
     ("reset", reset),
     ("action", action),

@@ -80,8 +80,6 @@ pub mod files;
 mod page;
 #[cfg(all(feature = "environment", feature = "render"))]
 mod record;
-#[cfg(all(feature = "environment", feature = "render"))]
-mod sight;
 
 #[cfg(feature = "environment")]
 pub use batch::Batch;
@@ -92,12 +90,12 @@ pub use environment::{
     ActionError, AlterError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError,
     ResetError, ResetReport, SaveError, SceneOptions, Spot, Steering, Unplaced, Why,
 };
+#[cfg(all(feature = "environment", feature = "render"))]
+pub use environment::{PictureOptions, Viewpoint};
 pub use files::{FileError, FileProblem, read_bytes, read_text};
 pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{Dataset, RecordError, RecordOptions, Recorder};
-#[cfg(all(feature = "environment", feature = "render"))]
-pub use sight::{PictureOptions, Viewpoint};
 
 #[cfg(all(feature = "environment", feature = "render"))]
 pub mod guide;

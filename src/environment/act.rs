@@ -3,24 +3,16 @@
 
 use nalgebra::Vector3;
 use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Place, Property, Relation, SceneGraph, State, Verb, rule};
-use vc_physics::{Role, World};
+use vc_physics::Role;
 use vc_relations::threshold::FACING_COSINE;
 
-use super::agree::Outcome;
 use super::astray;
-use super::beat::Course;
-use super::deed::Deed;
-use super::undo::{Care, Step};
+use super::compare::Outcome;
+use super::course::Course;
+use super::execute::Execution;
+use super::settle::come_to_rest;
+use super::step::{Care, Step};
 use super::{ActionError, Disagreement, Environment, Impossible, observe};
-
-/// Steps in which what an action has disturbed comes to rest.
-const CALM: u32 = 120;
-/// How often that is tried while something still moves fast.
-const AGAIN: u32 = 4;
-/// Steps between looks for what rests already; at first there is one after each.
-const DOZE: u32 = 3;
-/// What is slower is held still then, metres a second.
-const SLOW: f32 = 0.05;
 
 /// What is no farther away over the floor is straight above or below: one looks up, metres.
 const ABOVE: f32 = 0.1;
@@ -158,9 +150,9 @@ impl Environment {
         let (before, after) = (self.graph.clone(), ruled.clone());
         let step = Step { before, after, agent, action: *action, care };
         // The floor follows the bodies whenever it is asked.
-        let mut deed = Deed::new(&mut self.world, &mut self.floor, &self.start, &step);
-        let outcome = deed.all(action);
-        let (course, folded) = (std::mem::take(&mut deed.course), std::mem::take(&mut deed.folded));
+        let mut execution = Execution::new(&mut self.world, &mut self.floor, &self.start, &step);
+        let outcome = execution.all(action);
+        let (course, folded) = (std::mem::take(&mut execution.course), std::mem::take(&mut execution.folded));
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
         let done = done.map_err(|error| unsteady(error, course.balanced()));
         match &done {
@@ -188,7 +180,7 @@ impl Environment {
         changes: ChangeSet,
         folded: &[(NodeId, Vector3<f32>)],
     ) -> Result<ChangeSet, ActionError> {
-        calm(&mut self.world);
+        come_to_rest(&mut self.world);
         let mut observed = ruled.clone();
         let mut edit = observed.edit();
         // They are there, and their scales are sound.
@@ -297,39 +289,6 @@ fn is_before(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
     let way = feet.inverse_transform_point(&at).xy().coords;
     let seated = body.is(State::Sitting) || body.is(State::Lying);
     seated || way.norm() < ABOVE || way.x >= FACING_COSINE * way.norm()
-}
-
-/// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.
-pub(super) fn calm(world: &mut World) {
-    world.step();
-    for _ in 0..AGAIN {
-        let mut left = CALM;
-        while left > 0 && world.awake() > 0 {
-            world.step();
-            left -= 1;
-            // What surely rests need not be watched for longer.
-            if left.is_multiple_of(DOZE) || left + DOZE > CALM {
-                world.doze();
-            }
-        }
-        let fast = |id: &NodeId| world.velocity(*id).is_some_and(|v| v.norm() > SLOW);
-        if !restless(world).iter().any(fast) {
-            break;
-        }
-    }
-    for id in restless(world) {
-        // It is loose, so it can be held.
-        let _ = world.pin(id);
-    }
-    if world.awake() > 0 {
-        world.rest();
-    }
-}
-
-/// Loose things that are awake.
-fn restless(world: &World) -> Vec<NodeId> {
-    let loose = |id: &NodeId| world.role(*id) == Some(Role::Loose) && !world.is_asleep(*id);
-    if world.awake() == 0 { Vec::new() } else { world.nodes().into_iter().filter(loose).collect() }
 }
 
 impl From<Disagreement> for ActionError {

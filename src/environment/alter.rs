@@ -11,8 +11,9 @@ use vc_graph::{
 use vc_physics::{PhysicsError, Posture, Role};
 use vc_tasks::initial::Stock;
 
+use super::settle::come_to_rest;
 use super::undo::Undo;
-use super::{Elsewhere, Environment, Impossible, Unplaced, Why, act, deed, make, observe, outlook, reset};
+use super::{Elsewhere, Environment, Impossible, Unplaced, Why, execute, make, observe, outlook, reset};
 use crate::initial::Catalogue;
 
 /// Number of rings, half a metre apart, around the middle of a room in which a free place is sought.
@@ -178,7 +179,8 @@ impl Environment {
         let Some(before) = self.world.pose(thing).filter(|_| self.world.role(thing).is_some_and(moves)) else {
             return Err(AlterError::NotLoose(self.graph.label(thing)));
         };
-        let load = self.graph.carried_with(thing).into_iter().filter(|id| deed::comes_along(&self.graph, *id, thing));
+        let load =
+            self.graph.carried_with(thing).into_iter().filter(|id| execute::comes_along(&self.graph, *id, thing));
         let load: Vec<(NodeId, Pose)> = load.filter_map(|id| Some((id, self.world.pose(id)?))).collect();
         let mut next = self.clone();
         next.set_down(thing, place)?;
@@ -340,7 +342,7 @@ impl Environment {
 
     /// Lets all come to rest and observes it; nothing can be taken back to before that.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
-        act::calm(&mut self.world);
+        come_to_rest(&mut self.world);
         observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, changed)?;
         self.floor.update(&self.world);
         self.undo = Undo::default();

@@ -6,7 +6,8 @@ use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, Sce
 use vc_physics::{Floor, Order, Posture, Role, World};
 
 use super::make::{RINGS, Spaced, around};
-use super::{Elsewhere, MakeError, Unplaced, Why, act, make, reset};
+use super::settle::come_to_rest;
+use super::{Elsewhere, MakeError, Unplaced, Why, make, reset};
 
 /// A thing that is lower than this below its place in the scene has fallen, metres.
 const FALL: f32 = 0.1;
@@ -26,11 +27,11 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Vec<
     astray.extend(world.crowded());
     astray.extend(far_off(world, builder.graph()));
     let mut left_out = put_back(world, builder, astray)?;
-    act::calm(world);
+    come_to_rest(world);
     let fallen = fallen(world, builder.graph());
     if !fallen.is_empty() {
         restore(world, builder.graph(), &fallen)?;
-        act::calm(world);
+        come_to_rest(world);
     }
     // The things that were taken out may have carried others.
     loop {
@@ -40,7 +41,7 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Vec<
         }
         let fell = outside.into_iter().map(|id| (id, Why::FellOut)).collect();
         left_out.extend(leave_out(world, builder, fell)?);
-        act::calm(world);
+        come_to_rest(world);
     }
 }
 

@@ -3,8 +3,8 @@
 use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 
 use super::Environment;
-use super::deed::Deed;
-use super::undo::{Care, Step};
+use super::execute::Execution;
+use super::step::{Care, Step};
 
 impl Environment {
     /// Whether an agent would find a path to a spot in the thing's room from which its hands reach the thing
@@ -18,11 +18,11 @@ impl Environment {
         let action = Action::one(Verb::Walk, id);
         let (before, after, care) = (self.graph.clone(), self.graph.clone(), Care::default());
         let step = Step { before, after, agent, action, care };
-        self.gets_at(&mut Deed::new(&mut world, &mut floor, &self.start, &step), id)
+        self.gets_at(&mut Execution::new(&mut world, &mut floor, &self.start, &step), id)
     }
 
-    fn gets_at(&self, deed: &mut Deed<'_>, id: NodeId) -> bool {
-        self.graph.hidden_in(id).is_none_or(|container| deed.can_get_at(container)) && deed.can_get_at(id)
+    fn gets_at(&self, execution: &mut Execution<'_>, id: NodeId) -> bool {
+        self.graph.hidden_in(id).is_none_or(|container| execution.can_get_at(container)) && execution.can_get_at(id)
     }
 
     /// Whether there are free spots for all of some things, each at one of several places. The things are
@@ -49,12 +49,12 @@ impl Environment {
                     return None;
                 }
                 floor.update(&world);
-                let mut deed = Deed::new(&mut world, &mut floor, &self.start, &step);
-                if !self.gets_at(&mut deed, *id) {
+                let mut execution = Execution::new(&mut world, &mut floor, &self.start, &step);
+                if !self.gets_at(&mut execution, *id) {
                     return None;
                 }
-                let spot = deed.spot(*id, place).ok()?;
-                let stand = deed.stand_to_put(self.graph.room_of(place.at), *id, &spot);
+                let spot = execution.spot(*id, place).ok()?;
+                let stand = execution.stand_to_put(self.graph.room_of(place.at), *id, &spot);
                 stand.is_ok_and(|stand| stand.is_some()).then_some(spot)
             });
             // The spot is finite and the thing exists.

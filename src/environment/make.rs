@@ -9,9 +9,10 @@ use vc_physics::{BodyPlan, Floor, FloorPlan, Settings, Shapes, World};
 use vc_relations::{Relations, Rule};
 
 use super::reset::undress;
+use super::settle::come_to_rest;
 use super::undo::Undo;
 use super::{
-    Assets, Elsewhere, Environment, MakeError, SceneOptions, Start, Unplaced, act, astray, boxes, observe, scene, seats,
+    Assets, Elsewhere, Environment, MakeError, SceneOptions, Start, Unplaced, astray, boxes, observe, scene, seats,
 };
 use crate::figure;
 
@@ -125,7 +126,7 @@ impl Environment {
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;
         if boxes::hold_moved(&mut world, builder.graph(), &staying, at_rest)? {
-            act::calm(&mut world);
+            come_to_rest(&mut world);
         }
         let floor = Floor::of(&world, FloorPlan::default());
         if !at_rest && !staying.is_empty() {
@@ -145,7 +146,7 @@ impl Environment {
         }
         world.run(LANDING);
         // Who lands may have shaken something; a reset has to find all at rest.
-        act::calm(&mut world);
+        come_to_rest(&mut world);
         if at_rest {
             boxes::rest_as(&mut world, builder.graph(), &staying)?;
         }
@@ -187,7 +188,7 @@ impl Environment {
             undo: Undo::default(),
             poses: BTreeMap::new(),
             #[cfg(feature = "render")]
-            sight: Arc::default(),
+            picture_cache: Arc::default(),
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
             start,

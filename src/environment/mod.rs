@@ -1,24 +1,28 @@
 //! The environment: a home with bodies, in which agents act.
 
 mod act;
-mod agree;
 mod alter;
 mod astray;
-mod beat;
 mod boxes;
-mod deed;
+mod compare;
+mod course;
 mod error;
+mod execute;
 mod export;
 mod feasible;
 mod make;
 mod observe;
 mod outlook;
+#[cfg(feature = "render")]
+mod pictures;
+mod playback;
 mod reset;
 mod save;
 mod scene;
 mod seats;
-mod show;
+mod settle;
 mod steer;
+mod step;
 mod survey;
 mod undo;
 
@@ -30,11 +34,15 @@ use vc_graph::{Action, ChangeSet, Digest, History, NodeId, Observation, SceneGra
 use vc_physics::{Floor, Posture, Shapes, World};
 use vc_relations::Relations;
 
-pub use agree::{Difference, Disagreement};
 pub use alter::{AlterError, Spot};
+pub use compare::{Difference, Disagreement};
 pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
+#[cfg(feature = "render")]
+pub(crate) use pictures::{GLANCE, sight_of};
+#[cfg(feature = "render")]
+pub use pictures::{PictureOptions, Viewpoint};
 pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
 pub use scene::{Assets, SceneOptions};
 pub use steer::Steering;
@@ -89,9 +97,9 @@ pub struct Environment {
     /// What bodies are shown to do while an action takes its time.
     poses: std::collections::BTreeMap<NodeId, crate::figure::Doing>,
     #[cfg(feature = "render")]
-    sight: Arc<crate::sight::Sight>,
+    picture_cache: Arc<pictures::PictureCache>,
     #[cfg(feature = "render")]
-    pub(crate) pictures: crate::PictureOptions,
+    pub(crate) pictures: PictureOptions,
 }
 
 /// How an environment began; its resets start from here.
@@ -210,7 +218,7 @@ impl Environment {
     fn look_anew(&mut self) {
         #[cfg(feature = "render")]
         {
-            self.sight = Arc::default();
+            self.picture_cache = Arc::default();
         }
     }
 
@@ -229,8 +237,8 @@ impl Environment {
     }
 
     #[cfg(feature = "render")]
-    pub(crate) fn sight(&self) -> &crate::sight::Sight {
-        &self.sight
+    fn picture_cache(&self) -> &pictures::PictureCache {
+        &self.picture_cache
     }
 }
 

@@ -35,7 +35,7 @@ pub(super) fn into_room(
         free + THING * things.iter().filter(|to| to.dot(&ways[i as usize]) >= narrow).count() as f32
     };
     let best = (0..WAYS).max_by(|a, b| seen(*a).total_cmp(&seen(*b)).then(b.cmp(a))).unwrap_or(0);
-    super::deed::towards(ways[best as usize])
+    super::execute::towards(ways[best as usize])
 }
 
 fn way(number: i32) -> Vector2<f32> {

@@ -7,8 +7,9 @@ use vc_graph::{EditError, History, Kind, Label, Node, NodeId, Place, Pose, Relat
 use vc_physics::{Floor, Order, PhysicsError, Role, World};
 use vc_relations::Relations;
 
+use super::settle::come_to_rest;
 use super::undo::Undo;
-use super::{Environment, ResetError, act, astray, boxes, observe, scene, seats};
+use super::{Environment, ResetError, astray, boxes, observe, scene, seats};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
@@ -155,10 +156,10 @@ impl Environment {
         let mut floor = self.start.floor.clone();
         floor.update(&world);
         plan.report.elsewhere.extend(settle_agents(&mut world, &mut wanted, &floor)?);
-        act::calm(&mut world);
+        come_to_rest(&mut world);
         let held = [standing.as_slice(), &plan.in_open_things(&world, &wanted)].concat();
         if boxes::hold_moved(&mut world, &wanted, &held, true)? {
-            act::calm(&mut world);
+            come_to_rest(&mut world);
         }
         plan.take_out(&mut world, &mut wanted)?;
         boxes::rest_as(&mut world, &wanted, &standing)?;
@@ -170,7 +171,7 @@ impl Environment {
         self.poses = BTreeMap::new();
         #[cfg(feature = "render")]
         if new_shapes || !report.added.is_empty() || !report.removed.is_empty() {
-            self.sight = std::sync::Arc::default();
+            self.picture_cache = std::sync::Arc::default();
         }
         Ok(report)
     }
@@ -345,7 +346,7 @@ impl Plan {
         let mut outside = world.outside();
         while !outside.is_empty() {
             outside.into_iter().try_for_each(|id| self.leave_out(world, graph, id, Why::FellOut))?;
-            act::calm(world);
+            come_to_rest(world);
             outside = world.outside();
         }
         Ok(())

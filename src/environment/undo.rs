@@ -6,11 +6,12 @@
 
 use std::sync::Arc;
 
-use vc_graph::{Action, NodeId, SceneGraph};
 use vc_physics::{Floor, World};
 
-use super::deed::Deed;
-use super::{Start, act};
+use super::Start;
+use super::execute::Execution;
+use super::settle::come_to_rest;
+use super::step::Step;
 
 /// The largest number of actions that are replayed.
 const KEPT: usize = 8;
@@ -20,30 +21,6 @@ const KEPT: usize = 8;
 pub(super) struct Undo {
     kept: Option<Arc<World>>,
     since: Vec<Step>,
-}
-
-/// An action whose effect on the bodies can be replayed.
-#[derive(Clone)]
-pub(super) struct Step {
-    /// The scene before the action, and the scene that the rule predicts after it.
-    pub(super) before: SceneGraph,
-    pub(super) after: SceneGraph,
-    pub(super) agent: NodeId,
-    pub(super) action: Action,
-    pub(super) care: Care,
-}
-
-/// Precautions for a second attempt at an action that has failed.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Care {
-    /// Things that are held still meanwhile: they would fall although nobody touches them.
-    pub(super) steadied: Vec<NodeId>,
-    /// Whether doors and drawers are pushed all the way: setting them to their end position left a thing behind
-    /// that should have been carried along.
-    pub(super) pushes: bool,
-    /// Whether the agent does not turn to a thing it is near: at the edge of its reach, turning would take the
-    /// thing out of reach.
-    pub(super) stays: bool,
 }
 
 impl Undo {
@@ -64,10 +41,10 @@ impl Undo {
         let Some(kept) = &self.kept else { return };
         *world = World::clone(kept);
         for step in &self.since {
-            let mut deed = Deed::new(world, floor, start, step);
+            let mut execution = Execution::new(world, floor, start, step);
             // The action was done before, so it can be done again.
-            let _ = deed.all(&step.action);
-            act::calm(world);
+            let _ = execution.all(&step.action);
+            come_to_rest(world);
         }
     }
 }

@@ -10,7 +10,7 @@ use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
 use super::dataset::Dataset;
 use super::{RecordError, feet, save};
-use crate::sight::{GLANCE, sight_of};
+use crate::environment::{GLANCE, sight_of};
 use crate::{Environment, PageFilm, PictureOptions, Viewpoint};
 
 /// Ticks of the home between two pictures, at first.

@@ -115,7 +115,7 @@ impl Environment {
     fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError<Label>> {
         let places = self.places(room, camera)?;
         // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
-        let known = || self.sight().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let known = || self.picture_cache().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(place) = known().get(&room) {
             return Ok(places[*place]);
         }

@@ -5,9 +5,9 @@ use vc_graph::asset::JointKind;
 use vc_graph::{Kind, NodeId, Pose, Property};
 use vc_physics::{Stand, World};
 
-use super::{Deed, Done, towards};
+use super::{Done, Execution, towards};
 use crate::environment::Impossible;
-use crate::environment::beat::Beat;
+use crate::environment::course::Beat;
 use crate::environment::outlook;
 
 /// Free floor that agents keep from each other, metres.
@@ -19,7 +19,7 @@ const NEAR: f32 = vc_graph::NEAR - 0.02;
 /// How many of the points in a container must be visible to the agent that opens it.
 const SHOWN: usize = 6;
 
-impl Deed<'_> {
+impl Execution<'_> {
     /// Brings a thing within reach of the hands: by turning, by a step or by a walk.
     pub(super) fn reach(&mut self, id: NodeId) -> Done {
         let body = self.body_of(id)?;
@@ -55,9 +55,9 @@ impl Deed<'_> {
     /// A spot in a room from which the agent reaches a thing: where it sees it too, if
     /// there is one.
     pub(super) fn stand_at(&mut self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, Impossible> {
-        self.at_need_nudging(|deed| {
-            let found = deed.stand_where(id, room, |feet| deed.sees(feet, id))?;
-            if found.is_some() { Ok(found) } else { deed.stand_where(id, room, |_| true) }
+        self.at_need_nudging(|execution| {
+            let found = execution.stand_where(id, room, |feet| execution.sees(feet, id))?;
+            if found.is_some() { Ok(found) } else { execution.stand_where(id, room, |_| true) }
         })
     }
 
@@ -136,10 +136,10 @@ impl Deed<'_> {
     pub(super) fn go_to(&mut self, id: NodeId) -> Done {
         self.floor.update(self.world);
         let kind = self.before.node(id).map(vc_graph::Node::kind);
-        let stand = self.at_need_nudging(|deed| match kind {
-            Some(Kind::Room) => Ok(deed.stand_in(id)),
-            Some(Kind::Agent) => Ok(deed.stand_beside(id, |_| true)),
-            _ => deed.stand_before(id),
+        let stand = self.at_need_nudging(|execution| match kind {
+            Some(Kind::Room) => Ok(execution.stand_in(id)),
+            Some(Kind::Agent) => Ok(execution.stand_beside(id, |_| true)),
+            _ => execution.stand_before(id),
         })?;
         self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
     }
@@ -270,7 +270,9 @@ impl Deed<'_> {
         spot: &Pose,
     ) -> Result<Option<Stand>, Impossible> {
         let target = Point3::from(spot.translation.vector);
-        self.at_need_nudging(|deed| Ok(deed.nearest_stand(room, target, NEAR, |feet| deed.puts_from(feet, id, spot))))
+        self.at_need_nudging(|execution| {
+            Ok(execution.nearest_stand(room, target, NEAR, |feet| execution.puts_from(feet, id, spot)))
+        })
     }
 
     pub(super) fn turn_to(&mut self, spot: &Pose) {

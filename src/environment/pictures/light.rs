@@ -50,7 +50,7 @@ impl Environment {
 
     /// Light that was made. A thread that panicked left nothing half done there.
     fn lights(&self) -> MutexGuard<'_, Vec<(Lit, Lighting)>> {
-        self.sight().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+        self.picture_cache().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
     fn lit(&self, base: &Base, daylight: &Daylight) -> Lit {

@@ -16,7 +16,7 @@ use vc_graph::{Action, ChangeSet, NodeId, Pose, rule};
 use vc_physics::{Hand, Posture};
 
 use super::act::{self, Done};
-use super::beat::{Beat, Course};
+use super::course::{Beat, Course};
 use super::{ActionError, Environment, observe};
 use walk::Passage;
 

@@ -7,8 +7,8 @@ use vc_physics::Hand;
 
 use super::{Player, between};
 use crate::environment::Environment;
-use crate::environment::beat::{Drive, Put};
-use crate::environment::deed::load_of;
+use crate::environment::course::{Drive, Put};
+use crate::environment::execute::load_of;
 use crate::figure::{Doing, Reach, Side};
 
 /// Seconds in which a hand goes out, and in which it comes back.

@@ -8,9 +8,9 @@ use vc_graph::asset::JointKind;
 use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
 use vc_physics::{AgentError, BodyPlan, Floor, MovingPart, Posture, Role, World};
 
-use super::act::calm;
-use super::beat::{Beat, Course, Drive};
-use super::undo::{Care, Step};
+use super::course::{Beat, Course, Drive};
+use super::settle::come_to_rest;
+use super::step::{Care, Step};
 use super::{ActionError, Impossible, Start};
 
 pub(super) use hands::{comes_along, load_of};
@@ -28,7 +28,7 @@ const FULL: f32 = 0.8;
 const GESTURE: f32 = 1.5;
 
 /// The execution of an agent's action: moves bodies and records the course of the action.
-pub(super) struct Deed<'a> {
+pub(super) struct Execution<'a> {
     pub(super) world: &'a mut World,
     pub(super) floor: &'a mut Floor,
     pub(super) start: &'a Start,
@@ -47,7 +47,7 @@ pub(super) struct Deed<'a> {
 
 type Done = Result<(), Impossible>;
 
-impl<'a> Deed<'a> {
+impl<'a> Execution<'a> {
     pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
         let Step { before, after, agent, action, care } = step;
         let run = action.verb == Verb::Run;
@@ -56,7 +56,7 @@ impl<'a> Deed<'a> {
     }
 }
 
-impl Deed<'_> {
+impl Execution<'_> {
     /// Executes all effects that the rule gives for an action.
     pub(super) fn all(&mut self, action: &Action) -> Result<(), ActionError> {
         let effects = rule::effects(action);
@@ -216,7 +216,7 @@ impl Deed<'_> {
         if self.world.role(id) != Some(Role::Loose) {
             return Ok(());
         }
-        calm(self.world);
+        come_to_rest(self.world);
         let moved = before.zip(self.world.pose(id)).is_some_and(|(before, now)| {
             let far = (now.translation.vector - before.translation.vector).norm();
             far > SHIFT || (before.rotation * Vector3::z()).dot(&(now.rotation * Vector3::z())) < UPRIGHT

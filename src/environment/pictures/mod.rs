@@ -28,7 +28,7 @@ const EVEN: f32 = 0.9;
 
 /// Uploaded meshes and the light, made when first asked for and shared by clones.
 #[derive(Debug, Default)]
-pub(crate) struct Sight {
+pub(crate) struct PictureCache {
     base: OnceLock<Result<Base, RenderError<Label>>>,
     /// Light that was made, the last one first.
     light: Mutex<Vec<(Lit, Lighting)>>,
@@ -240,7 +240,7 @@ impl Environment {
     }
 
     fn base(&self) -> Result<&Base, RenderError<Label>> {
-        let base = self.sight().base.get_or_init(|| Base::of(self).map_err(|e| self.named(e)));
+        let base = self.picture_cache().base.get_or_init(|| Base::of(self).map_err(|e| self.named(e)));
         base.as_ref().map_err(Clone::clone)
     }
 }

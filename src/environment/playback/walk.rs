@@ -5,7 +5,7 @@ use vc_graph::{NodeId, Pose, Relation};
 
 use super::Player;
 use crate::environment::Environment;
-use crate::environment::deed::towards;
+use crate::environment::execute::towards;
 use crate::figure::Doing;
 
 /// Distance to a door at which a walker opens it, and at which it shuts it, metres.

@@ -4,10 +4,10 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Edge, EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
 use vc_physics::{Hand, Order, Role};
 
-use super::{Deed, Done, UPRIGHT};
+use super::{Done, Execution, UPRIGHT};
 use crate::environment::Impossible;
-use crate::environment::act::calm;
-use crate::environment::beat::{Beat, Put};
+use crate::environment::course::{Beat, Put};
+use crate::environment::settle::come_to_rest;
 
 /// How far ahead of the body a hand puts things down, metres.
 const AHEAD: f32 = 0.45;
@@ -18,7 +18,7 @@ const ROLLED: f32 = 0.04;
 /// Height at which things are out of everybody's way, metres.
 const AWAY: f32 = -100.0;
 
-impl Deed<'_> {
+impl Execution<'_> {
     /// The hand in which a graph has a thing.
     pub(super) fn hand(&self, graph: &SceneGraph, id: NodeId) -> Option<Hand> {
         Hand::BOTH.into_iter().find(|h| graph.has(Edge::new(self.agent, h.relation(), id)))
@@ -147,7 +147,7 @@ impl Deed<'_> {
     /// Whether a thing that was put to a spot stays at its place, on top of things about at the
     /// spot, and those around it about where they were.
     fn comes_to_rest(&mut self, id: NodeId, place: Place, spot: Pose, around: &[(NodeId, Pose)]) -> bool {
-        calm(self.world);
+        come_to_rest(self.world);
         let far = |id: NodeId, was: &Pose| {
             let now = self.world.pose(id);
             now.map_or(f32::INFINITY, |now| (now.translation.vector - was.translation.vector).norm())

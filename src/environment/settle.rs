@@ -1,0 +1,46 @@
+//! Bodies come to rest after an action, a reset or another change.
+
+use vc_graph::NodeId;
+use vc_physics::{Role, World};
+
+/// Steps in which what an action has disturbed comes to rest.
+const CALM: u32 = 120;
+/// How often that is tried while something still moves fast.
+const AGAIN: u32 = 4;
+/// Steps between looks for what rests already; at first there is one after each.
+const DOZE: u32 = 3;
+/// What is slower is held still then, metres a second.
+const SLOW: f32 = 0.05;
+
+/// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.
+pub(super) fn come_to_rest(world: &mut World) {
+    world.step();
+    for _ in 0..AGAIN {
+        let mut left = CALM;
+        while left > 0 && world.awake() > 0 {
+            world.step();
+            left -= 1;
+            // What surely rests need not be watched for longer.
+            if left.is_multiple_of(DOZE) || left + DOZE > CALM {
+                world.doze();
+            }
+        }
+        let fast = |id: &NodeId| world.velocity(*id).is_some_and(|v| v.norm() > SLOW);
+        if !restless(world).iter().any(fast) {
+            break;
+        }
+    }
+    for id in restless(world) {
+        // It is loose, so it can be held.
+        let _ = world.pin(id);
+    }
+    if world.awake() > 0 {
+        world.rest();
+    }
+}
+
+/// Loose things that are awake.
+fn restless(world: &World) -> Vec<NodeId> {
+    let loose = |id: &NodeId| world.role(*id) == Some(Role::Loose) && !world.is_asleep(*id);
+    if world.awake() == 0 { Vec::new() } else { world.nodes().into_iter().filter(loose).collect() }
+}
