@@ -92,6 +92,7 @@ fn main() -> Result<(), Complaint> {
         }
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
+    support::remark_on_walls(&scene);
     std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;

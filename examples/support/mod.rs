@@ -46,6 +46,13 @@ pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     Complaint::new(format!("{}: {error}; {advice}", path.display()))
 }
 
+/// Says that a scene has no walls: its pictures show it in the open.
+pub(crate) fn remark_on_walls(graph: &virtualcity::graph::SceneGraph) {
+    if graph.of_class("wall").is_empty() && !graph.rooms().is_empty() {
+        say_line(format_args!("remark {} gives no walls: its rooms are drawn in the open", graph.name()));
+    }
+}
+
 /// Prints a line; exits quietly if the output is closed, as by `| head`.
 pub(crate) fn say_line(line: fmt::Arguments<'_>) {
     if writeln!(std::io::stdout(), "{line}").is_err() {

@@ -136,7 +136,9 @@ impl Environment {
         let put_apart = astray::stand_on_floor(&mut world, builder.graph(), &floor);
         let places = standing_places(builder.graph(), &world, &floor, agents)?;
         let mut library = builder.graph().assets().as_ref().clone();
-        let people = (0..places.len()).map(|i| figure::add_to(&mut library, i));
+        // Whoever is in the scene already has the first looks.
+        let first = builder.graph().agents().len();
+        let people = (0..places.len()).map(|i| figure::add_to(&mut library, first + i));
         let people: Vec<AssetId> = people.collect::<Result<_, _>>()?;
         builder.assets(Arc::new(library));
         for ((room, feet), person) in places.into_iter().zip(people) {

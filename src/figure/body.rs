@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 use vc_physics::{Hand, Posture, World};
 
-use super::{Attitude, Skeleton};
+use super::{Attitude, Doing, Skeleton};
 use crate::Environment;
 
 impl Environment {
@@ -18,9 +18,12 @@ impl Environment {
             Posture::Lying(..) => Attitude::Lying,
         };
         let mut doing = self.doing(agent);
-        if let Some(reach) = &mut doing.reach {
-            reach.point = pose.inverse_transform_point(&reach.point);
+        if doing == Doing::default() {
+            doing.attends = self.attention(agent);
         }
+        let own = |point: &mut Point3<f32>| *point = pose.inverse_transform_point(point);
+        doing.attends.iter_mut().for_each(own);
+        doing.reach.iter_mut().for_each(|reach| own(&mut reach.point));
         let hands = Hand::BOTH.map(|hand| grip(world, &pose, hand, world.held(agent, hand)?));
         Some(Skeleton::new(attitude, &doing, hands))
     }

@@ -22,6 +22,8 @@ const NECK: (f32, f32) = (1.2, 1.4);
 const HANGS: f32 = 0.7;
 /// How far down one looks who carries something, radians.
 const GLANCE: f32 = 0.3;
+/// How far from the middle of the view something may be that is kept in view, radians.
+const ASIDE: f32 = 0.3;
 /// From the ankle to the ball of the foot, metres.
 const SOLE: f32 = 0.13;
 
@@ -32,6 +34,8 @@ pub(crate) struct Doing {
     pub(crate) walked: Option<f32>,
     /// A gesture, and since when, seconds.
     pub(crate) gesture: Option<(Verb, f32)>,
+    /// What it keeps in view while it stands.
+    pub(crate) attends: Option<Point3<f32>>,
     /// What a hand reaches for.
     pub(crate) reach: Option<Reach>,
     /// From which pose it comes into this one, and how far it has got, 0 to 1.
@@ -130,6 +134,9 @@ impl Skeleton {
         self.turn(Bone::Chest, stoop.chest() * forward);
         let glance = if carries { GLANCE } else { 0.0 };
         self.turn(Bone::Head, pitch(glance - 0.4 * stoop.bend));
+        if let Some(point) = doing.attends {
+            self.turn_head(point, glance, ASIDE);
+        }
         self.look(doing);
         for side in Side::BOTH {
             let ankle = step(side, doing.walked) + Vector3::z() * stoop.toes();
@@ -142,20 +149,27 @@ impl Skeleton {
     /// chest is bent.
     fn look(&mut self, doing: &Doing) {
         let Some(Reach { point, looks, .. }) = doing.reach.filter(|reach| reach.looks > 0.0) else { return };
+        let own = |s: &Self| s.motion(Bone::Chest).rotation.inverse() * s.motion(Bone::Head).rotation;
+        let rest = own(self);
+        self.turn_head(point, 0.0, 0.0);
+        let there = own(self);
+        self.turn(Bone::Head, rest.try_slerp(&there, looks, 1e-6).unwrap_or(there));
+    }
+
+    /// Turns the head upright from looking ahead and so far down just so far that a point is at most an angle from the
+    /// middle of the view, to the side and up or down, radians.
+    fn turn_head(&mut self, point: Point3<f32>, glance: f32, aside: f32) {
         let chest = self.motion(Bone::Chest).rotation.inverse();
-        let rest = chest * self.motion(Bone::Head).rotation;
-        let mut there = rest;
+        let towards = |from: f32, to: f32, most: f32| from.clamp(to - aside, to + aside).clamp(-most, most);
         // The eyes move as the head turns.
         for _ in 0..3 {
             let way = point - self.eyes().translation.vector;
             // Of what is below a bent head, or behind it, one looks down.
             let ahead = way.x.max(0.2 * way.coords.norm());
-            let yaw = way.y.angle_to(ahead).clamp(-NECK.0, NECK.0);
-            let down = (-way.z).angle_to(ahead.hypotenuse(way.y)).clamp(-NECK.1, NECK.1);
-            there = chest * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw) * pitch(down);
-            self.turn(Bone::Head, there);
+            let yaw = towards(0.0, way.y.angle_to(ahead), NECK.0);
+            let down = towards(glance, (-way.z).angle_to(ahead.hypotenuse(way.y)), NECK.1);
+            self.turn(Bone::Head, chest * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw) * pitch(down));
         }
-        self.turn(Bone::Head, rest.try_slerp(&there, looks, 1e-6).unwrap_or(there));
     }
 
     /// What a gesture does to the trunk.

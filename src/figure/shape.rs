@@ -20,6 +20,9 @@ const LOOKS: [[[f32; 3]; 2]; 3] = [
     [[0.66, 0.42, 0.31], [0.16, 0.08, 0.03]],
 ];
 
+/// Radius of the shoulders, metres.
+const SHOULDER: f32 = 0.056;
+
 /// Materials of a person, by their index in the library.
 struct Stuff {
     skin: u32,
@@ -49,7 +52,7 @@ impl Stuff {
         };
         Ok(Self {
             skin: add("skin", skin, 0.55)?,
-            hair: add("hair", hair, 0.6)?,
+            hair: add("hair", hair, 0.9)?,
             shirt: add("shirt", shirt, 0.9)?,
             trousers: add("trousers", trousers, 0.9)?,
             shoes: add("shoes", [0.025, 0.02, 0.018], 0.4)?,
@@ -86,11 +89,28 @@ fn limb(name: &str, bone: Bone, length: f32, radius: f32, material: u32) -> Part
     part(name, bone, shape, material, Vector3::new(0.0, 0.0, -length / 2.0))
 }
 
+/// A limb with round ends between two points.
+fn bar(name: &str, bone: Bone, [from, to]: [Vector3<f32>; 2], radius: f32, material: u32) -> Part {
+    let way = to - from;
+    let shape = Shape::Capsule { radius, half_height: way.norm() / 2.0 };
+    let mut part = part(name, bone, shape, material, (from + to) / 2.0);
+    part.pose.rotation = UnitQuaternion::rotation_between(&Vector3::z(), &way).unwrap_or_default();
+    part
+}
+
 fn trunk(stuff: &Stuff, parts: &mut Vec<Part>) {
     let v = Vector3::new;
     parts.push(part("pelvis", Bone::Pelvis, block([0.1, 0.16, 0.11], 0.09), stuff.trousers, v(0.0, 0.0, 0.03)));
     parts.push(part("belly", Bone::Chest, block([0.1, 0.15, 0.13], 0.09), stuff.shirt, v(0.0, 0.0, 0.06)));
     parts.push(part("chest", Bone::Chest, block([0.11, 0.18, 0.17], 0.1), stuff.shirt, v(0.0, 0.0, 0.25)));
+    for side in Side::BOTH {
+        let anchor = Bone::UpperArm(side).anchor() - Bone::Chest.anchor();
+        let inner = v(0.0, 0.06 * side.sign(), anchor.z);
+        // The shoulder blade fills the corner between the chest and the arm, the other one slopes up to the neck.
+        parts.push(bar("shoulder blade", Bone::Chest, [inner, anchor], SHOULDER, stuff.shirt));
+        let [low, high] = [v(0.0, 0.15 * side.sign(), anchor.z + 0.012), inner + Vector3::z() * 0.045];
+        parts.push(bar("collar", Bone::Chest, [low, high], 0.045, stuff.shirt));
+    }
 }
 
 fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
@@ -101,6 +121,7 @@ fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
     let skull = Shape::Capsule { radius: 0.085, half_height: 0.035 };
     parts.push(part("face", Bone::Head, skull, stuff.skin, v(0.012, 0.0, 0.115)));
     parts.push(part("hair", Bone::Head, ball(0.102), stuff.hair, v(-0.016, 0.0, 0.155)));
+    parts.push(part("hair", Bone::Head, ball(0.087), stuff.hair, v(-0.03, 0.0, 0.095)));
     parts.push(part("nose", Bone::Head, ball(0.014), stuff.skin, v(0.1, 0.0, 0.105)));
     for side in Side::BOTH {
         parts.push(part("eye", Bone::Head, ball(0.011), stuff.eyes, v(0.089, 0.034 * side.sign(), 0.13)));
@@ -109,7 +130,13 @@ fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
 }
 
 fn arm(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
-    parts.push(part("shoulder", Bone::UpperArm(side), Shape::Sphere { radius: 0.062 }, stuff.shirt, Vector3::zeros()));
+    parts.push(part(
+        "shoulder",
+        Bone::UpperArm(side),
+        Shape::Sphere { radius: SHOULDER },
+        stuff.shirt,
+        Vector3::zeros(),
+    ));
     parts.push(limb("upper arm", Bone::UpperArm(side), ARM[0], 0.046, stuff.shirt));
     parts.push(limb("forearm", Bone::Forearm(side), ARM[1] - 0.08, 0.036, stuff.skin));
     let palm = block([0.036, 0.017, 0.05], 0.016);

@@ -253,7 +253,7 @@ impl PageAction {
         }
     }
 
-    fn caption(&self, index: usize) -> String {
+    pub(crate) fn caption(&self, index: usize) -> String {
         let agent = self.agent.as_deref().map(|who| format!("{who}: ")).unwrap_or_default();
         let refused = if self.refused.is_some() { " (could not)" } else { "" };
         format!("{}. {agent}{}{refused}", index + 1, self.action)

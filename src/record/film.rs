@@ -5,6 +5,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use vc_graph::{Label, NodeId};
+use vc_procgen::picture::{Anchor, Canvas, Colour};
 use vc_render::picture::{self, Picture};
 use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
@@ -20,6 +21,8 @@ const MOST: usize = 180;
 
 /// Quality of the film's pictures as JPEG: no blocks are seen.
 const JPEG_QUALITY: u8 = 88;
+/// The width of a caption's line as a multiple of its height, and the height of its letters as a share of it.
+const CAPTION: (f32, f32) = (36.0, 0.6);
 /// Pictures in a row in which somebody is not seen well before the corner's camera goes elsewhere.
 const PATIENCE: u32 = 3;
 
@@ -87,9 +90,12 @@ impl Film {
         starts.windows(2).enumerate().step_by(every).map(moment).filter(|(_, at)| *at < self.pictures.len()).collect()
     }
 
-    /// A picture of each action, eight at most; of the home as it is if nothing was done.
-    pub(super) fn strip(&mut self, home: &Environment) -> Result<Picture, RenderError<Label>> {
-        let shown: Vec<Picture> = self.moments().iter().map(|(_, at)| self.pictures[*at].clone()).collect();
+    /// A picture of each action with its words, eight at most; of the home as it is if nothing was done.
+    pub(super) fn strip(&mut self, home: &Environment, words: &[String]) -> Result<Picture, RenderError<Label>> {
+        let caption = |action: usize| words.get(action).map_or("", String::as_str);
+        let moments = self.moments();
+        let shown = moments.iter().map(|(action, at)| captioned(&self.pictures[*at], caption(*action)));
+        let shown: Vec<Picture> = shown.collect();
         if shown.is_empty() { self.pair(home) } else { Ok(Picture::sheet(&shown, 2, 4)) }
     }
 
@@ -224,6 +230,23 @@ impl Film {
         let views = self.views(home)?;
         self.shot(home, views, 1)
     }
+}
+
+/// A picture with a line of text below it, in smaller letters if it is long.
+fn captioned(picture: &Picture, text: &str) -> Picture {
+    let width = picture.width as f32;
+    let high = width / CAPTION.0;
+    let size = (CAPTION.1 * high).min(width / Canvas::text_width(1.0, text).max(1.0));
+    let mut canvas = Canvas::new([0.0, 0.0], [width, high]);
+    canvas.text([0.5 * size, 0.5 * (high - size)], size, Anchor::Start, Colour::BLACK, text);
+    // A picture that can be made has a line that can be made.
+    let line = canvas.to_image(picture.width).ok();
+    let height = line.as_ref().map_or(0, |line| line.height);
+    let mut whole = Picture::new(picture.width, picture.height + height, [255; 3]);
+    whole.paste(picture, 0, 0);
+    let pixels = line.map_or_else(Vec::new, |line| line.rgb.as_chunks().0.to_vec());
+    whole.paste(&Picture { width: picture.width, height, pixels }, 0, picture.height);
+    whole
 }
 
 /// The six modalities: colours, instances, classes; depth, flow, boxes with masks.

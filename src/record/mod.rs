@@ -38,7 +38,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// | `film/` | the film's pictures as JPEG, which the page plays and others' tools make a video of: from the agent's eyes and from a corner of the room |
 /// | `film.gif`, `film.png` | the film in half its size at twice the speed, as GIF and as animated PNG |
 /// | `map.png` | the home from above, and the ways the agents went |
-/// | `strip.png` | a picture of each action, eight at most |
+/// | `strip.png` | a picture of each action with its words, eight at most |
 /// | `eyes.png`, `corner.png` | the six modalities at the moment that tells most |
 /// | `end.png` | the end |
 /// | `belief.svg` | what the agent believed in the end, if it is told |
@@ -229,7 +229,8 @@ impl Recorder {
         let end = self.film.end(&self.home)?;
         self.picture("end.png", &end)?;
         self.picture("map.png", &map::of(&self.home, &self.ways)?)?;
-        let strip = self.film.strip(&self.home)?;
+        let words: Vec<String> = self.actions.iter().enumerate().map(|(i, action)| action.caption(i)).collect();
+        let strip = self.film.strip(&self.home, &words)?;
         self.picture("strip.png", &strip)?;
         let film = self.film.write(&self.folder)?;
         if let Some([eyes, corner]) = self.film.modalities() {

@@ -69,6 +69,31 @@ fn who_opens_something_sees_into_it() {
     }
 }
 
+/// Whoever has opened something sees it, however low it is, and who turns away from it looks ahead again.
+#[test]
+fn what_is_acted_on_is_in_view() {
+    let mut count = 0;
+    for class in ["nightstand", "dishwasher", "toilet", "trash_can", "drawer", "kitchen_cabinet", "sideboard"] {
+        let mut home = home(42);
+        let me = home.agents()[0];
+        let Some(&thing) = home.graph().of_class(class).first() else { continue };
+        if !(done(&mut home, Verb::Walk, thing) && done(&mut home, Verb::Open, thing)) {
+            continue;
+        }
+        let all = rows(&seen(&home, Viewpoint::Agent(me)), |id| id == thing || home.graph().rests_at(id, thing));
+        assert!(all.len() as u32 * 50 > SIZE.0 * SIZE.1, "{class}: {} pixels of it are seen", all.len());
+        let way = |home: &Environment| home.camera(Viewpoint::Agent(me), SIZE.0, SIZE.1).unwrap().pose.rotation;
+        let feet = home.world().pose(me).unwrap();
+        let behind = feet * nalgebra::Point3::new(-1.0, 0.0, 0.0);
+        let heading = (behind.y - feet.translation.y).atan2(behind.x - feet.translation.x);
+        home.steer(me, &virtualcity::Steering { heading, ..Default::default() }).unwrap();
+        let ahead = way(&home) * nalgebra::Vector3::z();
+        assert!(ahead.z.abs() < 0.05, "{class}: the eyes look {ahead:?}");
+        count += 1;
+    }
+    assert!(count > 3, "{count} things were opened");
+}
+
 /// An agent that enters a room looks into it, not at a wall.
 #[test]
 fn who_comes_into_a_room_faces_it() {

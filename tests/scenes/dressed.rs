@@ -131,6 +131,33 @@ fn what_opens_has_doors_or_drawers_and_shelves_come_with_it() {
     }
 }
 
+/// A frame that leads out of the home has a shut door in it; the other frames are open.
+#[test]
+fn frames_that_lead_out_are_shut() {
+    let mut shut = 0;
+    for (scene, looks) in scenes() {
+        let floors: Vec<Aabb> = scene.of_class("floor").iter().filter_map(|f| scene.node(*f)?.aabb()).collect();
+        for id in scene.of_class("doorjamb") {
+            let (bare, node) = (scene.node(id).unwrap().aabb().unwrap(), looks.node(id).unwrap());
+            let size = bare.max - bare.min;
+            let across = if size.x < size.y { Vector2::x() } else { Vector2::y() };
+            let sides = [-0.7, 0.7].map(|way| bare.centre().xy() + across * way);
+            let leads_out = sides.iter().filter(|p| floors.iter().any(|f| over(f, **p))).count() == 1;
+            let own = node.pose().unwrap().inverse() * bare.centre();
+            let within = |p: &vc_graph::asset::Part| {
+                let (low, high) = p.extent();
+                (0..3).all(|i| own[i] > low[i] - 0.1 && own[i] < high[i] + 0.1)
+            };
+            let parts = &asset(&looks, node).parts;
+            let frames_door = parts.iter().all(|p| &*p.name == "threshold");
+            assert_eq!(parts.iter().any(within), leads_out && !frames_door, "{}", looks.label(id));
+            assert!(parts.iter().all(|p| p.joint.is_none()), "{} moves", looks.label(id));
+            shut += usize::from(leads_out && !frames_door);
+        }
+    }
+    assert!(shut == 5 || common::scene(1).is_none(), "{shut} frames are shut");
+}
+
 #[test]
 fn the_same_scene_gets_the_same_looks() {
     let Some(scene) = common::scene(2) else { return };

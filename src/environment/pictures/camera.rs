@@ -36,7 +36,7 @@ const WITNESS: f32 = 100.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Viewpoint {
-    /// An agent's eyes.
+    /// An agent's eyes. They look ahead; at what it acted on last, however low, while that is right before it.
     Agent(NodeId),
     /// Fixed in a room, in the corner from which most of it is seen as the home begins.
     Room(NodeId),

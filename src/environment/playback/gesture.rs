@@ -48,7 +48,10 @@ enum Hold {
 impl Player {
     /// Plays the gesture of an action, such as a hand on the action's object or a cup at the mouth.
     pub(super) fn gesture(&mut self, show: &mut Environment, action: &Action, seconds: f32) -> bool {
-        let doing = Doing { gesture: Some((action.verb, self.time)), ..Doing::default() };
+        // Cups and books come to where the eyes are while the head is upright.
+        let upright = matches!(action.verb, Verb::Drink | Verb::Eat | Verb::Read);
+        let attends = if upright { None } else { show.attended(self.agent, action.things()) };
+        let doing = Doing { gesture: Some((action.verb, self.time)), attends, ..Doing::default() };
         show.poses.insert(self.agent, doing);
         let ease = EASE * seconds;
         let share = (self.time.min(seconds - self.time) / ease).clamp(0.0, 1.0);

@@ -50,7 +50,7 @@ impl Player {
         if self.time >= REACHING {
             self.bring(show, hand);
         }
-        self.reach(show, hand)
+        self.reach(show, hand, id)
     }
 
     /// A hand takes a thing to where it is put, and comes back without it.
@@ -77,7 +77,7 @@ impl Player {
             }
             self.come_true(show);
         }
-        self.reach(show, put.hand)
+        self.reach(show, put.hand, put.id)
     }
 
     /// A hand moves a door, a drawer or a lid, and stays at it until it has arrived.
@@ -86,7 +86,7 @@ impl Player {
         let from = self.side(show, hand);
         self.handling.at = show.world.aabb(drive.id).map(|b| b.nearest(&from));
         if self.time < REACHING {
-            return self.reach(show, hand);
+            return self.reach(show, hand, drive.id);
         }
         let moves = !self.handling.arrived
             && match drive.pushes {
@@ -99,7 +99,7 @@ impl Player {
             self.time = REACHING;
         }
         self.handling.arrived = !moves;
-        let over = self.reach(show, hand);
+        let over = self.reach(show, hand, drive.id);
         if over {
             let end = drive.end.iter().enumerate();
             end.for_each(|(part, open)| drop(show.world.put_open(drive.id, part, *open)));
@@ -136,16 +136,17 @@ impl Player {
         (self.time.min(2.0 * REACHING - self.time) / REACHING).clamp(0.0, 1.0)
     }
 
-    /// Shows the body reaching for what the hand is at, or following what it holds; gives whether
-    /// the hand is back.
-    fn reach(&self, show: &mut Environment, hand: Hand) -> bool {
+    /// Shows the body reaching for what the hand is at, or following what it holds, and keeping a thing in view;
+    /// gives whether the hand is back.
+    fn reach(&self, show: &mut Environment, hand: Hand, thing: NodeId) -> bool {
         let (share, side) = (self.share(), side(hand));
         let held = show.world.held(self.agent, hand).filter(|_| self.handling.out.is_some());
         let reach = match held.and_then(|id| show.palm_on(self.agent, hand, id)) {
             Some(point) => Some(Reach { side, point, share: 1.0, looks: share }),
             None => self.handling.at.map(|point| Reach { side, point, share, looks: share }),
         };
-        show.poses.insert(self.agent, Doing { reach, ..Doing::default() });
+        let attends = show.attended(self.agent, [thing]);
+        show.poses.insert(self.agent, Doing { reach, attends, ..Doing::default() });
         self.time >= 2.0 * REACHING
     }
 

@@ -2,8 +2,9 @@
 //!
 //! An action is done at once first, which gives its [`Course`]; then a copy of the environment as
 //! it was plays that course tick by tick. [`walk`] moves feet and doors, [`hands`] what hands do,
-//! [`rest`] bodies that sit down or get up, and [`gesture`] is what is only seen.
+//! [`rest`] bodies that sit down or get up, [`gaze`] is where eyes are turned, and [`gesture`] is what is only seen.
 
+mod gaze;
 mod gesture;
 mod hands;
 mod rest;
@@ -18,6 +19,7 @@ use vc_physics::{Hand, Posture};
 use super::act::{self, Done};
 use super::course::{Beat, Course};
 use super::{ActionError, Environment, observe};
+use crate::figure::Skeleton;
 use walk::Passage;
 
 /// Seconds for what is only seen as done: dressing, letting go.
@@ -131,6 +133,8 @@ struct Player {
     doors: BTreeMap<NodeId, Passage>,
     /// What its hands are at.
     handling: hands::Handling,
+    /// How its body was as the beat began.
+    from: Option<Skeleton>,
     /// Between which postures it is.
     settling: Option<rest::Settling>,
     /// What the rule has changed in this tick.
@@ -140,7 +144,7 @@ struct Player {
 impl Player {
     fn new(agent: NodeId, course: Course) -> Self {
         let (doors, handling, changed) = (BTreeMap::new(), hands::Handling::default(), Vec::new());
-        Self { agent, course, next: 0, time: 0.0, doors, handling, settling: None, changed }
+        Self { agent, course, next: 0, time: 0.0, doors, handling, from: None, settling: None, changed }
     }
 
     /// Does what is due in a tick; gives whether there is more to come.
@@ -150,6 +154,9 @@ impl Player {
             return false;
         };
         let before = self.time;
+        if before == 0.0 {
+            self.from = show.skeleton(self.agent);
+        }
         self.time += show.world.settings().dt;
         if self.play(show, &beat, before) {
             self.come_true(show);

@@ -14,6 +14,8 @@ const AT_DOOR: (f32, f32) = (1.1, 1.2);
 const SWING: f32 = 1.6;
 /// Longest wait for a door, seconds.
 const PATIENCE: f32 = 1.0;
+/// Duration of the transition from standing to walking, seconds.
+const SETTLING: f32 = 0.3;
 /// Tolerance for the position of a door, as a share of its range.
 const STILL: f32 = 1e-3;
 /// Distance of the points along a path that are tested for doors, metres.
@@ -61,7 +63,9 @@ impl Player {
         };
         self.swing_doors(show, way);
         self.turn(show, &Pose::from_parts(Translation3::new(at.x, at.y, feet.translation.z), towards(front)));
-        show.poses.insert(self.agent, Doing { walked: Some(way), ..Doing::default() });
+        let from = self.from.clone().filter(|_| self.time < SETTLING);
+        let settles = from.map(|from| (from, self.time / SETTLING));
+        show.poses.insert(self.agent, Doing { walked: Some(way), settles, ..Doing::default() });
         false
     }
 

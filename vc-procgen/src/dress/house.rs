@@ -72,13 +72,18 @@ impl<'g> House<'g> {
         under.or_else(|| self.floors.iter().map(|f| f.max.z).reduce(f32::min)).unwrap_or(around.min.z)
     }
 
+    /// Whether a point is above a floor.
+    pub(super) fn has_floor(&self, at: Point2<f32>) -> bool {
+        self.floors.iter().any(|f| covers(f, at))
+    }
+
     /// Whether there is free floor to stand on at a point. The node `who`, its holders and its load do not
     /// count as in the way.
     pub(super) fn is_free(&self, at: Point2<f32>, level: f32, who: NodeId) -> bool {
         let in_way = |b: &Aabb| covers(b, at) && b.min.z < level + WAY.1 && b.max.z > level + WAY.0;
         let apart =
             |id: NodeId| id != who && !self.holders_of(who).contains(&id) && !self.holders_of(id).contains(&who);
-        self.floors.iter().any(|f| covers(f, at))
+        self.has_floor(at)
             && !self.walls.iter().any(|w| covers(w, at))
             && !self.standing.iter().any(|(id, b)| in_way(b) && apart(*id))
     }

@@ -15,6 +15,8 @@ use crate::object::{self, Generator, Object};
 const SLAB: f32 = 0.1;
 /// The greatest distance between an opening's box and the walls that contain it, metres.
 const NEAR: f32 = 0.12;
+/// How far beyond the walls of a doorway its room begins at most, metres.
+const BEYOND: f32 = 0.5;
 /// Thickness of a hole's walls at least, metres.
 const THIN: f32 = 0.02;
 /// How many doors or windows are made for one as deep as its box, with its handles and sill.
@@ -137,8 +139,9 @@ fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
 
 /// A door, window or empty frame, generated for its opening.
 fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
-    let generator = object::generator(node.class())?;
     let hole = hole(house, opening);
+    let shut = house.is_frame(node.id()) && leads_out(house, &hole, opening.across);
+    let generator = object::generator(if shut { "main_door" } else { node.class() })?;
     let size = hole.max - hole.min;
     let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };
     let seed = seed.child(node.spec().name.as_deref().unwrap_or("opening"));
@@ -151,12 +154,31 @@ fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Se
     let known = Some(pose.rotation).filter(|turn| !super::is_unturned(&bounds) && quarter(turn));
     let (turn, mirrored) = hung(house, (&hole, opening.across), node.id(), known);
     let made = if mirrored { made.mirrored() } else { made };
+    let made = if shut { fixed(made) } else { made };
     let foot = Point3::new((hole.min.x + hole.max.x) / 2.0, (hole.min.y + hole.max.y) / 2.0, hole.min.z);
     let pose = Isometry3::from_parts(pose.translation, turn);
     let by = (pose.inverse() * foot).coords;
     let Object { asset, bounds, .. } = made;
     let bounds = Bounds { offset: bounds.offset + by, ..bounds };
     Some(Built { asset: moved(asset, by), pose, bounds })
+}
+
+/// Whether there is a floor at one side of a hole only. A frame without a door would open into nothing there.
+fn leads_out(house: &House, hole: &Aabb, across: usize) -> bool {
+    let beyond = |way: f32| {
+        let mut at = hole.centre().xy();
+        at[across] += way * (BEYOND + 0.5 * (hole.max[across] - hole.min[across]));
+        house.has_floor(at)
+    };
+    beyond(1.0) != beyond(-1.0)
+}
+
+/// The object with its doors and drawers fixed as they are.
+fn fixed(mut object: Object) -> Object {
+    let asset = &mut object.asset;
+    asset.parts.iter_mut().chain(&mut asset.collision).for_each(|part| part.joint = None);
+    asset.surfaces.iter_mut().for_each(|surface| surface.joint = None);
+    object
 }
 
 /// The one for a hole that is as large as a box of its own, frame and handles included.
