@@ -100,15 +100,12 @@ impl Apartment {
 fn draft(item: &Item, asset: AssetId) -> Draft {
     let mut draft = Draft::new(item.object.class).at(item.pose).bounds(item.object.bounds);
     draft.asset = Some(asset);
-    // Storage with doors or a lid starts closed, because an open one would collide with objects
-    // above it; shelves without doors are open, whatever the initial state of their class.
+    // Storage with doors or a lid starts closed, because an open one would collide with objects above it. The
+    // drawers at the foot of a bookshelf close nothing: its books stand in the open.
     let doors = item.object.asset.parts.iter().any(|p| p.joint.is_some());
     let holds = item.object.asset.surfaces.iter().any(|s| s.hold == Hold::Inside);
     let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");
-    let state = match (holds, doors) {
-        (true, true) => Some(State::Closed),
-        _ => shelves.then_some(if doors { State::Closed } else { State::Open }),
-    };
+    let state = (holds && doors && !shelves).then_some(State::Closed);
     draft.entering.extend(state.into_iter().chain(item.states.iter().copied()));
     draft
 }
