@@ -3,9 +3,6 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod acting;
 mod agreement;
 mod alter;
@@ -15,6 +12,7 @@ mod boxes;
 mod curtains;
 mod deeds;
 mod fitting;
+mod golden;
 mod hostile;
 mod initial;
 mod made;

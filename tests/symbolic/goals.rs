@@ -3,8 +3,6 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
-use crate::common;
-
 use vc_graph::format::eai;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, SceneGraph, Simulator, Verb};
@@ -22,10 +20,10 @@ fn attempt(scene: &SceneGraph, task: &Task, policy: &mut dyn Policy, seed: u64) 
 
 #[test]
 fn eai_goals_with_full_knowledge() {
-    let Some(goals) = common::text("eai/goals_dev.json") else { return };
+    let Some(goals) = vc_testkit::data::text("eai/goals_dev.json") else { return };
     let tasks = eai::read_tasks(&goals).unwrap();
     let (mut won, mut attempted, mut counted, mut all, mut longer) = (0, 0, 0, 0, Vec::new());
-    for line in common::text("eai/programs_dev.jsonl.gz").unwrap().lines() {
+    for line in vc_testkit::data::text("eai/programs_dev.jsonl.gz").unwrap().lines() {
         let record = eai::read_record(line).unwrap();
         let Some(wanted) = tasks.get(&record.id) else { continue };
         let scene = record.initial.build(&record.id, &ClassTable::builtin()).unwrap();
@@ -95,8 +93,8 @@ fn changes_nothing(scene: &SceneGraph, program: &[Action], index: usize) -> bool
 #[test]
 fn everyday_goals_seeing_only_the_room() {
     let (mut made_sense, mut scenes) = (std::collections::BTreeSet::new(), 0);
-    for number in common::SCENES {
-        let Some(scene) = common::scene(number) else { return };
+    for number in vc_testkit::data::SCENES {
+        let Some(scene) = vc_testkit::data::scene(number) else { return };
         scenes += 1;
         for task in household() {
             if task.obstacles(&scene).is_empty() {
@@ -111,7 +109,7 @@ fn everyday_goals_seeing_only_the_room() {
 
 #[test]
 fn everyday_goals_in_the_apartment() {
-    let home = common::apartment();
+    let home = vc_testkit::data::apartment();
     let tasks: Vec<Task> = household().into_iter().filter(|t| t.obstacles(&home).is_empty()).collect();
     assert!(tasks.len() >= 40, "{}", tasks.len());
     for task in tasks {
@@ -131,7 +129,7 @@ fn win_with_some_seeds(scene: &SceneGraph, task: &Task, name: &str) {
 
 #[test]
 fn same_seed_same_trajectory() {
-    let home = common::apartment();
+    let home = vc_testkit::data::apartment();
     let task = Task::new("apples", "On(apple, kitchentable), 3 & Closed(fridge)".parse().unwrap());
     let run = |seed| {
         let (episode, world) = attempt(&home, &task, &mut Newcomer::faithful(), seed);

@@ -3,8 +3,6 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use crate::common;
-
 use std::collections::BTreeMap;
 
 use vc_graph::format::eai;
@@ -46,7 +44,7 @@ struct Replay {
 }
 
 fn replay_all() -> Option<Vec<Replay>> {
-    let text = common::text("eai/programs_dev.jsonl.gz")?;
+    let text = vc_testkit::data::text("eai/programs_dev.jsonl.gz")?;
     Some(text.lines().map(replay).collect())
 }
 

@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use crate::common;
 #[cfg(feature = "procgen")]
 mod dressed;
 
@@ -21,7 +20,7 @@ const SIZES: [(u32, usize, usize); 5] =
 fn virtualhome_scenes_round_trip() {
     let classes = ClassTable::builtin();
     for (number, nodes, edges) in SIZES {
-        let Some(text) = common::text(&format!("virtualhome/scene{number}.json.gz")) else { return };
+        let Some(text) = vc_testkit::data::text(&format!("virtualhome/scene{number}.json.gz")) else { return };
         let graph = virtualhome::read(&text, &classes).unwrap();
         assert_eq!((graph.len(), graph.edges().count()), (nodes, edges), "scene {number}");
         let again = virtualhome::read(&virtualhome::write(&graph), &classes).unwrap();
@@ -33,8 +32,8 @@ fn virtualhome_scenes_round_trip() {
 /// Not only the graph but the file itself has the same content before and after.
 #[test]
 fn nothing_of_the_file_is_lost() {
-    for number in common::SCENES {
-        let Some(text) = common::text(&format!("virtualhome/scene{number}.json.gz")) else { return };
+    for number in vc_testkit::data::SCENES {
+        let Some(text) = vc_testkit::data::text(&format!("virtualhome/scene{number}.json.gz")) else { return };
         let file: EnvironmentGraph = serde_json::from_str(&text).unwrap();
         let written = EnvironmentGraph::of(&file.build("scene", &ClassTable::builtin()).unwrap());
         assert!(written.difference(&file).is_empty(), "scene {number}: {:?}", written.difference(&file));
@@ -51,8 +50,8 @@ fn nothing_of_the_file_is_lost() {
 #[test]
 fn every_scene_goes_through_the_native_format() {
     let classes = ClassTable::builtin();
-    let scenes = common::SCENES.iter().filter_map(|&n| common::scene(n));
-    for graph in scenes.chain([common::apartment()]) {
+    let scenes = vc_testkit::data::SCENES.iter().filter_map(|&n| vc_testkit::data::scene(n));
+    for graph in scenes.chain([vc_testkit::data::apartment()]) {
         let text = native::write(&graph);
         let again = native::read(&text, &classes).unwrap();
         assert_eq!(graph, again);
@@ -63,7 +62,7 @@ fn every_scene_goes_through_the_native_format() {
 #[test]
 fn every_class_of_the_scenes_is_known() {
     let classes = ClassTable::builtin();
-    for graph in common::SCENES.iter().filter_map(|&n| common::scene(n)) {
+    for graph in vc_testkit::data::SCENES.iter().filter_map(|&n| vc_testkit::data::scene(n)) {
         let unknown: BTreeSet<&str> =
             graph.nodes().map(|n| &*n.spec().spelling).filter(|name| classes.get(name).is_none()).collect();
         assert!(unknown.is_empty(), "{unknown:?}");
@@ -74,7 +73,7 @@ fn every_class_of_the_scenes_is_known() {
 /// part of it.
 #[test]
 fn every_class_of_the_programs_is_known() {
-    let Some(text) = common::text("eai/programs_dev.jsonl.gz") else { return };
+    let Some(text) = vc_testkit::data::text("eai/programs_dev.jsonl.gz") else { return };
     let classes = ClassTable::builtin();
     let records = text.lines().map(|line| vc_graph::format::eai::read_record(line).unwrap());
     let names: BTreeSet<String> = records.flat_map(|r| r.initial.nodes.into_iter().map(|n| n.class_name)).collect();
@@ -90,7 +89,7 @@ fn every_class_of_the_programs_is_known() {
 /// Violations in scenes of others are listed, not refused.
 #[test]
 fn violations_of_the_scenes_are_of_known_kinds() {
-    for graph in common::SCENES.iter().filter_map(|&n| common::scene(n)) {
+    for graph in vc_testkit::data::SCENES.iter().filter_map(|&n| vc_testkit::data::scene(n)) {
         for violation in graph.validate() {
             let known = matches!(
                 violation,
@@ -108,7 +107,7 @@ fn violations_of_the_scenes_are_of_known_kinds() {
 
 #[test]
 fn the_apartment_is_sound_and_large_enough() {
-    let home = common::apartment();
+    let home = vc_testkit::data::apartment();
     assert!(home.rooms().len() >= 5);
     let objects = home.nodes().filter(|n| n.kind() == Kind::Object).count();
     assert!(objects >= 120, "{objects}");
@@ -118,7 +117,7 @@ fn the_apartment_is_sound_and_large_enough() {
 /// Objects with the relation `on` are also on their supports by their boxes.
 #[test]
 fn the_apartment_means_what_it_says() {
-    let home = common::apartment();
+    let home = vc_testkit::data::apartment();
     for edge in home.edges().filter(|e| e.relation == Relation::On) {
         let boxes = (home.node(edge.from).unwrap().aabb().unwrap(), home.node(edge.to).unwrap().aabb().unwrap());
         let gap = boxes.0.min.z - boxes.1.max.z;
@@ -132,7 +131,7 @@ fn the_apartment_means_what_it_says() {
 /// The thesis's format keeps names, states, places and poses.
 #[test]
 fn the_apartment_round_trips_in_the_thesis_format() {
-    let home = common::apartment();
+    let home = vc_testkit::data::apartment();
     let again = thesis::read(&thesis::write(&home), &ClassTable::builtin()).unwrap();
     let edges = |g: &SceneGraph| g.edges().collect::<Vec<_>>();
     assert_eq!(edges(&home), edges(&again));
@@ -198,7 +197,7 @@ fn what_is_no_text_or_too_long_is_refused() {
 /// A scene read from an odd file is written in a form that can be read again.
 #[test]
 fn what_is_read_of_odd_files_is_read_again() {
-    let Some(folder) = common::data() else { return };
+    let Some(folder) = vc_testkit::data::folder() else { return };
     let classes = ClassTable::builtin();
     let listed = |name: &str| std::fs::read_dir(folder.join("cases").join(name)).unwrap().map(|e| e.unwrap().path());
     let mut files: Vec<_> = ["vh", "odd", "bodies"].into_iter().flat_map(listed).collect();

@@ -6,14 +6,12 @@ use vc_graph::format::thesis;
 use vc_graph::{Aabb, Asset, ClassTable, Kind, Node, Property, SceneGraph};
 use vc_procgen::{Apartment, dress, object};
 
-use super::common;
-
 fn dressed(scene: &SceneGraph) -> SceneGraph {
     dress::dressed(scene, dress::seed_of(scene)).unwrap()
 }
 
 fn scenes() -> impl Iterator<Item = (SceneGraph, SceneGraph)> {
-    common::SCENES.iter().filter_map(|&n| common::scene(n)).map(|scene| {
+    vc_testkit::data::SCENES.iter().filter_map(|&n| vc_testkit::data::scene(n)).map(|scene| {
         let looks = dressed(&scene);
         (scene, looks)
     })
@@ -133,7 +131,7 @@ fn what_opens_has_doors_or_drawers_and_shelves_come_with_it() {
 
 #[test]
 fn the_same_scene_gets_the_same_looks() {
-    let Some(scene) = common::scene(2) else { return };
+    let Some(scene) = vc_testkit::data::scene(2) else { return };
     let (one, other) = (dressed(&scene), dressed(&scene));
     assert_eq!(one, other);
     assert_eq!(one.assets(), other.assets());
@@ -190,7 +188,7 @@ fn free(scene: &SceneGraph, node: &Node, way: Vector2<f32>) -> f32 {
 #[test]
 fn furniture_faces_the_free_floor() {
     let (mut all, mut wrong) = (0, Vec::new());
-    for (number, (scene, looks)) in common::SCENES.iter().zip(scenes()) {
+    for (number, (scene, looks)) in vc_testkit::data::SCENES.iter().zip(scenes()) {
         for node in looks.nodes().filter(|n| FRONTS.contains(&&**n.class())) {
             let bare = scene.node(node.id()).unwrap();
             let front = (node.pose().unwrap().rotation * Vector3::x()).xy();

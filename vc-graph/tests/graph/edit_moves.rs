@@ -1,11 +1,9 @@
 //! Locations of objects after an edit that moves them.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use nalgebra::Isometry3;
-use shared::flat::Flat;
 use vc_graph::{Place, Pose, Relation};
+use vc_testkit::flat::Flat;
 
 #[test]
 fn placing_brings_a_thing_with_all_on_it_to_the_room() {

@@ -1,16 +1,14 @@
 //! Edits keep the invariants, are undone completely, and never reuse a number.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
-use shared::edits::{apply, make, plans};
-use shared::flat::Flat;
-use shared::scenes::{scene, steps};
-use shared::{cases, flat};
 use vc_graph::{Draft, Edge, EditError, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph, State};
+use vc_testkit::edits::{apply, make, plans};
+use vc_testkit::flat::Flat;
+use vc_testkit::scenes::{scene, steps};
+use vc_testkit::{cases, flat};
 
 proptest! {
     #![proptest_config(cases(200))]

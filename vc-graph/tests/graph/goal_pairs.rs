@@ -1,12 +1,10 @@
 //! Counts of objects, pairs, equal and different objects.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use proptest::prelude::*;
-use shared::cases;
 use vc_graph::goal::{Pairing, Situation, largest_matching};
 use vc_graph::{Draft, Edge, Goal, History, NodeId, Relation, SceneBuilder, SceneGraph, State};
+use vc_testkit::cases;
 
 /// Cups and plates in a kitchen; some cups touch some plates.
 fn table(cups: usize, plates: usize, touching: &[(usize, usize)]) -> (SceneGraph, NodeId) {

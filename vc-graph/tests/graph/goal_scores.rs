@@ -1,14 +1,12 @@
 //! Random goals in random scenes: the score is one if and only if the goal holds, and the unmet parts fit.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use proptest::prelude::*;
-use shared::goals::goal;
-use shared::scenes::{scene, steps};
-use shared::{cases, flat::Flat};
 use vc_graph::goal::Situation;
 use vc_graph::{Goal, History};
+use vc_testkit::goals::goal;
+use vc_testkit::scenes::{scene, steps};
+use vc_testkit::{cases, flat::Flat};
 
 proptest! {
     #![proptest_config(cases(200))]

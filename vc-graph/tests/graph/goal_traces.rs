@@ -1,14 +1,12 @@
 //! Goals about events and states along a trace.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use proptest::prelude::*;
-use shared::cases;
-use shared::flat::Flat;
-use shared::goals::goal;
 use vc_graph::goal::{Situation, Trace};
 use vc_graph::{Draft, Event, Goal, SceneBuilder, Simulator};
+use vc_testkit::cases;
+use vc_testkit::flat::Flat;
+use vc_testkit::goals::goal;
 
 /// The trace of actions that `me` performs one by one.
 fn trace(actions: &[&str]) -> Trace {
@@ -16,7 +14,7 @@ fn trace(actions: &[&str]) -> Trace {
     let mut trace = Trace::new(flat.graph().clone(), flat.me);
     for text in actions {
         let action = flat.action(text);
-        flat.step(text).unwrap_or_else(|refusals| panic!("{text}: {}", shared::flat::plain(&refusals)));
+        flat.step(text).unwrap_or_else(|refusals| panic!("{text}: {}", vc_testkit::flat::plain(&refusals)));
         trace.push(flat.graph().clone(), [Event { agent: flat.me, action }]);
     }
     trace

@@ -1,11 +1,9 @@
 //! When goals hold, their scores, and their unmet parts.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
-use shared::flat::Flat;
 use vc_graph::Goal;
 use vc_graph::goal::Situation;
+use vc_testkit::flat::Flat;
 
 fn parse(text: &str) -> Goal {
     text.parse().unwrap_or_else(|e| panic!("{text}: {e}"))

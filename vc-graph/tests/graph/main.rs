@@ -1,8 +1,5 @@
 //! Tests of the scene graph, the rule, goals and formats, in one program: each program links anew.
 
-#[path = "../shared/mod.rs"]
-mod shared;
-
 mod assets;
 mod classes;
 mod edit_moves;

@@ -1,11 +1,9 @@
 //! Files that are valid but odd: their content is preserved and found.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
-use shared::documents::{CLASSES, GOAL, NATIVE, PROGRAM, RECORD, TASKS, THESIS, VIRTUALHOME};
 use vc_graph::format::{eai, native, program, read_scene, thesis, virtualhome};
 use vc_graph::{ClassTable, Draft, Kind, NodeId, Pose, Relation, SceneBuilder};
+use vc_testkit::documents::{CLASSES, GOAL, NATIVE, PROGRAM, RECORD, TASKS, THESIS, VIRTUALHOME};
 
 #[test]
 fn an_object_of_the_category_of_rooms_stays_an_object() {

@@ -1,18 +1,16 @@
 //! Queries compared with slow, obvious versions: scans over all nodes and edges.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
 use proptest::prelude::*;
-use shared::cases;
-use shared::edits::{apply, plans};
-use shared::scenes::{CLASSES, scene, steps};
 use vc_graph::{
     Draft, Kind, NEAR, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Scope, State, Word,
 };
+use vc_testkit::cases;
+use vc_testkit::edits::{apply, plans};
+use vc_testkit::scenes::{CLASSES, scene, steps};
 
 /// A scene whose debug output is its file.
 struct Shown(SceneGraph);

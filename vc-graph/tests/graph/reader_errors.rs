@@ -1,11 +1,9 @@
 //! An invalid file is refused with line, field and expected form.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
-use shared::documents::{CLASSES, NATIVE, PROGRAM, RECORD, TASKS, THESIS, VIRTUALHOME};
 use vc_graph::format::{FormatError, Problem, eai, native, program, read_scene, thesis, virtualhome};
 use vc_graph::{ClassTable, EditError, NodeId};
+use vc_testkit::documents::{CLASSES, NATIVE, PROGRAM, RECORD, TASKS, THESIS, VIRTUALHOME};
 
 fn changed(document: &str, from: &str, to: &str) -> String {
     assert!(document.contains(from), "{from}");

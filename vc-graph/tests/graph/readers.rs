@@ -1,12 +1,10 @@
 //! No text makes a reader panic.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use proptest::prelude::*;
-use shared::{cases, documents};
 use vc_graph::format::{eai, native, program, read_scene, thesis, virtualhome};
 use vc_graph::{Action, ClassTable, Goal, Label, SceneGraph, State, Word};
+use vc_testkit::{cases, documents};
 
 /// Gives a text to every reader, and uses the results.
 fn read_all(text: &str) {

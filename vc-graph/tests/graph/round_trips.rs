@@ -1,17 +1,15 @@
 //! What is written reads back as the same scene.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
-use shared::cases;
-use shared::scenes::{pose, scene, steps};
 use vc_graph::format::{native, read_scene, thesis, virtualhome};
 use vc_graph::{
     Asset, AssetLibrary, ClassTable, Draft, Edge, Node, NodeId, Place, Relation, SceneBuilder, SceneGraph, State,
 };
+use vc_testkit::cases;
+use vc_testkit::scenes::{pose, scene, steps};
 
 fn reread_native(graph: &SceneGraph) -> SceneGraph {
     native::read(&native::write(graph), &ClassTable::builtin()).unwrap()

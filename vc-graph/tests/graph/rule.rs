@@ -1,11 +1,9 @@
 //! Every verb has its effects, and is refused when it should be.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
-use shared::flat::{Flat, plain};
 use vc_graph::rule::{self, table::RULES};
 use vc_graph::{Action, NodeId, Refusal, Verb, Word};
+use vc_testkit::flat::{Flat, plain};
 
 #[test]
 fn the_table_is_in_the_order_of_the_verbs() {

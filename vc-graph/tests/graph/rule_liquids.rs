@@ -1,10 +1,8 @@
 //! Pouring, filling, cooking, cutting, folding: changes of objects.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
-use shared::flat::{Flat, plain};
 use vc_graph::{Relation, State};
+use vc_testkit::flat::{Flat, plain};
 
 fn contents(flat: &Flat, name: &str) -> Option<String> {
     flat.graph().node(flat.id(name)).unwrap().contents().map(ToString::to_string)

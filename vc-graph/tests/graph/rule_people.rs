@@ -1,10 +1,8 @@
 //! People and objects: hands, seats, trays, vehicles.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
-use shared::flat::{Flat, plain};
 use vc_graph::{Place, Relation, State};
+use vc_testkit::flat::{Flat, plain};
 
 fn why(flat: &mut Flat, action: &str) -> String {
     let (who, text) = action.strip_prefix("other ").map_or((flat.me, action), |rest| (flat.other, rest));

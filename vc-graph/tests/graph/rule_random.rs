@@ -2,13 +2,11 @@
 //! promised effects.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use proptest::prelude::*;
-use shared::cases;
-use shared::flat::{Flat, plain};
 use vc_graph::rule::{allows, legal_actions, preconditions, refusals, regress::achievers, step};
 use vc_graph::{Action, Condition, Kind, Node, NodeId, Relation, State, Verb, Word};
+use vc_testkit::cases;
+use vc_testkit::flat::{Flat, plain};
 
 /// A random step: agent, verb, and objects.
 type Wish = (bool, usize, usize, usize);

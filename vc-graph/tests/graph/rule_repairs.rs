@@ -2,11 +2,10 @@
 //! list in the rule's documentation.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
 mod virtual_home;
 
-use shared::flat::{Flat, plain};
 use vc_graph::{Action, Bounds, Condition, Draft, NodeId, Place, Property, Relation, SceneBuilder, State, Verb, rule};
+use vc_testkit::flat::{Flat, plain};
 
 #[test]
 fn find_walks_when_it_must_with_hands_full() {

@@ -1,14 +1,12 @@
 //! Goals, actions and labels print in a form that parses back equal.
 #![allow(clippy::unwrap_used)]
 
-use crate::shared;
-
 use proptest::prelude::*;
-use shared::cases;
-use shared::goals::{goal, words};
-use shared::scenes::{scene, steps};
 use vc_graph::format::program::{self, Program};
 use vc_graph::{Action, Goal, Label, NodeId, Relation, State, Verb, Word};
+use vc_testkit::cases;
+use vc_testkit::goals::{goal, words};
+use vc_testkit::scenes::{scene, steps};
 
 fn action() -> impl Strategy<Value = Action> {
     (words::<Verb>(), any::<u32>(), any::<u32>()).prop_map(|(verb, x, y)| {

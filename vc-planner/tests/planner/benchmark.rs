@@ -3,8 +3,6 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
-use crate::common;
-
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed, Simulator};
 use vc_planner::{Newcomer, Policy, Resident, Run};
@@ -16,7 +14,7 @@ use vc_tasks::{Outcome, World};
 fn scenes() -> Vec<(&'static str, SceneGraph)> {
     let read = |text: &str| read_scene(text, &ClassTable::builtin()).unwrap();
     let mut all = vec![("bundled", read(include_str!("../../../examples/data/apartment.json")))];
-    all.extend(common::text("virtualhome/scene1.json.gz").map(|text| ("VirtualHome 1", read(&text))));
+    all.extend(vc_testkit::data::text("virtualhome/scene1.json.gz").map(|text| ("VirtualHome 1", read(&text))));
     all
 }
 

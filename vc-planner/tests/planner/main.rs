@@ -2,8 +2,6 @@
 
 #[path = "../support/shortest.rs"]
 mod brute;
-#[path = "../../../tests/common/mod.rs"]
-mod common;
 #[path = "../support/homes.rs"]
 mod homes;
 #[path = "../support/placements.rs"]

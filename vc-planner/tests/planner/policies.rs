@@ -3,7 +3,6 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
-use crate::common;
 use crate::homes;
 use crate::placements;
 
@@ -140,7 +139,7 @@ fn habits_do_not_hurt_where_there_are_none() {
 /// in furniture that the prior would not choose, and with things anywhere.
 #[test]
 fn the_prior_holds_in_homes_of_others() {
-    let scenes: Vec<SceneGraph> = common::SCENES.into_iter().filter_map(common::scene).collect();
+    let scenes: Vec<SceneGraph> = vc_testkit::data::SCENES.into_iter().filter_map(vc_testkit::data::scene).collect();
     if scenes.is_empty() {
         return;
     }

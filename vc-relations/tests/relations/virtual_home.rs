@@ -4,31 +4,16 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{Read, Write};
-use std::path::PathBuf;
 
-use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph};
+use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 use vc_relations::{Evidence, Relations, Rule};
+use vc_testkit::data;
 
 /// Number of pairs, and their classes.
 type Confusion = (usize, BTreeMap<String, usize>);
 
 fn scenes() -> Vec<SceneGraph> {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
-    let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from);
-    if !folder.is_dir() {
-        // Written past the test harness, which captures the output of passing tests.
-        let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
-        std::io::stderr().write_all(told.as_bytes()).unwrap();
-        return Vec::new();
-    }
-    let read = |n: u32| {
-        let bytes = std::fs::read(folder.join(format!("virtualhome/scene{n}.json.gz"))).unwrap();
-        let mut text = String::new();
-        flate2::read::GzDecoder::new(&bytes[..]).read_to_string(&mut text).unwrap();
-        vc_graph::format::read_scene(&text, &ClassTable::builtin()).unwrap()
-    };
-    [1, 2, 3, 5, 6].map(read).to_vec()
+    data::SCENES.iter().map_while(|&number| data::scene(number)).collect()
 }
 
 #[derive(Debug, Default, Clone, Copy)]

@@ -5,20 +5,20 @@
 use crate::common;
 #[path = "../../benches/support/home.rs"]
 #[allow(dead_code, reason = "only what stands in it is of use here")]
-mod home;
+mod rooms;
 
 use common::caster::Caster;
 use vc_render::{Daylight, Frame, Modality, NOTHING, Renderer, Shot};
 
 #[test]
 fn ids_and_depths_at_the_usual_detail_are_those_of_a_ray_caster() {
-    let graph = home::home(4, 300).graph;
+    let graph = rooms::home(4, 300).graph;
     let caster = Caster::new(&graph, 0.0005);
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&graph).unwrap();
     let (width, height) = (80, 60);
     let (mut pixels, mut foreign, mut deep, mut far) = (0_u32, 0_u32, 0_u32, 0_u32);
-    for camera in home::cameras(width as u32, height as u32).iter().step_by(5) {
+    for camera in rooms::cameras(width as u32, height as u32).iter().step_by(5) {
         let mut frame = Frame::new();
         renderer.render(&Shot::new(&snapshot, camera, Modality::Instance | Modality::Depth), &mut frame).unwrap();
         let seen = |x: f64, y: f64| caster.cast(camera, x, y);
@@ -48,11 +48,11 @@ fn ids_and_depths_at_the_usual_detail_are_those_of_a_ray_caster() {
 
 #[test]
 fn colours_of_a_home_are_the_same_for_any_number_of_threads() {
-    let graph = home::home(4, 300).graph;
+    let graph = rooms::home(4, 300).graph;
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&graph).unwrap();
     let lighting = renderer.light(&snapshot, &Daylight::noon());
-    for (number, camera) in home::cameras(96, 160).iter().enumerate() {
+    for (number, camera) in rooms::cameras(96, 160).iter().enumerate() {
         let of = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let mut frame = Frame::new();

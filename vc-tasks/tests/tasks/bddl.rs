@@ -1,9 +1,7 @@
 //! The activities of BEHAVIOR from the PyPI packages bddl 3.6.0 and 1.0.1.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use crate::bddl_files as shared;
-
-use shared::activities;
+use crate::behavior::activities;
 use vc_tasks::format::bddl::Activity;
 
 #[test]

@@ -2,20 +2,18 @@
 #![allow(clippy::unwrap_used)]
 
 use crate::common;
-use crate::shared;
-
 use std::sync::Arc;
 
 use common::{Room, flips, timeless};
 use proptest::prelude::*;
-use shared::cases;
-use shared::edits::{apply, plans};
-use shared::goals::goal;
-use shared::scenes::{scene, steps};
 use vc_graph::goal::{Situation, Trace};
 use vc_graph::{Action, Change, ChangeSet, Event, Goal, History, NodeId, SceneGraph};
 use vc_tasks::compile::{CompileError, Known, Monitor, Program, Tracker, Verdict};
 use vc_tasks::{Progress, World, WorldError};
+use vc_testkit::cases;
+use vc_testkit::edits::{apply, plans};
+use vc_testkit::goals::goal;
+use vc_testkit::scenes::{scene, steps};
 
 fn agree(program: &Program, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
     let bits = program.read(now);

@@ -2,8 +2,6 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use std::collections::BTreeMap;
-use std::io::Write;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use vc_graph::format::eai::{Record, Task, read_record, read_tasks};
@@ -12,30 +10,14 @@ use vc_graph::goal::{Goal, Quantified, Trace};
 use vc_graph::{Action, ClassTable, Event, NodeId, SceneGraph, Semantics, Simulator};
 use vc_tasks::compile::Monitor;
 use vc_tasks::format::eai;
-
-fn folder() -> Option<PathBuf> {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
-    let folder = std::env::var_os("VC_DATA").map_or_else(|| PathBuf::from(beside), PathBuf::from).join("eai");
-    let there = folder.join("goals_dev.json").exists();
-    if !there {
-        // Written directly to stderr, because the test harness captures the output of passing tests.
-        let told = format!("SKIPPED: no shared data at {}; set VC_DATA to where it is\n", folder.display());
-        std::io::stderr().write_all(told.as_bytes()).unwrap();
-    }
-    there.then_some(folder)
-}
+use vc_testkit::data;
 
 fn tasks() -> BTreeMap<String, Task> {
-    let Some(folder) = folder() else { return BTreeMap::new() };
-    read_tasks(&std::fs::read_to_string(folder.join("goals_dev.json")).unwrap()).unwrap()
+    data::text("eai/goals_dev.json").map_or_else(BTreeMap::new, |text| read_tasks(&text).unwrap())
 }
 
 fn records() -> Vec<Record> {
-    use std::io::Read;
-    let Some(folder) = folder() else { return Vec::new() };
-    let file = std::fs::File::open(folder.join("programs_dev.jsonl.gz")).unwrap();
-    let mut text = String::new();
-    flate2::read::GzDecoder::new(file).read_to_string(&mut text).unwrap();
+    let text = data::text("eai/programs_dev.jsonl.gz").unwrap_or_default();
     text.lines().map(|line| read_record(line).unwrap()).collect()
 }
 

@@ -1,8 +1,6 @@
 //! No text makes a reader panic, hang or overflow the stack.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use crate::bddl_files as shared;
-
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use vc_graph::goal::Pairing;
@@ -161,7 +159,7 @@ proptest! {
 
 #[test]
 fn changed_activities_are_read_or_refused() {
-    for (i, (_, text)) in shared::activities().into_iter().enumerate() {
+    for (i, (_, text)) in crate::behavior::activities().into_iter().enumerate() {
         // Every activity loses a stretch somewhere, and gains a bracket elsewhere.
         let chars: Vec<char> = text.chars().collect();
         let (a, b) = (chars.len() * (i % 97) / 97, chars.len() * (i % 89) / 89);

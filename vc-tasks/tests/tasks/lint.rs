@@ -1,11 +1,9 @@
 //! The findings of the linter.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use crate::bddl_files as shared;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-use shared::activities_of_behavior_1k;
+use crate::behavior::activities_of_behavior_1k;
 use vc_graph::{Draft, Goal, SceneBuilder};
 use vc_tasks::format::bddl::Activity;
 use vc_tasks::lint::{self, Kind};

@@ -1,13 +1,10 @@
 //! Tests of tasks, their formats and scores, in one program: each program links anew.
 
-#[path = "../shared/mod.rs"]
-mod bddl_files;
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../../../vc-graph/tests/shared/mod.rs"]
-mod shared;
 
 mod bddl;
+mod behavior;
 mod compile;
 mod eai;
 mod formats;

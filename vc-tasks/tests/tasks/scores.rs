@@ -2,17 +2,15 @@
 #![allow(clippy::unwrap_used)]
 
 use crate::common;
-use crate::shared;
-
 use std::collections::BTreeSet;
 
 use common::{Room, flips, timeless};
 use proptest::prelude::*;
-use shared::cases;
 use vc_graph::goal::{Comparison, Literal, Pairing, Pairs, Situation, Term};
 use vc_graph::{Goal, NodeId};
 use vc_tasks::compile::Program;
 use vc_tasks::score::percent_complete;
+use vc_testkit::cases;
 
 /// A condition: its atom, whether it is wanted true, whether it is fulfilled.
 type Condition = (String, bool, bool);

@@ -8,9 +8,10 @@ use vc_graph::{
 };
 
 /// One node to be: which class, which place, which state, flags, and its pose.
-pub(crate) type Step = (usize, usize, usize, u8, [i16; 7]);
+pub type Step = (usize, usize, usize, u8, [i16; 7]);
 
-pub(crate) const CLASSES: &[&str] = &[
+/// The classes of random scenes.
+pub const CLASSES: &[&str] = &[
     "kitchen",
     "living_room",
     "bedroom",
@@ -39,13 +40,14 @@ pub(crate) const CLASSES: &[&str] = &[
     "gizmo",
 ];
 
-pub(crate) fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
+/// At most so many random nodes.
+pub fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
     let pose = prop::array::uniform7(-2000_i16..2000);
     prop::collection::vec((0..CLASSES.len(), any::<usize>(), any::<usize>(), any::<u8>(), pose), 0..most)
 }
 
 /// A scene of these steps; with poses for all nodes or for none.
-pub(crate) fn scene(steps: &[Step], posed: bool) -> SceneGraph {
+pub fn scene(steps: &[Step], posed: bool) -> SceneGraph {
     let mut scene = SceneBuilder::new("random");
     let origin = [0; 7];
     for (class, step) in [(0, (0, 0, 0, 0, origin)), (1, (0, 0, 0, 0, origin)), (3, (0, 0, 0, 0, origin))] {
@@ -94,7 +96,7 @@ fn draft(class: &str, state: usize, flags: u8, numbers: [i16; 7], posed: bool) -
 }
 
 /// A pose within 20 m, turned somehow.
-pub(crate) fn pose([x, y, z, i, j, k, w]: [i16; 7], turned: bool) -> Pose {
+pub fn pose([x, y, z, i, j, k, w]: [i16; 7], turned: bool) -> Pose {
     let [i, j, k, w] = [i, j, k, w].map(f32::from);
     let turn = UnitQuaternion::try_new(Quaternion::new(w, i, j, k), 1e-3).filter(|_| turned);
     let at = Vector3::new(x, y, z).map(|v| f32::from(v) / 99.0);
@@ -123,7 +125,7 @@ fn settle(scene: &mut SceneBuilder, id: NodeId, kind: Kind, choice: usize, flags
 }
 
 /// Where a node can be in a sound scene.
-pub(crate) fn places_for(graph: &SceneGraph, id: NodeId, kind: Kind) -> Vec<Place> {
+pub fn places_for(graph: &SceneGraph, id: NodeId, kind: Kind) -> Vec<Place> {
     let free = |n: &Node, slot, relation| graph.relating(relation, n.id()).count() < n.slots(slot).max(1) as usize;
     let mut found = Vec::new();
     for node in graph.nodes().filter(|n| n.id() != id && n.kind() != Kind::Room && !graph.rests_at(n.id(), id)) {

@@ -1,18 +1,14 @@
-//! Functions shared by several test files.
-#![allow(dead_code, reason = "each test file uses a part")]
+//! The activities of BEHAVIOR.
+
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// The activities of BEHAVIOR under the folder `VC_BDDL`, sorted by file name; the folder holds the
 /// unpacked packages bddl 3.6.0 and 1.0.1.
 pub(crate) fn activities() -> Vec<(String, String)> {
     let Some(folder) = std::env::var_os("VC_BDDL") else {
-        // Written directly to stderr, because the test harness captures the output of passing
-        // tests.
-        let told = b"SKIPPED: set VC_BDDL to where the PyPI packages bddl 3.6.0 and 1.0.1 are unpacked\n";
-        std::io::stderr().write_all(told).unwrap();
+        vc_testkit::skipped("set VC_BDDL to where the PyPI packages bddl 3.6.0 and 1.0.1 are unpacked");
         return Vec::new();
     };
     let mut files = Vec::new();

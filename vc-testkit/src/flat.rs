@@ -33,15 +33,25 @@ const ON: &[(&str, &str)] = &[
 const IN: &[(&str, &str)] = &[("milk", "fridge"), ("apple", "fridge"), ("shirt", "wardrobe"), ("towel", "wardrobe")];
 
 /// A flat with two people in the kitchen, `me` and `other`.
-#[derive(Clone)]
-pub(crate) struct Flat {
-    pub(crate) sim: Simulator,
-    pub(crate) me: NodeId,
-    pub(crate) other: NodeId,
+#[derive(Debug, Clone)]
+pub struct Flat {
+    /// The scene, in which actions can be done.
+    pub sim: Simulator,
+    /// The first person.
+    pub me: NodeId,
+    /// The second person.
+    pub other: NodeId,
+}
+
+impl Default for Flat {
+    fn default() -> Self {
+        Self::new()
+    }
 }
 
 impl Flat {
-    pub(crate) fn new() -> Self {
+    /// The flat as it is at first.
+    pub fn new() -> Self {
         let mut scene = SceneBuilder::new("flat");
         for (room, things) in STANDING {
             let room = scene.add(Draft::new(*room)).unwrap();
@@ -63,18 +73,19 @@ impl Flat {
     }
 
     /// The flat after some actions of `me`.
-    pub(crate) fn after(actions: &[&str]) -> Self {
+    pub fn after(actions: &[&str]) -> Self {
         let mut flat = Self::new();
         flat.all(actions);
         flat
     }
 
-    pub(crate) fn graph(&self) -> &SceneGraph {
+    /// The scene.
+    pub fn graph(&self) -> &SceneGraph {
         self.sim.graph()
     }
 
     /// The first object of a class; `me` and `other` are the people.
-    pub(crate) fn id(&self, name: &str) -> NodeId {
+    pub fn id(&self, name: &str) -> NodeId {
         match name {
             "me" => self.me,
             "other" => self.other,
@@ -83,20 +94,24 @@ impl Flat {
     }
 
     /// Parses `put_in milk fridge`, with classes for objects.
-    pub(crate) fn action(&self, text: &str) -> Action {
+    pub fn action(&self, text: &str) -> Action {
         let mut words = text.split(' ');
         let verb = words.next().unwrap().parse().unwrap();
         let things: Vec<NodeId> = words.map(|w| self.id(w)).collect();
         Action::with(verb, &things).unwrap()
     }
 
-    pub(crate) fn step(&mut self, text: &str) -> Result<ChangeSet, Vec<Refusal>> {
+    /// Performs an action of `me`.
+    ///
+    /// # Errors
+    /// The refusals.
+    pub fn step(&mut self, text: &str) -> Result<ChangeSet, Vec<Refusal>> {
         let (me, action) = (self.me, self.action(text));
         self.sim.step(me, &action)
     }
 
     /// Performs the actions, of `other` if it is named first; panics with the refusals.
-    pub(crate) fn all(&mut self, actions: &[&str]) {
+    pub fn all(&mut self, actions: &[&str]) {
         for text in actions {
             let (who, text) = text.strip_prefix("other ").map_or((self.me, *text), |rest| (self.other, rest));
             let action = self.action(text);
@@ -104,20 +119,23 @@ impl Flat {
         }
     }
 
-    pub(crate) fn has(&self, from: &str, relation: Relation, to: &str) -> bool {
+    /// Whether the first objects of two classes are related.
+    pub fn has(&self, from: &str, relation: Relation, to: &str) -> bool {
         self.graph().has(Edge::new(self.id(from), relation, self.id(to)))
     }
 
-    pub(crate) fn is(&self, name: &str, state: State) -> bool {
+    /// Whether the first object of a class has a state.
+    pub fn is(&self, name: &str, state: State) -> bool {
         self.graph().node(self.id(name)).unwrap().is(state)
     }
 
-    pub(crate) fn place(&self, name: &str) -> Option<Place> {
+    /// The place of the first object of a class.
+    pub fn place(&self, name: &str) -> Option<Place> {
         self.graph().place(self.id(name))
     }
 
     /// Edits the scene without any action.
-    pub(crate) fn edit(&mut self, edit: impl FnOnce(&mut vc_graph::Edit<'_>)) {
+    pub fn edit(&mut self, edit: impl FnOnce(&mut vc_graph::Edit<'_>)) {
         let mut graph = self.graph().clone();
         let mut change = graph.edit();
         edit(&mut change);
@@ -127,7 +145,7 @@ impl Flat {
 }
 
 /// Refusals as text, without the numbers of the nodes: `cup is not open`.
-pub(crate) fn plain(refusals: &[Refusal]) -> String {
+pub fn plain(refusals: &[Refusal]) -> String {
     let text = refusals.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; ");
     let mut parts = text.split('.');
     let first = parts.next().unwrap_or_default().to_owned();

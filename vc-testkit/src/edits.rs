@@ -3,25 +3,29 @@
 use proptest::prelude::*;
 use vc_graph::{Draft, Edge, Edit, EditError, Kind, Node, NodeId, Relation, SceneGraph, State, Word};
 
-use super::scenes::{CLASSES, places_for, pose};
+use crate::scenes::{CLASSES, places_for, pose};
 
 /// A random edit: operation, node, argument, and destination.
-pub(crate) type Plan = (u8, usize, usize, [i16; 7]);
+pub type Plan = (u8, usize, usize, [i16; 7]);
 
-pub(crate) fn plans(most: usize) -> impl Strategy<Value = Vec<Plan>> {
+/// At most so many random edits.
+pub fn plans(most: usize) -> impl Strategy<Value = Vec<Plan>> {
     let pose = prop::array::uniform7(-2000_i16..2000);
     prop::collection::vec((0_u8..14, any::<usize>(), any::<usize>(), pose), 0..most)
 }
 
 /// Makes one edit on a graph and keeps it; returns its changes.
-pub(crate) fn apply(graph: &mut SceneGraph, plan: Plan) -> vc_graph::ChangeSet {
+pub fn apply(graph: &mut SceneGraph, plan: Plan) -> vc_graph::ChangeSet {
     let mut edit = graph.edit();
     make(&mut edit, plan).unwrap();
     edit.commit()
 }
 
 /// Makes one edit; does nothing if no node qualifies.
-pub(crate) fn make(edit: &mut Edit<'_>, (what, which, choice, numbers): Plan) -> Result<(), EditError> {
+///
+/// # Errors
+/// An edit that is not valid, which none should be.
+pub fn make(edit: &mut Edit<'_>, (what, which, choice, numbers): Plan) -> Result<(), EditError> {
     let graph = edit.graph();
     let all: Vec<NodeId> = graph.nodes().map(Node::id).collect();
     let Some(&id) = all.get(which % all.len().max(1)) else { return Ok(()) };

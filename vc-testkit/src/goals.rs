@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use vc_graph::goal::{Comparison, Literal, Pairing, Pairs, Predicate, Quantified, Term, Variable};
 use vc_graph::{Goal, NodeId, Relation, State, Verb, Word};
 
-pub(crate) fn words<W: Word>() -> impl Strategy<Value = W> + Clone {
+/// Any word of a vocabulary.
+pub fn words<W: Word>() -> impl Strategy<Value = W> + Clone {
     prop::sample::select(W::ALL)
 }
 
@@ -78,7 +79,7 @@ fn comparison() -> impl Strategy<Value = Comparison> {
 
 /// A goal in normal form: lists with no or several parts, `then` with several, counts other than the plain "at
 /// least one".
-pub(crate) fn goal(bound: usize, depth: u32) -> BoxedStrategy<Goal> {
+pub fn goal(bound: usize, depth: u32) -> BoxedStrategy<Goal> {
     let count = (literal(bound), comparison(), 0_u32..5)
         .prop_map(|(literal, comparison, number)| Goal::Count { literal, comparison, number })
         .prop_filter("is the plain literal", |g| {

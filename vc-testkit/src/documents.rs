@@ -1,6 +1,7 @@
 //! Small valid documents, one for each reader.
 
-pub(crate) const NATIVE: &str = r#"{"virtualcity": 1, "name": "flat",
+/// A scene in the native format.
+pub const NATIVE: &str = r#"{"virtualcity": 1, "name": "flat",
  "nodes": [
   {"id": 1, "class": "kitchen", "category": "room"},
   {"id": 2, "class": "kitchen_table", "category": "furniture", "affordances": ["surface"],
@@ -20,7 +21,8 @@ pub(crate) const NATIVE: &str = r#"{"virtualcity": 1, "name": "flat",
   "joint": {"kind": "hinge", "anchor": [0, 0, 0], "axis": [0, 0, 1], "limits": [0, 1.5]}}]}]}
 "#;
 
-pub(crate) const THESIS: &str = r#"{"Apartment_0": [
+/// A scene in the format of the thesis.
+pub const THESIS: &str = r#"{"Apartment_0": [
  {"conatiner": 0, "id": 1, "name": "Kitchen", "relation": [], "state": [],
   "transform": ["X=0 Y=0 Z=0", "P=0 Y=0 R=0", "X=1 Y=1 Z=1"]},
  {"conatiner": 5, "id": 2, "name": "SM_L_Table", "relation": ["SM_L_Table inside Kitchen"], "state": [],
@@ -29,7 +31,8 @@ pub(crate) const THESIS: &str = r#"{"Apartment_0": [
   "transform": ["X=120 Y=-40 Z=75", "P=0 Y=90 R=-10", "X=1 Y=1 Z=1"]}]}
 "#;
 
-pub(crate) const VIRTUALHOME: &str = r#"{"nodes": [
+/// A scene of VirtualHome.
+pub const VIRTUALHOME: &str = r#"{"nodes": [
  {"id": 11, "category": "Rooms", "class_name": "kitchen", "prefab_name": "PRE_ROO_Kitchen_01",
   "bounding_box": {"center": [1, 1.25, 2], "size": [4, 2.5, 3]}, "properties": [], "states": []},
  {"id": 12, "category": "Appliances", "class_name": "fridge", "prefab_name": null,
@@ -43,37 +46,48 @@ pub(crate) const VIRTUALHOME: &str = r#"{"nodes": [
  {"from_id": 1, "relation_type": "INSIDE", "to_id": 11}]}
 "#;
 
-pub(crate) const PROGRAM: &str = "Drink\nGo and drink something.\n\n[WALK] <kitchen> (11)\n[FIND] <fridge> (1.12)\n\
+/// A program of VirtualHome.
+pub const PROGRAM: &str = "Drink\nGo and drink something.\n\n[WALK] <kitchen> (11)\n[FIND] <fridge> (1.12)\n\
     [PUTIN] <milk> (3) <fridge> (12)\n[SLEEP]\n";
 
-pub(crate) const TOGETHER: &str = "Sleep\n\n# A comment.\n<char0> [WALK] <kitchen> (11) [0] | <char1> [STANDUP]\n\
+/// A program of two people.
+pub const TOGETHER: &str = "Sleep\n\n# A comment.\n<char0> [WALK] <kitchen> (11) [0] | <char1> [STANDUP]\n\
     <char1> grab cup.12\n";
 
-pub(crate) const RECORD: &str = r#"{"id": "file1_1", "title": "Drink", "program": ["[WALK] <kitchen> (11)", "[OPEN] <fridge> (12)"],
+/// A recorded program of the Embodied Agent Interface.
+pub const RECORD: &str = r#"{"id": "file1_1", "title": "Drink", "program": ["[WALK] <kitchen> (11)", "[OPEN] <fridge> (12)"],
  "init_graph": {"nodes": [{"id": 11, "class_name": "kitchen", "category": "Rooms"}, {"id": 12, "class_name": "fridge", "states": ["CLOSED"], "properties": ["CAN_OPEN"]}],
   "edges": [{"from_id": 12, "relation_type": "INSIDE", "to_id": 11}]},
  "final_graph": {"nodes": [], "edges": []}}"#;
 
-pub(crate) const TASKS: &str = r#"{"file1_1": {"title": "Wash hands",
+/// Tasks of the Embodied Agent Interface.
+pub const TASKS: &str = r#"{"file1_1": {"title": "Wash hands",
  "vh_goal": {"actions": ["TOUCH|PUSH", "WASH"], "goal": [{"id": 12, "class_name": "fridge", "state": "CLOSED"},
   {"from_id": 1, "relation_type": "CLOSE", "to_id": 12}]},
  "tl_goal": "(exists x0. (TOUCH(x0)) then NEXT_TO(character.1, fridge.12) and not OPEN(fridge.12))"}}"#;
 
-pub(crate) const GOAL: &str = "On(apple, kitchentable), 3 & !(Closed(fridge) | Near(me, cup.12)) then did put_in(#4, _), <= 2 \
+/// A goal.
+pub const GOAL: &str = "On(apple, kitchentable), 3 & !(Closed(fridge) | Near(me, cup.12)) then did put_in(#4, _), <= 2 \
     & forall ?p: plate. exists ?q. (Inside(?p, ?q) | Clean(?p))";
 
-pub(crate) const EAI_GOAL: &str =
+/// A goal of the Embodied Agent Interface.
+pub const EAI_GOAL: &str =
     "(exists x0. (TOUCH(x0)) then NEXT_TO(character.65, cat.1000) and forall y. (not ON(y) or ONTOP(y, table.3)))";
 
-pub(crate) const ACTION: &str = "put_in cup.12 #3";
-pub(crate) const NOTATION: &str = "<char0> [PUTIN] <cup> (1.12) <dishwasher> (3)";
-pub(crate) const LABEL: &str = "kitchen_table.12";
+/// An action.
+pub const ACTION: &str = "put_in cup.12 #3";
+/// An action in VirtualHome's notation.
+pub const NOTATION: &str = "<char0> [PUTIN] <cup> (1.12) <dishwasher> (3)";
+/// A label.
+pub const LABEL: &str = "kitchen_table.12";
 
-pub(crate) const CLASSES: &str = "# name | kind of | aliases | category | affordances | size | mass | starts | slots | kept\n\
+/// A class table.
+pub const CLASSES: &str = "# name | kind of | aliases | category | affordances | size | mass | starts | slots | kept\n\
     kitchen | | | room | | 2-4 3 2.5 | | | |\n\
     rack | furniture | peg_board | furniture | surface openable | 0.2-0.4 0.3 1e0 | 1.5-2 | closed | hook:6 | kitchen:1\n\
     furniture | | | group | | | | | |\n\
     mug | | beaker, cup | prop | graspable | 0.1 0.1 0.1 | 0.3 | clean | | kitchen/on/rack:8 */in/rack:2\n";
 
-pub(crate) const ALL: &[&str] =
+/// All of them.
+pub const ALL: &[&str] =
     &[NATIVE, THESIS, VIRTUALHOME, PROGRAM, TOGETHER, RECORD, TASKS, GOAL, EAI_GOAL, ACTION, NOTATION, LABEL, CLASSES];
