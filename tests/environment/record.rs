@@ -73,7 +73,7 @@ fn an_episode_is_written_down_and_read_again() {
     let at = folder("record");
     // Remains of a longer record, and a file of the user's.
     for name in ["film/900.jpg", "frames/000900.png", "film/notes.txt"] {
-        virtualcity::files::write(&at.join(name), b"before").unwrap();
+        virtualcity::files::write(at.join(name), b"before").unwrap();
     }
     let (episode, home) = record(&at);
     assert_eq!(episode.outcome, Outcome::Won);

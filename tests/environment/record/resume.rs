@@ -26,7 +26,7 @@ fn take(at: &Path, homes: &[Environment], most: usize) -> Result<Dataset, Record
 }
 
 fn mark(at: &Path, name: &str) {
-    virtualcity::files::write(&at.join(name), b"mark").unwrap();
+    virtualcity::files::write(at.join(name), b"mark").unwrap();
 }
 
 #[test]
