@@ -5,9 +5,6 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
-
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -19,7 +16,7 @@ use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scop
 
 fn scene() -> SceneGraph {
     let bundled = include_str!("../examples/data/apartment.json").to_owned();
-    let text = common::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
+    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 

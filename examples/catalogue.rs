@@ -90,7 +90,7 @@ fn main() -> Result<(), Complaint> {
             progress.inc(tiles.len() as u64);
         }
     }
-    support::write(&list, lines)?;
+    virtualcity::files::write(&list, lines)?;
     progress.finish_and_clear();
     say!("{total} objects of {} classes in {}", groups.values().map(Vec::len).sum::<usize>(), options.out.display());
     Ok(())
@@ -153,7 +153,7 @@ fn model(tile: &Tile, library: &AssetLibrary, folder: &Path) -> Result<(), Compl
     let Instance { object, index, .. } = &tile.instance;
     let glb = gltf::asset_of_class(object.class, &object.asset, library).map_err(Complaint::new)?;
     let path = folder.join(format!("{}_{:03}.glb", object.class, index + 1));
-    support::write(&path, glb)
+    Ok(virtualcity::files::write(&path, glb)?)
 }
 
 fn sheet(options: &Options, title: &str, tiles: &[Tile], library: &AssetLibrary, path: &Path) -> Result<(), Complaint> {
@@ -180,7 +180,7 @@ fn sheet(options: &Options, title: &str, tiles: &[Tile], library: &AssetLibrary,
         image.paste(x, y, &sketch(&[(asset, Pose::identity())], library, &view, w, h));
     }
     let png = image.to_png().map_err(Complaint::new)?;
-    support::write(path, png)
+    Ok(virtualcity::files::write(path, png)?)
 }
 
 /// Class and number, size in centimetres and triangles below a tile.

@@ -29,7 +29,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    let text = options.answers.as_deref().map_or_else(|| Ok(RECORDED.to_owned()), support::read)?;
+    let text = options.answers.as_deref().map_or_else(|| Ok(RECORDED.to_owned()), virtualcity::read_text)?;
     by_recorded(&text, options.prompts)
 }
 

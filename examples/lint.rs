@@ -39,7 +39,8 @@ struct Options {
 
 fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
-    let read = |file: &PathBuf| read_scene(&support::read(file)?, &ClassTable::builtin()).map_err(Complaint::new);
+    let read =
+        |file: &PathBuf| read_scene(&virtualcity::read_text(file)?, &ClassTable::builtin()).map_err(Complaint::new);
     let scene = options.scene.as_ref().map(read).transpose()?;
     let mut tally = Tally::default();
     let mut files = Vec::new();
@@ -108,10 +109,10 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>, tally: &mut Tally) {
 }
 
 fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<Finding> {
-    let text = match support::read(file) {
+    let text = match virtualcity::read_text(file) {
         Ok(text) => text,
         Err(why) => {
-            tally.cannot_read(format_args!("{why:?}"));
+            tally.cannot_read(format_args!("{why}"));
             return Vec::new();
         }
     };

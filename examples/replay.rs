@@ -83,7 +83,7 @@ fn main() -> Result<ExitCode, Complaint> {
     }
     let classes = ClassTable::builtin();
     let read = |path: &PathBuf| {
-        let text = support::read(path)?;
+        let text = virtualcity::read_text(path)?;
         read_scene(&text, &classes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
     };
     let scene = options.scene.as_ref().map(read).transpose()?;
@@ -103,7 +103,7 @@ fn main() -> Result<ExitCode, Complaint> {
 
 /// Runs a file of records, or one plain program in a scene.
 fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mut Tally) -> Result<(), Complaint> {
-    let text = support::read(file)?;
+    let text = virtualcity::read_text(file)?;
     let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));
     if text.trim_start().starts_with('{') {
         return replay_records(file, &text, options, tally);

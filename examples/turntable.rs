@@ -88,7 +88,7 @@ fn main() -> Result<(), Complaint> {
     }
     let path = options.out.join(format!("{}.png", object.file));
     let bytes = picture::apng(&pictures, options.rate).map_err(Complaint::new)?;
-    support::write(&path, bytes)?;
+    virtualcity::files::write(&path, bytes)?;
     say!("{} parts, {} pictures: {}", object.asset.parts.len(), pictures.len(), path.display());
     Ok(())
 }

@@ -10,7 +10,7 @@ use vc_graph::format::{LARGEST, unmarked};
 /// The first bytes of gzipped files.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 
-/// The error of a file that was not read.
+/// The error of a file that was not read or not written.
 #[derive(Debug, thiserror::Error)]
 #[error("{path}: {problem}")]
 pub struct FileError {
@@ -20,7 +20,26 @@ pub struct FileError {
     pub problem: FileProblem,
 }
 
-/// The reason why a file was not read.
+impl FileError {
+    /// The error of a file or folder that cannot be written, with advice.
+    pub fn unwritten(path: &Path, error: io::Error) -> Self {
+        at(path, FileProblem::Unwritten { advice: advice(error.kind()), error })
+    }
+}
+
+fn advice(problem: io::ErrorKind) -> &'static str {
+    use io::ErrorKind;
+    match problem {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            "make room or choose another folder; runs that can be resumed go on where they stopped"
+        }
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "choose a folder that you may write to",
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "this has to be a folder, and is a file",
+        _ => "choose another folder",
+    }
+}
+
+/// The reason why a file was not read or not written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileProblem {
@@ -33,6 +52,15 @@ pub enum FileProblem {
     /// The file is not text in UTF-8.
     #[error("this is no text in UTF-8: save it in that encoding")]
     NoText,
+    /// The file cannot be written.
+    #[error("{error}; {advice}")]
+    Unwritten {
+        /// The system's error.
+        #[source]
+        error: io::Error,
+        /// A way out.
+        advice: &'static str,
+    },
 }
 
 /// Reads the text of a file, unpacked if its content is gzipped, whatever its name, and without a byte order
@@ -84,13 +112,18 @@ fn limited(from: impl Read) -> Result<Vec<u8>, FileProblem> {
 /// let path = std::env::temp_dir().join("virtualcity-files").join("note.txt");
 /// virtualcity::files::write(&path, b"whole")?;
 /// assert_eq!(std::fs::read(&path)?, b"whole");
-/// # Ok::<(), std::io::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// The system's error if the folder or the file cannot be written, or the disk is full. An existing file stays
-/// as it was.
-pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+/// [`FileError`] with the system's error and advice if the folder or the file cannot be written, or the disk is
+/// full. An existing file stays as it was.
+pub fn write(path: impl AsRef<Path>, bytes: impl AsRef<[u8]>) -> Result<(), FileError> {
+    let path = path.as_ref();
+    whole(path, bytes.as_ref()).map_err(|error| FileError::unwritten(path, error))
+}
+
+fn whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         std::fs::create_dir_all(folder)?;
     }

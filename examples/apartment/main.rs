@@ -26,7 +26,8 @@ mod wishes;
 use std::path::PathBuf;
 
 use clap::Parser;
-use support::{Complaint, unwritten};
+use support::Complaint;
+use virtualcity::FileError;
 use wishes::Wishes;
 
 /// A home consists of some ten thousand small allocations.
@@ -68,7 +69,7 @@ fn main() -> Result<(), Complaint> {
     if options.seed.checked_add(seeds).is_none() {
         return Err(Complaint::new(format!("seeds end at {}: choose a lower --seed", u64::MAX)));
     }
-    std::fs::create_dir_all(&options.out).map_err(|e| unwritten(&options.out, &e))?;
+    std::fs::create_dir_all(&options.out).map_err(|e| FileError::unwritten(&options.out, e))?;
     match options.count {
         Some(count) => set::run(&set::Set {
             specification,

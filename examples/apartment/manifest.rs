@@ -10,7 +10,7 @@ use virtualcity::procgen::statistics::Statistics;
 
 use crate::record::FORMAT;
 use crate::set::{Set, Volume};
-use crate::support::{self, Complaint, say};
+use crate::support::{Complaint, say};
 use crate::wishes::Recipe;
 
 /// A home's seed and the fingerprints of the whole and of its plan.
@@ -68,7 +68,7 @@ impl Sidecar {
 
     pub(crate) fn write(&self, set: &Set) -> Result<(), Complaint> {
         let text = serde_json::to_vec(self).map_err(Complaint::new)?;
-        support::write(&set.out.join(sidecar_name(&self.file)), &text)
+        Ok(virtualcity::files::write(set.out.join(sidecar_name(&self.file)), &text)?)
     }
 }
 
@@ -150,7 +150,7 @@ pub(crate) fn write(set: &Set, sidecars: &[Sidecar]) -> Result<(), Complaint> {
         Some(shard) => format!("manifest_{}_of_{}.json", shard.index, shard.of),
         None => "manifest.json".to_owned(),
     };
-    support::write(&set.out.join(&name), &serde_json::to_vec_pretty(&manifest).map_err(Complaint::new)?)?;
+    virtualcity::files::write(set.out.join(&name), serde_json::to_vec_pretty(&manifest).map_err(Complaint::new)?)?;
     if set.shard.is_none() {
         write_statistics(set, sidecars)?;
     } else {
@@ -217,8 +217,11 @@ fn write_statistics(set: &Set, sidecars: &[Sidecar]) -> Result<(), Complaint> {
     let mut all = Statistics::default();
     sidecars.iter().for_each(|s| all.merge(&s.figures.statistics));
     let file = serde_json::json!({ "statistics": all, "comparison": all.compare() });
-    support::write(&set.out.join("statistics.json"), &serde_json::to_vec_pretty(&file).map_err(Complaint::new)?)?;
-    support::write(&set.out.join("statistics.md"), all.report().as_bytes())?;
+    virtualcity::files::write(
+        set.out.join("statistics.json"),
+        serde_json::to_vec_pretty(&file).map_err(Complaint::new)?,
+    )?;
+    virtualcity::files::write(set.out.join("statistics.md"), all.report().as_bytes())?;
     for (name, plot) in [("areas", all.area_plot()), ("pairs", all.pair_plot()), ("homes", all.mix_plot())] {
         write_plot(set, name, &plot)?;
     }
@@ -226,8 +229,8 @@ fn write_statistics(set: &Set, sidecars: &[Sidecar]) -> Result<(), Complaint> {
 }
 
 fn write_plot(set: &Set, name: &str, plot: &Canvas) -> Result<(), Complaint> {
-    support::write(&set.out.join(format!("{name}.svg")), plot.to_svg(1100).as_bytes())?;
-    support::write(&set.out.join(format!("{name}.png")), &plot.to_png(1100).map_err(Complaint::new)?)
+    virtualcity::files::write(set.out.join(format!("{name}.svg")), plot.to_svg(1100).as_bytes())?;
+    Ok(virtualcity::files::write(set.out.join(format!("{name}.png")), plot.to_png(1100).map_err(Complaint::new)?)?)
 }
 
 #[cfg(test)]

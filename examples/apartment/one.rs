@@ -11,7 +11,7 @@ use virtualcity::procgen::check::Violation;
 use virtualcity::procgen::furnish::Rest;
 use virtualcity::procgen::{Apartment, Specification, gltf};
 
-use crate::support::{self, Complaint, say};
+use crate::support::{Complaint, say};
 
 /// Width of the floor plan's picture, pixels.
 const WIDTH: usize = 1400;
@@ -35,7 +35,7 @@ pub(crate) fn write(specification: &Specification, seed: u64, out: &Path) -> Res
         ("report.json", report.json()?.into_bytes()),
     ];
     for (ending, bytes) in &files {
-        support::write(&out.join(format!("apartment_{seed}.{ending}")), bytes)?;
+        virtualcity::files::write(out.join(format!("apartment_{seed}.{ending}")), bytes)?;
     }
     say!("{}", report.text());
     say!("made in {:.1} ms; {} files in {}", 1e3 * spent.as_secs_f64(), files.len(), out.display());

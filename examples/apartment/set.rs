@@ -21,7 +21,7 @@ use virtualcity::procgen::{Apartment, Fingerprint, Specification};
 use crate::manifest::{self, Failure, Figures, Mark, Sidecar};
 use crate::record::Record;
 use crate::resume::Resume;
-use crate::support::{self, Complaint, say};
+use crate::support::{Complaint, say};
 use crate::wishes::Recipe;
 
 /// Homes per batch.
@@ -182,7 +182,7 @@ impl Set {
             figures.merge(part.figures);
         }
         let packed = packer.finish().map_err(Complaint::new)?;
-        support::write(&self.out.join(volume.name()), &packed)?;
+        virtualcity::files::write(self.out.join(volume.name()), &packed)?;
         let sidecar = Sidecar::new(self, volume, &packed, figures)?;
         sidecar.write(self)?;
         Ok(sidecar)

@@ -7,7 +7,7 @@ use virtualcity::graph::Seed;
 use virtualcity::procgen::picture::{Canvas, Image};
 use virtualcity::procgen::{Apartment, Specification};
 
-use crate::support::{self, Complaint, say};
+use crate::support::{Complaint, say};
 
 /// Plans per row, and number of rows.
 const GRID: [usize; 2] = [6, 4];
@@ -34,7 +34,7 @@ pub(crate) fn write(specification: &Specification, seed: u64, out: &Path) -> Res
     }
     progress.finish_and_clear();
     let path = out.join(format!("plans_{seed}.png"));
-    support::write(&path, &sheet.to_png().map_err(Complaint::new)?)?;
+    virtualcity::files::write(&path, sheet.to_png().map_err(Complaint::new)?)?;
     say!("plans of seeds {seed} to {} in {}", seed + PLANS - 1, path.display());
     Ok(())
 }

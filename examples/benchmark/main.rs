@@ -148,7 +148,7 @@ fn write(tables: &Tables, failures: &[String], out: &Path) -> Result<(), Complai
     ];
     for (name, text) in files {
         let path = out.join(name);
-        support::write(&path, text)?;
+        virtualcity::files::write(&path, text)?;
     }
     say!("\ntables and plots written to {}", out.display());
     Ok(())

@@ -128,9 +128,9 @@ fn draw(path: &Path, rows: &[u8]) -> Result<(), Complaint> {
     let mut writer = encoder.write_header().map_err(Complaint::new)?;
     writer.write_image_data(rows).map_err(Complaint::new)?;
     writer.finish().map_err(Complaint::new)?;
-    support::write(path, bytes)
+    Ok(virtualcity::files::write(path, bytes)?)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Complaint> {
-    support::write(path, text)
+    Ok(virtualcity::files::write(path, text)?)
 }

@@ -106,5 +106,5 @@ fn exr(frame: &Frame) -> Result<Vec<u8>, Complaint> {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
-    support::write(path, bytes)
+    Ok(virtualcity::files::write(path, bytes)?)
 }

@@ -13,7 +13,7 @@ use virtualcity::{Page, Recorder};
 use crate::Options;
 use crate::choose::{choose, told};
 use crate::physical;
-use crate::support::{self, Complaint, say};
+use crate::support::{Complaint, say};
 
 /// The hand-made apartment that comes with the project.
 const APARTMENT: &str = include_str!("../data/apartment.json");
@@ -24,7 +24,7 @@ const GOAL: &str = "On(apple, kitchentable), 3 & Closed(fridge)";
 /// Runs the agent in the symbolic simulator.
 pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let classes = classes(options.classes.as_deref())?;
-    let text = options.scene.as_deref().map_or_else(|| Ok(APARTMENT.to_owned()), support::read)?;
+    let text = options.scene.as_deref().map_or_else(|| Ok(APARTMENT.to_owned()), virtualcity::read_text)?;
     let scene = read_scene(&text, &classes).map_err(Complaint::new)?;
     let Some(&me) = scene.agents().first() else {
         return Err(Complaint::new("this scene has no agent: add an object of class `character`"));
@@ -44,7 +44,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
 fn classes(own: Option<&Path>) -> Result<Arc<ClassTable>, Complaint> {
     let builtin = ClassTable::builtin();
     let Some(path) = own else { return Ok(builtin) };
-    let text = support::read(path)?;
+    let text = virtualcity::read_text(path)?;
     let extended = builtin.extended(&path.display().to_string(), &text);
     extended.map(Arc::new).map_err(Complaint::new)
 }
@@ -83,11 +83,11 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
 fn write_page(folder: &Path, trajectory: &Trajectory, belief: Option<&str>) -> Result<(), Complaint> {
     let mut page = Page::of(trajectory);
     if let Some(belief) = belief {
-        support::write(&folder.join("belief.svg"), belief)?;
+        virtualcity::files::write(folder.join("belief.svg"), belief)?;
         page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);
     }
     let page = page.file("trajectory.jsonl", "every step, with what was seen, believed and planned, as JSON Lines");
-    support::write(&folder.join("index.html"), page.html())
+    Ok(virtualcity::files::write(folder.join("index.html"), page.html())?)
 }
 
 fn room(scene: &SceneGraph, id: NodeId) -> String {

@@ -99,7 +99,7 @@ fn main() -> Result<(), Complaint> {
         }
     }
     bar.finish_and_clear();
-    support::write(&path("environments.jsonl"), list)?;
+    virtualcity::files::write(path("environments.jsonl"), list)?;
     table(&sums);
     tiles.truncate(options.pictures);
     sheet::write(&tiles, &path("added.png"))?;

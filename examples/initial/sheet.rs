@@ -58,7 +58,7 @@ pub(crate) fn write(tiles: &[Tile], path: &Path) -> Result<(), Complaint> {
         image.paste(index % COLUMNS * wide, index / COLUMNS * tall, &tile.picture());
     }
     let png = image.to_png().map_err(Complaint::new)?;
-    crate::support::write(path, png)
+    Ok(virtualcity::files::write(path, png)?)
 }
 
 impl Tile {

@@ -77,7 +77,7 @@ fn main() -> Result<(), Complaint> {
     say!("{pictures} pictures, {:.1} a second; {}", clock.rate(pictures), game.words());
     if let Some(path) = &options.picture {
         let png = picture::png(&last).map_err(Complaint::new)?;
-        support::write(path, png)?;
+        virtualcity::files::write(path, png)?;
         say!("the last one is {}", path.display());
     }
     Ok(())

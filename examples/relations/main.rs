@@ -37,7 +37,7 @@ struct Options {
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let graph = match &options.scene {
-        Some(file) => read_scene(&support::read(file)?, &ClassTable::builtin()).map_err(Complaint::new)?,
+        Some(file) => read_scene(&virtualcity::read_text(file)?, &ClassTable::builtin()).map_err(Complaint::new)?,
         None => kitchen::build().map_err(Complaint::new)?,
     };
     let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).map_err(Complaint::new)?;
@@ -54,7 +54,7 @@ fn main() -> Result<(), Complaint> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Complaint> {
-    support::write(path, text)
+    Ok(virtualcity::files::write(path, text)?)
 }
 
 /// Whether a relation gives a placement: these are listed first, the rest with `--all`.

@@ -82,7 +82,7 @@ fn lights(scene: &SceneGraph, lighting: &Lighting) -> Vec<StageLight> {
 
 fn write(name: &Path, ending: &str, bytes: &[u8]) -> Result<(), Complaint> {
     let path = PathBuf::from(format!("{}.{ending}", name.display()));
-    crate::support::write(&path, bytes)?;
+    virtualcity::files::write(&path, bytes)?;
     say!("wrote {}", path.display());
     Ok(())
 }

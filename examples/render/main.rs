@@ -88,7 +88,7 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let scene = match &options.scene {
         Some(path) => {
-            shaped(format::read_scene(&support::read(path)?, &ClassTable::builtin()).map_err(Complaint::new)?)?
+            shaped(format::read_scene(&virtualcity::read_text(path)?, &ClassTable::builtin()).map_err(Complaint::new)?)?
         }
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
@@ -139,7 +139,7 @@ fn shaped(scene: SceneGraph) -> Result<SceneGraph, Complaint> {
 
 fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complaint> {
     let bytes = picture::png(image).map_err(Complaint::new)?;
-    support::write(path, bytes)?;
+    virtualcity::files::write(path, bytes)?;
     say!("wrote {}", path.display());
     Ok(())
 }

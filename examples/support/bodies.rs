@@ -8,15 +8,15 @@ use vc_graph::{ClassTable, NodeId, SceneGraph};
 use virtualcity::{ActionError, Environment, Impossible};
 
 use crate::plain::characters;
-use crate::support::{Complaint, read, say};
+use crate::support::{Complaint, say};
 
 /// Runs every program that fits a scene in it, and counts the executable ones, and the reasons why others are
 /// not. Unreadable files and lines are named; returns whether there were none.
 pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint> {
     let mut tally = Tally { scene, homes: BTreeMap::new(), all: 0, fit: 0, done: 0, unread: 0, why: BTreeMap::new() };
     for file in files {
-        let text = read(file).unwrap_or_else(|complaint| {
-            tally.unread(format!("{complaint:?}"));
+        let text = virtualcity::read_text(file).unwrap_or_else(|error| {
+            tally.unread(error);
             String::new()
         });
         for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {

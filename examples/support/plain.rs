@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use vc_graph::format::program::{self, Program};
 use virtualcity::Environment;
 
-use crate::support::{Complaint, read, say};
+use crate::support::{Complaint, say};
 
 /// Whether a file is a plain program, not records with graphs; an unreadable file is reported by the next
 /// reader.
 pub(crate) fn is_program(file: &Path) -> bool {
-    read(file).is_ok_and(|text| !text.trim_start().starts_with('{'))
+    virtualcity::read_text(file).is_ok_and(|text| !text.trim_start().starts_with('{'))
 }
 
 /// Runs every program in a scene and reports the results. Unreadable programs, and programs for more characters
@@ -36,7 +36,7 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
 
 /// The number of actions of a program, or the number before one was refused, and the reason.
 fn run(file: &Path, scene: &Path) -> Result<Result<usize, String>, Complaint> {
-    let program = program::read(&read(file)?).map_err(Complaint::new)?;
+    let program = program::read(&virtualcity::read_text(file)?).map_err(Complaint::new)?;
     let mut home =
         Environment::make(&format!("scene:{}", scene.display()), characters(&program)).map_err(Complaint::new)?;
     let mut done = 0;

@@ -8,8 +8,9 @@ use std::sync::{Mutex, PoisonError};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use virtualcity::FileError;
 
-use crate::support::{Complaint, unwritten};
+use crate::support::Complaint;
 
 /// Results by key, each written to a file as soon as it exists.
 pub(crate) struct Resume<T> {
@@ -26,7 +27,7 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
     /// # Errors
     /// If the file belongs to another recipe, or cannot be read or written.
     pub(crate) fn open(path: &Path, recipe: &impl Serialize) -> Result<Self, Complaint> {
-        let fail = |e: std::io::Error| unwritten(path, &e);
+        let fail = |e: std::io::Error| FileError::unwritten(path, e);
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(fail)?;
         }
@@ -62,7 +63,7 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
         let text = serde_json::to_string(value).map_err(Complaint::new)?;
         let line = format!("[{},{text}]\n", serde_json::to_string(key).map_err(Complaint::new)?);
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
-        file.write_all(line.as_bytes()).map_err(|e| unwritten(&self.path, &e))?;
+        file.write_all(line.as_bytes()).map_err(|e| FileError::unwritten(&self.path, e))?;
         serde_json::from_str(&text).map_err(Complaint::new)
     }
 
@@ -73,7 +74,7 @@ impl<T: Serialize + DeserializeOwned> Resume<T> {
                 let path = self.path.display();
                 Complaint::new(format!("{path} is gone: another run writes to the same folder; choose another --out"))
             }
-            _ => unwritten(&self.path, &e),
+            _ => FileError::unwritten(&self.path, e).into(),
         })
     }
 }

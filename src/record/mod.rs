@@ -16,7 +16,7 @@ use vc_render::picture::{self, Picture};
 use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
-use crate::{Environment, Page, PageAction, PageFilm, PictureOptions, files};
+use crate::{Environment, FileError, Page, PageAction, PageFilm, PictureOptions, files};
 pub use dataset::Dataset;
 use film::Film;
 use trajectory::Trajectory;
@@ -116,14 +116,8 @@ impl Default for RecordOptions {
 #[non_exhaustive]
 pub enum RecordError {
     /// A file could not be written.
-    #[error("{}: {error}", path.display())]
-    File {
-        /// Which.
-        path: PathBuf,
-        /// Why not.
-        #[source]
-        error: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A picture could not be made.
     #[error("no picture of the episode can be made: {0}")]
     Picture(#[from] RenderError<Label>),
@@ -376,9 +370,9 @@ fn clear(folder: &Path, has_dataset: bool) -> Result<(), RecordError> {
 
 /// The error of a file, or of a folder whose files they are.
 fn at(path: &Path) -> impl Fn(std::io::Error) -> RecordError {
-    move |error| RecordError::File { path: path.to_path_buf(), error }
+    move |error| FileError::unwritten(path, error).into()
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), RecordError> {
-    files::write(path, bytes).map_err(at(path))
+    Ok(files::write(path, bytes)?)
 }

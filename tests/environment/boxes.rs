@@ -8,8 +8,8 @@ use virtualcity::planner::{Newcomer, Run};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Outcome, Task};
 
+use super::act;
 use super::alter::is_as_read;
-use super::{act, common};
 
 /// The thesis's JSON has no shapes: a home written in it comes back with the same boxes at the same positions,
 /// and stands.
@@ -124,11 +124,11 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
 /// scenes.
 #[test]
 fn scenes_of_boxes_are_lived_in() {
-    for number in common::SCENES {
-        let Some(data) = common::data() else { return };
+    for number in vc_testkit::data::SCENES {
+        let Some(data) = vc_testkit::data::folder() else { return };
         let file = data.join(format!("virtualhome/scene{number}.json.gz"));
         let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
-        let scene = common::scene(number).unwrap();
+        let scene = vc_testkit::data::scene(number).unwrap();
         assert_eq!(home.left_out(), []);
         let off = |n: &&Node| {
             let now = home.graph().node(n.id()).and_then(Node::position);
@@ -148,7 +148,7 @@ fn scenes_of_boxes_are_lived_in() {
 /// The planner, which does not know the home, performs everyday tasks in a scene of boxes.
 #[test]
 fn the_planner_lives_in_boxes() {
-    let Some(data) = common::data() else { return };
+    let Some(data) = vc_testkit::data::folder() else { return };
     let file = data.join("virtualhome/scene1.json.gz");
     let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
     let goals = Task::read_list(include_str!("../../examples/data/box_goals.txt")).unwrap();

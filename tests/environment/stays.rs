@@ -10,7 +10,7 @@ use virtualcity::physics::{Posture, Role};
 use virtualcity::{Environment, MakeError, SceneOptions};
 
 use super::boxes::one;
-use super::{act, common, home};
+use super::{act, home};
 
 /// The distance above which an object counts as moved, metres.
 const STILL: f32 = 0.005;
@@ -39,7 +39,7 @@ fn moved(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
 
 /// A scene of VirtualHome, if the shared data exists.
 fn scene(number: u32) -> Option<Environment> {
-    common::scene(number).map(|graph| Environment::of_with(graph, 1, &SceneOptions::default()).unwrap())
+    vc_testkit::data::scene(number).map(|graph| Environment::of_with(graph, 1, &SceneOptions::default()).unwrap())
 }
 
 fn kept() -> Environment {

@@ -8,8 +8,6 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
 #[path = "support/homes.rs"]
 mod homes;
 #[path = "support/plot.rs"]
@@ -103,7 +101,7 @@ fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
 
 fn scene() -> SceneGraph {
     let bundled = include_str!("../../examples/data/apartment.json").to_owned();
-    let text = common::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
+    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 

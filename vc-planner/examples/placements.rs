@@ -8,8 +8,6 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "an example stops where something is wrong")]
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
 #[path = "../tests/support/placements.rs"]
 mod placements;
 
@@ -25,7 +23,7 @@ const MOST: u64 = 8;
 
 fn main() {
     let number: u64 = std::env::args().nth(1).map_or(24, |n| n.parse().unwrap());
-    let scenes: Vec<SceneGraph> = common::SCENES.into_iter().filter_map(common::scene).collect();
+    let scenes: Vec<SceneGraph> = vc_testkit::data::SCENES.into_iter().filter_map(vc_testkit::data::scene).collect();
     if scenes.is_empty() {
         return;
     }

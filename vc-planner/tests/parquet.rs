@@ -1,6 +1,5 @@
 //! Trajectories written as a Parquet file are read back row by row.
 
-#![cfg(feature = "parquet")]
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use parquet::file::reader::{FileReader, SerializedFileReader};

@@ -15,6 +15,7 @@ use nalgebra::Vector3;
 use vc_graph::State;
 use vc_render::picture::{self, Picture};
 use vc_render::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot};
+use vc_testkit::golden;
 
 /// Decodes a PNG file.
 fn read(bytes: &[u8]) -> Picture {
@@ -27,11 +28,8 @@ fn read(bytes: &[u8]) -> Picture {
 
 fn compare(name: &str, made: &Picture) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(format!("{name}.png"));
-    if std::env::var("VC_GOLDEN").is_ok_and(|v| v == "write") {
-        return std::fs::write(&path, picture::png(made).unwrap()).unwrap();
-    }
-    let kept =
-        read(&std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}; see the head of this file", path.display())));
+    let Some(kept) = golden::kept(&path, &picture::png(made).unwrap()) else { return };
+    let kept = read(&kept);
     assert_eq!((made.width, made.height), (kept.width, kept.height), "{name}: another size");
     let other = made.pixels.iter().zip(&kept.pixels).filter(|(a, b)| a != b).count();
     assert!(other == 0, "{name}: {other} of {} pixels differ; see the head of this file", made.pixels.len());

@@ -1,6 +1,6 @@
 //! Scenes for tests, built by hand.
 
-#![allow(dead_code, reason = "each test uses some of it")]
+#![allow(dead_code, clippy::unwrap_used, reason = "each test uses some of it, and tests may unwrap")]
 
 use std::sync::Arc;
 

@@ -1,5 +1,7 @@
 //! The shortest plan by brute force through the transition rule.
 
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
 use std::collections::HashSet;
 
 use vc_graph::goal::Situation;

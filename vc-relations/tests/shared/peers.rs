@@ -1,7 +1,6 @@
 //! The scenes used to compare physics with its peers: rooms of 25 objects, with the support and the container
 //! of each given by the file. Doors are separate nodes here, attached by joints.
 
-use std::io::{Read, Write};
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -62,15 +61,11 @@ pub(crate) fn read(objects: u32) -> Option<Peers> {
     let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/peers/physics");
     let folder = std::env::var_os("VC_PEERS").map_or_else(|| beside.into(), std::path::PathBuf::from);
     let path = folder.join(format!("scene_{objects}.json.gz"));
-    let Ok(file) = std::fs::File::open(&path) else {
-        // Written past the test harness, which captures the output of passing tests.
-        let told = format!("SKIPPED: no scene at {}; set VC_PEERS to the folder that has it\n", path.display());
-        std::io::stderr().write_all(told.as_bytes()).unwrap();
+    if !path.is_file() {
+        vc_testkit::skipped(&format!("no scene at {}; set VC_PEERS to the folder that has it", path.display()));
         return None;
-    };
-    let mut text = String::new();
-    flate2::read::GzDecoder::new(file).read_to_string(&mut text).unwrap();
-    Some(build(&serde_json::from_str(&text).unwrap()))
+    }
+    Some(build(&serde_json::from_str(&vc_testkit::data::read(&path)).unwrap()))
 }
 
 struct Making {

@@ -1,5 +1,5 @@
 //! Random goals, and scenes in which many atoms are true and many are not.
-#![allow(dead_code, reason = "each test file uses a part")]
+#![allow(dead_code, clippy::unwrap_used, reason = "each test file uses a part, and tests may unwrap")]
 
 use proptest::prelude::*;
 use vc_graph::goal::{Literal, Pairs, Predicate, Quantified, Situation, Term};
@@ -74,12 +74,12 @@ pub(crate) fn flips(most: usize) -> impl Strategy<Value = Vec<Flip>> {
 /// Random goals from the strategy of the crate below, restricted to such a scene and without
 /// temporal operators.
 pub(crate) fn timeless(depth: u32) -> impl Strategy<Value = Goal> {
-    crate::shared::goals::goal(0, depth).prop_map(|goal| tamed(&goal))
+    vc_testkit::goals::goal(0, depth).prop_map(|goal| tamed(&goal))
 }
 
 /// Random goals from the strategy of the crate below, restricted to such a scene and a few actions.
 pub(crate) fn temporal(depth: u32) -> impl Strategy<Value = Goal> {
-    crate::shared::goals::goal(0, depth).prop_map(|goal| in_time(&goal))
+    vc_testkit::goals::goal(0, depth).prop_map(|goal| in_time(&goal))
 }
 
 /// The same goal with objects and actions that exist.

@@ -1,0 +1,179 @@
+//! Records of episodes: the contents of the folder, and its reproducibility.
+
+#![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+
+mod resume;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use virtualcity::graph::{Action, NodeId, Verb};
+use virtualcity::planner::{Episode, Newcomer, run_episode};
+use virtualcity::render::Daylight;
+use virtualcity::tasks::{Outcome, Task, World};
+use virtualcity::{Environment, PictureOptions, RecordError, RecordOptions, Recorder};
+
+const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true, finer: 2, daylight: None };
+
+/// A folder for this test only.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    folder
+}
+
+/// An agent in a home is given the goal of holding a novel.
+fn record(folder: &Path) -> (Episode, Environment) {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("fetch <a novel>", "Holds(novel)".parse().unwrap());
+    let mut recorder = Recorder::create(folder, home, me, &task, SMALL).unwrap();
+    let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+    let home = recorder.environment().clone();
+    assert!(recorder.metres() > 0.5 && recorder.seconds() > 0.5, "{episode:?}");
+    assert_eq!(recorder.finish(&episode, Some("<svg/>")).unwrap(), folder.join("index.html"));
+    (episode, home)
+}
+
+/// Every file under a folder.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            let own = PathBuf::from(path.file_name().unwrap());
+            found.extend(files(&path).into_iter().map(|(name, bytes)| (own.join(name), bytes)));
+        } else {
+            found.insert(path.file_name().unwrap().into(), std::fs::read(&path).unwrap());
+        }
+    }
+    found
+}
+
+/// The first view is shown where nothing has to be done.
+#[test]
+fn an_episode_without_actions_shows_the_home() {
+    let at = folder("nothing");
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("nothing", "InRoom(me, living_room)".parse().unwrap());
+    let mut recorder = Recorder::create(&at, home, me, &task, RecordOptions { dataset: false, ..SMALL }).unwrap();
+    let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+    assert_eq!(episode.outcome, Outcome::Won);
+    assert_eq!(episode.steps, 0);
+    recorder.finish(&episode, None).unwrap();
+    let bytes = std::fs::read(at.join("strip.png")).unwrap();
+    let image = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+    assert!(image.info().width > 2 * SMALL.width, "two views beside each other");
+}
+
+#[test]
+fn an_episode_is_written_down_and_read_again() {
+    let at = folder("record");
+    // Remains of a longer record, and a file of the user's.
+    for name in ["film/900.jpg", "frames/000900.png", "film/notes.txt"] {
+        virtualcity::files::write(at.join(name), b"before").unwrap();
+    }
+    let (episode, home) = record(&at);
+    assert_eq!(episode.outcome, Outcome::Won);
+    let all = files(&at);
+    let lines: Vec<Value> = std::str::from_utf8(&all[Path::new("trajectory.jsonl")])
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    assert_eq!(lines.len(), episode.steps + 2, "one about the run, one for each action, one about the end");
+    assert_eq!(lines[0]["task"], "fetch <a novel>");
+    let last = &lines[episode.steps];
+    assert_eq!(last["digest"], home.digest().to_string());
+    assert!(last["held"][0].as_str().unwrap().starts_with("novel"), "{last}");
+    assert_eq!(lines[episode.steps + 1]["outcome"], "won");
+    // Pictures can be decoded, and the page refers only to existing files.
+    for (name, bytes) in all.iter().filter(|(name, _)| name.extension().is_some_and(|e| e == "png")) {
+        let mut image = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut pixels = vec![0; image.output_buffer_size().unwrap()];
+        image.next_frame(&mut pixels).unwrap_or_else(|e| panic!("{}: {e}", name.display()));
+    }
+    let page = std::str::from_utf8(&all[Path::new("index.html")]).unwrap();
+    assert!(page.contains("fetch &lt;a novel&gt;") && page.contains("100% of the goal holds"), "{page}");
+    assert_eq!(all.get(Path::new("film/notes.txt")).map(Vec::as_slice), Some(&b"before"[..]));
+    let film: Vec<&Path> = all
+        .keys()
+        .filter(|name| name.starts_with("film") && name.extension().is_some_and(|e| e == "jpg"))
+        .map(PathBuf::as_path)
+        .collect();
+    assert!(film.len() > 5 && film.iter().all(|name| all[*name].starts_with(&[0xff, 0xd8])), "{film:?}");
+    assert!(film.iter().all(|name| page.contains(name.to_str().unwrap())), "the page plays all of it");
+    assert!(!all.keys().any(|name| name.extension().is_some_and(|e| e == "part")), "nothing half written is left");
+    for shown in page.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+        assert!(all.contains_key(Path::new(shown)), "{shown}");
+    }
+    // The data set: each image of the annotations exists, each annotation belongs to one of them.
+    let coco: Value = serde_json::from_slice(&all[Path::new("annotations.json")]).unwrap();
+    let images = coco["images"].as_array().unwrap();
+    assert!(!images.is_empty() && !coco["annotations"].as_array().unwrap().is_empty());
+    assert!(images.iter().all(|image| all.contains_key(Path::new(image["file_name"].as_str().unwrap()))));
+    assert_eq!(&all[Path::new("scene.glb")][..4], b"glTF");
+}
+
+/// Independent of the length of an episode and of its film, a data set has six pictures per second.
+#[test]
+fn datasets_go_on_as_they_began() {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("to and fro", "Holds(novel)".parse().unwrap());
+    let rooms = home.graph().rooms().to_vec();
+    let options = RecordOptions { width: 16, dataset: true, ..RecordOptions::default() };
+    let at = folder("record_long");
+    let mut recorder = Recorder::create(&at, home, me, &task, options).unwrap();
+    for room in rooms.into_iter().cycle() {
+        recorder.step(me, &Action::one(Verb::Walk, room)).unwrap();
+        if recorder.seconds() > 40.0 {
+            break;
+        }
+    }
+    let seconds = recorder.seconds();
+    let digest = recorder.environment().graph().digest();
+    let episode = Episode { outcome: Outcome::TimedOut, score: 0.0, steps: 0, reason: None, digest };
+    recorder.finish(&episode, None).unwrap();
+    let frames = files(&at).keys().filter(|name| name.starts_with("frames")).count();
+    assert!((frames as f64 - 6.0 * seconds).abs() <= 1.0, "{frames} frames of {seconds} s");
+}
+
+#[test]
+fn the_same_run_writes_the_same_files() {
+    let (first, second) = (folder("record_first"), folder("record_second"));
+    record(&first);
+    record(&second);
+    assert!(files(&first) == files(&second));
+}
+
+/// The daylight and supersampling of a record are the given ones, or the environment's.
+#[test]
+fn records_are_made_in_the_light_that_is_asked_for() {
+    let mut home = Environment::make("apartment/42", 1).unwrap();
+    let (me, evening) = (home.agents()[0], Daylight::at(19.0));
+    home.set_pictures(PictureOptions { daylight: evening, ..PictureOptions::default() });
+    let task = Task::new("nothing", "Holds(novel)".parse().unwrap());
+    let recorded = |options: RecordOptions| {
+        let recorder = Recorder::create(folder("record_light"), home.clone(), me, &task, options).unwrap();
+        *recorder.environment().pictures()
+    };
+    let told = recorded(RecordOptions { finer: 3, daylight: Some(Daylight::night()), ..SMALL });
+    assert_eq!((told.finer, told.daylight), (3, Daylight::night()));
+    assert_eq!((recorded(SMALL).finer, recorded(SMALL).daylight), (2, evening));
+}
+
+#[test]
+fn what_cannot_be_written_is_named() {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let task = Task::new("nothing", "Holds(novel)".parse().unwrap());
+    let me = home.agents()[0];
+    let nobody = Recorder::create(folder("record_nobody"), home.clone(), NodeId(u32::MAX), &task, SMALL);
+    assert!(matches!(nobody, Err(RecordError::NoSuchAgent { there, .. }) if there.iter().map(|l| l.id).eq([me])));
+    let in_the_way = folder("record_file");
+    std::fs::write(&in_the_way, "a file").unwrap();
+    let refused = Recorder::create(in_the_way.join("episode"), home, me, &task, SMALL).err().unwrap();
+    assert!(refused.to_string().contains("record_file"), "{refused}");
+}

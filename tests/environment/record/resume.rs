@@ -1,0 +1,108 @@
+//! Interrupted and resumed data sets have the same bytes as uninterrupted ones.
+
+use std::path::Path;
+
+use virtualcity::graph::{Action, Verb};
+use virtualcity::planner::Episode;
+use virtualcity::tasks::{Outcome, Task, World};
+use virtualcity::{Dataset, Environment, RecordError, RecordOptions, Recorder, Viewpoint};
+
+use super::{files, folder};
+
+const JOURNAL: &str = "annotations.jsonl.part";
+
+fn homes() -> Vec<Environment> {
+    ["apartment/42", "apartment/7"].iter().map(|name| Environment::make(name, 1).unwrap()).collect()
+}
+
+/// Pictures of each home, one from each room, up to a number.
+fn take(at: &Path, homes: &[Environment], most: usize) -> Result<Dataset, RecordError> {
+    let mut dataset = Dataset::create(at)?;
+    let rooms = homes.iter().flat_map(|home| home.graph().rooms().iter().take(3).map(move |room| (home, *room)));
+    for (home, room) in rooms.take(most) {
+        dataset.add(home, Viewpoint::Room(room), 32, 24)?;
+    }
+    Ok(dataset)
+}
+
+fn mark(at: &Path, name: &str) {
+    virtualcity::files::write(at.join(name), b"mark").unwrap();
+}
+
+#[test]
+fn datasets_of_many_homes_go_on_where_they_were_broken_off() {
+    let homes = homes();
+    let whole = folder("dataset_whole");
+    take(&whole, &homes, 6).unwrap().finish().unwrap();
+    let whole = files(&whole);
+    assert_eq!(whole.len(), 7, "six pictures and a document: {:?}", whole.keys());
+    // Interrupted after the fifth picture, while a line and a file are being written.
+    let at = folder("dataset_broken");
+    drop(take(&at, &homes, 5).unwrap());
+    let journal = std::fs::read(at.join(JOURNAL)).unwrap();
+    std::fs::write(at.join(JOURNAL), &journal[..journal.len() - 7]).unwrap();
+    mark(&at, "frames/000004.png.part");
+    assert!(!at.join("annotations.json").exists());
+    take(&at, &homes, 6).unwrap().finish().unwrap();
+    assert!(files(&at) == whole);
+    // Existing pictures are not made again; if one is missing, it and all later ones are.
+    drop(take(&at, &homes, 6).unwrap());
+    mark(&at, "frames/000001.png");
+    mark(&at, "frames/000004.png");
+    std::fs::remove_file(at.join("frames/000003.png")).unwrap();
+    take(&at, &homes, 6).unwrap().finish().unwrap();
+    let mut marked = files(&at);
+    assert_eq!(
+        marked.insert("frames/000001.png".into(), whole[Path::new("frames/000001.png")].clone()).unwrap(),
+        b"mark"
+    );
+    assert!(marked == whole);
+}
+
+#[test]
+fn pictures_of_something_else_are_made_anew() {
+    let mut homes = homes();
+    let (at, other) = (folder("dataset_other"), folder("dataset_anew"));
+    drop(take(&at, &homes, 5).unwrap());
+    homes.reverse();
+    take(&at, &homes, 2).unwrap().finish().unwrap();
+    take(&other, &homes, 2).unwrap().finish().unwrap();
+    assert!(files(&at) == files(&other), "nothing of the run that was broken off is left");
+}
+
+/// Lets an agent walk through some rooms, and returns the record of it.
+fn walk(at: &Path, rooms: usize) -> Recorder {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let (me, all) = (home.agents()[0], home.graph().rooms().to_vec());
+    let options = RecordOptions { width: 32, dataset: true, ..RecordOptions::default() };
+    let task = Task::new("to and fro", "Holds(novel)".parse().unwrap());
+    let mut recorder = Recorder::create(at, home, me, &task, options).unwrap();
+    for room in all.into_iter().cycle().take(rooms) {
+        recorder.step(me, &Action::one(Verb::Walk, room)).unwrap();
+    }
+    recorder
+}
+
+fn finish(recorder: Recorder) {
+    let digest = recorder.environment().graph().digest();
+    let episode = Episode { outcome: Outcome::TimedOut, score: 0.0, steps: 3, reason: None, digest };
+    recorder.finish(&episode, None).unwrap();
+}
+
+#[test]
+fn records_go_on_where_they_were_broken_off() {
+    let (whole, at) = (folder("record_whole"), folder("record_broken"));
+    finish(walk(&whole, 3));
+    finish(walk(&at, 1));
+    drop(walk(&at, 2));
+    let begun = files(&at);
+    assert!(begun.keys().all(|name| name.starts_with("frames") || name.extension().is_some_and(|e| e == "part")));
+    assert!(begun.len() > 5, "{:?}", begun.keys());
+    // An existing picture is kept unchanged.
+    mark(&at, "frames/000000.png");
+    finish(walk(&at, 3));
+    let (mut all, whole) = (files(&at), files(&whole));
+    let first = whole[Path::new("frames/000000.png")].clone();
+    assert_eq!(all.insert("frames/000000.png".into(), first).unwrap(), b"mark");
+    assert!(all == whole);
+}

@@ -1,0 +1,15 @@
+//! Tests of bodies, agents and navigation, in one program: each program links the physics engine anew.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod agents;
+mod determinism;
+mod fitting;
+mod joints;
+mod known_answers;
+mod navigation;
+mod rest;
+mod scenes;
+mod traps;
+mod water;

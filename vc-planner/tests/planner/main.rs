@@ -1,0 +1,29 @@
+//! Tests of belief, plans and policies, in one program: each program links anew.
+
+#[path = "../support/shortest.rs"]
+mod brute;
+#[path = "../support/homes.rs"]
+mod homes;
+#[path = "../support/placements.rs"]
+mod placements;
+
+mod any;
+mod bayes;
+mod behaviour;
+mod belief;
+mod benchmark;
+mod best;
+mod chances;
+mod everything;
+mod fetched;
+mod hands;
+mod manners;
+mod model;
+mod negation;
+mod plans;
+mod policies;
+mod reasons;
+mod records;
+mod refused;
+mod stranger;
+mod team;

@@ -1,0 +1,216 @@
+//! Explanations of relations that hold or do not, for any pair and by any rule: every verdict once.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use crate::shared;
+
+use nalgebra::Point3;
+use vc_graph::{Edge, Relation};
+use vc_relations::{Evidence, Explanation, Hit, Relations, Rule, Side, Trace, Verdict};
+
+fn explain(rule: Rule, lines: &[&str], from: &str, to: &str) -> (shared::Named, Explanation) {
+    let scene = shared::scene(lines.iter().copied());
+    let relations = Relations::new(&scene.graph, rule, scene.evidence.clone()).unwrap();
+    let why = relations.explain(scene.id(from), scene.id(to)).unwrap();
+    (scene, why)
+}
+
+fn why(lines: &[&str], from: &str, to: &str) -> Explanation {
+    explain(Rule::Repaired, lines, from, to).1
+}
+
+fn hit_of(why: &Explanation, hits: &[Hit]) -> Hit {
+    *hits.iter().find(|h| h.what == why.to).unwrap_or_else(|| panic!("not met: {why}"))
+}
+
+#[test]
+fn hits_tell_what_was_met_where() {
+    let scene =
+        shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
+    assert_eq!(why.down[0].what, scene.id("table"));
+    assert!((why.down[0].distance - 0.002).abs() < 1e-4);
+    assert!((why.down[0].at - Point3::new(0.1, 0.2, 0.75)).norm() < 0.02);
+    assert_eq!(why.down[0].verdict, Verdict::Counts);
+    assert_eq!(why.down[1].what, scene.id("floor"));
+    assert_eq!(why.down[1].verdict, Verdict::TooFar);
+    assert!(why.to_string().contains("by the trace down"));
+}
+
+/// A ball lies on the floor below the edge of a table, whose top is the fifth of its pieces: the trace from the
+/// middle of the ball, 5 cm wide, hits only the part of the table above it.
+#[test]
+fn hits_upwards_tell_which_piece_was_met_and_where() {
+    let why = why(&["floor = floor 4 4", "table = table 0.8 1.2 0.75", "ball = ball 0.1 @ 0.39 0 0"], "ball", "table");
+    let hit = hit_of(&why, &why.up);
+    assert_eq!(hit.pieces, (None, 4));
+    assert!((hit.distance - 0.67).abs() < 1e-4, "{hit:?}");
+    assert!((hit.at - Point3::new(0.3825, 0.0, 0.72)).norm() < 1e-4, "{hit:?}");
+    assert_eq!(hit.verdict, Verdict::Counts);
+    assert!(why.holds.contains(&Relation::Under));
+}
+
+#[test]
+fn every_verdict_on_what_is_below() {
+    let verdict = |lines: &[&str], from: &str, to: &str| {
+        let why = why(lines, from, to);
+        hit_of(&why, &why.down).verdict
+    };
+    let saucer = ["t = table 0.8 1.2 0.75", "s = box 0.2 0.2 0.01 @ 0 0 0.75", "c = box 0.1 0.1 0.1 @ 0 0 0.76"];
+    assert_eq!(verdict(&saucer, "c", "s"), Verdict::Counts);
+    assert_eq!(verdict(&saucer, "c", "t"), Verdict::Outranked);
+    let high = ["f = floor 4 4", "a = box 0.2 0.2 0.2 @ 0 0 0.5"];
+    assert_eq!(verdict(&high, "a", "f"), Verdict::TooFar);
+    let sunk = ["a = box 0.4 0.4 0.4", "b = box 0.3 0.3 0.3 @ 0 0 0.3"];
+    assert_eq!(verdict(&sunk, "b", "a"), Verdict::TooDeep);
+    let steep = ["a = box 1 1 0.1 @ 0 0 0.5 r 0 70 0", "b = box 0.1 0.1 0.1 @ 0 0 1"];
+    assert_eq!(verdict(&steep, "b", "a"), Verdict::TooSteep);
+    let shelf = ["s = shelf 0.3 0.8 1.2 3", "b = book 0.2 0.03 0.25 @ 0 0 0.413"];
+    assert_eq!(verdict(&shelf, "s", "b"), Verdict::Content);
+}
+
+#[test]
+fn every_verdict_on_what_is_above() {
+    let verdict = |lines: &[&str], from: &str, to: &str| {
+        let why = why(lines, from, to);
+        hit_of(&why, &why.up).verdict
+    };
+    let room = ["c = ceiling 4 4 @ 0 0 2.5", "t = table 0.8 1.2 0.75", "b = ball 0.1"];
+    assert_eq!(verdict(&room, "b", "t"), Verdict::Counts);
+    assert_eq!(verdict(&room, "b", "c"), Verdict::Shaded);
+    assert_eq!(verdict(&room, "t", "c"), Verdict::Shade);
+    let stack = ["a = box 0.4 0.4 0.3", "b = box 0.3 0.3 0.3 @ 0 0 0.3"];
+    assert_eq!(verdict(&stack, "a", "b"), Verdict::Carried);
+}
+
+#[test]
+fn every_verdict_on_looking() {
+    let sight = |tv: &str, more: &[&str]| {
+        let mut lines = vec!["me = person 1.7", tv];
+        lines.extend(more);
+        let why = why(&lines, "me", "tv");
+        assert_eq!(why.holds.contains(&Relation::Facing), why.sight.unwrap().verdict == Verdict::Counts, "{why}");
+        why.sight.unwrap()
+    };
+    let ahead = sight("tv = tv 0.1 1.2 0.7 @ 3 1.73205 0.5", &[]);
+    assert_eq!(ahead.verdict, Verdict::Counts);
+    assert!((ahead.angle.to_degrees() - 30.0).abs() < 1e-3 && (ahead.distance - 12.0_f32.sqrt()).abs() < 1e-4);
+    let aside = sight("tv = tv 0.1 1.2 0.7 @ 0 -3 0.5", &[]);
+    assert_eq!(aside.verdict, Verdict::Aside);
+    assert!((aside.angle.to_degrees() - 90.0).abs() < 1e-3);
+    let behind = sight("tv = tv 0.1 1.2 0.7 @ -3 0 0.5", &[]);
+    assert!(behind.verdict == Verdict::Aside && (behind.angle.to_degrees() - 180.0).abs() < 1e-3);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 5.1 0 0.5", &[]).verdict, Verdict::TooFar);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 1 0 6.8", &[]).verdict, Verdict::TooFar);
+    let wall = ["wall = wall 0.1 4 2.5 @ 1.5 0 0"];
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 3 0 0.5", &wall).verdict, Verdict::Walled);
+    assert_eq!(sight("tv = box 0.1 1.2 0.7 @ 3 0 0.5", &[]).verdict, Verdict::Unfit);
+    let back = why(&["me = person 1.7", "tv = tv 0.1 1.2 0.7 @ 3 0 0.5 r 0 0 180"], "tv", "me");
+    assert_eq!(back.sight.unwrap().verdict, Verdict::Unfit);
+}
+
+#[test]
+fn every_verdict_on_sitting_and_lying() {
+    let seat = |lines: &[&str], to: &str| why(lines, "me", to).seat.unwrap();
+    let sitting = "me = boxed 0.3 0.45 1.3 @ 0.05 0 0 class character state sitting";
+    let on_chair = seat(&["c = chair", sitting], "c");
+    assert_eq!(on_chair.verdict, Verdict::Counts);
+    assert!((on_chair.share.unwrap() - 0.46 / 1.3).abs() < 1e-4, "{on_chair:?}");
+    assert_eq!(seat(&["c = chair @ 0.02 0 0", "d = chair", sitting], "d").verdict, Verdict::Outranked);
+    assert_eq!(seat(&["c = chair @ 0.7 0 0", sitting], "c").verdict, Verdict::Aside);
+    assert_eq!(seat(&["c = chair", "me = person 1.7 @ 0.05 0 0.46"], "c").verdict, Verdict::WrongHeight);
+    assert_eq!(seat(&["b = box 0.4 0.4 0.4", sitting], "b").verdict, Verdict::Unfit);
+    let lying = "me = boxed 1.7 0.45 0.3 @ 0 0 0.5 class character state lying";
+    assert_eq!(seat(&["b = bed 1.4", lying], "b").verdict, Verdict::Counts);
+    assert_eq!(seat(&["b = bed 1.4 @ 4 0 0", lying], "b").verdict, Verdict::TooFar);
+    assert_eq!(seat(&["c = chair", lying], "c").verdict, Verdict::Unfit);
+    assert_eq!(why(&["c = chair", sitting], "c", "me").seat, None);
+}
+
+#[test]
+fn every_verdict_on_hanging() {
+    let hooks = "h = hooks 0.8 @ 2.99 0 1.7 r 0 0 180";
+    let hook = |thing: &str, more: &[&str]| {
+        let mut lines = vec![hooks, thing];
+        lines.extend(more);
+        why(&lines, "c", "h").hook.unwrap()
+    };
+    // A narrow coat, which only one of the hooks touches.
+    let hangs = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180 s 1 0.3 1", &[]);
+    assert_eq!((hangs.verdict, hangs.distance), (Verdict::Counts, 0.0));
+    assert!((hangs.at - Point3::new(2.945, 0.1, 1.69)).norm() < 1e-4, "{hangs:?}");
+    let far = hook("c = coat @ 1.9 0.1 1.7 r 0 0 180", &[]);
+    assert!(far.verdict == Verdict::TooFar && (far.distance - 0.985).abs() < 1e-4, "{far:?}");
+    assert_eq!(hook("c = coat @ 2.9 0.1 2.5 r 0 0 180", &[]).verdict, Verdict::WrongHeight);
+    let stands = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180", &["b = box 0.3 0.6 0.7 @ 2.85 0.1 0"]);
+    assert_eq!(stands.verdict, Verdict::Outranked);
+    assert_eq!(hook("c = door 0.9 2 @ 2.945 0 0", &[]).verdict, Verdict::Unfit);
+    assert_eq!(why(&[hooks, "c = coat"], "h", "c").hook, None);
+}
+
+#[test]
+fn who_holds_a_thing_is_said() {
+    let lines = ["t = table 0.8 1.2 0.75", "me = person 1.7 @ 1 0 0", "c = mug 0.08 0.1 @ 0 0 0.75", "me holds_left c"];
+    let (scene, why) = explain(Rule::Repaired, &lines, "c", "t");
+    assert_eq!(why.held, [Edge::new(scene.id("me"), Relation::HoldsLeft, scene.id("c"))]);
+    assert!(why.supports.is_empty() && !why.holds.contains(&Relation::On));
+    assert!(why.to_string().contains("holds or wears it"), "{why}");
+}
+
+const TWO_ROOMS: [&str; 7] = [
+    "west = room 3 4 @ -1.6 0 0",
+    "east = room 3 4 @ 1.6 0 0",
+    "floor_w = floor 3 4 @ -1.6 0 0",
+    "floor_e = floor 3 4 @ 1.6 0 0",
+    "floor_w in west",
+    "floor_e in east",
+    "door = door 0.9 2 @ -0.09 0 0",
+];
+
+#[test]
+fn depths_tell_why_a_thing_is_in_a_room() {
+    let mut lines = TWO_ROOMS.to_vec();
+    lines.push("cup = box 0.1 0.1 0.1 @ -1.5 0 0");
+    let (scene, here) = explain(Rule::Repaired, &lines, "cup", "west");
+    let close = |depth: f32, to: f32| (depth - to).abs() < 1e-4;
+    assert_eq!(here.holds, [Relation::InRoom]);
+    assert!(here.rooms.len() == 1 && here.rooms[0].0 == scene.id("west") && close(here.rooms[0].1, 1.4), "{here}");
+    let (scene, there) = explain(Rule::Repaired, &lines, "cup", "east");
+    assert_eq!((there.holds.len(), there.rooms.len()), (0, 2));
+    assert!(there.rooms[1].0 == scene.id("east") && close(there.rooms[1].1, -1.6), "{there}");
+    assert!(there.to_string().contains(&format!("1.60 m outside of {}", scene.id("east"))), "{there}");
+    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
+    assert!(relations.explain(scene.id("west"), scene.id("cup")).is_none());
+}
+
+#[test]
+fn points_beside_a_door_tell_what_it_is_between() {
+    let (scene, why) = explain(Rule::Repaired, &TWO_ROOMS, "door", "east");
+    assert_eq!(why.holds, [Relation::Between]);
+    let mut sides = why.sides.clone();
+    sides.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
+    assert_eq!([sides[0].1, sides[1].1], [Some(scene.id("west")), Some(scene.id("east"))]);
+    assert!((sides[0].0 - Point3::new(-0.31, 0.0, 1.0)).norm() < 1e-4, "{why}");
+    assert!((sides[1].0 - Point3::new(0.13, 0.0, 1.0)).norm() < 1e-4, "{why}");
+}
+
+/// Under another rule, the explanation has only facts that this rule uses.
+#[test]
+fn other_rules_are_explained_by_what_they_ask() {
+    let lines = ["f = floor 4 4", "a = box 0.4 0.4 0.3 @ 0 0 0.01", "b = box 0.2 0.2 0.2 @ 0.5 0 0.02"];
+    let (scene, why) = explain(Rule::BoxTrace, &lines, "a", "b");
+    assert_eq!(why.holds, [Relation::Near, Relation::NearFront]);
+    assert_eq!(why.traces.iter().map(|t| t.trace).collect::<Vec<_>>(), Trace::ALL);
+    let hit = |trace| why.traces.iter().find(|t| t.trace == trace).unwrap().hit;
+    let (what, far) = hit(Trace::Side(Side::Front)).unwrap();
+    assert!(what == scene.id("b") && (far - 0.2).abs() < 1e-5);
+    let (what, far) = hit(Trace::Down).unwrap();
+    assert!(what == scene.id("f") && (far - 0.01).abs() < 1e-5);
+    assert!([Trace::Up, Trace::Side(Side::Back), Trace::Side(Side::Left)].iter().all(|t| hit(*t).is_none()));
+    for rule in [Rule::BoxTrace, Rule::VirtualHome] {
+        let (_, why) = explain(rule, &lines, "a", "b");
+        assert!(why.down.is_empty() && why.up.is_empty() && why.supports.is_empty() && why.sight.is_none());
+        assert_eq!(why.traces.is_empty(), rule == Rule::VirtualHome);
+    }
+}

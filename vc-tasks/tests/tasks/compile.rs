@@ -1,0 +1,257 @@
+//! Compiled goals compared with direct evaluation.
+#![allow(clippy::unwrap_used)]
+
+use crate::common;
+use std::sync::Arc;
+
+use common::{Room, flips, timeless};
+use proptest::prelude::*;
+use vc_graph::goal::{Situation, Trace};
+use vc_graph::{Action, Change, ChangeSet, Event, Goal, History, NodeId, SceneGraph};
+use vc_tasks::compile::{CompileError, Known, Monitor, Program, Tracker, Verdict};
+use vc_tasks::{Progress, World, WorldError};
+use vc_testkit::cases;
+use vc_testkit::edits::{apply, plans};
+use vc_testkit::goals::goal;
+use vc_testkit::scenes::{scene, steps};
+
+fn agree(program: &Program, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
+    let bits = program.read(now);
+    prop_assert_eq!(program.holds(&bits), goal.holds(now), "{}", goal);
+    for (head, part) in goal.conjuncts().iter().enumerate() {
+        prop_assert_eq!(program.head_holds(&bits, head), part.holds(now), "{} of {}", part, goal);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(2000))]
+
+    #[test]
+    fn a_program_holds_when_its_goal_does(goal in timeless(3), flips in flips(30)) {
+        let room = Room::new(&flips);
+        let program = Program::new(&goal, &room.now()).unwrap();
+        agree(&program, &goal, &room.now())?;
+    }
+
+    #[test]
+    fn a_tracker_says_what_a_new_look_would_say(goal in timeless(3), first in flips(20), then in flips(20)) {
+        let mut room = Room::new(&first);
+        let program = Arc::new(Program::new(&goal, &room.now()).unwrap());
+        let mut tracker = Tracker::in_situation(program.clone(), &room.now());
+        for flip in then {
+            let changes = room.flip(flip);
+            let holds = tracker.apply(&room.now(), &changes).unwrap();
+            prop_assert_eq!(holds, goal.holds(&room.now()), "{}", goal);
+            prop_assert_eq!(tracker.bits(), &program.read(&room.now()));
+            for (head, part) in goal.conjuncts().iter().enumerate() {
+                prop_assert_eq!(tracker.head_holds(head), part.holds(&room.now()), "{} of {}", part, goal);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_unknown_does_not_matter_to_a_verdict(
+        goal in timeless(2), flips in flips(30), mask in any::<u64>(), others in prop::collection::vec(any::<u64>(), 8)
+    ) {
+        let room = Room::new(&flips);
+        let program = Program::new(&goal, &room.now()).unwrap();
+        let bits = program.read(&room.now());
+        let mut known = Known::nothing(&program);
+        let hidden = |atom: usize| mask >> (atom % 64) & 1 != 0;
+        (0..program.atoms().len()).filter(|&a| !hidden(a)).for_each(|a| known.learn(a, bits.has(a)));
+        let verdict = program.verdict(&known);
+        if mask == 0 {
+            prop_assert_eq!(verdict, Verdict::of(program.holds(&bits)));
+        }
+        for other in others {
+            let mut completed = bits.clone();
+            let unknown = (0..program.atoms().len()).filter(|&a| hidden(a));
+            unknown.for_each(|a| completed.set(a, other >> (a % 64) & 1 != 0));
+            if verdict != Verdict::Unknown {
+                prop_assert_eq!(Verdict::of(program.holds(&completed)), verdict, "{}", goal);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn in_scenes_of_all_kinds(goal in goal(0, 2), steps in steps(12), posed: bool, plans in plans(8)) {
+        let mut graph = scene(&steps, posed);
+        let (agent, history) = (graph.agents()[0], History::default());
+        let program = match Program::new(&goal, &Situation::new(&graph, agent, &history)) {
+            Ok(program) => Arc::new(program),
+            Err(error) => {
+                prop_assert!(goal.is_temporal() && matches!(error, CompileError::Temporal(_)), "{}: {}", goal, error);
+                return Ok(());
+            }
+        };
+        agree(&program, &goal, &Situation::new(&graph, agent, &history))?;
+        let mut tracker = Tracker::in_situation(program, &Situation::new(&graph, agent, &history));
+        for plan in plans {
+            let changes = apply(&mut graph, plan);
+            let now = Situation::new(&graph, agent, &history);
+            let stale = changes.changes().iter().any(|c| matches!(c, Change::Add(_) | Change::Remove(_)));
+            match tracker.apply(&now, &changes) {
+                Ok(holds) => prop_assert_eq!(holds, goal.holds(&now), "{} after {:?}", goal, changes),
+                Err(_) => {
+                    prop_assert!(stale);
+                    tracker = Tracker::in_situation(Arc::new(Program::new(&goal, &now).unwrap()), &now);
+                }
+            }
+        }
+    }
+}
+
+/// A trace of a room with the given flips and actions, step by step.
+fn course(first: &[common::Flip], then: &[(common::Flip, usize)]) -> (Room, Trace) {
+    let mut room = Room::new(first);
+    let mut trace = Trace::new(room.graph.clone(), room.me);
+    for &(flip, deed) in then {
+        room.flip(flip);
+        let lines = ["", "grab #2", "grab #5", "eat #3", "place #2 #5"];
+        let action = lines[deed % lines.len()].parse::<vc_graph::Action>();
+        trace.push(room.graph.clone(), action.map(|action| Event { agent: room.me, action }));
+    }
+    (room, trace)
+}
+
+proptest! {
+    #![proptest_config(cases(3000))]
+
+    #[test]
+    fn a_monitor_says_what_a_reading_of_the_trace_would(
+        goal in common::temporal(3), first in flips(20), then in prop::collection::vec((common::flip(), 0_usize..5), 0..7)
+    ) {
+        let (room, trace) = course(&first, &then);
+        let start = Situation { events: &[], ..trace.situation(0).unwrap() };
+        let mut monitor = Monitor::new(&goal, &start).unwrap();
+        let mut held = vec![None; goal.conjuncts().len()];
+        for step in 0..=trace.steps() {
+            if step > 0 {
+                monitor.push(&trace.situation(step).unwrap());
+            }
+            prop_assert_eq!(monitor.steps(), step);
+            prop_assert_eq!(monitor.holds(), goal.holds_by(&trace, step), "{} by step {}", goal, step);
+            for (head, part) in goal.conjuncts().iter().enumerate() {
+                prop_assert_eq!(monitor.heads()[head], part.holds_by(&trace, step), "{} by step {}", part, step);
+                held[head] = held[head].or_else(|| monitor.heads()[head].then_some(step));
+            }
+        }
+        prop_assert_eq!(monitor.holds(), goal.holds_on(&trace));
+        prop_assert_eq!(monitor.first_held(), &held[..]);
+        prop_assert_eq!(vc_tasks::first_held(&goal, &trace), held);
+        prop_assert!(goal.is_temporal() || Program::new(&goal, &room.now()).is_ok());
+    }
+}
+
+/// A world to which anything can happen.
+struct Shown {
+    room: Room,
+}
+
+impl World for Shown {
+    fn graph(&self) -> &SceneGraph {
+        &self.room.graph
+    }
+
+    fn history(&self) -> &History {
+        &self.room.history
+    }
+
+    fn step(&mut self, _: NodeId, _: &Action) -> Result<ChangeSet, WorldError> {
+        Err(WorldError::Failed("it is shown".into()))
+    }
+
+    fn reset(&mut self, _: &SceneGraph) -> Result<(), WorldError> {
+        Ok(())
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn progress_says_what_a_reading_of_the_trace_would(
+        goal in common::temporal(3), first in flips(20), then in prop::collection::vec((common::flip(), 0_usize..4), 0..7),
+        adds in 0_usize..9
+    ) {
+        let mut world = Shown { room: Room::new(&first) };
+        let me = world.room.me;
+        let mut progress = Progress::new(&goal, &world, me);
+        let mut trace = Trace::new(world.room.graph.clone(), me);
+        for (number, (flip, deed)) in then.into_iter().enumerate() {
+            world.room.flip(flip);
+            if number == adds {
+                let mut edit = world.room.graph.edit();
+                edit.add(vc_graph::Draft::new("cup")).unwrap();
+                edit.commit();
+            }
+            let action = ["grab #2", "grab #5", "eat #3", "place #2 #5"][deed].parse().unwrap();
+            let event = Event { agent: me, action };
+            world.room.history.push(event);
+            trace.push(world.room.graph.clone(), [event]);
+            progress.note(&world);
+            prop_assert_eq!(progress.holds(&world), goal.holds_on(&trace), "{}", goal);
+            prop_assert_eq!(progress.score(&world), goal.score_on(&trace), "{}", goal);
+        }
+    }
+}
+
+fn program(text: &str, room: &Room) -> Program {
+    Program::new(&text.parse().unwrap(), &room.now()).unwrap()
+}
+
+#[test]
+fn equal_parts_are_one() {
+    let room = Room::new(&[]);
+    let part = "exists ?p: plate. Covered(?c, ?p)";
+    let one = program(&format!("forall ?c: cup. {part}"), &room);
+    let two = program(&format!("(forall ?c: cup. {part}) & (forall ?c: cup. ({part}) | Dusty(?c))"), &room);
+    assert_eq!(one.atoms().len(), 9);
+    assert_eq!((one.size().0, two.size().0), (4, 9), "three gates are shared");
+}
+
+#[test]
+fn a_goal_that_is_true_in_many_ways_stays_small() {
+    let room = Room::new(&[]);
+    let text = "forall ?c: cup. exists ?p: plate. exists ?q: plate. (Covered(?c, ?p) | Draped(?c, ?q)) & (Dusty(?p) | Stained(?q))";
+    let (gates, inputs) = program(text, &room).size();
+    assert!(gates < 100 && inputs < 200, "{gates} {inputs}");
+}
+
+#[test]
+fn what_cannot_be_compiled_says_why() {
+    let room = Room::new(&[]);
+    let error = Program::new(&"Dusty(cup) & eventually Dusty(plate)".parse().unwrap(), &room.now()).unwrap_err();
+    assert_eq!(error.to_string(), "`eventually Dusty(plate)` is about several steps; follow it with a `Monitor`");
+    let wide: Goal =
+        "forall ?a. forall ?b. forall ?c. forall ?d. forall ?e. forall ?f. forall ?g. forall ?h. Covered(?a, ?h)"
+            .parse()
+            .unwrap();
+    assert!(Program::new(&wide, &room.now()).is_ok_and(|p| p.size().0 > 0));
+}
+
+#[test]
+fn goals_that_range_over_too_much_are_refused_and_others_take_no_time() {
+    let room = Room::new(&[(0, 0, 0)]);
+    let quantified =
+        |word: &str, depth: usize| -> String { (0..depth).map(|i| format!("{word} ?v{i}. ")).collect::<String>() };
+    let all: Vec<String> = (0..8).map(|i| format!("Dusty(?v{i})")).collect();
+    let wide: Goal = format!("{}({})", quantified("forall", 8), all.join(" & ")).parse().unwrap();
+    assert!(matches!(Program::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
+    assert!(matches!(Monitor::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
+    // A subgoal that does not depend on the variables is stored once, however often it counts.
+    for word in ["forall", "exists", "at least 2", "exactly 3"] {
+        let goal: Goal = format!("{}Dusty(cup)", quantified(word, 20)).parse().unwrap();
+        let program = Program::new(&goal, &room.now()).unwrap();
+        let bits = program.read(&room.now());
+        assert_eq!(program.verdict(&Known::nothing(&program)), Verdict::Unknown, "{word}");
+        let credit = program.credit(&bits);
+        assert!(!credit.exact || (credit.value() == 1.0) == program.holds(&bits), "{word}");
+        assert!(program.unmet(&bits, 3).sets.len() <= 3);
+    }
+}
