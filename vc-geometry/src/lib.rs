@@ -1,5 +1,14 @@
-//! Geometry that several crates need and that is decided once: shapes for things of which only a box
-//! is known.
+//! Geometry that several crates need and that is decided once.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`grid`] | bit grids of the floor: free cells, discs, connected parts, painted outlines |
+//! | [`walk`] | shortest walks over free cells |
+//! | [`outline`] | convex outlines in the plane: hull, containment, crossing |
+//! | [`hull`] | convex hulls of points in space, exact or rough |
+//! | this one | [`shapes`] for things of which only a box is known |
+//!
+//! Lengths are metres unless a name says cells. Nothing here knows scenes, bodies or engines, except for [`shapes`].
 //!
 //! Scenes from elsewhere (VirtualHome's, the thesis's) give a thing a class and the box around it.
 //! [`shapes`] makes an [`Asset`] of each such box: boards, surfaces, hollows, doorways. An asset is
@@ -33,9 +42,13 @@ mod door;
 mod floor;
 mod form;
 mod furniture;
+pub mod grid;
+pub mod hull;
 mod level;
 mod opening;
+pub mod outline;
 mod share;
+pub mod walk;
 mod wall;
 
 use std::collections::BTreeMap;

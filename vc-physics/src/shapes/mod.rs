@@ -8,7 +8,6 @@ mod hull;
 mod mass;
 mod merge;
 mod piece;
-mod quick;
 mod scale;
 mod slab;
 
@@ -18,7 +17,7 @@ use std::sync::{Arc, Mutex, Weak};
 use vc_graph::{AssetId, AssetLibrary, Node, Property, Relation, SceneGraph};
 
 use crate::role::is_structure;
-pub(crate) use footprint::{Footprint, levels, rectangle};
+pub(crate) use footprint::{Footprint, levels};
 use form::Kind;
 pub(crate) use form::{Form, Link};
 pub(crate) use mass::scaled;
