@@ -147,9 +147,8 @@ impl BitGrid {
 
     /// The cells whose bits are set, row by row: column and row.
     pub fn cells(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        (0..self.height).flat_map(|y| {
-            self.runs(y).flat_map(move |(from, to)| (from as usize..to as usize).map(move |x| (x, y)))
-        })
+        (0..self.height)
+            .flat_map(|y| self.runs(y).flat_map(move |(from, to)| (from as usize..to as usize).map(move |x| (x, y))))
     }
 
     /// The bits that are the lower-left corner of a square of set bits with the given side.

@@ -230,4 +230,3 @@ fn run_up(seeds: u64, open: u64, carry: bool) -> (u64, bool) {
     let (sum, second) = sum.overflowing_add(u64::from(carry));
     (((sum ^ open) & open) | seeds, first || second)
 }
-

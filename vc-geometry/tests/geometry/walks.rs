@@ -34,7 +34,8 @@ fn is_pinched(free: &BitGrid, (x, y): (usize, usize)) -> bool {
 /// Whether a segment stays on free cells: its middle between any two lines of the grid is in or beside one.
 fn is_open(free: &BitGrid, from: At, to: At) -> bool {
     let at = |t: f64| (from.0 + (to.0 - from.0) * t, from.1 + (to.1 - from.1) * t);
-    let lines = |a: f64, b: f64| (0..=SIDE).map(move |line| (line as f64 - a) / (b - a)).filter(|t| *t > 0.0 && *t < 1.0);
+    let lines =
+        |a: f64, b: f64| (0..=SIDE).map(move |line| (line as f64 - a) / (b - a)).filter(|t| *t > 0.0 && *t < 1.0);
     let mut cuts: Vec<f64> = lines(from.0, to.0).chain(lines(from.1, to.1)).chain([0.0, 1.0]).collect();
     cuts.sort_by(f64::total_cmp);
     cuts.windows(2).filter(|pair| pair[1] - pair[0] > 1e-12).all(|pair| {
@@ -45,7 +46,9 @@ fn is_open(free: &BitGrid, from: At, to: At) -> bool {
             let on = (v - near).abs() < 1e-9;
             [if on { near - 1.0 } else { v.floor() }, if on { near } else { v.floor() }]
         };
-        beside(x).into_iter().any(|x| beside(y).into_iter().any(|y| x >= 0.0 && y >= 0.0 && free.get(x as usize, y as usize)))
+        beside(x)
+            .into_iter()
+            .any(|x| beside(y).into_iter().any(|y| x >= 0.0 && y >= 0.0 && free.get(x as usize, y as usize)))
     })
 }
 

@@ -117,9 +117,8 @@ impl Walk {
         }
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
         let grown = Aabb { min: aabb.min.map(|v| v - ARM), max: aabb.max.map(|v| v + ARM) };
-        let here = |&(x, y): &(usize, usize)| {
-            self.standing.get(x, y) && index.is_none_or(|i| self.room_at((x, y)) == i)
-        };
+        let here =
+            |&(x, y): &(usize, usize)| self.standing.get(x, y) && index.is_none_or(|i| self.room_at((x, y)) == i);
         self.cells(&grown).filter(here).any(|cell| self.distance(cell, aabb) <= ARM)
     }
 
