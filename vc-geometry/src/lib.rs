@@ -5,7 +5,12 @@
 //! | [`grid`] | bit grids of the floor: free cells, discs, connected parts, painted outlines |
 //! | [`walk`] | shortest walks over free cells |
 //! | [`outline`] | convex outlines in the plane: hull, containment, crossing |
+//! | [`profile`] | outlines of any form cut into trapezia |
 //! | [`hull`] | convex hulls of points in space, exact or rough |
+//! | [`cut`] | surfaces cut by planes, into convex pieces |
+//! | [`tree`] | which of many boxes overlap: a tree, and all pairs at once |
+//! | [`cache`] | what is computed once for each asset of a library |
+//! | [`order`] | comparisons of numbers in few instructions |
 //! | this one | [`shapes`] for things of which only a box is known |
 //!
 //! Lengths are metres unless a name says cells. Nothing here knows scenes, bodies or engines, except for [`shapes`].
@@ -37,7 +42,9 @@
 #![warn(clippy::disallowed_methods)]
 
 mod block;
+pub mod cache;
 mod corner;
+pub mod cut;
 mod door;
 mod floor;
 mod form;
@@ -46,8 +53,11 @@ pub mod grid;
 pub mod hull;
 mod level;
 mod opening;
+pub mod order;
 pub mod outline;
+pub mod profile;
 mod share;
+pub mod tree;
 pub mod walk;
 mod wall;
 

@@ -8,6 +8,10 @@ mod grids;
 mod hulls;
 #[path = "geometry/outlines.rs"]
 mod outlines;
+#[path = "geometry/profiles.rs"]
+mod profiles;
+#[path = "geometry/trees.rs"]
+mod trees;
 #[path = "geometry/walks.rs"]
 mod walks;
 
