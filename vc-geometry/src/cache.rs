@@ -1,4 +1,4 @@
-//! What is computed once for each asset of a library, and shared by worlds, clones and threads.
+//! Values that are computed once for each asset of a library, and shared by worlds, clones and threads.
 
 use std::collections::HashMap;
 use std::hash::Hash;

@@ -9,7 +9,7 @@
 //! | [`hull`] | convex hulls of points in space, exact or rough |
 //! | [`cut`] | surfaces cut by planes, into convex pieces |
 //! | [`tree`] | which of many boxes overlap: a tree, and all pairs at once |
-//! | [`cache`] | what is computed once for each asset of a library |
+//! | [`cache`] | values that are computed once for each asset of a library |
 //! | [`order`] | comparisons of numbers in few instructions |
 //! | this one | [`shapes`] for things of which only a box is known |
 //!
