@@ -45,8 +45,8 @@ proptest! {
     fn a_segment_crosses_an_outline_if_some_of_its_points_are_inside(all in points(9), ends in [point(), point()]) {
         let outline = hull(all);
         prop_assume!(outline.len() > 2 && ends[0] != ends[1]);
-        let along = (0..=2000).map(|i| ends[0] + (ends[1] - ends[0]) * (i as f32 / 2000.0));
-        let met = along.map(|p| contains(&outline, &[p])).any(|inside| inside);
+        let mut along = (0..=2000).map(|i| ends[0] + (ends[1] - ends[0]) * (i as f32 / 2000.0));
+        let met = along.any(|p| contains(&outline, &[p]));
         // Points at which a segment only touches a corner may fall between the samples.
         prop_assert!(!met || crosses(&outline, &ends[0], &ends[1]));
         let apart = outline.iter().all(|p| turn(&ends[0], &ends[1], p) > 0.0);
