@@ -1,5 +1,19 @@
-//! Geometry that several crates need and that is decided once: shapes for things of which only a box
-//! is known.
+//! Geometry that several crates need and that is decided once.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`grid`] | bit grids of the floor: free cells, discs, connected parts, painted outlines |
+//! | [`walk`] | shortest walks over free cells |
+//! | [`outline`] | convex outlines in the plane: hull, containment, crossing |
+//! | [`profile`] | outlines of any form cut into trapezia |
+//! | [`hull`] | convex hulls of points in space, exact or rough |
+//! | [`cut`] | surfaces cut by planes, into convex pieces |
+//! | [`tree`] | which of many boxes overlap: a tree, and all pairs at once |
+//! | [`cache`] | values that are computed once for each asset of a library |
+//! | [`order`] | comparisons of numbers in few instructions |
+//! | this one | [`shapes`] for things of which only a box is known |
+//!
+//! Lengths are metres unless a name says cells. Nothing here knows scenes, bodies or engines, except for [`shapes`].
 //!
 //! Scenes from elsewhere (VirtualHome's, the thesis's) give a thing a class and the box around it.
 //! [`shapes`] makes an [`Asset`] of each such box: boards, surfaces, hollows, doorways. An asset is
@@ -28,14 +42,23 @@
 #![warn(clippy::disallowed_methods)]
 
 mod block;
+pub mod cache;
 mod corner;
+pub mod cut;
 mod door;
 mod floor;
 mod form;
 mod furniture;
+pub mod grid;
+pub mod hull;
 mod level;
 mod opening;
+pub mod order;
+pub mod outline;
+pub mod profile;
 mod share;
+pub mod tree;
+pub mod walk;
 mod wall;
 
 use std::collections::BTreeMap;

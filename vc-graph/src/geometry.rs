@@ -72,6 +72,17 @@ pub struct Aabb {
 }
 
 impl Aabb {
+    /// The box around nothing: it overlaps no box, and joined with a box it gives that one.
+    pub const EMPTY: Self = Self {
+        min: Point3::new(f32::INFINITY, f32::INFINITY, f32::INFINITY),
+        max: Point3::new(f32::NEG_INFINITY, f32::NEG_INFINITY, f32::NEG_INFINITY),
+    };
+
+    /// The box around two points.
+    pub fn around(one: &Point3<f32>, other: &Point3<f32>) -> Self {
+        Self { min: one.inf(other), max: one.sup(other) }
+    }
+
     /// Centre of the box.
     pub fn centre(&self) -> Point3<f32> {
         nalgebra::center(&self.min, &self.max)
@@ -100,6 +111,47 @@ impl Aabb {
     /// ```
     pub fn gap(&self, other: &Self) -> f32 {
         (0..3).map(|i| (self.min[i] - other.max[i]).max(other.min[i] - self.max[i])).fold(f32::NEG_INFINITY, f32::max)
+    }
+
+    /// Whether two boxes overlap or touch.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_graph::Aabb;
+    /// let unit = Aabb::around(&Point3::origin(), &Point3::new(1.0, 1.0, 1.0));
+    /// let above = Aabb::around(&Point3::new(0.5, 0.5, 1.5), &Point3::new(1.5, 1.5, 2.0));
+    /// assert!(!unit.meets(&above) && unit.meets_in_plan(&above) && unit.grown(0.0, 0.5).meets(&above));
+    /// assert_eq!(unit.distance_squared(&above), 0.25);
+    /// assert!(!unit.meets(&Aabb::EMPTY) && unit.joined(&Aabb::EMPTY) == unit);
+    /// ```
+    #[inline]
+    pub fn meets(&self, other: &Self) -> bool {
+        self.meets_in_plan(other) && self.min.z <= other.max.z && self.max.z >= other.min.z
+    }
+
+    /// Whether two boxes overlap or touch in plan: seen from above.
+    #[inline]
+    pub fn meets_in_plan(&self, other: &Self) -> bool {
+        (self.min.x <= other.max.x)
+            & (self.max.x >= other.min.x)
+            & (self.min.y <= other.max.y)
+            & (self.max.y >= other.min.y)
+    }
+
+    /// Squared distance between two boxes, square metres.
+    #[inline]
+    pub fn distance_squared(&self, other: &Self) -> f32 {
+        // Comparisons of numbers that are no NaN: a single instruction each, unlike `f32::max`.
+        let more = |a: f32, b: f32| if b > a { b } else { a };
+        let apart = |i: usize| more(more(self.min[i] - other.max[i], other.min[i] - self.max[i]), 0.0);
+        let (x, y, z) = (apart(0), apart(1), apart(2));
+        x * x + y * y + z * z
+    }
+
+    /// The box extended on all sides: by `sides` along X and Y, by `up_and_down` along Z, metres.
+    pub fn grown(&self, sides: f32, up_and_down: f32) -> Self {
+        let by = Vector3::new(sides, sides, up_and_down);
+        Self { min: self.min - by, max: self.max + by }
     }
 
     /// The smallest box that contains both.

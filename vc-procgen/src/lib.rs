@@ -23,7 +23,6 @@
 #![warn(clippy::disallowed_methods)]
 
 mod apartment;
-mod bits;
 pub mod catalogue;
 pub mod check;
 mod clutter;

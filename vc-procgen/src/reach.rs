@@ -1,19 +1,26 @@
 //! Reachability: a person, as a disc of 25 cm radius, moves over the floor from the front door on.
 
+use std::sync::LazyLock;
+
+use vc_geometry::grid::{BitGrid, Disc, ceiling, floor};
+
 use crate::apartment::Apartment;
-use crate::bits::{Bits, ceiling, floor};
 use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
 /// The radius of a person, in cells.
 pub(crate) const BODY: usize = 5;
+/// The cells that a person takes up.
+pub(crate) static PERSON: LazyLock<Disc> = LazyLock::new(|| Disc::touching(BODY));
 /// A person's height, metres: objects that hang above it are no obstacle.
 const HEIGHT: f32 = 1.7;
 /// The height of objects that a person steps over, metres.
 const STEP: f32 = 0.03;
 /// The distance that a person can reach, in cells: a metre, less the rounding of the objects'
 /// sizes.
-pub(crate) const ARM: usize = 19;
+const ARM: f32 = 19.0;
+/// The cells within reach of a person.
+pub(crate) static REACH: LazyLock<Disc> = LazyLock::new(|| Disc::within(ARM));
 /// The margin around the plan, in cells.
 const MARGIN: i32 = 10;
 
@@ -22,9 +29,9 @@ const MARGIN: i32 = 10;
 pub(crate) struct Reach {
     west: i32,
     south: i32,
-    standing: Bits,
+    standing: BitGrid,
     /// For each room the standing positions within it or in its doorways.
-    within: Vec<Bits>,
+    within: Vec<BitGrid>,
 }
 
 impl Apartment {
@@ -44,7 +51,7 @@ impl Reach {
     pub(crate) fn of(plan: &Plan, items: &[Item]) -> Self {
         let hull = plan.hull().grown(MARGIN);
         let (west, south) = (hull.x0, hull.y0);
-        let mut floor = Bits::new(hull.width() as usize, hull.depth() as usize);
+        let mut floor = BitGrid::new(hull.width() as usize, hull.depth() as usize);
         let mut fill = |r: &Rect, value| floor.fill((r.x0 - west, r.x1 - west), (r.y0 - south, r.y1 - south), value);
         for room in &plan.rooms {
             room.net().iter().for_each(|r| fill(r, true));
@@ -60,7 +67,7 @@ impl Reach {
                 fill(&outward(&item.area()), false);
             }
         }
-        let free = floor.inverted().dilated(BODY).inverted();
+        let free = floor.inverted().dilated(&PERSON).inverted();
         let start = plan.openings.iter().find(|o| o.kind == OpeningKind::Entrance).and_then(|o| {
             let inside = o.before(o.high.is_some(), 2 * BODY as i32 + 6);
             free.first((inside.x0 - west, inside.x1 - west), (inside.y0 - south, inside.y1 - south))
@@ -90,7 +97,7 @@ impl Reach {
     pub(crate) fn touches(&self, room: usize, area: &Area) -> bool {
         let r = outward(area);
         let (x, y) = ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south));
-        self.within[room].first_within(x, y, ARM).is_some()
+        self.within[room].first_near(x, y, &REACH).is_some()
     }
 }
 

@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
-use vc_graph::{Frame, Node, NodeId, Property, State};
+use vc_graph::{Aabb, Frame, Node, NodeId, Property, State};
 
 use crate::form::{Form, Piece};
-use crate::region::Region;
 use crate::solid::{Round, Solid};
 use crate::threshold::{CORNER_SHARE, CORNERS_WITHIN, LYING_TILT, RIM_MARGIN, ROUND_CORNER_SHARE};
 
@@ -72,7 +71,7 @@ pub(crate) struct Body {
     /// The oriented bounding box of the whole body.
     pub(crate) whole: Solid,
     /// The axis-aligned box in the world around everything.
-    pub(crate) region: Region,
+    pub(crate) region: Aabb,
     /// The node's own axes.
     pub(crate) heading: Matrix3<f32>,
     /// Whether its box is upright and aligned with these axes.
@@ -105,7 +104,7 @@ impl Body {
             posture: posture(node),
             solids: Vec::with_capacity(form.pieces.len()),
             whole: put(&whole, &turn, &frame.translation.vector, &scale),
-            region: Region::EMPTY,
+            region: Aabb::EMPTY,
             heading: own,
             level: false,
             inverse: frame.inverse(),
@@ -204,7 +203,7 @@ impl Body {
 
     /// Height of its lowest point, metres.
     pub(crate) fn base(&self) -> f32 {
-        self.region.low.z
+        self.region.min.z
     }
 
     pub(crate) fn lies(&self) -> bool {

@@ -11,11 +11,10 @@
 //! the start is hit at once.
 
 use nalgebra::Vector3;
-use vc_graph::{Edge, NodeId, Relation};
+use vc_graph::{Aabb, Edge, NodeId, Relation};
 
 use crate::body::Body;
 use crate::near::Side;
-use crate::region::Region;
 use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::world::World;
@@ -60,8 +59,8 @@ impl Trace {
 pub(crate) fn trace(world: &World, index: usize, trace: Trace) -> Option<(usize, f32)> {
     let body = world.bodies[index].as_deref()?;
     let (along, limit) = trace.way(body);
-    let start = Region { low: body.whole.low, high: body.whole.high };
-    let end = Region { low: start.low + along * limit, high: start.high + along * limit };
+    let start = body.whole.region();
+    let end = Aabb { min: start.min + along * limit, max: start.max + along * limit };
     let region = start.joined(&end);
     let mut best: Option<(f32, usize)> = None;
     world.tree.each(&region, |other| {
@@ -76,7 +75,7 @@ pub(crate) fn trace(world: &World, index: usize, trace: Trace) -> Option<(usize,
     best.map(|(way, other)| (other, way))
 }
 
-fn nearest(whole: &Solid, target: &Body, along: &Vector3<f32>, limit: f32, region: &Region) -> Option<f32> {
+fn nearest(whole: &Solid, target: &Body, along: &Vector3<f32>, limit: f32, region: &Aabb) -> Option<f32> {
     let near = target.solids.iter().filter(|s| s.meets(region, 0.0));
     let hits = near.filter_map(|s| sweep(whole, s, along, limit)).map(|hit| hit.way.max(0.0));
     hits.min_by(f32::total_cmp)

@@ -2,10 +2,10 @@
 //! faithful approximation.
 
 use nalgebra::{Matrix3, Point3, Vector3};
+use vc_geometry::order::{less, more};
 use vc_graph::portable::Portable;
 
 use crate::hollow;
-use crate::region::{less, more};
 use crate::solid::Round;
 use crate::threshold::{AXIS_HOLE, COLUMNS, FULL_MESH, SLICES, STAVES, THIN_SLICE};
 

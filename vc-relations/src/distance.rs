@@ -1,8 +1,8 @@
 //! Distance between two oriented boxes.
 
 use nalgebra::Vector3;
+use vc_geometry::order::less;
 
-use crate::region::less;
 use crate::solid::Solid;
 
 /// Distance between two boxes, metres; zero if they overlap. Exact. Costs about a microsecond.

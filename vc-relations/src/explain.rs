@@ -1,14 +1,13 @@
 //! Explanations of why a relation between two things holds or does not.
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::{Edge, NodeId};
+use vc_graph::{Aabb, Edge, NodeId};
 
 use crate::body::Body;
 use crate::box_trace::{self, Trace};
 use crate::edges::Reader;
 use crate::explanation::{Explanation, Hit, Hook, Seat, Traced, Verdict, Within};
 use crate::pair::{self, Contact, Hooked};
-use crate::region::Region;
 use crate::relations::Relations;
 use crate::rule::Rule;
 use crate::sight;
@@ -180,7 +179,7 @@ impl Relations {
 }
 
 /// Centre of the overlap of two regions in plan, at a given height.
-fn over_both(a: &Region, b: &Region, height: f32) -> Point3<f32> {
-    let (low, high) = (a.low.sup(&b.low), a.high.inf(&b.high));
+fn over_both(a: &Aabb, b: &Aabb, height: f32) -> Point3<f32> {
+    let (low, high) = (a.min.sup(&b.min), a.max.inf(&b.max));
     Point3::new(f32::midpoint(low.x, high.x), f32::midpoint(low.y, high.y), height)
 }

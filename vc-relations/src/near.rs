@@ -1,11 +1,11 @@
 //! Distance between two boxes, and the sides of each other at which they are.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
+use vc_geometry::order::{less, more};
 use vc_graph::Relation;
 
 use crate::body::Body;
 use crate::distance::distance;
-use crate::region::{less, more};
 use crate::solid::Solid;
 use crate::threshold::{NEAR_REACH, SIDE_SHARE, TRACE_START};
 

@@ -4,10 +4,10 @@
 //! pairs again, and the result is that of a full rebuild.
 
 use nalgebra::Vector3;
+use vc_graph::Aabb;
 
 use crate::body::{Body, Posture};
 use crate::near::{self, Side};
-use crate::region::Region;
 use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
     BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, RIM_MARGIN, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
@@ -108,7 +108,7 @@ fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
 
 /// Whether a container holds a content. The building holds nothing.
 pub(crate) fn holds(container: &Body, content: &Body) -> bool {
-    let centre = Region { low: content.whole.centre, high: content.whole.centre };
+    let centre = Aabb { min: content.whole.centre.into(), max: content.whole.centre.into() };
     container.region.grown(RIM_MARGIN, RIM_MARGIN).meets(&centre)
         && !container.traits.fixed
         && !content.traits.fixed
@@ -123,7 +123,7 @@ pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
         && own.y <= outer.whole.half.y
         && own.z <= outer.whole.half.z
         && inner.base() >= outer.base() - SUPPORT_TIE
-        && inner.region.high.z >= outer.base() + SUPPORT_SINK
+        && inner.region.max.z >= outer.base() + SUPPORT_SINK
 }
 
 /// The least gap between parts, up to [`HANG_GAP`]; negative if they overlap.
@@ -158,7 +158,7 @@ pub(crate) struct Contact {
 /// The contact nearest to zero with which one body rests on another.
 pub(crate) fn rest(a: &Body, b: &Body) -> f32 {
     let limit = if a.traits.boxed || b.traits.boxed { BOX_GAP } else { SUPPORT_GAP };
-    if a.traits.fixed || a.region.low.z - b.region.high.z > limit {
+    if a.traits.fixed || a.region.min.z - b.region.max.z > limit {
         return f32::INFINITY;
     }
     let mut best = f32::INFINITY;
@@ -174,14 +174,14 @@ pub(crate) fn rest(a: &Body, b: &Body) -> f32 {
 
 fn is_over_middle(a: &Body, b: &Body) -> bool {
     let own = b.whole.axes.tr_mul(&(a.whole.centre - b.whole.centre)).abs();
-    own.x <= b.whole.half.x && own.y <= b.whole.half.y && (b.whole.centre.z..=b.region.high.z).contains(&a.base())
+    own.x <= b.whole.half.x && own.y <= b.whole.half.y && (b.whole.centre.z..=b.region.max.z).contains(&a.base())
 }
 
 /// Calls `found` with every contact that a trace down from a part finds, within `limit`, with a part whose
 /// centre is lower.
 pub(crate) fn contacts(a: &Body, b: &Body, limit: f32, mut found: impl FnMut(Contact)) {
-    let over = |s: &Solid| s.region().meets_in_plan(&b.region) && s.low.z - b.region.high.z <= limit;
-    let under = |t: &Solid| t.region().meets_in_plan(&a.region) && a.region.low.z - t.high.z <= limit;
+    let over = |s: &Solid| s.region().meets_in_plan(&b.region) && s.low.z - b.region.max.z <= limit;
+    let under = |t: &Solid| t.region().meets_in_plan(&a.region) && a.region.min.z - t.high.z <= limit;
     let lower: Vec<(usize, &Solid)> = b.solids.iter().enumerate().filter(|(_, t)| under(t)).collect();
     if lower.is_empty() {
         return;
@@ -217,11 +217,11 @@ fn below(part: &Solid, core: &Solid, other: &Solid, limit: f32) -> Option<(f32, 
 /// middle of this body's box straight up.
 pub(crate) fn over(a: &Body, b: &Body) -> Option<(f32, usize)> {
     let middle = a.whole.centre.z;
-    if a.traits.structure || b.region.high.z <= middle || b.region.low.z > a.region.high.z + UNDER_REACH {
+    if a.traits.structure || b.region.max.z <= middle || b.region.min.z > a.region.max.z + UNDER_REACH {
         return None;
     }
     let middle_half = (a.whole.high - a.whole.low) * (UNDER_CORE / 2.0);
-    let middle_region = Region { low: a.whole.centre - middle_half, high: a.whole.centre + middle_half };
+    let middle_region = Aabb { min: (a.whole.centre - middle_half).into(), max: (a.whole.centre + middle_half).into() };
     if !middle_region.meets_in_plan(&b.region) {
         return None;
     }
@@ -280,7 +280,7 @@ fn seated(a: &Body, b: &Body) -> bool {
 /// Height of the top of the other body under this one's centre, as a share of this one's height; if there are
 /// several pieces, the one nearest to the hips.
 pub(crate) fn seat_share(a: &Body, b: &Body) -> Option<f32> {
-    let (low, height, centre) = (a.region.low.z, a.region.high.z - a.region.low.z, a.whole.centre);
+    let (low, height, centre) = (a.region.min.z, a.region.max.z - a.region.min.z, a.whole.centre);
     let is_below = |s: &&Solid| (s.low.x..=s.high.x).contains(&centre.x) && (s.low.y..=s.high.y).contains(&centre.y);
     let shares = b.solids.iter().filter(is_below).map(|s| (s.high.z - low) / height.max(1e-3));
     shares.reduce(|best, other| if past_hips(other) < past_hips(best) { other } else { best })

@@ -214,7 +214,7 @@ impl Relations {
     }
 
     /// The bodies that may face a body, at its old and new places.
-    fn watchers(&self, index: usize, before: Option<crate::region::Region>) -> Vec<u32> {
+    fn watchers(&self, index: usize, before: Option<vc_graph::Aabb>) -> Vec<u32> {
         let now = self.world.bodies[index].as_deref();
         let mut watchers = Vec::new();
         if now.is_some_and(|b| !b.traits.lookable) {

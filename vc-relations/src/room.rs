@@ -3,13 +3,12 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use vc_graph::{Kind, NodeId, Relation, SceneGraph};
+use vc_geometry::tree::Tree;
+use vc_graph::{Aabb, Kind, NodeId, Relation, SceneGraph};
 
 use crate::body::Body;
-use crate::region::Region;
 use crate::solid::{Round, Solid};
 use crate::threshold::{BESIDE_DOOR, DOOR_SQUARE, ROOM_MARGIN, STOREY};
-use crate::tree::Tree;
 
 /// Rooms as oriented boxes above their floors.
 #[derive(Debug, Clone, Default)]
@@ -29,7 +28,7 @@ impl Rooms {
         let (mut boxes, mut of_rooms) = (Vec::new(), BTreeMap::new());
         for &room in graph.rooms() {
             let own = body(room);
-            let height = own.as_ref().map(|b| (b.region.low.z, b.region.high.z));
+            let height = own.as_ref().map(|b| (b.region.min.z, b.region.max.z));
             let floors: Vec<Body> = floors_of(graph, room).filter_map(&body).collect();
             of_rooms.extend(floors.iter().map(|floor| (floor.id, room)));
             let mut put = |s: &Solid, storey: (f32, f32)| boxes.push((over(s, height.unwrap_or(storey)), room));
@@ -59,7 +58,7 @@ impl Rooms {
     /// one within the thickness of a wall.
     pub(crate) fn at(&self, point: &Vector3<f32>) -> Option<NodeId> {
         let mut best: Option<(f32, NodeId)> = None;
-        self.tree.each(&Region { low: *point, high: *point }, |index| {
+        self.tree.each(&Aabb { min: (*point).into(), max: (*point).into() }, |index| {
             let (over, room) = &self.boxes[index];
             let (depth, room) = (depth(over, point), *room);
             if best.is_none_or(|(d, r)| depth > d || (depth == d && room < r)) {

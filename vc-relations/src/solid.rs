@@ -1,8 +1,9 @@
 //! Convex solids in the world, and separating-axis tests between two of them.
 
 use nalgebra::{Matrix3, Vector3};
+use vc_geometry::order::{less, more};
+use vc_graph::Aabb;
 
-use crate::region::{Region, less, more};
 use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
 
 /// Shape of a solid within its box.
@@ -54,14 +55,14 @@ impl Solid {
         }
     }
 
-    pub(crate) fn region(&self) -> Region {
-        Region { low: self.low, high: self.high }
+    pub(crate) fn region(&self) -> Aabb {
+        Aabb { min: self.low.into(), max: self.high.into() }
     }
 
     /// Whether its world-aligned box is within a margin of a region, metres.
     #[inline]
-    pub(crate) fn meets(&self, region: &Region, margin: f32) -> bool {
-        (0..3).all(|k| self.low[k] <= region.high[k] + margin && self.high[k] + margin >= region.low[k])
+    pub(crate) fn meets(&self, region: &Aabb, margin: f32) -> bool {
+        (0..3).all(|k| self.low[k] <= region.max[k] + margin && self.high[k] + margin >= region.min[k])
     }
 
     /// Half extent along a direction of unit length.

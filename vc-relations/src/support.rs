@@ -273,7 +273,7 @@ impl<'w> Supports<'w> {
         let body = |i: usize| self.world.bodies[i].as_deref();
         let moves = |i: usize| body(i).is_some_and(|b| b.traits.moves);
         let larger = || {
-            let size = |i: usize| body(i).map_or(0.0, |b| (b.region.high - b.region.low).product());
+            let size = |i: usize| body(i).map_or(0.0, |b| (b.region.max - b.region.min).product());
             size(index) > size(other)
         };
         (moves(index) || !moves(other) || !larger()) && self.is_firm(other)

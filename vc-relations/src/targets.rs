@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use vc_geometry::tree::Tree;
+use vc_graph::Aabb;
+
 use crate::body::Body;
-use crate::region::Region;
-use crate::tree::Tree;
 
 /// The lookable bodies of a scene, a small part of all.
 #[derive(Debug, Clone, Default)]
@@ -16,7 +17,7 @@ pub(crate) struct Targets {
 
 impl Targets {
     pub(crate) fn new(bodies: &[Option<Arc<Body>>]) -> Self {
-        let (items, regions): (Vec<u32>, Vec<Region>) =
+        let (items, regions): (Vec<u32>, Vec<Aabb>) =
             (0..).zip(bodies).filter_map(|(item, body)| Some((item, region(body)?))).unzip();
         Self { items, tree: Tree::new(&regions) }
     }
@@ -24,7 +25,7 @@ impl Targets {
     /// Updates a body that has moved, come or gone. `None` if it was not a target before and is one now.
     pub(crate) fn set(&mut self, item: usize, body: &Option<Arc<Body>>) -> Option<()> {
         match (self.items.binary_search(&(item as u32)), region(body)) {
-            (Ok(place), now) => self.tree.set(place, now.unwrap_or(Region::EMPTY)),
+            (Ok(place), now) => self.tree.set(place, now.unwrap_or(Aabb::EMPTY)),
             (Err(_), Some(_)) => return None,
             (Err(_), None) => {}
         }
@@ -32,12 +33,12 @@ impl Targets {
     }
 
     /// Calls `found` with every target that overlaps a region, in unspecified order.
-    pub(crate) fn each(&self, region: &Region, mut found: impl FnMut(usize)) {
+    pub(crate) fn each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
         self.tree.each(region, |place| found(self.items[place] as usize));
     }
 }
 
 /// The region of a body, if it is lookable.
-fn region(body: &Option<Arc<Body>>) -> Option<Region> {
+fn region(body: &Option<Arc<Body>>) -> Option<Aabb> {
     body.as_ref().filter(|b| b.traits.lookable).map(|b| b.region)
 }

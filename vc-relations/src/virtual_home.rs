@@ -15,11 +15,10 @@
 //! their scores are not held-out ones.
 
 use nalgebra::Point3;
+use vc_geometry::tree::Tree;
 use vc_graph::{Aabb, Edge, Kind, Node, NodeId, Relation, SceneGraph};
 
-use crate::region::Region;
 use crate::threshold::{VH_CAST, VH_CLOSE, VH_FAR, VH_FOOTPRINT, VH_ROUNDING};
-use crate::tree::Tree;
 
 struct Item<'g> {
     id: NodeId,
@@ -60,10 +59,9 @@ pub(crate) fn edges(graph: &SceneGraph) -> Vec<Edge> {
     let items: Vec<Item<'_>> = graph.nodes().filter_map(item).collect();
     let (rooms, things): (Vec<Item<'_>>, Vec<Item<'_>>) = items.into_iter().partition(|i| i.node.kind() == Kind::Room);
     let mut edges = Vec::new();
-    let reach = |i: &Item<'_>| Region { low: i.aabb.min.coords, high: i.aabb.max.coords };
-    let tree = Tree::new(&things.iter().map(reach).collect::<Vec<_>>());
+    let tree = Tree::new(&things.iter().map(|i| i.aabb).collect::<Vec<_>>());
     for (i, a) in things.iter().enumerate() {
-        tree.each(&reach(a).grown(VH_CLOSE, VH_CLOSE), |j| {
+        tree.each(&a.aabb.grown(VH_CLOSE, VH_CLOSE), |j| {
             if i != j {
                 pair(a, &things[j], &mut edges);
             }

@@ -1,9 +1,10 @@
 //! Walls between things.
 
+use vc_geometry::tree::Tree;
+use vc_graph::Aabb;
+
 use crate::body::Body;
-use crate::region::Region;
 use crate::solid::Solid;
-use crate::tree::Tree;
 
 /// Solids of walls, floors and ceilings.
 #[derive(Debug, Clone, Default)]
@@ -32,7 +33,7 @@ impl Walls {
     /// Whether part of the building is between the centres of two bodies, whatever rooms they are in.
     pub(crate) fn is_between(&self, a: &Body, b: &Body) -> bool {
         let (from, to) = (a.whole.centre, b.whole.centre);
-        let (way, region) = (to - from, Region::around(&from, &to));
+        let (way, region) = (to - from, Aabb::around(&from.into(), &to.into()));
         let mut crossed = false;
         self.tree.each(&region, |wall| {
             let wall = &self.pieces[wall];
@@ -56,7 +57,7 @@ impl<'w> Among<'w> {
 
     /// Collects them.
     pub(crate) fn gather<'b>(&mut self, a: &Body, others: impl Iterator<Item = &'b Body>) {
-        let middle = |b: &Body| Region { low: b.whole.centre, high: b.whole.centre };
+        let middle = |b: &Body| Aabb { min: b.whole.centre.into(), max: b.whole.centre.into() };
         let apart = others.filter(|b| are_apart(a, b) && !b.traits.structure);
         let ways = apart.map(middle).reduce(|all, b| all.joined(&b));
         self.near.clear();
@@ -71,7 +72,7 @@ impl<'w> Among<'w> {
             return false;
         }
         let (from, to) = (a.whole.centre, b.whole.centre);
-        let (way, region) = (to - from, Region::around(&from, &to));
+        let (way, region) = (to - from, Aabb::around(&from.into(), &to.into()));
         let crosses = |wall: &Solid| wall.meets(&region, 0.0) && wall.is_crossed(&from, &way);
         self.near.iter().any(|&wall| crosses(&self.walls.pieces[wall as usize]))
     }

@@ -3,19 +3,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use vc_graph::{AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
+use vc_geometry::cache::AssetCache;
+use vc_geometry::tree::{Meetings, Tree};
+use vc_graph::{Aabb, AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::evidence::Evidence;
 use crate::facts::Facts;
 use crate::form::Form;
 use crate::pair::{self, Pair};
-use crate::region::Region;
 use crate::room::Rooms;
-use crate::sweep::Meetings;
 use crate::targets::Targets;
 use crate::threshold::{NEAR_REACH, REACH_SLACK, UNDER_REACH};
-use crate::tree::Tree;
 use crate::walls::{Among, Walls};
 
 /// The bodies of a scene, in the order of their node numbers.
@@ -34,24 +33,18 @@ pub(crate) struct World {
     forms: Forms,
 }
 
-/// Forms by asset, computed on first use.
+/// Forms by asset, computed on first use; clones share them.
 #[derive(Debug, Clone, Default)]
 struct Forms {
     library: Arc<AssetLibrary>,
-    known: BTreeMap<AssetId, Arc<Form>>,
+    known: Arc<AssetCache<AssetId, Form>>,
 }
 
 impl Forms {
-    fn of(&mut self, node: &Node) -> Option<Arc<Form>> {
+    fn of(&self, node: &Node) -> Option<Arc<Form>> {
         if let Some(id) = node.spec().asset {
-            let form = match self.known.get(&id) {
-                Some(form) => form.clone(),
-                None => {
-                    let form = Arc::new(Form::new(self.library.get(id)?));
-                    self.known.insert(id, form.clone());
-                    form
-                }
-            };
+            let asset = self.library.get(id)?;
+            let form = self.known.get(&self.library, id, |_| Form::new(asset));
             if !form.pieces.is_empty() {
                 return Some(form);
             }
@@ -76,7 +69,7 @@ impl World {
     /// Rebuilds everything; the forms of assets are kept.
     pub(crate) fn rebuild(&mut self, graph: &SceneGraph, evidence: &Evidence) {
         if !self.knows(graph.assets()) {
-            self.forms = Forms { library: graph.assets().clone(), known: BTreeMap::new() };
+            self.forms = Forms { library: graph.assets().clone(), known: Arc::default() };
         }
         self.rooms = self.find_rooms(graph);
         self.ids = graph.nodes().map(Node::id).collect();
@@ -92,7 +85,7 @@ impl World {
         self.measure_all();
     }
 
-    fn find_rooms(&mut self, graph: &SceneGraph) -> Rooms {
+    fn find_rooms(&self, graph: &SceneGraph) -> Rooms {
         let mut bodies = BTreeMap::new();
         let floors = graph.rooms().iter().flat_map(|&room| graph.relating(Relation::InRoom, room));
         for id in floors.chain(graph.rooms().iter().copied()) {
@@ -105,7 +98,7 @@ impl World {
         Rooms::new(graph, |id| bodies.get(&id).cloned())
     }
 
-    fn body(&mut self, node: &Node, evidence: &Evidence) -> Option<Arc<Body>> {
+    fn body(&self, node: &Node, evidence: &Evidence) -> Option<Arc<Body>> {
         if node.kind() == Kind::Room {
             return None;
         }
@@ -126,7 +119,7 @@ impl World {
         let mut pairs = std::mem::take(&mut self.pairs);
         pairs.iter_mut().for_each(Vec::clear);
         pairs.resize_with(self.bodies.len(), || Vec::with_capacity(16));
-        let zones: Vec<Region> = self.bodies.iter().map(|b| zone(b, 0.5)).collect();
+        let zones: Vec<Aabb> = self.bodies.iter().map(|b| zone(b, 0.5)).collect();
         let meetings = Meetings::new(&zones);
         let mut walls = Among::new(&self.walls);
         for (i, a) in self.bodies.iter().enumerate() {
@@ -205,7 +198,7 @@ impl World {
     pub(crate) fn below(&self, index: usize) -> Vec<usize> {
         let Some(body) = &self.bodies[index] else { return Vec::new() };
         let mut column = body.region;
-        column.low.z -= UNDER_REACH;
+        column.min.z -= UNDER_REACH;
         let mut found = Vec::new();
         self.tree.each(&column, |other| {
             if other != index {
@@ -255,11 +248,11 @@ impl World {
     }
 }
 
-fn region(body: &Option<Arc<Body>>) -> Region {
-    body.as_ref().map_or(Region::EMPTY, |b| b.region)
+fn region(body: &Option<Arc<Body>>) -> Aabb {
+    body.as_ref().map_or(Aabb::EMPTY, |b| b.region)
 }
 
 /// The region in which other bodies can affect a body, or a share of its margin.
-fn zone(body: &Option<Arc<Body>>, share: f32) -> Region {
+fn zone(body: &Option<Arc<Body>>, share: f32) -> Aabb {
     region(body).grown(share * (NEAR_REACH + REACH_SLACK), share * (UNDER_REACH + REACH_SLACK))
 }

@@ -1,12 +1,12 @@
 //! The areas of the floor that bodies cover.
 
 use nalgebra::{Point2, Point3, Vector3};
+use vc_geometry::outline::{Outline, contains, hull, rectangle};
 use vc_graph::{NodeId, Pose};
 
-use super::outline::{Outline, contains, hull};
 use super::{Doors, FloorPlan};
 use crate::Role;
-use crate::shapes::{Footprint, Link, levels, rectangle};
+use crate::shapes::{Footprint, Link, levels};
 use crate::world::{Thing, World};
 
 /// Motion up to which a door counts as closed, metres.
@@ -147,7 +147,7 @@ fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Ou
     let piece = |corners: &Vec<Point3<f32>>| {
         let placed: Vec<Point3<f32>> = corners.iter().map(|p| pose * p).collect();
         let (low, high) = levels(&placed);
-        counts(low, high).then(|| hull(placed))
+        counts(low, high).then(|| hull(placed.iter().map(Point3::xy)))
     };
     link.hulls().iter().filter_map(piece).collect()
 }

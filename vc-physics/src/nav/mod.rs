@@ -1,23 +1,18 @@
 //! Navigation on the floor.
 
 pub(crate) mod avoid;
-mod bands;
 mod cover;
 mod occupancy;
-pub(crate) mod outline;
-mod raster;
-mod search;
-mod spans;
 mod stand;
 
 use nalgebra::Point2;
+use vc_geometry::grid::Raster;
+use vc_geometry::outline::{Outline, crosses};
+use vc_geometry::walk::{Bands, shortest};
 use vc_graph::NodeId;
 
 use crate::world::World;
-use bands::Bands;
 use cover::Cover;
-use outline::Outline;
-use raster::Raster;
 
 pub use occupancy::Occupancy;
 pub use stand::Stand;
@@ -144,7 +139,7 @@ impl Floor {
         for outline in self.covers.iter().flat_map(|c| &c.outlines) {
             raster.paint(outline, self.plan.radius, false);
         }
-        self.bands = Bands::of(raster);
+        self.bands = Bands::new(raster.cells());
     }
 
     /// The plan from which the floor was made.
@@ -164,12 +159,12 @@ impl Floor {
 
     /// Free area, square metres.
     pub fn area(&self) -> f32 {
-        self.raster.as_ref().map_or(0.0, |r| r.count() as f32 * r.cell * r.cell)
+        self.raster.as_ref().map_or(0.0, |r| r.cells().count() as f32 * r.cell() * r.cell())
     }
 
     /// Number of rectangles the free floor consists of.
     pub fn bands(&self) -> usize {
-        self.bands.all.len()
+        self.bands.len()
     }
 
     /// The shortest path from one point to another. A point up to 0.6 m off the free floor (a person close to a
@@ -183,7 +178,7 @@ impl Floor {
     fn corners(&self, from: Point2<f32>, to: Point2<f32>) -> Option<(Vec<Point2<f32>>, f32)> {
         let raster = self.raster.as_ref()?;
         let (start, goal) = (raster.nearest(&from, SNAP)?, raster.nearest(&to, SNAP)?);
-        let (corners, length) = search::shortest(&self.bands, raster.cells(&start), raster.cells(&goal))?;
+        let (corners, length) = shortest(&self.bands, raster.in_cells(&start), raster.in_cells(&goal))?;
         let mut points: Vec<Point2<f32>> = corners.into_iter().map(|c| raster.point(c)).collect();
         if let Some(first) = points.first_mut() {
             *first = start;
@@ -194,7 +189,7 @@ impl Floor {
         if start != from {
             points.insert(0, from);
         }
-        let length = (length * f64::from(raster.cell)) as f32 + (start - from).norm();
+        let length = (length * f64::from(raster.cell())) as f32 + (start - from).norm();
         Some((points, length))
     }
 
@@ -202,7 +197,7 @@ impl Floor {
     fn doors_on(&self, points: &[Point2<f32>]) -> Vec<NodeId> {
         let mut found = Vec::new();
         for pair in points.windows(2) {
-            let crossed = |c: &&Cover| c.gate.iter().any(|o| outline::crosses(o, &pair[0], &pair[1]));
+            let crossed = |c: &&Cover| c.gate.iter().any(|o| crosses(o, &pair[0], &pair[1]));
             let mut here: Vec<(f32, NodeId)> = self
                 .covers
                 .iter()

@@ -66,8 +66,8 @@ impl Floor {
         let cell = self.plan.cell;
         let none = Occupancy { origin: [0.0; 2], cell, columns: 0, rows: 0, free: Vec::new() };
         let Some(raster) = &self.raster else { return none };
-        let (columns, rows) = (raster.columns, raster.rows);
-        let free = (0..rows).flat_map(|row| (0..columns).map(move |column| raster.get(column, row))).collect();
-        Occupancy { origin: raster.low.into(), cell: raster.cell, columns, rows, free }
+        let (columns, rows) = (raster.cells().width(), raster.cells().height());
+        let free = (0..rows).flat_map(|row| (0..columns).map(move |column| raster.cells().get(column, row))).collect();
+        Occupancy { origin: raster.low().into(), cell: raster.cell(), columns, rows, free }
     }
 }

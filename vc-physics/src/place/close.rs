@@ -3,13 +3,13 @@
 use nalgebra::{Point2, Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
 use rapier3d::pipeline::QueryFilter;
+use vc_geometry::outline::hull;
 use vc_graph::asset::Hold;
 use vc_graph::{NodeId, Pose};
 
 use super::raster::spots;
 use super::way::{INTO, WITHIN, Way};
 use super::{GAP, Order, Shelf};
-use crate::nav::outline::hull;
 use crate::world::{Thing, World};
 use crate::{PhysicsError, convert, group};
 
@@ -95,7 +95,7 @@ fn column(thing: &Thing, turn: &UnitQuaternion<f32>) -> Option<SharedShape> {
     let corners = thing.form.links.iter().flat_map(|link| link.hulls().iter().flatten());
     let points: Vec<Point3<f32>> = corners.map(|corner| turn * corner).collect();
     let (low, high) = points.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), p| (l.min(p.z), h.max(p.z)));
-    let outline = hull(points);
+    let outline = hull(points.iter().map(Point3::xy));
     let middle = outline.iter().fold(Point2::origin(), |sum, p| sum + p.coords / outline.len() as f32);
     let wider = |p: &Point2<f32>| p + (p - middle).try_normalize(1e-6).unwrap_or_default() * AROUND;
     let wider: Vec<Point2<f32>> = outline.iter().map(wider).collect();

@@ -4,10 +4,10 @@ use std::f32::consts::FRAC_1_SQRT_2;
 use std::sync::OnceLock;
 
 use nalgebra::{Point2, Point3, Vector2, Vector3};
+use vc_geometry::outline::{Outline, contains, hull, rectangle};
 
 use super::piece::Piece;
 use super::scale;
-use crate::nav::outline::{Outline, contains, hull};
 
 /// The area that a piece covers of the floor while its asset stands upright.
 ///
@@ -47,7 +47,7 @@ impl Footprint {
             if self.is_its_box() {
                 return rectangle(&self.low.xy(), &self.high.xy());
             }
-            cylinder(&self.piece).unwrap_or_else(|| hull(scale::corners(&self.piece)))
+            cylinder(&self.piece).unwrap_or_else(|| hull(scale::corners(&self.piece).iter().map(Point3::xy)))
         })
     }
 
@@ -73,11 +73,6 @@ impl Footprint {
         let own = self.piece.shape.as_cuboid().map(|c| 8.0 * c.half_extents.x * c.half_extents.y * c.half_extents.z);
         own.is_some_and(|own| volume(self.high - self.low) <= own * (1.0 + SAME))
     }
-}
-
-/// The corners of the rectangle between two corners.
-pub(crate) fn rectangle(low: &Point2<f32>, high: &Point2<f32>) -> Outline {
-    vec![*low, Point2::new(high.x, low.y), *high, Point2::new(low.x, high.y)]
 }
 
 /// The outline of a cylinder, whose axis is the engine's Y: sixteen corners if it stands, four if it lies.

@@ -6,11 +6,11 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::MassProperties;
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Pose as EnginePose;
+use vc_geometry::cut::{self, Polygons};
 use vc_graph::asset::{Joint, Part, Shape, Surface};
 use vc_graph::class::Range;
 use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
 
-use super::cut::Corners;
 use super::footprint::{self, Footprint};
 use super::mass::{self, Moments};
 use super::piece::{self, Piece};
@@ -188,8 +188,8 @@ impl Link {
         parts.iter().for_each(|p| sum.add(p, library, by));
         let pieces = |part: &&Part| match &part.shape {
             Shape::Mesh { vertices, triangles, .. } if !joins => {
-                let (corners, polygons) = Corners::of(part, vertices, triangles, by);
-                corners.along_faces(polygons)
+                let (whole, polygons) = surface(part, vertices, triangles, by);
+                whole.along_faces(polygons, |corners| Piece::hull(&corners, &Vector3::z()))
             }
             _ => hollow::pieces(part, by, surfaces),
         };
@@ -236,6 +236,17 @@ fn without_trim<'a>(parts: &[&'a Part]) -> Vec<&'a Part> {
     // If two parts are in each other, the first is kept.
     let is_trim = |i: usize| boxes.iter().any(|&b| covers(b, i) && (b < i || !is_box(&i) || !covers(i, b)));
     (0..parts.len()).filter(|&i| !is_trim(i)).map(|i| parts[i]).collect()
+}
+
+/// A part's triangles in the frame of the scaled asset.
+pub(super) fn surface(
+    part: &Part,
+    vertices: &[Point3<f32>],
+    triangles: &[[u32; 3]],
+    by: &Vector3<f32>,
+) -> (cut::Surface, Polygons) {
+    let placed = vertices.iter().map(|v| Point3::from((part.pose * v).coords.component_mul(by)));
+    cut::Surface::new(placed.collect(), triangles)
 }
 
 /// The pieces of a part in the frame of the scaled asset.

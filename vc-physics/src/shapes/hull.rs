@@ -8,8 +8,8 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Vector;
 use rapier3d::parry::transformation::try_convex_hull;
+use vc_geometry::hull::{self, Rough};
 
-use super::quick::{self, Rough};
 use crate::convert;
 
 /// The setback of the corners that are not kept, per metre outside of the four. The engine merges faces that
@@ -119,13 +119,13 @@ fn bevelled(mut corners: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<SharedSh
 
 /// The triangles of the hull of points.
 pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
-    quick::triangles(points)
+    hull::triangles(points)
 }
 
 /// The corners and the triangles of the hull of points, from the engine's own algorithm if ours finds no
 /// volume.
 fn mesh(points: &[Point3<f32>], rough: Option<&Rough<'_>>) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
-    let triangles = rough.map_or_else(|| quick::triangles(points), |rough| quick::rough(points, rough));
+    let triangles = rough.map_or_else(|| hull::triangles(points), |rough| hull::rough(points, rough));
     let Some(mut triangles) = triangles else {
         let all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
         return try_convex_hull(&all).ok();

@@ -5,7 +5,9 @@
 //! many: things on it would sink in.) A merged piece never reaches into the free space above a surface that
 //! holds things, so that shelves stay open.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::Vector3;
+use vc_geometry::order::{less, more};
+use vc_graph::Aabb;
 use vc_graph::asset::Surface;
 
 use super::hollow;
@@ -18,9 +20,6 @@ const LOOKED_AT: usize = 256;
 
 /// The smallest side of a box in its volume, metres, so that flat pieces have a cost.
 const THIN: f32 = 0.001;
-
-/// The minimal and maximal corner of a box.
-pub(super) type Box3 = (Point3<f32>, Point3<f32>);
 
 /// [`MOST`] pieces or a few more; a smaller number stays as it is. Costs about the square of the number of
 /// pieces.
@@ -45,7 +44,7 @@ struct Pool {
     groups: Vec<Group>,
     boxes: Boxes,
     best: Vec<Option<(f32, usize)>>,
-    free: Vec<Box3>,
+    free: Vec<Aabb>,
     /// The wasted volume of each group with the group under consideration.
     wastes: Vec<f32>,
 }
@@ -62,16 +61,16 @@ struct Boxes {
 impl Boxes {
     fn push(&mut self, group: &Group) {
         for axis in 0..3 {
-            self.low[axis].push(group.extent.0[axis]);
-            self.high[axis].push(group.extent.1[axis]);
+            self.low[axis].push(group.extent.min[axis]);
+            self.high[axis].push(group.extent.max[axis]);
         }
         self.volume.push(group.volume);
     }
 
     fn set(&mut self, at: usize, group: &Group) {
         for axis in 0..3 {
-            self.low[axis][at] = group.extent.0[axis];
-            self.high[axis][at] = group.extent.1[axis];
+            self.low[axis][at] = group.extent.min[axis];
+            self.high[axis][at] = group.extent.max[axis];
         }
         self.volume[at] = group.volume;
     }
@@ -100,16 +99,8 @@ impl Boxes {
     }
 }
 
-fn less(a: f32, b: f32) -> f32 {
-    if b < a { b } else { a }
-}
-
-fn more(a: f32, b: f32) -> f32 {
-    if b > a { b } else { a }
-}
-
 impl Pool {
-    fn new(groups: Vec<Group>, free: Vec<Box3>) -> Self {
+    fn new(groups: Vec<Group>, free: Vec<Aabb>) -> Self {
         let mut boxes = Boxes::default();
         groups.iter().for_each(|g| boxes.push(g));
         let mut pool = Self { best: vec![None; groups.len()], groups, boxes, free, wastes: Vec::new() };
@@ -119,8 +110,8 @@ impl Pool {
 
     /// Whether the common box of two groups leaves the required spaces free.
     fn may_join(&self, a: usize, b: usize) -> bool {
-        let joint = around(self.groups[a].extent, self.groups[b].extent);
-        !self.free.iter().any(|f| overlap(*f, joint))
+        let joint = self.groups[a].extent.joined(&self.groups[b].extent);
+        !self.free.iter().any(|f| overlap(f, &joint))
     }
 
     /// The partner with which a group wastes the least volume, and that volume. Whether two groups may be
@@ -176,43 +167,42 @@ impl Pool {
 /// Pieces that become one.
 struct Group {
     first: Option<Piece>,
-    extent: Box3,
+    extent: Aabb,
     volume: f32,
 }
 
 impl Group {
     fn of(piece: Piece) -> Self {
-        let extent = piece.extent();
-        Self { extent, volume: volume(extent), first: Some(piece) }
+        let (min, max) = piece.extent();
+        let extent = Aabb { min, max };
+        Self { extent, volume: volume(&extent), first: Some(piece) }
     }
 
     fn join(&mut self, other: &Self) {
         self.first = None;
-        self.extent = around(self.extent, other.extent);
-        self.volume = volume(self.extent);
+        self.extent = self.extent.joined(&other.extent);
+        self.volume = volume(&self.extent);
     }
 
     fn piece(self) -> Option<Piece> {
-        self.first.or_else(|| Piece::hull(&[self.extent.0, self.extent.1], &Vector3::z()))
+        self.first.or_else(|| Piece::hull(&[self.extent.min, self.extent.max], &Vector3::z()))
     }
 }
 
 /// The middle of the space above a surface, a little inside its edges.
-fn free_space(surface: &Surface) -> Option<Box3> {
-    let (low, high) = hollow::space(surface)?;
+fn free_space(surface: &Surface) -> Option<Aabb> {
+    let Aabb { min: low, max: high } = hollow::space(surface)?;
     let size = high - low;
     let edge = Vector3::new(0.05 * size.x, 0.05 * size.y, 0.1 * size.z);
-    Some((low + edge.inf(&Vector3::new(f32::INFINITY, f32::INFINITY, 0.01)), high - edge))
+    let lifted = edge.inf(&Vector3::new(f32::INFINITY, f32::INFINITY, 0.01));
+    Some(Aabb { min: low + lifted, max: high - edge })
 }
 
-fn around(a: Box3, b: Box3) -> Box3 {
-    (a.0.inf(&b.0), a.1.sup(&b.1))
+fn volume(of: &Aabb) -> f32 {
+    (of.max - of.min).iter().map(|side| side.max(THIN)).product()
 }
 
-fn volume((low, high): Box3) -> f32 {
-    (high - low).iter().map(|side| side.max(THIN)).product()
-}
-
-fn overlap(a: Box3, b: Box3) -> bool {
-    (0..3).all(|i| a.0[i] < b.1[i] && b.0[i] < a.1[i])
+/// Whether two boxes have some volume in common.
+fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    (0..3).all(|i| a.min[i] < b.max[i] && b.min[i] < a.max[i])
 }

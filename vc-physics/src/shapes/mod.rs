@@ -1,6 +1,5 @@
 //! Conversion of assets to collision shapes and masses, computed once and shared.
 
-mod cut;
 mod footprint;
 mod form;
 mod hollow;
@@ -8,17 +7,16 @@ mod hull;
 mod mass;
 mod merge;
 mod piece;
-mod quick;
 mod scale;
-mod slab;
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, Weak};
+use std::sync::Arc;
 
+use vc_geometry::cache::AssetCache;
 use vc_graph::{AssetId, AssetLibrary, Node, Property, Relation, SceneGraph};
 
 use crate::role::is_structure;
-pub(crate) use footprint::{Footprint, levels, rectangle};
+pub(crate) use footprint::{Footprint, levels};
 use form::Kind;
 pub(crate) use form::{Form, Link};
 pub(crate) use mass::scaled;
@@ -38,16 +36,7 @@ pub(crate) use mass::scaled;
 /// triangles becomes a hull), so that doorways stay open. Mass and inertia always come from the parts and their
 /// materials.
 #[derive(Default)]
-pub struct Shapes {
-    libraries: Mutex<HashMap<usize, Library>>,
-}
-
-/// The forms of one library. The library is identified by its address, which is unique as long as the weak
-/// pointer lives.
-struct Library {
-    alive: Weak<AssetLibrary>,
-    forms: HashMap<Key, Arc<Form>>,
-}
+pub struct Shapes(AssetCache<Key, Form>);
 
 /// Asset, scale, and kind of form.
 type Key = (AssetId, [u32; 3], Kind);
@@ -66,27 +55,17 @@ impl Shapes {
 
     /// Number of cached shapes.
     pub fn len(&self) -> usize {
-        self.lock().values().map(|l| l.forms.len()).sum()
+        self.0.len()
     }
 
     /// Whether the cache is empty.
     pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<usize, Library>> {
-        // The map is consistent even if a thread panicked while it held the lock.
-        self.libraries.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+        self.0.is_empty()
     }
 
     /// Gives access to the forms of several nodes, under one lock.
     pub(crate) fn session<R>(&self, library: &Arc<AssetLibrary>, work: impl FnOnce(&mut Session<'_>) -> R) -> R {
-        let mut libraries = self.lock();
-        libraries.retain(|_, l| l.alive.strong_count() > 0);
-        let address = Arc::as_ptr(library) as usize;
-        let fresh = || Library { alive: Arc::downgrade(library), forms: HashMap::new() };
-        let forms = &mut libraries.entry(address).or_insert_with(fresh).forms;
-        work(&mut Session { library, forms })
+        self.0.session(library, |forms| work(&mut Session { library, forms }))
     }
 }
 

@@ -6,11 +6,11 @@
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use rapier3d::geometry::SharedShape;
+use vc_geometry::profile::{Slab, simplified, slabs};
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
 
 use super::hull;
-use super::slab::{Slab, simplified, slabs};
 use crate::convert;
 
 /// Half of the smallest thickness of a piece, metres: the engine does not keep thinner pieces apart.

@@ -9,11 +9,11 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point2;
 use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
+use vc_geometry::outline::{Outline, hull, turn};
 
 use super::rest::Spot;
 use super::{Thing, World};
 use crate::contact::Touch;
-use crate::nav::outline::{Outline, hull, turn};
 use crate::{Role, convert, group};
 
 /// The largest speed of a thing at rest, including its rim, metres per second.
@@ -135,7 +135,7 @@ impl World {
                 }
             }
         }
-        let base = hull(carry);
+        let base = hull(carry.iter().map(|at| at.xy()));
         let centre = convert::point3(rigid.center_of_mass()).xy();
         let margin = WITHIN.0.min(WITHIN.1 * size);
         is_within(&base, &centre, margin) && press.iter().all(|p| is_within(&base, p, -BESIDE))

@@ -3,10 +3,10 @@
 
 use nalgebra::Vector3;
 use smallvec::SmallVec;
+use vc_geometry::grid::{ceiling, floor};
 
 use super::area::{Area, Facing};
 use super::walk::Walk;
-use crate::bits::{ceiling, floor};
 use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
 
 /// The distance of furniture from walls, which leaves space for the skirting, metres.

@@ -2,10 +2,11 @@
 
 use std::cell::RefCell;
 
+use vc_geometry::grid::BitGrid;
+
 use super::Area;
-use crate::bits::Bits;
 use crate::plan::{OpeningKind, Plan, Rect};
-use crate::reach::{ARM, BODY, boards, doorway, is_in_the_way, outward};
+use crate::reach::{BODY, PERSON, REACH, boards, doorway, is_in_the_way, outward};
 
 /// The depth of floor beyond a door that is assumed to be free, cells: the next room keeps it so.
 const BEYOND: i32 = 7;
@@ -20,7 +21,7 @@ pub(super) struct Walk {
     south: i32,
     floor: Floor,
     /// The room and its doorways, from which objects must be reachable.
-    within: Bits,
+    within: BitGrid,
     doorways: Vec<Rect>,
     /// The areas that must be reachable.
     wanted: Vec<Wanted>,
@@ -32,9 +33,9 @@ pub(super) struct Walk {
 #[derive(Debug, Clone)]
 struct Floor {
     /// The possible positions of a person's centre.
-    free: Bits,
+    free: BitGrid,
     /// The reachable positions, if all doorways are among them.
-    standing: Option<Bits>,
+    standing: Option<BitGrid>,
 }
 
 /// An area to be reached, and a cell from which it was reachable at the last check.
@@ -47,7 +48,7 @@ struct Wanted {
 impl Walk {
     pub(super) fn of(plan: &Plan, room: usize, net: &[Rect]) -> Self {
         let hull = plan.rooms[room].hull().grown(BEYOND + plan.shell + 2);
-        let blank = Bits::new(hull.width() as usize, hull.depth() as usize);
+        let blank = BitGrid::new(hull.width() as usize, hull.depth() as usize);
         let doorways: Vec<Rect> = plan.doors_of(room).map(|o| doorway(plan, o)).collect();
         let mut walk = Self {
             west: hull.x0,
@@ -72,7 +73,7 @@ impl Walk {
             let (x, y) = walk.cells(&board);
             floor.fill(x, y, false);
         }
-        walk.floor.free = floor.inverted().dilated(BODY).inverted();
+        walk.floor.free = floor.inverted().dilated(&PERSON).inverted();
         let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(room));
         walk.floor.standing = walk.flooded(&walk.floor.free);
         windows.for_each(|o| walk.want(Area::of(&o.across(o.at - 1, o.at + 1))));
@@ -114,9 +115,9 @@ impl Walk {
     }
 
     /// A cell from which an area is within reach.
-    fn reached(&self, area: &Area, standing: &Bits) -> Option<(usize, usize)> {
+    fn reached(&self, area: &Area, standing: &BitGrid) -> Option<(usize, usize)> {
         let (x, y) = self.cells(&outward(area));
-        standing.first_within(x, y, ARM)
+        standing.first_near(x, y, &REACH)
     }
 
     /// Whether all doorways stay connected and everything wanted stays reachable, including new
@@ -139,7 +140,7 @@ impl Walk {
 
     /// The floor after rectangles are taken from it; `None` if nobody could stand there before.
     fn without(&self, taken: &[Span]) -> Option<Floor> {
-        if !taken.iter().any(|&(x, y)| self.floor.free.meets_within(x, y, BODY)) {
+        if !taken.iter().any(|&(x, y)| self.floor.free.first_near(x, y, &PERSON).is_some()) {
             return None;
         }
         let free = cleared(&self.floor.free, taken);
@@ -149,7 +150,7 @@ impl Walk {
 
     /// The reachable positions on the free floor that is left after rectangles are taken from it;
     /// `None` if a doorway is cut off.
-    fn standing_on(&self, free: &Bits, taken: &[Span]) -> Option<Bits> {
+    fn standing_on(&self, free: &BitGrid, taken: &[Span]) -> Option<BitGrid> {
         let standing = self.floor.standing.as_ref()?;
         if !taken.iter().all(|&(x, y)| free.is_whole_around(x, y, BODY + 1)) {
             return self.flooded(free);
@@ -164,7 +165,7 @@ impl Walk {
     }
 
     /// The reachable positions within the room and its doorways; `None` if a doorway is cut off.
-    fn flooded(&self, free: &Bits) -> Option<Bits> {
+    fn flooded(&self, free: &BitGrid) -> Option<BitGrid> {
         let Some(first) = self.doorways.first() else { return Some(self.within.and(free)) };
         let (x, y) = self.cells(first);
         let (x, y) = free.first(x, y)?;
@@ -178,9 +179,9 @@ impl Walk {
 }
 
 /// The positions without those at which a person's disc would overlap a rectangle.
-fn cleared(places: &Bits, taken: &[Span]) -> Bits {
+fn cleared(places: &BitGrid, taken: &[Span]) -> BitGrid {
     let mut left = places.clone();
-    taken.iter().for_each(|&(x, y)| left.clear_within(x, y, BODY));
+    taken.iter().for_each(|&(x, y)| left.clear_near(x, y, &PERSON));
     left
 }
 

@@ -2,7 +2,7 @@
 
 use std::f32::consts::TAU;
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::{Part, Shape};
 use vc_graph::portable::Portable;
@@ -147,7 +147,7 @@ fn outline(shape: &Shape, pose: &Pose) -> Vec<Point> {
         Shape::Extrusion { outline, .. } if upright => {
             outline.iter().map(|&(x, y)| flat(Point3::new(x, y, 0.0))).collect()
         }
-        Shape::Hull { points: all } | Shape::Mesh { vertices: all, .. } => hull(all.iter().map(|&p| flat(p)).collect()),
+        Shape::Hull { points: all } | Shape::Mesh { vertices: all, .. } => hull(all.iter().map(|&p| flat(p))),
         Shape::Cylinder { .. }
         | Shape::Cone { .. }
         | Shape::Capsule { .. }
@@ -158,7 +158,7 @@ fn outline(shape: &Shape, pose: &Pose) -> Vec<Point> {
             let radius = shape.extent().1.x;
             rounded(radius, radius, radius).into_iter().map(|[x, y]| flat(Point3::new(x, y, 0.0))).collect()
         }
-        _ => hull(corners(shape).map(flat).to_vec()),
+        _ => hull(corners(shape).map(flat)),
     }
 }
 
@@ -177,26 +177,7 @@ fn rounded(hx: f32, hy: f32, radius: f32) -> Vec<Point> {
     (0..4).flat_map(corner).collect()
 }
 
-/// The convex hull of points, counter-clockwise (Andrew's monotone chain, 1979).
-fn hull(mut points: Vec<Point>) -> Vec<Point> {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let mut chain = half_hull(points.iter().copied());
-    chain.pop();
-    let mut back = half_hull(points.iter().rev().copied());
-    back.pop();
-    chain.append(&mut back);
-    chain
-}
-
-fn half_hull(points: impl Iterator<Item = Point>) -> Vec<Point> {
-    let mut chain: Vec<Point> = Vec::new();
-    for p in points {
-        while let [.., a, b] = chain[..]
-            && (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) <= 0.0
-        {
-            chain.pop();
-        }
-        chain.push(p);
-    }
-    chain
+/// The convex hull of points, counter-clockwise.
+fn hull(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
+    vc_geometry::outline::hull(points.into_iter().map(Point2::from)).into_iter().map(Point::from).collect()
 }

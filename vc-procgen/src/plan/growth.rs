@@ -4,11 +4,11 @@
 //! After Lopes, Tutenel, Smelik, de Kraker and Bidarra, "A constrained growth method
 //! for procedural floor plan generation" (2010), with rejection instead of repair.
 
+use vc_geometry::grid::BitGrid;
 use vc_graph::Stream;
 
 use super::programme::Programme;
 use super::{Arrangement, Rect, Room, RoomKind};
-use crate::bits::Bits;
 
 /// The side of a grid square, cells.
 const SQUARE: i32 = 6;
@@ -102,8 +102,8 @@ impl Grid {
     }
 
     /// The squares without a room.
-    fn free(&self) -> Bits {
-        let mut free = Bits::new(self.width, self.depth);
+    fn free(&self) -> BitGrid {
+        let mut free = BitGrid::new(self.width, self.depth);
         for y in 0..self.depth {
             self.row(y).iter().enumerate().filter(|(_, o)| **o == FREE).for_each(|(x, _)| free.set(x, y));
         }

@@ -3,15 +3,15 @@
 //! On the left and right of a band there is always an obstacle, so paths leave it only across its lower and
 //! upper sides.
 
-use super::raster::Raster;
+use crate::grid::BitGrid;
 
 /// A rectangle of free cells: columns `x0..x1`, rows `y0..y1`.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Band {
-    pub(crate) x0: u32,
-    pub(crate) x1: u32,
-    pub(crate) y0: u32,
-    pub(crate) y1: u32,
+pub(super) struct Band {
+    pub(super) x0: u32,
+    pub(super) x1: u32,
+    pub(super) y0: u32,
+    pub(super) y1: u32,
     /// Its gates: their first index and number in the lists of downward and upward gates.
     below: (u32, u32),
     above: (u32, u32),
@@ -19,16 +19,16 @@ pub(crate) struct Band {
 
 /// A passage from one band to the next: columns `from..to` of their common side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Gate {
-    pub(crate) band: u32,
-    pub(crate) from: u32,
-    pub(crate) to: u32,
+pub(super) struct Gate {
+    pub(super) band: u32,
+    pub(super) from: u32,
+    pub(super) to: u32,
 }
 
-/// All bands and their gates.
+/// The free cells of a grid as bands, and their gates: the mesh on which [`shortest`](super::shortest) searches.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Bands {
-    pub(crate) all: Vec<Band>,
+pub struct Bands {
+    pub(super) all: Vec<Band>,
     up: Vec<Gate>,
     down: Vec<Gate>,
     /// For each row, its range in `in_rows`, which lists its bands by column.
@@ -37,11 +37,12 @@ pub(crate) struct Bands {
 }
 
 impl Bands {
-    pub(crate) fn of(raster: &Raster) -> Self {
+    /// The bands of the set cells. Costs some operations for each run of cells in a row.
+    pub fn new(free: &BitGrid) -> Self {
         let mut bands = Self::default();
         let mut before: Vec<u32> = Vec::new();
-        for row in 0..raster.rows {
-            let current = bands.row(raster, row as u32, &before);
+        for row in 0..free.height() {
+            let current = bands.row(free, row as u32, &before);
             bands.rows.push((bands.in_rows.len() as u32, current.len() as u32));
             bands.in_rows.extend(&current);
             before = current;
@@ -51,10 +52,10 @@ impl Bands {
     }
 
     /// The bands of a row: continued bands of the row before, and new ones.
-    fn row(&mut self, raster: &Raster, row: u32, before: &[u32]) -> Vec<u32> {
+    fn row(&mut self, free: &BitGrid, row: u32, before: &[u32]) -> Vec<u32> {
         let mut old = before.iter().copied().peekable();
         let mut current = Vec::new();
-        for (x0, x1) in raster.runs(row as usize) {
+        for (x0, x1) in free.runs(row as usize) {
             while old.next_if(|&b| self.all[b as usize].x0 < x0).is_some() {}
             let same = old.peek().copied().filter(|&b| (self.all[b as usize].x0, self.all[b as usize].x1) == (x0, x1));
             current.push(same.unwrap_or(self.all.len() as u32));
@@ -90,15 +91,25 @@ impl Bands {
         }
     }
 
+    /// Number of bands.
+    pub fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Whether no cell is free.
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
     /// The gates of a band on its upper or its lower side.
-    pub(crate) fn gates(&self, band: u32, up: bool) -> &[Gate] {
+    pub(super) fn gates(&self, band: u32, up: bool) -> &[Gate] {
         let band = &self.all[band as usize];
         let ((from, count), gates) = if up { (band.above, &self.up) } else { (band.below, &self.down) };
         &gates[from as usize..(from + count) as usize]
     }
 
     /// The band of a cell.
-    pub(crate) fn at(&self, column: usize, row: usize) -> Option<u32> {
+    pub(super) fn at(&self, column: usize, row: usize) -> Option<u32> {
         let &(from, count) = self.rows.get(row)?;
         let row = &self.in_rows[from as usize..(from + count) as usize];
         let after = row.partition_point(|&b| self.all[b as usize].x0 as usize <= column);

@@ -3,11 +3,24 @@
 //! A piece of a body is convex, so other shapes are cut: a thing that holds others along the sides of the space
 //! above its surfaces, a part of the building along its own concave faces, so that a wall's mesh keeps its
 //! doorway.
+//!
+//! ```
+//! use nalgebra::Point3;
+//! use vc_geometry::cut::{Plane, Surface};
+//! // A corner of two walls, seen from above: six sides, and a roof and a floor of six corners each.
+//! let plan = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)];
+//! let points: Vec<_> = [0.0, 1.0].iter().flat_map(|z| plan.map(|(x, y)| Point3::new(x, y, *z))).collect();
+//! let mut triangles: Vec<[u32; 3]> = vec![[0, 3, 1], [1, 3, 2], [0, 5, 3], [3, 5, 4]];
+//! triangles.extend(triangles.clone().into_iter().map(|[a, b, c]| [a + 6, c + 6, b + 6]));
+//! triangles.extend((0..6).flat_map(|i| [[i, (i + 1) % 6, i + 6], [(i + 1) % 6, (i + 1) % 6 + 6, i + 6]]));
+//! let (mut surface, polygons) = Surface::new(points, &triangles);
+//! let [low, high] = surface.divided(&polygons, Plane::across(2, 0.25));
+//! assert!(surface.corners(&low).iter().all(|p| p.z <= 0.25) && surface.corners(&high).iter().all(|p| p.z >= 0.25));
+//! let pieces = surface.along_faces(polygons, Some);
+//! assert_eq!(pieces.len(), 2);
+//! ```
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::asset::Part;
-
-use super::piece::Piece;
 
 /// The largest distance of a corner in front of a face of the same convex piece, metres.
 const INWARDS: f32 = 0.002;
@@ -17,14 +30,17 @@ const MOST: usize = 64;
 const TRIANGLES: usize = 4096;
 
 /// A plane: its points satisfy `normal · point = at`.
-#[derive(Clone, Copy)]
-pub(super) struct Plane {
-    pub(super) normal: Vector3<f32>,
-    pub(super) at: f32,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// Its normal, of unit length.
+    pub normal: Vector3<f32>,
+    /// Its distance from the origin along the normal, metres.
+    pub at: f32,
 }
 
 impl Plane {
-    pub(super) fn across(axis: usize, at: f32) -> Self {
+    /// The plane across an axis (0 for X) at a coordinate.
+    pub fn across(axis: usize, at: f32) -> Self {
         Self { normal: Vector3::ith(axis, 1.0), at }
     }
 
@@ -43,16 +59,17 @@ impl Plane {
     }
 }
 
-/// The corners of polygons, including those that cuts create.
-pub(super) struct Corners {
+/// The corners of a surface's polygons, including those that cuts create.
+#[derive(Debug, Clone)]
+pub struct Surface {
     points: Vec<Point3<f32>>,
     /// The distance of each corner in front of the cutting plane.
     heights: Vec<f32>,
 }
 
 /// Polygons, given by the indices of their corners.
-#[derive(Default)]
-pub(super) struct Polygons {
+#[derive(Debug, Clone, Default)]
+pub struct Polygons {
     corners: Vec<u32>,
     /// The end of each polygon among the corners.
     ends: Vec<u32>,
@@ -81,23 +98,17 @@ impl Polygons {
     }
 }
 
-impl Corners {
-    /// A part's triangles in the frame of the scaled asset.
-    pub(super) fn of(
-        part: &Part,
-        vertices: &[Point3<f32>],
-        triangles: &[[u32; 3]],
-        by: &Vector3<f32>,
-    ) -> (Self, Polygons) {
-        let points = vertices.iter().map(|v| Point3::from((part.pose * v).coords.component_mul(by))).collect();
+impl Surface {
+    /// A surface of triangles, and these as polygons; triangles with a corner that does not exist are left out.
+    pub fn new(points: Vec<Point3<f32>>, triangles: &[[u32; 3]]) -> (Self, Polygons) {
         let mut all = Polygons::default();
-        let sound = |t: &&[u32; 3]| t.iter().all(|v| (*v as usize) < vertices.len());
+        let sound = |t: &&[u32; 3]| t.iter().all(|v| (*v as usize) < points.len());
         triangles.iter().filter(sound).for_each(|t| all.push(t));
         (Self { points, heights: Vec::new() }, all)
     }
 
     /// The parts of polygons behind and in front of a plane (Sutherland and Hodgman, 1974).
-    pub(super) fn divided(&mut self, polygons: &Polygons, plane: Plane) -> [Polygons; 2] {
+    pub fn divided(&mut self, polygons: &Polygons, plane: Plane) -> [Polygons; 2] {
         let Self { points, heights } = self;
         heights.clear();
         heights.extend(points.iter().map(|p| plane.height(p)));
@@ -131,8 +142,8 @@ impl Corners {
         sides
     }
 
-    /// The corners of polygons, each once.
-    pub(super) fn of_all(&self, polygons: &Polygons) -> Vec<Point3<f32>> {
+    /// The corners of polygons, each once, sorted.
+    pub fn corners(&self, polygons: &Polygons) -> Vec<Point3<f32>> {
         let mut used = vec![false; self.points.len()];
         polygons.corners.iter().for_each(|v| used[*v as usize] = true);
         let mut all: Vec<Point3<f32>> =
@@ -146,15 +157,22 @@ impl Corners {
         polygon.iter().map(|v| self.points[*v as usize])
     }
 
-    /// Convex pieces of a closed surface, cut along its own faces.
-    pub(super) fn along_faces(mut self, polygons: Polygons) -> Vec<Piece> {
+    /// Convex pieces of a closed surface, cut along its own faces: what `piece` makes of the corners of each. At
+    /// most 64; of those that would be more, and of a surface of more than 4096 polygons, the hull is one piece.
+    ///
+    /// Costs the number of faces times that of corners for each cut.
+    pub fn along_faces<P>(
+        mut self,
+        polygons: Polygons,
+        mut piece: impl FnMut(Vec<Point3<f32>>) -> Option<P>,
+    ) -> Vec<P> {
         let mut pieces = Vec::new();
         let mut open = vec![polygons];
         while let Some(polygons) = open.pop() {
             let may_cut = pieces.len() + open.len() + 1 < MOST && polygons.ends.len() <= TRIANGLES;
             match may_cut.then(|| self.inwards(&polygons)).flatten() {
                 Some(plane) => open.extend(self.divided(&polygons, plane).map(|side| self.out_of(plane, &side))),
-                None => pieces.extend(Piece::hull(&self.of_all(&polygons), &Vector3::z())),
+                None => pieces.extend(piece(self.corners(&polygons))),
             }
         }
         pieces
@@ -171,7 +189,7 @@ impl Corners {
 
     /// The plane of a face with corners both in front of and behind it.
     fn inwards(&self, polygons: &Polygons) -> Option<Plane> {
-        let corners = self.of_all(polygons);
+        let corners = self.corners(polygons);
         let turns = |plane: &Plane| {
             let heights = || corners.iter().map(|p| plane.height(p));
             heights().any(|h| h > INWARDS) && heights().any(|h| h < -INWARDS)

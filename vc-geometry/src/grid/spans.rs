@@ -9,7 +9,7 @@ use nalgebra::{Point2, Vector2};
 
 /// The covered interval of each row; the rows' middles are a pitch apart.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Spans {
+pub(super) struct Spans {
     /// Height of the first row's middle.
     first: f32,
     pitch: f32,
@@ -19,7 +19,7 @@ pub(crate) struct Spans {
 impl Spans {
     /// Traces a convex outline, corners counter-clockwise, grown by a radius, over `count` rows from `first`
     /// on. The cost is linear in the rows that its sides and arcs cross.
-    pub(crate) fn trace(&mut self, outline: &[Point2<f32>], radius: f32, first: f32, pitch: f32, count: usize) {
+    pub(super) fn trace(&mut self, outline: &[Point2<f32>], radius: f32, first: f32, pitch: f32, count: usize) {
         (self.first, self.pitch) = (first, pitch);
         self.rows.clear();
         self.rows.resize(count, (f32::INFINITY, f32::NEG_INFINITY));
@@ -39,7 +39,7 @@ impl Spans {
     }
 
     /// The covered rows: index and interval.
-    pub(crate) fn covered(&self) -> impl Iterator<Item = (usize, (f32, f32))> + '_ {
+    pub(super) fn covered(&self) -> impl Iterator<Item = (usize, (f32, f32))> + '_ {
         self.rows.iter().copied().enumerate().filter(|(_, (low, high))| low <= high)
     }
 
@@ -90,7 +90,7 @@ impl Spans {
 
 /// The ceiling of a number; zero for negative numbers and NaN. A cast is quicker than the rounding call on
 /// processors as old as the target allows.
-pub(crate) fn ceil(x: f32) -> usize {
+pub(super) fn ceil(x: f32) -> usize {
     let whole = x as usize;
     whole + usize::from((whole as f32) < x)
 }

@@ -1,16 +1,32 @@
-//! Cutting of a plane outline into trapezia between horizontal lines.
+//! Profiles: plane outlines of any form, as shapes are turned or extruded from; their cutting into trapezia between
+//! horizontal lines, and outlines with fewer corners.
+//!
+//! ```
+//! use vc_geometry::profile::{simplified, slabs};
+//! // A cup's wall and bottom: radius and height.
+//! let cup = [(0.0, 0.0), (4.0, 0.0), (4.0, 10.0), (3.0, 10.0), (3.0, 1.0), (0.0, 1.0)];
+//! let cut = slabs(&cup);
+//! assert_eq!(cut.len(), 2);
+//! assert_eq!((cut[1].bottom, cut[1].top, cut[1].low), (1.0, 10.0, (3.0, 4.0)));
+//! assert_eq!(simplified(&[(0.0, 0.0), (1.0, 0.01), (2.0, 0.0), (2.0, 5.0)], 0.1).len(), 3);
+//! ```
 
 /// A trapezium between two levels: its left and right ends at the bottom and at the top.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Slab {
-    pub(crate) bottom: f32,
-    pub(crate) top: f32,
-    pub(crate) low: (f32, f32),
-    pub(crate) high: (f32, f32),
+pub struct Slab {
+    /// The lower level.
+    pub bottom: f32,
+    /// The upper level.
+    pub top: f32,
+    /// Left and right end at the lower level.
+    pub low: (f32, f32),
+    /// Left and right end at the upper level.
+    pub high: (f32, f32),
 }
 
 impl Slab {
-    pub(crate) fn corners(&self) -> [(f32, f32); 4] {
+    /// Its four corners, counter-clockwise from the lower left.
+    pub fn corners(&self) -> [(f32, f32); 4] {
         [(self.low.0, self.bottom), (self.low.1, self.bottom), (self.high.1, self.top), (self.high.0, self.top)]
     }
 
@@ -28,7 +44,7 @@ impl Slab {
 
 /// Cuts the inside of an outline (a closed polygon, even-odd rule) at the level of every corner. Costs the
 /// square of the number of corners.
-pub(crate) fn slabs(outline: &[(f32, f32)]) -> Vec<Slab> {
+pub fn slabs(outline: &[(f32, f32)]) -> Vec<Slab> {
     let mut levels: Vec<f32> = outline.iter().map(|p| p.1).collect();
     levels.sort_by(f32::total_cmp);
     levels.dedup_by(|a, b| (*a - *b).abs() < 1e-5);
@@ -58,7 +74,7 @@ fn crossings(outline: &[(f32, f32)], level: f32, bottom: f32, top: f32) -> Vec<(
 
 /// An outline without the corners that change it by less than a tolerance (Ramer 1972, Douglas and Peucker
 /// 1973), and without repeated points.
-pub(crate) fn simplified(outline: &[(f32, f32)], tolerance: f32) -> Vec<(f32, f32)> {
+pub fn simplified(outline: &[(f32, f32)], tolerance: f32) -> Vec<(f32, f32)> {
     let mut keep = vec![false; outline.len()];
     if let Some(last) = outline.len().checked_sub(1) {
         (keep[0], keep[last]) = (true, true);

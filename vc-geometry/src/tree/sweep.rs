@@ -1,11 +1,22 @@
 //! All pairs of overlapping boxes of a scene, found at once.
 
-use crate::lanes::{Group, LANES, Probe, grouped};
-use crate::region::{Region, sorted};
+use vc_graph::Aabb;
 
-/// For each box of a scene, the later boxes that it overlaps, by number.
+use super::lanes::{Group, LANES, Probe, grouped};
+use crate::order::sorted;
+
+/// For each box of a scene, the later boxes that it overlaps or touches, by number.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use vc_geometry::tree::Meetings;
+/// use vc_graph::Aabb;
+/// let cube = |x: f32| Aabb::around(&Point3::new(x, 0.0, 0.0), &Point3::new(x + 1.0, 1.0, 1.0));
+/// let meetings = Meetings::new(&[cube(0.0), cube(5.0), cube(0.5), cube(1.0)]);
+/// assert_eq!((meetings.of(0), meetings.of(1), meetings.of(2)), (&[2, 3][..], &[][..], &[3][..]));
+/// ```
 #[derive(Debug)]
-pub(crate) struct Meetings {
+pub struct Meetings {
     /// End of each box's part of the list.
     ends: Vec<u32>,
     others: Vec<u32>,
@@ -14,7 +25,7 @@ pub(crate) struct Meetings {
 impl Meetings {
     /// Compares each box with those that begin before it ends along the axis on which the scene is longest:
     /// sort and sweep (Baraff 1992). For boxes spread over a plane, these are about the square root of all.
-    pub(crate) fn new(boxes: &[Region]) -> Self {
+    pub fn new(boxes: &[Aabb]) -> Self {
         let row = Row::new(boxes);
         let mut pairs = Vec::with_capacity(16 * boxes.len());
         for (place, &one) in row.order.iter().enumerate() {
@@ -51,7 +62,7 @@ impl Meetings {
     }
 
     /// The boxes after one that overlap it, sorted.
-    pub(crate) fn of(&self, one: usize) -> &[u32] {
+    pub fn of(&self, one: usize) -> &[u32] {
         &self.others[self.range(one)]
     }
 }
@@ -67,18 +78,18 @@ struct Row {
 }
 
 impl Row {
-    fn new(boxes: &[Region]) -> Self {
-        let there = || (0..).zip(boxes).filter(|(_, b)| b.low.x <= b.high.x);
-        let whole = there().fold(Region::EMPTY, |all, (_, b)| all.joined(b));
-        let axis = (whole.high - whole.low).imax();
-        let order = sorted(there().map(|(item, b)| (b.low[axis], item)));
-        let starts = order.iter().map(|&item| boxes[item as usize].low[axis]).collect();
+    fn new(boxes: &[Aabb]) -> Self {
+        let there = || (0..).zip(boxes).filter(|(_, b)| b.min.x <= b.max.x);
+        let whole = there().fold(Aabb::EMPTY, |all, (_, b)| all.joined(b));
+        let axis = (whole.max - whole.min).imax();
+        let order = sorted(there().map(|(item, b)| (b.min[axis], item)));
+        let starts = order.iter().map(|&item| boxes[item as usize].min[axis]).collect();
         let groups = grouped(order.iter().map(|&item| boxes[item as usize]));
         Self { axis, order, starts, groups }
     }
 
     /// Calls `found` with every box after a place that overlaps the one there.
-    fn after(&self, place: usize, region: &Region, mut found: impl FnMut(u32)) {
+    fn after(&self, place: usize, region: &Aabb, mut found: impl FnMut(u32)) {
         let probe = Probe::new(region);
         let own = place / LANES;
         for lane in self.groups[own].meeting(&probe).after(place % LANES) {
@@ -86,7 +97,7 @@ impl Row {
         }
         for group in own + 1..self.groups.len() {
             let start = group * LANES;
-            if self.starts[start] > region.high[self.axis] {
+            if self.starts[start] > region.max[self.axis] {
                 break;
             }
             self.groups[group].meeting(&probe).for_each(|lane| found(self.order[start + lane]));

@@ -1,0 +1,31 @@
+//! Comparisons of numbers that are known to be no NaN, in few instructions.
+//!
+//! ```
+//! use vc_geometry::order::{less, more, sorted};
+//! assert_eq!((less(2.0, -1.0), more(2.0, -1.0)), (-1.0, 2.0));
+//! assert_eq!(sorted([(0.5, 0), (-3.0, 1), (0.5, 2), (-0.1, 3)].into_iter()), [1, 3, 0, 2]);
+//! ```
+
+/// The lesser of two numbers, neither of them NaN: a single instruction, unlike `f32::min`.
+#[inline]
+pub fn less(a: f32, b: f32) -> f32 {
+    if b < a { b } else { a }
+}
+
+/// The larger of two numbers; see [`less`].
+#[inline]
+pub fn more(a: f32, b: f32) -> f32 {
+    if b > a { b } else { a }
+}
+
+/// Sorts items by a number, and by their index where it is equal; integer keys compare faster.
+pub fn sorted(keys: impl Iterator<Item = (f32, u32)>) -> Vec<u32> {
+    let key = |(value, item): (f32, u32)| {
+        let bits = value.to_bits();
+        let ordered = if bits >> 31 == 0 { bits | 1 << 31 } else { !bits };
+        u64::from(ordered) << 32 | u64::from(item)
+    };
+    let mut order: Vec<u64> = keys.map(key).collect();
+    order.sort_unstable();
+    order.into_iter().map(|key| key as u32).collect()
+}
