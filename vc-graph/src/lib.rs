@@ -2,6 +2,7 @@
 #![warn(clippy::disallowed_methods)]
 
 mod action;
+mod anthropometry;
 pub mod asset;
 mod builder;
 mod bulk;
@@ -26,6 +27,7 @@ mod observe;
 pub mod portable;
 mod property;
 mod relation;
+mod role;
 pub mod rule;
 mod seed;
 mod simulator;
@@ -38,6 +40,7 @@ mod vocabulary;
 pub use nalgebra;
 
 pub use action::{Action, ActionError, Verb};
+pub use anthropometry::Anthropometry;
 pub use asset::{Asset, AssetId, AssetLibrary};
 pub use builder::SceneBuilder;
 pub use called::{Called, Misnomer};
@@ -56,6 +59,7 @@ pub use node::{Draft, Kind, Node, Spec};
 pub use observe::{Observation, Scope};
 pub use property::{Property, PropertySet};
 pub use relation::{Edge, Relation};
+pub use role::ObjectRole;
 pub use rule::{Condition, Effect, Refusal, Rule, Semantics};
 pub use seed::{Seed, Stream};
 pub use simulator::{Event, History, Simulator};

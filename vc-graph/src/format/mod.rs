@@ -18,7 +18,7 @@ pub mod native;
 pub mod objects;
 pub mod program;
 mod scene;
-pub(crate) mod serial;
+pub mod serial;
 pub mod thesis;
 pub mod virtualhome;
 
