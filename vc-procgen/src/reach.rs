@@ -1,19 +1,18 @@
 //! Reachability: a person, as a disc of 25 cm radius, moves over the floor from the front door on.
 
+use vc_graph::Anthropometry;
+
 use crate::apartment::Apartment;
 use crate::bits::{Bits, ceiling, floor};
 use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
+/// The person for whom homes are furnished.
+const PERSON: Anthropometry = Anthropometry::ADULT;
 /// The radius of a person, in cells.
-pub(crate) const BODY: usize = 5;
-/// A person's height, metres: objects that hang above it are no obstacle.
-const HEIGHT: f32 = 1.7;
-/// The height of objects that a person steps over, metres.
-const STEP: f32 = 0.03;
-/// The distance that a person can reach, in cells: a metre, less the rounding of the objects'
-/// sizes.
-pub(crate) const ARM: usize = 19;
+pub(crate) const BODY: usize = (PERSON.clearance * CELLS + 0.5) as usize;
+/// The distance that a person can reach, in cells.
+pub(crate) const ARM: usize = (PERSON.ahead * CELLS + 0.5) as usize;
 /// The margin around the plan, in cells.
 const MARGIN: i32 = 10;
 
@@ -105,13 +104,13 @@ pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
 /// The areas where window sills protrude into their rooms, by room.
 pub(crate) fn boards(plan: &Plan) -> impl Iterator<Item = (usize, Rect)> {
     const DEPTH: i32 = 2;
-    let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < HEIGHT);
+    let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < PERSON.stature);
     windows.filter_map(|o| o.high.or(o.low).map(|room| (room, o.before(o.high.is_some(), DEPTH))))
 }
 
 /// Whether an object between two heights is an obstacle for a walking person.
 pub(crate) fn is_in_the_way((low, high): (f32, f32)) -> bool {
-    low < HEIGHT && high > STEP
+    low < PERSON.stature && high > PERSON.flat
 }
 
 /// The cells that an area touches.
