@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use vc_graph::{Kind, NodeId, Relation, SceneGraph};
+use vc_graph::{NodeId, ObjectRole, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::region::Region;
@@ -125,11 +125,7 @@ fn over(floor: &Solid, (low, high): (f32, f32)) -> Solid {
 }
 
 fn floors_of(graph: &SceneGraph, room: NodeId) -> impl Iterator<Item = NodeId> + '_ {
-    let is_floor = |id: &NodeId| {
-        graph
-            .node(*id)
-            .is_some_and(|n| n.kind() == Kind::Object && (&**n.class() == "floor" || &*n.spec().category == "Floor"))
-    };
+    let is_floor = |id: &NodeId| graph.node(*id).is_some_and(|n| n.role() == ObjectRole::Floor);
     graph.relating(Relation::InRoom, room).filter(is_floor)
 }
 

@@ -1,22 +1,16 @@
 //! The positions where a person can stand, and the objects within reach from there.
 
 use nalgebra::{Point2, Point3};
-use vc_graph::class::Category;
-use vc_graph::{Aabb, AssetLibrary, Kind, Node, NodeId, SceneGraph, Stream};
+use vc_graph::{Aabb, Anthropometry, AssetLibrary, Kind, Node, NodeId, ObjectRole, SceneGraph, Stream};
 
 use super::solid::part_boxes;
 
 /// The number of cells a metre.
 const CELLS: f32 = 20.0;
+/// The person for whom the floor is to be walkable.
+const PERSON: Anthropometry = Anthropometry::ADULT;
 /// The radius of a person, in cells.
-const BODY: i32 = 5;
-/// A person's height, metres: objects above it are no obstacle.
-const HEIGHT: f32 = 1.7;
-/// The height of objects that a person steps over, metres.
-const STEP: f32 = 0.03;
-/// The distance and the height within a person's reach, metres.
-const ARM: f32 = 0.95;
-const HIGH: f32 = 2.1;
+const BODY: i32 = (PERSON.clearance * CELLS + 0.5) as i32;
 
 /// The floor as a grid: its largest connected walkable part.
 #[derive(Debug, Clone)]
@@ -37,11 +31,11 @@ impl Walk {
     pub(super) fn of(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
         let mut walk = Self::floors(graph, assets)?;
         let mut blocked: Vec<bool> = walk.room.iter().map(|&room| room == 0).collect();
-        for node in graph.nodes().filter(|n| hinders(graph, n)) {
-            let built = is_built(graph, node);
+        for node in graph.nodes().filter(|n| hinders(n)) {
+            let built = node.role().is_built_in();
             let whole = node.aabb().filter(|_| !built);
             let parts = built.then(|| part_boxes(node, assets)).into_iter().flatten();
-            let boxes = parts.chain(whole).filter(|b| b.min.z < HEIGHT && b.max.z > STEP);
+            let boxes = parts.chain(whole).filter(|b| b.min.z < PERSON.stature && b.max.z > PERSON.flat);
             boxes.for_each(|b| walk.each_cell(&b, |cell| blocked[cell] = true));
         }
         walk.standing = walk.largest(&walk.free(&blocked));
@@ -64,7 +58,7 @@ impl Walk {
         for index in 0..walk.rooms.len() {
             let room = walk.rooms[index];
             let floors: Vec<&Node> =
-                graph.in_room(room).filter_map(|id| graph.node(id)).filter(|n| is_floor(n)).collect();
+                graph.in_room(room).filter_map(|id| graph.node(id)).filter(|n| n.role() == ObjectRole::Floor).collect();
             let slabs: Vec<Aabb> = floors.iter().flat_map(|n| part_boxes(n, assets)).collect();
             let own = graph.node(room).and_then(Node::aabb).filter(|_| slabs.is_empty());
             for slab in slabs.into_iter().chain(own) {
@@ -155,15 +149,15 @@ impl Walk {
 
     /// Whether a person in a room can reach a box.
     pub(super) fn reaches(&self, aabb: &Aabb, room: Option<NodeId>) -> bool {
-        if aabb.min.z > HIGH {
+        if aabb.min.z > PERSON.overhead {
             return false;
         }
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
-        let grown = Aabb { min: aabb.min.map(|v| v - ARM), max: aabb.max.map(|v| v + ARM) };
+        let grown = Aabb { min: aabb.min.map(|v| v - PERSON.ahead), max: aabb.max.map(|v| v + PERSON.ahead) };
         let mut reached = false;
         self.each_cell(&grown, |cell| {
             let here = self.standing[cell] && index.is_none_or(|i| self.room[cell] == i);
-            reached = reached || (here && self.distance(cell, aabb) <= ARM);
+            reached = reached || (here && self.distance(cell, aabb) <= PERSON.ahead);
         });
         reached
     }
@@ -193,24 +187,14 @@ impl Walk {
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
         let fits = |&cell: &usize| {
             let here = self.standing[cell] && index.is_none_or(|i| self.room[cell] == i);
-            here && near.is_none_or(|aabb| self.distance(cell, aabb) <= ARM)
+            here && near.is_none_or(|aabb| self.distance(cell, aabb) <= PERSON.ahead)
         };
         let cells: Vec<usize> = (0..self.standing.len()).filter(fits).collect();
         cells.get(stream.below(cells.len())).map(|&cell| self.middle(cell))
     }
 }
 
-fn is_floor(node: &Node) -> bool {
-    &**node.class() == "floor"
-}
-
-fn is_built(graph: &SceneGraph, node: &Node) -> bool {
-    let category = graph.classes().get(node.class()).map(|c| c.category);
-    matches!(category, Some(Category::Structure | Category::Window))
-}
-
 /// Whether an object can be an obstacle: floors, doors and people cannot.
-fn hinders(graph: &SceneGraph, node: &Node) -> bool {
-    let category = graph.classes().get(node.class()).map(|c| c.category);
-    node.kind() == Kind::Object && !is_floor(node) && category != Some(Category::Door)
+fn hinders(node: &Node) -> bool {
+    node.kind() == Kind::Object && !matches!(node.role(), ObjectRole::Floor | ObjectRole::Door)
 }
