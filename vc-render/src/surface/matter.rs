@@ -50,7 +50,7 @@ impl Matter {
         // A word counts only at its beginning: "washed" is not ash.
         let begins = |at: usize| !name[..at].ends_with(|c: char| c.is_alphabetic());
         let has = |word: &&str| name.match_indices(*word).any(|(at, _)| begins(at));
-        TABLE.iter().find(|(_, words)| words.iter().any(|word| has(word))).map(|(matter, _)| *matter)
+        TABLE.iter().find(|(_, words)| words.iter().any(&has)).map(|(matter, _)| *matter)
     }
 }
 
