@@ -1,6 +1,6 @@
 //! Initial environments in generated homes: objects from the catalogue, and homes that suit an activity.
 
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
@@ -24,28 +24,11 @@ pub struct Catalogue;
 
 impl Stock for Catalogue {
     fn thing(&self, class: &Class, seed: Seed, _: &SceneGraph, assets: &mut AssetLibrary) -> Option<Draft> {
+        static MATERIALS: LazyLock<AssetLibrary> = LazyLock::new(material::library);
         let object = object::generator(&class.name)?.instance(seed, 0).object;
-        let first = materials(assets)?;
-        let mut asset = object.asset;
-        asset.parts.iter_mut().chain(&mut asset.collision).for_each(|part| part.material += first);
-        let asset = assets.share(Arc::new(asset)).ok()?;
+        let merged = assets.merge(&MATERIALS).ok()?;
+        let asset = assets.add(merged.renumbered(object.asset)).ok()?;
         Some(Draft { asset: Some(asset), ..Draft::new(class.name.clone()).bounds(object.bounds) })
-    }
-}
-
-/// The index at which the catalogue's materials begin in a library; they are added to a library that lacks
-/// them.
-fn materials(assets: &mut AssetLibrary) -> Option<u32> {
-    static OWN: LazyLock<AssetLibrary> = LazyLock::new(material::library);
-    let own = || (0..).map_while(|i| OWN.material(i));
-    let first = own().next()?;
-    let here = (0..).map_while(|i| assets.material(i)).position(|m| m == first);
-    match here {
-        Some(at) => Some(at as u32),
-        None => {
-            let places: Result<Vec<u32>, _> = own().map(|m| assets.add_material(m.clone())).collect();
-            places.ok()?.first().copied()
-        }
     }
 }
 

@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::class::Category;
 use vc_graph::{
-    Class, Draft, EditError, Effect, Label, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+    Class, Draft, EditError, Effect, Label, Node, NodeId, ObjectRole, Place, Pose, Property, Relation, SceneBuilder,
     Seed, State, did_you_mean, rule,
 };
 use vc_physics::{PhysicsError, Posture, Role};
@@ -288,7 +287,7 @@ impl Environment {
     /// [`AlterError`]; then nothing has changed.
     pub fn switch_lamps(&mut self, on: bool) -> Result<Vec<NodeId>, AlterError> {
         let state = if on { State::On } else { State::Off };
-        let lamps = self.graph.nodes().filter(|n| is_lamp(&self.graph, n)).map(Node::id);
+        let lamps = self.graph.nodes().filter(|n| lights(n)).map(Node::id);
         let mut lamps: Vec<NodeId> = lamps.flat_map(|lamp| self.switches(lamp)).collect();
         lamps.retain(|id| self.graph.node(*id).is_some_and(|n| n.is(State::On) != on));
         lamps.sort_unstable();
@@ -315,9 +314,9 @@ impl Environment {
         if self.agents().contains(&place.at) {
             return Err(AlterError::OnAgent(self.graph.label(place.at)));
         }
-        let floors = || self.graph.of_class("floor");
-        let floor = self.graph.rooms().contains(&place.at).then(floors);
-        let floor = floor.and_then(|all| all.into_iter().find(|id| self.graph.room_of(*id) == Some(place.at)));
+        let mut floors = self.graph.of_role(ObjectRole::Floor).map(Node::id);
+        let is_room = self.graph.rooms().contains(&place.at);
+        let floor = floors.find(|id| is_room && self.graph.room_of(*id) == Some(place.at));
         Ok(floor.map_or(place, |at| Place { relation: Relation::On, at }))
     }
 
@@ -390,11 +389,11 @@ impl Environment {
 
 /// Why things of a class are not set down in a home, if so.
 fn no_thing(class: &Class) -> Option<&'static str> {
-    match class.category {
-        Category::Room | Category::Structure | Category::Door | Category::Window => {
+    match class.role() {
+        role if role == ObjectRole::Room || role.is_built_in() => {
             Some("it is part of the building; edit the scene and make an environment of it")
         }
-        Category::Character => Some("agents are there from the start; ask `make` for more"),
+        ObjectRole::Person => Some("agents are there from the start; ask `make` for more"),
         _ if class.affordances.contains(Property::Drivable) => Some("vehicles stay outdoors"),
         // A thing that can be poured and not grasped is a liquid: only vessels hold it.
         _ if class.affordances.contains(Property::Pourable) && !class.affordances.contains(Property::Graspable) => {
@@ -405,10 +404,9 @@ fn no_thing(class: &Class) -> Option<&'static str> {
 }
 
 /// Whether something is a lamp that lights a home where it is.
-fn is_lamp(graph: &SceneGraph, node: &Node) -> bool {
-    let known = graph.classes().get(node.class()).is_some_and(|class| class.category == Category::Lamp);
+fn lights(node: &Node) -> bool {
     let lies_about = node.affords(Property::Graspable) && !node.is(State::PluggedIn);
-    known && !lies_about
+    node.role() == ObjectRole::Light && !lies_about
 }
 
 fn unreadable(error: vc_relations::InputError) -> AlterError {

@@ -3,13 +3,10 @@
 
 use nalgebra::Point2;
 use vc_graph::format::objects::{Object, objects, seen};
-use vc_graph::{Action, NodeId, Pose, rule};
+use vc_graph::{Action, Anthropometry, NodeId, Pose, rule};
 use vc_physics::{Occupancy, PartsAside};
 
 use super::{ActionError, Environment};
-
-/// How far apart two people stand at least, middle to middle, metres.
-const BODY: f32 = 0.42;
 
 impl Environment {
     /// Every action an agent can do now by the transition rule: those for which `rule::refusals` is empty.
@@ -88,7 +85,7 @@ impl Environment {
         floor.update(&self.world);
         let mut grid = floor.occupancy();
         let others: Vec<Point2<f32>> = self.agents().iter().skip(1).filter_map(|a| self.feet_of(*a)).collect();
-        let taken = |at: &Point2<f32>| others.iter().any(|other| (other - at).norm() < BODY);
+        let taken = |at: &Point2<f32>| others.iter().any(|other| (other - at).norm() < Anthropometry::ADULT.apart);
         for (index, free) in grid.free.clone().into_iter().enumerate().filter(|(_, free)| *free) {
             let at = grid.centre(index % grid.columns, index / grid.columns);
             let stands = |agent: &NodeId| taken(&at) || self.gives_way(*agent, &at).is_some();

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind};
 
-use super::HEIGHT;
+use super::ADULT;
 
 /// A bone of the figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -87,7 +87,7 @@ impl Bone {
     /// The joint's position while the figure stands with its arms down, metres.
     pub(crate) fn anchor(self) -> Point3<f32> {
         let hip = ANKLE + LEG[0] + LEG[1];
-        let shoulder = 0.82 * HEIGHT;
+        let shoulder = ADULT.shoulder * ADULT.stature;
         match self {
             Self::Pelvis => Point3::new(0.0, 0.0, hip),
             Self::Chest => Point3::new(0.0, 0.0, hip + 0.12),

@@ -9,7 +9,7 @@ mod reach;
 mod shape;
 
 use vc_graph::asset::AssetError;
-use vc_graph::{AssetId, AssetLibrary, Bounds};
+use vc_graph::{Anthropometry, AssetId, AssetLibrary, Bounds};
 
 pub(crate) use bone::{Bone, Side};
 pub(crate) use pose::{Attitude, Doing, Skeleton};
@@ -17,12 +17,12 @@ pub(crate) use reach::Reach;
 #[cfg(test)]
 pub(crate) use shape::palm;
 
-/// Height of the figure, metres: the height of the physics' default body.
-pub(crate) const HEIGHT: f32 = 1.7;
+/// The person that the figure shows.
+pub(crate) const ADULT: Anthropometry = Anthropometry::ADULT;
 
 /// The bounding box of a standing person.
 pub(crate) fn bounds() -> Bounds {
-    Bounds::standing(nalgebra::Vector3::new(0.4, 0.5, HEIGHT))
+    Bounds::standing(nalgebra::Vector3::new(ADULT.depth, ADULT.breadth, ADULT.stature))
 }
 
 /// Adds a person to a library; persons with different numbers wear different clothes.

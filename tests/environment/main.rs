@@ -237,3 +237,24 @@ fn like_is_compared_with_like() {
         (costs(&[("walk", 1.0), ("walk", 3.0), ("open", 9.0)]), costs(&[("walk", 3.0), ("grab", 50.0)]));
     assert_eq!(like_with_like(&first, &last), 1.5);
 }
+
+/// A program can keep any of these in another thread, or share it between threads.
+#[test]
+fn public_types_can_be_sent_and_shared() {
+    use virtualcity::{geometry, graph, physics, planner, procgen, relations, render, tasks};
+    fn check<T: Send + Sync>() {}
+    macro_rules! check {
+        ($($type:ty),* $(,)?) => { $(check::<$type>();)* };
+    }
+    check!(graph::SceneGraph, graph::SceneBuilder, graph::Simulator, graph::Action, graph::Goal, graph::ClassTable);
+    check!(graph::AssetLibrary, graph::Observation, graph::ChangeSet, graph::Refusal, graph::EditError, graph::Stream);
+    check!(geometry::Opening, relations::Relations, relations::Explanation, relations::InputError);
+    check!(physics::World, physics::Shapes, physics::Floor, physics::Occupancy, physics::PhysicsError);
+    check!(render::Renderer, render::Snapshot, render::Lighting, render::Frame, render::Camera, render::RenderError);
+    check!(render::Photograph, render::RayCaster, render::BoxLabel, render::Mask<'static>, render::Shot<'static>);
+    check!(procgen::Apartment, procgen::Layout, procgen::Specification, procgen::Style, procgen::Impossible);
+    check!(tasks::Task, tasks::Trial<Environment>, tasks::Progress, tasks::TaskError, tasks::MinimalSets);
+    check!(planner::Agent, planner::Belief, planner::Known, planner::Planner, planner::Plan, planner::Prior);
+    check!(planner::Episode, planner::Trajectory, planner::Transition, planner::Scripted, planner::Team);
+    check!(Environment, Batch, MakeError, virtualcity::Recorder, virtualcity::Dataset, virtualcity::Page);
+}

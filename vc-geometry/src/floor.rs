@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
-use vc_graph::{Aabb, Asset, Node, SceneGraph};
+use vc_graph::{Aabb, Asset, Node, ObjectRole, SceneGraph};
 
 use crate::block::{Block, Piece, part};
 use crate::opening::size;
@@ -33,10 +33,9 @@ pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut 
 fn slab(graph: &SceneGraph, node: &Node, block: &Block) -> Option<Piece> {
     let own = node.aabb()?;
     let others: Vec<Aabb> = graph
-        .of_class("floor")
-        .into_iter()
-        .filter(|id| *id != node.id())
-        .filter_map(|id| graph.node(id)?.aabb())
+        .of_role(ObjectRole::Floor)
+        .filter(|other| other.id() != node.id())
+        .filter_map(Node::aabb)
         .filter(|other| (other.max.z - own.max.z).abs() < STEP)
         .collect();
     let mut joined = own;

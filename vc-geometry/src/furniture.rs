@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use vc_graph::asset::{Hold, Part};
 use vc_graph::class::SlotKind;
-use vc_graph::{Asset, Node, Property, SceneGraph};
+use vc_graph::{Anthropometry, Asset, Node, Property, SceneGraph};
 
 use crate::block::{Block, part};
 use crate::form::{self, Form};
@@ -26,9 +26,6 @@ const SHELF: f32 = 0.4;
 const LOW: f32 = 0.08;
 /// Room above the things on the highest shelf, metres.
 const HEADROOM: f32 = 0.05;
-/// The greatest height at which people put things on a surface, and the most convenient one, metres.
-const REACH: f32 = 1.6;
-const HANDY: f32 = 1.0;
 
 /// Builds the form that a node's class and its load ask for.
 pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut Asset) {
@@ -175,7 +172,7 @@ fn case(block: &Block, loads: &[Load], top: f32, carries: bool, asset: &mut Asse
     if carries {
         asset.surfaces.push(block.surface("top", Hold::On, top, 0.0, None));
     }
-    let levels = shelves(loads, floor, roof, carries && base + top > REACH, base);
+    let levels = shelves(loads, floor, roof, carries && base + top > Anthropometry::ADULT.shelf, base);
     for (index, Level { at, inside }) in levels.iter().enumerate() {
         let next = levels.get(index + 1).map_or(roof, |next| next.at - thick);
         let hold = if *inside { Hold::Inside } else { Hold::On };
@@ -185,7 +182,7 @@ fn case(block: &Block, loads: &[Load], top: f32, carries: bool, asset: &mut Asse
         }
     }
     // Surfaces at a handy height come first.
-    let far = |z: f32| (base + z - HANDY).abs();
+    let far = |z: f32| (base + z - Anthropometry::ADULT.handy).abs();
     asset.surfaces.sort_by(|a, b| far(a.centre.z).total_cmp(&far(b.centre.z)));
 }
 
@@ -207,7 +204,7 @@ fn shelves(loads: &[Load], floor: f32, roof: f32, high: bool, base: f32) -> Vec<
     found.sort_by(|a, b| a.at.total_cmp(&b.at));
     let empty = |l: &Level| l.inside && !loads.iter().any(|load| load.inside && (load.bottom - l.at).abs() < LOW);
     if high && found.iter().all(|l| l.inside) && found.len() > 1 {
-        let far = |l: &Level| (base + l.at - HANDY).abs();
+        let far = |l: &Level| (base + l.at - Anthropometry::ADULT.handy).abs();
         let handy = found.iter_mut().filter(|l| empty(l)).min_by(|a, b| far(a).total_cmp(&far(b)));
         if let Some(level) = handy {
             level.inside = false;

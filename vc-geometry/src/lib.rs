@@ -65,8 +65,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
-use vc_graph::class::Category;
-use vc_graph::{Asset, Kind, Node, NodeId, SceneGraph};
+use vc_graph::{Asset, Kind, Node, NodeId, ObjectRole, SceneGraph};
 
 use block::Block;
 pub use opening::{Opening, openings};
@@ -106,12 +105,12 @@ pub fn shapes(graph: &SceneGraph) -> BTreeMap<NodeId, Asset> {
 
 fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -> Asset {
     let mut asset = Asset { name: node.class().clone(), ..Asset::default() };
-    match (&**node.class(), category(graph, node)) {
-        ("wall", _) => asset.parts = wall::parts(graph, node, block, openings),
-        ("floor", _) => floor::build(graph, node, block, &mut asset),
-        ("ceiling", _) if !pieces(graph, node, block).is_empty() => asset.parts = pieces(graph, node, block),
-        ("doorjamb", _) => asset.parts = door::frame(block),
-        (_, Some(Category::Door)) => {
+    match node.role() {
+        ObjectRole::Wall => asset.parts = wall::parts(graph, node, block, openings),
+        ObjectRole::Floor => floor::build(graph, node, block, &mut asset),
+        ObjectRole::Ceiling if !pieces(graph, node, block).is_empty() => asset.parts = pieces(graph, node, block),
+        ObjectRole::DoorFrame => asset.parts = door::frame(block),
+        ObjectRole::Door => {
             asset.parts = openings.iter().find(|o| o.door == node.id()).map_or_else(Vec::new, |o| door::leaf(block, o));
         }
         _ => corner::arms(graph, node, block).iter().for_each(|arm| furniture::build(graph, node, arm, &mut asset)),
@@ -127,10 +126,6 @@ fn pieces(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Part> {
     let pieces = share::own_pieces(graph, node, block, (block.low, block.high));
     let pieces = pieces.into_iter().map(|(low, high)| block::part("ceiling", low, high)).collect::<Vec<_>>();
     if pieces.len() > 1 { pieces } else { Vec::new() }
-}
-
-fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
-    graph.classes().get(node.class()).map(|class| class.category)
 }
 
 /// Whether a node is of a class or of a kind of it.

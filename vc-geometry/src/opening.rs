@@ -1,9 +1,6 @@
 //! Openings in walls, found from doors, their frames and windows.
 
-use vc_graph::class::Category;
-use vc_graph::{Aabb, Kind, Node, NodeId, Relation, SceneGraph};
-
-use crate::category;
+use vc_graph::{Aabb, Node, NodeId, ObjectRole, Relation, SceneGraph};
 
 /// Height of a doorway at least, metres: boxes of doors may end at their handles.
 const DOORWAY: f32 = 2.0;
@@ -30,16 +27,11 @@ pub struct Opening {
 /// A door's box may be around a leaf that stands open, and may end at its handle. So a doorway is at
 /// least two metres high, and leads the way in which the frame, or the wall, at the same place is thin.
 pub fn openings(graph: &SceneGraph) -> Vec<Opening> {
-    graph.nodes().filter(|n| n.kind() == Kind::Object).filter_map(|n| opening(graph, n)).collect()
+    graph.nodes().filter(|n| n.role().is_opening()).filter_map(|n| opening(graph, n)).collect()
 }
 
 fn opening(graph: &SceneGraph, node: &Node) -> Option<Opening> {
-    let is_doorway = match category(graph, node)? {
-        Category::Door => true,
-        Category::Window => false,
-        _ if &**node.class() == "doorjamb" => true,
-        _ => return None,
-    };
+    let is_doorway = node.role() != ObjectRole::Window;
     let mut clear = node.aabb()?;
     if is_doorway {
         clear.max.z = clear.max.z.max(clear.min.z + DOORWAY);
@@ -53,14 +45,16 @@ fn across(graph: &SceneGraph, node: &Node, clear: &Aabb) -> usize {
     if let Some(axis) = thin(clear) {
         return axis;
     }
-    let of = |class: &str| {
-        let meets = |id: &NodeId| {
-            let aabb = (*id != node.id()).then(|| graph.node(*id)?.aabb()).flatten()?;
+    let of = |role: ObjectRole| {
+        let meets = |other: &Node| {
+            let aabb = other.aabb().filter(|_| other.id() != node.id())?;
             thin(&aabb).filter(|_| overlap(&aabb, clear))
         };
-        graph.of_class(class).iter().find_map(meets)
+        graph.of_role(role).find_map(meets)
     };
-    of("doorjamb").or_else(|| of("wall")).unwrap_or_else(|| usize::from(size(clear, 1) < size(clear, 0)))
+    of(ObjectRole::DoorFrame)
+        .or_else(|| of(ObjectRole::Wall))
+        .unwrap_or_else(|| usize::from(size(clear, 1) < size(clear, 0)))
 }
 
 /// The axis along which a box is thin.

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, Node, NodeId, Relation, SceneGraph};
+use vc_graph::{Aabb, Kind, Node, NodeId, ObjectRole, Relation, SceneGraph};
 
 use crate::block::{Block, Piece, cut};
 use crate::opening::{size, thin};
@@ -59,7 +59,7 @@ fn lost(graph: &SceneGraph, node: &Node) -> Vec<Aabb> {
 
 /// A box, cut at the edges of other boxes and at the walls that stand in it: the borders of rooms are among these.
 fn cells(graph: &SceneGraph, own: &Aabb, all: &[Slab]) -> Vec<Aabb> {
-    let walls: Vec<Aabb> = graph.of_class("wall").into_iter().filter_map(|id| graph.node(id)?.aabb()).collect();
+    let walls: Vec<Aabb> = graph.of_role(ObjectRole::Wall).filter_map(Node::aabb).collect();
     let lines = |axis: usize| {
         let mut lines: Vec<f32> = all.iter().flat_map(|(.., b)| [b.min[axis], b.max[axis]]).collect();
         let edges = lines.clone();

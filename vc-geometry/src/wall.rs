@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Part;
-use vc_graph::{Node, Relation, SceneGraph};
+use vc_graph::{Node, ObjectRole, Relation, SceneGraph};
 
 use crate::block::{Block, Piece, cut, part};
 use crate::opening::Opening;
@@ -45,7 +45,7 @@ fn sides(graph: &SceneGraph, node: &Node, block: &Block) -> Vec<Piece> {
         .room_of(node.id())
         .into_iter()
         .flat_map(|room| graph.relating(Relation::InRoom, room))
-        .filter_map(|id| graph.node(id).filter(|n| &**n.class() == "floor")?.aabb())
+        .filter_map(|id| graph.node(id).filter(|n| n.role() == ObjectRole::Floor)?.aabb())
         .collect();
     let is_floor = |point: Vector3<f32>| {
         let at = block.pose * Point3::from(point);

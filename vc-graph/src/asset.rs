@@ -1,5 +1,7 @@
 //! Shapes as plain data, from which physics makes colliders and the renderer makes meshes.
 
+mod merge;
+
 use std::sync::Arc;
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
@@ -10,6 +12,7 @@ use crate::geometry::is_finite;
 use crate::serial;
 
 pub use crate::texture::Texture;
+pub use merge::Merged;
 
 /// Index of an [`Asset`] in its [`AssetLibrary`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use crate::format::serial::pose;
 use crate::node::Node;
 use crate::{Edge, NodeId, Pose, SceneGraph, StateSet};
 
 /// One reversible change of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Change {
     /// A node without relations was added.
@@ -27,8 +29,10 @@ pub enum Change {
         /// The node.
         id: NodeId,
         /// Pose before.
+        #[serde(serialize_with = "pose::known")]
         before: Option<Pose>,
         /// Pose after.
+        #[serde(serialize_with = "pose::known")]
         after: Option<Pose>,
     },
     /// The contents of a container that can be poured from or into changed.
@@ -117,7 +121,8 @@ impl Change {
 /// assert_eq!(graph, before);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, serde::Serialize)]
+#[serde(transparent)]
 pub struct ChangeSet {
     pub(crate) changes: Vec<Change>,
 }

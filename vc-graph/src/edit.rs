@@ -12,7 +12,8 @@ use crate::{
 };
 
 /// The reason why an edit was refused; the graph is as it was before that call.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum EditError {
     /// There is no such node.

@@ -6,21 +6,19 @@ use std::sync::Arc;
 use nalgebra::Point3;
 
 use crate::asset::AssetLibrary;
-use crate::class::{Category, ClassTable};
+use crate::class::ClassTable;
 use crate::grid::Grid;
 use crate::met::Met;
 use crate::node::{Kind, Link, Node};
 use crate::spelling::key;
 use crate::store::Store;
-use crate::{Edge, Label, NodeId, Place, Property, Relation, State};
+use crate::{Edge, Label, NodeId, ObjectRole, Place, Property, Relation, State};
 
 /// The distance up to which an object counts as near: within reach of an agent's step and arm, metres.
 /// VirtualHome's CLOSE uses the same value.
 pub const NEAR: f32 = 1.5;
 /// The class of the switch of a room's lamps.
 const LIGHT_SWITCH: &str = "lightswitch";
-/// Classes of objects that cover windows when closed.
-const WINDOW_COVERS: [&str; 3] = ["curtain", "blinds", "roller_shutter"];
 
 /// Rooms, agents and objects with their states, poses and relations.
 ///
@@ -110,6 +108,20 @@ impl SceneGraph {
         self.node(id).map_or_else(|| Label { class: "?".into(), id }, Node::label)
     }
 
+    /// The node of a class, or of a kind of it, with the smallest number.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let desk = scene.add(Draft::new("desk_lamp"))?;
+    /// let scene = scene.build();
+    /// assert_eq!((scene.first_of_class("lamp"), scene.first_of_class("mug")), (Some(desk), None));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn first_of_class(&self, class: &str) -> Option<NodeId> {
+        self.of_class(class).first().copied()
+    }
+
     /// The rooms.
     pub fn rooms(&self) -> &[NodeId] {
         &self.rooms
@@ -118,6 +130,20 @@ impl SceneGraph {
     /// The agents.
     pub fn agents(&self) -> &[NodeId] {
         &self.agents
+    }
+
+    /// The nodes of a role, in number order. Costs a step for each node of the scene.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, ObjectRole, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let [_, window] = [scene.add(Draft::new("wall"))?, scene.add(Draft::new("roof_window"))?];
+    /// let scene = scene.build();
+    /// assert_eq!(scene.of_role(ObjectRole::Window).map(|node| node.id()).collect::<Vec<_>>(), [window]);
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn of_role(&self, role: ObjectRole) -> impl Iterator<Item = &Node> {
+        self.nodes().filter(move |node| node.role() == role)
     }
 
     /// Nodes of a class (in any spelling) and of its descendants: `table` finds kitchen tables. Costs a look-up
@@ -169,8 +195,7 @@ impl SceneGraph {
     /// # Ok::<(), vc_graph::EditError>(())
     /// ```
     pub fn covers_windows(&self, id: NodeId) -> bool {
-        let hangs = |n: &Node| WINDOW_COVERS.iter().any(|class| self.classes().is_a(n.class(), class));
-        self.node(id).is_some_and(|n| n.affords(Property::Openable) && hangs(n))
+        self.node(id).is_some_and(|n| n.affords(Property::Openable) && n.role() == ObjectRole::Cover)
     }
 
     /// Whether a thing that can glow does: it is on, or it is a lamp without a switch of its own and a light switch of
@@ -201,15 +226,10 @@ impl SceneGraph {
     pub fn light_switches(&self, lamp: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         let is = |n: &Node, class: &str| self.classes().is_a(n.class(), class);
         let fixed = |n: &&Node| !n.affords(Property::Switchable) && !n.affords(Property::Graspable);
-        let lamp = self.node(lamp).filter(fixed).filter(|n| self.is_lamp(n));
+        let lamp = self.node(lamp).filter(fixed).filter(|n| n.role() == ObjectRole::Light);
         let room = lamp.and_then(|n| self.room_of(n.id));
         let things = room.into_iter().flat_map(|room| self.in_room(room));
         things.filter(move |id| self.node(*id).is_some_and(|n| is(n, LIGHT_SWITCH) && n.affords(Property::Switchable)))
-    }
-
-    /// Whether a node's class is that of a lamp.
-    fn is_lamp(&self, node: &Node) -> bool {
-        self.classes().get(node.class()).is_some_and(|class| class.category == Category::Lamp)
     }
 
     /// The nodes that a relation leads to from a node.

@@ -2,6 +2,7 @@
 #![warn(clippy::disallowed_methods)]
 
 mod action;
+mod anthropometry;
 pub mod asset;
 mod builder;
 mod bulk;
@@ -23,9 +24,10 @@ mod observe;
 pub mod portable;
 mod property;
 mod relation;
+mod role;
 pub mod rule;
 mod seed;
-mod serial;
+pub mod serial;
 mod simulator;
 mod spelling;
 mod state;
@@ -37,6 +39,7 @@ mod vocabulary;
 pub use nalgebra;
 
 pub use action::{Action, ActionError, Called, Deed, Misnomer, Verb};
+pub use anthropometry::Anthropometry;
 pub use asset::{Asset, AssetId, AssetLibrary};
 pub use builder::SceneBuilder;
 pub use change::{Change, ChangeSet, Misfit};
@@ -52,6 +55,7 @@ pub use node::{Draft, Kind, Node, Spec};
 pub use observe::{Observation, Scope};
 pub use property::{Property, PropertySet};
 pub use relation::{Edge, Place, Relation};
+pub use role::ObjectRole;
 pub use rule::{Condition, Effect, Refusal, Rule, Semantics};
 pub use seed::{Seed, Stream};
 pub use simulator::{Event, History, Simulator};

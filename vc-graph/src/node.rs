@@ -9,9 +9,9 @@ use crate::class::{Class, ClassTable, Slot, SlotKind};
 use crate::geometry::{Aabb, Bounds, Pose};
 use crate::spelling::key;
 use crate::vocabulary::Word;
-use crate::{AssetId, Label, NodeId, Place, Property, PropertySet, Relation, State, StateSet};
+use crate::{AssetId, Label, NodeId, ObjectRole, Place, Property, PropertySet, Relation, State, StateSet};
 
-/// The role of a node in a scene.
+/// The sort of a node: where, who or which thing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// A region that contains other nodes; it has no body.
@@ -36,6 +36,8 @@ pub struct Spec {
     pub category: Arc<str>,
     /// Room, agent or object.
     pub kind: Kind,
+    /// Its role in the scene.
+    pub role: ObjectRole,
     /// Properties given by the scene's author.
     pub properties: PropertySet,
     /// Properties used by the transition rule: the author's and the class's.
@@ -118,6 +120,11 @@ impl Node {
         self.spec.kind
     }
 
+    /// The role of the node in its scene.
+    pub fn role(&self) -> ObjectRole {
+        self.spec.role
+    }
+
     /// The states of the node.
     pub fn states(&self) -> StateSet {
         self.states
@@ -160,7 +167,7 @@ impl Node {
 
     /// Whether it is part of the building: a wall, a floor, a ceiling.
     pub fn is_building(&self) -> bool {
-        matches!(&*self.spec.category, "structure" | "Floor" | "Floors" | "Walls" | "Ceiling")
+        self.spec.role.is_building()
     }
 
     /// Whether the node is closed and therefore hides its contents. A sink has no lid: at best the counter around
@@ -339,9 +346,13 @@ impl Draft {
             (None, Some(class)) => class.category.as_str().into(),
             (None, None) => "prop".into(),
         };
+        let folded: Arc<str> = class.map_or_else(|| key(&self.class).into(), |c| c.name.clone());
+        let kind = kind_of(class, &category);
+        let affordances = affordances(self.properties, class, states);
         Spec {
-            class: class.map_or_else(|| key(&self.class).into(), |c| c.name.clone()),
-            kind: kind_of(class, &category),
+            role: ObjectRole::of(kind, class, (&folded, &category), affordances),
+            class: folded,
+            kind,
             category,
             spelling: match class {
                 Some(class) if class.name == self.class => class.name.clone(),
@@ -349,7 +360,7 @@ impl Draft {
             },
             name: self.name,
             properties: self.properties.unwrap_or(known),
-            affordances: affordances(self.properties, class, states),
+            affordances,
             bounds: self.bounds,
             scale: self.scale.unwrap_or_else(|| Vector3::repeat(1.0)),
             slots: self.slots.map_or_else(|| class.map_or_else(|| [].into(), |c| c.slots.clone()), Into::into),
@@ -359,11 +370,10 @@ impl Draft {
 }
 
 fn kind_of(class: Option<&Class>, category: &str) -> Kind {
-    use crate::class::Category;
-    match (category, class.map(|c| c.category)) {
-        ("Rooms" | "room", _) => Kind::Room,
-        ("Characters" | "character", _) => Kind::Agent,
-        (_, Some(Category::Character)) => Kind::Agent,
+    let written = ObjectRole::of_category(category);
+    match (written, class.and_then(|c| c.listed)) {
+        (Some(ObjectRole::Room), _) => Kind::Room,
+        (Some(ObjectRole::Person), _) | (_, Some(ObjectRole::Person)) => Kind::Agent,
         _ => Kind::Object,
     }
 }

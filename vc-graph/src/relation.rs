@@ -88,7 +88,7 @@ impl Relation {
 }
 
 /// One relation between two nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 pub struct Edge {
     /// The node at which the relation starts.
     pub from: NodeId,

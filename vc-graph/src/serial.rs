@@ -1,4 +1,4 @@
-//! How poses and vectors are written: plain arrays.
+//! How poses and vectors are written: plain arrays. The public modules are for `#[serde(with)]`.
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -89,13 +89,66 @@ impl BoundsFile {
     }
 }
 
-/// `#[serde(with)]` for a vector.
-pub(crate) mod vector {
+/// `#[serde(with)]` for a pose: `{"position": [x, y, z], "rotation": [x, y, z, w]}`, metres and a unit quaternion.
+///
+/// ```
+/// use vc_graph::Pose;
+/// #[derive(serde::Serialize, serde::Deserialize)]
+/// struct Mark {
+///     #[serde(with = "vc_graph::format::serial::pose")]
+///     at: Pose,
+/// }
+/// let text = serde_json::to_string(&Mark { at: Pose::translation(1.0, 2.0, 0.5) })?;
+/// assert_eq!(text, r#"{"at":{"position":[1.0,2.0,0.5],"rotation":[0.0,0.0,0.0,1.0]}}"#);
+/// assert_eq!(serde_json::from_str::<Mark>(&text)?.at, Pose::translation(1.0, 2.0, 0.5));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+pub mod pose {
+    use serde::de::Error;
+
+    use super::{Deserialize, Pose, PoseFile, Serialize};
+
+    /// Writes a pose.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: serde::Serializer>(pose: &Pose, s: S) -> Result<S::Ok, S::Error> {
+        PoseFile::from(pose).serialize(s)
+    }
+
+    /// Reads a pose.
+    ///
+    /// # Errors
+    /// Those of the deserializer; a position that is not finite or farther than 10,000 km away; a rotation that is not
+    /// of unit length.
+    pub fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Pose, D::Error> {
+        let wrong = || D::Error::custom("a pose has finite numbers and a rotation of unit length");
+        PoseFile::deserialize(d)?.pose().ok_or_else(wrong)
+    }
+
+    /// Writes a pose that may be unknown.
+    pub(crate) fn known<S: serde::Serializer>(pose: &Option<Pose>, s: S) -> Result<S::Ok, S::Error> {
+        pose.as_ref().map(PoseFile::from).serialize(s)
+    }
+}
+
+/// `#[serde(with)]` for a vector: `[x, y, z]`.
+pub mod vector {
     use super::{Deserialize, Serialize, Vector3};
-    pub(crate) fn serialize<S: serde::Serializer>(v: &Vector3<f32>, s: S) -> Result<S::Ok, S::Error> {
+
+    /// Writes a vector.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: serde::Serializer>(v: &Vector3<f32>, s: S) -> Result<S::Ok, S::Error> {
         <[f32; 3]>::from(*v).serialize(s)
     }
-    pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Vector3<f32>, D::Error> {
+
+    /// Reads a vector.
+    ///
+    /// # Errors
+    /// Those of the deserializer.
+    pub fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Vector3<f32>, D::Error> {
         <[f32; 3]>::deserialize(d).map(Vector3::from)
     }
 }
@@ -119,17 +172,5 @@ pub(crate) mod points {
     }
     pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Vec<Point3<f32>>, D::Error> {
         Ok(Vec::<[f32; 3]>::deserialize(d)?.into_iter().map(Point3::from).collect())
-    }
-}
-
-/// `#[serde(with)]` for a pose.
-pub(crate) mod pose {
-    use super::{Deserialize, Pose, PoseFile, Serialize};
-    pub(crate) fn serialize<S: serde::Serializer>(pose: &Pose, s: S) -> Result<S::Ok, S::Error> {
-        PoseFile::from(pose).serialize(s)
-    }
-    pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Pose, D::Error> {
-        let bad = || serde::de::Error::custom("a pose has finite numbers and a rotation of unit length");
-        PoseFile::deserialize(d)?.pose().ok_or_else(bad)
     }
 }

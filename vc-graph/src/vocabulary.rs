@@ -136,6 +136,13 @@ impl<W: Word> FromIterator<W> for Set<W> {
     }
 }
 
+/// A list of words.
+impl<W: Word> serde::Serialize for Set<W> {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.collect_seq(self.iter().map(W::as_str))
+    }
+}
+
 impl<W: Word> fmt::Debug for Set<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_set().entries(self.iter().map(W::as_str)).finish()

@@ -6,7 +6,7 @@
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
-use vc_graph::{Aabb, ClassTable, Kind, Node, NodeId, Pose, SceneGraph};
+use vc_graph::{Aabb, Node, NodeId, ObjectRole, Pose, SceneGraph};
 
 use crate::agent::Agent;
 use crate::shapes::Form;
@@ -34,13 +34,13 @@ pub(crate) struct Storeys(Vec<Aabb>);
 impl Storeys {
     pub(crate) fn of(graph: &SceneGraph) -> Self {
         let rooms = graph.rooms().iter().copied();
-        let floors = graph.of_class("floor").into_iter();
-        Self(rooms.chain(floors).filter_map(|id| graph.node(id)?.aabb()).collect())
+        let floors = graph.of_role(ObjectRole::Floor);
+        Self(rooms.filter_map(|id| graph.node(id)).chain(floors).filter_map(Node::aabb).collect())
     }
 
     /// The depth of the ground below a node, metres; zero if it is not a floor.
-    pub(crate) fn ground_below(&self, node: &Node, classes: &ClassTable, form: &Form, pose: &Pose) -> f32 {
-        if !is_floor(node, classes) || (pose.rotation * Vector3::z()).z < LEVEL {
+    pub(crate) fn ground_below(&self, node: &Node, form: &Form, pose: &Pose) -> f32 {
+        if node.role() != ObjectRole::Floor || (pose.rotation * Vector3::z()).z < LEVEL {
             return 0.0;
         }
         let own = around(form, pose);
@@ -53,10 +53,6 @@ impl Storeys {
         let free = |other: &Aabb| (own.min.z - other.max.z).max(0.0);
         self.0.iter().filter(below).map(free).fold(DEPTH, f32::min)
     }
-}
-
-fn is_floor(node: &Node, classes: &ClassTable) -> bool {
-    node.kind() == Kind::Object && (classes.is_a(node.class(), "floor") || &*node.spec().category == "Floors")
 }
 
 /// The bounding box of a form at a pose.

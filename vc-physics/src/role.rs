@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 use vc_graph::asset::Hold;
-use vc_graph::class::{Category, Class};
+use vc_graph::class::Class;
 use vc_graph::{Kind, Node, Property, Relation, SceneGraph};
 
 use crate::settings::{Fixing, Settings, Unplaced};
@@ -47,7 +47,7 @@ impl<'a> Roles<'a> {
         if node.kind() != Kind::Object {
             return None;
         }
-        if is_structure(node, class) || self.stays(node, class.is_some(), mass) {
+        if node.role().is_built_in() || self.stays(node, class.is_some(), mass) {
             return Some(Role::Fixed);
         }
         let rests = self.graph.places(node.id()).next().is_some();
@@ -77,13 +77,5 @@ impl<'a> Roles<'a> {
             Fixing::Immovable => !moves,
             Fixing::Heavy => !moves || (!carried && mass > self.settings.heavy && !node.affords(Property::Drivable)),
         }
-    }
-}
-
-/// Whether a node is part of the building.
-pub(crate) fn is_structure(node: &Node, class: Option<&Class>) -> bool {
-    match class {
-        Some(class) => matches!(class.category, Category::Structure | Category::Door | Category::Window),
-        None => matches!(&*node.spec().category, "structure" | "door" | "window" | "Floors" | "Walls" | "Doors"),
     }
 }

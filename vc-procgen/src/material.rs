@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use vc_graph::AssetLibrary;
-use vc_graph::asset::{AssetError, Material};
+use vc_graph::asset::Material;
 use vc_graph::portable::Portable;
 
 /// A material of the [table](ALL): its index in every library that this crate makes.
@@ -319,22 +319,6 @@ pub fn library() -> AssetLibrary {
         library
     });
     LIBRARY.clone()
-}
-
-/// Adds the materials of the [table](library) to a library, unless it begins with them, and returns the
-/// index of the first one: a material's index in the library is that plus its index in the table.
-///
-/// # Errors
-/// [`AssetError`] if the library refuses a material; it accepts all of the table.
-pub fn join(library: &mut AssetLibrary) -> Result<u32, AssetError> {
-    let own = self::library();
-    let all = |of: &AssetLibrary| (0..).map_while(|i| of.material(i)).cloned().collect::<Vec<Material>>();
-    let (table, there) = (all(&own), all(library));
-    if there.starts_with(&table) {
-        return Ok(0);
-    }
-    table.into_iter().try_for_each(|material| library.add_material(material).map(drop))?;
-    Ok(there.len() as u32)
 }
 
 fn material(name: &str, family: Family, colour: u32) -> Material {

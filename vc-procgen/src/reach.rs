@@ -3,24 +3,20 @@
 use std::sync::LazyLock;
 
 use vc_geometry::grid::{BitGrid, Disc, ceiling, floor};
+use vc_graph::Anthropometry;
 
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest};
 use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
 
+/// The person for whom homes are furnished.
+const ADULT: Anthropometry = Anthropometry::ADULT;
 /// The radius of a person, in cells.
-pub(crate) const BODY: usize = 5;
+pub(crate) const BODY: usize = (ADULT.clearance * CELLS + 0.5) as usize;
 /// The cells that a person takes up.
 pub(crate) static PERSON: LazyLock<Disc> = LazyLock::new(|| Disc::touching(BODY));
-/// A person's height, metres: objects that hang above it are no obstacle.
-const HEIGHT: f32 = 1.7;
-/// The height of objects that a person steps over, metres.
-const STEP: f32 = 0.03;
-/// The distance that a person can reach, in cells: a metre, less the rounding of the objects'
-/// sizes.
-const ARM: f32 = 19.0;
 /// The cells within reach of a person.
-pub(crate) static REACH: LazyLock<Disc> = LazyLock::new(|| Disc::within(ARM));
+pub(crate) static REACH: LazyLock<Disc> = LazyLock::new(|| Disc::within((ADULT.ahead * CELLS).round()));
 /// The margin around the plan, in cells.
 const MARGIN: i32 = 10;
 
@@ -112,13 +108,13 @@ pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
 /// The areas where window sills protrude into their rooms, by room.
 pub(crate) fn boards(plan: &Plan) -> impl Iterator<Item = (usize, Rect)> {
     const DEPTH: i32 = 2;
-    let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < HEIGHT);
+    let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < ADULT.stature);
     windows.filter_map(|o| o.high.or(o.low).map(|room| (room, o.before(o.high.is_some(), DEPTH))))
 }
 
 /// Whether an object between two heights is an obstacle for a walking person.
 pub(crate) fn is_in_the_way((low, high): (f32, f32)) -> bool {
-    low < HEIGHT && high > STEP
+    low < ADULT.stature && high > ADULT.flat
 }
 
 /// The cells that an area touches.

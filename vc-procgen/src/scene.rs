@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{
-    AssetId, Bounds, Draft, Edge, EditError, Frame, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State,
+    AssetId, Bounds, Draft, Edge, EditError, Frame, NodeId, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
 };
 
 use crate::apartment::Apartment;
@@ -75,7 +75,7 @@ impl Apartment {
 
     fn edges(&self) -> Vec<Edge> {
         let mut floors = vec![None; self.plan.rooms.len()];
-        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.class == "floor") {
+        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.role() == ObjectRole::Floor) {
             floors[item.room] = Some(self.item_id(index));
         }
         let mut edges = Vec::with_capacity(2 * self.items.len());
@@ -88,7 +88,7 @@ impl Apartment {
                 Rest::Inside(at, _) => edges.push(Edge::new(id, Relation::Inside, self.item_id(at))),
                 Rest::Wall | Rest::Ceiling | Rest::Built => {}
             }
-            if item.object.class.ends_with("door") {
+            if item.object.role() == ObjectRole::Door {
                 let rooms = std::iter::once(item.room).chain(item.between);
                 edges.extend(rooms.map(|room| Edge::new(id, Relation::Between, self.room_id(room))));
             }

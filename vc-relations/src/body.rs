@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
-use vc_graph::{Aabb, Frame, Node, NodeId, Property, State};
+use vc_graph::{Aabb, Frame, Node, NodeId, ObjectRole, Property, State};
 
 use crate::form::{Form, Piece};
 use crate::solid::{Round, Solid};
@@ -40,16 +40,14 @@ pub(crate) struct Traits {
 
 impl Traits {
     fn of(node: &Node) -> Self {
-        let category = &*node.spec().category;
-        let structure = node.is_building();
-        let door = matches!(category, "door" | "Doors");
+        let role = node.role();
         let boxed = node.spec().asset.is_none();
         let carries = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
         let agent = node.kind() == vc_graph::Kind::Agent;
         Self {
-            structure,
-            fixed: structure || door || matches!(category, "window" | "Windows"),
-            door,
+            structure: role.is_building(),
+            fixed: role.is_built_in(),
+            door: matches!(role, ObjectRole::Door | ObjectRole::DoorFrame),
             agent,
             moves: agent || node.affords(Property::Graspable) || node.affords(Property::Movable),
             sittable: node.affords(Property::Sittable),

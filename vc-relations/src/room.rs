@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
 use vc_geometry::tree::Tree;
-use vc_graph::{Aabb, Kind, NodeId, Relation, SceneGraph};
+use vc_graph::{Aabb, NodeId, ObjectRole, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::solid::{Round, Solid};
@@ -124,11 +124,7 @@ fn over(floor: &Solid, (low, high): (f32, f32)) -> Solid {
 }
 
 fn floors_of(graph: &SceneGraph, room: NodeId) -> impl Iterator<Item = NodeId> + '_ {
-    let is_floor = |id: &NodeId| {
-        graph
-            .node(*id)
-            .is_some_and(|n| n.kind() == Kind::Object && (&**n.class() == "floor" || &*n.spec().category == "Floor"))
-    };
+    let is_floor = |id: &NodeId| graph.node(*id).is_some_and(|n| n.role() == ObjectRole::Floor);
     graph.relating(Relation::InRoom, room).filter(is_floor)
 }
 

@@ -67,7 +67,7 @@ pub const NEAR_REACH: f32 = 1.0;
 pub const TOUCHING_DISTANCE: f32 = 0.05;
 
 /// Greatest distance between two things within arm's reach of each other, metres: an adult's arm.
-pub const ARMS_REACH: f32 = 0.75;
+pub const ARMS_REACH: f32 = vc_graph::Anthropometry::ADULT.arm;
 
 /// Margin by which the search for pairs reaches farther than their measurement, metres: more than the rounding
 /// of any coordinate up to [`WORLD_REACH`], so that the set of measured pairs never depends on which of the two

@@ -16,7 +16,7 @@
 
 use nalgebra::Point3;
 use vc_geometry::tree::Tree;
-use vc_graph::{Aabb, Edge, Kind, Node, NodeId, Relation, SceneGraph};
+use vc_graph::{Aabb, Edge, Kind, Node, NodeId, ObjectRole, Relation, SceneGraph};
 
 use crate::threshold::{VH_CAST, VH_CLOSE, VH_FAR, VH_FOOTPRINT, VH_ROUNDING};
 
@@ -28,21 +28,12 @@ struct Item<'g> {
 }
 
 impl Item<'_> {
-    fn category(&self) -> &str {
-        &self.node.spec().category
-    }
-
-    fn is_building(&self) -> bool {
-        let category = self.category();
-        ["Floor", "Floors", "Walls", "Ceiling", "Windows", "Doors", "structure", "window", "door"].contains(&category)
-    }
-
     fn is_door(&self) -> bool {
-        matches!(self.category(), "Doors" | "door")
+        matches!(self.node.role(), ObjectRole::Door | ObjectRole::DoorFrame)
     }
 
     fn is_jamb(&self) -> bool {
-        self.node.class().contains("jamb")
+        self.node.role() == ObjectRole::DoorFrame
     }
 
     fn meets(&self, other: &Self) -> bool {
@@ -79,7 +70,7 @@ fn pair(a: &Item<'_>, b: &Item<'_>, edges: &mut Vec<Edge>) {
         add(Relation::Near);
     }
     if contains(&b.aabb, &a.aabb) {
-        if !b.is_building() && !a.is_building() {
+        if ![a, b].into_iter().any(|item| item.node.role().is_built_in()) {
             add(Relation::Inside);
         }
     } else if on(a, b) {

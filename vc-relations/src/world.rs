@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use vc_geometry::cache::AssetCache;
 use vc_geometry::tree::{Meetings, Tree};
-use vc_graph::{Aabb, AssetId, AssetLibrary, Kind, Node, NodeId, Property, Relation, SceneGraph};
+use vc_graph::{Aabb, AssetId, AssetLibrary, Kind, Node, NodeId, ObjectRole, Property, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::evidence::Evidence;
@@ -90,7 +90,7 @@ impl World {
         let floors = graph.rooms().iter().flat_map(|&room| graph.relating(Relation::InRoom, room));
         for id in floors.chain(graph.rooms().iter().copied()) {
             let Some(node) = graph.node(id) else { continue };
-            let wanted = node.kind() == Kind::Room || &**node.class() == "floor" || &*node.spec().category == "Floor";
+            let wanted = matches!(node.role(), ObjectRole::Room | ObjectRole::Floor);
             if wanted && let Some(form) = self.forms.of(node) {
                 bodies.extend(Body::new(node, form, Vec::new()).map(|b| (id, b)));
             }

@@ -38,7 +38,7 @@ struct Way {
 /// assert!((seen.z - 4.0).abs() < 1e-5); // depth
 /// # Ok::<(), &str>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Camera {
     /// Pixels across.
     pub width: u32,
@@ -49,6 +49,7 @@ pub struct Camera {
     /// Principal point, pixels from the top left corner of the image.
     pub centre: (f32, f32),
     /// The optical frame in the world.
+    #[serde(with = "vc_graph::format::serial::pose")]
     pub pose: Pose,
     /// Near plane: surfaces nearer than this along the axis are not seen, metres.
     pub near: f32,

@@ -1,7 +1,7 @@
 //! Viewpoints that show a room well.
 
 use nalgebra::Point3;
-use vc_graph::NodeId;
+use vc_graph::{Anthropometry, NodeId, ObjectRole};
 
 use crate::RenderError;
 use crate::affine;
@@ -13,7 +13,7 @@ use crate::scene::{Instance, Snapshot};
 use crate::view::Shot;
 
 /// Height of the camera, and of the point it looks at, above the floor, metres.
-const EYE: f32 = 1.55;
+const EYE: f32 = Anthropometry::ADULT.view;
 const TARGET: f32 = 0.95;
 /// Distance that the camera keeps from the walls, metres.
 const OFF: f32 = 0.3;
@@ -137,12 +137,12 @@ fn targets(eye: Point3<f32>, middle: Point3<f32>) -> [[f32; 2]; 4] {
 /// to none.
 fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let mine = |n: &NodeId| snapshot.body_of(*n).is_some_and(|body| body.room == room);
-    let class = |n: &NodeId| snapshot.body_of(*n).and_then(|body| snapshot.class(body.class));
+    let is_window = |n: &&NodeId| snapshot.body_of(**n).is_some_and(|body| body.role == ObjectRole::Window);
     let mut seen: Vec<NodeId> = frame.instance.iter().copied().filter(mine).collect();
     let pixels = frame.depth.len() as f32;
     let sky = frame.instance.iter().filter(|n| **n == NOTHING).count();
     let foreign = (frame.instance.len() - seen.len() - sky) as f32 / pixels;
-    let windows = seen.iter().filter(|n| class(n).is_some_and(|c| **c == *"window")).count() as f32 / pixels;
+    let windows = seen.iter().filter(is_window).count() as f32 / pixels;
     let daylight = 1.0 + DAYLIGHT * (windows / WINDOWS).min(1.0);
     seen.sort_unstable();
     seen.dedup();

@@ -1,7 +1,7 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, Label, NodeId, SceneGraph};
+use vc_graph::{Aabb, Kind, Label, NodeId, ObjectRole, SceneGraph};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use crate::Environment;
@@ -167,7 +167,7 @@ impl Environment {
     fn blocked(&self, camera: &Camera) -> f32 {
         let eye = camera.eye();
         let (graph, world) = self.origin();
-        let is_floor = |id: NodeId| graph.node(id).is_some_and(|n| &**n.class() == "floor");
+        let is_floor = |id: NodeId| graph.node(id).is_some_and(|n| n.role() == ObjectRole::Floor);
         let at = |i: u32, count: u32, size: u32| (i as f32 + 0.5) * size as f32 / count as f32;
         let rays = (0..RAYS.1).flat_map(|row| (0..RAYS.0).map(move |column| (column, row)));
         let met = |(column, row): &(u32, u32)| {
@@ -183,7 +183,7 @@ impl Environment {
         let (pixels, graph) = (seen.len().max(1) as f32, self.origin().0);
         let foreign = |id: &&NodeId| graph.room_of(**id) != Some(room);
         let others = seen.iter().filter(foreign).count() as f32 / pixels;
-        let is_floor = |id: &&NodeId| graph.node(**id).is_some_and(|n| &**n.class() == "floor") && !foreign(id);
+        let is_floor = |id: &&NodeId| graph.node(**id).is_some_and(|n| n.role() == ObjectRole::Floor) && !foreign(id);
         let floor = (seen.iter().filter(is_floor).count() as f32 / pixels).min(FLOOR);
         seen.sort_unstable();
         seen.dedup();

@@ -8,8 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock};
 
 use vc_graph::asset::Joint;
-use vc_graph::class::Category;
-use vc_graph::{Kind, Label, Node, NodeId, Pose, Property, Relation, SceneGraph, State, Word};
+use vc_graph::{Kind, Label, Node, NodeId, ObjectRole, Pose, Property, Relation, State};
 use vc_physics::Role;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -21,8 +20,6 @@ use crate::Environment;
 use crate::environment::position;
 use crate::figure::{Bone, clothes};
 
-/// Categories of what lets light in.
-const OPENINGS: [Category; 2] = [Category::Door, Category::Window];
 /// By which share of the way rooms seen from above are made as bright as each other.
 const EVEN: f32 = 0.9;
 
@@ -245,14 +242,6 @@ impl Environment {
     }
 }
 
-/// The category of a thing's class; if the table lacks the class, the category that the scene says. Scenes of others have
-/// categories of their own.
-fn category(graph: &SceneGraph, id: NodeId) -> Option<Category> {
-    let node = graph.node(id)?;
-    let known = graph.classes().get(node.class()).map(|class| class.category);
-    known.or_else(|| Category::parse(&node.spec().category).ok())
-}
-
 impl Base {
     fn of(environment: &Environment) -> Result<Self, RenderError> {
         let (graph, world) = environment.origin();
@@ -265,7 +254,8 @@ impl Base {
         let fixed = |id: &NodeId| world.role(*id) == Some(Role::Fixed);
         let loose = seen.iter().copied().filter(|id| !fixed(id)).collect();
         let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
-        let lets_in = |id: &NodeId| category(graph, *id).is_some_and(|category| OPENINGS.contains(&category));
+        let lets_in =
+            |id: &NodeId| graph.node(*id).is_some_and(|n| matches!(n.role(), ObjectRole::Door | ObjectRole::Window));
         let openings = jointed.iter().copied().filter(lets_in).collect();
         let node = |id: &NodeId| graph.node(*id).filter(|n| n.affords(Property::Recipient));
         let vessels = seen.iter().filter_map(|id| Some((*id, node(id)?.contents().is_some()))).collect();

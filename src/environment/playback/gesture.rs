@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
-use vc_graph::{Aabb, Action, NodeId, Pose, Verb};
+use vc_graph::{Aabb, Action, Anthropometry, NodeId, Pose, Verb};
 use vc_physics::Hand;
 
 use super::Player;
@@ -139,7 +139,9 @@ impl Player {
     }
 
     fn before_eyes(&self, show: &Environment, offset: Vector3<f32>) -> Point3<f32> {
-        let eyes = show.skeleton(self.agent).map_or_else(|| Pose::translation(0.1, 0.0, 1.55), |s| s.eyes());
+        let eyes = show
+            .skeleton(self.agent)
+            .map_or_else(|| Pose::translation(0.1, 0.0, Anthropometry::ADULT.view), |s| s.eyes());
         // Heads are taken as upright here, whatever their pose.
         self.feet(show) * (Point3::from(eyes.translation.vector) + offset)
     }

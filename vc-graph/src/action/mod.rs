@@ -1,5 +1,7 @@
 //! An agent's actions and their text forms.
 
+mod named;
+
 use std::fmt;
 
 use crate::spelling::same_word;

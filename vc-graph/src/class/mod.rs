@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, LazyLock};
 
 use crate::vocabulary::vocabulary;
-use crate::{PropertySet, Relation, StateSet};
+use crate::{ObjectRole, PropertySet, Relation, StateSet};
 
 pub use parse::{ClassError, ClassProblem};
 
@@ -90,6 +90,21 @@ vocabulary! {
     }
 }
 
+vocabulary! {
+    /// A trait of the things of a class, beside its affordances.
+    #[non_exhaustive]
+    Trait, "trait" {
+        /// A hand can squeeze it: a sponge, a lemon, a tube. So it can clothes, wipers and creams, which affordances
+        /// tell.
+        Squeezable = "squeezable",
+        /// It is mounted flat on a wall, a window or a ceiling, or let into it.
+        Flat = "flat",
+    }
+}
+
+/// A set of [`Trait`]s.
+pub type TraitSet = crate::Set<Trait>;
+
 /// The kind of place that each relation takes up.
 pub(crate) const OCCUPANCY: [(Relation, SlotKind); 2] =
     [(Relation::SittingOn, SlotKind::Seat), (Relation::LyingOn, SlotKind::Lie)];
@@ -153,11 +168,20 @@ pub struct Class {
     pub slots: Arc<[Slot]>,
     /// Places where people keep it.
     pub kept: Vec<Kept>,
+    /// Its traits.
+    pub traits: TraitSet,
+    /// The role of its things, if the class or its category decides it.
+    pub(crate) listed: Option<ObjectRole>,
     /// Position in the table.
     index: usize,
 }
 
 impl Class {
+    /// The role of its things; in a scene a node's own properties may say that it cannot be grasped.
+    pub fn role(&self) -> ObjectRole {
+        self.listed.unwrap_or_else(|| ObjectRole::by_use(self.affordances))
+    }
+
     /// Typical depth, width and height, metres.
     pub fn typical_size(&self) -> Option<nalgebra::Vector3<f32>> {
         self.size.map(|s| nalgebra::Vector3::from(s.map(Range::middle)))
@@ -179,6 +203,8 @@ impl Class {
 pub struct ClassTable {
     classes: Vec<Class>,
     by_name: HashMap<String, usize>,
+    /// The classes by their names as written in the table.
+    written: HashMap<Arc<str>, usize>,
     /// For each class the indices of its descendants, itself included.
     kinds: Vec<Vec<usize>>,
 }
@@ -237,7 +263,7 @@ impl ClassTable {
     /// a fridge magnet is not a fridge); words such as colours at the end are skipped.
     pub fn get(&self, name: &str) -> Option<&Class> {
         let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
-        let whole = plain.then(|| self.by_name.get(name)).flatten();
+        let whole = self.written.get(name).or_else(|| plain.then(|| self.by_name.get(name)).flatten());
         let found = whole.or_else(|| name::candidates(name).find_map(|c| self.by_name.get(&c)));
         found.map(|&i| &self.classes[i])
     }

@@ -3,14 +3,13 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
-use crate::spelling::unmarked;
-use crate::spelling::{clip, key};
+use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind, Trait};
+use crate::spelling::{clip, key, unmarked};
 use crate::vocabulary::{Set, Word};
-use crate::{Property, Relation, State};
+use crate::{ObjectRole, Property, Relation, State};
 
-const COLUMNS: [&str; 10] =
-    ["name", "kind of", "aliases", "category", "affordances", "size", "mass", "starts", "slots", "kept"];
+const COLUMNS: [&str; 11] =
+    ["name", "kind of", "aliases", "category", "affordances", "size", "mass", "starts", "slots", "kept", "traits"];
 
 /// The largest number of ancestors of a class, direct and indirect.
 const DEEPEST: usize = 64;
@@ -34,7 +33,7 @@ pub struct ClassError {
 #[non_exhaustive]
 pub enum ClassProblem {
     /// Wrong number of columns.
-    #[error("a class has 10 columns separated by `|`, this line has {0}")]
+    #[error("a class has 10 columns separated by `|`, this line has {0}; its traits may follow as an 11th")]
     Columns(usize),
     /// The name is in use already.
     #[error("`{0}` is the name or alias of another class already")]
@@ -71,14 +70,14 @@ pub enum ClassProblem {
 impl ClassTable {
     /// Parses a class table.
     ///
-    /// One class a line, ten columns separated by `|`; `#` starts a comment line:
+    /// One class a line, ten or eleven columns separated by `|`; `#` starts a comment line:
     ///
-    /// `name | kind of | aliases | category | affordances | size | mass | starts | slots | kept`
+    /// `name | kind of | aliases | category | affordances | size | mass | starts | slots | kept | traits`
     ///
     /// Lists are separated by spaces. A size is three ranges in metres (depth, width, height), a mass is a
     /// range in kilograms, a slot is written `drawer:3`, and a place `room/on/class:weight`,
     /// `room/in/class:weight` or `room:weight`, with `*` for any room. All columns except the first and the
-    /// fourth may be empty.
+    /// fourth may be empty, and the traits may be left out.
     ///
     /// ```
     /// use vc_graph::ClassTable;
@@ -145,14 +144,17 @@ fn add(table: &mut ClassTable, class: Class, origin: &Origin<'_>) -> Result<(), 
             _ => table.by_name.insert(key, class.index),
         };
     }
+    table.written.insert(class.name.clone(), class.index);
     table.classes.push(class);
     Ok(())
 }
 
 fn parse_class(line: &str, origin: &Origin<'_>, index: usize) -> Result<Class, ClassError> {
     let columns: Vec<&str> = line.split('|').map(str::trim).collect();
-    let Ok(columns) = <[&str; 10]>::try_from(columns.as_slice()) else {
-        return Err(origin.error(0, ClassProblem::Columns(columns.len())));
+    let traits = match columns.len() {
+        10 => "",
+        11 => columns[10],
+        number => return Err(origin.error(0, ClassProblem::Columns(number))),
     };
     if !is_name(columns[0]) {
         return Err(origin.error(0, ClassProblem::Name));
@@ -172,6 +174,8 @@ fn parse_class(line: &str, origin: &Origin<'_>, index: usize) -> Result<Class, C
         starts: words::<State>(columns[7]).map_err(|e| origin.error(7, e))?,
         slots: list(columns[8], slot).map_err(|e| origin.error(8, e))?.into(),
         kept: list(columns[9], kept).map_err(|e| origin.error(9, e))?,
+        traits: words::<Trait>(traits).map_err(|e| origin.error(10, e))?,
+        listed: None,
         index,
     })
 }
@@ -251,7 +255,24 @@ fn resolve(table: &mut ClassTable, first_new: usize, origins: &[Origin<'_>]) -> 
         }
     }
     table.kinds = kinds(table, first_new, origins)?;
+    give_roles(table);
     Ok(())
+}
+
+/// Gives each class the role of the first listed class that it is a kind of, or else that of its category.
+fn give_roles(table: &mut ClassTable) {
+    for class in &mut table.classes {
+        class.listed = None;
+    }
+    for (name, role) in ObjectRole::classes() {
+        let kinds = table.by_name.get(&key(name)).map_or(&[][..], |&index| table.kinds[index].as_slice());
+        for &index in kinds {
+            table.classes[index].listed.get_or_insert(role);
+        }
+    }
+    for class in &mut table.classes {
+        class.listed = class.listed.or_else(|| ObjectRole::of_category(class.category.as_str()));
+    }
 }
 
 fn find(by_name: &HashMap<String, usize>, names: &[Arc<str>], name: &str) -> Result<Arc<str>, ClassProblem> {

@@ -29,6 +29,7 @@ use crate::EditError;
 
 pub use scene::read_scene;
 
+pub use crate::serial;
 pub use crate::spelling::unmarked;
 
 /// Largest text that a reader accepts, bytes.

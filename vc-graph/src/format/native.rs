@@ -23,8 +23,8 @@ use crate::node::{Kind, Node, Spec};
 use crate::serial::{BoundsFile, LARGEST_SCALE, PoseFile, within};
 use crate::spelling::key;
 use crate::{
-    Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, PropertySet, Relation, SceneBuilder, SceneGraph,
-    Set, StateSet, Word,
+    Asset, AssetId, AssetLibrary, ClassTable, Edge, EditError, NodeId, ObjectRole, PropertySet, Relation, SceneBuilder,
+    SceneGraph, Set, StateSet, Word,
     asset::{Material, Texture},
 };
 
@@ -88,9 +88,9 @@ enum KindFile {
 
 /// The kind of a node that gives only its category.
 fn implied(category: &str) -> KindFile {
-    match category {
-        "room" | "Rooms" => KindFile::Room,
-        "character" | "Characters" => KindFile::Agent,
+    match ObjectRole::of_category(category) {
+        Some(ObjectRole::Room) => KindFile::Room,
+        Some(ObjectRole::Person) => KindFile::Agent,
         _ => KindFile::Object,
     }
 }
@@ -224,6 +224,13 @@ impl From<&Node> for NodeFile {
     }
 }
 
+/// A node as in this format: without its relations.
+impl Serialize for Node {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        NodeFile::from(self).serialize(s)
+    }
+}
+
 impl NodeFile {
     /// The node, or the name of the invalid field.
     fn into_node(self, classes: &ClassTable) -> Result<Node, &'static str> {
@@ -238,9 +245,11 @@ impl NodeFile {
             return Err(".scale");
         }
         let spelled: Arc<str> = self.class.into();
-        let unknown = || Arc::from(key(&spelled));
+        let class = classes.exact(&spelled);
+        let name = class.map_or_else(|| Arc::from(key(&spelled)), |c| c.name.clone());
         let spec = Spec {
-            class: classes.exact(&spelled).map_or_else(unknown, |c| c.name.clone()),
+            role: ObjectRole::of(kind, class, (&name, &self.category), affordances),
+            class: name,
             spelling: self.spelling.map_or(spelled, Into::into),
             name: self.name.map(Into::into),
             category: self.category.into(),

@@ -1,42 +1,16 @@
 //! Checking an agent's preconditions in a scene.
 
-use std::collections::BTreeSet;
 use std::marker::PhantomData;
-use std::sync::LazyLock;
 
-use crate::class::SlotKind;
+use crate::class::{SlotKind, Trait};
 use crate::node::{Kind, Node};
 use crate::rule::check::{Why, origin, vehicle_of};
 use crate::rule::condition::Condition;
 use crate::rule::fit::misfit;
 use crate::rule::refusal::Refusal;
-use crate::spelling::key;
 use crate::validate::{carries, encloses, soaks};
 use crate::vocabulary::Word;
 use crate::{Edge, NodeId, Place, Property, Relation, SceneGraph, State};
-
-/// Classes apart from clothes that can be squeezed.
-const SOFT: &[&str] = &[
-    "toothpaste",
-    "shampoo",
-    "food_peanut_butter",
-    "dish_soap",
-    "soap",
-    "bar_soap",
-    "towel",
-    "rag",
-    "paper",
-    "sponge",
-    "lemon",
-    "check",
-    "condiment_bottle",
-    "cleaning_solution",
-    "washing_sponge",
-    "lotion_bottle",
-];
-
-/// The classes of [`SOFT`], by their folded spelling.
-static SOFT_KEYS: LazyLock<BTreeSet<String>> = LazyLock::new(|| SOFT.iter().map(|name| key(name)).collect());
 
 /// A graph in which an agent's preconditions are checked; `W` determines whether reasons are given.
 pub(super) struct Judge<'a, W> {
@@ -253,7 +227,8 @@ impl<'a, W: Why> Judge<'a, W> {
     fn soft(&self, id: NodeId) -> Result<(), W> {
         let node = self.node(id)?;
         let gives = [Property::Wearable, Property::Wiper, Property::Cream].into_iter().any(|p| node.affords(p));
-        let soft = gives || SOFT_KEYS.contains(&key(node.class()));
+        let class = || self.graph.classes().get(node.class());
+        let soft = gives || class().is_some_and(|class| class.traits.contains(Trait::Squeezable));
         self.require(soft, || Refusal::NotAfforded(node.label(), "soft"))
     }
 

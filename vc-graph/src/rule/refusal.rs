@@ -3,7 +3,8 @@
 use crate::{EditError, Label, NodeId, Property, Relation, State, Verb};
 
 /// The reason why an action is refused. Every refusal names the objects and the unmet precondition.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Refusal {
     /// The object does not exist.

@@ -165,3 +165,27 @@ fn unsound_parts_are_refused_by_name() {
     assert!(matches!(add(joint(Vector3::zeros(), (0.0, 1.0))), AssetError::BadJoint(_)));
     assert!(matches!(add(joint(Vector3::z(), (1.0, 0.0))), AssetError::BadJoint(_)));
 }
+
+#[test]
+fn libraries_are_merged_and_numbered_anew() {
+    let texture = |name: &str| {
+        let (name, pixels) = (name.into(), vec![[0, 0, 0], [255, 255, 255]]);
+        Arc::new(Texture { name, width: 2, height: 1, pixels })
+    };
+    let mut other = AssetLibrary::default();
+    let picture = other.add_texture(texture("picture")).unwrap();
+    other.add_material(Material { name: "print".into(), texture: Some(picture), ..oak() }).unwrap();
+    let own = other.add(Asset { name: "poster".into(), parts: vec![part(shapes()[0].clone())], ..Asset::default() });
+    let mut home = AssetLibrary::default();
+    home.add_texture(texture("rug")).unwrap();
+    home.add_material(oak()).unwrap();
+    let merged = home.merge(&other).unwrap();
+    assert_eq!((merged.textures, merged.materials, merged.assets), (1, 1, 0));
+    assert_eq!(home.material(1).unwrap().texture, Some(1));
+    let poster = home.get(merged.asset(own.unwrap())).unwrap();
+    assert_eq!((&*poster.name, poster.parts[0].material), ("poster", 1));
+    let before = home.clone();
+    assert_eq!(home.merge(&other), Ok(merged), "what is there is shared");
+    assert_eq!(home, before);
+    assert_eq!(home.merge(&AssetLibrary::default()).map(|_| ()), Ok(()));
+}

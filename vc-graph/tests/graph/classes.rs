@@ -1,8 +1,11 @@
 //! The built-in class table, and tables of users.
 #![allow(clippy::unwrap_used)]
 
-use vc_graph::class::{Category, Class, SlotKind};
-use vc_graph::{ClassError, ClassTable, Property, Relation};
+use std::collections::BTreeMap;
+
+use vc_graph::class::{Category, Class, SlotKind, Trait};
+use vc_graph::format::native;
+use vc_graph::{ClassError, ClassTable, Draft, ObjectRole, Property, PropertySet, Relation, SceneBuilder, Word};
 
 #[test]
 fn builtin_text_is_well_formed() {
@@ -303,4 +306,71 @@ fn a_compound_is_what_its_last_word_says() {
     ] {
         assert_eq!(table.get(name).map_or("", |c| &c.name), class, "{name}");
     }
+}
+
+/// The classes of each role; the table lists all but furniture and loose things.
+const ROLES: &str = include_str!("roles.txt");
+
+#[test]
+fn every_class_has_the_role_that_it_plays() {
+    let lines = ROLES.lines().filter(|line| !line.starts_with('#')).map(|line| line.split_once('|').unwrap());
+    let pairs = |(role, classes): (&'static str, &'static str)| {
+        classes.split_whitespace().map(move |class| (class, ObjectRole::parse(role.trim()).unwrap()))
+    };
+    let listed: BTreeMap<&str, ObjectRole> = lines.flat_map(pairs).collect();
+    let table = ClassTable::builtin();
+    for class in table.iter() {
+        let by_use = if class.affords(Property::Graspable) { ObjectRole::Loose } else { ObjectRole::Furniture };
+        assert_eq!(class.role(), *listed.get(&*class.name).unwrap_or(&by_use), "{}", class.name);
+    }
+    let unknown: Vec<&&str> = listed.keys().filter(|name| table.get(name).is_none()).collect();
+    assert!(unknown.is_empty(), "{unknown:?}");
+}
+
+#[test]
+fn a_node_has_the_role_of_its_class_or_else_of_its_category() {
+    let text =
+        "shoji | blinds | | decor | openable | 0.1 1 2 | 5 | closed | |\nparquet | floor | | structure | | | | | |";
+    let table = ClassTable::builtin().extended("mine.txt", text).unwrap();
+    let mut scene = SceneBuilder::with_classes("flat", table.into());
+    for (class, category, role) in [
+        ("shoji", None, ObjectRole::Cover),
+        ("parquet", None, ObjectRole::Floor),
+        // The class table knows better than a scene's author.
+        ("doorjamb", Some("Doors"), ObjectRole::DoorFrame),
+        ("curtains", Some("Furniture"), ObjectRole::Cover),
+        // It lacks these classes.
+        ("qwertz", Some("Walls"), ObjectRole::Wall),
+        ("qwertz", Some("Floor"), ObjectRole::Floor),
+        ("qwertz", Some("Floors"), ObjectRole::Floor),
+        ("qwertz", Some("Ceiling"), ObjectRole::Ceiling),
+        ("qwertz", Some("Windows"), ObjectRole::Window),
+        ("qwertz", Some("structure"), ObjectRole::Structure),
+        ("qwertz", Some("Lamps"), ObjectRole::Light),
+        ("qwertz", Some("Rooms"), ObjectRole::Room),
+        ("qwertz", Some("character"), ObjectRole::Person),
+        ("qwertz", None, ObjectRole::Furniture),
+        ("apple", None, ObjectRole::Loose),
+    ] {
+        let id = scene.add(Draft { category: category.map(Into::into), ..Draft::new(class) }).unwrap();
+        assert_eq!(scene.graph().node(id).unwrap().role(), role, "{class} in {category:?}");
+    }
+    let bolted = Draft { properties: Some(Default::default()), ..Draft::new("qwertz") };
+    let held = Draft { properties: Some(PropertySet::of(&[Property::Graspable])), ..Draft::new("qwertz") };
+    let [bolted, held] = [bolted, held].map(|draft| scene.add(draft).unwrap());
+    let scene = scene.build();
+    let role = |id| scene.node(id).unwrap().role();
+    assert_eq!([role(bolted), role(held)], [ObjectRole::Furniture, ObjectRole::Loose]);
+    let again = native::read(&native::write(&scene), scene.classes()).unwrap();
+    assert!(scene.nodes().all(|n| again.node(n.id()).is_some_and(|m| m.role() == n.role())), "written and read");
+}
+
+#[test]
+fn traits_follow_as_an_eleventh_column() {
+    let text = "stress_ball | | | toy | graspable | 0.06 0.06 0.06 | 0.1 | | | | squeezable";
+    let table = ClassTable::builtin().extended("mine.txt", text).unwrap();
+    let soft = |name: &str| table.get(name).unwrap().traits.contains(Trait::Squeezable);
+    assert!(soft("stress_ball") && soft("sponge") && soft("cleaning_solution") && !soft("mug"));
+    let error = ClassTable::parse("mine.txt", "ball | | | toy | | | | | | | bouncy").unwrap_err();
+    assert!(error.to_string().starts_with("mine.txt, line 1, column `traits`: unknown trait `bouncy`"), "{error}");
 }

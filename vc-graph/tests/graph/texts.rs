@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use vc_graph::format::program::{self, Program};
-use vc_graph::{Action, Goal, Label, NodeId, Relation, State, Verb, Word};
+use vc_graph::{Action, Draft, Goal, Label, NodeId, Relation, SceneBuilder, Scope, Simulator, State, Verb, Word};
 use vc_testkit::cases;
 use vc_testkit::goals::{goal, words};
 use vc_testkit::scenes::{scene, steps};
@@ -318,4 +318,56 @@ fn names_of_symbols_are_distinct() {
         let label = graph.label(id);
         assert_eq!(label.to_string().parse::<vc_graph::Label>().unwrap(), label);
     }
+}
+
+#[test]
+fn actions_by_name_are_those_of_the_text() {
+    let (x, y) = (NodeId(12), NodeId(3));
+    for (action, text) in [
+        (Action::walk(x), "walk #12"),
+        (Action::find(x), "find #12"),
+        (Action::grab(x), "grab #12"),
+        (Action::place(x, y), "place #12 #3"),
+        (Action::put_in(x, y), "put_in #12 #3"),
+        (Action::put_back(x), "put_back #12"),
+        (Action::drop(x), "drop #12"),
+        (Action::open(x), "open #12"),
+        (Action::close(x), "close #12"),
+        (Action::switch_on(x), "switch_on #12"),
+        (Action::switch_off(x), "switch_off #12"),
+        (Action::sit(x), "sit #12"),
+        (Action::lie(x), "lie #12"),
+        (Action::stand(), "stand"),
+        (Action::eat(x), "eat #12"),
+        (Action::drink(x), "drink #12"),
+        (Action::pour(x, y), "pour #12 #3"),
+        (Action::wash(x), "wash #12"),
+        (Action::wear(x), "wear #12"),
+        (Action::take_off(x), "take_off #12"),
+    ] {
+        assert_eq!(text.parse(), Ok(action));
+        assert_eq!(action.things().count(), action.verb.arity(), "{text}");
+    }
+}
+
+#[test]
+fn what_a_simulator_returns_is_written_as_json() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    scene.add_in(fridge, Draft::new("milk")).unwrap();
+    let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let mut home = Simulator::new(scene.build());
+    let seen = home.graph().observe(me, Scope::Room);
+    assert!(
+        serde_json::to_string(&seen)
+            .unwrap()
+            .starts_with(r#"{"agent":4,"scope":"room","room":1,"objects":[{"id":2,"class":"fridge","#)
+    );
+    let refused = home.step(me, &Action::open(fridge)).unwrap_err();
+    assert_eq!(serde_json::to_string(&refused).unwrap(), r#"[{"not_near":{"thing":"fridge.2","distance":null}}]"#);
+    let changes = home.step(me, &Action::walk(fridge)).unwrap().then(home.step(me, &Action::open(fridge)).unwrap());
+    let text = serde_json::to_string(&changes).unwrap();
+    assert!(text.contains(r#"{"link":{"from":"#), "{text}");
+    assert!(text.contains(r#"{"states":{"id":2,"before":["#), "{text}");
 }

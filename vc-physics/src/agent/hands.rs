@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Pose, Relation};
 
-use super::{Agent, BodyPlan, LEAN, Posture};
+use super::{ADULT, Agent, BodyPlan, Posture};
 use crate::world::World;
 use crate::{AgentError, PhysicsError, Role, convert};
 
@@ -14,8 +14,6 @@ const BENT: f32 = 0.3;
 const TIPTOE: f32 = 0.08;
 /// Parts of the way one can lean that are tried.
 const LEANS: [f32; 4] = [1.0, 0.7, 0.35, 0.0];
-/// From the hip to the shoulders, as a part of the height.
-const TORSO: f32 = 0.29;
 
 /// Least distance of what is held from the body, metres.
 const BEFORE: f32 = 0.02;
@@ -450,7 +448,7 @@ fn grip(agent: &Agent, hand: Hand, pose: &Pose, (low, high): (Point3<f32>, Point
 /// Where the shoulder of a standing body is that reaches for a point: leant towards it and
 /// bent down as far as that brings it nearer.
 fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
-    let shoulders = LEANS.map(|share| leant(plan, feet, to, share * LEAN));
+    let shoulders = LEANS.map(|share| leant(plan, feet, to, share * ADULT.lean));
     let nearer = |a: Point3<f32>, b: Point3<f32>| if (b - to).norm() < (a - to).norm() { b } else { a };
     shoulders.into_iter().fold(shoulders[0], nearer)
 }
@@ -460,7 +458,7 @@ fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
 fn leant(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>, most: f32) -> Point3<f32> {
     let way = (to - feet).xy();
     let forward = way.norm().min(most);
-    let torso = TORSO * plan.height;
+    let torso = ADULT.torso * plan.height;
     let sunk = torso - (torso * torso - forward * forward).max(0.0).sqrt();
     let rise = (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + TIPTOE - sunk).max(BENT * plan.height));
     let ahead = way.try_normalize(1e-6).map_or_else(Vector2::zeros, |w| w * forward);

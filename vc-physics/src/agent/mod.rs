@@ -11,7 +11,7 @@ use rapier3d::geometry::{ColliderBuilder, InteractionGroups, SharedShape};
 use rapier3d::math::{Pose as EnginePose, Vector};
 use serde::{Deserialize, Serialize};
 use vc_graph::hash::Digester;
-use vc_graph::{NodeId, Pose, Relation, SceneGraph};
+use vc_graph::{Anthropometry, NodeId, Pose, Relation, SceneGraph};
 
 use crate::world::World;
 use crate::{AgentError, PhysicsError, convert, group};
@@ -20,8 +20,8 @@ pub use aside::PartsAside;
 pub use hands::Hand;
 pub use walk::Walk;
 
-/// Height of one who sits above the seat, as a part of the height.
-const SITTING: f32 = 0.52;
+/// The person as which agents are built.
+pub(crate) const ADULT: Anthropometry = Anthropometry::ADULT;
 
 /// How an agent is built and what it can do.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -50,10 +50,10 @@ impl Default for BodyPlan {
     /// A grown-up person.
     fn default() -> Self {
         Self {
-            height: 1.7,
-            radius: 0.2,
-            reach: 0.8,
-            step: 0.2,
+            height: ADULT.stature,
+            radius: ADULT.radius,
+            reach: ADULT.reach,
+            step: ADULT.climbs,
             slope: 0.7,
             carries: 15.0,
             pushes: 25.0,
@@ -63,24 +63,20 @@ impl Default for BodyPlan {
     }
 }
 
-/// How far the shoulders come forward when one leans, metres: the trunk bent by 54 degrees, as
-/// over a table.
-pub(crate) const LEAN: f32 = 0.4;
-
 impl BodyPlan {
     /// How far from the middle of its feet a standing body reaches, along the floor, metres.
     pub fn stretch(&self) -> f32 {
-        self.reach + LEAN
+        self.reach + ADULT.lean
     }
 
     /// Height of the shoulders above the feet, metres.
     pub fn shoulder(&self) -> f32 {
-        0.82 * self.height
+        ADULT.shoulder * self.height
     }
 
     /// Height of the eyes above the feet, metres.
     pub fn eye(&self) -> f32 {
-        0.93 * self.height
+        ADULT.eye * self.height
     }
 
     /// The capsule of a body in a posture, where it is from the feet or the seat, and what it
@@ -91,7 +87,7 @@ impl BodyPlan {
         match posture {
             Posture::Standing => (SharedShape::capsule_z(half, self.radius), above(middle), group::agent()),
             Posture::Sitting(..) => {
-                let middle = SITTING * self.height / 2.0;
+                let middle = ADULT.sitting * self.height / 2.0;
                 let half = (middle - self.radius).max(0.01);
                 (SharedShape::capsule_z(half, self.radius), above(middle), group::seated())
             }

@@ -9,7 +9,7 @@ use nalgebra::Point2;
 use vc_geometry::grid::Raster;
 use vc_geometry::outline::{Outline, crosses};
 use vc_geometry::walk::{Bands, shortest};
-use vc_graph::NodeId;
+use vc_graph::{Anthropometry, NodeId};
 
 use crate::world::World;
 use cover::Cover;
@@ -48,7 +48,8 @@ pub struct FloorPlan {
 
 impl Default for FloorPlan {
     fn default() -> Self {
-        Self { level: 0.0, step: 0.05, height: 1.8, radius: 0.25, cell: 0.05, doors: Doors::default() }
+        let Anthropometry { walked_over: step, headroom: height, clearance: radius, .. } = Anthropometry::ADULT;
+        Self { level: 0.0, step, height, radius, cell: 0.05, doors: Doors::default() }
     }
 }
 

@@ -15,7 +15,6 @@ use std::sync::Arc;
 use vc_geometry::cache::AssetCache;
 use vc_graph::{AssetId, AssetLibrary, Node, Property, Relation, SceneGraph};
 
-use crate::role::is_structure;
 pub(crate) use footprint::{Footprint, levels};
 use form::Kind;
 pub(crate) use form::{Form, Link};
@@ -83,7 +82,7 @@ impl Session<'_> {
             && !asset.parts.is_empty()
         {
             let moves = node.affords(Property::Openable) && asset.parts.iter().any(|p| p.joint.is_some());
-            let kind = match is_structure(node, graph.classes().get(node.class())) {
+            let kind = match node.role().is_built_in() {
                 _ if moves => Kind::Jointed,
                 true => Kind::Building,
                 false => Kind::Rigid,

@@ -6,14 +6,13 @@ use std::sync::Arc;
 use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
 use rapier3d::geometry::{ColliderBuilder, SharedShape};
 use rapier3d::math::Pose as EnginePose;
-use vc_graph::class::Category;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph};
+use vc_graph::{Aabb, Kind, Node, NodeId, ObjectRole, Pose, Property, SceneGraph};
 
 use super::rest::Watch;
 use super::{Places, State, Thing, World};
 use crate::engine::Engine;
 use crate::ground::Storeys;
-use crate::role::{Roles, is_structure};
+use crate::role::Roles;
 use crate::shapes::{Link, Session, Shapes, scaled};
 use crate::{PhysicsError, Role, Settings, convert, group, joints, rolling};
 
@@ -131,7 +130,7 @@ impl World {
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
         let Some(role) = rules.roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
-        let below = || rules.storeys.ground_below(node, graph.classes(), &form, &pose);
+        let below = || rules.storeys.ground_below(node, &form, &pose);
         let ground = if role == Role::Fixed { below() } else { 0.0 };
         let deepened = if ground > 0.0 { form.links[0].deepened(ground) } else { None };
         let state = State {
@@ -146,8 +145,8 @@ impl World {
             slept: None,
             rides: None,
             rests: graph.place(node.id()),
-            structure: is_structure(node, class),
-            door: class.is_some_and(|c| c.category == Category::Door),
+            structure: node.role().is_built_in(),
+            door: node.role() == ObjectRole::Door,
             graspable: node.affords(Property::Graspable),
             rolling: rolling::resistance(graph.classes(), node.class()),
             ground: deepened.as_ref().map_or(0.0, |_| ground),

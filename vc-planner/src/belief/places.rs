@@ -1,6 +1,6 @@
 //! Where things can be, and whether that can be seen from where one stands.
 
-use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph};
+use vc_graph::{Kind, Node, NodeId, ObjectRole, Observation, Place, Property, Relation, SceneGraph};
 
 use super::Belief;
 use crate::prior::Kinds;
@@ -59,7 +59,7 @@ pub(super) fn left(likely: &[[f64; 2]], kinds: &Kinds, seen: &[bool]) -> [f64; 2
 /// Every fixed surface and container, floors included; of a room without a floor
 /// the room itself.
 pub(super) fn all(graph: &SceneGraph) -> Vec<Place> {
-    let floors = graph.of_class("floor");
+    let floors: Vec<NodeId> = graph.of_role(ObjectRole::Floor).map(|n| n.id()).collect();
     let bare = |room: NodeId| !floors.iter().any(|&f| graph.room_of(f) == Some(room));
     let mut places = Vec::new();
     for node in graph.nodes() {

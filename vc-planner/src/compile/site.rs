@@ -1,6 +1,6 @@
 //! The sites that packed plans work on: spots to walk to, doors and switches.
 
-use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph, State as Word};
+use vc_graph::{Kind, NodeId, ObjectRole, Place, Property, Relation, SceneGraph, State as Word};
 
 use super::Compiler;
 use crate::manners::Touched;
@@ -194,8 +194,6 @@ pub(crate) fn anchor(graph: &SceneGraph, id: NodeId) -> NodeId {
 
 /// Whether a node is a floor or a rug: standing on it does not mean being near everything on it.
 pub(crate) fn is_ground(graph: &SceneGraph, id: NodeId) -> bool {
-    graph.node(id).is_none_or(|n| {
-        n.kind() != Kind::Object
-            || matches!(&**n.class(), "floor" | "rug" | "carpet" | "mat" | "ceiling" | "wall" | "ground")
-    })
+    use ObjectRole::{Ceiling, Floor, Person, Room, Rug, Wall};
+    graph.node(id).is_none_or(|n| matches!(n.role(), Room | Person | Floor | Wall | Ceiling | Rug))
 }

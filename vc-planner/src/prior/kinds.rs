@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use vc_graph::{Kind, NodeId, Place, Property, Relation, SceneGraph};
+use vc_graph::{NodeId, ObjectRole, Place, Property, Relation, SceneGraph};
 
 use super::{Kin, Row};
 
@@ -80,7 +80,7 @@ impl PlaceKind {
             at: class(place.at),
             room: room.map_or_else(|| "".into(), class),
             carried: node.is_some_and(|n| n.affords(Property::Graspable)),
-            floor: node.is_some_and(|n| n.kind() == Kind::Room || &**n.class() == "floor"),
+            floor: node.is_some_and(|n| matches!(n.role(), ObjectRole::Room | ObjectRole::Floor)),
             size: super::stray::size(graph, place.at),
             number: 0,
         }

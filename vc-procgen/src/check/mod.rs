@@ -189,8 +189,7 @@ impl Apartment {
 
 /// Whether an item has to be reachable: not the building, nor items on the ceiling.
 pub(crate) fn is_used(item: &Item) -> bool {
-    let openable = matches!(item.object.class, "door" | "main_door" | "balcony_door" | "window");
-    openable || !matches!(item.rest, Rest::Built | Rest::Ceiling)
+    !matches!(item.rest, Rest::Built | Rest::Ceiling) || item.object.role().is_opening()
 }
 
 /// The required pieces that a room of a kind lacks.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use vc_geometry::Opening;
-use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, Property, SceneGraph};
+use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, ObjectRole, Property, SceneGraph};
 
 use super::holders;
 
@@ -32,15 +32,15 @@ const WAY: (f32, f32) = (0.12, 1.6);
 impl<'g> House<'g> {
     pub(super) fn of(graph: &'g SceneGraph) -> Self {
         let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
-        let of_class = |class: &'static str| objects().filter(move |n| &**n.class() == class);
         let mut shapes = vc_geometry::shapes(graph);
-        let built = |n: &Node| ["wall", "floor", "ceiling"].contains(&&**n.class()) || goes_around(n);
+        let (floor, wall, ceiling) = (ObjectRole::Floor, ObjectRole::Wall, ObjectRole::Ceiling);
+        let built = |n: &Node| [floor, wall, ceiling].contains(&n.role()) || goes_around(n);
         shapes.retain(|id, _| graph.node(*id).is_some_and(built));
         let pieces = |n: &Node| shapes.get(&n.id()).map_or_else(Vec::new, |asset| pieces(n, asset));
         let mut house = Self {
             graph,
-            floors: of_class("floor").filter_map(Node::aabb).collect(),
-            walls: of_class("wall").flat_map(pieces).collect(),
+            floors: graph.of_role(floor).filter_map(Node::aabb).collect(),
+            walls: graph.of_role(wall).flat_map(pieces).collect(),
             openings: vc_geometry::openings(graph),
             shapes: BTreeMap::new(),
             standing: Vec::new(),
@@ -56,7 +56,7 @@ impl<'g> House<'g> {
 
     /// Whether a node is a door frame.
     pub(super) fn is_frame(&self, id: NodeId) -> bool {
-        self.graph.node(id).is_some_and(|n| &**n.class() == "doorjamb")
+        self.graph.node(id).is_some_and(|n| n.role() == ObjectRole::DoorFrame)
     }
 
     /// The supports and containers of an object, the nearest first.
@@ -99,11 +99,7 @@ impl<'g> House<'g> {
 /// Whether an object obstructs a walking person: it is neither part of the building, nor graspable, nor a seat that can
 /// be moved aside.
 fn stands(classes: &ClassTable, node: &Node) -> bool {
-    use vc_graph::class::Category;
-    let category = classes.get(node.class()).map(|c| c.category);
-    let builds = matches!(category, Some(Category::Structure | Category::Door | Category::Window));
-    let carried = node.affords(Property::Graspable);
-    !builds && !carried && !is_seat(classes, node.class())
+    !node.role().is_built_in() && !node.affords(Property::Graspable) && !is_seat(classes, node.class())
 }
 
 /// Whether the box of a worktop goes around a corner and so contains the objects that stand there.

@@ -2,16 +2,13 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::asset::{Hold, Surface};
-use vc_graph::{Aabb, Asset, NodeId, Relation};
+use vc_graph::{Aabb, Anthropometry, Asset, NodeId, Relation};
 
 use super::house::House;
 
 /// The distances that a surface may be inside an object it supports, and below it, metres.
 const SUNK: f32 = 0.02;
 const HOVERS: f32 = 0.15;
-/// The greatest height at which people put objects on a surface, and the most convenient one, metres.
-const REACH: f32 = 1.6;
-const HANDY: f32 = 1.0;
 
 /// The bounding box of a supported object, in a frame at the centre of the supporting one's box.
 #[derive(Debug, Clone, Copy)]
@@ -93,9 +90,9 @@ pub(super) fn lay_on_boards(asset: &mut Asset, origin: &Vector3<f32>, stretch: &
         }
     }
     let bottom = asset.extent().map_or(0.0, |(low, _)| (low.z - origin.z) * stretch.z);
-    let in_reach = |s: &Surface, level: &Level| s.hold == Hold::On && level.at - bottom < REACH;
+    let in_reach = |s: &Surface, level: &Level| s.hold == Hold::On && level.at - bottom < Anthropometry::ADULT.shelf;
     if !asset.surfaces.iter().zip(&levels).any(|(s, level)| in_reach(s, level)) {
-        let far = |i: &usize| (levels[*i].at - bottom - HANDY).abs();
+        let far = |i: &usize| (levels[*i].at - bottom - Anthropometry::ADULT.handy).abs();
         let empty = (0..levels.len()).filter(|i| votes[*i] == 0 && asset.surfaces[*i].hold == Hold::Inside);
         if let Some(handy) = empty.min_by(|a, b| far(a).total_cmp(&far(b))) {
             asset.surfaces[handy].hold = Hold::On;

@@ -42,7 +42,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{Translation3, Vector3};
-use vc_graph::asset::AssetError;
+use vc_graph::asset::{AssetError, Merged};
 use vc_graph::{
     Asset, AssetId, AssetLibrary, Bounds, Draft, EditError, Frame, Kind, Node, NodeId, Pose, SceneBuilder, SceneGraph,
     Seed,
@@ -125,8 +125,8 @@ struct Made {
 /// The shapes made for a scene so far.
 struct Wardrobe {
     library: AssetLibrary,
-    /// The index of our first material in the library.
-    offset: u32,
+    /// Where our materials are in the library.
+    merged: Merged,
     style: Style,
     seed: Seed,
     made: BTreeMap<Key, (AssetId, Vector3<f32>)>,
@@ -151,9 +151,9 @@ enum Need {
 impl Wardrobe {
     fn new(graph: &SceneGraph, seed: Seed) -> Result<Self, AssetError> {
         let mut library = graph.assets().as_ref().clone();
-        let offset = crate::material::join(&mut library)?;
+        let merged = library.merge(&crate::material::library())?;
         let (made, stopped, loads) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-        Ok(Self { library, offset, style: Style::from_seed(seed), seed, made, stopped, loads })
+        Ok(Self { library, merged, style: Style::from_seed(seed), seed, made, stopped, loads })
     }
 
     /// Determines the shape that a node needs.
@@ -237,10 +237,8 @@ impl Wardrobe {
         Ok(Look { asset: self.add(asset)?, pose: Some(pose), bounds, scale: Vector3::repeat(1.0) })
     }
 
-    fn add(&mut self, mut asset: Asset) -> Result<AssetId, AssetError> {
-        let parts = asset.parts.iter_mut().chain(&mut asset.collision);
-        parts.for_each(|part| part.material += self.offset);
-        self.library.add(asset)
+    fn add(&mut self, asset: Asset) -> Result<AssetId, AssetError> {
+        self.library.add(self.merged.renumbered(asset))
     }
 }
 

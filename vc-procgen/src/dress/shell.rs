@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector2, Vector3};
 use vc_geometry::Opening;
-use vc_graph::{Aabb, Asset, Bounds, Frame, Node, NodeId, Pose, Seed};
+use vc_graph::{Aabb, Asset, Bounds, Frame, Node, NodeId, ObjectRole, Pose, Seed};
 
 use super::compose::{block, moved};
 use super::house::{House, goes_around};
@@ -36,18 +36,18 @@ pub(super) struct Built {
 /// The shape of a node that is part of the building; `None` if it is not.
 pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
-    match &**node.class() {
-        "floor" if room == "balcony" => painted(house, node, material::CONCRETE),
-        "floor" => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
-        "wall" => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
-        "ceiling" => ceiling(house, node),
+    match node.role() {
+        ObjectRole::Floor if room == "balcony" => painted(house, node, material::CONCRETE),
+        ObjectRole::Floor => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
+        ObjectRole::Wall => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
+        ObjectRole::Ceiling => ceiling(house, node),
         _ if goes_around(node) => painted(house, node, style.worktop),
         _ => {
             let opening = house.openings.iter().find(|o| o.door == node.id())?;
             let frames_door =
                 || house.openings.iter().any(|o| o.door != node.id() && o.is_doorway && meet(&o.clear, &opening.clear));
-            match &**node.class() {
-                "doorjamb" if frames_door() => threshold(node, opening, style.joinery),
+            match node.role() {
+                ObjectRole::DoorFrame if frames_door() => threshold(node, opening, style.joinery),
                 _ => filled(house, opening, node, style, seed),
             }
         }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, Point2, Rotation3, UnitQuaternion, Vector2, Vector3};
-use vc_graph::{Aabb, Bounds, Frame, NodeId, Pose, Property};
+use vc_graph::{Aabb, Bounds, Frame, NodeId, ObjectRole, Pose, Property};
 
 use super::house::{House, is_seat};
 use super::kind;
@@ -145,7 +145,8 @@ fn step(k: u8) -> Vector2<f32> {
 fn holder_front(house: &House, id: NodeId) -> Option<u8> {
     let furniture = |&h: &NodeId| {
         let node = house.graph.node(h)?;
-        let carries = !["floor", "wall", "ceiling", "rug"].contains(&&**node.class());
+        let carries =
+            ![ObjectRole::Floor, ObjectRole::Wall, ObjectRole::Ceiling, ObjectRole::Rug].contains(&node.role());
         Some((node, *node.pose()?, node.spec().bounds?)).filter(|_| carries)
     };
     let (holder, pose, bounds) = house.holders_of(id).iter().rev().find_map(furniture)?;

@@ -89,22 +89,11 @@ impl Imported {
     /// # Errors
     /// [`GltfError::Asset`] if the library refuses a value; the library is then unchanged.
     pub fn add_to(&self, library: &mut AssetLibrary) -> Result<AssetId, GltfError> {
-        self.put_into(&mut AssetLibrary::default())?;
-        Ok(self.put_into(library)?)
-    }
-
-    fn put_into(&self, library: &mut AssetLibrary) -> Result<AssetId, vc_graph::asset::AssetError> {
-        let added = self.textures.iter().map(|t| library.add_texture(t.clone()));
-        let textures = added.collect::<Result<Vec<u32>, _>>()?;
-        let own = |t: u32| textures.get(t as usize).copied().unwrap_or(u32::MAX);
-        let added = self.materials.iter().map(|m| Material { texture: m.texture.map(own), ..m.clone() });
-        let added = added.map(|m| library.add_material(m));
-        let numbers = added.collect::<Result<Vec<u32>, _>>()?;
-        let mut asset = self.asset.clone();
-        for part in asset.parts.iter_mut().chain(&mut asset.collision) {
-            part.material = numbers.get(part.material as usize).copied().unwrap_or(u32::MAX);
-        }
-        library.add(asset)
+        let mut own = AssetLibrary::default();
+        self.textures.iter().try_for_each(|texture| own.add_texture(texture.clone()).map(drop))?;
+        self.materials.iter().try_for_each(|material| own.add_material(material.clone()).map(drop))?;
+        let id = own.add(self.asset.clone())?;
+        Ok(library.merge(&own)?.asset(id))
     }
 }
 

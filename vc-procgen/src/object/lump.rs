@@ -3,6 +3,7 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, Part, Shape};
+use vc_graph::class::Trait;
 use vc_graph::{Asset, ClassTable, Pose, Property};
 
 use super::reveal::extent;
@@ -23,27 +24,6 @@ const PLACES: u8 = 4;
 /// The percentage of sample points inside a part at which the object counts as filling its box.
 const FULL: usize = 75;
 
-/// Objects flat on a wall, a window or the ceiling, or recessed into it: their collision shape is their box.
-const FLAT: [&str; 17] = [
-    "bathroom_mirror",
-    "blinds",
-    "bulletin_board",
-    "ceiling_lamp",
-    "curtain",
-    "curtain_rod",
-    "doorbell",
-    "intercom",
-    "lightswitch",
-    "mirror",
-    "painting",
-    "powersocket",
-    "radiator",
-    "smoke_detector",
-    "thermostat",
-    "ventilation_grille",
-    "whiteboard",
-];
-
 /// The tolerance, relative to the radius, for parts that protrude from a sphere and for the roundness of the
 /// whole.
 const ROUND: f32 = 0.08;
@@ -51,7 +31,7 @@ const ROUND: f32 = 0.08;
 /// Gives an asset of such a class one collision shape for all parts that move together, where that is simpler
 /// than the parts.
 pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
-    let flat = FLAT.contains(&class);
+    let flat = is_flat(class);
     let small = size.max() <= SMALL && asset.surfaces.is_empty();
     if !asset.collision.is_empty() {
         return;
@@ -97,6 +77,12 @@ fn ball(parts: &[Part]) -> Option<Part> {
     let radius = half.min();
     let pose = Pose::translation(middle.x, middle.y, low.z + radius);
     Some(Part { name: "lump".into(), shape: Shape::Sphere { radius }, pose, ..core.clone() })
+}
+
+/// Whether objects of a class are flat on a wall, a window or the ceiling, or let into it: their collision shape is
+/// their box.
+fn is_flat(class: &str) -> bool {
+    ClassTable::builtin().get(class).is_some_and(|c| c.traits.contains(Trait::Flat))
 }
 
 /// Whether objects of a class are graspable and hold no others.

@@ -47,7 +47,7 @@ use std::sync::{Arc, LazyLock};
 
 use nalgebra::Vector3;
 use vc_graph::class::Range;
-use vc_graph::{Asset, Bounds, ClassTable, Seed};
+use vc_graph::{Asset, Bounds, Class, ClassTable, ObjectRole, Seed};
 
 use crate::style::Style;
 use build::Build;
@@ -140,6 +140,11 @@ impl Object {
     /// The depth, width and height, metres.
     pub fn size(&self) -> Vector3<f32> {
         self.bounds.size()
+    }
+
+    /// The role that it has in a scene.
+    pub(crate) fn role(&self) -> ObjectRole {
+        ClassTable::builtin().get(self.class).map_or(ObjectRole::Furniture, Class::role)
     }
 }
 

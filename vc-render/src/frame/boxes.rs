@@ -1,6 +1,8 @@
 //! Bounding boxes of visible objects.
 
 use nalgebra::{Point2, Point3, Vector3};
+use serde::Serialize;
+use vc_graph::format::serial;
 use vc_graph::{NodeId, Pose};
 
 /// A box of whole pixels; it may reach beyond the border of the image.
@@ -13,7 +15,7 @@ use vc_graph::{NodeId, Pose};
 /// assert_eq!(both, PixelBox { x: 0, y: 20, width: 40, height: 14 });
 /// assert!(both.contains(&cup) && !table.contains(&cup));
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, serde::Deserialize)]
 pub struct PixelBox {
     /// First column.
     pub x: i32,
@@ -36,15 +38,22 @@ pub struct PixelBox {
 /// assert!((fridge.corner(0b000) - Point3::new(1.7, -0.3, 0.0)).norm() < 1e-5);
 /// assert!((fridge.corner(0b101) - Point3::new(2.3, -0.3, 1.8)).norm() < 1e-5);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Box3 {
     /// Pose of its centre and axes in the world.
+    #[serde(with = "serial::pose")]
     pub pose: Pose,
     /// Half its lengths along its own axes, metres.
+    #[serde(with = "serial::vector")]
     pub half: Vector3<f32>,
     /// Its corners in the image, pixels; those behind the camera are `None`. Corner number `zyx` in binary lies
     /// on the positive side of the axes whose bit is set.
+    #[serde(serialize_with = "corners")]
     pub corners: [Option<Point2<f32>>; 8],
+}
+
+fn corners<S: serde::Serializer>(corners: &[Option<Point2<f32>>; 8], s: S) -> Result<S::Ok, S::Error> {
+    corners.map(|corner| corner.map(|at| [at.x, at.y])).serialize(s)
 }
 
 /// Boxes of one object, in [`Frame::boxes`](crate::Frame::boxes).
@@ -72,7 +81,7 @@ pub struct Box3 {
 /// assert!((label.oriented.half - Vector3::new(0.3, 0.3, 0.9)).norm() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BoxLabel {
     /// The node.
     pub node: NodeId,

@@ -1,5 +1,7 @@
 //! The extents of rooms.
 
+use vc_graph::ObjectRole;
+
 use crate::affine::{self, three};
 use crate::scene::Snapshot;
 
@@ -11,7 +13,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
     let mut ceilings = vec![f32::INFINITY; count];
     for body in &snapshot.bodies {
         let room = usize::from(body.room).min(count - 1);
-        let floor = snapshot.class(body.class).is_some_and(|c| &**c == "floor");
+        let floor = body.role == ObjectRole::Floor;
         let map = affine::Affine::of(&body.pose).narrow();
         let around = crate::scene::turned(&map, &body.bounds);
         let (low, high) = (three(|i| around.centre[i] - around.half[i]), three(|i| around.centre[i] + around.half[i]));
@@ -29,8 +31,7 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
         }
         from[2] = from[2].min(if floor { high[2] } else { low[2].max(from[2].min(high[2])) });
         // A room ends at its ceiling.
-        let ceiling = snapshot.class(body.class).is_some_and(|c| &**c == "ceiling");
-        if ceiling {
+        if body.role == ObjectRole::Ceiling {
             ceilings[room] = ceilings[room].min(low[2]);
         }
         to[2] = to[2].max(high[2]);

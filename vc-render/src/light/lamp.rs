@@ -7,7 +7,7 @@ use super::shadow::Cube;
 use super::{brightness, dot};
 use crate::affine::{self, scaled, three};
 use crate::renderer::Renderer;
-use crate::scene::{Body, Snapshot};
+use crate::scene::{Body, Gives, Snapshot};
 use crate::trace::Tracer;
 
 /// Lumens in one unit of luminous flux.
@@ -15,13 +15,8 @@ pub(super) const LUMENS: f32 = 5000.0;
 /// Factor for the emission of luminous things that are not lamps.
 const FAINT: f32 = 0.004;
 
-/// Words in the class names of things that light rooms.
-const LAMPS: [&str; 5] = ["lamp", "light", "chandelier", "lantern", "bulb"];
-
-/// Whether things of a class light rooms when they are on.
-pub(crate) fn is_lamp(class: &str) -> bool {
-    LAMPS.iter().any(|word| class.contains(word))
-}
+/// Lumens of a candle.
+const CANDLE: f32 = 40.0;
 
 /// A lamp: all light of a body as if it came from one point.
 #[derive(Debug, Clone)]
@@ -68,7 +63,7 @@ pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shin
     let (mut found, mut screens) = (Vec::new(), Vec::new());
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
         let glow = Glow::of(renderer, snapshot, body);
-        let Some(target) = lumens(snapshot, body, glow.area) else {
+        let Some(target) = lumens(body, glow.area) else {
             gains[index] = [FAINT, 0.0, 0.0, 0.0];
             screens.push((index as u32, glow.most));
             continue;
@@ -92,12 +87,11 @@ pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shin
 }
 
 /// Lumens of a lamp, by the area of its bulbs; none for bodies that are not lamps.
-fn lumens(snapshot: &Snapshot, body: &Body, area: f32) -> Option<f32> {
-    let class = snapshot.class(body.class)?;
-    match () {
-        () if class.contains("candle") => Some(40.0),
-        () if is_lamp(class) => Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0)),
-        () => None,
+fn lumens(body: &Body, area: f32) -> Option<f32> {
+    match body.gives {
+        Gives::Candlelight => Some(CANDLE),
+        Gives::Lamplight => Some((500.0 + 9000.0 * area).clamp(400.0, 2500.0)),
+        Gives::Glow => None,
     }
 }
 

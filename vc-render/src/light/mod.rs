@@ -23,7 +23,7 @@ mod source;
 
 pub(crate) use ambient::Ambient;
 pub(crate) use cloth::through;
-pub(crate) use lamp::{Lamp, is_lamp};
+pub(crate) use lamp::Lamp;
 pub use lighting::Lighting;
 pub(crate) use lighting::{brightness, dot};
 pub(crate) use look::Points;

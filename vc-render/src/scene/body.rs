@@ -4,8 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use vc_graph::class::Category;
-use vc_graph::{NodeId, Pose};
+use vc_graph::{NodeId, ObjectRole, Pose};
 
 use super::cover::Drawn;
 use super::liquid::SPECK;
@@ -27,14 +26,24 @@ pub(crate) enum Stands {
 }
 
 impl Stands {
-    /// Decides by the category of the node's class.
-    pub(super) fn of(category: Option<Category>) -> Self {
-        match category {
-            Some(Category::Door) => Self::Between,
-            Some(Category::Structure | Category::Window) => Self::Around,
+    pub(super) fn of(role: ObjectRole) -> Self {
+        match role {
+            ObjectRole::Door => Self::Between,
+            _ if role.is_built_in() => Self::Around,
             _ => Self::Within,
         }
     }
+}
+
+/// The light that a thing gives when it is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Gives {
+    /// That of a lamp, which lights a room.
+    Lamplight,
+    /// That of a candle.
+    Candlelight,
+    /// The glow of a screen or an indicator.
+    Glow,
 }
 
 /// A node with a visible shape.
@@ -45,8 +54,11 @@ pub(crate) struct Body {
     pub(crate) class: u16,
     /// Index in the scene's list of rooms.
     pub(crate) room: u16,
+    pub(crate) role: ObjectRole,
     /// How it relates to its room.
     pub(crate) stands: Stands,
+    /// The light that it gives when it is on.
+    pub(crate) gives: Gives,
     /// Whether its luminous parts are switched on.
     pub(crate) lit: bool,
     pub(crate) pose: Pose,

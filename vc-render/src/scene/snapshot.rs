@@ -4,10 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::class::Category;
-use vc_graph::{Aabb, Kind, Node, NodeId, Pose, Property, SceneGraph, State, Word};
+use vc_graph::{Aabb, Kind, Node, NodeId, ObjectRole, Pose, Property, SceneGraph, State};
 
-use super::body::{Poured, Stands, Tied};
+use super::body::{Gives, Poured, Stands, Tied};
 use super::classes::Classes;
 use super::cover::{Around, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
@@ -88,7 +87,9 @@ impl Snapshot {
                 node: node.id(),
                 class: classes.number(node.class()),
                 room,
-                stands: Stands::of(category(graph, node)),
+                role: node.role(),
+                stands: Stands::of(node.role()),
+                gives: gives(graph, node),
                 lit: graph.is_lit(node.id()),
                 pose: *pose,
                 scale,
@@ -98,7 +99,7 @@ impl Snapshot {
             body.bounds = body.measured(&instances[first as usize..]);
             if graph.covers_windows(node.id()) {
                 around.covers.push((bodies.len(), node.is(State::Closed)));
-            } else if matches!(category(graph, node), Some(Category::Door | Category::Window)) {
+            } else if matches!(node.role(), ObjectRole::Door | ObjectRole::Window) {
                 around.openings.push(bodies.len());
             } else if node.kind() == Kind::Object && !node.affords(Property::Graspable) {
                 around.standing.push(bodies.len());
@@ -151,11 +152,10 @@ impl Snapshot {
         self.bodies.iter().map(|b| b.node)
     }
 
-    /// Nodes that light rooms when they are on, in order: their class is that of a lamp, a light, a chandelier,
-    /// a lantern or a bulb. Other things, such as candles and screens, may glow too.
+    /// Nodes that light rooms when they are on, in order: their role is that of a lamp. Other things, such as candles
+    /// and screens, may glow too.
     pub fn lamps(&self) -> impl Iterator<Item = NodeId> + '_ {
-        let lamp = |b: &&Body| self.class(b.class).is_some_and(|class| crate::light::is_lamp(class));
-        self.bodies.iter().filter(lamp).map(|b| b.node)
+        self.bodies.iter().filter(|b| b.role == ObjectRole::Light).map(|b| b.node)
     }
 
     /// Number of visible triangles at the finest level of detail. Costs a step for each mesh.
@@ -174,10 +174,12 @@ impl Snapshot {
     }
 }
 
-/// The category of a node's class; if the class table lacks the class, the category that the scene gives.
-fn category(graph: &SceneGraph, node: &Node) -> Option<Category> {
-    let known = graph.classes().get(node.class()).map(|class| class.category);
-    known.or_else(|| Category::parse(&node.spec().category).ok())
+fn gives(graph: &SceneGraph, node: &Node) -> Gives {
+    match node.role() {
+        ObjectRole::Light => Gives::Lamplight,
+        _ if graph.classes().is_a(node.class(), "candle") => Gives::Candlelight,
+        _ => Gives::Glow,
+    }
 }
 
 /// A link, and the conditions under which it is there: for liquids, and for curtains tied or untied.

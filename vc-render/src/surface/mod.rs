@@ -1,6 +1,7 @@
 //! Surfaces: materials and their textures, as shading sees them.
 
 mod coat;
+mod matter;
 mod mean;
 mod noise;
 mod pattern;

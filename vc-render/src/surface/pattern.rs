@@ -4,6 +4,7 @@ use vc_graph::asset::Material;
 use vc_graph::portable::Portable;
 
 use super::Role;
+use super::matter::Matter;
 use super::noise::{cells, hash, octaves, value};
 
 /// A kind of procedural texture.
@@ -35,25 +36,6 @@ pub(super) struct Sample {
     pub(super) height: f32,
 }
 
-const WOODS: [&str; 16] = [
-    "oak",
-    "beech",
-    "birch",
-    "pine",
-    "ash",
-    "maple",
-    "cherry",
-    "walnut",
-    "teak",
-    "mahogany",
-    "wenge",
-    "bamboo",
-    "whitewashed",
-    "wood",
-    "plywood",
-    "hardwood",
-];
-
 impl Pattern {
     pub(crate) const ALL: [Self; 13] = [
         Self::Plain,
@@ -71,33 +53,24 @@ impl Pattern {
         Self::Wall,
     ];
 
-    /// The pattern that suits a material, by the beginnings of words in its name.
+    /// The pattern that suits a material.
     pub(crate) fn of(material: &Material, role: Role) -> Self {
-        let name = &*material.name;
-        // A word counts only at its beginning: "washed" is not ash.
-        let begins = |at: usize| !name[..at].ends_with(|c: char| c.is_alphabetic());
-        let has = |word: &str| name.match_indices(word).any(|(at, _)| begins(at));
-        let any = |words: &[&str]| words.iter().any(|word| has(word));
-        match () {
-            () if material.transmission > 0.3 || any(&["glass", "lacquer", "plastic", "screen"]) => Self::Plain,
-            () if any(&WOODS) && role == Role::Floor => Self::Boards,
-            () if any(&WOODS) || any(&["bark"]) => Self::Grain,
-            () if any(&["leather"]) => Self::Leather,
-            () if any(&["fabric", "linen", "cotton", "denim", "wool", "jute", "terry", "cloth", "wicker"]) => {
-                Self::Weave
-            }
-            () if any(&["roof_tile"]) => Self::Bricks,
-            () if any(&["tile"]) => Self::Tiles,
-            () if any(&["brick"]) => Self::Bricks,
-            () if any(&["granite", "gravel", "asphalt", "soil", "cork"]) => Self::Speckle,
-            () if any(&["marble"]) => Self::Marble,
-            () if any(&["wall_paint"]) => Self::Wall,
-            () if any(&["concrete", "plaster", "stone", "sandstone", "rock", "terracotta", "rust", "crust"]) => {
-                Self::Rough
-            }
-            () if material.metallic > 0.5 && material.roughness > 0.15 => Self::Brushed,
-            () if any(&["paper", "card"]) => Self::Paper,
-            () => Self::Plain,
+        match Matter::of(&material.name) {
+            _ if material.transmission > 0.3 => Self::Plain,
+            Some(Matter::Smooth) => Self::Plain,
+            Some(Matter::Wood) if role == Role::Floor => Self::Boards,
+            Some(Matter::Wood | Matter::Bark) => Self::Grain,
+            Some(Matter::Leather) => Self::Leather,
+            Some(Matter::Textile) => Self::Weave,
+            Some(Matter::Brick) => Self::Bricks,
+            Some(Matter::Tile) => Self::Tiles,
+            Some(Matter::Granular) => Self::Speckle,
+            Some(Matter::Marble) => Self::Marble,
+            Some(Matter::WallPaint) => Self::Wall,
+            Some(Matter::Mineral) => Self::Rough,
+            _ if material.metallic > 0.5 && material.roughness > 0.15 => Self::Brushed,
+            Some(Matter::Paper) => Self::Paper,
+            None => Self::Plain,
         }
     }
 

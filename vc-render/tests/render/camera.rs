@@ -163,3 +163,11 @@ fn fields_of_view_are_angles() -> Result<(), RenderError> {
     }
     Ok(())
 }
+
+#[test]
+fn a_camera_is_written_and_read() {
+    let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(1.0, 2.0, 1.5), Point3::new(4.0, 2.5, 0.5));
+    let text = serde_json::to_string(&camera).unwrap();
+    assert_eq!(serde_json::from_str::<Camera>(&text).unwrap(), camera);
+    assert!(serde_json::from_str::<Camera>(&text.replace("\"rotation\":[", "\"rotation\":[9.0,")).is_err());
+}

@@ -6,7 +6,7 @@ use nalgebra::{Isometry3, Translation3};
 use vc_graph::class::{Category, Class};
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{
-    AssetLibrary, Bounds, Draft, EditError, History, Kind, NodeId, Place, Property, PropertySet, Relation,
+    AssetLibrary, Bounds, Draft, EditError, History, Kind, NodeId, ObjectRole, Place, Property, PropertySet, Relation,
     SceneBuilder, SceneGraph, Seed, State,
 };
 
@@ -274,7 +274,8 @@ impl<'a> Attempt<'a> {
         if purpose != Purpose::Agent && gains(&before, &merits(&self.activity.goal, edit.graph(), agent)) {
             return Err(Why::MeetsGoal);
         }
-        let on_floor = edit.graph().node(site.at).is_some_and(|n| n.kind() == Kind::Room || &**n.class() == "floor");
+        let on_floor =
+            edit.graph().node(site.at).is_some_and(|n| matches!(n.role(), ObjectRole::Room | ObjectRole::Floor));
         if let Some(walk) = self.walk.as_mut().filter(|_| on_floor && purpose != Purpose::Agent) {
             let after = Walk::of(edit.graph(), &self.assets).ok_or(Why::Unreachable)?;
             if after.entered() != walk.entered() {
@@ -379,8 +380,9 @@ fn is_overhead(node: &vc_graph::Node) -> bool {
 /// fixed to walls.
 fn can_be_added(class: &Class) -> bool {
     let has = |property| class.affordances.contains(property);
+    let role = class.role();
     match class.category {
-        Category::Room | Category::Structure | Category::Door | Category::Window => false,
+        _ if role == ObjectRole::Room || role.is_built_in() => false,
         Category::Furniture => !has(Property::WaterSource),
         Category::Appliance => has(Property::Graspable) || has(Property::Movable) || has(Property::Container),
         Category::Lamp | Category::Decor => has(Property::Graspable) || has(Property::Movable),

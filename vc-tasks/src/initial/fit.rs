@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::class::Class;
 use vc_graph::portable::Portable;
-use vc_graph::{Aabb, AssetLibrary, Bounds, NodeId, Pose, Property, Relation, SceneGraph, Stream};
+use vc_graph::{Aabb, AssetLibrary, Bounds, Node, NodeId, ObjectRole, Pose, Property, Relation, SceneGraph, Stream};
 
 use super::error::Why;
 use super::site::Site;
@@ -67,7 +67,7 @@ impl Fit<'_> {
     }
 
     fn is_floor(&self, site: &Site) -> bool {
-        let floor = |id| self.graph.node(id).is_some_and(|n| &**n.class() == "floor");
+        let floor = |id| self.graph.node(id).is_some_and(|n| n.role() == ObjectRole::Floor);
         site.relation == Relation::InRoom || floor(site.at)
     }
 
@@ -86,7 +86,7 @@ impl Fit<'_> {
     }
 
     fn walls(&self) -> impl Iterator<Item = Aabb> + '_ {
-        let walls = self.graph.of_class("wall").into_iter().filter_map(|id| self.graph.node(id));
+        let walls = self.graph.of_role(ObjectRole::Wall);
         walls.flat_map(|wall| part_boxes(wall, self.assets))
     }
 
@@ -104,7 +104,7 @@ impl Fit<'_> {
         if self.solids.hit(self.graph, self.assets, aabb, &besides).is_some() {
             return Some(Why::Taken);
         }
-        let doors = || self.graph.of_class("door").into_iter().filter_map(|id| self.graph.node(id)?.aabb());
+        let doors = || self.graph.of_role(ObjectRole::Door).filter_map(Node::aabb);
         if self.is_floor(site) && doors().any(|door| meet(&before(&door), aabb)) {
             return Some(Why::Unreachable);
         }
@@ -236,6 +236,6 @@ pub(super) fn turned(yaw: f32) -> UnitQuaternion<f32> {
 
 /// Whether the transition rules forbid an agent to put an object there, whatever its pose.
 pub(super) fn refused(graph: &SceneGraph, agent: NodeId, id: NodeId, site: &Site) -> bool {
-    let floor = site.relation == Relation::InRoom || graph.node(site.at).is_some_and(|n| &**n.class() == "floor");
+    let floor = site.relation == Relation::InRoom || graph.node(site.at).is_some_and(|n| n.role() == ObjectRole::Floor);
     !floor && !vc_graph::Condition::Fits(id, site.at).holds(graph, agent)
 }

@@ -2,7 +2,7 @@
 
 use vc_graph::asset::Hold;
 use vc_graph::class::Class;
-use vc_graph::{AssetLibrary, ClassTable, Node, NodeId, Property, Relation, SceneGraph};
+use vc_graph::{AssetLibrary, ClassTable, Node, NodeId, ObjectRole, Property, Relation, SceneGraph};
 
 use crate::library::Spot;
 
@@ -120,7 +120,7 @@ impl Places<'_> {
 
     fn floor(&self, room: NodeId, sites: &mut Vec<Site>) {
         let floors = self.graph.in_room(room).filter_map(|id| self.graph.node(id));
-        let floors: Vec<&Node> = floors.filter(|n| &**n.class() == "floor").collect();
+        let floors: Vec<&Node> = floors.filter(|n| n.role() == ObjectRole::Floor).collect();
         if floors.is_empty() {
             sites.push(Site { relation: Relation::InRoom, at: room, surface: None, weight: 1.0 });
         }
@@ -159,7 +159,7 @@ fn takes(node: &Node, relation: Relation) -> bool {
     let any = |all: &[Property]| all.iter().any(|&p| node.affords(p));
     match relation {
         Relation::Inside => any(&[Property::Container]),
-        _ => &**node.class() == "floor" || any(&[Property::Surface, Property::Sittable, Property::Lieable]),
+        _ => node.role() == ObjectRole::Floor || any(&[Property::Surface, Property::Sittable, Property::Lieable]),
     }
 }
 

@@ -2,23 +2,17 @@
 
 use nalgebra::{Point2, Point3};
 use vc_geometry::grid::{BitGrid, Disc};
-use vc_graph::class::Category;
-use vc_graph::{Aabb, AssetLibrary, Kind, Node, NodeId, SceneGraph, Stream};
+use vc_graph::{Aabb, Anthropometry, AssetLibrary, Kind, Node, NodeId, ObjectRole, SceneGraph, Stream};
 
 use super::solid::part_boxes;
 
 /// The number of cells a metre.
 const CELLS: f32 = 20.0;
+/// The person for whom the floor is to be walkable.
+const PERSON: Anthropometry = Anthropometry::ADULT;
 /// The radius of a person, in cells, and that of the disc in which no centre of an obstacle's cell is.
-const BODY: i32 = 5;
+const BODY: i32 = (PERSON.clearance * CELLS + 0.5) as i32;
 const CLEAR: f32 = 4.5;
-/// A person's height, metres: objects above it are no obstacle.
-const HEIGHT: f32 = 1.7;
-/// The height of objects that a person steps over, metres.
-const STEP: f32 = 0.03;
-/// The distance and the height within a person's reach, metres.
-const ARM: f32 = 0.95;
-const HIGH: f32 = 2.1;
 /// The largest number of a cell.
 const FARTHEST: f32 = 1e8;
 
@@ -45,11 +39,11 @@ impl Walk {
         for (y, row) in walk.room.chunks(walk.width()).enumerate() {
             row.iter().enumerate().filter(|(_, room)| **room > 0).for_each(|(x, _)| open.set(x, y));
         }
-        for node in graph.nodes().filter(|n| hinders(graph, n)) {
-            let built = is_built(graph, node);
+        for node in graph.nodes().filter(|n| hinders(n)) {
+            let built = node.role().is_built_in();
             let whole = node.aabb().filter(|_| !built);
             let parts = built.then(|| part_boxes(node, assets)).into_iter().flatten();
-            let boxes = parts.chain(whole).filter(|b| b.min.z < HEIGHT && b.max.z > STEP);
+            let boxes = parts.chain(whole).filter(|b| b.min.z < PERSON.stature && b.max.z > PERSON.flat);
             for (x, y) in boxes.map(|b| walk.span(&b)) {
                 open.fill(x, y, false);
             }
@@ -74,7 +68,7 @@ impl Walk {
         for index in 0..walk.rooms.len() {
             let room = walk.rooms[index];
             let floors: Vec<&Node> =
-                graph.in_room(room).filter_map(|id| graph.node(id)).filter(|n| is_floor(n)).collect();
+                graph.in_room(room).filter_map(|id| graph.node(id)).filter(|n| n.role() == ObjectRole::Floor).collect();
             let slabs: Vec<Aabb> = floors.iter().flat_map(|n| part_boxes(n, assets)).collect();
             let own = graph.node(room).and_then(Node::aabb).filter(|_| slabs.is_empty());
             for slab in slabs.into_iter().chain(own) {
@@ -112,14 +106,14 @@ impl Walk {
 
     /// Whether a person in a room can reach a box.
     pub(super) fn reaches(&self, aabb: &Aabb, room: Option<NodeId>) -> bool {
-        if aabb.min.z > HIGH {
+        if aabb.min.z > PERSON.overhead {
             return false;
         }
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
-        let grown = Aabb { min: aabb.min.map(|v| v - ARM), max: aabb.max.map(|v| v + ARM) };
+        let grown = Aabb { min: aabb.min.map(|v| v - PERSON.ahead), max: aabb.max.map(|v| v + PERSON.ahead) };
         let here =
             |&(x, y): &(usize, usize)| self.standing.get(x, y) && index.is_none_or(|i| self.room_at((x, y)) == i);
-        self.cells(&grown).filter(here).any(|cell| self.distance(cell, aabb) <= ARM)
+        self.cells(&grown).filter(here).any(|cell| self.distance(cell, aabb) <= PERSON.ahead)
     }
 
     fn middle(&self, (x, y): (usize, usize)) -> Point2<f32> {
@@ -143,24 +137,14 @@ impl Walk {
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
         let fits = |&cell: &(usize, usize)| {
             let here = index.is_none_or(|i| self.room_at(cell) == i);
-            here && near.is_none_or(|aabb| self.distance(cell, aabb) <= ARM)
+            here && near.is_none_or(|aabb| self.distance(cell, aabb) <= PERSON.ahead)
         };
         let cells: Vec<(usize, usize)> = self.standing.cells().filter(fits).collect();
         cells.get(stream.below(cells.len())).map(|&cell| self.middle(cell))
     }
 }
 
-fn is_floor(node: &Node) -> bool {
-    &**node.class() == "floor"
-}
-
-fn is_built(graph: &SceneGraph, node: &Node) -> bool {
-    let category = graph.classes().get(node.class()).map(|c| c.category);
-    matches!(category, Some(Category::Structure | Category::Window))
-}
-
 /// Whether an object can be an obstacle: floors, doors and people cannot.
-fn hinders(graph: &SceneGraph, node: &Node) -> bool {
-    let category = graph.classes().get(node.class()).map(|c| c.category);
-    node.kind() == Kind::Object && !is_floor(node) && category != Some(Category::Door)
+fn hinders(node: &Node) -> bool {
+    node.kind() == Kind::Object && !matches!(node.role(), ObjectRole::Floor | ObjectRole::Door)
 }

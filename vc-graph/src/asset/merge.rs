@@ -1,0 +1,102 @@
+//! One library of two: the content of another is added, or found where it is there already.
+
+use std::sync::Arc;
+
+use super::{Asset, AssetError, AssetId, AssetLibrary, Material};
+
+/// The numbers of a [merged](AssetLibrary::merge) library's content in the library that took it over: each is the own
+/// number plus that of the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Merged {
+    /// The number of its first texture.
+    pub textures: u32,
+    /// The number of its first material.
+    pub materials: u32,
+    /// The number of its first asset.
+    pub assets: u32,
+}
+
+impl Merged {
+    /// The identifier of one of its assets.
+    pub fn asset(self, own: AssetId) -> AssetId {
+        AssetId(own.0.saturating_add(self.assets))
+    }
+
+    /// An asset that uses its materials, with the numbers of these in the library that took them over.
+    pub fn renumbered(self, mut asset: Asset) -> Asset {
+        let parts = asset.parts.iter_mut().chain(&mut asset.collision);
+        parts.for_each(|part| part.material = part.material.saturating_add(self.materials));
+        asset
+    }
+}
+
+/// The index at which a list has all of another in its order.
+fn run<T: PartialEq>(list: &[T], wanted: &[T]) -> Option<u32> {
+    match wanted.len() {
+        0 => Some(0),
+        length => list.windows(length).position(|window| window == wanted).map(|at| at as u32),
+    }
+}
+
+/// The first number of several things that are added.
+fn first(added: impl Iterator<Item = Result<u32, AssetError>>) -> Result<u32, AssetError> {
+    let numbers = added.collect::<Result<Vec<u32>, _>>()?;
+    Ok(numbers.first().copied().unwrap_or(0))
+}
+
+impl AssetLibrary {
+    /// Adds the textures, materials and assets of another library, and tells how their numbers change.
+    ///
+    /// Content is not added again where this library already has all of a kind in the same order: two things made from
+    /// one table of materials share it.
+    ///
+    /// ```
+    /// use vc_graph::AssetLibrary;
+    /// # let material: vc_graph::asset::Material = serde_json::from_str(r#"{"name": "oak", "colour": [0.5, 0.4, 0.3],
+    /// #   "density": 700.0, "friction": 0.5, "restitution": 0.1, "roughness": 0.5, "metallic": 0.0,
+    /// #   "transmission": 0.0, "emission": [0.0, 0.0, 0.0]}"#)?;
+    /// let [mut home, mut table] = [AssetLibrary::default(), AssetLibrary::default()];
+    /// home.add_material(vc_graph::asset::Material { name: "paint".into(), ..material.clone() })?;
+    /// table.add_material(material)?;
+    /// assert_eq!(home.merge(&table)?.materials, 1);
+    /// assert_eq!(home.merge(&table)?.materials, 1, "the second time it is there");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AssetError`] if the other library has content that this one would refuse; nothing is added then.
+    pub fn merge(&mut self, other: &Self) -> Result<Merged, AssetError> {
+        let before = (self.textures.len(), self.materials.len(), self.assets.len());
+        let merged = self.take_over(other);
+        if merged.is_err() {
+            self.textures.truncate(before.0);
+            self.materials.truncate(before.1);
+            self.assets.truncate(before.2);
+        }
+        merged
+    }
+
+    fn take_over(&mut self, other: &Self) -> Result<Merged, AssetError> {
+        let textures = match run(&self.textures, &other.textures) {
+            Some(at) => at,
+            None => first(other.textures.iter().map(|t| self.add_texture(t.clone())))?,
+        };
+        let moved = |m: &Material| Material { texture: m.texture.map(|t| t + textures), ..m.clone() };
+        let materials: Vec<Material> = other.materials.iter().map(moved).collect();
+        let materials = match run(&self.materials, &materials) {
+            Some(at) => at,
+            None => first(materials.into_iter().map(|m| self.add_material(m)))?,
+        };
+        let merged = Merged { textures, materials, assets: 0 };
+        let renumbered = |asset: &Arc<Asset>| match merged.materials {
+            0 => asset.clone(),
+            _ => Arc::new(merged.renumbered(Asset::clone(asset))),
+        };
+        let assets: Vec<Arc<Asset>> = other.assets.iter().map(renumbered).collect();
+        let assets = match run(&self.assets, &assets) {
+            Some(at) => at,
+            None => first(assets.into_iter().map(|a| self.share(a).map(|id| id.0)))?,
+        };
+        Ok(Merged { assets, ..merged })
+    }
+}
