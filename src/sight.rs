@@ -10,6 +10,7 @@ use std::sync::{Mutex, OnceLock};
 use vc_graph::asset::Joint;
 use vc_graph::class::Category;
 use vc_graph::{Kind, Label, Node, NodeId, Pose, Property, Relation, SceneGraph, State, Word};
+use vc_people::{Bone, clothes};
 use vc_physics::Role;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -19,7 +20,6 @@ use self::light::{Lit, lit, switch};
 pub use self::options::PictureOptions;
 use crate::Environment;
 use crate::environment::position;
-use crate::figure::{Bone, clothes};
 
 /// Categories of what lets light in.
 const OPENINGS: [Category; 2] = [Category::Door, Category::Window];

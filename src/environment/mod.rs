@@ -5,6 +5,7 @@ mod agree;
 mod alter;
 mod astray;
 mod beat;
+mod body;
 mod boxes;
 mod deed;
 mod error;
@@ -87,7 +88,7 @@ pub struct Environment {
     history: History,
     undo: undo::Undo,
     /// What bodies are shown to do while an action takes its time.
-    poses: std::collections::BTreeMap<NodeId, crate::figure::Doing>,
+    poses: std::collections::BTreeMap<NodeId, vc_people::Doing>,
     #[cfg(feature = "render")]
     sight: Arc<crate::sight::Sight>,
     #[cfg(feature = "render")]
@@ -202,7 +203,7 @@ impl Environment {
     }
 
     /// What a body is shown to do now.
-    pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
+    pub(crate) fn doing(&self, agent: NodeId) -> vc_people::Doing {
         self.poses.get(&agent).cloned().unwrap_or_default()
     }
 

@@ -20,13 +20,15 @@ const STEPS: usize = 16;
 
 /// A reaching hand; the body bends as far as necessary, and the eyes follow.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Reach {
-    pub(crate) side: Side,
-    pub(crate) point: Point3<f32>,
+pub struct Reach {
+    /// The hand that reaches.
+    pub side: Side,
+    /// The point that it reaches for, in the body's frame.
+    pub point: Point3<f32>,
     /// Progress of the hand, 0 to 1.
-    pub(crate) share: f32,
+    pub share: f32,
     /// Progress of the eyes' turn towards the point, 0 to 1.
-    pub(crate) looks: f32,
+    pub looks: f32,
 }
 
 /// The configuration of the trunk for a reaching hand.

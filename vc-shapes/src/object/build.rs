@@ -18,23 +18,26 @@ pub(crate) type P = [f32; 3];
 
 /// One of the three axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Axis {
+pub enum Axis {
+    /// Forward.
     X,
+    /// To the left.
     Y,
+    /// Up.
     Z,
 }
 
 /// An asset under construction. The origin is at the centre of the base, X forward, Y to the left,
 /// Z up; metres. The generated parts stay within `size`.
-pub(crate) struct Build<'a> {
+pub struct Build<'a> {
     /// The class to generate, for generators of several classes.
-    pub(crate) class: &'a str,
+    pub class: &'a str,
     /// The upper bounds of depth (X), width (Y) and height (Z).
-    pub(crate) size: Vector3<f32>,
+    pub size: Vector3<f32>,
     /// Materials by purpose.
-    pub(crate) style: &'a Style,
+    pub style: &'a Style,
     /// The source of random choices.
-    pub(crate) rng: Stream,
+    pub rng: Stream,
     asset: Asset,
     joint: Option<Joint>,
     frame: Pose,
@@ -44,7 +47,8 @@ pub(crate) struct Build<'a> {
 }
 
 impl<'a> Build<'a> {
-    pub(crate) fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
+    /// Begins the asset of a class.
+    pub fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
         // Most assets have up to this many parts; growing in steps would copy them.
         let asset = Asset { name: class.into(), parts: Vec::with_capacity(PARTS), ..Asset::default() };
         Self {
@@ -61,13 +65,13 @@ impl<'a> Build<'a> {
     }
 
     /// Keeps the origin where it is: a door's is the centre of its wall, whatever its handles do.
-    pub(crate) fn anchored(&mut self) {
+    pub fn anchored(&mut self) {
         self.anchored = true;
     }
 
     /// The finished asset, moved so that its origin is the centre of its base, and its bounding
     /// box.
-    pub(crate) fn finish(self) -> (Asset, Bounds) {
+    pub fn finish(self) -> (Asset, Bounds) {
         let mut asset = self.asset;
         asset.parts.shrink_to_fit();
         let Some((low, high)) = super::reveal::reveal(&mut asset) else { return (asset, Bounds::standing(self.size)) };
@@ -100,21 +104,21 @@ impl<'a> Build<'a> {
     }
 
     /// Names the asset, for example by a book's title or a poster's motif.
-    pub(crate) fn name(&mut self, name: &str) {
+    pub fn name(&mut self, name: &str) {
         self.asset.name = name.into();
     }
 
     // --- visual and collision geometry
 
     /// The parts built are visual only and have no collision shape.
-    pub(crate) fn seen(&mut self, build: impl FnOnce(&mut Self)) {
+    pub fn seen(&mut self, build: impl FnOnce(&mut Self)) {
         let from = self.asset.parts.len();
         build(self);
         self.unfelt.extend(from..self.asset.parts.len());
     }
 
     /// The parts built are collision geometry only, in place of finer visible parts.
-    pub(crate) fn felt(&mut self, build: impl FnOnce(&mut Self)) {
+    pub fn felt(&mut self, build: impl FnOnce(&mut Self)) {
         let from = self.asset.parts.len();
         build(self);
         self.asset.collision.extend(self.asset.parts.drain(from..));
@@ -123,12 +127,12 @@ impl<'a> Build<'a> {
     // --- frames and joints
 
     /// Builds in a frame moved by `offset` and rotated by `yaw` about Z.
-    pub(crate) fn at(&mut self, offset: P, yaw: f32, build: impl FnOnce(&mut Self)) {
+    pub fn at(&mut self, offset: P, yaw: f32, build: impl FnOnce(&mut Self)) {
         self.posed(Isometry3::new(Vector3::from(offset), Vector3::z() * yaw), build);
     }
 
     /// Builds in a frame given relative to the current one.
-    pub(crate) fn posed(&mut self, pose: Pose, build: impl FnOnce(&mut Self)) {
+    pub fn posed(&mut self, pose: Pose, build: impl FnOnce(&mut Self)) {
         let outer = self.frame;
         self.frame = outer * pose;
         build(self);
@@ -136,24 +140,17 @@ impl<'a> Build<'a> {
     }
 
     /// The parts built rotate about `axis` through `anchor`, from 0 to `most` radians.
-    pub(crate) fn hinge(&mut self, anchor: P, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
+    pub fn hinge(&mut self, anchor: P, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
         self.jointed(JointKind::Hinge, anchor, axis, (0.0, most), build);
     }
 
     /// The parts built slide along `axis`, from 0 to `most` metres.
-    pub(crate) fn slide(&mut self, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
+    pub fn slide(&mut self, axis: P, most: f32, build: impl FnOnce(&mut Self)) {
         self.jointed(JointKind::Slide, [0.0; 3], axis, (0.0, most), build);
     }
 
     /// The parts built move as one link with a joint.
-    pub(crate) fn jointed(
-        &mut self,
-        kind: JointKind,
-        anchor: P,
-        axis: P,
-        limits: (f32, f32),
-        build: impl FnOnce(&mut Self),
-    ) {
+    pub fn jointed(&mut self, kind: JointKind, anchor: P, axis: P, limits: (f32, f32), build: impl FnOnce(&mut Self)) {
         let outer = self.joint;
         let limits = (limits.0, limits.1.max(limits.0));
         let axis = self.frame.rotation * Vector3::from(axis).normalize();
@@ -165,13 +162,13 @@ impl<'a> Build<'a> {
     // --- solids
 
     /// A box between two corners.
-    pub(crate) fn block(&mut self, name: &str, low: P, high: P, mat: Mat) {
+    pub fn block(&mut self, name: &str, low: P, high: P, mat: Mat) {
         let (centre, half) = between(low, high);
         self.push(name, Shape::Box { half }, Isometry3::from_parts(centre.into(), UnitQuaternion::identity()), mat);
     }
 
     /// A box with rounded edges between two corners; the radius is limited to what fits.
-    pub(crate) fn soft(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat) {
+    pub fn soft(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat) {
         let (centre, half) = between(low, high);
         let radius = radius.min(half.min() * 0.98);
         let pose = Isometry3::from_parts(centre.into(), UnitQuaternion::identity());
@@ -179,47 +176,47 @@ impl<'a> Build<'a> {
     }
 
     /// A cylinder standing on `base`.
-    pub(crate) fn cylinder(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
+    pub fn cylinder(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
         let half_height = height / 2.0;
         self.push(name, Shape::Cylinder { radius, half_height }, up(base, half_height), mat);
     }
 
     /// A cone standing on `base`, with its tip up.
-    pub(crate) fn cone(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
+    pub fn cone(&mut self, name: &str, base: P, radius: f32, height: f32, mat: Mat) {
         let half_height = height / 2.0;
         self.push(name, Shape::Cone { radius, half_height }, up(base, half_height), mat);
     }
 
     /// A sphere.
-    pub(crate) fn ball(&mut self, name: &str, centre: P, radius: f32, mat: Mat) {
+    pub fn ball(&mut self, name: &str, centre: P, radius: f32, mat: Mat) {
         self.push(name, Shape::Sphere { radius }, up(centre, 0.0), mat);
     }
 
     /// A cylinder from one point to another.
-    pub(crate) fn rod(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
+    pub fn rod(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
         let (pose, half_height) = along(from, to);
         self.push(name, Shape::Cylinder { radius, half_height }, pose, mat);
     }
 
     /// A capsule from one point to another; its ends protrude by the radius.
-    pub(crate) fn bar(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
+    pub fn bar(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
         let (pose, half_height) = along(from, to);
         self.push(name, Shape::Capsule { radius, half_height }, pose, mat);
     }
 
     /// Capsules through several points, such as a tap's spout or a bent tube.
-    pub(crate) fn pipe(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
+    pub fn pipe(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
         points.windows(2).for_each(|pair| self.bar(name, pair[0], pair[1], radius, mat));
     }
 
     /// A profile of (radius, height) revolved about the vertical through `base`; see
     /// [`Shape::Lathe`].
-    pub(crate) fn lathe(&mut self, name: &str, base: P, profile: &[(f32, f32)], mat: Mat) {
+    pub fn lathe(&mut self, name: &str, base: P, profile: &[(f32, f32)], mat: Mat) {
         self.push(name, Shape::Lathe { profile: profile.to_vec() }, up(base, 0.0), mat);
     }
 
     /// A profile revolved about an axis that points from `from` towards `to`.
-    pub(crate) fn lathe_along(&mut self, name: &str, from: P, to: P, profile: &[(f32, f32)], mat: Mat) {
+    pub fn lathe_along(&mut self, name: &str, from: P, to: P, profile: &[(f32, f32)], mat: Mat) {
         let (mut pose, _) = along(from, to);
         pose.translation = Vector3::from(from).into();
         self.push(name, Shape::Lathe { profile: profile.to_vec() }, pose, mat);
@@ -227,7 +224,7 @@ impl<'a> Build<'a> {
 
     /// An outline extruded along an axis from `base` by `length`. The outline is in (y, z) for X,
     /// (x, z) for Y and (x, y) for Z, relative to `base`, in either orientation.
-    pub(crate) fn prism(&mut self, name: &str, axis: Axis, base: P, outline: &[(f32, f32)], length: f32, mat: Mat) {
+    pub fn prism(&mut self, name: &str, axis: Axis, base: P, outline: &[(f32, f32)], length: f32, mat: Mat) {
         let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
         let (columns, swap) = match axis {
             Axis::X => ([y, z, x], false),
@@ -244,7 +241,7 @@ impl<'a> Build<'a> {
     }
 
     /// A block whose bottom and top rectangles differ, given by the half lengths of both.
-    pub(crate) fn taper(&mut self, name: &str, base: P, bottom: (f32, f32), top: (f32, f32), height: f32, mat: Mat) {
+    pub fn taper(&mut self, name: &str, base: P, bottom: (f32, f32), top: (f32, f32), height: f32, mat: Mat) {
         let corners = |(x, y): (f32, f32), z: f32| [[x, y, z], [-x, y, z], [-x, -y, z], [x, -y, z]];
         let points = corners(bottom, 0.0).into_iter().chain(corners(top, height));
         let points: Vec<P> = points.map(|p| [p[0] + base[0], p[1] + base[1], p[2] + base[2]]).collect();
@@ -252,13 +249,13 @@ impl<'a> Build<'a> {
     }
 
     /// The convex hull of points.
-    pub(crate) fn hull(&mut self, name: &str, points: &[P], mat: Mat) {
+    pub fn hull(&mut self, name: &str, points: &[P], mat: Mat) {
         let points = points.iter().map(|&p| Point3::from(p)).collect();
         self.push(name, Shape::Hull { points }, Pose::identity(), mat);
     }
 
     /// A closed triangle mesh.
-    pub(crate) fn mesh(&mut self, name: &str, vertices: Vec<P>, triangles: Vec<[u32; 3]>, mat: Mat) {
+    pub fn mesh(&mut self, name: &str, vertices: Vec<P>, triangles: Vec<[u32; 3]>, mat: Mat) {
         let vertices = vertices.into_iter().map(Point3::from).collect();
         self.push(name, Shape::Mesh { vertices, triangles, uvs: Vec::new() }, Pose::identity(), mat);
     }
@@ -283,22 +280,22 @@ impl<'a> Build<'a> {
     // --- surfaces for objects
 
     /// A surface for objects, open above.
-    pub(crate) fn top(&mut self, name: &str, centre: P, half: (f32, f32)) {
+    pub fn top(&mut self, name: &str, centre: P, half: (f32, f32)) {
         self.surface(name, Hold::On, centre, half, None);
     }
 
     /// A surface for objects, with part of the asset above it.
-    pub(crate) fn ledge(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
+    pub fn ledge(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
         self.surface(name, Hold::On, centre, half, Some(clearance));
     }
 
     /// A surface within walls: a shelf in a cupboard, the bottom of a drawer.
-    pub(crate) fn inside(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
+    pub fn inside(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
         self.surface(name, Hold::Inside, centre, half, Some(clearance));
     }
 
     /// A point that objects hang from, with the free height below it.
-    pub(crate) fn hook(&mut self, name: &str, at: P, drop: f32) {
+    pub fn hook(&mut self, name: &str, at: P, drop: f32) {
         self.surface(name, Hold::Hook, at, (0.0, 0.0), Some(drop));
     }
 
@@ -317,12 +314,12 @@ impl<'a> Build<'a> {
     // --- random choices
 
     /// A random number between two.
-    pub(crate) fn vary(&mut self, low: f32, high: f32) -> f32 {
+    pub fn vary(&mut self, low: f32, high: f32) -> f32 {
         self.rng.between(low, high)
     }
 
     /// One of several materials or other small values.
-    pub(crate) fn one<T: Copy>(&mut self, of: &[T]) -> T {
+    pub fn one<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.rng.below(of.len())]
     }
 }

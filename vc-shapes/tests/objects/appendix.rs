@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use vc_graph::{ClassTable, Property};
-use vc_procgen::object::{Realm, generator, generators};
+use vc_shapes::object::{Realm, generator, generators};
 
 /// The number of objects, and their classes including subclasses; `in` restricts them to indoor
 /// classes.

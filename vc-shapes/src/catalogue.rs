@@ -38,7 +38,7 @@ impl Generator {
 /// ```
 /// use std::collections::HashSet;
 /// use vc_graph::Seed;
-/// use vc_procgen::catalogue;
+/// use vc_shapes::catalogue;
 ///
 /// let tables = catalogue::instances(Seed(1)).filter(|i| i.generator.class == "dining_table");
 /// let shapes: HashSet<_> = tables.map(|i| i.object.shape_key()).collect();

@@ -128,6 +128,6 @@ fn leg(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
 }
 
 /// The position of the palm when the arm hangs down.
-pub(crate) fn palm(side: Side) -> Point3<f32> {
+pub fn palm(side: Side) -> Point3<f32> {
     Bone::UpperArm(side).anchor() - Vector3::z() * (ARM[0] + ARM[1])
 }

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use nalgebra::Point3;
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use vc_gltf::{self as gltf, Imported, Options};
 use vc_graph::asset::{Material, Part, Shape, Texture};
 use vc_graph::{Asset, AssetLibrary, Pose};
-use vc_procgen::gltf::{self, Imported, Options};
 
 const JPEG: &[u8] = include_bytes!("data/four.jpg");
 

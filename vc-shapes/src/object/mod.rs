@@ -9,7 +9,6 @@ mod joinery;
 mod lump;
 mod mirror;
 mod rest;
-mod solids;
 // families
 mod bath;
 mod bed;
@@ -40,19 +39,15 @@ mod tool;
 mod vehicle;
 mod yard;
 
-use std::cell::OnceCell;
 use std::collections::HashMap;
-use std::rc::Rc;
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use nalgebra::Vector3;
 use vc_graph::class::Range;
 use vc_graph::{Asset, Bounds, ClassTable, Seed};
 
 use crate::style::Style;
-use build::Build;
-
-pub(crate) use solids::Solids;
+pub use build::{Axis, Build};
 
 /// The generator of one class of objects.
 #[derive(Debug, Clone, Copy)]
@@ -158,75 +153,8 @@ impl Generator {
     }
 }
 
-/// A planned object: placements are found by its size alone, and the object is generated once it
-/// has one.
-#[derive(Debug, Clone)]
-pub(crate) struct Draft {
-    pub(crate) class: &'static str,
-    size: Vector3<f32>,
-    source: Source,
-}
-
-#[derive(Debug, Clone)]
-enum Source {
-    Made(Arc<Object>),
-    /// Clones of a draft share the generated object.
-    Planned(&'static Generator, Seed, Rc<OnceCell<Arc<Object>>>),
-}
-
-impl Draft {
-    /// A draft no larger than `size`; `None` if the class has no generator.
-    pub(crate) fn sized(class: &str, size: Vector3<f32>, seed: Seed) -> Option<Self> {
-        let generator = generator(class)?;
-        Some(Self { class: generator.class, size, source: Source::Planned(generator, seed, Rc::default()) })
-    }
-
-    /// A draft of the class's usual size.
-    pub(crate) fn usual(class: &str, seed: Seed) -> Option<Self> {
-        Self::sized(class, usual_size(class, seed), seed)
-    }
-
-    /// A draft of an existing object.
-    pub(crate) fn of(object: Arc<Object>) -> Self {
-        Self { class: object.class, size: object.size(), source: Source::Made(object) }
-    }
-
-    /// Its class.
-    pub(crate) fn class(&self) -> &'static str {
-        self.class
-    }
-
-    /// The upper bounds of depth, width and height, metres.
-    pub(crate) fn size(&self) -> Vector3<f32> {
-        self.size
-    }
-
-    /// Its box without any parts, used to find a placement.
-    pub(crate) fn outline(&self) -> Object {
-        Object { class: self.class, asset: Asset::default(), bounds: Bounds::standing(self.size) }
-    }
-
-    /// The object with sole ownership.
-    pub(crate) fn into_object(self, style: &Style) -> Object {
-        match self.source {
-            Source::Made(object) => Arc::unwrap_or_clone(object),
-            Source::Planned(generator, seed, _) => generator.sized(self.size, style, seed),
-        }
-    }
-
-    /// The shared object, generated on first use.
-    pub(crate) fn object(&self, style: &Style) -> Arc<Object> {
-        match &self.source {
-            Source::Made(object) => object.clone(),
-            Source::Planned(generator, seed, made) => {
-                made.get_or_init(|| Arc::new(generator.sized(self.size, style, *seed))).clone()
-            }
-        }
-    }
-}
-
-/// The usual ranges of a class's depth, width and height.
-pub(crate) fn usual_ranges(class: &str) -> Option<[Range; 3]> {
+/// The usual ranges of a class's depth, width and height, metres.
+pub fn usual_ranges(class: &str) -> Option<[Range; 3]> {
     static RANGES: LazyLock<HashMap<&'static str, [Range; 3]>> = LazyLock::new(|| {
         let classes = ClassTable::builtin();
         generators().filter_map(|g| Some((g.class, classes.get(g.class)?.size?))).collect()
@@ -235,12 +163,12 @@ pub(crate) fn usual_ranges(class: &str) -> Option<[Range; 3]> {
 }
 
 /// The lower bounds of the usual depth, width and height of a class, metres.
-pub(crate) fn least_size(class: &str) -> Option<Vector3<f32>> {
+pub fn least_size(class: &str) -> Option<Vector3<f32>> {
     usual_ranges(class).map(|r| r.map(|r| r.low).into())
 }
 
-/// Draws a size from the class's usual range.
-fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
+/// Draws a size from the class's usual range: depth, width, height, metres.
+pub fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
     let mut rng = seed.child("size").stream();
     usual_ranges(class).map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
 }

@@ -27,36 +27,38 @@ const SOLE: f32 = 0.13;
 
 /// What a body is shown to do beside standing, sitting or lying.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Doing {
+pub struct Doing {
     /// How far it has walked, metres.
-    pub(crate) walked: Option<f32>,
+    pub walked: Option<f32>,
     /// A gesture, and since when, seconds.
-    pub(crate) gesture: Option<(Verb, f32)>,
+    pub gesture: Option<(Verb, f32)>,
     /// What a hand reaches for.
-    pub(crate) reach: Option<Reach>,
+    pub reach: Option<Reach>,
     /// From which pose it comes into this one, and how far it has got, 0 to 1.
-    pub(crate) settles: Option<(Skeleton, f32)>,
+    pub settles: Option<(Skeleton, f32)>,
 }
 
 /// How a body is: in its own frame, whose origin is between the feet, or on the seat.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Attitude {
+pub enum Attitude {
+    /// On its feet.
     Standing,
     /// With the floor so far below the seat, metres.
     Sitting(f32),
+    /// On its back.
     Lying,
 }
 
 /// Where the bones are: how each has moved from where the asset has it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Skeleton {
+pub struct Skeleton {
     bones: [Pose; Bone::ALL.len()],
 }
 
 impl Skeleton {
     /// The pose of a body: its attitude, what it does, and where its hands are to be, all in
     /// its own frame.
-    pub(crate) fn new(attitude: Attitude, doing: &Doing, hands: [Option<Point3<f32>>; 2]) -> Self {
+    pub fn new(attitude: Attitude, doing: &Doing, hands: [Option<Point3<f32>>; 2]) -> Self {
         let mut skeleton = Self { bones: [Pose::identity(); Bone::ALL.len()] };
         match attitude {
             Attitude::Standing => skeleton.stand(doing, hands.iter().any(Option::is_some)),
@@ -89,17 +91,17 @@ impl Skeleton {
     }
 
     /// The same pose seen from a body's frame that has moved; `moved` is where that was.
-    pub(crate) fn seen_after(&self, moved: &Pose) -> Self {
+    pub fn seen_after(&self, moved: &Pose) -> Self {
         Self { bones: self.bones.map(|bone| sound(moved * bone)) }
     }
 
     /// How a bone has moved.
-    pub(crate) fn motion(&self, bone: Bone) -> Pose {
+    pub fn motion(&self, bone: Bone) -> Pose {
         self.bones[bone.index()]
     }
 
     /// Where the eyes are, looking along X: before the face, so that it is not seen.
-    pub(crate) fn eyes(&self) -> Pose {
+    pub fn eyes(&self) -> Pose {
         let eyes = Bone::Head.anchor() + EYES;
         self.motion(Bone::Head) * Pose::translation(eyes.x, eyes.y, eyes.z)
     }

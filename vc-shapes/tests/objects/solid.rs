@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::TriangleMesh;
 use vc_graph::asset::{Joint, Shape};
-use vc_procgen::material::{Family, Mat};
-use vc_procgen::object::Object;
+use vc_shapes::material::{Family, Mat};
+use vc_shapes::object::Object;
 
 pub(crate) type P = Point3<f64>;
 pub(crate) type V = Vector3<f64>;

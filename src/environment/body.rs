@@ -2,9 +2,9 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, Pose};
+use vc_people::{Attitude, Skeleton};
 use vc_physics::{Hand, Posture, World};
 
-use super::{Attitude, Skeleton};
 use crate::Environment;
 
 impl Environment {
@@ -67,10 +67,10 @@ fn beside(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f
 #[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
     use vc_graph::{Action, Node, Property, Verb};
+    use vc_people::{Bone, Side, palm};
     use vc_physics::Role;
 
     use super::*;
-    use crate::figure::{Bone, Side, palm};
 
     /// How far the palm is from what it holds, at worst, of all hands that hold.
     fn away(home: &Environment, agent: NodeId) -> f32 {

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use vc_gltf::{self as gltf, GltfError, Options, Size};
 use vc_graph::asset::{Hold, Joint, JointKind, Material, Part, Shape, Surface};
 use vc_graph::{Asset, AssetLibrary, Draft, Pose, SceneBuilder};
-use vc_procgen::gltf::{self, GltfError, Options, Size};
 
 fn library() -> AssetLibrary {
     let mut library = AssetLibrary::default();
@@ -435,7 +435,7 @@ fn triangles_of_which_voxels_have_no_hull_get_one_piece() {
 #[test]
 fn a_staged_scene_has_its_cameras_and_lights() {
     use nalgebra::{Point3, Vector3};
-    use vc_procgen::gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
+    use vc_gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
     let camera = |near| StageCamera {
         name: "door".into(),
         pose: vc_graph::Pose::translation(1.0, 2.0, 1.6),

@@ -2,11 +2,10 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Bounds, Stream};
+use vc_shapes::Style;
+use vc_shapes::material::Mat;
+use vc_shapes::object::{Build, Object};
 
-use super::Object;
-use super::build::Build;
-use crate::Style;
-use crate::material::Mat;
 use crate::plan::{Rect, metres};
 
 /// Boxes in world coordinates that become one object.

@@ -7,30 +7,42 @@ use super::HEIGHT;
 
 /// A bone of the figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Bone {
+pub enum Bone {
+    /// The hips, on which everything hangs.
     Pelvis,
+    /// The trunk above the waist.
     Chest,
+    /// Head and neck.
     Head,
+    /// From the shoulder to the elbow.
     UpperArm(Side),
+    /// From the elbow to the wrist.
     Forearm(Side),
+    /// The hand.
     Hand(Side),
+    /// From the hip to the knee.
     Thigh(Side),
+    /// From the knee to the ankle.
     Shin(Side),
+    /// The foot.
     Foot(Side),
 }
 
 /// The side of the body, right or left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Side {
+pub enum Side {
+    /// Right: negative Y.
     Right,
+    /// Left: positive Y.
     Left,
 }
 
 impl Side {
-    pub(crate) const BOTH: [Self; 2] = [Self::Right, Self::Left];
+    /// Both sides.
+    pub const BOTH: [Self; 2] = [Self::Right, Self::Left];
 
     /// The sign of the side along Y: left is positive.
-    pub(crate) fn sign(self) -> f32 {
+    pub fn sign(self) -> f32 {
         match self {
             Self::Right => -1.0,
             Self::Left => 1.0,
@@ -47,7 +59,7 @@ pub(crate) const ANKLE: f32 = 0.08;
 
 impl Bone {
     /// All bones, parents before children.
-    pub(crate) const ALL: [Self; 15] = [
+    pub const ALL: [Self; 15] = [
         Self::Pelvis,
         Self::Chest,
         Self::Head,
@@ -70,7 +82,7 @@ impl Bone {
     }
 
     /// The parent bone.
-    pub(crate) fn parent(self) -> Option<Self> {
+    pub fn parent(self) -> Option<Self> {
         match self {
             Self::Pelvis => None,
             Self::Chest => Some(Self::Pelvis),
@@ -85,7 +97,7 @@ impl Bone {
     }
 
     /// The joint's position while the figure stands with its arms down, metres.
-    pub(crate) fn anchor(self) -> Point3<f32> {
+    pub fn anchor(self) -> Point3<f32> {
         let hip = ANKLE + LEG[0] + LEG[1];
         let shoulder = 0.82 * HEIGHT;
         match self {
@@ -102,12 +114,12 @@ impl Bone {
     }
 
     /// The joint by which the asset identifies the bone.
-    pub(crate) fn joint(self) -> Joint {
+    pub fn joint(self) -> Joint {
         Joint { kind: JointKind::Hinge, anchor: self.anchor(), axis: Vector3::y(), limits: (-3.0, 3.0) }
     }
 
     /// The bone of a joint.
-    pub(crate) fn of(joint: &Joint) -> Option<Self> {
+    pub fn of(joint: &Joint) -> Option<Self> {
         Self::ALL.into_iter().find(|b| b.anchor() == joint.anchor)
     }
 }

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
 use vc_graph::{AssetLibrary, ClassTable, Seed};
-use vc_procgen::object::{Generator, Object, generators};
-use vc_procgen::{Style, material};
+use vc_shapes::object::{Generator, Object, generators};
+use vc_shapes::{Style, material};
 
 use crate::solid::{Solid, solids};
 use crate::{faces, motion, places, whole};

@@ -52,7 +52,7 @@ const SMALL: [&str; 14] = [
 ];
 
 /// Whether a piece of clothing of a class covers a bone.
-pub(crate) fn covers(class: &str, bone: Bone) -> bool {
+pub fn covers(class: &str, bone: Bone) -> bool {
     if SMALL.iter().any(|word| class.contains(word)) {
         return false;
     }
@@ -69,7 +69,7 @@ pub(crate) fn covers(class: &str, bone: Bone) -> bool {
 }
 
 /// The linear reflectance of a piece of clothing: that of its largest part.
-pub(crate) fn colour(library: &AssetLibrary, node: &Node) -> Option<[f32; 3]> {
+pub fn colour(library: &AssetLibrary, node: &Node) -> Option<[f32; 3]> {
     let asset = library.get(node.spec().asset?)?;
     let size = |part: &&Part| {
         let (low, high) = part.shape.extent();

@@ -1,17 +1,28 @@
 //! glTF 2.0: exporting assets and scenes, importing a user's own models.
 //!
 //! ```
-//! use vc_graph::AssetLibrary;
-//! use vc_graph::asset::{Part, Shape};
-//! use vc_graph::{Asset, Pose};
-//! use vc_procgen::gltf::{self, Options};
-//! use vc_procgen::material;
+//! use vc_gltf::{self as gltf, Options};
+//! use vc_graph::asset::{Material, Part, Shape};
+//! use vc_graph::{Asset, AssetLibrary, Pose};
 //!
-//! let library = material::library();
+//! let mut library = AssetLibrary::default();
+//! let red = Material {
+//!     name: "red".into(),
+//!     colour: [0.56, 0.03, 0.03],
+//!     density: 1000.0,
+//!     friction: 0.4,
+//!     restitution: 0.4,
+//!     roughness: 0.4,
+//!     metallic: 0.0,
+//!     transmission: 0.0,
+//!     emission: [0.0; 3],
+//!     texture: None,
+//! };
+//! let red = library.add_material(red)?;
 //! let part = Part {
 //!     name: "ball".into(),
 //!     shape: Shape::Sphere { radius: 0.11 },
-//!     material: material::RED_PLASTIC.0,
+//!     material: red,
 //!     pose: Pose::translation(0.0, 0.0, 0.11),
 //!     joint: None,
 //! };
@@ -22,7 +33,7 @@
 //! let mut mine = AssetLibrary::default();
 //! let id = model.add_to(&mut mine)?;
 //! assert_eq!(mine.get(id).map(|a| a.parts.len()), Some(1));
-//! # Ok::<(), gltf::GltfError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # Axes and units
@@ -60,6 +71,8 @@
 //! read; points and lines are ignored. Where an image cannot be read, the model has a plain colour and
 //! [`Imported::missing_pictures`] has the reason. Compressed vertices, and vertices in separate files, are
 //! refused with an error that advises how to export instead.
+
+#![warn(clippy::disallowed_methods)]
 
 mod access;
 mod buffers;

@@ -18,9 +18,9 @@ use std::collections::{BTreeMap, HashSet};
 
 use cases::{FINDINGS, Rule, chosen};
 use vc_graph::Seed;
-use vc_procgen::material::{Family, Mat};
-use vc_procgen::object::{self, Realm, generators};
-use vc_procgen::{Style, catalogue};
+use vc_shapes::material::{Family, Mat};
+use vc_shapes::object::{self, Realm, generators};
+use vc_shapes::{Style, catalogue};
 
 /// Fails with all violations of a rule, some of each class.
 fn holds(rule: Rule) {
