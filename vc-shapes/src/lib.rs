@@ -14,7 +14,7 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! [`object`] has the generators, [`catalogue`] enumerates instances of all classes, and [`material::library`] is
+//! [`Generators::register`] adds an object class of your own. [`object`] has the generators, [`catalogue`] enumerates instances of all classes, and [`material::library`] is
 //! the library with the materials of all of them.
 
 #![warn(clippy::disallowed_methods)]
@@ -24,4 +24,5 @@ pub mod material;
 pub mod object;
 mod style;
 
+pub use object::{Axis, Build, Generator, Generators, Object, Realm, RegisterError};
 pub use style::Style;

@@ -9,7 +9,7 @@ use super::house::{House, goes_around};
 use crate::Style;
 use crate::furnish::Facing;
 use crate::material::{self, Mat};
-use crate::object::{self, Generator, Object};
+use crate::object::{Generator, Object};
 
 /// The thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
@@ -137,7 +137,7 @@ fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
 
 /// A door, window or empty frame, generated for its opening.
 fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
-    let generator = object::generator(node.class())?;
+    let generator = house.generators.get(node.class())?;
     let hole = hole(house, opening);
     let size = hole.max - hole.min;
     let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };

@@ -8,6 +8,7 @@ mod circle;
 mod joinery;
 mod lump;
 mod mirror;
+mod registry;
 mod rest;
 // families
 mod bath;
@@ -48,6 +49,7 @@ use vc_graph::{Asset, Bounds, ClassTable, Seed};
 
 use crate::style::Style;
 pub use build::{Axis, Build};
+pub use registry::{Generators, RegisterError};
 
 /// The generator of one class of objects.
 #[derive(Debug, Clone, Copy)]
@@ -58,6 +60,8 @@ pub struct Generator {
     pub realm: Realm,
     /// The number of instances in the [catalogue](crate::catalogue).
     pub instances: usize,
+    /// The usual depth, width and height of a class of the program's own; others have theirs in the built-in table.
+    size: Option<[Range; 3]>,
     make: fn(&mut Build<'_>),
 }
 
@@ -71,11 +75,11 @@ pub enum Realm {
 }
 
 const fn indoor(class: &'static str, instances: usize, make: fn(&mut Build<'_>)) -> Generator {
-    Generator { class, realm: Realm::Indoor, instances, make }
+    Generator::new(class, Realm::Indoor, instances, make)
 }
 
 const fn outdoor(class: &'static str, instances: usize, make: fn(&mut Build<'_>)) -> Generator {
-    Generator { class, realm: Realm::Outdoor, instances, make }
+    Generator::new(class, Realm::Outdoor, instances, make)
 }
 
 const FAMILIES: &[&[Generator]] = &[
@@ -139,9 +143,15 @@ impl Object {
 }
 
 impl Generator {
+    /// A generator from a function that builds the parts; `instances` is the number in the catalogue.
+    pub const fn new(class: &'static str, realm: Realm, instances: usize, make: fn(&mut Build<'_>)) -> Self {
+        Self { class, realm, instances, size: None, make }
+    }
+
     /// Generates an instance of the class's usual size.
     pub fn object(&self, style: &Style, seed: Seed) -> Object {
-        self.sized(usual_size(self.class, seed), style, seed)
+        let ranges = self.size.or_else(|| usual_ranges(self.class));
+        self.sized(drawn_size(ranges, seed), style, seed)
     }
 
     /// Generates an instance no larger than `size` (depth, width, height in metres).
@@ -169,6 +179,10 @@ pub fn least_size(class: &str) -> Option<Vector3<f32>> {
 
 /// Draws a size from the class's usual range: depth, width, height, metres.
 pub fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
+    drawn_size(usual_ranges(class), seed)
+}
+
+fn drawn_size(ranges: Option<[Range; 3]>, seed: Seed) -> Vector3<f32> {
     let mut rng = seed.child("size").stream();
-    usual_ranges(class).map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
+    ranges.map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
 }

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+mod textures;
+
 use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
@@ -283,7 +285,7 @@ fn container(json: Value, bytes: &[u8]) -> Vec<u8> {
 
 /// The triangles of files, by name; the first file is plain, the others must give the same.
 macro_rules! files {
-    ($($name:literal),*) => { [$(($name, &include_bytes!(concat!("data/gltf/", $name))[..])),*] };
+    ($($name:literal),*) => { [$(($name, &include_bytes!(concat!("../data/gltf/", $name))[..])),*] };
 }
 
 #[test]

@@ -1,7 +1,5 @@
 //! glTF with images: written images read back, and unreadable ones are left out and reported.
 
-#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
-
 use std::sync::Arc;
 
 use nalgebra::Point3;
@@ -11,7 +9,7 @@ use vc_gltf::{self as gltf, Imported, Options};
 use vc_graph::asset::{Material, Part, Shape, Texture};
 use vc_graph::{Asset, AssetLibrary, Pose};
 
-const JPEG: &[u8] = include_bytes!("data/four.jpg");
+const JPEG: &[u8] = include_bytes!("../data/four.jpg");
 
 /// Texture coordinates of two triangles; the triangles share an edge of the mesh but not of the image.
 const UVS: [[[f32; 2]; 3]; 2] = [[[0.0, 1.0], [0.5, 1.0], [0.5, 0.0]], [[0.25, 0.0], [0.75, 1.0], [1.5, -0.5]]];
