@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Bounds, Stream};
 use vc_shapes::Style;
 use vc_shapes::material::Mat;
-use vc_shapes::object::{Build, Object};
+use vc_shapes::{Build, Object};
 
 use crate::plan::{Rect, metres};
 

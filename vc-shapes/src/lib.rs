@@ -14,7 +14,8 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! [`Generators::register`] adds an object class of your own. [`object`] has the generators, [`catalogue`] enumerates instances of all classes, and [`material::library`] is
+//! [`Generators::register`] adds an object class of your own. [`solid`] is the vocabulary
+//! from which generators build; [`object`] has the built-in ones, [`catalogue`] enumerates instances of all classes, and [`material::library`] is
 //! the library with the materials of all of them.
 
 #![warn(clippy::disallowed_methods)]
@@ -22,7 +23,9 @@
 pub mod catalogue;
 pub mod material;
 pub mod object;
+pub mod solid;
 mod style;
 
-pub use object::{Axis, Build, Generator, Generators, Object, Realm, RegisterError};
+pub use object::{Generator, Generators, Object, Realm, RegisterError};
+pub use solid::{Axis, Build};
 pub use style::Style;

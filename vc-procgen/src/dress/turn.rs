@@ -204,7 +204,8 @@ impl Surroundings<'_, '_> {
     /// The best facing direction among those that the proportions of the box allow.
     fn best(&self, class: &str, lain: &Lain, score: impl Fn(u8) -> f32) -> u8 {
         let size = self.around.max - self.around.min;
-        let fit = [size, Vector3::new(size.y, size.x, size.z)].map(|s| misfit(self.house.generators, class, lain.own(s)));
+        let fit =
+            [size, Vector3::new(size.y, size.x, size.z)].map(|s| misfit(self.house.generators, class, lain.own(s)));
         let allowed: &[u8] = match fit[0] - fit[1] {
             d if d < -DOUBT => &[0, 2],
             d if d > DOUBT => &[1, 3],

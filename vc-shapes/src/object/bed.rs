@@ -1,10 +1,10 @@
 //! Beds: frame and mattress. Duvets and pillows are separate objects.
 
-use super::build::{Axis, Build};
 use super::storage::case::{Look, panel};
-use super::table::frame::{CORNERS, Cut, at_least, baluster, leg};
+use super::table::frame::baluster;
 use super::{Generator, indoor};
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, Cut, at_least, leg};
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("double_bed", 18, bed),

@@ -3,8 +3,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::build::{Build, P};
 use crate::material::Mat;
+use crate::solid::{Build, P};
 
 /// The thickness of boards, metres.
 pub(super) const BOARD: f32 = 0.018;

@@ -3,10 +3,7 @@
 //! Each family of classes has a module with a table of [`Generator`]s. A generator is a function
 //! that builds parts; nothing is loaded from files.
 
-mod build;
-mod circle;
 mod joinery;
-mod lump;
 mod mirror;
 mod registry;
 mod rest;
@@ -27,7 +24,6 @@ mod pack;
 mod park;
 mod plant;
 mod play;
-mod reveal;
 mod seat;
 mod sport;
 mod storage;
@@ -47,8 +43,8 @@ use nalgebra::Vector3;
 use vc_graph::class::Range;
 use vc_graph::{Asset, Bounds, ClassTable, Seed};
 
+use crate::solid::Build;
 use crate::style::Style;
-pub use build::{Axis, Build};
 pub use registry::{Generators, RegisterError};
 
 /// The generator of one class of objects.

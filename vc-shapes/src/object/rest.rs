@@ -8,8 +8,8 @@ use vc_graph::asset::{Joint, JointKind, Part, Shape};
 use vc_graph::portable::Portable;
 use vc_graph::{Asset, Pose};
 
-use super::build::Build;
-use super::circle;
+use crate::solid::Build;
+use crate::solid::circle;
 
 /// The greatest number of turns: round objects roll in many.
 const STEPS: usize = 120;

@@ -3,8 +3,8 @@
 use vc_graph::asset::JointKind;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, P, case, fit, floor_of, half_dims, loft_levels, oblong, pit, plate_with_hole};
 
 /// Points of an oval seen from above, with its straight part at the back: `x` and `y` from -1 to 1.
 const BOWL: [(f32, f32); 12] = [
@@ -62,7 +62,7 @@ fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f3
         (inner(0.06, 0.92), floor + (z1 - floor) * 0.45),
         (inner(0.16, 0.7), floor),
     ];
-    loft(b, "bowl", &loops, mat);
+    loft_levels(b, "bowl", &loops, mat);
     let bed = inner(0.16, 0.7);
     let (rear, front) = (bed[0].0, bed[5].0);
     let half = ((front - rear) * 0.29, (y * 0.7 - wall).max(wall) * 0.6);
@@ -72,7 +72,7 @@ fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f3
 /// A bowl with a hinged seat and lid; the cistern is on it or hidden in the wall.
 pub(super) fn toilet(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.288, 0.576]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let rim = (h * 0.52).min(0.41 * (h / 0.72).max(0.5));
     let cistern = b.rng.chance(0.7);
     let tank = b.vary(0.17, 0.2) * u;
@@ -159,7 +159,7 @@ fn seat_bars(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (low, high): (f32,
 /// A low bowl like a toilet's with a tap.
 pub(super) fn bidet(b: &mut Build<'_>) {
     let u = fit(b, [0.416, 0.272, 0.304]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let top = h * 0.82;
     let floor = top * 0.55;
     let wall = 0.04 * u;
@@ -187,7 +187,7 @@ pub(super) fn bidet(b: &mut Build<'_>) {
 /// A basin on a pedestal, on the wall over a trap cover, or a bowl for a vanity.
 pub(super) fn washbasin(b: &mut Build<'_>) {
     let u = fit(b, [0.288, 0.32, 0.08]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     if h <= 0.25 {
         return bowl_basin(b, u);
     }
@@ -235,7 +235,7 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
 
 /// A round, oval or square bowl that stands on a counter.
 fn bowl_basin(b: &mut Build<'_>, u: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[PORCELAIN, PORCELAIN, STONEWARE, MARBLE, GREEN_GLAZE, BLACK_GLAZE]);
     let t = 0.014 * u;
     match b.rng.below(3) {
@@ -263,7 +263,7 @@ fn bowl_basin(b: &mut Build<'_>, u: f32) {
 /// A tub: panelled, free-standing or on feet.
 pub(super) fn bathtub(b: &mut Build<'_>) {
     let u = fit(b, [0.56, 1.12, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (rim, floor) = (0.07 * u, h * 0.24);
     let free = b.rng.chance(0.5);
     let feet = free && b.rng.chance(0.5);
@@ -290,7 +290,7 @@ pub(super) fn bathtub(b: &mut Build<'_>) {
         vec![(oblong((x - 0.02 * u, y - 0.004 * u), 0.02 * u), 0.0), (edge.clone(), h - 0.03 * u), (edge, h)]
     };
     let loops: Vec<_> = outer.into_iter().chain(hollow).collect();
-    loft(b, "tub", &loops, mat);
+    loft_levels(b, "tub", &loops, mat);
     if feet {
         for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
             let at = [sx * x * 0.52, sy * y * 0.66, 0.0];
@@ -322,7 +322,7 @@ pub(super) fn bathtub(b: &mut Build<'_>) {
 /// A tray, one or two glass panes, a riser with a head, and a mixer.
 pub(super) fn shower(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 1.6]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let tray = tray(b, u);
     let (t, tap) = (0.008 * u, b.style.tap);
     let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
@@ -342,13 +342,20 @@ pub(super) fn shower(b: &mut Build<'_>) {
 
 /// A tray on the floor with a drain; returns its height.
 fn tray(b: &mut Build<'_>, u: f32) -> f32 {
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let tall = b.vary(0.04, 0.14) * u;
     let rim = 0.045 * u;
     let floor = tall * 0.6;
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, SLATE_TILE]);
     b.block("tray", [-x, -y, 0.0], [x, y, floor], mat);
-    ring(b, "tray", Axis::Z, ([-x, -y, floor], [x, y, tall]), ((-x + rim, -y + rim), (x - rim, y - rim)), mat);
+    plate_with_hole(
+        b,
+        "tray",
+        Axis::Z,
+        ([-x, -y, floor], [x, y, tall]),
+        ((-x + rim, -y + rim), (x - rim, y - rim)),
+        mat,
+    );
     b.cylinder("waste", [0.0, 0.0, floor - 0.001 * u], 0.05 * u, 0.004 * u, CHROME);
     tall
 }
@@ -389,7 +396,7 @@ fn riser(b: &mut Build<'_>, at: P, h: f32, u: f32) {
 /// Four glass walls on a tray, one of them a sliding or hinged door.
 pub(super) fn shower_stall(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 1.6]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let low = tray(b, u) - 0.001 * u;
     let (t, post, tap) = (0.008 * u, 0.03 * u, b.style.tap);
     let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);

@@ -1,8 +1,10 @@
 //! Bathroom cabinets, shelves, rails, baskets and mirrors.
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{
+    Axis, Build, P, case, fit, floor_of, half_dims, oblong, pit, plate_with_border, plate_with_hole, tiers,
+};
 
 /// The design of bathroom fronts.
 fn bath_look(b: &mut Build<'_>, u: f32) -> Look {
@@ -19,7 +21,7 @@ fn face(b: &Build<'_>, look: &Look) -> f32 {
 /// A cabinet under a top for a basin, on legs, on a plinth or hung on the wall.
 pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.48, 0.64]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let look = bath_look(b, u);
     let (slab, t) = (b.vary(0.02, 0.04) * u, look.t);
     let stone = b.one(&[MARBLE, WHITE, b.style.worktop, b.style.wood]);
@@ -108,7 +110,7 @@ fn cupboard(b: &mut Build<'_>, look: &Look, (low, high): (P, P), spaces: usize, 
 /// A low or hanging cabinet with doors and sometimes a drawer, its top free.
 pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.32, 0.448]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let look = bath_look(b, u);
     let front = face(b, &look) - 0.006 * u;
     let t = look.t;
@@ -136,7 +138,7 @@ pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
 /// A tall, narrow cabinet: doors above and below, sometimes with open shelves between.
 pub(super) fn towel_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.24, 1.12]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let look = bath_look(b, u);
     let (front, t) = (face(b, &look), look.t);
     let foot = h * b.vary(0.03, 0.06);
@@ -158,7 +160,7 @@ pub(super) fn towel_cabinet(b: &mut Build<'_>) {
 /// A cabinet behind doors, open at the top for the pipes.
 pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.32, 0.4, 0.432]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let look = bath_look(b, u);
     let (front, t, kick) = (face(b, &look), look.t, 0.06 * u);
     let high = [front - t, y, h];
@@ -190,7 +192,7 @@ pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
 /// Wall shelves: a ladder of shelves, or one board with a rim.
 pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.24, 0.04]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (metal, wood) = (b.style.tap, b.one(&[b.style.wood, WHITE, GLASS, BAMBOO]));
     let t = (0.012 * u).min(h * 0.4);
     if h < 0.25 {
@@ -261,7 +263,7 @@ fn wood_or(b: &Build<'_>, mat: Mat) -> Mat {
 /// A shallow wall cabinet with mirror doors.
 pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.32, 0.432]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE, b.style.cabinet, ALUMINIUM]);
     let t = 0.014 * u;
     let light = b.rng.chance(0.4);
@@ -279,7 +281,7 @@ pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
         let at = if i * 2 < doors { Swing::Right } else { Swing::Left };
         let grip = if at == Swing::Right { dh[1] - 0.025 * u } else { dl[1] + 0.025 * u };
         swing(b, at, dl, dh, 1.75, |b| {
-            rim_x(b, "door", dl, dh, 0.012 * u, body);
+            plate_with_border(b, "door", dl, dh, 0.012 * u, body);
             let w = 0.012 * u;
             b.block(
                 "mirror",
@@ -316,13 +318,13 @@ pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
 /// A mirror, framed or not, square or rounded, sometimes with a light or a shelf.
 pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
     let u = fit(b, [0.016, 0.32, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let depth = (2.0 * x).max(0.004);
     match b.rng.below(5) {
         0 => {
             let frame = b.one(&[b.style.wood, b.style.tap, WHITE, BLACK]);
             let w = b.vary(0.025, 0.05) * u;
-            rim_x(b, "frame", [-x, -y, 0.0], [x, y, h], w, frame);
+            plate_with_border(b, "frame", [-x, -y, 0.0], [x, y, h], w, frame);
             b.block("mirror", [-x, -y + w, w], [x - depth * 0.3, y - w, h - w], MIRROR);
         }
         1 => {
@@ -355,7 +357,7 @@ pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
 /// Bars on the wall: one, two, a shelf of bars over hooks, or a ladder.
 pub(super) fn towel_rack(b: &mut Build<'_>) {
     let u = fit(b, [0.048, 0.352, 0.048]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let tap = b.style.tap;
     let r = (0.009 * u).min(h * 0.3).min(x * 0.4);
     if h > 0.3 {
@@ -391,7 +393,7 @@ pub(super) fn towel_rack(b: &mut Build<'_>) {
 
 /// A ladder of bars in front of the wall, whose top bars form a shelf.
 fn ladder(b: &mut Build<'_>, r: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[b.style.tap, b.style.wood, IRON]);
     for cy in [-y + r, y - r] {
         b.block("side", [x - 3.0 * r, cy - r, 0.0], [x - r, cy + r, h - r * 0.5], mat);
@@ -416,7 +418,7 @@ fn ladder(b: &mut Build<'_>, r: f32) {
 /// Horizontal tubes between two upright ones, in groups, with a valve below.
 pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.32, 0.56]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[CHROME, WHITE_METAL, BLACK_METAL, CHROME]);
     let flat = b.rng.chance(0.4);
     let r = 0.012 * u;
@@ -464,7 +466,7 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
 /// Wire baskets one below the other, to hang in a shower.
 pub(super) fn shower_caddy(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.192, 0.128]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.one(&[CHROME, STEEL, BLACK_METAL, WHITE_METAL]);
     let w = 0.005 * u;
     let count = (h / 0.24).round().clamp(1.0, 3.0) as usize;
@@ -479,7 +481,14 @@ pub(super) fn shower_caddy(b: &mut Build<'_>) {
         } else {
             rack(b, low, [x, y, z + w], 9, metal);
             for top in [z + tall * 0.5, z + tall] {
-                ring(b, "wire", Axis::Z, ([-x, -y, top - w], [x, y, top]), ((-x + w, -y + w), (x - w, y - w)), metal);
+                plate_with_hole(
+                    b,
+                    "wire",
+                    Axis::Z,
+                    ([-x, -y, top - w], [x, y, top]),
+                    ((-x + w, -y + w), (x - w, y - w)),
+                    metal,
+                );
             }
             for (cx, cy) in [(-x, -y), (-x, y - w), (x - w, -y), (x - w, y - w), (x - w, -w / 2.0)] {
                 b.block("post", [cx, cy, z + w], [cx + w, cy + w, z + tall - w], metal);

@@ -1,13 +1,12 @@
 //! Taps and shower heads.
 
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::cooker::fitting::*;
+use crate::solid::{Build, P, fit, half_dims};
 
 /// A mixer or a tap with two handles; with a high bent or a low spout, or with a hose.
 pub(super) fn faucet(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.048, 0.128]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let tap = b.style.tap;
     let r = (0.022 * u).min(y * 0.8);
     let (root, reach) = (-x + r, x);
@@ -87,7 +86,7 @@ fn handles(b: &mut Build<'_>, [root, r, body]: P, (y, h): (f32, f32), u: f32, ta
 /// A round or square shower head on an arm, or a handset in its holder.
 pub(super) fn shower_head(b: &mut Build<'_>) {
     let u = fit(b, [0.048, 0.064, 0.04]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let tap = b.style.tap;
     let r = y.min(x * 0.9);
     let flat = (h * 0.2).min(0.022 * u);

@@ -2,20 +2,21 @@
 
 use std::f32::consts::PI;
 
-use super::super::build::{Axis, Build};
-use super::super::textile::form::{Shell, arc, blocks, hoop, loft, mix, oval, room, spline, tube};
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, MeshBuilder, arc, blocks, half_dims, hoop, loft, mix, oval, spline, tube, walled_tray,
+};
 
 const BRIGHT: [Mat; 7] =
     [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC];
 
 /// A soft pencil case with a zip along its top, which opens like a lid.
 pub(super) fn pencil_case(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.one(&[DENIM, RED_FABRIC, TEAL_FABRIC, BLACK_FABRIC, PURPLE_FABRIC, MUSTARD_FABRIC]);
     let t = x.min(h) * 0.08;
     let lid = h * 0.7;
-    tub(b, (x, y), (0.0, lid), t, cloth);
+    walled_tray(b, (x, y), (0.0, lid), t, cloth);
     b.inside("compartment", [0.0, 0.0, t], (x - 2.0 * t, y - 2.0 * t), lid - t);
     b.hinge([-x, 0.0, lid], [0.0, -1.0, 0.0], 1.6, |b| {
         b.soft("lid", [-x, -y, lid], [x, y, h * 0.97], h * 0.2, cloth);
@@ -23,22 +24,9 @@ pub(super) fn pencil_case(b: &mut Build<'_>) {
     });
 }
 
-/// An open box: four walls and a bottom of thickness `t`.
-pub(in crate::object) fn tub(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), t: f32, mat: Mat) {
-    let (mid, foot) = (t * 0.5, low + t * 0.3);
-    b.block("bottom", [mid - x, mid - y, low], [x - mid, y - mid, low + t], mat);
-    let list = [
-        ([-x, -y, foot], [x, -y + t, high]),
-        ([-x, y - t, foot], [x, y, high]),
-        ([-x, -y + t * 0.9, foot], [-x + t, y - t * 0.9, high]),
-        ([x - t, -y + t * 0.9, foot], [x, y - t * 0.9, high]),
-    ];
-    blocks(b, "wall", &list, mat);
-}
-
 /// A cup for pens: round, square or of mesh.
 pub(super) fn pencil_holder(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[BLACK_METAL, b.style.wood, WHITE_PLASTIC, POTTERY, BLUE_GLAZE, TAN_LEATHER, STEEL]);
     let r = x.min(y);
     let t = r * 0.08;
@@ -51,14 +39,14 @@ pub(super) fn pencil_holder(b: &mut Build<'_>) {
         }
         b.inside("slot", [0.0, 0.0, t * 1.5], ((foot - t) * 0.65, (foot - t) * 0.65), h - t * 1.5);
     } else {
-        tub(b, (x, y), (0.0, h), t, mat);
+        walled_tray(b, (x, y), (0.0, h), t, mat);
         b.inside("slot", [0.0, 0.0, t], (x - 1.5 * t, y - 1.5 * t), h - t);
     }
 }
 
 /// A stapler: base, magazine and a hinged arm.
 pub(super) fn stapler(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let colour = b.one(&BRIGHT);
     b.soft("base", [-x, -y, 0.0], [x, y, h * 0.14], h * 0.05, BLACK_PLASTIC);
     b.block("anvil", [-x * 0.5, y * 0.6, h * 0.12], [x * 0.5, y * 0.9, h * 0.17], STEEL);
@@ -73,7 +61,7 @@ pub(super) fn stapler(b: &mut Build<'_>) {
 
 /// A hole punch: tray, two plungers and a lever.
 pub(super) fn hole_punch(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let colour = b.one(&BRIGHT);
     b.soft("tray", [-x, -y, 0.0], [x, y, h * 0.15], h * 0.05, BLACK_PLASTIC);
     b.block("bridge", [-x * 0.5, -y * 0.9, h * 0.1], [x * 0.1, y * 0.9, h * 0.5], STEEL);
@@ -87,7 +75,7 @@ pub(super) fn hole_punch(b: &mut Build<'_>) {
 
 /// A lying roll of tape; with a dispenser if high.
 pub(super) fn tape(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let duct = b.class == "duct_tape";
     let colour = if duct {
@@ -105,7 +93,7 @@ pub(super) fn tape(b: &mut Build<'_>) {
 
 /// A glue stick or bottle.
 pub(super) fn glue(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let (label, cap) =
         (b.one(&[YELLOW_CARD, BLUE_CARD, RED_CARD]), b.one(&[RED_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]));
@@ -128,7 +116,7 @@ pub(super) fn glue(b: &mut Build<'_>) {
 
 /// Scissors: two blades that cross, two rings.
 pub(super) fn scissors(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let grip = b.one(&[RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, STEEL]);
     let r = h * 0.42;
     let ring = (x * 0.48 - r, y * 0.27);
@@ -150,7 +138,7 @@ pub(super) fn scissors(b: &mut Build<'_>) {
 
 /// A folder of card with papers in it, or a ring binder if thick.
 pub(super) fn folder(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let card = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, CARDBOARD, BLACK_CARD, TEAL_CARD]);
     let t = (h * 0.12).min(0.002);
     let binder = h > 0.03;
@@ -174,7 +162,7 @@ pub(super) fn folder(b: &mut Build<'_>) {
 
 /// Stacked letter trays, with some paper.
 pub(super) fn paper_tray(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[BLACK_METAL, GREY_PLASTIC, CLEAR_PLASTIC, b.style.wood, WHITE_PLASTIC]);
     let count = ((h / 0.07).round() as usize).clamp(1, 3);
     let t = (h * 0.04).min(0.003);
@@ -209,7 +197,7 @@ pub(super) fn paper_tray(b: &mut Build<'_>) {
 
 /// A clipboard with its clip and a few sheets.
 pub(super) fn clipboard(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let board = b.one(&[OAK, BROWN_PLASTIC, BLACK_PLASTIC, CLEAR_PLASTIC, BLUE_PLASTIC]);
     let t = (h * 0.3).min(0.004);
     b.soft("board", [-x, -y, 0.0], [x, y, t], t * 0.4, board);
@@ -223,7 +211,7 @@ pub(super) fn clipboard(b: &mut Build<'_>) {
 
 /// A pocket or desk calculator.
 pub(super) fn calculator(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let face = h * 0.85;
     b.soft("case", [-x, -y, 0.0], [x, y, face], h * 0.25, case);
@@ -231,7 +219,7 @@ pub(super) fn calculator(b: &mut Build<'_>) {
     b.block("solar", [-x * 0.96, y * 0.2, face * 0.8], [-x * 0.89, y * 0.8, face + h * 0.04], SCREEN);
     let (rows, columns) = (b.rng.count(4, 5), b.rng.count(4, 5));
     let (px, py) = (1.3 * x / rows as f32, 1.75 * y / columns as f32);
-    let mut keys = [Shell::default(), Shell::default()];
+    let mut keys = [MeshBuilder::default(), MeshBuilder::default()];
     for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
         let (a, c) = (-0.38 * x + px * i as f32, -0.87 * y + py * j as f32);
         keys[usize::from(j + 1 == columns)].block([a, c, face * 0.8], [a + px * 0.75, c + py * 0.78, h]);
@@ -243,7 +231,7 @@ pub(super) fn calculator(b: &mut Build<'_>) {
 
 /// A mouse pad, with a rim or a wrist rest.
 pub(super) fn mousepad(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.one(&[BLACK_FABRIC, NAVY_FABRIC, GREY_FABRIC, RED_FABRIC, TEAL_FABRIC]);
     b.soft("rubber", [-x, -y, 0.0], [x, y, h * 0.6], h * 0.2, RUBBER);
     b.block("cloth", [-x * 0.985, -y * 0.985, h * 0.4], [x * 0.985, y * 0.985, h * 0.76], cloth);
@@ -254,13 +242,13 @@ pub(super) fn mousepad(b: &mut Build<'_>) {
 
 /// A paper shredder: a head with a slot on a bin.
 pub(super) fn paper_shredder(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[BLACK_PLASTIC, GREY_PLASTIC]);
     let t = 0.004_f32.min(x * 0.1);
     let split = h * b.vary(0.68, 0.76);
     let wall = |s: f32| (x * s, y * s);
     let bin = if b.rng.chance(0.5) { CLEAR_PLASTIC } else { case };
-    tub(b, wall(0.94), (0.0, split), t, bin);
+    walled_tray(b, wall(0.94), (0.0, split), t, bin);
     b.inside("bin", [0.0, 0.0, t], (x * 0.94 - 2.0 * t, y * 0.94 - 2.0 * t), split - t);
     let top = h * 0.995;
     b.soft("head", [-x, -y, split], [x, y, top], h * 0.04, case);

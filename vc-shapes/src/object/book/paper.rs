@@ -1,13 +1,12 @@
 //! Sheets, pads, envelopes, cards and money.
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, blocks, lying, room};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, lying};
 
 /// A few slightly misaligned sheets of paper, printed or written.
 pub(super) fn sheets(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let paper = match b.class {
         "banknote" => b.one(&[GREEN_CARD, TEAL_CARD, ORANGE_CARD, PINK_CARD]),
         "notes" => b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]),
@@ -53,7 +52,7 @@ pub(super) fn sheets(b: &mut Build<'_>) {
 
 /// A pad of paper glued at its head, or a block of sticky notes.
 pub(super) fn pad(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let sticky = b.class == "sticky_notes";
     let inks = [YELLOW_CARD, PINK_CARD, ORANGE_CARD, GREEN_CARD];
     let paper = if sticky { b.one(&inks) } else { b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]) };
@@ -79,7 +78,7 @@ pub(super) fn pad(b: &mut Build<'_>) {
 
 /// Envelopes with address, stamp and flap; a stack of them if high.
 pub(super) fn envelope(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let count = if h > 0.006 { b.rng.count(2, 3) } else { 1 };
     let relief = (h * 0.2).min(0.0008);
     let body = h - relief;
@@ -112,7 +111,7 @@ pub(super) fn envelope(b: &mut Build<'_>) {
 
 /// A card: a greeting card with a picture, a stamp with perforations, or a credit card.
 pub(super) fn card(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let relief = h * 0.66;
     let body = h - relief;
     match b.class {
@@ -151,12 +150,12 @@ pub(super) fn card(b: &mut Build<'_>) {
 
 /// A coin with a raised rim.
 pub(super) fn coin(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.one(&[GOLD, COPPER, SILVER_METAL, BRASS]);
     let r = x.min(y);
     let rim = [(r, 0.0), (r, h), (r * 0.88, h), (r * 0.86, h * 0.85), (0.0, h * 0.85)];
     b.lathe("coin", [0.0; 3], &rim, metal);
-    let mut head = Shell::default();
+    let mut head = MeshBuilder::default();
     head.egg([0.0, 0.0, h * 0.82], [r * 0.4, r * 0.3, h * 0.17]);
     head.put(b, "relief", metal);
 }

@@ -4,16 +4,15 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{blocks, facing, lying, room, sheet};
 use super::title::entitle;
 use crate::material::*;
+use crate::solid::{Axis, Build, P, blocks, facing, half_dims, lying, sheet};
 
 /// A magazine: glossy cover with picture, masthead and lines.
 pub(super) fn magazine(b: &mut Build<'_>) {
     entitle(b);
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let relief = (h * 0.25).min(0.001);
     let body = h - relief;
     let curl = b.vary(0.0, 0.35);
@@ -31,7 +30,7 @@ pub(super) fn magazine(b: &mut Build<'_>) {
 /// A newspaper: folded, with columns of print, a headline and a picture.
 pub(super) fn newspaper(b: &mut Build<'_>) {
     entitle(b);
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let relief = (h * 0.2).min(0.001);
     let wave = b.vary(0.0, 6.0);
     let fold = h * 0.2;
@@ -84,7 +83,7 @@ pub(super) fn calendar(b: &mut Build<'_>) {
 
 /// A folded map: pleats, green land and blue water on its front.
 pub(super) fn map(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let relief = (h * 0.2).min(0.001);
     for i in 0..4 {
         let (z0, z1) = ((h - relief) * i as f32 / 4.0, (h - relief) * (i as f32 + 0.85) / 4.0);
@@ -102,7 +101,7 @@ pub(super) fn map(b: &mut Build<'_>) {
 
 /// A bookmark with a ribbon.
 pub(super) fn bookmark(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let card = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, TAN_LEATHER]);
     b.block("card", [-x, -y * 0.8, 0.0], [x, y, h * 0.7], card);
     b.block("stripe", [-x * 0.6, -y * 0.5, h * 0.3], [x * 0.6, y * 0.7, h], CREAM_PAPER);

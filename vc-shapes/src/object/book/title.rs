@@ -1,6 +1,6 @@
 //! Invented titles of books and magazines.
 
-use super::super::build::Build;
+use crate::solid::Build;
 
 const FIRST: [&str; 24] = [
     "The Silent",

@@ -2,11 +2,10 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, arc, blocks, lying, room};
 use super::title::entitle;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, lying};
 
 const COVERS: [Mat; 14] = [
     RED_CARD,
@@ -28,7 +27,7 @@ const COVERS: [Mat; 14] = [
 /// A book: boards, block of pages, spine with bands and title, picture or title on the front cover.
 pub(super) fn book(b: &mut Build<'_>) {
     entitle(b);
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cover = match b.class {
         "diary" | "photo_album" => b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, NAVY_FABRIC, RED_FABRIC, LINEN]),
         _ => b.one(&COVERS),
@@ -55,7 +54,7 @@ pub(super) fn book(b: &mut Build<'_>) {
 
 /// The back of the book, flat or round; returns where the boards begin.
 fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> f32 {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let relief = (y * 0.02).min(0.001);
     let middle = f32::midpoint(low, high);
     let tuck = ((high - low) * 0.12).min(0.0006);
@@ -78,7 +77,7 @@ fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> 
 
 /// Bands and a title on the spine.
 fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: Mat) {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let deep = (y * 0.3).min(0.008);
     let (z0, z1) = (low + (high - low) * 0.28, high - (high - low) * 0.28);
     let mut list: Vec<(P, P)> = Vec::new();
@@ -96,7 +95,7 @@ fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: Mat) {
 
 /// The print on the front cover: a title and a picture, a frame or a label.
 fn front(b: &mut Build<'_>, z: f32, back: f32, ink: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let middle = f32::midpoint(back, y);
     let wide = (y - back) / 2.0;
     let step = h - z;
@@ -140,7 +139,7 @@ fn contrast(b: &mut Build<'_>, cover: Mat) -> Mat {
 /// A notebook with a wire spiral or an elastic band.
 pub(super) fn notebook(b: &mut Build<'_>) {
     entitle(b);
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cover = b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD, TEAL_CARD, YELLOW_CARD, BROWN_LEATHER, CARDBOARD]);
     let spiral = b.rng.chance(0.5);
     let board = (h * 0.1).min(0.0015);
@@ -151,7 +150,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
     b.block("pages", [-x * 0.98, back + 0.001, low + board], [x * 0.98, y * 0.98, high - board], WHITE_PAPER);
     if spiral {
         let r = (h / 2.0).min(y * 0.2);
-        let mut wire = Shell::default();
+        let mut wire = MeshBuilder::default();
         for i in 0..12 {
             let px = x * (-0.9 + 1.8 * i as f32 / 11.0);
             let ring = arc(Axis::X, [px, -y + r, h / 2.0], (r * 0.94, h * 0.43), (0.0, 5.76), 11);
@@ -173,7 +172,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
 
 /// A passport with a crest on its cover.
 pub(super) fn passport(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cover = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, BLACK_CARD]);
     let relief = h * 0.12;
     let (leaf, top) = (h * 0.25, h - relief);

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, hoop, longwise, ngon, room, spline, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, longwise, ngon, spline, tube};
 
 /// Pens, pencils, markers and brushes: shafts with a tip, along their longest side.
 pub(super) fn stick(b: &mut Build<'_>) {
@@ -51,8 +50,8 @@ fn crayon(b: &mut Build<'_>, r: f32, l: f32) {
 fn brush(b: &mut Build<'_>, x: f32, y: f32, l: f32) {
     let handle = b.one(&[OAK, RED, BLACK, BEECH, BLUE]);
     let (sx, sy) = (x.min(y) * 0.8, (y * 0.3).max(x.min(y) * 0.8));
-    let ring = |z: f32, s: f32| super::super::textile::form::oval(Axis::Z, [0.0, 0.0, z * l], (sx * s, sy * s), 0, 10);
-    let mut shaft = Shell::default();
+    let ring = |z: f32, s: f32| crate::solid::oval(Axis::Z, [0.0, 0.0, z * l], (sx * s, sy * s), 0, 10);
+    let mut shaft = MeshBuilder::default();
     shaft.loft(&[ring(0.0, 0.4), ring(0.02, 0.6), ring(0.35, 1.0), ring(0.62, 0.75)]);
     shaft.put(b, "handle", handle);
     b.block("ferrule", [-x, -y, l * 0.6], [x, y, l * 0.75], STEEL);
@@ -91,7 +90,7 @@ fn pen(b: &mut Build<'_>, r: f32, l: f32) {
 
 /// An eraser in a paper sleeve, one end rounded by use.
 pub(super) fn eraser(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let sleeve = b.one(&[BLUE_CARD, GREEN_CARD, BLACK_CARD]);
     let edge = h * 0.06;
     b.soft("rubber", [-x * 0.95, -y, edge], [x * 0.95, y, h - edge], h * 0.3, WHITE_PLASTIC);
@@ -100,7 +99,7 @@ pub(super) fn eraser(b: &mut Build<'_>) {
 
 /// A ruler with its marks.
 pub(super) fn ruler(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[PINE, CLEAR_PLASTIC, STEEL, YELLOW_PLASTIC, BEECH]);
     b.block("ruler", [-x, -y, 0.0], [x, y, h * 0.75], body);
     let marks: Vec<(P, P)> = (0..=30)
@@ -121,7 +120,7 @@ pub(super) fn ruler(b: &mut Build<'_>) {
 
 /// A pencil sharpener: a metal wedge with a blade, or a tub.
 pub(super) fn sharpener(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     if h > x {
         let tub = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, CLEAR_PLASTIC]);
         let r = x.min(y);
@@ -141,7 +140,7 @@ pub(super) fn sharpener(b: &mut Build<'_>) {
 
 /// A paper clip: one bent wire.
 pub(super) fn paper_clip(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = h / 2.0;
     let (x, y) = ((x - r).max(r), (y - r).max(r));
     let at = |u: f32, v: f32| [u * x * 0.96, v * y * 0.94, r];
@@ -166,7 +165,7 @@ pub(super) fn paper_clip(b: &mut Build<'_>) {
 
 /// A push pin with a waisted head, standing on its head.
 pub(super) fn push_pin(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let head = b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC]);
     let waist =
@@ -177,7 +176,7 @@ pub(super) fn push_pin(b: &mut Build<'_>) {
 
 /// A rubber band lying in a loose loop.
 pub(super) fn rubber_band(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = (h / 2.0).min(x * 0.4);
     let (wave, dent) = (b.vary(0.0, TAU), b.vary(0.0, 0.25));
     let points: Vec<P> = (0..32)

@@ -4,15 +4,16 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::book::desk::tub;
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, facing, hoop, longwise, mix, oval, room, sheet, spline, tube};
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, MeshBuilder, P, arc, blocks, facing, half_dims, hoop, longwise, mix, oval, sheet, spline, tube,
+    walled_tray,
+};
 
 /// Builds the hook of a hanger up to the top of the size and returns the height of the shoulders,
 /// at least `least`.
 pub(super) fn hook(b: &mut Build<'_>, least: f32) -> f32 {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let neck = least.max(h - 0.08);
     let r = (x * 0.1).min(0.0022);
     let round = ((h - neck) * 0.3).min(y * 0.2).max(r * 1.2);
@@ -25,7 +26,7 @@ pub(super) fn hook(b: &mut Build<'_>, least: f32) -> f32 {
 /// Builds a hanger with clips above a garment held at its waist and returns the height of the
 /// waist.
 pub(super) fn clip_hanger(b: &mut Build<'_>, h: f32) -> f32 {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let waist = hook(b, h * 0.92) - h * 0.005;
     let r = (x * 0.2).min(0.004);
     b.rod("bar", [0.0, -y * 0.62, waist + r], [0.0, y * 0.62, waist + r], r, STEEL);
@@ -37,7 +38,7 @@ pub(super) fn clip_hanger(b: &mut Build<'_>, h: f32) -> f32 {
 
 /// A clothes hanger of wood, plastic or wire, facing the front.
 pub(super) fn hanger(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[OAK, BEECH, BLACK_PLASTIC, STEEL, WHITE_PLASTIC, WALNUT]);
     let r = x.min(if mat == STEEL { 0.002 } else { 0.009 }).min(h * 0.06);
     let neck = h * 0.62;
@@ -46,7 +47,7 @@ pub(super) fn hanger(b: &mut Build<'_>) {
     let wire = r.min(0.002);
     line.extend(arc(Axis::X, [0.0, 0.0, h - round - wire], (round, round), (-PI * 0.45, PI), 10));
     tube(b, "hook", &line, wire, STEEL);
-    let mut body = Shell::default();
+    let mut body = MeshBuilder::default();
     let low = r;
     for s in [-1.0, 1.0] {
         let arm =
@@ -77,7 +78,7 @@ pub(super) fn umbrella(b: &mut Build<'_>) {
                 .collect()
         };
         let full = if crook { 0.55 } else { 0.95 };
-        let mut canopy = Shell::default();
+        let mut canopy = MeshBuilder::default();
         canopy.loft(&[
             ring(0.0, full * 0.25, 0.0),
             ring(0.08, full * 0.5, 0.1),
@@ -110,7 +111,7 @@ pub(super) fn umbrella(b: &mut Build<'_>) {
 
 /// Glasses: two rims, a bridge and temples that are open or folded.
 pub(super) fn spectacles(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let frame = b.one(&[BLACK_PLASTIC, BROWN_PLASTIC, GOLD, STEEL, RED_PLASTIC]);
     let lens = if b.class == "sunglasses" { b.one(&[BLACK_GLASS, BROWN_GLASS]) } else { GLASS };
     let r = (h * 0.06).min(x * 0.2).min(0.003);
@@ -139,7 +140,7 @@ pub(super) fn spectacles(b: &mut Build<'_>) {
                 [back.max(r - x), -s * y * 0.8, h * 0.4],
             ]
         };
-        let mut temple = Shell::default();
+        let mut temple = MeshBuilder::default();
         temple.tube(&spline(&line, 4), r * 0.8);
         temple.put(b, "temple", frame);
     }
@@ -149,7 +150,7 @@ pub(super) fn spectacles(b: &mut Build<'_>) {
 
 /// A hanging bunch of keys on a ring.
 pub(super) fn keys(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let ring = (h * 0.16).min(y * 0.8);
     let thin = (x * 0.12).min(ring * 0.1);
     hoop(b, "ring", &oval(Axis::X, [0.0, 0.0, h - ring], (ring - thin, ring - thin), 0, 20), thin, STEEL);
@@ -235,11 +236,11 @@ pub(super) fn shoe_horn(b: &mut Build<'_>) {
 
 /// A box for shoe polish: lid, brush and tin.
 pub(super) fn shoe_shine_kit(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let wood = b.one(&[OAK, WALNUT, BLACK_PLASTIC]);
     let t = (x * 0.06).min(0.008);
     let rim = h * 0.6;
-    tub(b, (x, y), (0.0, rim), t, wood);
+    walled_tray(b, (x, y), (0.0, rim), t, wood);
     b.block("tin", [-x * 0.6, -y * 0.7, t * 0.9], [x * 0.6, -y * 0.1, rim * 0.6], RED_METAL);
     b.block("cloth", [-x * 0.6, y * 0.1, t * 0.9], [x * 0.6, y * 0.8, rim * 0.5], MUSTARD_FABRIC);
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {

@@ -1,8 +1,7 @@
 //! Bags with handles.
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, loft, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, loft, oval, spline};
 
 /// Builds an open bag between two heights, wider at the top by `spread`, and returns its inner
 /// bottom.
@@ -31,7 +30,7 @@ fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: Mat
 
 /// Two handles over the opening, at the front and the back.
 fn handles(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), r: f32, mat: Mat) {
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for side in [-1.0_f32, 1.0] {
         let px = side * x;
         let round = arc(Axis::X, [px, 0.0, low], (y, high - low - r), (0.0, std::f32::consts::PI), 12);
@@ -44,7 +43,7 @@ fn handles(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), r: f3
 
 /// A handbag with a flap and a clasp.
 pub(super) fn handbag(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let leather =
         b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC, WHITE_LEATHER, b.style.accent]);
     let metal = b.one(&[GOLD, SILVER_METAL, BRASS]);
@@ -77,7 +76,7 @@ pub(super) fn handbag(b: &mut Build<'_>) {
                 [0.0, y * top * 0.8, body + (h - body) * 0.6],
                 [0.0, y * top * 0.9, body + t * 0.5],
             ];
-            let mut shell = Shell::default();
+            let mut shell = MeshBuilder::default();
             shell.tube(&spline(&strap, 5), r);
             shell.put(b, "strap", leather);
         } else {
@@ -92,7 +91,7 @@ pub(super) fn handbag(b: &mut Build<'_>) {
 
 /// An open bag of cloth or paper for shopping or laundry.
 pub(super) fn tote(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = if b.class == "laundry_bag" {
         b.one(&[LINEN, GREY_FABRIC, WHITE_COTTON, NAVY_FABRIC])
     } else {
@@ -115,7 +114,7 @@ pub(super) fn tote(b: &mut Build<'_>) {
                 [0.0, ly * 0.3, body + (h - body) * 0.8],
                 [0.0, ly * 0.4, body + (h - body) * 0.4],
             ];
-            let mut shell = Shell::default();
+            let mut shell = MeshBuilder::default();
             shell.tube(&spline(&grip, 4), (h - body) * 0.12);
             shell.put(b, "handle", ink);
         });

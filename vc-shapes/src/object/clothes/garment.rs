@@ -2,11 +2,10 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, hoop, loft, oval, room, spline, tube};
 use super::super::textile::{Fold, folded};
 use super::accessory::hook;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, loft, oval, spline, tube};
 
 /// The cut of a garment, as fractions of the half width and of the height below the hook.
 struct Cut {
@@ -74,7 +73,7 @@ fn cloth(b: &mut Build<'_>) -> Mat {
 
 /// Any garment worn on the upper body or hanging from the shoulders.
 pub(super) fn top(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = cloth(b);
     let trim = b.one(&[WHITE_COTTON, BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, GREY_FABRIC, MUSTARD_FABRIC]);
     if h < x.max(y) {
@@ -96,7 +95,7 @@ fn depth(b: &Build<'_>) -> f32 {
 }
 
 fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: Mat) {
-    let (_, y, _) = room(b);
+    let (_, y, _) = half_dims(b);
     let deep = depth(b);
     let (phase, folds) = (b.vary(0.0, 6.0), b.one(&[5.0, 7.0, 9.0]));
     let ring = |t: f32, w: f32, d: f32, wave: f32| -> Vec<P> {
@@ -126,18 +125,18 @@ fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: Mat) {
     let line: Vec<P> = line.iter().map(|p| [p[0], p[1], p[2] - p[0].max(0.0) * 0.5]).collect();
     hoop(b, "collar", &line, collar.max(0.002), cloth);
     if b.class == "hoodie" || b.class == "raincoat" {
-        let mut hood = Shell::default();
+        let mut hood = MeshBuilder::default();
         hood.egg([-deep * 0.35, 0.0, neck * 0.9], [deep * 0.62, y * 0.3, neck * 0.085]);
         hood.put(b, "hood", cloth);
     }
 }
 
 fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
-    let (_, y, _) = room(b);
+    let (_, y, _) = half_dims(b);
     let deep = depth(b) * 0.85;
     let long = cut.sleeve > 0.5;
     let cuff = neck * (0.93 - cut.sleeve * if long { 0.91 } else { 0.72 });
-    let (mut arms, mut cuffs) = (Shell::default(), Shell::default());
+    let (mut arms, mut cuffs) = (MeshBuilder::default(), MeshBuilder::default());
     for side in [-1.0_f32, 1.0] {
         let wide = if long { 0.15 } else { 0.17 };
         let ring = |t: f32, grow: f32| {
@@ -157,7 +156,7 @@ fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
 
 /// Buttons, zip, lapels or a belt.
 fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let deep = depth(b);
     let step = (x - deep) * 0.3;
     let strip = |w: f32, z0: f32, z1: f32, layer: f32| {
@@ -212,14 +211,14 @@ fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
 
 /// Stripes, a print, pockets or a pattern on the front.
 fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let deep = depth(b);
     let step = (x - deep) * 0.3;
     match b.class {
         "t_shirt" | "hoodie" if cut.front == Front::Closed => {
             let kind = b.rng.below(4);
             let print: Vec<(f32, f32)> = match kind {
-                0 => super::super::textile::form::ngon((y * 0.25, y * 0.25), 20),
+                0 => crate::solid::ngon((y * 0.25, y * 0.25), 20),
                 1 => vec![(-y * 0.3, -y * 0.12), (y * 0.3, -y * 0.12), (y * 0.3, y * 0.12), (-y * 0.3, y * 0.12)],
                 2 => (0..10)
                     .map(|i| (i as f32 * 0.6283, if i % 2 == 0 { 0.3 } else { 0.13 }))
@@ -266,7 +265,7 @@ fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
 
 /// A folded garment: a stack of layers with collar and buttons or a stripe on top.
 fn lying(b: &mut Build<'_>, cloth: Mat, trim: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let layers = ((h / 0.018) as usize).clamp(2, 5);
     let relief = (h * 0.12).min(0.008);
     let fold = Fold { low: [-x, -y, 0.0], high: [x, y, h - relief], layers, soft: 0.7 };

@@ -1,12 +1,11 @@
 //! Hats and caps, lying on their brims.
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, hoop, loft, oval, room};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, loft, oval};
 
 /// A hat: with a brim and a pinched crown, a straw hat, a bowler, or a bobble hat.
 pub(super) fn hat(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.one(&[BROWN_FABRIC, BLACK_FABRIC, GREY_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, JUTE, OLIVE_FABRIC]);
     let trim = b.one(&[BLACK_FABRIC, BROWN_LEATHER, RED_FABRIC, WHITE_COTTON]);
     let small = x.min(y) < 0.115;
@@ -24,7 +23,7 @@ pub(super) fn hat(b: &mut Build<'_>) {
         ring(curl * 0.5 + 0.06, 0.9),
         ring(0.07, crown),
     ];
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     shell.torus(&brim);
     shell.put(b, "brim", cloth);
     let pinched = b.rng.chance(0.6);
@@ -46,7 +45,7 @@ pub(super) fn hat(b: &mut Build<'_>) {
 
 /// A knitted hat with a turned-up edge and a bobble.
 fn bobble(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (cloth, trim) = b.one(&[
         (RED_FABRIC, WHITE_COTTON),
         (NAVY_FABRIC, MUSTARD_FABRIC),
@@ -64,7 +63,7 @@ fn bobble(b: &mut Build<'_>) {
 
 /// A cap with panels, a peak in front and a button on top.
 pub(super) fn cap(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (cloth, trim) = (
         b.one(&[RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREEN_FABRIC, BEIGE_FABRIC, DENIM]),
         b.one(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, NAVY_FABRIC]),
@@ -78,10 +77,10 @@ pub(super) fn cap(b: &mut Build<'_>) {
         &[ring(0.0, 0.96), ring(0.3, 1.0), ring(0.6, 0.9), ring(0.82, 0.66), ring(0.94, 0.35), ring(0.975, 0.05)],
         cloth,
     );
-    let mut knob = Shell::default();
+    let mut knob = MeshBuilder::default();
     knob.egg([at, 0.0, h * 0.97], [y * 0.07, y * 0.07, h * 0.03]);
     knob.put(b, "button", trim);
-    let mut peak = Shell::default();
+    let mut peak = MeshBuilder::default();
     peak.sheet((6, 10), |u, v| {
         let side = 2.0 * v - 1.0;
         let reach = (1.0 - side * side * 0.9).max(0.0).sqrt();

@@ -1,10 +1,9 @@
 //! Trousers, shorts and skirts.
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, hoop, loft, oval, room};
 use super::super::textile::{Fold, folded};
 use super::accessory::clip_hanger;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, loft, oval};
 
 fn cloth(b: &mut Build<'_>) -> Mat {
     match b.class {
@@ -17,7 +16,7 @@ fn cloth(b: &mut Build<'_>) -> Mat {
 
 /// Trousers, jeans or shorts.
 pub(super) fn trousers(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = cloth(b);
     if h < x.max(y) {
         return lying(b, cloth);
@@ -26,7 +25,7 @@ pub(super) fn trousers(b: &mut Build<'_>) {
     let (crotch, deep) = (if b.class == "shorts" { waist * 0.4 } else { waist * 0.68 }, x * 0.9);
     let (hem, wide) = if b.class == "shorts" { (0.46, 0.47) } else { (b.vary(0.26, 0.38), 0.45) };
     let ring = |z: f32, c: f32, w: f32, d: f32| oval(Axis::Z, [0.0, y * c, z], (deep * d, y * w), 1, 16);
-    let mut legs = Shell::default();
+    let mut legs = MeshBuilder::default();
     for side in [-1.0_f32, 1.0] {
         let lean = side * (1.0 - hem * 1.02).min(0.58);
         legs.loft(&[
@@ -62,7 +61,7 @@ pub(super) fn trousers(b: &mut Build<'_>) {
 
 /// A skirt: straight, flared or pleated.
 pub(super) fn skirt(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = cloth(b);
     if h < x.max(y) * 0.6 {
         return lying(b, cloth);
@@ -94,7 +93,7 @@ pub(super) fn skirt(b: &mut Build<'_>) {
 
 /// Folded into a flat stack, the waistband in front.
 fn lying(b: &mut Build<'_>, cloth: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let layers = ((h / 0.02) as usize).clamp(2, 5);
     folded(b, "garment", Fold { low: [-x, -y, 0.0], high: [x, y, h - 0.001], layers, soft: 0.6 }, cloth);
     let thick = h / layers as f32;

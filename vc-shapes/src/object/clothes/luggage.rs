@@ -1,12 +1,11 @@
 //! Rucksacks, suitcases and briefcases.
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, loft, oval, room, spline, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, loft, oval, spline, tube};
 
 /// A rucksack: main bag with a lid, a front pocket, two side pockets, straps at the back.
 pub(super) fn backpack(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (cloth, trim) = b.one(&[
         (NAVY_FABRIC, BROWN_LEATHER),
         (GREY_FABRIC, BLACK_FABRIC),
@@ -74,7 +73,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
         );
         tube(b, "handle", &carry, r, trim);
     });
-    let mut straps = Shell::default();
+    let mut straps = MeshBuilder::default();
     for s in [-1.0, 1.0] {
         let py = s * w * 0.45;
         let line = [
@@ -90,7 +89,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
 
 /// A suitcase on wheels: two shells that open at the side, ribs, an extended handle.
 pub(super) fn suitcase(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let shell =
         b.one(&[NAVY, RED_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, TEAL_FABRIC, DUSTY_ROSE, MUSTARD, SILVER_METAL]);
     let wheel = (h * 0.06).min(x * 0.25);
@@ -142,8 +141,8 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
             STEEL,
         );
     });
-    let mut wheels = Shell::default();
-    let mut forks = Shell::default();
+    let mut wheels = MeshBuilder::default();
+    let mut forks = MeshBuilder::default();
     for (sx, sy) in [(-0.6, -0.8), (-0.6, 0.8), (0.6, -0.8), (0.6, 0.8)] {
         let (px, py) = (x * sx, y * sy);
         wheels.loft(
@@ -170,7 +169,7 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
 
 /// An upright briefcase with a lid that opens towards the front and a handle on top.
 pub(super) fn briefcase(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, SILVER_METAL]);
     let t = 0.004_f32.min(x * 0.08);
     let top = h * 0.86;

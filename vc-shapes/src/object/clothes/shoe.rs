@@ -2,9 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, loft, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, loft, oval, spline};
 
 /// One shoe: its centre across the pair, half length, half width and height.
 #[derive(Clone, Copy)]
@@ -44,7 +43,7 @@ impl Last {
 
 /// A pair of shoes of the object's class.
 pub(super) fn pair(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let leather = match b.class {
         "sneakers" => b.one(&[WHITE_LEATHER, RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC, TEAL_FABRIC]),
         "slippers" => b.one(&[GREY_FABRIC, ROSE_FABRIC, BROWN_FABRIC, NAVY_FABRIC, RED_FABRIC]),
@@ -97,7 +96,7 @@ fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize
         r(0.985, 0.3, 0.7),
     ];
     loft(b, "upper", &rings, leather);
-    let mut inside = Shell::default();
+    let mut inside = MeshBuilder::default();
     inside.egg([-last.x * 0.55, last.at, h * collar * 0.955], [last.x * 0.33, last.w * 0.46, h * 0.043]);
     inside.put(b, "lining", if leather == BLACK_FABRIC { GREY_FABRIC } else { BLACK_FABRIC });
     if sporty || style > 0 {
@@ -121,7 +120,7 @@ fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize
 
 /// Laces across the instep.
 fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: Mat) {
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     let r = last.w * 0.06;
     for i in 0..4 {
         let t = -0.12 + 0.13 * i as f32;
@@ -204,7 +203,7 @@ fn sandal(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
     let thick = last.h * 0.35;
     sole(b, last, thick * 0.6, BLACK_PLASTIC);
     b.prism("bed", Axis::Z, [0.0, 0.0, thick * 0.55], &last.sole(0.97), thick * 0.45, CORK);
-    let mut straps = Shell::default();
+    let mut straps = MeshBuilder::default();
     let bow = |t: f32, z: f32| {
         let (w, at) = (last.wide(t) * 0.9, last.x * t);
         [
@@ -254,7 +253,7 @@ fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (Mat, Mat)) {
         ],
         cloth,
     );
-    let mut hole = Shell::default();
+    let mut hole = MeshBuilder::default();
     hole.egg([-last.x * 0.09, last.at, last.h * 0.6], [last.x * 0.02, last.w * 0.5, last.h * 0.26]);
     hole.put(b, "lining", BLACK_FABRIC);
     let fluff = [
@@ -263,7 +262,7 @@ fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (Mat, Mat)) {
         [-last.x * 0.03, last.at + last.w * 0.3, last.h * 0.86],
         [-last.x * 0.06, last.at + last.w * 0.62, last.h * 0.5],
     ];
-    let mut rim = Shell::default();
+    let mut rim = MeshBuilder::default();
     rim.tube(&spline(&fluff, 4), last.h * 0.06);
     rim.put(b, "rim", trim);
 }
@@ -278,12 +277,12 @@ fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
         }
     };
     let thick = last.h * 0.05;
-    let mut plate = Shell::default();
+    let mut plate = MeshBuilder::default();
     let steps = [-0.97, -0.8, -0.5, -0.2, 0.1, 0.35, 0.6, 0.85, 0.99];
     let rings: Vec<Vec<P>> = steps.iter().map(|&t| last.ring(t, z(t), z(t) + thick, 0.9)).collect();
     plate.loft(&rings);
     plate.put(b, "sole", BEIGE_FABRIC);
-    let mut upper = Shell::default();
+    let mut upper = MeshBuilder::default();
     let toe: Vec<Vec<P>> = [(0.22, 0.38), (0.4, 0.36), (0.65, 0.3), (0.88, 0.22), (0.97, 0.12)]
         .iter()
         .map(|&(t, top)| last.ring(t, z(t) + thick * 0.3, z(t) + last.h * top, 0.96))

@@ -4,10 +4,9 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, facing, hoop, oval, room, spline, tube};
 use super::super::textile::{Fold, folded};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, facing, half_dims, hoop, oval, spline, tube};
 
 const COLOURS: [Mat; 10] = [
     RED_FABRIC,
@@ -24,7 +23,7 @@ const COLOURS: [Mat; 10] = [
 
 /// A folded scarf with stripes and a fringe.
 pub(super) fn scarf(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
     let fringe = x * 0.2;
     let layers = b.rng.count(2, 4);
@@ -42,7 +41,7 @@ pub(super) fn scarf(b: &mut Build<'_>) {
 
 /// A pair of socks laid on each other, with cuff, heel and toe in a second colour.
 pub(super) fn socks(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
     // Samples along the sock: position along it, centre across, half width.
     let shape = [
@@ -67,10 +66,10 @@ pub(super) fn socks(b: &mut Build<'_>) {
             oval(Axis::Y, at, ((x * wide).min(x - (x * mid).abs()) * grow, (high - low) / 2.0 * grow), 1, 12)
         };
         let all: Vec<Vec<P>> = (0..shape.len()).map(|k| ring(k, 0.94)).collect();
-        let mut sock = Shell::default();
+        let mut sock = MeshBuilder::default();
         sock.loft(&all);
         sock.put(b, "sock", cloth);
-        let mut bands = Shell::default();
+        let mut bands = MeshBuilder::default();
         bands.loft(&[ring(0, 1.0), ring(1, 1.0)]);
         bands.loft(&[ring(3, 1.0), ring(4, 1.0), ring(5, 1.0)]);
         bands.loft(&[ring(7, 1.0), ring(8, 1.0), ring(9, 1.0)]);
@@ -121,7 +120,7 @@ pub(super) fn bra(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let cloth = b.one(&[BLACK_FABRIC, WHITE_COTTON, ROSE_FABRIC, RED_FABRIC]);
         let (x, y) = (t / 2.0, w / 2.0);
-        let mut cups = Shell::default();
+        let mut cups = MeshBuilder::default();
         for side in [-1.0, 1.0] {
             cups.egg([0.0, side * y * 0.42, h * 0.36], [x, y * 0.4, h * 0.36]);
             let r = (y * 0.03).min(x * 0.2);
@@ -175,7 +174,7 @@ pub(super) fn tie(b: &mut Build<'_>) {
 
 /// A rolled-up belt with its buckle outside.
 pub(super) fn belt(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER]);
     let wide = y.min(h / 2.0);
     let buckle = wide * 0.08;
@@ -201,7 +200,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let cloth = b.one(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC, RED_FABRIC, NAVY_FABRIC]);
         let cuff = b.one(&[cloth, WHITE_COTTON, BLACK_FABRIC]);
-        let mut hands = Shell::default();
+        let mut hands = MeshBuilder::default();
         for (i, side) in [(0, 1.0_f32), (1, -1.0)] {
             let px = t * (0.25 - 0.5 * i as f32);
             let deep = t * 0.24;
@@ -227,7 +226,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
 
 /// A heap of clothes.
 pub(super) fn pile(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let count = b.rng.count(4, 6);
     for i in 0..count {
         let cloth = b.one(&COLOURS);
@@ -237,7 +236,7 @@ pub(super) fn pile(b: &mut Build<'_>) {
         let (dx, dy) = ((x - px.abs()) * reach, (y - py.abs()) * reach);
         let (z0, z1) = (h * level * 0.75, (h * (level * 0.75 + 0.36)).min(h));
         let (p, q) = (b.vary(0.0, 6.0), b.vary(0.0, 6.0));
-        let mut shell = Shell::default();
+        let mut shell = MeshBuilder::default();
         shell.sheet((7, 10), |u, v| {
             let (a, r) = (TAU * v, u);
             let wobble = 0.86 + 0.14 * (3.0 * a + p).sine();

@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 use super::fitting::*;
 use super::heat::{foot_row, glass_door};
 use crate::material::*;
-use crate::object::build::{Build, P};
+use crate::solid::{Build, P, basket, case, fit, floor_of, half_dims, pit, tiers};
 
 /// The compartment behind a door.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,7 @@ const RACKS: Cold =
 /// A fridge above or below a freezer, or both side by side.
 pub(super) fn fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.4, 1.12]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[b.style.appliance, b.style.appliance, STEEL]);
     let (feet, face, door) = (0.03 * u, x - 0.035 * u, 0.05 * u);
     let back = face - door;
@@ -64,7 +64,7 @@ pub(super) fn fridge(b: &mut Build<'_>) {
 /// One door in front of two shelves and an ice compartment.
 pub(super) fn mini_fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.336, 0.4]);
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let h = under_worktop(b, u);
     let body = b.one(&[b.style.appliance, BLACK_METAL, RED_METAL, WHITE_METAL]);
     let (feet, door) = (0.02 * u, 0.04 * u);
@@ -80,7 +80,7 @@ pub(super) fn mini_fridge(b: &mut Build<'_>) {
 /// Drawers behind one door.
 pub(super) fn freezer(b: &mut Build<'_>) {
     let u = fit(b, [0.448, 0.432, 0.64]);
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let h = under_worktop(b, u);
     let body = b.style.appliance;
     let (feet, door) = (0.03 * u, 0.05 * u);
@@ -94,7 +94,7 @@ pub(super) fn freezer(b: &mut Build<'_>) {
 /// A chest with a lid hinged at the back; narrow baskets hang in it.
 pub(super) fn chest_freezer(b: &mut Build<'_>) {
     let u = fit(b, [0.448, 0.48, 0.64]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
     let (feet, cover, wall) = (0.025 * u, 0.05 * u, 0.05 * u);
     let front = x - 0.025 * u;
@@ -124,7 +124,7 @@ pub(super) fn chest_freezer(b: &mut Build<'_>) {
 /// A steel cupboard for restaurants: one or two doors, wire shelves, machinery on top.
 pub(super) fn commercial_fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.56, 0.512, 1.44]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (feet, door) = (0.12 * u, 0.05 * u);
     let face = x - 0.035 * u;
     let back = face - door;
@@ -153,7 +153,7 @@ pub(super) fn commercial_fridge(b: &mut Build<'_>) {
 /// the door.
 pub(super) fn blast_chiller(b: &mut Build<'_>) {
     let u = fit(b, [0.512, 0.56, 0.64]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (feet, door, head) = (0.1 * u, 0.05 * u, 0.12 * u);
     let face = x - 0.035 * u;
     let castors = b.rng.chance(0.4);
@@ -177,7 +177,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
 /// A glass door in front of bottle racks.
 pub(super) fn wine_cooler(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.24, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_METAL, BLACK_METAL, STEEL]);
     let (feet, door, head) = (0.02 * u, 0.035 * u, 0.05 * u);
     let face = x - 0.035 * u;
@@ -202,7 +202,7 @@ pub(super) fn wine_cooler(b: &mut Build<'_>) {
 /// A machine that makes ice, with a flap in front of the bin; small ones stand on a counter.
 pub(super) fn ice_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.208, 0.256]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, STEEL, BLACK_METAL, RED_METAL]);
     let (feet, wall) = (h * 0.05, 0.02 * u);
     foot_row(b, (x * 0.78, y * 0.8), 0.018 * u, feet);
@@ -230,7 +230,7 @@ pub(super) fn ice_machine(b: &mut Build<'_>) {
 /// A steel bench with cold cupboards or drawers below and machinery at one end.
 pub(super) fn refrigerated_counter(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.8, 0.64]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (feet, door, slab) = (0.12 * u, 0.045 * u, 0.03 * u);
     let face = x - 0.035 * u;
     let back = face - door;

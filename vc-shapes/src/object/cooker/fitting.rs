@@ -7,97 +7,10 @@
 use std::f32::consts::FRAC_PI_2;
 
 use vc_graph::asset::JointKind;
-use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, handle};
-
-/// Half depth, half width and height of the requested size.
-pub(in crate::object) fn spans(b: &Build<'_>) -> (f32, f32, f32) {
-    (b.size.x / 2.0, b.size.y / 2.0, b.size.z)
-}
-
-/// The factor by which fixed dimensions shrink: one if the size is at least `least`.
-pub(in crate::object) fn fit(b: &Build<'_>, least: P) -> f32 {
-    (b.size.x / least[0]).min(b.size.y / least[1]).min(b.size.z / least[2]).min(1.0)
-}
-
-/// A plate with a rectangular hole through `axis`. The corners of the hole are given in the other
-/// two axes, in their order.
-pub(in crate::object) fn ring(
-    b: &mut Build<'_>,
-    name: &str,
-    axis: Axis,
-    (low, high): (P, P),
-    hole: ((f32, f32), (f32, f32)),
-    mat: Mat,
-) {
-    let (u, v) = match axis {
-        Axis::X => (1, 2),
-        Axis::Y => (0, 2),
-        Axis::Z => (0, 1),
-    };
-    let ((u0, v0), (u1, v1)) = hole;
-    let pieces =
-        [(low[u], high[u], low[v], v0), (low[u], high[u], v1, high[v]), (low[u], u0, v0, v1), (u1, high[u], v0, v1)];
-    for (ua, ub, va, vb) in pieces.into_iter().filter(|p| p.1 - p.0 > 1e-5 && p.3 - p.2 > 1e-5) {
-        let (mut from, mut to) = (low, high);
-        (from[u], to[u], from[v], to[v]) = (ua, ub, va, vb);
-        b.block(name, from, to, mat);
-    }
-}
-
-/// A plate in the plane of X with a border `w` wide around its hole.
-pub(in crate::object) fn rim_x(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: Mat) {
-    ring(b, name, Axis::X, (low, high), ((low[1] + w, low[2] + w), (high[1] - w, high[2] - w)), mat);
-}
-
-/// A box with walls `t` thick, open towards X.
-pub(in crate::object) fn case(b: &mut Build<'_>, low: P, high: P, t: f32, mat: Mat) {
-    b.block("back", low, [low[0] + t, high[1], high[2]], mat);
-    rim_x(b, "case", [low[0] + t, low[1], low[2]], high, t, mat);
-}
-
-/// A box with walls `t` thick, open above.
-pub(in crate::object) fn pit(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: Mat) {
-    b.block(name, low, [high[0], high[1], low[2] + t], mat);
-    let walls = ([low[0], low[1], low[2] + t], high);
-    ring(b, name, Axis::Z, walls, ((low[0] + t, low[1] + t), (high[0] - t, high[1] - t)), mat);
-}
-
-/// An open box whose bottom is a surface inside.
-pub(in crate::object) fn basket(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: Mat) {
-    pit(b, name, low, high, t, mat);
-    floor_of(b, name, [low[0] + t, low[1] + t, low[2] + t], [high[0] - t, high[1] - t, high[2]]);
-}
-
-/// The bottom of the hollow `low..high` as a surface inside.
-pub(in crate::object) fn floor_of(b: &mut Build<'_>, name: &str, low: P, high: P) {
-    let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), low[2]];
-    let half = |i: usize| ((high[i] - low[i]) * 0.48).max(0.0);
-    b.inside(name, centre, (half(0), half(1)), (high[2] - low[2] - 0.002).max(0.0));
-}
-
-/// Divides the hollow `low..high` into `count` compartments one above the other, each with a
-/// surface inside; `floor` builds the boards between them, `t` thick.
-pub(in crate::object) fn tiers(
-    b: &mut Build<'_>,
-    name: &str,
-    (low, high): (P, P),
-    count: usize,
-    t: f32,
-    floor: impl Fn(&mut Build<'_>, P, P),
-) {
-    let pitch = (high[2] - low[2] + t) / count.max(1) as f32;
-    for i in 0..count.max(1) {
-        let z = low[2] + pitch * i as f32;
-        if i > 0 {
-            floor(b, [low[0], low[1], z - t], [high[0], high[1], z]);
-        }
-        floor_of(b, &format!("{name}_{}", i + 1), [low[0], low[1], z], [high[0], high[1], z + pitch - t]);
-    }
-}
+use crate::solid::{Build, P, basket, half_dims, plate_with_border};
 
 /// A level rack of bars along X between two cross bars.
 pub(in crate::object) fn rack(b: &mut Build<'_>, low: P, high: P, count: usize, mat: Mat) {
@@ -150,61 +63,6 @@ pub(in crate::object) fn display(b: &mut Build<'_>, x: f32, low: (f32, f32), hig
         let (z0, z1) = (low.1 + h * 0.3, low.1 + h * 0.7);
         b.block("figure", [x, y, z0], [x + 0.0025, y + w * 0.09, z1], light);
     }
-}
-
-/// A ring revolved about the line from one point to another.
-pub(in crate::object) fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P), radii: (f32, f32), mat: Mat) {
-    let length = (0..3).map(|i| (to[i] - from[i]).raised(2)).sum::<f32>().sqrt();
-    let (inner, outer) = radii;
-    let profile = [(inner, 0.0), (outer, 0.0), (outer, length), (inner, length), (inner, 0.0)];
-    b.lathe_along(name, from, to, &profile, mat);
-}
-
-/// The profile of a cup: outer radius at the bottom and the top, height, wall.
-pub(in crate::object) fn cup(bottom: f32, top: f32, height: f32, wall: f32) -> [(f32, f32); 4] {
-    [(bottom, 0.0), (top, height), ((top - wall).max(wall), height), ((bottom - wall).max(wall), wall)]
-}
-
-/// A solid through level loops with equal numbers of points, from the outer bottom edge over the
-/// rim to the inner bottom; the first and the last are closed by flat faces. Loops are convex and
-/// counter-clockwise seen from above.
-pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32, f32)>, f32)], mat: Mat) {
-    let Some(n) = loops.first().map(|l| l.0.len() as u32) else { return };
-    let vertices: Vec<P> = loops.iter().flat_map(|(points, z)| points.iter().map(|p| [p.0, p.1, *z])).collect();
-    let mut triangles = Vec::new();
-    for level in 0..loops.len() as u32 - 1 {
-        let (a, c) = (level * n, level * n + n);
-        for i in 0..n {
-            let k = (i + 1) % n;
-            triangles.extend([[a + i, a + k, c + k], [a + i, c + k, c + i]]);
-        }
-    }
-    let last = (loops.len() as u32 - 1) * n;
-    for i in 1..n - 1 {
-        triangles.extend([[0, i + 1, i], [last, last + i, last + i + 1]]);
-    }
-    b.mesh(name, vertices, triangles, mat);
-}
-
-/// A rectangle of half lengths `half` whose corners are rounded by `r`.
-pub(in crate::object) fn oblong(half: (f32, f32), r: f32) -> Vec<(f32, f32)> {
-    let steps = [(1.0, 0.0), (0.924, 0.383), (0.707, 0.707), (0.383, 0.924), (0.0, 1.0)];
-    let r = r.min(half.0 * 0.98).min(half.1 * 0.98);
-    let (x, y) = (half.0 - r, half.1 - r);
-    // Each quarter rotates the steps by a right angle.
-    let turned = |q: usize, (c, s): (f32, f32)| match q {
-        0 => (x + r * c, y + r * s),
-        1 => (-x - r * s, y + r * c),
-        2 => (-x - r * c, -y - r * s),
-        _ => (x + r * s, -y - r * c),
-    };
-    (0..4).flat_map(|q| steps.map(|p| turned(q, p))).collect()
-}
-
-/// The bottom of a round vessel as a surface inside.
-pub(in crate::object) fn round_floor(b: &mut Build<'_>, name: &str, at: P, radius: f32, clearance: f32) {
-    let half = radius * 0.68;
-    b.inside(name, at, (half, half), clearance.max(0.0));
 }
 
 /// The edge of a front at which its hinge is.
@@ -305,7 +163,7 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, how: Panel, name: &str, (low, 
     match how {
         Panel::Slab => b.block(name, low, high, mat),
         Panel::Framed | Panel::Glazed => {
-            rim_x(b, name, low, high, w, mat);
+            plate_with_border(b, name, low, high, w, mat);
             let (glass, depth) = if how == Panel::Glazed { (GLASS, 0.6) } else { (mat, 0.3) };
             let from = [low[0] + t * 0.2, low[1] + w, low[2] + w];
             b.block("infill", from, [high[0] - t * depth, high[1] - w, high[2] - w], glass);
@@ -410,7 +268,7 @@ pub(in crate::object) const RUN: f32 = 0.03;
 /// A worktop of the style, with its top at the full height and over the whole depth and width;
 /// returns the height below it.
 pub(in crate::object) fn worktop(b: &mut Build<'_>, u: f32) -> f32 {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let t = 0.035 * u;
     b.block("worktop", [-x, -y, h - t], [x, y, h], b.style.worktop);
     b.top("worktop", [0.0, 0.0, h], (x - 0.01 * u, y - 0.005 * u));

@@ -2,7 +2,7 @@
 
 use super::fitting::*;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, case, collar, fit, floor_of, half_dims, plate_with_hole, tiers};
 
 /// How a stove heats its cooktop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,7 +15,7 @@ enum Fire {
 /// Burners on top, knobs in front, one or two ovens below, a drawer at the bottom.
 pub(super) fn stove(b: &mut Build<'_>) {
     let u = fit(b, [0.56, 0.48, 0.8]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.style.appliance;
     let trim = b.one(&[STEEL, BLACK_METAL, body]);
     let face = x - RUN * u;
@@ -61,7 +61,7 @@ pub(super) fn stove(b: &mut Build<'_>) {
 /// A built-in plate with burners for a worktop.
 pub(super) fn hob(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.448, 0.019]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let fire = b.one(&[Fire::Gas, Fire::Glass, Fire::Glass]);
     if h < 0.03 || fire == Fire::Glass {
         let glass = (h * 0.3).min(0.008);
@@ -106,7 +106,7 @@ pub(super) fn steam_oven(b: &mut Build<'_>) {
 }
 
 fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, STEEL, BLACK_METAL, WHITE_METAL]);
     let (face, feet) = (x - 0.032 * u, 0.02 * u);
     let back = face - 0.03 * u;
@@ -134,7 +134,7 @@ fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
 /// A low, wide oven with a stone floor, of steel or with a dome of brick.
 pub(super) fn pizza_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.448, 0.224]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, STEEL]);
     let (feet, face) = (0.04 * u, x - 0.035 * u);
     let back = face - 0.025 * u;
@@ -191,7 +191,7 @@ pub(super) fn pizza_oven(b: &mut Build<'_>) {
 /// A box with a door at the left and controls at the right.
 pub(super) fn microwave(b: &mut Build<'_>) {
     let u = fit(b, [0.288, 0.352, 0.224]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[b.style.appliance, STEEL, BLACK_METAL]);
     let (feet, face) = (0.012 * u, x - 0.03 * u);
     let back = face - 0.025 * u;
@@ -238,7 +238,7 @@ fn keypad(b: &mut Build<'_>, face: f32, low: (f32, f32), high: (f32, f32), u: f3
 /// A small countertop oven: glass door in front, knobs at the side.
 pub(super) fn toaster_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.304, 0.176]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, b.style.appliance]);
     let (feet, face) = (0.015 * u, x - 0.028 * u);
     let back = face - 0.015 * u;
@@ -260,12 +260,19 @@ pub(super) fn toaster_oven(b: &mut Build<'_>) {
 /// A hood on the wall: a chimney over a canopy, a slanted glass, or a flat box.
 pub(super) fn extractor(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.448, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, STEEL, BLACK_METAL, b.style.appliance]);
     let brim = (0.05 * u).min(h * 0.3);
     let design = if h < 0.4 { 2 } else { b.rng.below(2) };
     // All designs have filters and lights on the underside.
-    ring(b, "brim", Axis::Z, ([-x, -y, 0.0], [x, y, brim]), ((-x * 0.8, -y * 0.9), (x * 0.8, y * 0.9)), body);
+    plate_with_hole(
+        b,
+        "brim",
+        Axis::Z,
+        ([-x, -y, 0.0], [x, y, brim]),
+        ((-x * 0.8, -y * 0.9), (x * 0.8, y * 0.9)),
+        body,
+    );
     for side in [-1.0, 1.0] {
         let cy = side * y * 0.45;
         b.block("filter", [-x * 0.8, cy - y * 0.44, brim * 0.4], [x * 0.45, cy + y * 0.44, brim], ALUMINIUM);
@@ -338,7 +345,7 @@ pub(super) fn glass_door(b: &mut Build<'_>, at: Swing, (low, high): (P, P), mats
     swing(b, at, low, high, if down { 1.5 } else { 1.75 }, |b| {
         let edge = if down { tall * 0.2 } else { w };
         let hole = ((low[1] + w, low[2] + w), (high[1] - w, high[2] - edge));
-        ring(b, "door", Axis::X, (low, high), hole, mats.0);
+        plate_with_hole(b, "door", Axis::X, (low, high), hole, mats.0);
         b.block("pane", [low[0] + t * 0.2, hole.0.0, hole.0.1], [high[0] - t * 0.12, hole.1.0, hole.1.1], mats.1);
         let (cy, cz) = (f32::midpoint(low[1], high[1]), f32::midpoint(low[2], high[2]));
         match at {

@@ -3,13 +3,15 @@
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{
+    Axis, Build, P, basket, case, collar, fit, half_dims, loft_levels, pit, plate_with_hole, round_floor,
+};
 use vc_graph::asset::JointKind;
 
 /// One or two iron plates on a flat box.
 pub(super) fn hot_plate(b: &mut Build<'_>) {
     let u = fit(b, [0.176, 0.192, 0.048]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_METAL, BLACK_METAL, STEEL]);
     let (feet, top) = (h * 0.18, h * 0.78);
     foot_row(b, (x * 0.8, y * 0.85), 0.012 * u, feet);
@@ -32,7 +34,7 @@ pub(super) fn hot_plate(b: &mut Build<'_>) {
 /// One or two oil baths with wire baskets; commercial ones of steel with taps.
 pub(super) fn deep_fryer(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.176]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let round = x < 0.17 && b.rng.chance(0.5);
     let body = if round { b.one(&[BLACK_PLASTIC, WHITE_PLASTIC]) } else { STEEL };
     let (feet, face, rim) = (0.015 * u, x - 0.05 * u, h * 0.74);
@@ -80,7 +82,7 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
 /// A pod with a drawer for food.
 pub(super) fn air_fryer(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.208, 0.224]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SAGE]);
     let face = x - 0.065 * u;
     let (bottom, head, wall) = (h * 0.05, h * b.vary(0.55, 0.62), y * 0.1);
@@ -116,7 +118,7 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
 /// A commercial griddle: a thick plate with raised sides over a box with knobs.
 pub(super) fn griddle(b: &mut Build<'_>) {
     let u = fit(b, [0.32, 0.4, 0.16]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (feet, plate, guard) = (h * 0.14, h * 0.74, 0.012 * u);
     let face = x - 0.035 * u;
     for (sx, sy) in [(0.75, 0.85), (-0.75, 0.85), (-0.75, -0.85), (0.75, -0.85)] {
@@ -183,7 +185,7 @@ pub(super) fn waffle_maker(b: &mut Build<'_>) {
 }
 
 fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (feet, seam, front) = (h * 0.1, h * 0.5, x - 0.05 * u);
     let round = waffle && b.rng.chance(0.5);
     let r = y.min((front + x) / 2.0);
@@ -261,7 +263,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
 /// A round pot in a shell with a hinged lid and one switch.
 pub(super) fn rice_cooker(b: &mut Build<'_>) {
     let u = fit(b, [0.176, 0.176, 0.16]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL, RED_METAL]);
     let r = y.min(x);
     let cx = x - r;
@@ -333,7 +335,7 @@ fn switch_plate(b: &mut Build<'_>, at: [f32; 2], half: (f32, f32), u: f32) {
 /// An oval crock in a shell with ears and a glass lid.
 pub(super) fn slow_cooker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.24, 0.176]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, CREAM]);
     let (feet, rim, wall) = (h * 0.05, h * 0.72, 0.014 * u);
     let (depth, side) = (x - 0.015 * u, y - 0.04 * u);
@@ -372,7 +374,7 @@ fn twelve(half: (f32, f32)) -> Vec<(f32, f32)> {
 /// A flat-bottomed shell with twelve sides.
 fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
     let (outer, inner) = (twelve(half), twelve((half.0 - wall, half.1 - wall)));
-    loft(b, name, &[(outer.clone(), z0), (outer, z1), (inner.clone(), z1), (inner, z0 + wall)], mat);
+    loft_levels(b, name, &[(outer.clone(), z0), (outer, z1), (inner.clone(), z1), (inner, z0 + wall)], mat);
 }
 
 /// A low dome over an oval.
@@ -385,7 +387,7 @@ fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: Mat)
 /// A tall box with a lid over a bread pan, a display on its slope.
 pub(super) fn bread_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.24, 0.224]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL]);
     let (feet, rim, wall) = (h * 0.04, h * 0.84, 0.014 * u);
     foot_row(b, (x * 0.75, y * 0.8), 0.012 * u, feet);
@@ -411,7 +413,7 @@ pub(super) fn bread_maker(b: &mut Build<'_>) {
 /// Pans in a heated steel bath, each with its own lid; a tap and a dial in front.
 pub(super) fn bain_marie(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.4, 0.192]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (feet, rim, wall) = (h * 0.08, h * 0.82, 0.008 * u);
     let face = x - 0.05 * u;
     foot_row(b, (x * 0.75, y * 0.85), 0.018 * u, feet);
@@ -425,7 +427,14 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
             ([-x + wall, y0 + wall, feet + (rim - feet) * 0.25], [face - wall, y1 - wall, rim - 0.003 * u]);
         basket(b, &format!("basin_{}", i + 1), low, high, 0.003 * u, ALUMINIUM);
         let hole = ((-x + wall * 2.2, y0 + wall * 1.6), (face - wall * 2.2, y1 - wall * 1.6));
-        ring(b, "rim", Axis::Z, ([-x, y0 - wall * 0.6, rim - 0.003 * u], [face, y1 + wall * 0.6, rim]), hole, STEEL);
+        plate_with_hole(
+            b,
+            "rim",
+            Axis::Z,
+            ([-x, y0 - wall * 0.6, rim - 0.003 * u], [face, y1 + wall * 0.6, rim]),
+            hole,
+            STEEL,
+        );
         if i <= covered {
             lid(b, [-x + wall, 0.0, rim + 0.001 * u], 1.3, |b| {
                 b.at([(face - x) / 2.0, f32::midpoint(y0, y1), rim + 0.001 * u], 0.0, |b| {
@@ -456,7 +465,7 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
 /// Plate-warming drawers: one built in, or several one below the other.
 pub(super) fn plate_warmer(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.352, 0.112]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, STEEL, BLACK_GLASS]);
     let (face, t) = (x - 0.032, 0.02 * u);
     let feet = if h > 0.4 { 0.08 * u } else { 0.0 };

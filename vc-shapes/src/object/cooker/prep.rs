@@ -3,7 +3,7 @@
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, cup_profile, fit, floor_of, half_dims, pit, plate_with_hole, round_floor};
 
 /// The enamel colour of kitchen machines.
 fn machine_mat(b: &mut Build<'_>) -> Mat {
@@ -13,7 +13,7 @@ fn machine_mat(b: &mut Build<'_>) -> Mat {
 /// A jug with a lid and a handle on a motor with a dial.
 pub(super) fn blender(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.272]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = machine_mat(b);
     let r = x.min(y) * 0.86;
     let (base, top, wall) = (h * b.vary(0.3, 0.36), h * 0.92, 0.004 * u);
@@ -48,12 +48,12 @@ pub(super) fn blender(b: &mut Build<'_>) {
 
 /// A clear jug that is wider at the top.
 fn jug(b: &mut Build<'_>, base: P, (low, high): (f32, f32), tall: f32, wall: f32) {
-    b.lathe("jug", base, &cup(low, high, tall, wall), CLEAR_PLASTIC);
+    b.lathe("jug", base, &cup_profile(low, high, tall, wall), CLEAR_PLASTIC);
 }
 
 /// A motor with a stem and a bell-shaped guard around its blade, standing on the guard.
 pub(super) fn hand_blender(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, RED_PLASTIC]);
     let (bell, stem) = (h * b.vary(0.08, 0.13), h * b.vary(0.26, 0.4));
@@ -85,7 +85,7 @@ pub(super) fn hand_blender(b: &mut Build<'_>) {
 /// A head over a bowl on a foot; large ones have a cage and a lever.
 pub(super) fn stand_mixer(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.176, 0.256]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let large = h > 0.45;
     let body = if large { b.one(&[STEEL, WHITE_METAL, SILVER_METAL]) } else { machine_mat(b) };
     let foot = h * 0.1;
@@ -151,7 +151,7 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
 
 /// A motor with a loop for a handle and two beaters; it stands on its end.
 pub(super) fn hand_mixer(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC]);
     let (low, middle) = (h * 0.45, h * 0.74);
     b.soft("body", [-x, -y, low], [x, y, middle], y * 0.5, body);
@@ -186,13 +186,13 @@ pub(super) fn hand_mixer(b: &mut Build<'_>) {
 /// A drum with a lid and a chute over a motor.
 pub(super) fn food_processor(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.16, 0.288]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = machine_mat(b);
     let (base, top, wall) = (h * 0.34, h * 0.72, 0.004 * u);
     b.soft("base", [-x, -y * 0.94, 0.0], [x - 0.013 * u, y * 0.94, base], 0.025 * u, body);
     knob(b, [x - 0.014 * u, 0.0, base * 0.5], base * 0.2, 0.012 * u, (STEEL, BLACK));
     let r = x.min(y) * 0.8;
-    b.lathe("drum", [0.0, 0.0, base - 0.001 * u], &cup(r * 0.96, r, top - base, wall), CLEAR_PLASTIC);
+    b.lathe("drum", [0.0, 0.0, base - 0.001 * u], &cup_profile(r * 0.96, r, top - base, wall), CLEAR_PLASTIC);
     b.cylinder("hub", [0.0, 0.0, base + wall], r * 0.14, (top - base) * 0.2, STEEL);
     let z = base + wall + (top - base) * 0.2 + 0.001 * u;
     b.cylinder("disc", [0.0, 0.0, z - 0.004 * u], r * 0.88, 0.004 * u, STEEL);
@@ -214,7 +214,7 @@ pub(super) fn food_processor(b: &mut Build<'_>) {
 /// A chute over a strainer, a spout and jugs for juice and pulp.
 pub(super) fn juicer(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.144, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL]);
     let r = y.min(x * 0.6) * 0.9;
     let cx = -x + r;
@@ -229,7 +229,7 @@ pub(super) fn juicer(b: &mut Build<'_>) {
     b.lathe(
         "jug",
         [at[0], 0.0, tray - 0.001 * u],
-        &cup(wide * 0.9, wide, base * 0.84 - tray, 0.003 * u),
+        &cup_profile(wide * 0.9, wide, base * 0.84 - tray, 0.003 * u),
         CLEAR_PLASTIC,
     );
     round_floor(b, "jug", [at[0], 0.0, tray + 0.0025 * u], wide * 0.8, base * 0.8 - tray);
@@ -245,13 +245,13 @@ pub(super) fn juicer(b: &mut Build<'_>) {
 /// A ribbed cone over a cup with a spout.
 pub(super) fn citrus_juicer(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.128, 0.144]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, ORANGE_PLASTIC, BLACK_METAL]);
     let r = x.min(y) * 0.84;
     let (base, rim) = (h * 0.46, h * 0.66);
     b.lathe("base", [0.0; 3], &[(r * 0.95, 0.0), (r * 0.8, base)], body);
     let wall = 0.004 * u;
-    b.lathe("cup", [0.0, 0.0, base - 0.001 * u], &cup(r * 0.8, r, rim - base, wall), CLEAR_PLASTIC);
+    b.lathe("cup", [0.0, 0.0, base - 0.001 * u], &cup_profile(r * 0.8, r, rim - base, wall), CLEAR_PLASTIC);
     b.lathe(
         "sieve",
         [0.0, 0.0, base + wall],
@@ -295,7 +295,7 @@ pub(super) fn citrus_juicer(b: &mut Build<'_>) {
 /// A round blade behind a carriage that slides, on a base with a dial.
 pub(super) fn meat_slicer(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.272, 0.192]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, ALUMINIUM, WHITE_METAL, RED_METAL]);
     let (feet, deck) = (h * 0.07, h * 0.3);
     b.at([-x * 0.15, -y * 0.2, 0.0], 0.0, |b| foot_row(b, (x * 0.65, y * 0.6), 0.018 * u, feet * 1.1));
@@ -345,7 +345,7 @@ pub(super) fn meat_slicer(b: &mut Build<'_>) {
 /// A hopper over a screw, with a perforated plate in front.
 pub(super) fn meat_grinder(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.128, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, WHITE_METAL, RED_METAL, BLACK_METAL]);
     let middle = h * 0.56;
     let r = y * 0.36;
@@ -370,14 +370,14 @@ pub(super) fn meat_grinder(b: &mut Build<'_>) {
 /// A bowl in a cooling case with a clear lid and a motor on top.
 pub(super) fn ice_cream_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.176, 0.176]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, STEEL, PINK_PLASTIC, SKY]);
     let (rim, wall) = (h * 0.72, 0.02 * u);
     let r = y.min(x) * 0.84;
     let cx = x - y.min(x);
     let deep = rim - 0.02 * u;
     pit(b, "case", [-x, -y, 0.0], [x - 0.003 * u, y, rim - 0.002 * u], wall * 0.6, body);
-    ring(
+    plate_with_hole(
         b,
         "deck",
         Axis::Z,
@@ -403,7 +403,7 @@ pub(super) fn ice_cream_maker(b: &mut Build<'_>) {
 /// A long flat case whose top opens along its back.
 pub(super) fn vacuum_sealer(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.288, 0.064]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC]);
     let seam = h * 0.55;
     foot_row(b, (x * 0.75, y * 0.9), 0.01 * u, h * 0.06);
@@ -424,7 +424,7 @@ pub(super) fn vacuum_sealer(b: &mut Build<'_>) {
 /// A flat plate with a display, of glass or with a bowl's ring.
 pub(super) fn kitchen_scale(b: &mut Build<'_>) {
     let u = fit(b, [0.144, 0.112, 0.016]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREEN_PLASTIC]);
     let thin = (h * 0.4).min(0.008 * u);
     let top = h - thin;
@@ -450,7 +450,7 @@ pub(super) fn kitchen_scale(b: &mut Build<'_>) {
 /// An inverted bottle on a column with two taps and a niche for a cup.
 pub(super) fn water_dispenser(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.224, 0.72]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BLACK_METAL]);
     let top = h * 0.72;
     let (low, high) = (top * 0.66, top * 0.88);
@@ -497,7 +497,7 @@ pub(super) fn water_dispenser(b: &mut Build<'_>) {
 /// A drum with an inlet at the top and a pipe at its side, standing free.
 pub(super) fn garbage_disposal(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.128, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y) * 0.88;
     let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, SILVER_METAL]);
     let profile =

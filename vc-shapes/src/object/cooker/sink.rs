@@ -3,13 +3,13 @@
 use super::fitting::*;
 use super::unit::{plinth, unit_look};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, fit, floor_of, half_dims, pit, plate_with_hole};
 
 /// A sink unit: fixed fronts below, a worktop around one or two bowls, a ledge behind for the tap.
 /// A sink lower than 0.4 m is the bare bowl.
 pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     let u = fit(b, [0.22, 0.25, 0.09]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     if h < 0.4 {
         let farmhouse = b.rng.chance(0.4);
         return if farmhouse { apron(b, u) } else { inset(b, u) };
@@ -40,7 +40,7 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     let bowls = ([-x + 0.125 * u, shift - wide, h], [x - 0.075 * u, shift + wide, h]);
     let edge = 0.012 * u;
     let hole = ((bowls.0[0], bowls.0[1]), (bowls.1[0], bowls.1[1]));
-    ring(b, "worktop", Axis::Z, ([-x, -y, under], [x, y, h]), hole, b.style.worktop);
+    plate_with_hole(b, "worktop", Axis::Z, ([-x, -y, under], [x, y, h]), hole, b.style.worktop);
     basins(b, bowls, (h + 0.0008, depth), edge, steel);
     b.top("ledge", [-x + 0.065 * u, 0.0, h], (0.045 * u, (y - 0.02 * u).min(0.14)));
     for (name, from, to) in [("worktop_right", -y, bowls.0[1]), ("worktop_left", bowls.1[1], y)] {
@@ -61,7 +61,7 @@ fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge
     let t = edge * 0.4;
     let first = if design == 0 { high[1] } else { split };
     bowl(b, "basin", (low, [high[0], first, top]), depth, t, mat);
-    ring(
+    plate_with_hole(
         b,
         "rim",
         Axis::Z,
@@ -107,19 +107,19 @@ fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, 
 
 /// A steel bowl with a rim for a worktop cut-out.
 fn inset(b: &mut Build<'_>, u: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
     let (rim, edge) = (0.004 * u, 0.012 * u);
     let (low, high) = ([-x + 0.1 * u, -y + 0.03 * u, h], [x - 0.03 * u, y - 0.03 * u, h]);
     let hole = ((low[0] - edge, low[1] - edge), (high[0] + edge, high[1] + edge));
-    ring(b, "deck", Axis::Z, ([-x, -y, h - rim], [x, y, h - 0.0015 * u]), hole, mat);
+    plate_with_hole(b, "deck", Axis::Z, ([-x, -y, h - rim], [x, y, h - 0.0015 * u]), hole, mat);
     basins(b, (low, high), (h, h - 0.012 * u), edge, mat);
     b.top("ledge", [-x + 0.045 * u, 0.0, h - 0.0015 * u], (0.035 * u, (y * 0.7).min(0.14)));
 }
 
 /// A thick ceramic trough with a plain front.
 fn apron(b: &mut Build<'_>, u: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let t = 0.022 * u;
     let ledge = 0.1 * u;
     let basin = [-x + ledge, -y, 0.0];
@@ -152,7 +152,7 @@ pub(super) fn utility_sink(b: &mut Build<'_>) {
 
 /// A tub on four legs with a ledge behind, sometimes with a splashback.
 fn standing(b: &mut Build<'_>, u: f32, deep: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, STEEL, PORCELAIN]);
     let splash = if b.rng.chance(0.4) { (h * 0.1).min(0.1) } else { 0.0 };
     let (rim, t, ledge) = (h - splash, 0.012 * u, 0.09 * u);

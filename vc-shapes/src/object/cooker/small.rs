@@ -5,12 +5,12 @@ use vc_graph::asset::JointKind;
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
-use crate::object::build::{Axis, Build};
+use crate::solid::{Axis, Build, cup_profile, fit, floor_of, half_dims, pit, plate_with_hole, round_floor};
 
 /// A body with a spout and a handle on a base with a switch, its lid hinged.
 pub(super) fn kettle(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.192, 0.192]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let x = x.min(y * 0.86);
     let body = b.one(&[STEEL, STEEL, WHITE_PLASTIC, BLACK_METAL, RED_METAL, GLASS]);
     let trim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
@@ -74,7 +74,7 @@ pub(super) fn kettle(b: &mut Build<'_>) {
 /// Slots between heated walls, a lever at the end, a dial.
 pub(super) fn toaster(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.24, 0.16]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, STEEL, RED_METAL, WHITE_METAL, BLUE_METAL, BLACK_METAL, CREAM]);
     let trim = b.one(&[BLACK_PLASTIC, body]);
     let (feet, cap) = (0.012 * u, y * b.vary(0.1, 0.22));
@@ -89,7 +89,7 @@ pub(super) fn toaster(b: &mut Build<'_>) {
         let x0 = -x + step * i as f32;
         let (a, z) = (x0 + step * 0.5 - (0.019 * u).min(step * 0.35), x0 + step * 0.5 + (0.019 * u).min(step * 0.35));
         let walls = ([x0, from, bottom], [x0 + step, to, h]);
-        ring(b, "wall", Axis::Z, walls, ((a, from + 0.008 * u), (z, to - 0.008 * u)), body);
+        plate_with_hole(b, "wall", Axis::Z, walls, ((a, from + 0.008 * u), (z, to - 0.008 * u)), body);
         floor_of(b, &format!("slot_{}", i + 1), [a, from + 0.008 * u, bottom], [z, to - 0.008 * u, h]);
     }
     let radius = if b.rng.chance(0.6) { h * 0.22 } else { 0.01 * u };
@@ -106,7 +106,7 @@ pub(super) fn toaster(b: &mut Build<'_>) {
 /// A filter machine with a jug, a capsule machine, or a large automatic one.
 pub(super) fn coffee_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.144, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, STEEL, RED_PLASTIC, BLACK_METAL]);
     let base = h * 0.1;
     let back = -x + x * b.vary(0.65, 0.8);
@@ -182,7 +182,7 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
 /// Brew groups with filter holders over a drip tray, a steam pipe, cups on top.
 pub(super) fn espresso_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, STEEL, CHROME, RED_METAL, BLACK_METAL, CREAM]);
     let (feet, base) = (0.02 * u, h * 0.22);
     foot_row(b, (x * 0.8, y * 0.8), 0.018 * u, feet);
@@ -197,7 +197,7 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
         b.block("grid", [cx, -y * 0.9, base - 0.002 * u], [cx + x * 0.05, y * 0.9, base + 0.004 * u], STEEL);
     }
     // A rail around the cup tray.
-    ring(
+    plate_with_hole(
         b,
         "rail",
         Axis::Z,
@@ -247,7 +247,7 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
 /// A bean hopper on top, a chute, and a cup for the ground coffee at the bottom.
 pub(super) fn coffee_grinder(b: &mut Build<'_>) {
     let u = fit(b, [0.08, 0.08, 0.144]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, WHITE_METAL, BLACK_PLASTIC]);
     let r = x.min(y);
     let (cut, wall) = (h * b.vary(0.58, 0.66), 0.003 * u);
@@ -255,7 +255,7 @@ pub(super) fn coffee_grinder(b: &mut Build<'_>) {
         b.soft("foot", [-x, -y, 0.0], [x, y, h * 0.07], 0.008 * u, body);
         b.soft("body", [-x * 0.95, -y * 0.85, h * 0.06], [x * 0.2, y * 0.85, cut], 0.012 * u, body);
         b.block("chute", [x * 0.18, -y * 0.25, cut - h * 0.16], [x * 0.62, y * 0.25, cut - h * 0.05], BLACK_PLASTIC);
-        b.lathe("cup", [x * 0.58, 0.0, h * 0.068], &cup(r * 0.36, r * 0.4, h * 0.2, wall), CLEAR_PLASTIC);
+        b.lathe("cup", [x * 0.58, 0.0, h * 0.068], &cup_profile(r * 0.36, r * 0.4, h * 0.2, wall), CLEAR_PLASTIC);
     } else {
         b.lathe("body", [0.0; 3], &[(r * 0.92, 0.0), (r, h * 0.1), (r * 0.88, cut)], body);
         b.block("switch", [r * 0.8, -r * 0.2, cut * 0.5], [r * 0.98, r * 0.2, cut * 0.7], GREY_PLASTIC);
@@ -264,7 +264,7 @@ pub(super) fn coffee_grinder(b: &mut Build<'_>) {
     let tall = h * 0.93 - cut;
     let at = [if h > 0.24 { -x * 0.3 } else { 0.0 }, 0.0, cut - 0.001 * u];
     let spread = if h > 0.24 { wide.min(x * 0.7) } else { wide };
-    b.lathe("hopper", at, &cup(low.min(spread), spread, tall, wall), CLEAR_PLASTIC);
+    b.lathe("hopper", at, &cup_profile(low.min(spread), spread, tall, wall), CLEAR_PLASTIC);
     b.lathe(
         "beans",
         [at[0], 0.0, at[2] + wall],

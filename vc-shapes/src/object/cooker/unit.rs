@@ -2,7 +2,7 @@
 
 use super::fitting::*;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, case, fit, half_dims, plate_with_hole, tiers};
 
 /// The height of the toe-kick.
 const KICK: f32 = 0.10;
@@ -10,7 +10,7 @@ const KICK: f32 = 0.10;
 /// A base unit under a worktop, with doors, with drawers or with both.
 pub(super) fn kitchen_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.3, 0.25, 0.5]);
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let look = unit_look(b, u);
     let under = worktop(b, u);
     let (low, high) = ([-x, -y, KICK * u], [x - RUN * u - look.t, y, under]);
@@ -21,7 +21,7 @@ pub(super) fn kitchen_cabinet(b: &mut Build<'_>) {
 /// A unit that hangs on a wall: doors, glazed doors, a flap or open shelves.
 pub(super) fn kitchen_wall_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.2, 0.25, 0.3]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mut look = unit_look(b, u);
     let design = b.rng.below(6);
     if design == 0 {
@@ -44,7 +44,7 @@ pub(super) fn kitchen_wall_cabinet(b: &mut Build<'_>) {
 /// A length of worktop on side panels, legs or brackets, sometimes with a splashback.
 pub(super) fn kitchen_counter(b: &mut Build<'_>) {
     let u = fit(b, [0.3, 0.5, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let under = worktop(b, u);
     let (t, mat) = (0.03 * u, b.style.cabinet);
     let (front, side) = (x - 0.04 * u, y - 0.02 * u);
@@ -81,7 +81,7 @@ pub(super) fn kitchen_counter(b: &mut Build<'_>) {
 /// panel behind.
 pub(super) fn kitchen_island(b: &mut Build<'_>) {
     let u = fit(b, [0.5, 0.7, 0.6]);
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let mut look = unit_look(b, u);
     if look.panel == Panel::Boards {
         look.panel = Panel::Framed;
@@ -120,7 +120,7 @@ pub(super) fn kitchen_island(b: &mut Build<'_>) {
 /// A plain worktop for a bathroom on a cabinet's sides, with a shelf below.
 pub(in crate::object) fn bathroom_counter(b: &mut Build<'_>) {
     let u = fit(b, [0.3, 0.4, 0.5]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let under = worktop(b, u);
     let (t, mat, front) = (0.025 * u, b.style.wood, x - 0.02 * u);
     let frame = b.rng.chance(0.4);
@@ -141,7 +141,7 @@ pub(in crate::object) fn bathroom_counter(b: &mut Build<'_>) {
 }
 
 fn rim_y(b: &mut Build<'_>, low: P, high: P, w: f32, mat: Mat) {
-    ring(b, "frame", Axis::Y, (low, high), ((low[0] + w, low[2] + w), (high[0] - w, high[2] - w)), mat);
+    plate_with_hole(b, "frame", Axis::Y, (low, high), ((low[0] + w, low[2] + w), (high[0] - w, high[2] - w)), mat);
 }
 
 /// The design of units in this kitchen.

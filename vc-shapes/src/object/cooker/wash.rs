@@ -8,13 +8,13 @@ use super::cool::{grille, steel_legs};
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::Handle;
+use crate::solid::{Axis, Build, P, basket, case, collar, fit, floor_of, half_dims, pit, plate_with_hole};
 
 /// A drop-down door in front of two baskets that slide out.
 pub(super) fn dishwasher(b: &mut Build<'_>) {
     let u = fit(b, [0.448, 0.352, 0.64]);
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let h = under_worktop(b, u);
     let built_in = b.rng.chance(0.4);
     let body = if built_in { b.style.front } else { b.one(&[b.style.appliance, STEEL]) };
@@ -77,7 +77,7 @@ fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u:
             WHITE_PLASTIC,
         );
         for z in [f32::midpoint(low[2], high[2]), high[2]] {
-            ring(
+            plate_with_hole(
                 b,
                 "wire",
                 Axis::Z,
@@ -96,7 +96,7 @@ fn dish_basket(b: &mut Build<'_>, name: &str, (low, high): (P, P), room: f32, u:
 /// A hood over a basket on a steel table, or a low machine with a door.
 pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.64]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let feet = 0.1 * u;
     steel_legs(b, (x * 0.8, y * 0.85), feet, false, u);
     if h < 1.1 {
@@ -124,7 +124,7 @@ pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
         let t = 0.012 * u;
         b.block("hood", [hood.0[0], hood.0[1], hood.1[2] - t], hood.1, STEEL);
         let hole = ((hood.0[0] + t, -y + t), (face - t, y - t));
-        ring(b, "hood", Axis::Z, (hood.0, [face, y, hood.1[2] - t]), hole, STEEL);
+        plate_with_hole(b, "hood", Axis::Z, (hood.0, [face, y, hood.1[2] - t]), hole, STEEL);
         b.block(
             "arm",
             [-x + 0.01 * u, -0.03 * u, hood.1[2] - 0.1 * u],
@@ -137,7 +137,7 @@ pub(super) fn commercial_dishwasher(b: &mut Build<'_>) {
 
 /// An undercounter glass washer.
 fn low_dishwasher(b: &mut Build<'_>, u: f32, feet: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (face, wall) = (x - 0.035 * u, 0.03 * u);
     let back = face - 0.04 * u;
     let (sill, lintel) = (feet + (h - feet) * 0.35, h - 0.12 * u);
@@ -173,7 +173,7 @@ pub(super) fn dryer(b: &mut Build<'_>) {
 
 fn drum_machine(b: &mut Build<'_>, washes: bool) {
     let u = fit(b, [0.448, 0.48, 0.672]);
-    let (x, y, _) = spans(b);
+    let (x, y, _) = half_dims(b);
     let h = under_worktop(b, u);
     if !in_run(b) {
         b.top("top", [-0.02 * u, 0.0, h], (x - 0.05 * u, y - 0.01 * u));
@@ -188,7 +188,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     case(b, [-x, -y, feet], [plate, y, strip], wall, body);
     let side = radius * 0.86;
     let front = ([plate, -y, feet], [face, y, strip]);
-    ring(b, "front", Axis::X, front, ((-side, middle - side), (side, middle + side)), body);
+    plate_with_hole(b, "front", Axis::X, front, ((-side, middle - side), (side, middle + side)), body);
     let bezel = b.one(&[CHROME, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     collar(
         b,
@@ -218,7 +218,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     b.block("back_panel", [-x, -y, strip], [-x + wall, y, h - wall], body);
     b.block("top", [-x, -y, h - wall], [face, y, h], body);
     let drawer_end = -y * 0.35;
-    ring(
+    plate_with_hole(
         b,
         "controls",
         Axis::X,

@@ -4,14 +4,12 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::book::desk::tub;
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, loft, oval, spline, walled_tray};
 
 /// A taped carton whose four flaps open outwards, with printed marks.
 pub(super) fn carton(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let plain = b.class == "box" && b.rng.chance(0.35);
     let card = if plain { b.one(&[WHITE_PAPER, BLUE_CARD, BLACK_CARD, GREEN_CARD]) } else { CARDBOARD };
     let t = (x * 0.02).clamp(0.001, 0.005);
@@ -19,7 +17,7 @@ pub(super) fn carton(b: &mut Build<'_>) {
         return lidded(b, card, t);
     }
     let rim = h - 2.2 * t;
-    tub(b, (x, y), (0.0, rim), t, card);
+    walled_tray(b, (x, y), (0.0, rim), t, card);
     b.inside("compartment", [0.0, 0.0, t], (x - 1.5 * t, y - 1.5 * t), rim - t);
     for side in [-1.0_f32, 1.0] {
         let (edge, near) = (side * y, side * y * 0.35);
@@ -48,9 +46,9 @@ pub(super) fn carton(b: &mut Build<'_>) {
 
 /// A box with a hinged lid.
 fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let rim = h * b.vary(0.72, 0.85);
-    tub(b, (x - 1.2 * t, y - 1.2 * t), (0.0, rim), t, mat);
+    walled_tray(b, (x - 1.2 * t, y - 1.2 * t), (0.0, rim), t, mat);
     b.inside("compartment", [0.0, 0.0, t], (x - 3.0 * t, y - 3.0 * t), rim - t);
     let low = rim - (h * 0.1);
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.9, |b| {
@@ -67,7 +65,7 @@ fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
 
 /// A plastic box with a lid, clips at the sides and a grip rim.
 pub(super) fn storage(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[CLEAR_PLASTIC, CLEAR_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]);
     let lid = b.one(&[BLUE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC]);
     let t = (x * 0.02).clamp(0.001, 0.004);
@@ -90,7 +88,7 @@ pub(super) fn storage(b: &mut Build<'_>) {
 
 /// A present: wrapped box, ribbon around it and a bow on its lid.
 pub(super) fn gift(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (paper, ribbon) = b.one(&[
         (RED_CARD, GOLD),
         (BLUE_CARD, SILVER_METAL),
@@ -105,7 +103,7 @@ pub(super) fn gift(b: &mut Build<'_>) {
     let (top, t) = (h - bow * 0.75, (x.min(h) * 0.03).min(0.003));
     let rim = top * 0.8;
     let wide = x.min(y) * b.vary(0.08, 0.16);
-    tub(b, (x * 0.97, y * 0.97), (0.0, rim), t, paper);
+    walled_tray(b, (x * 0.97, y * 0.97), (0.0, rim), t, paper);
     b.inside("compartment", [0.0, 0.0, t], (x * 0.97 - 1.5 * t, y * 0.97 - 1.5 * t), rim - t);
     let e = 0.001_f32.min(x * 0.01);
     let band = |s: f32| ([x * 0.97 * s - e * (1.0 - s), -wide, h * 0.02], [x * 0.97 + e, wide, rim]);
@@ -119,7 +117,7 @@ pub(super) fn gift(b: &mut Build<'_>) {
         b.block("lid", [e - x, e - y, rim], [x - e, y - e, top], paper);
         blocks(b, "ribbon", &[([-x, -wide, rim + t], [x, wide, top + e])], ribbon);
         b.block("ribbon", [-wide, -y, rim + t], [wide, y, top + e * 0.5], ribbon);
-        let mut loops = Shell::default();
+        let mut loops = MeshBuilder::default();
         for i in 0..6 {
             let (s, c) = (i as f32 * 1.047 + 0.4).sine_cosine();
             let out = |r: f32, z: f32| [bow * r * c, bow * r * s, top + bow * z];
@@ -134,7 +132,7 @@ pub(super) fn gift(b: &mut Build<'_>) {
 
 /// A basket: rods woven around stakes, or slatted plastic; with handles.
 pub(super) fn basket(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let laundry = b.class == "laundry_basket";
     let mat = match laundry && b.rng.chance(0.5) {
         true => b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]),
@@ -156,7 +154,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
         oval(Axis::Z, [0.0, 0.0, z], (x * s - r + out, y * s - r + out), square, 20)
     };
     let rows = ((rim / r / 2.2) as usize).clamp(4, 10);
-    let mut weave = Shell::default();
+    let mut weave = MeshBuilder::default();
     for i in 0..rows {
         let z = r + (rim - r) * i as f32 / (rows - 1) as f32;
         weave.hoop(&ring(z, 0.0), r * if i + 1 == rows { 1.0 } else { 0.8 });
@@ -172,7 +170,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
     let fit = [0.66, 0.78, 0.86][square];
     b.inside("compartment", [0.0, 0.0, r], (floor.0 * fit, floor.1 * fit), rim - r);
     if handles {
-        let mut shell = Shell::default();
+        let mut shell = MeshBuilder::default();
         for side in [-1.0, 1.0] {
             let end = side * (y - r) * 0.94;
             let curve = arc(Axis::Y, [0.0, end, rim], (x * 0.3, h - rim - r * 0.7), (0.0, PI), 10);
@@ -197,7 +195,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
 
 /// A crate of slats; a plastic one has bottle compartments.
 pub(super) fn crate_box(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let plastic = b.rng.chance(0.35);
     let mat = if plastic {
         b.one(&[RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC])
@@ -208,7 +206,7 @@ pub(super) fn crate_box(b: &mut Build<'_>) {
     let rows = b.rng.count(2, 4);
     let pitch = (h - t) / rows as f32;
     let gap = pitch * b.vary(0.12, 0.3);
-    let mut slats = Shell::default();
+    let mut slats = MeshBuilder::default();
     for i in 0..rows {
         let (z0, z1) = (t + pitch * i as f32 + gap * 0.5, t + pitch * (i + 1) as f32 - gap * 0.5);
         let z1 = if i + 1 == rows { h } else { z1 };
@@ -237,7 +235,7 @@ pub(super) fn crate_box(b: &mut Build<'_>) {
 
 /// A jewelry box: a drawer below, a hinged lid with a mirror above.
 pub(super) fn jewelry(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let wood = b.one(&[WALNUT, CHERRY, WHITE_LEATHER, ROSE_FABRIC, b.style.wood, BLACK_LEATHER]);
     let (t, foot) = ((h * 0.05).min(0.006), h * 0.05);
     let (split, rim) = (h * 0.42, h * 0.74);

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, oval, spline};
 
 const WAXES: [Mat; 7] = [WAX, WHITE_PLASTIC, RED_GLAZE, WAX, PINK_PLASTIC, SAGE, NAVY];
 
@@ -17,7 +16,7 @@ fn wick(b: &mut Build<'_>, at: P, high: f32) {
 
 /// A candle: a pillar, one in a glass, a tin or a bowl, or one with three wicks.
 pub(super) fn candle(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let wax = b.one(&WAXES);
     let string = (h * 0.12).min(0.012);
@@ -84,7 +83,7 @@ pub(super) fn candle(b: &mut Build<'_>) {
 /// Wax drips.
 fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
     let count = b.rng.count(0, 4);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for _ in 0..count {
         let (s, c) = b.vary(0.0, TAU).sine_cosine();
         let long = top * b.vary(0.1, 0.3);
@@ -95,7 +94,7 @@ fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
 
 /// A tealight in its tin.
 pub(super) fn tealight(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let wax = b.one(&WAXES);
     let tin = h * 0.85;
@@ -111,7 +110,7 @@ pub(super) fn tealight(b: &mut Build<'_>) {
 
 /// A candle holder with candles: a turned stick, a plate with a grip, or a branched one.
 pub(super) fn candlestick(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.one(&[b.style.metal, BRASS, IRON, SILVER_METAL, b.style.wood, PORCELAIN]);
     if y > 1.5 * x || y > 0.09 && h > 0.15 && b.rng.chance(0.6) {
         return branched(b, metal);
@@ -147,7 +146,7 @@ fn taper(b: &mut Build<'_>, at: P, r: f32, high: f32) {
 
 /// Three or five arms in a row.
 fn branched(b: &mut Build<'_>, metal: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (arms, level) = (b.one(&[3, 5]), h * 0.55);
     let r = (y * 0.12).min(x).min(0.014);
     let foot = x.min(y * 0.6);
@@ -157,7 +156,7 @@ fn branched(b: &mut Build<'_>, metal: Mat) {
         &[(foot, 0.0), (foot, h * 0.03), (foot * 0.3, h * 0.04), (r * 0.5, h * 0.07), (r * 0.5, level)],
         metal,
     );
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for i in 0..arms {
         let side = i as f32 / (arms - 1) as f32 * 2.0 - 1.0;
         let end = [0.0, side * (y - r * 1.2), level];
@@ -176,6 +175,6 @@ fn branched(b: &mut Build<'_>, metal: Mat) {
     }
     shell.put(b, "arm", metal);
     let knob = oval(Axis::Z, [0.0, 0.0, level - h * 0.18], (r * 0.5, r * 0.5), 0, 12);
-    super::super::textile::form::hoop(b, "knob", &knob, r * 0.3, metal);
+    crate::solid::hoop(b, "knob", &knob, r * 0.3, metal);
     b.top("plate", [-foot * 0.64, 0.0, h * 0.035], (foot * 0.25, foot * 0.3));
 }

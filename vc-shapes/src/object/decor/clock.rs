@@ -4,15 +4,14 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, hoop, ngon, oval, room, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, ngon, oval, tube};
 
 /// A dial facing +X: plate, marks and hands, protruding by `depth`.
 pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (Mat, Mat)) {
     let (plate, ink) = mats;
     b.prism("dial", Axis::X, at, &ngon((r, r), 32), depth * 0.35, plate);
-    let mut marks = Shell::default();
+    let mut marks = MeshBuilder::default();
     for i in 0..12 {
         let (s, c) = (TAU * i as f32 / 12.0).sine_cosine();
         let half = r * if i % 3 == 0 { 0.05 } else { 0.03 };
@@ -45,7 +44,7 @@ fn faces(b: &mut Build<'_>) -> (Mat, Mat) {
 
 /// A wall clock: round with a rim, square, or a sunburst.
 pub(super) fn wall(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = y.min(h / 2.0);
     let rim = b.one(&[b.style.wood, b.style.metal, BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, BRASS]);
     let mats = faces(b);
@@ -57,7 +56,7 @@ pub(super) fn wall(b: &mut Build<'_>) {
             dial(b, [x * 0.25, 0.0, h / 2.0], r * 0.9, depth * 0.3, mats);
         }
         1 => {
-            let mut rays = Shell::default();
+            let mut rays = MeshBuilder::default();
             let count = b.one(&[12, 16, 20]);
             for i in 0..count {
                 let (s, c) = (TAU * i as f32 / count as f32).sine_cosine();
@@ -80,7 +79,7 @@ pub(super) fn wall(b: &mut Build<'_>) {
 
 /// A clock on a shelf: a house with a dial, a cube, a mantel arch or a glass bell.
 pub(super) fn clock(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[b.style.wood, WALNUT, BRASS, WHITE, BLACK, MARBLE]);
     let mats = faces(b);
     let depth = (x * 0.2).min(0.012);
@@ -107,7 +106,7 @@ pub(super) fn clock(b: &mut Build<'_>) {
 
 /// An alarm clock: with two bells, with digits, or a rounded one.
 pub(super) fn alarm(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     if y > 1.3 * h || b.rng.chance(0.35) {
         return digital(b);
     }
@@ -120,7 +119,7 @@ pub(super) fn alarm(b: &mut Build<'_>) {
     let depth = (x * 0.3).min(0.02);
     b.prism("case", Axis::X, [-x, 0.0, centre[2]], &ngon((r, r), 32), 2.0 * x - depth, case);
     dial(b, [x - depth * 1.05, 0.0, centre[2]], r * 0.9, depth, mats);
-    let mut feet = Shell::default();
+    let mut feet = MeshBuilder::default();
     for (side, fx) in [(-1.0, -0.7), (-1.0, 0.6), (1.0, -0.7), (1.0, 0.6)] {
         let (hip, toe) = ([x * fx * 0.8, side * r * 0.5, centre[2] - r * 0.75], [x * fx, side * r * 0.8, h * 0.02]);
         feet.tapered(&[hip, toe], |t| (r * (0.11 - 0.04 * t)).min(x * 0.3));
@@ -206,7 +205,7 @@ pub(in crate::object) fn digits(b: &mut Build<'_>, at: P, (w, h): (f32, f32), de
 
 /// A clock radio: a slanted box with digits and buttons.
 fn digital(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, b.style.wood]);
     let relief = (x * 0.06).min(0.003);
     let key = (h * 0.08).min(0.006);

@@ -2,10 +2,9 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{blocks, facing, sheet};
 use super::picture::{Canvas, Inks, motif};
 use crate::material::*;
+use crate::solid::{Axis, Build, P, blocks, facing, sheet};
 
 /// A frame around a picture; a deep one leans on a strut, for a shelf.
 pub(super) fn frame(b: &mut Build<'_>) {

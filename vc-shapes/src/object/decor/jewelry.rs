@@ -4,10 +4,9 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, hoop, ngon, oval, room};
 use super::clock::{dial, digits};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, ngon, oval};
 
 const GEMS: [Mat; 5] = [CLEAR_PLASTIC, RED_GLAZE, BLUE_GLAZE, GREEN_GLAZE, PORCELAIN];
 
@@ -17,7 +16,7 @@ fn precious(b: &mut Build<'_>) -> Mat {
 
 /// A finger ring lying flat, with a stone.
 pub(super) fn ring(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let metal = precious(b);
     let stone = b.one(&GEMS);
     let t = (x * 0.12).min(h / 2.0);
@@ -25,14 +24,14 @@ pub(super) fn ring(b: &mut Build<'_>) {
     let back = x - gem;
     let line = oval(Axis::Z, [-gem * 0.5, 0.0, t], ((back - t).max(t), y - t), 0, 28);
     hoop(b, "ring", &line, t, metal);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     shell.egg([x - gem, 0.0, gem], [gem, gem, gem]);
     shell.put(b, "stone", stone);
 }
 
 /// A chain laid in a loop, with a pendant.
 pub(super) fn necklace(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let metal = precious(b);
     let (pearls, r) = (b.rng.chance(0.5), h * 0.5);
     let chain = (r * 0.6).min(x * 0.02);
@@ -46,13 +45,13 @@ pub(super) fn necklace(b: &mut Build<'_>) {
         })
         .collect();
     if pearls {
-        let mut shell = Shell::default();
+        let mut shell = MeshBuilder::default();
         line.iter().for_each(|&p| shell.egg(p, [r, r, r]));
         shell.put(b, "pearl", PORCELAIN);
     } else {
         hoop(b, "chain", &line, chain, metal);
         let stone = b.one(&GEMS);
-        let mut shell = Shell::default();
+        let mut shell = MeshBuilder::default();
         shell.egg([x - r * 2.0, 0.0, r], [r * 1.8, r * 1.4, r]);
         shell.put(b, "pendant", stone);
     }
@@ -60,7 +59,7 @@ pub(super) fn necklace(b: &mut Build<'_>) {
 
 /// A pair of earrings: hoops or drops.
 pub(super) fn earrings(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let metal = precious(b);
     let stone = b.one(&GEMS);
     let hoops = b.rng.chance(0.5);
@@ -73,7 +72,7 @@ pub(super) fn earrings(b: &mut Build<'_>) {
             hoop(b, "hoop", &oval(Axis::Y, [at[0], at[1], h / 2.0], ((x - t).max(t), s.max(t)), 0, 24), t, metal);
         } else {
             let gem = r.min(h * 0.25);
-            let mut shell = Shell::default();
+            let mut shell = MeshBuilder::default();
             shell.egg([0.0, at[1], gem], [gem, gem, gem]);
             shell.put(b, "stone", stone);
             b.rod("wire", [0.0, at[1], gem * 1.8], [0.0, at[1], h], gem * 0.15, metal);
@@ -83,7 +82,7 @@ pub(super) fn earrings(b: &mut Build<'_>) {
 
 /// A bangle, or a bracelet of beads.
 pub(super) fn bracelet(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let t = (h / 2.0).min(x * 0.15);
     if b.rng.chance(0.5) {
         let metal = precious(b);
@@ -95,7 +94,7 @@ pub(super) fn bracelet(b: &mut Build<'_>) {
     let (first, second) = (b.one(&GEMS), precious(b));
     let count = ((x - t) * 3.1 / t) as usize;
     let line = oval(Axis::Z, [0.0, 0.0, t], (x - t, y - t), 0, count.clamp(10, 24));
-    let mut beads = [Shell::default(), Shell::default()];
+    let mut beads = [MeshBuilder::default(), MeshBuilder::default()];
     for (i, &p) in line.iter().enumerate() {
         beads[usize::from(i % 4 == 0)].egg(p, [t, t, t]);
     }
@@ -106,7 +105,7 @@ pub(super) fn bracelet(b: &mut Build<'_>) {
 
 /// A wrist watch with its strap closed in a loop that stands on its edge; the dial faces the front.
 pub(super) fn watch(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let smart = b.class == "smart_watch";
     let strap = b.one(&[BROWN_LEATHER, BLACK_LEATHER, STEEL, NAVY_FABRIC, RUBBER, TAN_LEATHER]);
     // If it were solid metal, a smart watch would be too heavy for its strap.
@@ -122,7 +121,7 @@ pub(super) fn watch(b: &mut Build<'_>) {
     outer.iter_mut().for_each(|p| p[2] = p[2].max(clasp));
     inner.iter_mut().for_each(|p| p[2] = p[2].max(clasp + h * 0.015));
     let half = wide * 0.55;
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     let side = |p: &P, s: f32| [p[0], s * half, p[2]];
     let rings: Vec<Vec<P>> = (0..24)
         .map(|i| vec![side(&outer[i], -1.0), side(&outer[i], 1.0), side(&inner[i], 1.0), side(&inner[i], -1.0)])

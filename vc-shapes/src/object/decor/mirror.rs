@@ -2,9 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{blocks, facing, hoop, ngon, oval, room, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, P, blocks, facing, half_dims, hoop, ngon, oval, tube};
 
 /// A wall mirror: rectangular, round, arched or with lights.
 pub(super) fn wall(b: &mut Build<'_>) {
@@ -61,7 +60,7 @@ fn pane(b: &mut Build<'_>, t: f32, w: f32, h: f32) {
 
 /// A tall mirror: leaning, or turning in a stand.
 pub(super) fn standing(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     if x < 0.06 {
         return pane(b, 2.0 * x, 2.0 * y, h);
     }

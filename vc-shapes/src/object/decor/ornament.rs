@@ -4,15 +4,14 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, hoop, loft, mix, ngon, oval, room, spline, tube};
 use super::super::tool::pet;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, loft, mix, ngon, oval, spline, tube};
 
 /// A sculpture: a bust, a knot of rings, a twisted column, stacked stones, a
 /// standing figure or an abstract loop.
 pub(super) fn sculpture(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[MARBLE, BRASS, IRON, PLASTER, BLACK_GLAZE, POTTERY, WALNUT, COPPER, GRANITE]);
     let kind = b.rng.below(6);
     let least = if matches!(kind, 0 | 4) { h - 3.2 * x.min(y) } else { 0.0 };
@@ -53,7 +52,7 @@ pub(super) fn sculpture(b: &mut Build<'_>) {
             for i in 0..count {
                 let tall = (h - plinth) / count as f32;
                 let s = r * (0.95 - 0.14 * i as f32) * b.vary(0.85, 1.0);
-                let mut stone = Shell::default();
+                let mut stone = MeshBuilder::default();
                 stone.egg([r * b.vary(-0.06, 0.06), 0.0, z + tall * 0.5], [s, s * 0.9, tall * 0.54]);
                 let mat = if i % 2 == 0 { mat } else { b.one(&[ROCK, GRANITE, mat]) };
                 stone.put(b, "stone", mat);
@@ -72,7 +71,7 @@ pub(super) fn sculpture(b: &mut Build<'_>) {
                 [0.0, 0.0, top],
                 [x * 0.3, -reach * 0.6, at(0.8)],
             ];
-            let mut shell = Shell::default();
+            let mut shell = MeshBuilder::default();
             shell.tapered(&spline(&points, 6), |t| thick * (1.0 - 0.6 * t));
             shell.put(b, "ribbon", mat);
         }
@@ -99,7 +98,7 @@ fn bust(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
         ring(1.0, 0.1, 0.1, -0.08),
     ];
     loft(b, "bust", &rings, mat);
-    let mut face = Shell::default();
+    let mut face = MeshBuilder::default();
     face.tapered(&[[r * 0.5, 0.0, low + tall * 0.74], [r * 0.66, 0.0, low + tall * 0.64]], |t| r * (0.05 + 0.06 * t));
     [-1.0, 1.0].iter().for_each(|s| face.egg([0.0, s * r * 0.44, low + tall * 0.7], [r * 0.1, r * 0.05, tall * 0.06]));
     face.put(b, "face", mat);
@@ -109,7 +108,7 @@ fn bust(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
 fn figure(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
     let tall = b.size.z - low;
     let at = |x: f32, y: f32, z: f32| [r * x, r * y, low + tall * z];
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     let lean = b.vary(-0.2, 0.2);
     let girth = |t: f32| tall * (0.035 + 0.03 * (t * 3.1).sine());
     shell.tapered(&[at(0.0, -0.3, 0.0), at(0.0, -0.2, 0.25), at(0.0, -0.08, 0.48)], |t| tall * (0.02 + 0.025 * t));
@@ -128,7 +127,7 @@ fn figure(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
 
 /// A small figure: a cat, a bird, a person, an elephant of glass.
 pub(super) fn figurine(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let glaze = b.one(&[PORCELAIN, BLUE_GLAZE, GREEN_GLAZE, BRASS, BLACK_GLAZE, WALNUT, GLASS, RED_GLAZE]);
     let r = x.min(y);
     match b.rng.below(3) {
@@ -151,12 +150,12 @@ pub(super) fn figurine(b: &mut Build<'_>) {
 
 /// A wreath of leaves on a ring, with berries and a bow.
 pub(super) fn wreath(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = y.min(h / 2.0);
     let (thick, mid) = (r * 0.18, h / 2.0);
     let line = oval(Axis::X, [0.0, 0.0, mid], (r * 0.78, r * 0.78), 0, 32);
     hoop(b, "ring", &line, (thick * 0.5).min(x * 0.5), BARK);
-    let mut leaves = [Shell::default(), Shell::default()];
+    let mut leaves = [MeshBuilder::default(), MeshBuilder::default()];
     let count = b.rng.count(34, 44);
     for i in 0..count {
         let a = TAU * i as f32 / count as f32;
@@ -171,7 +170,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
     let [a, c] = leaves;
     a.put(b, "leaf", first);
     c.put(b, "leaf", second);
-    let mut berries = Shell::default();
+    let mut berries = MeshBuilder::default();
     for _ in 0..9 {
         let (s, c) = b.vary(0.0, TAU).sine_cosine();
         let size = r * 0.05;
@@ -187,7 +186,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
 /// A ribbon tied in a bow, facing +X.
 fn bow(b: &mut Build<'_>, at: P, size: f32) {
     let ribbon = b.one(&[RED_FABRIC, GOLD, WHITE_COTTON, GREEN_FABRIC]);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for side in [-1.0, 1.0] {
         let point = |y: f32, z: f32| [at[0], at[1] + side * size * y, at[2] + size * z];
         shell.tapered(
@@ -201,7 +200,7 @@ fn bow(b: &mut Build<'_>, at: P, size: f32) {
 
 /// A Christmas tree: tiers of needles, baubles, a star and lights.
 pub(super) fn christmas_tree(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let pot = h * 0.1;
     b.lathe("pot", [0.0; 3], &[(r * 0.22, 0.0), (r * 0.3, pot), (r * 0.26, pot), (r * 0.2, pot * 0.3)], RED_METAL);
@@ -209,7 +208,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
     let (tiers, tip) = (b.rng.count(5, 7), h * 0.94);
     let low = h * 0.14;
     let half_width = |z: f32| r * 0.98 * (1.0 - (z - low) / (tip - low)).max(0.0);
-    let mut needles = Shell::default();
+    let mut needles = MeshBuilder::default();
     for i in 0..tiers {
         let z0 = low + (tip - low) * i as f32 / tiers as f32;
         let z1 = low + (tip - low) * (i as f32 + 1.35).min(tiers as f32) / tiers as f32;
@@ -233,7 +232,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
     }
     let green = b.one(&[DARK_LEAF, DARK_LEAF, LEAF, SAGE]);
     needles.put(b, "needles", green);
-    let mut balls = [Shell::default(), Shell::default(), Shell::default()];
+    let mut balls = [MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default()];
     for i in 0..27 {
         let z = low + (tip - low) * (0.05 + 0.8 * i as f32 / 27.0);
         let (s, c) = (i as f32 * 2.4).sine_cosine();
@@ -257,7 +256,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
 
 /// A bookend: an angle with a letter, a ball or a horse's head.
 pub(super) fn bookend(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[IRON, MARBLE, b.style.wood, BRASS, BLACK_GRANITE]);
     let t = (y * 0.12).min(0.012);
     b.block("foot", [-x * 0.98, -y, 0.0], [x * 0.98, y - t * 0.3, t * 0.6], mat);
@@ -285,7 +284,7 @@ pub(super) fn bookend(b: &mut Build<'_>) {
 
 /// A piggy bank with a slot in its back.
 pub(super) fn piggy_bank(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let skin = b.one(&[PINK_PLASTIC, PORCELAIN, BLUE_GLAZE, PINK_PLASTIC]);
     b.at([0.0; 3], if y > x { std::f32::consts::FRAC_PI_2 } else { 0.0 }, |b| {
         let (l, w) = (x.max(y), x.min(y));
@@ -314,7 +313,7 @@ pub(super) fn piggy_bank(b: &mut Build<'_>) {
             skin,
         );
         b.inside("slot", [0.0, 0.0, leg + (h - leg) * 0.12], (l * 0.3, w * 0.25), (h - leg) * 0.6);
-        let mut bits = Shell::default();
+        let mut bits = MeshBuilder::default();
         for (sx, sy) in [(-0.5, -0.5), (-0.5, 0.5), (0.4, -0.5), (0.4, 0.5)] {
             bits.tapered(&[[l * sx, w * sy, leg * 1.5], [l * sx, w * sy, 0.0]], |_| w * 0.2);
         }
@@ -346,7 +345,7 @@ pub(super) fn piggy_bank(b: &mut Build<'_>) {
 
 /// A fish tank: glass, water, gravel, plants and a lit lid.
 pub(super) fn aquarium(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let frame = b.one(&[BLACK_PLASTIC, b.style.wood, SILVER_METAL]);
     let (t, lid) = ((x * 0.04).min(0.008), h * 0.08);
     let rim = h - lid;
@@ -363,7 +362,7 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
     let gravel = bottom + h * 0.07;
     b.block("gravel", [-ix, -iy, bottom], [ix, iy, gravel], SANDSTONE);
     b.block("water", [-ix * 0.995, -iy * 0.995, gravel], [ix * 0.995, iy * 0.995, rim * 0.93], WATER);
-    let mut weeds = Shell::default();
+    let mut weeds = MeshBuilder::default();
     for i in 0..12 {
         let (px, py) = (ix * b.vary(-0.85, -0.35), iy * (-0.9 + 1.8 * i as f32 / 11.0));
         let high = (rim - gravel) * b.vary(0.35, 0.8);
@@ -375,7 +374,7 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
         );
     }
     weeds.put(b, "weed", LEAF);
-    let mut rocks = Shell::default();
+    let mut rocks = MeshBuilder::default();
     rocks.egg([-ix * 0.3, iy * 0.5, gravel + h * 0.06], [ix * 0.3, iy * 0.18, h * 0.12]);
     rocks.egg([-ix * 0.4, -iy * 0.4, gravel + h * 0.09], [ix * 0.25, iy * 0.12, h * 0.16]);
     rocks.put(b, "rock", ROCK);
@@ -386,7 +385,7 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
 
 /// An aroma diffuser: a drop shape of wood or glaze with a glowing ring.
 pub(super) fn diffuser(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let body = b.one(&[b.style.wood, PORCELAIN, BAMBOO, BLACK_PLASTIC, STONEWARE]);
     let split = h * 0.35;
@@ -412,11 +411,11 @@ pub(super) fn diffuser(b: &mut Build<'_>) {
 
 /// An ashtray with rests in its rim.
 pub(super) fn ashtray(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let mat = b.one(&[GLASS, BROWN_GLASS, STEEL, BLACK_GLAZE, STONEWARE]);
     b.lathe("bowl", [0.0; 3], &[(r * 0.85, 0.0), (r, h * 0.75), (r * 0.8, h * 0.75), (r * 0.7, h * 0.25)], mat);
-    let mut rests = Shell::default();
+    let mut rests = MeshBuilder::default();
     for i in 0..3 {
         let curve = arc(
             Axis::Z,
@@ -432,14 +431,14 @@ pub(super) fn ashtray(b: &mut Build<'_>) {
 
 /// A globe with continents, tilted in a half ring.
 pub(super) fn globe(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let stand = b.one(&[b.style.wood, BRASS, BLACK_PLASTIC, b.style.metal]);
     let r = (x.min(y) * 0.92).min(h * 0.38);
     let at = [0.0, 0.0, h - r * 1.1];
     let sea = b.one(&[BLUE, SKY, WALL_OCHRE]);
     let land = if sea == WALL_OCHRE { BROWN_SKIN } else { b.one(&[GREEN, SAGE, MUSTARD]) };
     b.ball("sea", at, r * 0.98, sea);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for (centre, wide, tall) in
         [(0.2_f32, 0.55_f32, 0.9_f32), (1.9, 0.8, 0.5), (3.1, 0.5, 0.7), (4.4, 0.7, 0.8), (5.3, 0.35, 0.4)]
     {

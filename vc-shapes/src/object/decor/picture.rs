@@ -1,8 +1,7 @@
 //! Pictures on screens, canvases, covers and cards, built from flat panels in layers.
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::ngon;
 use crate::material::*;
+use crate::solid::{Axis, Build, P, ngon};
 
 /// Half the width and height of a picture, and the distance between its layers.
 #[derive(Debug, Clone, Copy)]

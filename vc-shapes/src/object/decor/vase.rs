@@ -2,9 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, hoop, loft, mix, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, loft, mix, oval, spline};
 
 const GLAZES: [Mat; 13] = [
     PORCELAIN,
@@ -36,7 +35,7 @@ const OUTLINES: [&[(f32, f32)]; 8] = [
 
 /// A vase: turned, faceted or square, with rings, handles or a glazed belly.
 pub(super) fn vase(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let mat = b.one(&GLAZES);
     let outline = b.one(&OUTLINES);
@@ -117,10 +116,10 @@ fn trim(b: &mut Build<'_>, wall: &[(f32, f32)], mat: Mat) {
 
 /// A handle at both sides.
 fn ears(b: &mut Build<'_>, wall: &[(f32, f32)], belly: f32, mat: Mat) {
-    let (_, y, h) = room(b);
+    let (_, y, h) = half_dims(b);
     let top = f32::midpoint(belly, h).max(h * 0.7);
     let thick = y * 0.06;
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for side in [-1.0_f32, 1.0] {
         let (low, high) = (radius_at(wall, belly * 0.95) * 0.95, radius_at(wall, top) * 0.95);
         let from = [0.0, side * low.min(y * 0.9), belly * 0.95];
@@ -134,14 +133,14 @@ fn ears(b: &mut Build<'_>, wall: &[(f32, f32)], belly: f32, mat: Mat) {
 
 /// A table centrepiece: a bowl of balls or fruit, or a tray with candles and twigs.
 pub(super) fn centerpiece(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[b.style.wood, BRASS, PORCELAIN, BLACK_GLAZE, GLASS]);
     let low = h * 0.35;
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s, y * s), 1, 24);
     let t = 0.06;
     loft(b, "bowl", &[ring(0.0, 0.5), ring(low, 1.0), ring(low, 1.0 - t), ring(low * 0.2, 0.5 - t)], mat);
     let fill = b.one(&[LEAF, PETAL_PINK, RED_SKIN, ORANGE_SKIN, GREEN_SKIN, GOLD]);
-    let mut balls = Shell::default();
+    let mut balls = MeshBuilder::default();
     for i in 0..9 {
         let a = i as f32 * 2.4;
         let reach = 0.62 * (i as f32 / 9.0).sqrt();
@@ -150,7 +149,7 @@ pub(super) fn centerpiece(b: &mut Build<'_>) {
         balls.egg([x * reach * a.cosine(), y * reach * a.sine(), z], [r, r, r]);
     }
     balls.put(b, "filling", fill);
-    let mut leaves = Shell::default();
+    let mut leaves = MeshBuilder::default();
     for i in 0..10 {
         let a = i as f32 * 0.63;
         let tip = [x * 0.95 * a.cosine(), y * 0.95 * a.sine(), h * b.vary(0.5, 0.98)];

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{boulder, dims, loft, lump, oval, sweep};
 use crate::material::*;
+use crate::solid::{Axis, Build, P, boulder, dims, level_oval, loft_columns, lump, sweep};
 
 /// The section of a loaf: flat bottom, round top.
 const SLICE: [(f32, f32); 12] = [
@@ -41,7 +40,7 @@ pub(super) fn loaf(b: &mut Build<'_>) {
         if !sliced {
             rings.push(ring(hy, 0.92));
         }
-        loft(b, "loaf", &rings, crust);
+        loft_columns(b, "loaf", &rings, crust);
         if sliced {
             let cut: Vec<_> = SLICE.iter().map(|p| (p.0 * hx * 0.93, p.1 * z * 0.9 + z * 0.03)).collect();
             b.prism(
@@ -105,7 +104,7 @@ fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f3
         (0..16).map(point).collect()
     };
     let rings: Vec<Vec<P>> = profile.iter().map(ring).collect();
-    loft(b, name, &rings, mat);
+    loft_columns(b, name, &rings, mat);
 }
 
 /// Slanted scores in a crust.
@@ -158,9 +157,9 @@ pub(super) fn roll(b: &mut Build<'_>) {
         "creamy_buns" => {
             let seam: Vec<Vec<P>> = [(0.45, 0.98), (0.62, 1.0), (0.72, 0.98)]
                 .iter()
-                .map(|&(k, r)| oval([0.0, 0.0, z * k], (hx * r * 0.98, hy * r * 0.98)))
+                .map(|&(k, r)| level_oval([0.0, 0.0, z * k], (hx * r * 0.98, hy * r * 0.98)))
                 .collect();
-            loft(b, "cream", &seam, CREAM_FOOD);
+            loft_columns(b, "cream", &seam, CREAM_FOOD);
             lump(b, "sugar", [0.0, 0.0, z * 0.9], [hx * 0.6, hy * 0.6, z * 0.1], 0.04, PETAL_WHITE);
         }
         _ => scores(b, cuts, (hx, hy), z, CRUMB),
@@ -264,9 +263,9 @@ pub(super) fn stack(b: &mut Build<'_>) {
     for i in 0..count {
         let k = 0.94 + 0.06 * ((i * 5) % 3) as f32 / 2.0;
         let (dx, dy) = (hx * (1.0 - k) * (2.1 * i as f32).sine(), hy * (1.0 - k) * (1.3 * i as f32).cosine());
-        let ring = |z: f32, r: f32| oval([dx, dy, z], (hx * k * r, hy * k * r));
+        let ring = |z: f32, r: f32| level_oval([dx, dy, z], (hx * k * r, hy * k * r));
         let low = t * i as f32;
-        loft(b, "layer", &[ring(low + t * 0.02, 0.95), ring(low + t * 0.4, 1.0), ring(low + t, 0.93)], mat);
+        loft_columns(b, "layer", &[ring(low + t * 0.02, 0.95), ring(low + t * 0.4, 1.0), ring(low + t, 0.93)], mat);
         if !pancake && i + 1 == count {
             for j in 0..6 {
                 let (s, c) = (2.4 * j as f32).sine_cosine();

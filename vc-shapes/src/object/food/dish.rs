@@ -4,12 +4,12 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{
-    dims, ear, level, loft, lump, oval, rounded, shell, spun, sweep, tub, tube, turn,
-};
 use super::fruit::berry;
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, P, dims, ear, level_oval, loft_columns, lump, planar_tube, rounded_by_share, rounded_ring, spun,
+    sweep, tub, turn, vessel_profile,
+};
 
 /// Builds a plate that fills the footprint and returns the height of its floor.
 fn plate(b: &mut Build<'_>, z: f32) -> f32 {
@@ -17,7 +17,7 @@ fn plate(b: &mut Build<'_>, z: f32) -> f32 {
     let mat = b.style.crockery;
     let (hx, hy) = (x / 2.0, y / 2.0);
     let t = z * 0.08;
-    let ring = |z: f32, k: f32| oval([0.0, 0.0, z], (hx * k, hy * k));
+    let ring = |z: f32, k: f32| level_oval([0.0, 0.0, z], (hx * k, hy * k));
     let rings = [
         ring(0.0, 0.6),
         ring(z * 0.3, 0.7),
@@ -27,7 +27,7 @@ fn plate(b: &mut Build<'_>, z: f32) -> f32 {
         ring(z * 0.3 + t, 0.68),
         ring(t, 0.58),
     ];
-    loft(b, "plate", &rings, mat);
+    loft_columns(b, "plate", &rings, mat);
     t
 }
 
@@ -36,7 +36,7 @@ fn bowl(b: &mut Build<'_>, h: f32, fill: f32, content: Mat) {
     let (x, y, _) = dims(b);
     let mat = b.style.crockery;
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let ring = |z: f32, k: f32| oval([0.0, 0.0, z], (hx * k, hy * k));
+    let ring = |z: f32, k: f32| level_oval([0.0, 0.0, z], (hx * k, hy * k));
     let rings = [
         ring(0.0, 0.5),
         ring(h * 0.08, 0.52),
@@ -46,8 +46,8 @@ fn bowl(b: &mut Build<'_>, h: f32, fill: f32, content: Mat) {
         ring(h * 0.4, 0.77),
         ring(h * 0.12, 0.45),
     ];
-    loft(b, "bowl", &rings, mat);
-    loft(
+    loft_columns(b, "bowl", &rings, mat);
+    loft_columns(
         b,
         "content",
         &[ring(h * 0.14, 0.44), ring(h * 0.4, 0.78), ring(fill, 0.8 + 0.17 * (fill / h - 0.4))],
@@ -119,7 +119,7 @@ fn strand(b: &mut Build<'_>, centre: P, r: f32, (turn, top): (f32, f32), mat: Ma
             [centre[0] + r * c, centre[1] + r * s, (centre[2] + w * s).min(top - w)]
         })
         .collect();
-    tube(b, "strand", &points, w, [0.0, 0.0, 1.0], mat);
+    planar_tube(b, "strand", &points, w, [0.0, 0.0, 1.0], mat);
 }
 
 /// A plate with a main dish: meat, potatoes or rice, and vegetables.
@@ -201,7 +201,7 @@ pub(super) fn sandwich(b: &mut Build<'_>) {
         let plan = if triangle {
             vec![(-hx * k, -hy * k), (hx * k, -hy * k), (hx * k, -hy * k + hy * 0.1), (-hx * k, hy * k)]
         } else {
-            rounded((hx * k, hy * k), 0.2)
+            rounded_by_share((hx * k, hy * k), 0.2)
         };
         b.prism(name, Axis::Z, [0.0, 0.0, z * low], &plan, z * (high - low), mat);
         if name == "bread" {
@@ -283,7 +283,7 @@ pub(super) fn hot_dog(b: &mut Build<'_>) {
     let points: Vec<P> = (0..13)
         .map(|k| [r * 0.4 * if k % 2 == 0 { 1.0 } else { -1.0 }, hy * 0.85 * (k as f32 / 6.0 - 1.0), z - w])
         .collect();
-    tube(b, "sauce", &points, w, [0.0, 0.0, 1.0], sauce);
+    planar_tube(b, "sauce", &points, w, [0.0, 0.0, 1.0], sauce);
 }
 
 /// Rolls of rice and fish on a board.
@@ -403,7 +403,7 @@ pub(super) fn drink(b: &mut Build<'_>) {
     };
     let outside: Vec<_> = shape.iter().map(|p| (p.0 * r, p.1 * h)).collect();
     let t = r * 0.07;
-    b.lathe("cup", [0.0; 3], &shell(&outside, t), cup);
+    b.lathe("cup", [0.0; 3], &vessel_profile(&outside, t), cup);
     let level_ = h * if straw { 0.93 } else { 0.85 };
     let inner = [
         (outside[0].0 - t, t * 0.9),
@@ -421,7 +421,7 @@ pub(super) fn drink(b: &mut Build<'_>) {
         }),
         "coffee" if b.rng.chance(0.5) => b.cylinder("foam", [0.0, 0.0, level_ - h * 0.01], r * 0.78, h * 0.03, CRUMB),
         "tea" => {
-            tube(
+            planar_tube(
                 b,
                 "string",
                 &[[r * 0.4, -r * 0.3, level_], [r * 0.8, -r * 0.55, h * 0.99]],
@@ -433,7 +433,7 @@ pub(super) fn drink(b: &mut Build<'_>) {
         "smoothie" => {
             let w = r * 0.1;
             let top = r * 0.6;
-            tube(
+            planar_tube(
                 b,
                 "straw",
                 &[[-r * 0.3, 0.0, h * 0.3], [top * 0.6, 0.0, z * 0.9], [top, 0.0, z - w]],
@@ -458,8 +458,8 @@ pub(super) fn ice(b: &mut Build<'_>) {
 pub(super) fn tea_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let ring = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.2);
-    loft(
+    let ring = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.2);
+    loft_columns(
         b,
         "bag",
         &[ring(0.0, 0.3, 1.0), ring(z * 0.3, 1.0, 1.0), ring(z * 0.6, 0.8, 1.0), ring(z * 0.8, 0.25, 0.85)],

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Build, P};
-use super::super::kitchenware::form::{boulder, dims, loft, lump, spun, sweep, tube};
 use crate::material::*;
+use crate::solid::{Build, P, boulder, dims, loft_columns, lump, planar_tube, spun, sweep};
 
 type Profile = &'static [(f32, f32)];
 
@@ -237,7 +236,7 @@ fn crown(b: &mut Build<'_>, top: Top, end: P, lying: bool, skin: Mat) {
             let lean = r * b.vary(-0.15, 0.15);
             let thick = r * if b.class == "bell_pepper" { 0.14 } else { 0.055 };
             let mat = if b.class == "bell_pepper" { LEAF } else { BARK };
-            tube(
+            planar_tube(
                 b,
                 "stalk",
                 &[[0.0, 0.0, end[2] - r * 0.05], [lean * 0.3, 0.0, f32::midpoint(end[2], z)], [lean, 0.0, z]],
@@ -370,7 +369,7 @@ fn stripes(b: &mut Build<'_>, (low, high): (P, P), profile: &[(f32, f32)]) {
 fn strip(b: &mut Build<'_>, lines: &[Vec<P>; 4]) {
     let n = lines[0].len();
     let rings: Vec<Vec<P>> = (0..n).map(|i| lines.iter().map(|l| l[i]).collect()).collect();
-    loft(b, "stripe", &rings, LIGHT_LEAF);
+    loft_columns(b, "stripe", &rings, LIGHT_LEAF);
 }
 
 /// The cloves of a garlic bulb.
@@ -421,7 +420,7 @@ pub(super) fn banana(b: &mut Build<'_>) {
         ];
         sweep(b, "banana", &path, [0.0, 0.0, 1.0], skin);
         let (tip, before) = (at(1.0, 0.0).0, at(0.96, 0.0).0);
-        tube(b, "tip", &[before, tip], r * 0.2, [0.0, 0.0, 1.0], BARK);
+        planar_tube(b, "tip", &[before, tip], r * 0.2, [0.0, 0.0, 1.0], BARK);
     }
 }
 
@@ -461,7 +460,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
     }
     if taper {
         let w = r * 0.2;
-        tube(
+        planar_tube(
             b,
             "stalk",
             &[[0.0, -hy * 0.5, z * 0.55], [0.0, -hy * 0.9, z * 0.7], [0.0, -y / 2.0, z * 0.75]],

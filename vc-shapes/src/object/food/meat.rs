@@ -2,9 +2,10 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{boulder, dims, loft, lump, rounded, spun, sweep, tub, tube};
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, P, boulder, dims, loft_columns, lump, planar_tube, rounded_by_share, spun, sweep, tub,
+};
 
 /// An irregular slab: an outline with rounded edges.
 fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: P, mat: Mat) {
@@ -14,7 +15,7 @@ fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: 
             .map(|p| [centre[0] + p.0 * half[0] * k, centre[1] + p.1 * half[1] * k, centre[2] + z * half[2]])
             .collect::<Vec<P>>()
     };
-    loft(b, name, &[ring(0.9, -1.0), ring(1.0, -0.5), ring(1.0, 0.5), ring(0.88, 1.0)], mat);
+    loft_columns(b, name, &[ring(0.9, -1.0), ring(1.0, -0.5), ring(1.0, 0.5), ring(0.88, 1.0)], mat);
 }
 
 const CUT: &[(f32, f32)] = &[
@@ -63,7 +64,7 @@ pub(super) fn steak(b: &mut Build<'_>) {
             let inner: Vec<_> = outline.iter().map(|p| (p.0 * 0.93 - 0.03, p.1 * 0.95)).collect();
             slab(b, "meat", &inner, [0.0, 0.0, z * 0.535], [hx, hy, z * 0.435], meat);
             if class == "pork_chop" {
-                tube(
+                planar_tube(
                     b,
                     "bone",
                     &[[hx * 0.6, -hy * 0.9, hz], [hx * 0.1, -hy * 0.45, hz], [hx * 0.2, hy * 0.1, hz]],
@@ -317,7 +318,7 @@ pub(super) fn mince(b: &mut Build<'_>) {
             ]
         };
         let points: Vec<P> = (0..7).map(wave).collect();
-        tube(b, "strand", &points, r, [0.0, 0.0, 1.0], if i % 3 == 0 { PETAL_PINK } else { MEAT });
+        planar_tube(b, "strand", &points, r, [0.0, 0.0, 1.0], if i % 3 == 0 { PETAL_PINK } else { MEAT });
     }
 }
 
@@ -354,7 +355,7 @@ pub(super) fn fish(b: &mut Build<'_>) {
             let at = hy * (-0.7 + 0.26 * i as f32);
             let points =
                 [[-hx * 0.7, at + hy * 0.15, z * 0.99], [0.0, at, z * 0.99], [hx * 0.7, at + hy * 0.15, z * 0.99]];
-            tube(b, "line", &points, z * 0.01, [0.0, 0.0, 1.0], CREAM_FOOD);
+            planar_tube(b, "line", &points, z * 0.01, [0.0, 0.0, 1.0], CREAM_FOOD);
         }
         return;
     }
@@ -420,7 +421,7 @@ pub(super) fn shrimp(b: &mut Build<'_>) {
         let path = [at(0, r * 0.4), at(1, r), at(2, r * 0.95), at(3, r * 0.8), at(4, r * 0.55), at(5, r * 0.3)];
         sweep(b, "shrimp", &path, [0.0, 0.0, 1.0], mat);
         let end = |j: usize| at(j, 0.0).0;
-        tube(b, "tail", &[end(5), end(6)], r * 0.3, [0.0, 0.0, 1.0], RED_SKIN);
+        planar_tube(b, "tail", &[end(5), end(6)], r * 0.3, [0.0, 0.0, 1.0], RED_SKIN);
     }
 }
 
@@ -481,7 +482,7 @@ pub(super) fn cheese(b: &mut Build<'_>) {
             let count = 3;
             for i in 0..count {
                 let at = hy * (0.68 + 0.125 * i as f32);
-                let slice: Vec<_> = rounded((hx * 0.99, hy * 0.062), 0.1);
+                let slice: Vec<_> = rounded_by_share((hx * 0.99, hy * 0.062), 0.1);
                 b.prism("slice", Axis::Z, [0.0, at, 0.0], &slice, z * (0.97 - 0.02 * i as f32), paste);
             }
         }

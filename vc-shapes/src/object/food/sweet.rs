@@ -1,9 +1,11 @@
 //! Cakes and sweets.
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{dims, hoop, level, loft, lump, rounded, shell, spun, tube, turn};
 use super::fruit::berry;
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, P, dims, flat_ring, loft_columns, lump, planar_tube, rounded_by_share, rounded_ring, spun, turn,
+    vessel_profile,
+};
 use std::f32::consts::TAU;
 use vc_graph::portable::Portable;
 
@@ -21,7 +23,7 @@ pub(super) fn cake(b: &mut Build<'_>) {
         turn(b, "cake", [0.0; 3], (r, h), &[(0.98, 0.0), (1.0, 0.04), (0.98, 0.94), (0.92, 1.0)], icing);
         for i in 0..2 {
             let at = h * (0.02 + 0.86 * i as f32);
-            hoop(b, "trim", (at, at + h * 0.08), (r * 0.9, r * 0.999), trim);
+            flat_ring(b, "trim", (at, at + h * 0.08), (r * 0.9, r * 0.999), trim);
         }
     } else {
         let sector = |k: f32| -> Vec<(f32, f32)> {
@@ -84,7 +86,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             })
             .collect()
     };
-    loft(b, "paper", &[ring(0.0, 0.68), ring(low, 0.9)], paper);
+    loft_columns(b, "paper", &[ring(0.0, 0.68), ring(low, 0.9)], paper);
     if b.class == "muffin" {
         let dough = b.one(&[CRUST, CHOCOLATE, MUSTARD]);
         spun(
@@ -138,7 +140,7 @@ pub(super) fn pie(b: &mut Build<'_>) {
     let r = x.min(y) / 2.0;
     let filling = b.one(&[RED_SKIN, PURPLE_SKIN, ORANGE_SKIN, MUSTARD]);
     let outside: Vec<_> = [(0.8, 0.0), (0.93, 0.85), (0.97, 0.9)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
-    b.lathe("crust", [0.0; 3], &shell(&outside, r * 0.05), CRUST);
+    b.lathe("crust", [0.0; 3], &vessel_profile(&outside, r * 0.05), CRUST);
     turn(b, "filling", [0.0, 0.0, z * 0.1], (r, z * 0.68), &[(0.77, 0.0), (0.87, 1.0)], filling);
     for i in 0..16 {
         let (s, c) = (TAU * i as f32 / 16.0).sine_cosine();
@@ -192,7 +194,7 @@ pub(super) fn cookie(b: &mut Build<'_>) {
         }
     } else {
         let square = b.rng.chance(0.5);
-        let plan = rounded((hx * 0.98, hy * 0.98), if square { 0.15 } else { 1.0 });
+        let plan = rounded_by_share((hx * 0.98, hy * 0.98), if square { 0.15 } else { 1.0 });
         b.prism("biscuit", Axis::Z, [0.0; 3], &plan, z * 0.45, dough);
         b.prism(
             "filling",
@@ -215,7 +217,7 @@ pub(super) fn waffle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let round = b.one(&[1.0, 0.25]);
-    b.prism("plate", Axis::Z, [0.0; 3], &rounded((hx, hy), round), z * 0.55, CRUST);
+    b.prism("plate", Axis::Z, [0.0; 3], &rounded_by_share((hx, hy), round), z * 0.55, CRUST);
     for i in 0..6 {
         let k = i as f32 / 2.5 - 1.0;
         let at = 0.88 * k;
@@ -243,7 +245,7 @@ pub(super) fn lollipop(b: &mut Build<'_>) {
     let centre = z - r;
     b.cylinder("stick", [0.0; 3], r * 0.12, centre, WHITE_PAPER);
     b.ball("sweet", [0.0, 0.0, centre], r, mat);
-    hoop(b, "swirl", (centre - r * 0.15, centre + r * 0.15), (r * 0.9, r), other);
+    flat_ring(b, "swirl", (centre - r * 0.15, centre + r * 0.15), (r * 0.9, r), other);
 }
 
 /// Scoops of ice cream with a wafer in a cup.
@@ -253,8 +255,8 @@ pub(super) fn ice_cream(b: &mut Build<'_>) {
     let cup = b.one(&[GLASS, b.style.crockery, PINK_CARD, WHITE_PAPER]);
     let low = z * 0.5;
     let t = hx * 0.05;
-    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 1.0);
-    loft(
+    let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), 1.0);
+    loft_columns(
         b,
         "cup",
         &[
@@ -284,7 +286,7 @@ pub(super) fn ice_cream(b: &mut Build<'_>) {
         );
     }
     let filling = flavours[(start + 3) % 5];
-    loft(b, "filling", &[at(low * 0.32, 0.5), at(low * 0.4, 0.8), at(low * 0.95, 0.95)], filling);
+    loft_columns(b, "filling", &[at(low * 0.32, 0.5), at(low * 0.4, 0.8), at(low * 0.95, 0.95)], filling);
     let wafer = z * 0.98;
     b.prism(
         "wafer",
@@ -323,7 +325,7 @@ pub(super) fn pudding(b: &mut Build<'_>) {
     for i in 0..4 {
         b.at([0.0; 3], TAU * i as f32 / 4.0 + 0.4, |b| {
             let (a, c) = (r * 0.5, r * 0.62);
-            tube(
+            planar_tube(
                 b,
                 "drip",
                 &[[a * 0.9, 0.0, z * 0.9], [a * 1.03, 0.0, z * 0.85], [c, 0.0, z * 0.5]],

@@ -4,10 +4,9 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Build, P};
-use super::super::kitchenware::form::{dims, lump, spun, sweep, tube, turn};
 use super::fruit::berry;
 use crate::material::*;
+use crate::solid::{Build, P, dims, lump, planar_tube, spun, sweep, turn};
 
 /// Broccoli and cauliflower: florets on a stem.
 pub(super) fn florets(b: &mut Build<'_>) {
@@ -265,7 +264,14 @@ pub(super) fn corn(b: &mut Build<'_>) {
         ];
         sweep(b, "husk", &path, side, LIGHT_LEAF);
     }
-    tube(b, "stalk", &[[0.0, -hy * 0.985, z / 2.0], [0.0, -hy * 0.8, z / 2.0]], hx * 0.3, [1.0, 0.0, 0.0], LIGHT_LEAF);
+    planar_tube(
+        b,
+        "stalk",
+        &[[0.0, -hy * 0.985, z / 2.0], [0.0, -hy * 0.8, z / 2.0]],
+        hx * 0.3,
+        [1.0, 0.0, 0.0],
+        LIGHT_LEAF,
+    );
 }
 
 /// A ribbed pumpkin with a stalk.
@@ -282,7 +288,7 @@ pub(super) fn pumpkin(b: &mut Build<'_>) {
     }
     let lean = hx * b.vary(-0.15, 0.15);
     b.cylinder("core", [0.0, 0.0, h * 0.1], hx.min(hy) * 0.4, h * 0.75, mat);
-    tube(
+    planar_tube(
         b,
         "stalk",
         &[[0.0, 0.0, h * 0.75], [lean * 0.2, 0.0, h * 0.98], [lean, 0.0, z]],

@@ -3,8 +3,8 @@
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Build, P, basket, case, collar, fit, half_dims};
 
 /// The sine and cosine of a position on a circle.
 fn turn(i: usize, count: usize) -> (f32, f32) {
@@ -14,7 +14,7 @@ fn turn(i: usize, count: usize) -> (f32, f32) {
 /// A cage with blades on a stand, low or tall; or a tower.
 pub(super) fn fan(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.24, 0.272]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, COPPER]);
     if h > 0.7 && b.rng.chance(0.3) {
         return tower(b, u, mat);
@@ -65,7 +65,7 @@ fn cage(b: &mut Build<'_>, (back, front): (f32, f32), z: f32, r: f32, u: f32) {
 
 /// A slim column with slots.
 fn tower(b: &mut Build<'_>, u: f32, mat: Mat) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     b.lathe("foot", [0.0; 3], &[(r, 0.0), (r * 0.96, 0.015 * u), (r * 0.4, 0.03 * u)], mat);
     let slim = r * 0.55;
@@ -81,7 +81,7 @@ fn tower(b: &mut Build<'_>, u: f32, mat: Mat) {
 /// Blades around a motor on a rod, with a light beneath.
 pub(super) fn ceiling_fan(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 0.224]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let metal = b.one(&[b.style.metal, WHITE_METAL, BRASS]);
     let wood = b.one(&[b.style.wood, WHITE, b.style.wood]);
@@ -119,7 +119,7 @@ pub(super) fn ceiling_fan(b: &mut Build<'_>) {
 /// A square or round grille on the wall.
 pub(super) fn extractor_fan(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.112, 0.112]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let z = h / 2.0;
     let r = y.min(z);
     b.rod("duct", [-x, 0.0, z], [x * 0.4, 0.0, z], r * 0.75, GREY_PLASTIC);
@@ -139,11 +139,11 @@ pub(super) fn extractor_fan(b: &mut Build<'_>) {
 
 /// A long case on the wall with a flap for the air flow.
 pub(super) fn air_conditioner(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let top = h - 0.002;
     let outline = [(-x, 0.0), (x * 0.5, 0.0), (x, h * 0.28), (x, h * 0.86), (x * 0.8, top), (-x, top)];
-    b.prism("case", crate::object::build::Axis::Y, [0.0, -y, 0.0], &outline, 2.0 * y, mat);
+    b.prism("case", crate::solid::Axis::Y, [0.0, -y, 0.0], &outline, 2.0 * y, mat);
     b.hull(
         "flap",
         &[
@@ -170,7 +170,7 @@ pub(super) fn air_conditioner(b: &mut Build<'_>) {
 /// A column or a box with fine slots and a ring of light.
 pub(super) fn air_purifier(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.16, 0.272]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     if (x - y).abs() < x * 0.35 && b.rng.chance(0.6) {
         let r = x.min(y);
@@ -199,7 +199,7 @@ pub(super) fn air_purifier(b: &mut Build<'_>) {
 /// A drop or a tank on a base with a nozzle.
 pub(super) fn humidifier(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.16]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = (x - 0.006 * u).min(y);
     let mat = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]);
     let base = h * 0.28;
@@ -238,7 +238,7 @@ pub(super) fn humidifier(b: &mut Build<'_>) {
 /// A case on castors with louvres and a bucket that slides out.
 pub(super) fn dehumidifier(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.208, 0.352]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC]);
     let (foot, split) = (0.03 * u, h * 0.38);
     for (sx, sy) in [(0.7, 0.75), (-0.7, 0.75), (-0.7, -0.75), (0.7, -0.75)] {

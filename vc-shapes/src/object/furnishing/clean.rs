@@ -1,8 +1,8 @@
 //! Vacuum cleaners, irons, steamers, sewing machines.
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, P, collar, fit, half_dims};
 
 /// Bright plastics of cleaners.
 fn case_mat(b: &mut Build<'_>) -> Mat {
@@ -12,7 +12,7 @@ fn case_mat(b: &mut Build<'_>) -> Mat {
 /// A canister with wheels and a hose, or an upright with a handle.
 pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.192]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = case_mat(b);
     if h > 0.6 {
         return upright(b, u, mat);
@@ -55,7 +55,7 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
 
 /// An upright vacuum cleaner: a wide foot, a clear plastic bin, a handle.
 fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let foot = h * 0.09;
     b.soft("foot", [x * 0.1, -y, 0.0], [x, y, foot], foot * 0.4, mat);
     let wheel = (foot * 0.8).min(x * 0.45);
@@ -92,7 +92,7 @@ fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
 
 /// A low disc with a bumper, a turret and a light.
 pub(super) fn robot_vacuum(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let top = h * 0.84;
@@ -129,7 +129,7 @@ pub(super) fn robot_vacuum(b: &mut Build<'_>) {
 /// A mop on a pole, or a small tank with a hose.
 pub(super) fn steam_cleaner(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.192, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = case_mat(b);
     if h < 0.6 {
         let r = (h * 0.2).min(x * 0.48);
@@ -188,7 +188,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
 /// A soleplate with a tip, a body with a handle, a dial and a tank.
 pub(super) fn iron(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.088, 0.104]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[BLUE_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
     let sole = [
         (-1.0, -0.85),
@@ -231,7 +231,7 @@ pub(super) fn iron(b: &mut Build<'_>) {
 /// A handset with a head of holes, or a stand with a pole and a tank.
 pub(super) fn garment_steamer(b: &mut Build<'_>) {
     let u = fit(b, [0.08, 0.08, 0.192]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
     if h < 0.6 {
         let r = x.min(y) * 0.8;
@@ -269,7 +269,7 @@ pub(super) fn garment_steamer(b: &mut Build<'_>) {
 /// A bed, a column, an arm with a needle, a wheel at the side.
 pub(super) fn sewing_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.304, 0.224]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_METAL, BLACK_METAL, SAGE, SKY, PINK_PLASTIC]);
     let bed = h * 0.24;
     let inner = y - y * 0.5;

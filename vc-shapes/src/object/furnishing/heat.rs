@@ -1,13 +1,13 @@
 //! Radiators, heaters, boilers, fireplaces.
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, case, fit, floor_of, half_dims, plate_with_border};
 
 /// A flat panel with ribs, columns of cast iron, or a smooth plate, on the wall.
 pub(super) fn radiator(b: &mut Build<'_>) {
     let u = fit(b, [0.056, 0.4, 0.352]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, WHITE_METAL, SILVER_METAL, BLACK_METAL]);
     let foot = 0.06 * u;
     let side = y - 0.035 * u;
@@ -88,7 +88,7 @@ fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32, mat: Mat) {
 /// A small heater: oil-filled ribs on wheels, a fan in a box, or glowing bars.
 pub(super) fn heater(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.176, 0.192]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_METAL, BLACK_METAL, SILVER_METAL]);
     let foot = h * 0.1;
     match b.rng.below(3) {
@@ -160,7 +160,7 @@ pub(super) fn heater(b: &mut Build<'_>) {
 /// A white case on the wall with pipes below and a gauge.
 pub(super) fn boiler(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.32, 0.512]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
     let low = 0.12 * u;
     let board = low + (h - low) * 0.16;
@@ -182,7 +182,7 @@ pub(super) fn boiler(b: &mut Build<'_>) {
 /// A round tank on the wall or the floor, or a flat one.
 pub(super) fn water_heater(b: &mut Build<'_>) {
     let u = fit(b, [0.304, 0.304, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = (x - 0.006 * u).min(y);
     let (low, top) = (0.08 * u, h - 0.05 * u);
     let tall = top - low;
@@ -226,7 +226,7 @@ pub(super) fn water_heater(b: &mut Build<'_>) {
 /// A hearth with logs and flames behind a glass door, under a mantel; or an iron stove.
 pub(super) fn fireplace(b: &mut Build<'_>) {
     let u = fit(b, [0.32, 0.4, 0.56]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     if y < 0.36 || b.rng.chance(0.25) {
         return iron_stove(b, u);
     }
@@ -276,7 +276,7 @@ fn glass_front(b: &mut Build<'_>, (x0, x1): (f32, f32), low: (f32, f32), high: (
     let (dl, dh) = gapped([x0, low.0, low.1], [x1, high.0, high.1], 0.002);
     let w = (dh[1] - dl[1]).min(dh[2] - dl[2]) * 0.07;
     swing(b, Swing::Left, dl, dh, 1.5, |b| {
-        rim_x(b, "door", dl, dh, w, IRON);
+        plate_with_border(b, "door", dl, dh, w, IRON);
         let t = (x1 - x0) * 0.2;
         b.block("pane", [x0 + t, dl[1] + w, dl[2] + w], [x1 - t, dh[1] - w, dh[2] - w], GLASS);
         let z = f32::midpoint(dl[2], dh[2]);
@@ -291,7 +291,7 @@ fn glass_front(b: &mut Build<'_>, (x0, x1): (f32, f32), low: (f32, f32), high: (
 
 /// An iron stove on feet with a flue behind.
 fn iron_stove(b: &mut Build<'_>, u: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[IRON, BLACK_METAL, GREEN_METAL]);
     let (foot, wall, top) = (h * 0.12, 0.03 * u, h * b.vary(0.66, 0.76));
     let front = x - 0.06 * u;

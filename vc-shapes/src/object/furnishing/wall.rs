@@ -3,12 +3,12 @@
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::Build;
 use crate::object::cooker::fitting::*;
+use crate::solid::{Build, collar, half_dims};
 
 /// A round dial or a square plate with a figure.
 pub(super) fn thermostat(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, STEEL]);
     let z = h / 2.0;
     if b.rng.chance(0.5) {
@@ -38,7 +38,7 @@ pub(super) fn thermostat(b: &mut Build<'_>) {
 
 /// A flat round case under the ceiling with slots, a light and a button.
 pub(super) fn smoke_detector(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let steep = b.vary(0.72, 0.9);
     b.lathe(
@@ -59,7 +59,7 @@ pub(super) fn smoke_detector(b: &mut Build<'_>) {
 
 /// A push button on a plate, or one with a camera.
 pub(super) fn doorbell(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, BRASS, STEEL]);
     let round = x * 0.6;
     b.soft("plate", [-x, -y, 0.0], [x * 0.5, y, h], round, mat);
@@ -78,7 +78,7 @@ pub(super) fn doorbell(b: &mut Build<'_>) {
 
 /// A handset on a plate, or a plate with a picture and buttons.
 pub(super) fn intercom(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     let face = -x + x * 0.7;
     b.soft("plate", [-x, -y, 0.0], [face, y, h], x * 0.2, mat);

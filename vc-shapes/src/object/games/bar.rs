@@ -4,14 +4,13 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Build, P};
 use super::super::play::kit::{SIDES, Scaled};
-use super::super::textile::form::{self, Shell};
 use crate::material::*;
+use crate::solid::{self, Build, MeshBuilder, P};
 
 /// A dartboard: twenty sectors with double and triple fields around a bull.
 pub(super) fn dartboard(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let r = hy.min(h / 2.0);
     let deep = 2.0 * hx;
     let front = -hx + deep * 0.86;
@@ -20,7 +19,7 @@ pub(super) fn dartboard(b: &mut Build<'_>) {
     let ring = |x: f32| [x, 0.0, h / 2.0];
     b.rod("rim", ring(-hx), ring(front), r, rim);
     b.rod("face", ring(front - 0.004), ring(front + deep * 0.02), field, CREAM_PAPER);
-    let mut shells = [Shell::default(), Shell::default(), Shell::default(), Shell::default()];
+    let mut shells = [MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default()];
     let mut piece = |shell: usize, i: usize, radii: (f32, f32), up: f32| {
         let corner = |x: f32| -> Vec<P> {
             let turns = [(0.0, radii.0), (0.0, radii.1), (1.0, radii.1), (1.0, radii.0)];
@@ -48,15 +47,14 @@ pub(super) fn dartboard(b: &mut Build<'_>) {
     marks.put(b, "number", WHITE_PLASTIC);
     b.rod("outer_bull", ring(front), ring(front + deep * 0.08), field * 0.09, GREEN_CARD);
     b.rod("bull", ring(front), ring(front + deep * 0.1), field * 0.04, RED_CARD);
-    let spider =
-        form::oval(super::super::build::Axis::X, ring(front + deep * 0.07), (field * 0.99, field * 0.99), 0, 24);
-    form::hoop(b, "wire", &spider, deep * 0.03, STEEL);
+    let spider = solid::oval(crate::solid::Axis::X, ring(front + deep * 0.07), (field * 0.99, field * 0.99), 0, 24);
+    solid::hoop(b, "wire", &spider, deep * 0.03, STEEL);
     b.rod("spike", ring(front), ring(hx), field * 0.012, STEEL);
 }
 
 /// Several darts side by side.
 pub(super) fn darts(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let barrel = b.one(&[STEEL, BRASS, BLACK_METAL]);
     let flight = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, YELLOW_PLASTIC]);
     let half = hx.min(h / 2.0) * 0.99;
@@ -79,7 +77,7 @@ pub(super) fn darts(b: &mut Build<'_>) {
             b.rod("grip", at(0.5 + 0.06 * k as f32), at(0.52 + 0.06 * k as f32), r * 1.15, BLACK_PLASTIC);
         }
         b.rod("shaft", tail, at(0.43), r * 0.55, BLACK_PLASTIC);
-        let mut wings = Shell::default();
+        let mut wings = MeshBuilder::default();
         let (y0, y1) = (-hy + 0.001, -hy + long * 0.2);
         wings.block([x - half, y0, half - 0.0004], [x + half, y1, half + 0.0004]);
         wings.block([x - 0.0004, y0, 0.0], [x + 0.0004, y1, 2.0 * half]);
@@ -118,7 +116,7 @@ pub(super) fn cue_rack(b: &mut Build<'_>) {
 
 /// A cue: butt, shaft, ferrule and tip.
 pub(super) fn cue(b: &mut Build<'_>) {
-    form::longwise(b, |b, x, y, h| {
+    solid::longwise(b, |b, x, y, h| {
         let r = x.min(y) / 2.0;
         let butt = b.one(&[WENGE, MAHOGANY, BLACK, WALNUT]);
         let wrap = b.one(&[BLACK_LEATHER, WHITE_COTTON, RUBBER, GREEN_FABRIC]);
@@ -140,7 +138,7 @@ pub(super) fn cue(b: &mut Build<'_>) {
 
 /// Fifteen billiard balls in a triangle.
 pub(super) fn balls(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let frame = b.one(&[MAHOGANY, WALNUT, BLACK_PLASTIC, OAK]);
     let r = (h / 2.0).min(hx.min(hy) / 6.4);
     let step = r * 3f32.sqrt();
@@ -154,8 +152,8 @@ pub(super) fn balls(b: &mut Build<'_>) {
         BROWN_PLASTIC,
         BLACK_PLASTIC,
     ];
-    let mut shells: [Shell; 8] = std::array::from_fn(|_| Shell::default());
-    let mut bands = Shell::default();
+    let mut shells: [MeshBuilder; 8] = std::array::from_fn(|_| MeshBuilder::default());
+    let mut bands = MeshBuilder::default();
     let turn = b.rng.below(7);
     let first = -8.0 / 3.0 * step;
     for n in 0..15_usize {
@@ -186,7 +184,7 @@ pub(super) fn balls(b: &mut Build<'_>) {
 
 /// An air hockey mallet: a broad base with a felt sole and a knob.
 pub(super) fn mallet(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let r = hx.min(hy);
     let mat = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
     let (knob, rim) = (r * b.vary(0.36, 0.46), h * b.vary(0.28, 0.4));

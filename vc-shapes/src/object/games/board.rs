@@ -1,9 +1,8 @@
 //! Board games, boxed or as open boards.
 
-use super::super::build::{Axis, Build, P};
-use super::super::play::kit::{CARDS, CORNERS, SIDES, Scaled, oval};
-use super::super::textile::form::{self, Shell};
+use super::super::play::kit::{CARDS, SIDES, Scaled};
 use crate::material::*;
+use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, oval_outline};
 
 /// A box with a lid and a printed picture.
 pub(super) fn boxed(b: &mut Build<'_>) {
@@ -49,7 +48,7 @@ fn emblem(b: &mut Build<'_>, mat: Mat) {
         let colour = b.one(CARDS);
         let (x, y) = (-0.45 + 0.2 * (i % 2) as f32, -0.7 + 1.4 * i as f32 / (count - 1) as f32);
         let size = b.vary(0.1, 0.13);
-        b.plan("print", (0.95, 0.992), &oval((x, y), (size * 1.3, size), 10), colour);
+        b.plan("print", (0.95, 0.992), &oval_outline((x, y), (size * 1.3, size), 10), colour);
     }
 }
 
@@ -59,7 +58,7 @@ fn cross(b: &mut Build<'_>, mat: Mat) {
     for ((x, y), colour) in CORNERS.into_iter().zip([RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]) {
         flat(b, (0.58 * x - 0.26, 0.58 * y - 0.26), (0.58 * x + 0.26, 0.58 * y + 0.26), 1, colour);
     }
-    b.plan("print", (0.95, 0.9985), &oval((0.0, 0.0), (0.2, 0.2), 4), BLACK_CARD);
+    b.plan("print", (0.95, 0.9985), &oval_outline((0.0, 0.0), (0.2, 0.2), 4), BLACK_CARD);
 }
 
 /// Rows of picture cards.
@@ -85,7 +84,7 @@ fn landscape(b: &mut Build<'_>) {
         hill,
     );
     let y = b.vary(-0.5, 0.5);
-    b.plan("print", (0.95, 0.9995), &oval((-0.55, y), (0.15, 0.13), 12), YELLOW_CARD);
+    b.plan("print", (0.95, 0.9995), &oval_outline((-0.55, y), (0.15, 0.13), 12), YELLOW_CARD);
 }
 
 /// A row of letter tiles.
@@ -104,14 +103,14 @@ fn letters(b: &mut Build<'_>) {
 pub(super) fn chequered(b: &mut Build<'_>) {
     let (light, dark) = b.one(&[(MAPLE, WALNUT), (BIRCH, MAHOGANY), (CREAM, BLACK), (BEECH, WENGE)]);
     let draughts = b.class == "checkers";
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let top = if draughts { (h * 0.6).min(h - 0.004).max(h * 0.5) } else { h };
     let edge = b.vary(0.07, 0.13);
     let frame = if b.rng.chance(0.5) { dark } else { light };
     b.soft("board", [-hx, -hy, 0.0], [hx, hy, top - 0.0012], h * 0.1, frame);
     let (fx, fy) = (hx * (1.0 - edge), hy * (1.0 - edge));
     b.block("field", [-fx, -fy, top * 0.5], [fx, fy, top - 0.0006], if frame == light { dark } else { light });
-    let mut squares = Shell::default();
+    let mut squares = MeshBuilder::default();
     let cell = |i: usize, f: f32| f * (i as f32 / 4.0 - 1.0);
     for (i, j) in (0..8).flat_map(|i| (0..8).map(move |j| (i, j))).filter(|(i, j)| (i + j) % 2 == 0) {
         squares.block([cell(i, fx), cell(j, fy), top * 0.6], [cell(i + 1, fx), cell(j + 1, fy), top]);
@@ -126,7 +125,7 @@ pub(super) fn chequered(b: &mut Build<'_>) {
 
 /// Twelve pieces on each side.
 fn pieces(b: &mut Build<'_>, (fx, fy): (f32, f32), (low, high): (f32, f32)) {
-    let mut sides = [Shell::default(), Shell::default()];
+    let mut sides = [MeshBuilder::default(), MeshBuilder::default()];
     let r = fx.min(fy) / 8.0 * 0.8;
     for (i, j) in (0..8_usize).flat_map(|i| (0..8_usize).map(move |j| (i, j))).filter(|(i, j)| (i + j) % 2 == 0) {
         let side = match i {
@@ -135,7 +134,7 @@ fn pieces(b: &mut Build<'_>, (fx, fy): (f32, f32), (low, high): (f32, f32)) {
             _ => continue,
         };
         let at = |z: f32| [fx * ((i as f32 + 0.5) / 4.0 - 1.0), fy * ((j as f32 + 0.5) / 4.0 - 1.0), z];
-        let ring = |z: f32, r: f32| form::oval(Axis::Z, at(z), (r, r), 0, 12);
+        let ring = |z: f32, r: f32| solid::oval(Axis::Z, at(z), (r, r), 0, 12);
         sides[side].loft(&[ring(low - 0.001, r), ring(high - (high - low) * 0.2, r), ring(high, r * 0.85)]);
     }
     let [white, black] = sides;
@@ -146,7 +145,7 @@ fn pieces(b: &mut Build<'_>, (fx, fy): (f32, f32), (low, high): (f32, f32)) {
 /// A board with nineteen lines in each direction, on feet if thick.
 pub(super) fn go(b: &mut Build<'_>) {
     let wood = b.one(&[BAMBOO, BEECH, OAK, PINE]);
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let feet = if h > 0.07 { h * 0.35 } else { 0.0 };
     for (x, y) in CORNERS.into_iter().filter(|_| feet > 0.0) {
         let r = hx.min(hy) * 0.13;
@@ -155,7 +154,7 @@ pub(super) fn go(b: &mut Build<'_>) {
     }
     b.soft("board", [-hx, -hy, feet], [hx, hy, h - 0.0006], 0.003, wood);
     let (fx, fy) = (hx * 0.92, hy * 0.92);
-    let mut lines = Shell::default();
+    let mut lines = MeshBuilder::default();
     let thin = 0.0007;
     for i in 0..19 {
         let t = i as f32 / 9.0 - 1.0;
@@ -174,11 +173,11 @@ pub(super) fn go(b: &mut Build<'_>) {
 pub(super) fn backgammon(b: &mut Build<'_>) {
     let case = b.one(&[BROWN_LEATHER, BLACK_LEATHER, WALNUT, MAHOGANY, TAN_LEATHER]);
     let felt = b.one(&[GREEN_FABRIC, BEIGE_FABRIC, NAVY_FABRIC]);
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let (hx, t, mid) = (hx - 0.002, h * 0.12, h / 2.0);
     half(b, (hx, hy), (0.0, mid - 0.0005), t, case);
     b.block("felt", [-hx + t, -hy + t, t * 0.5], [hx - t, hy - t, t + 0.001], felt);
-    let mut points = [Shell::default(), Shell::default()];
+    let mut points = [MeshBuilder::default(), MeshBuilder::default()];
     let step = (hy - t) / 6.0;
     for i in 0..12_usize {
         let y = -hy + t + step * i as f32;

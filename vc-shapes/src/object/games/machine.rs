@@ -2,10 +2,10 @@
 
 use std::f32::consts::PI;
 
-use super::super::build::{Axis, Build, P};
-use super::super::play::kit::{BRIGHT, CORNERS, PAINTS, SIDES, Scaled, arc};
-use super::super::textile::form;
+use super::super::play::kit::{BRIGHT, PAINTS, SIDES, Scaled};
 use crate::material::*;
+use crate::solid;
+use crate::solid::{Axis, Build, CORNERS, P, arc_outline};
 
 /// A picture on a slanted screen (sky, ground and figures), on the plane through a lower and an
 /// upper line.
@@ -204,7 +204,7 @@ pub(super) fn jukebox(b: &mut Build<'_>) {
     let spring = b.vary(0.55, 0.68);
     let arch = |half: f32, foot: f32, rise: f32| -> Vec<(f32, f32)> {
         let mut line = vec![(half, foot)];
-        line.extend(arc((0.0, spring), (half, rise), (0.0, PI), 13));
+        line.extend(arc_outline((0.0, spring), (half, rise), (0.0, PI), 13));
         line.push((-half, foot));
         line
     };
@@ -213,7 +213,7 @@ pub(super) fn jukebox(b: &mut Build<'_>) {
     for (inset, mat, r) in [(0.93, glow, 0.028), (0.8, second, 0.02)] {
         let rise = (1.0 - spring) * inset - 0.015;
         let line: Vec<P> = arch(inset - 0.04, 0.05, rise).iter().map(|&(y, z)| b.p([0.74, y, z])).collect();
-        form::tube(b, "tube", &line, r * b.size.y, mat);
+        solid::tube(b, "tube", &line, r * b.size.y, mat);
     }
     b.facing("window", (0.68, 0.76), &arch(0.66, spring - 0.02, (1.0 - spring) * 0.72), PICTURE_DARK);
     for (i, mat) in [BLACK_CARD, RED_CARD, BLACK_CARD, YELLOW_CARD, BLACK_CARD].into_iter().enumerate() {

@@ -4,14 +4,13 @@ use nalgebra::Vector3;
 use vc_graph::Asset;
 use vc_graph::asset::{Part, Shape};
 
-use super::super::build::{Axis, Build, P};
-use super::super::play::kit::{CORNERS, SIDES, Scaled, TOY_WOODS};
-use super::super::textile::form::{self, Shell};
+use super::super::play::kit::{SIDES, Scaled, TOY_WOODS};
 use crate::material::*;
+use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P};
 
 /// Tiles in rows in a wooden tray: dominoes or mahjong tiles.
 pub(super) fn tiles(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let mahjong = b.class == "mahjong";
     let wood = b.one(&[WALNUT, BEECH, MAHOGANY, OAK, BLACK_LEATHER]);
     let (body, mark) = if mahjong {
@@ -30,7 +29,7 @@ pub(super) fn tiles(b: &mut Build<'_>) {
     }
     let (rows, columns) = if mahjong { (b.rng.count(6, 8), b.rng.count(10, 13)) } else { (2, b.rng.count(6, 9)) };
     let (fx, fy) = ((hx - t) * 0.98, (hy - t) * 0.98);
-    let (mut bodies, mut faces) = (Shell::default(), Shell::default());
+    let (mut bodies, mut faces) = (MeshBuilder::default(), MeshBuilder::default());
     for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
         let (dx, dy) = (2.0 * fx / rows as f32, 2.0 * fy / columns as f32);
         let (x, y) = (-fx + dx * (i as f32 + 0.5), -fy + dy * (j as f32 + 0.5));
@@ -58,9 +57,9 @@ pub(super) fn tiles(b: &mut Build<'_>) {
 
 /// Eighteen layers of three blocks, some pulled out.
 pub(super) fn tower(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let woods = [b.one(TOY_WOODS), b.one(&[BEECH, OAK]), b.one(&[PINE, ASH])];
-    let mut shells = [Shell::default(), Shell::default(), Shell::default()];
+    let mut shells = [MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default()];
     let layers = 18;
     let tall = h / layers as f32;
     for i in 0..layers {
@@ -89,7 +88,7 @@ pub(super) fn cube(b: &mut Build<'_>) {
     let mixed = b.vary(0.0, 1.0);
     let skin = s * 0.985;
     b.soft("core", [-skin, -skin, s - skin], [skin, skin, s + skin], s * 0.04, core);
-    let mut shells: [Shell; 6] = std::array::from_fn(|_| Shell::default());
+    let mut shells: [MeshBuilder; 6] = std::array::from_fn(|_| MeshBuilder::default());
     let third = s * 0.655;
     for face in 0..6_usize {
         let (axis, side) = (face / 2, SIDES[face % 2]);
@@ -132,7 +131,7 @@ pub(super) fn deck(b: &mut Build<'_>) {
 
 /// Cards in a spread, face up.
 pub(super) fn cards(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let count = b.rng.count(4, 7);
     let suits = [RED_CARD, BLACK_CARD];
     let first = b.rng.below(2);
@@ -140,7 +139,7 @@ pub(super) fn cards(b: &mut Build<'_>) {
     // The upper cards must not extend far beyond the first.
     let hy = hy.min(wide * 0.9);
     let thick = h / (count as f32 + 0.6);
-    let (mut faces, mut pips) = (Shell::default(), [Shell::default(), Shell::default()]);
+    let (mut faces, mut pips) = (MeshBuilder::default(), [MeshBuilder::default(), MeshBuilder::default()]);
     for i in 0..count {
         let t = i as f32 / (count - 1) as f32;
         let y = -hy + (2.0 * hy - wide) * t;
@@ -176,7 +175,7 @@ fn solid_cube(asset: &mut Asset, half: f32) {
 
 /// One die, or two side by side.
 pub(super) fn dice(b: &mut Build<'_>) {
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let (body, mark) = b.one(&[
         (WHITE_PLASTIC, BLACK_PLASTIC),
         (RED_PLASTIC, WHITE_PLASTIC),
@@ -186,7 +185,7 @@ pub(super) fn dice(b: &mut Build<'_>) {
     let s = hx.min(h / 2.0).min(hy);
     let (s, count) = if hy > 1.9 * s { (s.min(hy / 2.02), 2) } else { (s, 1) };
     let round = s * b.vary(0.12, 0.3);
-    let mut pips = Shell::default();
+    let mut pips = MeshBuilder::default();
     for apart in SIDES.iter().take(count) {
         let y = if count == 2 { (hy - s) * apart } else { 0.0 };
         let c = s * 0.93;
@@ -229,19 +228,19 @@ fn spots(number: usize) -> &'static [(f32, f32)] {
 /// Chips lying in the rows of a case.
 pub(super) fn chips(b: &mut Build<'_>) {
     let case = b.one(&[SILVER_METAL, BLACK_LEATHER, WALNUT, BLACK_PLASTIC]);
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let rows = b.rng.count(4, 6);
     let r = ((hx * 0.94) / rows as f32).min(h * 0.48);
     b.soft("case", [-hx, -hy, 0.0], [hx, hy, h - r], h * 0.06, case);
     b.block("tray", [-hx * 0.96, -hy * 0.96, h * 0.1], [hx * 0.96, hy * 0.96, h - r * 0.9], BLACK_FABRIC);
     let colours = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC];
     let segments = b.rng.count(4, 6);
-    let mut shells: [Shell; 6] = std::array::from_fn(|_| Shell::default());
+    let mut shells: [MeshBuilder; 6] = std::array::from_fn(|_| MeshBuilder::default());
     for row in 0..rows {
         let x = -hx * 0.94 + (hx * 0.94 * 2.0) * (row as f32 + 0.5) / rows as f32;
         for k in 0..segments {
             let at = |t: f32| [x, hy * 0.9 * (2.0 * t / segments as f32 - 1.0), h - r];
-            let ring = |t: f32| form::oval(Axis::Y, at(t), (r * 0.97, r * 0.98), 0, 14);
+            let ring = |t: f32| solid::oval(Axis::Y, at(t), (r * 0.97, r * 0.98), 0, 14);
             shells[(row + k / 2) % 6].loft(&[ring(k as f32 + 0.02), ring(k as f32 + 0.97)]);
         }
     }

@@ -2,10 +2,10 @@
 
 use std::f32::consts::TAU;
 
-use super::super::build::{Axis, Build, P};
-use super::super::play::kit::{CORNERS, SIDES, Scaled, arc, oval};
-use super::super::textile::form;
+use super::super::play::kit::{SIDES, Scaled};
 use crate::material::*;
+use crate::solid;
+use crate::solid::{Axis, Build, CORNERS, P, arc_outline, oval_outline};
 
 const FELTS: &[Mat] = &[GREEN_FABRIC, GREEN_FABRIC, BLUE_FABRIC, RED_FABRIC, TEAL_FABRIC, NAVY_FABRIC];
 const FINE_WOODS: &[Mat] = &[MAHOGANY, WALNUT, CHERRY, OAK, WENGE];
@@ -136,14 +136,14 @@ fn rod(b: &mut Build<'_>, y: f32, hand: f32, count: usize, mat: Mat) {
         part(0.008, 0.28, 0.62, deep * 0.7);
         part(0.01, -1.1, -0.33, deep * 0.75);
     }
-    form::blocks(b, "players", &boxes, mat);
+    solid::blocks(b, "players", &boxes, mat);
 }
 
 /// A billiard table: felt between cushions, six pockets, turned or square legs.
 pub(super) fn pool(b: &mut Build<'_>) {
     let (wood, felt) = (b.one(FINE_WOODS), b.one(FELTS));
     let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, BRASS]);
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let r = 0.042 * 2.0 * hx.min(hy);
     let rim = r * 1.45;
     let (px, py) = (hx - rim, hy - rim);
@@ -268,23 +268,24 @@ pub(super) fn ping_pong(b: &mut Build<'_>) {
 pub(super) fn poker(b: &mut Build<'_>) {
     let (felt, wood) = (b.one(FELTS), b.one(FINE_WOODS));
     let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
-    let (hx, hy, h) = form::room(b);
+    let (hx, hy, h) = solid::half_dims(b);
     let pad = 0.05 * hx;
     let bow = (hx / hy).min(1.0);
     let outline = |shrink: f32| {
         let (x, y) = (1.0 - shrink / hx, 1.0 - shrink / hy);
         let ends = [(1.0, 0.0), (-1.0, TAU / 2.0)];
-        let half =
-            |(end, from): (f32, f32)| arc((0.0, end * (y - bow * x)), (x, bow * x), (from, from + TAU / 2.0), 11);
+        let half = |(end, from): (f32, f32)| {
+            arc_outline((0.0, end * (y - bow * x)), (x, bow * x), (from, from + TAU / 2.0), 11)
+        };
         ends.into_iter().flat_map(half).collect::<Vec<_>>()
     };
     let high = h - 2.0 * pad;
     b.plan("table", (0.88, high / h), &outline(pad), wood);
     b.plan("felt", (0.9, (high + pad * 0.6) / h), &outline(pad * 2.2), felt);
     let rail: Vec<P> = outline(pad).iter().map(|&(x, y)| [x * hx, y * hy, h - pad]).collect();
-    form::hoop(b, "rail", &rail, pad * 0.995, leather);
+    solid::hoop(b, "rail", &rail, pad * 0.995, leather);
     let seats = b.rng.count(8, 10);
-    for (x, y) in oval((0.0, 0.0), (1.0 - 5.0 * pad / hx, 1.0 - 5.0 * pad / hy), seats) {
+    for (x, y) in oval_outline((0.0, 0.0), (1.0 - 5.0 * pad / hx, 1.0 - 5.0 * pad / hy), seats) {
         let z = high + pad * 0.6;
         let r = 0.035 * hx;
         b.lathe(

@@ -3,12 +3,11 @@
 use std::f32::consts::TAU;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, polygon, star};
+use crate::solid::{Axis, Build, P, at_least, polygon, star};
 
 /// A full bag with a label: soil, charcoal, fertiliser.
 pub(super) fn bag(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.05, 0.11]);
+    at_least(b, [0.03, 0.05, 0.11]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mats, labels): (&[Mat], &[Mat]) = match b.class {
         "charcoal_bag" => (&[BROWN_SKIN, CARDBOARD, BLACK_PLASTIC, RED_CARD], &[RED, YELLOW, BLACK, ORANGE]),
@@ -77,7 +76,7 @@ fn bottle(b: &mut Build<'_>, (r, h): (f32, f32), mat: Mat, label: Mat) {
 
 /// A packet of seeds with a flower on its front.
 pub(super) fn seed_packet(b: &mut Build<'_>) {
-    grown(b, [0.001, 0.03, 0.05]);
+    at_least(b, [0.001, 0.03, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, GREEN_CARD, YELLOW_CARD]);
     let petal = b.one(&[PETAL_RED, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE, RED_SKIN, ORANGE_SKIN]);

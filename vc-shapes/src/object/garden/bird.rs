@@ -3,12 +3,11 @@
 use std::f32::consts::TAU;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{blob, grown, hoop, polar, polygon};
+use crate::solid::{Axis, Build, P, at_least, blob, polar, polygon, torus_profile};
 
 /// A bird bath: a basin with water on a foot.
 pub(super) fn bird_bath(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.15, 0.22]);
+    at_least(b, [0.15, 0.15, 0.22]);
     let r = b.size.x.min(b.size.y) / 2.0;
     let guest = if b.rng.chance(0.3) { 0.03_f32.min(r * 0.2) } else { 0.0 };
     let h = b.size.z - guest * 0.8;
@@ -59,7 +58,7 @@ fn bird(b: &mut Build<'_>, at: P, size: f32) {
 
 /// A bird table on a post, or a feeder that hangs or stands.
 pub(super) fn bird_feeder(b: &mut Build<'_>) {
-    grown(b, [0.07, 0.07, 0.11]);
+    at_least(b, [0.07, 0.07, 0.11]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wood, roof) = (b.one(&[PINE, OAK, TEAK, GREY_OAK, SAGE]), b.one(&[RED, ASPHALT, GREEN, POTTERY, PINE]));
     let low = if h > 0.6 { h - (2.2 * x.max(y)).min(h * 0.45) } else { 0.0 };
@@ -99,7 +98,7 @@ pub(super) fn bird_feeder(b: &mut Build<'_>) {
             "ring",
             [0.0, -0.003, ridge + hang * 0.45],
             [0.0, 1.0, ridge + hang * 0.45],
-            &hoop(hang * 0.42, 0.003),
+            &torus_profile(hang * 0.42, 0.003),
             IRON,
         );
     }
@@ -108,7 +107,7 @@ pub(super) fn bird_feeder(b: &mut Build<'_>) {
 
 /// A nesting box: a hole in front, a perch, a roof.
 pub(super) fn bird_house(b: &mut Build<'_>) {
-    grown(b, [0.07, 0.06, 0.1]);
+    at_least(b, [0.07, 0.06, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, roof) = (
         b.one(&[PINE, OAK, BIRCH, SKY, SAGE, RED, YELLOW, GREY_OAK]),

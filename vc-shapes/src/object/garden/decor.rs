@@ -3,12 +3,11 @@
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, hoop, polar, polygon, star};
+use crate::solid::{Axis, Build, P, at_least, polar, polygon, star, torus_profile};
 
 /// A lantern: panes in a frame around a candle, or a drum of paper-like cloth.
 pub(super) fn lantern(b: &mut Build<'_>) {
-    grown(b, [0.05, 0.05, 0.08]);
+    at_least(b, [0.05, 0.05, 0.08]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let metal = b.one(&[IRON, BLACK_METAL, BRASS, COPPER, WHITE_METAL, RUST, GREY_OAK]);
     let (low, eaves) = (h * 0.07, h * b.vary(0.58, 0.66));
@@ -33,7 +32,7 @@ pub(super) fn lantern(b: &mut Build<'_>) {
     b.cylinder("cap", [0.0, 0.0, top - 0.004], r * 0.2, h * 0.04, metal);
     let ring_r = (h - top - h * 0.03) / 2.0;
     let wire = (ring_r * 0.12).max(0.0015);
-    b.lathe_along("ring", [0.0, -wire, h - ring_r], [0.0, 1.0, h - ring_r], &hoop(ring_r - wire, wire), metal);
+    b.lathe_along("ring", [0.0, -wire, h - ring_r], [0.0, 1.0, h - ring_r], &torus_profile(ring_r - wire, wire), metal);
 }
 
 /// A polygon that just fits into a square of half side `half`.
@@ -44,7 +43,7 @@ fn fitted(sides: usize, half: f32, turn: f32) -> Vec<(f32, f32)> {
 
 /// A solar light on a spike.
 pub(super) fn solar_light(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.03, 0.1]);
+    at_least(b, [0.03, 0.03, 0.1]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let metal = b.one(&[STEEL, BLACK_PLASTIC, COPPER, WHITE_METAL]);
     let head = (r * b.vary(1.4, 2.2)).min(h * 0.4);
@@ -63,7 +62,7 @@ pub(super) fn solar_light(b: &mut Build<'_>) {
 
 /// A wind chime: tubes of decreasing length under a disc, a clapper, a sail.
 pub(super) fn wind_chime(b: &mut Build<'_>) {
-    grown(b, [0.04, 0.04, 0.2]);
+    at_least(b, [0.04, 0.04, 0.2]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let (metal, wood) = (b.one(&[ALUMINIUM, BRASS, COPPER, BAMBOO]), b.one(&[BEECH, WALNUT, BAMBOO, TEAK]));
     let disc = h * b.vary(0.78, 0.83);
@@ -90,7 +89,7 @@ pub(super) fn wind_chime(b: &mut Build<'_>) {
         wood,
     );
     let ring = 0.01_f32.min(h * 0.03);
-    b.lathe_along("ring", [0.0, -0.002, h - ring], [0.0, 1.0, h - ring], &hoop(ring - 0.002, 0.002), metal);
+    b.lathe_along("ring", [0.0, -0.002, h - ring], [0.0, 1.0, h - ring], &torus_profile(ring - 0.002, 0.002), metal);
 }
 
 /// The letters N, W, S and E, as high as wide, centred at the origin.
@@ -154,7 +153,7 @@ const LETTERS: [&[(f32, f32)]; 4] = [
 
 /// A weather vane: a mast, letters of the compass, a rotating arrow with a figure.
 pub(super) fn weather_vane(b: &mut Build<'_>) {
-    grown(b, [0.12, 0.12, 0.2]);
+    at_least(b, [0.12, 0.12, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let metal = b.one(&[IRON, COPPER, RUST, BLACK_METAL, BRASS]);
     let r = x.min(y);

@@ -1,12 +1,11 @@
 //! Gnomes, statues and scarecrows.
 
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::park::shape::{blob, grown, limb, polygon};
+use crate::solid::{Build, P, at_least, blob, limb, polygon};
 
 /// A gnome: boots, coat, beard, pointed cap, and a spade or lantern.
 pub(super) fn gnome(b: &mut Build<'_>) {
-    grown(b, [0.04, 0.05, 0.1]);
+    at_least(b, [0.04, 0.05, 0.1]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     // The head is limited by the available width.
     let k = h.min(r * 6.5);
@@ -90,7 +89,7 @@ pub(super) fn gnome(b: &mut Build<'_>) {
 
 /// A statue on a plinth: a bust, a figure, an urn, or an animal of stone.
 pub(super) fn statue(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.2]);
+    at_least(b, [0.1, 0.1, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (r, mat) = (x.min(y), b.one(&[MARBLE, SANDSTONE, CONCRETE, COPPER, GRANITE, PLASTER]));
     let foot = h * b.vary(0.12, 0.4);
@@ -217,7 +216,7 @@ pub(super) fn statue(b: &mut Build<'_>) {
 
 /// A scarecrow: a cross of poles, a coat, a straw head with a hat.
 pub(super) fn scarecrow(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.4, 0.6]);
+    at_least(b, [0.1, 0.4, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let coat = b.one(&[RED_FABRIC, BLUE_FABRIC, BROWN_FABRIC, GREEN_FABRIC, DENIM]);
     let (hat, legs) = (b.one(&[HAY, BLACK_FABRIC, BROWN_FABRIC]), b.one(&[DENIM, BROWN_FABRIC, JUTE]));

@@ -5,12 +5,11 @@ use std::f32::consts::{PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{blob, grown, limb, polar, polygon, star};
+use crate::solid::{Axis, Build, P, at_least, blob, limb, polar, polygon, star};
 
 /// A fire of logs in a ring of stones.
 pub(super) fn campfire(b: &mut Build<'_>) {
-    grown(b, [0.3, 0.3, 0.15]);
+    at_least(b, [0.3, 0.3, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stones = b.rng.count(7, 12);
     let mat = b.one(&[ROCK, GRANITE, GRAVEL, SANDSTONE]);
@@ -82,7 +81,7 @@ fn flames(b: &mut Build<'_>, reach: f32, top: f32) {
 
 /// A fire pit: a bowl on a foot or a walled square, with a rim that is a surface.
 pub(super) fn fire_pit(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.12]);
+    at_least(b, [0.25, 0.25, 0.12]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[RUST, IRON, CONCRETE, BLACK_METAL, BRICK]);
     let rim = r * b.vary(0.18, 0.26);
@@ -125,7 +124,7 @@ pub(super) fn fire_pit(b: &mut Build<'_>) {
 
 /// Firewood: a log, a split log, or a few tied together; they lie along Y.
 pub(super) fn firewood(b: &mut Build<'_>) {
-    grown(b, [0.04, 0.1, 0.04]);
+    at_least(b, [0.04, 0.1, 0.04]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (bark, wood) = (b.one(&[BARK, PALE_BARK, WALNUT]), b.one(&[PINE, BEECH, OAK]));
     match b.rng.below(3) {
@@ -167,7 +166,7 @@ pub(super) fn firewood(b: &mut Build<'_>) {
 
 /// A rack half filled with logs, open or roofed.
 pub(super) fn firewood_rack(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.3, 0.3]);
+    at_least(b, [0.15, 0.3, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let frame = b.one(&[IRON, RUST, PINE, OAK, ANTHRACITE]);
     let roofed = h > 1.0 && b.rng.chance(0.6);
@@ -226,7 +225,7 @@ pub(super) fn firewood_rack(b: &mut Build<'_>) {
 
 /// A propane bottle with its collar and a valve that turns.
 pub(super) fn gas_tank(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.18]);
+    at_least(b, [0.1, 0.1, 0.18]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[GREY, RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
     let neck = h * b.vary(0.72, 0.78);
@@ -275,7 +274,7 @@ pub(super) fn gas_tank(b: &mut Build<'_>) {
 
 /// A patio heater: a base that contains the gas bottle, a pole, a burner, a reflector hood.
 pub(super) fn patio_heater(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.9]);
+    at_least(b, [0.25, 0.25, 0.9]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[STEEL, ANTHRACITE, BLACK_METAL, COPPER, SILVER_METAL]);
     let foot = r * b.vary(0.5, 0.62);

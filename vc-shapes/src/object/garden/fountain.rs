@@ -5,19 +5,18 @@ use std::f32::consts::TAU;
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{blob, grown, limb, polar, tub};
+use crate::solid::{Axis, Build, P, at_least, blob, limb, polar, tapered_tub};
 
 /// A fountain: bowls on a column in a basin, or a basin with a spout.
 pub(super) fn fountain(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.3]);
+    at_least(b, [0.25, 0.25, 0.3]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[SANDSTONE, MARBLE, GRANITE, CONCRETE, POTTERY]);
     let rim = (h * b.vary(0.16, 0.28)).min(r * 0.6);
     let t = r * b.vary(0.08, 0.13);
     let sides = b.rng.below(3);
     if sides == 0 {
-        tub(b, "basin", [0.0; 3], (r, r), (r, r), rim, t, mat);
+        tapered_tub(b, "basin", [0.0; 3], (r, r), (r, r), rim, t, mat);
     } else {
         let inner = r - t;
         b.lathe(
@@ -99,7 +98,7 @@ pub(super) fn fountain(b: &mut Build<'_>) {
 
 /// A pond: stones around water of an irregular outline, with lilies.
 pub(super) fn pond(b: &mut Build<'_>) {
-    grown(b, [0.6, 0.75, 0.15]);
+    at_least(b, [0.6, 0.75, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stones = b.rng.count(18, 30);
     let stone = b.one(&[ROCK, GRANITE, SANDSTONE, GRAVEL]);

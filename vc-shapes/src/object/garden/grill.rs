@@ -5,9 +5,8 @@ use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{Handle, Side, door};
-use crate::object::park::shape::{grown, limb, polar, spaced};
+use crate::solid::{Axis, Build, P, at_least, limb, polar, spaced};
 
 /// A half tube along Y between two positions, closed at both ends.
 fn trough(
@@ -34,7 +33,7 @@ fn trough(
 
 /// A charcoal grill: a kettle or a barrel, with a lid and a shelf at its side.
 pub(super) fn barbecue(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.28, 0.45]);
+    at_least(b, [0.25, 0.28, 0.45]);
     if b.size.y > 0.95 || b.rng.chance(0.35) { barrel_grill(b) } else { kettle(b) }
 }
 
@@ -163,7 +162,7 @@ fn barrel(b: &mut Build<'_>, [cx, rim]: [f32; 2], r: f32, (y0, y1): (f32, f32), 
 
 /// A gas grill: a cabinet with doors, knobs, a lid, tables at both sides.
 pub(super) fn gas_grill(b: &mut Build<'_>) {
-    grown(b, [0.28, 0.55, 0.5]);
+    at_least(b, [0.28, 0.55, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[BLACK_METAL, STEEL, ANTHRACITE, SILVER_METAL, RED_METAL]);
     let body = y * b.vary(0.48, 0.58);
@@ -254,7 +253,7 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
 
 /// A smoker: a barrel with a fire box and a chimney, or an upright drum.
 pub(super) fn smoker(b: &mut Build<'_>) {
-    grown(b, [0.22, 0.22, 0.42]);
+    at_least(b, [0.22, 0.22, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[IRON, BLACK_METAL, RUST, ANTHRACITE]);
     if 2.0 * y > 0.9 {
@@ -313,7 +312,7 @@ pub(super) fn smoker(b: &mut Build<'_>) {
 
 /// Barbecue tongs: two sprung arms, upright.
 pub(super) fn grill_tongs(b: &mut Build<'_>) {
-    grown(b, [0.012, 0.014, 0.15]);
+    at_least(b, [0.012, 0.014, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (steel, grip) = (b.one(&[STEEL, BLACK_METAL]), b.one(&[BLACK_PLASTIC, BEECH, RED_PLASTIC, STEEL]));
     let wide = x * 0.6;

@@ -6,12 +6,11 @@ use vc_graph::portable::Portable;
 
 use super::seat::{CLOTHS, METALS};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, limb, spaced};
+use crate::solid::{Axis, Build, P, at_least, limb, spaced};
 
 /// A hammock between the hooks of a stand, or lying with its spreader bars.
 pub(super) fn hammock(b: &mut Build<'_>) {
-    grown(b, [0.9, 0.38, 0.14]);
+    at_least(b, [0.9, 0.38, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (cloth, second) = (b.one(CLOTHS), b.one(CLOTHS));
     let wood = b.one(&[PINE, TEAK, OAK, IRON]);
@@ -55,7 +54,7 @@ pub(super) fn hammock(b: &mut Build<'_>) {
 
 /// A swing seat under a canopy on a standing frame.
 pub(super) fn porch_swing(b: &mut Build<'_>) {
-    grown(b, [0.55, 0.8, 0.75]);
+    at_least(b, [0.55, 0.8, 0.75]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (metal, cloth) = (b.one(METALS), b.one(CLOTHS));
     let r = 0.022;
@@ -100,7 +99,7 @@ pub(super) fn porch_swing(b: &mut Build<'_>) {
 
 /// An egg-shaped chair of bars hanging from a bowed stand.
 pub(super) fn hanging_chair(b: &mut Build<'_>) {
-    grown(b, [0.45, 0.45, 0.85]);
+    at_least(b, [0.45, 0.45, 0.85]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
     let (metal, wicker, cloth) =

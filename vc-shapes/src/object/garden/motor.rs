@@ -3,13 +3,12 @@
 use std::f32::consts::FRAC_PI_2;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{blob, grown, polar, polygon, spaced};
 use crate::object::vehicle::wheel::{Rim, wheel};
+use crate::solid::{Axis, Build, P, at_least, blob, polar, polygon, spaced};
 
 /// A push mower: deck, motor, bag, handle, four wheels.
 pub(super) fn lawnmower(b: &mut Build<'_>) {
-    grown(b, [0.6, 0.21, 0.42]);
+    at_least(b, [0.6, 0.21, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) =
         (b.one(&[RED_METAL, GREEN_METAL, ORANGE, YELLOW_METAL, BLACK_PLASTIC, BLUE_METAL]), h * b.vary(0.085, 0.11));
@@ -95,7 +94,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
 
 /// A ride-on mower: bonnet, seat, steering wheel, deck between the axles.
 pub(super) fn ride_on_mower(b: &mut Build<'_>) {
-    grown(b, [0.85, 0.45, 0.5]);
+    at_least(b, [0.85, 0.45, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(&[GREEN_METAL, RED_METAL, ORANGE, YELLOW_METAL, BLUE_METAL]);
     let (big, small) = (h * b.vary(0.24, 0.27), h * b.vary(0.17, 0.19));
@@ -196,7 +195,7 @@ pub(super) fn ride_on_mower(b: &mut Build<'_>) {
 
 /// A robot mower: a rounded shell on wheels.
 pub(super) fn robot_mower(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.18, 0.1]);
+    at_least(b, [0.25, 0.18, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) =
         (b.one(&[GREY_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]), h * b.vary(0.36, 0.42));
@@ -229,7 +228,7 @@ pub(super) fn robot_mower(b: &mut Build<'_>) {
 
 /// A hedge trimmer standing on its handles: a motor and a toothed bar.
 pub(super) fn hedge_trimmer(b: &mut Build<'_>) {
-    grown(b, [0.07, 0.09, 0.4]);
+    at_least(b, [0.07, 0.09, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
     let body = h * b.vary(0.36, 0.42);
@@ -271,7 +270,7 @@ pub(super) fn hedge_trimmer(b: &mut Build<'_>) {
 
 /// A grass trimmer standing on its head: a guard, a shaft, a loop, a motor on top.
 pub(super) fn grass_trimmer(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.11, 0.5]);
+    at_least(b, [0.1, 0.11, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
     let r = x.min(y);
@@ -308,7 +307,7 @@ pub(super) fn grass_trimmer(b: &mut Build<'_>) {
 
 /// A leaf blower standing on the mouth of its tube.
 pub(super) fn leaf_blower(b: &mut Build<'_>) {
-    grown(b, [0.07, 0.09, 0.4]);
+    at_least(b, [0.07, 0.09, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
     let body = h * b.vary(0.6, 0.66);
@@ -346,7 +345,7 @@ pub(super) fn leaf_blower(b: &mut Build<'_>) {
 
 /// A chainsaw lying on its base, its bar along Y.
 pub(super) fn chainsaw(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.3, 0.11]);
+    at_least(b, [0.1, 0.3, 0.11]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(&[ORANGE, RED_METAL, YELLOW_METAL, GREEN_METAL]);
     let split = -y + 2.0 * y * b.vary(0.46, 0.52);

@@ -3,15 +3,14 @@
 use std::f32::consts::TAU;
 
 use crate::material::*;
-use crate::object::build::Build;
-use crate::object::park::shape::{blob, grown, polar, spaced, tub};
+use crate::solid::{Build, at_least, blob, polar, spaced, tapered_tub};
 
 const POTS: &[Mat] =
     &[POTTERY, POTTERY, BLUE_GLAZE, GREEN_GLAZE, STONEWARE, CONCRETE, WHITE_PLASTIC, BLACK_GLAZE, BROWN_PLASTIC];
 
 /// A plant pot, round or square, with or without a saucer; contains only soil.
 pub(super) fn flower_pot(b: &mut Build<'_>) {
-    grown(b, [0.05, 0.05, 0.05]);
+    at_least(b, [0.05, 0.05, 0.05]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(POTS);
     let t = (r * 0.09).clamp(0.003, 0.012);
@@ -62,7 +61,7 @@ pub(super) fn flower_pot(b: &mut Build<'_>) {
         }
         2 if !saucer => {
             let half = b.size.x.min(b.size.y) / 2.0;
-            tub(b, "pot", [0.0; 3], (half * foot / top, half * foot / top), (half, half), h, t, mat);
+            tapered_tub(b, "pot", [0.0; 3], (half * foot / top, half * foot / top), (half, half), h, t, mat);
             foot - t
         }
         _ => {
@@ -77,7 +76,7 @@ pub(super) fn flower_pot(b: &mut Build<'_>) {
 
 /// A plant box: boards, concrete or plastic, with or without feet, with soil.
 pub(super) fn planter(b: &mut Build<'_>) {
-    grown(b, [0.09, 0.2, 0.08]);
+    at_least(b, [0.09, 0.2, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let boards = h > 0.3 && b.rng.chance(0.6);
     let mat = b.one(if boards {
@@ -128,7 +127,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
                 b.block("leg", [cx - 0.018, cy - 0.018, 0.0], [cx + 0.018, cy + 0.018, low + 0.004], IRON);
             }
         }
-        tub(b, "box", [0.0, 0.0, low], (x * lean, y * lean), (x, y), h - low, t, mat);
+        tapered_tub(b, "box", [0.0, 0.0, low], (x * lean, y * lean), (x, y), h - low, t, mat);
         (ix, iy) = (x * lean - t, y * lean - t);
         let level = low + t + (h - low) * b.vary(0.4, 0.7);
         b.block("soil", [-ix - 0.001, -iy - 0.001, low + t * 0.5], [ix + 0.001, iy + 0.001, level], SOIL);
@@ -138,7 +137,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
 
 /// A basket on chains, planted at its rim.
 pub(super) fn hanging_basket(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.1]);
+    at_least(b, [0.1, 0.1, 0.1]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[WICKER, IRON, POTTERY, JUTE, GREEN_PLASTIC]);
     let deep = (h * 0.42).min(r * 1.1);

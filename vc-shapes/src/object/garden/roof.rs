@@ -4,12 +4,11 @@ use std::f32::consts::PI;
 
 use super::shed::House;
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::park::shape::{grown, spaced};
+use crate::solid::{Axis, Build, at_least, spaced};
 
 /// A carport: posts, beams and a flat, sloping or gabled roof over paved ground.
 pub(super) fn carport(b: &mut Build<'_>) {
-    grown(b, [2.4, 1.4, 1.1]);
+    at_least(b, [2.4, 1.4, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[PINE, OAK, GREY_OAK, ANTHRACITE, WHITE_METAL, GALVANISED]);
     let roof = b.one(&[ROOF_TILE, ANTHRACITE, ASPHALT, CLEAR_PLASTIC, GALVANISED]);
@@ -56,7 +55,7 @@ pub(super) fn carport(b: &mut Build<'_>) {
 
 /// A gazebo: posts under a tent or a hipped roof.
 pub(super) fn gazebo(b: &mut Build<'_>) {
-    grown(b, [1.2, 1.2, 1.1]);
+    at_least(b, [1.2, 1.2, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cloth = b.rng.chance(0.4);
     let mat = b.one(if cloth { &[WHITE_METAL, ANTHRACITE, GALVANISED] } else { &[PINE, OAK, TEAK, WHITE] });
@@ -115,7 +114,7 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
 
 /// An awning: a roller at the wall, with cloth on folding arms over the full depth.
 pub(super) fn awning(b: &mut Build<'_>) {
-    grown(b, [0.1, 1.0, 0.07]);
+    at_least(b, [0.1, 1.0, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cloth = b.one(&[RED_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, GREY_FABRIC]);
     let second = b.one(&[WHITE_COTTON, cloth, WHITE_COTTON, BEIGE_FABRIC]);
@@ -169,7 +168,7 @@ pub(super) fn awning(b: &mut Build<'_>) {
 
 /// A clothesline: a rotary dryer, or lines between two posts.
 pub(super) fn clothesline(b: &mut Build<'_>) {
-    grown(b, [0.8, 0.8, 0.8]);
+    at_least(b, [0.8, 0.8, 0.8]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let metal = b.one(&[ALUMINIUM, GALVANISED, GREEN_METAL, PINE]);
     let cord = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);

@@ -3,8 +3,7 @@
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, plate, spaced};
+use crate::solid::{Axis, Build, P, at_least, plate, spaced};
 
 pub(super) const WOODS: &[Mat] = &[TEAK, OAK, PINE, GREY_OAK, WALNUT, WHITE];
 
@@ -15,7 +14,7 @@ pub(super) const CLOTHS: &[Mat] =
 
 /// A garden chair: wooden slats, a metal frame with cloth, wicker or plastic.
 pub(super) fn chair(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.4]);
+    at_least(b, [0.25, 0.25, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let design = b.rng.below(4);
     let mat = match design {
@@ -134,7 +133,7 @@ fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (desig
 
 /// A deck chair: two crossed frames and a sling of cloth.
 pub(super) fn deck_chair(b: &mut Build<'_>) {
-    grown(b, [0.4, 0.27, 0.37]);
+    at_least(b, [0.4, 0.27, 0.37]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wood, cloth) = (b.one(&[BEECH, TEAK, PINE, WHITE]), b.one(CLOTHS));
     let stripe = b.one(&[WHITE_COTTON, BEIGE_FABRIC, cloth]);
@@ -195,7 +194,7 @@ fn crossing([a, c]: [[f32; 2]; 2], [p, q]: [[f32; 2]; 2]) -> [f32; 2] {
 
 /// A sun lounger: a slatted or cushioned bed whose head end is raised.
 pub(super) fn lounger(b: &mut Build<'_>) {
-    grown(b, [0.9, 0.28, 0.14]);
+    at_least(b, [0.9, 0.28, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (frame, cloth) = (b.one(&[TEAK, PINE, WHITE_PLASTIC, ANTHRACITE, WICKER, ALUMINIUM]), b.one(CLOTHS));
     let deck = h * b.vary(0.6, 0.72);
@@ -262,7 +261,7 @@ pub(super) fn lounger(b: &mut Build<'_>) {
 
 /// An adirondack chair: broad arms, a fan of boards leaning back.
 pub(super) fn adirondack(b: &mut Build<'_>) {
-    grown(b, [0.4, 0.36, 0.45]);
+    at_least(b, [0.4, 0.36, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[TEAK, PINE, WHITE, RED, BLUE, GREEN, YELLOW, GREY_OAK]);
     let (front, rear) = (h * b.vary(0.36, 0.4), h * b.vary(0.24, 0.28));
@@ -345,7 +344,7 @@ pub(super) fn adirondack(b: &mut Build<'_>) {
 
 /// A garden sofa: a wicker, wooden or metal frame with cushions.
 pub(super) fn sofa(b: &mut Build<'_>) {
-    grown(b, [0.34, 0.6, 0.32]);
+    at_least(b, [0.34, 0.6, 0.32]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wicker = b.rng.chance(0.5);
     let frame = if wicker {

@@ -4,12 +4,11 @@ use std::f32::consts::TAU;
 
 use super::seat::CLOTHS;
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::park::shape::{grown, mix, polygon};
+use crate::solid::{Build, P, at_least, mix, polygon};
 
 /// A parasol on its pole: open, a cone of panels with a valance.
 pub(super) fn parasol(b: &mut Build<'_>) {
-    grown(b, [0.8, 0.8, 1.0]);
+    at_least(b, [0.8, 0.8, 1.0]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let (cloth, second) = (b.one(CLOTHS), b.one(CLOTHS));
     let second = if b.rng.chance(0.5) { cloth } else { second };
@@ -54,7 +53,7 @@ pub(super) fn parasol(b: &mut Build<'_>) {
 
 /// A parasol's base with its tube: a slab, a filled drum or a cross with stones.
 pub(super) fn parasol_base(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.15, 0.06]);
+    at_least(b, [0.15, 0.15, 0.06]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[CONCRETE, GRANITE, BLACK_PLASTIC, IRON, WHITE_PLASTIC, GREEN_PLASTIC]);
     let low = (h * b.vary(0.2, 0.4)).min(0.12);

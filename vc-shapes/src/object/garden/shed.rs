@@ -5,9 +5,8 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
 use crate::object::joinery::{Handle, handle};
-use crate::object::park::shape::{grown, spaced};
+use crate::solid::{Axis, Build, at_least, spaced};
 
 pub(super) const WOODS: &[Mat] = &[PINE, OAK, TEAK, GREY_OAK, FOREST, RED, SKY, SAGE, ANTHRACITE, WALNUT];
 
@@ -64,7 +63,7 @@ impl House {
 
 /// A garden shed: boarded walls, a gabled or lean-to roof, a door, shelf and hooks.
 pub(super) fn garden_shed(b: &mut Build<'_>) {
-    grown(b, [0.75, 0.9, 0.95]);
+    at_least(b, [0.75, 0.9, 0.95]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, trim) = (b.one(WOODS), b.one(&[WHITE, PINE, OAK, ANTHRACITE]));
     let roof = b.one(&[ASPHALT, ROOF_TILE, ANTHRACITE, GREEN_METAL, GALVANISED]);
@@ -134,7 +133,7 @@ fn planks(b: &mut Build<'_>, house: House, mat: Mat) {
 
 /// A greenhouse: a frame with glass, a door, a bench for pots.
 pub(super) fn greenhouse(b: &mut Build<'_>) {
-    grown(b, [0.6, 0.65, 0.9]);
+    at_least(b, [0.6, 0.65, 0.9]);
     // The door's handle protrudes in front.
     let (x, y, h) = (b.size.x / 2.0 - 0.011, b.size.y / 2.0, b.size.z);
     let frame = b.one(&[ALUMINIUM, GREEN_METAL, WHITE_METAL, ANTHRACITE, PINE]);
@@ -216,7 +215,7 @@ pub(super) fn greenhouse(b: &mut Build<'_>) {
 
 /// A dog's house with an arched or square doorway.
 pub(super) fn kennel(b: &mut Build<'_>) {
-    grown(b, [0.35, 0.3, 0.32]);
+    at_least(b, [0.35, 0.3, 0.32]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, roof) = (b.one(WOODS), b.one(&[RED, ASPHALT, ROOF_TILE, FOREST, ANTHRACITE]));
     let (out, t, low) = (0.05, 0.018, 0.04);
@@ -256,7 +255,7 @@ pub(super) fn kennel(b: &mut Build<'_>) {
 
 /// A rabbit hutch on legs: a closed and a wire-fronted compartment under one roof.
 pub(super) fn rabbit_hutch(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.45, 0.35]);
+    at_least(b, [0.25, 0.45, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, roof) = (b.one(WOODS), b.one(&[ASPHALT, GREEN_METAL, ROOF_TILE, ANTHRACITE]));
     let (floor, t) = (h * b.vary(0.28, 0.4), 0.018);

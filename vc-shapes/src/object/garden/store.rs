@@ -3,18 +3,17 @@
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 use crate::material::*;
-use crate::object::build::Build;
-use crate::object::park::shape::{grown, polar, spaced, tub};
+use crate::solid::{Build, at_least, polar, spaced, tapered_tub};
 
 /// A box for cushions and toys with a lid hinged at the back.
 pub(super) fn storage_box(b: &mut Build<'_>) {
-    grown(b, [0.2, 0.4, 0.22]);
+    at_least(b, [0.2, 0.4, 0.22]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[GREY_PLASTIC, BROWN_PLASTIC, BLACK_PLASTIC, WICKER, TEAK, PINE, GREY_OAK]);
     let (lid, t) = (h * b.vary(0.06, 0.12), 0.02);
     let rim = h - lid;
     let lean = b.vary(0.92, 0.97);
-    tub(b, "box", [0.0, 0.0, 0.0], (x * lean, y * 0.97), (x - 0.012, y - 0.012), rim - 0.002, t, mat);
+    tapered_tub(b, "box", [0.0, 0.0, 0.0], (x * lean, y * 0.97), (x - 0.012, y - 0.012), rim - 0.002, t, mat);
     let ribs = b.rng.count(0, 7);
     for cy in spaced(ribs, -y * 0.85, y * 0.85) {
         b.block("rib", [x * 0.9, cy - 0.02, 0.03], [x - 0.004, cy + 0.02, rim - 0.03], mat);
@@ -36,7 +35,7 @@ pub(super) fn storage_box(b: &mut Build<'_>) {
 
 /// A composter: slatted wood, or tapered plastic with a lid.
 pub(super) fn composter(b: &mut Build<'_>) {
-    grown(b, [0.3, 0.3, 0.4]);
+    at_least(b, [0.3, 0.3, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     if b.rng.chance(0.5) {
         let mat = b.one(&[PINE, OAK, GREY_OAK, TEAK]);
@@ -76,7 +75,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
         let lid = h * b.vary(0.08, 0.14);
         let rim = h - lid;
         let small = b.vary(0.68, 0.82);
-        tub(b, "bin", [0.0; 3], (x - 0.004, y), (x * small, y * small), rim, 0.012, mat);
+        tapered_tub(b, "bin", [0.0; 3], (x - 0.004, y), (x * small, y * small), rim, 0.012, mat);
         for z in spaced(4, rim * 0.25, rim * 0.85) {
             let share = 1.0 - (1.0 - small) * z / rim;
             for side in [-1.0, 1.0] {
@@ -106,7 +105,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
 
 /// A rain barrel with a tap and a lid.
 pub(super) fn rain_barrel(b: &mut Build<'_>) {
-    grown(b, [0.2, 0.2, 0.35]);
+    at_least(b, [0.2, 0.2, 0.35]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0 - 0.03, b.size.z);
     let mat = b.one(&[GREEN_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC, OAK, BROWN_PLASTIC, POTTERY]);
     let (stand, lid) = (if b.rng.chance(0.5) { h * 0.15 } else { 0.0 }, 0.025);

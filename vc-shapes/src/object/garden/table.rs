@@ -4,13 +4,12 @@ use std::f32::consts::TAU;
 
 use super::seat::{METALS, WOODS};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
 use crate::object::joinery::legs;
-use crate::object::park::shape::{grown, polar, spaced};
+use crate::solid::{Axis, Build, at_least, polar, spaced};
 
 /// A garden or bistro table: slats, a plate or glass, on legs or a central foot.
 pub(super) fn table(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.33]);
+    at_least(b, [0.25, 0.25, 0.33]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let bistro = b.class == "bistro_table" || (y < 0.5 && b.rng.chance(0.4));
     let (wood, metal) = (b.one(WOODS), b.one(METALS));
@@ -94,7 +93,7 @@ fn foot(b: &mut Build<'_>, r: f32, top: f32, metal: Mat) {
 
 /// A picnic table with benches along both sides.
 pub(super) fn picnic_table(b: &mut Build<'_>) {
-    grown(b, [0.7, 0.75, 0.35]);
+    at_least(b, [0.7, 0.75, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[PINE, OAK, TEAK, GREY_OAK, GREEN_PLASTIC, BROWN_PLASTIC]);
     let t = 0.035;

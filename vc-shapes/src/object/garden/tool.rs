@@ -6,9 +6,8 @@ use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, limb, spaced, tub};
 use crate::object::vehicle::wheel::{Rim, wheel};
+use crate::solid::{Axis, Build, P, at_least, limb, spaced, tapered_tub};
 
 /// A long-handled tool that cannot stand on its head: it lies with the head down.
 pub(super) fn lying_tool(b: &mut Build<'_>) {
@@ -22,7 +21,7 @@ pub(super) fn lying_tool(b: &mut Build<'_>) {
 /// A long-handled tool, upright with its head at the bottom: shovel, spade, fork, hoe, rake, axe,
 /// trowel.
 pub(super) fn hand_tool(b: &mut Build<'_>) {
-    grown(b, [0.014, 0.03, 0.13]);
+    at_least(b, [0.014, 0.03, 0.13]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let steel = b.one(&[STEEL, IRON, GALVANISED, RUST, GREEN_METAL]);
     let wood = b.one(&[ASH, BEECH, PINE, YELLOW, BLACK_PLASTIC]);
@@ -178,7 +177,7 @@ fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (M
 
 /// Secateurs, upright: blades at the top, sprung grips at the bottom.
 pub(super) fn pruning_shears(b: &mut Build<'_>) {
-    grown(b, [0.008, 0.02, 0.08]);
+    at_least(b, [0.008, 0.02, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let grip = b.one(&[RED_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC]);
     let pivot = h * b.vary(0.6, 0.66);
@@ -209,7 +208,7 @@ pub(super) fn pruning_shears(b: &mut Build<'_>) {
 
 /// A pair of gloves, one on the other, flat and upright as if hanging.
 pub(super) fn gloves(b: &mut Build<'_>) {
-    grown(b, [0.01, 0.05, 0.1]);
+    at_least(b, [0.01, 0.05, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (palm, cuff) = (
         b.one(&[GREEN_FABRIC, TAN_LEATHER, RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC]),
@@ -265,7 +264,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
 
 /// An upright ladder: two stiles, rungs between them, sometimes a second section in front.
 pub(super) fn ladder(b: &mut Build<'_>) {
-    grown(b, [0.035, 0.17, 0.5]);
+    at_least(b, [0.035, 0.17, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[ALUMINIUM, ALUMINIUM, PINE, OAK, ORANGE]);
     let double = x > 0.055 && b.rng.chance(0.6);
@@ -295,7 +294,7 @@ pub(super) fn ladder(b: &mut Build<'_>) {
 
 /// A step ladder: treads in front, a support behind, spread over the full depth.
 pub(super) fn step_ladder(b: &mut Build<'_>) {
-    grown(b, [0.06, 0.2, 0.4]);
+    at_least(b, [0.06, 0.2, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[ALUMINIUM, ALUMINIUM, PINE, WHITE_METAL, ORANGE]);
     let top = (x * 0.5).min(0.12).max(x * 0.12);
@@ -346,7 +345,7 @@ pub(super) fn step_ladder(b: &mut Build<'_>) {
 
 /// A wheelbarrow: a tray on a wheel and two legs.
 pub(super) fn wheelbarrow(b: &mut Build<'_>) {
-    grown(b, [0.55, 0.27, 0.27]);
+    at_least(b, [0.55, 0.27, 0.27]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[GREEN_METAL, GALVANISED, RED_METAL, BLUE_METAL, BLACK_PLASTIC, YELLOW_METAL]);
     let frame = b.one(&[IRON, GALVANISED, PINE, RED_METAL]);
@@ -357,7 +356,7 @@ pub(super) fn wheelbarrow(b: &mut Build<'_>) {
     let (low, deep) = (2.0 * r + h * b.vary(0.03, 0.05), x * b.vary(0.5, 0.56));
     let middle = x - deep - r * 0.35;
     let shrink = b.vary(0.5, 0.65);
-    tub(b, "tray", [middle, 0.0, low], (deep * shrink, y * shrink), (deep, y), h - low, 0.008, mat);
+    tapered_tub(b, "tray", [middle, 0.0, low], (deep * shrink, y * shrink), (deep, y), h - low, 0.008, mat);
     let grip = (low + 0.05).min(h * 0.85);
     for side in [-1.0, 1.0] {
         let (near, far) = (side * r * 0.32, side * (y - 0.03));

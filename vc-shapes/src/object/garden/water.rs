@@ -5,12 +5,11 @@ use std::f32::consts::TAU;
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::park::shape::{grown, limb, polar, spaced};
+use crate::solid::{Build, P, at_least, limb, polar, spaced};
 
 /// A watering can with spout, rose and handles.
 pub(super) fn watering_can(b: &mut Build<'_>) {
-    grown(b, [0.07, 0.17, 0.12]);
+    at_least(b, [0.07, 0.17, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[GREEN_PLASTIC, GALVANISED, BLUE_PLASTIC, RED_METAL, COPPER, YELLOW_PLASTIC, GREY_PLASTIC]);
     let r = x.min(y * 0.5);
@@ -96,7 +95,7 @@ pub(super) fn watering_can(b: &mut Build<'_>) {
 
 /// A coiled hose with its nozzle.
 pub(super) fn garden_hose(b: &mut Build<'_>) {
-    grown(b, [0.17, 0.17, 0.06]);
+    at_least(b, [0.17, 0.17, 0.06]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let mat = b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let rings = b.rng.count(1, 2);
@@ -134,7 +133,7 @@ fn coil(radius: f32, section: f32) -> Vec<(f32, f32)> {
 
 /// A hose on a reel: a frame, a drum with hose, a crank; tall ones have wheels.
 pub(super) fn hose_reel(b: &mut Build<'_>) {
-    grown(b, [0.17, 0.2, 0.22]);
+    at_least(b, [0.17, 0.2, 0.22]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (frame, hose) = (
         b.one(&[GREY_PLASTIC, ANTHRACITE, GREEN_METAL, GALVANISED]),
@@ -177,7 +176,7 @@ pub(super) fn hose_reel(b: &mut Build<'_>) {
 
 /// A lawn sprinkler: spinning arms, an oscillating bar, or a spike with a head.
 pub(super) fn sprinkler(b: &mut Build<'_>) {
-    grown(b, [0.06, 0.07, 0.035]);
+    at_least(b, [0.06, 0.07, 0.035]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (
         b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]),

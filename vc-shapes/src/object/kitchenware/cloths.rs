@@ -1,9 +1,8 @@
 //! Folded or hanging kitchen textiles, and rolls and papers from the drawer.
 
 use super::super::pack::label::panel;
-use super::form::{arch, dims, loft, tube};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
+use crate::solid::{Axis, Build, arch, dims, loft_columns, planar_tube};
 
 /// A folded cloth: layers joined in a fold at the front, with stripes on top.
 pub(super) fn folded(b: &mut Build<'_>) {
@@ -81,11 +80,11 @@ pub(super) fn oven_mitts(b: &mut Build<'_>) {
                 .collect::<Vec<_>>()
         };
         let rings = [ring(0.0, 0.9), ring(t * 0.25, 1.0), ring(t * 0.75, 1.0), ring(t, 0.9)];
-        loft(b, "mitt", &rings, cloth);
+        loft_columns(b, "mitt", &rings, cloth);
         b.block("cuff", [base + t * 0.02, -hy * 0.78, 0.0], [base + t * 0.98, hy * 0.78, z * 0.12], cuff);
         let w = (t * 0.12).min(z * 0.01);
         let loop_ = arch([base + t / 2.0, -flip * hy * 0.1, z * 0.93], [0.0, hy * 0.12, 0.0], [0.0, 0.0, z * 0.07 - w]);
-        tube(b, "loop", &loop_, w, [1.0, 0.0, 0.0], cuff);
+        planar_tube(b, "loop", &loop_, w, [1.0, 0.0, 0.0], cuff);
     }
 }
 

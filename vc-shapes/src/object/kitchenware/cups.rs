@@ -3,9 +3,8 @@
 use vc_graph::portable::Portable;
 
 use super::dishes::KNOB;
-use super::form::{arch, dims, ear, hoop, sweep, tube, turn, vessel};
 use crate::material::*;
-use crate::object::build::Build;
+use crate::solid::{Build, arch, dims, ear, flat_ring, planar_tube, sweep, turn, vessel};
 
 /// Glazes and paints of mugs.
 const COLOURS: [Mat; 9] =
@@ -40,7 +39,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     } else if shape[3].0 == 1.0 && shape[1].0 == 1.0 && b.rng.chance(0.6) {
         let band = b.one(&COLOURS);
         let (z, wide) = (b.vary(0.2, 0.5) * h, b.vary(0.1, 0.35) * h);
-        hoop(b, "band", (z, z + wide), (r * 0.97, r + 0.0006), band);
+        flat_ring(b, "band", (z, z + wide), (r * 0.97, r + 0.0006), band);
     }
 }
 
@@ -212,8 +211,8 @@ pub(super) fn french_press(b: &mut Build<'_>) {
     let h = z * 0.72;
     let g = r * 0.94;
     vessel(b, "beaker", (g, h), &[(0.98, 0.0), (1.0, 0.02), (1.0, 0.5), (1.0, 1.0)], (r * 0.05).min(0.0025), GLASS);
-    hoop(b, "band", (h * 0.03, h * 0.12), (g * 0.99, r), metal);
-    hoop(b, "band", (h * 0.82, h * 0.9), (g * 0.99, r), metal);
+    flat_ring(b, "band", (h * 0.03, h * 0.12), (g * 0.99, r), metal);
+    flat_ring(b, "band", (h * 0.82, h * 0.9), (g * 0.99, r), metal);
     for i in 0..4 {
         b.at([0.0; 3], std::f32::consts::FRAC_PI_4 + std::f32::consts::FRAC_PI_2 * i as f32, |b| {
             b.block("strut", [g * 0.995, -r * 0.08, h * 0.1], [r * 0.995, r * 0.08, h * 0.84], metal);
@@ -286,7 +285,7 @@ pub(super) fn flask(b: &mut Build<'_>) {
         "thermos" if y > x * 1.05 => ear(b, (r * 0.95, y - r), (z * 0.35, z * 0.75), r * 0.12, BLACK_PLASTIC),
         "water_bottle" if b.rng.chance(0.5) => b.slide([0.0, 0.0, 1.0], z * 0.4, |b| {
             let loop_ = arch([0.0, 0.0, z * 0.97], [0.0, c * 0.6, 0.0], [0.0, 0.0, z * 0.025]);
-            tube(b, "strap", &loop_, z * 0.005, [1.0, 0.0, 0.0], cap);
+            planar_tube(b, "strap", &loop_, z * 0.005, [1.0, 0.0, 0.0], cap);
         }),
         _ => {}
     }
@@ -307,17 +306,17 @@ pub(super) fn coffee_pot(b: &mut Build<'_>) {
         (0..8).map(point).collect::<Vec<_>>()
     };
     let lower = [ring(0.93, 0.0), ring(0.98, z * 0.02), ring(0.7, waist)];
-    super::form::loft(b, "base", &lower, mat);
-    hoop(b, "collar", (waist - z * 0.03, waist + z * 0.03), (r * 0.3, r * 0.76), mat);
+    crate::solid::loft_columns(b, "base", &lower, mat);
+    flat_ring(b, "collar", (waist - z * 0.03, waist + z * 0.03), (r * 0.3, r * 0.76), mat);
     let wall = (r * 0.08).min(0.004);
     let floor = waist + z * 0.06;
     let inner = |k: f32, z: f32| ring(k - wall / r, z);
     let rings = [ring(0.62, waist), ring(0.95, h), inner(0.95, h), inner(0.7, floor)];
-    super::form::loft(b, "jug", &rings, mat);
+    crate::solid::loft_columns(b, "jug", &rings, mat);
     b.inside("inside", [0.0, 0.0, floor], (r * 0.4, r * 0.4), (h - floor - 0.002).max(0.0));
     b.slide([0.0, 0.0, 1.0], z * 0.5, |b| {
         let rings = [ring(0.94, h + 0.0003), ring(0.94, h + z * 0.02), ring(0.2, z * 0.93)];
-        super::form::loft(b, "lid", &rings, mat);
+        crate::solid::loft_columns(b, "lid", &rings, mat);
         turn(b, "knob", [0.0, 0.0, z * 0.92], (r * 0.2, z * 0.08), KNOB, BLACK_PLASTIC);
     });
     let points = [

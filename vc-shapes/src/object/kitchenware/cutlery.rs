@@ -2,16 +2,15 @@
 
 use vc_graph::portable::Portable;
 
-use super::form::{dims, loft, oval, sweep, turn};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
+use crate::solid::{Axis, Build, dims, level_oval, loft_columns, sweep, turn};
 
 const ACROSS: [f32; 3] = [1.0, 0.0, 0.0];
 
 /// The bowl of a spoon: an oval hollow with its rim at `z + depth`.
 pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth: f32, t: f32, mat: Mat) {
     let at = |rise: f32, k: f32, thin: f32| {
-        oval(
+        level_oval(
             [centre[0], centre[1], centre[2] + depth * rise + thin],
             (half.0 * k - thin * 0.7, half.1 * k - thin * 0.7),
         )
@@ -26,7 +25,7 @@ pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth
         at(0.2, 0.7, t),
         at(0.0, 0.35, t),
     ];
-    loft(b, "bowl", &rings, mat);
+    loft_columns(b, "bowl", &rings, mat);
 }
 
 /// The handle of cutlery: from its tail at -Y, which rests there, over a rise to the head.
@@ -217,7 +216,7 @@ pub(super) fn toothpick(b: &mut Build<'_>) {
     let r = x.min(y) / 2.0;
     let mat = b.one(&[CLEAR_PLASTIC, b.style.wood, BAMBOO, WHITE_PLASTIC]);
     let outside = [(r * 0.92, 0.0), (r, z * 0.05), (r, z * 0.75)];
-    b.lathe("box", [0.0; 3], &super::form::shell(&outside, r * 0.1), mat);
+    b.lathe("box", [0.0; 3], &crate::solid::vessel_profile(&outside, r * 0.1), mat);
     for i in 0..9 {
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let out = r * 0.22 * (i as f32).sqrt();

@@ -4,10 +4,11 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::form::{arch, dims, level, loft, oval, rounded, sweep, tube};
 use super::utensils::{ACROSS, grip, grip_mat};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{
+    Axis, Build, P, arch, dims, level_oval, loft_columns, planar_tube, rounded_by_share, rounded_ring, sweep,
+};
 
 /// Graters: four-sided boxes, or flat ones with a grip.
 pub(super) fn grater(b: &mut Build<'_>) {
@@ -35,7 +36,7 @@ pub(super) fn grater(b: &mut Build<'_>) {
     let (hx, hy, h) = (x / 2.0, y / 2.0, z * 0.82);
     let (tx, ty) = (hx * 0.62, hy * 0.62);
     let t = x * 0.02;
-    super::form::tub(b, "frame", &[(0.0, hx, hy), (z * 0.05, hx, hy)], 0.2, t * 3.0, handle);
+    crate::solid::tub(b, "frame", &[(0.0, hx, hy), (z * 0.05, hx, hy)], 0.2, t * 3.0, handle);
     for (sx, sy) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0_f32)] {
         let face = |k: f32, z: f32, thin: f32| {
             let (ox, oy) = ((hx * 0.96 + (tx - hx * 0.96) * k) - thin, (hy * 0.96 + (ty - hy * 0.96) * k) - thin);
@@ -71,7 +72,7 @@ pub(super) fn grater(b: &mut Build<'_>) {
     b.block("top", [-tx, -ty, h - t], [tx, ty, h + t], handle);
     let r = (z - h) * 0.15;
     let loop_ = arch([0.0, 0.0, h], [0.0, ty * 0.85, 0.0], [0.0, 0.0, z - h - r]);
-    tube(b, "grip", &loop_, r, ACROSS, handle);
+    planar_tube(b, "grip", &loop_, r, ACROSS, handle);
 }
 
 /// A mandoline: a board with a blade across, standing on a foot.
@@ -113,7 +114,7 @@ pub(super) fn peeler(b: &mut Build<'_>) {
     if x > 0.045 {
         let (hx, fork) = (x / 2.0, y * 0.22);
         for side in [-1.0, 1.0] {
-            tube(
+            planar_tube(
                 b,
                 "fork",
                 &[
@@ -127,7 +128,7 @@ pub(super) fn peeler(b: &mut Build<'_>) {
             );
         }
         b.block("blade", [-hx, y * 0.42, mid - z * 0.1], [hx, y * 0.48, mid + z * 0.1], STEEL);
-        tube(b, "yoke", &[[-hx * 0.35, fork, mid], [hx * 0.35, fork, mid]], z * 0.3, [0.0, 0.0, 1.0], STEEL);
+        planar_tube(b, "yoke", &[[-hx * 0.35, fork, mid], [hx * 0.35, fork, mid]], z * 0.3, [0.0, 0.0, 1.0], STEEL);
         grip(b, [0.0, -y / 2.0, mid], [0.0, fork, mid], (x * 0.2, mid), handle);
     } else {
         let hx = x / 2.0;
@@ -137,7 +138,7 @@ pub(super) fn peeler(b: &mut Build<'_>) {
             "slot",
             Axis::Z,
             [0.0, y * 0.1, mid - z * 0.2],
-            &rounded((hx * 0.2, hx * 0.2), 1.0),
+            &rounded_by_share((hx * 0.2, hx * 0.2), 1.0),
             z * 0.4,
             BLACK_PLASTIC,
         );
@@ -196,10 +197,10 @@ fn scissors(b: &mut Build<'_>, handle: Mat) {
         let r = (hx * 0.13).min(z * 0.45);
         let (ox, oy) = ((hx * 0.5 - r).max(r * 0.2), y * 0.17);
         let centre = [-side * (hx - ox - r), -y / 2.0 + oy + r, z / 2.0];
-        let mut bow = oval(centre, (ox, oy));
+        let mut bow = level_oval(centre, (ox, oy));
         bow.push(bow[0]);
-        tube(b, "bow", &bow, r, [0.0, 0.0, 1.0], handle);
-        tube(
+        planar_tube(b, "bow", &bow, r, [0.0, 0.0, 1.0], handle);
+        planar_tube(
             b,
             "shank",
             &[
@@ -222,9 +223,9 @@ pub(super) fn bottle_opener(b: &mut Build<'_>) {
     let handle = b.one(&[mat, b.style.wood, BLACK_PLASTIC, RED_PLASTIC]);
     let t = (z * 0.3).min(x * 0.12);
     let (hx, mid) = (x / 2.0, z / 2.0);
-    let mut ring = oval([0.0, y / 2.0 - hx, mid], (hx - t, hx - t));
+    let mut ring = level_oval([0.0, y / 2.0 - hx, mid], (hx - t, hx - t));
     ring.push(ring[0]);
-    tube(b, "ring", &ring, t, [0.0, 0.0, 1.0], mat);
+    planar_tube(b, "ring", &ring, t, [0.0, 0.0, 1.0], mat);
     b.block("claw", [-hx * 0.5, y / 2.0 - x * 0.95, mid - t * 0.5], [hx * 0.5, y / 2.0 - x * 0.75, mid + t * 0.5], mat);
     grip(b, [0.0, -y / 2.0, mid], [0.0, y / 2.0 - x * 0.92, mid], (hx * 0.7, mid), handle);
 }
@@ -271,7 +272,7 @@ fn helix(b: &mut Build<'_>, points: &[P], mid: f32, w: f32) {
         (0..6).map(point).collect()
     };
     let rings: Vec<Vec<P>> = points.iter().map(ring).collect();
-    loft(b, "screw", &rings, STEEL);
+    loft_columns(b, "screw", &rings, STEEL);
 }
 
 /// A pizza cutter: a wheel on a grip.
@@ -317,7 +318,7 @@ pub(super) fn cookie_cutter(b: &mut Build<'_>) {
             .collect()
     };
     let rings = [ring(0.0, 0.0), ring(z, 0.0), ring(z, 0.05), ring(0.0, 0.05), ring(0.0, 0.0)];
-    super::dishes::ring_skin(b, "cutter", &rings, mat);
+    crate::solid::ring_skin(b, "cutter", &rings, mat);
 }
 
 /// A cutting board of wood or plastic with a groove, a hole or a handle.
@@ -329,28 +330,30 @@ pub(super) fn cutting_board(b: &mut Build<'_>) {
     let handled = b.rng.chance(0.4);
     let end = if handled { hy - y * 0.2 } else { hy };
     let shift = end - hy;
-    let outline: Vec<_> = rounded((hx, (end + hy) / 2.0), round).iter().map(|p| (p.0, p.1 + shift / 2.0)).collect();
+    let outline: Vec<_> =
+        rounded_by_share((hx, (end + hy) / 2.0), round).iter().map(|p| (p.0, p.1 + shift / 2.0)).collect();
     let plate = if b.rng.chance(0.3) { z * 0.8 } else { z };
     b.prism("board", Axis::Z, [0.0; 3], &outline, plate, mat);
     let groove = 0.0008_f32.min(z * 0.1);
     if plate < z {
         let half = (hx, (end + hy) / 2.0);
         let ring = |z: f32, k: f32| {
-            level(z, (half.0 - k, half.1 - k), round)
+            rounded_ring(z, (half.0 - k, half.1 - k), round)
                 .into_iter()
                 .map(|p| [p[0], p[1] + shift / 2.0, p[2]])
                 .collect::<Vec<P>>()
         };
         let (k, w) = (x * 0.03, x * 0.055);
         let low = plate - groove;
-        super::dishes::ring_skin(b, "edge", &[ring(low, k), ring(z, k), ring(z, w), ring(low, w), ring(low, k)], mat);
+        crate::solid::ring_skin(b, "edge", &[ring(low, k), ring(z, k), ring(z, w), ring(low, w), ring(low, k)], mat);
     }
     if handled {
-        let neck: Vec<_> = rounded((hx * 0.22, y * 0.13), 0.9).iter().map(|p| (p.0, p.1 + hy - y * 0.13)).collect();
+        let neck: Vec<_> =
+            rounded_by_share((hx * 0.22, y * 0.13), 0.9).iter().map(|p| (p.0, p.1 + hy - y * 0.13)).collect();
         b.prism("handle", Axis::Z, [0.0, 0.0, z * 0.01], &neck, plate * 0.97, mat);
         b.cylinder("hole", [0.0, hy - y * 0.05, plate * 0.9], hx * 0.07, plate * 0.09, BLACK_PLASTIC);
     } else if b.rng.chance(0.5) {
-        let slot: Vec<_> = rounded((hx * 0.07, y * 0.07), 1.0);
+        let slot: Vec<_> = rounded_by_share((hx * 0.07, y * 0.07), 1.0);
         b.prism("slot", Axis::Z, [hx * 0.82, 0.0, plate - groove], &slot, 2.0 * groove, BLACK_PLASTIC);
     }
     b.top("top", [0.0, shift / 2.0, plate], ((hx - x * 0.06).min(hx * 0.7), (end + hy) / 2.0 * 0.86));
@@ -373,5 +376,5 @@ pub(super) fn knife_sharpener(b: &mut Build<'_>) {
         b.block("slot", [-x * 0.46, at - y * 0.012, z * 0.55], [x * 0.46, at + y * 0.012, z * 0.98], BLACK_PLASTIC);
     }
     let loop_ = arch([0.0, -y * 0.22, z * 0.25], [0.0, y * 0.2, 0.0], [0.0, 0.0, z * 0.5]);
-    tube(b, "handle", &loop_, (z * 0.12).min(x * 0.3), ACROSS, handle);
+    planar_tube(b, "handle", &loop_, (z * 0.12).min(x * 0.3), ACROSS, handle);
 }

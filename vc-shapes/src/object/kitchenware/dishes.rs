@@ -2,9 +2,11 @@
 
 use vc_graph::portable::Portable;
 
-use super::form::{arch, dims, ear, hoop, level, loft, shell, tub, tube, turn, vessel};
 use crate::material::*;
-use crate::object::build::Build;
+use crate::solid::{
+    Build, arch, dims, ear, flat_ring, loft_columns, planar_tube, ring_skin, rounded_ring, tub, turn, vessel,
+    vessel_profile,
+};
 
 /// Plates and saucers: with or without a rim, or square; some with a coloured ring.
 pub(super) fn plate(b: &mut Build<'_>) {
@@ -29,14 +31,14 @@ pub(super) fn plate(b: &mut Build<'_>) {
     let painted = b.rng.chance(0.4);
     let rim = if painted { (h * 0.06).min(0.0008) } else { 0.0 };
     let outside: Vec<_> = outside.into_iter().map(|p| (p.0 * (r - rim), p.1 * (h - rim))).collect();
-    b.lathe("plate", [0.0; 3], &shell(&outside, t), mat);
+    b.lathe("plate", [0.0; 3], &vessel_profile(&outside, t), mat);
     if painted {
         let colour = b.one(&[BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, YELLOW_GLAZE, BLACK_GLAZE]);
-        hoop(b, "ring", (h * 0.88, h), (r * 0.955, r), colour);
+        flat_ring(b, "ring", (h * 0.88, h), (r * 0.955, r), colour);
     }
     if saucer {
         let well = flat * 0.7 * r;
-        hoop(b, "well", (t * 0.8, t + h * 0.1), (well * 0.92, well), mat);
+        flat_ring(b, "well", (t * 0.8, t + h * 0.1), (well * 0.92, well), mat);
         b.top("top", [0.0, 0.0, t], (well * 0.62, well * 0.62));
         return;
     }
@@ -82,7 +84,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     vessel(b, "bowl", (r, body), shape, t, mat);
     if rimmed {
         let colour = b.one(&[mat, BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, STONEWARE]);
-        hoop(b, "rim", (h * 0.93, h), (r - t * 1.3, r + 0.0005), colour);
+        flat_ring(b, "rim", (h * 0.93, h), (r - t * 1.3, r + 0.0005), colour);
     }
 }
 
@@ -95,15 +97,20 @@ pub(super) fn fruit_bowl(b: &mut Build<'_>) {
     if b.rng.chance(0.4) {
         let wire = (h * 0.03).min(0.003);
         let (gx, gy) = (hx - wire, hy - wire);
-        loft(b, "floor", &[level(0.0, (gx * 0.5, gy * 0.5), 1.0), level(wire, (gx * 0.52, gy * 0.52), 1.0)], metal);
+        loft_columns(
+            b,
+            "floor",
+            &[rounded_ring(0.0, (gx * 0.5, gy * 0.5), 1.0), rounded_ring(wire, (gx * 0.52, gy * 0.52), 1.0)],
+            metal,
+        );
         for i in 0..12 {
             let (s, c) = (std::f32::consts::TAU * i as f32 / 12.0).sine_cosine();
             let at = |k: f32, z: f32| [gx * k * c, gy * k * s, z];
             let points = [at(0.48, wire), at(0.75, h * 0.15), at(0.93, h * 0.5), at(0.99, h - wire)];
-            tube(b, "wire", &points, wire, [-s, c, 0.0], metal);
+            planar_tube(b, "wire", &points, wire, [-s, c, 0.0], metal);
         }
         let rim = [(h - 2.0 * wire, hx - wire, hy - wire), (h, hx, hy)];
-        let ring = |z: f32, k: f32| super::form::oval([0.0, 0.0, z], (hx - k, hy - k));
+        let ring = |z: f32, k: f32| crate::solid::level_oval([0.0, 0.0, z], (hx - k, hy - k));
         let (low, high) = (rim[0].0, rim[1].0);
         let rings = [ring(low, 0.0), ring(high, 0.0), ring(high, 2.5 * wire), ring(low, 2.5 * wire), ring(low, 0.0)];
         ring_skin(b, "rim", &rings, metal);
@@ -117,21 +124,6 @@ pub(super) fn fruit_bowl(b: &mut Build<'_>) {
     tub(b, "bowl", &sides, 1.0, t, mat);
     b.inside("inside", [0.0, 0.0, t], (hx * 0.32, hy * 0.32), (h - t).max(0.0));
     b.top("top", [0.0, 0.0, t], (hx * 0.32, hy * 0.32));
-}
-
-/// A ring of any shape in plan: the surface over rings whose last one joins the first.
-pub(super) fn ring_skin(b: &mut Build<'_>, name: &str, rings: &[Vec<[f32; 3]>], mat: Mat) {
-    let n = rings.first().map_or(0, Vec::len);
-    let rows = rings.len().saturating_sub(1);
-    let vertices: Vec<_> = rings.iter().take(rows).flatten().copied().collect();
-    let at = |row: usize, k: usize| (row % rows.max(1) * n + k % n.max(1)) as u32;
-    let quads = (0..rows).flat_map(|row| (0..n).map(move |k| (row, k)));
-    let sides = |(row, k): (usize, usize)| {
-        let [a, b] = [at(row, k), at(row, k + 1)];
-        let [c, d] = [at(row + 1, k + 1), at(row + 1, k)];
-        [[a, b, c], [a, c, d]]
-    };
-    b.mesh(name, vertices, quads.flat_map(sides).collect(), mat);
 }
 
 /// Long dishes: serving platters and trays.
@@ -154,7 +146,7 @@ pub(super) fn tray(b: &mut Build<'_>) {
             let centre = [0.0, side * (hy - t * 0.7), rim - t];
             let radius = (t * 0.7).min((h - rim) * 0.3);
             let path = arch(centre, [hx * 0.4, 0.0, 0.0], [0.0, 0.0, h - rim + t - radius]);
-            tube(b, "grip", &path, radius, [0.0, 1.0, 0.0], metal);
+            planar_tube(b, "grip", &path, radius, [0.0, 1.0, 0.0], metal);
         }
     }
     b.top("top", [0.0, 0.0, t], (hx * foot * 0.82 - t, hy * foot * if platter { 0.7 } else { 0.9 } - t));
@@ -175,7 +167,7 @@ pub(super) fn gravy_boat(b: &mut Build<'_>) {
     ];
     let ring = |&(h, across, along, shift): &(f32, f32, f32, f32), thin: f32| {
         let half = (hx * across - thin, length / 2.0 * along - thin);
-        let mut ring = super::form::oval([0.0, length * shift, (z * h).max(thin)], half);
+        let mut ring = crate::solid::level_oval([0.0, length * shift, (z * h).max(thin)], half);
         if h > 0.6 {
             // The lip is stretched outwards and upwards.
             ring.iter_mut().for_each(|p| {
@@ -187,7 +179,7 @@ pub(super) fn gravy_boat(b: &mut Build<'_>) {
         ring
     };
     let rings: Vec<_> = outside.iter().map(|s| ring(s, 0.0)).chain(outside.iter().rev().map(|s| ring(s, t))).collect();
-    loft(b, "boat", &rings, mat);
+    loft_columns(b, "boat", &rings, mat);
     ear(b, (length * 0.36, length * 0.36 + y * 0.22), (z * 0.25, z * 0.85), t, mat);
     b.inside("inside", [0.0, 0.0, t], (hx * 0.24, length * 0.1), (z * 0.7).max(0.0));
 }
@@ -203,12 +195,12 @@ pub(super) fn butter_dish(b: &mut Build<'_>) {
     tub(b, "dish", &[(0.0, hx * 0.85, hy * 0.88), (base, hx, hy)], 0.3, t, mat);
     b.slide([0.0, 0.0, 1.0], z, |b| {
         let (cx, cy) = (hx * 0.8, hy * 0.84);
-        let wall = |z: f32, k: f32, thin: f32| level(z, (cx * k - thin, cy * k - thin), 0.3);
+        let wall = |z: f32, k: f32, thin: f32| rounded_ring(z, (cx * k - thin, cy * k - thin), 0.3);
         let rings =
             [wall(t + 0.0005, 1.0, t), wall(t + 0.0005, 1.0, 0.0), wall(top * 0.9, 0.95, 0.0), wall(top, 0.85, 0.0)];
         let under = wall(top - t, 0.85, t);
         let rings: Vec<_> = [under].into_iter().chain(rings).collect();
-        loft(b, "cover", &rings, cover);
+        loft_columns(b, "cover", &rings, cover);
         turn(b, "knob", [0.0, 0.0, top - 0.001], (hx * 0.18, z - top + 0.001), KNOB, cover);
     });
     b.inside("inside", [0.0, 0.0, t], (hx * 0.62 - t, hy * 0.66 - t), (top * 0.85 - 2.0 * t).max(0.0));

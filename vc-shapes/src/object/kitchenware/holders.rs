@@ -5,9 +5,10 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 use vc_graph::portable::Portable;
 
 use super::dishes::KNOB;
-use super::form::{arch, dims, hoop, level, loft, rounded, tub, tube, turn, vessel};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
+use crate::solid::{
+    Axis, Build, arch, dims, flat_ring, loft_columns, planar_tube, rounded_by_share, rounded_ring, tub, turn, vessel,
+};
 
 /// A slanted wooden block with knives in it.
 pub(super) fn knife_block(b: &mut Build<'_>) {
@@ -61,7 +62,7 @@ pub(super) fn utensil_holder(b: &mut Build<'_>) {
     let r = r - 0.0006;
     vessel(b, "crock", (r, z - (z * 0.02).min(0.001)), &shape, (r * 0.07).min(0.005), mat);
     let band = b.one(&[mat, STEEL, b.style.wood]);
-    hoop(b, "rim", (z * 0.94, z), (r * 0.9, r + 0.0005), band);
+    flat_ring(b, "rim", (z * 0.94, z), (r * 0.9, r + 0.0005), band);
 }
 
 /// A tray with compartments for cutlery.
@@ -185,7 +186,7 @@ pub(super) fn napkin_holder(b: &mut Build<'_>) {
                 .chain([(-hy * 0.97, 0.0), (hy * 0.97, 0.0)])
                 .collect()
         } else {
-            rounded((hy * 0.97, (z - t) / 2.0), 0.2).iter().map(|p| (p.0, p.1 + (z - t) / 2.0)).collect()
+            rounded_by_share((hy * 0.97, (z - t) / 2.0), 0.2).iter().map(|p| (p.0, p.1 + (z - t) / 2.0)).collect()
         };
         b.prism("plate", Axis::X, [at, 0.0, t * 0.9], &outline, t, mat);
     }
@@ -239,8 +240,8 @@ pub(super) fn food_container(b: &mut Build<'_>) {
         b.inside("inside", [0.0, 0.0, t], (ix * 0.92, iy * 0.92), (h - 2.0 * t).max(0.0));
     }
     b.slide([0.0, 0.0, 1.0], z * 1.2, |b| {
-        let at = |z: f32, k: f32| level(z, (hx * k, hy * k), round);
-        loft(
+        let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), round);
+        loft_columns(
             b,
             "lid",
             &[
@@ -336,7 +337,7 @@ pub(super) fn biscuit_tin(b: &mut Build<'_>) {
     let k = if round > 0.5 { 0.64 } else { 0.88 };
     b.inside("inside", [0.0, 0.0, t], (hx * k, hy * k), h * 0.97);
     b.slide([0.0, 0.0, 1.0], z * 1.2, |b| {
-        let at = |z: f32, k: f32| level(z, (hx * k, hy * k), round);
+        let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), round);
         let skirt = [
             at(h + 0.0003, 0.965),
             at(h + 0.0002, 0.975),
@@ -345,8 +346,8 @@ pub(super) fn biscuit_tin(b: &mut Build<'_>) {
             at(z * 0.97, 1.0),
             at(z * 0.985, 0.97),
         ];
-        loft(b, "lid", &skirt, cap);
-        loft(b, "picture", &[at(z * 0.98, 0.6), at(z, 0.58)], mat);
+        loft_columns(b, "lid", &skirt, cap);
+        loft_columns(b, "picture", &[at(z * 0.98, 0.6), at(z, 0.58)], mat);
     });
 }
 
@@ -401,8 +402,8 @@ pub(super) fn bread_basket(b: &mut Build<'_>) {
     b.felt(|b| tub(b, "basket", &[sides[0], (z, hx, hy)], round, t, mat));
     let linen = b.style.linen;
     let cloth = |b: &mut Build<'_>, k: f32| {
-        let at = |z: f32, grow: f32| level(z, (hx * k * grow, hy * k * grow), round);
-        loft(b, "napkin", &[at(t * 0.5, 0.9), at(t * 1.5, 0.95)], linen);
+        let at = |z: f32, grow: f32| rounded_ring(z, (hx * k * grow, hy * k * grow), round);
+        loft_columns(b, "napkin", &[at(t * 0.5, 0.9), at(t * 1.5, 0.95)], linen);
     };
     cloth(b, 0.76);
     b.inside("inside", [0.0, 0.0, t * 1.5], (hx * 0.5, hy * 0.5), z - 1.5 * t);
@@ -419,8 +420,8 @@ pub(super) fn ice_box(b: &mut Build<'_>) {
     tub(b, "box", &[(0.0, hx * 0.9, hy * 0.88), (h, hx * 0.97, hy * 0.92)], 0.2, t, body);
     b.inside("inside", [0.0, 0.0, t], ((hx * 0.9 - t) * 0.93, (hy * 0.88 - t) * 0.95), (h - t - 0.002).max(0.0));
     b.hinge([-hx, 0.0, z], [0.0, -1.0, 0.0], FRAC_PI_2, |b| {
-        let at = |z: f32, k: f32| level(z, (hx * k, hy * 0.95 * k), 0.2);
-        loft(b, "lid", &[at(h + 0.001, 0.98), at(h + (z - h) * 0.2, 1.0), at(z * 0.97, 1.0), at(z, 0.95)], cap);
+        let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * 0.95 * k), 0.2);
+        loft_columns(b, "lid", &[at(h + 0.001, 0.98), at(h + (z - h) * 0.2, 1.0), at(z * 0.97, 1.0), at(z, 0.95)], cap);
         b.top("top", [0.0, 0.0, z], (hx * 0.85, hy * 0.8));
     });
     let w = (hy * 0.03).min(0.01);
@@ -445,12 +446,12 @@ pub(super) fn mat(b: &mut Build<'_>) {
     let round = if placemat { b.one(&[0.05, 0.3, 1.0]) } else { b.one(&[1.0, 1.0, 0.1, 0.3]) };
     let striped = placemat && round < 0.2;
     let low = z * if striped { 0.6 } else { 0.75 };
-    b.prism("mat", Axis::Z, [0.0; 3], &rounded((hx, hy), round), low, edge);
+    b.prism("mat", Axis::Z, [0.0; 3], &rounded_by_share((hx, hy), round), low, edge);
     b.prism(
         "middle",
         Axis::Z,
         [0.0, 0.0, low * 0.5],
-        &rounded((hx * 0.93, hy * 0.93), round),
+        &rounded_by_share((hx * 0.93, hy * 0.93), round),
         (if striped { z * 0.85 } else { z }) - low * 0.5,
         colour,
     );
@@ -478,7 +479,7 @@ pub(super) fn trivet(b: &mut Build<'_>) {
             let (rings, bars) = (b.rng.count(2, 4), b.rng.count(3, 6));
             for i in 0..rings {
                 let k = 0.25 + 0.72 * i as f32 / (rings - 1) as f32;
-                hoop(b, "ring", (z * 0.2, z), (r * (k - 0.1), r * k), colour);
+                flat_ring(b, "ring", (z * 0.2, z), (r * (k - 0.1), r * k), colour);
             }
             for i in 0..bars {
                 b.at([0.0; 3], TAU * i as f32 / bars as f32, |b| {
@@ -504,5 +505,5 @@ pub(super) fn trivet(b: &mut Build<'_>) {
 /// A wire handle over a bucket, rising from two points of its rim.
 pub(in crate::object) fn bail(b: &mut Build<'_>, r: f32, (z, top): (f32, f32), w: f32, mat: Mat) {
     let path = arch([0.0, 0.0, z], [0.0, r, 0.0], [0.0, 0.0, (top - z - w).max(w)]);
-    tube(b, "bail", &path, w, [1.0, 0.0, 0.0], mat);
+    planar_tube(b, "bail", &path, w, [1.0, 0.0, 0.0], mat);
 }

@@ -5,7 +5,6 @@ mod cups;
 mod cutlery;
 mod cutters;
 mod dishes;
-pub(super) mod form;
 pub(super) mod holders;
 mod pots;
 mod prep;

@@ -5,15 +5,14 @@ use std::f32::consts::TAU;
 use vc_graph::portable::Portable;
 
 use super::dishes::KNOB;
-use super::form::{arch, dims, hoop, shell, sweep, tub, tube, turn, vessel};
 use crate::material::*;
-use crate::object::build::Build;
+use crate::solid::{Build, arch, dims, flat_ring, planar_tube, sweep, tub, turn, vessel, vessel_profile};
 
 /// A grip loop at the Y side of a round wall, horizontal at height `z`.
 fn loop_grip(b: &mut Build<'_>, side: f32, (wall, reach): (f32, f32), z: f32, width: f32, radius: f32, mat: Mat) {
     let r = radius.min((reach - wall) * 0.3).max(2e-4);
     let path = arch([0.0, side * wall, z], [width, 0.0, 0.0], [0.0, side * (reach - wall - r).max(1e-4), 0.0]);
-    tube(b, "handle", &path, r, [0.0, 0.0, 1.0], mat);
+    planar_tube(b, "handle", &path, r, [0.0, 0.0, 1.0], mat);
 }
 
 /// A long handle along Y, flatter than wide and thicker at the grip.
@@ -65,7 +64,7 @@ pub(super) fn pot(b: &mut Build<'_>) {
     let t = (r * 0.04).min(if cast { 0.006 } else { 0.003 });
     vessel(b, "pot", (r, h), &[(foot, 0.0), (belly, 0.1), (1.0, 0.5), (1.0, 1.0)], t, mat);
     if cover == GLASS {
-        hoop(b, "rim", (h * 0.98, h + (knob * 0.1).min(0.003)), (r * 0.92, r * 0.985), STEEL);
+        flat_ring(b, "rim", (h * 0.98, h + (knob * 0.1).min(0.003)), (r * 0.92, r * 0.985), STEEL);
     }
     lid(b, r * if cover == GLASS { 0.93 } else { 0.99 }, (h, z), (cover, grip));
     if b.class == "pressure_cooker" {
@@ -194,9 +193,9 @@ pub(super) fn tin(b: &mut Build<'_>) {
     if lidded {
         let cover = b.one(&[mat, GLASS]);
         b.slide([0.0, 0.0, 1.0], z, |b| {
-            let at = |z: f32, k: f32| super::form::level(z, (wx * k, wy * k), round);
+            let at = |z: f32, k: f32| crate::solid::rounded_ring(z, (wx * k, wy * k), round);
             let rings = [at(h + 0.0004, 0.99), at(h + z * 0.05, 0.99), at(h + z * 0.13, 0.75)];
-            super::form::loft(b, "lid", &rings, cover);
+            crate::solid::loft_columns(b, "lid", &rings, cover);
             turn(b, "knob", [0.0, 0.0, h + z * 0.12], ((wx * 0.25).min(0.03), z * 0.16), KNOB, cover);
         });
     }
@@ -233,7 +232,7 @@ pub(super) fn round_tin(b: &mut Build<'_>) {
     let mat = b.one(&[BLACK_METAL, ALUMINIUM, STEEL, RED_METAL]);
     let t = (r * 0.015).min(0.002);
     vessel(b, "tin", (r * 0.94, h), &[(0.99, 0.0), (0.99, 0.5), (0.99, 0.96), (1.0, 1.0)], t, mat);
-    hoop(b, "base", (0.0, (h * 0.06).min(0.003)), (r * 0.5, r), mat);
+    flat_ring(b, "base", (0.0, (h * 0.06).min(0.003)), (r * 0.5, r), mat);
     b.block("clip", [r * 0.92, -r * 0.12, h * 0.3], [r, r * 0.12, h * 0.75], STEEL);
     b.rod("lever", [r * 0.97, -r * 0.1, h * 0.5], [r * 0.97, r * 0.25, h * 0.5], (r * 0.02).min(h * 0.1), STEEL);
 }
@@ -266,7 +265,7 @@ pub(super) fn muffin_tin(b: &mut Build<'_>) {
     for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
         let centre = [-x * 0.47 + px * (i as f32 + 0.5), -y * 0.47 + py * (j as f32 + 0.5), 0.0];
         let outside = [(r * 0.72, 0.0), (r * 0.97, h - t), (r, h)];
-        b.lathe("cup", centre, &super::form::shell(&outside, t), mat);
+        b.lathe("cup", centre, &crate::solid::vessel_profile(&outside, t), mat);
         if (i, j) == (0, 0) {
             b.inside("cup_1", [centre[0], centre[1], t], (r * 0.45, r * 0.45), (h - t).max(0.0));
         }
@@ -282,9 +281,9 @@ pub(super) fn steamer_basket(b: &mut Build<'_>) {
     let wall = r * 0.05;
     for i in 0..tiers {
         let low = h * i as f32;
-        hoop(b, "wall", (low + 0.0003, low + h - 0.0003), (r * 0.93 - wall, r * 0.95), BAMBOO);
-        hoop(b, "band", (low + h * 0.08, low + h * 0.35), (r * 0.94, r), BAMBOO);
-        hoop(b, "band", (low + h * 0.65, low + h * 0.92), (r * 0.94, r), BAMBOO);
+        flat_ring(b, "wall", (low + 0.0003, low + h - 0.0003), (r * 0.93 - wall, r * 0.95), BAMBOO);
+        flat_ring(b, "band", (low + h * 0.08, low + h * 0.35), (r * 0.94, r), BAMBOO);
+        flat_ring(b, "band", (low + h * 0.65, low + h * 0.92), (r * 0.94, r), BAMBOO);
         for k in 0..7 {
             let at = r * 0.78 * (k as f32 / 3.0 - 1.0);
             let reach = ((r * 0.9).raised(2) - at * at).max(0.0).sqrt();
@@ -295,7 +294,7 @@ pub(super) fn steamer_basket(b: &mut Build<'_>) {
     }
     let top = h * tiers as f32;
     b.slide([0.0, 0.0, 1.0], z * 0.8, |b| {
-        hoop(b, "lid_band", (top + 0.0003, top + (z - top) * 0.5), (r * 0.85, r), BAMBOO);
+        flat_ring(b, "lid_band", (top + 0.0003, top + (z - top) * 0.5), (r * 0.85, r), BAMBOO);
         turn(
             b,
             "lid",
@@ -305,7 +304,7 @@ pub(super) fn steamer_basket(b: &mut Build<'_>) {
             PINE,
         );
         let grip = arch([0.0, 0.0, top + (z - top) * 0.8], [0.0, r * 0.2, 0.0], [0.0, 0.0, (z - top) * 0.15]);
-        tube(b, "grip", &grip, (z - top) * 0.05, [1.0, 0.0, 0.0], BAMBOO);
+        planar_tube(b, "grip", &grip, (z - top) * 0.05, [1.0, 0.0, 0.0], BAMBOO);
     });
 }
 
@@ -343,7 +342,7 @@ pub(super) fn mortar_and_pestle(b: &mut Build<'_>) {
     let shape =
         b.one(&[[(0.6, 0.0), (0.62, 0.12), (0.9, 0.4), (1.0, 1.0)], [(0.8, 0.0), (0.9, 0.2), (0.98, 0.6), (1.0, 1.0)]]);
     let outside: Vec<_> = shape.iter().map(|p| (p.0 * r, p.1 * h)).collect();
-    b.lathe("mortar", [0.0; 3], &shell(&outside, r * 0.16), mat);
+    b.lathe("mortar", [0.0; 3], &vessel_profile(&outside, r * 0.16), mat);
     let (thick, lean) = (r * 0.13, r * 0.5);
     let foot = [-r * 0.15, 0.0, r * 0.155];
     let way = [lean + r * 0.15, 0.0, z - thick - foot[2]];

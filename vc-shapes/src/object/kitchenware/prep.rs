@@ -5,10 +5,11 @@ use std::f32::consts::{PI, TAU};
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
-use super::form::{arch, dims, ear, hoop, level, loft, shell, sweep, tube, turn, vessel};
 use super::utensils::{ACROSS, grip, hoop_at, thin_wire};
 use crate::material::*;
-use crate::object::build::Build;
+use crate::solid::{
+    Build, arch, dims, ear, flat_ring, loft_columns, planar_tube, rounded_ring, sweep, turn, vessel, vessel_profile,
+};
 
 /// A piping bag: a cone of cloth standing on its nozzle.
 pub(super) fn piping_bag(b: &mut Build<'_>) {
@@ -16,12 +17,12 @@ pub(super) fn piping_bag(b: &mut Build<'_>) {
     let mat = b.one(&[WHITE_COTTON, CLEAR_PLASTIC, BLUE_FABRIC]);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let cone = [
-        level(z * 0.12, (hx * 0.25, hx * 0.25), 1.0),
-        level(z * 0.7, (hx, hy * 0.75), 1.0),
-        level(z * 0.98, (hx * 0.6, hy), 1.0),
-        level(z, (hx * 0.35, hy * 0.97), 1.0),
+        rounded_ring(z * 0.12, (hx * 0.25, hx * 0.25), 1.0),
+        rounded_ring(z * 0.7, (hx, hy * 0.75), 1.0),
+        rounded_ring(z * 0.98, (hx * 0.6, hy), 1.0),
+        rounded_ring(z, (hx * 0.35, hy * 0.97), 1.0),
     ];
-    loft(b, "bag", &cone, mat);
+    loft_columns(b, "bag", &cone, mat);
     turn(b, "nozzle", [0.0; 3], (hx * 0.3, z * 0.14), &[(0.35, 0.0), (1.0, 1.0)], STEEL);
 }
 
@@ -63,7 +64,7 @@ pub(super) fn measuring_spoon(b: &mut Build<'_>) {
     let centre = y / 2.0 - r;
     let outside: Vec<_> =
         [(0.5, 0.0), (0.85, 0.25), (0.98, 0.7), (1.0, 1.0)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
-    b.lathe("bowl", [0.0, centre, 0.0], &shell(&outside, (r * 0.08).min(0.0015)), mat);
+    b.lathe("bowl", [0.0, centre, 0.0], &vessel_profile(&outside, (r * 0.08).min(0.0015)), mat);
     b.inside(
         "inside",
         [0.0, centre, (r * 0.08).min(0.0015)],
@@ -86,7 +87,7 @@ pub(super) fn colander(b: &mut Build<'_>) {
     b.at([0.0, 0.0, foot], 0.0, |b| {
         vessel(b, "bowl", (r, h), &[(0.4, 0.0), (0.68, 0.2), (0.9, 0.6), (1.0, 1.0)], t, mat)
     });
-    hoop(b, "foot", (0.0, foot + t * 0.4), (r * 0.36, r * 0.42), mat);
+    flat_ring(b, "foot", (0.0, foot + t * 0.4), (r * 0.36, r * 0.42), mat);
     for row in 0..4 {
         let (k, rise) = ([0.62, 0.76, 0.86, 0.93][row], [0.16, 0.34, 0.5, 0.68][row]);
         let holes = 12;
@@ -115,7 +116,7 @@ pub(super) fn colander(b: &mut Build<'_>) {
             [r * 0.3, 0.0, 0.0],
             [0.0, side * (y / 2.0 - r * 0.94 - w).max(1e-3), 0.0],
         );
-        tube(b, "handle", &path, w, [0.0, 0.0, 1.0], mat);
+        planar_tube(b, "handle", &path, w, [0.0, 0.0, 1.0], mat);
     }
 }
 
@@ -128,7 +129,7 @@ pub(super) fn sieve(b: &mut Build<'_>) {
     let h = z * 0.92;
     let outside: Vec<_> =
         [(0.3, 0.0), (0.7, 0.25), (0.92, 0.6), (0.97, 0.95)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
-    b.lathe("mesh", [0.0, centre, 0.0], &shell(&outside, (r * 0.03).min(0.0015)), ALUMINIUM);
+    b.lathe("mesh", [0.0, centre, 0.0], &vessel_profile(&outside, (r * 0.03).min(0.0015)), ALUMINIUM);
     hoop_at(b, [0.0, centre, 0.0], (h, z), (r * 0.9, r), STEEL);
     if b.class == "sieve" {
         b.inside("inside", [0.0, centre, (r * 0.03).min(0.0015).max(r * 0.06)], (r * 0.17, r * 0.17), z * 0.9);
@@ -222,7 +223,7 @@ pub(super) fn kitchen_timer(b: &mut Build<'_>) {
             &[(0.6, 0.0), (0.92, 0.15), (1.0, waist), (0.93, 0.6), (tip, 0.85), (0.35, 0.97), (0.0, 1.0)],
             mat,
         );
-        hoop(b, "dial", (z * 0.38, z * 0.42), (r * 0.9, r * 1.0), BLACK_PLASTIC);
+        flat_ring(b, "dial", (z * 0.38, z * 0.42), (r * 0.9, r * 1.0), BLACK_PLASTIC);
         return;
     }
     b.soft("case", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0 - x * 0.05, y / 2.0, z], x * 0.3, mat);
@@ -289,7 +290,7 @@ pub(super) fn ice_bucket(b: &mut Build<'_>) {
             [0.0, 0.0, h * 0.12],
             [0.0, side * (y / 2.0 - r * 0.92 - w).max(1e-3), 0.0],
         );
-        tube(b, "handle", &path, w, ACROSS, BRASS);
+        planar_tube(b, "handle", &path, w, ACROSS, BRASS);
     }
     b.slide([0.0, 0.0, 1.0], z, |b| {
         turn(
@@ -310,7 +311,7 @@ pub(super) fn ice_cube_tray(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let mat = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, CLEAR_PLASTIC, PINK_PLASTIC]);
     let t = (x * 0.02).min(z * 0.1);
-    super::form::tub(b, "tray", &[(0.0, hx * 0.92, hy * 0.95), (z, hx, hy)], 0.15, t, mat);
+    crate::solid::tub(b, "tray", &[(0.0, hx * 0.92, hy * 0.95), (z, hx, hy)], 0.15, t, mat);
     let columns = ((y / x * 2.2).round() as usize).clamp(3, 7);
     b.block("rib", [-t, -hy * 0.95, t * 0.5], [t, hy * 0.95, z * 0.9], mat);
     for i in 1..columns {

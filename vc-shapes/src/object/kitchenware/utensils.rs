@@ -5,9 +5,8 @@ use std::f32::consts::PI;
 use vc_graph::portable::Portable;
 
 use super::cutlery::scoop;
-use super::form::{dims, hoop, shell, sweep, tube};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, dims, flat_ring, planar_tube, sweep, vessel_profile};
 
 pub(super) const ACROSS: P = [1.0, 0.0, 0.0];
 
@@ -74,7 +73,7 @@ pub(super) fn spatula(b: &mut Build<'_>) {
     let r = (z * 0.28).min(0.008);
     let lift = if soft { z / 2.0 } else { z - r };
     let neck = r * 0.45;
-    tube(
+    planar_tube(
         b,
         "neck",
         &[
@@ -100,11 +99,11 @@ pub(super) fn ladle(b: &mut Build<'_>) {
         let depth = z * b.vary(0.5, 0.65);
         let outside: Vec<_> =
             [(0.35, 0.0), (0.7, 0.18), (0.92, 0.5), (1.0, 1.0)].iter().map(|p| (p.0 * r, p.1 * depth)).collect();
-        b.lathe("bowl", [0.0, centre, 0.0], &shell(&outside, (r * 0.05).min(0.002)), mat);
+        b.lathe("bowl", [0.0, centre, 0.0], &vessel_profile(&outside, (r * 0.05).min(0.002)), mat);
         b.inside("inside", [0.0, centre, r * 0.05], (r * 0.2, r * 0.2), depth * 0.9);
         let path =
             [[0.0, centre - r * 0.95, depth * 0.8], [0.0, centre - r * 1.2, depth], [0.0, -y * 0.1, z - neck * 2.0]];
-        tube(b, "neck", &path, neck, ACROSS, mat);
+        planar_tube(b, "neck", &path, neck, ACROSS, mat);
         grip(b, [0.0, -y / 2.0, z - neck * 2.0], [0.0, -y * 0.05, z - neck * 2.0], (neck * 2.2, neck * 1.8), handle);
     } else {
         let t = (z * 0.1).min(0.002);
@@ -121,13 +120,13 @@ pub(super) fn ladle(b: &mut Build<'_>) {
                 mat,
             );
         }
-        tube(b, "neck", &[[0.0, centre - r * 0.95, rim * 0.6], [0.0, -y * 0.1, z - neck]], neck, ACROSS, mat);
+        planar_tube(b, "neck", &[[0.0, centre - r * 0.95, rim * 0.6], [0.0, -y * 0.1, z - neck]], neck, ACROSS, mat);
         grip(b, [0.0, -y / 2.0, z - neck], [0.0, -y * 0.05, z - neck], (neck * 1.8, neck), handle);
     }
 }
 
 pub(super) fn hoop_at(b: &mut Build<'_>, base: P, z: (f32, f32), r: (f32, f32), mat: Mat) {
-    b.at(base, 0.0, |b| hoop(b, "rim", z, r, mat));
+    b.at(base, 0.0, |b| flat_ring(b, "rim", z, r, mat));
 }
 
 /// A whisk: wire loops on a grip.
@@ -202,7 +201,7 @@ pub(super) fn potato_masher(b: &mut Build<'_>) {
                 [[at, plate, hz - side * end], [at, plate, hz + side * end]]
             })
             .collect();
-        tube(b, "wire", &points, w, [0.0, 1.0, 0.0], STEEL);
+        planar_tube(b, "wire", &points, w, [0.0, 1.0, 0.0], STEEL);
     } else {
         let disc = [(0.35, 0.0), (1.0, 0.0), (1.0, 1.0), (0.35, 1.0), (0.35, 0.0)];
         let disc: Vec<_> = disc.iter().map(|p| (p.0 * hx.min(hz), p.1 * w * 2.0)).collect();
@@ -210,7 +209,7 @@ pub(super) fn potato_masher(b: &mut Build<'_>) {
         b.block("web", [-hx * 0.9, plate - w * 0.5, hz - w], [hx * 0.9, plate + w * 0.8, hz + w], STEEL);
     }
     for side in [-1.0, 1.0] {
-        tube(
+        planar_tube(
             b,
             "arm",
             &[[side * (hx - w) * 0.93, plate, hz], [side * hx * 0.7, y * 0.2, hz], [0.0, 0.0, hz]],

@@ -4,12 +4,11 @@ use vc_graph::portable::Portable;
 
 use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, collar, fit, half_dims, plate_with_hole};
 
 /// A lamp flat against the ceiling: a glass bowl, a drum, a light panel, or spots.
 pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let metal = stand_mat(b);
     let plate = h * 0.12;
@@ -84,7 +83,7 @@ fn ring_of_spokes(b: &mut Build<'_>, r: f32, z: f32, thick: f32, mat: Mat) {
 /// A pendant lamp: a shade on a cord from a ceiling rose; cloth, metal, glass or a globe.
 pub(super) fn pendant_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.16, 0.24]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let metal = stand_mat(b);
     let rose = (0.03 * u).min(h * 0.15);
@@ -142,7 +141,7 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
 /// A chandelier on a chain: arms with candles or small shades around a stem.
 pub(super) fn chandelier(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let metal = b.one(&[BRASS, GOLD, IRON, CHROME, b.style.metal]);
     let arms = b.rng.count(5, 8);
@@ -202,7 +201,7 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
 /// A wall lamp: a shade on an arm, a box that shines up and down, or a half bowl.
 pub(super) fn wall_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.08, 0.08]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let metal = stand_mat(b);
     let plate = (0.015 * u).min(x * 0.3);
     let design = b.rng.below(4);
@@ -227,7 +226,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
             let t = (0.008 * u).min(y * 0.2);
             b.block("plate", [-x, -y * 0.5, h * 0.3], [-x + plate, y * 0.5, h * 0.7], metal);
             let (low, high) = ([-x + plate * 0.9, -y, 0.0], [x, y, h]);
-            ring(b, "case", Axis::Z, (low, high), ((low[0] + t, -y + t), (x - t, y - t)), metal);
+            plate_with_hole(b, "case", Axis::Z, (low, high), ((low[0] + t, -y + t), (x - t, y - t)), metal);
             for z in [h * 0.12, h * 0.8] {
                 b.block("light", [low[0] + t, -y + t, z], [x - t, y - t, z + h * 0.08], WARM_BULB);
             }
@@ -257,7 +256,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
 /// Rotating cylindrical spots on a rail, or one on a round plate.
 pub(super) fn spotlight(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.064, 0.064]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.one(&[WHITE_METAL, BLACK_METAL, STEEL, BRASS]);
     let rail = h * 0.18;
     let count = ((2.0 * y) / 0.22).floor().clamp(1.0, 5.0) as usize;
@@ -297,7 +296,7 @@ pub(super) fn spotlight(b: &mut Build<'_>) {
 /// A mirror lamp: a light bar, or round lamps in a row.
 pub(super) fn mirror_light(b: &mut Build<'_>) {
     let u = fit(b, [0.048, 0.24, 0.032]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.style.tap;
     let z = h / 2.0;
     let r = (h * 0.46).min(x * 0.55);
@@ -324,7 +323,7 @@ pub(super) fn mirror_light(b: &mut Build<'_>) {
 
 /// A flat light bar with a switch.
 pub(super) fn under_cabinet_light(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let case_mat = b.one(&[WHITE_PLASTIC, ALUMINIUM, BLACK_PLASTIC]);
     let round = b.rng.chance(0.3) && x > h;
     if round {

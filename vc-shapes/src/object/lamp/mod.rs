@@ -4,9 +4,9 @@ mod hung;
 mod small;
 mod stood;
 
-use super::build::{Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
+use crate::solid::{Build, P};
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("ceiling_lamp", 8, hung::ceiling_lamp),

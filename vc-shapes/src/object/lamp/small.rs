@@ -3,12 +3,11 @@
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::cooker::fitting::*;
+use crate::solid::{Build, P, collar, half_dims};
 
 /// A soft glowing shape: a moon, a mushroom, a cube, a cat's head.
 pub(super) fn night_light(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let base = b.one(&[WHITE_PLASTIC, BEECH, PINK_PLASTIC, BLUE_PLASTIC]);
     let foot = h * 0.14;
@@ -52,7 +51,7 @@ pub(super) fn night_light(b: &mut Build<'_>) {
 
 /// A string of small lights, coiled around a spool or in loose loops.
 pub(super) fn string_lights(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let cable = b.one(&[GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]);
     let lights: &[Mat] = b.one(&[&[WARM_BULB], &[SIGNAL_RED, SIGNAL_AMBER, SIGNAL_GREEN, WARM_BULB], &[COOL_BULB]]);
     let r = (h * 0.07).min(x * 0.12);
@@ -96,7 +95,7 @@ fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: Mat) {
 
 /// A bulb standing on its contact: pear, globe, candle or spiral shape on a screw thread.
 pub(super) fn light_bulb(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let (cap, thread) = (h * 0.3, r * 0.45);
     let profile = [
@@ -159,7 +158,7 @@ pub(super) fn light_bulb(b: &mut Build<'_>) {
 
 /// A torch standing on its end: a grip, a switch, a wide head with a lens.
 pub(super) fn flashlight(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let mat = b.one(&[BLACK_METAL, ALUMINIUM, RED_METAL, YELLOW_PLASTIC, BLUE_METAL]);
     let slim = r * b.vary(0.6, 0.8);

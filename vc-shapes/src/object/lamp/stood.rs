@@ -2,12 +2,11 @@
 
 use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::cooker::fitting::*;
+use crate::solid::{Build, P, fit, half_dims};
 
 /// A base and a body under a shade: turned, a block, a ball, a tripod; or a mushroom lamp.
 pub(super) fn table_lamp(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     if b.rng.chance(0.15) {
         return mushroom(b, r, h);
@@ -108,7 +107,7 @@ fn tripod(b: &mut Build<'_>, spread: f32, top: f32, mat: Mat) {
 /// A base, jointed arms, and a head that shines down.
 pub(super) fn desk_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.272]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[BLACK_METAL, WHITE_METAL, RED_METAL, STEEL, YELLOW_METAL, BLUE_METAL, b.style.metal]);
     let foot_r = (y * 0.92).min(x * 0.6);
     let foot = [-x + foot_r, 0.0];
@@ -173,7 +172,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
                 (-deep * 0.7, tall * 0.62),
                 (-deep * 0.9, 0.0),
             ];
-            b.prism("shade", crate::object::build::Axis::Y, [stem.max(-x + deep), -y, low], &outline, 2.0 * y, glass);
+            b.prism("shade", crate::solid::Axis::Y, [stem.max(-x + deep), -y, low], &outline, 2.0 * y, glass);
             b.rod(
                 "light",
                 [stem.max(-x + deep), -y * 0.8, low + tall * 0.4],
@@ -191,7 +190,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
 /// A floor lamp: a shade on a pole or on three legs, an arc lamp, an uplighter, or spots.
 pub(super) fn floor_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.192, 1.12]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let metal = stand_mat(b);
     let foot = r * b.vary(0.55, 0.75);

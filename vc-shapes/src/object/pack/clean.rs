@@ -5,12 +5,14 @@ use std::f32::consts::{PI, TAU};
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{dims, hoop, level, loft, lump, oval, rounded, sweep, tub, tube, turn, vessel};
 use super::super::kitchenware::holders::bail;
 use super::label::{GROWTH, panel};
 use super::look::look;
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, P, dims, flat_ring, level_oval, loft_columns, lump, planar_tube, rounded_by_share, rounded_ring,
+    sweep, tub, turn, vessel,
+};
 
 const BRIGHT: [Mat; 6] = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC];
 
@@ -70,7 +72,14 @@ pub(super) fn mop(b: &mut Build<'_>) {
         let w = hx.min(hy) * 0.13;
         let at = |k: f32, z: f32| [(hx - w) * k * c, (hy - w) * k * s, z];
         let side = [-s, c, 0.0];
-        tube(b, "string", &[at(0.2, h), at(0.45, h * 0.95), at(0.8 * out, h * 0.45), at(out, 0.0)], w, side, cloth);
+        planar_tube(
+            b,
+            "string",
+            &[at(0.2, h), at(0.45, h * 0.95), at(0.8 * out, h * 0.45), at(out, 0.0)],
+            w,
+            side,
+            cloth,
+        );
     }
     turn(
         b,
@@ -114,7 +123,7 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     if mat == GALVANISED {
         for k in [0.3, 0.62] {
             let wall = rim * (0.74 + 0.23 * k);
-            hoop(b, "hoop", (h * k, h * (k + 0.03)), (wall * 0.96, wall + r * 0.02), mat);
+            flat_ring(b, "hoop", (h * k, h * (k + 0.03)), (wall * 0.96, wall + r * 0.02), mat);
         }
     }
 }
@@ -134,8 +143,8 @@ fn mop_bucket(b: &mut Build<'_>, h: f32, mat: Mat) {
     b.inside("inside", [0.0, -hy * 0.2, t], (hx * 0.55, hy * 0.45), h * 0.6);
     let basket = b.one(&BRIGHT);
     let (low, cy) = (h * 0.65, hy * 0.45);
-    let ring = |z: f32, k: f32| oval([0.0, cy, z], (hx * 0.78 * k, hy * 0.42 * k));
-    loft(
+    let ring = |z: f32, k: f32| level_oval([0.0, cy, z], (hx * 0.78 * k, hy * 0.42 * k));
+    loft_columns(
         b,
         "wringer",
         &[
@@ -180,7 +189,7 @@ pub(super) fn sponge(b: &mut Build<'_>) {
         b.one(&[GREEN_FABRIC, GREEN_FABRIC, NAVY_FABRIC]),
     );
     let waist = b.one(&[1.0, 0.9]);
-    let plan: Vec<_> = rounded((hx, hy), 0.25)
+    let plan: Vec<_> = rounded_by_share((hx, hy), 0.25)
         .into_iter()
         .map(|p| (p.0 * (waist + (1.0 - waist) * (p.1 / hy).abs().raised(2)), p.1))
         .collect();
@@ -336,7 +345,7 @@ pub(super) fn lint_roller(b: &mut Build<'_>) {
         [0.0, 0.0, axis - r * 1.9],
         [0.0, 0.0, z * 0.42],
     ];
-    tube(b, "arm", &points, w, [1.0, 0.0, 0.0], mat);
+    planar_tube(b, "arm", &points, w, [1.0, 0.0, 0.0], mat);
     turn(
         b,
         "grip",
@@ -380,9 +389,9 @@ fn gloves(b: &mut Build<'_>) {
     for (i, flip) in [-1.0_f32, 1.0].into_iter().enumerate() {
         let at = flip * t;
         let ring = |z: f32, k: f32| {
-            rounded((t, hy * k), 0.9).into_iter().map(|p| [at + p.0 * 0.98, p.1, z]).collect::<Vec<P>>()
+            rounded_by_share((t, hy * k), 0.9).into_iter().map(|p| [at + p.0 * 0.98, p.1, z]).collect::<Vec<P>>()
         };
-        loft(
+        loft_columns(
             b,
             "glove",
             &[ring(z * 0.3, 0.66), ring(z * 0.45, 0.72), ring(z * 0.6, 0.62), ring(z * 0.98, 0.9), ring(z, 0.92)],
@@ -412,8 +421,8 @@ pub(super) fn dishwasher_tablets(b: &mut Build<'_>) {
     let look = look(b);
     let g = GROWTH.min(x * 0.04);
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.4);
-    loft(b, "tub", &[at(0.0, 0.9, 0.92), at(z * 0.04, 0.97, 0.97), at(z * 0.78, 1.0, 1.0)], look.body);
-    loft(b, "lid", &[at(z * 0.785, 1.0, 0.995), at(z * 0.95, 1.0, 0.99), at(z, 0.9, 0.95)], look.cap);
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.4);
+    loft_columns(b, "tub", &[at(0.0, 0.9, 0.92), at(z * 0.04, 0.97, 0.97), at(z * 0.78, 1.0, 1.0)], look.body);
+    loft_columns(b, "lid", &[at(z * 0.785, 1.0, 0.995), at(z * 0.95, 1.0, 0.99), at(z, 0.9, 0.95)], look.cap);
     panel(b, hx, (0.0, hy * 0.7), (z * 0.1, z * 0.7), look.label());
 }

@@ -1,11 +1,10 @@
 //! Bottles of non-round section: oval ones, jugs, sprays.
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{dims, level, loft, sweep, tube, turn};
 use super::flat::{self, PANEL};
 use super::label::panel;
 use super::look::look;
 use crate::material::*;
+use crate::solid::{Axis, Build, P, dims, loft_columns, planar_tube, rounded_ring, sweep, turn};
 
 /// Oval bottles for bath and kitchen: with a flip cap, upside down on their cap, or with a pump.
 pub(super) fn oval_bottle(b: &mut Build<'_>) {
@@ -20,16 +19,16 @@ pub(super) fn oval_bottle(b: &mut Build<'_>) {
     };
     let round = b.one(&[1.0, 0.8, 0.5]);
     let h = z * if pump { 0.72 } else { b.vary(0.84, 0.9) };
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), round);
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), round);
     let inverted = !pump
         && matches!(b.class, "ketchup" | "mayonnaise" | "conditioner" | "hair_product" | "sunscreen")
         && b.rng.chance(0.5);
     let neck = (hx * 0.5).min(hy * 0.42);
-    let ring = |z: f32, r: f32| level(z, (r, r), 1.0);
+    let ring = |z: f32, r: f32| rounded_ring(z, (r, r), 1.0);
     if inverted {
         let low = z - h;
-        loft(b, "cap", &[at(0.0, 0.85, 0.8), at(low, 0.88, 0.84)], look.cap);
-        loft(
+        loft_columns(b, "cap", &[at(0.0, 0.85, 0.8), at(low, 0.88, 0.84)], look.cap);
+        loft_columns(
             b,
             "bottle",
             &[
@@ -45,7 +44,7 @@ pub(super) fn oval_bottle(b: &mut Build<'_>) {
     }
     let waist = if b.class == "dish_soap" { 0.8 } else { b.vary(0.9, 1.0) };
     let shoulder = b.vary(0.72, 0.86);
-    loft(
+    loft_columns(
         b,
         "bottle",
         &[
@@ -73,7 +72,7 @@ pub(super) fn oval_bottle(b: &mut Build<'_>) {
         ],
         _ => vec![ring(h * 0.99, neck * 1.25), ring(z * 0.99, neck * 1.2), ring(z, neck * 1.1)],
     };
-    loft(b, "cap", &cap, look.cap);
+    loft_columns(b, "cap", &cap, look.cap);
 }
 
 /// A pump on a neck: collar, rod and spout to the front.
@@ -100,10 +99,10 @@ pub(super) fn trigger_spray(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
     let h = z * 0.74;
     let round = b.one(&[0.9, 0.6]);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), round);
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), round);
     let neck = (hx * 0.55).min(hy * 0.35);
-    let ring = |z: f32, r: f32| level(z, (r, r), 1.0);
-    loft(
+    let ring = |z: f32, r: f32| rounded_ring(z, (r, r), 1.0);
+    loft_columns(
         b,
         "bottle",
         &[
@@ -157,7 +156,7 @@ pub(super) fn jug_bottle(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
     let h = z * 0.84;
     let at = |z: f32, kx: f32, (y0, y1): (f32, f32)| {
-        level(z, (hx * kx, hy * (y1 - y0) / 2.0), 0.45)
+        rounded_ring(z, (hx * kx, hy * (y1 - y0) / 2.0), 0.45)
             .into_iter()
             .map(|p| [p[0], p[1] + hy * (y0 + y1) / 2.0, p[2]])
             .collect::<Vec<P>>()
@@ -172,7 +171,7 @@ pub(super) fn jug_bottle(b: &mut Build<'_>) {
         at(h * 0.97, 0.5, (-0.75, 0.05)),
         at(h, 0.45, (-0.7, 0.0)),
     ];
-    loft(b, "bottle", &rings, look.body);
+    loft_columns(b, "bottle", &rings, look.body);
     let w = (hx * 0.32).min(hy * 0.18);
     let path = [
         [0.0, hy * 0.05, h * 0.88],
@@ -181,7 +180,7 @@ pub(super) fn jug_bottle(b: &mut Build<'_>) {
         [0.0, hy - w, h * 0.62],
         [0.0, hy * 0.8, h * 0.5],
     ];
-    tube(b, "grip", &path, w, [1.0, 0.0, 0.0], look.body);
+    planar_tube(b, "grip", &path, w, [1.0, 0.0, 0.0], look.body);
     let (cy, r) = (-hy * 0.35, (hx * 0.62).min(hy * 0.42));
     turn(
         b,
@@ -201,7 +200,10 @@ pub(super) fn bent_bottle(b: &mut Build<'_>) {
     let g = PANEL.min(x * 0.04);
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
     let at = |z: f32, kx: f32, shift: f32, ky: f32| {
-        level(z, (hx * kx, hy * ky), 0.8).into_iter().map(|p| [p[0], p[1] + hy * shift, p[2]]).collect::<Vec<P>>()
+        rounded_ring(z, (hx * kx, hy * ky), 0.8)
+            .into_iter()
+            .map(|p| [p[0], p[1] + hy * shift, p[2]])
+            .collect::<Vec<P>>()
     };
     let rings = [
         at(0.0, 0.93, -0.14, 0.8),
@@ -210,7 +212,7 @@ pub(super) fn bent_bottle(b: &mut Build<'_>) {
         at(z * 0.68, 0.75, -0.1, 0.55),
         at(z * 0.8, 0.5, 0.1, 0.34),
     ];
-    loft(b, "bottle", &rings, look.body);
+    loft_columns(b, "bottle", &rings, look.body);
     let r = (hx * 0.45).min(hy * 0.3);
     let path = [
         ([0.0, hy * 0.08, z * 0.78], r, r),

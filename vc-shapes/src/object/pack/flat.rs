@@ -5,11 +5,10 @@ use std::f32::consts::FRAC_PI_2;
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{arch, dims, level, loft, tub, tube, turn};
 use super::label::panel;
 use super::look::{Look, look};
 use crate::material::*;
+use crate::solid::{Axis, Build, P, arch, dims, loft_columns, planar_tube, rounded_ring, tub, turn};
 
 /// The protrusion of a panel.
 pub(super) const PANEL: f32 = 0.0019;
@@ -107,10 +106,10 @@ pub(super) fn bag(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0 - PANEL.min(x * 0.05), y / 2.0);
     let foil = matches!(b.class, "chips" | "candy" | "nuts" | "popcorn" | "pet_food" | "coffee_beans" | "raisins");
     let paper = matches!(b.class, "flour" | "sugar" | "rice" | "oatmeal");
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.35);
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.35);
     if paper {
         let h = z * 0.9;
-        loft(
+        loft_columns(
             b,
             "bag",
             &[
@@ -143,7 +142,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
     // A pillow bag of a few centimetres would not stand on its seam.
     let stand = matches!(b.class, "candy" | "nuts" | "raisins" | "coffee_beans" | "pet_food" | "ground_coffee");
     let base = if stand { 0.9 } else { foot };
-    loft(
+    loft_columns(
         b,
         "bag",
         &[
@@ -181,7 +180,7 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
     let cap = z * b.vary(0.13, 0.2);
     let r = hx.min(hy);
     turn(b, "cap", [0.0; 3], (r, cap), &[(0.95, 0.0), (0.95, 0.9), (0.85, 1.0)], look.cap);
-    let at = |z: f32, kx: f32, y: f32| level(z, (hx * kx, y), 1.0);
+    let at = |z: f32, kx: f32, y: f32| rounded_ring(z, (hx * kx, y), 1.0);
     let rings = [
         at(cap * 0.98, 0.75, r * 0.75),
         at(cap + z * 0.03, 1.0, r),
@@ -190,7 +189,7 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
         at(z * 0.94, 0.08, hy),
         at(z, 0.08, hy),
     ];
-    loft(b, "tube", &rings, look.body);
+    loft_columns(b, "tube", &rings, look.body);
     let belly = cap / z + 0.03;
     for (low, high, mat) in [(0.44, 0.56, look.paper), (0.62, 0.7, look.ink)] {
         let ring = |k: f32| {
@@ -203,9 +202,9 @@ pub(super) fn squeeze_tube(b: &mut Build<'_>) {
                 let share = (k - 0.5) / 0.43;
                 (0.85 - 0.7 * share, middle + (hy * 0.97 - middle) * share)
             };
-            level(z * k, (hx * hk + g, wide.min(hy) + g), 1.0)
+            rounded_ring(z * k, (hx * hk + g, wide.min(hy) + g), 1.0)
         };
-        loft(b, "print", &[ring(low), ring(0.5_f32.max(low).min(high)), ring(high)], mat);
+        loft_columns(b, "print", &[ring(low), ring(0.5_f32.max(low).min(high)), ring(high)], mat);
     }
 }
 
@@ -295,9 +294,9 @@ pub(super) fn block_pack(b: &mut Build<'_>) {
         b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, CREAM_PAPER]),
         b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]),
     );
-    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 0.5);
-    loft(b, "tub", &[at(0.0, 0.82), at(h, 0.95)], body);
-    loft(b, "lid", &[at(h * 0.97, 0.97), at(h * 0.99, 1.0), at(z - g * 1.2, 1.0), at(z - g, 0.97)], lid);
+    let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), 0.5);
+    loft_columns(b, "tub", &[at(0.0, 0.82), at(h, 0.95)], body);
+    loft_columns(b, "lid", &[at(h * 0.97, 0.97), at(h * 0.99, 1.0), at(z - g * 1.2, 1.0), at(z - g, 0.97)], lid);
     on_top(b, |b| panel(b, z - g, (0.0, hy * 0.7), (-hx * 0.65, hx * 0.65), look.label()));
 }
 
@@ -337,9 +336,9 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
         if z < 0.13 {
             return bag(b);
         }
-        let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 0.25);
+        let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), 0.25);
         let h = z * 0.85;
-        loft(b, "bucket", &[at(0.0, 0.72), at(h, 0.97)], WHITE_PAPER);
+        loft_columns(b, "bucket", &[at(0.0, 0.72), at(h, 0.97)], WHITE_PAPER);
         for i in 0..4 {
             let (y0, y1) = (-0.85 + 0.46 * i as f32, -0.62 + 0.46 * i as f32);
             for side in [-1.0, 1.0] {
@@ -355,14 +354,7 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
                 b.hull("stripe", &points, RED_CARD);
             }
         }
-        super::super::kitchenware::form::lump(
-            b,
-            "popcorn",
-            [0.0, 0.0, h],
-            [hx * 0.8, hy * 0.8, (z - h) * 0.8],
-            0.08,
-            CREAM_FOOD,
-        );
+        crate::solid::lump(b, "popcorn", [0.0, 0.0, h], [hx * 0.8, hy * 0.8, (z - h) * 0.8], 0.08, CREAM_FOOD);
         for i in 0..18 {
             let (s, c) = (2.4 * i as f32).sine_cosine();
             let k = 0.8 * ((i as f32 + 0.5) / 18.0).sqrt();
@@ -406,7 +398,7 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
     );
     let w = (hx * 0.03).min(0.001);
     let bail = arch([0.0, 0.0, h * 0.85], [0.0, hy - w, 0.0], [0.0, 0.0, z - h * 0.85 - w]);
-    tube(b, "bail", &bail, w, [1.0, 0.0, 0.0], STEEL);
+    planar_tube(b, "bail", &bail, w, [1.0, 0.0, 0.0], STEEL);
 }
 
 /// A larger bag or a can of pet food.
@@ -439,8 +431,8 @@ fn stick(b: &mut Build<'_>) {
     let Look { body, paper, ink, cap } = look(b);
     let g = PANEL.min(x * 0.04);
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
-    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), 1.0);
-    loft(b, "stick", &[at(0.0, 0.95), at(z * 0.02, 1.0), at(z * 0.6, 1.0)], body);
-    loft(b, "cap", &[at(z * 0.605, 0.99), at(z * 0.93, 0.95), at(z, 0.75)], cap);
+    let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), 1.0);
+    loft_columns(b, "stick", &[at(0.0, 0.95), at(z * 0.02, 1.0), at(z * 0.6, 1.0)], body);
+    loft_columns(b, "cap", &[at(z * 0.605, 0.99), at(z * 0.93, 0.95), at(z, 0.75)], cap);
     panel(b, hx, (0.0, hy * 0.4), (z * 0.12, z * 0.52), (paper, ink));
 }

@@ -1,8 +1,7 @@
 //! Hair care tools.
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{dims, level, loft, sweep};
 use crate::material::*;
+use crate::solid::{Axis, Build, P, dims, loft_columns, rounded_ring, sweep};
 
 /// A comb lying flat: a back with coarse and fine teeth.
 pub(super) fn comb(b: &mut Build<'_>) {
@@ -53,12 +52,12 @@ pub(super) fn brush(b: &mut Build<'_>) {
     let body = z * 0.42;
     let shift = |ring: Vec<P>| -> Vec<P> { ring.into_iter().map(|p| [p[0], p[1] + mid, p[2]]).collect() };
     let lift = if scrub { z - body } else { 0.0 };
-    let at = |z: f32, k: f32| shift(level(z + lift, (hx * k, half * k), 0.9));
-    loft(b, "back", &[at(0.0, 0.9), at(body * 0.4, 1.0), at(body * 0.8, 0.98), at(body, 0.88)], back);
+    let at = |z: f32, k: f32| shift(rounded_ring(z + lift, (hx * k, half * k), 0.9));
+    loft_columns(b, "back", &[at(0.0, 0.9), at(body * 0.4, 1.0), at(body * 0.8, 0.98), at(body, 0.88)], back);
     if !scrub {
-        let pad = shift(level(body * 0.95, (hx * 0.8, half * 0.85), 1.0));
-        let top = shift(level(body * 1.2, (hx * 0.65, half * 0.72), 1.0));
-        loft(b, "pad", &[pad, top], RED_RUBBER);
+        let pad = shift(rounded_ring(body * 0.95, (hx * 0.8, half * 0.85), 1.0));
+        let top = shift(rounded_ring(body * 1.2, (hx * 0.65, half * 0.72), 1.0));
+        loft_columns(b, "pad", &[pad, top], RED_RUBBER);
     }
     let (rows, columns) = (4, 7);
     let (low, high) = if scrub { (0.0, lift + body * 0.1) } else { (body, z) };

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
-use super::super::kitchenware::form::hoop;
 use crate::material::Mat;
+use crate::solid::{Axis, Build, flat_ring};
 
 /// The protrusion of a panel, metres.
 const RAISED: f32 = 0.0007;
@@ -24,7 +23,7 @@ pub(in crate::object) const GROWTH: f32 = BAND + PRINT;
 pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32), (paper, ink): (Mat, Mat)) {
     let tall = high - low;
     let band = r + BAND.min(r * 0.05);
-    hoop(b, "label", (low, high), (r * 0.97, band), paper);
+    flat_ring(b, "label", (low, high), (r * 0.97, band), paper);
     if r < 0.008 {
         return;
     }

@@ -1,8 +1,8 @@
 //! The appearance of the packages of a class: colours of their content or skin, of labels, prints
 //! and caps.
 
-use super::super::build::Build;
 use crate::material::*;
+use crate::solid::Build;
 
 /// Colours of one package.
 #[derive(Debug, Clone, Copy)]

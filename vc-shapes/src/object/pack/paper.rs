@@ -1,10 +1,9 @@
 //! Paper, wadding and wipes.
 
-use super::super::build::{Axis, Build};
-use super::super::kitchenware::form::{arch, dims, hoop, level, loft, rounded, tube};
 use super::label::{GROWTH, panel, wrap};
 use super::look::look;
 use crate::material::*;
+use crate::solid::{Axis, Build, arch, dims, flat_ring, loft_columns, planar_tube, rounded_by_share, rounded_ring};
 use vc_graph::portable::Portable;
 
 /// Rolls of paper for the toilet and the kitchen; sometimes two on top of each other.
@@ -25,7 +24,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
         (body * 0.985, 0.0),
     ];
     b.lathe("paper", [0.0; 3], &bulge, paper);
-    hoop(b, "core", (z * 0.004, z * 0.996), (tube_r * 0.92, tube_r * 1.01), CARDBOARD);
+    flat_ring(b, "core", (z * 0.004, z * 0.996), (tube_r * 0.92, tube_r * 1.01), CARDBOARD);
     // The free end of the sheet.
     let flap: Vec<_> = (0..=6)
         .map(|k| {
@@ -42,7 +41,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
         let ink = b.one(&[BLUE_CARD, GREEN_CARD, RED_CARD]);
         for i in 0..3 {
             let low = z * (0.2 + 0.28 * i as f32);
-            hoop(b, "print", (low, low + z * 0.02), (body * 0.97, body + (r - body) * 0.6), ink);
+            flat_ring(b, "print", (low, low + z * 0.02), (body * 0.97, body + (r - body) * 0.6), ink);
         }
     }
 }
@@ -66,7 +65,7 @@ pub(super) fn cotton_pads(b: &mut Build<'_>) {
     b.lathe("pads", [0.0; 3], &profile, WHITE_COTTON);
     wrap(b, r - GROWTH.min(r * 0.1), (z * 0.12, z * 0.55), (sleeve, WHITE_PAPER));
     let grip = arch([0.0, 0.0, z * 0.9], [0.0, r * 0.5, 0.0], [0.0, 0.0, z * 0.09]);
-    tube(b, "string", &grip, z * 0.006, [1.0, 0.0, 0.0], sleeve);
+    planar_tube(b, "string", &grip, z * 0.006, [1.0, 0.0, 0.0], sleeve);
 }
 
 /// A box with tissues protruding from its slot.
@@ -78,7 +77,14 @@ pub(super) fn tissue_box(b: &mut Build<'_>) {
     let skin = b.one(&[look.body, b.style.wood, WHITE_PAPER, look.ink]);
     let g = GROWTH.min(x * 0.01);
     b.soft("box", [-hx, -hy, 0.0], [hx - g, hy, h], 0.0015, skin);
-    b.prism("slot", Axis::Z, [0.0, 0.0, h - z * 0.01], &rounded((hx * 0.35, hy * 0.55), 1.0), z * 0.03, BLACK_CARD);
+    b.prism(
+        "slot",
+        Axis::Z,
+        [0.0, 0.0, h - z * 0.01],
+        &rounded_by_share((hx * 0.35, hy * 0.55), 1.0),
+        z * 0.03,
+        BLACK_CARD,
+    );
     let fold = |s: f32| {
         [
             [s * hx * 0.05, -hy * 0.4, h * 0.97],
@@ -102,8 +108,8 @@ pub(super) fn wet_wipes(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.35);
-    loft(
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.35);
+    loft_columns(
         b,
         "pack",
         &[at(0.0, 0.9, 0.9), at(z * 0.15, 1.0, 0.96), at(z * 0.7, 1.0, 0.96), at(z * 0.86, 0.88, 0.9)],
@@ -122,8 +128,8 @@ pub(super) fn wet_wipes(b: &mut Build<'_>) {
 pub(super) fn diaper(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.7);
-    loft(
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.7);
+    loft_columns(
         b,
         "diaper",
         &[

@@ -2,11 +2,10 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::Build;
-use super::super::kitchenware::form::{dims, hoop, shell, turn};
 use super::label::{GROWTH, wrap};
 use super::look::{Look, look};
 use crate::material::*;
+use crate::solid::{Build, dims, flat_ring, turn, vessel_profile};
 
 /// Outlines of bottles without caps, as fractions of radius and height, and the heights of their
 /// label.
@@ -141,7 +140,7 @@ fn drink_can(b: &mut Build<'_>) {
     let r = body_radius(x, y);
     let skin = if b.class == "beer" { b.one(&[GREEN_METAL, RED_METAL, BLUE_METAL, WHITE_METAL]) } else { look.body };
     turn(b, "can", [0.0; 3], (r, z), &[(0.8, 0.0), (0.82, 0.015), (1.0, 0.08), (1.0, 0.88), (0.86, 0.96)], skin);
-    hoop(b, "rim", (z * 0.955, z), (r * 0.78, r * 0.87), ALUMINIUM);
+    flat_ring(b, "rim", (z * 0.955, z), (r * 0.78, r * 0.87), ALUMINIUM);
     b.cylinder("lid", [0.0, 0.0, z * 0.94], r * 0.8, z * 0.03, ALUMINIUM);
     b.block("tab", [-r * 0.1, -r * 0.16, z * 0.965], [r * 0.5, r * 0.16, z * 0.98], STEEL);
     wrap(b, r, (z * 0.2, z * 0.75), (skin, look.paper));
@@ -292,7 +291,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
             let (body, content) = (b.one(&[GLASS, GLASS, PORCELAIN, STEEL]), b.one(&[PETAL_WHITE, BLACK]));
             let outside: Vec<_> =
                 [(0.9, 0.0), (1.0, 0.05), (0.85, 0.72), (0.8, 0.78)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
-            b.lathe("glass", [0.0; 3], &shell(&outside, r * 0.1), body);
+            b.lathe("glass", [0.0; 3], &vessel_profile(&outside, r * 0.1), body);
             turn(b, "content", [0.0, 0.0, z * 0.04], (r, z * 0.5), &[(0.78, 0.0), (0.85, 0.1), (0.75, 1.0)], content);
             turn(
                 b,
@@ -322,7 +321,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
                 (0.6, 0.95),
             ];
             turn(b, "mill", [0.0; 3], (r, z), &mill, mat);
-            hoop(b, "band", (z * 0.665, z * 0.69), (r * 0.4, r * 0.72), STEEL);
+            flat_ring(b, "band", (z * 0.665, z * 0.69), (r * 0.4, r * 0.72), STEEL);
             turn(b, "knob", [0.0, 0.0, z * 0.94], (r * 0.3, z * 0.06), &[(0.6, 0.0), (1.0, 0.5), (0.5, 1.0)], STEEL);
         }
     }

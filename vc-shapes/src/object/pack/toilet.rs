@@ -2,13 +2,13 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::kitchenware::form::{
-    arch, dims, hoop, level, loft, lump, oval, rounded, shell, sweep, tub, tube, turn,
-};
 use super::label::{GROWTH, panel};
 use super::look::look;
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, P, arch, dims, flat_ring, level_oval, loft_columns, lump, planar_tube, rounded_by_share, rounded_ring,
+    sweep, tub, turn, vessel_profile,
+};
 
 const BRIGHT: [Mat; 7] =
     [WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, ORANGE_PLASTIC, RED_PLASTIC];
@@ -22,9 +22,14 @@ pub(super) fn soap(b: &mut Build<'_>) {
     let mat = b.one(&[SOAP, PETAL_PINK, WAX, LIGHT_LEAF, PETAL_WHITE, PETAL_BLUE]);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let round = b.one(&[1.0, 0.5, 0.3]);
-    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), round);
-    loft(b, "soap", &[at(0.0, 0.82), at(z * 0.2, 0.96), at(z * 0.5, 1.0), at(z * 0.78, 0.95), at(z * 0.94, 0.8)], mat);
-    b.prism("stamp", Axis::Z, [0.0, 0.0, z * 0.9], &rounded((hx * 0.4, hy * 0.5), 1.0), z * 0.1, mat);
+    let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), round);
+    loft_columns(
+        b,
+        "soap",
+        &[at(0.0, 0.82), at(z * 0.2, 0.96), at(z * 0.5, 1.0), at(z * 0.78, 0.95), at(z * 0.94, 0.8)],
+        mat,
+    );
+    b.prism("stamp", Axis::Z, [0.0, 0.0, z * 0.9], &rounded_by_share((hx * 0.4, hy * 0.5), 1.0), z * 0.1, mat);
 }
 
 /// A ribbed soap dish.
@@ -146,7 +151,7 @@ fn safety_razor(b: &mut Build<'_>, mat: Mat) {
     let rings = b.rng.count(3, 6);
     for i in 0..rings {
         let low = neck * (0.1 + 0.45 * i as f32 / rings as f32);
-        hoop(b, "ring", (low, low + z * 0.02), (r * 0.9, r * 1.15), CHROME);
+        flat_ring(b, "ring", (low, low + z * 0.02), (r * 0.9, r * 1.15), CHROME);
     }
     turn(b, "neck", [0.0, 0.0, neck * 0.98], (r * 0.5, z * 0.95 - neck * 0.98), &[(1.0, 0.0), (1.0, 1.0)], CHROME);
     b.soft("plate", [-hx, -hy * 0.96, z * 0.93], [hx, hy * 0.96, z * 0.955], z * 0.008, CHROME);
@@ -159,8 +164,8 @@ pub(super) fn electric_shaver(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, NAVY, WHITE_PLASTIC]);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * kx, hy * ky), 0.9);
-    loft(
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.9);
+    loft_columns(
         b,
         "body",
         &[
@@ -172,7 +177,7 @@ pub(super) fn electric_shaver(b: &mut Build<'_>) {
         ],
         body,
     );
-    loft(
+    loft_columns(
         b,
         "head",
         &[at(z * 0.77, 0.75, 0.85), at(z * 0.84, 1.0, 1.0), at(z * 0.9, 0.98, 1.0), at(z * 0.93, 0.9, 0.9)],
@@ -193,17 +198,17 @@ pub(super) fn flacon(b: &mut Build<'_>) {
     let nail = matches!(b.class, "nail_polish" | "foundation");
     let h = z * if nail { 0.5 } else { b.vary(0.6, 0.72) };
     let neck = hx.min(hy) * 0.4;
-    let ring = |z: f32, r: f32| level(z, (r, r), 1.0);
+    let ring = |z: f32, r: f32| rounded_ring(z, (r, r), 1.0);
     let round = b.one(&[0.1, 0.4, 1.0]);
-    let at = |z: f32, k: f32| level(z, (hx * k, hy * k), round);
+    let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), round);
     let shoulder = b.one(&[0.95, 0.7, 1.0]);
-    loft(
+    loft_columns(
         b,
         "flacon",
         &[at(0.0, 0.93), at(h * 0.05, 1.0), at(h * 0.7, 1.0), at(h * 0.95, shoulder), at(h, shoulder * 0.85)],
         look.body,
     );
-    loft(b, "neck", &[ring(h * 0.98, neck * 0.8), ring(h + (z - h) * 0.2, neck * 0.8)], GOLD);
+    loft_columns(b, "neck", &[ring(h * 0.98, neck * 0.8), ring(h + (z - h) * 0.2, neck * 0.8)], GOLD);
     let (low, wide) = (h + (z - h) * 0.15, neck * if nail { 1.1 } else { 1.5 });
     let cap = match b.rng.below(3) {
         0 => [(low, wide), (z * 0.98, wide), (z, wide * 0.9)],
@@ -211,7 +216,7 @@ pub(super) fn flacon(b: &mut Build<'_>) {
         _ => [(low, wide), (f32::midpoint(low, z), wide * 0.85), (z, wide * 0.75)],
     };
     let rings: Vec<_> = cap.iter().map(|c| ring(c.0, c.1.min(hx))).collect();
-    loft(b, "cap", &rings, look.cap);
+    loft_columns(b, "cap", &rings, look.cap);
     if !nail {
         panel(b, hx, (0.0, hy * 0.45), (h * 0.25, h * 0.6), (look.paper, GOLD));
     }
@@ -227,13 +232,13 @@ pub(super) fn stick(b: &mut Build<'_>) {
         b.cylinder("case", [0.0; 3], r, z * 0.5, body);
         b.cylinder("sleeve", [0.0, 0.0, z * 0.49], r * 0.85, z * 0.22, GOLD);
         let colour = b.one(&[RED_SKIN, PETAL_PINK, PURPLE_SKIN, TERRACOTTA]);
-        let ring = |z: f32, k: f32| oval([0.0, 0.0, z], (r * 0.7 * k, r * 0.7 * k));
+        let ring = |z: f32, k: f32| level_oval([0.0, 0.0, z], (r * 0.7 * k, r * 0.7 * k));
         let slanted: Vec<P> =
             ring(z, 0.95).into_iter().map(|p| [p[0], p[1], z - (p[0] / r * 0.5 + 0.35).max(0.0) * z * 0.12]).collect();
-        return loft(b, "lipstick", &[ring(z * 0.7, 1.0), ring(z * 0.86, 1.0), slanted], colour);
+        return loft_columns(b, "lipstick", &[ring(z * 0.7, 1.0), ring(z * 0.86, 1.0), slanted], colour);
     }
     turn(b, "case", [0.0; 3], (r, z * 0.56), &[(0.95, 0.0), (1.0, 0.03), (1.0, 1.0)], body);
-    hoop(b, "band", (z * 0.55, z * 0.58), (r * 0.5, r * 0.94), GOLD);
+    flat_ring(b, "band", (z * 0.55, z * 0.58), (r * 0.5, r * 0.94), GOLD);
     turn(b, "cap", [0.0, 0.0, z * 0.575], (r, z * 0.425), &[(0.98, 0.0), (0.98, 0.9), (0.85, 1.0)], cap);
 }
 
@@ -243,7 +248,7 @@ pub(super) fn dental_floss(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let body = b.one(&BRIGHT);
     let g = GROWTH.min(x * 0.05);
-    b.prism("box", Axis::X, [-hx, 0.0, z * 0.4], &rounded((hy, z * 0.4), 0.6), x - g, WHITE_PLASTIC);
+    b.prism("box", Axis::X, [-hx, 0.0, z * 0.4], &rounded_by_share((hy, z * 0.4), 0.6), x - g, WHITE_PLASTIC);
     b.soft("lid", [-hx * 0.9, -hy * 0.8, z * 0.75], [hx * 0.8, hy * 0.8, z], x * 0.15, body);
     panel(b, hx - g, (0.0, hy * 0.6), (z * 0.15, z * 0.65), (body, WHITE_PAPER));
 }
@@ -304,8 +309,8 @@ pub(super) fn makeup_bag(b: &mut Build<'_>) {
     );
     b.inside("inside", [0.0, 0.0, t], (hx * 0.4, hy * 0.7), h * 0.9);
     b.hinge([-hx * 0.6, 0.0, h], [0.0, -1.0, 0.0], 1.4, |b| {
-        let at = |z: f32, k: f32, ky: f32| level(z, (hx * k, hy * ky), 0.5);
-        loft(b, "flap", &[at(h + 0.0005, 0.6, 0.95), at(z * 0.9, 0.3, 0.92), at(z * 0.97, 0.1, 0.88)], mat);
+        let at = |z: f32, k: f32, ky: f32| rounded_ring(z, (hx * k, hy * ky), 0.5);
+        loft_columns(b, "flap", &[at(h + 0.0005, 0.6, 0.95), at(z * 0.9, 0.3, 0.92), at(z * 0.97, 0.1, 0.88)], mat);
         b.block("zip", [-hx * 0.06, -hy * 0.85, z * 0.95], [hx * 0.06, hy * 0.85, z], GOLD);
         b.block("pull", [-hx * 0.03, hy * 0.83, z * 0.8], [hx * 0.03, hy * 0.98, z * 0.985], GOLD);
     });
@@ -320,7 +325,14 @@ pub(super) fn bathroom_scale(b: &mut Build<'_>) {
     for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
         b.cylinder("foot", [hx * 0.72 * sx, hy * 0.72 * sy, 0.0], hx * 0.12, low * 1.1, GREY_PLASTIC);
     }
-    b.prism("plate", Axis::Z, [0.0, 0.0, low], &rounded((hx, hy), 0.2), z - low - 0.001_f32.min(z * 0.1), plate);
+    b.prism(
+        "plate",
+        Axis::Z,
+        [0.0, 0.0, low],
+        &rounded_by_share((hx, hy), 0.2),
+        z - low - 0.001_f32.min(z * 0.1),
+        plate,
+    );
     b.block("display", [-hx * 0.8, -hy * 0.3, z * 0.85], [-hx * 0.5, hy * 0.3, z], SCREEN);
     b.top("top", [hx * 0.15, 0.0, z - 0.001_f32.min(z * 0.1)], (hx * 0.6, hy * 0.85));
 }
@@ -345,8 +357,8 @@ pub(super) fn thermometer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let body = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
-    let at = |z: f32, kx: f32, ky: f32| level(z, (hx * 0.85 * kx, hy * ky), 0.6);
-    loft(
+    let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * 0.85 * kx, hy * ky), 0.6);
+    loft_columns(
         b,
         "body",
         &[
@@ -393,7 +405,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
     });
     let w = (z - h) * 0.2;
     let grip = arch([-hx * 0.5, 0.0, h - w], [0.0, hy * 0.35, 0.0], [0.0, 0.0, z - h]);
-    tube(b, "grip", &grip, w, [1.0, 0.0, 0.0], BLACK_PLASTIC);
+    planar_tube(b, "grip", &grip, w, [1.0, 0.0, 0.0], BLACK_PLASTIC);
 }
 
 /// A toilet brush in its pot with the handle upright.
@@ -404,7 +416,7 @@ pub(super) fn toilet_brush(b: &mut Build<'_>) {
     let h = z * b.vary(0.3, 0.45);
     let outside: Vec<_> =
         [(0.95, 0.0), (1.0, 0.03), (0.9, 0.8), (0.85, 1.0)].iter().map(|p| (p.0 * r, p.1 * h)).collect();
-    b.lathe("pot", [0.0; 3], &shell(&outside, r * 0.06), mat);
+    b.lathe("pot", [0.0; 3], &vessel_profile(&outside, r * 0.06), mat);
     turn(
         b,
         "bristles",

@@ -2,9 +2,8 @@
 
 use std::f32::consts::TAU;
 
-use super::shape::{blob, grown, plate, polar, polygon, spaced};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, at_least, blob, plate, polar, polygon, spaced};
 
 /// Builds the edging of a bed and returns its wall thickness and height.
 fn edging(b: &mut Build<'_>, most: f32) -> (f32, f32) {
@@ -40,7 +39,7 @@ fn soil(b: &mut Build<'_>, edge: f32, level: f32) {
 
 /// A flower bed: soil in an edging and clumps of flowers.
 pub(super) fn flower_bed(b: &mut Build<'_>) {
-    grown(b, [0.2, 0.4, 0.08]);
+    at_least(b, [0.2, 0.4, 0.08]);
     let h = b.size.z;
     let (edge, level) = edging(b, h);
     soil(b, edge, level);
@@ -80,7 +79,7 @@ fn clump(b: &mut Build<'_>, at: P, half: (f32, f32), top: f32, mats: (Mat, Mat))
 
 /// A vegetable patch: rows of cabbage, lettuce, carrots, onions and staked tomatoes.
 pub(super) fn vegetable_patch(b: &mut Build<'_>) {
-    grown(b, [0.3, 0.6, 0.075]);
+    at_least(b, [0.3, 0.6, 0.075]);
     let h = b.size.z;
     let (edge, level) = edging(b, h.min(0.35));
     let level = level.min(h * 0.5);
@@ -146,7 +145,7 @@ fn tomato(b: &mut Build<'_>, at: P, r: f32, top: f32) {
 
 /// A lawn: mown stripes, edged or with taller grass along its rim.
 pub(super) fn lawn(b: &mut Build<'_>) {
-    grown(b, [0.5, 0.5, 0.015]);
+    at_least(b, [0.5, 0.5, 0.015]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let edged = b.rng.chance(0.5);
     let rim = if edged { 0.08_f32.min(x * 0.2).min(y * 0.2) } else { 0.0 };

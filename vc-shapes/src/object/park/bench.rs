@@ -1,8 +1,7 @@
 //! Benches of parks, streets and gardens.
 
-use super::shape::{grown, plate, spaced};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
+use crate::solid::{Axis, Build, at_least, plate, spaced};
 
 /// The supports of a bench.
 #[derive(Clone, Copy, PartialEq)]
@@ -20,7 +19,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
         _ => &[Frame::CastIron, Frame::CastIron, Frame::Concrete, Frame::Tube, Frame::Wood],
     };
     let frame = b.one(frames);
-    grown(b, [0.25, 0.55, 0.37]);
+    at_least(b, [0.25, 0.55, 0.37]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z - 0.004);
     let seat = (h * 0.52).min(0.45);
     let metal = b.one(&[IRON, GREEN_METAL, BLACK_METAL, GALVANISED, ANTHRACITE]);

@@ -2,7 +2,6 @@
 
 mod bed;
 pub(super) mod bench;
-pub(super) mod shape;
 mod shrub;
 mod tree;
 

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::shape::{Sketch, blob, limb, polar, spaced};
 use crate::material::*;
-use crate::object::build::{Build, P};
+use crate::solid::{Build, P, Sketch, blob, limb, polar, spaced};
 
 const PETALS: &[Mat] = &[PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
 
@@ -20,7 +19,7 @@ pub(super) fn bush(b: &mut Build<'_>) {
         _ => loose(b, &mut sketch, leaves),
     }
     if design == 1 || design == 2 {
-        let (mat, last) = (b.one(PETALS), sketch.len());
+        let (mat, last) = (b.one(PETALS), sketch.count());
         let radius = b.size.min() * b.vary(0.03, 0.05);
         for _ in 0..b.rng.count(12, 30) {
             let mut any = || sketch.point(b.rng.below(last), b.rng.below(64));

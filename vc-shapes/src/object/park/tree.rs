@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::shape::{Sketch, blob, limb, mix, polar};
 use crate::material::*;
-use crate::object::build::{Build, P};
+use crate::solid::{Build, P, Sketch, blob, limb, mix, polar};
 
 /// Outlines of crowns.
 #[derive(Clone, Copy)]
@@ -113,7 +112,7 @@ pub(super) fn fruit(b: &mut Build<'_>) {
     let (trunk, mut sketch) = broadleaf(b, &habit);
     let fruits = [RED_SKIN, YELLOW_SKIN, ORANGE_SKIN, PURPLE_SKIN, GREEN_SKIN, PETAL_PINK, PETAL_WHITE];
     let (mat, radius) = (b.one(&fruits), b.vary(0.055, 0.085) * (b.size.z / 4.0).clamp(0.6, 1.3));
-    let last = sketch.len();
+    let last = sketch.count();
     for _ in 0..b.rng.count(14, 30) {
         let at = outermost(b, &sketch, (trunk.crown, last - 1), trunk.top);
         let points = blob(b, at, [radius; 3], 12, 0.05);
@@ -168,7 +167,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
         let from = mix([0.0; 3], top, (clear / top[2] * b.vary(0.7, 1.0)).clamp(0.2, 0.9));
         sketch.add("branch", limb(from, *centre, girth * 0.45, girth * 0.12), habit.bark);
     }
-    let first = sketch.len();
+    let first = sketch.count();
     let leaves = b.one(habit.leaves);
     for (centre, radii) in blobs {
         let points = b.rng.count(24, 40);

@@ -4,10 +4,9 @@ use std::f32::consts::{PI, TAU};
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, hoop, mix, oval, room, spline};
 use super::pot;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, mix, oval, spline};
 
 /// The space for leaves: half depth and width, heights of the soil and of the top.
 #[derive(Clone, Copy)]
@@ -33,7 +32,7 @@ fn blade(wide: f32, at: f32) -> impl Fn(f32) -> f32 {
 
 /// A house plant; its species depends on its proportions and the seed.
 pub(super) fn plant(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let narrow = x.min(y);
     let tall = h / (2.0 * narrow);
     let kind = if b.class == "cactus" {
@@ -83,7 +82,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
             })
             .collect()
     };
-    let mut body = Shell::default();
+    let mut body = MeshBuilder::default();
     body.loft(&[ring(-0.03, 0.7), ring(0.2, 0.95), ring(0.6, 1.0), ring(0.88, 0.8), ring(0.97, 0.45), ring(1.0, 0.1)]);
     if tall > 3.0 * r {
         let arms = b.rng.count(1, 3);
@@ -100,7 +99,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
     }
     body.put(b, "cactus", mat);
     let flower = b.one(&[PETAL_PINK, PETAL_YELLOW, PETAL_RED]);
-    let mut petals = Shell::default();
+    let mut petals = MeshBuilder::default();
     for i in 0..6 {
         let (s, k) = (TAU * i as f32 / 6.0).sine_cosine();
         let tip = [r * 0.4 * k, r * 0.4 * s, c.high - tall * 0.003];
@@ -116,7 +115,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
 /// A rosette of succulent leaves.
 fn succulent(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[SAGE, LIGHT_LEAF, LEAF, GREEN_GLAZE]);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for (ring, count) in [(0, 10), (1, 8), (2, 6), (3, 4)] {
         let level = ring as f32 / 3.0;
         for i in 0..count {
@@ -134,7 +133,7 @@ fn succulent(b: &mut Build<'_>, c: Crown) {
 fn cushion(b: &mut Build<'_>, c: Crown) {
     let mat = green(b);
     let other = b.one(&[LIGHT_LEAF, LEAF, PURPLE_SKIN]);
-    let mut shells = [Shell::default(), Shell::default()];
+    let mut shells = [MeshBuilder::default(), MeshBuilder::default()];
     let count = 70;
     for i in 0..count {
         let level = (i as f32 + 0.5) / count as f32;
@@ -147,7 +146,7 @@ fn cushion(b: &mut Build<'_>, c: Crown) {
     let [a, d] = shells;
     a.put(b, "leaf", mat);
     d.put(b, "leaf", other);
-    let mut stems = Shell::default();
+    let mut stems = MeshBuilder::default();
     let deep = ((c.high - c.low) * 0.62).min((c.low + (c.high - c.low) * 0.15) * 0.95);
     stems.egg(c.at(0.0, 0.0, 0.15), [c.x * 0.68, c.y * 0.68, deep]);
     stems.put(b, "shade", DARK_LEAF);
@@ -157,7 +156,7 @@ fn cushion(b: &mut Build<'_>, c: Crown) {
 fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
     let mat = b.one(&[DARK_LEAF, LEAF]);
     let other = b.one(&[LIGHT_LEAF, LEAF, DARK_LEAF]);
-    let mut shells = [Shell::default(), Shell::default()];
+    let mut shells = [MeshBuilder::default(), MeshBuilder::default()];
     let count = b.rng.count(9, 14);
     let wide = pot * b.vary(0.16, 0.24);
     for i in 0..count {
@@ -180,7 +179,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
     let tall = c.high - c.low;
     let fork = b.vary(0.35, 0.5);
     let sway = c.x * b.vary(-0.15, 0.15);
-    let mut wood = Shell::default();
+    let mut wood = MeshBuilder::default();
     let r = tall * 0.012;
     let head = [0.0, 0.0, c.low + tall * (fork + 1.0) / 2.0];
     wood.tapered(
@@ -196,7 +195,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
         |t| r * (1.2 - 0.7 * t),
     );
     let mat = green(b);
-    let mut shells = [Shell::default(), Shell::default()];
+    let mut shells = [MeshBuilder::default(), MeshBuilder::default()];
     let branches = b.rng.count(6, 9);
     let leaf = c.x.min(c.y) * b.vary(0.17, 0.24);
     for i in 0..branches {
@@ -227,7 +226,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
 /// Large split leaves on long stalks.
 fn big_leaved(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[DARK_LEAF, LEAF]);
-    let (mut stalks, mut leaves) = (Shell::default(), Shell::default());
+    let (mut stalks, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let count = b.rng.count(8, 13);
     let slits = b.rng.chance(0.6);
     for i in 0..count {
@@ -269,7 +268,7 @@ fn palm(b: &mut Build<'_>, c: Crown) {
         &[(tall * 0.035, 0.0), (tall * 0.022, tall * trunk), (0.0, tall * trunk + 0.004)],
         BARK,
     );
-    let (mut ribs, mut leaves) = (Shell::default(), Shell::default());
+    let (mut ribs, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let count = b.rng.count(8, 11);
     for i in 0..count {
         let turn = i as f32 * 2.4;
@@ -300,7 +299,7 @@ fn palm(b: &mut Build<'_>, c: Crown) {
 /// A rubber tree: thick leaves along upright stems.
 fn rubber_tree(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[DARK_LEAF, DARK_LEAF, PURPLE_SKIN, LEAF]);
-    let (mut stems, mut leaves) = (Shell::default(), Shell::default());
+    let (mut stems, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let tall = c.high - c.low;
     let count = b.rng.count(1, 3);
     for i in 0..count {
@@ -327,7 +326,7 @@ fn rubber_tree(b: &mut Build<'_>, c: Crown) {
 /// Arching fronds in all directions.
 fn fern(b: &mut Build<'_>, c: Crown) {
     let mat = b.one(&[LEAF, LIGHT_LEAF]);
-    let mut leaves = Shell::default();
+    let mut leaves = MeshBuilder::default();
     let count = b.rng.count(22, 32);
     for i in 0..count {
         let turn = i as f32 * 2.4;
@@ -355,7 +354,7 @@ fn fern(b: &mut Build<'_>, c: Crown) {
 /// Vines that hang over the rim.
 fn hanging(b: &mut Build<'_>, c: Crown, pot: f32) {
     let mat = b.one(&[LEAF, LIGHT_LEAF, DARK_LEAF]);
-    let (mut vines, mut leaves) = (Shell::default(), Shell::default());
+    let (mut vines, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let count = b.rng.count(9, 14);
     for i in 0..count {
         let turn = i as f32 * 2.4;
@@ -391,7 +390,7 @@ fn hanging(b: &mut Build<'_>, c: Crown, pot: f32) {
 fn flowering(b: &mut Build<'_>, c: Crown) {
     let petal = b.one(&[PETAL_RED, PETAL_WHITE, PETAL_PINK, PETAL_YELLOW, PETAL_BLUE]);
     let (mut leaves, mut stems, mut petals, mut hearts) =
-        (Shell::default(), Shell::default(), Shell::default(), Shell::default());
+        (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     for i in 0..20 {
         let turn = i as f32 * 2.4;
         let out = b.vary(0.55, 0.97);
@@ -414,7 +413,7 @@ fn flowering(b: &mut Build<'_>, c: Crown) {
 }
 
 /// Petals around a centre, facing up.
-fn flower(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, high: f32) {
+fn flower(petals: &mut MeshBuilder, hearts: &mut MeshBuilder, at: P, size: f32, high: f32) {
     for k in 0..6 {
         let (s, q) = (TAU * k as f32 / 6.0).sine_cosine();
         let point = |out: f32, up: f32| [at[0] + size * out * q, at[1] + size * out * s, (at[2] + size * up).min(high)];
@@ -432,14 +431,14 @@ fn flower(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, high: f32) {
 
 /// An orchid: strap leaves, arching stems with a row of blossoms.
 pub(super) fn orchid(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let pot_height = (h * 0.26).min(x.min(y) * 1.3);
     let earth = pot(b, x.min(y) * 0.5, pot_height);
     let c = Crown { x, y, low: earth, high: h };
     let petal = b.one(&[PETAL_WHITE, PETAL_PINK, PETAL_WHITE, PURPLE_PLASTIC, PETAL_YELLOW]);
     let heart = b.one(&[PETAL_YELLOW, PETAL_RED, PURPLE_SKIN]);
     let (mut leaves, mut stems, mut petals, mut hearts) =
-        (Shell::default(), Shell::default(), Shell::default(), Shell::default());
+        (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     for i in 0..6 {
         let turn = i as f32 * 2.4;
         let out = b.vary(0.7, 0.96);
@@ -481,7 +480,7 @@ pub(super) fn orchid(b: &mut Build<'_>) {
 }
 
 /// Five petals and a lip, facing the front.
-fn blossom(petals: &mut Shell, hearts: &mut Shell, at: P, size: f32, c: Crown) {
+fn blossom(petals: &mut MeshBuilder, hearts: &mut MeshBuilder, at: P, size: f32, c: Crown) {
     for (k, long) in [1.0, 0.95, 0.75, 0.75, 0.95].into_iter().enumerate() {
         let (s, q) = (TAU * k as f32 / 5.0).sine_cosine();
         let point = |out: f32, ahead: f32| {

@@ -2,10 +2,9 @@
 
 mod foliage;
 
-use super::build::{Axis, Build};
-use super::textile::form::{loft, oval, room};
 use super::{Generator, indoor};
 use crate::material::*;
+use crate::solid::{Axis, Build, half_dims, loft, oval};
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("houseplant", 30, foliage::plant),
@@ -18,7 +17,7 @@ pub(super) const GENERATORS: &[Generator] = &[
 fn pot(b: &mut Build<'_>, r: f32, h: f32) -> f32 {
     let mat =
         b.one(&[POTTERY, POTTERY, PORCELAIN, STONEWARE, BLUE_GLAZE, BLACK_GLAZE, GREEN_GLAZE, CONCRETE, WICKER, BRASS]);
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let r = r.min(x).min(y);
     let t = r * 0.08;
     let earth = h * 0.88;

@@ -2,9 +2,9 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, arc_outline, oval_outline};
 
 /// A small castle of wooden blocks: cubes, arches, pillars, roofs.
 pub(super) fn wooden(b: &mut Build<'_>) {
@@ -59,7 +59,7 @@ fn radius(b: &Build<'_>, half: f32) -> f32 {
 /// A block with a half circle cut out at the bottom.
 fn arch(b: &mut Build<'_>, (y, half): (f32, f32), x: (f32, f32), h: f32, mat: Mat) {
     let mut outline = vec![(y + half, 0.0), (y + half, h), (y - half, h), (y - half, 0.0)];
-    outline.extend(arc((y, 0.0), (-half * 0.6, h * 0.7), (0.0, std::f32::consts::PI), 9));
+    outline.extend(arc_outline((y, 0.0), (-half * 0.6, h * 0.7), (0.0, std::f32::consts::PI), 9));
     b.facing("arch", x, &outline, mat);
 }
 
@@ -146,17 +146,20 @@ pub(super) fn sorter(b: &mut Build<'_>) {
     b.hinge(anchor, [0.0, -1.0, 0.0], 1.8, |b| {
         b.slab("lid", [-1.0, -1.0, 0.935], [1.0, 1.0, 0.985], lid);
         let holes = [
-            oval((0.45, 0.45), (0.26, 0.26), 12),
-            oval((-0.45, 0.45), (0.3, 0.3), 4),
-            oval((-0.45, -0.45), (0.3, 0.3), 3),
-            oval((0.45, -0.45), (0.28, 0.28), 6),
+            oval_outline((0.45, 0.45), (0.26, 0.26), 12),
+            oval_outline((-0.45, 0.45), (0.3, 0.3), 4),
+            oval_outline((-0.45, -0.45), (0.3, 0.3), 3),
+            oval_outline((0.45, -0.45), (0.28, 0.28), 6),
         ];
         for hole in holes {
             b.plan("hole", (0.97, 0.99), &hole, BLACK_PLASTIC);
         }
     });
-    let shapes =
-        [oval((0.0, 0.5), (0.24, 0.2), 12), oval((0.0, 0.5), (0.27, 0.26), 4), oval((0.0, 0.5), (0.27, 0.24), 6)];
+    let shapes = [
+        oval_outline((0.0, 0.5), (0.24, 0.2), 12),
+        oval_outline((0.0, 0.5), (0.27, 0.26), 4),
+        oval_outline((0.0, 0.5), (0.27, 0.24), 6),
+    ];
     for (i, shape) in shapes.iter().enumerate() {
         let y = -0.58 + 0.58 * i as f32;
         let moved: Vec<_> = shape.iter().map(|&(a, z)| (a + y, z)).collect();

@@ -1,8 +1,8 @@
 //! Animals: sitting soft toys, figures that stand on four legs, and ride-on animals.
 
-use super::super::build::{Axis, Build, P};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, P, band, coil, oval_outline};
 
 /// A sitting soft toy: a bear or one of several other animals.
 pub(super) fn cuddly(b: &mut Build<'_>) {
@@ -304,7 +304,7 @@ pub(super) fn dinosaur(b: &mut Build<'_>) {
     let ring = |x: f32, z: f32, share: f32| ([x, 0.0, z], share * shape.girth, share * (shape.back - shape.legs) / 2.0);
     b.skin("tail", Axis::X, &[ring(-0.3, mid, 0.85), ring(-0.65, mid * 0.8, 0.4), ([-1.0, 0.0, 0.12], 0.0, 0.0)], skin);
     if kind == 2 {
-        let crest = oval((0.0, 0.62), (0.85, 0.36), 12);
+        let crest = oval_outline((0.0, 0.62), (0.85, 0.36), 12);
         b.facing("frill", (0.3, 0.4), &crest, pale);
         for (y, z, x) in [(-0.3, 0.68, 0.95), (0.3, 0.68, 0.95), (0.0, 0.52, 1.0)] {
             b.skin("horn", Axis::X, &[([0.6, y, z - 0.1], 0.12, 0.05), ([x, y, z], 0.0, 0.0)], WHITE_PLASTIC);

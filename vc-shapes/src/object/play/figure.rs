@@ -1,8 +1,8 @@
 //! Figures: dolls, puppets, heroes and robots.
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, oval_outline};
 
 /// A standing doll in a dress or in trousers.
 pub(super) fn doll(b: &mut Build<'_>) {
@@ -75,7 +75,7 @@ pub(super) fn puppet(b: &mut Build<'_>) {
 pub(super) fn action_figure(b: &mut Build<'_>) {
     let (suit, trim, cape) = (b.one(BRIGHT), b.one(BRIGHT), b.one(BRIGHT));
     let ring = |z: f32, x: f32, y: f32| ([0.0, 0.0, z], x, y);
-    b.plan("stand", (0.0, 0.025), &oval((0.0, 0.0), (1.0, 0.75), 16), BLACK_PLASTIC);
+    b.plan("stand", (0.0, 0.025), &oval_outline((0.0, 0.0), (1.0, 0.75), 16), BLACK_PLASTIC);
     for y in SIDES {
         let leg = |z: f32, r: f32| ([0.0, y * (0.34 - z * 0.25), z], r * 1.3, r);
         b.skin("leg", Axis::Z, &[leg(0.2, 0.14), leg(0.34, 0.19), leg(0.48, 0.22)], suit);

@@ -3,11 +3,11 @@
 
 use std::f32::consts::TAU;
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
 use crate::material::*;
+use crate::solid::{Axis, Build, P, heading, skinned};
 
 /// Bright plastics.
 pub(in crate::object) const BRIGHT: &[Mat] =
@@ -24,8 +24,6 @@ pub(in crate::object) const CLOTHS: &[Mat] =
 pub(in crate::object) const TOY_WOODS: &[Mat] = &[BEECH, BIRCH, MAPLE, PINE];
 /// The two sides of an axis.
 pub(in crate::object) const SIDES: [f32; 2] = [-1.0, 1.0];
-/// The corners of a rectangle.
-pub(in crate::object) const CORNERS: [(f32, f32); 4] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
 
 /// A ring of a [skin](Scaled::skin): centre and half widths along the two other axes, in the order
 /// X, Y, Z.
@@ -212,47 +210,6 @@ impl Scaled for Build<'_> {
     }
 }
 
-/// An ellipse with `count` corners around a centre.
-pub(in crate::object) fn oval(centre: (f32, f32), half: (f32, f32), count: usize) -> Vec<(f32, f32)> {
-    arc(centre, half, (0.0, TAU * (1.0 - 1.0 / count as f32)), count)
-}
-
-/// Part of an ellipse, from one angle to another.
-pub(in crate::object) fn arc(
-    centre: (f32, f32),
-    half: (f32, f32),
-    angles: (f32, f32),
-    count: usize,
-) -> Vec<(f32, f32)> {
-    let turn = |i: usize| angles.0 + (angles.1 - angles.0) * i as f32 / (count.max(2) - 1) as f32;
-    (0..count).map(|i| turn(i).sine_cosine()).map(|(s, c)| (centre.0 + half.0 * c, centre.1 + half.1 * s)).collect()
-}
-
-/// A rectangle from `low` to `high` with its corners rounded by `by`.
-pub(in crate::object) fn rounded(low: (f32, f32), high: (f32, f32), by: (f32, f32)) -> Vec<(f32, f32)> {
-    let quarter = TAU / 4.0;
-    let (x0, x1, y0, y1) = (low.0 + by.0, high.0 - by.0, low.1 + by.1, high.1 - by.1);
-    let centres = [(x1, y1), (x0, y1), (x0, y0), (x1, y0)];
-    let turns = centres.iter().enumerate();
-    turns.flat_map(|(i, &c)| arc(c, by, (i as f32 * quarter, (i + 1) as f32 * quarter), 4)).collect()
-}
-
-/// A band along a curve: the curve followed by the same curve, reversed and shifted by `by`.
-pub(in crate::object) fn band(curve: &[(f32, f32)], by: (f32, f32)) -> Vec<(f32, f32)> {
-    let back = curve.iter().rev().map(|&(x, y)| (x + by.0, y + by.1));
-    curve.iter().copied().chain(back).collect()
-}
-
-/// A frame rotated around Y: a positive pitch tips the front down.
-pub(in crate::object) fn pitched(at: P, pitch: f32) -> vc_graph::Pose {
-    Isometry3::new(Vector3::from(at), Vector3::y() * pitch)
-}
-
-/// A frame rotated around X: a positive roll tips the left side up.
-pub(in crate::object) fn rolled(at: P, roll: f32) -> vc_graph::Pose {
-    Isometry3::new(Vector3::from(at), Vector3::x() * roll)
-}
-
 fn stretched(outline: &[(f32, f32)], x: f32, y: f32) -> Vec<(f32, f32)> {
     outline.iter().map(|&(a, b)| (a * x, b * y)).collect()
 }
@@ -270,138 +227,4 @@ fn round_reach(way: Vector3<f32>, radius: f32) -> Vector3<f32> {
     let turn = UnitQuaternion::rotation_between(&Vector3::z(), &way).unwrap_or_default();
     let turn = turn.to_rotation_matrix();
     (turn.matrix().column(0).abs() + turn.matrix().column(1).abs()) * radius
-}
-
-type Skin = (Vector3<f32>, Vector3<f32>, Vector3<f32>);
-
-/// Whether consecutive rings follow `normal` (1) or run against it (-1).
-fn heading(rings: &[Skin], normal: Vector3<f32>) -> f32 {
-    match (rings.first(), rings.last()) {
-        (Some(first), Some(last)) => (last.0 - first.0).dot(&normal).signum(),
-        _ => 1.0,
-    }
-}
-
-/// The closed surface over rings; `way` is negative if the rings run against their normals.
-fn skinned(rings: &[Skin], n: u32, way: f32) -> (Vec<P>, Vec<[u32; 3]>) {
-    let (mut vertices, mut triangles): (Vec<P>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
-    let mut before: Option<(u32, u32)> = None;
-    let last = rings.len().saturating_sub(1);
-    for (i, &(centre, a, b)) in rings.iter().enumerate() {
-        let tip = a.norm() < 1e-7 || b.norm() < 1e-7;
-        let mut ring = (vertices.len() as u32, if tip { 1 } else { n });
-        if tip {
-            vertices.push(centre.into());
-        } else {
-            let turns = (0..n).map(|k| (TAU * k as f32 / n as f32).sine_cosine());
-            vertices.extend(turns.map(|(s, c)| P::from(centre + a * c + b * s)));
-        }
-        let cap = |vertices: &mut Vec<P>| {
-            vertices.push(centre.into());
-            (vertices.len() as u32 - 1, 1)
-        };
-        if i == 0 && !tip {
-            let pole = cap(&mut vertices);
-            join(&mut triangles, pole, ring, n);
-        }
-        if let Some(below) = before {
-            join(&mut triangles, below, ring, n);
-        }
-        if i == last && !tip {
-            let pole = cap(&mut vertices);
-            join(&mut triangles, ring, pole, n);
-            ring = pole;
-        }
-        before = Some(ring);
-    }
-    if way < 0.0 {
-        triangles.iter_mut().for_each(|t| t.swap(1, 2));
-    }
-    (vertices, triangles)
-}
-
-/// Triangles between two rings, each given by its first vertex and its vertex count.
-fn join(triangles: &mut Vec<[u32; 3]>, below: (u32, u32), above: (u32, u32), n: u32) {
-    let at = |ring: (u32, u32), k: u32| ring.0 + if ring.1 == 1 { 0 } else { k % n };
-    for k in 0..n {
-        let [a, b, c, d] = [at(below, k), at(below, k + 1), at(above, k + 1), at(above, k)];
-        if a != b {
-            triangles.push([a, b, c]);
-        }
-        if c != d {
-            triangles.push([a, c, d]);
-        }
-    }
-}
-
-/// Reserves a margin for round parts: reduces every side and the top by the given metres, but keeps
-/// at least six tenths of the size.
-pub(in crate::object) fn spare(b: &mut Build<'_>, x: f32, y: f32, z: f32) {
-    let least = b.size * 0.6;
-    b.size = (b.size - Vector3::new(2.0 * x, 2.0 * y, z)).sup(&least);
-}
-
-/// A zone of a sphere between two angles from an axis through its `centre`.
-pub(in crate::object) fn zone(
-    b: &mut Build<'_>,
-    name: &str,
-    (centre, radius): (P, f32),
-    towards: P,
-    angles: (f32, f32),
-    mat: Mat,
-) {
-    let way = Vector3::from(towards).try_normalize(1e-6).unwrap_or_else(Vector3::z);
-    let across = way.cross(&Vector3::x()).try_normalize(0.1).unwrap_or_else(|| way.cross(&Vector3::y()).normalize());
-    let other = way.cross(&across);
-    let steps = ((angles.1 - angles.0) / 0.16).ceil().max(1.0) as usize;
-    let n = match angles.1 {
-        most if most < 0.5 => 12,
-        most if most < 0.7 => 24,
-        _ => 36,
-    };
-    let ring = |i: usize| {
-        let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / steps as f32).sine_cosine();
-        (Vector3::from(centre) + way * (radius * c), across * (radius * s), other * (radius * s))
-    };
-    let rings: Vec<Skin> = (0..=steps).map(ring).collect();
-    let (vertices, triangles) = skinned(&rings, n, -1.0);
-    b.mesh(name, vertices, triangles, mat);
-}
-
-/// A coil spring standing on `base`: radii of the coil and of its wire, height.
-pub(in crate::object) fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f32, f32), height: f32, mat: Mat) {
-    let (turns, steps) = (5, 14);
-    let count = turns * steps;
-    let rise = (height - 2.0 * radii.1).max(height * 0.5);
-    let ring = |i: usize| {
-        let (s, c) = (TAU * (i % steps) as f32 / steps as f32).sine_cosine();
-        let out = Vector3::new(c, s, 0.0);
-        let up = Vector3::z() * ((height - rise) / 2.0 + rise * i as f32 / count as f32);
-        (Vector3::from(base) + out * radii.0 + up, out * radii.1, Vector3::z() * radii.1)
-    };
-    let rings: Vec<Skin> = (0..=count).map(ring).collect();
-    let (vertices, triangles) = skinned(&rings, 8, -1.0);
-    b.mesh(name, vertices, triangles, mat);
-}
-
-/// A line along a closed curve of positions in metres, raised away from `centre`, such as a ball's
-/// seam.
-pub(in crate::object) fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &[P], half: f32, mat: Mat) {
-    let n = curve.len();
-    let (middle, at) = (Vector3::from(centre), |i: usize| Vector3::from(curve[i % n]));
-    let mut vertices = Vec::with_capacity(n * 4);
-    for i in 0..n {
-        let out = (at(i) - middle).try_normalize(1e-9).unwrap_or_else(Vector3::z);
-        let way = at(i + 1) - at(i + n - 1);
-        let side = out.cross(&way).try_normalize(1e-9).unwrap_or_else(Vector3::x) * half;
-        let up = out * half;
-        vertices.extend([up, side, -up, -side].map(|d| P::from(at(i) + d)));
-    }
-    let (n, mut triangles) = (n as u32, Vec::with_capacity(n * 8));
-    for (i, k) in (0..n).flat_map(|i| (0..4).map(move |k| (i, k))) {
-        let (next, turn) = ((i + 1) % n * 4, (k + 1) % 4);
-        let [a, c, d, e] = [i * 4 + k, next + k, next + turn, i * 4 + turn];
-        triangles.extend([[a, c, d], [a, d, e]]);
-    }
-    b.mesh(name, vertices, triangles, mat);
 }

@@ -2,9 +2,9 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, rounded_between};
 
 /// A spoked or solid wheel that stands on the floor.
 fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool) {
@@ -167,17 +167,17 @@ pub(super) fn pram(b: &mut Build<'_>) {
         b.pole("cradle", [x, 0.12 - side, 0.43], [x, side - 0.12, 0.43], tube, frame);
     }
     let (low, rim, y) = (0.42, 0.68, 0.72);
-    tub(b, (low, rim), y, cloth);
+    bassinet(b, (low, rim), y, cloth);
     b.hollow("cot", [0.12, 0.0, low + 0.08], (0.5, y * 0.7), rim - low - 0.1);
     b.pad("mattress", [-0.45, -y * 0.8, low + 0.03], [0.72, y * 0.8, low + 0.079], 0.01, lining);
     if b.rng.chance(0.6) {
-        b.plan("cover", (rim, rim + 0.025), &rounded((0.25, -y - 0.05), (0.98, y + 0.05), (0.2, 0.3)), cloth);
+        b.plan("cover", (rim, rim + 0.025), &rounded_between((0.25, -y - 0.05), (0.98, y + 0.05), (0.2, 0.3)), cloth);
     }
     hood(b, (-0.12, rim - 0.02), (0.62, 0.33), (-y - 0.03, y + 0.03), (1.2, 2.95), cloth);
 }
 
 /// A tub wider at the top than at the bottom, open at the top.
-fn tub(b: &mut Build<'_>, (low, rim): (f32, f32), y: f32, mat: Mat) {
+fn bassinet(b: &mut Build<'_>, (low, rim): (f32, f32), y: f32, mat: Mat) {
     b.slab("bottom", [-0.5, -y * 0.85, low], [0.78, y * 0.85, low + 0.03], mat);
     let (inner, outer) = ((-0.52, 0.8, y * 0.86), (-0.72, 0.98, y));
     let wall = |b: &mut Build<'_>, a: [f32; 4]| {

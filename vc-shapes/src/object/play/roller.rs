@@ -1,8 +1,8 @@
 //! Toys on wheels: boards, skates, scooters and small cycles.
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, arc_outline, band, rounded_between};
 
 /// A self-balancing board: two wheels, two foot plates, lamps.
 pub(super) fn hoverboard(b: &mut Build<'_>) {
@@ -12,8 +12,8 @@ pub(super) fn hoverboard(b: &mut Build<'_>) {
     for y in SIDES {
         b.disc("wheel", Axis::Y, [0.0, y * 0.88, z], (r, b.size.y * 0.11), RUBBER);
         b.disc("hub", Axis::Y, [0.0, y * 0.89, z], (r * 0.6, b.size.y * 0.109), ALUMINIUM);
-        let guard: Vec<_> = arc((0.0, z), (1.0, 1.0 - z), (0.15, 2.99), 9);
-        let inner = arc((0.0, z), (0.94, 0.94 - z), (2.99, 0.15), 9);
+        let guard: Vec<_> = arc_outline((0.0, z), (1.0, 1.0 - z), (0.15, 2.99), 9);
+        let inner = arc_outline((0.0, z), (0.94, 0.94 - z), (2.99, 0.15), 9);
         let fender = [guard, inner].concat();
         b.profile("fender", (y * 0.87 - 0.12, y * 0.87 + 0.12), &fender, case);
         let crown = z + (0.97 - z) * 0.95;
@@ -25,7 +25,7 @@ pub(super) fn hoverboard(b: &mut Build<'_>) {
         b.plan(
             "tread",
             (z * 1.18, z * 1.25),
-            &rounded((-0.6, y * 0.43 - 0.27), (0.6, y * 0.43 + 0.27), (0.12, 0.04)),
+            &rounded_between((-0.6, y * 0.43 - 0.27), (0.6, y * 0.43 + 0.27), (0.12, 0.04)),
             trim,
         );
         b.slab("lamp", [0.76, y * 0.45 - 0.12, z * 0.82], [0.88, y * 0.45 + 0.12, z * 0.98], COOL_BULB);
@@ -44,8 +44,8 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
     let (t, lift) = ((0.012 / b.size.z).min(0.15), if long { 0.88 } else { 0.72 });
     let nose = if long { 0.6 } else { 0.72 };
     let outline: Vec<_> = [
-        arc((0.0, nose), (1.0, 1.0 - nose), (0.0, std::f32::consts::PI), 9),
-        arc((0.0, -nose), (1.0, 1.0 - nose), (std::f32::consts::PI, std::f32::consts::TAU), 9),
+        arc_outline((0.0, nose), (1.0, 1.0 - nose), (0.0, std::f32::consts::PI), 9),
+        arc_outline((0.0, -nose), (1.0, 1.0 - nose), (std::f32::consts::PI, std::f32::consts::TAU), 9),
     ]
     .concat();
     if long {
@@ -57,7 +57,7 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
         b.slab("grip", [-0.95, -nose, lift - t * 0.5], [0.95, nose, lift + 0.012], BLACK_FABRIC);
         for y in SIDES {
             let tip = |z: f32| {
-                arc((0.0, y * nose), (0.99, y * (0.99 - nose)), (0.0, std::f32::consts::PI), 9).into_iter().map(
+                arc_outline((0.0, y * nose), (0.99, y * (0.99 - nose)), (0.0, std::f32::consts::PI), 9).into_iter().map(
                     move |(x, v)| {
                         let rise = ((v * y - nose) / (1.0 - nose)).max(0.0);
                         [x, v, z + rise * (1.0 - lift)]
@@ -164,7 +164,7 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
     for y in SIDES {
         b.pole("grip", [edge - 0.205, y * 0.98, 0.975], [edge - 0.205, y * 0.64, 0.975], 0.018, RUBBER);
     }
-    let guard = arc((-edge, z), (1.0 - edge, z * 1.15), (1.2, 2.8), 6);
+    let guard = arc_outline((-edge, z), (1.0 - edge, z * 1.15), (1.2, 2.8), 6);
     b.profile("mudguard", (-0.07, 0.07), &band(&guard, (0.0, 0.012)), trim);
 }
 

@@ -4,9 +4,9 @@ use std::f32::consts::FRAC_PI_2;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, arc_outline, oval_outline, rounded_between};
 
 /// A furnished dolls' house, open in front or closed by two wings.
 pub(super) fn dollhouse(b: &mut Build<'_>) {
@@ -118,8 +118,8 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
         b.pole("hob", [x, -0.55, z - 0.01], [x, -0.55, z + 0.006], r, BLACK_GLASS);
         b.hoop("ring", Axis::Z, [x, -0.55, z + 0.006], (r * 0.6, 0.004), SIGNAL_RED);
     }
-    b.plan("sink", (z - 0.02, z + 0.004), &rounded((-0.6, 0.3), (0.6, 0.85), (0.1, 0.06)), STEEL);
-    b.plan("sink", (z, z + 0.006), &rounded((-0.5, 0.35), (0.5, 0.8), (0.1, 0.06)), GREY_PLASTIC);
+    b.plan("sink", (z - 0.02, z + 0.004), &rounded_between((-0.6, 0.3), (0.6, 0.85), (0.1, 0.06)), STEEL);
+    b.plan("sink", (z, z + 0.006), &rounded_between((-0.5, 0.35), (0.5, 0.8), (0.1, 0.06)), GREY_PLASTIC);
     let tap = [[-0.72, 0.57, z], [-0.72, 0.57, z + 0.1], [-0.3, 0.57, z + 0.1], [-0.25, 0.57, z + 0.07]];
     b.tube("tap", &tap, b.size.z * 0.011, STEEL);
     b.deck("worktop", [0.55, -0.0, z], (0.1, 0.12));
@@ -140,7 +140,7 @@ pub(super) fn tent(b: &mut Build<'_>) {
     let teepee = b.rng.chance(0.6);
     let r = 0.012;
     let tie = if teepee { 0.84 } else { 0.995 };
-    b.plan("floor", (0.0, 0.008), &rounded((-0.947, -0.947), (0.947, 0.947), (0.05, 0.05)), trim);
+    b.plan("floor", (0.0, 0.008), &rounded_between((-0.947, -0.947), (0.947, 0.947), (0.05, 0.05)), trim);
     b.hollow("floor", [0.0, 0.0, 0.008], (0.6, 0.6), 0.22);
     let shoulder = |x: f32, y: f32| if teepee { [x * 0.06, y * 0.06, tie] } else { [x * 0.9, y * 0.9, 0.58] };
     for (i, (x, y)) in CORNERS.into_iter().enumerate() {
@@ -234,11 +234,11 @@ pub(super) fn mat(b: &mut Build<'_>) {
         }
         _ => {
             let (cloth, trim) = (b.one(CLOTHS), b.one(CLOTHS));
-            b.plan("mat", (0.0, h), &rounded((-1.0, -1.0), (1.0, 1.0), (0.2, 0.2)), cloth);
+            b.plan("mat", (0.0, h), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.2, 0.2)), cloth);
             for (i, r) in [0.75, 0.5, 0.25].into_iter().enumerate() {
                 let z = h + (1.0 - h) * 0.3 * (i + 1) as f32;
                 let mat = if i == 1 { WHITE_COTTON } else { trim };
-                b.plan("ring", (h * (0.5 - 0.1 * i as f32), z), &oval((0.0, 0.0), (r, r), 20), mat);
+                b.plan("ring", (h * (0.5 - 0.1 * i as f32), z), &oval_outline((0.0, 0.0), (r, r), 20), mat);
             }
         }
     }
@@ -310,7 +310,7 @@ pub(super) fn walker(b: &mut Build<'_>) {
         cloth,
     );
     b.pad("backrest", [-0.62, -0.35, 0.76], [-0.44, 0.35, 1.0], 0.03, cloth);
-    b.plan("tray", (0.8, 0.845), &rounded((0.3, -0.62), (0.98, 0.62), (0.2, 0.2)), frame);
+    b.plan("tray", (0.8, 0.845), &rounded_between((0.3, -0.62), (0.98, 0.62), (0.2, 0.2)), frame);
     for (i, y) in [-0.4, 0.0, 0.4].into_iter().enumerate() {
         let toy = b.p([0.66, y, 0.84]);
         b.ball("toy", [toy[0], toy[1], toy[2] + r * 0.05], r * 0.1, BRIGHT[i]);
@@ -351,7 +351,7 @@ pub(super) fn bouncer(b: &mut Build<'_>) {
     b.profile("seat", (-side * 0.82, side * 0.82), &seat, cloth);
     b.plank("cushion", [-0.9, 0.0, 0.98], [-0.5, 0.0, 0.74], (b.size.y * 0.5, 0.03), trim);
     b.plank("belt", [0.35, 0.0, 0.44], [-0.1, 0.0, 0.52], (b.size.y * 0.2, 0.02), trim);
-    let bow = arc((0.0, 0.35), (side * 0.83, 0.47), (0.0, std::f32::consts::PI), 9);
+    let bow = arc_outline((0.0, 0.35), (side * 0.83, 0.47), (0.0, std::f32::consts::PI), 9);
     let bow: Vec<_> = bow.into_iter().map(|(y, z)| [0.15 + (z - 0.35) * 0.4, y, z]).collect();
     b.tube("bow", &bow, r * 0.8, WHITE_PLASTIC);
     for (i, k) in [3, 4, 5].into_iter().enumerate() {

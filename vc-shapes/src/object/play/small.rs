@@ -2,9 +2,9 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, pitched, rounded_between};
 
 /// A free-standing spinning top on its tip: a humming top or a plain one.
 pub(super) fn top(b: &mut Build<'_>) {
@@ -128,7 +128,7 @@ pub(super) fn tea_set(b: &mut Build<'_>) {
     let (pot, trim) = (b.one(&[PORCELAIN, PINK_PLASTIC, BLUE_PLASTIC, BEECH, WHITE_PLASTIC]), b.one(PAINTS));
     let r = (b.size.x * 0.225).min(b.size.y * 0.2);
     let h = b.size.z;
-    b.plan("tray", (0.0, 0.05), &rounded((-1.0, -1.0), (1.0, 1.0), (0.15, 0.15)), trim);
+    b.plan("tray", (0.0, 0.05), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.15, 0.15)), trim);
     let at = b.p([-0.3, 0.0, 0.045]);
     let body = [(r * 0.6, 0.0), (r * 0.95, h * 0.2), (r, h * 0.4), (r * 0.6, h * 0.65), (r * 0.4, h * 0.7)];
     b.lathe("teapot", at, &body, pot);

@@ -1,8 +1,8 @@
 //! Toy cars, trucks, trains, planes and boats, and ride-on cars.
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, arc_outline, pitched};
 
 /// Four wheels whose treads touch the floor and whose outer faces touch the sides.
 fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: Mat) {
@@ -258,7 +258,12 @@ pub(super) fn track(b: &mut Build<'_>) {
     let bend = 1.0 - straight;
     for y in SIDES {
         let round = |inset: f32| {
-            arc((0.0, y * straight), (1.0 - gx * inset, y * (bend - gy * inset)), (0.0, std::f32::consts::PI), 17)
+            arc_outline(
+                (0.0, y * straight),
+                (1.0 - gx * inset, y * (bend - gy * inset)),
+                (0.0, std::f32::consts::PI),
+                17,
+            )
         };
         let ring = |a: f32, c: f32| round(a).into_iter().chain(round(c).into_iter().rev()).collect::<Vec<_>>();
         b.plan("bend", (0.0, thick), &ring(0.0, 1.0), wood);
@@ -282,7 +287,7 @@ pub(super) fn track(b: &mut Build<'_>) {
 /// A tunnel over the track, a station and two trees in the centre.
 fn scenery(b: &mut Build<'_>, (gx, gy): (f32, f32), thick: f32) {
     let paint = b.one(PAINTS);
-    let arch = |w: f32, top: f32| arc((1.0 - gx * 0.5, 0.0), (gx * w, top), (0.0, std::f32::consts::PI), 9);
+    let arch = |w: f32, top: f32| arc_outline((1.0 - gx * 0.5, 0.0), (gx * w, top), (0.0, std::f32::consts::PI), 9);
     let mut shell = arch(0.5, 0.9);
     shell.extend(arch(0.42, 0.78).into_iter().rev());
     let shell: Vec<_> = shell.into_iter().map(|(x, z)| (x, z.max(thick * 1.05))).collect();

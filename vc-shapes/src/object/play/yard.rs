@@ -4,9 +4,9 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, band, rolled};
 
 /// The material of a frame (timber or painted tube) and its radius.
 fn framing(b: &mut Build<'_>) -> (Mat, f32) {

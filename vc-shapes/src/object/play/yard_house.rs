@@ -2,9 +2,9 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::build::{Axis, Build, P};
 use super::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, P, arc_outline, band};
 
 /// A gabled roof over a rectangle, with the ridge along Y.
 fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), mat: Mat) {
@@ -288,7 +288,7 @@ pub(super) fn castle(b: &mut Build<'_>) {
             b.slab("flap", [front - 0.006, near.min(far), 0.135], [front + 0.006, near.max(far), 0.5], flap);
         });
     }
-    let arch = arc((0.0, 0.55), (ey, 0.26), (0.0, std::f32::consts::PI), 9);
+    let arch = arc_outline((0.0, 0.55), (ey, 0.26), (0.0, std::f32::consts::PI), 9);
     let arch: Vec<P> = arch.into_iter().map(|(y, z)| [front, y, z]).collect();
     b.tube("arch", &arch, r * 0.5, flag);
     b.pole("hose", [-0.98, 0.3, 0.06], [-ex, 0.3, 0.06], b.size.z * 0.03, BLACK_FABRIC);

@@ -3,8 +3,8 @@
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::table::frame::{Cut, Four, Lean, Row, at_least, leg, ribbon, shell};
+use crate::object::table::frame::{Four, Lean};
+use crate::solid::{Axis, Build, Cut, Row, at_least, curved_sheet, leg, ribbon};
 
 /// A chair under construction: half depth, half width, height, and further dimensions.
 pub(super) struct Chair {
@@ -260,7 +260,7 @@ fn moulded(b: &mut Build<'_>, c: &Chair) {
         row((rear - c.rake * 0.85).max(0.01 - c.x), s + tall * 0.9, 0.76, deep * 0.35),
         row(-c.x + 0.009, c.h - 0.004, 0.55, 0.0),
     ];
-    shell(b, "shell", &rows, 0.008, colour);
+    curved_sheet(b, "shell", &rows, 0.008, colour);
     let z = s + 0.004;
     let (from, to) = (rear + c.rake * 0.3 + deep * 0.7 + 0.015, c.x - 0.05);
     b.top("seat", [f32::midpoint(from, to), 0.0, z], (((to - from) / 2.0).max(0.02), w * 0.33));
@@ -421,7 +421,7 @@ fn tubular(b: &mut Build<'_>, c: &Chair) {
     let (z0, z1) = (c.seat + tall * 0.5, c.h - 0.004 - w * 0.12 * (c.rake / tall));
     let rows =
         [row(at(z0), z0, 0.92), row(at(f32::midpoint(z0, z1)), f32::midpoint(z0, z1), 0.97), row(at(z1), z1, 0.9)];
-    shell(b, "back", &rows, t, ply);
+    curved_sheet(b, "back", &rows, t, ply);
     let (from, to) = (rear + 0.045, c.x - 0.055);
     b.top("seat", [f32::midpoint(from, to), 0.0, c.seat], ((to - from) / 2.0, w * 0.9));
 }

@@ -2,8 +2,8 @@
 
 use super::chair::Chair;
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::table::frame::{CORNERS, Cut, Lean, at_least, leg, ribbon};
+use crate::object::table::frame::Lean;
+use crate::solid::{Axis, Build, CORNERS, Cut, at_least, leg, ribbon};
 
 /// A chair with arms and a spindle back on two bent runners.
 pub(super) fn rocking_chair(b: &mut Build<'_>) {

@@ -1,8 +1,8 @@
 //! Sofas and armchairs: a base, arms, seat cushions and back cushions.
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::table::frame::{CORNERS, Cut, Four, Lean, at_least, baluster, leg};
+use crate::object::table::frame::{Four, Lean, baluster};
+use crate::solid::{Axis, Build, CORNERS, Cut, at_least, leg};
 
 /// The design of arms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -380,7 +380,7 @@ pub(super) fn armchair(b: &mut Build<'_>) {
     sofa.cloth = b.one(&[b.style.upholstery, b.style.accent]);
     match b.rng.below(6) {
         0 => wing_chair(b, &mut sofa),
-        1 => tub(b, &sofa),
+        1 => tub_chair(b, &sofa),
         2 => {
             (sofa.arm, sofa.tufted, sofa.tilt) = (Arm::Frame, false, 0.28);
             (sofa.arms.0, sofa.lift, sofa.wood) = (0.05_f32.min(sofa.y * 0.15), sofa.seat * 0.5, b.style.wood);
@@ -416,7 +416,7 @@ fn wing_chair(b: &mut Build<'_>, s: &mut Sofa) {
 }
 
 /// A rounded shell around one thick cushion.
-fn tub(b: &mut Build<'_>, s: &Sofa) {
+fn tub_chair(b: &mut Build<'_>, s: &Sofa) {
     let (r, t) = (s.x.min(s.y), 0.09_f32.min(s.y * 0.2));
     let low = s.lift.max(0.04);
     let four = Four {

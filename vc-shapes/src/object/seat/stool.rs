@@ -1,11 +1,11 @@
 //! Stools, benches and soft seats without a back.
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
 use crate::object::joinery::Handle;
 use crate::object::storage::case::{Case, Cell, Look};
 use crate::object::storage::chest::{Chest, chest};
-use crate::object::table::frame::{Cut, Four, STAR, at_least, baluster, disc, leg, ribbon};
+use crate::object::table::frame::{Four, STAR, baluster};
+use crate::solid::{Axis, Build, Cut, at_least, disc, leg, ribbon};
 
 /// Half depth, half width, height, and the thickness of legs.
 fn measures(b: &mut Build<'_>) -> (f32, f32, f32, f32) {

@@ -1,9 +1,9 @@
 //! Swivel chairs on castors.
 
 use crate::material::*;
-use crate::object::build::Build;
-use crate::object::table::frame::{Cut, Lean, Row, STAR, at_least, leg, shell};
+use crate::object::table::frame::{Lean, STAR};
 use crate::object::table::trolley::castor;
+use crate::solid::{Build, Cut, Row, at_least, curved_sheet, leg};
 
 /// The dimensions and colours of a chair on a star base.
 struct Swivel {
@@ -104,7 +104,7 @@ pub(super) fn office_chair(b: &mut Build<'_>) {
                 row(0.92, w * 0.9, 0.02),
                 row(0.995, w * 0.7, 0.0),
             ];
-            shell(b, "back", &rows, 0.012, c.dark);
+            curved_sheet(b, "back", &rows, 0.012, c.dark);
             c.spine(b, rear, 0.42);
             x(0.0) + 0.06
         }

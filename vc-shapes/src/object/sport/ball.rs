@@ -4,9 +4,9 @@ use std::f32::consts::{PI, TAU};
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Build, CORNERS, P, seam, zone};
 
 /// Radius and centre of the ball that fits the size.
 fn fit(b: &Build<'_>) -> (f32, P) {

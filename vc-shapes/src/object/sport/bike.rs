@@ -1,8 +1,8 @@
 //! Stationary bikes; the user faces the front.
 
-use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, P, oval_outline, pitched, spare};
 
 /// A seat post with a saddle.
 fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: Mat) {
@@ -88,9 +88,9 @@ pub(super) fn upright(b: &mut Build<'_>) {
     feet(b, (-0.84, 0.84), BLACK_METAL);
     b.plank("frame", [-0.86, 0.0, 0.05], [0.86, 0.0, 0.05], (0.07, 0.05), case);
     let z = b.vary(0.24, 0.28);
-    let shape: Vec<_> = oval((0.3, z), (0.5, z - 0.03), 16);
+    let shape: Vec<_> = oval_outline((0.3, z), (0.5, z - 0.03), 16);
     b.profile("case", (-0.26, 0.26), &shape, case);
-    let inner: Vec<_> = oval((0.3, z), (0.34, (z - 0.03) * 0.68), 16);
+    let inner: Vec<_> = oval_outline((0.3, z), (0.34, (z - 0.03) * 0.68), 16);
     b.profile("cover", (-0.3, 0.3), &inner, trim);
     pedals(b, [0.06, 0.0, z * 0.9], (b.size.z * 0.1).min(0.15), trim);
     b.plank("tube", [-0.1, 0.0, 0.08], [-0.42, 0.0, 0.52], (0.06, 0.08), case);

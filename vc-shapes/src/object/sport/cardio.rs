@@ -1,9 +1,9 @@
 //! Machines for running, rowing, climbing and gliding; the user faces the front.
 
-use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use super::bike::{display, feet};
 use crate::material::*;
+use crate::solid::{Axis, Build, oval_outline, rounded_between, spare};
 
 /// A treadmill with handrails and console, or a flat walking pad.
 pub(super) fn treadmill(b: &mut Build<'_>) {
@@ -119,7 +119,7 @@ pub(super) fn elliptical(b: &mut Build<'_>) {
     b.plank("frame", [-0.9, 0.0, 0.045], [0.9, 0.0, 0.045], (0.08, 0.05), BLACK_METAL);
     let ahead = b.rng.chance(0.5);
     let x = if ahead { 0.55 } else { -0.55 };
-    let shell: Vec<_> = oval((x, 0.22), (0.4, 0.18), 16);
+    let shell: Vec<_> = oval_outline((x, 0.22), (0.4, 0.18), 16);
     b.profile("case", (-0.24, 0.24), &shell, case);
     b.disc("wheel", Axis::Y, [x, 0.0, 0.22], (b.size.z * 0.12, b.size.y * 0.27), trim);
     let mast = 0.42;
@@ -221,12 +221,12 @@ pub(super) fn vibration_plate(b: &mut Build<'_>) {
     let tall = b.size.z > 0.5;
     let deck = (0.14 / b.size.z).min(0.92);
     let high = if tall { deck } else { 0.93 };
-    let outline = rounded((-0.98, -0.98), (0.98, 0.98), (0.4, 0.3));
+    let outline = rounded_between((-0.98, -0.98), (0.98, 0.98), (0.4, 0.3));
     let foot: Vec<_> = outline.iter().map(|&(x, y)| (x * 0.9, y * 0.9)).collect();
     b.plan("base", (0.0, high * 0.4), &foot, BLACK_PLASTIC);
     b.plan("plate", (high * 0.35, high), &outline, case);
     let ahead = if tall { 0.5 } else { 0.85 };
-    b.plan("tread", (high * 0.9, high * 1.05), &rounded((-0.85, -0.85), (ahead, 0.85), (0.3, 0.3)), RUBBER);
+    b.plan("tread", (high * 0.9, high * 1.05), &rounded_between((-0.85, -0.85), (ahead, 0.85), (0.3, 0.3)), RUBBER);
     let place = [(ahead - 0.85) / 2.0, 0.0, high * 1.05];
     b.deck("plate", place, ((ahead + 0.85) / 2.0 - 0.12, 0.7));
     if !tall {

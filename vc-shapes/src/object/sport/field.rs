@@ -2,9 +2,9 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, P};
 
 /// A net of cords over a quadrilateral with `cells` along and across; the frame it hangs from runs
 /// along the sides.

@@ -4,9 +4,9 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, arc_outline, oval_outline, rounded_between};
 
 /// A dumbbell: hexagonal heads, round ones, or plates on a bar, lying along Y.
 pub(super) fn dumbbell(b: &mut Build<'_>) {
@@ -20,7 +20,7 @@ pub(super) fn dumbbell(b: &mut Build<'_>) {
         let (inner, outer) = (y * (half - head), y * half);
         match design {
             0 => {
-                let outline: Vec<_> = oval((0.0, z), (r, r), 6);
+                let outline: Vec<_> = oval_outline((0.0, z), (r, r), 6);
                 b.prism("head", Axis::Y, [0.0, inner.min(outer), 0.0], &outline, head * 0.93, mat);
                 b.rod("cap", [0.0, inner, z], [0.0, outer, z], r * 0.6, mat);
             }
@@ -123,7 +123,7 @@ pub(super) fn yoga_mat(b: &mut Build<'_>) {
     let line = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, CORK]);
     let h = (b.size.z * 0.8).max(b.size.z - 0.0015);
     let share = h / b.size.z;
-    b.plan("mat", (0.0, share), &rounded((-1.0, -1.0), (1.0, 1.0), (0.02, 0.06)), mat);
+    b.plan("mat", (0.0, share), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.02, 0.06)), mat);
     for x in SIDES {
         b.slab("border", [x * 0.94 - 0.004, -0.9, share * 0.5], [x * 0.94 + 0.004, 0.9, 1.0], line);
     }
@@ -181,7 +181,7 @@ pub(super) fn resistance_band(b: &mut Build<'_>) {
     let t = (y * 0.12).min(0.006);
     if flat {
         for (low, high) in [(0.0, PI), (PI, 2.0 * PI)] {
-            let middle = |r: f32| arc((0.0, if low > 0.0 { y } else { h - y }), (r, r), (low, high), 9);
+            let middle = |r: f32| arc_outline((0.0, if low > 0.0 { y } else { h - y }), (r, r), (low, high), 9);
             let half: Vec<_> = middle(y).into_iter().chain(middle(y - t).into_iter().rev()).collect();
             b.prism("bend", Axis::X, [-x, 0.0, 0.0], &half, 2.0 * x, mat);
         }

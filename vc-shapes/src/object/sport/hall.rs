@@ -4,9 +4,9 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, rounded_between};
 
 /// A pull-up bar for a doorway or on wall brackets.
 pub(super) fn pull_up_bar(b: &mut Build<'_>) {
@@ -277,7 +277,7 @@ pub(super) fn plyo_box(b: &mut Build<'_>) {
 pub(super) fn aerobic_step(b: &mut Build<'_>) {
     let (mat, riser) = (b.one(&[GREY_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC, BLUE_PLASTIC]), b.one(BRIGHT));
     let thick = (0.08 / b.size.z).min(0.6);
-    let outline = rounded((-1.0, -1.0), (1.0, 1.0), (0.3, 0.12));
+    let outline = rounded_between((-1.0, -1.0), (1.0, 1.0), (0.3, 0.12));
     b.plan("step", (1.0 - thick, 0.97), &outline, mat);
     let inner: Vec<_> = outline.iter().map(|&(x, y)| (x * 0.88, y * 0.95)).collect();
     b.plan("tread", (0.9, 1.0), &inner, RUBBER);

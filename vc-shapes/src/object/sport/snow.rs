@@ -1,8 +1,8 @@
 //! Skates, skis, boards and sleds.
 
-use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, band};
 
 /// A pair of ice skates.
 pub(super) fn skates(b: &mut Build<'_>) {

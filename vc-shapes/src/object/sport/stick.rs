@@ -2,9 +2,9 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, P, oval_outline, seam};
 
 /// A strung racket standing on its grip: tennis, squash or badminton.
 pub(super) fn racket(b: &mut Build<'_>) {
@@ -16,7 +16,7 @@ pub(super) fn racket(b: &mut Build<'_>) {
     let head = if light { 0.36 } else { 0.47 };
     let (y, z) = (1.0 - 2.0 * rim / b.size.y, 1.0 - head / 2.0 - rim / b.size.z * 0.5);
     let half = (head / 2.0) - rim / b.size.z * 0.5;
-    let curve: Vec<P> = oval((0.0, z), (y, half), 28).iter().map(|&(y, z)| b.p([0.0, y, z])).collect();
+    let curve: Vec<P> = oval_outline((0.0, z), (y, half), 28).iter().map(|&(y, z)| b.p([0.0, y, z])).collect();
     let middle = b.p([0.0, 0.0, z]);
     seam(b, "frame", middle, &curve, rim, frame);
     let string = (rim * 0.16).max(0.0006);
@@ -63,7 +63,7 @@ impl Lines for Build<'_> {
 /// A table tennis bat, red on one side and black on the other.
 pub(super) fn paddle(b: &mut Build<'_>) {
     let wood = b.one(&[BEECH, MAPLE, BIRCH]);
-    let blade = oval((0.0, 0.67), (1.0, 0.33), 24);
+    let blade = oval_outline((0.0, 0.67), (1.0, 0.33), 24);
     b.facing("blade", (-0.25, 0.25), &blade, wood);
     let rubber: Vec<_> =
         blade.iter().map(|&(y, z)| (y * 0.985, 0.67 + (z - 0.67) * 0.985)).filter(|p| p.1 > 0.41).collect();

@@ -1,9 +1,9 @@
 //! Weight machines, benches and racks; a seated user faces the front.
 
-use super::super::build::{Axis, Build, P};
 use super::super::play::kit::*;
 use super::gear::dumbbell;
 use crate::material::*;
+use crate::solid::{Axis, Build, CORNERS, P};
 
 const TUBE: f32 = 0.06;
 

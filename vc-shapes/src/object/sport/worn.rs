@@ -1,8 +1,8 @@
 //! Worn and carried gear.
 
-use super::super::build::{Axis, Build};
 use super::super::play::kit::*;
 use crate::material::*;
+use crate::solid::{Axis, Build, arc_outline};
 
 /// A boot standing on a sole at height `sole`, toe to the front.
 pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: Mat, trim: Mat) {
@@ -171,7 +171,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
     b.pad("bottom", [-0.94, -0.98, 0.0], [0.94, 0.98, 0.06], 0.01, BLACK_FABRIC);
     for s in SIDES {
         b.slab("wall", [s * 0.9 - t, -0.9, 0.03], [s * 0.9 + t, 0.9, body], cloth);
-        let end = arc((0.0, body), (0.95, 0.12), (0.0, std::f32::consts::PI), 9);
+        let end = arc_outline((0.0, body), (0.95, 0.12), (0.0, std::f32::consts::PI), 9);
         let outline: Vec<_> = [(-0.95, 0.03), (0.95, 0.03)].into_iter().chain(end).collect();
         b.within([-1.0, s * 0.93 - 0.03, 0.0], [1.0, s * 0.93 + 0.03, 1.0], |b| {
             b.profile("end", (-1.0, 1.0), &outline, cloth)
@@ -181,7 +181,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
     b.hollow("inside", [0.0, 0.0, 0.06], (0.82, 0.86), body - 0.08);
     let anchor = b.p([-0.95, 0.0, body]);
     b.hinge(anchor, [0.0, -1.0, 0.0], 1.9, |b| {
-        let top = arc((0.0, body), (0.95, 0.12), (0.0, std::f32::consts::PI), 9);
+        let top = arc_outline((0.0, body), (0.95, 0.12), (0.0, std::f32::consts::PI), 9);
         b.profile("lid", (-0.895, 0.895), &top, cloth);
         b.slab("zip", [-0.03, -0.85, body + 0.11], [0.03, 0.85, body + 0.128], STEEL);
     });

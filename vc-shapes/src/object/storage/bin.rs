@@ -2,8 +2,7 @@
 
 use super::chest::{Chest, bin, chest, walls};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::table::frame::{CORNERS, at_least, disc, rounded};
+use crate::solid::{Axis, Build, CORNERS, at_least, disc, rounded_by_radius};
 
 /// A blanket chest: plain, banded with metal, or with a padded lid.
 pub(super) fn trunk(b: &mut Build<'_>) {
@@ -298,7 +297,7 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
         return;
     }
     let radius = w * 0.48;
-    b.prism("base", Axis::Z, [0.0; 3], &rounded((x * 0.97, y * 0.97), w), 0.02, cloth);
+    b.prism("base", Axis::Z, [0.0; 3], &rounded_by_radius((x * 0.97, y * 0.97), w), 0.02, cloth);
     b.soft("rim", [-x, -y, 0.004], [w - x, y, h], radius, cloth);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y, side * (y - w));

@@ -4,8 +4,7 @@ use vc_graph::portable::Portable;
 
 use super::case::{Look, frame, panel};
 use crate::material::*;
-use crate::object::build::Build;
-use crate::object::table::frame::at_least;
+use crate::solid::{Build, at_least};
 
 /// A folding screen of three or four leaves in a zigzag.
 pub(super) fn room_divider(b: &mut Build<'_>) {

@@ -2,10 +2,9 @@
 
 use super::case::{Cell, Column, Look, Piece, Stand};
 use crate::material::*;
-use crate::object::build::Build;
 use crate::object::joinery::Handle;
-use crate::object::table::frame::at_least;
 use crate::object::table::trolley::castor;
+use crate::solid::{Build, at_least};
 
 /// Gives a piece the home's style: body, fronts, handles, stand and top.
 fn dressed(b: &mut Build<'_>, columns: Vec<Column>) -> Piece {

@@ -4,9 +4,9 @@
 use std::f32::consts::FRAC_PI_2;
 
 use crate::material::{BLACK, GLASS, MIRROR, Mat};
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, GAP, Handle, Side, drawer, handle};
-use crate::object::table::frame::{Cut, Four};
+use crate::object::table::frame::Four;
+use crate::solid::{Axis, Build, Cut, P};
 
 /// The kind of a compartment.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,8 @@
 //! Chests: boxes with a lid that lifts.
 
 use crate::material::*;
-use crate::object::build::Build;
 use crate::object::joinery::BOARD;
-use crate::object::table::frame::{CORNERS, at_least};
+use crate::solid::{Build, CORNERS, at_least};
 
 /// The design of a chest.
 pub(in crate::object) struct Chest {

@@ -6,9 +6,9 @@ use vc_graph::portable::Portable;
 
 use super::case::{Case, Cell};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, Handle};
-use crate::object::table::frame::{Cut, at_least, baluster, leg};
+use crate::object::table::frame::baluster;
+use crate::solid::{Axis, Build, Cut, P, at_least, leg};
 
 /// A bent hook that protrudes from `x` with its tip turned up, and its surface.
 fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: Mat) {

@@ -1,9 +1,9 @@
 //! Shelving for kitchens, store rooms and garages.
 
 use crate::material::*;
-use crate::object::build::Build;
-use crate::object::table::frame::{CORNERS, Cut, Four, at_least};
+use crate::object::table::frame::Four;
 use crate::object::table::trolley::castor;
+use crate::solid::{Build, CORNERS, Cut, at_least};
 
 /// The design of a rack's shelves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use super::case::{Case, Cell, Column, Look, Piece, Stand};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::{BOARD, Handle};
-use crate::object::table::frame::{CORNERS, Cut, Four, at_least, leg};
+use crate::object::table::frame::Four;
+use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, leg};
 
 /// The number of compartments of a usual height.
 fn spaces(b: &mut Build<'_>, tall: f32) -> usize {

@@ -2,9 +2,8 @@
 
 use super::case::{Case, Cell, Column, Look, Piece, Stand, panel};
 use crate::material::*;
-use crate::object::build::Build;
 use crate::object::joinery::{BOARD, GAP, Handle, drawer};
-use crate::object::table::frame::at_least;
+use crate::solid::{Build, at_least};
 
 /// A wardrobe with hinged doors or sliding ones: a rod under a shelf, shelves, drawers.
 pub(super) fn wardrobe(b: &mut Build<'_>) {

@@ -5,12 +5,11 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, polar, spaced, tub};
+use crate::solid::{Axis, Build, P, at_least, polar, spaced, tapered_tub};
 
 /// A wheelie bin: a tapered tub on two wheels under a hinged lid.
 pub(super) fn wheelie_bin(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.22, 0.45]);
+    at_least(b, [0.25, 0.22, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC]);
     let lid = b.one(&[body, body, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC]);
@@ -21,7 +20,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
     let low = 0.05;
     let shrink = b.vary(0.68, 0.8);
     let bottom = (half * shrink, (y - 0.02) * 0.85);
-    tub(b, "body", [middle, 0.0, low], bottom, (half, y - 0.012), rim - low, 0.012, body);
+    tapered_tub(b, "body", [middle, 0.0, low], bottom, (half, y - 0.012), rim - low, 0.012, body);
     b.block(
         "foot",
         [middle + bottom.0 * 0.4, -bottom.1 * 0.8, 0.0],
@@ -65,7 +64,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
 
 /// A litter bin of streets and parks.
 pub(super) fn street_bin(b: &mut Build<'_>) {
-    grown(b, [0.17, 0.17, 0.4]);
+    at_least(b, [0.17, 0.17, 0.4]);
     let mat = b.one(&[ANTHRACITE, GREEN_METAL, GALVANISED, BLACK_METAL, RED_METAL, BLUE_METAL, RUST]);
     match b.rng.below(4) {
         0 => drum(b, mat),
@@ -115,7 +114,7 @@ fn drum(b: &mut Build<'_>, mat: Mat) {
 fn roofed(b: &mut Build<'_>, mat: Mat) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (rim, foot) = (h * b.vary(0.62, 0.72), h * b.vary(0.03, 0.1));
-    tub(b, "body", [0.0, 0.0, foot], (x - 0.01, y - 0.01), (x - 0.004, y - 0.004), rim - foot, 0.008, mat);
+    tapered_tub(b, "body", [0.0, 0.0, foot], (x - 0.01, y - 0.01), (x - 0.004, y - 0.004), rim - foot, 0.008, mat);
     b.block("foot", [-x * 0.7, -y * 0.7, 0.0], [x * 0.7, y * 0.7, foot + 0.004], IRON);
     let roof = b.one(&[mat, STEEL, BLACK_METAL]);
     for side in [-1.0, 1.0] {
@@ -178,7 +177,7 @@ fn hung(b: &mut Build<'_>, mat: Mat) {
     let (middle, half) = ((back + front) / 2.0, (front - back) / 2.0);
     let top = h * b.vary(0.9, 0.99);
     let shrink = b.vary(0.6, 0.95);
-    tub(b, "body", [middle, 0.0, low], (half * shrink, y * 0.85), (half, y), top - low, 0.01, mat);
+    tapered_tub(b, "body", [middle, 0.0, low], (half * shrink, y * 0.85), (half, y), top - low, 0.01, mat);
     for z in [low + 0.1, top - 0.08] {
         b.block("clamp", [-x + post, -0.045, z], [middle - half * shrink + 0.012, 0.045, z + 0.04], GALVANISED);
     }
@@ -187,7 +186,7 @@ fn hung(b: &mut Build<'_>, mat: Mat) {
 
 /// A mailbox: on the wall, on a post with a flag, or a pillar.
 pub(super) fn mailbox(b: &mut Build<'_>) {
-    grown(b, [0.06, 0.125, 0.15]);
+    at_least(b, [0.06, 0.125, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[
         RED_METAL,

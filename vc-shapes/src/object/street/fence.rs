@@ -5,8 +5,7 @@ use std::f32::consts::FRAC_PI_2;
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::park::shape::{grown, limb, spaced};
+use crate::solid::{Axis, Build, at_least, limb, spaced};
 
 /// Fillings of the space between posts.
 #[derive(Clone, Copy, PartialEq)]
@@ -44,7 +43,7 @@ struct Bay {
 
 /// A length of fence: posts and pickets, boards, rails, railings, mesh or bamboo.
 pub(super) fn fence(b: &mut Build<'_>) {
-    grown(b, [0.02, 0.5, 0.3]);
+    at_least(b, [0.02, 0.5, 0.3]);
     let fills = [
         Fill::Pickets,
         Fill::Pickets,
@@ -80,7 +79,7 @@ pub(super) fn fence(b: &mut Build<'_>) {
 
 /// A gate between two posts; the leaf is hinged.
 pub(super) fn gate(b: &mut Build<'_>) {
-    grown(b, [0.02, 0.4, 0.4]);
+    at_least(b, [0.02, 0.4, 0.4]);
     let fill = b.one(&[Fill::Pickets, Fill::Pickets, Fill::Boards, Fill::Railings, Fill::Mesh, Fill::Slats]);
     let (mat, d, y, h) = (fill.mat(b), b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let post = d.min(0.045);

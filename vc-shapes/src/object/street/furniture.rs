@@ -5,12 +5,11 @@ use std::f32::consts::{PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, polar, polygon, spaced};
+use crate::solid::{Axis, Build, P, at_least, polar, polygon, spaced};
 
 /// A fire hydrant: a capped pillar with outlets; its spindle rotates.
 pub(super) fn hydrant(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.15, 0.3]);
+    at_least(b, [0.15, 0.15, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[RED_METAL, RED_METAL, YELLOW_METAL, BLUE_METAL, GREEN_METAL]);
     let cap = b.one(&[mat, SILVER_METAL, WHITE_METAL, YELLOW_METAL]);
@@ -73,7 +72,7 @@ fn outlet(b: &mut Build<'_>, way: P, z: f32, (from, to, r): (f32, f32, f32), (ma
 
 /// A traffic cone with bright bands on a square base.
 pub(super) fn cone(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.12]);
+    at_least(b, [0.1, 0.1, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let foot = h * b.vary(0.04, 0.07);
     let base = b.one(&[ORANGE_PLASTIC, RUBBER, ORANGE_PLASTIC]);
@@ -104,7 +103,7 @@ pub(super) fn cone(b: &mut Build<'_>) {
 
 /// A bollard: turned iron, a steel tube, a concrete block or a wooden post.
 pub(super) fn bollard(b: &mut Build<'_>) {
-    grown(b, [0.05, 0.05, 0.3]);
+    at_least(b, [0.05, 0.05, 0.3]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let band = h * b.vary(0.7, 0.85);
     match b.rng.below(5) {
@@ -158,7 +157,7 @@ pub(super) fn bollard(b: &mut Build<'_>) {
 
 /// A parking meter on a post, or a pay station.
 pub(super) fn parking_meter(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.6]);
+    at_least(b, [0.1, 0.1, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[ANTHRACITE, SILVER_METAL, BLUE_METAL, GREEN_METAL, GALVANISED]);
     if b.rng.chance(0.5) {
@@ -224,7 +223,7 @@ fn face(b: &mut Build<'_>, x: f32, [cy, low, tall, half]: [f32; 4], deep: f32) {
 
 /// A charging station: a pillar or a wall box, with cable and plug.
 pub(super) fn charging_station(b: &mut Build<'_>) {
-    grown(b, [0.08, 0.1, 0.15]);
+    at_least(b, [0.08, 0.1, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mat = b.one(&[WHITE_METAL, ANTHRACITE, SILVER_METAL, BLACK_METAL, GREEN_METAL]);
     let front = -x + 2.0 * x * b.vary(0.55, 0.7);
@@ -254,7 +253,7 @@ pub(super) fn charging_station(b: &mut Build<'_>) {
 
 /// A manhole cover: an iron disc with a pattern, or a grate, in its frame.
 pub(super) fn manhole_cover(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.02]);
+    at_least(b, [0.25, 0.25, 0.02]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let rim = r * b.vary(0.82, 0.9);
     let iron = b.one(&[IRON, IRON, RUST, GALVANISED]);
@@ -287,7 +286,7 @@ pub(super) fn manhole_cover(b: &mut Build<'_>) {
 
 /// A kerb: stones in a row, square, bevelled or rounded, sometimes with a gully.
 pub(super) fn curb(b: &mut Build<'_>) {
-    grown(b, [0.06, 0.3, 0.05]);
+    at_least(b, [0.06, 0.3, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stone = b.one(&[CONCRETE, GRANITE, GRAVEL, SANDSTONE]);
     let bevel = (x * 0.5).min(h * 0.4) * b.vary(0.2, 1.0);
@@ -311,7 +310,7 @@ pub(super) fn curb(b: &mut Build<'_>) {
 
 /// A dog's chain in a heap: links, a snap hook and a leather loop.
 pub(super) fn dog_chain(b: &mut Build<'_>) {
-    grown(b, [0.025, 0.05, 0.015]);
+    at_least(b, [0.025, 0.05, 0.015]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let steel = b.one(&[STEEL, GALVANISED, IRON]);
     let wire = (h * 0.09).min(0.004);

@@ -1,14 +1,13 @@
 //! Street lamps.
 
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::park::shape::grown;
+use crate::solid::{Build, P, at_least};
 use std::f32::consts::FRAC_PI_2;
 use vc_graph::portable::Portable;
 
 /// A street lamp: an arm over the road, or a lantern, globe or disc on the post.
 pub(super) fn street_lamp(b: &mut Build<'_>) {
-    grown(b, [0.08, 0.08, 1.5]);
+    at_least(b, [0.08, 0.08, 1.5]);
     let metal = b.one(&[ANTHRACITE, IRON, GREEN_METAL, GALVANISED, BLACK_METAL]);
     if b.size.x > 0.75 { arm_lamp(b, metal) } else { post_lamp(b, metal) }
 }

@@ -2,14 +2,13 @@
 
 use super::sign::poster;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, polygon, spaced};
+use crate::solid::{Axis, Build, P, at_least, polygon, spaced};
 use std::f32::consts::{FRAC_PI_2, PI};
 use vc_graph::portable::Portable;
 
 /// A bus shelter: glass walls, a roof, a bench, a poster and the stop's sign.
 pub(super) fn bus_stop(b: &mut Build<'_>) {
-    grown(b, [0.6, 1.25, 1.15]);
+    at_least(b, [0.6, 1.25, 1.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let metal = b.one(&[ANTHRACITE, GALVANISED, GREEN_METAL, SILVER_METAL]);
     let (roof, post) = (b.vary(0.06, 0.14), 0.035);
@@ -84,7 +83,7 @@ pub(super) fn bus_stop(b: &mut Build<'_>) {
 
 /// A rack for bicycles: hoops, or slots for front wheels.
 pub(super) fn bicycle_rack(b: &mut Build<'_>) {
-    grown(b, [0.17, 0.4, 0.12]);
+    at_least(b, [0.17, 0.4, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let metal = b.one(&[GALVANISED, STEEL, ANTHRACITE, GREEN_METAL, IRON]);
     let r = (x * 0.08).clamp(0.008, 0.025);
@@ -120,7 +119,7 @@ pub(super) fn bicycle_rack(b: &mut Build<'_>) {
 
 /// A phone booth: a kiosk of small panes with a crowned roof, or a plain glass one.
 pub(super) fn phone_booth(b: &mut Build<'_>) {
-    grown(b, [0.42, 0.42, 1.1]);
+    at_least(b, [0.42, 0.42, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let classic = b.rng.chance(0.6);
     let mat = b.one(if classic {

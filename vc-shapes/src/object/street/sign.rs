@@ -5,8 +5,7 @@ use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, polygon, spaced};
+use crate::solid::{Axis, Build, P, at_least, polygon, spaced};
 
 /// The drawing on a sign: rectangles (left, low, right, high) in a square from -1 to 1, seen from
 /// the front with Y to the right.
@@ -114,7 +113,7 @@ const PLATES: &[Plate] = &[
 
 /// A traffic sign: one or two plates on a post.
 pub(super) fn traffic_sign(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.2, 0.8]);
+    at_least(b, [0.03, 0.2, 0.8]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let post = (x * 0.55).min(0.04);
     let metal = b.one(&[GALVANISED, GALVANISED, GREY, ANTHRACITE]);
@@ -177,7 +176,7 @@ fn draw(b: &mut Build<'_>, drawing: Drawing, at: P, size: (f32, f32), thick: f32
 
 /// A traffic light: one or two heads of three lamps, or two heads for pedestrians.
 pub(super) fn traffic_light(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.15, 1.4]);
+    at_least(b, [0.15, 0.15, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mast = (x * 0.3).min(0.07);
     let metal = b.one(&[GALVANISED, ANTHRACITE, GREEN_METAL, YELLOW_METAL]);
@@ -229,7 +228,7 @@ fn head(b: &mut Build<'_>, at: P, (deep, half): (f32, f32), tall: f32, lamps: us
 
 /// A billboard: a framed poster on one or two legs, or standing on the ground.
 pub(super) fn billboard(b: &mut Build<'_>) {
-    grown(b, [0.07, 0.8, 1.0]);
+    at_least(b, [0.07, 0.8, 1.0]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let panel = (2.0 * y * b.vary(0.4, 0.75)).min(h * 0.68);
     let (low, frame) = (h - panel, b.one(&[ANTHRACITE, IRON, GALVANISED, WHITE_METAL]));

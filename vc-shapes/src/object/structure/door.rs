@@ -6,8 +6,8 @@
 use vc_graph::asset::JointKind;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, P, fit, half_dims, plate_with_hole};
 
 /// How far trims protrude from the wall, and how far they overlap it.
 const PROUD: f32 = 0.01;
@@ -56,7 +56,7 @@ pub(super) fn main_door(b: &mut Build<'_>) {
     let border = b.vary(0.11, 0.14) * u;
     let post = 0.05 * u;
     frame(b, post, b.style.joinery, u);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let t = 0.055_f32.min(x * 1.8);
     let metal = b.style.metal;
     hinged(b, &Leaf { rows, columns, border, infill: mat, mat }, (post, 0.055), Swing::Left, (metal, u));
@@ -91,7 +91,7 @@ pub(super) fn balcony_door(b: &mut Build<'_>) {
     let mat = b.one(&[WHITE_PLASTIC, b.style.joinery, ANTHRACITE]);
     let post = 0.05 * u;
     frame(b, post, mat, u);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let sill = if y < 0.55 { 0.003 } else { 0.02 };
     b.block("sill", [-x, -y + post, 0.0], [x, y - post, sill * u], mat);
     let rows: &[f32] = b.one(&[&[1.0], &[1.0], &[0.45, 1.3], &[0.6, 1.0, 1.0]]);
@@ -117,7 +117,7 @@ pub(super) fn balcony_door(b: &mut Build<'_>) {
 pub(super) fn sliding_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.02, 0.4, 0.9]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[b.style.joinery, b.style.wood, b.style.wood]);
     let iron = b.one(&[IRON, b.style.metal]);
     let lining = 0.025 * u;
@@ -173,7 +173,7 @@ pub(super) fn garage_door(b: &mut Build<'_>) {
     let mat = b.one(&[WHITE_METAL, SILVER_METAL, BROWN_PLASTIC, ANTHRACITE]);
     let post = 0.06 * u;
     frame_of(b, post, mat, PROUD);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let t = 0.04_f32.min(x * 1.8);
     let (low, high) = leaf_box((x, y, h), post, t);
     let rows = b.rng.count(4, 6);
@@ -213,7 +213,7 @@ pub(super) fn doorjamb(b: &mut Build<'_>) {
 
 /// A knob on a rose.
 pub(super) fn doorknob(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let r = (h / 2.0).min(y);
     let mat = b.style.metal;
     b.lathe_along("rose", [-x, 0.0, r], [x, 0.0, r], &[(r, 0.0), (r * 0.9, x * 0.2)], mat);
@@ -231,7 +231,7 @@ pub(super) fn doorknob(b: &mut Build<'_>) {
 /// Lining, trims on both sides of the wall and a stop behind the leaf.
 fn frame(b: &mut Build<'_>, post: f32, mat: Mat, u: f32) {
     frame_of(b, post, mat, PROUD * u);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (front, t) = (x - 0.062_f32.min(x * 1.85), 0.012 * u);
     if front - t > -x {
         let inner = y - post;
@@ -244,7 +244,7 @@ fn frame(b: &mut Build<'_>, post: f32, mat: Mat, u: f32) {
 
 /// The lining of the opening, `post` thick, and the trims.
 fn frame_of(b: &mut Build<'_>, post: f32, mat: Mat, proud: f32) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let over = OVERLAP * (proud / PROUD);
     for cy in [(-y, -y + post), (y - post, y)] {
         b.block("jamb", [-x, cy.0, 0.0], [x, cy.1, h], mat);
@@ -267,7 +267,7 @@ fn leaf_box((x, y, h): (f32, f32, f32), post: f32, t: f32) -> (P, P) {
 
 /// A leaf with handles, hinged at one side. `post` and thickness are given together.
 fn hinged(b: &mut Build<'_>, leaf: &Leaf<'_>, (post, thick): (f32, f32), at: Swing, (metal, u): (Mat, f32)) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (low, high) = leaf_box((x, y, h), post, thick.min(x * 1.8));
     swing(b, at, low, high, 1.65, |b| {
         leaf_of(b, leaf, low, high);
@@ -287,7 +287,7 @@ fn leaf_of(b: &mut Build<'_>, leaf: &Leaf<'_>, low: P, high: P) {
     }
     let bottom = w * 1.5;
     let hole = ((low[1] + w, low[2] + bottom), (high[1] - w, high[2] - w));
-    ring(b, "leaf", Axis::X, (low, high), hole, leaf.mat);
+    plate_with_hole(b, "leaf", Axis::X, (low, high), hole, leaf.mat);
     let t = high[0] - low[0];
     let set = if leaf.infill == leaf.mat { 0.25 } else { 0.42 };
     let ((y0, z0), (y1, z1)) = hole;

@@ -1,12 +1,12 @@
 //! Switches, sockets, columns, railings, stairs and grilles.
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, P, case, collar, fit, half_dims, plate_with_border};
 
 /// A plate with one to three rockers, or a knob to turn.
 pub(super) fn lightswitch(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = plate_mat(b);
     plate(b, mat);
     let (inner_y, inner_z, z) = (y * b.vary(0.5, 0.8), h * b.vary(0.26, 0.4), h / 2.0);
@@ -28,7 +28,7 @@ pub(super) fn lightswitch(b: &mut Build<'_>) {
 
 /// A plate with one or two round wells and two holes in each.
 pub(super) fn powersocket(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = plate_mat(b);
     plate(b, mat);
     let count = if y > h * 0.7 { 2 } else { 1 };
@@ -54,14 +54,14 @@ fn plate_mat(b: &mut Build<'_>) -> Mat {
 
 /// The square plate of switches and sockets.
 fn plate(b: &mut Build<'_>, mat: Mat) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     b.soft("plate", [-x, -y, 0.0], [x * 0.2, y, h], x * 0.5, mat);
 }
 
 /// Breakers in rows behind a door.
 pub(super) fn fuse_box(b: &mut Build<'_>) {
     let u = fit(b, [0.04, 0.12, 0.15]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_METAL, GREY_PLASTIC, SILVER_METAL]);
     let (wall, face) = (0.012 * u, x - 0.012 * u);
     case(b, [-x, -y, 0.0], [face - 0.01 * u, y, h], wall, mat);
@@ -93,7 +93,7 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
     let edge = if at == Swing::Left { low[1] + 0.03 * u } else { high[1] - 0.03 * u };
     swing(b, at, low, high, 1.9, |b| {
         if clear {
-            rim_x(b, "door", low, high, 0.03 * u, mat);
+            plate_with_border(b, "door", low, high, 0.03 * u, mat);
             let w = 0.03 * u;
             b.block(
                 "pane",
@@ -122,7 +122,7 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
 
 /// A slab: a doorstep or a window ledge, its front edge rounded.
 pub(super) fn slab(b: &mut Build<'_>) {
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let step = b.class == "doorstep";
     let mat =
         if step { b.one(&[GRANITE, SANDSTONE, CONCRETE, b.style.wood]) } else { b.one(&[MARBLE, WHITE, b.style.wood]) };
@@ -138,7 +138,7 @@ pub(super) fn slab(b: &mut Build<'_>) {
 /// A shaft between a base and a capital, round or square, fluted or plain.
 pub(super) fn column(b: &mut Build<'_>) {
     let u = fit(b, [0.1, 0.1, 1.0]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[PLASTER, CONCRETE, MARBLE, SANDSTONE, BRICK, b.style.wood]);
     let r = x.min(y);
     let block = (0.12 * u).min(r);
@@ -168,7 +168,7 @@ pub(super) fn column(b: &mut Build<'_>) {
 /// A rail on posts: bars, glass or wires between them.
 pub(super) fn railing(b: &mut Build<'_>) {
     let u = fit(b, [0.025, 0.7, 0.45]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.one(&[b.style.metal, STEEL, IRON, WHITE_METAL]);
     let hand = b.one(&[b.style.wood, metal]);
     let (rail, post) = (0.045 * u, (0.02 * u).min(x * 0.9));
@@ -211,7 +211,7 @@ pub(super) fn railing(b: &mut Build<'_>) {
 /// Steps up from the front: closed, or treads between two stringers.
 pub(super) fn stairs(b: &mut Build<'_>) {
     let u = fit(b, [1.0, 0.4, 1.0]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let wood = b.one(&[b.style.wood, b.style.floor, CONCRETE]);
     let steps = (h / 0.18).round().clamp(2.0, 20.0) as usize;
     let (rise, run) = (h / steps as f32, 2.0 * x / steps as f32);
@@ -245,10 +245,10 @@ pub(super) fn stairs(b: &mut Build<'_>) {
 /// A frame with slanting slats.
 pub(super) fn ventilation_grille(b: &mut Build<'_>) {
     let u = fit(b, [0.005, 0.05, 0.05]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BROWN_PLASTIC]);
     let w = (y.min(h / 2.0) * 0.2).min(0.02 * u);
-    rim_x(b, "frame", [-x, -y, 0.0], [x, y, h], w, mat);
+    plate_with_border(b, "frame", [-x, -y, 0.0], [x, y, h], w, mat);
     b.block("dark", [-x, -y + w, w], [-x * 0.8, y - w, h - w], BLACK_PLASTIC);
     let count = ((h - 2.0 * w) / (0.018 * u)).clamp(3.0, 14.0) as usize;
     let step = (h - 2.0 * w) / count as f32;

@@ -3,8 +3,8 @@
 use vc_graph::asset::JointKind;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::cooker::fitting::*;
+use crate::solid::{Axis, Build, P, collar, fit, half_dims, plate_with_border, plate_with_hole};
 
 /// A frame with one or two sashes that open into the room, a sill and a lining inside.
 ///
@@ -12,12 +12,12 @@ use crate::object::cooker::fitting::*;
 pub(super) fn window(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.03, 0.3, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, b.style.joinery, ANTHRACITE]);
     let depth = 0.035_f32.min(x);
     let border = 0.05 * u;
     let bars = b.one(&[(0, 0), (0, 0), (0, 0), (1, 0), (1, 1)]);
-    rim_x(b, "frame", [-depth, -y, 0.0], [depth, y, h], border, mat);
+    plate_with_border(b, "frame", [-depth, -y, 0.0], [depth, y, h], border, mat);
     // The stone ledge outside and the board inside.
     if x - depth > 0.005 {
         b.block("outer_sill", [-x, -y, 0.0], [-depth, y, 0.012 * u], ALUMINIUM);
@@ -29,7 +29,14 @@ pub(super) fn window(b: &mut Build<'_>) {
     // Lines the opening up to the frame, so that no outer wall is visible inside.
     if x - depth > 0.005 {
         let t = 0.01 * u;
-        ring(b, "lining", Axis::X, ([depth, -y, board], [x, y, h]), ((t - y, board), (y - t, h - t)), b.style.joinery);
+        plate_with_hole(
+            b,
+            "lining",
+            Axis::X,
+            ([depth, -y, board], [x, y, h]),
+            ((t - y, board), (y - t, h - t)),
+            b.style.joinery,
+        );
     }
     let free = depth + 0.055 * u;
     if reach - free > 0.03 {
@@ -40,7 +47,7 @@ pub(super) fn window(b: &mut Build<'_>) {
     let (back, front) = (-depth * 0.4, depth + 0.006);
     // A rebate outside the sashes covers the gaps around them.
     let (stop, lap) = (back - 0.001, 0.012 * u);
-    rim_x(b, "rebate", [-depth + 0.001, -y + border, border], [stop, y - border, h - border], lap, mat);
+    plate_with_border(b, "rebate", [-depth + 0.001, -y + border, border], [stop, y - border, h - border], lap, mat);
     let halves: &[(Swing, f32, f32)] = if y > 0.5 {
         b.block("mullion", [-depth, -border * 0.4, border], [depth, border * 0.4, h - border], mat);
         for side in [-1.0_f32, 1.0] {
@@ -62,7 +69,7 @@ pub(super) fn window(b: &mut Build<'_>) {
 /// A pane in its frame, with glazing bars and a handle at the free edge.
 fn sash(b: &mut Build<'_>, (low, high): (P, P), (at, bars): (Swing, (usize, usize)), mat: Mat, u: f32) {
     let w = 0.055 * u;
-    rim_x(b, "sash", low, high, w, mat);
+    plate_with_border(b, "sash", low, high, w, mat);
     let middle = f32::midpoint(low[0], high[0]);
     let t = 0.008;
     b.block("pane", [middle - t, low[1] + w, low[2] + w], [middle + t, high[1] - w, high[2] - w], GLASS);
@@ -95,15 +102,15 @@ fn sash(b: &mut Build<'_>, (low, high): (P, P), (at, bars): (Swing, (usize, usiz
 /// A window that lies in a roof: frame, flashing, a sash that swings out.
 pub(super) fn roof_window(b: &mut Build<'_>) {
     let u = fit(b, [0.05, 0.25, 0.3]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let (wood, skin) = (b.one(&[PINE, WHITE]), ANTHRACITE);
     let border = 0.05 * u;
-    rim_x(b, "frame", [-x, -y, 0.0], [x * 0.6, y, h], border, wood);
-    rim_x(b, "flashing", [x * 0.2, -y + 0.001, 0.001], [x * 0.7, y - 0.001, h - 0.001], border * 0.5, skin);
+    plate_with_border(b, "frame", [-x, -y, 0.0], [x * 0.6, y, h], border, wood);
+    plate_with_border(b, "flashing", [x * 0.2, -y + 0.001, 0.001], [x * 0.7, y - 0.001, h - 0.001], border * 0.5, skin);
     // The sash closes on the frame from outside.
     let (low, high) = ([x * 0.6 + 0.001, -y + border * 0.6, border * 0.6], [x, y - border * 0.6, h - border * 0.6]);
     swing(b, Swing::Up, low, high, 0.8, |b| {
-        rim_x(b, "sash", low, high, border, skin);
+        plate_with_border(b, "sash", low, high, border, skin);
         let w = border;
         b.block("pane", [x * 0.7, low[1] + w, low[2] + w], [x * 0.85, high[1] - w, high[2] - w], GLASS);
         b.block("bar", [x * 0.1, -y * 0.4, high[2] - w], [x * 0.62, y * 0.4, high[2] - w * 0.6], ALUMINIUM);
@@ -126,7 +133,7 @@ fn pleated(y: f32, deep: f32, t: f32, count: usize) -> Vec<(f32, f32)> {
 /// Pleated cloth below a heading, straight or tied to one side.
 pub(super) fn curtain(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.15, 0.3]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.style.curtain;
     let t = (0.004 * u).min(x * 0.3);
     let count = ((y / b.vary(0.055, 0.085)).round().clamp(2.0, 11.0)) as usize;
@@ -197,7 +204,7 @@ fn tied(b: &mut Build<'_>, wide: (f32, f32, f32), slim: (f32, f32, f32), (z0, z1
 /// A rod on brackets with knobs at its ends and rings.
 pub(super) fn curtain_rod(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.4, 0.015]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[b.style.metal, b.style.wood, IRON, WHITE_METAL]);
     let r = (h * 0.3).min(x * 0.5);
     let (cx, z) = (x - h.min(2.0 * x) / 2.0, h / 2.0);
@@ -225,7 +232,7 @@ pub(super) fn curtain_rod(b: &mut Build<'_>) {
 /// Slats on cords, a roller with cloth, or cloth in folds.
 pub(super) fn blinds(b: &mut Build<'_>) {
     let u = fit(b, [0.015, 0.3, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.style.curtain;
     let box_high = 0.045 * u;
     let top = h - box_high;
@@ -277,7 +284,7 @@ pub(super) fn blinds(b: &mut Build<'_>) {
 /// A box with a curtain of slats between rails; the curtain slides up into the box by half.
 pub(super) fn roller_shutter(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.3, 0.4]);
-    let (x, y, h) = spans(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, ALUMINIUM, BROWN_PLASTIC]);
     let head = (h * 0.14).min(0.2);
     // Hollow, so that the slats go up into it.

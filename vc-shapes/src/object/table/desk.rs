@@ -1,11 +1,11 @@
 //! Desks, and tables with drawers.
 
-use super::frame::{Cut, Four, at_least};
+use super::frame::Four;
 use super::{Base, Outline, Table};
 use crate::material::*;
-use crate::object::build::{Build, P};
 use crate::object::joinery::{BOARD, Handle};
 use crate::object::storage::case::{Case, Cell, Column, Look, Piece, Stand, Tally};
+use crate::solid::{Build, Cut, P, at_least};
 
 /// Drawers side by side below a top, in a shallow case.
 pub(super) fn drawers_below(b: &mut Build<'_>, half: (f32, f32), top: (f32, f32), body: Mat) {

@@ -4,10 +4,10 @@ mod desk;
 pub(super) mod frame;
 pub(super) mod trolley;
 
-use super::build::{Axis, Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
-use frame::{CORNERS, Cut, Four, at_least, baluster, disc, ellipse, leg, rounded};
+use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, disc, ellipse, leg, rounded_by_radius};
+use frame::{Four, baluster};
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("dining_table", 40, dining_table),
@@ -126,8 +126,8 @@ impl Table {
                 disc(b, "top", [0.0, 0.0, self.h], self.x, t, self.top);
                 Vec::new()
             }
-            Outline::Rounded => rounded(half, 0.07),
-            Outline::Pill => rounded(half, self.x.max(self.y)),
+            Outline::Rounded => rounded_by_radius(half, 0.07),
+            Outline::Pill => rounded_by_radius(half, self.x.max(self.y)),
             Outline::Oval => ellipse(half),
             Outline::Octagon => {
                 let c = self.x.min(self.y) * 0.58;

@@ -1,11 +1,11 @@
 //! Work tables: of steel, folding, on castors, with a vice.
 
-use super::frame::{CORNERS, Cut, Four, at_least, leg, rounded};
+use super::frame::Four;
 use super::{Outline, Table};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
 use crate::object::joinery::Handle;
 use crate::object::storage::case::{Case, Cell};
+use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, leg, rounded_by_radius};
 
 /// A light table whose legs fold under its top.
 pub(super) fn folding_table(b: &mut Build<'_>) {
@@ -185,7 +185,7 @@ pub(in crate::object) fn ironing_board(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cover = b.one(&[BLUE_FABRIC, GREY_FABRIC, b.style.accent, b.style.linen]);
     let t = 0.03;
-    let mut outline = rounded((x, y), 0.05);
+    let mut outline = rounded_by_radius((x, y), 0.05);
     // The end at the higher Y tapers to a blunt point.
     for p in &mut outline {
         let k = ((p.1 - y * 0.35) / (y * 0.65)).clamp(0.0, 1.0);

@@ -4,9 +4,8 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, hoop, loft, ngon, oval, room, spline, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, loft, ngon, oval, spline, tube};
 
 /// A driver in a front at `x`: a rim, a cone and a dust cap.
 fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
@@ -31,7 +30,7 @@ fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
 
 /// A loudspeaker for shelf or floor, or a subwoofer.
 pub(super) fn speaker(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK, WALNUT, b.style.wood, WHITE, OAK, BLACK_PLASTIC]);
     let cone = b.one(&[RUBBER, YELLOW, GREY, RUBBER]);
     let out = (y * 0.1).min(0.007);
@@ -64,7 +63,7 @@ pub(super) fn speaker(b: &mut Build<'_>) {
         }
     }
     if foot > 0.0 {
-        let mut spikes = Shell::default();
+        let mut spikes = MeshBuilder::default();
         for (sx, sy) in [(-0.85, -0.9), (-0.85, 0.9), (0.85, -0.9), (0.85, 0.9)] {
             spikes.tapered(&[[x * sx, (y - foot) * sy, foot * 1.3], [x * sx, (y - foot) * sy, 0.0]], |t| {
                 foot * (0.45 - 0.25 * t)
@@ -80,7 +79,7 @@ pub(super) fn speaker(b: &mut Build<'_>) {
 
 /// A sound bar behind cloth, with keys on top.
 pub(super) fn soundbar(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let cloth = b.one(&[CHARCOAL_FABRIC, BLACK_FABRIC, GREY_FABRIC]);
     b.soft("body", [-x, -y, 0.0], [x * 0.9, y, h * 0.97], h * 0.25, body);
@@ -95,7 +94,7 @@ pub(super) fn soundbar(b: &mut Build<'_>) {
 
 /// A portable or smart speaker: a lying or standing drum, a puck, a block.
 pub(super) fn portable(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.one(&[CHARCOAL_FABRIC, RED_FABRIC, BLUE_FABRIC, GREY_FABRIC, TEAL_FABRIC, MUSTARD_FABRIC]);
     let r = x.min(y);
     if y > 1.4 * x {
@@ -128,7 +127,7 @@ pub(super) fn portable(b: &mut Build<'_>) {
 
 /// A guitar amplifier: cloth front, knobs, corners and a handle.
 pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let skin = b.one(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC, WHITE_LEATHER]);
     let cloth = b.one(&[BEIGE_FABRIC, GREY_FABRIC, BLACK_FABRIC, BROWN_FABRIC]);
     let (grip, knob) = (h * 0.08, (x * 0.08).min(0.014));
@@ -157,7 +156,7 @@ pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
         [-x * 0.1, y * 0.35, top - thick],
     ];
     tube(b, "handle", &spline(&handle, 4), thick, RUBBER);
-    let mut corners = Shell::default();
+    let mut corners = MeshBuilder::default();
     for (sx, sy) in [(-1.0_f32, -1.0_f32), (-1.0, 1.0)] {
         for z in [top * 0.03, top * 0.97] {
             corners.egg(
@@ -171,14 +170,14 @@ pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
 
 /// Headphones: band, two cups with pads, and sometimes a microphone.
 pub(super) fn headset(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let shell = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, SILVER_METAL, RED_PLASTIC, NAVY]);
     let pad = b.one(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC]);
     let cup = (x * 0.95).min(h * 0.25);
     let band = (x * 0.2).min(y * 0.08);
     let reach = y - band * 1.2;
     let line = arc(Axis::X, [0.0, 0.0, cup], (reach, h - cup - band), (0.0, PI), 16);
-    let mut hoop_ = Shell::default();
+    let mut hoop_ = MeshBuilder::default();
     hoop_.leaf(&line, |_| band * 1.6, 0.0);
     hoop_.tube(&line, band * 0.5);
     hoop_.put(b, "band", shell);
@@ -208,7 +207,7 @@ pub(super) fn headset(b: &mut Build<'_>) {
         let arm =
             [[x * 0.2, reach, cup * 0.9], [x * 0.75, reach * 0.85, cup * 0.5], [x - r * 3.0, reach * 0.45, r * 3.0]];
         tube(b, "arm", &spline(&arm, 4), r, BLACK_PLASTIC);
-        let mut tip = Shell::default();
+        let mut tip = MeshBuilder::default();
         tip.egg([x - r * 3.0, reach * 0.42, r * 3.0], [r * 2.5, r * 3.0, r * 2.8]);
         tip.put(b, "microphone", RUBBER);
     }
@@ -216,9 +215,9 @@ pub(super) fn headset(b: &mut Build<'_>) {
 
 /// Ear buds: two in a case, or on a cable.
 pub(super) fn earphone(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, NAVY]);
-    let mut buds = Shell::default();
+    let mut buds = MeshBuilder::default();
     let r = (h * 0.32).min(y * 0.2).min(x * 0.4);
     for side in [-1.0, 1.0] {
         let at = [x - r, side * (y - r * 1.3), r];
@@ -251,7 +250,7 @@ pub(super) fn earphone(b: &mut Build<'_>) {
 
 /// A microphone on a stand, or a hand-held one standing on its end.
 pub(super) fn microphone(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let body = b.one(&[BLACK_METAL, SILVER_METAL, GREY_PLASTIC, RED_METAL]);
     if b.rng.chance(0.5) {

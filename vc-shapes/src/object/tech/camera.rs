@@ -4,14 +4,13 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, hoop, oval, room, spline, tube};
 use super::lens;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, oval, spline, tube};
 
 /// A still camera: compact, reflex, instant or action camera.
 pub(super) fn camera(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (body, trim) = match b.class {
         "instant_camera" => b.one(&[
             (WHITE_PLASTIC, BLACK_PLASTIC),
@@ -92,7 +91,7 @@ pub(super) fn camera(b: &mut Build<'_>) {
 
 /// A camcorder: a barrel with a lens, a grip strap and a screen.
 pub(super) fn video_camera(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, SILVER_METAL, GREY_PLASTIC]);
     let wide = y * 0.75;
     let r = wide.min(h * 0.36);
@@ -101,7 +100,7 @@ pub(super) fn video_camera(b: &mut Build<'_>) {
     b.soft("finder", [-x, -wide * 0.4, h * 0.8], [-x * 0.4, wide * 0.4, h], h * 0.05, BLACK_PLASTIC);
     b.soft("base", [-x * 0.7, -wide * 0.7, 0.0], [x * 0.4, wide * 0.7, h * 0.12], h * 0.03, BLACK_PLASTIC);
     let strap = [[-x * 0.7, -wide * 0.9, h * 0.45], [-x * 0.2, -y * 0.9, h * 0.45], [x * 0.3, -wide * 0.9, h * 0.45]];
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     shell.tube(&spline(&strap, 4), (y - wide) * 0.3);
     shell.put(b, "strap", BLACK_FABRIC);
     b.hinge([x * 0.4, wide, 0.0], [0.0, 0.0, -1.0], 1.6, |b| {
@@ -113,11 +112,11 @@ pub(super) fn video_camera(b: &mut Build<'_>) {
 
 /// A security camera: a dome or a barrel on a bracket.
 pub(super) fn security(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = y.min(h * 0.5);
     if x < y * 1.3 {
         b.lathe("base", [0.0; 3], &[(x.min(y), 0.0), (x.min(y), h * 0.35), (x.min(y) * 0.85, h * 0.45)], WHITE_PLASTIC);
-        let mut dome = Shell::default();
+        let mut dome = MeshBuilder::default();
         let s = x.min(y) * 0.82;
         dome.egg([0.0, 0.0, h * 0.5], [s, s, h * 0.5]);
         dome.put(b, "dome", BLACK_GLASS);
@@ -140,7 +139,7 @@ pub(super) fn security(b: &mut Build<'_>) {
 
 /// A webcam on its clip.
 pub(super) fn webcam(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
     let low = h * 0.4;
     let (round, wide) = (b.vary(0.1, 0.3), y * b.vary(0.9, 1.0));
@@ -155,12 +154,12 @@ pub(super) fn webcam(b: &mut Build<'_>) {
 
 /// A folded tripod, standing on its three feet.
 pub(super) fn tripod(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let metal = b.one(&[BLACK_METAL, SILVER_METAL, ALUMINIUM]);
     let r = x.min(y);
     let (leg, crown) = (r * 0.2, h * 0.78);
     let spread = r * b.vary(0.7, 0.8);
-    let (mut tubes, mut feet, mut clamps) = (Shell::default(), Shell::default(), Shell::default());
+    let (mut tubes, mut feet, mut clamps) = (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     for i in 0..3 {
         let (s, c) = (i as f32 * 2.094 + 1.05).sine_cosine();
         let at = |out: f32, z: f32| [out * c, out * s, z];
@@ -189,10 +188,10 @@ pub(super) fn tripod(b: &mut Build<'_>) {
 
 /// A studio light: a softbox or a ring light on a stand.
 pub(super) fn softbox(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let wide = y.min(h * 0.28);
     let middle = h - wide;
-    let mut legs = Shell::default();
+    let mut legs = MeshBuilder::default();
     let r = 0.011_f32.min(x * 0.06);
     for i in 0..3 {
         let (s, c) = (i as f32 * 2.094).sine_cosine();
@@ -216,12 +215,7 @@ pub(super) fn softbox(b: &mut Build<'_>) {
             .map(|(a, c)| [px, wide * s * a, middle + wide * s * c])
             .to_vec()
     };
-    super::super::textile::form::loft(
-        b,
-        "box",
-        &[ring(back, 0.22), ring(x * 0.75, 1.0), ring(x * 0.85, 1.0)],
-        BLACK_FABRIC,
-    );
+    crate::solid::loft(b, "box", &[ring(back, 0.22), ring(x * 0.75, 1.0), ring(x * 0.85, 1.0)], BLACK_FABRIC);
     let panel = wide * 0.97;
     b.block("light", [x * 0.83, -panel, middle - panel], [x * 0.87, panel, middle + panel], COOL_BULB);
     b.rod("lamp", [back - x * 0.3, 0.0, middle], [back + 0.005, 0.0, middle], wide * 0.16, BLACK_PLASTIC);
@@ -229,12 +223,12 @@ pub(super) fn softbox(b: &mut Build<'_>) {
 
 /// A drone: body, four arms with rotors, a camera below.
 pub(super) fn drone(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
     let r = x.min(y) * b.vary(0.36, 0.44);
     let (deep, high) = (h * 0.3, h * 0.75);
     b.soft("body", [-x * 0.55, -y * 0.24, deep], [x * 0.55, y * 0.24, h * 0.85], h * 0.2, body);
-    let (mut arms, mut blades, mut feet) = (Shell::default(), Shell::default(), Shell::default());
+    let (mut arms, mut blades, mut feet) = (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     let guards = b.rng.chance(0.4);
     for (sx, sy) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
         let at = [sx * (x - r), sy * (y - r)];

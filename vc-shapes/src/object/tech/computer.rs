@@ -4,15 +4,14 @@ use std::f32::consts::FRAC_PI_2;
 
 use nalgebra::{Isometry3, Vector3};
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, blocks, hoop, oval, room};
 use super::{case, grid};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, oval};
 
 /// A laptop, closed: keys and touch pad on the base, a screen in the lid.
 pub(super) fn laptop(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[SILVER_METAL, ANTHRACITE, BLACK_PLASTIC, ALUMINIUM, WHITE_PLASTIC, NAVY]);
     let keys = if body == BLACK_PLASTIC || body == ANTHRACITE { ANTHRACITE } else { BLACK_PLASTIC };
     let (gap, base) = ((h * 0.17).min(0.003), h * 0.54);
@@ -37,7 +36,7 @@ pub(super) fn laptop(b: &mut Build<'_>) {
             "logo",
             Axis::Z,
             [0.0, 0.0, h - h * 0.05],
-            &super::super::textile::form::ngon((logo, logo), 6),
+            &crate::solid::ngon((logo, logo), 6),
             h * 0.05 + 0.0006,
             CHROME,
         );
@@ -54,7 +53,7 @@ pub(super) fn laptop(b: &mut Build<'_>) {
 /// A tower computer; with a glass side and coloured fans for gaming, with bays of disks for a
 /// server.
 pub(super) fn tower(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (gaming, server) = (b.class == "gaming_computer", b.class == "server");
     let body = if gaming { b.one(&[BLACK_METAL, WHITE_METAL, ANTHRACITE]) } else { case(b) };
     let foot = h * 0.03;
@@ -69,7 +68,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
         x * 0.05,
         if body == WHITE_METAL { WHITE_PLASTIC } else { BLACK_PLASTIC },
     );
-    let mut feet = Shell::default();
+    let mut feet = MeshBuilder::default();
     for (sx, sy) in [(-0.8, -0.7), (-0.8, 0.7), (0.75, -0.7), (0.75, 0.7)] {
         feet.block([x * sx - foot, y * sy - foot, 0.0], [x * sx + foot, y * sy + foot, foot * 1.2]);
     }
@@ -126,7 +125,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
 
 /// Rings of light in the front.
 fn fans(b: &mut Build<'_>, (front, foot): (f32, f32), relief: f32, glow: Mat) {
-    let (_, y, h) = room(b);
+    let (_, y, h) = half_dims(b);
     let r = (y * 0.75).min((h - foot) * 0.1);
     for i in 0..3 {
         let at = [front, -y * 0.1, foot + (h - foot) * (0.14 + 0.21 * i as f32)];
@@ -137,7 +136,7 @@ fn fans(b: &mut Build<'_>, (front, foot): (f32, f32), relief: f32, glow: Mat) {
 
 /// The interior visible through the glass side.
 fn window(b: &mut Build<'_>, side: f32, foot: f32, glow: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let deep = y - side;
     let at = |x0: f32, x1: f32, z0: f32, z1: f32, d: f32| {
         ([x * x0, side - 0.001, foot + (h - foot) * z0], [x * x1, side + deep * d, foot + (h - foot) * z1])

@@ -2,14 +2,13 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, lengthwise, loft, oval, room, spline, tube};
 use super::{case, grid};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, lengthwise, loft, oval, spline, tube};
 
 /// A keyboard: sloping, with rows of keys and a number pad where it is wide.
 pub(super) fn keyboard(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = case(b);
     let dark = body == BLACK_PLASTIC;
     let keys = if dark { ANTHRACITE } else { b.one(&[WHITE_PLASTIC, LIGHT_GREY, BLACK_PLASTIC]) };
@@ -56,7 +55,7 @@ pub(super) fn keyboard(b: &mut Build<'_>) {
 
 /// A mouse: a hump with two buttons and a wheel, with or without a cable.
 pub(super) fn mouse(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, RED_PLASTIC, ANTHRACITE]);
     let trim = if body == BLACK_PLASTIC { GREY_PLASTIC } else { BLACK_PLASTIC };
     let (peak, wide) = (b.vary(-0.2, 0.25), b.vary(0.8, 0.92));
@@ -73,7 +72,7 @@ pub(super) fn mouse(b: &mut Build<'_>) {
         ring(1.0, wide * 0.7, 0.48),
     ];
     loft(b, "body", &rings.map(|r| r.iter().map(|p| [-p[0], p[1], p[2]]).collect()), body);
-    let mut lines = Shell::default();
+    let mut lines = MeshBuilder::default();
     let line: Vec<P> = [(-0.97, 0.52), (-0.88, 0.68), (-0.6, 0.86), (-0.25, 0.95)]
         .iter()
         .map(|&(t, z)| [x * t, 0.0, top * z])
@@ -93,7 +92,7 @@ pub(super) fn mouse(b: &mut Build<'_>) {
             "logo",
             Axis::Z,
             [x * 0.5, 0.0, top * 0.5],
-            &super::super::textile::form::ngon((x * 0.08, x * 0.08), 8),
+            &crate::solid::ngon((x * 0.08, x * 0.08), 8),
             top * 0.32,
             glow,
         );
@@ -102,7 +101,7 @@ pub(super) fn mouse(b: &mut Build<'_>) {
 
 /// A drawing tablet with its pen.
 pub(super) fn graphic_tablet(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let pen = (h * 0.25).min(x * 0.04);
     let top = h - 2.0 * pen;
     b.soft("body", [-x, -y, 0.0], [x, y, top], top * 0.4, BLACK_PLASTIC);
@@ -116,7 +115,7 @@ pub(super) fn graphic_tablet(b: &mut Build<'_>) {
     let (s, c) = turn.sine_cosine();
     let long = x.min(y) * 0.55;
     let mid = [x * 0.1, y * 0.3, top + pen];
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     shell.tapered(
         &[
             [mid[0] - long * s, mid[1] - long * c, mid[2]],
@@ -147,7 +146,7 @@ pub(super) fn usb_stick(b: &mut Build<'_>) {
 
 /// A charger: a block with two pins and a lead.
 pub(super) fn charger(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC]);
     let pins = y * 0.35;
     let split = y - pins;
@@ -161,7 +160,7 @@ pub(super) fn charger(b: &mut Build<'_>) {
 
 /// A coiled cable with its plugs.
 pub(super) fn cable(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let colour = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, RED_FABRIC]);
     let r = (h * 0.14).min(x * 0.08);
     let turns = 3.0;
@@ -179,5 +178,5 @@ pub(super) fn cable(b: &mut Build<'_>) {
     b.soft("plug", [-plug + x * 0.2, -y * 0.35, 0.0], [plug + x * 0.2, y * 0.05, plug * 1.2], plug * 0.3, colour);
     b.block("plug", [-plug * 0.6 + x * 0.2, y * 0.03, plug * 0.3], [plug * 0.6 + x * 0.2, y * 0.25, plug * 0.9], STEEL);
     let tie = oval(Axis::X, [0.0, -y + r * 2.6, h / 2.0], (r * 2.1, h / 2.0 - r * 0.4), 0, 12);
-    super::super::textile::form::hoop(b, "tie", &tie, r * 0.4, BLACK_FABRIC);
+    crate::solid::hoop(b, "tie", &tie, r * 0.4, BLACK_FABRIC);
 }

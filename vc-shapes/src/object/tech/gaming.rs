@@ -2,14 +2,13 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, blocks, facing, hoop, loft, oval, room, spline, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, facing, half_dims, hoop, loft, oval, spline, tube};
 
 /// A gamepad: two grips, sticks, a directional pad and buttons.
 pub(super) fn controller(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, PURPLE_PLASTIC]);
     let dark = if body == BLACK_PLASTIC { GREY_PLASTIC } else { BLACK_PLASTIC };
     let stick = h * 0.2;
@@ -29,7 +28,7 @@ pub(super) fn controller(b: &mut Build<'_>) {
         ring(1.0, 0.35, 0.3, 0.5),
     ];
     loft(b, "body", &rings, body);
-    let mut sticks = Shell::default();
+    let mut sticks = MeshBuilder::default();
     let r = x * 0.17;
     let crossed = b.rng.chance(0.5);
     let left = if crossed { (-0.25, -0.64) } else { (0.1, -0.34) };
@@ -113,7 +112,7 @@ pub(super) fn handheld(b: &mut Build<'_>) {
 
 /// A flight stick on its base, with a throttle and buttons.
 pub(super) fn joystick(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (body, trim) = b.one(&[
         (BLACK_PLASTIC, RED_PLASTIC),
         (GREY_PLASTIC, ORANGE_PLASTIC),
@@ -154,7 +153,7 @@ pub(super) fn joystick(b: &mut Build<'_>) {
         r * 0.3,
         trim,
     );
-    let mut buttons = Shell::default();
+    let mut buttons = MeshBuilder::default();
     for side in [-0.5, 0.5] {
         buttons.egg([lean + r * 0.75, r * side, high], [r * 0.25, r * 0.25, r * 0.25]);
     }
@@ -168,7 +167,7 @@ pub(super) fn joystick(b: &mut Build<'_>) {
 
 /// A racing wheel clamped to a desk's edge.
 pub(super) fn racing_wheel(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let trim = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
     let base = h * 0.42;
     b.soft("base", [-x, -y * 0.55, 0.0], [x * 0.35, y * 0.55, base], h * 0.05, BLACK_PLASTIC);
@@ -204,7 +203,7 @@ pub(super) fn racing_wheel(b: &mut Build<'_>) {
 
 /// A headset for virtual reality: visor, face cushion, strap.
 pub(super) fn virtual_headset(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let deep = x.min(0.11_f32.max(x * 0.6));
     let (back, tall) = (x - deep, h * 0.62);

@@ -11,9 +11,9 @@ mod printer;
 mod rack;
 mod screen;
 
-use super::build::{Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
+use crate::solid::{Build, P};
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("television", 10, screen::screen),

@@ -1,13 +1,12 @@
 //! Radios, record players and discs.
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, blocks, facing, hoop, ngon, oval, room, spline, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, facing, half_dims, hoop, ngon, oval, spline, tube};
 
 /// A radio or a player with a handle: grilles, dial, knobs, antenna.
 pub(super) fn radio(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let wooden = b.rng.chance(0.4) && b.class == "radio";
     let body = if wooden {
         b.style.wood
@@ -70,7 +69,7 @@ pub(super) fn radio(b: &mut Build<'_>) {
 
 /// A flat disc player.
 fn portable_player(b: &mut Build<'_>, body: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     b.lathe("base", [0.0; 3], &[(r * 0.94, 0.0), (r, h * 0.2), (r, h * 0.6)], BLACK_PLASTIC);
     b.hinge([-r, 0.0, h * 0.6], [0.0, -1.0, 0.0], 1.4, |b| {
@@ -86,11 +85,11 @@ fn portable_player(b: &mut Build<'_>, body: Mat) {
 
 /// A record player: platter, record, arm, and a clear hinged lid.
 pub(super) fn turntable(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[b.style.wood, WALNUT, BLACK, WHITE]);
     let foot = h * 0.1;
     let base = h * 0.5;
-    let mut feet = Shell::default();
+    let mut feet = MeshBuilder::default();
     for (sx, sy) in [(-0.8, -0.8), (-0.8, 0.8), (0.8, -0.8), (0.8, 0.8)] {
         feet.loft(&[0.0, foot * 1.1].map(|z| oval(Axis::Z, [x * sx, y * sy, z], (x * 0.09, x * 0.09), 0, 12)));
     }
@@ -133,7 +132,7 @@ pub(super) fn turntable(b: &mut Build<'_>) {
 
 /// A mixing console: a sloping panel with faders and knobs in rows.
 pub(super) fn mixer(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let key = h * 0.12;
     let (low, high) = (h * 0.35, h - key);
     let end = x * 0.985;
@@ -154,7 +153,7 @@ pub(super) fn mixer(b: &mut Build<'_>) {
     let at = |px: f32| low + (high - low) * (x - px) / (2.0 * x);
     let count = ((2.0 * y / 0.045) as usize).clamp(4, 10);
     let pitch = 1.8 * y / count as f32;
-    let (mut faders, mut knobs, mut caps) = (Shell::default(), Shell::default(), Shell::default());
+    let (mut faders, mut knobs, mut caps) = (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     for i in 0..count {
         let py = -0.9 * y + pitch * (i as f32 + 0.5);
         let (a, c) = (x * 0.3, x * 0.85);
@@ -207,7 +206,7 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
 
 /// A disc, or one in its flat case if thick.
 pub(super) fn disc(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y) * if h > 0.004 { 0.94 } else { 1.0 };
     let low = if h > 0.004 { h * 0.3 } else { 0.0 };
     let hole = r * 0.13;

@@ -2,11 +2,10 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, blocks, facing, loft, oval, room, spline, tube};
 use super::grid;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, facing, half_dims, loft, oval, spline, tube};
 
 /// A slab with a screen: tablet, phone, reader or player.
 pub(super) fn slab(b: &mut Build<'_>) {
@@ -47,7 +46,7 @@ pub(super) fn slab(b: &mut Build<'_>) {
         }
         if b.class == "mp3_player" {
             let wheel = oval(Axis::X, [face, 0.0, h * 0.25], ((w * 0.28).min(h * 0.2), (w * 0.28).min(h * 0.2)), 0, 20);
-            super::super::textile::form::hoop(b, "wheel", &wheel, step.min(w * 0.05), GREY_PLASTIC);
+            crate::solid::hoop(b, "wheel", &wheel, step.min(w * 0.05), GREY_PLASTIC);
         } else if !lies {
             let (y0, z0, size) = (y - w * 0.22, h - w * 0.24, w * 0.14);
             b.soft("camera", [-x, y0 - size * 0.5, z0], [-x * 0.8, y0 + size, z0 + size], t * 0.1, BLACK_GLASS);
@@ -64,7 +63,7 @@ fn dial_keys(x: (f32, f32), y: (f32, f32), z: (f32, f32)) -> Vec<(P, P)> {
 
 /// A telephone receiver along Y: a grip with two cups.
 fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     let ear = half.min(b.size.x * 0.8);
     let line = [
         [at[0], at[1] - half * 0.8, at[2]],
@@ -82,7 +81,7 @@ fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
 
 /// A telephone: with a receiver and keys or a dial, or a handset in its cradle.
 pub(super) fn desk_phone(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC]);
     if y < 0.05 || h > 1.8 * y {
         return cradle(b, body);
@@ -107,7 +106,7 @@ pub(super) fn desk_phone(b: &mut Build<'_>) {
                 h * 0.05,
                 if body == BLACK_PLASTIC { SILVER_METAL } else { WHITE_PLASTIC },
             );
-            let mut holes = Shell::default();
+            let mut holes = MeshBuilder::default();
             for i in 0..10 {
                 let (s, c) = (i as f32 * 0.52 + 0.6).sine_cosine();
                 holes.egg([r * 0.7 * c, r * 0.7 * s, h * 0.03], [r * 0.13, r * 0.13, h * 0.01]);
@@ -130,7 +129,7 @@ pub(super) fn desk_phone(b: &mut Build<'_>) {
 
 /// A cordless handset standing in its cradle.
 fn cradle(b: &mut Build<'_>, body: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let foot = h * 0.22;
     b.soft("cradle", [-x, -y, 0.0], [x, y, foot], foot * 0.3, body);
     let (t, w) = (x * 0.32, y * 0.6);
@@ -152,7 +151,7 @@ fn upright(b: &mut Build<'_>, (t, w, h): (f32, f32, f32), body: Mat) {
 
 /// A two-way radio or a baby monitor: a handset with an antenna.
 pub(super) fn handset(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let tall = h * b.vary(0.62, 0.72);
     let r = (y * 0.14).min(x * 0.4);
@@ -173,7 +172,7 @@ pub(super) fn handset(b: &mut Build<'_>) {
 
 /// A wall telephone: receiver on its hook, keys, a curly cord.
 pub(super) fn wall_phone(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
     let front = x * 0.2;
     b.soft("body", [-x, -y, h * 0.12], [front, y, h], x * 0.3, body);
@@ -184,7 +183,7 @@ pub(super) fn wall_phone(b: &mut Build<'_>) {
         [x * 0.62, -y + wide, h * 0.8],
         [front, -y + wide, h * 0.93],
     ];
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     shell.tube(&spline(&line, 4), (x * 0.24).min(wide * 0.9));
     shell.put(b, "receiver", body);
     let keys = grid((4, 3), |i, j| {
@@ -210,7 +209,7 @@ pub(super) fn wall_phone(b: &mut Build<'_>) {
 
 /// A lying remote control: rows of keys, some of them coloured.
 pub(super) fn remote(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, SILVER_METAL]);
     let key = h * 0.14;
     let top = h - key;

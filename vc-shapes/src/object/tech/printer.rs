@@ -1,14 +1,13 @@
 //! Printers and scanners.
 
-use super::super::build::{Build, P};
-use super::super::textile::form::{blocks, room, tube};
 use super::grid;
 use crate::material::*;
+use crate::solid::{Build, P, blocks, half_dims, tube};
 
 /// A printer: body, paper coming out in front, a panel of keys, a cassette that slides out, and
 /// sometimes a scanner on top.
 pub(super) fn printer(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (body, trim) = b.one(&[
         (WHITE_PLASTIC, GREY_PLASTIC),
         (BLACK_PLASTIC, GREY_PLASTIC),
@@ -81,7 +80,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
 
 /// A label printer with a strip coming out of it.
 pub(super) fn label_printer(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[GREY_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let front = x * 0.85;
     let seam = h * 0.55;
@@ -99,7 +98,7 @@ pub(super) fn label_printer(b: &mut Build<'_>) {
 
 /// A 3D printer: an open frame, a bed, a head on rails, a spool.
 pub(super) fn three_d_printer(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let frame = b.one(&[BLACK_METAL, ALUMINIUM, ORANGE_PLASTIC]);
     let t = (x * 0.1).min(0.022);
     let base = h * 0.14;
@@ -156,7 +155,7 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
 
 /// A flat-bed scanner with its lid.
 pub(super) fn scanner(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let seam = h * 0.62;
     b.soft("body", [-x, -y, 0.0], [x, y, seam], h * 0.15, body);

@@ -1,14 +1,13 @@
 //! Flat boxes with fronts: players, amplifiers, consoles, drives and routers.
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::clock::digits;
-use super::super::textile::form::{Shell, blocks, lengthwise, room};
 use super::{case, grid};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, lengthwise};
 
 /// A rack component: feet, a front with a display, knobs or a disc tray.
 pub(super) fn rack(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[BLACK_METAL, SILVER_METAL, BLACK_METAL, GREY_PLASTIC]);
     let dark = if body == SILVER_METAL { BLACK_PLASTIC } else { GREY_PLASTIC };
     let foot = (h * 0.1).min(0.01);
@@ -26,7 +25,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
     };
     let face = if body == BLACK_METAL { BLACK_PLASTIC } else { body };
     panel(b, ([front - out * 0.5, -y, foot], [front, y, h * 0.98]), slot, face);
-    let mut feet = Shell::default();
+    let mut feet = MeshBuilder::default();
     for (sx, sy) in [(-0.8, -0.85), (-0.8, 0.85), (0.7, -0.85), (0.7, 0.85)] {
         feet.block([x * sx - foot, y * sy - foot, 0.0], [x * sx + foot, y * sy + foot, foot + h * 0.035]);
     }
@@ -115,7 +114,7 @@ fn tray(b: &mut Build<'_>, (front, out): (f32, f32), slot: Slot, mat: Mat) {
 
 /// A lying game console with curved plates around a dark core.
 fn swept(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let plate = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]);
     b.block("core", [-x * 0.94, -y * 0.97, h * 0.12], [x * 0.96, y * 0.97, h * 0.88], SCREEN);
     for (z, flip) in [(h, -1.0_f32), (0.0, 1.0)] {
@@ -172,7 +171,7 @@ pub(super) fn small(b: &mut Build<'_>) {
 
 /// A router: a flat or upright box with antennas and lights.
 pub(super) fn router(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC]);
     let trim = if body == WHITE_PLASTIC { LIGHT_GREY } else { GREY_PLASTIC };
     let tall = if h > 0.09 { (h * 0.28).min(0.045) } else { h };

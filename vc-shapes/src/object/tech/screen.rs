@@ -1,14 +1,13 @@
 //! Televisions, monitors and projectors.
 
-use super::super::build::{Axis, Build, P};
 use super::super::decor::picture::{Canvas, Inks, motif};
-use super::super::textile::form::{Shell, blocks, room};
 use super::lens;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims};
 
 /// A flat screen with a picture, on a foot, a stand or two feet.
 pub(super) fn screen(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let monitor = b.class == "monitor";
     let rim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC]);
     let metal = b.one(&[BLACK_METAL, SILVER_METAL, STEEL]);
@@ -35,7 +34,7 @@ pub(super) fn screen(b: &mut Build<'_>) {
 }
 
 fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let monitor = b.class == "monitor";
     let flat = (h * 0.02).min(0.012).min(low * 0.4);
     match b.rng.below(3) {
@@ -81,7 +80,7 @@ fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {
 
 /// A projector: lens, vents, knobs, small feet.
 pub(super) fn projector(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let (foot, out) = (h * 0.08, x * 0.12);
     let front = x - out;
@@ -104,7 +103,7 @@ pub(super) fn projector(b: &mut Build<'_>) {
         .map(|a| ([a, y * 0.4, h - 0.003], [a + x * 0.09, y * 0.55, h + 0.0008]))
         .collect();
     blocks(b, "key", &keys, GREY_PLASTIC);
-    let mut feet = Shell::default();
+    let mut feet = MeshBuilder::default();
     for (sx, sy) in [(-0.75, -0.75), (-0.75, 0.75), (0.55, -0.75), (0.55, 0.75)] {
         feet.block([x * sx - foot, y * sy - foot, 0.0], [x * sx + foot, y * sy + foot, foot * 1.6]);
     }
@@ -113,7 +112,7 @@ pub(super) fn projector(b: &mut Build<'_>) {
 
 /// A projection screen pulled out of its case, on a stand or for hanging.
 pub(super) fn projector_screen(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[WHITE_METAL, BLACK_METAL]);
     let r = x.min(h * 0.04);
     b.rod("case", [0.0, -y, h - r], [0.0, y, h - r], r, case);

@@ -2,14 +2,13 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Build, P};
-use super::form::{Shell, blocks, puff, room, sheet};
 use super::{Fold, folded};
 use crate::material::*;
+use crate::solid::{Build, MeshBuilder, P, blocks, half_dims, puff, sheet};
 
 /// Folded and stacked sheets or pillow cases.
 pub(super) fn sheets(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let count = if b.class == "sheets" { b.rng.count(1, 3) } else { b.rng.count(1, 2) };
     let mut z = 0.0;
     for i in 0..count {
@@ -26,7 +25,7 @@ pub(super) fn sheets(b: &mut Build<'_>) {
 
 /// A bed pillow, with piping or plain.
 pub(super) fn pillow(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = if b.rng.chance(0.6) { b.style.linen } else { WHITE_COTTON };
     let pinch = b.vary(0.02, 0.06);
     let seam = b.rng.chance(0.4);
@@ -41,16 +40,16 @@ pub(super) fn pillow(b: &mut Build<'_>) {
 
 /// A fold at the open end of the pillow case.
 fn dent(b: &mut Build<'_>, cloth: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let side = b.one(&[-1.0_f32, 1.0]);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     patch(&mut shell, [x, y, h / 2.0], 0.03, (-0.9, 0.9), (side * 0.72, side * 0.78));
     shell.put(b, "hem", cloth);
 }
 
 /// A strip on the upper side of a cushion of half extents `half`, over a part of its depth and
 /// width (-1 to 1).
-fn patch(shell: &mut Shell, half: P, pinch: f32, (u0, u1): (f32, f32), (v0, v1): (f32, f32)) {
+fn patch(shell: &mut MeshBuilder, half: P, pinch: f32, (u0, u1): (f32, f32), (v0, v1): (f32, f32)) {
     let bulge = |t: f32| (1.0 - t * t).max(0.0);
     shell.sheet((8, 3), |s, t| {
         let (u, v) = (u0 + (u1 - u0) * s, v0 + (v1 - v0) * t);
@@ -63,14 +62,14 @@ fn patch(shell: &mut Shell, half: P, pinch: f32, (u0, u1): (f32, f32), (v0, v1):
 
 /// A cushion: plain, striped, crossed, checked or buttoned.
 pub(super) fn cushion(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloths = [b.style.accent, b.style.upholstery, LINEN, MUSTARD_FABRIC, TEAL_FABRIC, ROSE_FABRIC, NAVY_FABRIC];
     let cloth = b.one(&cloths);
     let other = b.one(&[WHITE_COTTON, LINEN, CHARCOAL_FABRIC, RUST_FABRIC, GREEN_FABRIC, b.style.accent]);
     let pinch = b.vary(0.04, 0.1);
     let half = [x, y, h / 2.0];
     puff(b, "cushion", [0.0, 0.0, h / 2.0], [x, y, h / 2.0 - 0.001], pinch, cloth);
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     match b.rng.below(5) {
         0 => {
             let stripes = b.rng.count(2, 4);
@@ -104,9 +103,9 @@ pub(super) fn cushion(b: &mut Build<'_>) {
 
 /// A tassel at every corner.
 fn tassels(b: &mut Build<'_>, mat: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(h) * 0.05;
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
         shell.egg([sx * (x - 2.0 * r), sy * (y - 2.0 * r), h / 2.0], [r * 2.0, r * 2.0, r * 1.6]);
     }
@@ -115,7 +114,7 @@ fn tassels(b: &mut Build<'_>, mat: Mat) {
 
 /// A duvet: spread out if the size is flat, otherwise folded.
 pub(super) fn duvet(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.style.linen;
     let lining = b.one(&[WHITE_COTTON, LINEN, GREY_FABRIC, b.style.accent]);
     if h > 0.5 * x.min(y) {
@@ -137,7 +136,7 @@ pub(super) fn duvet(b: &mut Build<'_>) {
 
 /// A soft slab over the whole rectangle, quilted or wavy, up to the fraction `share` of the height.
 fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let h = h * share;
     let (a, c) = (b.vary(0.0, 6.0), b.vary(0.0, 6.0));
     let quilted = b.rng.chance(0.4);
@@ -161,7 +160,7 @@ fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
 
 /// A blanket: spread out if the size is flat, otherwise folded; with fringes or stripes.
 pub(super) fn blanket(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.one(&[b.style.accent, b.style.accent, WOOL, GREY_FABRIC, MUSTARD_FABRIC, RUST_FABRIC, NAVY_FABRIC]);
     let other = b.one(&[WOOL, WHITE_COTTON, CHARCOAL_FABRIC, BROWN_FABRIC]);
     if h < 0.12 * x.min(y) {

@@ -1,17 +1,15 @@
 //! Towels, bedding, cushions, rugs and mats.
 
 mod bedding;
-pub(in crate::object) mod form;
 mod rug;
 
 use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::build::{Axis, Build, P};
 use super::{Generator, indoor};
 use crate::material::*;
-use form::{Shell, blocks, loft, room};
+use crate::solid::{self, Axis, Build, MeshBuilder, P, blocks, half_dims, loft};
 
 pub(super) const GENERATORS: &[Generator] = &[
     indoor("towel", 6, towel),
@@ -43,7 +41,7 @@ pub(super) struct Fold {
 /// Cloth folded into layers, rounded at the front of each layer where it folds.
 pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
     let Fold { low, high, layers, soft } = fold;
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     let thick = (high[2] - low[2]) / layers.max(1) as f32;
     for i in 0..layers.max(1) {
         let back = (high[0] - low[0]) * b.vary(0.0, 0.03);
@@ -52,7 +50,7 @@ pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
         let ring = |y: f32, size: f32| {
             let r = round * size;
             let front = high[0] - r.min(depth * 0.4);
-            let turn = form::arc(Axis::Y, [front, y, z], (r.min(depth * 0.4), r), (-1.57, 1.57), 6);
+            let turn = solid::arc(Axis::Y, [front, y, z], (r.min(depth * 0.4), r), (-1.57, 1.57), 6);
             let mut ring = vec![[low[0] + back, y, z + r], [low[0] + back, y, z - r]];
             ring.extend(turn);
             ring
@@ -69,7 +67,7 @@ pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
 
 /// A folded towel with a woven border; it hangs over a rail if it is higher than wide.
 fn towel(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = if b.rng.chance(0.7) {
         b.style.towel
     } else {
@@ -96,11 +94,11 @@ fn towel(b: &mut Build<'_>) {
 
 /// A towel over a rail that runs along Y through its top.
 fn hung(b: &mut Build<'_>, cloth: Mat, border: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let back = h * b.vary(0.0, 0.3);
     let (outer, inner) = (x * 0.96, x * 0.4);
-    let over = form::arc(Axis::Y, [0.0, 0.0, h - outer], (outer, outer), (0.0, PI), 8);
-    let under = form::arc(Axis::Y, [0.0, 0.0, h - outer], (inner, inner), (PI, 0.0), 8);
+    let over = solid::arc(Axis::Y, [0.0, 0.0, h - outer], (outer, outer), (0.0, PI), 8);
+    let under = solid::arc(Axis::Y, [0.0, 0.0, h - outer], (inner, inner), (PI, 0.0), 8);
     let outline: Vec<(f32, f32)> = [(inner, 0.0), (outer, 0.0)]
         .into_iter()
         .chain(over.iter().map(|p| (p[0], p[2])))
@@ -114,7 +112,7 @@ fn hung(b: &mut Build<'_>, cloth: Mat, border: Mat) {
 
 /// A rolled-up towel with its spiral visible at both ends.
 fn rolled_towel(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let cloth = b.style.towel;
     let turns = b.vary(3.0, 4.5);
     let wide = x.min(h / 2.0);
@@ -130,12 +128,12 @@ fn rolled_towel(b: &mut Build<'_>) {
     let inner = (0..steps).rev().map(|i| point(i, pitch * 0.9));
     let spiral: Vec<(f32, f32)> = outer.chain(inner).collect();
     b.prism("towel", Axis::Y, [0.0, -y, 0.0], &spiral, 2.0 * y, cloth);
-    let core = form::oval(Axis::Y, [0.0, -y * 0.98, h / 2.0], (x * 0.9, h * 0.45), 0, 16);
+    let core = solid::oval(Axis::Y, [0.0, -y * 0.98, h / 2.0], (x * 0.9, h * 0.45), 0, 16);
     let end = core.iter().map(|p| [p[0], y * 0.98, p[2]]).collect();
     loft(b, "towel", &[core, end], cloth);
     if b.rng.chance(0.5) {
         let band = b.one(&[JUTE, NAVY_FABRIC, WHITE_COTTON, RUST_FABRIC]);
-        let ring = |y: f32| form::oval(Axis::Y, [0.0, y, h / 2.0], (x, h / 2.0), 0, 20);
+        let ring = |y: f32| solid::oval(Axis::Y, [0.0, y, h / 2.0], (x, h / 2.0), 0, 20);
         loft(b, "band", &[ring(-y * 0.08), ring(y * 0.08)], band);
     }
 }

@@ -1,12 +1,11 @@
 //! Rugs and mats.
 
-use super::super::build::{Axis, Build, P};
-use super::form::{Shell, blocks, ngon, room};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, ngon};
 
 /// A rug: bordered, striped, with a medallion, checked, or round.
 pub(super) fn rug(b: &mut Build<'_>) {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let ground = if b.rng.chance(0.6) {
         b.style.rug
     } else {
@@ -36,7 +35,7 @@ pub(super) fn rug(b: &mut Build<'_>) {
 
 /// Adds fringes at both short ends; returns the remaining half extents.
 fn fringes(b: &mut Build<'_>, mat: Mat) -> (f32, f32) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     if b.rng.chance(0.45) {
         return (x, y);
     }
@@ -172,7 +171,7 @@ impl Pile {
 
 /// A round or oval rug of rings.
 fn round(b: &mut Build<'_>, mats: [Mat; 3]) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let rings = b.rng.count(2, 4);
     for i in 0..rings {
         let share = 1.0 - i as f32 / rings as f32;
@@ -191,7 +190,7 @@ fn round(b: &mut Build<'_>, mats: [Mat; 3]) {
 
 /// A mat: of coir for the door, of terry cloth or pebbles for the bath, or woven.
 pub(super) fn mat(b: &mut Build<'_>) {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let ground = match b.class {
         "doormat" => b.one(&[JUTE, CHARCOAL_FABRIC, BROWN_FABRIC, JUTE]),
         "bath_mat" => b.one(&[b.style.towel, b.style.towel, TOWEL_WHITE, GREY_FABRIC]),
@@ -250,7 +249,7 @@ impl Pile {
 
     /// Round knobs over the whole mat.
     fn pebbles(&self, b: &mut Build<'_>, mat: Mat) {
-        let mut shell = Shell::default();
+        let mut shell = MeshBuilder::default();
         let (nx, ny) = (5, 8);
         let (px, py) = (1.8 * self.x / nx as f32, 1.8 * self.y / ny as f32);
         for (i, j) in (0..nx).flat_map(|i| (0..ny).map(move |j| (i, j))) {
@@ -258,7 +257,7 @@ impl Pile {
             let size = b.vary(0.34, 0.45);
             let ring = |z: f32, s: f32| {
                 let half = (px * size * s, py * size * s);
-                super::form::oval(Axis::Z, [at[0], at[1], z], half, 0, 10)
+                crate::solid::oval(Axis::Z, [at[0], at[1], z], half, 0, 10)
             };
             shell.loft(&[ring(self.ground * 0.5, 1.0), ring(self.top, 0.8)]);
         }

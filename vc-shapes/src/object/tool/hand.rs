@@ -2,9 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, loft, longwise, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, loft, longwise, oval, spline};
 
 const GRIPS: [Mat; 6] = [RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC];
 
@@ -15,7 +14,7 @@ pub(super) fn hammer(b: &mut Build<'_>) {
         let head = l * b.vary(0.1, 0.13);
         let grip = b.one(&[OAK, BEECH, RED_RUBBER, RUBBER, BLUE_PLASTIC]);
         let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, l * z], (x * 0.8 * s, (y * 0.28 * s).min(x * s)), 0, 12);
-        let mut shaft = Shell::default();
+        let mut shaft = MeshBuilder::default();
         shaft.loft(&[ring(0.0, 0.95), ring(0.03, 1.0), ring(0.3, 0.9), ring(0.5, 0.62), ring(0.97, 0.6)]);
         shaft.put(b, "handle", grip);
         let low = l - head;
@@ -89,7 +88,7 @@ pub(super) fn wrench(b: &mut Build<'_>) {
                     .to_vec()
             })
             .collect();
-        let mut shell = Shell::default();
+        let mut shell = MeshBuilder::default();
         shell.torus(&ring);
         shell.put(b, "ring", mat);
     });
@@ -102,7 +101,7 @@ pub(super) fn pliers(b: &mut Build<'_>) {
         let grip = b.one(&GRIPS);
         let pivot = l * 0.68;
         let nose = b.vary(0.12, 0.45);
-        let mut grips = Shell::default();
+        let mut grips = MeshBuilder::default();
         for side in [-1.0_f32, 1.0] {
             let jaw = [
                 (side * 0.01 * y, pivot),
@@ -129,7 +128,7 @@ pub(super) fn pliers(b: &mut Build<'_>) {
 
 /// A drill standing on its battery with its chuck to the left.
 pub(super) fn drill(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let colour = b.one(&[YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, ORANGE_PLASTIC]);
     let foot = h * 0.2;
     let r = x.min(h * 0.16);
@@ -176,7 +175,7 @@ pub(super) fn drill(b: &mut Build<'_>) {
 
 /// A hand saw: a long blade with teeth and a closed grip.
 pub(super) fn saw(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let wood = b.one(&[BEECH, OAK, RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]);
     let grip = -y + y * 0.5;
     let teeth = 26;
@@ -198,14 +197,14 @@ pub(super) fn saw(b: &mut Build<'_>) {
         [0.0, grip, h * 0.14],
         [0.0, grip + y * 0.05, h * 0.5],
     ];
-    let mut shell = Shell::default();
+    let mut shell = MeshBuilder::default();
     shell.hoop(&line, x.min(h * 0.09).min(y * 0.06));
     shell.put(b, "grip", wood);
 }
 
 /// A utility knife with a sliding blade.
 pub(super) fn knife(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let grip = b.one(&GRIPS);
     let body = [
         (-y, h * 0.15),

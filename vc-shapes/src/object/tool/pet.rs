@@ -1,8 +1,7 @@
 //! Pets, facing the front.
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, loft, mix, oval, room, spline};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, loft, mix, oval, spline};
 
 /// Proportions of a standing animal, as fractions of its length, width and height.
 struct Beast {
@@ -65,16 +64,16 @@ pub(super) fn dog(b: &mut Build<'_>) {
     let beast = Beast { belly, back: 0.76, leg: b.vary(0.2, 0.26), head: (0.2, 0.34), muzzle, ears, tail };
     standing(b, &beast, (coat, trim));
     if b.rng.chance(0.5) {
-        let (x, y, h) = room(b);
+        let (x, y, h) = half_dims(b);
         let ring = oval(Axis::X, [x * 0.46, 0.0, h * 0.7], (y * 0.62, h * 0.17), 0, 16);
         let collar = b.one(&[RED_FABRIC, BLUE_FABRIC, BROWN_LEATHER]);
-        super::super::textile::form::hoop(b, "collar", &ring, y * 0.07, collar);
+        crate::solid::hoop(b, "collar", &ring, y * 0.07, collar);
     }
 }
 
 /// A standing animal on four legs.
 fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let Beast { belly, back, leg, head, muzzle, .. } = *beast;
     let (mid, deep) = (f32::midpoint(belly, back), (back - belly) / 2.0);
     let ring = |t: f32, w: f32, z: f32, s: f32| oval(Axis::X, [x * t, 0.0, h * z], (y * w, h * s), 0, 14);
@@ -89,7 +88,7 @@ fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
         ring(0.66, 0.3, mid + deep * 1.5, deep * 0.5),
     ];
     loft(b, "body", &rings, coat);
-    let (mut legs, mut paws) = (Shell::default(), Shell::default());
+    let (mut legs, mut paws) = (MeshBuilder::default(), MeshBuilder::default());
     let stride = b.vary(-0.06, 0.06);
     for (px, side, knee) in [(-0.68, -1.0, -0.1), (-0.68, 1.0, -0.1), (0.3, -1.0, 0.02), (0.3, 1.0, 0.02)] {
         let (py, step) = (side * y * 0.52, stride * side);
@@ -115,7 +114,7 @@ fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
 /// A head: skull, muzzle, nose, eyes and ears.
 fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (Mat, Mat), ears: Ears) {
     let on = |u: f32, v: f32, w: f32| [at[0] + size[0] * u, at[1] + size[1] * v, at[2] + size[2] * w];
-    let mut skull = Shell::default();
+    let mut skull = MeshBuilder::default();
     skull.egg(at, size);
     for side in [-1.0, 1.0] {
         if ears == Ears::Pointed {
@@ -128,11 +127,11 @@ fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (Mat, Mat), 
     }
     skull.put(b, "head", coat);
     let front = at[0] + size[0] * 0.8 + nose;
-    let mut muzzle = Shell::default();
+    let mut muzzle = MeshBuilder::default();
     let low = at[2] - size[2] * 0.32;
     muzzle.egg([front - nose, 0.0, low], [nose, size[1] * 0.48, size[2] * 0.42]);
     muzzle.put(b, "muzzle", trim);
-    let mut dark = Shell::default();
+    let mut dark = MeshBuilder::default();
     let dot = size[1] * 0.13;
     dark.egg([front - dot, 0.0, low + size[2] * 0.2], [dot, dot * 1.2, dot]);
     [-1.0, 1.0].iter().for_each(|s| dark.egg(on(0.72, s * 0.45, 0.28), [dot, dot, dot]));
@@ -141,7 +140,7 @@ fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (Mat, Mat), 
 
 /// A sitting cat or dog that fills the size.
 pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let deep = x.min(h * 0.45);
     let ring =
         |t: f32, dx: f32, dy: f32, shift: f32| oval(Axis::Z, [deep * shift, 0.0, h * t], (deep * dx, y * dy), 0, 14);
@@ -154,7 +153,7 @@ pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
         ring(0.68, 0.2, 0.3, 0.15),
     ];
     loft(b, "body", &rings, coat);
-    let (mut legs, mut paws) = (Shell::default(), Shell::default());
+    let (mut legs, mut paws) = (MeshBuilder::default(), MeshBuilder::default());
     let slim = y.min(h * 0.3);
     for side in [-1.0, 1.0] {
         let foot = [deep * 0.5, side * y * 0.35, h * 0.03];
@@ -176,7 +175,7 @@ pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
 
 /// An animal lying on its belly with its paws forward.
 fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let high = h.min(x * 0.8);
     let back = high * 0.56;
     let ring = |t: f32, w: f32, z: f32| oval(Axis::X, [x * t, 0.0, back * z / 2.0], (y * w, back * z / 2.0), 0, 14);
@@ -190,7 +189,7 @@ fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
         ring(0.58, 0.35, 0.9),
     ];
     loft(b, "body", &rings, coat);
-    let (mut legs, mut paws) = (Shell::default(), Shell::default());
+    let (mut legs, mut paws) = (MeshBuilder::default(), MeshBuilder::default());
     let r = (high * 0.08).min(y * 0.1);
     for side in [-1.0, 1.0] {
         let py = side * y * 0.45;
@@ -205,7 +204,7 @@ fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
     paws.put(b, "paw", trim);
     let size = [x * 0.2, y * 0.58, high * 0.2];
     let skull = [x * 0.6, 0.0, high - size[2] * 1.27];
-    let mut neck = Shell::default();
+    let mut neck = MeshBuilder::default();
     neck.tapered(&[[x * 0.4, 0.0, back * 0.6], skull], |_| y * 0.4);
     neck.put(b, "neck", coat);
     face(b, skull, size, x * 0.07, (coat, trim), Ears::Pointed);
@@ -213,7 +212,7 @@ fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
 
 /// A goldfish with flowing fins.
 pub(super) fn goldfish(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let scales = b.one(&[ORANGE_SKIN, ORANGE_PLASTIC, RED_SKIN, PETAL_WHITE]);
     let mid = h * 0.48;
     let ring = |t: f32, s: f32| oval(Axis::X, [x * t, 0.0, mid], (y * s, h * 0.36 * s), 0, 12);
@@ -247,14 +246,14 @@ pub(super) fn goldfish(b: &mut Build<'_>) {
         1.6 * thin,
         scales,
     );
-    let mut eyes = Shell::default();
+    let mut eyes = MeshBuilder::default();
     [-1.0, 1.0].iter().for_each(|s| eyes.egg([x * 0.72, s * y * 0.72, h * 0.56], [x * 0.06, y * 0.12, x * 0.06]));
     eyes.put(b, "eye", BLACK_PLASTIC);
 }
 
 /// A hamster or guinea pig: a ball of fur.
 pub(super) fn hamster(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (coat, trim) =
         b.one(&[(FUR, WHITE_COTTON), (WHITE_COTTON, WOOL), (GREY_FABRIC, WHITE_COTTON), (RUST_FABRIC, WHITE_COTTON)]);
     let ring = |t: f32, w: f32, z: f32| oval(Axis::X, [x * t, 0.0, h * 0.46 * z], (y * w, h * 0.44 * w), 0, 14);
@@ -270,7 +269,7 @@ pub(super) fn hamster(b: &mut Build<'_>) {
         ],
         coat,
     );
-    let mut paws = Shell::default();
+    let mut paws = MeshBuilder::default();
     for (px, side) in [(-0.4, -1.0), (-0.4, 1.0), (0.4, -1.0), (0.4, 1.0)] {
         paws.egg([x * px, side * y * 0.42, h * 0.08], [x * 0.14, y * 0.2, h * 0.08]);
     }
@@ -293,7 +292,7 @@ pub(super) fn parrot(b: &mut Build<'_>) {
 
 /// A standing bird of height `high`: body, wings and beak.
 pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, beak): (Mat, Mat, Mat)) {
-    let (x, y, _) = room(b);
+    let (x, y, _) = half_dims(b);
     let (x, y) = (x.min(high * 0.5), y.min(high * 0.35));
     let on = |u: f32, v: f32, w: f32| [at[0] + x * u, at[1] + y * v, at[2] + high * w];
     let ring = |w: f32, u: f32, s: f32, f: f32| oval(Axis::Z, on(u, 0.0, w), (x * s, y * f), 0, 12);
@@ -309,13 +308,13 @@ pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, 
         ring(1.0, 0.25, 0.06, 0.1),
     ];
     loft(b, "body", &rings, body);
-    let mut wings = Shell::default();
+    let mut wings = MeshBuilder::default();
     for side in [-1.0, 1.0] {
         let points = [on(0.2, side * 0.72, 0.64), on(-0.1, side * 0.8, 0.42), on(-0.5, side * 0.6, 0.2)];
         wings.tapered(&spline(&points, 3), |t| y.min(x) * 0.26 * (0.35 + t - 1.2 * t * t).max(0.05));
     }
     wings.put(b, "wing", wing);
-    let mut hook = Shell::default();
+    let mut hook = MeshBuilder::default();
     let bill = [on(0.55, 0.0, 0.88), on(0.85, 0.0, 0.86), on(0.92, 0.0, 0.77)];
     hook.tapered(&spline(&bill, 3), |t| x.min(y) * 0.24 * (1.02 - t));
     for side in [-1.0, 1.0] {
@@ -323,7 +322,7 @@ pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, 
         hook.egg(on(0.15, side * 0.35, 0.02), [x * 0.4, y * 0.14, high * 0.02]);
     }
     hook.put(b, "beak", beak);
-    let mut eyes = Shell::default();
+    let mut eyes = MeshBuilder::default();
     let dot = x.min(y) * 0.1;
     [-1.0, 1.0].iter().for_each(|s| eyes.egg(on(0.45, s * 0.52, 0.9), [dot, dot * 0.6, dot]));
     eyes.put(b, "eye", BLACK_PLASTIC);

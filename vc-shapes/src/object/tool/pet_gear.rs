@@ -2,14 +2,13 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, hoop, loft, oval, room, tube};
 use super::workshop::risen;
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, loft, oval, tube};
 
 /// A wire cage on a tray with a door, a perch and a cup; a bird cage is domed.
 pub(super) fn cage(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let wire = b.one(&[WHITE_METAL, IRON, BRASS, SILVER_METAL]);
     let tray = b.one(&[BLUE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, PINK_PLASTIC]);
     let (tall, r) = (h * 0.13, 0.0016_f32.min(x * 0.01));
@@ -20,7 +19,7 @@ pub(super) fn cage(b: &mut Build<'_>) {
     let eave = if domed { h * 0.7 } else { h - r };
     let (wx, wy) = (x * 0.955, y * 0.97);
     let door = (y * 0.3, tall + (eave - tall) * 0.12, tall + (eave - tall) * 0.62);
-    let mut bars = Shell::default();
+    let mut bars = MeshBuilder::default();
     let (nx, ny) = (8, 10);
     let top = |px: f32| if domed { h - r - (h - eave) * (px / wx).raised(2) } else { eave };
     for i in 0..=nx {
@@ -51,7 +50,7 @@ pub(super) fn cage(b: &mut Build<'_>) {
     }
     bars.put(b, "wire", wire);
     b.hinge([wx, -door.0, door.1], [0.0, 0.0, -1.0], 1.9, |b| {
-        let mut leaf = Shell::default();
+        let mut leaf = MeshBuilder::default();
         let out = wx + 2.5 * r;
         leaf.hoop(
             &[[out, -door.0, door.1], [out, door.0, door.1], [out, door.0, door.2], [out, -door.0, door.2]],
@@ -74,7 +73,7 @@ pub(super) fn cage(b: &mut Build<'_>) {
 
 /// A bowl for food or water, with a bone on its side.
 pub(super) fn bowl(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let mat = b.one(&[STEEL, RED_PLASTIC, BLUE_PLASTIC, PORCELAIN, STONEWARE, GREEN_PLASTIC]);
     let slope = b.vary(0.72, 0.86);
@@ -97,7 +96,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
 
 /// A pet carrier: two shells, a wire door in front, a handle on top.
 pub(super) fn carrier(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (lower, upper) = b.one(&[
         (GREY_PLASTIC, BLUE_PLASTIC),
         (BLACK_PLASTIC, GREY_PLASTIC),
@@ -130,7 +129,7 @@ pub(super) fn carrier(b: &mut Build<'_>) {
         .collect();
     blocks(b, "vent", &slots, BLACK_PLASTIC);
     b.hinge([front, -y + t, 0.0], [0.0, 0.0, -1.0], 1.9, |b| {
-        let mut door = Shell::default();
+        let mut door = MeshBuilder::default();
         let r = t * 0.3;
         let (w, z0, z1) = (y - 2.0 * t, t * 2.0, top - t * 2.0);
         let px = front + r;
@@ -149,7 +148,7 @@ pub(super) fn carrier(b: &mut Build<'_>) {
 
 /// A leash: a coiled strap with a snap hook, or a reel with a grip.
 pub(super) fn leash(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let strap = b.one(&[RED_FABRIC, BLACK_FABRIC, BROWN_LEATHER, BLUE_FABRIC]);
     let r = (h / 4.0).min(x * 0.25).min(y * 0.2);
     let turns = ((h - 2.0 * r) / (2.0 * r)).clamp(2.0, 7.0).round();

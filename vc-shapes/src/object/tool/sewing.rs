@@ -2,10 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::book::desk::tub;
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, blocks, hoop, longwise, oval, room, tube};
 use crate::material::*;
+use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, longwise, oval, tube, walled_tray};
 
 const THREADS: [Mat; 7] =
     [RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, GREEN_FABRIC, PURPLE_FABRIC, ROSE_FABRIC];
@@ -22,7 +20,7 @@ pub(super) fn needle(b: &mut Build<'_>) {
 
 /// A reel of thread.
 pub(super) fn thread(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let (colour, reel) = (b.one(&THREADS), b.one(&[BEECH, WHITE_PLASTIC, PINE]));
     let spool = [
@@ -49,7 +47,7 @@ pub(super) fn thread(b: &mut Build<'_>) {
 
 /// A button with a rim and four holes.
 pub(super) fn button(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BRASS]);
     b.lathe(
@@ -65,11 +63,11 @@ pub(super) fn button(b: &mut Build<'_>) {
 
 /// A sewing box with a hinged lid, a pin cushion on it and reels inside.
 pub(super) fn kit(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[b.style.wood, ROSE_FABRIC, TEAL_FABRIC, PINK_PLASTIC, WICKER]);
     let t = (x * 0.05).min(0.006);
     let rim = h * 0.68;
-    tub(b, (x, y), (0.0, rim), t, case);
+    walled_tray(b, (x, y), (0.0, rim), t, case);
     let inner = (x - 1.5 * t, y - 1.5 * t);
     b.block("divider", [-inner.0, y * 0.3, t * 0.8], [inner.0, y * 0.3 + t * 0.5, rim * 0.8], PINE);
     b.inside("compartment", [0.0, -y * 0.34, t], (inner.0, inner.1 * 0.62), rim - t);
@@ -80,7 +78,7 @@ pub(super) fn kit(b: &mut Build<'_>) {
     }
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
         b.soft("lid", [-x, -y, rim + h * 0.002], [x, y, h * 0.88], (h - rim) * 0.2, case);
-        let mut cushion = Shell::default();
+        let mut cushion = MeshBuilder::default();
         cushion.egg([0.0, 0.0, h * 0.87], [x * 0.55, y * 0.45, h * 0.13]);
         cushion.put(b, "cushion", RED_FABRIC);
     });
@@ -88,12 +86,12 @@ pub(super) fn kit(b: &mut Build<'_>) {
 
 /// A ball of wool, wound in all directions, with a loose end.
 pub(super) fn yarn(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let colour = b.one(&THREADS);
     let r = x.min(y).min(h / 2.0);
     let at = [0.0, 0.0, r];
     b.ball("ball", at, r * 0.93, colour);
-    let mut strands = Shell::default();
+    let mut strands = MeshBuilder::default();
     let thick = r * 0.07;
     for i in 0..7 {
         let (s, c) = (i as f32 * 0.9).sine_cosine();
@@ -116,7 +114,7 @@ pub(super) fn yarn(b: &mut Build<'_>) {
 
 /// A tape measure in its case, with the end of the tape visible.
 pub(super) fn tape_measure(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let case = b.one(&[YELLOW_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
     let tongue = y * 0.12;
     let wide = y - tongue / 2.0;
@@ -141,7 +139,7 @@ pub(super) fn tape_measure(b: &mut Build<'_>) {
 
 /// A clothes peg: two legs and a spring.
 pub(super) fn clothespin(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let mat = b.one(&[PINE, BEECH, BLUE_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
     for side in [-1.0_f32, 1.0] {
         let leg = [

@@ -4,14 +4,14 @@ use std::f32::consts::FRAC_PI_2;
 
 use vc_graph::portable::Portable;
 
-use super::super::book::desk::tub;
-use super::super::build::{Axis, Build, P};
-use super::super::textile::form::{Shell, arc, blocks, hoop, lengthwise, longwise, oval, room, spline, tube};
 use crate::material::*;
+use crate::solid::{
+    Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, lengthwise, longwise, oval, spline, tube, walled_tray,
+};
 
 /// A toolbox: a hinged lid with a handle over a compartment, and a drawer below.
 pub(super) fn toolbox(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let (body, lid) = b.one(&[
         (RED_METAL, RED_METAL),
         (BLUE_METAL, BLUE_METAL),
@@ -25,7 +25,7 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
     let (rim, top) = (h * 0.66, h - grip);
     b.at([-latch / 2.0, 0.0, 0.0], 0.0, |b| {
         let half = x - latch / 2.0;
-        tub(b, (half, y), (split, rim), t, body);
+        walled_tray(b, (half, y), (split, rim), t, body);
         b.inside("compartment", [0.0, 0.0, split + t], (half - 2.0 * t, y - 2.0 * t), rim - split - t);
         let list = [
             ([t * 0.2 - half, t * 0.2 - y, 0.0], [half - t * 0.2, y - t * 0.2, t]),
@@ -78,7 +78,7 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
 
 /// A can of paint: rim, label, drips and a wire handle.
 pub(super) fn paint_can(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let paint = b.one(&[RED, BLUE, WHITE, SAGE, MUSTARD, TERRACOTTA, NAVY]);
     let label = b.one(&[WHITE_PAPER, CREAM_PAPER, BLUE_CARD]);
@@ -98,7 +98,7 @@ pub(super) fn paint_can(b: &mut Build<'_>) {
     b.lathe("label", [0.0, 0.0, h * 0.12], &[(r * 0.98, 0.0), (r * 0.98, h * 0.7)], label);
     b.lathe("band", [0.0, 0.0, h * 0.35], &[(r * 0.99, 0.0), (r * 0.99, h * 0.22)], paint);
     b.lathe("lid", [0.0, 0.0, h * 0.96], &[(r * 0.85, 0.0), (r * 0.8, h * 0.03), (r * 0.6, h * 0.02)], SILVER_METAL);
-    let mut drips = Shell::default();
+    let mut drips = MeshBuilder::default();
     for i in 0..3 {
         let (s, c) = (0.8 * i as f32 + 0.3).sine_cosine();
         drips.egg([r * 0.97 * c, r * 0.97 * s, h * 0.84], [r * 0.05, r * 0.05, h * b.vary(0.06, 0.14)]);
@@ -117,7 +117,7 @@ pub(super) fn risen(t: f32, turns: f32) -> f32 {
 
 /// A coil of rope.
 pub(super) fn rope(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let r = (h / 5.0).min(x * 0.12).max(h * 0.08);
     let mat = b.one(&[JUTE, WHITE_COTTON, BLUE_FABRIC, ORANGE_PLASTIC]);
     let turns = ((h - 2.0 * r) / (1.6 * r)).clamp(1.0, 5.0).round();
@@ -136,7 +136,7 @@ pub(super) fn rope(b: &mut Build<'_>) {
 
 /// A fire extinguisher: red bottle, hose, gauge and a handle.
 pub(super) fn extinguisher(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let side = y * 0.22;
     let r = x.min(y - side) * 0.98;
     let shift = -(y - r * 1.04);
@@ -160,10 +160,10 @@ pub(super) fn extinguisher(b: &mut Build<'_>) {
 
 /// A lighter, small or long-necked.
 pub(super) fn lighter(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let colour = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]);
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s, y * s), 1, 16);
-    let mut body = Shell::default();
+    let mut body = MeshBuilder::default();
     let (split, neck) = if h > 0.13 { (h * 0.45, 0.3) } else { (h * 0.78, 0.92) };
     body.loft(&[ring(0.0, 0.94), ring(h * 0.03, 1.0), ring(split, 1.0), ring(split * 1.02, 0.7)]);
     body.put(b, "body", colour);
@@ -173,7 +173,7 @@ pub(super) fn lighter(b: &mut Build<'_>) {
 
 /// A matchbox with striking sides; its tray slides out.
 pub(super) fn matches(b: &mut Build<'_>) {
-    let (x, y, h) = room(b);
+    let (x, y, h) = half_dims(b);
     let card = b.one(&[RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]);
     let (t, e) = (h * 0.06, h * 0.03);
     let list = [

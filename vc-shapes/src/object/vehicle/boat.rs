@@ -3,8 +3,7 @@
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, mix, shell, spaced};
+use crate::solid::{Axis, Build, P, at_least, hull_shell, mix, spaced};
 
 /// Shape of a hull: fullness of its ends (front and rear), bend of its section, forward rise of the
 /// sheer.
@@ -51,7 +50,7 @@ impl Lines {
                 outer.first().iter().flat_map(|row| row.iter().map(|p| (p[1], p[2]))).collect();
             b.prism("transom", Axis::X, [-x + 0.001, 0.0, 0.0], &board, self.skin - 0.002, mat);
         }
-        shell(b, "hull", &outer, &inner, mat);
+        hull_shell(b, "hull", &outer, &inner, mat);
     }
 
     /// A level board across the hull at the fractions `x`, at height `z`, up to its skin.
@@ -66,7 +65,7 @@ const PAINTS: &[Mat] = &[WHITE, NAVY, RED, FOREST, SKY, YELLOW, CREAM, TEAK];
 
 /// A rowing boat: floorboards, thwarts and a pair of oars.
 pub(super) fn rowing_boat(b: &mut Build<'_>) {
-    grown(b, [1.1, 0.6, 0.2]);
+    at_least(b, [1.1, 0.6, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0 - 0.01, b.size.z);
     let lines = Lines {
         bow: b.vary(2.0, 3.2),
@@ -130,7 +129,7 @@ fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: Mat)
 
 /// A kayak: decked at both ends, with one or two cockpits and a paddle on deck.
 pub(super) fn kayak(b: &mut Build<'_>) {
-    grown(b, [1.3, 0.3, 0.14]);
+    at_least(b, [1.3, 0.3, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let lines = Lines {
         bow: b.vary(1.5, 2.2),
@@ -185,7 +184,7 @@ pub(super) fn kayak(b: &mut Build<'_>) {
 
 /// A motorboat: a front deck, windscreen, seats and an outboard motor.
 pub(super) fn motorboat(b: &mut Build<'_>) {
-    grown(b, [2.2, 0.9, 0.6]);
+    at_least(b, [2.2, 0.9, 0.6]);
     let (h, y) = (b.size.z, b.size.y / 2.0);
     let tail = (b.size.x * 0.09).min(0.5);
     let x = (b.size.x - tail) / 2.0;

@@ -8,12 +8,11 @@ use super::car::pane;
 use super::chassis::{Chassis, PAINTS};
 use super::wheel::{Rim, axled};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::park::shape::{grown, spaced};
+use crate::solid::{Axis, Build, at_least, spaced};
 
 /// A bus: windows all around, seats inside, a door on the right that opens.
 pub(super) fn bus(b: &mut Build<'_>) {
-    grown(b, [4.0, 1.2, 1.4]);
+    at_least(b, [4.0, 1.2, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(PAINTS);
     let second = b.one(&[WHITE_METAL, paint, YELLOW_METAL, ANTHRACITE]);
@@ -129,7 +128,7 @@ pub(super) fn bus(b: &mut Build<'_>) {
 
 /// A motorhome: a van's nose under a box with an alcove, windows and a side door.
 pub(super) fn camper_van(b: &mut Build<'_>) {
-    grown(b, [2.7, 1.0, 1.25]);
+    at_least(b, [2.7, 1.0, 1.25]);
     let (l, h) = (b.size.x, b.size.z);
     let (x, y) = (l / 2.0, b.size.y / 2.0);
     let (paint, wheel) = (b.one(&[WHITE_METAL, CREAM, SILVER_METAL, WHITE_METAL]), h * 0.12);

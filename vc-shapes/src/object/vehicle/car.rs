@@ -10,8 +10,7 @@ use vc_graph::portable::Portable;
 
 use super::wheel::{Rim, axled};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, mix, plate};
+use crate::solid::{Axis, Build, P, at_least, mix, plate};
 
 /// The rear end of a body.
 #[derive(Clone, Copy, PartialEq)]
@@ -172,7 +171,7 @@ struct Car {
 
 /// A car of any body style.
 pub(super) fn car(b: &mut Build<'_>) {
-    grown(b, [1.6, 0.8, 0.55]);
+    at_least(b, [1.6, 0.8, 0.55]);
     let class = match b.class {
         "car" => b.one(&["hatchback", "sedan", "station_wagon", "hatchback"]),
         "electric_car" => b.one(&["electric_car", "sedan", "suv"]),

@@ -7,8 +7,7 @@ use vc_graph::portable::Portable;
 use super::car::pane;
 use super::wheel::{Rim, wheel};
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::park::shape::spaced;
+use crate::solid::{Axis, Build, spaced};
 
 /// Paint colours.
 pub(super) const PAINTS: &[Mat] =

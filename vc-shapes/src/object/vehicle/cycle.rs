@@ -4,15 +4,14 @@ use std::f32::consts::FRAC_PI_2;
 
 use super::wheel::{fender, hub, nuts, spoked};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, limb, mix, polar, tub};
+use crate::solid::{Axis, Build, P, at_least, limb, mix, polar, tapered_tub};
 
 const PAINTS: &[Mat] =
     &[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, WHITE_METAL, YELLOW_METAL, SILVER_METAL, ORANGE, NAVY, SAGE];
 
 /// A bicycle: a sports or city bicycle, with a motor, or with a box in front.
 pub(super) fn bicycle(b: &mut Build<'_>) {
-    grown(b, [0.8, 0.22, 0.48]);
+    at_least(b, [0.8, 0.22, 0.48]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cargo = b.class == "cargo_bike";
     let town = cargo || b.rng.chance(0.5);
@@ -206,7 +205,7 @@ fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32
     let tall = (b.size.z * b.vary(0.32, 0.42)).max(0.1);
     let mat = b.one(&[BIRCH, OAK, PINE, BLACK_PLASTIC, frame]);
     let wide = (y * 0.82, y * 0.95);
-    tub(b, "box", [middle, 0.0, low], (half * 0.85, wide.0), (half, wide.1), tall, 0.015, mat);
+    tapered_tub(b, "box", [middle, 0.0, low], (half * 0.85, wide.0), (half, wide.1), tall, 0.015, mat);
     b.inside("compartment", [middle, 0.0, low + 0.015], (half * 0.85 - 0.03, wide.0 - 0.03), tall + 0.2);
     let beam = 0.02_f32.min(front_r * 0.08);
     let under = low - beam * 0.5;
@@ -218,7 +217,7 @@ fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32
 
 /// A motorcycle: engine, tank, seat, fork, exhaust; a locker under the seat.
 pub(super) fn motorcycle(b: &mut Build<'_>) {
-    grown(b, [1.0, 0.38, 0.52]);
+    at_least(b, [1.0, 0.38, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(PAINTS);
     let r = (h * b.vary(0.25, 0.275)).min(x * 0.36);
@@ -319,7 +318,7 @@ fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), d
     let thick = b.size.z * 0.055;
     let (low, t) = (z - deep, 0.008);
     let middle = (x0 + x1) / 2.0;
-    tub(
+    tapered_tub(
         b,
         "locker",
         [middle, 0.0, low],
@@ -387,7 +386,7 @@ fn bars(b: &mut Build<'_>, head: P, y: f32, h: f32) {
 
 /// A motor scooter: leg shield, footboard, a locker under the seat.
 pub(super) fn scooter(b: &mut Build<'_>) {
-    grown(b, [0.85, 0.32, 0.52]);
+    at_least(b, [0.85, 0.32, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) = (b.one(PAINTS), (h * b.vary(0.18, 0.21)).min(x * 0.28));
     let tyre = r * 0.24;
@@ -474,7 +473,7 @@ pub(super) fn scooter(b: &mut Build<'_>) {
 
 /// An electric scooter: a deck, a folding column and a bar.
 pub(super) fn electric_scooter(b: &mut Build<'_>) {
-    grown(b, [0.5, 0.2, 0.5]);
+    at_least(b, [0.5, 0.2, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let paint = b.one(&[BLACK_METAL, ANTHRACITE, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
     let r = x * b.vary(0.17, 0.21);

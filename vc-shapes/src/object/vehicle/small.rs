@@ -4,8 +4,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::wheel::{Rim, axled, fender};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, spaced, tub};
+use crate::solid::{Axis, Build, P, at_least, spaced, tapered_tub};
 
 const PAINTS: &[Mat] = &[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, WHITE_METAL, ORANGE, BLACK_METAL, FOREST];
 
@@ -22,7 +21,7 @@ fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width):
 
 /// A quad bike: wide tyres, mudguards, a saddle and racks; a locker under the saddle.
 pub(super) fn quad_bike(b: &mut Build<'_>) {
-    grown(b, [0.9, 0.5, 0.55]);
+    at_least(b, [0.9, 0.5, 0.55]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) = (b.one(PAINTS), (h * b.vary(0.23, 0.26)).min(x * 0.3));
     let width = y * b.vary(0.38, 0.46);
@@ -51,7 +50,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
     }
     let seat = (h * 0.75).max(waist + 0.14);
     let (x0, x1, half, deep) = (axles[1] + r * 0.95, axles[0] - r * 1.2, y * 0.26, 0.1_f32.min(h * 0.1));
-    tub(
+    tapered_tub(
         b,
         "locker",
         [(x0 + x1) / 2.0, 0.0, waist - 0.01],
@@ -109,7 +108,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
 
 /// A golf cart: a bench under a roof on posts, and a bag well with a flap at the rear.
 pub(super) fn golf_cart(b: &mut Build<'_>) {
-    grown(b, [1.2, 0.6, 0.9]);
+    at_least(b, [1.2, 0.6, 0.9]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) = (b.one(&[WHITE_METAL, CREAM, GREEN_METAL, RED_METAL, NAVY]), h * b.vary(0.115, 0.13));
     let axles = [x - r * 1.6, -x + r * 1.9];
@@ -194,7 +193,7 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
 
 /// A car trailer: an open box with a tailgate, two wheels, a drawbar.
 pub(super) fn car_trailer(b: &mut Build<'_>) {
-    grown(b, [1.2, 0.65, 0.4]);
+    at_least(b, [1.2, 0.65, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = (h * b.vary(0.26, 0.3)).min(x * 0.2);
     let width = y * 0.2;

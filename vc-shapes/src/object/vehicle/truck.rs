@@ -4,12 +4,11 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::chassis::{Chassis, PAINTS};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, spaced, tub};
+use crate::solid::{Axis, Build, P, at_least, spaced, tapered_tub};
 
 /// A lorry with a closed box, an open bed or a tipper.
 pub(super) fn truck(b: &mut Build<'_>) {
-    grown(b, [3.0, 1.1, 1.3]);
+    at_least(b, [3.0, 1.1, 1.3]);
     let (l, h) = (b.size.x, b.size.z);
     let cab = b.size.x / 2.0 - (l * b.vary(0.17, 0.25)).clamp(1.0, 2.6);
     let paint = b.one(PAINTS);
@@ -27,7 +26,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
     } else if b.rng.chance(0.5) {
         let (half, wall) = ((end - low[0]) / 2.0, 0.05);
         let middle = (low[0] + end) / 2.0;
-        tub(
+        tapered_tub(
             b,
             "tipper",
             [middle, 0.0, low[2]],
@@ -98,7 +97,7 @@ fn flatbed(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
 
 /// A garbage truck: a rounded body and a hopper at the rear.
 pub(super) fn garbage_truck(b: &mut Build<'_>) {
-    grown(b, [4.0, 1.2, 1.6]);
+    at_least(b, [4.0, 1.2, 1.6]);
     let (l, h) = (b.size.x, b.size.z);
     let cab = l / 2.0 - l * b.vary(0.19, 0.23);
     let paint = b.one(&[ORANGE, GREEN_METAL, WHITE_METAL, YELLOW_METAL, BLUE_METAL]);
@@ -159,7 +158,7 @@ pub(super) fn garbage_truck(b: &mut Build<'_>) {
 
 /// A fire truck: a crew cab, shuttered lockers, a ladder on the roof, blue lights.
 pub(super) fn fire_truck(b: &mut Build<'_>) {
-    grown(b, [3.5, 1.2, 1.5]);
+    at_least(b, [3.5, 1.2, 1.5]);
     let (l, h) = (b.size.x, b.size.z);
     let cab = l / 2.0 - l * b.vary(0.27, 0.33);
     let chassis = lorry(b, cab, RED_METAL);

@@ -3,8 +3,7 @@
 use std::f32::consts::PI;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{hoop, polar, polygon, star};
+use crate::solid::{Axis, Build, P, polar, polygon, star, torus_profile};
 use vc_graph::asset::JointKind;
 use vc_graph::portable::Portable;
 
@@ -113,7 +112,8 @@ pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from
 pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f32, cast: bool, rim: Mat) {
     turning(b, at, |b| {
         let to = [at[0], at[1] + 1.0, at[2]];
-        let section = |r: f32, s: f32| -> Vec<(f32, f32)> { hoop(r, s).into_iter().map(|(r, z)| (r, z - s)).collect() };
+        let section =
+            |r: f32, s: f32| -> Vec<(f32, f32)> { torus_profile(r, s).into_iter().map(|(r, z)| (r, z - s)).collect() };
         b.lathe_along(name, at, to, &section(radius - tyre, tyre), RUBBER);
         let (out, half) = (radius - 1.7 * tyre, tyre * 0.7);
         let ring =

@@ -6,13 +6,12 @@ use vc_graph::portable::Portable;
 
 use super::BRIGHT;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, hoop, polygon, spaced, tub};
+use crate::solid::{Axis, Build, P, at_least, polygon, ring_wall, spaced, tapered_tub, torus_profile};
 
 /// A pool above the ground: rectangular, oval or round; tiled, boarded or of steel; with coping,
 /// water and sometimes steps.
 pub(super) fn pool(b: &mut Build<'_>) {
-    grown(b, [1.2, 2.0, 0.45]);
+    at_least(b, [1.2, 2.0, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wall, lining) = (
         b.one(&[CONCRETE, PINE, WHITE_METAL, SANDSTONE, TEAK, ANTHRACITE]),
@@ -78,23 +77,6 @@ pub(super) fn pool(b: &mut Build<'_>) {
     }
 }
 
-/// A closed strip between two outlines with equal numbers of corners.
-fn ring_wall(b: &mut Build<'_>, name: &str, [outer, inner]: [&[(f32, f32)]; 2], (low, high): (f32, f32), mat: Mat) {
-    let n = outer.len() as u32;
-    let level = |outline: &[(f32, f32)], z: f32| -> Vec<P> { outline.iter().map(|p| [p.0, p.1, z]).collect() };
-    let vertices = [level(outer, low), level(outer, high), level(inner, low), level(inner, high)].concat();
-    let mut triangles = Vec::new();
-    let mut quad = |a: u32, c: u32, d: u32, e: u32| triangles.extend([[a, c, d], [a, d, e]]);
-    for i in 0..n {
-        let j = (i + 1) % n;
-        quad(i, j, n + j, n + i);
-        quad(2 * n + j, 2 * n + i, 3 * n + i, 3 * n + j);
-        quad(n + i, n + j, 3 * n + j, 3 * n + i);
-        quad(2 * n + i, 2 * n + j, j, i);
-    }
-    b.mesh(name, vertices, triangles, mat);
-}
-
 /// Two bent rails over an edge at `at` towards -Y, as high above the edge as below, with treads
 /// between them.
 fn grab_ladder(b: &mut Build<'_>, at: P, (over, below): (f32, f32), back: f32) {
@@ -124,7 +106,7 @@ fn grab_ladder(b: &mut Build<'_>, at: P, (over, below): (f32, f32), back: f32) {
 
 /// An inflatable round pool with bright rings, or a rigid plastic shell.
 pub(super) fn kiddie_pool(b: &mut Build<'_>) {
-    grown(b, [0.4, 0.4, 0.1]);
+    at_least(b, [0.4, 0.4, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let base = b.one(BRIGHT);
     if (x - y).abs() < 0.25 || b.rng.chance(0.5) {
@@ -135,13 +117,13 @@ pub(super) fn kiddie_pool(b: &mut Build<'_>) {
         b.cylinder("floor", [0.0, 0.0, 0.001], r - s, 0.02, base);
         for i in 0..rings {
             let mat = if i % 2 == 0 { base } else { b.one(BRIGHT) };
-            b.lathe("ring", [0.0, 0.0, 1.86 * s * i as f32], &hoop(r - s, s), mat);
+            b.lathe("ring", [0.0, 0.0, 1.86 * s * i as f32], &torus_profile(r - s, s), mat);
         }
         b.cylinder("water", [0.0, 0.0, 0.01], r - 1.5 * s, level - 0.01, POOL_WATER);
         b.inside("basin", [0.0, 0.0, level], ((r - 2.0 * s) * 0.69, (r - 2.0 * s) * 0.69), h - level);
     } else {
         let (t, lean) = (0.02, b.vary(0.8, 0.92));
-        tub(b, "shell", [0.0; 3], (x * lean, y * lean), (x - 0.015, y - 0.015), h - 0.02, t, base);
+        tapered_tub(b, "shell", [0.0; 3], (x * lean, y * lean), (x - 0.015, y - 0.015), h - 0.02, t, base);
         let rim = 0.035;
         for s in [-1.0, 1.0] {
             b.block(
@@ -173,7 +155,7 @@ pub(super) fn kiddie_pool(b: &mut Build<'_>) {
 
 /// A hot tub: boarded or inflatable, with seats under water and a hinged cover.
 pub(super) fn jacuzzi(b: &mut Build<'_>) {
-    grown(b, [0.8, 0.8, 0.35]);
+    at_least(b, [0.8, 0.8, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cover = h * b.vary(0.08, 0.13);
     let rim = h - cover;
@@ -237,7 +219,7 @@ pub(super) fn jacuzzi(b: &mut Build<'_>) {
             b.lathe(
                 "ring",
                 [0.0, 0.0, 1.9 * s * i as f32],
-                &hoop(r - s, s),
+                &torus_profile(r - s, s),
                 if i == rings - 1 { shell_mat } else { side },
             );
         }
@@ -257,7 +239,7 @@ pub(super) fn jacuzzi(b: &mut Build<'_>) {
 
 /// A spread-out pool cover: bubbles or bars, with a weighted edge.
 pub(super) fn pool_cover(b: &mut Build<'_>) {
-    grown(b, [1.0, 1.5, 0.004]);
+    at_least(b, [1.0, 1.5, 0.004]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) =
         (b.one(&[BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, NAVY]), b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, NAVY]));

@@ -5,12 +5,11 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::park::shape::grown;
+use crate::solid::{Axis, Build, at_least};
 
 /// A net on an upright pole, with the net at the bottom.
 pub(super) fn pool_skimmer(b: &mut Build<'_>) {
-    grown(b, [0.025, 0.17, 0.5]);
+    at_least(b, [0.025, 0.17, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, cloth) = (b.one(&[BLUE_PLASTIC, SKY, WHITE_PLASTIC, GREEN_PLASTIC]), b.one(&[BLUE_FABRIC, WHITE_COTTON]));
     let (tall, r) = ((h * 0.22).min(y * 1.6), 0.008_f32.min(x * 0.4));
@@ -48,7 +47,7 @@ pub(super) fn pool_skimmer(b: &mut Build<'_>) {
 
 /// A pool-cleaning robot: a body on tracks or brushes with a handle on top.
 pub(super) fn pool_robot(b: &mut Build<'_>) {
-    grown(b, [0.17, 0.17, 0.1]);
+    at_least(b, [0.17, 0.17, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (
         b.one(&[BLUE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, ORANGE_PLASTIC]),
@@ -95,7 +94,7 @@ pub(super) fn pool_robot(b: &mut Build<'_>) {
 
 /// A pump on a base with its filter: a cartridge or a ball of sand.
 pub(super) fn pool_pump(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.15, 0.2]);
+    at_least(b, [0.15, 0.15, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (
         b.one(&[GREY_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]),

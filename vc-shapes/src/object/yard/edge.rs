@@ -5,12 +5,11 @@ use std::f32::consts::PI;
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::build::{Axis, Build};
-use crate::object::park::shape::{grown, spaced};
+use crate::solid::{Axis, Build, at_least, spaced};
 
 /// A springboard on its stand; the board extends to the front.
 pub(super) fn diving_board(b: &mut Build<'_>) {
-    grown(b, [0.8, 0.18, 0.2]);
+    at_least(b, [0.8, 0.18, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (board, stand) = (b.one(&[SKY, WHITE, BLUE, CREAM]), b.one(&[STEEL, WHITE_METAL, CONCRETE, ANTHRACITE]));
     let rails = h > 0.7 && b.rng.chance(0.6);
@@ -46,7 +45,7 @@ pub(super) fn diving_board(b: &mut Build<'_>) {
 
 /// A ladder over a pool's edge: bent rails, or an A-frame of steps for above-ground pools.
 pub(super) fn pool_ladder(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.6]);
+    at_least(b, [0.25, 0.25, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (steel, tread) = (b.one(&[STEEL, WHITE_METAL, CHROME]), b.one(&[WHITE_PLASTIC, GREY_PLASTIC, SKY]));
     let r = 0.02;
@@ -84,7 +83,7 @@ pub(super) fn pool_ladder(b: &mut Build<'_>) {
 
 /// A slide into the pool: steps at the back, a trough that curves down to the front.
 pub(super) fn pool_slide(b: &mut Build<'_>) {
-    grown(b, [0.9, 0.28, 0.6]);
+    at_least(b, [0.9, 0.28, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y.min(b.size.x * 0.4) / 2.0, b.size.z);
     let (mat, steel) =
         (b.one(&[SKY, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]), b.one(&[STEEL, WHITE_METAL]));
@@ -145,7 +144,7 @@ pub(super) fn pool_slide(b: &mut Build<'_>) {
 
 /// A solar shower: a dark column, a head, a tap.
 pub(super) fn solar_shower(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.9]);
+    at_least(b, [0.1, 0.1, 0.9]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, metal) = (b.one(&[BLACK_PLASTIC, ANTHRACITE, NAVY, SILVER_METAL]), b.one(&[CHROME, STEEL]));
     let foot = x.min(y);

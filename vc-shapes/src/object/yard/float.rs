@@ -6,12 +6,11 @@ use vc_graph::portable::Portable;
 
 use super::BRIGHT;
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::park::shape::{grown, hoop, limb, polar, polygon, spaced};
+use crate::solid::{Build, P, at_least, limb, polar, polygon, spaced, torus_profile};
 
 /// An air mattress: tubes side by side, a pillow at the head.
 pub(super) fn pool_float(b: &mut Build<'_>) {
-    grown(b, [0.3, 0.8, 0.06]);
+    at_least(b, [0.3, 0.8, 0.06]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]));
     let pillow = h * b.vary(0.2, 0.35);
@@ -48,12 +47,12 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
 
 /// A swim ring with bands, or with a duck's head.
 pub(super) fn swim_ring(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.07]);
+    at_least(b, [0.25, 0.25, 0.07]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let (mat, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let animal = h > 0.17 && b.rng.chance(0.5);
     let s = (if animal { h * 0.32 } else { h / 2.0 }).min(r * b.vary(0.27, 0.33));
-    b.lathe("ring", [0.0; 3], &hoop(r - s, s), mat);
+    b.lathe("ring", [0.0; 3], &torus_profile(r - s, s), mat);
     if animal {
         let neck = [r - s, 0.0, s];
         let head = [r - 1.1 * s, 0.0, h - s * 0.62];
@@ -103,7 +102,7 @@ fn bands(b: &mut Build<'_>, radius: f32, section: f32, mat: Mat) {
 
 /// A lifebuoy, upright, with a rope along its rim.
 pub(super) fn buoy(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.25, 0.25]);
+    at_least(b, [0.03, 0.25, 0.25]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = y.min(h / 2.0);
     let (mat, second) =
@@ -145,7 +144,7 @@ pub(super) fn buoy(b: &mut Build<'_>) {
 
 /// A lying foam noodle: a tube with a hole.
 pub(super) fn pool_noodle(b: &mut Build<'_>) {
-    grown(b, [0.03, 0.4, 0.03]);
+    at_least(b, [0.03, 0.4, 0.03]);
     let (r, y) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
     let mat = b.one(BRIGHT);
     let hole = r * b.vary(0.25, 0.4);
@@ -160,7 +159,7 @@ pub(super) fn pool_noodle(b: &mut Build<'_>) {
 
 /// A beach ball of coloured segments.
 pub(super) fn beach_ball(b: &mut Build<'_>) {
-    grown(b, [0.1, 0.1, 0.1]);
+    at_least(b, [0.1, 0.1, 0.1]);
     let r = b.size.min() / 2.0;
     let segments = b.one(&[6, 8]);
     let (first, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));

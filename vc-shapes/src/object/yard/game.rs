@@ -4,8 +4,7 @@ use std::f32::consts::TAU;
 
 use super::BRIGHT;
 use crate::material::*;
-use crate::object::build::{Build, P};
-use crate::object::park::shape::{grown, hoop, polar, spaced};
+use crate::solid::{Build, P, at_least, polar, spaced, torus_profile};
 
 /// Floating tubes with a net above: rails along X and Y at the water's surface, and posts.
 fn floats(b: &mut Build<'_>, (x, y): (f32, f32), r: f32, mat: Mat) {
@@ -29,7 +28,7 @@ fn net(b: &mut Build<'_>, at: P, u: P, v: P, (nu, nv): (usize, usize), r: f32, m
 
 /// A floating goal.
 pub(super) fn pool_goal(b: &mut Build<'_>) {
-    grown(b, [0.2, 0.45, 0.3]);
+    at_least(b, [0.2, 0.45, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let r = b.vary(0.035, 0.055).min(x * 0.2);
@@ -54,14 +53,14 @@ pub(super) fn pool_goal(b: &mut Build<'_>) {
 
 /// A volleyball net on two floats.
 pub(super) fn pool_volleyball(b: &mut Build<'_>) {
-    grown(b, [0.15, 1.2, 0.3]);
+    at_least(b, [0.15, 1.2, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let r = b.vary(0.04, 0.06).min(x * 0.3);
     for s in [-1.0, 1.0] {
         let cy = s * (y - x.min(0.25));
         let half = x.min(0.25);
-        b.lathe("float", [0.0, cy, 0.0], &hoop(half - r, r), mat);
+        b.lathe("float", [0.0, cy, 0.0], &torus_profile(half - r, r), mat);
         b.bar("spar", [-half + r, cy, r], [half - r, cy, r], r * 0.5, second);
         b.bar("post", [0.0, cy, r], [0.0, cy, h - r], r * 0.65, second);
     }
@@ -73,11 +72,11 @@ pub(super) fn pool_volleyball(b: &mut Build<'_>) {
 
 /// A floating basketball hoop.
 pub(super) fn pool_basketball(b: &mut Build<'_>) {
-    grown(b, [0.25, 0.25, 0.3]);
+    at_least(b, [0.25, 0.25, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, ring_mat) = (b.one(BRIGHT), b.one(&[ORANGE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC]));
     let (half, r) = (x.min(y), b.vary(0.05, 0.07).min(x * 0.2));
-    b.lathe("float", [0.0; 3], &hoop(half - r, r), mat);
+    b.lathe("float", [0.0; 3], &torus_profile(half - r, r), mat);
     b.cylinder("floor", [0.0, 0.0, r * 0.8], half - r, 0.006, mat);
     let (back, board) = (-half + 2.0 * r, h * 0.42);
     for s in [-1.0, 1.0] {
@@ -94,7 +93,7 @@ pub(super) fn pool_basketball(b: &mut Build<'_>) {
     b.block("target", [x0, -half * 0.25, h - board * 0.75], [x0 + 0.005, half * 0.25, h - board * 0.3], ring_mat);
     let rim = (half * 0.42).min((half - x0) / 2.0);
     let z = h - board * 0.85;
-    b.lathe("rim", [x0 + rim, 0.0, z], &hoop(rim - 0.012, 0.012), ring_mat);
+    b.lathe("rim", [x0 + rim, 0.0, z], &torus_profile(rim - 0.012, 0.012), ring_mat);
     for i in 0..8 {
         let (dx, dy) = polar(TAU * i as f32 / 8.0, 1.0);
         let (top, low) = (rim - 0.02, rim * 0.6);
@@ -106,5 +105,5 @@ pub(super) fn pool_basketball(b: &mut Build<'_>) {
             WHITE_COTTON,
         );
     }
-    b.lathe("net", [x0 + rim, 0.0, z - h * 0.14 - 0.003], &hoop(rim * 0.6, 0.003), WHITE_COTTON);
+    b.lathe("net", [x0 + rim, 0.0, z - h * 0.14 - 0.003], &torus_profile(rim * 0.6, 0.003), WHITE_COTTON);
 }

@@ -2,12 +2,11 @@
 
 use super::BRIGHT;
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::{grown, limb, spaced};
+use crate::solid::{Axis, Build, P, at_least, limb, spaced};
 
 /// A diving mask with a snorkel beside it, or swimming goggles if the size is low.
 pub(super) fn diving_mask(b: &mut Build<'_>) {
-    grown(b, [0.025, 0.075, 0.02]);
+    at_least(b, [0.025, 0.075, 0.02]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, strap) = (b.one(BRIGHT), b.one(&[BLACK_PLASTIC, GREY_RUBBER]));
     let glass = BLUE_GLASS;
@@ -85,7 +84,7 @@ pub(super) fn diving_mask(b: &mut Build<'_>) {
 
 /// A pair of fins lying side by side, blades to the front.
 pub(super) fn swim_fins(b: &mut Build<'_>) {
-    grown(b, [0.15, 0.08, 0.03]);
+    at_least(b, [0.15, 0.08, 0.03]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, rubber) = (b.one(BRIGHT), b.one(&[BLACK_PLASTIC, GREY_RUBBER, RUBBER]));
     let half = y * 0.49;
@@ -138,7 +137,7 @@ pub(super) fn swim_fins(b: &mut Build<'_>) {
 
 /// A life jacket, upright: two front panels, a back, a collar, straps with buckles.
 pub(super) fn life_jacket(b: &mut Build<'_>) {
-    grown(b, [0.05, 0.17, 0.2]);
+    at_least(b, [0.05, 0.17, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, strap) = (
         b.one(&[ORANGE_PLASTIC, RED_FABRIC, YELLOW_PLASTIC, BLUE_FABRIC]),

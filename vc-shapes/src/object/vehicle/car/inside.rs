@@ -4,8 +4,7 @@ use std::f32::consts::FRAC_PI_2;
 
 use super::{Car, Tail, flank, pane};
 use crate::material::*;
-use crate::object::build::{Axis, Build, P};
-use crate::object::park::shape::plate;
+use crate::solid::{Axis, Build, P, plate};
 
 /// An open cockpit: floor, seats, dashboard, wheel and windscreen.
 pub(super) fn cockpit(b: &mut Build<'_>, car: &Car) {

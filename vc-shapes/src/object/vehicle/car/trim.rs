@@ -2,7 +2,7 @@
 
 use super::{Car, Tail};
 use crate::material::*;
-use crate::object::build::{Build, P};
+use crate::solid::{Build, P};
 
 /// Lights, grille, mirrors, door outlines and handles.
 pub(super) fn details(b: &mut Build<'_>, car: &Car) {

@@ -99,7 +99,7 @@ impl<'a> Build<'a> {
     }
 
     /// The asset built so far.
-    pub(super) fn asset(&mut self) -> &mut Asset {
+    pub(crate) fn asset(&mut self) -> &mut Asset {
         &mut self.asset
     }
 
@@ -319,6 +319,9 @@ impl<'a> Build<'a> {
     }
 
     /// One of several materials or other small values.
+    ///
+    /// # Panics
+    /// If there is none.
     pub fn one<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.rng.below(of.len())]
     }

@@ -1,139 +1,31 @@
-//! Shapes beyond boxes and lathes: lofts, bent tubes, leaves, draped sheets and cushions, gathered
-//! into one mesh per material.
+//! Closed surfaces over rings and grids: lofts, tubes, leaves, draped sheets and cushions, one at a time or
+//! gathered into one mesh.
 
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 
-use super::super::build::{Axis, Build, P};
-use super::super::circle;
+use super::build::{Axis, Build, P};
+use super::circle;
+use super::curve::oval;
 use crate::material::Mat;
-
-/// Half depth, half width and height of the object.
-pub(in crate::object) fn room(b: &Build<'_>) -> (f32, f32, f32) {
-    (b.size.x / 2.0, b.size.y / 2.0, b.size.z)
-}
-
-/// Interpolates between two points by `t`.
-pub(in crate::object) fn mix(a: P, b: P, t: f32) -> P {
-    [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t)
-}
-
-/// Builds an object lying on its back: +X of the frame points up, +Z away from the front.
-pub(in crate::object) fn lying(b: &mut Build<'_>, at: P, build: impl FnOnce(&mut Build<'_>)) {
-    let pose = Isometry3::new(Vector3::from(at), Vector3::y() * -std::f32::consts::FRAC_PI_2);
-    b.posed(pose, build);
-}
-
-/// Builds a flat object that faces +X from its thickness, width and height, with the centre of its
-/// base at the origin; it lies on its back if the size is lowest along Z.
-pub(in crate::object) fn facing(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
-    let s = b.size;
-    if s.z < s.x.min(s.y) {
-        lying(b, [s.x / 2.0, 0.0, s.z / 2.0], |b| build(b, s.z, s.y, s.x));
-    } else {
-        build(b, s.x, s.y, s.z);
-    }
-}
-
-/// Builds with +Y of the frame along the longest horizontal side of the size; `build` receives half
-/// depth, half length and height.
-pub(in crate::object) fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
-    let (x, y, h) = room(b);
-    if x > y {
-        b.at([0.0; 3], std::f32::consts::FRAC_PI_2, |b| build(b, y, x, h));
-    } else {
-        build(b, x, y, h);
-    }
-}
-
-/// Builds with +Z of the frame along the longest side of the size, which may lie along Y or X;
-/// `build` receives thickness, width and length.
-pub(in crate::object) fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
-    let s = b.size;
-    let quarter = std::f32::consts::FRAC_PI_2;
-    if s.z >= s.y.max(s.x) {
-        build(b, s.x, s.y, s.z);
-    } else if s.y >= s.x {
-        let pose = Isometry3::new(Vector3::new(0.0, s.y / 2.0, s.z / 2.0), Vector3::x() * quarter);
-        b.posed(pose, |b| build(b, s.x, s.z, s.y));
-    } else {
-        let pose = Isometry3::new(Vector3::new(-s.x / 2.0, 0.0, s.z / 2.0), Vector3::y() * quarter);
-        b.posed(pose, |b| build(b, s.z, s.y, s.x));
-    }
-}
-
-/// Points around an ellipse perpendicular to an axis; `square` of 1 or 2 fills its bounding box
-/// more.
-pub(in crate::object) fn oval(axis: Axis, at: P, half: (f32, f32), square: usize, n: usize) -> Vec<P> {
-    let full = |v: f32| (0..square).fold(v.abs(), |v, _| v.sqrt()).copysign(v);
-    (0..n)
-        .map(|i| {
-            let (s, c) = circle::part(i, n);
-            across(axis, at, half.0 * full(c), half.1 * full(s))
-        })
-        .collect()
-}
-
-/// A point of the plane perpendicular to an axis through `at`.
-fn across(axis: Axis, at: P, a: f32, b: f32) -> P {
-    match axis {
-        Axis::X => [at[0], at[1] + a, at[2] + b],
-        Axis::Y => [at[0] + a, at[1], at[2] + b],
-        Axis::Z => [at[0] + a, at[1] + b, at[2]],
-    }
-}
-
-/// An arc perpendicular to an axis, from one angle to another.
-pub(in crate::object) fn arc(axis: Axis, at: P, half: (f32, f32), angles: (f32, f32), n: usize) -> Vec<P> {
-    (0..=n)
-        .map(|i| {
-            let (s, c) = (angles.0 + (angles.1 - angles.0) * i as f32 / n as f32).sine_cosine();
-            across(axis, at, half.0 * c, half.1 * s)
-        })
-        .collect()
-}
-
-/// A regular polygon as an outline.
-pub(in crate::object) fn ngon(half: (f32, f32), n: usize) -> Vec<(f32, f32)> {
-    oval(Axis::Z, [0.0; 3], half, 0, n).into_iter().map(|p| (p[0], p[1])).collect()
-}
-
-/// A smooth Catmull-Rom curve through points with `steps` segments between two.
-pub(in crate::object) fn spline(points: &[P], steps: usize) -> Vec<P> {
-    let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
-    let at = |i: isize| points[i.max(0).min(last as isize) as usize];
-    let mut curve = Vec::with_capacity(last * steps + 1);
-    for i in 0..last as isize {
-        let [a, b, c, d] = [-1, 0, 1, 2].map(|k| at(i + k));
-        for k in 0..steps {
-            let t = k as f32 / steps as f32;
-            curve.push([0, 1, 2].map(|j| {
-                let (p, q) = (c[j] - a[j], 2.0 * a[j] - 5.0 * b[j] + 4.0 * c[j] - d[j]);
-                b[j] + t / 2.0 * (p + t * (q + t * (3.0 * (b[j] - c[j]) + d[j] - a[j])))
-            }));
-        }
-    }
-    curve.push(points[last]);
-    curve
-}
 
 /// A mesh under construction, made of closed pieces.
 #[derive(Default)]
-pub(in crate::object) struct Shell {
+pub struct MeshBuilder {
     vertices: Vec<P>,
     triangles: Vec<[u32; 3]>,
 }
 
-impl Shell {
+impl MeshBuilder {
     /// Adds the mesh to the object as one part.
-    pub(in crate::object) fn put(self, b: &mut Build<'_>, name: &str, mat: Mat) {
+    pub fn put(self, b: &mut Build<'_>, name: &str, mat: Mat) {
         if !self.triangles.is_empty() {
             b.mesh(name, self.vertices, self.triangles, mat);
         }
     }
 
     /// Begins a closed piece with the given numbers of points and triangles; returns the indices of
-    /// its first point and first triangle for [`Shell::close`].
+    /// its first point and first triangle for [`MeshBuilder::close`].
     fn open(&mut self, points: usize, triangles: usize) -> (u32, usize) {
         self.vertices.reserve(points);
         self.triangles.reserve(triangles);
@@ -151,7 +43,7 @@ impl Shell {
     }
 
     /// A box between two corners.
-    pub(in crate::object) fn block(&mut self, low: P, high: P) {
+    pub fn block(&mut self, low: P, high: P) {
         // Corner i has the high X, Y, Z if its bits 0, 1, 2 are set.
         const FACES: [[u32; 4]; 6] =
             [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
@@ -166,7 +58,7 @@ impl Shell {
     }
 
     /// A surface over rings with equal numbers of points, closed at both ends.
-    pub(in crate::object) fn loft(&mut self, rings: &[Vec<P>]) {
+    pub fn loft(&mut self, rings: &[Vec<P>]) {
         if let Some(n) = rings.first().map(Vec::len) {
             self.rings(&rings.concat(), n);
         }
@@ -206,7 +98,7 @@ impl Shell {
     }
 
     /// A surface over rings whose last one is joined to the first.
-    pub(in crate::object) fn torus(&mut self, rings: &[Vec<P>]) {
+    pub fn torus(&mut self, rings: &[Vec<P>]) {
         if let Some(n) = rings.first().map(Vec::len) {
             self.chain(&rings.concat(), n);
         }
@@ -225,29 +117,29 @@ impl Shell {
     }
 
     /// A round tube along points, with perpendicular ends.
-    pub(in crate::object) fn tube(&mut self, points: &[P], radius: f32) {
+    pub fn tube(&mut self, points: &[P], radius: f32) {
         self.tapered(points, |_| radius);
     }
 
     /// A round tube whose radius changes from its start (0) to its end (1).
-    pub(in crate::object) fn tapered(&mut self, points: &[P], radius: impl Fn(f32) -> f32) {
+    pub fn tapered(&mut self, points: &[P], radius: impl Fn(f32) -> f32) {
         let (points, sides) = sections(points, false, radius);
         self.rings(&points, sides);
     }
 
     /// A closed round tube; the points do not repeat the first.
-    pub(in crate::object) fn hoop(&mut self, points: &[P], radius: f32) {
+    pub fn hoop(&mut self, points: &[P], radius: f32) {
         let (points, sides) = sections(points, true, |_| radius);
         self.chain(&points, sides);
     }
 
     /// A leaf or strip along a spine: `width` is its half width from stem to tip, `lift` the amount
     /// by which its edges bend up.
-    pub(in crate::object) fn leaf(&mut self, spine: &[P], width: impl Fn(f32) -> f32, lift: f32) {
+    pub fn leaf(&mut self, spine: &[P], width: impl Fn(f32) -> f32, lift: f32) {
         let last = spine.len().saturating_sub(1).max(1);
         let points: Vec<P> = (0..spine.len())
             .flat_map(|i| {
-                let (back, ahead) = (spine[i.saturating_sub(1)], spine[(i + 1).min(last)]);
+                let (back, ahead) = (spine[i.saturating_sub(1)], spine[(i + 1).min(spine.len() - 1)]);
                 let way = Vector3::from(ahead) - Vector3::from(back);
                 let side = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
                 let up = side.cross(&way).try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -262,7 +154,7 @@ impl Shell {
     }
 
     /// A sheet of (top, bottom) points over the unit square, closed around its edge.
-    pub(in crate::object) fn sheet(&mut self, (nu, nv): (usize, usize), at: impl Fn(f32, f32) -> (P, P)) {
+    pub fn sheet(&mut self, (nu, nv): (usize, usize), at: impl Fn(f32, f32) -> (P, P)) {
         let (nu, nv) = (nu.max(1), nv.max(1));
         let points = (0..=nu).flat_map(|i| (0..=nv).map(move |j| (i as f32 / nu as f32, j as f32 / nv as f32)));
         let (top, bottom): (Vec<P>, Vec<P>) = points.map(|(u, v)| at(u, v)).unzip();
@@ -290,7 +182,7 @@ impl Shell {
 
     /// A cushion: bulging in the centre, thin at its edges, which are drawn inwards by `pinch`
     /// between the corners.
-    pub(in crate::object) fn puff(&mut self, at: P, half: P, pinch: f32) {
+    pub fn puff(&mut self, at: P, half: P, pinch: f32) {
         let bulge = |t: f32| (1.0 - t * t).max(0.0);
         self.sheet((10, 10), |u, v| {
             let (u, v) = (ease(u), ease(v));
@@ -302,7 +194,7 @@ impl Shell {
     }
 
     /// A sphere or ellipsoid with few triangles.
-    pub(in crate::object) fn egg(&mut self, at: P, half: P) {
+    pub fn egg(&mut self, at: P, half: P) {
         let rings: Vec<Vec<P>> = (0..=6)
             .map(|i| {
                 let (s, c) = (std::f32::consts::PI * i as f32 / 6.0).sine_cosine();
@@ -353,49 +245,43 @@ fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> (Vec<P>,
 }
 
 /// One loft as one part.
-pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
-    let mut shell = Shell::default();
+pub fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+    let mut shell = MeshBuilder::default();
     shell.loft(rings);
     shell.put(b, name, mat);
 }
 
 /// One tube as one part.
-pub(in crate::object) fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
-    let mut shell = Shell::default();
+pub fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
+    let mut shell = MeshBuilder::default();
     shell.tube(points, radius);
     shell.put(b, name, mat);
 }
 
 /// One closed ring of round section as one part.
-pub(in crate::object) fn hoop(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
-    let mut shell = Shell::default();
+pub fn hoop(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
+    let mut shell = MeshBuilder::default();
     shell.hoop(points, radius);
     shell.put(b, name, mat);
 }
 
 /// Boxes as one part.
-pub(in crate::object) fn blocks(b: &mut Build<'_>, name: &str, boxes: &[(P, P)], mat: Mat) {
-    let mut shell = Shell::default();
+pub fn blocks(b: &mut Build<'_>, name: &str, boxes: &[(P, P)], mat: Mat) {
+    let mut shell = MeshBuilder::default();
     boxes.iter().for_each(|&(low, high)| shell.block(low, high));
     shell.put(b, name, mat);
 }
 
 /// One cushion as one part.
-pub(in crate::object) fn puff(b: &mut Build<'_>, name: &str, at: P, half: P, pinch: f32, mat: Mat) {
-    let mut shell = Shell::default();
+pub fn puff(b: &mut Build<'_>, name: &str, at: P, half: P, pinch: f32, mat: Mat) {
+    let mut shell = MeshBuilder::default();
     shell.puff(at, half, pinch);
     shell.put(b, name, mat);
 }
 
 /// One sheet as one part.
-pub(in crate::object) fn sheet(
-    b: &mut Build<'_>,
-    name: &str,
-    grid: (usize, usize),
-    at: impl Fn(f32, f32) -> (P, P),
-    mat: Mat,
-) {
-    let mut shell = Shell::default();
+pub fn sheet(b: &mut Build<'_>, name: &str, grid: (usize, usize), at: impl Fn(f32, f32) -> (P, P), mat: Mat) {
+    let mut shell = MeshBuilder::default();
     shell.sheet(grid, at);
     shell.put(b, name, mat);
 }

@@ -9,7 +9,7 @@ use vc_graph::portable::Portable;
 const TABLES: usize = 65;
 
 /// The sine and cosine of the `k`th of `n` equal parts of a turn, `k` below `n`.
-pub(super) fn part(k: usize, n: usize) -> (f32, f32) {
+pub(crate) fn part(k: usize, n: usize) -> (f32, f32) {
     static PARTS: LazyLock<Vec<Vec<(f32, f32)>>> =
         LazyLock::new(|| (0..TABLES).map(|n| (0..n).map(|k| angle(k, n)).collect()).collect());
     match PARTS.get(n).and_then(|table| table.get(k)) {

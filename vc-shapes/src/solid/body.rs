@@ -1,66 +1,25 @@
-//! Shapes beyond boxes and lathes: oval and bent objects, hollow ware.
+//! Bent and lumpy bodies: sweeps along plane curves, handles, spindles and boulders.
 
-use std::f32::consts::{FRAC_PI_2, PI, TAU};
-use std::sync::LazyLock;
+use std::f32::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 
-use super::super::build::{Build, P};
-use super::super::circle;
+use super::build::{Build, P};
+use super::circle;
+use super::curve::{arch, level_oval};
 use crate::material::Mat;
 
 /// Points around a bent or oval object: a multiple of four, and enough to look round.
 const SIDES: usize = 12;
 
-/// Half the side of the smallest placement surface, metres.
-const LEAST: f32 = 0.0042;
-
-/// Steps in the half turn along which handles and loops are bent.
-const BENDS: usize = 7;
-
-/// Depth, width and height to fill.
-pub(in crate::object) fn dims(b: &Build<'_>) -> (f32, f32, f32) {
-    (b.size.x.max(1e-3), b.size.y.max(1e-3), b.size.z.max(1e-3))
-}
-
-/// A horizontal ellipse.
-pub(in crate::object) fn oval(centre: P, half: (f32, f32)) -> Vec<P> {
-    let point = |k: usize| {
-        let (s, c) = circle::part(k, 16);
-        [centre[0] + half.0 * c, centre[1] + half.1 * s, centre[2]]
-    };
-    (0..16).map(point).collect()
-}
-
-/// A rectangle with rounded corners; `round` is 0 for sharp corners and 1 for half circles.
-pub(in crate::object) fn rounded(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
-    let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
-    let point = |i: usize| {
-        let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][i / CORNER];
-        let (s, c) = CORNERS[i];
-        (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
-    };
-    (0..CORNERS.len()).map(point).collect()
-}
-
-/// Number of points of a rounded corner.
-const CORNER: usize = 6;
-
-/// Sine and cosine of the points of four rounded corners.
-static CORNERS: LazyLock<[(f32, f32); 4 * CORNER]> = LazyLock::new(|| {
-    let part = |i: usize| (i / CORNER) as f32 + (i % CORNER) as f32 / (CORNER - 1) as f32;
-    std::array::from_fn(|i| (FRAC_PI_2 * part(i)).sine_cosine())
-});
-
-/// A horizontal rectangle with rounded corners at a height.
-pub(in crate::object) fn level(z: f32, half: (f32, f32), round: f32) -> Vec<P> {
-    rounded(half, round).into_iter().map(|(x, y)| [x, y, z]).collect()
-}
-
-/// A closed surface over rings with equal numbers of points, from one end to the other.
-pub(in crate::object) fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+/// A closed surface over rings with equal numbers of points, from one end to the other. Its triangles are ordered
+/// along the rings' points, those of [`loft`](super::loft) ring by ring.
+pub fn loft_columns(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
     let n = rings.iter().map(Vec::len).min().unwrap_or(0);
+    if n < 3 || rings.len() < 2 {
+        return;
+    }
     let mut vertices = Vec::with_capacity(rings.len() * n + 2);
     rings.iter().for_each(|r| vertices.extend_from_slice(&r[..n]));
     let last = rings.len().saturating_sub(1);
@@ -90,20 +49,9 @@ fn volume(vertices: &[P], triangles: &[[u32; 3]]) -> f32 {
     triangles.iter().map(|&[a, b, c]| at(a).dot(&at(b).cross(&at(c)))).sum()
 }
 
-/// A hollow vessel whose plan is a rounded rectangle. `outside` is its outer (height, half depth,
-/// half width) from the bottom up; `t` is the wall thickness.
-pub(in crate::object) fn tub(b: &mut Build<'_>, name: &str, outside: &[(f32, f32, f32)], round: f32, t: f32, mat: Mat) {
-    let floor = outside.first().map_or(0.0, |s| s.0) + t;
-    let thin = |v: f32| (v - t).max(v * 0.3);
-    let outer = outside.iter().map(|&(z, x, y)| level(z, (x, y), round));
-    let inner = outside.iter().rev().map(|&(z, x, y)| level(z.max(floor), (thin(x), thin(y)), round));
-    let rings: Vec<_> = outer.chain(inner).collect();
-    loft(b, name, &rings, mat);
-}
-
 /// A tube along a path in a plane: each point has its half width along `side`, which is
 /// perpendicular to that plane, and its half thickness within the plane.
-pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat: Mat) {
+pub fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat: Mat) {
     let side = Vector3::from(side).normalize();
     let at = |i: usize| Vector3::from(path[i.min(path.len() - 1)].0);
     let ring = |i: usize| {
@@ -122,39 +70,30 @@ pub(in crate::object) fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f
         (0..SIDES).map(point).collect()
     };
     let rings: Vec<_> = (0..path.len()).map(ring).collect();
-    loft(b, name, &rings, mat);
+    loft_columns(b, name, &rings, mat);
 }
 
 /// A round tube through points of a plane perpendicular to `side`.
-pub(in crate::object) fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, side: P, mat: Mat) {
+pub fn planar_tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, side: P, mat: Mat) {
     let path: Vec<_> = points.iter().map(|&p| (p, radius, radius)).collect();
     sweep(b, name, &path, side, mat);
 }
 
-/// Points of half an ellipse: from `centre + across` via `centre + out` to `centre - across`.
-pub(in crate::object) fn arch(centre: P, across: P, out: P) -> Vec<P> {
-    let point = |k: usize| {
-        let (s, c) = (PI * k as f32 / BENDS as f32).sine_cosine();
-        [0, 1, 2].map(|i| centre[i] + across[i] * c + out[i] * s)
-    };
-    (0..=BENDS).map(point).collect()
-}
-
 /// An ear-shaped handle, upright at the Y side of a vessel, from `y.0` out to `y.1`.
-pub(in crate::object) fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: Mat) {
+pub fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: Mat) {
     let r = radius.min((z.1 - z.0).abs() * 0.2).max(1e-4);
     let reach = (y.1 - y.0 - r).max(1e-4);
     let path = arch([0.0, y.0, f32::midpoint(z.0, z.1)], [0.0, 0.0, (z.1 - z.0) / 2.0 - r], [0.0, reach, 0.0]);
-    tube(b, "handle", &path, r, [1.0, 0.0, 0.0], mat);
+    planar_tube(b, "handle", &path, r, [1.0, 0.0, 0.0], mat);
 }
 
 /// A lump: an ellipsoid with bumps of up to a fraction of its size.
-pub(in crate::object) fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: Mat) {
+pub fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: Mat) {
     boulder(b, name, (centre, half), bump, (SIDES, 7), mat);
 }
 
 /// A lump with the given numbers of sides and rows: many for a single lump, few in a heap.
-pub(in crate::object) fn boulder(
+pub fn boulder(
     b: &mut Build<'_>,
     name: &str,
     (centre, half): (P, P),
@@ -185,7 +124,7 @@ pub(in crate::object) fn boulder(
         (0..sides).map(point).collect()
     };
     let rings: Vec<_> = (0..=rows).map(ring).collect();
-    loft(b, name, &rings, mat);
+    loft_columns(b, name, &rings, mat);
 }
 
 /// A profile with an extra point between each pair, on a Catmull-Rom curve through them.
@@ -202,19 +141,12 @@ fn smoothed(profile: &[(f32, f32)]) -> Vec<(f32, f32)> {
 
 /// A body of elliptical sections between two corners: a profile as fractions of its half width and
 /// length, upright or, if `lying`, along Y.
-pub(in crate::object) fn spun(
-    b: &mut Build<'_>,
-    name: &str,
-    (low, high): (P, P),
-    profile: &[(f32, f32)],
-    lying: bool,
-    mat: Mat,
-) {
+pub fn spun(b: &mut Build<'_>, name: &str, (low, high): (P, P), profile: &[(f32, f32)], lying: bool, mat: Mat) {
     let centre = [0, 1, 2].map(|i| f32::midpoint(low[i], high[i]));
     let half = [0, 1, 2].map(|i| (high[i] - low[i]) / 2.0);
     let ring = |&(r, k): &(f32, f32)| {
         let across = if lying { half[2] } else { half[1] };
-        let turned = oval([0.0; 3], (half[0] * r, across * r)).into_iter();
+        let turned = level_oval([0.0; 3], (half[0] * r, across * r)).into_iter();
         let place = |p: P| {
             let rise = 2.0 * k - 1.0;
             let [y, z] = if lying { [half[1] * rise, p[1]] } else { [p[1], half[2] * rise] };
@@ -225,66 +157,17 @@ pub(in crate::object) fn spun(
     // Profiles with many points have intended edges.
     let profile = if profile.len() < 14 { smoothed(profile) } else { profile.to_vec() };
     let rings: Vec<_> = profile.iter().map(ring).collect();
-    loft(b, name, &rings, mat);
+    loft_columns(b, name, &rings, mat);
 }
 
 /// A lathe body whose profile is given as fractions of a radius and a height.
-pub(in crate::object) fn turn(
-    b: &mut Build<'_>,
-    name: &str,
-    base: P,
-    (r, h): (f32, f32),
-    profile: &[(f32, f32)],
-    mat: Mat,
-) {
+pub fn turn(b: &mut Build<'_>, name: &str, base: P, (r, h): (f32, f32), profile: &[(f32, f32)], mat: Mat) {
     let profile: Vec<_> = profile.iter().map(|p| (p.0 * r, p.1 * h)).collect();
     b.lathe(name, base, &profile, mat);
 }
 
 /// A flat ring between two radii.
-pub(in crate::object) fn hoop(b: &mut Build<'_>, name: &str, z: (f32, f32), (inner, outer): (f32, f32), mat: Mat) {
+pub fn flat_ring(b: &mut Build<'_>, name: &str, z: (f32, f32), (inner, outer): (f32, f32), mat: Mat) {
     let profile = [(outer, z.0), (outer, z.1), (inner, z.1), (inner, z.0), (outer, z.0)];
     b.lathe(name, [0.0; 3], &profile, mat);
-}
-
-/// The profile of a vessel from its outer outline, foot to rim.
-pub(in crate::object) fn shell(outside: &[(f32, f32)], t: f32) -> Vec<(f32, f32)> {
-    let floor = outside.first().map_or(0.0, |p| p.1) + t;
-    let way = |i: usize| {
-        let (a, b) = (outside[i.saturating_sub(1)], outside[(i + 1).min(outside.len() - 1)]);
-        let (dr, dz) = (b.0 - a.0, b.1 - a.1);
-        let length = dr.hypotenuse(dz).max(1e-9);
-        (dr / length, dz / length)
-    };
-    let last = outside.len().saturating_sub(1);
-    let inner = |i: usize| {
-        let (r, z) = outside[i];
-        let (dr, dz) = way(i);
-        let lift = if i == last { 0.0 } else { dr * t };
-        ((r - dz.max(0.3) * t).max(r * 0.2), (z + lift).max(floor))
-    };
-    outside.iter().copied().chain((0..outside.len()).rev().map(inner)).collect()
-}
-
-/// A hollow round vessel; its outline is given as fractions of a radius and a height. Its content
-/// is inside.
-pub(in crate::object) fn vessel(
-    b: &mut Build<'_>,
-    name: &str,
-    (r, h): (f32, f32),
-    outside: &[(f32, f32)],
-    t: f32,
-    mat: Mat,
-) {
-    let outside: Vec<_> = outside.iter().map(|p| (p.0 * r, p.1 * h)).collect();
-    let profile = shell(&outside, t);
-    let narrowest = profile[outside.len()..].iter().fold(r, |least, p| least.min(p.0));
-    b.lathe(name, [0.0; 3], &profile, mat);
-    let floor = profile.last().map_or(t, |p| p.1);
-    b.inside(
-        "inside",
-        [0.0, 0.0, floor],
-        ((narrowest * 0.66).max(LEAST), (narrowest * 0.66).max(LEAST)),
-        (h - floor).max(0.0),
-    );
 }
