@@ -13,10 +13,11 @@ use clap::Parser;
 use indicatif::ProgressBar;
 use support::{Complaint, say};
 use vc_graph::{AssetLibrary, ClassTable, Pose, Seed, Word, did_you_mean};
+use virtualcity::gltf;
 use virtualcity::procgen::catalogue::Instance;
+use virtualcity::procgen::material;
 use virtualcity::procgen::object::{Generator, Realm, generator, generators};
 use virtualcity::procgen::picture::{Anchor, Canvas, Colour, Ink, View, sketch};
-use virtualcity::procgen::{gltf, material};
 
 /// Contact sheets of generated objects.
 #[derive(Parser)]

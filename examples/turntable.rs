@@ -14,13 +14,14 @@ use std::sync::Arc;
 use clap::Parser;
 use nalgebra::{Point3, Vector3};
 use support::{Complaint, say};
+use virtualcity::gltf;
 use virtualcity::graph::asset::{Joint, Part, Shape};
 use virtualcity::graph::portable::Portable;
 use virtualcity::graph::{
     Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed, did_you_mean,
 };
+use virtualcity::procgen::material;
 use virtualcity::procgen::object::{generator, generators};
-use virtualcity::procgen::{gltf, material};
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
 

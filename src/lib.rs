@@ -10,7 +10,10 @@
 //! | [`relations`] | `vc-relations` | spatial relations (on, in, under, near), read from poses and shapes |
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
 //! | `render` | `vc-render` | camera images: colours, depth, flow, normals, masks, boxes (feature `render`, on by default) |
-//! | `procgen` | `vc-procgen` | objects and apartments from a seed (feature `procgen`, on by default) |
+//! | `shapes` | `vc-shapes` | objects from a seed: generators, materials, styles (feature `procgen`, on by default) |
+//! | `procgen` | `vc-procgen` | apartments from a seed, dressing (feature `procgen`, on by default) |
+//! | `gltf` | `vc-gltf` | export and import of models (feature `gltf`, on by default) |
+//! | `people` | `vc-people` | figures of people: bones, poses, clothes (feature `environment`) |
 //! | `initial` | this crate | initial environments for tasks in generated homes (feature `procgen`) |
 //!
 //! An agent that observes only its own room fetches the milk:
@@ -73,9 +76,6 @@ mod batch;
 mod check;
 #[cfg(feature = "environment")]
 mod environment;
-#[cfg(feature = "environment")]
-#[cfg_attr(not(feature = "render"), allow(dead_code, unused_imports, reason = "poses are for cameras"))]
-mod figure;
 pub mod files;
 mod page;
 #[cfg(all(feature = "environment", feature = "render"))]
@@ -109,9 +109,13 @@ mod readme {}
 
 #[cfg(feature = "environment")]
 pub use vc_geometry as geometry;
+#[cfg(feature = "gltf")]
+pub use vc_gltf as gltf;
 pub use vc_graph as graph;
 /// Vectors, points and poses: the version of nalgebra that all crates of the workspace use.
 pub use vc_graph::nalgebra;
+#[cfg(feature = "environment")]
+pub use vc_people as people;
 #[cfg(feature = "physics")]
 pub use vc_physics as physics;
 pub use vc_planner as planner;
@@ -120,4 +124,6 @@ pub use vc_procgen as procgen;
 pub use vc_relations as relations;
 #[cfg(feature = "render")]
 pub use vc_render as render;
+#[cfg(feature = "procgen")]
+pub use vc_shapes as shapes;
 pub use vc_tasks as tasks;

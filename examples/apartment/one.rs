@@ -5,11 +5,12 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
+use virtualcity::gltf;
 use virtualcity::graph::format::{native, thesis};
 use virtualcity::graph::{SceneGraph, Seed};
 use virtualcity::procgen::check::Violation;
 use virtualcity::procgen::furnish::Rest;
-use virtualcity::procgen::{Apartment, Specification, gltf};
+use virtualcity::procgen::{Apartment, Specification};
 
 use crate::support::{Complaint, say};
 

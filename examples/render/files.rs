@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use virtualcity::gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
 use virtualcity::graph::{SceneGraph, State};
-use virtualcity::procgen::gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
 use virtualcity::render::{Camera, Frame, Lighting, Photograph, Snapshot, Source, format};
 
 use crate::support::{Complaint, say};

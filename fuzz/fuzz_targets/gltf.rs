@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use vc_graph::AssetLibrary;
-use vc_procgen::gltf::{self, Options};
+use vc_gltf::{self as gltf, Options};
 
 fuzz_target!(|file: &[u8]| {
     let options = Options { hulls: 0, ..Options::default() };

@@ -36,7 +36,7 @@ pub enum AlterError {
         nearest: Vec<String>,
     },
     /// There is no generator for things of the class.
-    #[error("there is no generator for the class `{0}`: `procgen::object::generator` has those there are")]
+    #[error("there is no generator for the class `{0}`: `shapes::object::generators` lists those that have one")]
     NoGenerator(String),
     /// Things of the class are not set down in a home.
     #[error("no {class} is set down in a home: {why}")]

@@ -11,7 +11,6 @@ use vc_physics::{Floor, PhysicsError, Posture, Role, World};
 use vc_procgen::dress::{self, DressError};
 
 use super::{Assets, Elsewhere, Start};
-use crate::figure;
 
 /// Height above its support at which a thing may hover in the scene, and the distance it may fall, metres.
 const HOVER: f32 = 0.06;
@@ -73,7 +72,7 @@ fn peopled(graph: &SceneGraph, mut shapes: BTreeMap<NodeId, Asset>) -> Result<Sc
             draft.asset = Some(library.add(asset)?);
             draft.scale = Some(Vector3::repeat(1.0));
         } else if is_bare_agent(node) {
-            draft.asset = Some(figure::add_to(&mut library, builder.graph().agents().len())?);
+            draft.asset = Some(vc_people::add_to(&mut library, builder.graph().agents().len())?);
             stand(&mut draft);
         }
         builder.add_with_id(node.id(), draft)?;
@@ -93,7 +92,7 @@ fn stand(draft: &mut Draft) {
         let aabb = bounds.aabb(pose);
         let feet = aabb.centre().xy();
         *pose = Pose::from_parts([feet.x, feet.y, aabb.min.z].into(), UnitQuaternion::new(yaw(pose)));
-        draft.bounds = Some(figure::bounds());
+        draft.bounds = Some(vc_people::bounds());
     }
 }
 

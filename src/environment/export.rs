@@ -1,17 +1,17 @@
 //! Export of the home in its present state to other programs.
 
+use vc_gltf::{GltfError, Stage, posed_scene};
 use vc_graph::asset::Joint;
 use vc_graph::{NodeId, Pose, Relation, SceneGraph};
+use vc_people::Bone;
 use vc_physics::World;
-use vc_procgen::gltf::{GltfError, Stage, posed_scene};
 
 use super::Environment;
-use crate::figure::Bone;
 
 impl Environment {
     /// The home in its present state as binary glTF (`.glb`): every thing at its pose, doors and drawers at
     /// their present opening, people standing or sitting as they are. Metres, Y up, as glTF requires. Takes
-    /// some hundredths of a second: `vc_procgen::gltf::posed_scene`.
+    /// some hundredths of a second: `vc_gltf::posed_scene`.
     ///
     /// ```no_run
     /// let home = virtualcity::Environment::make("apartment/42", 1)?;

@@ -14,7 +14,6 @@ use super::undo::Undo;
 use super::{
     Assets, Elsewhere, Environment, MakeError, SceneOptions, Start, Unplaced, astray, boxes, observe, scene, seats,
 };
-use crate::figure;
 
 /// How often relations are read at most, until the rooms of floors no longer change.
 const READINGS: usize = 4;
@@ -138,11 +137,11 @@ impl Environment {
         let mut library = builder.graph().assets().as_ref().clone();
         // Whoever is in the scene already has the first looks.
         let first = builder.graph().agents().len();
-        let people = (0..places.len()).map(|i| figure::add_to(&mut library, first + i));
+        let people = (0..places.len()).map(|i| vc_people::add_to(&mut library, first + i));
         let people: Vec<AssetId> = people.collect::<Result<_, _>>()?;
         builder.assets(Arc::new(library));
         for ((room, feet), person) in places.into_iter().zip(people) {
-            let draft = Draft { asset: Some(person), ..Draft::new("character").at(feet).bounds(figure::bounds()) };
+            let draft = Draft { asset: Some(person), ..Draft::new("character").at(feet).bounds(vc_people::bounds()) };
             let id = builder.add_in(room, draft)?;
             world.add_agent(id, BodyPlan::default(), feet)?;
         }

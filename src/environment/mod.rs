@@ -3,6 +3,7 @@
 mod act;
 mod alter;
 mod astray;
+mod body;
 mod boxes;
 mod compare;
 mod course;
@@ -95,7 +96,7 @@ pub struct Environment {
     history: History,
     undo: undo::Undo,
     /// What bodies are shown to do while an action takes its time.
-    poses: std::collections::BTreeMap<NodeId, crate::figure::Doing>,
+    poses: std::collections::BTreeMap<NodeId, vc_people::Doing>,
     #[cfg(feature = "render")]
     picture_cache: Arc<pictures::PictureCache>,
     #[cfg(feature = "render")]
@@ -210,7 +211,7 @@ impl Environment {
     }
 
     /// What a body is shown to do now.
-    pub(crate) fn doing(&self, agent: NodeId) -> crate::figure::Doing {
+    pub(crate) fn doing(&self, agent: NodeId) -> vc_people::Doing {
         self.poses.get(&agent).cloned().unwrap_or_default()
     }
 

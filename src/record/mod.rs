@@ -123,7 +123,7 @@ pub enum RecordError {
     Picture(#[from] RenderError<Label>),
     /// The scene could not be written as glTF.
     #[error("the scene cannot be written as glTF: {0}")]
-    Scene(#[from] vc_procgen::gltf::GltfError),
+    Scene(#[from] vc_gltf::GltfError),
     /// The agent that is followed is none of the environment's.
     #[error("{agent} is no agent of this environment; it has {}", listed(.there))]
     NoSuchAgent {

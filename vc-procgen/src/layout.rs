@@ -3,9 +3,9 @@
 use vc_graph::Seed;
 
 use crate::check;
+use crate::draft::Draft;
 use crate::error::Impossible;
 use crate::furnish::{self, Item, Rest};
-use crate::object::Draft;
 use crate::plan::{Plan, Programme, RoomKind};
 use crate::reach::Reach;
 use crate::{Specification, Style};

@@ -1,4 +1,4 @@
-//! Procedural generation of objects and apartments from a seed: the same bytes on every machine.
+//! Procedural generation of apartments from a seed: the same bytes on every machine.
 //!
 //! [`Apartment::from_seed`] generates a home: rooms with doors and windows, furniture, and clutter in its
 //! habitual places. [`Apartment::generate`] generates one for a [`Specification`], or reports the
@@ -16,36 +16,32 @@
 //! # Ok::<(), vc_procgen::Impossible>(())
 //! ```
 //!
-//! [`object::generator`] finds the generator of a class, [`catalogue`] enumerates instances of all classes,
-//! [`dress`] gives scenes of boxes the look of homes, and [`gltf`] exports any asset or scene and imports
-//! models from elsewhere.
+//! The objects come from `vc-shapes`, which this crate re-exports; [`dress`] gives scenes of boxes the look of
+//! homes.
 
 #![warn(clippy::disallowed_methods)]
 
 mod apartment;
-pub mod catalogue;
 pub mod check;
 mod clutter;
+mod draft;
 pub mod dress;
 mod error;
 mod fingerprint;
 pub mod furnish;
-pub mod gltf;
 mod layout;
-pub mod material;
-pub mod object;
 pub mod picture;
 pub mod plan;
 mod reach;
 mod scene;
+mod solids;
 mod specification;
 pub mod statistics;
 mod structure;
-mod style;
 
 pub use apartment::Apartment;
 pub use error::Impossible;
 pub use fingerprint::Fingerprint;
 pub use layout::Layout;
 pub use specification::Specification;
-pub use style::Style;
+pub use vc_shapes::{Style, catalogue, material, object};

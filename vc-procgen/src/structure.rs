@@ -8,9 +8,10 @@ use vc_graph::{Pose, Seed};
 use crate::Style;
 use crate::furnish::{Facing, Item, Rest};
 use crate::material::Mat;
-use crate::object::{self, Object, Solids};
+use crate::object::{self, Object};
 use crate::plan::{Opening, OpeningKind, Plan, Rect, RoomKind, metres};
 use crate::reach::doorway;
+use crate::solids::Solids;
 
 /// The thickness of floors and ceilings, metres.
 const SLAB: f32 = 0.2;

@@ -9,6 +9,7 @@ use std::sync::{Mutex, OnceLock};
 
 use vc_graph::asset::Joint;
 use vc_graph::{Kind, Label, Node, NodeId, ObjectRole, Pose, Property, Relation, State};
+use vc_people::{Bone, clothes};
 use vc_physics::Role;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
@@ -18,7 +19,6 @@ use self::light::{Lit, lit, switch};
 pub use self::options::PictureOptions;
 use crate::Environment;
 use crate::environment::position;
-use crate::figure::{Bone, clothes};
 
 /// By which share of the way rooms seen from above are made as bright as each other.
 const EVEN: f32 = 0.9;

@@ -4,12 +4,12 @@
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{Aabb, Action, Anthropometry, NodeId, Pose, Verb};
+use vc_people::{Doing, Reach};
 use vc_physics::Hand;
 
 use super::Player;
 use super::hands::side;
 use crate::environment::Environment;
-use crate::figure::{Doing, Reach};
 
 /// Share of a gesture in which the hand goes out, and equally in which it comes back.
 const EASE: f32 = 0.3;

@@ -3,13 +3,13 @@
 use nalgebra::Point3;
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
+use vc_people::{Doing, Reach, Side};
 use vc_physics::Hand;
 
 use super::{Player, between};
 use crate::environment::Environment;
 use crate::environment::course::{Drive, Put};
 use crate::environment::execute::load_of;
-use crate::figure::{Doing, Reach, Side};
 
 /// Seconds in which a hand goes out, and in which it comes back.
 const REACHING: f32 = 0.55;

@@ -19,7 +19,7 @@ use vc_physics::{Hand, Posture};
 use super::act::{self, Done};
 use super::course::{Beat, Course};
 use super::{ActionError, Environment, observe};
-use crate::figure::Skeleton;
+use vc_people::Skeleton;
 use walk::Passage;
 
 /// Seconds for what is only seen as done: dressing, letting go.

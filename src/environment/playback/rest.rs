@@ -1,11 +1,11 @@
 //! Sitting down, lying down and getting up: the transition between two postures.
 
 use vc_graph::Pose;
+use vc_people::{Doing, Skeleton};
 use vc_physics::Hand;
 
 use super::{Player, between};
 use crate::environment::Environment;
-use crate::figure::{Doing, Skeleton};
 
 /// Duration of the transition, seconds.
 const SETTLING: f32 = 1.0;

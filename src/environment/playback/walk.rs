@@ -2,11 +2,11 @@
 
 use nalgebra::{Point2, Translation3, Vector2};
 use vc_graph::{NodeId, Pose, Relation};
+use vc_people::Doing;
 
 use super::Player;
 use crate::environment::Environment;
 use crate::environment::execute::towards;
-use crate::figure::Doing;
 
 /// Distance to a door at which a walker opens it, and at which it shuts it, metres.
 const AT_DOOR: (f32, f32) = (1.1, 1.2);

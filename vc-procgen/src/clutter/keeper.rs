@@ -9,8 +9,9 @@ use vc_graph::{ClassTable, Pose, Property, Seed, State, Stream};
 
 use super::habits::studio_corner;
 use crate::apartment::Apartment;
+use crate::draft::Draft;
 use crate::furnish::{Area, Item, Rest, standing};
-use crate::object::{self, Draft, Object};
+use crate::object::{self, Object};
 use crate::plan::{RoomKind, Scheme};
 
 /// The gap between objects, and to a surface's edge, metres.

@@ -5,7 +5,7 @@ use vc_graph::asset::Hold;
 use vc_graph::{State, Stream};
 
 use super::keeper::Keeper;
-use crate::object::Draft;
+use crate::draft::Draft;
 
 /// Adds the objects that a piece needs, and those it usually has.
 pub(super) fn dress(k: &mut Keeper<'_>, amount: f32) {

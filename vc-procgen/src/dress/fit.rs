@@ -3,14 +3,13 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Asset, Seed};
+use vc_shapes::material::*;
+use vc_shapes::{Generator, Generators, Object, Style};
 
 use super::Made;
 use super::compose::{block, joined, moved};
 use super::load::{self, Load};
 use super::turn::Place;
-use crate::Style;
-use crate::material::*;
-use crate::object::{self, Generator, Object};
 
 /// The numbers of instances tried to find one that fills its box without stretching, and one that also
 /// supports the objects that the scene has on it.
@@ -49,9 +48,9 @@ const MATTER: [(&str, Mat); 12] = [
 ];
 
 /// Makes the object for a box, with its origin at the box's centre.
-pub(super) fn made(place: &Place, loads: &[Load], style: &Style, seed: Seed) -> Made {
+pub(super) fn made(generators: &Generators, place: &Place, loads: &[Load], style: &Style, seed: Seed) -> Made {
     let size = place.bounds.size().map(|v| v.max(THIN));
-    let Some(generator) = object::generator(&place.class) else {
+    let Some(generator) = generators.get(&place.class) else {
         return Made { asset: plain(&place.class, size), scale: Vector3::repeat(1.0) };
     };
     let row = ROWS.iter().find(|(class, most)| *class == &*place.class && size.y > *most * 1.3);

@@ -6,12 +6,14 @@ use std::sync::Arc;
 use nalgebra::Point2;
 use vc_geometry::Opening;
 use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, ObjectRole, Property, SceneGraph};
+use vc_shapes::Generators;
 
 use super::holders;
 
 /// The geometry of a scene that matters for the appearance and orientation of objects.
 pub(super) struct House<'g> {
     pub(super) graph: &'g SceneGraph,
+    pub(super) generators: &'g Generators,
     /// Floors.
     pub(super) floors: Vec<Aabb>,
     /// Straight pieces of wall.
@@ -30,7 +32,7 @@ pub(super) struct House<'g> {
 const WAY: (f32, f32) = (0.12, 1.6);
 
 impl<'g> House<'g> {
-    pub(super) fn of(graph: &'g SceneGraph) -> Self {
+    pub(super) fn of(graph: &'g SceneGraph, generators: &'g Generators) -> Self {
         let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
         let mut shapes = vc_geometry::shapes(graph);
         let (floor, wall, ceiling) = (ObjectRole::Floor, ObjectRole::Wall, ObjectRole::Ceiling);
@@ -39,6 +41,7 @@ impl<'g> House<'g> {
         let pieces = |n: &Node| shapes.get(&n.id()).map_or_else(Vec::new, |asset| pieces(n, asset));
         let mut house = Self {
             graph,
+            generators,
             floors: graph.of_role(floor).filter_map(Node::aabb).collect(),
             walls: graph.of_role(wall).flat_map(pieces).collect(),
             openings: vc_geometry::openings(graph),

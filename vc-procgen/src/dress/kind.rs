@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 use vc_graph::{Aabb, ClassTable, NodeId};
+use vc_shapes::Generators;
 
 use super::house::House;
-use crate::object;
 
 /// The facts about an object that determine its appearance.
 struct Facts {
@@ -51,7 +51,7 @@ const RULES: [Rule; 16] = [
 /// The class whose generator makes an object; its own class if there is no generator.
 pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -> Arc<str> {
     let Some(node) = house.graph.node(id) else { return "".into() };
-    let classes = house.graph.classes();
+    let (classes, generators) = (house.graph.classes(), house.generators);
     let name = node.spec().name.as_deref().unwrap_or(&node.spec().spelling);
     let facts = Facts {
         name: name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect(),
@@ -63,23 +63,23 @@ pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -
     let own = node.class();
     // A name may be more specific than the class: a kitchen chair is a chair.
     let said = classes.get(name).map(|c| &c.name).filter(|c| *c != own && classes.is_a(c, own));
-    let class = said.filter(|c| object::generator(c).is_some()).unwrap_or(own);
+    let class = said.filter(|c| generators.get(c).is_some()).unwrap_or(own);
     let rule = RULES.iter().find(|(of, holds, _)| **of == **class && holds(&facts));
     match rule {
         Some((_, _, like)) => (*like).into(),
-        None if object::generator(class).is_some() => class.clone(),
-        None => related(classes, class, id).unwrap_or_else(|| class.clone()),
+        None if generators.get(class).is_some() => class.clone(),
+        None => related(classes, generators, class, id).unwrap_or_else(|| class.clone()),
     }
 }
 
 /// A subclass that has a generator, or else the nearest superclass with one: any toy for a toy.
-fn related(classes: &ClassTable, class: &str, id: NodeId) -> Option<Arc<str>> {
+fn related(classes: &ClassTable, generators: &Generators, class: &str, id: NodeId) -> Option<Arc<str>> {
     let own = classes.get(class)?;
-    let kinds: Vec<&str> = object::generators().map(|g| g.class).filter(|c| classes.is_a(c, class)).collect();
+    let kinds: Vec<&str> = generators.iter().map(|g| g.class).filter(|c| classes.is_a(c, class)).collect();
     if !kinds.is_empty() {
         return Some(kinds[id.0 as usize % kinds.len()].into());
     }
-    let above = object::generators().filter_map(|g| classes.get(g.class)).filter(|c| classes.is_a(&own.name, &c.name));
+    let above = generators.iter().filter_map(|g| classes.get(g.class)).filter(|c| classes.is_a(&own.name, &c.name));
     // The nearest one has the fewest subclasses.
     above.min_by_key(|c| classes.kinds_of(c).count()).map(|c| c.name.clone())
 }

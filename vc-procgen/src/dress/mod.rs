@@ -1,6 +1,6 @@
 //! Shapes for homes of boxes: scenes whose objects have a class and a bounding box but no shape.
 //!
-//! [`dressed`] gives every such object the asset that its class's [generator](crate::object) makes in that
+//! [`dressed`] gives every such object the asset that its class's [generator](vc_shapes::object) makes in that
 //! size, rotated by quarter turns so that it faces the free floor. Walls are cut where doors and windows are;
 //! floors and walls get their room's material. An object without a generator gets a plain box of the material
 //! that its class suggests.
@@ -48,8 +48,8 @@ use vc_graph::{
     Seed,
 };
 
-use crate::Style;
-use crate::object;
+use vc_shapes::{Generator, Generators, Style};
+
 use house::House;
 
 /// The reason why a scene could not be given shapes.
@@ -80,8 +80,16 @@ pub fn seed_of(graph: &SceneGraph) -> Seed {
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
 pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError> {
-    let house = House::of(graph);
-    let mut wardrobe = Wardrobe::new(graph, seed)?;
+    dressed_by(graph, &Generators::default(), seed)
+}
+
+/// As [`dressed`], with the generators of a program's own classes beside the built-in ones.
+///
+/// # Errors
+/// [`DressError`] if a shape cannot be added to the scene.
+pub fn dressed_by(graph: &SceneGraph, generators: &Generators, seed: Seed) -> Result<SceneGraph, DressError> {
+    let house = House::of(graph, generators);
+    let mut wardrobe = Wardrobe::new(graph, generators, seed)?;
     let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
     needs.iter().for_each(|need| wardrobe.load(need));
     let looks = graph
@@ -98,10 +106,11 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
 pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, DressError> {
-    if !graph.nodes().any(|n| lacks_all(n).is_some()) {
+    let generators = Generators::default();
+    if !graph.nodes().any(|n| lacks_all(&generators, n).is_some()) {
         return Ok(None);
     }
-    let mut wardrobe = Wardrobe::new(graph, seed)?;
+    let mut wardrobe = Wardrobe::new(graph, &generators, seed)?;
     let looks = graph.nodes().map(|node| wardrobe.usual(node)).collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library).map(Some)
 }
@@ -123,7 +132,8 @@ struct Made {
 }
 
 /// The shapes made for a scene so far.
-struct Wardrobe {
+struct Wardrobe<'g> {
+    generators: &'g Generators,
     library: AssetLibrary,
     /// Where our materials are in the library.
     merged: Merged,
@@ -148,12 +158,12 @@ enum Need {
     Thing(turn::Place, Key, Vec<load::Load>),
 }
 
-impl Wardrobe {
-    fn new(graph: &SceneGraph, seed: Seed) -> Result<Self, AssetError> {
+impl<'g> Wardrobe<'g> {
+    fn new(graph: &SceneGraph, generators: &'g Generators, seed: Seed) -> Result<Self, AssetError> {
         let mut library = graph.assets().as_ref().clone();
         let merged = library.merge(&crate::material::library())?;
         let (made, stopped, loads) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-        Ok(Self { library, merged, style: Style::from_seed(seed), seed, made, stopped, loads })
+        Ok(Self { generators, library, merged, style: Style::from_seed(seed), seed, made, stopped, loads })
     }
 
     /// Determines the shape that a node needs.
@@ -193,7 +203,7 @@ impl Wardrobe {
             Some(known) => *known,
             None => {
                 let loads = self.loads.get(&key).map_or(&[][..], Vec::as_slice);
-                let made = fit::made(&place, loads, &self.style, self.seed.child(&key.0));
+                let made = fit::made(self.generators, &place, loads, &self.style, self.seed.child(&key.0));
                 let shift = bounds.offset.component_div(&made.scale);
                 let asset = self.add(compose::moved(made.asset, shift))?;
                 self.made.insert(key, (asset, made.scale));
@@ -227,7 +237,7 @@ impl Wardrobe {
 
     /// A shape of the class's usual size, if the node has neither shape nor box.
     fn usual(&mut self, node: &Node) -> Result<Option<Look>, AssetError> {
-        let Some(generator) = lacks_all(node) else { return Ok(None) };
+        let Some(generator) = lacks_all(self.generators, node) else { return Ok(None) };
         let made = generator.object(&self.style, self.seed.nth(u64::from(node.id().0)));
         let asset = self.add(made.asset)?;
         Ok(Some(Look { asset, pose: node.pose().copied(), bounds: made.bounds, scale: node.spec().scale }))
@@ -250,9 +260,9 @@ fn rounded(bounds: &Bounds) -> [i32; 6] {
 }
 
 /// The generator for a node, if the node has neither shape nor box.
-fn lacks_all(node: &Node) -> Option<&'static object::Generator> {
+fn lacks_all<'g>(generators: &'g Generators, node: &Node) -> Option<&'g Generator> {
     let bare = node.kind() == Kind::Object && node.spec().asset.is_none() && node.spec().bounds.is_none();
-    object::generator(node.class()).filter(|_| bare)
+    generators.get(node.class()).filter(|_| bare)
 }
 
 fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) -> Result<SceneGraph, DressError> {

@@ -9,7 +9,7 @@ use super::house::{House, goes_around};
 use crate::Style;
 use crate::furnish::Facing;
 use crate::material::{self, Mat};
-use crate::object::{self, Generator, Object};
+use crate::object::{Generator, Object};
 
 /// The thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
@@ -141,7 +141,7 @@ fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
 fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let hole = hole(house, opening);
     let shut = house.is_frame(node.id()) && leads_out(house, &hole, opening.across);
-    let generator = object::generator(if shut { "main_door" } else { node.class() })?;
+    let generator = house.generators.get(if shut { "main_door" } else { node.class() })?;
     let size = hole.max - hole.min;
     let size = if opening.across == 0 { size } else { Vector3::new(size.y, size.x, size.z) };
     let seed = seed.child(node.spec().name.as_deref().unwrap_or("opening"));

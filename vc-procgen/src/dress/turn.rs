@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, Point2, Rotation3, UnitQuaternion, Vector2, Vector3};
 use vc_graph::{Aabb, Bounds, Frame, NodeId, ObjectRole, Pose, Property};
+use vc_shapes::Generators;
 
 use super::house::{House, is_seat};
 use super::kind;
 use crate::furnish::Facing;
-use crate::object;
 
 /// The placement of an object: the class it is made as, its pose, and its box in its own axes.
 pub(super) struct Place {
@@ -48,7 +48,7 @@ pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) ->
     let rotation = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn) * lain.turn();
     let pose = Isometry3::from_parts(pose.translation, rotation);
     let half = lain.own(if front % 2 == 1 { Vector3::new(size.y, size.x, size.z) } else { size }) / 2.0;
-    let half = grown(&class, half);
+    let half = grown(house.generators, &class, half);
     let offset = rotation.inverse() * bounds.offset;
     let bounds = Bounds { offset, half, frame: Frame::Object };
     let taken = taken(house, id, &box_, front);
@@ -89,9 +89,9 @@ impl Lain {
 
 /// Half a size with mistakes of the scene corrected: a dimension far below the class's usual range is
 /// replaced by the least of that range.
-fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
+fn grown(generators: &Generators, class: &str, half: Vector3<f32>) -> Vector3<f32> {
     const MISTAKEN: f32 = 3.0;
-    let Some(ranges) = object::usual_ranges(class) else { return half };
+    let Some(ranges) = generators.usual_ranges(class) else { return half };
     Vector3::from_fn(|i, _| {
         let least = ranges[i].low / 2.0;
         if half[i] * MISTAKEN < least { least } else { half[i] }
@@ -100,9 +100,9 @@ fn grown(class: &str, half: Vector3<f32>) -> Vector3<f32> {
 
 /// How far the proportions of a size are from those of a class: the sum over its dimensions of the
 /// logarithmic distance from the usual range, after a common scaling.
-fn misfit(class: &str, size: Vector3<f32>) -> f32 {
+fn misfit(generators: &Generators, class: &str, size: Vector3<f32>) -> f32 {
     use vc_graph::portable::Portable;
-    let Some(ranges) = object::usual_ranges(class) else { return 0.0 };
+    let Some(ranges) = generators.usual_ranges(class) else { return 0.0 };
     let off = Vector3::from_fn(|i, _| {
         let size = size[i].max(1e-3);
         let fair = size.clamp(ranges[i].low, ranges[i].high.max(ranges[i].low));
@@ -116,7 +116,7 @@ fn lain(house: &House, id: NodeId, class: &str, size: Vector3<f32>) -> Lain {
     let carried = house.graph.node(id).is_some_and(|n| n.affords(Property::Graspable));
     let fit = |lain: Lain| {
         let swapped = Vector3::new(size.y, size.x, size.z);
-        misfit(class, lain.own(size)).min(misfit(class, lain.own(swapped)))
+        misfit(house.generators, class, lain.own(size)).min(misfit(house.generators, class, lain.own(swapped)))
     };
     let best = [Lain::Side, Lain::Back].into_iter().min_by(|a, b| fit(*a).total_cmp(&fit(*b)));
     best.filter(|l| carried && fit(*l) + LIES < fit(Lain::Upright)).unwrap_or(Lain::Upright)
@@ -205,7 +205,8 @@ impl Surroundings<'_, '_> {
     /// The best facing direction among those that the proportions of the box allow.
     fn best(&self, class: &str, lain: &Lain, score: impl Fn(u8) -> f32) -> u8 {
         let size = self.around.max - self.around.min;
-        let fit = [size, Vector3::new(size.y, size.x, size.z)].map(|s| misfit(class, lain.own(s)));
+        let fit =
+            [size, Vector3::new(size.y, size.x, size.z)].map(|s| misfit(self.house.generators, class, lain.own(s)));
         let allowed: &[u8] = match fit[0] - fit[1] {
             d if d < -DOUBT => &[0, 2],
             d if d > DOUBT => &[1, 3],

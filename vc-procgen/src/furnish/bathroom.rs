@@ -3,8 +3,8 @@
 use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Rest, Setter};
+use crate::draft::Draft;
 use crate::error::Impossible;
-use crate::object::Draft;
 use crate::plan::RoomKind;
 
 /// The number of attempts to place the fittings.

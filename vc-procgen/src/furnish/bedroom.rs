@@ -3,8 +3,8 @@
 use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Facing, Rest, Setter};
+use crate::draft::Draft;
 use crate::error::Impossible;
-use crate::object::Draft;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {

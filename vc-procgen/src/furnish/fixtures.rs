@@ -133,7 +133,7 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
 }
 
 /// Hangs an object on a wall where it may cover a window.
-fn hang_over(s: &mut Setter<'_>, object: &crate::object::Draft, side: usize, along: f32, z: f32) -> Option<usize> {
+fn hang_over(s: &mut Setter<'_>, object: &crate::draft::Draft, side: usize, along: f32, z: f32) -> Option<usize> {
     let wall: &Side = &s.space.sides[side];
     let size = object.size();
     // Farther off the wall than the sill board's joint and the skirting.

@@ -3,8 +3,8 @@
 use super::Setter;
 use super::place::{Need, Spot};
 use super::space::OFF_WALL;
+use crate::draft::Draft;
 use crate::error::Impossible;
-use crate::object::Draft;
 use crate::plan::RoomKind;
 
 /// The depth and height of units, metres.

@@ -3,8 +3,9 @@
 use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Facing, Rest, Setter};
+use crate::draft::Draft;
 use crate::error::Impossible;
-use crate::object::{Draft, Object};
+use crate::object::Object;
 
 pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Impossible> {
     sitting(s)?;

@@ -25,8 +25,9 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::{Pose, Seed, State, Stream};
 
 use crate::Style;
+use crate::draft::Draft;
 use crate::error::Impossible;
-use crate::object::{Draft, Object};
+use crate::object::Object;
 use crate::plan::{OpeningKind, Plan, RoomKind};
 use space::{Solid, Space};
 

@@ -4,8 +4,8 @@ use super::Setter;
 use super::bedroom::{bookcase, desk, in_corner};
 use super::place::Need;
 use super::space::Solid;
+use crate::draft::Draft;
 use crate::error::Impossible;
-use crate::object::Draft;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {

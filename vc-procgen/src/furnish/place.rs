@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::area::{Area, Facing};
 use super::space::{OFF_WALL, Side, Solid};
 use super::{Rest, Setter};
-use crate::object::Draft;
+use crate::draft::Draft;
 
 /// The number of spots tried for a piece, the best first.
 const TRIED: usize = 8;

@@ -1,0 +1,77 @@
+//! Objects that are planned before they are generated.
+
+use std::cell::OnceCell;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use vc_graph::{Asset, Bounds, Seed};
+use vc_shapes::Style;
+use vc_shapes::object::{Generator, Object, generator, usual_size};
+
+/// A planned object: placements are found by its size alone, and the object is generated once it
+/// has one.
+#[derive(Debug, Clone)]
+pub(crate) struct Draft {
+    pub(crate) class: &'static str,
+    size: Vector3<f32>,
+    source: Source,
+}
+
+#[derive(Debug, Clone)]
+enum Source {
+    Made(Arc<Object>),
+    /// Clones of a draft share the generated object.
+    Planned(&'static Generator, Seed, Rc<OnceCell<Arc<Object>>>),
+}
+
+impl Draft {
+    /// A draft no larger than `size`; `None` if the class has no generator.
+    pub(crate) fn sized(class: &str, size: Vector3<f32>, seed: Seed) -> Option<Self> {
+        let generator = generator(class)?;
+        Some(Self { class: generator.class, size, source: Source::Planned(generator, seed, Rc::default()) })
+    }
+
+    /// A draft of the class's usual size.
+    pub(crate) fn usual(class: &str, seed: Seed) -> Option<Self> {
+        Self::sized(class, usual_size(class, seed), seed)
+    }
+
+    /// A draft of an existing object.
+    pub(crate) fn of(object: Arc<Object>) -> Self {
+        Self { class: object.class, size: object.size(), source: Source::Made(object) }
+    }
+
+    /// Its class.
+    pub(crate) fn class(&self) -> &'static str {
+        self.class
+    }
+
+    /// The upper bounds of depth, width and height, metres.
+    pub(crate) fn size(&self) -> Vector3<f32> {
+        self.size
+    }
+
+    /// Its box without any parts, used to find a placement.
+    pub(crate) fn outline(&self) -> Object {
+        Object { class: self.class, asset: Asset::default(), bounds: Bounds::standing(self.size) }
+    }
+
+    /// The object with sole ownership.
+    pub(crate) fn into_object(self, style: &Style) -> Object {
+        match self.source {
+            Source::Made(object) => Arc::unwrap_or_clone(object),
+            Source::Planned(generator, seed, _) => generator.sized(self.size, style, seed),
+        }
+    }
+
+    /// The shared object, generated on first use.
+    pub(crate) fn object(&self, style: &Style) -> Arc<Object> {
+        match &self.source {
+            Source::Made(object) => object.clone(),
+            Source::Planned(generator, seed, made) => {
+                made.get_or_init(|| Arc::new(generator.sized(self.size, style, *seed))).clone()
+            }
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Parametric object generators: from a class, a size, a style and a seed to an asset.
+//!
+//! Each family of classes has a module with a table of [`Generator`]s. A generator is a function
+//! that builds parts; nothing is loaded from files.
+
+mod joinery;
+mod mirror;
+mod registry;
+mod rest;
+// families
+mod bath;
+mod bed;
+mod book;
+mod clothes;
+mod cooker;
+mod decor;
+mod food;
+mod furnishing;
+mod games;
+mod garden;
+mod kitchenware;
+mod lamp;
+mod pack;
+mod park;
+mod plant;
+mod play;
+mod seat;
+mod sport;
+mod storage;
+mod street;
+mod structure;
+mod table;
+mod tech;
+mod textile;
+mod tool;
+mod vehicle;
+mod yard;
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use nalgebra::Vector3;
+use vc_graph::class::Range;
+use vc_graph::{Asset, Bounds, Class, ClassTable, ObjectRole, Seed};
+
+use crate::solid::Build;
+use crate::style::Style;
+pub use registry::{Generators, RegisterError};
+
+/// The generator of one class of objects.
+#[derive(Debug, Clone, Copy)]
+pub struct Generator {
+    /// The class, as in the class table.
+    pub class: &'static str,
+    /// Whether the class belongs indoors or outdoors.
+    pub realm: Realm,
+    /// The number of instances in the [catalogue](crate::catalogue).
+    pub instances: usize,
+    /// The usual depth, width and height of a class of the program's own; others have theirs in the built-in table.
+    size: Option<[Range; 3]>,
+    make: fn(&mut Build<'_>),
+}
+
+/// The places where objects of a class belong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Realm {
+    /// Inside buildings.
+    Indoor,
+    /// In gardens, streets and parks.
+    Outdoor,
+}
+
+const fn indoor(class: &'static str, instances: usize, make: fn(&mut Build<'_>)) -> Generator {
+    Generator::new(class, Realm::Indoor, instances, make)
+}
+
+const fn outdoor(class: &'static str, instances: usize, make: fn(&mut Build<'_>)) -> Generator {
+    Generator::new(class, Realm::Outdoor, instances, make)
+}
+
+const FAMILIES: &[&[Generator]] = &[
+    seat::GENERATORS,
+    table::GENERATORS,
+    bed::GENERATORS,
+    storage::GENERATORS,
+    cooker::GENERATORS,
+    bath::GENERATORS,
+    furnishing::GENERATORS,
+    lamp::GENERATORS,
+    structure::GENERATORS,
+    kitchenware::GENERATORS,
+    food::GENERATORS,
+    pack::GENERATORS,
+    tech::GENERATORS,
+    book::GENERATORS,
+    decor::GENERATORS,
+    plant::GENERATORS,
+    textile::GENERATORS,
+    clothes::GENERATORS,
+    tool::GENERATORS,
+    sport::GENERATORS,
+    games::GENERATORS,
+    play::GENERATORS,
+    garden::GENERATORS,
+    yard::GENERATORS,
+    park::GENERATORS,
+    street::GENERATORS,
+    vehicle::GENERATORS,
+];
+
+/// All generators, by family.
+pub fn generators() -> impl Iterator<Item = &'static Generator> {
+    FAMILIES.iter().copied().flatten()
+}
+
+/// Finds the generator of a class.
+pub fn generator(class: &str) -> Option<&'static Generator> {
+    static BY_CLASS: LazyLock<HashMap<&'static str, &'static Generator>> =
+        LazyLock::new(|| generators().map(|g| (g.class, g)).collect());
+    BY_CLASS.get(class).copied()
+}
+
+/// An asset of a class, with its size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Object {
+    /// The class.
+    pub class: &'static str,
+    /// Parts and surfaces.
+    pub asset: Asset,
+    /// The bounding box of all parts, relative to the object's pose.
+    pub bounds: Bounds,
+}
+
+impl Object {
+    /// The depth, width and height, metres.
+    pub fn size(&self) -> Vector3<f32> {
+        self.bounds.size()
+    }
+
+    /// The role that it has in a scene.
+    pub fn role(&self) -> ObjectRole {
+        ClassTable::builtin().get(self.class).map_or(ObjectRole::Furniture, Class::role)
+    }
+}
+
+impl Generator {
+    /// A generator from a function that builds the parts; `instances` is the number in the catalogue.
+    pub const fn new(class: &'static str, realm: Realm, instances: usize, make: fn(&mut Build<'_>)) -> Self {
+        Self { class, realm, instances, size: None, make }
+    }
+
+    /// Generates an instance of the class's usual size.
+    pub fn object(&self, style: &Style, seed: Seed) -> Object {
+        let ranges = self.size.or_else(|| usual_ranges(self.class));
+        self.sized(drawn_size(ranges, seed), style, seed)
+    }
+
+    /// Generates an instance no larger than `size` (depth, width, height in metres).
+    pub fn sized(&self, size: Vector3<f32>, style: &Style, seed: Seed) -> Object {
+        let mut build = Build::new(self.class, size, style, seed.child("object").stream());
+        (self.make)(&mut build);
+        let (asset, bounds) = build.finish();
+        Object { class: self.class, asset, bounds }
+    }
+}
+
+/// The usual ranges of a class's depth, width and height, metres.
+pub fn usual_ranges(class: &str) -> Option<[Range; 3]> {
+    static RANGES: LazyLock<HashMap<&'static str, [Range; 3]>> = LazyLock::new(|| {
+        let classes = ClassTable::builtin();
+        generators().filter_map(|g| Some((g.class, classes.get(g.class)?.size?))).collect()
+    });
+    RANGES.get(class).copied()
+}
+
+/// The lower bounds of the usual depth, width and height of a class, metres.
+pub fn least_size(class: &str) -> Option<Vector3<f32>> {
+    usual_ranges(class).map(|r| r.map(|r| r.low).into())
+}
+
+/// Draws a size from the class's usual range: depth, width, height, metres.
+pub fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
+    drawn_size(usual_ranges(class), seed)
+}
+
+fn drawn_size(ranges: Option<[Range; 3]>, seed: Seed) -> Vector3<f32> {
+    let mut rng = seed.child("size").stream();
+    ranges.map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
+}

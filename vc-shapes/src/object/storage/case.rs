@@ -1,0 +1,473 @@
+//! Case furniture: a box of boards divided into columns, each a stack of open compartments, doors
+//! and drawers.
+
+use std::f32::consts::FRAC_PI_2;
+
+use crate::material::{BLACK, GLASS, MIRROR, Mat};
+use crate::object::joinery::{BOARD, GAP, Handle, Side, drawer, handle};
+use crate::object::table::frame::Four;
+use crate::solid::{Axis, Build, Cut, P};
+
+/// The kind of a compartment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::object) enum Cell {
+    /// Open in front, with this many spaces above each other.
+    Open(usize),
+    /// Behind doors, with this many spaces.
+    Doors(Look, usize),
+    /// This many drawers above each other.
+    Drawers(usize),
+    /// A rod under a shelf, behind doors.
+    Hang(Look),
+    /// A rod under a shelf, without doors of its own.
+    Rod,
+    /// Behind a front that folds down.
+    Flap(Look),
+}
+
+impl Cell {
+    fn has_front(self) -> bool {
+        !matches!(self, Self::Open(_) | Self::Rod)
+    }
+}
+
+/// The design of a front.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::object) enum Look {
+    /// A plain board.
+    Flat,
+    /// A frame around a recessed panel.
+    Framed,
+    /// A frame around glass.
+    Glass,
+    /// A board with a mirror on it.
+    Mirror,
+    /// A frame with slanting slats.
+    Louvred,
+    /// Upright strips on a board.
+    Reeded,
+    /// Sheet metal with rows of slots.
+    Vented,
+}
+
+impl Look {
+    /// Draws a design of solid fronts.
+    pub(in crate::object) fn any(b: &mut Build<'_>) -> Self {
+        b.one(&[Self::Flat, Self::Flat, Self::Framed, Self::Framed, Self::Reeded])
+    }
+}
+
+/// A column: its share of the width, and its cells from bottom to top with their shares of the
+/// height.
+pub(in crate::object) type Column = (f32, Vec<(f32, Cell)>);
+
+/// A case between two corners; its fronts are at the higher X.
+pub(in crate::object) struct Case {
+    /// The lowest corner.
+    pub(in crate::object) low: P,
+    /// The highest corner, without handles.
+    pub(in crate::object) high: P,
+    /// The columns, from the lower Y to the higher.
+    pub(in crate::object) columns: Vec<Column>,
+    /// The handles of doors and drawers.
+    pub(in crate::object) handle: Handle,
+    /// The material of boards.
+    pub(in crate::object) body: Mat,
+    /// The material of fronts.
+    pub(in crate::object) front: Mat,
+    /// The material of the upper board.
+    pub(in crate::object) lid: Mat,
+    /// The material of handles.
+    pub(in crate::object) metal: Mat,
+}
+
+/// Counters for each kind of surface, used in their names.
+#[derive(Default)]
+pub(in crate::object) struct Tally {
+    shelves: usize,
+    drawers: usize,
+    doors: usize,
+    rods: usize,
+}
+
+fn next(prefix: &str, count: &mut usize) -> String {
+    *count += 1;
+    format!("{prefix}_{count}")
+}
+
+/// The clear space of a cell and the rectangle of its front, in Y and Z.
+struct Space {
+    low: P,
+    high: P,
+    front_y: (f32, f32),
+    front_z: (f32, f32),
+    /// The outer side, where a single door has its hinge.
+    hinge: Side,
+}
+
+/// The ends of spaces that share a length by weight, with gaps between them.
+fn shares(from: f32, to: f32, gap: f32, weights: impl Iterator<Item = f32> + Clone) -> Vec<(f32, f32)> {
+    let count = weights.clone().count();
+    let free = to - from - gap * count.saturating_sub(1) as f32;
+    let total: f32 = weights.clone().sum::<f32>().max(1e-6);
+    let mut at = from;
+    weights
+        .map(|w| {
+            let end = at + free * w / total;
+            let space = (at, end);
+            at = end + gap;
+            space
+        })
+        .collect()
+}
+
+impl Case {
+    /// Builds the case, its fronts and its surfaces.
+    pub(in crate::object) fn build(&self, b: &mut Build<'_>) {
+        self.counted(b, &mut Tally::default());
+    }
+
+    /// Builds it as one of several in a piece, which share the counters of their surfaces.
+    pub(in crate::object) fn counted(&self, b: &mut Build<'_>, tally: &mut Tally) {
+        let (t, low, high) = (BOARD, self.low, self.high);
+        let closed = self.columns.iter().flat_map(|c| &c.1).any(|c| c.1.has_front());
+        let front = if closed { high[0] - t } else { high[0] - 0.002 };
+        let (z0, z1) = (low[2] + t, high[2] - t);
+        b.block("bottom", low, [high[0], high[1], z0], self.body);
+        b.block("top", [low[0], low[1], z1], high, self.lid);
+        b.block("side", [low[0], low[1], z0], [front, low[1] + t, z1], self.body);
+        b.block("side", [low[0], high[1] - t, z0], [front, high[1], z1], self.body);
+        b.block("back", [low[0] + 0.001, low[1] + t, z0], [low[0] + 0.008, high[1] - t, z1], self.body);
+        let columns = shares(low[1] + t, high[1] - t, t, self.columns.iter().map(|c| c.0));
+        let last = columns.len().saturating_sub(1);
+        for (i, (y, column)) in columns.into_iter().zip(&self.columns).enumerate() {
+            if i > 0 {
+                b.block("divider", [low[0] + 0.008, y.0 - t, z0], [front - 0.001, y.0, z1], self.body);
+            }
+            let front_y =
+                (if i == 0 { low[1] } else { y.0 - t / 2.0 }, if i == last { high[1] } else { y.1 + t / 2.0 });
+            let hinge = if i == last { Side::Left } else { Side::Right };
+            let stack = shares(z0, z1, t, column.1.iter().map(|c| c.0));
+            let top = stack.len().saturating_sub(1);
+            for (k, (z, &(_, cell))) in stack.into_iter().zip(&column.1).enumerate() {
+                if k > 0 {
+                    b.block("board", [low[0] + 0.008, y.0, z.0 - t], [front - 0.002, y.1, z.0], self.body);
+                }
+                let front_z = (if k == 0 { z.0 } else { z.0 - t / 2.0 }, if k == top { z.1 } else { z.1 + t / 2.0 });
+                let (low, high) = ([low[0] + 0.008, y.0, z.0], [front, y.1, z.1]);
+                self.cell(b, cell, &Space { low, high, front_y, front_z, hinge }, tally);
+            }
+        }
+    }
+
+    fn cell(&self, b: &mut Build<'_>, cell: Cell, space: &Space, tally: &mut Tally) {
+        match cell {
+            Cell::Open(count) => self.shelves(b, space, count, 0.004, tally),
+            Cell::Doors(look, count) => {
+                self.shelves(b, space, count, 0.02, tally);
+                self.doors(b, space, look, tally);
+            }
+            Cell::Drawers(count) => self.drawers(b, space, count, tally),
+            Cell::Hang(look) => {
+                self.rod(b, space, tally);
+                self.doors(b, space, look, tally);
+            }
+            Cell::Rod => self.rod(b, space, tally),
+            Cell::Flap(look) => {
+                self.shelves(b, space, 1, 0.02, tally);
+                self.flap(b, space, look, tally);
+            }
+        }
+    }
+
+    fn shelves(&self, b: &mut Build<'_>, space: &Space, count: usize, set_back: f32, tally: &mut Tally) {
+        let t = BOARD;
+        let weights = std::iter::repeat_n(1.0, count.max(1));
+        for (i, (z0, z1)) in shares(space.low[2], space.high[2], t, weights).into_iter().enumerate() {
+            let (low, high) = (space.low, [space.high[0] - set_back, space.high[1], z1]);
+            if i > 0 {
+                b.block("shelf", [low[0], low[1], z0 - t], [high[0], high[1], z0], self.body);
+            }
+            self.floor(b, &next("shelf", &mut tally.shelves), [low[0], low[1], z0], high, z1 - z0 - 0.005);
+        }
+    }
+
+    /// A surface that covers the bottom of a space.
+    fn floor(&self, b: &mut Build<'_>, name: &str, low: P, high: P, clearance: f32) {
+        let half = |i: usize| ((high[i] - low[i]) / 2.0 - 0.005).max(0.001);
+        let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), low[2]];
+        b.inside(name, centre, (half(0), half(1)), clearance.max(0.01));
+    }
+
+    fn rod(&self, b: &mut Build<'_>, space: &Space, tally: &mut Tally) {
+        let (low, high) = (space.low, [space.high[0] - 0.02, space.high[1], space.high[2]]);
+        let tall = high[2] - low[2];
+        let upper = (tall * 0.2).clamp(0.05, 0.35);
+        let shelf = high[2] - upper;
+        b.block("shelf", [low[0], low[1], shelf - BOARD], [high[0], high[1], shelf], self.body);
+        self.floor(b, &next("shelf", &mut tally.shelves), [low[0], low[1], shelf], high, upper - 0.005);
+        let (x, z) = (f32::midpoint(low[0], high[0]), shelf - BOARD - 0.05);
+        b.rod("rod", [x, low[1], z], [x, high[1], z], 0.0125, self.metal);
+        let shoes = (tall * 0.15).min(0.25);
+        self.floor(b, &next("shelf", &mut tally.shelves), low, high, shoes);
+        let wide = high[1] - low[1];
+        let count = ((wide - 0.08) / 0.09).clamp(1.0, 8.0) as usize;
+        for i in 0..count {
+            let y = low[1] + wide * (i as f32 + 0.5) / count as f32;
+            b.hook(&next("rod", &mut tally.rods), [x, y, z - 0.0125], (z - low[2] - shoes - 0.03).max(0.05));
+        }
+    }
+
+    fn doors(&self, b: &mut Build<'_>, space: &Space, look: Look, tally: &mut Tally) {
+        let (y0, y1) = space.front_y;
+        let middle = f32::midpoint(y0, y1);
+        let pair = [(y0, middle, Side::Right), (middle, y1, Side::Left)];
+        let single = [(y0, y1, space.hinge)];
+        for &(y0, y1, side) in if y1 - y0 > 0.62 { &pair[..] } else { &single[..] } {
+            let (low, high) = ([space.high[0], y0, space.front_z.0], [self.high[0], y1, space.front_z.1]);
+            let name = next("door", &mut tally.doors);
+            leaf(b, &name, (low, high), side, (look, self.handle), (self.front, self.metal));
+        }
+    }
+
+    fn drawers(&self, b: &mut Build<'_>, space: &Space, count: usize, tally: &mut Tally) {
+        // A drawer lower than a hand is only a blind front.
+        let tall = space.front_z.1 - space.front_z.0;
+        let weights = std::iter::repeat_n(1.0, count.min((tall / 0.085) as usize).max(1));
+        for (z0, z1) in shares(space.front_z.0, space.front_z.1, 0.0, weights) {
+            let (low, high) = ([space.low[0], space.front_y.0, z0], [self.high[0], space.front_y.1, z1]);
+            if tall < 0.062 {
+                b.block("front", [space.high[0], low[1], z0], high, self.front);
+                continue;
+            }
+            let name = next("drawer", &mut tally.drawers);
+            drawer(b, &name, low, high, self.handle, (self.front, self.body, self.metal));
+        }
+    }
+
+    fn flap(&self, b: &mut Build<'_>, space: &Space, look: Look, tally: &mut Tally) {
+        let ((y0, y1), (z0, z1), g) = (space.front_y, space.front_z, GAP / 2.0);
+        let (low, high) = ([space.high[0], y0 + g, z0 + g], [self.high[0], y1 - g, z1 - g]);
+        b.hinge([high[0], 0.0, low[2]], [0.0, 1.0, 0.0], FRAC_PI_2, |b| {
+            panel(b, &next("door", &mut tally.doors), low, high, look, self.front);
+            let z = (high[2] - 0.05).max(f32::midpoint(low[2], high[2]));
+            let length = ((y1 - y0) * 0.4).min(0.2);
+            handle(b, self.handle, [high[0], f32::midpoint(y0, y1), z], length, false, self.metal);
+        });
+    }
+}
+
+/// A hinged front of a given design that fills a rectangle with a gap around it.
+pub(in crate::object) fn leaf(
+    b: &mut Build<'_>,
+    name: &str,
+    (low, high): (P, P),
+    side: Side,
+    (look, kind): (Look, Handle),
+    mats: (Mat, Mat),
+) {
+    let g = GAP / 2.0;
+    let (low, high) = ([low[0], low[1] + g, low[2] + g], [high[0], high[1] - g, high[2] - g]);
+    let inset = 0.035_f32.min((high[1] - low[1]) * 0.2);
+    let (hinge, grip, turn) = match side {
+        Side::Left => (high[1], low[1] + inset, 1.0),
+        Side::Right => (low[1], high[1] - inset, -1.0),
+    };
+    b.hinge([high[0], hinge, low[2]], [0.0, 0.0, turn], FRAC_PI_2 * 1.1, |b| {
+        panel(b, name, low, high, look, mats.0);
+        let tall = high[2] - low[2];
+        let length = (tall * 0.35).min(0.18);
+        // At hand height, as far as the door extends that far.
+        let margin = (length / 2.0 + 0.04).min(tall / 2.0);
+        let z = 1.05_f32.min(high[2] - margin).max(low[2] + margin);
+        handle(b, kind, [high[0], grip, z], length, true, mats.1);
+    });
+}
+
+/// A front between two corners, facing X.
+pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, look: Look, mat: Mat) {
+    let (wide, tall, thick) = (high[1] - low[1], high[2] - low[2], high[0] - low[0]);
+    let w = 0.055_f32.min(wide.min(tall) * 0.22);
+    let inner = |x0: f32, x1: f32| ([x0, low[1] + w, low[2] + w], [x1, high[1] - w, high[2] - w]);
+    match look {
+        Look::Flat => b.block(name, low, high, mat),
+        Look::Framed => {
+            frame(b, name, low, high, w, mat);
+            let (l, h) = inner(low[0] + 0.001, high[0] - thick * 0.4);
+            b.block("panel", l, h, mat);
+        }
+        Look::Glass => {
+            frame(b, name, low, high, w, mat);
+            let (l, h) = inner(low[0] + thick * 0.4, low[0] + thick * 0.7);
+            b.block("pane", l, h, GLASS);
+        }
+        Look::Mirror => {
+            let face = high[0] - thick * 0.2;
+            b.block(name, low, [face, high[1], high[2]], mat);
+            let rim = 0.01_f32.min(w);
+            b.block("mirror", [face, low[1] + rim, low[2] + rim], [high[0], high[1] - rim, high[2] - rim], MIRROR);
+        }
+        Look::Louvred => {
+            frame(b, name, low, high, w, mat);
+            // A thin panel behind the slats hides the contents.
+            let (l, h) = inner(low[0] + 0.001, low[0] + thick * 0.2);
+            b.block("panel", l, h, mat);
+            let count = ((tall - 2.0 * w) / 0.055).clamp(2.0, 14.0) as usize;
+            let pitch = (tall - 2.0 * w) / count as f32;
+            for i in 0..count {
+                let z = low[2] + w + pitch * i as f32;
+                let (x0, x1) = (low[0] + thick * 0.2 - 0.0005, high[0] - 0.002);
+                let outline = [(x0, z + pitch * 0.55), (x1, z), (x1, z + pitch * 0.4), (x0, z + pitch * 0.95)];
+                b.prism("slat", Axis::Y, [0.0, low[1] + w, 0.0], &outline, wide - 2.0 * w, mat);
+            }
+        }
+        Look::Vented => {
+            let face = high[0] - 0.001;
+            b.block(name, low, [face, high[1], high[2]], mat);
+            for (i, end) in (0..4).flat_map(|i| [(i, high[2] - w), (i, low[2] + w + 0.06)]) {
+                let z = end - 0.018 * i as f32;
+                b.block(
+                    "vent",
+                    [face - 0.002, low[1] + wide * 0.3, z - 0.006],
+                    [high[0], high[1] - wide * 0.3, z],
+                    BLACK,
+                );
+            }
+        }
+        Look::Reeded => {
+            let face = high[0] - thick * 0.4;
+            b.block(name, low, [face, high[1], high[2]], mat);
+            let count = (wide / 0.045).clamp(3.0, 14.0) as usize;
+            let pitch = wide / count as f32;
+            for i in 0..count {
+                let y = low[1] + pitch * i as f32;
+                b.block("reed", [face, y + pitch * 0.2, low[2]], [high[0], y + pitch * 0.8, high[2]], mat);
+            }
+        }
+    }
+}
+
+/// Four boards around a rectangle, `w` wide.
+pub(in crate::object) fn frame(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: Mat) {
+    b.block(name, low, [high[0], low[1] + w, high[2]], mat);
+    b.block(name, [low[0], high[1] - w, low[2]], high, mat);
+    b.block(name, [low[0], low[1] + w, low[2]], [high[0], high[1] - w, low[2] + w], mat);
+    b.block(name, [low[0], low[1] + w, high[2] - w], [high[0], high[1] - w, high[2]], mat);
+}
+
+/// The stand of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::object) enum Stand {
+    /// Its own bottom, or the wall it hangs on.
+    None,
+    /// A base recessed in front.
+    Plinth,
+    /// Upright legs.
+    Legs,
+    /// Round splayed legs.
+    Splayed,
+    /// A frame of square tube.
+    Tube,
+}
+
+impl Stand {
+    /// How high it lifts the case, metres.
+    pub(in crate::object) fn height(self, b: &mut Build<'_>) -> f32 {
+        match self {
+            Self::None => 0.0,
+            Self::Plinth => b.vary(0.05, 0.09),
+            Self::Legs | Self::Tube => b.vary(0.1, 0.18),
+            Self::Splayed => b.vary(0.13, 0.2),
+        }
+    }
+
+    /// Builds the stand under a rectangle.
+    pub(in crate::object) fn build(self, b: &mut Build<'_>, low: P, high: P, mat: Mat, metal: Mat) {
+        let (x, y, h) = ((high[0] - low[0]) / 2.0, (high[1] - low[1]) / 2.0, low[2]);
+        let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), 0.0];
+        let thick = 0.018_f32.min(x * 0.2);
+        b.at(centre, 0.0, |b| match self {
+            Self::None => {}
+            Self::Plinth if h < 0.003 => {}
+            Self::Plinth => b.block("plinth", [-x + 0.002, -y + 0.002, 0.0], [x * 0.88, y - 0.002, h], mat),
+            Self::Legs => Four::upright((x - 0.01, y - 0.01), h, (thick, thick * 1.3), Cut::Square).build(b, mat),
+            Self::Splayed => {
+                let (feet, heads) = ((x - 0.012, y - 0.03), (x - 0.05_f32.min(x * 0.3), y - 0.12_f32.min(y * 0.3)));
+                let four = Four { feet, heads, height: h, radii: (thick * 0.65, thick * 1.2), cut: Cut::Round };
+                four.build(b, mat);
+            }
+            Self::Tube => {
+                let t = 0.022_f32.min(x * 0.2);
+                let (x, y) = (x - 0.02, y - 0.03);
+                Four::upright((x, y), h, (t / 2.0, t / 2.0), Cut::Square).build(b, metal);
+                for side in [-1.0_f32, 1.0] {
+                    let (a, c) = (side * y, side * (y - t));
+                    b.block("tube", [-x + t, a.min(c), 0.0], [x - t, a.max(c), t], metal);
+                }
+            }
+        });
+    }
+}
+
+/// A piece of case furniture that fills the requested size.
+pub(in crate::object) struct Piece {
+    /// See [`Case::columns`].
+    pub(in crate::object) columns: Vec<Column>,
+    /// The handles.
+    pub(in crate::object) handle: Handle,
+    /// The stand.
+    pub(in crate::object) stand: Stand,
+    /// The material of boards.
+    pub(in crate::object) body: Mat,
+    /// The material of fronts.
+    pub(in crate::object) front: Mat,
+    /// The material of the top.
+    pub(in crate::object) lid: Mat,
+    /// How far the top protrudes over sides and fronts.
+    pub(in crate::object) overhang: f32,
+    /// Whether the top is a surface for objects.
+    pub(in crate::object) carries: bool,
+}
+
+impl Piece {
+    /// A piece of one material that stands on a plinth.
+    pub(in crate::object) fn new(columns: Vec<Column>, body: Mat) -> Self {
+        Self {
+            columns,
+            handle: Handle::None,
+            stand: Stand::Plinth,
+            body,
+            front: body,
+            lid: body,
+            overhang: 0.0,
+            carries: true,
+        }
+    }
+
+    /// Builds it on its stand, with a height that the stand draws.
+    pub(in crate::object) fn build(self, b: &mut Build<'_>) {
+        let lift = self.stand.height(b).min(b.size.z * 0.3);
+        self.lifted(b, lift);
+    }
+
+    /// Builds it, lifted by a height.
+    pub(in crate::object) fn lifted(self, b: &mut Build<'_>, lift: f32) {
+        let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
+        let metal = b.style.metal;
+        let closed = self.columns.iter().flat_map(|c| &c.1).any(|c| c.1.has_front());
+        let grip = if closed { self.handle.depth() } else { 0.0 };
+        let o = self.overhang;
+        let (slab, front) = (if o > 0.0 { 0.022 } else { 0.0 }, x - grip.max(o));
+        let (low, high) = ([-x, -y + o, lift], [front, y - o, h - slab]);
+        self.stand.build(b, low, [front - if closed { BOARD } else { 0.0 }, high[1], high[2]], self.body, metal);
+        if o > 0.0 {
+            b.soft("lid", [-x, -y, h - slab], [front + o, y, h], 0.005, self.lid);
+        }
+        let Self { columns, handle, body, front: face, lid, .. } = self;
+        let lid = if o > 0.0 { body } else { lid };
+        Case { low, high, columns, handle, body, front: face, lid, metal }.build(b);
+        if self.carries {
+            b.top("top", [f32::midpoint(-x, front), 0.0, h], ((front + x) / 2.0 - 0.01, y - 0.01));
+        }
+    }
+}
