@@ -342,6 +342,9 @@ impl Impossible {
     /// Whether another body or a piece of the home is in the way, rather than the deed
     /// being beyond bodies.
     pub fn is_in_the_way(&self) -> bool {
-        matches!(self, Self::NoStand(_) | Self::NoSpot { .. } | Self::Stuck { .. } | Self::Unsteady(_))
+        matches!(
+            self,
+            Self::NoStand(_) | Self::NoSpot { .. } | Self::ShutsIn { .. } | Self::Stuck { .. } | Self::Unsteady(_)
+        )
     }
 }

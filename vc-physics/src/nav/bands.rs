@@ -97,6 +97,19 @@ impl Bands {
         &gates[from as usize..(from + count) as usize]
     }
 
+    /// All bands to which there is a way from one, itself included.
+    pub(crate) fn joined(&self, first: u32) -> Vec<&Band> {
+        let mut met = vec![false; self.all.len()];
+        let (mut open, mut joined) = (vec![first], Vec::new());
+        while let Some(band) = open.pop() {
+            if !std::mem::replace(&mut met[band as usize], true) {
+                joined.push(&self.all[band as usize]);
+                open.extend([false, true].iter().flat_map(|up| self.gates(band, *up)).map(|gate| gate.band));
+            }
+        }
+        joined
+    }
+
     /// The band of a cell.
     pub(crate) fn at(&self, column: usize, row: usize) -> Option<u32> {
         let &(from, count) = self.rows.get(row)?;

@@ -1,5 +1,7 @@
 //! A grid of bits, one for each cell of the floor.
 
+use std::ops::Range;
+
 use nalgebra::Point2;
 
 use super::outline::Outline;
@@ -90,9 +92,24 @@ impl Raster {
         })
     }
 
+    /// Sets the cells of a rectangle.
+    pub(crate) fn fill(&mut self, columns: Range<usize>, rows: Range<usize>) {
+        rows.for_each(|row| self.set(row, columns.start, columns.end, true));
+    }
+
     /// Number of set cells.
     pub(crate) fn count(&self) -> usize {
-        self.bits.iter().map(|w| w.count_ones() as usize).sum()
+        self.count_of(|word, _| word)
+    }
+
+    /// Number of bits in what is made of each word and its position.
+    pub(crate) fn count_of(&self, make: impl Fn(u64, usize) -> u64) -> usize {
+        self.bits.iter().enumerate().map(|(i, word)| make(*word, i).count_ones() as usize).sum()
+    }
+
+    /// The word at a position.
+    pub(crate) fn word(&self, index: usize) -> u64 {
+        self.bits[index]
     }
 
     /// A point in units of cells.
