@@ -186,7 +186,9 @@ impl Environment {
         // They are there, and their scales are sound.
         folded.iter().for_each(|(id, scale)| drop(edit.set_scale(*id, *scale)));
         let sizes = edit.commit();
-        let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain([agent]).collect();
+        // An agent that only waves is where it was, and so is all around it.
+        let acted = (!changes.changes().is_empty()).then_some(agent);
+        let changed: Vec<NodeId> = changes.changes().iter().filter_map(holder).chain(acted).collect();
         let looked = observe::look_again(&mut observed, &self.start, &self.world, &mut self.relations, &changed);
         let action_text = action.describe(&self.graph).to_string();
         let impossible = |why| ActionError::Impossible { action: action_text.clone(), why };
@@ -301,6 +303,9 @@ impl Impossible {
     /// Whether another body or a piece of the home is in the way, rather than the deed
     /// being beyond bodies.
     pub fn is_in_the_way(&self) -> bool {
-        matches!(self, Self::NoStand(_) | Self::NoSpot { .. } | Self::Stuck { .. } | Self::Unsteady(_))
+        matches!(
+            self,
+            Self::NoStand(_) | Self::NoSpot { .. } | Self::ShutsIn { .. } | Self::Stuck { .. } | Self::Unsteady(_)
+        )
     }
 }

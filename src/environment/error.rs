@@ -178,6 +178,14 @@ pub enum Impossible {
         /// The things that are there already.
         by: Vec<Label>,
     },
+    /// Wherever there is room for it, it would shut somebody in.
+    #[error("{thing} would be in the way wherever it fits on {at}, and shut somebody in: put it down elsewhere")]
+    ShutsIn {
+        /// The thing to be put down.
+        thing: Label,
+        /// The floor on which there is room, but no way past it.
+        at: Label,
+    },
     /// It rolls or slides off wherever it is put there.
     #[error("{0} does not stay where it is put there: take out or move what it would lie on")]
     Unsteady(Label),

@@ -1,8 +1,9 @@
 //! Single actions with bodies: opening, fetching, putting down, and refusals.
 
 use virtualcity::graph::{Action, Kind, NodeId, Place, Pose, Relation, State, Verb};
+use virtualcity::nalgebra::Point2;
 use virtualcity::physics::{Hand, Role};
-use virtualcity::{ActionError, Environment};
+use virtualcity::{ActionError, Environment, Impossible};
 
 use super::{act, home};
 
@@ -149,4 +150,40 @@ fn a_dishwasher_shuts_however_its_bowls_lie() {
             assert_eq!(inside(&home), full, "{verb:?}");
         }
     }
+}
+
+/// Wherever one drops a pillow or a blanket in a narrow kitchen, one gets past it, and so does everybody else.
+#[test]
+fn nobody_is_shut_in_by_what_is_dropped() {
+    let mut home = home(42, 2);
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    let (kitchen, hall) = (home.graph().of_class("kitchen")[0], home.graph().of_class("living_room")[0]);
+    let (low, high) = home.graph().node(kitchen).and_then(|n| n.aabb()).map(|b| (b.min, b.max)).unwrap();
+    home.teleport(other, kitchen).unwrap();
+    let mut dropped = 0;
+    for class in ["pillow", "blanket"] {
+        let thing = home.graph().of_class(class)[0];
+        act(&mut home, me, Verb::Walk, &[thing]);
+        act(&mut home, me, Verb::Grab, &[thing]);
+        for step in 1..6 {
+            let along = low + (high - low) * (step as f32 / 6.0);
+            if home.teleport(me, Point2::new(along.x, 1.2)).is_err() {
+                continue;
+            }
+            let put = home.set_action(me, Action::one(Verb::Drop, thing));
+            match put {
+                Ok(_) => dropped += 1,
+                Err(ActionError::Impossible { why: Impossible::ShutsIn { .. }, .. }) => continue,
+                Err(other) => panic!("{other}"),
+            }
+            for agent in [me, other] {
+                let out = home.can_do(agent, &Action::one(Verb::Walk, hall));
+                assert!(out.is_ok(), "{class} dropped from {along}: {}", out.unwrap_err());
+            }
+            act(&mut home, me, Verb::Grab, &[thing]);
+        }
+        act(&mut home, me, Verb::Walk, &[hall]);
+        act(&mut home, me, Verb::Drop, &[thing]);
+    }
+    assert!(dropped > 3, "{dropped}");
 }

@@ -172,11 +172,13 @@ fn actions_cost_what_the_first_did() {
             for _ in 0..PART {
                 let agent = *stream.pick(home.agents()).unwrap();
                 let action = virtualcity::legal_action(home.graph(), agent, &mut stream);
+                let fullness = fullness(&home, agent);
                 let start = cpu_time::ThreadTime::now();
                 let succeeded = home.set_action(agent, action).is_ok();
-                times.push(start.elapsed());
+                let cost = start.elapsed();
+                times.push(cost);
                 done += u64::from(succeeded);
-                costs.push(((action.verb.to_string(), succeeded), start.elapsed().as_secs_f64()));
+                costs.push(((action.verb.to_string(), succeeded, fullness), cost.as_secs_f64()));
             }
             times.sort_unstable();
             let mean = times.iter().sum::<std::time::Duration>().as_secs_f64() * 1e3 / PART as f64;
@@ -208,8 +210,14 @@ fn actions_cost_what_the_first_did() {
     }
 }
 
-/// The kind of an action, and whether it succeeded.
-type Sort = (String, bool);
+/// The kind of an action, whether it succeeded, and how full the place was.
+type Sort = (String, bool, u32);
+
+/// How often the number of things near an agent can be halved: an action looks at each of them again.
+fn fullness(home: &Environment, agent: NodeId) -> u32 {
+    let near = home.graph().related(agent, virtualcity::graph::Relation::Near).count();
+    near.checked_ilog2().unwrap_or_default()
+}
 
 /// The cost of some actions relative to that of others: each sort is weighted by the number that both have, at
 /// its mean cost in each.
@@ -232,7 +240,7 @@ fn like_with_like(first: &[(Sort, f64)], last: &[(Sort, f64)]) -> f64 {
 #[test]
 fn like_is_compared_with_like() {
     let costs =
-        |of: &[(&str, f64)]| of.iter().map(|(verb, cost)| ((verb.to_string(), true), *cost)).collect::<Vec<_>>();
+        |of: &[(&str, f64)]| of.iter().map(|(verb, cost)| ((verb.to_string(), true, 3), *cost)).collect::<Vec<_>>();
     let (first, last) =
         (costs(&[("walk", 1.0), ("walk", 3.0), ("open", 9.0)]), costs(&[("walk", 3.0), ("grab", 50.0)]));
     assert_eq!(like_with_like(&first, &last), 1.5);

@@ -55,6 +55,12 @@ impl Pair {
         }
     }
 
+    /// Whether the two are more than near each other, so that the supports of one may depend on the other.
+    pub(crate) fn is_bound(&self) -> bool {
+        let known = [self.gap, self.rest, self.over].iter().any(|f| f.is_finite());
+        known || self.is_below || self.inside || self.hooked || self.seated
+    }
+
     fn says_something(self) -> bool {
         let known = [self.gap, self.distance, self.rest, self.over].iter().any(|f| f.is_finite());
         known || self.inside || self.hooked || self.seated

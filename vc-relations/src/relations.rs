@@ -12,7 +12,7 @@ use crate::facts::{Facts, hands_of};
 use crate::near::Side;
 use crate::rule::Rule;
 use crate::support::{Support, Supports};
-use crate::world::World;
+use crate::world::{Met, World};
 use crate::{box_trace, virtual_home};
 
 /// A thing near another.
@@ -177,15 +177,15 @@ impl Relations {
     }
 
     fn update_each(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Option<Vec<NodeId>> {
-        let mut met = Vec::new();
+        let mut met = Met::default();
         for &id in changed {
             let index = self.world.index(id)?;
             let before = self.world.bodies[index].as_deref().map(|b| b.region);
-            met.extend(self.world.update(graph, id, &self.evidence)?);
-            met.push(index as u32);
-            met.extend(self.watchers(index, before));
+            self.world.update(graph, id, &self.evidence, &mut met)?;
+            met.bound.push(index as u32);
+            met.beside.extend(self.watchers(index, before));
             let hands = self.look_at_hands(graph, id);
-            met.extend(
+            met.bound.extend(
                 hands.iter().flat_map(|e| [e.from, e.to]).filter_map(|end| self.world.index(end)).map(|i| i as u32),
             );
         }

@@ -33,6 +33,15 @@ pub(crate) struct World {
     forms: Forms,
 }
 
+/// The bodies whose relations may have changed with another's.
+#[derive(Debug, Default)]
+pub(crate) struct Met {
+    /// Those whose supports may have changed, and with them those of others.
+    pub(crate) bound: Vec<u32>,
+    /// Those that are or were only near it, or only see it.
+    pub(crate) beside: Vec<u32>,
+}
+
 /// Forms by asset, computed on first use; clones share them.
 #[derive(Debug, Clone, Default)]
 struct Forms {
@@ -138,10 +147,10 @@ impl World {
         self.pairs = pairs;
     }
 
-    /// Reads one node again and measures its pairs. Returns the bodies it had pairs with before and has now;
-    /// `None` if the scene must be rebuilt, as for a room or part of the building, an unknown node, or one that
-    /// was not lookable before.
-    pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence) -> Option<Vec<u32>> {
+    /// Reads one node again and measures its pairs. Adds the bodies it had pairs with before and has now; `None` if
+    /// the scene must be rebuilt, as for a room or part of the building, an unknown node, or one that was not
+    /// lookable before.
+    pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence, met: &mut Met) -> Option<()> {
         let index = self.index(id)?;
         let node = graph.node(id);
         let body = node.and_then(|n| self.body(n, evidence));
@@ -154,17 +163,28 @@ impl World {
         if node.is_none() {
             self.gone.insert(id);
         }
-        let mut met: Vec<u32> = self.pairs[index].iter().map(|p| p.other).collect();
-        for &other in &met {
-            self.pairs[other as usize].retain(|p| p.other as usize != index);
+        self.meet(index, met);
+        for pair in std::mem::take(&mut self.pairs[index]) {
+            let theirs = &mut self.pairs[pair.other as usize];
+            if let Ok(at) = theirs.binary_search_by_key(&(index as u32), |p| p.other) {
+                theirs.remove(at);
+            }
         }
         self.tree.set(index, region(&body));
         self.bodies[index] = body;
         self.pairs[index] = self.measure_one(index);
-        met.extend(self.pairs[index].iter().map(|p| p.other));
-        met.sort_unstable();
-        met.dedup();
-        Some(met)
+        self.meet(index, met);
+        Some(())
+    }
+
+    /// Adds the bodies with which a body has pairs.
+    fn meet(&self, index: usize, met: &mut Met) {
+        for pair in &self.pairs[index] {
+            let back = self.pair(pair.other as usize, index);
+            let bound = pair.is_bound() || back.is_some_and(Pair::is_bound);
+            let list = if bound { &mut met.bound } else { &mut met.beside };
+            list.push(pair.other);
+        }
     }
 
     /// Measures the pairs of one body; the opposite directions are put into the others' lists.
@@ -209,10 +229,11 @@ impl World {
         found
     }
 
-    /// Extends a set of bodies by those that touch them or may rest on them by joint or contact, directly or
+    /// Extends the bound bodies by those that touch them or may rest on them by joint or contact, directly or
     /// through others, but not through the building, and by those below any of these, as their supports and the
-    /// things they are under depend on each other. Returns the nodes, by number.
-    pub(crate) fn spread(&self, mut met: Vec<u32>, facts: &Facts) -> Vec<NodeId> {
+    /// things they are under depend on each other. Returns the nodes with those beside, by number.
+    pub(crate) fn spread(&self, met: Met, facts: &Facts) -> Vec<NodeId> {
+        let Met { bound: mut met, beside } = met;
         let mut known = vec![false; self.bodies.len()];
         met.retain(|&m| !std::mem::replace(&mut known[m as usize], true));
         let mut next = 0;
@@ -237,6 +258,7 @@ impl World {
                 }
             }
         }
+        met.extend(beside.into_iter().filter(|&m| !std::mem::replace(&mut known[m as usize], true)));
         met.sort_unstable();
         met.into_iter().map(|m| self.ids[m as usize]).collect()
     }

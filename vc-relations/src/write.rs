@@ -105,13 +105,18 @@ fn carriers_first(own: Vec<(NodeId, Vec<Edge>)>) -> Vec<(NodeId, Vec<Edge>)> {
 /// Writes the relations of one kind that start at a node, if the graph has others. Symmetric ones may already
 /// exist from the other end.
 fn replace(edit: &mut vc_graph::Edit<'_>, id: NodeId, relation: Relation, edges: &[Edge]) -> Result<(), EditError> {
-    let new = || edges.iter().filter(|e| e.relation == relation);
-    let old: Vec<NodeId> = edit.graph().related(id, relation).collect();
-    if old.iter().any(|to| new().all(|e| e.to != *to)) {
-        edit.unrelate(id, &[relation])?;
-        return new().try_for_each(|e| edit.relate(*e));
+    // Both are sorted, and mostly there is nothing to do.
+    let new = || edges.iter().filter(|e| e.relation == relation).map(|e| e.to);
+    if edit.graph().related(id, relation).eq(new()) {
+        return Ok(());
     }
-    new().filter(|e| !old.contains(&e.to)).try_for_each(|e| edit.relate(*e))
+    let (mut old, new): (Vec<NodeId>, Vec<NodeId>) = (edit.graph().related(id, relation).collect(), new().collect());
+    if old.iter().any(|to| new.binary_search(to).is_err()) {
+        edit.unrelate(id, &[relation])?;
+        old.clear();
+    }
+    let added = new.into_iter().filter(|to| old.binary_search(to).is_err());
+    added.map(|to| Edge::new(id, relation, to)).try_for_each(|edge| edit.relate(edge))
 }
 
 /// Whether a graph has a node in the room and at the places that the edges give, with these places in the same

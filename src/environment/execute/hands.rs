@@ -1,6 +1,6 @@
 //! What hands do: take, put down, let go, dress.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Edge, EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
 use vc_physics::{Hand, Order, Role};
 
@@ -91,7 +91,7 @@ impl Execution<'_> {
             return Ok(());
         }
         self.clear_away(id, around)?;
-        if let Some(middle) = self.world.free_spot_at(id, place.at, inside, Order::Middle)? {
+        if let Some(middle) = self.spot_in_order(id, place, Order::Middle)? {
             self.world.place(id, middle)?;
             self.revise(middle, false);
             if self.comes_to_rest(id, place, middle, around) {
@@ -177,6 +177,7 @@ impl Execution<'_> {
     /// start, it goes back to where it was, however tight. Else cloth is folded up, what is
     /// there is pushed together, and into containers things are put on the others at last.
     pub(in crate::environment) fn spot(&mut self, id: NodeId, place: Place) -> Result<Pose, Impossible> {
+        self.floor.update(self.world);
         let held = self.start.world.role(id) == Some(Role::Hung);
         let mut spot = if held { self.spot_as_begun(id, place)? } else { None };
         if spot.is_none() {
@@ -194,12 +195,18 @@ impl Execution<'_> {
         if spot.is_none() && place.relation == Relation::Inside {
             spot = self.world.heaped_spot_in(id, place.at, self.near_hands())?;
         }
-        spot.ok_or_else(|| Impossible::NoSpot {
-            thing: self.before.label(id),
-            where_: if place.relation == Relation::Inside { "in" } else { "on" },
-            at: self.before.label(place.at),
-            by: self.before.relating(place.relation, place.at).map(|by| self.before.label(by)).collect(),
-        })
+        spot.map_or_else(|| Err(self.no_spot(id, place)?), Ok)
+    }
+
+    /// The error for a thing without a spot at a place.
+    fn no_spot(&self, id: NodeId, place: Place) -> Result<Impossible, Impossible> {
+        let (thing, at) = (self.before.label(id), self.before.label(place.at));
+        let inside = place.relation == Relation::Inside;
+        if !inside && self.world.free_spot_at(id, place.at, inside, self.near_hands())?.is_some() {
+            return Ok(Impossible::ShutsIn { thing, at });
+        }
+        let by = self.before.relating(place.relation, place.at).map(|by| self.before.label(by)).collect();
+        Ok(Impossible::NoSpot { thing, where_: if inside { "in" } else { "on" }, at, by })
     }
 
     /// Where a thing was at its place at the start, if nothing has come there since.
@@ -213,7 +220,22 @@ impl Execution<'_> {
     }
 
     fn free_spot(&self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
-        Ok(self.world.free_spot_at(id, place.at, place.relation == Relation::Inside, self.near_hands())?)
+        self.spot_in_order(id, place, self.near_hands())
+    }
+
+    /// The first free spot at a place where the thing shuts nobody in.
+    fn spot_in_order(&self, id: NodeId, place: Place, order: Order) -> Result<Option<Pose>, Impossible> {
+        let inside = place.relation == Relation::Inside;
+        let admits = |spot: &Pose| inside || self.shuts_nobody_in(id, spot);
+        Ok(self.world.free_spot_where(id, place.at, inside, order, admits)?)
+    }
+
+    /// Whether all agents, with a thing at a pose, still reach the floor that they reach now.
+    fn shuts_nobody_in(&self, id: NodeId, pose: &Pose) -> bool {
+        let stood = |agent| self.world.stood(agent).or_else(|| self.world.pose(agent));
+        let feet = self.world.agents().filter_map(stood).map(|feet| feet.translation.vector.xy().into());
+        let feet: Vec<Point2<f32>> = feet.collect();
+        self.floor.stays_open(self.world, id, pose, &feet).unwrap_or(true)
     }
 
     /// Pushes together what is on or in a thing, away from the hands or to a side, the largest first, until
@@ -298,7 +320,7 @@ impl Execution<'_> {
         let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
         // Where it falls it may hang on a table's edge until something shakes it, or lie on a
         // book: on the floor beside these it stays.
-        if let Some(spot) = self.floor_spot(id).filter(|spot| self.puts_from(&self.feet(), id, spot))
+        if let Some(spot) = self.floor_spot(id)?
             && self.world.put(self.agent, hand, spot).is_ok()
         {
             self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
@@ -310,16 +332,39 @@ impl Execution<'_> {
     }
 
     /// A free spot for a thing on the floor before the agent's feet, or beside them or behind where
-    /// only that is in the room.
-    pub(super) fn floor_spot(&self, id: NodeId) -> Option<Pose> {
-        let ground = self.before.place(self.agent).filter(|_| self.stands())?;
+    /// only that is in the room and in reach; where it would shut somebody in, after a step, one on the rest of the
+    /// floor. None where it can only fall.
+    fn floor_spot(&mut self, id: NodeId) -> Result<Option<Pose>, Impossible> {
+        let Some(ground) = self.before.place(self.agent).filter(|_| self.stands()) else { return Ok(None) };
+        self.floor.update(self.world);
+        let place = Place { relation: Relation::On, at: ground.at };
         let room = self.before.room_of(self.agent);
-        let spot = |ahead: f32| {
-            let at = self.feet() * Point3::new(ahead, 0.0, 0.0);
-            self.world.free_spot_at(id, ground.at, false, Order::Near(at)).ok().flatten()
-        };
         let here = |spot: &Pose| self.start.room_at(spot.translation.vector.xy().into()) == room;
-        [AHEAD, 0.0, -AHEAD].into_iter().filter_map(spot).find(here)
+        for ahead in [AHEAD, 0.0, -AHEAD] {
+            let order = Order::Near(self.feet() * Point3::new(ahead, 0.0, 0.0));
+            let spot = self.spot_in_order(id, place, order)?;
+            if let Some(spot) = spot.filter(|spot| here(spot) && self.puts_from(&self.feet(), id, spot)) {
+                return Ok(Some(spot));
+            }
+        }
+        self.floor_spot_after_a_step(id, place, here)
+    }
+
+    /// A free spot on the rest of a floor, to which the agent steps.
+    fn floor_spot_after_a_step(
+        &mut self,
+        id: NodeId,
+        ground: Place,
+        here: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Pose>, Impossible> {
+        if let Some(spot) = self.free_spot(id, ground)?.filter(here) {
+            let stepped = self.step_to(ground.at, id, &spot).is_ok();
+            return Ok(Some(spot).filter(|spot| stepped && self.puts_from(&self.feet(), id, spot)));
+        }
+        match self.no_spot(id, ground)? {
+            shut @ Impossible::ShutsIn { .. } => Err(shut),
+            _ => Ok(None),
+        }
     }
 }
 

@@ -78,7 +78,11 @@ fn near(a: &Pose, b: &Pose) -> bool {
 
 /// Poses of a thing's links.
 fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
-    let base = world.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
+    poses_at(world, thing, world.engine.pose(thing.state.base).unwrap_or_else(Pose::identity))
+}
+
+/// Poses of its links if it were at a pose.
+fn poses_at(world: &World, thing: &Thing, base: Pose) -> Vec<Pose> {
     let part = |(i, link): (usize, &Link)| {
         let position = world.part_position(thing, i).unwrap_or(0.0);
         link.joint.map_or(base, |j| base * j.motion(position))
@@ -115,6 +119,13 @@ fn goes_along(world: &World, thing: &Thing, point: &Point2<f32>, plan: &FloorPla
     let over = |outline: &Outline| contains(outline, std::slice::from_ref(point));
     let in_the_way = |low, high| is_in_the_way(plan, low, high);
     open.any(|(link, pose)| outlines(&thing.form.links[link], pose, in_the_way).iter().any(over))
+}
+
+/// The area that a thing would cover at a pose.
+pub(crate) fn outlines_at(world: &World, thing: &Thing, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+    let poses = poses_at(world, thing, *pose);
+    let links = thing.form.links.iter().zip(&poses);
+    links.flat_map(|(link, pose)| outlines(link, pose, |low, high| is_in_the_way(plan, low, high))).collect()
 }
 
 /// Outlines of the relevant pieces of a link, selected by their lower and upper heights.

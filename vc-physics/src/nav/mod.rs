@@ -3,6 +3,7 @@
 pub(crate) mod avoid;
 mod cover;
 mod occupancy;
+mod open;
 mod stand;
 
 use nalgebra::Point2;
@@ -171,9 +172,12 @@ impl Floor {
     /// The shortest path from one point to another. A point up to 0.6 m off the free floor (a person close to a
     /// table) is moved there first. `None` if there is no path.
     pub fn route(&self, from: Point2<f32>, to: Point2<f32>) -> Option<Route> {
-        let (points, length) = self.corners(from, to)?;
+        self.corners(from, to).map(|(points, length)| self.with_doors(points, length))
+    }
+
+    fn with_doors(&self, points: Vec<Point2<f32>>, length: f32) -> Route {
         let doors = self.doors_on(&points);
-        Some(Route { points, length, doors })
+        Route { points, length, doors }
     }
 
     fn corners(&self, from: Point2<f32>, to: Point2<f32>) -> Option<(Vec<Point2<f32>>, f32)> {

@@ -61,23 +61,25 @@ impl Floor {
             .map(|spot| ((spot - from).norm(), spot))
             .collect();
         spots.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.x.total_cmp(&b.1.x)).then(a.1.y.total_cmp(&b.1.y)));
-        let mut best: Option<(Route, Point2<f32>)> = None;
+        let mut best: Option<(Vec<Point2<f32>>, f32, Point2<f32>)> = None;
         for (straight, spot) in spots {
             // No path is shorter than the straight line.
-            if best.as_ref().is_some_and(|(route, _)| straight >= route.length) {
+            if best.as_ref().is_some_and(|(_, length, _)| straight >= *length) {
                 break;
             }
             if !self.reaches(world, plan, spot, id)? || !admits(&self.feet(spot, &aabb.centre())) {
                 continue;
             }
-            if let Some(route) = self.route(from, spot)
-                && best.as_ref().is_none_or(|(b, _)| route.length < b.length)
+            if let Some((points, length)) = self.corners(from, spot)
+                && best.as_ref().is_none_or(|(_, least, _)| length < *least)
             {
-                best = Some((route, spot));
+                best = Some((points, length, spot));
             }
         }
         let centre = aabb.centre();
-        Ok(best.map(|(route, spot)| Stand { feet: self.feet(spot, &centre), route }))
+        let stand =
+            |(points, length, spot)| Stand { feet: self.feet(spot, &centre), route: self.with_doors(points, length) };
+        Ok(best.map(stand))
     }
 
     fn feet(&self, spot: Point2<f32>, towards: &Point3<f32>) -> Pose {

@@ -41,14 +41,33 @@ impl World {
         inside: bool,
         order: Order,
     ) -> Result<Option<Pose>, PhysicsError> {
+        self.close_spot_where(id, at, inside, order, &|_| true)
+    }
+
+    /// The same at a spot that satisfies a condition, which is tested last.
+    pub(super) fn close_spot_where(
+        &self,
+        id: NodeId,
+        at: NodeId,
+        inside: bool,
+        order: Order,
+        admits: &dyn Fn(&Pose) -> bool,
+    ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
         let (hold, ways) = if inside { (Hold::Inside, &INTO[..]) } else { (Hold::On, &ONTO[..]) };
         let shelves = self.shelves_that(below, hold);
         let mut all = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
-        Ok(all.find_map(|(way, shelf)| self.close_spot_among(thing, shelf, way, order)))
+        Ok(all.find_map(|(way, shelf)| self.close_spot_among(thing, shelf, way, order, admits)))
     }
 
-    fn close_spot_among(&self, thing: &Thing, shelf: &Shelf, way: &Way, order: Order) -> Option<Pose> {
+    fn close_spot_among(
+        &self,
+        thing: &Thing,
+        shelf: &Shelf,
+        way: &Way,
+        order: Order,
+        admits: &dyn Fn(&Pose) -> bool,
+    ) -> Option<Pose> {
         let whole = self.whole_top(shelf);
         let borne = |spot: &Pose| shelf.hold != Hold::On || self.is_borne(thing, spot, shelf.id);
         self.turns_of(thing, way).iter().find_map(|turn| {
@@ -59,7 +78,9 @@ impl World {
                     && self.is_clear(thing, spot)
                     && self.each_overlap(&column, &at, thing.id, &mut |id| !self.is_loose_on(shelf, id))
             };
-            spots(thing.form.extent, &whole, turn, (0.0, way.over), PITCH, order).into_iter().find(free)
+            spots(thing.form.extent, &whole, turn, (0.0, way.over), PITCH, order)
+                .into_iter()
+                .find(|spot| free(spot) && admits(spot))
         })
     }
 

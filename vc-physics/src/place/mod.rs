@@ -224,12 +224,27 @@ impl World {
         inside: bool,
         order: Order,
     ) -> Result<Option<Pose>, PhysicsError> {
+        self.free_spot_where(id, at, inside, order, |_| true)
+    }
+
+    /// As [`Self::free_spot_at`], at a spot that satisfies a condition, which is tested last.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn free_spot_where(
+        &self,
+        id: NodeId,
+        at: NodeId,
+        inside: bool,
+        order: Order,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Pose>, PhysicsError> {
         let apart = if inside {
-            self.spot_by(&INTO, id, at, Hold::Inside, order)?
+            self.spot_by(&INTO, id, at, Hold::Inside, order, &admits)?
         } else {
-            self.spot_by(&ONTO, id, at, Hold::On, order)?
+            self.spot_by(&ONTO, id, at, Hold::On, order, &admits)?
         };
-        if apart.is_some() { Ok(apart) } else { self.close_spot_at(id, at, inside, order) }
+        if apart.is_some() { Ok(apart) } else { self.close_spot_where(id, at, inside, order, &admits) }
     }
 
     /// As [`Self::free_spot_at`], a little above what is in a container, upon which the thing is
@@ -238,7 +253,7 @@ impl World {
     /// # Errors
     /// [`PhysicsError::NoBody`].
     pub fn heaped_spot_in(&self, id: NodeId, at: NodeId, order: Order) -> Result<Option<Pose>, PhysicsError> {
-        self.spot_by(&HEAP, id, at, Hold::Inside, order)
+        self.spot_by(&HEAP, id, at, Hold::Inside, order, &|_| true)
     }
 
     fn spot_by(
@@ -248,13 +263,14 @@ impl World {
         at: NodeId,
         hold: Hold,
         order: Order,
+        admits: &dyn Fn(&Pose) -> bool,
     ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
         let mut shelves = self.shelves_that(below, hold);
         // What is put on a stove goes to a burner that is free, not beside what is on another.
         shelves.sort_by_cached_key(|shelf| is_burner(shelf) && !self.is_bare(shelf));
         let mut spots = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
-        Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order)))
+        Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order, admits)))
     }
 
     /// The surfaces of a thing that hold things in a way.
@@ -272,7 +288,14 @@ impl World {
     /// The first free spot on a surface for what is put there in a way: one where the box around
     /// it is free too, if there is one, as a plate does not stand under another's rim. On top of
     /// things that box has to be free at least of what is loose.
-    fn spot_among(&self, thing: &Thing, shelf: &Shelf, way: &Way, order: Order) -> Option<Pose> {
+    fn spot_among(
+        &self,
+        thing: &Thing,
+        shelf: &Shelf,
+        way: &Way,
+        order: Order,
+        admits: &dyn Fn(&Pose) -> bool,
+    ) -> Option<Pose> {
         let (low, high) = thing.form.extent;
         let half = (high - low) / 2.0;
         let around = SharedShape::cuboid(half.x + AROUND, half.y + AROUND, half.z);
@@ -282,8 +305,9 @@ impl World {
         };
         let clear = |spot: &Pose| self.is_clear(thing, spot);
         let loose = |id| self.is_loose_on(shelf, id);
-        let apart = self.first_spot(thing, shelf, way, order, |spot| clear_around(spot, &|_| true));
-        apart.or_else(|| self.first_spot(thing, shelf, way, order, |spot| clear(spot) && clear_around(spot, &loose)))
+        let first = |free: &dyn Fn(&Pose) -> bool| self.first_spot(thing, shelf, way, order, free, admits);
+        let apart = first(&|spot| clear_around(spot, &|_| true));
+        apart.or_else(|| first(&|spot| clear(spot) && clear_around(spot, &loose)))
     }
 
     /// Whether a thing is loose, other than the one of a surface on top of which things are put.
@@ -291,14 +315,15 @@ impl World {
         shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose)
     }
 
-    /// The first spot that counts as free.
+    /// The first spot that counts as free and is admitted.
     fn first_spot(
         &self,
         thing: &Thing,
         shelf: &Shelf,
         way: &Way,
         order: Order,
-        free: impl Fn(&Pose) -> bool + Copy,
+        free: &dyn Fn(&Pose) -> bool,
+        admits: &dyn Fn(&Pose) -> bool,
     ) -> Option<Pose> {
         let Way { heights, over, across, .. } = way;
         if !way.is_for(thing.form.extent, shelf) {
@@ -314,7 +339,7 @@ impl World {
         heights.iter().filter(within).find_map(|&height| {
             let lifted = |turn| spots((low, high), shelf, turn, (height, *over), PITCH, order);
             let carried = |spot: &Pose| !across || self.is_just_over(thing, spot, shelf.id);
-            let found = |mut spots: Vec<Pose>| spots.drain(..).find(|spot| free(spot) && carried(spot));
+            let found = |mut spots: Vec<Pose>| spots.drain(..).find(|spot| free(spot) && carried(spot) && admits(spot));
             if *over == 0.0 {
                 return turns.iter().find_map(|turn| found(lifted(turn)));
             }

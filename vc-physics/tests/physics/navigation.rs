@@ -365,6 +365,22 @@ fn chairs_in_the_way() {
     assert!(floor.update(&world));
 }
 
+/// A thing in a doorway shuts in whoever is on either side of it; one in a corner nobody.
+#[test]
+fn ways_stay_open_or_do_not() {
+    let (mut scene, _) = rooms();
+    let crate_ = scene.cube(0.2, at(4.5, 1.5, 2.0));
+    let world = scene.world();
+    let floor = Floor::of(&world, FloorPlan::default());
+    let open = |x: f32, y: f32, from: &[Point2<f32>]| floor.stays_open(&world, crate_, &at(x, y, 0.2), from).unwrap();
+    let (left, middle) = (Point2::new(-4.0, -1.0), Point2::new(0.0, 0.0));
+    assert!(!open(-2.0, 0.0, &[left]) && !open(-1.5, 0.0, &[middle]));
+    assert!(open(-2.0, 0.0, &[]), "nobody is there");
+    assert!(open(0.0, 1.7, &[left, middle]) && open(-3.5, 0.0, &[left]), "there is a way around it");
+    assert!(floor.stays_open(&world, crate_, &at(-2.0, 0.0, 2.2), &[left]).unwrap(), "one walks below it");
+    assert!(floor.stays_open(&world, NodeId(999), &at(0.0, 0.0, 0.2), &[left]).is_err());
+}
+
 /// Things on a table are not obstacles; things that jut out over its edge are.
 #[test]
 fn things_on_tables_are_not_in_the_way() {
