@@ -22,6 +22,11 @@ impl fmt::Debug for Complaint {
     }
 }
 
+/// Reads a seed.
+pub(crate) fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
+}
+
 /// Reads a text file, compressed or not.
 pub(crate) fn read(path: &Path) -> Result<String, Complaint> {
     virtualcity::read_text(path).map_err(Complaint::new)
