@@ -198,6 +198,7 @@ impl Environment {
         }
         plan.take_out(&mut world, &mut wanted)?;
         boxes::rest_as(&mut world, &wanted, &standing)?;
+        plan.forget_places(&mut wanted)?;
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         floor.update(&world);
         let report = plan.report(&start.graph, graph, &wanted);
@@ -402,6 +403,14 @@ impl Plan {
                 (Err(why), _) => self.leave_out(world, graph, id, why)?,
             }
         }
+        Ok(())
+    }
+
+    /// Takes places out of the graph where things could not be put: what has not moved would keep them.
+    fn forget_places(&self, graph: &mut SceneGraph) -> Result<(), EditError> {
+        let mut edit = graph.edit();
+        self.because.keys().try_for_each(|id| edit.place_as_seen(*id, &[], None))?;
+        edit.commit();
         Ok(())
     }
 

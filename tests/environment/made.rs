@@ -185,7 +185,7 @@ fn an_edited_graph_moves_what_it_places() {
     let mut edit = graph.edit();
     edit.place(novels[0], in_fridge).unwrap();
     edit.commit();
-    assert_eq!(home.reset(&graph).unwrap().moved, [novels[0]]);
+    assert!(home.reset(&graph).unwrap().moved.contains(&novels[0]));
     assert!(home.graph().places(novels[0]).any(|p| p == in_fridge));
     // The room alone is a place for things without a pose.
     let mut graph = start.clone();
@@ -203,22 +203,22 @@ fn what_cannot_be_moved_is_told() {
     let mut home = home(42, 1);
     let start = home.start().clone();
     let one = |class: &str| start.of_class(class)[0];
-    let (fridge, sofa, door, kitchen) = (one("fridge"), one("sofa"), one("door"), one("kitchen"));
+    let (sofa, table, door) = (one("sofa"), one("coffee_table"), one("door"));
     let mut graph = start.clone();
     let mut edit = graph.edit();
-    edit.place(fridge, Place { relation: Relation::On, at: sofa }).unwrap();
+    edit.place(sofa, Place { relation: Relation::On, at: table }).unwrap();
     edit.place(door, Place { relation: Relation::On, at: sofa }).unwrap();
     edit.commit();
     let report = home.reset(&graph).unwrap();
-    let told = |id: NodeId| report.elsewhere.iter().find(|e| e.thing.id == id).unwrap();
-    assert!(matches!(told(fridge).why, Some(Why::NoSpot { .. })), "{:?}", told(fridge));
+    let told = |id: NodeId| report.elsewhere.iter().find(|e| e.thing.id == id).unwrap_or_else(|| panic!("{report:?}"));
+    assert!(matches!(told(sofa).why, Some(Why::NoSpot { .. })), "{:?}", told(sofa));
     assert!(matches!(told(door).why, Some(Why::NotMovable(_))), "{:?}", told(door));
-    let begins = format!("{} is not on {}: no spot", start.label(fridge), start.label(sofa));
-    assert!(told(fridge).to_string().starts_with(&begins), "{}", told(fridge));
+    let begins = format!("{} is not on {}: no spot", start.label(sofa), start.label(table));
+    assert!(told(sofa).to_string().starts_with(&begins), "{}", told(sofa));
     assert!(report.unplaced.is_empty() && report.moved.is_empty(), "{report:?}");
-    assert_eq!(home.graph().room_of(fridge), Some(kitchen));
-    let inside = |graph: &virtualcity::graph::SceneGraph| graph.relating(Relation::Inside, fridge).count();
-    assert_eq!(inside(home.graph()), inside(&start));
+    let pose = |graph: &virtualcity::graph::SceneGraph| graph.node(sofa).unwrap().pose().copied();
+    assert_eq!(pose(home.graph()), pose(&start));
+    assert_eq!(home.graph().room_of(sofa), start.room_of(sofa));
 }
 
 /// Errors name a thing that is no agent or room as such, and actions without an environment.

@@ -191,5 +191,5 @@ fn nobody_greets_pushes_or_plays_oneself() {
     let social = [Walk, Run, Find, TurnTo, Greet, Play, Push];
     assert!(social.iter().all(|verb| !verbs(me).contains(verb)), "{:?}", verbs(me));
     assert!([Walk, Find, TurnTo, Greet].iter().all(|verb| verbs(other).contains(verb)), "{:?}", verbs(other));
-    assert_eq!(why(&mut flat, "greet me"), "me is oneself");
+    assert_eq!(why(&mut flat, "greet me"), "character is oneself");
 }
