@@ -38,7 +38,7 @@ struct Options {
     #[arg(long)]
     gltf: bool,
     /// The seed from which the objects are generated.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// Width of a tile, pixels.
     #[arg(long, default_value_t = 200)]

@@ -106,6 +106,9 @@ fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mu
     let text = virtualcity::read_text(file)?;
     let located = |e: &dyn std::fmt::Display| Complaint::new(format!("{}: {e}", file.display()));
     if text.trim_start().starts_with('{') {
+        if is_scene(&text) {
+            return Err(located(&"this is a scene and no file of programs: name it with --scene"));
+        }
         return replay_records(file, &text, options, tally);
     }
     let program = program::read(&text).map_err(|e| located(&e))?;
@@ -115,6 +118,12 @@ fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mu
     tally.executable += usize::from(run.refused.is_none());
     say!("{}: {}", file.display(), run.verdict());
     Ok(())
+}
+
+/// Whether a text is a scene instead of records of programs.
+fn is_scene(text: &str) -> bool {
+    let first = text.lines().find(|line| !line.trim().is_empty());
+    first.is_some_and(|line| eai::read_record(line).is_err()) && read_scene(text, &ClassTable::builtin()).is_ok()
 }
 
 fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally) -> Result<(), Complaint> {

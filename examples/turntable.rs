@@ -38,7 +38,7 @@ struct Options {
     #[arg(long, default_value_t = 0)]
     index: usize,
     /// The seed from which objects are generated.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/turntable")]

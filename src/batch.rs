@@ -50,13 +50,20 @@ impl Batch {
     }
 
     /// Applies a list of actions to each environment: `Environment::set_actions` in all of them at once.
-    /// Environments without a list do nothing.
+    /// Environments without a list do nothing. The outcomes are in the order of the lists; the actions of a list for
+    /// which there is no environment are refused with [`ActionError::NoEnvironment`].
     pub fn set_actions(&mut self, actions: &[Vec<(NodeId, Action)>]) -> Vec<Vec<Result<ChangeSet, ActionError>>> {
+        let of = self.environments.len();
         let pairs = self.environments.par_iter_mut().zip(actions);
-        pairs.map(|(environment, actions)| environment.set_actions(actions)).collect()
+        let mut outcomes: Vec<_> = pairs.map(|(environment, actions)| environment.set_actions(actions)).collect();
+        let nobody =
+            |index: usize| actions[index].iter().map(|_| Err(ActionError::NoEnvironment { index, of })).collect();
+        outcomes.extend((of..actions.len()).map(nobody));
+        outcomes
     }
 
-    /// The room observation of one agent in each environment: `Environment::room_observation`.
+    /// The room observation of one agent in each environment: `Environment::room_observation`. There are as many as
+    /// there are both agents and environments.
     pub fn room_observations(&self, agents: &[NodeId]) -> Vec<Observation> {
         let pairs = self.environments.par_iter().zip(agents);
         pairs.map(|(environment, agent)| environment.room_observation(*agent)).collect()

@@ -13,6 +13,7 @@
 //! 11. [Pictures as data](#pictures-as-data)
 //! 12. [What one may do with what one sees](#what-one-may-do-with-what-one-sees)
 //! 13. [Tasks that are certainly feasible](#tasks-that-are-certainly-feasible)
+//! 14. [Resetting to an edited graph](#resetting-to-an-edited-graph)
 //!
 //! # Many homes at once
 //!
@@ -163,7 +164,7 @@
 //!     let Some(action) = stream.pick(&legal).copied() else { break };
 //!     let step = trial.step(&action);
 //!     println!("{}: {} ({} things in view)", action.describe(trial.world().graph()), step.reward, seen.len());
-//!     if step.terminated || step.truncated {
+//!     if step.terminated || step.truncated || step.lost.is_some() {
 //!         break;
 //!     }
 //!     seen = step.observation;
@@ -448,5 +449,39 @@
 //! let mut made = at_home_that(activity, Seed(3), &generator(), open, suits)?;
 //! let episode = run_episode(&mut Newcomer::best(), &made.initial.task, &mut made.world);
 //! assert_eq!(episode.outcome, Outcome::Won, "{:?}", episode.reason);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Resetting to an edited graph
+//!
+//! A graph in which things and agents have other places is put in force by [`reset`](crate::Environment::reset). Poses
+//! need not be given: a thing with its old pose and a new place gets a free spot there, with all that it carries. The
+//! report has what moved, and what could not be put where the graph has it, with the reason.
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::{Place, Relation};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let (me, mut graph) = (home.agents()[0], home.start().clone());
+//! let one = |class: &str| home.start().of_class(class)[0];
+//! let (table, novel, sofa) = (one("coffee_table"), one("novel"), one("sofa"));
+//! let kitchen = one("kitchen");
+//! let mut edit = graph.edit();
+//! edit.place(novel, Place { relation: Relation::On, at: table })?;
+//! edit.move_to_room(me, kitchen)?;
+//! edit.place(sofa, Place { relation: Relation::On, at: table })?; // too large
+//! edit.commit();
+//! let report = home.reset(&graph)?;
+//! assert_eq!(report.moved, [novel, me]);
+//! assert!(home.world().supports(novel).contains(&table));
+//! assert_eq!(home.graph().room_of(me), Some(kitchen));
+//! for left in &report.elsewhere {
+//!     println!("{left}"); // sofa.103 is not on coffee_table.104: no spot on coffee_table.104 is free and ...
+//! }
+//! assert_eq!(report.elsewhere.len(), 1);
+//! // Nothing remains of it after a reset to the start.
+//! home.reset(&home.start().clone())?;
+//! assert_ne!(home.graph().room_of(me), Some(kitchen));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

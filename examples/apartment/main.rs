@@ -38,7 +38,7 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 #[derive(Parser)]
 struct Options {
     /// The seed; for several homes the first seed.
-    #[arg(long, default_value_t = 42)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/apartment")]

@@ -27,7 +27,7 @@ use stage::Cast;
 #[derive(Parser)]
 struct Options {
     /// The seed, which determines where objects fall from.
-    #[arg(long, default_value_t = 7)]
+    #[arg(long, default_value_t = 7, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// Number of falling objects.
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u16).range(1..=2000))]

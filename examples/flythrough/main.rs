@@ -22,7 +22,7 @@ use virtualcity::render::{Adaptation, Camera, Daylight, Frame, Modality, Rendere
 #[derive(Parser)]
 struct Options {
     /// The home's seed.
-    #[arg(long, default_value_t = 42)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/flythrough")]

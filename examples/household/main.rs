@@ -30,7 +30,7 @@ use vc_planner::{Newcomer, Policy, Random, Resident};
 #[derive(Parser)]
 pub(crate) struct Options {
     /// The seed of the home (default 9) and of the agent's guesses.
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true, value_parser = support::seed)]
     seed: Option<u64>,
     /// A scene: the thesis's JSON, VirtualHome's environment graph or VirtualCity's JSON.
     #[arg(long)]

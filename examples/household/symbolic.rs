@@ -240,6 +240,8 @@ mod tests {
         for words in ["--agents=0", "--agents=x", "--task=a --goal=Holds(mug)"] {
             assert!(Options::try_parse_from(std::iter::once("household").chain(words.split(' '))).is_err(), "{words}");
         }
+        let told = Options::try_parse_from(["household", "--seed", "-1"]).err().unwrap().to_string();
+        assert!(told.contains("a seed is a whole number from 0 to "), "{told}");
     }
 
     #[test]

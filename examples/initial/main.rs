@@ -35,7 +35,7 @@ struct Options {
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     seeds: u64,
     /// The first seed.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// Number of distractors to add, objects irrelevant to the task; at most a thousand.
     #[arg(long, default_value_t = 0, value_parser = distractors)]

@@ -35,7 +35,7 @@ const CATCH_UP: u32 = 8;
 #[derive(Parser)]
 struct Options {
     /// The home's seed.
-    #[arg(long, default_value_t = 42)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// Width of the picture, pixels; its height is three quarters of that.
     #[arg(long, default_value_t = 480)]

@@ -17,6 +17,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use support::{Complaint, say};
+use virtualcity::graph::class::Category;
 use virtualcity::graph::{ClassTable, Node, NodeId, Property, SceneGraph, Seed, format};
 use virtualcity::procgen::{Apartment, dress};
 use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot, picture};
@@ -25,7 +26,7 @@ use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot,
 #[derive(Parser)]
 struct Options {
     /// The home's seed.
-    #[arg(long, default_value_t = 42)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
     seed: u64,
     /// A scene file with the home (may be gzipped), instead of a generated one; things without shapes get those of
     /// their class.
@@ -86,6 +87,9 @@ impl Hour {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
+    if ClassTable::builtin().get(&options.room).is_none_or(|class| class.category != Category::Room) {
+        return Err(Complaint::new(format!("--room: there is no class of rooms `{}`", options.room)));
+    }
     let scene = match &options.scene {
         Some(path) => {
             shaped(format::read_scene(&virtualcity::read_text(path)?, &ClassTable::builtin()).map_err(Complaint::new)?)?
@@ -93,12 +97,13 @@ fn main() -> Result<(), Complaint> {
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
     support::remark_on_walls(&scene);
+    let room = room(&scene, &options.room)?;
     std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
     switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;
     let camera = Camera::with_fov(options.width, options.height, 1.15);
-    let camera = renderer.viewpoint(&snapshot, room(&scene, &options.room)?, &camera).map_err(Complaint::new)?;
+    let camera = renderer.viewpoint(&snapshot, room, &camera).map_err(Complaint::new)?;
     let start = std::time::Instant::now();
     let lighting = renderer.light(&snapshot, &options.daylight.daylight());
     say!("{} triangles; light made in {:.0} ms", snapshot.triangles(), 1e3 * start.elapsed().as_secs_f64());

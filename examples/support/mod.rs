@@ -32,6 +32,11 @@ pub(crate) fn remark_on_walls(graph: &virtualcity::graph::SceneGraph) {
     }
 }
 
+/// Reads a seed.
+pub(crate) fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
+}
+
 /// Prints a line; exits quietly if the output is closed, as by `| head`.
 pub(crate) fn say_line(line: fmt::Arguments<'_>) {
     if writeln!(std::io::stdout(), "{line}").is_err() {

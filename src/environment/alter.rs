@@ -5,14 +5,14 @@ use std::sync::Arc;
 use nalgebra::Point2;
 use vc_graph::{
     Class, Draft, EditError, Effect, Label, Node, NodeId, ObjectRole, Place, Pose, Property, Relation, SceneBuilder,
-    Seed, State, did_you_mean, rule,
+    SceneGraph, Seed, State, did_you_mean, rule,
 };
-use vc_physics::{PhysicsError, Posture, Role};
+use vc_physics::{Floor, Posture, Role};
 use vc_tasks::initial::Stock;
 
 use super::settle::come_to_rest;
 use super::undo::Undo;
-use super::{Elsewhere, Environment, Impossible, Unplaced, Why, execute, make, observe, outlook, reset};
+use super::{Elsewhere, Environment, Impossible, Unplaced, Why, execute, make, observe, outlook, reset, stale};
 use crate::initial::Catalogue;
 
 /// Number of rings, half a metre apart, around the middle of a room in which a free place is sought.
@@ -62,11 +62,14 @@ pub enum AlterError {
     #[error(transparent)]
     Unplaced(Unplaced),
     /// The thing does not stay there.
-    #[error("{} does not stay {} {}", .0.thing, .0.wanted.relation, .0.wanted.at)]
+    #[error("it does not stay there: {0}")]
     Elsewhere(Elsewhere),
     /// The node is no agent of this environment.
     #[error("{0} is no agent of this environment")]
     NotAnAgent(Label),
+    /// An agent was to be put into something that is no room.
+    #[error("{0} is no room: name a room, or a point of the floor")]
+    NotARoom(Label),
     /// Nobody can stand there.
     #[error("nobody can stand at {:.2}, {:.2}{}", .at[0], .at[1], instead(.nearest))]
     NoFloor {
@@ -187,7 +190,8 @@ impl Environment {
         next.world.wake(thing).map_err(|e| self.impossible(e))?;
         let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
         for (id, pose) in &load {
-            next.bring_along((*id, motion * pose), thing).map_err(|e| self.impossible(e))?;
+            let along = stale::take_along(&mut next.world, (*id, motion * pose), thing);
+            along.map_err(|e| self.impossible(e))?;
         }
         // The contents change rooms with it before relations are read.
         let mut edit = next.graph.edit();
@@ -314,10 +318,7 @@ impl Environment {
         if self.agents().contains(&place.at) {
             return Err(AlterError::OnAgent(self.graph.label(place.at)));
         }
-        let mut floors = self.graph.of_role(ObjectRole::Floor).map(Node::id);
-        let is_room = self.graph.rooms().contains(&place.at);
-        let floor = floors.find(|id| is_room && self.graph.room_of(*id) == Some(place.at));
-        Ok(floor.map_or(place, |at| Place { relation: Relation::On, at }))
+        Ok(stale::on_floor(&self.graph, place))
     }
 
     /// Puts a body at a free spot of a place.
@@ -325,13 +326,6 @@ impl Environment {
         let placed = reset::settle_place(&mut self.world, &self.graph, (id, false), Some(place));
         let refuse = |why: Why| AlterError::Unplaced(Unplaced { thing: self.graph.label(id), why });
         placed.map_err(|e| self.impossible(e))?.map_err(refuse)
-    }
-
-    /// Puts a thing elsewhere together with the one that carries it, and held to that if it was held.
-    fn bring_along(&mut self, (id, pose): (NodeId, Pose), carrier: NodeId) -> Result<(), PhysicsError> {
-        self.world.place(id, pose)?;
-        let held = self.world.role(id) == Some(Role::Hung);
-        if held { self.world.pin_to(id, carrier) } else { Ok(()) }
     }
 
     /// Why bodies cannot do it, with the labels of the scene.
@@ -349,9 +343,9 @@ impl Environment {
     }
 
     fn stays(&self, id: NodeId, wanted: Place) -> Result<(), AlterError> {
-        let (thing, now) = (self.graph.label(id), self.graph.place(id));
         let there = self.graph.places(id).any(|place| place == wanted);
-        there.then_some(()).ok_or(AlterError::Elsewhere(Elsewhere { thing, wanted, now }))
+        let told = || AlterError::Elsewhere(Elsewhere::new(&self.graph, id, wanted, self.graph.place(id)));
+        there.then_some(()).ok_or_else(told)
     }
 
     /// The point at which an agent is to stand.
@@ -359,11 +353,12 @@ impl Environment {
         match spot {
             Spot::At(at) if self.floor.is_free(at) && self.gives_way(agent, &at).is_some() => Ok(at),
             Spot::At(at) => Err(AlterError::NoFloor { at: at.into(), nearest: self.free_near(agent, &at) }),
+            Spot::Room(room) if !self.graph.rooms().contains(&room) => {
+                Err(AlterError::NotARoom(self.graph.label(room)))
+            }
             Spot::Room(room) => {
-                let middle = make::middle(&self.graph, &self.floor, room).map(|(_, middle)| middle);
-                let rings = |middle: Point2<f32>| (0..RINGS).flat_map(move |ring| make::around(&middle, ring));
                 let free = |p: &Point2<f32>| self.room_at(*p) == Some(room) && self.stands_at(agent, p);
-                let found = middle.and_then(|middle| rings(middle).find(free));
+                let found = spot_in(&self.graph, &self.floor, room, free);
                 found.ok_or_else(|| AlterError::FullRoom(self.graph.label(room)))
             }
         }
@@ -387,8 +382,19 @@ impl Environment {
     }
 }
 
+/// Where an agent can stand in a room, near its middle.
+pub(super) fn spot_in(
+    graph: &SceneGraph,
+    floor: &Floor,
+    room: NodeId,
+    free: impl Fn(&Point2<f32>) -> bool,
+) -> Option<Point2<f32>> {
+    let (_, middle) = make::middle(graph, floor, room)?;
+    (0..RINGS).flat_map(|ring| make::around(&middle, ring)).find(free)
+}
+
 /// Why things of a class are not set down in a home, if so.
-fn no_thing(class: &Class) -> Option<&'static str> {
+pub(super) fn no_thing(class: &Class) -> Option<&'static str> {
     match class.role() {
         role if role == ObjectRole::Room || role.is_built_in() => {
             Some("it is part of the building; edit the scene and make an environment of it")

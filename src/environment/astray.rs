@@ -197,6 +197,6 @@ pub(super) fn stand_on_floor(world: &mut World, graph: &SceneGraph, floor: &Floo
 /// The entries of a report for agents that were put onto the floor or apart: they are no longer where the graph had them.
 pub(super) fn told(graph: &SceneGraph, agents: &[NodeId]) -> Vec<Elsewhere> {
     let in_room = |agent: NodeId| Some(Place { relation: Relation::InRoom, at: graph.room_of(agent)? });
-    let tell = |&agent: &NodeId| Some(Elsewhere { thing: graph.label(agent), wanted: in_room(agent)?, now: None });
+    let tell = |&agent: &NodeId| Some(Elsewhere::new(graph, agent, in_room(agent)?, None));
     agents.iter().filter_map(tell).collect()
 }

@@ -231,7 +231,7 @@ pub(super) fn keep(
             continue;
         }
         let now = graph.place(id);
-        told.push(Elsewhere { thing: graph.label(id), wanted, now });
+        told.push(Elsewhere::new(graph, id, wanted, now));
         let carried = scene.node(id).is_some_and(|n| n.affords(Property::Graspable));
         if carried && is_still(scene, graph, id) {
             let places: Vec<Place> = std::iter::once(wanted).chain(nested(graph, id, wanted)).collect();

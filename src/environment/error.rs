@@ -124,6 +124,14 @@ pub enum ActionError {
     /// The bodies did it, and what came out is not what the rule says.
     #[error(transparent)]
     Disagreement(#[from] Box<Disagreement>),
+    /// The batch has fewer environments than there are lists of actions.
+    #[error("there is no environment {index} for this list of actions: the batch has {of}, counted from 0")]
+    NoEnvironment {
+        /// The position of the list.
+        index: usize,
+        /// The number of environments.
+        of: usize,
+    },
     /// An agent is to do several things at once.
     #[error("{0} is to do several things at once")]
     Twice(Label),

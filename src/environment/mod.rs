@@ -22,6 +22,7 @@ mod save;
 mod scene;
 mod seats;
 mod settle;
+mod stale;
 mod steer;
 mod step;
 mod survey;
@@ -177,7 +178,8 @@ impl Environment {
         self.graph.agents()
     }
 
-    /// What an agent sees within a radius, metres: [`SceneGraph::observe`]. Changes nothing.
+    /// What an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative radius or NaN covers nothing: the
+    /// agent sees only the rooms, itself and the objects it carries. Changes nothing.
     pub fn observation(&self, agent: NodeId, radius: f32) -> Observation {
         self.graph.observe(agent, Scope::Radius(radius))
     }

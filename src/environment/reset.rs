@@ -9,7 +9,7 @@ use vc_relations::Relations;
 
 use super::settle::come_to_rest;
 use super::undo::Undo;
-use super::{Environment, ResetError, astray, boxes, observe, scene, seats};
+use super::{Environment, ResetError, astray, boxes, observe, scene, seats, stale};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
@@ -21,7 +21,8 @@ const APART: f32 = 5.0;
 /// What a reset did.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ResetReport {
-    /// Things that were moved from where the environment began.
+    /// Things and agents that are elsewhere than where the environment began, because the graph has them there, and
+    /// what came along on or in them.
     pub moved: Vec<NodeId>,
     /// Things that the environment did not begin with.
     pub added: Vec<NodeId>,
@@ -29,8 +30,9 @@ pub struct ResetReport {
     pub removed: Vec<NodeId>,
     /// Things for which there was no place; they are not in the scene.
     pub unplaced: Vec<Unplaced>,
-    /// Things that have come to rest elsewhere than the graph has them, agents who stand beside what they are to sit or
-    /// lie on, and agents who were put onto the floor or apart, as nobody can stand where the graph has them.
+    /// Things that are not where the graph has them, with the reason if they could not be put there, agents who stand
+    /// beside what they are to sit or lie on, and agents who were put onto the floor or apart, as nobody can stand where
+    /// the graph has them.
     pub elsewhere: Vec<Elsewhere>,
 }
 
@@ -68,9 +70,15 @@ pub enum Why {
     /// Neither the graph says where it is, nor does it have a pose.
     #[error("it has neither a pose nor a place on or in anything")]
     Nowhere,
-    /// What it is to be at is not in the scene.
+    /// The thing that it is to be at is not in the scene.
     #[error("{0} has no body")]
     NoSupport(Label),
+    /// Nobody can stand in the room.
+    #[error("there is no free floor in {0}")]
+    NoFloor(Label),
+    /// Things of its class are not put elsewhere.
+    #[error("it cannot be put elsewhere: {0}")]
+    NotMovable(&'static str),
     /// It fell out of the home: nothing is below where it is to be.
     #[error("it fell out of the home: nothing is below it")]
     FellOut,
@@ -79,15 +87,32 @@ pub enum Why {
     NoShape,
 }
 
-/// A thing that has come to rest elsewhere than it was to be.
+/// A thing that is elsewhere than it was to be. Prints as `novel.182 is not on coffee_table.104: ` and the reason.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elsewhere {
     /// Which.
     pub thing: Label,
     /// Where it was to be.
     pub wanted: Place,
+    /// The label of the thing or room where it was to be.
+    pub at: Label,
     /// Where it is.
     pub now: Option<Place>,
+    /// The reason why it was not put there; `None` if it was, and has come to rest elsewhere.
+    pub why: Option<Why>,
+}
+
+impl Elsewhere {
+    pub(super) fn new(graph: &SceneGraph, id: NodeId, wanted: Place, now: Option<Place>) -> Self {
+        Self { thing: graph.label(id), wanted, at: graph.label(wanted.at), now, why: None }
+    }
+}
+
+impl std::fmt::Display for Elsewhere {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} is not {} {}", self.thing, self.wanted.relation, self.at)?;
+        self.why.as_ref().map_or(Ok(()), |why| write!(f, ": {why}"))
+    }
 }
 
 impl Environment {
@@ -96,12 +121,17 @@ impl Environment {
     /// them, states are the graph's, what was done is forgotten.
     ///
     /// It starts from the bodies as they were made, at rest, and moves only what differs
-    /// (`World::reset`); a thing that the graph has where it is now stays there. A thing that the graph has on or in something else than at the
-    /// start, and new things, keep their pose if it is free and something is right below;
+    /// (`World::reset`); a thing that the graph has where it is now stays there. New things, and things with a new pose
+    /// on or in something else than at the start, keep their pose if it is free and something is right below;
     /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
     /// is none, they are left out and reported. What hovers by less than two centimetres is let
     /// down (`World::lower`). Then all comes to rest (`World::step`, `World::doze`)
     /// and is observed (`Relations::update_with`).
+    ///
+    /// A thing or agent that the graph has on or in something else, or in another room, with the pose that it had at
+    /// the start or has now, is put there, together with what it carries: [`Edit::place`](vc_graph::Edit::place) and
+    /// [`Edit::move_to_room`](vc_graph::Edit::move_to_room) suffice, and need no pose. A room stands for its floor. If
+    /// there is no room for it, it stays where it was, and [`ResetReport::elsewhere`] says why.
     ///
     /// ```
     /// use virtualcity::Environment;
@@ -135,13 +165,15 @@ impl Environment {
         }
         if *graph == self.graph && self.world.awake() == 0 {
             (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
-            return Ok(Plan::of(&self.start.graph, graph).report(graph, graph));
+            return Ok(Plan::of(&[&self.start.graph], graph).report(&self.start.graph, graph, graph));
         }
         let shaped = scene::shaped(graph)?;
         let shaped = boxes::shaped(shaped.as_ref().unwrap_or(graph), self.start.assets)?.or(shaped);
         let new_shapes = shaped.is_some();
         let mut wanted = shaped.unwrap_or_else(|| graph.clone());
-        let mut plan = Plan::of(&self.start.graph, &wanted);
+        let start = self.start.clone();
+        let known = [&start.graph, &self.graph];
+        let mut plan = Plan::of(&known, &wanted);
         let standing = self.still_there(&wanted);
         plan.open.retain(|(id, _)| standing.binary_search(id).is_err());
         plan.lend_poses(&mut wanted)?;
@@ -155,6 +187,9 @@ impl Environment {
         plan.lower(&mut world, &standing)?;
         let mut floor = self.start.floor.clone();
         floor.update(&world);
+        let (moved, told) = stale::move_agents((&start, &known), &mut world, &mut wanted, &floor)?;
+        plan.report.moved.extend(moved);
+        plan.report.elsewhere.extend(told);
         plan.report.elsewhere.extend(settle_agents(&mut world, &mut wanted, &floor)?);
         come_to_rest(&mut world);
         let held = [standing.as_slice(), &plan.in_open_things(&world, &wanted)].concat();
@@ -163,9 +198,10 @@ impl Environment {
         }
         plan.take_out(&mut world, &mut wanted)?;
         boxes::rest_as(&mut world, &wanted, &standing)?;
+        plan.forget_places(&mut wanted)?;
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         floor.update(&world);
-        let report = plan.report(graph, &wanted);
+        let report = plan.report(&start.graph, graph, &wanted);
         (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);
         (self.history, self.undo) = (History::default(), Undo::default());
         self.poses = BTreeMap::new();
@@ -270,19 +306,34 @@ struct Plan {
     /// Things to be placed, what carries others first, and those of them that have no pose.
     open: Vec<(NodeId, Option<Place>)>,
     unposed: BTreeSet<NodeId>,
+    /// Poses that things have kept from where they no longer are to be.
+    stale: BTreeMap<NodeId, Pose>,
+    /// Why things are not where they were to be.
+    because: BTreeMap<NodeId, Why>,
     report: ResetReport,
 }
 
 impl Plan {
-    fn of(start: &SceneGraph, wanted: &SceneGraph) -> Self {
-        let mut report = ResetReport::default();
+    /// The plan for a graph, given graphs whose poses are known to be right, of which the first is the start.
+    fn of(known: &[&SceneGraph], wanted: &SceneGraph) -> Self {
+        let start = known[0];
+        let (mut report, mut stale, mut because) = (ResetReport::default(), BTreeMap::new(), BTreeMap::new());
         let mut open: Vec<(usize, NodeId, Option<Place>)> = Vec::new();
         for node in wanted.nodes().filter(|n| n.kind() == Kind::Object) {
             let id = node.id();
             let place = wanted.place(id);
+            let told = stale::place(known, wanted, id);
+            if let (Some(why), true) = (stale::is_fixed(wanted, id), told.is_some()) {
+                because.insert(id, Why::NotMovable(why));
+            } else if let (Some(place), Some(pose)) = (told, node.pose()) {
+                stale.insert(id, *pose);
+                report.moved.push(id);
+                open.push((wanted.support_chain(id).len(), id, Some(place)));
+                continue;
+            }
             let Some(before) = start.node(id) else {
                 report.added.push(id);
-                open.push((wanted.support_chain(id).len(), id, place));
+                open.push((wanted.support_chain(id).len(), id, place.or_else(|| unposed_in(wanted, node))));
                 continue;
             };
             let replaced = start.place(id) != place;
@@ -291,15 +342,16 @@ impl Plan {
             }
             let held = place.is_some_and(|p| !matches!(p.relation, Relation::On | Relation::Inside));
             if (replaced && !held) || node.pose().is_none() {
-                open.push((wanted.support_chain(id).len(), id, place));
+                open.push((wanted.support_chain(id).len(), id, place.or_else(|| unposed_in(wanted, node))));
             }
         }
         report.removed = start.nodes().map(vc_graph::Node::id).filter(|id| wanted.node(*id).is_none()).collect();
         open.sort_by_key(|(depth, id, _)| (*depth, *id));
         let open: Vec<_> = open.into_iter().map(|(_, id, place)| (id, place)).collect();
         let unposed = |id: &NodeId| wanted.node(*id).is_some_and(|n| n.pose().is_none());
-        let unposed = open.iter().map(|(id, _)| *id).filter(unposed).collect();
-        Self { open, unposed, report }
+        let mut unposed: BTreeSet<NodeId> = open.iter().map(|(id, _)| *id).filter(unposed).collect();
+        unposed.extend(stale.keys());
+        Self { open, unposed, stale, because, report }
     }
 
     /// Things without a pose get one for the time being, far below, each its own.
@@ -332,12 +384,33 @@ impl Plan {
 
     /// Puts what is to be placed where there is room, and takes out the rest.
     fn settle_places(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
-        for (id, place) in std::mem::take(&mut self.open) {
+        let all = std::mem::take(&mut self.open);
+        let open: BTreeSet<NodeId> = all.iter().map(|(id, _)| *id).collect();
+        for (id, place) in all {
             let posed = !self.unposed.contains(&id);
-            if let Err(why) = settle_place(world, graph, (id, posed), place)? {
-                self.leave_out(world, graph, id, why)?;
+            let place = place.map(|place| stale::on_floor(graph, place));
+            match (settle_place(world, graph, (id, posed), place)?, self.stale.get(&id).copied()) {
+                (Ok(()), None) => {}
+                (Ok(()), Some(before)) => {
+                    let load = stale::bring_load(world, graph, (id, before), |load| open.contains(&load))?;
+                    self.report.moved.extend(load);
+                }
+                (Err(why), Some(before)) if stays_free(world, id, &before, &open)? => {
+                    world.place(id, before)?;
+                    stale::set_pose(graph, id, before)?;
+                    self.because.insert(id, why);
+                }
+                (Err(why), _) => self.leave_out(world, graph, id, why)?,
             }
         }
+        Ok(())
+    }
+
+    /// Takes places out of the graph where things could not be put: what has not moved would keep them.
+    fn forget_places(&self, graph: &mut SceneGraph) -> Result<(), EditError> {
+        let mut edit = graph.edit();
+        self.because.keys().try_for_each(|id| edit.place_as_seen(*id, &[], None))?;
+        edit.commit();
         Ok(())
     }
 
@@ -363,14 +436,24 @@ impl Plan {
         Ok(())
     }
 
-    fn report(mut self, wanted: &SceneGraph, now: &SceneGraph) -> ResetReport {
-        for node in now.nodes().filter(|n| n.kind() == Kind::Object) {
-            let Some(place) = wanted.place(node.id()) else { continue };
-            if !now.places(node.id()).any(|p| p == place) {
-                let now = now.place(node.id());
-                self.report.elsewhere.push(Elsewhere { thing: node.label(), wanted: place, now });
+    fn report(mut self, start: &SceneGraph, wanted: &SceneGraph, now: &SceneGraph) -> ResetReport {
+        for id in now.nodes().filter(|n| n.kind() == Kind::Object).map(Node::id) {
+            let asked = self.because.contains_key(&id) || self.unposed.contains(&id);
+            let in_room = || Some(Place { relation: Relation::InRoom, at: wanted.room_of(id).filter(|_| asked)? });
+            let Some(place) = wanted.place(id).or_else(in_room) else { continue };
+            let is_there = place.relation == Relation::InRoom && now.room_of(id) == Some(place.at);
+            if !is_there && !now.places(id).any(|p| p == place) {
+                let why = self.because.remove(&id);
+                self.report.elsewhere.push(Elsewhere { why, ..Elsewhere::new(now, id, place, now.place(id)) });
             }
         }
+        let differs = |id: &NodeId| {
+            let at = |graph: &SceneGraph| Some((*graph.node(*id)?.pose()?, graph.place(*id)));
+            now.node(*id).is_some() && at(start) != at(now)
+        };
+        self.report.moved.retain(differs);
+        self.report.moved.sort_unstable();
+        self.report.moved.dedup();
         self.report
     }
 }
@@ -405,6 +488,17 @@ pub(super) fn settle_place(
 pub(super) fn no_spot(world: &World, graph: &SceneGraph, id: NodeId, place: Place) -> Why {
     let size = world.aabb(id).map_or([0.0; 3], |b| (b.max - b.min).into());
     Why::NoSpot { relation: place.relation, at: graph.label(place.at), size }
+}
+
+/// The room of a thing that has no pose; parts of the building are not put into one.
+fn unposed_in(graph: &SceneGraph, node: &Node) -> Option<Place> {
+    let unposed = node.pose().is_none() && stale::is_fixed(graph, node.id()).is_none();
+    stale::said(graph, node.id()).filter(|_| unposed)
+}
+
+/// Whether nothing that has been placed since is where a thing was.
+fn stays_free(world: &World, id: NodeId, pose: &Pose, placed: &BTreeSet<NodeId>) -> Result<bool, PhysicsError> {
+    Ok(world.overlaps(id, pose)?.iter().all(|other| !placed.contains(other)))
 }
 
 /// Whether a thing overlaps nothing at a pose and something is right below it.

@@ -20,7 +20,7 @@ pub(super) fn take(world: &mut World, graph: &mut SceneGraph) -> Result<Vec<Else
         match seat {
             Some(seat) if is_at(now, seat) || settle(world, agent, seat).is_ok() => write(graph, agent, seat)?,
             seat if seat.is_some() || rests(graph, agent).is_some() => {
-                told.extend(seat.map(|wanted| Elsewhere { thing: graph.label(agent), wanted, now: None }));
+                told.extend(seat.map(|wanted| Elsewhere::new(graph, agent, wanted, None)));
                 told.extend(astray::told(graph, if seat.is_none() { std::slice::from_ref(&agent) } else { &[] }));
                 rule::carry_out(graph, agent, &Effect::StandUp)?;
             }
@@ -67,7 +67,7 @@ pub(super) fn stand(graph: &mut SceneGraph, agents: &[NodeId]) -> Result<Vec<Els
     let mut told = Vec::new();
     for &agent in agents {
         let wanted = named(graph, agent);
-        told.extend(wanted.map(|wanted| Elsewhere { thing: graph.label(agent), wanted, now: None }));
+        told.extend(wanted.map(|wanted| Elsewhere::new(graph, agent, wanted, None)));
         rule::carry_out(graph, agent, &Effect::StandUp)?;
     }
     Ok(told)

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use vc_render::format::{Coco, CocoPicture};
-use vc_render::{Modality, picture};
+use vc_render::format::{Coco, CocoPicture, npy};
+use vc_render::{Frame, Modalities, Modality, RenderError, picture};
 
 use super::journal::Journal;
 use super::{RecordError, at, save};
@@ -11,6 +11,13 @@ use crate::{Environment, Viewpoint, files};
 
 /// The folder of a data set's pictures.
 const FRAMES: &str = "frames";
+/// The modalities that can be written as arrays, and their folders.
+const ARRAYS: [(Modality, &str); 4] = [
+    (Modality::Depth, "depth"),
+    (Modality::Distance, "distance"),
+    (Modality::Instance, "instance"),
+    (Modality::Class, "class"),
+];
 /// The COCO document.
 const DOCUMENT: &str = "annotations.json";
 /// The journal of an unfinished data set.
@@ -43,6 +50,7 @@ pub struct Dataset {
     folder: PathBuf,
     seen: Coco,
     journal: Journal,
+    arrays: Modalities,
 }
 
 impl Dataset {
@@ -60,13 +68,37 @@ impl Dataset {
         }
         let path = folder.join(JOURNAL);
         let journal = Journal::open(path.clone()).map_err(at(&path))?;
-        Ok(Self { folder, seen: Coco::default(), journal })
+        Ok(Self { folder, seen: Coco::default(), journal, arrays: Modalities::NONE })
+    }
+
+    /// Also writes these modalities of each picture: depth, distance, instance and class, as NumPy arrays beside the
+    /// pictures, `depth/000000.npy`. The document names them in `files` of its `images`. Depth and distance are in
+    /// metres, infinite where nothing is; instances are numbers of nodes, classes those of the class table. Other
+    /// modalities are not written.
+    ///
+    /// ```no_run
+    /// use virtualcity::render::Modality;
+    /// let dataset = virtualcity::Dataset::create("out/rooms")?.with(Modality::Depth | Modality::Instance);
+    /// # Ok::<(), virtualcity::RecordError>(())
+    /// ```
+    #[must_use]
+    pub fn with(self, modalities: impl Into<Modalities>) -> Self {
+        Self { arrays: modalities.into(), ..self }
     }
 
     /// Removes the files of a data set, finished or not; a folder without a data set stays as it is.
     pub(super) fn clear(folder: &Path) -> Result<(), RecordError> {
         [DOCUMENT, JOURNAL].iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))?;
-        files::remove_numbered(&folder.join(FRAMES), "png", 0).map_err(at(folder))
+        Self::clear_from(folder, 0)
+    }
+
+    /// Removes the pictures and arrays from a number on.
+    fn clear_from(folder: &Path, first: u64) -> Result<(), RecordError> {
+        let of = |name: &str, ending: &str| {
+            let folder = folder.join(name);
+            files::remove_numbered(&folder, ending, first).map_err(at(&folder))
+        };
+        ARRAYS.iter().try_for_each(|(_, name)| of(name, "npy")).and_then(|()| of(FRAMES, "png"))
     }
 
     /// Renders a picture of a home in its present state, `width` by `height` pixels, and keeps its annotations.
@@ -75,7 +107,8 @@ impl Dataset {
     /// [`RecordError`]; the data set is then unchanged.
     pub fn add(&mut self, home: &Environment, view: Viewpoint, width: u32, height: u32) -> Result<(), RecordError> {
         let (version, light) = (env!("CARGO_PKG_VERSION"), home.pictures());
-        let of = format!("{version} {} {view:?} {width} {height} {light:?}", home.digest());
+        let mut of = format!("{version} {} {view:?} {width} {height} {light:?}", home.digest());
+        self.wanted().for_each(|(_, name)| of = format!("{of} {name}"));
         let picture = match self.journal.next(&of, &self.folder) {
             Some(picture) => picture,
             None => self.make(home, (view, width, height), &of)?,
@@ -92,13 +125,26 @@ impl Dataset {
         of: &str,
     ) -> Result<CocoPicture, RecordError> {
         let (view, width, height) = wanted;
-        let frame = home.render(view, Modality::Rgb | Modality::Boxes | Modality::Masks, width, height)?;
-        let name = format!("{FRAMES}/{:06}.png", self.seen.pictures());
+        let all = self.wanted().fold(Modality::Rgb | Modality::Boxes | Modality::Masks, |all, (one, _)| all | one);
+        let frame = home.render(view, all, width, height)?;
+        let number = self.seen.pictures();
+        let name = format!("{FRAMES}/{number:06}.png");
         save(&self.folder.join(&name), &picture::png(&picture::rgb(&frame))?)?;
         let picture = CocoPicture::of(name, &frame, &home.snapshot()?)?;
-        let picture = picture.taken(home.graph().name(), view.describe(home.graph()));
+        let mut picture = picture.taken(home.graph().name(), view.describe(home.graph()));
+        for (modality, kind) in self.wanted() {
+            let name = format!("{kind}/{number:06}.npy");
+            save(&self.folder.join(&name), &array(&frame, modality)?)?;
+            picture = picture.with_file(kind, name);
+        }
         self.journal.note(of, &picture).map_err(at(&self.folder.join(JOURNAL)))?;
         Ok(picture)
+    }
+
+    /// The modalities that are written as arrays, and their folders.
+    fn wanted(&self) -> impl Iterator<Item = (Modality, &'static str)> + use<> {
+        let arrays = self.arrays;
+        ARRAYS.into_iter().filter(move |(modality, _)| arrays.has(*modality))
     }
 
     /// The number of pictures.
@@ -111,11 +157,22 @@ impl Dataset {
     /// # Errors
     /// [`RecordError`] if they cannot be encoded or written.
     pub fn finish(self) -> Result<PathBuf, RecordError> {
-        let (path, frames) = (self.folder.join(DOCUMENT), self.folder.join(FRAMES));
+        let path = self.folder.join(DOCUMENT);
         // An interrupted run may have left more pictures.
-        files::remove_numbered(&frames, "png", self.seen.pictures() as u64).map_err(at(&frames))?;
+        Self::clear_from(&self.folder, self.seen.pictures() as u64)?;
         save(&path, self.seen.document()?.as_bytes())?;
         self.journal.remove().map_err(at(&self.folder.join(JOURNAL)))?;
         Ok(path)
+    }
+}
+
+/// A modality of a frame as an array of rows.
+fn array(frame: &Frame, modality: Modality) -> Result<Vec<u8>, RenderError> {
+    let shape = [frame.height, frame.width];
+    match modality {
+        Modality::Distance => npy(&frame.distance, &shape),
+        Modality::Instance => npy(&frame.instance, &shape),
+        Modality::Class => npy(&frame.class, &shape),
+        _ => npy(&frame.depth, &shape),
     }
 }

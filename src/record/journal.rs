@@ -36,10 +36,11 @@ impl Journal {
     }
 
     /// The next picture with its annotations, if the earlier run made it with the same home, view, size and
-    /// light and its file is in the folder. From the first picture for which this does not hold, all are
+    /// light and its files are in the folder. From the first picture for which this does not hold, all are
     /// rendered anew.
     pub(super) fn next(&mut self, of: &str, folder: &Path) -> Option<CocoPicture> {
-        let same = |(known, picture): &(String, CocoPicture)| known == of && folder.join(picture.file_name()).is_file();
+        let is_there = |picture: &CocoPicture| picture.files().all(|name| folder.join(name).is_file());
+        let same = |(known, picture): &(String, CocoPicture)| known == of && is_there(picture);
         match self.left.pop_front().filter(|(known, _)| same(known)) {
             Some(((_, picture), end)) => {
                 self.end = end;

@@ -51,7 +51,6 @@ fn graphs_are_put_in_force() {
     edit.move_to_room(apple, room).unwrap();
     edit.place(apple, Place { relation: Relation::On, at: table }).unwrap();
     let lost = edit.add(Draft::new("apple")).unwrap();
-    edit.move_to_room(lost, room).unwrap();
     edit.commit();
     let report = home.reset(&graph).unwrap();
     assert_eq!(report.added, [apple, lost]);
@@ -144,4 +143,122 @@ fn homes_are_exported_as_they_are() {
         let turned = was.iter().zip(&is).filter(|(a, b)| (*a - *b).abs() > 0.1).count();
         assert!(turned >= 2, "{name}: {was:?}, then {is:?}");
     }
+}
+
+/// An edited graph moves things and agents without poses of its own: onto and into things, and into rooms, together
+/// with what lies on or in them; `moved` has those that have moved.
+#[test]
+fn an_edited_graph_moves_what_it_places() {
+    let mut home = home(42, 1);
+    let (start, me) = (home.start().clone(), home.agents()[0]);
+    let one = |class: &str| start.of_class(class)[0];
+    let (table, fridge, sofa, kitchen) = (one("coffee_table"), one("fridge"), one("sofa"), one("kitchen"));
+    let novels = start.of_class("novel");
+    let on_sofa: Vec<NodeId> = start.relating(Relation::On, sofa).collect();
+    let mut graph = start.clone();
+    let mut edit = graph.edit();
+    let on_table = Place { relation: Relation::On, at: table };
+    let in_fridge = Place { relation: Relation::Inside, at: fridge };
+    edit.place(novels[0], on_table).unwrap();
+    edit.place(novels[10], in_fridge).unwrap();
+    edit.move_to_room(sofa, kitchen).unwrap();
+    edit.move_to_room(me, kitchen).unwrap();
+    edit.commit();
+    let report = home.reset(&graph).unwrap();
+    assert!(report.unplaced.is_empty() && report.elsewhere.is_empty(), "{report:?}");
+    let mut moved = [vec![novels[0], novels[10], sofa, me], on_sofa.clone()].concat();
+    moved.sort_unstable();
+    assert_eq!(report.moved, moved);
+    assert!(home.graph().places(novels[0]).any(|p| p == on_table));
+    assert!(home.graph().places(novels[10]).any(|p| p == in_fridge));
+    assert!(home.world().supports(novels[0]).contains(&table));
+    for id in [sofa, me].into_iter().chain(on_sofa.iter().copied()) {
+        assert_eq!(home.graph().room_of(id), Some(kitchen), "{}", start.label(id));
+    }
+    assert!(on_sofa.iter().all(|id| home.graph().rests_at(*id, sofa)));
+    let at = home.world().pose(me).unwrap().translation.vector.xy();
+    assert!(home.floor().is_free(at.into()));
+    assert_eq!(home.reset(&start).unwrap(), virtualcity::ResetReport::default());
+    // The same from a graph of now, for things that are elsewhere than at the start.
+    home.put(novels[0], on_table).unwrap();
+    let mut graph = home.graph().clone();
+    let mut edit = graph.edit();
+    edit.place(novels[0], in_fridge).unwrap();
+    edit.commit();
+    assert!(home.reset(&graph).unwrap().moved.contains(&novels[0]));
+    assert!(home.graph().places(novels[0]).any(|p| p == in_fridge));
+    // The room alone is a place for things without a pose.
+    let mut graph = start.clone();
+    let mut edit = graph.edit();
+    edit.move_to_room(novels[0], kitchen).unwrap();
+    edit.set_pose(novels[0], None).unwrap();
+    edit.commit();
+    assert!(home.reset(&graph).unwrap().unplaced.is_empty());
+    assert_eq!(home.graph().room_of(novels[0]), Some(kitchen));
+}
+
+/// A thing for which there is no room stays where it was, and the report says why; parts of the building stay.
+#[test]
+fn what_cannot_be_moved_is_told() {
+    let mut home = home(42, 1);
+    let start = home.start().clone();
+    let one = |class: &str| start.of_class(class)[0];
+    let (sofa, table, door) = (one("sofa"), one("coffee_table"), one("door"));
+    let mut graph = start.clone();
+    let mut edit = graph.edit();
+    edit.place(sofa, Place { relation: Relation::On, at: table }).unwrap();
+    edit.place(door, Place { relation: Relation::On, at: sofa }).unwrap();
+    edit.commit();
+    let report = home.reset(&graph).unwrap();
+    let told = |id: NodeId| report.elsewhere.iter().find(|e| e.thing.id == id).unwrap_or_else(|| panic!("{report:?}"));
+    assert!(matches!(told(sofa).why, Some(Why::NoSpot { .. })), "{:?}", told(sofa));
+    assert!(matches!(told(door).why, Some(Why::NotMovable(_))), "{:?}", told(door));
+    let begins = format!("{} is not on {}: no spot", start.label(sofa), start.label(table));
+    assert!(told(sofa).to_string().starts_with(&begins), "{}", told(sofa));
+    assert!(report.unplaced.is_empty() && report.moved.is_empty(), "{report:?}");
+    let pose = |graph: &virtualcity::graph::SceneGraph| graph.node(sofa).unwrap().pose().copied();
+    assert_eq!(pose(home.graph()), pose(&start));
+    assert_eq!(home.graph().room_of(sofa), start.room_of(sofa));
+}
+
+/// Errors name a thing that is no agent or room as such, and actions without an environment.
+#[test]
+fn errors_name_what_is_not_there() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let fridge = home.graph().of_class("fridge")[0];
+    let told = home.teleport(me, fridge).unwrap_err().to_string();
+    assert!(told.contains("is no room"), "{told}");
+    #[cfg(feature = "render")]
+    for (view, why) in [
+        (virtualcity::Viewpoint::Agent(fridge), "is no agent"),
+        (virtualcity::Viewpoint::Room(fridge), "is not a room"),
+        (virtualcity::Viewpoint::Above(fridge), "is not a room"),
+    ] {
+        let told = home.render(view, virtualcity::render::Modality::Rgb, 8, 8).err().unwrap().to_string();
+        assert!(told.starts_with(&format!("{} {why}", home.graph().label(fridge))), "{told}");
+    }
+    let dance: virtualcity::graph::Action = "dance".parse().unwrap();
+    let mut batch = virtualcity::Batch::of(vec![home]);
+    let outcomes = batch.set_actions(&vec![vec![(me, dance)]; 3]);
+    assert_eq!(outcomes.len(), 3);
+    assert!(outcomes[0][0].is_ok());
+    let told = outcomes[2][0].as_ref().unwrap_err().to_string();
+    assert!(told.contains("no environment 2") && told.contains("the batch has 1"), "{told}");
+}
+
+/// Agents greet, touch and play with each other, and not with themselves.
+#[test]
+fn people_are_no_playthings_of_their_own() {
+    use virtualcity::graph::Verb::{Play, Push, Touch, Walk, Wash};
+    let mut home = home(42, 2);
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    home.set_action(me, virtualcity::graph::Action::one(Walk, other)).unwrap();
+    for verb in [Touch, Push, Play] {
+        let action = virtualcity::graph::Action::one(verb, other);
+        home.set_action(me, action).unwrap_or_else(|e| panic!("{}: {e}", action.describe(home.graph())));
+    }
+    let legal = home.legal_actions(me);
+    assert!(legal.iter().all(|a| ![Play, Push, Walk].contains(&a.verb) || a.object != Some(me)));
+    assert!(legal.contains(&virtualcity::graph::Action::one(Wash, me)));
 }

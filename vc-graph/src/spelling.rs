@@ -49,7 +49,8 @@ pub(crate) fn same_word(a: &str, b: &str) -> bool {
 
 /// The known words nearest to a misspelt one, three at most: those with the smallest edit distance. An edit
 /// inserts, deletes or replaces a letter, or swaps two neighbouring letters; one edit is allowed, or one for
-/// every three letters. Case and separators do not count.
+/// every three letters. Among equally near words those come first that begin with the misspelt one, or with which it
+/// begins. Case and separators do not count.
 ///
 /// ```
 /// let verbs = ["grab", "walk", "wake_up", "switch_on"];
@@ -66,13 +67,14 @@ pub fn nearest<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> Vec<
     let near = known.into_iter().filter_map(|other| {
         let folded: Vec<char> = folded(other).take(LONGEST).collect();
         let slips = if folded.len().abs_diff(word.len()) > most { usize::MAX } else { slips(&word, &folded) };
-        (slips <= most && slips < word.len().max(folded.len())).then_some((slips, other))
+        let apart = !folded.starts_with(&word) && !word.starts_with(&folded);
+        (slips <= most && slips < word.len().max(folded.len())).then_some((slips, apart, other))
     });
-    let mut near: Vec<(usize, &str)> = near.collect();
+    let mut near: Vec<(usize, bool, &str)> = near.collect();
     near.sort_unstable();
     near.dedup();
-    let best = near.first().map_or(0, |(slips, _)| *slips);
-    near.into_iter().filter(|(slips, _)| *slips <= best).take(MOST).map(|(_, word)| word).collect()
+    let best = near.first().map_or(0, |(slips, ..)| *slips);
+    near.into_iter().filter(|(slips, ..)| *slips <= best).take(MOST).map(|(.., word)| word).collect()
 }
 
 /// The nearest words in brackets, to be appended to the misspelt word: ``(did you mean `grab`?)`` with a space

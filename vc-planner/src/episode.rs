@@ -139,7 +139,7 @@ impl Run {
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
     /// policy believes, and for a goal with words of time by the trace of true scenes: [`Progress`]. An episode is lost at once in a scene without an agent, and for a task whose
-    /// goal has a label of another class than its node.
+    /// goal has a name that stands for nothing ([`Task::lost`]).
     pub fn episode(
         &self,
         policy: &mut dyn Policy,
@@ -154,8 +154,8 @@ impl Run {
         let Some(agent) = self.agent.or_else(|| world.graph().agents().first().copied()) else {
             return lost("the scene has no agent".into());
         };
-        if let Some(misnomer) = task.goal.misnomers(world.graph()).first() {
-            return lost(misnomer.to_string());
+        if let Some(why) = task.lost(world.graph()) {
+            return lost(why.to_string());
         }
         policy.begin(&Brief { scene: world.graph(), agent, task, seed: self.seed });
         let (progress, keeps_observations) = (task.begin(world, agent), self.keeps_observations);
@@ -235,7 +235,10 @@ impl Running<'_> {
             return Episode { outcome: Outcome::Won, score, steps, reason: None, digest };
         }
         let refused = self.refused.take().filter(|_| outcome != Outcome::TimedOut).map(|(_, why)| why);
-        let reasons: Vec<String> = reason.into_iter().chain(refused).collect();
+        let mut reasons: Vec<String> = reason.into_iter().chain(refused).collect();
+        if outcome != Outcome::TimedOut && reasons.is_empty() {
+            reasons.extend(self.progress.lost(self.world).map(|lost| lost.to_string()));
+        }
         let reason = (!reasons.is_empty()).then(|| reasons.join("; "));
         Episode { outcome, score, steps, reason, digest }
     }

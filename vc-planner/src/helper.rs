@@ -189,8 +189,8 @@ const IDLE: usize = 4;
 
 /// Lets several policies act in one world, in rounds, each for an agent of its own, until
 /// the task's goal holds for the first of them, nobody does anything any more, or the
-/// step limit is reached. Each agent sees what the agents in its view do. Without a policy, or if the goal has a label of
-/// another class than its node or somebody is no agent of the scene, the task is lost at once.
+/// step limit is reached. Each agent sees what the agents in its view do. Without a policy, or if the goal has a name that
+/// stands for nothing or somebody is no agent of the scene, the task is lost at once.
 pub fn run_together(
     policies: &mut [(NodeId, &mut dyn Policy)],
     task: &Task,
@@ -198,7 +198,7 @@ pub fn run_together(
     seed: vc_graph::Seed,
 ) -> TeamEpisode {
     let ids: Vec<NodeId> = policies.iter().map(|(id, _)| *id).collect();
-    if let Some(lost) = TeamEpisode::hopeless(&ids, &task.goal, world.graph()) {
+    if let Some(lost) = TeamEpisode::hopeless(&ids, task, world.graph()) {
         return lost;
     }
     for (agent, policy) in policies.iter_mut() {

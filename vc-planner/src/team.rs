@@ -43,15 +43,15 @@ impl From<&TeamEpisode> for Summary {
 }
 
 impl TeamEpisode {
-    /// An episode that is lost before it begins: there is no agent, the goal has a label of another class than its
-    /// node, or somebody who is to act is no agent of the scene.
-    pub(crate) fn hopeless(ids: &[NodeId], goal: &Goal, graph: &SceneGraph) -> Option<Self> {
+    /// An episode that is lost before it begins: there is no agent, the goal has a name that stands
+    /// for nothing, or somebody who is to act is no agent of the scene.
+    pub(crate) fn hopeless(ids: &[NodeId], task: &Task, graph: &SceneGraph) -> Option<Self> {
         let nobody = || ids.is_empty().then(|| "there is no agent to act: the team is empty".to_owned());
         let no_agent = ids.iter().copied().find(|id| !graph.agents().contains(id));
         let unknown = |id| graph.node(id).map_or(Refusal::NoSuchThing(id), |n| Refusal::NoAgent(n.label()));
         let stranger = || no_agent.map(|id| unknown(id).to_string());
-        let misnomer = || goal.misnomers(graph).into_iter().next().map(|misnomer| misnomer.to_string());
-        let reason = nobody().or_else(misnomer).or_else(stranger)?;
+        let misnamed = || task.lost(graph).map(|lost| lost.to_string());
+        let reason = nobody().or_else(misnamed).or_else(stranger)?;
         Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason: Some(reason) })
     }
 
@@ -98,9 +98,9 @@ impl Team {
     /// Lets the team pursue its goal until it holds, nobody knows what to do, or the
     /// task's limit of steps is reached, in rounds. The verdict is that on the first agent, as in
     /// [`run_episode`](crate::run_episode). A team of nobody has lost at once, and so has one whose task's goal has a
-    /// label of another class than its node, or with a member that is no agent; [`TeamEpisode::reason`] says so.
+    /// name that stands for nothing, or with a member that is no agent; [`TeamEpisode::reason`] says so.
     pub fn run(&mut self, task: &Task, world: &mut dyn World) -> TeamEpisode {
-        if let Some(lost) = TeamEpisode::hopeless(&self.ids, &task.goal, world.graph()) {
+        if let Some(lost) = TeamEpisode::hopeless(&self.ids, task, world.graph()) {
             return lost;
         }
         // The goal speaks of the first agent.
@@ -115,6 +115,7 @@ impl Team {
         }
         let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
         let outcome = if progress.holds(world) { Outcome::Won } else { lost };
+        reasons.extend(progress.lost(world).map(|lost| lost.to_string()));
         TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
     }
 

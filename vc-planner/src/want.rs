@@ -98,7 +98,7 @@ pub enum Unreachable {
     #[error("`{0}` has been done and cannot be undone")]
     Irrevocable(String),
     /// A part of the goal no longer holds, whatever is done from now on.
-    #[error("`{0}` does not hold any more, and nothing that is done can change that")]
+    #[error("{}", vc_tasks::Lost::Broken(.0.clone()))]
     Broken(String),
     /// Every way that was found breaks a part of the goal that must hold on the way.
     #[error("no way to `{goal}` was found that keeps `{part}`: `{action}` breaks it")]

@@ -42,12 +42,13 @@ pub mod report;
 pub mod score;
 mod task;
 mod trial;
+mod vacuous;
 mod world;
 
 pub use explain::{Bindings, MinimalSets, Part, SETS, Unmet, explain, first_held};
 pub use household::household;
-pub use obstacle::Obstacle;
-pub use progress::Progress;
+pub use obstacle::{Obstacle, Wider};
+pub use progress::{Lost, Progress};
 pub use task::{Outcome, Task, TaskError};
 pub use trial::{Feedback, Trial};
 pub use world::{World, WorldError};

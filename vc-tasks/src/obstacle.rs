@@ -5,7 +5,7 @@ use std::fmt;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
 use vc_graph::{Misnomer, Node, NodeId, Property, Relation, SceneGraph, State, did_you_mean};
 
-use crate::Task;
+use crate::{Lost, Task, vacuous};
 
 /// A reason why a goal cannot be reached in a scene by any agent.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,6 +22,15 @@ pub enum Obstacle {
         /// The number of objects in the scene.
         has: usize,
         /// Classes of the scene that may have been meant, if the class table does not know the class.
+        nearest: Vec<String>,
+        /// If the scene has none, a class of which it is a kind and of which the scene has objects, and their number.
+        wider: Option<Wider>,
+    },
+    /// Neither the class table nor the scene knows the class.
+    UnknownClass {
+        /// The name of none.
+        class: String,
+        /// Classes that may have been meant.
         nearest: Vec<String>,
     },
     /// The scene has objects of the class, but too few with the affordance that is asked for.
@@ -46,12 +55,29 @@ pub enum Obstacle {
     },
 }
 
+/// A class that another one is a kind of, and of which a scene has objects.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Wider {
+    /// The class.
+    pub class: String,
+    /// The name in the class table of the one that is a kind of it: of `lamp` that is `table_lamp`.
+    pub of: String,
+    /// The number of objects in the scene.
+    pub has: usize,
+}
+
 impl fmt::Display for Obstacle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew { part, class, needs, has, nearest } => {
+            Self::TooFew { part, class, needs, has, nearest, wider } => {
                 let near = did_you_mean(class, nearest.iter().map(String::as_str));
-                write!(f, "`{part}` needs {needs} of `{class}`{near}, the scene has {has}")
+                write!(f, "`{part}` needs {needs} of `{class}`{near}, the scene has {has}")?;
+                wider.as_ref().map_or(Ok(()), |Wider { class, of, has }| {
+                    write!(f, "; it has {has} of `{class}`, of which `{of}` is a kind")
+                })
+            }
+            Self::UnknownClass { class, nearest } => {
+                write!(f, "there is no class `{class}`{}", did_you_mean(class, nearest.iter().map(String::as_str)))
             }
             Self::NotAfforded { part, class, must_be } => {
                 write!(f, "`{part}` needs `{class}` to be {must_be}, which it is not in this scene")
@@ -67,8 +93,8 @@ impl fmt::Display for Obstacle {
 
 impl Task {
     /// The reasons why the goal makes no sense in a scene; empty if it does make sense. Considers the
-    /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels are
-    /// checked wherever they stand.
+    /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels, nodes and
+    /// classes that there are not are reported wherever they stand.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -88,28 +114,73 @@ impl Task {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn obstacles(&self, graph: &SceneGraph) -> Vec<Obstacle> {
+        let parts = obstacles(&self.goal, graph);
+        let lacks = |told: &str| parts.iter().any(|o| matches!(o, Obstacle::TooFew { class, .. } if class == told));
+        let told = |o: &Obstacle| matches!(o, Obstacle::UnknownClass { class, .. } if lacks(class));
         let mut found: Vec<Obstacle> = self.goal.misnomers(graph).into_iter().map(Obstacle::Misnomer).collect();
-        found.extend(unknown(&self.goal, graph));
-        found.extend(obstacles(&self.goal, graph));
+        found.extend(unknown(self.goal.terms(), graph).into_iter().filter(|obstacle| !told(obstacle)));
+        found.extend(parts);
         found
+    }
+
+    /// The reason why the goal is lost in a scene before anything is done: a label of another class than its node, or a
+    /// node or class that there is not, in a part that must not hold or must hold for all. Such a part would hold at
+    /// once, as nothing on the table is a `mugg`. A known class of which the scene has no object is no such name.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// scene.add(Draft::new("kitchen_table"))?;
+    /// let scene = scene.build();
+    /// let why = |goal: &str| -> Result<_, vc_graph::goal::GoalError> {
+    ///     Ok(Task::new("t", goal.parse()?).lost(&scene).map(|lost| lost.to_string()))
+    /// };
+    /// let told = why("always !On(mugg, kitchen_table)")?;
+    /// assert_eq!(told.as_deref(), Some("there is no class `mugg` (did you mean `mug`?)"));
+    /// assert_eq!(why("!On(mug, kitchen_table)")?, None); // there is no mug, and so none on the table
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn lost(&self, graph: &SceneGraph) -> Option<Lost> {
+        let mut found: Vec<Obstacle> = self.goal.misnomers(graph).into_iter().map(Obstacle::Misnomer).collect();
+        found.extend(unknown(vacuous::terms(&self.goal), graph));
+        (!found.is_empty()).then_some(Lost::Misnamed(found))
     }
 }
 
 /// The number of things that an agent can hold at once.
 const HANDS: usize = 2;
 
-/// The nodes that a goal names and the scene does not have, each once.
-fn unknown(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
+/// The nodes and classes that terms name and that there are not, each once.
+fn unknown(terms: Vec<Term>, graph: &SceneGraph) -> Vec<Obstacle> {
     let mut found = Vec::new();
-    for term in goal.terms() {
-        let Term::Node(class, id) = term else { continue };
-        let label = class.map_or_else(|| format!("#{}", id.0), |class| format!("{class}.{}", id.0));
-        let obstacle = Obstacle::NoSuchNode(label);
-        if graph.node(id).is_none() && !found.contains(&obstacle) {
+    for obstacle in terms.into_iter().filter_map(|term| unknown_term(term, graph)) {
+        if !found.contains(&obstacle) {
             found.push(obstacle);
         }
     }
     found
+}
+
+fn unknown_term(term: Term, graph: &SceneGraph) -> Option<Obstacle> {
+    match term {
+        Term::Node(class, id) if graph.node(id).is_none() => {
+            let label = class.map_or_else(|| format!("#{}", id.0), |class| format!("{class}.{}", id.0));
+            Some(Obstacle::NoSuchNode(label))
+        }
+        Term::Class(class) if graph.classes().get(&class).is_none() && graph.of_class(&class).is_empty() => {
+            let nearest = graph.classes().nearest(&class).into_iter().map(str::to_owned).collect();
+            Some(Obstacle::UnknownClass { class, nearest })
+        }
+        _ => None,
+    }
+}
+
+/// A class that a class is a kind of and of which a scene has objects: the one of which it has the fewest.
+fn wider(class: &str, graph: &SceneGraph) -> Option<Wider> {
+    let known = graph.classes().get(class)?;
+    let has = known.parents.iter().map(|parent| (graph.of_class(parent).len(), parent)).filter(|(has, _)| *has > 0);
+    has.min().map(|(has, parent)| Wider { class: parent.to_string(), of: known.name.to_string(), has })
 }
 
 /// Whether more is to be held at once than there are hands: things of parts that no thing can serve both of.
@@ -236,8 +307,12 @@ fn require(
     let fit = all.iter().filter(|&&id| graph.node(id).is_some_and(&fits)).count();
     let (part, class) = (part.to_string(), class.to_owned());
     if all.len() < needs {
-        let nearest = graph.nearest_classes(&class).into_iter().map(str::to_owned).collect();
-        found.push(Obstacle::TooFew { part, class, needs, has: all.len(), nearest });
+        let unknown = graph.classes().get(&class).is_none();
+        let of_scene = graph.nearest_classes(&class);
+        let nearest = if of_scene.is_empty() && unknown { graph.classes().nearest(&class) } else { of_scene };
+        let nearest = nearest.into_iter().map(str::to_owned).collect();
+        let wider = if all.is_empty() { wider(&class, graph) } else { None };
+        found.push(Obstacle::TooFew { part, class, needs, has: all.len(), nearest, wider });
     } else if fit < needs {
         found.push(Obstacle::NotAfforded { part, class, must_be });
     }

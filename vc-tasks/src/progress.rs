@@ -3,8 +3,8 @@
 use vc_graph::goal::Trace;
 use vc_graph::{Goal, NodeId, SceneGraph};
 
-use crate::World;
 use crate::compile::Monitor;
+use crate::{Obstacle, World};
 
 /// A goal judged step by step in an episode.
 ///
@@ -32,6 +32,7 @@ use crate::compile::Monitor;
 /// }
 /// assert!(fetch.holds(&world));
 /// assert!(!never.holds(&world)); // the fridge was opened on the way
+/// assert!(never.lost(&world).is_some_and(|lost| lost.to_string().starts_with("`always Closed(fridge)` does not hold")));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -82,6 +83,15 @@ impl Progress {
         }
     }
 
+    /// The reason why the goal cannot hold any more, whatever is done from now on, if that is known: a part with words
+    /// of time has been broken. Takes note of what has been done before. Parts with `then` or pairs, and goals too
+    /// large to be compiled, are not known to be broken.
+    pub fn lost(&mut self, world: &dyn World) -> Option<Lost> {
+        self.note(world);
+        let part = self.past.as_ref()?.monitor.as_ref()?.broken()?;
+        Some(Lost::Broken(self.goal.conjuncts().get(part)?.to_string()))
+    }
+
     /// How much of the goal holds now, 0 to 1: [`Goal::score`], or [`Goal::score_on`] the trace. Takes note of what has
     /// been done before.
     pub fn score(&mut self, world: &dyn World) -> f64 {
@@ -92,6 +102,18 @@ impl Progress {
             Some(past) => self.goal.score_on(&past.trace),
         }
     }
+}
+
+/// Why a goal is lost while an attempt goes on: nothing that is done from now on makes it hold.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Lost {
+    /// Names in it stand for nothing: see [`Task::lost`](crate::Task::lost).
+    #[error("{}", .0.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
+    Misnamed(Vec<Obstacle>),
+    /// A part of it with words of time has been broken.
+    #[error("`{0}` does not hold any more, and nothing that is done can change that")]
+    Broken(String),
 }
 
 impl Past {

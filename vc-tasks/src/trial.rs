@@ -2,7 +2,7 @@
 
 use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
 
-use crate::{Progress, Task, World, WorldError};
+use crate::{Lost, Progress, Task, World, WorldError};
 
 /// An agent with a task in a world, action by action, as in reinforcement learning: each action returns
 /// an observation and a reward. The caller runs the loop; `Policy` and `run_episode` of `vc-planner` run it
@@ -10,7 +10,9 @@ use crate::{Progress, Task, World, WorldError};
 ///
 /// The reward of an action is the change of the score of [`Progress`], so the rewards of an episode that was won sum
 /// to the part of the goal that did not hold at first. A goal with words of time is judged on the trace since the trial
-/// began. Action costs and the like are left to the caller.
+/// began. Once it can no longer hold, [`Feedback::lost`] says why, and no reward is positive: a score that counts the
+/// steps at which `always Closed(fridge)` held would grow with each idle step after the fridge was open. Action costs
+/// and the like are left to the caller.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
@@ -44,6 +46,7 @@ pub struct Trial<W> {
     progress: Progress,
     score: f64,
     steps: usize,
+    lost: Option<Lost>,
 }
 
 /// The result of an action.
@@ -51,12 +54,15 @@ pub struct Trial<W> {
 pub struct Feedback {
     /// The agent's view after the action.
     pub observation: Observation,
-    /// How much more of the goal holds than before the action, -1 to 1.
+    /// How much more of the goal holds than before the action, -1 to 1; at most 0 once the trial is lost.
     pub reward: f64,
     /// Whether the goal holds: the trial is over.
     pub terminated: bool,
     /// Whether the task's step limit is reached without the goal holding: the trial is over.
     pub truncated: bool,
+    /// The reason why the goal cannot hold any more, whatever is done, if that is known: the trial is over. A part with
+    /// words of time is broken, or a name in the goal stands for nothing ([`Task::lost`]).
+    pub lost: Option<Lost>,
     /// The reason why the action was refused or failed, if it was; it counts as a step. A refused action
     /// changes nothing else.
     pub refused: Option<WorldError>,
@@ -65,9 +71,11 @@ pub struct Feedback {
 impl<W: World> Trial<W> {
     /// Begins a task in a world in its current state; the agent observes the room it is in.
     pub fn new(world: W, task: Task, agent: NodeId) -> Self {
-        let (start, mut progress) = (world.graph().clone(), task.begin(&world, agent));
-        let score = progress.score(&world);
-        Self { world, start, task, agent, scope: Scope::Room, progress, score, steps: 0 }
+        let (start, progress) = (world.graph().clone(), task.begin(&world, agent));
+        let (scope, score, steps) = (Scope::Room, 0.0, 0);
+        let mut trial = Self { world, start, task, agent, scope, progress, score, steps, lost: None };
+        trial.begin();
+        trial
     }
 
     /// Sets which part of the scene the agent observes.
@@ -76,15 +84,26 @@ impl<W: World> Trial<W> {
         Self { scope, ..self }
     }
 
+    /// Counts from the world's present state.
+    fn begin(&mut self) {
+        self.steps = 0;
+        let misnamed = self.task.lost(self.world.graph());
+        self.score = if misnamed.is_some() { 0.0 } else { self.progress.score(&self.world) };
+        self.lost = misnamed.or_else(|| self.progress.lost(&self.world));
+    }
+
     /// Executes an action of the agent. Actions are accepted after the end, too; the feedback then describes
     /// the world after them.
     pub fn step(&mut self, action: &Action) -> Feedback {
         let refused = self.world.step(self.agent, action).err();
         self.steps += 1;
-        let before = std::mem::replace(&mut self.score, self.progress.score(&self.world));
-        let terminated = self.progress.holds(&self.world);
+        let (before, now) = (self.score, self.progress.score(&self.world));
+        self.lost = self.lost.take().or_else(|| self.progress.lost(&self.world));
+        self.score = if self.lost.is_some() { now.min(before) } else { now };
+        let (observation, reward, lost) = (self.observation(), self.score - before, self.lost.clone());
+        let terminated = lost.is_none() && self.progress.holds(&self.world);
         let truncated = !terminated && self.steps >= self.task.step_limit;
-        Feedback { observation: self.observation(), reward: self.score - before, terminated, truncated, refused }
+        Feedback { observation, reward, terminated, truncated, lost, refused }
     }
 
     /// Resets the world to the scene in which the trial began and returns the agent's first observation.
@@ -94,7 +113,7 @@ impl<W: World> Trial<W> {
     pub fn reset(&mut self) -> Result<Observation, WorldError> {
         self.world.reset(&self.start)?;
         self.progress = self.task.begin(&self.world, self.agent);
-        (self.score, self.steps) = (self.progress.score(&self.world), 0);
+        self.begin();
         Ok(self.observation())
     }
 
@@ -103,7 +122,7 @@ impl<W: World> Trial<W> {
         self.world.graph().observe(self.agent, self.scope)
     }
 
-    /// How much of the goal holds now, 0 to 1.
+    /// How much of the goal holds now, 0 to 1; it does not grow any more once the trial is lost.
     pub fn score(&self) -> f64 {
         self.score
     }

@@ -74,12 +74,18 @@ impl Environment {
     /// eyes, `Camera::looking` from a corner of a room, `Camera::overhead`, `Camera::resized`.
     ///
     /// # Errors
-    /// [`RenderError::NoBody`] if there is no such agent or room.
+    /// [`RenderError::NoAgent`] for the eyes of something else, [`RenderError::NoRoom`] for a view of something else than
+    /// a room, [`RenderError::NoBody`] for an agent without a body.
     pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError<Label>> {
         let camera = Camera::with_fov(width, height, FIELD);
         match view {
             Viewpoint::Free(free) => Ok(free.resized(width, height)),
-            Viewpoint::Agent(agent) => self.eyes(agent, camera).ok_or_else(|| self.no_body(agent)),
+            Viewpoint::Agent(agent) if !self.graph().agents().contains(&agent) => {
+                Err(RenderError::NoAgent(self.graph().label(agent)))
+            }
+            Viewpoint::Agent(agent) => {
+                self.eyes(agent, camera).ok_or_else(|| RenderError::NoBody(self.graph().label(agent)))
+            }
             Viewpoint::Room(room) => self.corner(room, camera),
             Viewpoint::Above(room) => {
                 let aabb = self.bounds_of(room)?;
@@ -97,11 +103,7 @@ impl Environment {
     /// The box around a room.
     fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError<Label>> {
         let node = self.graph().node(room).filter(|n| n.kind() == Kind::Room);
-        node.and_then(|n| n.aabb()).ok_or_else(|| self.no_body(room))
-    }
-
-    fn no_body(&self, id: NodeId) -> RenderError<Label> {
-        RenderError::NoBody(self.graph().label(id))
+        node.and_then(|n| n.aabb()).ok_or_else(|| RenderError::NoRoom(self.graph().label(room)))
     }
 
     fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {

@@ -106,3 +106,33 @@ fn records_go_on_where_they_were_broken_off() {
     assert_eq!(all.insert("frames/000000.png".into(), first).unwrap(), b"mark");
     assert!(all == whole);
 }
+
+/// Arrays of other modalities lie beside the pictures, and the document names them.
+#[test]
+fn datasets_have_arrays_on_wish() {
+    use virtualcity::render::Modality;
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let at = folder("dataset_arrays");
+    let room = home.graph().rooms()[0];
+    let take = |wanted: bool| {
+        let mut dataset = Dataset::create(&at).unwrap();
+        if wanted {
+            dataset = dataset.with(Modality::Depth | Modality::Instance);
+        }
+        dataset.add(&home, Viewpoint::Room(room), 32, 24).unwrap();
+        let document = std::fs::read_to_string(dataset.finish().unwrap()).unwrap();
+        let document: serde_json::Value = serde_json::from_str(&document).unwrap();
+        document["images"][0]["files"].clone()
+    };
+    let named = take(true);
+    assert_eq!(named, serde_json::json!({"depth": "depth/000000.npy", "instance": "instance/000000.npy"}));
+    let frame = home.render(Viewpoint::Room(room), Modality::Depth | Modality::Instance, 32, 24).unwrap();
+    let depth = virtualcity::render::format::npy(&frame.depth, &[24, 32]).unwrap();
+    let instance = virtualcity::render::format::npy(&frame.instance, &[24, 32]).unwrap();
+    let all = files(&at);
+    assert_eq!(all.len(), 4, "{:?}", all.keys());
+    assert!(all[Path::new("depth/000000.npy")] == depth && all[Path::new("instance/000000.npy")] == instance);
+    // They are removed with the pictures of the data set.
+    assert!(take(false).is_null());
+    assert_eq!(files(&at).len(), 2, "a picture and a document: {:?}", files(&at).keys());
+}

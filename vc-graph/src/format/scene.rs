@@ -5,20 +5,28 @@ use std::sync::Arc;
 
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
-use super::{FormatError, eai, native, thesis, unmarked, virtualhome};
+use super::{FormatError, Problem, eai, native, thesis, unmarked, virtualhome};
 use crate::{ClassTable, SceneGraph};
 
 /// Reads a scene in any supported format: VirtualCity's, the thesis's, VirtualHome's, or a pair of VirtualHome
 /// graphs before and after a program, of which the first is read.
 ///
 /// # Errors
-/// The [`FormatError`] of the most similar format.
+/// The [`FormatError`] of the most similar format, and for a text that is no JSON one of none.
 pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+    if unmarked(text).trim_start().starts_with(|c| !matches!(c, '{' | '[')) {
+        return Err(FormatError { format: "scene", line: None, field: String::new(), problem: Box::new(unknown()) });
+    }
     let mut outline = Outline::default();
     let mut json = serde_json::Deserializer::from_str(unmarked(text));
     // If the scan ends early, the outline has the keys up to that point.
     let _ = Look { outline: &mut outline, top: true }.deserialize(&mut json);
     outline.reader()(text, classes)
+}
+
+fn unknown() -> Problem {
+    let formats = "VirtualCity's scenes, VirtualHome's graphs and the thesis's scenes";
+    Problem::Shape(format!("the text is no scene in any known format: those are the JSON of {formats}"))
 }
 
 type Reader = fn(&str, &Arc<ClassTable>) -> Result<SceneGraph, FormatError>;

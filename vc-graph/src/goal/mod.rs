@@ -59,6 +59,28 @@
 //! operators range from their step to the end. `then` cuts the remaining trace into stretches, each as short as
 //! possible and the last one up to the end; each part is evaluated as a goal on its stretch.
 //!
+//! The state before the first action is a step of the trace, too: `Holds(cup) until On(cup, table)` asks for a cup that
+//! is held from the start, and fails at once if none is.
+//!
+//! ```
+//! use vc_graph::goal::Trace;
+//! use vc_graph::{Draft, Goal, SceneBuilder};
+//! let mut scene = SceneBuilder::new("flat");
+//! let kitchen = scene.add(Draft::new("kitchen"))?;
+//! let cup = scene.add_in(kitchen, Draft::new("cup"))?;
+//! let me = scene.add_in(kitchen, Draft::new("character"))?;
+//! let start = scene.build();
+//! let mut held = start.clone();
+//! let mut edit = held.edit();
+//! edit.hold(me, cup)?;
+//! edit.commit();
+//! let mut trace = Trace::new(start, me);
+//! trace.push(held, []);
+//! let goal: Goal = "Holds(cup) until Dirty(cup)".parse()?;
+//! assert!(!goal.holds_on(&trace)); // at the start the cup is neither held nor dirty
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! [`Goal::holds`] evaluates a goal in one [`Situation`], which has a single state: earlier steps are those of
 //! its events, and their states are assumed to equal the present one.
 

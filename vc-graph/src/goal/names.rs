@@ -1,7 +1,8 @@
 //! Names of predicates.
 
 use super::Predicate;
-use crate::spelling::same_word;
+use super::write::capitalised;
+use crate::spelling::{key, same_word};
 use crate::vocabulary::Word;
 use crate::{Relation, State, Verb};
 
@@ -50,6 +51,16 @@ const NAMES: &[(&str, Predicate)] = &[
 pub(super) fn predicates() -> impl Iterator<Item = &'static str> {
     let named = NAMES.iter().map(|(name, _)| *name);
     named.chain(words::<State>()).chain(words::<Relation>()).chain(words::<Verb>())
+}
+
+/// The predicates whose names begin with that of another one and that take the things given to it, to be appended to
+/// an error: ``(did you mean `SittingOn`?)``. Empty if there are none.
+pub(super) fn taking(name: &str, given: usize) -> String {
+    let takes = |p: Predicate| p.arity() == given || (agent_is_meant(p) && p.arity() == given + 1);
+    let longer = |other: &&str| !same_word(other, name) && key(other).starts_with(&key(name));
+    let fits = |other: &&str| native_predicate(other, given).is_some_and(takes);
+    let near: Vec<String> = predicates().filter(longer).filter(fits).map(|p| format!("`{}`", capitalised(p))).collect();
+    if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
 }
 
 fn words<W: Word>() -> impl Iterator<Item = &'static str> {

@@ -51,7 +51,9 @@ impl Reader {
         let start = self.at();
         let did = self.take(&["did"]);
         let name = self.name("a predicate such as `On(apple, table)`")?;
-        self.demand("(", "`(` after the predicate")?;
+        let of_nothing = self.predicate(&name, did, 0).is_some_and(|p| p.arity() == 0);
+        let brackets = if of_nothing { "`()` after an action, as in `did dance()`" } else { "`(` after the predicate" };
+        self.demand("(", brackets)?;
         let mut terms = Vec::new();
         let things = self.next;
         while !self.take(&[")"]) {

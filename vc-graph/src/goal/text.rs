@@ -44,7 +44,7 @@ pub enum GoalProblem {
     )]
     Predicate(String),
     /// A predicate with the wrong number of terms.
-    #[error("`{predicate}` takes {takes} things, {given} are given")]
+    #[error("`{predicate}` takes {takes} things, {given} are given{near}", near = names::taking(.predicate, *.given))]
     Arity {
         /// The predicate.
         predicate: String,

@@ -58,7 +58,7 @@ fn sign(comparison: Comparison) -> &'static str {
 }
 
 /// Capitalises: `plugged_in` becomes `PluggedIn`.
-fn capitalised(word: &str) -> String {
+pub(super) fn capitalised(word: &str) -> String {
     word.split('_').map(|part| part[..1].to_uppercase() + &part[1..]).collect()
 }
 

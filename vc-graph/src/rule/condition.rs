@@ -98,6 +98,8 @@ pub enum Condition<T = NodeId> {
     SafeToOpen(T),
     /// It is a person.
     Personal(T),
+    /// It is not the agent itself.
+    Other(T),
     /// A relation holds between two objects. No verb needs it as such, but goals do.
     Related(T, Relation, T),
 }
@@ -153,6 +155,7 @@ impl Condition<Role> {
             C::Typable(t) => C::Typable(of(t)?),
             C::SafeToOpen(t) => C::SafeToOpen(of(t)?),
             C::Personal(t) => C::Personal(of(t)?),
+            C::Other(t) => C::Other(of(t)?),
             C::Related(t, r, u) => C::Related(of(t)?, r, of(u)?),
         })
     }
@@ -177,6 +180,7 @@ impl<T> Condition<T> {
                 | C::Soft(_)
                 | C::Typable(_)
                 | C::Personal(_)
+                | C::Other(_)
                 | C::Reachable(_)
                 | C::Tangible(_)
         )

@@ -91,6 +91,7 @@ impl<'a, W: Why> Judge<'a, W> {
                 let person = node.kind() == Kind::Agent || node.affords(Property::Person);
                 self.require(person, || Refusal::NotAfforded(node.label(), "a person"))
             }
+            C::Other(t) => self.require(t != agent, || Refusal::Oneself(graph.label(t))),
             C::Related(t, relation, u) => {
                 let refusal = || Refusal::NotRelated(graph.label(t), relation, graph.label(u));
                 self.require(graph.has(Edge::new(t, relation, u)), refusal)

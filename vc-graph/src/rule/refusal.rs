@@ -35,6 +35,9 @@ pub enum Refusal {
     /// The thing is a room.
     #[error("{0} is a room: name a thing in it, such as its floor")]
     IsRoom(Label),
+    /// The agent is to do to itself what one does to others.
+    #[error("{0} is oneself")]
+    Oneself(Label),
     /// The object is not in the state.
     #[error("{0} is not {1}")]
     NotInState(Label, State),

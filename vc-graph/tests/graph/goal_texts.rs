@@ -149,3 +149,19 @@ fn two_things_without_a_comma_are_not_one_that_is_on() {
         assert_eq!(goal, read.parse().unwrap(), "{text}");
     }
 }
+
+/// A predicate of another number of things and an action without any get the form that was meant.
+#[test]
+fn errors_name_the_form_that_was_meant() {
+    for (text, meant) in [
+        ("Sitting(me, sofa)", "`Sitting` takes 1 things, 2 are given (did you mean `SittingOn`?)"),
+        ("Lying(me, bed)", "(did you mean `LyingOn`?)"),
+        ("Hold(mug)", "unknown predicate `Hold` (did you mean `holds` or "),
+        ("did dance", "expected `()` after an action, as in `did dance()`, found the end"),
+        ("dance & Open(door)", "expected `()` after an action, as in `did dance()`, found `&`"),
+    ] {
+        let error = fail(text).to_string();
+        assert!(error.contains(meant), "{text}: {error}");
+    }
+    assert_eq!(parse("did dance()"), parse("Dance()"));
+}

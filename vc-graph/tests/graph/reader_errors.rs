@@ -191,6 +191,8 @@ fn read_scene_answers_as_the_format_it_looks_like() {
     ] {
         assert_eq!(read_scene(text, &classes).unwrap_err().format, format);
     }
+    let error = read_scene("# A title\n", &classes).unwrap_err().to_string();
+    assert!(error.starts_with("scene: the text is no scene in any known format"), "{error}");
 }
 
 #[test]

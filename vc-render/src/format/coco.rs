@@ -55,8 +55,8 @@ impl Coco {
     /// Adds the record of a picture.
     pub fn push(&mut self, picture: CocoPicture) {
         let image_id = self.images.len() + 1;
-        let CocoPicture { file_name, width, height, scene, viewpoint, objects } = picture;
-        self.images.push(Image { id: image_id, file_name, width, height, scene, viewpoint });
+        let CocoPicture { file_name, width, height, scene, viewpoint, files, objects } = picture;
+        self.images.push(Image { id: image_id, file_name, width, height, scene, viewpoint, files });
         for seen in objects {
             let category_id = self.category(seen.class, seen.name, seen.category);
             let SeenObject { node, segmentation, area, bbox, .. } = seen;
@@ -108,6 +108,8 @@ pub struct CocoPicture {
     scene: Option<String>,
     #[serde(default)]
     viewpoint: Option<String>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    files: BTreeMap<String, String>,
     objects: Vec<SeenObject>,
 }
 
@@ -134,7 +136,8 @@ impl CocoPicture {
             }
         });
         let (width, height, objects) = (frame.width, frame.height, objects.collect());
-        Ok(Self { file_name: file_name.into(), width, height, scene: None, viewpoint: None, objects })
+        let (file_name, files) = (file_name.into(), BTreeMap::new());
+        Ok(Self { file_name, width, height, scene: None, viewpoint: None, files, objects })
     }
 
     /// Adds the name of the scene and a description of the viewpoint: `scene` and `viewpoint` of the document's
@@ -142,6 +145,18 @@ impl CocoPicture {
     #[must_use]
     pub fn taken(self, scene: impl Into<String>, viewpoint: impl Into<String>) -> Self {
         Self { scene: Some(scene.into()), viewpoint: Some(viewpoint.into()), ..self }
+    }
+
+    /// Adds a file of the same view, such as its depth: `files` of the document's `images`, by kind.
+    #[must_use]
+    pub fn with_file(mut self, kind: impl Into<String>, file_name: impl Into<String>) -> Self {
+        self.files.insert(kind.into(), file_name.into());
+        self
+    }
+
+    /// The names of all files: the picture's, and those of the same view.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.file_name()).chain(self.files.values().map(String::as_str))
     }
 
     /// The name of the picture's file.
@@ -193,6 +208,8 @@ struct Image {
     scene: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     viewpoint: Option<String>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    files: BTreeMap<String, String>,
 }
 
 #[derive(Debug, Serialize)]

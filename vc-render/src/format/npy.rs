@@ -2,7 +2,7 @@
 
 use crate::RenderError;
 
-/// A number type that NumPy has, for [`npy`]: `f32`, `u32`, `u16` and `u8`.
+/// A number type that NumPy has, for [`npy`]: `f32`, `u32`, `u16` and `u8`, and nodes by their numbers.
 pub trait Number: Copy {
     /// NumPy's name of the type, such as `<f4`.
     const NAME: &'static str;
@@ -23,6 +23,13 @@ macro_rules! numbers {
 
 numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 
+impl Number for vc_graph::NodeId {
+    const NAME: &'static str = u32::NAME;
+    fn bytes(self, out: &mut Vec<u8>) {
+        self.0.bytes(out);
+    }
+}
+
 /// Encodes an array as a file for `numpy.load`, format 1.0. `shape` is the length along each axis, the slowest
 /// first. One pass over the numbers; the header is a multiple of 64 bytes.
 ///
@@ -35,6 +42,8 @@ numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 /// assert!(file.starts_with(b"\x93NUMPY\x01\x00"));
 /// assert_eq!(file.len() % 64, 16); // a header of whole blocks, and four numbers
 /// assert!(vc_render::format::npy(&depth, &[2, 3]).is_err());
+/// let instance = [vc_graph::NodeId(7), vc_graph::NodeId(9)];
+/// assert_eq!(vc_render::format::npy(&instance, &[2])?, vc_render::format::npy(&[7_u32, 9], &[2])?);
 /// # Ok::<(), vc_render::RenderError>(())
 /// ```
 pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Result<Vec<u8>, RenderError> {

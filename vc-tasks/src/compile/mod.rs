@@ -32,6 +32,7 @@
 mod atom;
 mod build;
 mod course;
+mod fate;
 mod gate;
 mod ground;
 mod monitor;

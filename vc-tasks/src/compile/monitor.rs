@@ -134,6 +134,15 @@ impl Monitor {
         &self.now
     }
 
+    pub(super) fn courses(&self) -> &[Course] {
+        &self.courses
+    }
+
+    /// For each step whether a head of the program is true in it.
+    pub(super) fn held(&self, head: usize) -> impl Iterator<Item = bool> + '_ {
+        self.heads.iter().map(move |heads| heads.has(head))
+    }
+
     /// For each conjunct the first step after which it held, if there was one.
     pub fn first_held(&self) -> &[Option<usize>] {
         &self.first

@@ -121,3 +121,81 @@ fn transitions_sum_to_the_score_on_the_trace() {
     assert!((sum - (1.0 - goal.score_on(&start))).abs() < 1e-9, "{sum}");
     assert!(transitions.last().unwrap().terminated);
 }
+
+/// A goal with words of time that has been broken is lost for a reason, whoever broke it.
+#[test]
+fn what_was_broken_is_told() {
+    let task = Task::new("in time", "Holds(apple) until Holds(milk)".parse().unwrap());
+    let episode = vc_planner::run_episode(&mut Newcomer::best(), &task, &mut Simulator::new(kitchen()));
+    assert_eq!(episode.outcome, Outcome::Lost);
+    assert!(episode.reason.unwrap().contains("does not hold any more"));
+    let me = kitchen().agents()[0];
+    for (text, actions, is_lost) in [
+        ("always Closed(fridge)", &["walk fridge.2", "open fridge.2"][..], true),
+        ("always Closed(fridge)", &["walk fridge.2"], false),
+        ("eventually Open(fridge)", &["dance", "dance"], false),
+        ("within 1 steps Open(fridge)", &["walk fridge.2"], true),
+        ("within 2 steps Open(fridge)", &["walk fridge.2"], false),
+        ("Holds(apple) before Open(fridge)", &["walk fridge.2", "open fridge.2"], true),
+        ("!(eventually Open(fridge))", &["walk fridge.2", "open fridge.2"], true),
+        ("always Closed(fridge) | Holds(milk)", &["walk fridge.2", "open fridge.2"], false),
+        ("forall ?f: fridge. always Closed(?f)", &["walk fridge.2", "open fridge.2"], true),
+        ("always (Open(fridge) => eventually Closed(fridge))", &["walk fridge.2", "open fridge.2"], false),
+    ] {
+        let task = Task::new("in time", text.parse().unwrap());
+        let mut trial = vc_tasks::Trial::new(Simulator::new(kitchen()), task, me);
+        let lost = actions.iter().map(|action| trial.step(&action.parse().unwrap()).lost).last().unwrap();
+        assert_eq!(lost.is_some(), is_lost, "{text}: {lost:?}");
+    }
+}
+
+/// Nothing is won by waiting once a goal is lost.
+#[test]
+fn nobody_is_rewarded_after_a_breach() {
+    let me = kitchen().agents()[0];
+    let task = Task::new("in time", "always Closed(fridge) & Holds(apple)".parse().unwrap());
+    let mut trial = vc_tasks::Trial::new(Simulator::new(kitchen()), task, me);
+    assert!(trial.step(&"walk fridge.2".parse().unwrap()).lost.is_none());
+    let breach = trial.step(&"open fridge.2".parse().unwrap());
+    assert!(breach.lost.is_some() && breach.reward <= 0.0, "{breach:?}");
+    for _ in 0..5 {
+        let idle = trial.step(&"dance".parse().unwrap());
+        assert!(idle.lost.is_some() && !idle.terminated && idle.reward <= 0.0, "{idle:?}");
+    }
+    trial.reset().unwrap();
+    assert!(trial.step(&"dance".parse().unwrap()).lost.is_none());
+}
+
+/// Misspelt classes do not win by being absent; classes of which the scene has no object do.
+#[test]
+fn misspelt_classes_win_nothing() {
+    let me = kitchen().agents()[0];
+    let attempt = |text: &str| {
+        let task = Task::new("t", text.parse().unwrap());
+        let mut trial = vc_tasks::Trial::new(Simulator::new(kitchen()), task.clone(), me);
+        let step = trial.step(&"dance".parse().unwrap());
+        let episode = vc_planner::run_episode(&mut Resident::default(), &task, &mut Simulator::new(kitchen()));
+        assert_eq!(step.terminated, episode.outcome == Outcome::Won, "{text}: {step:?} {episode:?}");
+        let told: Vec<String> = task.obstacles(&kitchen()).iter().map(ToString::to_string).collect();
+        (episode, step, told.join("; "))
+    };
+    for text in [
+        "!On(mugg, kitchen_table)",
+        "On(mugg, kitchen_table), = 0",
+        "On(mugg, kitchen_table), <= 2",
+        "always !Broken(mugg)",
+        "forall ?x: mugg. On(?x, kitchen_table)",
+        "On(mugg, kitchen_table) => Open(fridge)",
+        "at most 1 ?x: mugg. Clean(?x)",
+        "pairs ?x: mugg, ?y: kitchen_table. On(?x, ?y)",
+    ] {
+        let (episode, step, told) = attempt(text);
+        assert_eq!((episode.outcome, episode.steps), (Outcome::Lost, 0), "{text}");
+        assert!(step.lost.is_some() && step.reward == 0.0, "{text}");
+        assert!(episode.reason.unwrap().contains("no class `mugg` (did you mean `mug`?)"), "{text}");
+        assert!(told.contains("`mugg` (did you mean "), "{text}: {told}");
+    }
+    for text in ["!On(mug, kitchen_table)", "forall ?x: mug. On(?x, kitchen_table)", "On(mug, kitchen_table), = 0"] {
+        assert_eq!(attempt(text).0.outcome, Outcome::Won, "{text}");
+    }
+}

@@ -227,6 +227,7 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
         C::Soft(t) => lasting("soft", C::Soft(x), t),
         C::Typable(t) => lasting("typable", C::Typable(x), t),
         C::Personal(t) => lasting("personal", C::Personal(x), t),
+        C::Other(t) => lasting("other", C::Other(x), t),
         C::NotElsewhereHeld(t) => lasting("loose", C::NotElsewhereHeld(x), t),
         C::SeatFree(t) => lasting("seat_free", C::SeatFree(x), t),
         C::BedFree(t) => lasting("bed_free", C::BedFree(x), t),
