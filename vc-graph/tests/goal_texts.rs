@@ -149,3 +149,13 @@ fn two_things_without_a_comma_are_not_one_that_is_on() {
         assert_eq!(goal, read.parse().unwrap(), "{text}");
     }
 }
+
+/// After `did` stands a verb: a state is none, and only verbs are suggested.
+#[test]
+fn deeds_are_of_verbs() {
+    assert_eq!(
+        fail("did wet(mug)").to_string(),
+        "goal, character 1: unknown verb `wet` after `did`; use one such as `did grab(cup)`"
+    );
+    assert!(fail("did gras(mug)").to_string().contains("`gras` after `did` (did you mean `grab`?)"));
+}

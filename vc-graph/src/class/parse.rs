@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
 use crate::format::unmarked;
-use crate::vocabulary::{Set, Word, clip, key};
+use crate::vocabulary::{composed, Set, Word, clip, key};
 use crate::{Property, Relation, State};
 
 const COLUMNS: [&str; 10] =
@@ -119,6 +119,7 @@ pub(super) fn parse(mut table: ClassTable, texts: &[(&str, &str)]) -> Result<Cla
     let mut origins = Vec::new();
     for (file, text) in texts {
         for (index, line) in unmarked(text).lines().enumerate() {
+            let line = composed(line);
             let line_text = line.trim();
             if line_text.is_empty() || line_text.starts_with('#') {
                 continue;

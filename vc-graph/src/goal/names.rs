@@ -51,7 +51,7 @@ pub(super) fn predicates() -> impl Iterator<Item = &'static str> {
     named.chain(words::<State>()).chain(words::<Relation>()).chain(words::<Verb>())
 }
 
-fn words<W: Word>() -> impl Iterator<Item = &'static str> {
+pub(super) fn words<W: Word>() -> impl Iterator<Item = &'static str> {
     W::ALL.iter().map(|word| word.as_str())
 }
 

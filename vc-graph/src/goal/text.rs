@@ -6,7 +6,7 @@ use super::Goal;
 use super::scan::{Token, scan};
 use crate::format::unmarked;
 use crate::vocabulary::clip;
-use crate::{did_you_mean, goal::names};
+use crate::{Verb, did_you_mean, goal::names};
 
 /// Longest goal that is parsed, bytes.
 const LONGEST: usize = 64 * 1024;
@@ -43,6 +43,9 @@ pub enum GoalProblem {
         near = did_you_mean(.0, names::predicates())
     )]
     Predicate(String),
+    /// A word after `did` that is no verb.
+    #[error("unknown verb `{0}` after `did`{near}; use one such as `did grab(cup)`", near = did_you_mean(.0, names::words::<Verb>()))]
+    Verb(String),
     /// A predicate with the wrong number of terms.
     #[error("`{predicate}` takes {takes} things, {given} are given")]
     Arity {
