@@ -59,7 +59,9 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();
     let missing = missing.into_iter().map(|id| finding(Kind::Obstacle, Refusal::NoSuchThing(id).to_string()));
     let task = Task::new("", goal.clone());
-    let obstacles = task.obstacles(graph).into_iter().map(|o| finding(Kind::Obstacle, o.to_string()));
+    // States that no action brings about are found without a scene, too.
+    let lacks = task.obstacles(graph).into_iter().filter(|o| !matches!(o, Obstacle::NoAction { .. }));
+    let obstacles = lacks.map(|o| finding(Kind::Obstacle, o.to_string()));
     misnomers.chain(missing).chain(obstacles).collect()
 }
 
