@@ -68,8 +68,7 @@ fn main() -> Result<(), Complaint> {
     if !(40..=1000).contains(&tile) || !(1..=30).contains(&columns) || !(1..=30).contains(&rows) {
         return Err(Complaint::new("--tile is from 40 to 1000, --columns and --rows from 1 to 30"));
     }
-    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
-    std::fs::create_dir_all(&options.out).map_err(fail)?;
+    support::create(&options.out)?;
     let groups = groups(&options)?;
     let list = options.out.join("objects.jsonl");
     let mut lines = String::new();

@@ -26,7 +26,7 @@ mod wishes;
 use std::path::PathBuf;
 
 use clap::Parser;
-use support::{Complaint, unwritten};
+use support::Complaint;
 use wishes::Wishes;
 
 /// A home consists of some ten thousand small allocations.
@@ -65,10 +65,10 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let specification = options.wishes.specification()?;
     let seeds = options.count.unwrap_or(if options.sheet { sheet::PLANS } else { 1 });
-    if options.seed.checked_add(seeds).is_none() {
+    if options.seed.checked_add(seeds.saturating_sub(1)).is_none() {
         return Err(Complaint::new(format!("seeds end at {}: choose a lower --seed", u64::MAX)));
     }
-    std::fs::create_dir_all(&options.out).map_err(|e| unwritten(&options.out, &e))?;
+    support::create(&options.out)?;
     match options.count {
         Some(count) => set::run(&set::Set {
             specification,

@@ -39,7 +39,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
+    support::create(&options.out)?;
     let (graph, cast) = stage::build(options.seed, options.things).map_err(Complaint::new)?;
     let mut world = World::build(&graph, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     play::prepare(&mut world, &cast).map_err(Complaint::new)?;

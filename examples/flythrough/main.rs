@@ -58,7 +58,7 @@ fn speed(text: &str) -> Result<f32, String> {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
+    support::create(&options.out)?;
     let mut scene = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene();
     let walk = path::through(&mut scene)?;
     let step = options.speed / f32::from(options.rate);

@@ -73,8 +73,7 @@ fn main() -> Result<(), Complaint> {
         return Err(Complaint::new(format!("no task begins with `{}`{near}", options.task)));
     }
     let path = |name: &str| options.out.join(name);
-    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
-    std::fs::create_dir_all(&options.out).map_err(fail)?;
+    support::create(&options.out)?;
     let mut list = String::new();
     let mut sums: BTreeMap<&str, Sum> = BTreeMap::new();
     let mut tiles = Vec::new();

@@ -92,7 +92,7 @@ fn main() -> Result<(), Complaint> {
         }
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
+    support::create(&options.out)?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
     switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;

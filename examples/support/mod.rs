@@ -32,6 +32,11 @@ pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Complain
     virtualcity::files::write(path, bytes.as_ref()).map_err(|e| unwritten(path, &e))
 }
 
+/// Creates a folder, and those that it is in.
+pub(crate) fn create(folder: &Path) -> Result<(), Complaint> {
+    std::fs::create_dir_all(folder).map_err(|e| unwritten(folder, &e))
+}
+
 /// The error for a file that cannot be written, with advice.
 pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Complaint {
     use std::io::ErrorKind;
