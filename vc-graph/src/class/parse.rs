@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind};
 use crate::format::unmarked;
-use crate::vocabulary::{composed, Set, Word, clip, key};
+use crate::vocabulary::{Set, Word, clip, composed, key};
 use crate::{Property, Relation, State};
 
 const COLUMNS: [&str; 10] =
