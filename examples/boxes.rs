@@ -136,7 +136,7 @@ fn picture(home: &Environment, out: &std::path::Path, file: &std::path::Path) ->
     use virtualcity::Viewpoint;
     use virtualcity::render::{Modality, picture};
     let name = file.file_name().and_then(|n| n.to_str()).and_then(|n| n.split('.').next()).unwrap_or("scene");
-    std::fs::create_dir_all(out).map_err(Complaint::new)?;
+    virtualcity::files::create_folder(out)?;
     let frame = home.render(Viewpoint::Overhead, Modality::Rgb, 1200, 900).map_err(Complaint::new)?;
     let png = picture::png(&picture::rgb(&frame)).map_err(Complaint::new)?;
     std::fs::write(out.join(format!("{name}.png")), png).map_err(Complaint::new)

@@ -4,6 +4,8 @@
 //! and a list of them as JSON Lines. `--class chair --open` shows one class, with doors and drawers open;
 //! `--per-class 4` shows at most four of each; `--gltf` also writes each object as a model.
 
+#[path = "support/seed.rs"]
+mod seed;
 mod support;
 
 use std::collections::BTreeMap;
@@ -38,7 +40,7 @@ struct Options {
     #[arg(long)]
     gltf: bool,
     /// The seed from which the objects are generated.
-    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// Width of a tile, pixels.
     #[arg(long, default_value_t = 200)]
@@ -69,8 +71,7 @@ fn main() -> Result<(), Complaint> {
     if !(40..=1000).contains(&tile) || !(1..=30).contains(&columns) || !(1..=30).contains(&rows) {
         return Err(Complaint::new("--tile is from 40 to 1000, --columns and --rows from 1 to 30"));
     }
-    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
-    std::fs::create_dir_all(&options.out).map_err(fail)?;
+    virtualcity::files::create_folder(&options.out)?;
     let groups = groups(&options)?;
     let list = options.out.join("objects.jsonl");
     let mut lines = String::new();

@@ -59,6 +59,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         world.graph().label(fridge),
         world.graph().has(Edge::new(cup, Relation::Inside, fridge))
     );
-    println!("{}", read("k: kitchen\nc: cup beside k").map_err(|e| e.to_string()).unwrap_err());
+    if let Err(error) = read("k: kitchen\nc: cup beside k") {
+        println!("{error}");
+    }
     Ok(())
 }

@@ -57,7 +57,7 @@ fn main() -> Result<(), Complaint> {
     let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting);
     renderer.render(&shot, &mut frame).map_err(Complaint::new)?;
     let image = picture::png(&picture::rgb(&frame)).map_err(Complaint::new)?;
-    support::write(Path::new(&path), image)?;
+    virtualcity::files::write(Path::new(&path), image)?;
     say!("{path}");
     Ok(())
 }

@@ -5,6 +5,8 @@
 //! the way and closes them again. `--labels` shows depth, normals and the moving parts beside it.
 //! `--model chair.glb` shows a model of your own instead, with its textures.
 
+#[path = "support/seed.rs"]
+mod seed;
 #[path = "support/mod.rs"]
 mod support;
 
@@ -38,7 +40,7 @@ struct Options {
     #[arg(long, default_value_t = 0)]
     index: usize,
     /// The seed from which objects are generated.
-    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/turntable")]

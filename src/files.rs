@@ -27,6 +27,14 @@ impl FileError {
     }
 }
 
+/// Creates a folder, and those that it is in.
+///
+/// # Errors
+/// [`FileError`] with the system's error and advice.
+pub fn create_folder(folder: &Path) -> Result<(), FileError> {
+    std::fs::create_dir_all(folder).map_err(|e| FileError::unwritten(folder, e))
+}
+
 fn advice(problem: io::ErrorKind) -> &'static str {
     use io::ErrorKind;
     match problem {

@@ -11,6 +11,8 @@
 //! sixteenth file; once all are there, the same command without `--shard` writes the manifest and statistics of
 //! the whole set.
 
+#[path = "../support/seed.rs"]
+mod seed;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -27,7 +29,6 @@ use std::path::PathBuf;
 
 use clap::Parser;
 use support::Complaint;
-use virtualcity::FileError;
 use wishes::Wishes;
 
 /// A home consists of some ten thousand small allocations.
@@ -38,7 +39,7 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 #[derive(Parser)]
 struct Options {
     /// The seed; for several homes the first seed.
-    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/apartment")]
@@ -66,10 +67,10 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let specification = options.wishes.specification()?;
     let seeds = options.count.unwrap_or(if options.sheet { sheet::PLANS } else { 1 });
-    if options.seed.checked_add(seeds).is_none() {
+    if options.seed.checked_add(seeds.saturating_sub(1)).is_none() {
         return Err(Complaint::new(format!("seeds end at {}: choose a lower --seed", u64::MAX)));
     }
-    std::fs::create_dir_all(&options.out).map_err(|e| FileError::unwritten(&options.out, e))?;
+    virtualcity::files::create_folder(&options.out)?;
     match options.count {
         Some(count) => set::run(&set::Set {
             specification,

@@ -5,6 +5,7 @@
 //! that an interrupted run loses at most one batch per thread.
 
 use std::io::Write;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -82,9 +83,10 @@ impl Volume {
         self.seeds.div_ceil(BATCH) as usize
     }
 
-    fn batch(&self, index: usize) -> std::ops::Range<u64> {
+    /// The seeds of a batch. The last seed there is may be among them, so that none follows.
+    fn batch(&self, index: usize) -> RangeInclusive<u64> {
         let from = BATCH * index as u64;
-        self.first + from..self.first + (from + BATCH).min(self.seeds)
+        self.first + from..=self.first + ((from + BATCH).min(self.seeds) - 1)
     }
 }
 
@@ -162,7 +164,7 @@ impl Set {
     }
 
     /// Homes of some seeds: their lines and statistics.
-    fn part(&self, seeds: std::ops::Range<u64>) -> Result<Part, Complaint> {
+    fn part(&self, seeds: RangeInclusive<u64>) -> Result<Part, Complaint> {
         let mut part = Part::default();
         for seed in seeds {
             match Apartment::generate(&self.specification, Seed(seed)) {
@@ -272,7 +274,7 @@ impl<'a> Workshop<'a> {
     /// Makes a batch, and writes the file if it was the last.
     fn batch(&self, file: usize, volume: &Volume, batch: usize) -> Result<(), Complaint> {
         let (seeds, unfinished) = (volume.batch(batch), self.unfinished(file, volume)?);
-        let (count, key) = (seeds.end - seeds.start, seeds.start.to_string());
+        let (count, key) = (seeds.end() - seeds.start() + 1, seeds.start().to_string());
         let part = match unfinished.there.get(&key) {
             Some(there) => {
                 self.resumed.fetch_add(count, Ordering::Relaxed);
@@ -434,6 +436,18 @@ mod tests {
         }
         run(&Set { count: 5, per_file: 2, ..set(&folder, 1, None) }).unwrap();
         assert!(whole.keys().filter(|n| n.starts_with("homes_")).all(|n| files(&folder)[n] == whole[n]));
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_set_may_end_with_the_last_seed() {
+        let folder = folder("last");
+        let last = Set { seed: u64::MAX - 2, count: 3, per_file: 2, ..set(&folder, 2, None) };
+        run(&last).unwrap();
+        let manifest: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(folder.join("manifest.json")).unwrap()).unwrap();
+        assert_eq!(files(&folder).keys().filter(|n| n.ends_with(".jsonl.gz")).count(), 2);
+        assert!(manifest.to_string().contains(&(u64::MAX - 2).to_string()), "{manifest}");
         std::fs::remove_dir_all(&folder).unwrap();
     }
 

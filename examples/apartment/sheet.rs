@@ -35,7 +35,7 @@ pub(crate) fn write(specification: &Specification, seed: u64, out: &Path) -> Res
     progress.finish_and_clear();
     let path = out.join(format!("plans_{seed}.png"));
     virtualcity::files::write(&path, sheet.to_png().map_err(Complaint::new)?)?;
-    say!("plans of seeds {seed} to {} in {}", seed + PLANS - 1, path.display());
+    say!("plans of seeds {seed} to {} in {}", seed + (PLANS - 1), path.display());
     Ok(())
 }
 

@@ -129,7 +129,7 @@ fn show(tables: &Tables, environments: usize, unmade: &[String]) {
 }
 
 fn write(tables: &Tables, failures: &[String], out: &Path) -> Result<(), Complaint> {
-    std::fs::create_dir_all(out).map_err(|e| Complaint::new(format!("{}: {e}", out.display())))?;
+    virtualcity::files::create_folder(out)?;
     let report = &tables.report;
     let agents = report.table(By::Agent);
     let by_number = report.table(By::Predicates);

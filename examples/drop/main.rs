@@ -5,6 +5,8 @@
 //! `trajectory.jsonl`, the poses of all objects, one line per tenth of a second; `start.png` and `end.png`,
 //! pictures of the scene.
 
+#[path = "../support/seed.rs"]
+mod seed;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -27,7 +29,7 @@ use stage::Cast;
 #[derive(Parser)]
 struct Options {
     /// The seed, which determines where objects fall from.
-    #[arg(long, default_value_t = 7, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 7, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// Number of falling objects.
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u16).range(1..=2000))]
@@ -39,7 +41,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
+    virtualcity::files::create_folder(&options.out)?;
     let (graph, cast) = stage::build(options.seed, options.things).map_err(Complaint::new)?;
     let mut world = World::build(&graph, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     play::prepare(&mut world, &cast).map_err(Complaint::new)?;

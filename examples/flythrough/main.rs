@@ -4,6 +4,8 @@
 //! room to room, opens the doors on it, and writes an animated PNG: colours and flow, and with `--labels`
 //! instances and depth below. `--exr` also writes depth and flow of every picture.
 
+#[path = "../support/seed.rs"]
+mod seed;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -22,7 +24,7 @@ use virtualcity::render::{Adaptation, Camera, Daylight, Frame, Modality, Rendere
 #[derive(Parser)]
 struct Options {
     /// The home's seed.
-    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// The output folder; it is created if it does not exist.
     #[arg(long, default_value = "out/flythrough")]
@@ -58,7 +60,7 @@ fn speed(text: &str) -> Result<f32, String> {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
+    virtualcity::files::create_folder(&options.out)?;
     let mut scene = Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene();
     let walk = path::through(&mut scene)?;
     let step = options.speed / f32::from(options.rate);

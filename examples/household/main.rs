@@ -16,6 +16,10 @@
 mod asked;
 mod choose;
 mod physical;
+#[path = "../support/remark.rs"]
+mod remark;
+#[path = "../support/seed.rs"]
+mod seed;
 #[path = "../support/mod.rs"]
 mod support;
 mod symbolic;
@@ -30,7 +34,7 @@ use vc_planner::{Newcomer, Policy, Random, Resident};
 #[derive(Parser)]
 pub(crate) struct Options {
     /// The seed of the home (default 9) and of the agent's guesses.
-    #[arg(long, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: Option<u64>,
     /// A scene: the thesis's JSON, VirtualHome's environment graph or VirtualCity's JSON.
     #[arg(long)]

@@ -10,7 +10,8 @@ use virtualcity::render::Daylight;
 use virtualcity::{Environment, RecordOptions, Recorder};
 
 use crate::choose::choose;
-use crate::support::{Complaint, remark_on_walls, say};
+use crate::remark;
+use crate::support::{Complaint, say};
 use crate::symbolic;
 use crate::{Lamps, Options, Who};
 
@@ -32,7 +33,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
         home.switch_lamps(true).map_err(Complaint::new)?;
     }
     home.left_out().iter().for_each(|left| say!("left out  {left}"));
-    remark_on_walls(home.graph());
+    remark::on_walls(home.graph());
     let me = home.agents()[0];
     if options.list {
         symbolic::list(home.graph(), me);

@@ -164,18 +164,16 @@ struct Record {
 
 impl Record {
     fn create(path: &Path) -> Result<Self, Complaint> {
-        let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", path.display()));
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(fail)?;
-        }
-        let file = std::io::BufWriter::new(std::fs::File::create(path).map_err(fail)?);
+        path.parent().map_or(Ok(()), virtualcity::files::create_folder)?;
+        let file = std::fs::File::create(path).map_err(|e| virtualcity::FileError::unwritten(path, e))?;
+        let file = std::io::BufWriter::new(file);
         Ok(Self { file, path: path.to_owned() })
     }
 
     fn line(&mut self, value: &impl serde::Serialize) -> Result<(), Complaint> {
         let text = serde_json::to_string(value).map_err(Complaint::new)?;
         let written = writeln!(self.file, "{text}").and_then(|()| self.file.flush());
-        written.map_err(|e| Complaint::new(format!("{}: {e}", self.path.display())))
+        written.map_err(|e| virtualcity::FileError::unwritten(&self.path, e).into())
     }
 }
 

@@ -5,6 +5,8 @@
 //! objects on contact sheets. `--seeds 20` makes twenty environments per task, `--task put_fridge-01` those of
 //! one task alone, `--distractors 5` adds five more objects to each.
 
+#[path = "../support/seed.rs"]
+mod seed;
 mod sheet;
 #[path = "../support/mod.rs"]
 mod support;
@@ -35,7 +37,7 @@ struct Options {
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     seeds: u64,
     /// The first seed.
-    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 0, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// Number of distractors to add, objects irrelevant to the task; at most a thousand.
     #[arg(long, default_value_t = 0, value_parser = distractors)]
@@ -73,8 +75,7 @@ fn main() -> Result<(), Complaint> {
         return Err(Complaint::new(format!("no task begins with `{}`{near}", options.task)));
     }
     let path = |name: &str| options.out.join(name);
-    let fail = |e: std::io::Error| Complaint::new(format!("{}: {e}", options.out.display()));
-    std::fs::create_dir_all(&options.out).map_err(fail)?;
+    virtualcity::files::create_folder(&options.out)?;
     let mut list = String::new();
     let mut sums: BTreeMap<&str, Sum> = BTreeMap::new();
     let mut tiles = Vec::new();

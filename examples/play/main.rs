@@ -10,6 +10,8 @@
 //! `xvfb-run cargo run ...`.
 
 mod game;
+#[path = "../support/seed.rs"]
+mod seed;
 #[path = "../support/mod.rs"]
 mod support;
 mod text;
@@ -35,7 +37,7 @@ const CATCH_UP: u32 = 8;
 #[derive(Parser)]
 struct Options {
     /// The home's seed.
-    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// Width of the picture, pixels; its height is three quarters of that.
     #[arg(long, default_value_t = 480)]

@@ -6,6 +6,10 @@
 //! masks as COCO, and the scene with the camera and the lights as glTF. `--scene FILE` takes the home from a
 //! file.
 
+#[path = "../support/remark.rs"]
+mod remark;
+#[path = "../support/seed.rs"]
+mod seed;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -26,7 +30,7 @@ use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot,
 #[derive(Parser)]
 struct Options {
     /// The home's seed.
-    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = support::seed)]
+    #[arg(long, default_value_t = 42, allow_negative_numbers = true, value_parser = seed::seed)]
     seed: u64,
     /// A scene file with the home (may be gzipped), instead of a generated one; things without shapes get those of
     /// their class.
@@ -96,9 +100,9 @@ fn main() -> Result<(), Complaint> {
         }
         None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
     };
-    support::remark_on_walls(&scene);
+    remark::on_walls(&scene);
     let room = room(&scene, &options.room)?;
-    std::fs::create_dir_all(&options.out).map_err(|e| Complaint::new(format!("{}: {e}", options.out.display())))?;
+    virtualcity::files::create_folder(&options.out)?;
     let mut renderer = Renderer::new();
     let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
     switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;

@@ -25,18 +25,6 @@ impl fmt::Debug for Complaint {
     }
 }
 
-/// Says that a scene has no walls: its pictures show it in the open.
-pub(crate) fn remark_on_walls(graph: &virtualcity::graph::SceneGraph) {
-    if graph.of_class("wall").is_empty() && !graph.rooms().is_empty() {
-        say_line(format_args!("remark {} gives no walls: its rooms are drawn in the open", graph.name()));
-    }
-}
-
-/// Reads a seed.
-pub(crate) fn seed(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
-}
-
 /// Prints a line; exits quietly if the output is closed, as by `| head`.
 pub(crate) fn say_line(line: fmt::Arguments<'_>) {
     if writeln!(std::io::stdout(), "{line}").is_err() {

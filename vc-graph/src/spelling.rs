@@ -1,5 +1,9 @@
 //! How words and names are compared: case and separators do not count, and a misspelt word gets suggestions.
 
+use std::borrow::Cow;
+
+use unicode_normalization::UnicodeNormalization;
+
 /// The largest number of suggestions.
 const MOST: usize = 3;
 
@@ -24,12 +28,24 @@ pub(crate) fn clip(text: &str) -> String {
     }
 }
 
+/// The text with each accent and its letter as one character, where Unicode has one: `é` may be written as one
+/// character or as two, and looks the same.
+pub(crate) fn composed(text: &str) -> Cow<'_, str> {
+    if text.is_ascii() { Cow::Borrowed(text) } else { Cow::Owned(text.nfc().collect()) }
+}
+
+/// The characters of [`composed`] without the text.
+fn letters(text: &str) -> impl Iterator<Item = char> + '_ {
+    let (plain, other) = if text.is_ascii() { (text, "") } else { ("", text) };
+    plain.chars().chain(other.nfc())
+}
+
 /// Letters, digits and symbols of a spelling in lower case, which matching compares; ASCII punctuation separates
 /// words. In a number, `-1`, hyphens count too, and in a name of symbols only, all of them.
 pub(crate) fn folded(text: &str) -> impl Iterator<Item = char> + '_ {
     let (number, signs) = (!text.chars().any(char::is_alphabetic), !text.chars().any(char::is_alphanumeric));
     let sign = move |c: &char| !c.is_ascii() || number && matches!(c, '-' | '_') || signs;
-    text.chars().filter(move |c| c.is_alphanumeric() || sign(c) && !c.is_whitespace()).flat_map(char::to_lowercase)
+    letters(text).filter(move |c| c.is_alphanumeric() || sign(c) && !c.is_whitespace()).flat_map(char::to_lowercase)
 }
 
 /// The folded spelling as a table key.

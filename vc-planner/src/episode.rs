@@ -256,7 +256,7 @@ pub(crate) fn refusal(action: &str, why: &WorldError) -> String {
 /// Why a policy gives up, and what the scene, which it need not know, has too little of.
 pub(crate) fn told(reason: &Unreachable, task: &Task, graph: &SceneGraph) -> String {
     let obstacles = match reason {
-        Unreachable::NoInstance(_) | Unreachable::Conflicting(_) => task.obstacles(graph),
+        Unreachable::NoInstance(_) | Unreachable::Conflicting(_) | Unreachable::NoPlan(_) => task.obstacles(graph),
         _ => Vec::new(),
     };
     let obstacles: Vec<String> = obstacles.iter().map(ToString::to_string).collect();

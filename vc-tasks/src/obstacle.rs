@@ -5,6 +5,7 @@ use std::fmt;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
 use vc_graph::{Misnomer, Node, NodeId, Property, Relation, SceneGraph, State, did_you_mean};
 
+use crate::lint::brought_about;
 use crate::{Lost, Task, vacuous};
 
 /// A reason why a goal cannot be reached in a scene by any agent.
@@ -41,6 +42,15 @@ pub enum Obstacle {
         class: String,
         /// The affordance that they lack.
         must_be: &'static str,
+    },
+    /// Too few things are in the state that is asked for, and no action brings others into it.
+    NoAction {
+        /// The part of the goal.
+        part: String,
+        /// The class or label.
+        thing: String,
+        /// The state.
+        state: State,
     },
     /// A label of the goal is of another class than its node.
     Misnomer(Misnomer),
@@ -81,6 +91,9 @@ impl fmt::Display for Obstacle {
             }
             Self::NotAfforded { part, class, must_be } => {
                 write!(f, "`{part}` needs `{class}` to be {must_be}, which it is not in this scene")
+            }
+            Self::NoAction { part, thing, state } => {
+                write!(f, "`{part}` needs `{thing}` to be {state}, which it is not here, and no action makes it so")
             }
             Self::Misnomer(misnomer) => misnomer.fmt(f),
             Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
@@ -253,13 +266,30 @@ fn look(goal: &Goal, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
 }
 
 fn look_at(part: &Goal, literal: &Literal, number: usize, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
-    let counted = literal.counted();
+    let (counted, before) = (literal.counted(), found.len());
     for (position, term) in literal.terms.iter().enumerate() {
         let Term::Class(class) = term else { continue };
         let needs = if Some(position) == counted { number } else { 1 };
         let (fits, must_be) = demand(literal.predicate, position);
         require(part, class, needs, graph, found, fits, must_be);
     }
+    if found.len() == before {
+        found.extend(beyond(part, literal, number, graph));
+    }
+}
+
+/// Whether fewer things than needed are in the state of a literal, and no action brings any other into it.
+fn beyond(part: &Goal, literal: &Literal, needs: usize, graph: &SceneGraph) -> Option<Obstacle> {
+    let (Predicate::State(state), Some(term)) = (literal.predicate, literal.terms.first()) else { return None };
+    let things = match term {
+        Term::Class(class) => graph.of_class(class),
+        Term::Node(_, id) => vec![*id],
+        Term::Me => graph.agents().to_vec(),
+        Term::Variable(_) | Term::Anything => return None,
+    };
+    let there = things.iter().filter_map(|id| graph.node(*id)).filter(|node| node.is(state)).count();
+    let never = there < needs && !brought_about(literal.predicate);
+    never.then(|| Obstacle::NoAction { part: part.to_string(), thing: term.to_string(), state })
 }
 
 type Fits = fn(&Node) -> bool;
@@ -285,8 +315,15 @@ fn demand(predicate: Predicate, position: usize) -> (Fits, &'static str) {
         ),
         (Predicate::Relation(Relation::SittingOn), 1) => (|n| n.affords(Property::Sittable), "sittable"),
         (Predicate::Relation(Relation::LyingOn), 1) => (|n| n.affords(Property::Lieable), "lieable"),
+        (Predicate::Relation(Relation::SittingOn | Relation::LyingOn), 0) => {
+            (|n| n.kind() == vc_graph::Kind::Agent, "a person")
+        }
+        (Predicate::Relation(Relation::WornBy), 0) => (|n| n.affords(Property::Wearable), "wearable"),
         (Predicate::State(State::Open | State::Closed), 0) => (|n| n.affords(Property::Openable), "openable"),
         (Predicate::State(State::On | State::Off), 0) => (|n| n.affords(Property::Switchable), "switchable"),
+        (Predicate::State(State::PluggedIn | State::PluggedOut), 0) => (|n| n.affords(Property::Plug), "with a plug"),
+        (Predicate::State(State::Hot), 0) => (|n| n.is(State::Hot) || n.affords(Property::Graspable), "graspable"),
+        (Predicate::State(State::Cold), 0) => (|n| n.is(State::Cold) || n.affords(Property::Graspable), "graspable"),
         (Predicate::State(State::Cooked), 0) => (|n| n.affords(Property::Cookable), "cookable"),
         (Predicate::State(State::Sliced), 0) => (|n| n.affords(Property::Cuttable), "cuttable"),
         (Predicate::State(State::Folded), 0) => (|n| n.affords(Property::Foldable), "foldable"),

@@ -153,7 +153,7 @@ fn frames_that_lead_out_are_shut() {
             shut += usize::from(leads_out && !frames_door);
         }
     }
-    assert!(shut == 5 || common::scene(1).is_none(), "{shut} frames are shut");
+    assert!(shut == 5 || vc_testkit::data::scene(1).is_none(), "{shut} frames are shut");
 }
 
 #[test]

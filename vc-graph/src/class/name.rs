@@ -1,6 +1,6 @@
 //! Tolerant name matching: the classes that a spelling might mean, best guess first.
 
-use crate::spelling::key;
+use crate::spelling::{composed, key};
 
 /// Prefixes and other words that engines and artists add to a name.
 const NOISE: &[&str] = &["sm", "bp", "pre", "mod", "fur", "pro", "dec", "ele", "app", "lam", "prefab", "mesh", "ingir"];
@@ -27,6 +27,7 @@ pub(super) fn candidates(name: &str) -> impl Iterator<Item = String> {
 }
 
 fn parts(name: &str) -> Vec<String> {
+    let name = &*composed(name);
     let mut found = with_singular(unnumbered(name));
     let words = words(name);
     let mut meaning: Vec<&str> = words.iter().map(String::as_str).filter(|w| !NOISE.contains(w)).collect();

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::{Category, Class, ClassTable, Kept, Range, Slot, SlotKind, Trait};
-use crate::spelling::{clip, key, unmarked};
+use crate::spelling::{clip, composed, key, unmarked};
 use crate::vocabulary::{Set, Word};
 use crate::{ObjectRole, Property, Relation, State};
 
@@ -119,6 +119,7 @@ pub(super) fn parse(mut table: ClassTable, texts: &[(&str, &str)]) -> Result<Cla
     let mut origins = Vec::new();
     for (file, text) in texts {
         for (index, line) in unmarked(text).lines().enumerate() {
+            let line = composed(line);
             let line_text = line.trim();
             if line_text.is_empty() || line_text.starts_with('#') {
                 continue;

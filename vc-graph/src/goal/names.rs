@@ -63,7 +63,7 @@ pub(super) fn taking(name: &str, given: usize) -> String {
     if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
 }
 
-fn words<W: Word>() -> impl Iterator<Item = &'static str> {
+pub(super) fn words<W: Word>() -> impl Iterator<Item = &'static str> {
     W::ALL.iter().map(|word| word.as_str())
 }
 

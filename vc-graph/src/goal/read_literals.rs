@@ -66,8 +66,8 @@ impl Reader {
         if let [Term::Class(class)] = &terms[..] {
             self.check_joined(&name, class, things)?;
         }
-        let predicate =
-            self.predicate(&name, did, terms.len()).ok_or_else(|| fail(GoalProblem::Predicate(clip(&name))))?;
+        let unknown = if did { GoalProblem::Verb } else { GoalProblem::Predicate };
+        let predicate = self.predicate(&name, did, terms.len()).ok_or_else(|| fail(unknown(clip(&name))))?;
         let takes = predicate.arity();
         if terms.len() + 1 == takes {
             match predicate {

@@ -2,6 +2,7 @@
 
 use super::{GoalError, GoalProblem};
 use crate::NodeId;
+use crate::spelling::composed;
 
 /// A token.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +22,7 @@ const SIGNS: [&str; 17] = ["<=", ">=", "=>", "==", "!=", "&&", "||", "(", ")", "
 
 /// The tokens of a text, each with its position in characters, counted from one.
 pub(super) fn scan(text: &str) -> Result<Vec<(usize, Token)>, GoalError> {
-    let mut scanner = Scanner { chars: text.chars().collect(), at: 0 };
+    let mut scanner = Scanner { chars: composed(text).chars().collect(), at: 0 };
     let mut tokens = Vec::new();
     while let Some(next) = scanner.peek(0) {
         let start = scanner.at;

@@ -4,9 +4,8 @@ use std::str::FromStr;
 
 use super::Goal;
 use super::scan::{Token, scan};
-use crate::spelling::clip;
-use crate::spelling::unmarked;
-use crate::{did_you_mean, goal::names};
+use crate::spelling::{clip, unmarked};
+use crate::{Verb, did_you_mean, goal::names};
 
 /// Longest goal that is parsed, bytes.
 const LONGEST: usize = 64 * 1024;
@@ -43,6 +42,9 @@ pub enum GoalProblem {
         near = did_you_mean(.0, names::predicates())
     )]
     Predicate(String),
+    /// A word after `did` that is no verb.
+    #[error("unknown verb `{0}` after `did`{near}; use one such as `did grab(cup)`", near = did_you_mean(.0, names::words::<Verb>()))]
+    Verb(String),
     /// A predicate with the wrong number of terms.
     #[error("`{predicate}` takes {takes} things, {given} are given{near}", near = names::taking(.predicate, *.given))]
     Arity {

@@ -374,3 +374,27 @@ fn traits_follow_as_an_eleventh_column() {
     let error = ClassTable::parse("mine.txt", "ball | | | toy | | | | | | | bouncy").unwrap_err();
     assert!(error.to_string().starts_with("mine.txt, line 1, column `traits`: unknown trait `bouncy`"), "{error}");
 }
+
+/// An accent may be one character with its letter or a character of its own; both look the same and are the same name,
+/// in tables, scenes, goals and labels.
+#[test]
+fn accents_are_the_same_however_they_are_written() {
+    let (one, two) = ("caf\u{e9}_table", "cafe\u{301}_table");
+    for (written, read) in [(one, two), (two, one)] {
+        let mut scene = vc_graph::SceneBuilder::new("flat");
+        let room = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
+        let table = scene.add_in(room, vc_graph::Draft::new(written)).unwrap();
+        let me = scene.add_in(room, vc_graph::Draft::new("character")).unwrap();
+        let graph = scene.build();
+        assert_eq!(graph.of_class(read), [table]);
+        assert_eq!(graph.check_name(read, table), Ok(()));
+        let walk: vc_graph::Action = format!("walk {read}.{}", table.0).parse().unwrap();
+        assert_eq!(vc_graph::rule::refusals(&graph, me, &walk), []);
+        let goal = |name: &str| format!("Near(me, {name})").parse::<vc_graph::Goal>().unwrap();
+        assert_eq!(goal(read), goal(written));
+        let line = format!("{written} | furniture | | furniture | surface | 0.7 0.7 0.7 | 9 | | |");
+        let table = ClassTable::builtin().extended("mine.txt", &line).unwrap();
+        assert_eq!(table.get(read).unwrap().name, table.get(written).unwrap().name);
+        assert!(table.is_a(read, written));
+    }
+}

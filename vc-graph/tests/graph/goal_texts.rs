@@ -165,3 +165,13 @@ fn errors_name_the_form_that_was_meant() {
     }
     assert_eq!(parse("did dance()"), parse("Dance()"));
 }
+
+/// After `did` stands a verb: a state is none, and only verbs are suggested.
+#[test]
+fn deeds_are_of_verbs() {
+    assert_eq!(
+        fail("did wet(mug)").to_string(),
+        "goal, character 1: unknown verb `wet` after `did`; use one such as `did grab(cup)`"
+    );
+    assert!(fail("did gras(mug)").to_string().contains("`gras` after `did` (did you mean `grab`?)"));
+}

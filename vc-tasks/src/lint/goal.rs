@@ -59,8 +59,8 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();
     let missing = missing.into_iter().map(|id| finding(Kind::Obstacle, Refusal::NoSuchThing(id).to_string()));
     let task = Task::new("", goal.clone());
-    // Unknown classes are findings of their own.
-    let is_plain = |o: &Obstacle| !matches!(o, Obstacle::UnknownClass { .. });
+    // Unknown classes are findings of their own, and states that no action brings about are found without a scene, too.
+    let is_plain = |o: &Obstacle| !matches!(o, Obstacle::UnknownClass { .. } | Obstacle::NoAction { .. });
     let obstacles = task.obstacles(graph).into_iter().filter(is_plain).map(|o| finding(Kind::Obstacle, o.to_string()));
     misnomers.chain(missing).chain(obstacles).collect()
 }

@@ -226,3 +226,38 @@ fn unknown_classes_and_goals_that_always_hold_are_found() {
     assert!(kinds("Clean(floo)").contains(&Kind::Obstacle) && !kinds("Clean(floo)").contains(&Kind::UnknownClass));
     assert!(kinds("!Clean(floo)").contains(&Kind::UnknownClass));
 }
+
+/// A state that no action brings about is an obstacle unless enough things are in it already.
+#[test]
+fn states_that_no_action_brings_about_are_obstacles() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    scene.add_in(kitchen, Draft::new("mug")).unwrap();
+    scene.add_in(kitchen, Draft::new("mug").state(vc_graph::State::Wet)).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let graph = scene.build();
+    let told = |goal: &str| {
+        let task = vc_tasks::Task::new("t", goal.parse().unwrap());
+        task.obstacles(&graph).iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
+    let no = |part: &str, thing: &str, state: &str| {
+        format!("`{part}` needs `{thing}` to be {state}, which it is not here, and no action makes it so")
+    };
+    for (goal, thing, state) in [
+        ("Frozen(mug)", "mug", "frozen"),
+        ("Wet(mug), 2", "mug", "wet"),
+        ("Wet(mug.3)", "mug.3", "wet"),
+        ("Broken(mug)", "mug", "broken"),
+        ("OnFire(me)", "me", "on_fire"),
+        ("Dusty(fridge)", "fridge", "dusty"),
+    ] {
+        assert_eq!(told(goal), no(&goal.parse::<Goal>().unwrap().to_string(), thing, state), "{goal}");
+    }
+    for goal in ["Wet(mug)", "Wet(mug.4)", "!Frozen(mug)", "Frozen(mug) | Clean(mug)", "Dirty(mug)", "Filled(mug)"] {
+        assert_eq!(told(goal), "", "{goal}");
+    }
+    assert!(told("Hot(fridge)").contains("to be graspable") && told("PluggedIn(mug)").contains("with a plug"));
+    assert!(told("SittingOn(mug, fridge)").contains("to be a person"));
+    assert!(told("WornBy(mug, me)").contains("to be wearable"));
+}
