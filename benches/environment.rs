@@ -20,7 +20,7 @@ use criterion::{BatchSize, Criterion};
 use virtualcity::graph::{Action, Node, NodeId, Property, Scope, Seed, State, Verb};
 use virtualcity::planner::{Agent, Decision};
 use virtualcity::procgen::Apartment;
-use virtualcity::relations::{Evidence, Relations, Rule};
+use virtualcity::relations::{Evidence, RelationRule, Relations};
 use virtualcity::render::{Daylight, Modalities, Modality};
 use virtualcity::{Batch, Environment, PictureOptions, Viewpoint, legal_action};
 
@@ -85,7 +85,7 @@ fn reset(criterion: &mut Criterion) {
 /// The home's scene with ten small objects raised a little.
 fn moved(home: &Environment) -> virtualcity::graph::SceneGraph {
     let mut graph = home.graph().clone();
-    let loose = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::Role::Loose);
+    let loose = |id: &NodeId| home.world().role(*id) == Some(virtualcity::physics::BodyRole::Loose);
     let small = |id: &NodeId| home.graph().node(*id).is_some_and(|n| n.affords(Property::Graspable));
     let both = |id: &NodeId| loose(id) && small(id);
     let ids: Vec<NodeId> = home.world().nodes().into_iter().filter(both).step_by(7).take(10).collect();
@@ -270,7 +270,7 @@ fn stages(homes: &[Environment], made: &[Duration]) -> [(&'static str, Vec<Durat
         generate.push(cpu(|| Apartment::from_seed(Seed(SEEDS.0 + number as u64)).unwrap().scene()).0);
         let (mut graph, all) = (home.start().clone(), home.start().nodes().map(|n| n.id()).collect::<Vec<NodeId>>());
         let read = || {
-            let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+            let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
             relations.write(&mut graph, &all).unwrap()
         };
         relate.push(cpu(read).0);
@@ -308,7 +308,7 @@ fn decisions(homes: &[Environment]) -> Vec<Duration> {
     let mut times = Vec::new();
     for mut home in homes.iter().cloned() {
         let me = home.agents()[0];
-        let mut agent = Agent::newcomer(home.graph(), me, "On(novel, table), 2".parse().unwrap(), 7);
+        let mut agent = Agent::in_known_home(home.graph(), me, "On(novel, table), 2".parse().unwrap(), 7);
         for _ in 0..ACTIONS / 2 {
             let seen = home.graph().observe(me, Scope::Room);
             let (time, decision) = cpu(|| {

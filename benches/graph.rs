@@ -15,8 +15,8 @@ use vc_graph::format::{native, read_scene, virtualhome};
 use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scope, Verb, Word, rule};
 
 fn scene() -> SceneGraph {
-    let bundled = include_str!("../examples/data/apartment.json").to_owned();
-    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
+    let folded_size = include_str!("../examples/data/apartment.json").to_owned();
+    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(folded_size);
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 

@@ -16,7 +16,7 @@ use cpu::Cpu;
 use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use nalgebra::{Point2, Vector3};
 use virtualcity::graph::{NodeId, Pose, SceneGraph, Seed};
-use virtualcity::physics::{Doors, Floor, FloorPlan, Shapes, World};
+use virtualcity::physics::{Doors, Floor, FloorOptions, PhysicsWorld, Shapes};
 
 const SIZES: [u32; 3] = [100, 500, 2000];
 
@@ -28,7 +28,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
     for objects in SIZES {
         let graph = scene::read(objects);
         let shapes = Shapes::new();
-        let build = || World::build(&graph, &shapes, scene::settings()).unwrap();
+        let build = || PhysicsWorld::build(&graph, &shapes, scene::settings()).unwrap();
         let fresh = build();
         let mut group = c.benchmark_group("physics");
         group.sample_size(if objects > 500 { 10 } else { 30 });
@@ -41,7 +41,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
             });
         });
         group.bench_function(at("build, no shapes known", objects), |b| {
-            b.iter_with_large_drop(|| World::build(&graph, &Shapes::new(), scene::settings()).unwrap());
+            b.iter_with_large_drop(|| PhysicsWorld::build(&graph, &Shapes::new(), scene::settings()).unwrap());
         });
         group.bench_function(at("settle", objects), |b| {
             b.iter_batched(|| fresh.clone(), |mut w| (w.settle(300), w), BatchSize::LargeInput);
@@ -56,7 +56,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
         group.bench_function(at("save", objects), |b| b.iter_with_large_drop(|| settled.save().unwrap()));
         let bytes = settled.save().unwrap();
         group.bench_function(at("restore", objects), |b| {
-            b.iter_with_large_drop(|| World::restore(black_box(&bytes), &graph, &shapes).unwrap());
+            b.iter_with_large_drop(|| PhysicsWorld::restore(black_box(&bytes), &graph, &shapes).unwrap());
         });
         active(&mut group, &settled, &scene::small_things(&graph), objects);
         let other = moved(&graph, &settled, 10);
@@ -71,7 +71,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
                 world
             });
         });
-        let plan = FloorPlan { doors: Doors::AsTheyAre, ..FloorPlan::default() };
+        let plan = FloorOptions { doors: Doors::AsTheyAre, ..FloorOptions::default() };
         group.bench_function(at("floor", objects), |b| b.iter_with_large_drop(|| Floor::of(&settled, plan)));
         group.finish();
     }
@@ -80,7 +80,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
 type Group<'a> = criterion::BenchmarkGroup<'a, Cpu>;
 
 /// Two seconds in which fifty small objects are thrown up six times a second.
-fn active(group: &mut Group<'_>, settled: &World, things: &[NodeId], objects: u32) {
+fn active(group: &mut Group<'_>, settled: &PhysicsWorld, things: &[NodeId], objects: u32) {
     group.bench_function(at("120 steps, 50 active", objects), |b| {
         b.iter_batched(
             || settled.clone(),
@@ -103,7 +103,7 @@ fn active(group: &mut Group<'_>, settled: &World, things: &[NodeId], objects: u3
 }
 
 /// The scene with some small objects a little above their rest positions.
-fn moved(graph: &SceneGraph, settled: &World, count: usize) -> SceneGraph {
+fn moved(graph: &SceneGraph, settled: &PhysicsWorld, count: usize) -> SceneGraph {
     let mut other = graph.clone();
     let mut edit = other.edit();
     for id in scene::small_things(graph).into_iter().take(count) {
@@ -120,7 +120,7 @@ fn memory(_: &mut Criterion<Cpu>) {
     let mut kept = Vec::new();
     for objects in SIZES {
         let graph = scene::read(objects);
-        let mut world = World::build(&graph, &Shapes::new(), scene::settings()).unwrap();
+        let mut world = PhysicsWorld::build(&graph, &Shapes::new(), scene::settings()).unwrap();
         world.settle(300);
         eprintln!(
             "{objects} objects: {:?} bodies and pieces, {:.2} MiB a world",
@@ -131,7 +131,7 @@ fn memory(_: &mut Criterion<Cpu>) {
 }
 
 /// The growth of the process for each of many clones, MiB.
-fn growth(world: &World, kept: &mut Vec<World>) -> f64 {
+fn growth(world: &PhysicsWorld, kept: &mut Vec<PhysicsWorld>) -> f64 {
     const CLONES: usize = 40;
     let resident = || {
         let text = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
@@ -151,8 +151,8 @@ fn apartments(c: &mut Criterion<Cpu>) {
     use virtualcity::procgen::Apartment;
     let shapes = Shapes::new();
     let scenes: Vec<SceneGraph> = (1..6).map(|seed| Apartment::from_seed(Seed(seed)).unwrap().scene()).collect();
-    let build = |graph: &SceneGraph| World::build(graph, &shapes, Settings::default()).unwrap();
-    let worlds: Vec<World> = scenes.iter().map(build).collect();
+    let build = |graph: &SceneGraph| PhysicsWorld::build(graph, &shapes, Settings::default()).unwrap();
+    let worlds: Vec<PhysicsWorld> = scenes.iter().map(build).collect();
     let mut group = c.benchmark_group("apartment");
     group.bench_function("build", |b| b.iter_with_large_drop(|| build(&scenes[0])));
     let mut settled = worlds[0].clone();
@@ -162,14 +162,14 @@ fn apartments(c: &mut Criterion<Cpu>) {
         b.iter_batched(|| worlds[0].clone(), |mut w| (w.settle(300), w), BatchSize::LargeInput);
     });
     group.bench_function("step, all asleep", |b| b.iter(|| settled.step()));
-    group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::of(&worlds[0], FloorPlan::default())));
+    group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::of(&worlds[0], FloorOptions::default())));
     // The outlines of the shapes on the floor are computed once for all worlds with the same shapes; here, each
     // time.
     group.bench_function("floor, no shapes known", |b| {
-        let fresh = || World::build(&scenes[0], &Shapes::new(), Settings::default()).unwrap();
-        b.iter_batched(fresh, |world| (Floor::of(&world, FloorPlan::default()), world), BatchSize::LargeInput);
+        let fresh = || PhysicsWorld::build(&scenes[0], &Shapes::new(), Settings::default()).unwrap();
+        b.iter_batched(fresh, |world| (Floor::of(&world, FloorOptions::default()), world), BatchSize::LargeInput);
     });
-    let floors: Vec<Floor> = worlds.iter().map(|w| Floor::of(w, FloorPlan::default())).collect();
+    let floors: Vec<Floor> = worlds.iter().map(|w| Floor::of(w, FloorOptions::default())).collect();
     let queries: Vec<(&Floor, Point2<f32>, Point2<f32>)> = floors.iter().flat_map(|f| pairs(f, 200)).collect();
     report_ways(&queries);
     let mut next = queries.iter().cycle();

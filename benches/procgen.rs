@@ -17,7 +17,7 @@ use std::time::Duration;
 use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use virtualcity::graph::Seed;
-use virtualcity::procgen::plan::Plan;
+use virtualcity::procgen::plan::FloorPlan;
 use virtualcity::procgen::{Apartment, Layout, Specification, Style, object};
 
 /// As in the example `apartment`; with the system's allocator homes take a fifth longer.
@@ -69,7 +69,7 @@ fn homes(c: &mut Criterion) {
             });
         });
     };
-    over("plan", &|seed| drop(black_box(Plan::generate(&wishes, seed))));
+    over("plan", &|seed| drop(black_box(FloorPlan::generate(&wishes, seed))));
     over("layout: plan, furniture, reachability", &|seed| drop(black_box(Layout::generate(&wishes, seed))));
     over("plan, building, furniture, check", &|seed| drop(black_box(Apartment::generate(&bare, seed))));
     over("everything", &|seed| drop(black_box(Apartment::generate(&wishes, seed))));

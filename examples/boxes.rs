@@ -16,7 +16,7 @@ use clap::Parser;
 use support::{Complaint, say};
 use vc_graph::goal::Situation;
 use vc_graph::{Action, Verb};
-use vc_planner::{Newcomer, Run, Step};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Step};
 use vc_tasks::{Outcome, Task};
 use virtualcity::{Assets, Environment, SceneOptions};
 
@@ -105,8 +105,8 @@ fn goals(home: &Environment, won: &mut (usize, usize)) -> Result<(), Complaint> 
         }
         let mut steps = Vec::new();
         let mut note = |step: &Step| steps.push(step.refused.clone().unwrap_or_else(|| step.described.clone()));
-        let run = Run { agent: Some(me), ..Run::seeded(1) };
-        let episode = run.episode(&mut Newcomer::best(), &task, &mut home.clone(), &mut note);
+        let run = EpisodeOptions { agent: Some(me), ..EpisodeOptions::seeded(1) };
+        let episode = run.episode(&mut PlannerPolicy::best(), &task, &mut home.clone(), &mut note);
         won.1 += 1;
         if episode.outcome == Outcome::Won {
             won.0 += 1;

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use vc_graph::{ClassTable, Draft, SceneBuilder, Simulator};
-use vc_planner::{Newcomer, run_episode};
+use vc_planner::{PlannerPolicy, run_episode};
 use vc_tasks::Task;
 
 /// Name, ancestors, aliases, category, affordances, size, mass, first states, slots, habitual places.
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     scene.add_in(living, Draft::new("character"))?;
 
     let task = Task::new("bring the pills", "On(pills, robot_dock)".parse()?);
-    let episode = run_episode(&mut Newcomer::best(), &task, &mut Simulator::new(scene.build()));
+    let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut Simulator::new(scene.build()));
     println!("{:?} after {} steps", episode.outcome, episode.steps);
     Ok(())
 }

@@ -7,7 +7,9 @@
 use std::collections::{BTreeSet, VecDeque};
 
 use virtualcity::graph::{Action, Node, NodeId, Observation, Property, Simulator, State, Verb};
-use virtualcity::planner::{Brief, Decision, Learned, Newcomer, Plan, Policy, Reaction, Unreachable, run_episode};
+use virtualcity::planner::{
+    Decision, EpisodeStart, Learned, Plan, PlannerPolicy, Policy, RefusalResponse, Unreachable, run_episode,
+};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Task, WorldError};
 
@@ -32,7 +34,7 @@ impl Policy for Sweep {
         "sweep"
     }
 
-    fn begin(&mut self, brief: &Brief<'_>) {
+    fn begin(&mut self, brief: &EpisodeStart<'_>) {
         *self = Self::new(self.class);
         // The plan of the home is known, its contents are not.
         self.rooms = brief.scene.rooms().iter().copied().collect();
@@ -68,16 +70,16 @@ impl Policy for Sweep {
         self.holds |= action.verb == Verb::Grab;
     }
 
-    fn refused(&mut self, _: &Action, _: &WorldError) -> Reaction {
+    fn refused(&mut self, _: &Action, _: &WorldError) -> RefusalResponse {
         self.next.clear();
-        Reaction::GoOn
+        RefusalResponse::GoOn
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let graph = Apartment::from_seed(virtualcity::graph::Seed(9))?.scene();
     let task = Task::new("fetch a mug", "Holds(mug)".parse()?);
-    let policies: [&mut dyn Policy; 2] = [&mut Sweep::new("mug"), &mut Newcomer::best()];
+    let policies: [&mut dyn Policy; 2] = [&mut Sweep::new("mug"), &mut PlannerPolicy::best()];
     for policy in policies {
         let episode = run_episode(policy, &task, &mut Simulator::new(graph.clone()));
         println!("{}: {:?} after {} steps", policy.name(), episode.outcome, episode.steps);

@@ -77,7 +77,7 @@ fn decision(times: usize) {
     for _ in 0..times {
         let mut rule = Simulator::new(home.graph().clone());
         let me = home.agents()[0];
-        let mut agent = Agent::newcomer(rule.graph(), me, "On(novel, table), 2".parse().unwrap(), 7);
+        let mut agent = Agent::in_known_home(rule.graph(), me, "On(novel, table), 2".parse().unwrap(), 7);
         for _ in 0..20 {
             agent.see(&rule.graph().observe(me, Scope::Room));
             let Decision::Act(action, _) = agent.decide() else { break };

@@ -1,6 +1,6 @@
 //! The contract that every environment keeps, as a test that anybody can run.
 
-use vc_graph::{Action, Kind, NodeId, SceneGraph, Seed, Stream, Verb, Violation, Word, rule};
+use vc_graph::{Action, NodeId, NodeKind, SceneGraph, Seed, Stream, Verb, Violation, Word, rule};
 
 use crate::Batch;
 use crate::environment::{ActionError, Environment, MakeError};
@@ -19,7 +19,7 @@ const PICTURE: (u32, u32) = (64, 48);
 /// A violation of the contract of an environment.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Breach {
+pub enum ContractViolation {
     /// Two environments that were made alike differ.
     #[error("two environments that were made alike differ before any action")]
     MadeDifferently,
@@ -106,7 +106,7 @@ pub struct Tally {
     /// The disagreements between bodies and rule, in words.
     pub disagreements: Vec<String>,
     /// The breaches found.
-    pub breaches: Vec<Breach>,
+    pub breaches: Vec<ContractViolation>,
 }
 
 /// Checks the contract of an environment, as Gymnasium's checker does, and returns every breach; a sound
@@ -132,10 +132,10 @@ pub fn check_environment(
     make: impl Fn() -> Result<Environment, MakeError>,
     actions: usize,
     seed: Seed,
-) -> Result<Vec<Breach>, MakeError> {
+) -> Result<Vec<ContractViolation>, MakeError> {
     let (mut one, mut other) = (make()?, make()?);
     if one.digest() != other.digest() {
-        return Ok(vec![Breach::MadeDifferently]);
+        return Ok(vec![ContractViolation::MadeDifferently]);
     }
     let mut breaches = Vec::new();
     check_order(&one, seed, &mut breaches);
@@ -146,7 +146,7 @@ pub fn check_environment(
     let first = run(&mut one, actions / 2, seed.child("first"));
     let again = run(&mut other, actions / 2, seed.child("first"));
     if one.digest() != other.digest() || first != again {
-        breaches.push(Breach::RunDifferently { actions: actions / 2 });
+        breaches.push(ContractViolation::RunDifferently { actions: actions / 2 });
     }
     breaches.extend(first.breaches);
     check_saving(&mut one, actions - actions / 2, seed.child("second"), &mut breaches);
@@ -155,21 +155,21 @@ pub fn check_environment(
 }
 
 /// Lets an agent do a few legal actions, once at once and once in time, and compares the results.
-fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
+fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<ContractViolation>) {
     let (mut at_once, mut in_time, mut stream) = (environment.clone(), environment.clone(), seed.stream());
     for _ in 0..SHOWN {
         let Some(&agent) = stream.pick(environment.agents()) else { return };
         let action = legal_action(at_once.graph(), agent, &mut stream);
         let outcome = at_once.set_action(agent, action);
         if in_time.set_action_in_time(agent, action, |_| {}) != outcome || at_once.digest() != in_time.digest() {
-            breaches.push(Breach::ClocksDiffer { action: action.describe(environment.graph()).to_string() });
+            breaches.push(ContractViolation::ClocksDiffer { action: action.describe(environment.graph()).to_string() });
             return;
         }
     }
 }
 
 /// Lets each agent act, alone and in a batch, and compares the results.
-fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
+fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<ContractViolation>) {
     let mut stream = seed.stream();
     let act = |agent: &NodeId| (*agent, legal_action(environment.graph(), *agent, &mut stream));
     let actions: Vec<(NodeId, Action)> = environment.agents().iter().map(act).collect();
@@ -179,13 +179,13 @@ fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>
     let together = batch.set_actions(&vec![actions; BATCH]);
     let same = batch.environments().iter().all(|e| e.digest() == alone.digest());
     if !same || together.iter().any(|own| *own != outcomes) {
-        breaches.push(Breach::BatchDiffers);
+        breaches.push(ContractViolation::BatchDiffers);
     }
 }
 
 /// Renders the view of each agent twice.
 #[cfg(feature = "render")]
-fn check_render(environment: &Environment, breaches: &mut Vec<Breach>) {
+fn check_render(environment: &Environment, breaches: &mut Vec<ContractViolation>) {
     let before = environment.digest();
     for &agent in environment.agents() {
         let look = || {
@@ -197,10 +197,10 @@ fn check_render(environment: &Environment, breaches: &mut Vec<Breach>) {
                 let bits = |depth: &[f32]| depth.iter().map(|d| d.to_bits()).collect::<Vec<u32>>();
                 let alike = one.rgb == other.rgb && one.instance == other.instance;
                 if !alike || bits(&one.depth) != bits(&other.depth) || environment.digest() != before {
-                    breaches.push(Breach::ImpureRender);
+                    breaches.push(ContractViolation::ImpureRender);
                 }
             }
-            (Err(error), _) | (_, Err(error)) => breaches.push(Breach::NotRendered(error.to_string())),
+            (Err(error), _) | (_, Err(error)) => breaches.push(ContractViolation::NotRendered(error.to_string())),
         }
     }
 }
@@ -225,7 +225,7 @@ fn try_action(environment: &mut Environment, agent: NodeId, action: Action, tall
     let outcome = environment.set_action(agent, action);
     let after = environment.digest();
     match &outcome {
-        Ok(_) if refused => tally.breaches.push(Breach::DoneThoughRefused(text.clone())),
+        Ok(_) if refused => tally.breaches.push(ContractViolation::DoneThoughRefused(text.clone())),
         Ok(_) => tally.done += 1,
         Err(ActionError::Disagreement(why)) => tally.disagreements.push(why.to_string()),
         Err(ActionError::Refused(_)) => tally.refused += 1,
@@ -234,24 +234,25 @@ fn try_action(environment: &mut Environment, agent: NodeId, action: Action, tall
     if let Err(error) = outcome
         && before != after
     {
-        tally.breaches.push(Breach::RefusedAndChanged { action: text.clone(), error: error.to_string() });
+        tally.breaches.push(ContractViolation::RefusedAndChanged { action: text.clone(), error: error.to_string() });
     }
     let _ = (environment.observation(agent, 3.0), environment.room_observation(agent));
     if environment.digest() != after {
-        tally.breaches.push(Breach::ImpureObservation { actions: environment.history().events().len() });
+        tally.breaches.push(ContractViolation::ImpureObservation { actions: environment.history().events().len() });
     }
     tally.breaches.extend(unsound(environment, &text));
 }
 
 /// The breaches that an environment shows after an action.
-fn unsound(environment: &Environment, action: &str) -> Vec<Breach> {
+fn unsound(environment: &Environment, action: &str) -> Vec<ContractViolation> {
     let (graph, world) = (environment.graph(), environment.world());
     let known = environment.start().validate();
     // A falling object comes to rest on whatever is there: a pillow on a duvet, a sock on a pencil.
     let fallen = |v: &Violation| matches!(v, Violation::NotASurface(..));
     let violations = graph.validate().into_iter().filter(|v| !known.contains(v) && !fallen(v));
-    let broken = violations.map(|v| Breach::Invariant { action: action.to_owned(), violation: v.to_string() });
-    let lost = |what: String| Breach::Lost { action: action.to_owned(), what };
+    let broken =
+        violations.map(|v| ContractViolation::Invariant { action: action.to_owned(), violation: v.to_string() });
+    let lost = |what: String| ContractViolation::Lost { action: action.to_owned(), what };
     let wild = |n: &vc_graph::Node| n.pose().is_some_and(|p| !p.translation.vector.iter().all(|v| v.is_finite()));
     let not_finite =
         graph.nodes().filter(|n| wild(n)).map(|n| lost(format!("the pose of {} is not finite", n.label())));
@@ -263,7 +264,7 @@ fn unsound(environment: &Environment, action: &str) -> Vec<Breach> {
     broken.chain(not_finite).chain(outside).chain(stopped).collect()
 }
 
-fn check_order(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>) {
+fn check_order(environment: &Environment, seed: Seed, breaches: &mut Vec<ContractViolation>) {
     let mut stream = seed.child("order").stream();
     let act = |agent: &NodeId| (*agent, legal_action(environment.graph(), *agent, &mut stream));
     let mut actions: Vec<(NodeId, Action)> = environment.agents().iter().map(act).collect();
@@ -272,29 +273,29 @@ fn check_order(environment: &Environment, seed: Seed, breaches: &mut Vec<Breach>
     actions.reverse();
     other.set_actions(&actions);
     if one.digest() != other.digest() {
-        breaches.push(Breach::OrderMatters);
+        breaches.push(ContractViolation::OrderMatters);
     }
 }
 
-fn check_saving(environment: &mut Environment, actions: usize, seed: Seed, breaches: &mut Vec<Breach>) {
+fn check_saving(environment: &mut Environment, actions: usize, seed: Seed, breaches: &mut Vec<ContractViolation>) {
     let restored = environment.save().and_then(|bytes| environment.restore(&bytes));
     let mut restored = match restored {
         Ok(restored) => restored,
-        Err(error) => return breaches.push(Breach::NotSaved(error.to_string())),
+        Err(error) => return breaches.push(ContractViolation::NotSaved(error.to_string())),
     };
     let own = run(environment, actions, seed);
     let theirs = run(&mut restored, actions, seed);
     if environment.digest() != restored.digest() || own != theirs {
-        breaches.push(Breach::RestoredDiffers { actions });
+        breaches.push(ContractViolation::RestoredDiffers { actions });
     }
     breaches.extend(own.breaches);
 }
 
-fn check_reset(environment: &mut Environment, breaches: &mut Vec<Breach>) {
+fn check_reset(environment: &mut Environment, breaches: &mut Vec<ContractViolation>) {
     let start = environment.start().clone();
     let report = environment.reset(&start);
     if report.is_err() || environment.graph() != &start {
-        breaches.push(Breach::ResetDiffers);
+        breaches.push(ContractViolation::ResetDiffers);
     }
 }
 
@@ -317,7 +318,7 @@ fn any_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action 
     let body = graph.node(agent).and_then(vc_graph::Node::position);
     let near: Vec<NodeId> = body.map(|at| graph.within(at, 2.0)).unwrap_or_default();
     let held: Vec<NodeId> = graph.held(agent).collect();
-    let of_the_home = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() != Kind::Room);
+    let of_the_home = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() != NodeKind::Room);
     let near: Vec<NodeId> = near.into_iter().filter(of_the_home).collect();
     let mut thing = || {
         let list = match stream.below(4) {

@@ -47,7 +47,7 @@
 //! ```
 //! use virtualcity::Environment;
 //! use virtualcity::graph::{Action, NodeId, Observation, Verb};
-//! use virtualcity::planner::{Brief, Decision, Learned, Plan, Policy, run_episode};
+//! use virtualcity::planner::{EpisodeStart, Decision, Learned, Plan, Policy, run_episode};
 //! use virtualcity::tasks::{Outcome, Task};
 //!
 //! #[derive(Default)]
@@ -66,7 +66,7 @@
 //!         false
 //!     }
 //!
-//!     fn begin(&mut self, _: &Brief<'_>) {
+//!     fn begin(&mut self, _: &EpisodeStart<'_>) {
 //!         *self = Self::default();
 //!     }
 //!
@@ -100,7 +100,7 @@
 //! ```
 //! use virtualcity::Environment;
 //! use virtualcity::graph::{Action, NodeId, Observation, Verb};
-//! use virtualcity::planner::{Brief, Decision, Learned, Plan, Policy, Reaction, run_episode};
+//! use virtualcity::planner::{EpisodeStart, Decision, Learned, Plan, Policy, RefusalResponse, run_episode};
 //! use virtualcity::tasks::{Outcome, Task, WorldError};
 //!
 //! #[derive(Default)]
@@ -114,7 +114,7 @@
 //!         "trier"
 //!     }
 //!
-//!     fn begin(&mut self, brief: &Brief<'_>) {
+//!     fn begin(&mut self, brief: &EpisodeStart<'_>) {
 //!         self.sofa = brief.scene.of_class("sofa").first().copied();
 //!         self.verbs = vec![Verb::Sit, Verb::Walk, Verb::Grab, Verb::Open]; // from the last to the first
 //!     }
@@ -130,9 +130,9 @@
 //!
 //!     fn did(&mut self, _: &Action) {}
 //!
-//!     fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+//!     fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
 //!         println!("{action}: {why}");
-//!         Reaction::GoOn
+//!         RefusalResponse::GoOn
 //!     }
 //! }
 //!
@@ -434,7 +434,7 @@
 //! use virtualcity::Environment;
 //! use virtualcity::graph::Seed;
 //! use virtualcity::initial::{at_home_that, feasible, generator};
-//! use virtualcity::planner::{Newcomer, run_episode};
+//! use virtualcity::planner::{PlannerPolicy, run_episode};
 //! use virtualcity::tasks::library::Benchmark;
 //! use virtualcity::tasks::{Outcome, Task, WorldError};
 //!
@@ -447,7 +447,7 @@
 //! let open = |scene| Environment::of(scene, 1).map_err(|e| WorldError::Failed(e.to_string()));
 //! let suits = |home: &Environment, initial: &_| feasible(activity, home, initial);
 //! let mut made = at_home_that(activity, Seed(3), &generator(), open, suits)?;
-//! let episode = run_episode(&mut Newcomer::best(), &made.initial.task, &mut made.world);
+//! let episode = run_episode(&mut PlannerPolicy::best(), &made.initial.task, &mut made.world);
 //! assert_eq!(episode.outcome, Outcome::Won, "{:?}", episode.reason);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

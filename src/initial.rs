@@ -6,11 +6,11 @@ use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
 #[cfg(feature = "environment")]
 use vc_graph::{
-    Goal, Kind, NodeId, Place, Relation,
+    Goal, NodeId, NodeKind, Place, Relation,
     goal::{Predicate, Term},
 };
 use vc_procgen::object;
-use vc_procgen::{Apartment, Impossible, Specification, material};
+use vc_procgen::{Apartment, Specification, SpecificationError, material};
 use vc_tasks::initial::{Generator, Initial, InitialError, Stock};
 use vc_tasks::library::Activity;
 use vc_tasks::{World, WorldError};
@@ -55,7 +55,7 @@ pub struct AtHome<W> {
 pub enum NoHome {
     /// No home has the rooms that the activity needs.
     #[error(transparent)]
-    Impossible(#[from] Impossible),
+    Impossible(#[from] SpecificationError),
     /// No world could be made from a home.
     #[error(transparent)]
     World(#[from] WorldError),
@@ -147,7 +147,7 @@ pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> R
     let gets_at = |id: &NodeId| home.can_get_at(agent, *id);
     let objects = |class: &str| {
         let all = graph.of_class(class).into_iter();
-        all.filter(|id| graph.node(*id).is_some_and(|n| n.kind() == Kind::Object)).collect::<Vec<NodeId>>()
+        all.filter(|id| graph.node(*id).is_some_and(|n| n.kind() == NodeKind::Object)).collect::<Vec<NodeId>>()
     };
     let added = initial.added.iter().map(|a| a.id).filter(|id| *id != agent);
     if let Some(id) = added.into_iter().find(|id| !gets_at(id)) {

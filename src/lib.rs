@@ -20,7 +20,7 @@
 //!
 //! ```
 //! use virtualcity::graph::{Draft, SceneBuilder, Simulator};
-//! use virtualcity::planner::{Newcomer, run_episode};
+//! use virtualcity::planner::{PlannerPolicy, run_episode};
 //! use virtualcity::tasks::{Outcome, Task};
 //!
 //! let mut scene = SceneBuilder::new("flat");
@@ -31,7 +31,7 @@
 //!
 //! let task = Task::new("fetch the milk", "Holds(milk) & Closed(fridge)".parse()?);
 //! let mut world = Simulator::new(scene.build());
-//! let episode = run_episode(&mut Newcomer::best(), &task, &mut world);
+//! let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut world);
 //! assert_eq!(episode.outcome, Outcome::Won);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -84,11 +84,11 @@ mod record;
 #[cfg(feature = "environment")]
 pub use batch::Batch;
 #[cfg(feature = "environment")]
-pub use check::{Breach, Tally, check_environment, legal_action, random_action, run};
+pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, AlterError, Assets, Difference, Disagreement, Elsewhere, Environment, Impossible, MakeError,
-    ResetError, ResetReport, SaveError, SceneOptions, Spot, Steering, Unplaced, Why,
+    ActionError, AlterError, Assets, Difference, Disagreement, Displaced, Environment, MakeError, PhysicalRefusal,
+    ResetError, ResetReport, SaveError, SceneOptions, Spot, Steering, Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{PictureOptions, Viewpoint};

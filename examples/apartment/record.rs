@@ -3,7 +3,7 @@
 use serde::Serialize;
 use virtualcity::graph::{Pose, State};
 use virtualcity::procgen::furnish::{Item, Rest};
-use virtualcity::procgen::plan::Plan;
+use virtualcity::procgen::plan::FloorPlan;
 use virtualcity::procgen::{Apartment, Fingerprint};
 
 use crate::one::is_building;
@@ -27,7 +27,7 @@ pub(crate) struct Record<'a> {
     /// Net area without balconies, m², to a hundredth.
     area_m2: f64,
     net_m2: Vec<f64>,
-    plan: &'a Plan,
+    plan: &'a FloorPlan,
     items: Vec<Thing<'a>>,
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph, Seed, Simulator};
-use vc_planner::{Newcomer, Policy, Prior, Random, Resident, Run as Episodes};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Prior, RandomPolicy};
 use vc_tasks::initial::Initial;
 use vc_tasks::library::Activity;
 use vc_tasks::report::{Run, predicates};
@@ -13,13 +13,13 @@ use virtualcity::initial::{AtHome, at_home, at_home_that, feasible, generator};
 
 /// All policies in the order of the tables; the oracle is the last.
 pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
-    let mut all: Vec<Box<dyn Policy>> = vec![Box::new(Random::default())];
+    let mut all: Vec<Box<dyn Policy>> = vec![Box::new(RandomPolicy::default())];
     if symbolic {
-        all.push(Box::new(Newcomer::faithful()));
-        all.push(Box::new(Newcomer::best().supposing(Prior::Uniform).named("planner, uniform")));
+        all.push(Box::new(PlannerPolicy::faithful()));
+        all.push(Box::new(PlannerPolicy::best().with_prior(Prior::Uniform).named("planner, uniform")));
     }
-    all.push(Box::new(Newcomer::best()));
-    all.push(Box::new(Resident::default()));
+    all.push(Box::new(PlannerPolicy::best()));
+    all.push(Box::new(OraclePolicy::default()));
     all
 }
 
@@ -77,7 +77,7 @@ fn tried<W: World>(
     let mut attempt = Attempt { passed_over, ..Attempt::default() };
     for mut policy in policies {
         world.reset(&scene).map_err(|e| e.to_string())?;
-        let how = Episodes { agent: Some(initial.agent), ..Episodes::seeded(seed) };
+        let how = EpisodeOptions { agent: Some(initial.agent), ..EpisodeOptions::seeded(seed) };
         let mut refused: Vec<String> = Vec::new();
         // Most random actions are refused, so those refusals are not reported.
         let tells = policy.name() != "random";

@@ -25,7 +25,7 @@ use resume::Resume;
 use support::{Complaint, say};
 use tables::{Ratios, Tables, WATCH_AND_HELP};
 use vc_tasks::library::{Activity, Benchmark};
-use vc_tasks::report::{By, Report, Run};
+use vc_tasks::report::{GroupBy, Report, Run};
 
 /// Random, oracle and both planners on the 145 tasks.
 #[derive(Parser)]
@@ -131,8 +131,8 @@ fn show(tables: &Tables, environments: usize, unmade: &[String]) {
 fn write(tables: &Tables, failures: &[String], out: &Path) -> Result<(), Complaint> {
     virtualcity::files::create_folder(out)?;
     let report = &tables.report;
-    let agents = report.table(By::Agent);
-    let by_number = report.table(By::Predicates);
+    let agents = report.table(GroupBy::Agent);
+    let by_number = report.table(GroupBy::Predicates);
     let failures: String = failures.iter().map(|line| format!("{line}\n")).collect();
     let files = [
         ("table_5_2.csv", tables.table_csv()),
@@ -143,7 +143,7 @@ fn write(tables: &Tables, failures: &[String], out: &Path) -> Result<(), Complai
         ("failures.txt", failures),
         ("agents.csv", agents.csv()),
         ("predicates.csv", by_number.csv()),
-        ("groups.csv", report.table(By::Group).csv()),
+        ("groups.csv", report.table(GroupBy::Group).csv()),
         ("predicates.svg", by_number.svg("Success by the number of things a goal asks for")),
     ];
     for (name, text) in files {

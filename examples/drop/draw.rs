@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use nalgebra::{Point3, Vector3};
 use virtualcity::graph::asset::Shape;
 use virtualcity::graph::mesh::TriangleMesh;
-use virtualcity::graph::{AssetId, Kind, NodeId, Pose, SceneGraph};
-use virtualcity::physics::World;
+use virtualcity::graph::{AssetId, NodeId, NodeKind, Pose, SceneGraph};
+use virtualcity::physics::PhysicsWorld;
 
 /// Size of a picture, pixels.
 pub(crate) const SIZE: (u32, u32) = (1500, 1000);
@@ -26,10 +26,10 @@ struct Canvas {
 }
 
 /// The world as rows of RGB, with trails of the moving objects.
-pub(crate) fn picture(graph: &SceneGraph, world: &World, trails: &[(NodeId, Vec<[f32; 3]>)]) -> Vec<u8> {
+pub(crate) fn picture(graph: &SceneGraph, world: &PhysicsWorld, trails: &[(NodeId, Vec<[f32; 3]>)]) -> Vec<u8> {
     let mut canvas = Canvas::new();
     let mut meshes: HashMap<(AssetId, usize), TriangleMesh> = HashMap::new();
-    for node in graph.nodes().filter(|n| n.kind() == Kind::Object) {
+    for node in graph.nodes().filter(|n| n.kind() == NodeKind::Object) {
         let (Some(id), Some(pose)) = (node.spec().asset, world.pose(node.id())) else { continue };
         let Some(asset) = graph.assets().get(id) else { continue };
         for (i, part) in asset.parts.iter().enumerate() {

@@ -21,7 +21,7 @@ use clap::Parser;
 use indicatif::ProgressBar;
 use support::{Complaint, say};
 use virtualcity::graph::{NodeId, SceneGraph};
-use virtualcity::physics::{Settings, Settling, Shapes, World};
+use virtualcity::physics::{PhysicsWorld, Settings, Settling, Shapes};
 
 use stage::Cast;
 
@@ -43,7 +43,7 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     virtualcity::files::create_folder(&options.out)?;
     let (graph, cast) = stage::build(options.seed, options.things).map_err(Complaint::new)?;
-    let mut world = World::build(&graph, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
+    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
     play::prepare(&mut world, &cast).map_err(Complaint::new)?;
     let file = |name: &str| options.out.join(name);
     draw(&file("start.png"), &draw::picture(&graph, &world, &[]))?;
@@ -71,7 +71,7 @@ fn main() -> Result<(), Complaint> {
 }
 
 /// A line of the trajectory, and a point of each trail.
-fn record(world: &World, graph: &SceneGraph, lines: &mut String, trails: &mut [(NodeId, Vec<[f32; 3]>)]) {
+fn record(world: &PhysicsWorld, graph: &SceneGraph, lines: &mut String, trails: &mut [(NodeId, Vec<[f32; 3]>)]) {
     let pose = |(id, pose): (NodeId, virtualcity::graph::Pose)| {
         let (t, q) = (pose.translation.vector, pose.rotation.coords);
         serde_json::json!({ "id": graph.label(id).to_string(), "position": [t.x, t.y, t.z], "rotation": [q.x, q.y, q.z, q.w] })
@@ -85,7 +85,7 @@ fn record(world: &World, graph: &SceneGraph, lines: &mut String, trails: &mut [(
     }
 }
 
-fn report(world: &World, graph: &SceneGraph, cast: &Cast, settling: &Settling) -> String {
+fn report(world: &PhysicsWorld, graph: &SceneGraph, cast: &Cast, settling: &Settling) -> String {
     let (bodies, pieces) = world.size();
     let name = |id: NodeId| graph.label(id).to_string();
     let mut text = format!("{bodies} bodies of {pieces} pieces, {:.1} s, digest {}\n", world.time(), world.digest());

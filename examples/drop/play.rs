@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3};
 use virtualcity::graph::Aabb;
 use virtualcity::physics::{
-    AgentError, BodyPlan, Controls, Floor, FloorPlan, Hand, Order, PhysicsError, VehiclePlan, Walk, World,
+    AgentError, BodyPlan, Controls, Floor, FloorOptions, Hand, Order, PhysicsError, PhysicsWorld, VehiclePlan, Walk,
 };
 
 use crate::stage::{Cast, WATER};
@@ -16,7 +16,7 @@ const START: f32 = -6.0;
 const BRAKE: f32 = 3.6;
 
 /// Fills the pool with water and puts wheels on the car.
-pub(crate) fn prepare(world: &mut World, cast: &Cast) -> Result<(), PhysicsError> {
+pub(crate) fn prepare(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), PhysicsError> {
     let pool = Aabb { min: Point3::new(4.1, 1.1, 0.0), max: Point3::new(7.0, 3.9, WATER) };
     world.add_water(&pool)?;
     let mass = world.mass(cast.car).unwrap_or(1000.0);
@@ -24,7 +24,7 @@ pub(crate) fn prepare(world: &mut World, cast: &Cast) -> Result<(), PhysicsError
 }
 
 /// Performs the events of a step.
-pub(crate) fn act(world: &mut World, cast: &Cast, step: u32) -> Result<(), AgentError> {
+pub(crate) fn act(world: &mut PhysicsWorld, cast: &Cast, step: u32) -> Result<(), AgentError> {
     match step {
         60 => world.drive(cast.chest, 0, 1.0)?,
         120 => world.drive(cast.door, 0, 0.9)?,
@@ -42,28 +42,28 @@ pub(crate) fn act(world: &mut World, cast: &Cast, step: u32) -> Result<(), Agent
 }
 
 /// The distance of the car from its start, metres.
-pub(crate) fn driven(world: &World, cast: &Cast) -> f32 {
+pub(crate) fn driven(world: &PhysicsWorld, cast: &Cast) -> f32 {
     world.pose(cast.car).map_or(0.0, |p| p.translation.x - START)
 }
 
-fn at(world: &World, cast: &Cast) -> Point2<f32> {
+fn at(world: &PhysicsWorld, cast: &Cast) -> Point2<f32> {
     world.pose(cast.person).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
 }
 
-fn go_to_the_mug(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
-    let floor = Floor::of(world, FloorPlan::default());
+fn go_to_the_mug(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
+    let floor = Floor::of(world, FloorOptions::default());
     let stand = floor.stand(world, &BodyPlan::default(), at(world, cast), cast.mug)?;
     stand.map_or(Ok(()), |stand| world.follow(cast.person, &stand.route.points, false))
 }
 
 /// Moves the mug, once it is within reach, from the table to the shelf, or to any free place.
-fn clear_away(world: &mut World, cast: &Cast) -> Result<(), AgentError> {
+fn clear_away(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
     if world.held(cast.person, Hand::Right).is_none() {
         let on_the_shelf = world.supports(cast.mug).contains(&cast.shelf);
         let in_reach = world.in_reach(cast.person)?.iter().any(|(id, _)| *id == cast.mug);
         if in_reach && !on_the_shelf {
             world.grab(cast.person, Hand::Right, cast.mug)?;
-            let floor = Floor::of(world, FloorPlan::default());
+            let floor = Floor::of(world, FloorOptions::default());
             if let Some(stand) = floor.stand(world, &BodyPlan::default(), at(world, cast), cast.shelf)? {
                 world.follow(cast.person, &stand.route.points, false)?;
             }

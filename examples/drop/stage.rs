@@ -34,21 +34,21 @@ impl Cast {
 
 /// The reason why the scene cannot be built.
 #[derive(Debug)]
-pub(crate) struct Flaw(String);
+pub(crate) struct InputFlaw(String);
 
-impl std::fmt::Display for Flaw {
+impl std::fmt::Display for InputFlaw {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.0)
     }
 }
 
-impl From<AssetError> for Flaw {
+impl From<AssetError> for InputFlaw {
     fn from(error: AssetError) -> Self {
         Self(error.to_string())
     }
 }
 
-impl From<EditError> for Flaw {
+impl From<EditError> for InputFlaw {
     fn from(error: EditError) -> Self {
         Self(error.to_string())
     }
@@ -73,7 +73,7 @@ struct Build {
     stuff: Stuff,
 }
 
-pub(crate) fn build(seed: u64, things: u16) -> Result<(SceneGraph, Cast), Flaw> {
+pub(crate) fn build(seed: u64, things: u16) -> Result<(SceneGraph, Cast), InputFlaw> {
     let mut library = AssetLibrary::default();
     let mut add = |name: &str, colour: [f32; 3], density: f32, friction: f32, bounce: f32| {
         library.add_material(material(name, colour, density, friction, bounce))
@@ -129,20 +129,20 @@ fn surface(name: &str, hold: Hold, centre: [f32; 3], half: (f32, f32), clearance
 }
 
 impl Build {
-    fn asset(&mut self, name: &str, parts: Vec<Part>, surfaces: Vec<Surface>) -> Result<AssetId, Flaw> {
+    fn asset(&mut self, name: &str, parts: Vec<Part>, surfaces: Vec<Surface>) -> Result<AssetId, InputFlaw> {
         Ok(self.library.add(Asset { name: name.into(), parts, surfaces, ..Asset::default() })?)
     }
 
-    fn add(&mut self, class: &str, asset: AssetId, pose: Pose) -> Result<NodeId, Flaw> {
+    fn add(&mut self, class: &str, asset: AssetId, pose: Pose) -> Result<NodeId, InputFlaw> {
         Ok(self.builder.add(Draft { asset: Some(asset), ..Draft::new(class).at(pose) })?)
     }
 
-    fn block(&mut self, class: &str, low: [f32; 3], high: [f32; 3], material: u32) -> Result<NodeId, Flaw> {
+    fn block(&mut self, class: &str, low: [f32; 3], high: [f32; 3], material: u32) -> Result<NodeId, InputFlaw> {
         let asset = self.asset(class, vec![board(class, low, high, material)], Vec::new())?;
         self.add(class, asset, at(0.0, 0.0, 0.0))
     }
 
-    fn everything(&mut self, seed: u64, things: u16) -> Result<Cast, Flaw> {
+    fn everything(&mut self, seed: u64, things: u16) -> Result<Cast, InputFlaw> {
         self.building()?;
         self.table()?;
         let (shelf, chest, door) = (self.shelf()?, self.chest()?, self.door()?);
@@ -154,7 +154,7 @@ impl Build {
     }
 
     /// A floor, three walls (one with a doorway), the road and the pool.
-    fn building(&mut self) -> Result<(), Flaw> {
+    fn building(&mut self) -> Result<(), InputFlaw> {
         let Stuff { plaster, stone, oak, .. } = self.stuff;
         self.block("floor", [-9.0, -5.0, -0.2], [9.0, 4.6, 0.0], stone)?;
         self.block("wall", [-2.2, 2.4, 0.0], [2.6, 2.5, 1.6], plaster)?;
@@ -191,7 +191,7 @@ impl Build {
         Ok(())
     }
 
-    fn table(&mut self) -> Result<(), Flaw> {
+    fn table(&mut self) -> Result<(), InputFlaw> {
         let oak = self.stuff.oak;
         let mut parts = vec![board("top", [-0.45, -0.8, 0.7], [0.45, 0.8, 0.74], oak)];
         for (x, y) in [(-0.42, -0.77), (0.36, -0.77), (-0.42, 0.71), (0.36, 0.71)] {
@@ -203,7 +203,7 @@ impl Build {
         Ok(())
     }
 
-    fn shelf(&mut self) -> Result<NodeId, Flaw> {
+    fn shelf(&mut self) -> Result<NodeId, InputFlaw> {
         let pine = self.stuff.pine;
         let mut parts = vec![
             board("side", [-0.16, -0.6, 0.0], [0.16, -0.57, 1.3], pine),
@@ -221,7 +221,7 @@ impl Build {
         self.add("shelf", asset, yawed(0.6, 2.2, 0.0, -std::f32::consts::FRAC_PI_2))
     }
 
-    fn chest(&mut self) -> Result<NodeId, Flaw> {
+    fn chest(&mut self) -> Result<NodeId, InputFlaw> {
         let (pine, oak) = (self.stuff.pine, self.stuff.oak);
         let slide = Joint { kind: JointKind::Slide, anchor: Point3::origin(), axis: Vector3::x(), limits: (0.0, 0.32) };
         let moving = |part: Part| Part { joint: Some(slide), ..part };
@@ -242,7 +242,7 @@ impl Build {
         self.add("kitchen_cabinet", asset, yawed(-1.5, 2.1, 0.0, -std::f32::consts::FRAC_PI_2))
     }
 
-    fn door(&mut self) -> Result<NodeId, Flaw> {
+    fn door(&mut self) -> Result<NodeId, InputFlaw> {
         let hinge = Joint {
             kind: JointKind::Hinge,
             anchor: Point3::new(0.0, 0.4, 0.0),
@@ -254,14 +254,14 @@ impl Build {
         self.add("door", asset, at(-2.15, -0.8, 0.0))
     }
 
-    fn thing(&mut self, class: &str, shape: Shape, material: u32, pose: Pose) -> Result<NodeId, Flaw> {
+    fn thing(&mut self, class: &str, shape: Shape, material: u32, pose: Pose) -> Result<NodeId, InputFlaw> {
         let part = Part { name: class.into(), shape, material, pose: Pose::identity(), joint: None };
         let asset = self.asset(class, vec![part], Vec::new())?;
         self.add(class, asset, pose)
     }
 
     /// Objects of five kinds, high above table and shelf.
-    fn falling(&mut self, seed: u64, count: u16) -> Result<Vec<NodeId>, Flaw> {
+    fn falling(&mut self, seed: u64, count: u16) -> Result<Vec<NodeId>, InputFlaw> {
         let Stuff { clay, red, pine, steel, blue, .. } = self.stuff;
         let kinds = [
             ("book", Shape::Box { half: Vector3::new(0.1, 0.07, 0.02) }, blue),
@@ -283,7 +283,7 @@ impl Build {
         Ok(all)
     }
 
-    fn outdoors(&mut self) -> Result<(NodeId, NodeId, NodeId), Flaw> {
+    fn outdoors(&mut self) -> Result<(NodeId, NodeId, NodeId), InputFlaw> {
         let Stuff { steel, blue, pine, stone, .. } = self.stuff;
         let parts = vec![
             board("body", [-2.0, -0.85, 0.25], [2.0, 0.85, 0.75], steel),

@@ -28,7 +28,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use support::Complaint;
-use vc_planner::{Newcomer, Policy, Random, Resident};
+use vc_planner::{OraclePolicy, PlannerPolicy, Policy, RandomPolicy};
 
 /// An agent pursues a household goal and sees only the room it is in.
 #[derive(Parser)]
@@ -126,10 +126,10 @@ enum Who {
 impl Who {
     pub(crate) fn policy(self) -> Box<dyn Policy> {
         match self {
-            Self::Planner => Box::new(Newcomer::best()),
-            Self::Faithful => Box::new(Newcomer::faithful()),
-            Self::Oracle => Box::new(Resident::default()),
-            Self::Random => Box::new(Random::default()),
+            Self::Planner => Box::new(PlannerPolicy::best()),
+            Self::Faithful => Box::new(PlannerPolicy::faithful()),
+            Self::Oracle => Box::new(OraclePolicy::default()),
+            Self::Random => Box::new(RandomPolicy::default()),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use vc_graph::{Action, ChangeSet, History, Label, NodeId, Property, SceneGraph};
-use vc_planner::{Policy, Run, Step, Summary, Team, objects_of_interest};
+use vc_planner::{EpisodeOptions, Policy, Step, Summary, Team, objects_of_interest};
 use vc_tasks::{Outcome, Task, World, WorldError};
 use virtualcity::render::Daylight;
 use virtualcity::{Environment, RecordOptions, Recorder};
@@ -92,7 +92,7 @@ fn act(
     recorder: &mut Recorder,
 ) -> Result<Summary, Complaint> {
     let bar = bar(options)?;
-    let run = Run { agent: Some(me), ..Run::seeded(options.seed()) };
+    let run = EpisodeOptions { agent: Some(me), ..EpisodeOptions::seeded(options.seed()) };
     let mut lines = Lines::of(recorder.graph());
     let episode = run.episode(policy, task, recorder, &mut |step| {
         bar.inc(1);

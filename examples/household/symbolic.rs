@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use vc_graph::format::read_scene;
-use vc_graph::{Action, ClassTable, Kind, NodeId, SceneGraph, Simulator, Verb, Word};
-use vc_planner::{Episode, Header, Run, Step, Trajectory};
+use vc_graph::{Action, ClassTable, NodeId, NodeKind, SceneGraph, Simulator, Verb, Word};
+use vc_planner::{Episode, EpisodeOptions, Header, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
 use virtualcity::{Page, Recorder};
 
@@ -55,7 +55,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     say!("task   {}: {}\n", task.title, task.goal);
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
-    let run = Run { agent: Some(me), ..Run::seeded(options.seed()) };
+    let run = EpisodeOptions { agent: Some(me), ..EpisodeOptions::seeded(options.seed()) };
     // Files of an earlier run with bodies would otherwise remain beside those of this run.
     Recorder::clear(&options.out).map_err(Complaint::new)?;
     let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
@@ -189,7 +189,7 @@ pub(crate) fn list(scene: &SceneGraph, me: NodeId) {
     );
     for &room in scene.rooms() {
         let mut counts = std::collections::BTreeMap::new();
-        let things = scene.in_room(room).filter_map(|id| scene.node(id)).filter(|n| n.kind() == Kind::Object);
+        let things = scene.in_room(room).filter_map(|id| scene.node(id)).filter(|n| n.kind() == NodeKind::Object);
         for node in things {
             *counts.entry(node.class().clone()).or_insert(0) += 1;
         }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::{Kind, NodeId, Pose, Property, SceneGraph};
+use vc_graph::{NodeId, NodeKind, Pose, Property, SceneGraph};
 use vc_tasks::initial::Purpose;
 use vc_tasks::library::Activity;
 use virtualcity::procgen::picture::{Anchor, Canvas, Colour, View, sketch};
@@ -74,7 +74,7 @@ impl Tile {
         let shown = self.scene.nodes().filter(|n| {
             let floor = &**n.class() == "floor";
             let meets = n.aabb().is_some_and(|b| (0..3).all(|i| b.min[i] < high[i] && low[i] < b.max[i]));
-            n.kind() == Kind::Object && meets && !floor && !is_built(n)
+            n.kind() == NodeKind::Object && meets && !floor && !is_built(n)
         });
         let objects: Vec<(&vc_graph::Asset, Pose)> =
             shown.filter_map(|n| Some((&**self.scene.assets().get(n.spec().asset?)?, *n.pose()?))).collect();

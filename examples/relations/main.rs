@@ -15,7 +15,7 @@ use clap::Parser;
 use support::{Complaint, say};
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph, Word};
-use virtualcity::relations::{Evidence, Relations, Rule};
+use virtualcity::relations::{Evidence, RelationRule, Relations};
 
 /// All relations of a scene, with explanations.
 #[derive(Parser)]
@@ -40,7 +40,7 @@ fn main() -> Result<(), Complaint> {
         Some(file) => read_scene(&virtualcity::read_text(file)?, &ClassTable::builtin()).map_err(Complaint::new)?,
         None => kitchen::build().map_err(Complaint::new)?,
     };
-    let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).map_err(Complaint::new)?;
+    let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).map_err(Complaint::new)?;
     list(&graph, &relations, options.all);
     compare(&graph, &relations)?;
     let (from, to) = pair(&graph, &relations, options.why.as_deref())?;
@@ -77,7 +77,7 @@ fn list(graph: &SceneGraph, relations: &Relations, all: bool) {
 
 /// Lists the differences from the thesis's rule.
 fn compare(graph: &SceneGraph, relations: &Relations) -> Result<(), Complaint> {
-    let plain = Relations::new(graph, Rule::BoxTrace, Evidence::default()).map_err(Complaint::new)?;
+    let plain = Relations::new(graph, RelationRule::BoxTrace, Evidence::default()).map_err(Complaint::new)?;
     let placed = |r: &Relations, id| -> Vec<Edge> {
         let counts = |e: &Edge| matches!(e.relation, Relation::On | Relation::Inside | Relation::Under);
         r.of(id).into_iter().filter(counts).collect()

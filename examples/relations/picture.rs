@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Node, NodeId, SceneGraph};
-use virtualcity::relations::{Explanation, Hit, Verdict};
+use virtualcity::relations::{Explanation, Hit, TraceOutcome};
 
 /// Size of the picture, and of the part in which the scene is drawn, pixels.
 const SIZE: (f32, f32) = (1240.0, 720.0);
@@ -114,8 +114,8 @@ fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation, view: &View) -> 
 fn arrow(svg: &mut String, graph: &SceneGraph, hit: &Hit, view: &View, up: bool, free: &mut f32) {
     let start = if up { hit.at - Vector3::z() * hit.distance } else { Point3::new(hit.at.x, hit.at.y, view.middle.z) };
     let colour = match hit.verdict {
-        Verdict::Counts => "#1a8f3c",
-        Verdict::Carried | Verdict::Content => "#8a6fb0",
+        TraceOutcome::Counts => "#1a8f3c",
+        TraceOutcome::Carried | TraceOutcome::Content => "#8a6fb0",
         _ => "#c23b3b",
     };
     let ((x1, y1), (x2, y2)) = (view.project(&start), view.project(&hit.at));

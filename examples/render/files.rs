@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use virtualcity::gltf::{LightPlace, Stage, StageCamera, StageLight, staged_scene};
 use virtualcity::graph::{SceneGraph, State};
-use virtualcity::render::{Camera, Frame, Lighting, Photograph, Snapshot, Source, format};
+use virtualcity::render::{Camera, Frame, Lighting, ReferencePicture, Snapshot, Source, format};
 
 use crate::support::{Complaint, say};
 
@@ -48,10 +48,14 @@ fn lit(scene: &SceneGraph, lighting: &Lighting) -> Result<SceneGraph, Complaint>
 }
 
 /// Writes the radiance of a reference picture.
-pub(crate) fn light(name: &Path, photograph: &Photograph) -> Result<(), Complaint> {
-    let [r, g, b] = [0, 1, 2].map(|i: usize| photograph.light.iter().map(|c| c[i]).collect::<Vec<f32>>());
+pub(crate) fn light(name: &Path, reference_picture: &ReferencePicture) -> Result<(), Complaint> {
+    let [r, g, b] = [0, 1, 2].map(|i: usize| reference_picture.light.iter().map(|c| c[i]).collect::<Vec<f32>>());
     let channels = [("R", r.as_slice()), ("G", &g), ("B", &b)];
-    write(name, "exr", &format::exr(photograph.width, photograph.height, &channels).map_err(Complaint::new)?)
+    write(
+        name,
+        "exr",
+        &format::exr(reference_picture.width, reference_picture.height, &channels).map_err(Complaint::new)?,
+    )
 }
 
 fn seen(camera: &Camera) -> StageCamera {

@@ -24,7 +24,7 @@ use support::{Complaint, say};
 use virtualcity::graph::class::Category;
 use virtualcity::graph::{ClassTable, Node, NodeId, Property, SceneGraph, Seed, format};
 use virtualcity::procgen::{Apartment, dress};
-use virtualcity::render::{Camera, Daylight, Exposure, Frame, Renderer, Snapshot, picture};
+use virtualcity::render::{Camera, Daylight, Frame, PathTracing, Renderer, Snapshot, picture};
 
 /// All modalities of a room.
 #[derive(Parser)]
@@ -124,20 +124,20 @@ fn main() -> Result<(), Complaint> {
         files::all(&options.out.join(&name), (&scene, &snapshot), &camera, &lighting, &frame)?;
     }
     let Some(samples) = options.reference else { return Ok(()) };
-    let how = Exposure { samples, denoise: !options.raw, seed: options.noise, ..Exposure::default() };
+    let how = PathTracing { samples, denoise: !options.raw, seed: options.noise, ..PathTracing::default() };
     let progress = indicatif::ProgressBar::new(u64::from(samples));
     let start = cpu_time::ProcessTime::now();
-    let photograph = renderer.photograph(&lighting, &camera, &how, |made| {
+    let reference_picture = renderer.reference_picture(&lighting, &camera, &how, |made| {
         progress.set_position(u64::from(made.rounds));
         true
     });
     progress.finish_and_clear();
-    let photograph = photograph.map_err(Complaint::new)?;
+    let reference_picture = reference_picture.map_err(Complaint::new)?;
     say!("{samples} paths for each pixel: {:.2} s CPU", start.elapsed().as_secs_f64());
     if options.files {
-        files::light(&options.out.join(format!("{name}_reference")), &photograph)?;
+        files::light(&options.out.join(format!("{name}_reference")), &reference_picture)?;
     }
-    write(&options.out.join(format!("{name}_reference.png")), &photograph.picture())
+    write(&options.out.join(format!("{name}_reference.png")), &reference_picture.picture())
 }
 
 /// A scene of boxes with the shapes of its classes; a scene with shapes as it is.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use vc_graph::format::eai::{Record, read_record};
 use vc_graph::{ClassTable, NodeId, SceneGraph};
-use virtualcity::{ActionError, Environment, Impossible};
+use virtualcity::{ActionError, Environment, PhysicalRefusal};
 
 use crate::plain::characters;
 use crate::support::{Complaint, say};
@@ -107,8 +107,8 @@ fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionErro
 fn reason(error: &ActionError) -> String {
     match error {
         ActionError::Refused(_) => "refused by the rule".into(),
-        ActionError::Impossible { why: Impossible::NoStand(_), .. } => "out of reach".into(),
-        ActionError::Impossible { why: Impossible::NoSpot { .. }, .. } => "no free spot".into(),
+        ActionError::Impossible { why: PhysicalRefusal::NoStand(_), .. } => "out of reach".into(),
+        ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. } => "no free spot".into(),
         ActionError::Impossible { .. } => "bodies cannot".into(),
         ActionError::Disagreement(_) => "bodies and rule disagree".into(),
         _ => "another".into(),

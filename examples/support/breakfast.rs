@@ -2,7 +2,7 @@
 
 use vc_graph::{Draft, EditError, SceneBuilder, SceneGraph, Simulator};
 use vc_planner::language::Prompt;
-use vc_planner::{LanguageModel, Run};
+use vc_planner::{EpisodeOptions, LanguageModel};
 use vc_tasks::{Outcome, Task};
 
 use crate::support::{Complaint, say};
@@ -30,7 +30,7 @@ pub(crate) fn tidy_up(
         Ok(answer)
     });
     let mut world = Simulator::new(scene);
-    let episode = Run::seeded(0).episode(&mut model, &task, &mut world, &mut |step| match &step.refused {
+    let episode = EpisodeOptions::seeded(0).episode(&mut model, &task, &mut world, &mut |step| match &step.refused {
         Some(why) => say!("{:>4}  {}: {why}", step.step, step.described),
         None => say!("{:>4}  {}", step.step, step.described),
     });

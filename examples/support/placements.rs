@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use vc_graph::{Action, Node, NodeId, Place, Property, Refusal, Relation, SceneGraph, Simulator, Verb};
-use virtualcity::{ActionError, Environment, Impossible};
+use virtualcity::{ActionError, Environment, PhysicalRefusal};
 
 use crate::support::say;
 
@@ -105,9 +105,9 @@ fn carry<W, E>(
 fn kind(error: &ActionError) -> &'static str {
     match error {
         ActionError::Refused(_) => "refused by the rule",
-        ActionError::Impossible { why: Impossible::NoStand(_), .. } => "out of reach",
-        ActionError::Impossible { why: Impossible::NoSpot { .. }, .. } => "no free spot",
-        ActionError::Impossible { why: Impossible::Stuck { .. }, .. } => "stuck",
+        ActionError::Impossible { why: PhysicalRefusal::NoStand(_), .. } => "out of reach",
+        ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. } => "no free spot",
+        ActionError::Impossible { why: PhysicalRefusal::Stuck { .. }, .. } => "stuck",
         ActionError::Impossible { .. } => "bodies cannot",
         ActionError::Disagreement(_) => "bodies and rule disagree",
         _ => "another",

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 use vc_graph::{Action, ChangeSet, Edge, Event, NodeId, Place, Property, Relation, SceneGraph, State, Verb, rule};
-use vc_physics::Role;
+use vc_physics::BodyRole;
 use vc_relations::threshold::FACING_COSINE;
 
 use super::astray;
@@ -11,8 +11,8 @@ use super::compare::Outcome;
 use super::course::Course;
 use super::execute::Execution;
 use super::settle::come_to_rest;
-use super::step::{Care, Step};
-use super::{ActionError, Disagreement, Environment, Impossible, observe};
+use super::step::{RetryOptions, Step};
+use super::{ActionError, Disagreement, Environment, PhysicalRefusal, observe};
 
 /// What is no farther away over the floor is straight above or below: one looks up, metres.
 const ABOVE: f32 = 0.1;
@@ -29,7 +29,7 @@ impl Environment {
     /// 1. `rule::step` on a copy of the graph: what the transition rule says, or why not.
     /// 2. Bodies do each of its effects: `Floor::stand` and a walk, `World::grab_all`,
     ///    `World::free_spot_at` and `World::put`, `World::drive`, `World::sit` ...
-    /// 3. `World::step`, `World::doze`: what was disturbed comes to rest.
+    /// 3. `World::step`, `World::put_to_sleep`: what was disturbed comes to rest.
     /// 4. `Relations::update_with` and `Relations::write`: what has moved is observed again.
     /// 5. What is observed is held against what the rule says.
     ///
@@ -99,7 +99,7 @@ impl Environment {
 
     /// Does an action; once more, and with more care, where bodies failed for no fault of its own.
     pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
-        let done = self.attempt(agent, action, Care::default());
+        let done = self.attempt(agent, action, RetryOptions::default());
         match self.heeding(agent, action, done.as_ref().err()) {
             Some(care) => self.attempt(agent, action, care),
             None => done,
@@ -113,22 +113,22 @@ impl Environment {
     /// it is held where it is. Drawers that go by themselves may leave behind what leans on something
     /// in them, which is then in the way of the door: they are pushed. And an agent that turns to a thing
     /// at the edge of its reach may no longer reach it then: it stays as it stands.
-    fn heeding(&self, agent: NodeId, action: &Action, failed: Option<&ActionError>) -> Option<Care> {
+    fn heeding(&self, agent: NodeId, action: &Action, failed: Option<&ActionError>) -> Option<RetryOptions> {
         match failed? {
             ActionError::Disagreement(disagreement) => {
                 let astray: Vec<NodeId> = disagreement.differences.iter().map(|d| d.thing.id).collect();
                 if astray.iter().all(|id| *id == agent) {
-                    return Some(Care { stays: true, ..Care::default() });
+                    return Some(RetryOptions { stays: true, ..RetryOptions::default() });
                 }
                 let bystanders = astray.iter().all(|id| self.is_bystander(*id, agent, action));
-                bystanders.then(|| Care { steadied: astray, ..Care::default() })
+                bystanders.then(|| RetryOptions { steadied: astray, ..RetryOptions::default() })
             }
-            ActionError::Impossible { why: Impossible::FallsOut(thing), .. } => {
+            ActionError::Impossible { why: PhysicalRefusal::FallsOut(thing), .. } => {
                 let bystander = self.is_bystander(thing.id, agent, action);
-                bystander.then(|| Care { steadied: vec![thing.id], ..Care::default() })
+                bystander.then(|| RetryOptions { steadied: vec![thing.id], ..RetryOptions::default() })
             }
-            ActionError::Impossible { why: Impossible::Stuck { .. }, .. } => {
-                Some(Care { pushes: true, ..Care::default() })
+            ActionError::Impossible { why: PhysicalRefusal::Stuck { .. }, .. } => {
+                Some(RetryOptions { pushes: true, ..RetryOptions::default() })
             }
             _ => None,
         }
@@ -140,10 +140,10 @@ impl Environment {
         let opens = matches!(action.verb, Verb::Open | Verb::Close);
         let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
         let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
-        self.world.role(id) == Some(Role::Loose) && !action.things().chain([agent]).any(of_it)
+        self.world.role(id) == Some(BodyRole::Loose) && !action.things().chain([agent]).any(of_it)
     }
 
-    fn attempt(&mut self, agent: NodeId, action: &Action, care: Care) -> Result<Done, ActionError> {
+    fn attempt(&mut self, agent: NodeId, action: &Action, care: RetryOptions) -> Result<Done, ActionError> {
         let mut ruled = self.graph.clone();
         let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
         self.undo.keep(&self.world);
@@ -194,7 +194,7 @@ impl Environment {
         let impossible = |why| ActionError::Impossible { action: action_text.clone(), why };
         let (met, seen) = looked.map_err(impossible)?;
         if let Some(id) = astray::fell_out(&self.world, &seen) {
-            return Err(impossible(Impossible::FallsOut(ruled.label(id))));
+            return Err(impossible(PhysicalRefusal::FallsOut(ruled.label(id))));
         }
         let faced = keep_facing(&mut observed, &ruled, agent).then(lay_through(&mut observed, &ruled, &changed));
         let outcome = Outcome { before: &self.graph, ruled: &ruled, observed: &observed, world: &self.world };
@@ -243,7 +243,7 @@ fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionError {
     let ActionError::Disagreement(both) = error else { return error };
     match both.differences.iter().find(|d| Some(d.thing.id) == balanced) {
         Some(own) if both.differences.iter().all(|d| d.thing.id == own.thing.id) => {
-            let why = Impossible::Unsteady(own.thing.clone());
+            let why = PhysicalRefusal::Unsteady(own.thing.clone());
             ActionError::Impossible { action: both.action, why }
         }
         _ => ActionError::Disagreement(both),
@@ -253,7 +253,7 @@ fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionError {
 /// Whether an action failed after its outcome had been observed, so that relations still are those of the
 /// outcome that was taken back.
 fn was_looked_at(error: &ActionError) -> bool {
-    use Impossible::{FallsOut, Unreadable, Unsteady};
+    use PhysicalRefusal::{FallsOut, Unreadable, Unsteady};
     match error {
         ActionError::Impossible { why, .. } => matches!(why, FallsOut(_) | Unreadable(_) | Unsteady(_)),
         _ => true,
@@ -299,7 +299,7 @@ impl From<Disagreement> for ActionError {
     }
 }
 
-impl Impossible {
+impl PhysicalRefusal {
     /// Whether another body or a piece of the home is in the way, rather than the deed
     /// being beyond bodies.
     pub fn is_in_the_way(&self) -> bool {

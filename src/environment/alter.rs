@@ -7,12 +7,14 @@ use vc_graph::{
     Class, Draft, EditError, Effect, Label, Node, NodeId, ObjectRole, Place, Pose, Property, Relation, SceneBuilder,
     SceneGraph, Seed, State, did_you_mean, rule,
 };
-use vc_physics::{Floor, Posture, Role};
+use vc_physics::{BodyRole, Floor, Posture};
 use vc_tasks::initial::Stock;
 
 use super::settle::come_to_rest;
 use super::undo::Undo;
-use super::{Elsewhere, Environment, Impossible, Unplaced, Why, execute, make, observe, outlook, reset, stale};
+use super::{
+    Displaced, Environment, PhysicalRefusal, Unplaced, UnplacedReason, execute, make, observe, outlook, reset, stale,
+};
 use crate::initial::Catalogue;
 
 /// Number of rings, half a metre apart, around the middle of a room in which a free place is sought.
@@ -63,7 +65,7 @@ pub enum AlterError {
     Unplaced(Unplaced),
     /// The thing does not stay there.
     #[error("it does not stay there: {0}")]
-    Elsewhere(Elsewhere),
+    Elsewhere(Displaced),
     /// The node is no agent of this environment.
     #[error("{0} is no agent of this environment")]
     NotAnAgent(Label),
@@ -83,7 +85,7 @@ pub enum AlterError {
     FullRoom(Label),
     /// The bodies do not allow it.
     #[error(transparent)]
-    Bodies(#[from] Impossible),
+    Bodies(#[from] PhysicalRefusal),
     /// The graph does not allow it.
     #[error(transparent)]
     Edit(#[from] EditError),
@@ -177,7 +179,7 @@ impl Environment {
     pub fn put(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
         self.graph.node(thing).ok_or(AlterError::NoSuchNode(thing))?;
         let place = self.checked(place)?;
-        let moves = |role| matches!(role, Role::Loose | Role::Hung);
+        let moves = |role| matches!(role, BodyRole::Loose | BodyRole::Hung);
         let Some(before) = self.world.pose(thing).filter(|_| self.world.role(thing).is_some_and(moves)) else {
             return Err(AlterError::NotLoose(self.graph.label(thing)));
         };
@@ -324,12 +326,12 @@ impl Environment {
     /// Puts a body at a free spot of a place.
     fn set_down(&mut self, id: NodeId, place: Place) -> Result<(), AlterError> {
         let placed = reset::settle_place(&mut self.world, &self.graph, (id, false), Some(place));
-        let refuse = |why: Why| AlterError::Unplaced(Unplaced { thing: self.graph.label(id), why });
+        let refuse = |why: UnplacedReason| AlterError::Unplaced(Unplaced { thing: self.graph.label(id), why });
         placed.map_err(|e| self.impossible(e))?.map_err(refuse)
     }
 
     /// Why bodies cannot do it, with the labels of the scene.
-    fn impossible(&self, why: impl Into<Impossible>) -> AlterError {
+    fn impossible(&self, why: impl Into<PhysicalRefusal>) -> AlterError {
         AlterError::Bodies(why.into().in_scene(&self.graph))
     }
 
@@ -344,7 +346,7 @@ impl Environment {
 
     fn stays(&self, id: NodeId, wanted: Place) -> Result<(), AlterError> {
         let there = self.graph.places(id).any(|place| place == wanted);
-        let told = || AlterError::Elsewhere(Elsewhere::new(&self.graph, id, wanted, self.graph.place(id)));
+        let told = || AlterError::Elsewhere(Displaced::new(&self.graph, id, wanted, self.graph.place(id)));
         there.then_some(()).ok_or_else(told)
     }
 
@@ -416,5 +418,5 @@ fn lights(node: &Node) -> bool {
 }
 
 fn unreadable(error: vc_relations::InputError) -> AlterError {
-    Impossible::Unreadable(error.to_string()).into()
+    PhysicalRefusal::Unreadable(error.to_string()).into()
 }

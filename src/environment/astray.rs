@@ -2,12 +2,12 @@
 //! place. They are put back where the scene says they are, or left out and named.
 
 use nalgebra::{Point2, Point3, Vector3};
-use vc_graph::{Change, ChangeSet, Kind, Node, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_physics::{Floor, Order, Posture, Role, World};
+use vc_graph::{Change, ChangeSet, Node, NodeId, NodeKind, Place, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_physics::{BodyRole, Floor, Order, PhysicsWorld, Posture};
 
 use super::make::{RINGS, Spaced, around};
 use super::settle::come_to_rest;
-use super::{Elsewhere, MakeError, Unplaced, Why, make, reset};
+use super::{Displaced, MakeError, Unplaced, UnplacedReason, make, reset};
 
 /// A thing that is lower than this below its place in the scene has fallen, metres.
 const FALL: f32 = 0.1;
@@ -21,7 +21,7 @@ const FAR: f32 = 3.0;
 
 /// Lets a world come to rest. Things that are astray before or after are put to a free spot at the place
 /// that the scene gives them; those for which there is none are taken out of the scene, and named.
-pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Vec<Unplaced>, MakeError> {
+pub(super) fn calm(world: &mut PhysicsWorld, builder: &mut SceneBuilder) -> Result<Vec<Unplaced>, MakeError> {
     // Steps would take long to part things that are in one place, and would throw them far.
     let mut astray = world.outside();
     astray.extend(world.crowded());
@@ -39,18 +39,18 @@ pub(super) fn calm(world: &mut World, builder: &mut SceneBuilder) -> Result<Vec<
         if outside.is_empty() {
             return Ok(left_out);
         }
-        let fell = outside.into_iter().map(|id| (id, Why::FellOut)).collect();
+        let fell = outside.into_iter().map(|id| (id, UnplacedReason::FellOut)).collect();
         left_out.extend(leave_out(world, builder, fell)?);
         come_to_rest(world);
     }
 }
 
 /// Loose things that are far from where the scene says they are, or from the home.
-fn far_off(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
-    let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung));
-    let fixed = graph.nodes().map(Node::id).filter(|id| world.role(*id) == Some(Role::Fixed));
+fn far_off(world: &PhysicsWorld, graph: &SceneGraph) -> Vec<NodeId> {
+    let free = |id: &NodeId| matches!(world.role(*id), Some(BodyRole::Loose | BodyRole::Hung));
+    let fixed = graph.nodes().map(Node::id).filter(|id| world.role(*id) == Some(BodyRole::Fixed));
     let home = fixed.filter_map(|id| world.aabb(id)).reduce(|a, b| a.joined(&b));
-    let things = graph.nodes().filter(|n| n.kind() == Kind::Object).map(Node::id).filter(free);
+    let things = graph.nodes().filter(|n| n.kind() == NodeKind::Object).map(Node::id).filter(free);
     let is_far = |id: &NodeId| {
         let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
         let at = graph.place(*id).filter(rests).and_then(|p| world.aabb(p.at)).or(home);
@@ -73,7 +73,7 @@ impl Full {
 
 /// Puts things where the scene says they are; takes out those for which there is no room.
 fn put_back(
-    world: &mut World,
+    world: &mut PhysicsWorld,
     builder: &mut SceneBuilder,
     mut astray: Vec<NodeId>,
 ) -> Result<Vec<Unplaced>, MakeError> {
@@ -97,7 +97,8 @@ fn put_back(
             }
             None => {
                 full.0.extend(place.zip(size));
-                let why = place.map_or(Why::Astray, |place| reset::no_spot(world, builder.graph(), id, place));
+                let why =
+                    place.map_or(UnplacedReason::Astray, |place| reset::no_spot(world, builder.graph(), id, place));
                 lost.push((id, why));
             }
         }
@@ -106,16 +107,16 @@ fn put_back(
 }
 
 /// A free spot for a thing where a scene says it is.
-fn spot(world: &World, graph: &SceneGraph, id: NodeId, order: Order) -> Result<Option<Pose>, MakeError> {
+fn spot(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId, order: Order) -> Result<Option<Pose>, MakeError> {
     let there = |place: &Place| world.aabb(place.at).is_some();
     let Some(place) = graph.place(id).filter(there) else { return Ok(None) };
     Ok(world.free_spot_at(id, place.at, place.relation == Relation::Inside, order)?)
 }
 
 /// Things that lie deeper than the scene has them, or outside.
-fn fallen(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
+fn fallen(world: &PhysicsWorld, graph: &SceneGraph) -> Vec<NodeId> {
     let drop = |n: &Node| Some(n.position()?.z - world.pose(n.id())?.translation.z);
-    let things = graph.nodes().filter(|n| n.kind() == Kind::Object);
+    let things = graph.nodes().filter(|n| n.kind() == NodeKind::Object);
     let mut fallen: Vec<NodeId> = things.filter(|n| drop(n).is_some_and(|d| d > FALL)).map(Node::id).collect();
     fallen.extend(world.outside());
     fallen.sort_unstable();
@@ -124,7 +125,7 @@ fn fallen(world: &World, graph: &SceneGraph) -> Vec<NodeId> {
 }
 
 /// Puts each fallen thing to a free spot at its place in the scene, if there is one.
-fn restore(world: &mut World, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(), MakeError> {
+fn restore(world: &mut PhysicsWorld, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(), MakeError> {
     for &id in fallen {
         if let Some(spot) = spot(world, graph, id, Order::Middle)? {
             world.place(id, spot)?;
@@ -135,9 +136,9 @@ fn restore(world: &mut World, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(
 
 /// Takes things out of the scene, and tells which and why.
 fn leave_out(
-    world: &mut World,
+    world: &mut PhysicsWorld,
     builder: &mut SceneBuilder,
-    lost: Vec<(NodeId, Why)>,
+    lost: Vec<(NodeId, UnplacedReason)>,
 ) -> Result<Vec<Unplaced>, MakeError> {
     let told = lost.iter().map(|(id, why)| Unplaced { thing: builder.graph().label(*id), why: why.clone() }).collect();
     for (id, _) in lost {
@@ -150,19 +151,19 @@ fn leave_out(
 }
 
 /// A thing that has moved and is outside the home now.
-pub(super) fn fell_out(world: &World, changes: &ChangeSet) -> Option<NodeId> {
+pub(super) fn fell_out(world: &PhysicsWorld, changes: &ChangeSet) -> Option<NodeId> {
     let moved = changes.changes().iter().filter_map(|change| match change {
         Change::Pose { id, .. } => Some(*id),
         _ => None,
     });
-    let free = |id: &NodeId| matches!(world.role(*id), Some(Role::Loose | Role::Hung | Role::Stopped));
+    let free = |id: &NodeId| matches!(world.role(*id), Some(BodyRole::Loose | BodyRole::Hung | BodyRole::Stopped));
     let free: Vec<NodeId> = moved.filter(free).collect();
     world.outside_among(&free).first().copied()
 }
 
 /// Puts agents that the scene has where no floor is, in walls or furniture, or several in one place, to the nearest
 /// free places on the floor. Returns those that were moved.
-pub(super) fn stand_on_floor(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Vec<NodeId> {
+pub(super) fn stand_on_floor(world: &mut PhysicsWorld, graph: &SceneGraph, floor: &Floor) -> Vec<NodeId> {
     let (mut taken, mut moved, mut base) = (Spaced::new(&[]), Vec::new(), None);
     for agent in world.agents().collect::<Vec<_>>() {
         let standing = world.posture(agent) == Some(Posture::Standing);
@@ -195,8 +196,8 @@ pub(super) fn stand_on_floor(world: &mut World, graph: &SceneGraph, floor: &Floo
 }
 
 /// The entries of a report for agents that were put onto the floor or apart: they are no longer where the graph had them.
-pub(super) fn told(graph: &SceneGraph, agents: &[NodeId]) -> Vec<Elsewhere> {
+pub(super) fn told(graph: &SceneGraph, agents: &[NodeId]) -> Vec<Displaced> {
     let in_room = |agent: NodeId| Some(Place { relation: Relation::InRoom, at: graph.room_of(agent)? });
-    let tell = |&agent: &NodeId| Some(Elsewhere::new(graph, agent, in_room(agent)?, None));
+    let tell = |&agent: &NodeId| Some(Displaced::new(graph, agent, in_room(agent)?, None));
     agents.iter().filter_map(tell).collect()
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, Pose};
 use vc_people::{Attitude, Doing, Skeleton};
-use vc_physics::{Hand, Posture, World};
+use vc_physics::{Hand, PhysicsWorld, Posture};
 
 use crate::Environment;
 
@@ -43,7 +43,7 @@ const WIDE: f32 = 0.3;
 const PALM: f32 = 0.012;
 
 /// Where the palm is on a thing, in the body's frame: at the point of its shapes that is nearest to a point beside it.
-fn grip(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
+fn grip(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
     let beside = beside(world, feet, hand, id)?;
     let touched = feet.inverse_transform_point(&world.nearest_point(id, feet * beside)?);
     let out = (beside - touched).try_normalize(1e-4).unwrap_or_else(Vector3::zeros);
@@ -51,7 +51,7 @@ fn grip(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32
 }
 
 /// A point at the outer side of a thing, or before a wide one, in the body's frame.
-fn beside(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
+fn beside(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
     let (low, high) = world.own_box(id)?;
     let side = if hand == Hand::Right { -1.0 } else { 1.0 };
     let own = feet.inverse() * world.pose(id)?;
@@ -71,7 +71,7 @@ fn beside(world: &World, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f
 mod tests {
     use vc_graph::{Action, Node, Property, Verb};
     use vc_people::{Bone, Side, palm};
-    use vc_physics::Role;
+    use vc_physics::BodyRole;
 
     use super::*;
 
@@ -96,7 +96,7 @@ mod tests {
             home.graph().nodes().filter(|n| keep(n)).map(Node::id).collect::<Vec<NodeId>>()
         };
         let things = of(&|n| n.affords(Property::Graspable));
-        let tops = of(&|n| n.affords(Property::Surface) && home.world().role(n.id()) == Some(Role::Fixed));
+        let tops = of(&|n| n.affords(Property::Surface) && home.world().role(n.id()) == Some(BodyRole::Fixed));
         let mut done = 0;
         for (thing, top) in things.into_iter().step_by(3).zip(tops.into_iter().cycle()) {
             let put = Action::with(Verb::Place, &[thing, top]).unwrap();

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::{
-    Asset, Draft, EditError, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+    Asset, Draft, EditError, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
 };
-use vc_physics::{Floor, PhysicsError, Posture, Role, World};
+use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld, Posture};
 use vc_procgen::dress::{self, DressError};
 
-use super::{Assets, Elsewhere, Start};
+use super::{Assets, Displaced, Start};
 
 /// Height above its support at which a thing may hover in the scene, and the distance it may fall, metres.
 const HOVER: f32 = 0.06;
@@ -44,7 +44,7 @@ pub(super) fn staying(graph: &SceneGraph) -> Vec<NodeId> {
     if !was_at_rest(graph) {
         return bare(graph);
     }
-    graph.nodes().filter(|n| n.kind() == Kind::Object && n.pose().is_some()).map(Node::id).collect()
+    graph.nodes().filter(|n| n.kind() == NodeKind::Object && n.pose().is_some()).map(Node::id).collect()
 }
 
 /// Gives a shape to every thing that has only a box, and a figure to people. Returns `None` if nothing lacks
@@ -83,7 +83,10 @@ fn peopled(graph: &SceneGraph, mut shapes: BTreeMap<NodeId, Asset>) -> Result<Sc
 }
 
 fn is_bare_agent(node: &Node) -> bool {
-    node.kind() == Kind::Agent && node.spec().asset.is_none() && node.spec().bounds.is_some() && node.pose().is_some()
+    node.kind() == NodeKind::Agent
+        && node.spec().asset.is_none()
+        && node.spec().bounds.is_some()
+        && node.pose().is_some()
 }
 
 /// Sets an agent's pose to its feet, at the bottom of its box.
@@ -104,8 +107,8 @@ fn yaw(pose: &Pose) -> Vector3<f32> {
 
 /// Pins things that had only boxes and would move, since boxes overlap and hover a little. A thing whose place
 /// is at a pinned thing moves along with it.
-pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Result<(), PhysicsError> {
-    let loose: Vec<NodeId> = bare.iter().copied().filter(|id| world.role(*id) == Some(Role::Loose)).collect();
+pub(super) fn hold(world: &mut PhysicsWorld, graph: &SceneGraph, bare: &[NodeId]) -> Result<(), PhysicsError> {
+    let loose: Vec<NodeId> = bare.iter().copied().filter(|id| world.role(*id) == Some(BodyRole::Loose)).collect();
     let mut held = Vec::new();
     for id in loose {
         if would_move(world, graph, id)? {
@@ -119,13 +122,13 @@ pub(super) fn hold(world: &mut World, graph: &SceneGraph, bare: &[NodeId]) -> Re
 /// of a mat would otherwise fall over. If the scene was at rest, things that have lost their support are not
 /// put back and fall. Returns whether any was put back.
 pub(super) fn hold_moved(
-    world: &mut World,
+    world: &mut PhysicsWorld,
     graph: &SceneGraph,
     bare: &[NodeId],
     at_rest: bool,
 ) -> Result<bool, PhysicsError> {
     let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
-    let loose = bare.iter().filter(|id| world.role(**id) == Some(Role::Loose)).filter_map(wanted);
+    let loose = bare.iter().filter(|id| world.role(**id) == Some(BodyRole::Loose)).filter_map(wanted);
     let supported = |id: &NodeId| !at_rest || is_by_its_place(world, graph, *id);
     let far = |a: &Pose, b: &Pose| (a.translation.vector - b.translation.vector).norm() > STILL;
     let moved: Vec<(NodeId, Pose)> =
@@ -138,7 +141,7 @@ pub(super) fn hold_moved(
 }
 
 /// Puts things that have hardly moved to rest exactly where the scene has them, which was at rest, and agents too.
-pub(super) fn rest_as(world: &mut World, graph: &SceneGraph, things: &[NodeId]) -> Result<(), PhysicsError> {
+pub(super) fn rest_as(world: &mut PhysicsWorld, graph: &SceneGraph, things: &[NodeId]) -> Result<(), PhysicsError> {
     let near = |now: &Pose, pose: &Pose| {
         let far = (now.translation.vector - pose.translation.vector).norm();
         now != pose && far <= STILL && now.rotation.angle_to(&pose.rotation) <= STRAIGHT
@@ -146,7 +149,7 @@ pub(super) fn rest_as(world: &mut World, graph: &SceneGraph, things: &[NodeId]) 
     let wanted = |id: &NodeId| Some((*id, *graph.node(*id)?.pose()?));
     let moves = |id: &&NodeId| match world.posture(**id) {
         Some(posture) => posture == Posture::Standing,
-        None => matches!(world.role(**id), Some(Role::Loose | Role::Hung)),
+        None => matches!(world.role(**id), Some(BodyRole::Loose | BodyRole::Hung)),
     };
     let all = things.iter().chain(graph.agents()).filter(moves).filter_map(wanted);
     let back: Vec<(NodeId, Pose)> =
@@ -155,14 +158,14 @@ pub(super) fn rest_as(world: &mut World, graph: &SceneGraph, things: &[NodeId]) 
 }
 
 /// Pins in a newly built world the things that were pinned at the start and are still where they were.
-pub(super) fn hold_as(start: &Start, world: &mut World, graph: &SceneGraph) -> Result<(), PhysicsError> {
+pub(super) fn hold_as(start: &Start, world: &mut PhysicsWorld, graph: &SceneGraph) -> Result<(), PhysicsError> {
     let same = |id: NodeId| graph.place(id) == start.graph.place(id) && is_still(&start.graph, graph, id);
-    let held = |id: &NodeId| start.world.role(*id) == Some(Role::Hung) && world.role(*id) == Some(Role::Loose);
+    let held = |id: &NodeId| start.world.role(*id) == Some(BodyRole::Hung) && world.role(*id) == Some(BodyRole::Loose);
     let held: Vec<NodeId> = graph.nodes().map(Node::id).filter(|id| held(id) && same(*id)).collect();
     held.into_iter().try_for_each(|id| pin(world, graph, id))
 }
 
-fn pin(world: &mut World, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsError> {
+fn pin(world: &mut PhysicsWorld, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsError> {
     match graph.place(id).filter(|p| p.at != id && world.aabb(p.at).is_some()) {
         Some(place) => world.pin_to(id, place.at),
         None => world.pin(id),
@@ -170,7 +173,7 @@ fn pin(world: &mut World, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsE
 }
 
 /// Whether a thing stays at its pose in the scene only if it is pinned.
-fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, PhysicsError> {
+fn would_move(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId) -> Result<bool, PhysicsError> {
     let (Some(pose), Some(own)) = (world.pose(id), world.aabb(id)) else { return Ok(false) };
     let lowered = |by: f32| world.overlaps(id, &(Pose::translation(0.0, 0.0, -by) * pose)).map(|o| !o.is_empty());
     if lowered(0.0)? {
@@ -184,13 +187,17 @@ fn would_move(world: &World, graph: &SceneGraph, id: NodeId) -> Result<bool, Phy
 }
 
 /// Whether a thing is near the place that the scene gives it. A thing at rest that has lost its table falls.
-fn is_by_its_place(world: &World, graph: &SceneGraph, id: NodeId) -> bool {
+fn is_by_its_place(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId) -> bool {
     let Some(own) = graph.node(id).and_then(Node::aabb) else { return false };
     graph.places(id).any(|p| world.aabb(p.at).is_some_and(|at| own.gap(&at) < LOST))
 }
 
 /// Moves agents that stand inside something in the scene to free floor.
-pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Result<(), vc_physics::AgentError> {
+pub(super) fn step_aside(
+    world: &mut PhysicsWorld,
+    graph: &SceneGraph,
+    floor: &Floor,
+) -> Result<(), vc_physics::AgentError> {
     for &agent in graph.agents() {
         let standing = world.posture(agent) == Some(Posture::Standing);
         let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
@@ -209,14 +216,14 @@ pub(super) fn step_aside(world: &mut World, graph: &SceneGraph, floor: &Floor) -
 pub(super) fn keep(
     scene: &SceneGraph,
     graph: &mut SceneGraph,
-    world: &World,
+    world: &PhysicsWorld,
     bare: &[NodeId],
-) -> Result<Vec<Elsewhere>, EditError> {
+) -> Result<Vec<Displaced>, EditError> {
     let mut told = Vec::new();
     for &id in bare {
         let Some(wanted) = scene.place(id).filter(rests) else { continue };
         if graph.places(id).any(|p| p == wanted) {
-            let held = world.role(id) == Some(Role::Hung);
+            let held = world.role(id) == Some(BodyRole::Hung);
             let within = nested(graph, id, wanted);
             let counts = |p: &Place| {
                 let inside = wanted.relation != Relation::Inside || p.relation == Relation::Inside;
@@ -231,7 +238,7 @@ pub(super) fn keep(
             continue;
         }
         let now = graph.place(id);
-        told.push(Elsewhere::new(graph, id, wanted, now));
+        told.push(Displaced::new(graph, id, wanted, now));
         let carried = scene.node(id).is_some_and(|n| n.affords(Property::Graspable));
         if carried && is_still(scene, graph, id) {
             let places: Vec<Place> = std::iter::once(wanted).chain(nested(graph, id, wanted)).collect();
@@ -275,7 +282,7 @@ fn place_where_possible(
 
 /// Keeps all places that a scene at rest gives to things that have not moved.
 pub(super) fn keep_all(scene: &SceneGraph, graph: &mut SceneGraph) -> Result<(), EditError> {
-    for node in scene.nodes().filter(|n| n.kind() == Kind::Object) {
+    for node in scene.nodes().filter(|n| n.kind() == NodeKind::Object) {
         let (id, wanted) = (node.id(), places(scene, node.id()));
         if wanted.iter().all(rests) && is_still(scene, graph, id) && places(graph, id) != wanted {
             place_where_possible(graph, id, &wanted, scene.room_of(id))?;
@@ -292,7 +299,7 @@ pub(super) fn kept(traced: &SceneGraph, graph: &SceneGraph, staying: &[NodeId]) 
 
 /// The places that the scene, but not geometry, gives to a thing and that it still has: it lies there as it lay
 /// at the start, and nothing has moved it. `None` if geometry decides.
-pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: NodeId) -> Option<Vec<Place>> {
+pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &PhysicsWorld, id: NodeId) -> Option<Vec<Place>> {
     let holds = |p: &Place| graph.places(id).any(|q| q == *p) && lies_as(&start.world, world, id, p.at);
     let still: Vec<Place> = start.kept.get(&id)?.iter().copied().filter(holds).collect();
     (!still.is_empty()).then_some(still)
@@ -300,7 +307,7 @@ pub(super) fn still_at(start: &Start, graph: &SceneGraph, world: &World, id: Nod
 
 /// The places of a thing that has not moved and whose doors, lids or drawers stand open: these reach over things that
 /// it is not on. An agent that sits or lies is on the seat, whatever is beside it.
-pub(super) fn unmoved_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
+pub(super) fn unmoved_at(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     match world.posture(id) {
         Some(Posture::Sitting(at, _)) => return Some(vec![Place { relation: Relation::SittingOn, at }]),
         Some(Posture::Lying(at, _)) => return Some(vec![Place { relation: Relation::LyingOn, at }]),
@@ -313,15 +320,16 @@ pub(super) fn unmoved_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &
 }
 
 /// The places of a thing that has not moved and is fixed to the building: doors that open before it change nothing.
-pub(super) fn fixed_at(graph: &SceneGraph, world: &World, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
+pub(super) fn fixed_at(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     let places = places(graph, id);
-    let fixed = |id: NodeId| world.role(id) == Some(Role::Fixed);
-    let attached = (fixed(id) || world.role(id) == Some(Role::Hung)) && places.iter().all(|p| rests(p) && fixed(p.at));
+    let fixed = |id: NodeId| world.role(id) == Some(BodyRole::Fixed);
+    let attached =
+        (fixed(id) || world.role(id) == Some(BodyRole::Hung)) && places.iter().all(|p| rests(p) && fixed(p.at));
     (attached && !moved.contains(&id) && !places.is_empty()).then_some(places)
 }
 
 /// Whether the pose of a thing relative to another, or to one of its moving parts, is unchanged.
-fn lies_as(before: &World, now: &World, id: NodeId, at: NodeId) -> bool {
+fn lies_as(before: &PhysicsWorld, now: &PhysicsWorld, id: NodeId, at: NodeId) -> bool {
     let (Some(was), Some(is)) = (before.pose(id), now.pose(id)) else { return false };
     let against = |frame: Pose, pose: &Pose| (frame.inverse() * pose).translation.vector;
     let mut pairs = frames(before, at).into_iter().zip(frames(now, at));
@@ -329,7 +337,7 @@ fn lies_as(before: &World, now: &World, id: NodeId, at: NodeId) -> bool {
 }
 
 /// The poses of a thing and of its moving parts; a room has the identity.
-fn frames(world: &World, at: NodeId) -> Vec<Pose> {
+fn frames(world: &PhysicsWorld, at: NodeId) -> Vec<Pose> {
     let parts = (0..world.moving_parts(at).len()).filter_map(|part| world.part_pose(at, part));
     std::iter::once(world.pose(at).unwrap_or_else(Pose::identity)).chain(parts).collect()
 }

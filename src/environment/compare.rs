@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use vc_graph::{Action, Change, ChangeSet, Effect, Kind, Label, NodeId, Place, Relation, SceneGraph, State, rule};
-use vc_physics::World;
+use vc_graph::{Action, Change, ChangeSet, Effect, Label, NodeId, NodeKind, Place, Relation, SceneGraph, State, rule};
+use vc_physics::PhysicsWorld;
 
 /// Distance below which a thing counts as not moved, metres.
 const STILL: f32 = 0.02;
@@ -44,7 +44,7 @@ pub(super) struct Outcome<'a> {
     pub(super) before: &'a SceneGraph,
     pub(super) ruled: &'a SceneGraph,
     pub(super) observed: &'a SceneGraph,
-    pub(super) world: &'a World,
+    pub(super) world: &'a PhysicsWorld,
 }
 
 impl Outcome<'_> {
@@ -171,7 +171,7 @@ impl Outcome<'_> {
 /// Whether a place says no more than that a thing stands on the floor: always for agents, and for things only
 /// where the rule has no word for it.
 fn is_ground(graph: &SceneGraph, id: NodeId, place: &Place) -> bool {
-    let agent = graph.node(id).is_some_and(|n| n.kind() == Kind::Agent);
+    let agent = graph.node(id).is_some_and(|n| n.kind() == NodeKind::Agent);
     agent && place.relation == Relation::On
 }
 

@@ -6,7 +6,7 @@ use vc_physics::Hand;
 
 /// One thing a body does. An action at once does them all; an action in time shows them.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Beat {
+pub(super) enum BodyMotion {
     /// Walks along points, doors on the way opened and closed in passing, to a pose.
     Walk { points: Vec<Point2<f32>>, doors: Vec<NodeId>, feet: Pose, run: bool },
     /// Turns on the spot.
@@ -66,21 +66,21 @@ pub(super) struct Drive {
 /// What a body does in an action, and what becomes of it by the rule.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Course {
-    pub(super) beats: Vec<Beat>,
+    pub(super) beats: Vec<BodyMotion>,
     /// Each effect, and the number of the beat with which it comes true; with the last one where
     /// there is none of its own.
     pub(super) effects: Vec<(Option<usize>, Effect<NodeId>)>,
 }
 
 impl Course {
-    pub(super) fn push(&mut self, beat: Beat) {
+    pub(super) fn push(&mut self, beat: BodyMotion) {
         self.beats.push(beat);
     }
 
     /// The thing that was put down last, if it would not stay where it was put.
     pub(super) fn balanced(&self) -> Option<NodeId> {
         self.beats.iter().rev().find_map(|beat| match beat {
-            Beat::Put(put) if put.balanced => Some(put.id),
+            BodyMotion::Put(put) if put.balanced => Some(put.id),
             _ => None,
         })
     }

@@ -21,7 +21,7 @@ pub enum MakeError {
     BadSeed(String),
     /// The home could not be generated.
     #[error(transparent)]
-    Generation(#[from] vc_procgen::Impossible),
+    Generation(#[from] vc_procgen::SpecificationError),
     /// The scene file could not be read.
     #[error(transparent)]
     File(#[from] crate::FileError),
@@ -119,7 +119,7 @@ pub enum ActionError {
         /// What was to be done.
         action: String,
         /// Why not.
-        why: Impossible,
+        why: PhysicalRefusal,
     },
     /// The bodies did it, and what came out is not what the rule says.
     #[error(transparent)]
@@ -170,7 +170,7 @@ fn in_a_row(labels: &[Label]) -> String {
 /// What bodies cannot do although the transition rule, which knows no shapes, allows it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Impossible {
+pub enum PhysicalRefusal {
     /// Nowhere to stand from where it could be reached, or no way there.
     #[error("there is no spot on the floor, with a way to it, from which {0} can be reached")]
     NoStand(Label),
@@ -235,19 +235,19 @@ fn numbered(id: NodeId) -> Label {
     Label { class: "node".into(), id }
 }
 
-impl From<AgentError> for Impossible {
+impl From<AgentError> for PhysicalRefusal {
     fn from(error: AgentError) -> Self {
         Self::Agent(error.named(&numbered))
     }
 }
 
-impl From<PhysicsError> for Impossible {
+impl From<PhysicsError> for PhysicalRefusal {
     fn from(error: PhysicsError) -> Self {
         Self::Physics(error.named(&numbered))
     }
 }
 
-impl Impossible {
+impl PhysicalRefusal {
     /// The same error with a scene's labels for the nodes that bodies know by number.
     pub(super) fn in_scene(self, graph: &SceneGraph) -> Self {
         let label = |known: Label| graph.label(known.id);
@@ -282,7 +282,7 @@ pub enum SaveError {
     Format(#[from] FormatError),
     /// The actions in them cannot be read.
     #[error(transparent)]
-    Action(#[from] vc_graph::ActionError),
+    Action(#[from] vc_graph::ActionTextError),
     /// The bodies cannot be written or read.
     #[error(transparent)]
     World(#[from] SnapshotError),

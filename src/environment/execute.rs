@@ -6,12 +6,12 @@ mod stance;
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::asset::JointKind;
 use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Property, Relation, SceneGraph, State, Verb, rule};
-use vc_physics::{AgentError, BodyPlan, Floor, MovingPart, Posture, Role, World};
+use vc_physics::{AgentError, BodyPlan, BodyRole, Floor, MovingPart, PhysicsWorld, Posture};
 
-use super::course::{Beat, Course, Drive};
+use super::course::{BodyMotion, Course, Drive};
 use super::settle::come_to_rest;
-use super::step::{Care, Step};
-use super::{ActionError, Impossible, Start};
+use super::step::{RetryOptions, Step};
+use super::{ActionError, PhysicalRefusal, Start};
 
 pub(super) use hands::{comes_along, load_of};
 
@@ -29,7 +29,7 @@ const GESTURE: f32 = 1.5;
 
 /// The execution of an agent's action: moves bodies and records the course of the action.
 pub(super) struct Execution<'a> {
-    pub(super) world: &'a mut World,
+    pub(super) world: &'a mut PhysicsWorld,
     pub(super) floor: &'a mut Floor,
     pub(super) start: &'a Start,
     /// The scene before the action, and the scene that the rule predicts after it.
@@ -40,15 +40,15 @@ pub(super) struct Execution<'a> {
     /// Whether open doors and drawers count as out of the way.
     pub(super) nudges: bool,
     pub(super) course: Course,
-    care: &'a Care,
+    care: &'a RetryOptions,
     /// Cloth that was folded, with its scale now.
     pub(super) folded: Vec<(NodeId, Vector3<f32>)>,
 }
 
-type Done = Result<(), Impossible>;
+type Done = Result<(), PhysicalRefusal>;
 
 impl<'a> Execution<'a> {
-    pub(super) fn new(world: &'a mut World, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
+    pub(super) fn new(world: &'a mut PhysicsWorld, floor: &'a mut Floor, start: &'a Start, step: &'a Step) -> Self {
         let Step { before, after, agent, action, care } = step;
         let run = action.verb == Verb::Run;
         let (course, folded) = (Course::default(), Vec::new());
@@ -69,7 +69,7 @@ impl Execution<'_> {
         // Effects without a motion of bodies are shown by a gesture.
         let unseen = self.course.effects.iter().any(|(beat, _)| beat.is_none());
         if unseen || effects.is_empty() {
-            self.course.push(Beat::Gesture(*action, GESTURE));
+            self.course.push(BodyMotion::Gesture(*action, GESTURE));
         }
         Ok(())
     }
@@ -79,7 +79,7 @@ impl Execution<'_> {
         let steadied = &self.care.steadied;
         steadied.iter().for_each(|id| drop(self.world.pin(*id)));
         if !steadied.is_empty() {
-            self.course.push(Beat::Steady(steadied.clone()));
+            self.course.push(BodyMotion::Steady(steadied.clone()));
         }
     }
 
@@ -89,7 +89,9 @@ impl Execution<'_> {
         self.one(effect)?;
         // Stepping up to a thing does nothing to it.
         let goes = matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_));
-        let does = |beat: &Beat| goes || !matches!(beat, Beat::Walk { .. } | Beat::Turn(_) | Beat::Nudge(_));
+        let does = |beat: &BodyMotion| {
+            goes || !matches!(beat, BodyMotion::Walk { .. } | BodyMotion::Turn(_) | BodyMotion::Nudge(_))
+        };
         let beat = self.course.beats.iter().skip(first).rposition(does).map(|i| first + i);
         self.course.effects.push((beat, *effect));
         Ok(())
@@ -125,9 +127,9 @@ impl Execution<'_> {
                 Ok(())
             }
             Effect::PutOnBody(id) => self.dress(id),
-            Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => {
-                Err(Impossible::NotModelled("nobody gets into vehicles here yet: `World::add_vehicle` drives them"))
-            }
+            Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => Err(PhysicalRefusal::NotModelled(
+                "nobody gets into vehicles here yet: `World::add_vehicle` drives them",
+            )),
             // States such as dirt, heat and sleep have no body.
             _ => Ok(()),
         }
@@ -170,10 +172,10 @@ impl Execution<'_> {
     }
 
     /// The thing itself, or the nearest thing with a body in its support chain.
-    fn body_of(&self, id: NodeId) -> Result<NodeId, Impossible> {
+    fn body_of(&self, id: NodeId) -> Result<NodeId, PhysicalRefusal> {
         let chain = std::iter::once(id).chain(self.before.support_chain(id));
         let body = chain.into_iter().find(|id| self.world.aabb(*id).is_some());
-        body.ok_or_else(|| Impossible::NoBody(self.before.label(id)))
+        body.ok_or_else(|| PhysicalRefusal::NoBody(self.before.label(id)))
     }
 
     /// Opens or closes all moving parts of a thing, from a position where the agent is not in the way.
@@ -205,15 +207,15 @@ impl Execution<'_> {
     }
 
     /// The error for a thing that is stuck at its present opening.
-    fn stuck(&self, id: NodeId, open: f32, now: f32) -> Result<Impossible, Impossible> {
+    fn stuck(&self, id: NodeId, open: f32, now: f32) -> Result<PhysicalRefusal, PhysicalRefusal> {
         let by = self.world.in_the_way(id, open)?.into_iter().map(|by| self.before.label(by)).collect();
-        Ok(Impossible::Stuck { thing: self.before.label(id), open: 100.0 * now, by })
+        Ok(PhysicalRefusal::Stuck { thing: self.before.label(id), open: 100.0 * now, by })
     }
 
     /// Refuses an opening that makes the thing fall over, so that it would lie in another place or another
     /// pose.
     fn keeps_balance(&mut self, id: NodeId, before: Option<Pose>) -> Done {
-        if self.world.role(id) != Some(Role::Loose) {
+        if self.world.role(id) != Some(BodyRole::Loose) {
             return Ok(());
         }
         come_to_rest(self.world);
@@ -221,7 +223,7 @@ impl Execution<'_> {
             let far = (now.translation.vector - before.translation.vector).norm();
             far > SHIFT || (before.rotation * Vector3::z()).dot(&(now.rotation * Vector3::z())) < UPRIGHT
         });
-        if moved { Err(Impossible::Topples(self.before.label(id))) } else { Ok(()) }
+        if moved { Err(PhysicalRefusal::Topples(self.before.label(id))) } else { Ok(()) }
     }
 
     /// Opens or closes a thing that the agent holds: nothing is in its way.
@@ -235,7 +237,7 @@ impl Execution<'_> {
 
     fn note_drive(&mut self, id: NodeId, open: f32, pushes: bool) {
         let end = self.world.moving_parts(id).iter().map(|part| part.open).collect();
-        self.course.push(Beat::Drive(Drive { id, open, pushes, end }));
+        self.course.push(BodyMotion::Drive(Drive { id, open, pushes, end }));
     }
 
     /// Opens or closes a thing against obstacles, which may be pushed aside. A part without a motor pushes
@@ -277,14 +279,14 @@ impl Execution<'_> {
             self.floor.update(self.world);
             let room = self.before.room_of(id);
             let stand = goals(&places, lying).find_map(|to| self.nearest_stand(room, to, 1.4, |_| true));
-            self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)?;
+            self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(id)))?)?;
         }
         if lying {
             self.world.lie(self.agent, id)?
         } else {
             self.world.sit(self.agent, id)?
         }
-        self.course.push(Beat::Rest(id, lying));
+        self.course.push(BodyMotion::Rest(id, lying));
         Ok(())
     }
 
@@ -300,7 +302,7 @@ impl Execution<'_> {
             exit => exit?,
         };
         self.world.teleport(self.agent, feet)?;
-        self.course.push(Beat::GetUp(feet));
+        self.course.push(BodyMotion::GetUp(feet));
         Ok(())
     }
 

@@ -4,7 +4,7 @@ use vc_gltf::{GltfError, Stage, posed_scene};
 use vc_graph::asset::Joint;
 use vc_graph::{NodeId, Pose, Relation, SceneGraph};
 use vc_people::Bone;
-use vc_physics::World;
+use vc_physics::PhysicsWorld;
 
 use super::Environment;
 
@@ -46,7 +46,7 @@ impl Environment {
 }
 
 /// The position of a node's joint, read from the bodies.
-pub(crate) fn position(graph: &SceneGraph, world: &World, id: NodeId, joint: &Joint) -> Option<f32> {
+pub(crate) fn position(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, joint: &Joint) -> Option<f32> {
     let asset = graph.assets().get(graph.node(id)?.spec().asset?)?;
     let mut joints: Vec<&Joint> = Vec::new();
     for own in asset.parts.iter().filter_map(|p| p.joint.as_ref()) {

@@ -4,7 +4,7 @@ use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 
 use super::Environment;
 use super::execute::Execution;
-use super::step::{Care, Step};
+use super::step::{RetryOptions, Step};
 
 impl Environment {
     /// Whether an agent would find a path to a spot in the thing's room from which its hands reach the thing
@@ -16,7 +16,7 @@ impl Environment {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);
         let action = Action::one(Verb::Walk, id);
-        let (before, after, care) = (self.graph.clone(), self.graph.clone(), Care::default());
+        let (before, after, care) = (self.graph.clone(), self.graph.clone(), RetryOptions::default());
         let step = Step { before, after, agent, action, care };
         self.gets_at(&mut Execution::new(&mut world, &mut floor, &self.start, &step), id)
     }
@@ -30,7 +30,7 @@ impl Environment {
     /// to make room, and the present contents are pushed together. Each spot has to be within reach from
     /// somewhere in the room, and each thing has to be reachable while the container it goes into stands open.
     ///
-    /// Uses `World::leap_open`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
+    /// Uses `World::set_openness`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
     /// millisecond, and some more for each thing.
     ///
     /// # Errors
@@ -42,10 +42,10 @@ impl Environment {
             let spot = places.iter().find_map(|&place| {
                 let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
                 let action = Action::two(verb, *id, place.at);
-                let (before, after, care) = (self.graph.clone(), self.graph.clone(), Care::default());
+                let (before, after, care) = (self.graph.clone(), self.graph.clone(), RetryOptions::default());
                 let step = Step { before, after, agent, action, care };
                 let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
-                if place.relation == Relation::Inside && is_shut && !world.leap_open(place.at, 1.0).ok()? {
+                if place.relation == Relation::Inside && is_shut && !world.set_openness(place.at, 1.0).ok()? {
                     return None;
                 }
                 floor.update(&world);

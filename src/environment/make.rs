@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{AssetId, Draft, History, Kind, NodeId, Pose, SceneBuilder, SceneGraph};
-use vc_physics::{BodyPlan, Floor, FloorPlan, Settings, Shapes, World};
-use vc_relations::{Relations, Rule};
+use vc_graph::{AssetId, Draft, History, NodeId, NodeKind, Pose, SceneBuilder, SceneGraph};
+use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, Shapes};
+use vc_relations::{RelationRule, Relations};
 
 use super::reset::undress;
 use super::settle::come_to_rest;
 use super::undo::Undo;
 use super::{
-    Assets, Elsewhere, Environment, MakeError, SceneOptions, Start, Unplaced, astray, boxes, observe, scene, seats,
+    Assets, Displaced, Environment, MakeError, SceneOptions, Start, Unplaced, astray, boxes, observe, scene, seats,
 };
 
 /// How often relations are read at most, until the rooms of floors no longer change.
@@ -29,7 +29,7 @@ const ASTRAY: f32 = 2.5;
 
 /// The parts of an environment that is being made.
 struct Made {
-    world: World,
+    world: PhysicsWorld,
     floor: Floor,
     shapes: Shapes,
     left_out: Vec<Unplaced>,
@@ -39,7 +39,7 @@ struct Made {
     /// Which shapes things got of which the scene had only boxes.
     assets: Assets,
     /// Agents of the scene that are elsewhere than it has them.
-    told: Vec<Elsewhere>,
+    told: Vec<Displaced>,
 }
 
 impl Environment {
@@ -79,7 +79,7 @@ impl Environment {
     /// are added until there are so many. Things of which only a box is known get a shape of their
     /// class in that box ([`vc_geometry::shapes`]), and stay where the scene has them.
     ///
-    /// `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, then relations are
+    /// `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::of`, `PhysicsWorld::add_agent`, then relations are
     /// read (`Relations::new`) and written into the graph (`Relations::write`).
     ///
     /// ```
@@ -113,12 +113,12 @@ impl Environment {
         let (at_rest, staying) = (boxes::was_at_rest(&graph), boxes::staying(&graph));
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
         let graph = boxes::shaped(&graph, options.assets)?.unwrap_or(graph);
-        let posed = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.pose().is_some();
+        let posed = |n: &&vc_graph::Node| n.kind() == NodeKind::Object && n.pose().is_some();
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
         }
         let (mut graph, shapes) = (graph, Shapes::new());
-        let mut world = World::build(&graph, &shapes, Settings::default())?;
+        let mut world = PhysicsWorld::build(&graph, &shapes, Settings::default())?;
         let mut told = seats::take(&mut world, &mut graph)?;
         let mut builder = SceneBuilder::of(graph);
         boxes::hold(&mut world, builder.graph(), &staying)?;
@@ -127,7 +127,7 @@ impl Environment {
         if boxes::hold_moved(&mut world, builder.graph(), &staying, at_rest)? {
             come_to_rest(&mut world);
         }
-        let floor = Floor::of(&world, FloorPlan::default());
+        let floor = Floor::of(&world, FloorOptions::default());
         if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
@@ -199,13 +199,13 @@ impl Environment {
 
 /// Reads all relations and writes them into the graph. A floor that gets its room by that makes the room larger:
 /// then they are read again, so that who reads them from the graph later finds the same rooms.
-fn read_relations(graph: &mut SceneGraph, world: &World) -> Result<Relations, MakeError> {
+fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<Relations, MakeError> {
     let rooms = |graph: &SceneGraph| {
         let parts = graph.nodes().filter(|n| n.is_building());
         parts.map(|n| graph.room_of(n.id())).collect::<Vec<Option<NodeId>>>()
     };
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-    let mut relations = Relations::new(graph, Rule::Repaired, observe::evidence(world))?;
+    let mut relations = Relations::new(graph, RelationRule::Contacts, observe::evidence(world))?;
     for _ in 0..READINGS {
         let before = rooms(graph);
         relations.write(graph, &all)?;
@@ -221,7 +221,7 @@ fn read_relations(graph: &mut SceneGraph, world: &World) -> Result<Relations, Ma
 /// be walked between, as many rooms as possible.
 fn standing_places(
     graph: &SceneGraph,
-    world: &World,
+    world: &PhysicsWorld,
     floor: &Floor,
     agents: usize,
 ) -> Result<Vec<(NodeId, Pose)>, MakeError> {

@@ -33,19 +33,19 @@ use std::sync::Arc;
 use nalgebra::{Point2, Point3};
 use vc_graph::hash::Digester;
 use vc_graph::{Action, ChangeSet, Digest, History, NodeId, Observation, SceneGraph, Scope};
-use vc_physics::{Floor, Posture, Shapes, World};
+use vc_physics::{Floor, PhysicsWorld, Posture, Shapes};
 use vc_relations::Relations;
 
 pub use alter::{AlterError, Spot};
 pub use compare::{Difference, Disagreement};
-pub use error::{ActionError, Impossible, MakeError, ResetError, SaveError};
+pub use error::{ActionError, MakeError, PhysicalRefusal, ResetError, SaveError};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 #[cfg(feature = "render")]
 pub(crate) use pictures::{GLANCE, sight_of};
 #[cfg(feature = "render")]
 pub use pictures::{PictureOptions, Viewpoint};
-pub use reset::{Elsewhere, ResetReport, Unplaced, Why};
+pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};
 pub use scene::{Assets, SceneOptions};
 pub use steer::Steering;
 
@@ -55,16 +55,16 @@ const WAIST: f32 = 0.9;
 /// A home with bodies, in which agents act: the five endpoints.
 ///
 /// It holds four things that are kept in step: a [`SceneGraph`] that says what is the
-/// case, a physics [`World`] that says where everything is, [`Relations`] that are read
+/// case, a physics [`PhysicsWorld`] that says where everything is, [`Relations`] that are read
 /// from where things are, and the walkable [`Floor`].
 ///
 /// | endpoint | what it is made of |
 /// |---|---|
-/// | [`make`](Self::make) | `Apartment::from_seed`, `World::build`, `World::step`, `World::doze`, `Floor::of`, `World::add_agent`, `Relations::new`, `Relations::write` |
-/// | [`reset`](Self::reset) | `World::reset`, `World::free_spot_at`, `World::lower`, `World::step`, `World::doze`, `Relations::update_with` |
+/// | [`make`](Self::make) | `Apartment::from_seed`, `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::of`, `PhysicsWorld::add_agent`, `Relations::new`, `Relations::write` |
+/// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `World::grab_all`, `World::free_spot_at`, `World::put`, `World::drive` ..., then `Relations::update_with` |
+/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `PhysicsWorld::grab_all`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::put`, `PhysicsWorld::drive` ..., then `Relations::update_with` |
 ///
 /// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
 /// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),
@@ -91,7 +91,7 @@ const WAIST: f32 = 0.9;
 pub struct Environment {
     start: Arc<Start>,
     graph: SceneGraph,
-    world: World,
+    world: PhysicsWorld,
     relations: Relations,
     floor: Floor,
     history: History,
@@ -107,12 +107,12 @@ pub struct Environment {
 /// How an environment began; its resets start from here.
 struct Start {
     graph: SceneGraph,
-    world: World,
+    world: PhysicsWorld,
     relations: Relations,
     floor: Floor,
     shapes: Shapes,
     left_out: Vec<Unplaced>,
-    elsewhere: Vec<Elsewhere>,
+    elsewhere: Vec<Displaced>,
     /// Places that the scene gives to things and geometry does not: they hold while these have not moved.
     kept: std::collections::BTreeMap<NodeId, Vec<vc_graph::Place>>,
     /// Which shapes things get that have only boxes.
@@ -134,7 +134,7 @@ impl Environment {
     }
 
     /// The bodies as they are.
-    pub fn world(&self) -> &World {
+    pub fn world(&self) -> &PhysicsWorld {
         &self.world
     }
 
@@ -169,7 +169,7 @@ impl Environment {
     /// out of the wardrobe they are in, a table in the box around a corner sofa. A thing that people
     /// carry and that has not moved counts as where the scene has it until it is moved; `now` is its
     /// place by geometry. Agents too, who stand beside what they are to sit or lie on, or who were put onto free floor.
-    pub fn elsewhere(&self) -> &[Elsewhere] {
+    pub fn elsewhere(&self) -> &[Displaced] {
         &self.start.elsewhere
     }
 
@@ -235,7 +235,7 @@ impl Environment {
     /// The scene and the bodies as they began, if they are still the same things; else as they are.
     /// What pictures start from, so that it does not matter when the first was asked for.
     #[cfg(feature = "render")]
-    pub(crate) fn origin(&self) -> (&SceneGraph, &World) {
+    pub(crate) fn origin(&self) -> (&SceneGraph, &PhysicsWorld) {
         if self.has_first_shapes() { (&self.start.graph, &self.start.world) } else { (&self.graph, &self.world) }
     }
 

@@ -1,16 +1,16 @@
 //! Observation of bodies into the graph: poses and relations, only of things that have moved.
 
 use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
-use vc_physics::{Role, World};
+use vc_physics::{BodyRole, PhysicsWorld};
 use vc_relations::{Evidence, Relations};
 
-use super::{Impossible, Start, boxes};
+use super::{PhysicalRefusal, Start, boxes};
 
 /// Height of worn things above the wearer's feet, metres.
 const WORN: f32 = 0.9;
 
 /// Writes the poses of bodies and of worn things into the graph, and returns the nodes whose pose changed.
-pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
+pub(super) fn write_poses(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
     let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
     let poses = world.poses().into_iter().chain(worn(graph, world));
     let moved: Vec<(NodeId, Pose)> = poses.filter(elsewhere).collect();
@@ -20,7 +20,7 @@ pub(super) fn write_poses(graph: &mut SceneGraph, world: &World) -> Result<(Vec<
 }
 
 /// Worn things with their poses: they have no body and move with their wearer.
-fn worn(graph: &SceneGraph, world: &World) -> Vec<(NodeId, Pose)> {
+fn worn(graph: &SceneGraph, world: &PhysicsWorld) -> Vec<(NodeId, Pose)> {
     let at = |agent: NodeId| Some(world.pose(agent)? * Pose::translation(0.0, 0.0, WORN));
     let wearers = world.agents().filter_map(|agent| Some((agent, at(agent)?)));
     wearers.flat_map(|(agent, at)| graph.relating(Relation::WornBy, agent).map(move |id| (id, at))).collect()
@@ -28,8 +28,8 @@ fn worn(graph: &SceneGraph, world: &World) -> Vec<(NodeId, Pose)> {
 
 /// The facts that relations cannot observe: the positions of doors and drawers, and the things that hands
 /// carry.
-pub(super) fn evidence(world: &World) -> Evidence {
-    let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(Role::Carried));
+pub(super) fn evidence(world: &PhysicsWorld) -> Evidence {
+    let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(BodyRole::Carried));
     let mut evidence = Evidence::default().carrying(carried);
     for id in world.nodes() {
         for (joint, part) in (0..).zip(world.moving_parts(id)) {
@@ -50,11 +50,11 @@ pub(super) fn evidence(world: &World) -> Evidence {
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     start: &Start,
-    world: &World,
+    world: &PhysicsWorld,
     relations: &mut Relations,
     changed: &[NodeId],
-) -> Result<(Vec<NodeId>, ChangeSet), Impossible> {
-    let unreadable = |e: &dyn std::fmt::Display| Impossible::Unreadable(e.to_string());
+) -> Result<(Vec<NodeId>, ChangeSet), PhysicalRefusal> {
+    let unreadable = |e: &dyn std::fmt::Display| PhysicalRefusal::Unreadable(e.to_string());
     let (moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
     let all = [moved.as_slice(), changed].concat();
     let met = relations.update_with(graph, &all, evidence(world)).map_err(|e| unreadable(&e))?;

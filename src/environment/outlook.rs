@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3, Translation3, UnitQuaternion, Vector2, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose, SceneGraph};
-use vc_physics::World;
+use vc_physics::PhysicsWorld;
 
 /// Number of directions that are compared, and number of neighbours on each side that are in view with one.
 const WAYS: i32 = 32;
@@ -19,7 +19,7 @@ const INSIDE: [f32; 3] = [0.25, 0.5, 0.75];
 
 /// The rotation with which an agent at a point of a room sees most of it: free floor and things.
 pub(super) fn into_room(
-    world: &World,
+    world: &PhysicsWorld,
     graph: &SceneGraph,
     room: NodeId,
     (agent, feet): (NodeId, Point3<f32>),
@@ -44,7 +44,7 @@ fn way(number: i32) -> Vector2<f32> {
 }
 
 /// The free viewing distance in a direction, metres, summed over all heights.
-fn free_sight(world: &World, agent: NodeId, feet: &Point3<f32>, way: &Vector2<f32>) -> f32 {
+fn free_sight(world: &PhysicsWorld, agent: NodeId, feet: &Point3<f32>, way: &Vector2<f32>) -> f32 {
     let far = |height: f32| {
         let eye = feet + Vector3::z() * height;
         let met = world.ray(eye, eye + Vector3::new(way.x, way.y, 0.0) * FAR, &[agent]);
@@ -57,7 +57,7 @@ fn free_sight(world: &World, agent: NodeId, feet: &Point3<f32>, way: &Vector2<f3
 /// world in which the thing stands open; its contents occlude nothing. `closed` is the bounding box of the
 /// closed thing.
 pub(super) fn into_thing(
-    opened: &World,
+    opened: &PhysicsWorld,
     graph: &SceneGraph,
     (id, closed): (NodeId, &vc_graph::Aabb),
     (feet, eye): (&Pose, f32),

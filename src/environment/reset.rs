@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
-use vc_graph::{EditError, History, Kind, Label, Node, NodeId, Place, Pose, Relation, SceneGraph, State};
-use vc_physics::{Floor, Order, PhysicsError, Role, World};
+use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, Relation, SceneGraph, State};
+use vc_physics::{BodyRole, Floor, Order, PhysicsError, PhysicsWorld};
 use vc_relations::Relations;
 
 use super::settle::come_to_rest;
@@ -33,7 +33,7 @@ pub struct ResetReport {
     /// Things that are not where the graph has them, with the reason if they could not be put there, agents who stand
     /// beside what they are to sit or lie on, and agents who were put onto the floor or apart, as nobody can stand where
     /// the graph has them.
-    pub elsewhere: Vec<Elsewhere>,
+    pub elsewhere: Vec<Displaced>,
 }
 
 /// A thing for which there was no place.
@@ -43,13 +43,13 @@ pub struct Unplaced {
     /// Which.
     pub thing: Label,
     /// Why.
-    pub why: Why,
+    pub why: UnplacedReason,
 }
 
 /// Why there was no place for a thing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Why {
+pub enum UnplacedReason {
     /// No spot on or in what it is to be at is free.
     #[error(
         "no spot {relation} {at} is free and large enough for its {:.2} x {:.2} x {:.2} m: make room there, or name \
@@ -89,7 +89,7 @@ pub enum Why {
 
 /// A thing that is elsewhere than it was to be. Prints as `novel.182 is not on coffee_table.104: ` and the reason.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Elsewhere {
+pub struct Displaced {
     /// Which.
     pub thing: Label,
     /// Where it was to be.
@@ -99,16 +99,16 @@ pub struct Elsewhere {
     /// Where it is.
     pub now: Option<Place>,
     /// The reason why it was not put there; `None` if it was, and has come to rest elsewhere.
-    pub why: Option<Why>,
+    pub why: Option<UnplacedReason>,
 }
 
-impl Elsewhere {
+impl Displaced {
     pub(super) fn new(graph: &SceneGraph, id: NodeId, wanted: Place, now: Option<Place>) -> Self {
         Self { thing: graph.label(id), wanted, at: graph.label(wanted.at), now, why: None }
     }
 }
 
-impl std::fmt::Display for Elsewhere {
+impl std::fmt::Display for Displaced {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} is not {} {}", self.thing, self.wanted.relation, self.at)?;
         self.why.as_ref().map_or(Ok(()), |why| write!(f, ": {why}"))
@@ -121,11 +121,11 @@ impl Environment {
     /// them, states are the graph's, what was done is forgotten.
     ///
     /// It starts from the bodies as they were made, at rest, and moves only what differs
-    /// (`World::reset`); a thing that the graph has where it is now stays there. New things, and things with a new pose
+    /// (`PhysicsWorld::reset`); a thing that the graph has where it is now stays there. New things, and things with a new pose
     /// on or in something else than at the start, keep their pose if it is free and something is right below;
-    /// otherwise they get the free spot nearest to it (`World::free_spot_at`), and if there
+    /// otherwise they get the free spot nearest to it (`PhysicsWorld::free_spot_at`), and if there
     /// is none, they are left out and reported. What hovers by less than two centimetres is let
-    /// down (`World::lower`). Then all comes to rest (`World::step`, `World::doze`)
+    /// down (`PhysicsWorld::lower`). Then all comes to rest (`PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`)
     /// and is observed (`Relations::update_with`).
     ///
     /// A thing or agent that the graph has on or in something else, or in another room, with the pose that it had at
@@ -219,15 +219,15 @@ impl Environment {
             let now = self.graph.node(node.id()).and_then(Node::pose);
             let same =
                 now.is_some() && now == node.pose() && placed(node.id(), graph) == placed(node.id(), &self.graph);
-            same && self.world.role(node.id()).is_some_and(|role| role != Role::Carried)
+            same && self.world.role(node.id()).is_some_and(|role| role != BodyRole::Carried)
         };
-        let things = graph.nodes().filter(|n| n.kind() == Kind::Object);
+        let things = graph.nodes().filter(|n| n.kind() == NodeKind::Object);
         things.filter(stands).map(Node::id).collect()
     }
 
     /// Opens doors and drawers of things that stay as far as they are open now, and puts all that stays where it is.
-    fn leave_as_they_are(&self, world: &mut World, standing: &[NodeId]) -> Result<(), PhysicsError> {
-        let free = |id: &&NodeId| world.role(**id).is_some_and(|role| role != Role::Carried);
+    fn leave_as_they_are(&self, world: &mut PhysicsWorld, standing: &[NodeId]) -> Result<(), PhysicsError> {
+        let free = |id: &&NodeId| world.role(**id).is_some_and(|role| role != BodyRole::Carried);
         let standing: Vec<NodeId> = standing.iter().filter(free).copied().collect();
         for &id in &standing {
             if world.open_state(id) != self.world.open_state(id) {
@@ -256,7 +256,7 @@ impl Environment {
     }
 
     /// Reads the relations of a scene that differs from the start and writes them.
-    fn observed(&self, graph: &mut SceneGraph, world: &World, anew: bool) -> Result<Relations, ResetError> {
+    fn observed(&self, graph: &mut SceneGraph, world: &PhysicsWorld, anew: bool) -> Result<Relations, ResetError> {
         let mut relations = self.start.relations.clone();
         let wanted = graph.clone();
         let (moved, _) = observe::write_poses(graph, world)?;
@@ -285,14 +285,14 @@ impl Environment {
 }
 
 /// What is worn has no body.
-pub(super) fn undress(world: &mut World, graph: &SceneGraph) -> Result<(), PhysicsError> {
+pub(super) fn undress(world: &mut PhysicsWorld, graph: &SceneGraph) -> Result<(), PhysicsError> {
     let worn = graph.agents().iter().flat_map(|&agent| graph.relating(Relation::WornBy, agent));
     let bodies: Vec<NodeId> = worn.filter(|id| world.pose(*id).is_some()).collect();
     bodies.into_iter().try_for_each(|id| world.remove(id))
 }
 
 /// Lets agents sit, lie or stand as the graph has them, and tells who does not.
-fn settle_agents(world: &mut World, graph: &mut SceneGraph, floor: &Floor) -> Result<Vec<Elsewhere>, EditError> {
+fn settle_agents(world: &mut PhysicsWorld, graph: &mut SceneGraph, floor: &Floor) -> Result<Vec<Displaced>, EditError> {
     let mut told = seats::take(world, graph)?;
     let without_way = seats::leave_ways(world, graph, floor);
     let moved = astray::stand_on_floor(world, graph, floor);
@@ -309,7 +309,7 @@ struct Plan {
     /// Poses that things have kept from where they no longer are to be.
     stale: BTreeMap<NodeId, Pose>,
     /// Why things are not where they were to be.
-    because: BTreeMap<NodeId, Why>,
+    because: BTreeMap<NodeId, UnplacedReason>,
     report: ResetReport,
 }
 
@@ -319,12 +319,12 @@ impl Plan {
         let start = known[0];
         let (mut report, mut stale, mut because) = (ResetReport::default(), BTreeMap::new(), BTreeMap::new());
         let mut open: Vec<(usize, NodeId, Option<Place>)> = Vec::new();
-        for node in wanted.nodes().filter(|n| n.kind() == Kind::Object) {
+        for node in wanted.nodes().filter(|n| n.kind() == NodeKind::Object) {
             let id = node.id();
             let place = wanted.place(id);
             let told = stale::place(known, wanted, id);
             if let (Some(why), true) = (stale::is_fixed(wanted, id), told.is_some()) {
-                because.insert(id, Why::NotMovable(why));
+                because.insert(id, UnplacedReason::NotMovable(why));
             } else if let (Some(place), Some(pose)) = (told, node.pose()) {
                 stale.insert(id, *pose);
                 report.moved.push(id);
@@ -366,7 +366,7 @@ impl Plan {
 
     /// Things that the graph has in something open: how far its doors and drawers are open the graph does not say, so
     /// these things may stand on none of them.
-    fn in_open_things(&self, world: &World, graph: &SceneGraph) -> Vec<NodeId> {
+    fn in_open_things(&self, world: &PhysicsWorld, graph: &SceneGraph) -> Vec<NodeId> {
         let open = |id: &NodeId| {
             let inside = graph.place(*id).filter(|p| p.relation == Relation::Inside);
             inside.is_some_and(|p| world.open_state(p.at) == Some(State::Open)) && !self.unposed.contains(id)
@@ -375,7 +375,7 @@ impl Plan {
     }
 
     /// Lets down what hovers a little.
-    fn lower(&self, world: &mut World, standing: &[NodeId]) -> Result<(), ResetError> {
+    fn lower(&self, world: &mut PhysicsWorld, standing: &[NodeId]) -> Result<(), ResetError> {
         let there = |id: &&NodeId| world.pose(**id).is_some() && standing.binary_search(id).is_err();
         let moved: Vec<NodeId> = self.report.moved.iter().filter(there).copied().collect();
         moved.into_iter().try_for_each(|id| world.lower(id, HOVER).map(drop))?;
@@ -383,7 +383,7 @@ impl Plan {
     }
 
     /// Puts what is to be placed where there is room, and takes out the rest.
-    fn settle_places(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
+    fn settle_places(&mut self, world: &mut PhysicsWorld, graph: &mut SceneGraph) -> Result<(), ResetError> {
         let all = std::mem::take(&mut self.open);
         let open: BTreeSet<NodeId> = all.iter().map(|(id, _)| *id).collect();
         for (id, place) in all {
@@ -415,17 +415,23 @@ impl Plan {
     }
 
     /// Takes out the things that have fallen out of the home, and those that fall when these are gone.
-    fn take_out(&mut self, world: &mut World, graph: &mut SceneGraph) -> Result<(), ResetError> {
+    fn take_out(&mut self, world: &mut PhysicsWorld, graph: &mut SceneGraph) -> Result<(), ResetError> {
         let mut outside = world.outside();
         while !outside.is_empty() {
-            outside.into_iter().try_for_each(|id| self.leave_out(world, graph, id, Why::FellOut))?;
+            outside.into_iter().try_for_each(|id| self.leave_out(world, graph, id, UnplacedReason::FellOut))?;
             come_to_rest(world);
             outside = world.outside();
         }
         Ok(())
     }
 
-    fn leave_out(&mut self, world: &mut World, graph: &mut SceneGraph, id: NodeId, why: Why) -> Result<(), ResetError> {
+    fn leave_out(
+        &mut self,
+        world: &mut PhysicsWorld,
+        graph: &mut SceneGraph,
+        id: NodeId,
+        why: UnplacedReason,
+    ) -> Result<(), ResetError> {
         self.report.unplaced.push(Unplaced { thing: graph.label(id), why });
         if world.pose(id).is_some() {
             world.remove(id)?;
@@ -437,14 +443,14 @@ impl Plan {
     }
 
     fn report(mut self, start: &SceneGraph, wanted: &SceneGraph, now: &SceneGraph) -> ResetReport {
-        for id in now.nodes().filter(|n| n.kind() == Kind::Object).map(Node::id) {
+        for id in now.nodes().filter(|n| n.kind() == NodeKind::Object).map(Node::id) {
             let asked = self.because.contains_key(&id) || self.unposed.contains(&id);
             let in_room = || Some(Place { relation: Relation::InRoom, at: wanted.room_of(id).filter(|_| asked)? });
             let Some(place) = wanted.place(id).or_else(in_room) else { continue };
             let is_there = place.relation == Relation::InRoom && now.room_of(id) == Some(place.at);
             if !is_there && !now.places(id).any(|p| p == place) {
                 let why = self.because.remove(&id);
-                self.report.elsewhere.push(Elsewhere { why, ..Elsewhere::new(now, id, place, now.place(id)) });
+                self.report.elsewhere.push(Displaced { why, ..Displaced::new(now, id, place, now.place(id)) });
             }
         }
         let differs = |id: &NodeId| {
@@ -460,20 +466,20 @@ impl Plan {
 
 /// Puts one thing, which has a pose of its own or not, where there is room for it.
 pub(super) fn settle_place(
-    world: &mut World,
+    world: &mut PhysicsWorld,
     graph: &SceneGraph,
     (id, posed): (NodeId, bool),
     place: Option<Place>,
-) -> Result<Result<(), Why>, PhysicsError> {
-    let Some(pose) = world.pose(id) else { return Ok(Err(Why::NoShape)) };
+) -> Result<Result<(), UnplacedReason>, PhysicsError> {
+    let Some(pose) = world.pose(id) else { return Ok(Err(UnplacedReason::NoShape)) };
     if posed && is_at_rest(world, id, &pose)? {
         return Ok(Ok(()));
     }
     let Some(place) = place else {
-        return Ok(if posed { Ok(()) } else { Err(Why::Nowhere) });
+        return Ok(if posed { Ok(()) } else { Err(UnplacedReason::Nowhere) });
     };
     if world.aabb(place.at).is_none() {
-        return Ok(Err(Why::NoSupport(graph.label(place.at))));
+        return Ok(Err(UnplacedReason::NoSupport(graph.label(place.at))));
     }
     let order = if posed { Order::Near(Point3::from(pose.translation.vector)) } else { Order::Middle };
     let inside = place.relation == Relation::Inside;
@@ -485,9 +491,9 @@ pub(super) fn settle_place(
 }
 
 /// Why there is no room for a thing at a place.
-pub(super) fn no_spot(world: &World, graph: &SceneGraph, id: NodeId, place: Place) -> Why {
+pub(super) fn no_spot(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId, place: Place) -> UnplacedReason {
     let size = world.aabb(id).map_or([0.0; 3], |b| (b.max - b.min).into());
-    Why::NoSpot { relation: place.relation, at: graph.label(place.at), size }
+    UnplacedReason::NoSpot { relation: place.relation, at: graph.label(place.at), size }
 }
 
 /// The room of a thing that has no pose; parts of the building are not put into one.
@@ -497,12 +503,12 @@ fn unposed_in(graph: &SceneGraph, node: &Node) -> Option<Place> {
 }
 
 /// Whether nothing that has been placed since is where a thing was.
-fn stays_free(world: &World, id: NodeId, pose: &Pose, placed: &BTreeSet<NodeId>) -> Result<bool, PhysicsError> {
+fn stays_free(world: &PhysicsWorld, id: NodeId, pose: &Pose, placed: &BTreeSet<NodeId>) -> Result<bool, PhysicsError> {
     Ok(world.overlaps(id, pose)?.iter().all(|other| !placed.contains(other)))
 }
 
 /// Whether a thing overlaps nothing at a pose and something is right below it.
-fn is_at_rest(world: &World, id: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
+fn is_at_rest(world: &PhysicsWorld, id: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
     let below = Pose::translation(0.0, 0.0, -HOVER) * pose;
     Ok(world.overlaps(id, pose)?.is_empty() && !world.overlaps(id, &below)?.is_empty())
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use vc_graph::format::native;
 use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
-use vc_physics::World;
+use vc_physics::PhysicsWorld;
 
 use super::undo::Undo;
 use super::{Environment, SaveError, observe};
@@ -14,10 +14,10 @@ const MAGIC: &[u8; 8] = b"VCENV 2\n";
 
 impl Environment {
     /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`), the
-    /// bodies (`World::save`) and the history. `clone` is a much cheaper copy in memory.
+    /// bodies (`PhysicsWorld::save`) and the history. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
-    /// [`SaveError::World`].
+    /// [`SaveError::PhysicsWorld`].
     pub fn save(&self) -> Result<Vec<u8>, SaveError> {
         let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
         let history: String = self.history.events().iter().map(line).collect();
@@ -34,7 +34,7 @@ impl Environment {
     /// Restores a saved environment, which then evolves as the saved one does, bit for bit. `self` has to have
     /// been made in the same way as the saved environment, and is not changed.
     ///
-    /// Uses `format::native::read`, `World::restore`, `Relations::rebuild` and `Floor::update`.
+    /// Uses `format::native::read`, `PhysicsWorld::restore`, `Relations::rebuild` and `Floor::update`.
     ///
     /// # Errors
     /// [`SaveError`] if the bytes are no saved environment, or were saved by one with another start.
@@ -61,7 +61,7 @@ impl Environment {
         }
         builder.number_from(next);
         graph = builder.build();
-        let world = World::restore(world, &graph, &self.start.shapes)?;
+        let world = PhysicsWorld::restore(world, &graph, &self.start.shapes)?;
         let mut relations = self.start.relations.clone();
         relations.rebuild(&graph)?;
         relations.set_evidence(&graph, observe::evidence(&world))?;

@@ -3,16 +3,16 @@
 use nalgebra::Point2;
 use vc_graph::class::SlotKind;
 use vc_graph::{EditError, Effect, Node, NodeId, Place, Pose, Relation, SceneGraph, State, rule};
-use vc_physics::{AgentError, Floor, Posture, World};
+use vc_physics::{AgentError, Floor, PhysicsWorld, Posture};
 
-use super::{Elsewhere, astray, make};
+use super::{Displaced, astray, make};
 
 /// How far from a seat that no relation names somebody may be said to sit, metres.
 const BESIDE: f32 = 0.5;
 
 /// Lets sit or lie who does so by the graph, and stand up who does not. The graph then says the same; those are told
 /// who stand, as there is no seat, or the place is taken.
-pub(super) fn take(world: &mut World, graph: &mut SceneGraph) -> Result<Vec<Elsewhere>, EditError> {
+pub(super) fn take(world: &mut PhysicsWorld, graph: &mut SceneGraph) -> Result<Vec<Displaced>, EditError> {
     let mut told = Vec::new();
     for agent in graph.agents().to_vec() {
         let Some(now) = world.posture(agent) else { continue };
@@ -20,7 +20,7 @@ pub(super) fn take(world: &mut World, graph: &mut SceneGraph) -> Result<Vec<Else
         match seat {
             Some(seat) if is_at(now, seat) || settle(world, agent, seat).is_ok() => write(graph, agent, seat)?,
             seat if seat.is_some() || rests(graph, agent).is_some() => {
-                told.extend(seat.map(|wanted| Elsewhere::new(graph, agent, wanted, None)));
+                told.extend(seat.map(|wanted| Displaced::new(graph, agent, wanted, None)));
                 told.extend(astray::told(graph, if seat.is_none() { std::slice::from_ref(&agent) } else { &[] }));
                 rule::carry_out(graph, agent, &Effect::StandUp)?;
             }
@@ -37,7 +37,7 @@ pub(super) fn take(world: &mut World, graph: &mut SceneGraph) -> Result<Vec<Else
 
 /// Notes for those who sit or lie from where a way leads on. Those for whom there is no such spot stand; they are
 /// returned.
-pub(super) fn leave_ways(world: &mut World, graph: &SceneGraph, floor: &Floor) -> Vec<NodeId> {
+pub(super) fn leave_ways(world: &mut PhysicsWorld, graph: &SceneGraph, floor: &Floor) -> Vec<NodeId> {
     let seated: Vec<NodeId> = world.agents().filter(|a| world.stood(*a).is_some()).collect();
     let base = if seated.is_empty() { None } else { make::base(graph, floor) };
     let leads_on = |feet: &Pose| {
@@ -63,11 +63,11 @@ pub(super) fn leave_ways(world: &mut World, graph: &SceneGraph, floor: &Floor) -
 }
 
 /// Lets agents stand by the graph, and tells that they do not sit or lie.
-pub(super) fn stand(graph: &mut SceneGraph, agents: &[NodeId]) -> Result<Vec<Elsewhere>, EditError> {
+pub(super) fn stand(graph: &mut SceneGraph, agents: &[NodeId]) -> Result<Vec<Displaced>, EditError> {
     let mut told = Vec::new();
     for &agent in agents {
         let wanted = named(graph, agent);
-        told.extend(wanted.map(|wanted| Elsewhere::new(graph, agent, wanted, None)));
+        told.extend(wanted.map(|wanted| Displaced::new(graph, agent, wanted, None)));
         rule::carry_out(graph, agent, &Effect::StandUp)?;
     }
     Ok(told)
@@ -105,7 +105,7 @@ fn is_at(posture: Posture, seat: Place) -> bool {
     }
 }
 
-fn settle(world: &mut World, agent: NodeId, seat: Place) -> Result<(), AgentError> {
+fn settle(world: &mut PhysicsWorld, agent: NodeId, seat: Place) -> Result<(), AgentError> {
     if let Some(feet) = world.pose(agent).filter(|_| world.stood(agent).is_some()) {
         world.teleport(agent, feet)?;
     }

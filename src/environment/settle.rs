@@ -1,7 +1,7 @@
 //! Bodies come to rest after an action, a reset or another change.
 
 use vc_graph::NodeId;
-use vc_physics::{Role, World};
+use vc_physics::{BodyRole, PhysicsWorld};
 
 /// Steps in which what an action has disturbed comes to rest.
 const CALM: u32 = 120;
@@ -13,7 +13,7 @@ const DOZE: u32 = 3;
 const SLOW: f32 = 0.05;
 
 /// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.
-pub(super) fn come_to_rest(world: &mut World) {
+pub(super) fn come_to_rest(world: &mut PhysicsWorld) {
     world.step();
     for _ in 0..AGAIN {
         let mut left = CALM;
@@ -22,7 +22,7 @@ pub(super) fn come_to_rest(world: &mut World) {
             left -= 1;
             // What surely rests need not be watched for longer.
             if left.is_multiple_of(DOZE) || left + DOZE > CALM {
-                world.doze();
+                world.put_to_sleep();
             }
         }
         let fast = |id: &NodeId| world.velocity(*id).is_some_and(|v| v.norm() > SLOW);
@@ -40,7 +40,7 @@ pub(super) fn come_to_rest(world: &mut World) {
 }
 
 /// Loose things that are awake.
-fn restless(world: &World) -> Vec<NodeId> {
-    let loose = |id: &NodeId| world.role(*id) == Some(Role::Loose) && !world.is_asleep(*id);
+fn restless(world: &PhysicsWorld) -> Vec<NodeId> {
+    let loose = |id: &NodeId| world.role(*id) == Some(BodyRole::Loose) && !world.is_asleep(*id);
     if world.awake() == 0 { Vec::new() } else { world.nodes().into_iter().filter(loose).collect() }
 }

@@ -1,11 +1,11 @@
 //! Poses that an edited graph has kept although it says that things and agents are elsewhere.
 
 use nalgebra::Point2;
-use vc_graph::{Aabb, EditError, Kind, Node, NodeId, ObjectRole, Place, Pose, Relation, SceneGraph};
-use vc_physics::{Floor, PhysicsError, Role, World};
+use vc_graph::{Aabb, EditError, Node, NodeId, NodeKind, ObjectRole, Place, Pose, Relation, SceneGraph};
+use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld};
 
 use super::execute::load_of;
-use super::{Elsewhere, Start, Why, alter, outlook};
+use super::{Displaced, Start, UnplacedReason, alter, outlook};
 
 /// Things whose boxes are farther apart than this are not on or in each other, metres.
 const TOUCHING: f32 = 0.02;
@@ -26,7 +26,7 @@ pub(super) fn on_floor(graph: &SceneGraph, place: Place) -> Place {
 
 /// Why a thing cannot be put elsewhere, as it is part of the building or the like.
 pub(super) fn is_fixed(graph: &SceneGraph, id: NodeId) -> Option<&'static str> {
-    let node = graph.node(id).filter(|n| n.kind() == Kind::Object)?;
+    let node = graph.node(id).filter(|n| n.kind() == NodeKind::Object)?;
     alter::no_thing(graph.classes().get(node.class())?)
 }
 
@@ -58,14 +58,14 @@ fn is_new(before: &SceneGraph, graph: &SceneGraph, id: NodeId, place: Place) -> 
 
 /// Takes along what a thing carries that was moved from a pose to where its body is now. Returns what came along.
 pub(super) fn bring_load(
-    world: &mut World,
+    world: &mut PhysicsWorld,
     graph: &mut SceneGraph,
     (id, before): (NodeId, Pose),
     stays: impl Fn(NodeId) -> bool,
 ) -> Result<Vec<NodeId>, super::ResetError> {
     let Some(now) = world.pose(id) else { return Ok(Vec::new()) };
     let motion = now * before.inverse();
-    let moves = |load: &NodeId| !stays(*load) && world.role(*load).is_some_and(|role| role != Role::Carried);
+    let moves = |load: &NodeId| !stays(*load) && world.role(*load).is_some_and(|role| role != BodyRole::Carried);
     let load: Vec<NodeId> = load_of(graph, id).into_iter().filter(moves).collect();
     for &load in &load {
         let Some(pose) = world.pose(load) else { continue };
@@ -76,9 +76,13 @@ pub(super) fn bring_load(
 }
 
 /// Moves a thing with its carrier, and holds it to that if it was held.
-pub(super) fn take_along(world: &mut World, (id, pose): (NodeId, Pose), carrier: NodeId) -> Result<(), PhysicsError> {
+pub(super) fn take_along(
+    world: &mut PhysicsWorld,
+    (id, pose): (NodeId, Pose),
+    carrier: NodeId,
+) -> Result<(), PhysicsError> {
     world.place(id, pose)?;
-    if world.role(id) == Some(Role::Hung) { world.pin_to(id, carrier) } else { Ok(()) }
+    if world.role(id) == Some(BodyRole::Hung) { world.pin_to(id, carrier) } else { Ok(()) }
 }
 
 pub(super) fn set_pose(graph: &mut SceneGraph, id: NodeId, pose: Pose) -> Result<(), EditError> {
@@ -91,10 +95,10 @@ pub(super) fn set_pose(graph: &mut SceneGraph, id: NodeId, pose: Pose) -> Result
 /// Puts agents where the graph has them. Returns those that were moved, and those for whom there is no room.
 pub(super) fn move_agents(
     (start, known): (&Start, &[&SceneGraph]),
-    world: &mut World,
+    world: &mut PhysicsWorld,
     graph: &mut SceneGraph,
     floor: &Floor,
-) -> Result<(Vec<NodeId>, Vec<Elsewhere>), super::ResetError> {
+) -> Result<(Vec<NodeId>, Vec<Displaced>), super::ResetError> {
     let (mut moved, mut told) = (Vec::new(), Vec::new());
     for agent in graph.agents().to_vec() {
         let Some(place) = place(known, graph, agent) else { continue };
@@ -104,8 +108,8 @@ pub(super) fn move_agents(
         let free = |room: NodeId| move |p: &Point2<f32>| start.room_at(*p) == Some(room) && stands(p);
         let spot = room.and_then(|room| Some((room, feet(&alter::spot_in(graph, floor, room, free(room))?))));
         let Some((room, feet)) = spot else {
-            let why = Some(Why::NoFloor(graph.label(place.at)));
-            told.push(Elsewhere { why, ..Elsewhere::new(graph, agent, place, None) });
+            let why = Some(UnplacedReason::NoFloor(graph.label(place.at)));
+            told.push(Displaced { why, ..Displaced::new(graph, agent, place, None) });
             continue;
         };
         let turn = outlook::into_room(world, graph, room, (agent, feet.translation.vector.into()));

@@ -5,7 +5,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{ChangeSet, NodeId};
 
 use super::undo::Undo;
-use super::{ActionError, Environment, Impossible, observe};
+use super::{ActionError, Environment, PhysicalRefusal, observe};
 
 /// The control input of a body for one tick.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -28,7 +28,7 @@ impl Environment {
     /// `World::face` and `Relations::update_with`.
     ///
     /// # Errors
-    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite; in
+    /// [`ActionError::PhysicalRefusal`] if there is no such agent, it does not stand, or a number is not finite; in
     /// these cases no time has passed.
     ///
     /// ```
@@ -49,7 +49,7 @@ impl Environment {
     pub fn steer(&mut self, agent: NodeId, steering: &Steering) -> Result<ChangeSet, ActionError> {
         let labels = self.graph.clone();
         let impossible =
-            |why: Impossible| ActionError::Impossible { action: "steer".into(), why: why.in_scene(&labels) };
+            |why: PhysicalRefusal| ActionError::Impossible { action: "steer".into(), why: why.in_scene(&labels) };
         if !steering.heading.is_finite() {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));

@@ -10,12 +10,12 @@ pub(super) struct Step {
     pub(super) after: SceneGraph,
     pub(super) agent: NodeId,
     pub(super) action: Action,
-    pub(super) care: Care,
+    pub(super) care: RetryOptions,
 }
 
 /// Precautions for a second attempt at an action that has failed.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Care {
+pub(super) struct RetryOptions {
     /// Things that are held still meanwhile: they would fall although nobody touches them.
     pub(super) steadied: Vec<NodeId>,
     /// Whether doors and drawers are pushed all the way: setting them to their end position left a thing behind

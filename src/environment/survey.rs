@@ -4,7 +4,7 @@
 use nalgebra::Point2;
 use vc_graph::format::objects::{Object, objects, seen};
 use vc_graph::{Action, Anthropometry, NodeId, Pose, rule};
-use vc_physics::{Occupancy, PartsAside};
+use vc_physics::{Occupancy, PartsToMoveAside};
 
 use super::{ActionError, Environment};
 
@@ -100,10 +100,10 @@ impl Environment {
 
     /// The doors that have to give way so that an agent can stand at a point of the floor that is free but for doors,
     /// and how far each would then be open; empty if the agent stands free there. `None` if it cannot stand there.
-    pub(super) fn gives_way(&self, agent: NodeId, at: &Point2<f32>) -> Option<PartsAside> {
+    pub(super) fn gives_way(&self, agent: NodeId, at: &Point2<f32>) -> Option<PartsToMoveAside> {
         let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
         if self.world.stands_free(agent, &feet).ok()? {
-            return Some(PartsAside::new());
+            return Some(PartsToMoveAside::new());
         }
         self.world.doors_aside(agent, &feet).ok().flatten()
     }

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use vc_physics::{Floor, World};
+use vc_physics::{Floor, PhysicsWorld};
 
 use super::Start;
 use super::execute::Execution;
@@ -19,13 +19,13 @@ const KEPT: usize = 8;
 /// A copy of the bodies from some actions ago, and the actions done since.
 #[derive(Clone, Default)]
 pub(super) struct Undo {
-    kept: Option<Arc<World>>,
+    kept: Option<Arc<PhysicsWorld>>,
     since: Vec<Step>,
 }
 
 impl Undo {
     /// Makes sure that the bodies can be brought back to their present state.
-    pub(super) fn keep(&mut self, world: &World) {
+    pub(super) fn keep(&mut self, world: &PhysicsWorld) {
         if self.kept.is_none() || self.since.len() >= KEPT {
             (self.kept, self.since) = (Some(Arc::new(world.clone())), Vec::new());
         }
@@ -37,9 +37,9 @@ impl Undo {
     }
 
     /// Brings the bodies back to their state after the last recorded action.
-    pub(super) fn take_back(&self, world: &mut World, floor: &mut Floor, start: &Start) {
+    pub(super) fn take_back(&self, world: &mut PhysicsWorld, floor: &mut Floor, start: &Start) {
         let Some(kept) = &self.kept else { return };
-        *world = World::clone(kept);
+        *world = PhysicsWorld::clone(kept);
         for step in &self.since {
             let mut execution = Execution::new(world, floor, start, step);
             // The action was done before, so it can be done again.

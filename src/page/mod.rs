@@ -16,7 +16,7 @@ const PLAYER: &str = include_str!("player.js");
 /// ```
 /// use virtualcity::Page;
 /// use virtualcity::graph::{Draft, SceneBuilder, Simulator};
-/// use virtualcity::planner::{Newcomer, Run, Trajectory};
+/// use virtualcity::planner::{PlannerPolicy, EpisodeOptions, Trajectory};
 /// use virtualcity::tasks::Task;
 ///
 /// let mut scene = SceneBuilder::new("flat");
@@ -26,7 +26,7 @@ const PLAYER: &str = include_str!("player.js");
 /// scene.add_in(kitchen, Draft::new("character"))?;
 /// let task = Task::new("fetch the milk", "Holds(milk)".parse()?);
 /// let mut world = Simulator::new(scene.build());
-/// let trajectory = Trajectory::record(&Run::default(), &mut Newcomer::best(), &task, &mut world);
+/// let trajectory = Trajectory::record(&EpisodeOptions::default(), &mut PlannerPolicy::best(), &task, &mut world);
 ///
 /// let page = Page::of(&trajectory);
 /// assert!(page.html().contains("open fridge.2"));

@@ -45,7 +45,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// | `frames/`, `annotations.json`, `scene.glb` | with [`RecordOptions::dataset`]: see there |
 ///
 /// ```no_run
-/// use virtualcity::planner::{Newcomer, run_episode};
+/// use virtualcity::planner::{PlannerPolicy, run_episode};
 /// use virtualcity::tasks::Task;
 /// use virtualcity::{Environment, RecordOptions, Recorder};
 ///
@@ -53,7 +53,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// let task = Task::new("fetch a book", "Holds(novel)".parse()?);
 /// let me = home.agents()[0];
 /// let mut recorder = Recorder::create("out/episode", home, me, &task, RecordOptions::default())?;
-/// let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+/// let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut recorder);
 /// let page = recorder.finish(&episode, None)?;
 /// println!("look at {}", page.display());
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Point3, Vector3};
 use virtualcity::Environment;
 use virtualcity::graph::{Action, NodeId, Place, Pose, Property, Relation, State, Verb};
-use virtualcity::physics::{Hand, Posture, Role};
+use virtualcity::physics::{BodyRole, Hand, Posture};
 
 /// Largest distance between the last shown pose and the final one, metres.
 const SAME: f32 = 0.05;
@@ -52,7 +52,7 @@ fn go_for(home: &mut Environment, verb: Verb, kind: impl Fn(&virtualcity::graph:
 }
 
 fn is_loose(home: &Environment, id: NodeId) -> bool {
-    home.world().role(id) == Some(Role::Loose)
+    home.world().role(id) == Some(BodyRole::Loose)
 }
 
 fn affords(property: Property) -> impl Fn(&virtualcity::graph::Node) -> bool {

@@ -2,14 +2,14 @@
 
 use virtualcity::graph::{NodeId, Place, Relation, Verb};
 use virtualcity::physics::Posture;
-use virtualcity::relations::{Relations, Rule};
+use virtualcity::relations::{RelationRule, Relations};
 use virtualcity::{AlterError, Environment, Spot};
 
 use super::{act, home};
 
 /// The relations equal those derived anew from the home.
 pub(super) fn is_as_read(home: &Environment) {
-    let read = Relations::new(home.graph(), Rule::Repaired, home.relations().evidence().clone()).unwrap();
+    let read = Relations::new(home.graph(), RelationRule::Contacts, home.relations().evidence().clone()).unwrap();
     assert_eq!(home.relations().edges(), read.edges());
 }
 

@@ -2,9 +2,11 @@
 //! others, are put back where the scene has them, or left out and reported.
 
 use virtualcity::graph::format::read_scene;
-use virtualcity::graph::{Action, Bounds, ClassTable, Draft, Kind, NodeId, Place, Pose, Relation, SceneBuilder, Verb};
-use virtualcity::physics::Role;
-use virtualcity::{Environment, MakeError, Why};
+use virtualcity::graph::{
+    Action, Bounds, ClassTable, Draft, NodeId, NodeKind, Place, Pose, Relation, SceneBuilder, Verb,
+};
+use virtualcity::physics::BodyRole;
+use virtualcity::{Environment, MakeError, UnplacedReason};
 
 use super::home;
 
@@ -48,7 +50,7 @@ impl Kitchen {
 fn is_whole(home: &Environment) {
     let world = home.world();
     assert!(world.outside().is_empty() && world.stopped().is_empty());
-    for id in home.graph().nodes().filter(|n| n.kind() == Kind::Object).map(|n| n.id()) {
+    for id in home.graph().nodes().filter(|n| n.kind() == NodeKind::Object).map(|n| n.id()) {
         let low = world.aabb(id).map_or(0.0, |b| b.max.z);
         assert!(low > -0.05, "{} is at {low} m", home.graph().label(id));
     }
@@ -75,7 +77,7 @@ fn what_has_no_place_to_go_back_to_is_named() {
         let home = kitchen.home();
         let [left] = home.left_out() else { panic!("{:?}", home.left_out()) };
         // Beside the floor's edge it falls; elsewhere it is nowhere from the start.
-        let told = matches!(left.why, Why::Astray | Why::FellOut);
+        let told = matches!(left.why, UnplacedReason::Astray | UnplacedReason::FellOut);
         assert!(left.thing.id == mug && told, "{at:?}: {left}");
         assert!(home.graph().node(mug).is_none());
         is_whole(&home);
@@ -104,7 +106,9 @@ fn many_in_one_place_are_spread() {
     assert!(there.clone().count() > 8, "{} left out", home.left_out().len());
     assert_eq!(there.clone().count() + home.left_out().len(), mugs.len());
     // No more stand there than there is room for, and the reason says where there is none.
-    assert!(home.left_out().iter().all(|left| matches!(&left.why, Why::NoSpot { at, .. } if at.id == table)));
+    assert!(
+        home.left_out().iter().all(|left| matches!(&left.why, UnplacedReason::NoSpot { at, .. } if at.id == table))
+    );
     for id in there {
         let p = home.world().pose(*id).unwrap().translation.vector;
         assert!((p.x - 1.5).abs() < 1.5 && p.y.abs() < 1.5, "{p}");
@@ -150,7 +154,7 @@ fn what_loses_its_support_falls() {
     let (mut clothes, mut seed) = (0, 1);
     while clothes < 3 && seed < 12 {
         let mut home = home(seed, 1);
-        let hangs = |id: &NodeId| home.world().role(*id) == Some(Role::Hung);
+        let hangs = |id: &NodeId| home.world().role(*id) == Some(BodyRole::Hung);
         let wardrobe = home.graph().of_class("wardrobe").into_iter().find(|w| {
             home.graph().nodes().any(|n| home.graph().place(n.id()).is_some_and(|p| p.at == *w) && hangs(&n.id()))
         });
@@ -162,7 +166,7 @@ fn what_loses_its_support_falls() {
             .nodes()
             .filter(|n| inside(n))
             .map(|n| n.id())
-            .filter(|id| home.world().role(*id) == Some(Role::Hung))
+            .filter(|id| home.world().role(*id) == Some(BodyRole::Hung))
             .collect();
         let mut wanted = start.clone();
         let mut edit = wanted.edit();

@@ -2,9 +2,9 @@
 
 use virtualcity::Environment;
 use virtualcity::graph::format::{read_scene, thesis};
-use virtualcity::graph::{ClassTable, Kind, Node, NodeId, Place, Property, Relation, SceneGraph, Seed, Verb};
-use virtualcity::physics::Role;
-use virtualcity::planner::{Newcomer, Run};
+use virtualcity::graph::{ClassTable, Node, NodeId, NodeKind, Place, Property, Relation, SceneGraph, Seed, Verb};
+use virtualcity::physics::BodyRole;
+use virtualcity::planner::{EpisodeOptions, PlannerPolicy};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Outcome, Task};
 
@@ -30,7 +30,8 @@ fn a_home_comes_back_from_the_thesis_form() {
             let now = home.graph().node(n.id()).and_then(|n| n.position());
             n.position().zip(now).is_none_or(|(was, is)| (was - is).norm() < 0.25)
         };
-        let strayed: Vec<_> = made.nodes().filter(|n| n.kind() == Kind::Object && !stays(n)).map(Node::label).collect();
+        let strayed: Vec<_> =
+            made.nodes().filter(|n| n.kind() == NodeKind::Object && !stays(n)).map(Node::label).collect();
         assert!(strayed.is_empty(), "{strayed:?}");
         let at = |graph: &SceneGraph, id| graph.place(id).filter(|p| p.relation == Relation::Inside);
         let carried = || made.nodes().filter(|n| n.affords(Property::Graspable) && at(&made, n.id()).is_some());
@@ -107,7 +108,7 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
         one(&home, "kitchen_table"),
         one(&home, "kitchen"),
     ];
-    assert_eq!(home.world().role(mug), Some(Role::Hung));
+    assert_eq!(home.world().role(mug), Some(BodyRole::Hung));
     home.put(carton, Place { relation: Relation::On, at: kitchen }).unwrap();
     assert!(home.graph().places(mug).eq([Place { relation: Relation::Inside, at: carton }]));
     act(&mut home, me, Verb::Walk, &[carton]);
@@ -115,7 +116,7 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
     assert_eq!(home.graph().hidden_in(mug), Some(carton));
     act(&mut home, me, Verb::Drop, &[carton]);
     home.put(mug, Place { relation: Relation::On, at: table }).unwrap();
-    assert_eq!(home.world().role(mug), Some(Role::Loose));
+    assert_eq!(home.world().role(mug), Some(BodyRole::Loose));
     assert!(home.world().supports(mug).contains(&table));
     is_as_read(&home);
 }
@@ -132,7 +133,7 @@ fn scenes_of_boxes_are_lived_in() {
         assert_eq!(home.left_out(), []);
         let off = |n: &&Node| {
             let now = home.graph().node(n.id()).and_then(Node::position);
-            n.kind() == Kind::Object && n.position().zip(now).is_none_or(|(was, is)| (was - is).norm() > 0.05)
+            n.kind() == NodeKind::Object && n.position().zip(now).is_none_or(|(was, is)| (was - is).norm() > 0.05)
         };
         let moved: Vec<_> = scene.nodes().filter(off).map(Node::label).collect();
         assert!(moved.is_empty(), "{number}: {moved:?}");
@@ -155,7 +156,8 @@ fn the_planner_lives_in_boxes() {
     assert_eq!(goals.len(), 40);
     let wins = |home: &Environment, title: &str| {
         let task = goals.iter().find(|t| t.title == title).unwrap();
-        let episode = Run::seeded(1).episode(&mut Newcomer::best(), task, &mut home.clone(), &mut |_| {});
+        let episode =
+            EpisodeOptions::seeded(1).episode(&mut PlannerPolicy::best(), task, &mut home.clone(), &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{title}: {:?}", episode.reason);
     };
     ["bread in the fridge", "a book on the bed", "listen to the radio"].iter().for_each(|title| wins(&home, title));

@@ -1,9 +1,9 @@
 //! Single actions with bodies: opening, fetching, putting down, and refusals.
 
-use virtualcity::graph::{Action, Kind, NodeId, Place, Pose, Relation, State, Verb};
+use virtualcity::graph::{Action, NodeId, NodeKind, Place, Pose, Relation, State, Verb};
 use virtualcity::nalgebra::Point2;
-use virtualcity::physics::{Hand, Role};
-use virtualcity::{ActionError, Environment, Impossible};
+use virtualcity::physics::{BodyRole, Hand};
+use virtualcity::{ActionError, Environment, PhysicalRefusal};
 
 use super::{act, home};
 
@@ -34,7 +34,7 @@ fn what_is_in_racks_comes_along() {
 fn refusals_change_nothing() {
     let mut home = home(8, 1);
     let (me, before) = (home.agents()[0], home.digest());
-    let far = home.graph().nodes().filter(|n| n.kind() == Kind::Object).map(|n| n.id());
+    let far = home.graph().nodes().filter(|n| n.kind() == NodeKind::Object).map(|n| n.id());
     let far = far.filter(|id| !home.graph().near(me, *id)).last().unwrap();
     let refused = home.set_action(me, Action::one(Verb::Touch, far)).unwrap_err();
     assert!(matches!(&refused, ActionError::Refused(why) if !why.is_empty()), "{refused}");
@@ -49,7 +49,7 @@ fn refusals_change_nothing() {
 pub(crate) fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
     let graph = home.graph();
     let moves = |id: NodeId| !home.world().moving_parts(id).is_empty();
-    let small = |id: &NodeId| home.world().role(*id) == Some(Role::Loose);
+    let small = |id: &NodeId| home.world().role(*id) == Some(BodyRole::Loose);
     let inside = |at: NodeId| graph.relating(Relation::Inside, at).find(small).map(|id| (id, at));
     graph.nodes().filter(|n| n.hides_contents() && moves(n.id())).find_map(|n| inside(n.id()))
 }
@@ -173,7 +173,7 @@ fn nobody_is_shut_in_by_what_is_dropped() {
             let put = home.set_action(me, Action::one(Verb::Drop, thing));
             match put {
                 Ok(_) => dropped += 1,
-                Err(ActionError::Impossible { why: Impossible::ShutsIn { .. }, .. }) => continue,
+                Err(ActionError::Impossible { why: PhysicalRefusal::ShutsIn { .. }, .. }) => continue,
                 Err(other) => panic!("{other}"),
             }
             for agent in [me, other] {

@@ -220,6 +220,6 @@ fn a_pot_stands_in_the_dishwasher() {
     assert!(home.graph().places(pot).any(|p| p == Place { relation: Relation::Inside, at: machine }));
     let mut later = home.world().clone();
     later.settle(120);
-    let at = |world: &virtualcity::physics::World| world.pose(pot).unwrap().translation.vector;
+    let at = |world: &virtualcity::physics::PhysicsWorld| world.pose(pot).unwrap().translation.vector;
     assert!((at(home.world()) - at(&later)).norm() < 0.01, "it stays");
 }

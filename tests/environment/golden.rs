@@ -11,7 +11,7 @@ use virtualcity::Environment;
 use virtualcity::graph::hash::Digester;
 use virtualcity::graph::{SceneGraph, Seed, Simulator};
 use virtualcity::initial::{AtHome, at_home, generator};
-use virtualcity::planner::{Newcomer, Run, Trajectory};
+use virtualcity::planner::{EpisodeOptions, PlannerPolicy, Trajectory};
 use virtualcity::tasks::library::{Activity, Benchmark};
 use virtualcity::tasks::{Task, World, WorldError};
 
@@ -27,9 +27,9 @@ fn with_bodies(home: SceneGraph) -> Result<Environment, WorldError> {
 
 /// An episode: its actions, and the scene after each.
 fn episode<W: World>(made: &mut AtHome<W>, seed: u64, steps: usize) -> (usize, Digester) {
-    let run = Run { agent: Some(made.initial.agent), ..Run::seeded(seed) };
+    let run = EpisodeOptions { agent: Some(made.initial.agent), ..EpisodeOptions::seeded(seed) };
     let task = Task { step_limit: steps, ..made.initial.task.clone() };
-    let trajectory = Trajectory::record(&run, &mut Newcomer::best(), &task, &mut made.world);
+    let trajectory = Trajectory::record(&run, &mut PlannerPolicy::best(), &task, &mut made.world);
     let mut digester = Digester::new();
     for step in &trajectory.steps {
         digester.text(&step.action.to_string()).text(&step.digest);

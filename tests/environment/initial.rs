@@ -120,7 +120,7 @@ fn what_is_added_is_where_it_should_be_and_free() {
             let aabb = scene.node(added.id).unwrap().aabb().unwrap();
             // Compares its box with the parts of the objects that were there before.
             let hit = scene.nodes().find(|n| {
-                let other = n.id() < added.id && n.kind() != vc_graph::Kind::Room && !besides.contains(&n.id());
+                let other = n.id() < added.id && n.kind() != vc_graph::NodeKind::Room && !besides.contains(&n.id());
                 other && parts(scene, n.id()).iter().any(|b| share_space(&aabb, b))
             });
             let seated = added.purpose == Purpose::Agent;
@@ -145,7 +145,7 @@ fn parts(scene: &SceneGraph, id: NodeId) -> Vec<Aabb> {
     let boxed = |part: &vc_graph::asset::Part| {
         let (low, high) = part.extent();
         let (offset, half) = ((low.coords + high.coords) / 2.0, (high - low) / 2.0);
-        vc_graph::Bounds { offset, half, frame: vc_graph::Frame::Object }.aabb(node.pose().unwrap())
+        vc_graph::Bounds { offset, half, frame: vc_graph::BoundsFrame::Object }.aabb(node.pose().unwrap())
     };
     asset.parts.iter().map(boxed).collect()
 }

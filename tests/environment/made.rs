@@ -4,9 +4,9 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use virtualcity::graph::format::native;
 use virtualcity::graph::{Draft, NodeId, Place, Pose, Relation, Seed, State, Verb, Violation};
-use virtualcity::physics::Role;
+use virtualcity::physics::BodyRole;
 use virtualcity::procgen::Apartment;
-use virtualcity::{Environment, MakeError, Why, check_environment};
+use virtualcity::{Environment, MakeError, UnplacedReason, check_environment};
 
 use super::{act, home};
 
@@ -55,7 +55,7 @@ fn graphs_are_put_in_force() {
     let report = home.reset(&graph).unwrap();
     assert_eq!(report.added, [apple, lost]);
     assert_eq!(report.unplaced.len(), 1);
-    assert_eq!((report.unplaced[0].thing.id, &report.unplaced[0].why), (lost, &Why::Nowhere));
+    assert_eq!((report.unplaced[0].thing.id, &report.unplaced[0].why), (lost, &UnplacedReason::Nowhere));
     assert!(home.graph().node(lost).is_none());
     assert!(home.graph().places(apple).any(|p| p.at == table), "{:?}", home.graph().place(apple));
     assert!(home.world().supports(apple).contains(&table));
@@ -70,7 +70,7 @@ fn resets_report() {
     let start = home.start().clone();
     let (table, sofa) = (start.of_class("coffee_table")[0], start.of_class("sofa")[0]);
     let lamp = start.of_class("ceiling_lamp")[0];
-    let loose = |id: &NodeId| home.world().role(*id) == Some(Role::Loose);
+    let loose = |id: &NodeId| home.world().role(*id) == Some(BodyRole::Loose);
     let on_table: Vec<NodeId> = start.relating(Relation::On, table).filter(loose).collect();
     let [gone, moved] = on_table[..2] else { panic!("{on_table:?} on the table") };
     let mut graph = start.clone();
@@ -95,9 +95,9 @@ fn resets_report() {
     assert_eq!((report.removed, report.added), (vec![gone], vec![bed, idea, apple]));
     assert!(report.moved.contains(&moved) && report.moved.len() <= 2, "{:?}", report.moved);
     let why = |id: NodeId| report.unplaced.iter().find(|u| u.thing.id == id).map(|u| u.why.clone());
-    assert!(matches!(why(bed), Some(Why::NoSpot { at, .. }) if at.id == table), "{:?}", why(bed));
-    assert_eq!(why(idea), Some(Why::NoShape));
-    assert!(matches!(why(apple), Some(Why::NoSupport(at)) if at.id == idea), "{:?}", why(apple));
+    assert!(matches!(why(bed), Some(UnplacedReason::NoSpot { at, .. }) if at.id == table), "{:?}", why(bed));
+    assert_eq!(why(idea), Some(UnplacedReason::NoShape));
+    assert!(matches!(why(apple), Some(UnplacedReason::NoSupport(at)) if at.id == idea), "{:?}", why(apple));
     // A lamp is not a seat: the agent stands, the graph says so, and the report has the requested place.
     let stands = report.elsewhere.iter().find(|e| e.thing.id == me).unwrap();
     assert_eq!(stands.wanted, Place { relation: Relation::SittingOn, at: lamp });
@@ -211,8 +211,8 @@ fn what_cannot_be_moved_is_told() {
     edit.commit();
     let report = home.reset(&graph).unwrap();
     let told = |id: NodeId| report.elsewhere.iter().find(|e| e.thing.id == id).unwrap_or_else(|| panic!("{report:?}"));
-    assert!(matches!(told(sofa).why, Some(Why::NoSpot { .. })), "{:?}", told(sofa));
-    assert!(matches!(told(door).why, Some(Why::NotMovable(_))), "{:?}", told(door));
+    assert!(matches!(told(sofa).why, Some(UnplacedReason::NoSpot { .. })), "{:?}", told(sofa));
+    assert!(matches!(told(door).why, Some(UnplacedReason::NotMovable(_))), "{:?}", told(door));
     let begins = format!("{} is not on {}: no spot", start.label(sofa), start.label(table));
     assert!(told(sofa).to_string().starts_with(&begins), "{}", told(sofa));
     assert!(report.unplaced.is_empty() && report.moved.is_empty(), "{report:?}");

@@ -136,7 +136,7 @@ fn the_planner_works_with_bodies() {
     let me = home.agents()[0];
     let (thing, _) = kept_thing(&home).unwrap();
     let goal = format!("Holds({})", home.graph().node(thing).unwrap().class()).parse().unwrap();
-    let mut agent = Agent::newcomer(home.graph(), me, goal, 7);
+    let mut agent = Agent::in_known_home(home.graph(), me, goal, 7);
     let world: &mut dyn virtualcity::tasks::World = &mut home;
     for _ in 0..120 {
         agent.see(&world.graph().observe(me, Scope::Room));
@@ -257,12 +257,12 @@ fn public_types_can_be_sent_and_shared() {
     check!(graph::SceneGraph, graph::SceneBuilder, graph::Simulator, graph::Action, graph::Goal, graph::ClassTable);
     check!(graph::AssetLibrary, graph::Observation, graph::ChangeSet, graph::Refusal, graph::EditError, graph::Stream);
     check!(geometry::Opening, relations::Relations, relations::Explanation, relations::InputError);
-    check!(physics::World, physics::Shapes, physics::Floor, physics::Occupancy, physics::PhysicsError);
+    check!(physics::PhysicsWorld, physics::Shapes, physics::Floor, physics::Occupancy, physics::PhysicsError);
     check!(render::Renderer, render::Snapshot, render::Lighting, render::Frame, render::Camera, render::RenderError);
-    check!(render::Photograph, render::RayCaster, render::BoxLabel, render::Mask<'static>, render::Shot<'static>);
-    check!(procgen::Apartment, procgen::Layout, procgen::Specification, procgen::Style, procgen::Impossible);
-    check!(tasks::Task, tasks::Trial<Environment>, tasks::Progress, tasks::TaskError, tasks::MinimalSets);
-    check!(planner::Agent, planner::Belief, planner::Known, planner::Planner, planner::Plan, planner::Prior);
-    check!(planner::Episode, planner::Trajectory, planner::Transition, planner::Scripted, planner::Team);
+    check!(render::ReferencePicture, render::RayCaster, render::BoxLabel, render::Mask<'static>, render::Shot<'static>);
+    check!(procgen::Apartment, procgen::Layout, procgen::Specification, procgen::Style, procgen::SpecificationError);
+    check!(tasks::Task, tasks::Trial<Environment>, tasks::GoalProgress, tasks::TaskError, tasks::MinimalSets);
+    check!(planner::Agent, planner::Belief, planner::KnownNodes, planner::Planner, planner::Plan, planner::Prior);
+    check!(planner::Episode, planner::Trajectory, planner::Transition, planner::ScriptedPolicy, planner::Team);
     check!(Environment, Batch, MakeError, virtualcity::Recorder, virtualcity::Dataset, virtualcity::Page);
 }

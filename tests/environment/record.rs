@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use virtualcity::graph::{Action, NodeId, Verb};
-use virtualcity::planner::{Episode, Newcomer, run_episode};
+use virtualcity::planner::{Episode, PlannerPolicy, run_episode};
 use virtualcity::render::Daylight;
 use virtualcity::tasks::{Outcome, Task, World};
 use virtualcity::{Environment, PictureOptions, RecordError, RecordOptions, Recorder};
@@ -29,7 +29,7 @@ fn record(folder: &Path) -> (Episode, Environment) {
     let me = home.agents()[0];
     let task = Task::new("fetch <a novel>", "Holds(novel)".parse().unwrap());
     let mut recorder = Recorder::create(folder, home, me, &task, SMALL).unwrap();
-    let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+    let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut recorder);
     let home = recorder.environment().clone();
     assert!(recorder.metres() > 0.5 && recorder.seconds() > 0.5, "{episode:?}");
     assert_eq!(recorder.finish(&episode, Some("<svg/>")).unwrap(), folder.join("index.html"));
@@ -59,7 +59,7 @@ fn an_episode_without_actions_shows_the_home() {
     let me = home.agents()[0];
     let task = Task::new("nothing", "InRoom(me, living_room)".parse().unwrap());
     let mut recorder = Recorder::create(&at, home, me, &task, RecordOptions { dataset: false, ..SMALL }).unwrap();
-    let episode = run_episode(&mut Newcomer::best(), &task, &mut recorder);
+    let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut recorder);
     assert_eq!(episode.outcome, Outcome::Won);
     assert_eq!(episode.steps, 0);
     recorder.finish(&episode, None).unwrap();

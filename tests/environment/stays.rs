@@ -6,7 +6,7 @@ use virtualcity::graph::{
     Action, Bounds, ClassTable, Draft, Edge, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
     State, Verb,
 };
-use virtualcity::physics::{Posture, Role};
+use virtualcity::physics::{BodyRole, Posture};
 use virtualcity::{Environment, MakeError, SceneOptions};
 
 use super::boxes::one;
@@ -165,7 +165,7 @@ fn what_lies_tight_goes_back_where_it_lay() {
     for (home, every) in [(Some(kept()), 1), (scene(6), 3)].into_iter().filter_map(|(home, every)| Some((home?, every)))
     {
         let (graph, me) = (home.graph(), home.agents()[0]);
-        let held = |n: &&Node| n.affords(Property::Graspable) && home.world().role(n.id()) == Some(Role::Hung);
+        let held = |n: &&Node| n.affords(Property::Graspable) && home.world().role(n.id()) == Some(BodyRole::Hung);
         let hidden = |n: &&Node| graph.hidden_in(n.id()).is_some();
         for id in graph.nodes().filter(held).filter(|n| !hidden(n)).map(Node::id).step_by(every) {
             let holds = |p: &Place| graph.node(p.at).is_some_and(|at| at.affords(Property::Surface));
@@ -314,7 +314,7 @@ fn a_box_far_from_its_origin_rests_on_the_table() {
     let home = Environment::of_with(scene, 1, &SceneOptions::default()).unwrap();
     let (apple, table) = (one(&home, "apple"), one(&home, "kitchen_table"));
     assert!(home.left_out().is_empty());
-    assert_eq!(home.world().role(apple), Some(Role::Loose));
+    assert_eq!(home.world().role(apple), Some(BodyRole::Loose));
     let (own, at) = (home.world().aabb(apple).unwrap(), home.world().aabb(table).unwrap());
     assert!((own.min.z - at.max.z).abs() < STILL, "{own:?}");
     assert_eq!(home.graph().place(apple), Some(Place { relation: Relation::On, at: table }));

@@ -6,7 +6,7 @@
 use vc_graph::format::eai;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, SceneGraph, Simulator, Verb};
-use vc_planner::{Episode, Newcomer, Policy, Resident, Run};
+use vc_planner::{Episode, EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
 use vc_tasks::{Outcome, Task, household};
 
 /// Unreachable goals, with the reasons.
@@ -14,7 +14,7 @@ const UNREACHABLE: [(&str, &str); 1] = [("file688_1", "wants one glass in both h
 
 fn attempt(scene: &SceneGraph, task: &Task, policy: &mut dyn Policy, seed: u64) -> (Episode, Simulator) {
     let mut world = Simulator::new(scene.clone());
-    let episode = Run::seeded(seed).episode(policy, task, &mut world, &mut |_| {});
+    let episode = EpisodeOptions::seeded(seed).episode(policy, task, &mut world, &mut |_| {});
     (episode, world)
 }
 
@@ -29,7 +29,7 @@ fn eai_goals_with_full_knowledge() {
         let scene = record.initial.build(&record.id, &ClassTable::builtin()).unwrap();
         let me = scene.agents()[0];
         let task = Task::new(&wanted.title, wanted.goal.clone());
-        let (episode, world) = attempt(&scene, &task, &mut Resident::default(), 0);
+        let (episode, world) = attempt(&scene, &task, &mut OraclePolicy::default(), 0);
         attempted += 1;
         let unreachable = UNREACHABLE.iter().any(|(id, _)| *id == record.id);
         assert_eq!(episode.outcome == Outcome::Won, !unreachable, "{}: {} {:?}", record.id, task.goal, episode);
@@ -119,7 +119,7 @@ fn everyday_goals_in_the_apartment() {
 
 fn win_with_some_seeds(scene: &SceneGraph, task: &Task, name: &str) {
     for seed in 0..3 {
-        for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful()] {
+        for policy in [&mut PlannerPolicy::best() as &mut dyn Policy, &mut PlannerPolicy::faithful()] {
             let (episode, _) = attempt(scene, task, policy, seed);
             let who = policy.name();
             assert_eq!(episode.outcome, Outcome::Won, "{name}, {}, {who}, seed {seed}: {episode:?}", task.title);
@@ -132,7 +132,7 @@ fn same_seed_same_trajectory() {
     let home = vc_testkit::data::apartment();
     let task = Task::new("apples", "On(apple, kitchentable), 3 & Closed(fridge)".parse().unwrap());
     let run = |seed| {
-        let (episode, world) = attempt(&home, &task, &mut Newcomer::faithful(), seed);
+        let (episode, world) = attempt(&home, &task, &mut PlannerPolicy::faithful(), seed);
         assert_eq!(episode.outcome, Outcome::Won);
         (episode.digest, world.history().events().to_vec())
     };

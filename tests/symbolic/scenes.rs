@@ -10,7 +10,7 @@ use std::io::{Read, Write};
 
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::format::{native, read_scene, thesis, virtualhome};
-use vc_graph::{ClassTable, Kind, Relation, SceneGraph, Violation};
+use vc_graph::{ClassTable, NodeKind, Relation, SceneGraph, Violation};
 
 /// Nodes and edges of each scene, by its file.
 const SIZES: [(u32, usize, usize); 5] =
@@ -109,7 +109,7 @@ fn violations_of_the_scenes_are_of_known_kinds() {
 fn the_apartment_is_sound_and_large_enough() {
     let home = vc_testkit::data::apartment();
     assert!(home.rooms().len() >= 5);
-    let objects = home.nodes().filter(|n| n.kind() == Kind::Object).count();
+    let objects = home.nodes().filter(|n| n.kind() == NodeKind::Object).count();
     assert!(objects >= 120, "{objects}");
     assert_eq!(home.validate(), []);
 }

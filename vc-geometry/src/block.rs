@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Part, Shape, Surface};
-use vc_graph::{Aabb, Frame, Node, Pose};
+use vc_graph::{Aabb, BoundsFrame, Node, Pose};
 
 /// Least half length of a part, metres: boxes of floors and pictures have none.
 const LEAST: f32 = 0.001;
@@ -38,8 +38,8 @@ impl Block {
             return None;
         }
         let (centre, half) = match bounds.frame {
-            Frame::Object => (bounds.offset, bounds.half),
-            Frame::World => (pose.rotation.inverse() * bounds.offset, own_half(&pose, bounds.half)),
+            BoundsFrame::Object => (bounds.offset, bounds.half),
+            BoundsFrame::World => (pose.rotation.inverse() * bounds.offset, own_half(&pose, bounds.half)),
         };
         let half = half.map(|h| h.abs().max(LEAST));
         Some(Self { low: centre - half, high: centre + half, pose })

@@ -1,7 +1,7 @@
 //! Furniture around a corner: its box is also around the other things that stand in the corner.
 
 use nalgebra::{Vector2, Vector3};
-use vc_graph::{Kind, Node, NodeId, Property, SceneGraph};
+use vc_graph::{Node, NodeId, NodeKind, Property, SceneGraph};
 
 use crate::block::Block;
 
@@ -62,7 +62,7 @@ fn across_corner(graph: &SceneGraph, node: &Node, block: &Block) -> Option<Vecto
 fn furniture_within(graph: &SceneGraph, node: &Node, block: &Block) -> Option<Vector2<f32>> {
     let room = graph.room_of(node.id())?;
     let stands = |id: NodeId| {
-        let other = graph.node(id).filter(|n| n.kind() == Kind::Object && n.id() != node.id())?;
+        let other = graph.node(id).filter(|n| n.kind() == NodeKind::Object && n.id() != node.id())?;
         let flat = other.affords(Property::Graspable) || other.affords(Property::Cover);
         let (low, high) = block.local(&other.aabb().filter(|_| !flat)?);
         let (centre, size): (Vector3<f32>, _) = ((low + high) / 2.0, high - low);

@@ -65,7 +65,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
-use vc_graph::{Asset, Kind, Node, NodeId, ObjectRole, SceneGraph};
+use vc_graph::{Asset, Node, NodeId, NodeKind, ObjectRole, SceneGraph};
 
 use block::Block;
 pub use opening::{Opening, openings};
@@ -92,7 +92,7 @@ pub fn material() -> Material {
 /// Whether only a box is known of a node: it is an object with a box and a pose and without an asset.
 pub fn is_bare(node: &Node) -> bool {
     let spec = node.spec();
-    node.kind() == Kind::Object && spec.asset.is_none() && spec.bounds.is_some() && node.pose().is_some()
+    node.kind() == NodeKind::Object && spec.asset.is_none() && spec.bounds.is_some() && node.pose().is_some()
 }
 
 /// A shape for every object that has a box and a pose and no asset, and stands upright: things that

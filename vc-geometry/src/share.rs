@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, Node, NodeId, ObjectRole, Relation, SceneGraph};
+use vc_graph::{Aabb, Node, NodeId, NodeKind, ObjectRole, Relation, SceneGraph};
 
 use crate::block::{Block, Piece, cut};
 use crate::opening::{size, thin};
@@ -96,7 +96,7 @@ fn both(one: &Aabb, other: &Aabb) -> Option<Aabb> {
 fn things_in(graph: &SceneGraph, room: NodeId, region: &Aabb) -> usize {
     let is_over = |node: &&Node| node.aabb().is_some_and(|b| over(region, &b.centre()));
     let things = graph.relating(Relation::InRoom, room).filter_map(|id| graph.node(id));
-    things.filter(|n| n.kind() == Kind::Object && !n.is_building()).filter(is_over).count()
+    things.filter(|n| n.kind() == NodeKind::Object && !n.is_building()).filter(is_over).count()
 }
 
 /// In square millimetres.

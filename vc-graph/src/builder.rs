@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::asset::AssetLibrary;
 use crate::bulk;
 use crate::class::ClassTable;
-use crate::node::{Draft, Kind};
+use crate::node::{Draft, NodeKind};
 use crate::{Edge, EditError, NodeId, Place, Relation, SceneGraph};
 
 /// Builds a [`SceneGraph`], node by node or in bulk.
@@ -73,7 +73,7 @@ impl SceneBuilder {
     /// As [`Edit::add`](crate::Edit::add) and [`Edit::place`](crate::Edit::place).
     pub fn add_in(&mut self, container: NodeId, draft: Draft) -> Result<NodeId, EditError> {
         let relation = match self.graph.node(container).ok_or(EditError::NoSuchNode(container))?.kind() {
-            Kind::Room => Relation::InRoom,
+            NodeKind::Room => Relation::InRoom,
             _ => Relation::Inside,
         };
         self.add_at(Place { relation, at: container }, draft)

@@ -130,7 +130,7 @@ pub struct ChangeSet {
 /// An error: a change set was applied to a graph that differs from the one it was made on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("change {index} of {total} does not fit this graph, nothing was changed: {change:?}")]
-pub struct Misfit {
+pub struct ChangeMismatch {
     /// The index of the change, from zero.
     pub index: usize,
     /// How many changes there were.
@@ -166,13 +166,13 @@ impl ChangeSet {
     /// Applies the changes to a graph in the state before them.
     ///
     /// # Errors
-    /// [`Misfit`] if the graph is in another state; then it is left unchanged.
-    pub fn apply(&self, graph: &mut SceneGraph) -> Result<(), Misfit> {
+    /// [`ChangeMismatch`] if the graph is in another state; then it is left unchanged.
+    pub fn apply(&self, graph: &mut SceneGraph) -> Result<(), ChangeMismatch> {
         for (index, change) in self.changes.iter().enumerate() {
             if !change.fits(graph) {
                 self.changes[..index].iter().rev().for_each(|c| c.inverse().write(graph));
                 let change = Box::new(change.clone());
-                return Err(Misfit { index, total: self.changes.len(), change });
+                return Err(ChangeMismatch { index, total: self.changes.len(), change });
             }
             change.write(graph);
         }
@@ -182,8 +182,8 @@ impl ChangeSet {
     /// Undoes the changes on a graph in the state after them.
     ///
     /// # Errors
-    /// [`Misfit`] if the graph is in another state; then it is left unchanged.
-    pub fn undo(&self, graph: &mut SceneGraph) -> Result<(), Misfit> {
+    /// [`ChangeMismatch`] if the graph is in another state; then it is left unchanged.
+    pub fn undo(&self, graph: &mut SceneGraph) -> Result<(), ChangeMismatch> {
         self.inverse().apply(graph)
     }
 }

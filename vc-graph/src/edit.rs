@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use crate::geometry::is_finite;
-use crate::node::{Draft, Kind, Node, Spec};
+use crate::node::{Draft, Node, NodeKind, Spec};
 use crate::{
     Bounds, Change, ChangeSet, Edge, Label, NodeId, Place, Pose, Property, PropertySet, Relation, SceneGraph, State,
     StateSet,
@@ -109,7 +109,7 @@ impl<'g> Edit<'g> {
         self.graph.node(id).map(|_| ()).ok_or(EditError::NoSuchNode(id))
     }
 
-    fn check_kind(&self, id: NodeId, kind: Kind, needed: &'static str) -> Result<(), EditError> {
+    fn check_kind(&self, id: NodeId, kind: NodeKind, needed: &'static str) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
         if node.kind() == kind { Ok(()) } else { Err(EditError::WrongKind { node: node.label(), needed }) }
     }
@@ -117,7 +117,7 @@ impl<'g> Edit<'g> {
     fn check_movable(&self, id: NodeId) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
         let needed = "thing that can be in a room";
-        if node.kind() == Kind::Room { Err(EditError::WrongKind { node: node.label(), needed }) } else { Ok(()) }
+        if node.kind() == NodeKind::Room { Err(EditError::WrongKind { node: node.label(), needed }) } else { Ok(()) }
     }
 
     /// Adds a node without a location, with the next free number.
@@ -414,7 +414,7 @@ impl<'g> Edit<'g> {
     /// [`EditError::NoSuchNode`], [`EditError::WrongKind`], [`EditError::HandsFull`],
     /// [`EditError::SupportCycle`].
     pub fn hold(&mut self, agent: NodeId, id: NodeId) -> Result<(), EditError> {
-        self.check_kind(agent, Kind::Agent, "agent")?;
+        self.check_kind(agent, NodeKind::Agent, "agent")?;
         self.check(id)?;
         if self.graph.holder(id).is_some_and(|p| p.at == agent) {
             return Ok(());
@@ -453,7 +453,7 @@ impl<'g> Edit<'g> {
     /// [`EditError::NoSuchNode`], [`EditError::WrongKind`].
     pub fn move_to_room(&mut self, id: NodeId, room: NodeId) -> Result<(), EditError> {
         self.check_movable(id)?;
-        self.check_kind(room, Kind::Room, "room")?;
+        self.check_kind(room, NodeKind::Room, "room")?;
         let elsewhere = |p: Place| self.graph.room_of(p.at) != Some(room);
         if self.graph.places(id).any(elsewhere) {
             self.detach(id)?;
@@ -464,7 +464,7 @@ impl<'g> Edit<'g> {
     /// As [`Edit::move_to_room`], without a change of the node's pose.
     fn bring(&mut self, id: NodeId, room: NodeId) -> Result<(), EditError> {
         self.check_movable(id)?;
-        self.check_kind(room, Kind::Room, "room")?;
+        self.check_kind(room, NodeKind::Room, "room")?;
         if self.graph.room_of(id) == Some(room) && self.graph.resting_at(id).next().is_none() {
             return Ok(());
         }

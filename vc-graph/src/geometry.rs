@@ -7,7 +7,7 @@ pub type Pose = Isometry3<f32>;
 
 /// The axes that a node's bounding box is aligned with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Frame {
+pub enum BoundsFrame {
     /// The node's own axes: the box rotates with it.
     Object,
     /// The world's axes, whatever the node's rotation.
@@ -22,7 +22,7 @@ pub struct Bounds {
     /// Half the box's length along each axis of `frame`, metres.
     pub half: Vector3<f32>,
     /// The axes that the box is aligned with.
-    pub frame: Frame,
+    pub frame: BoundsFrame,
 }
 
 impl Bounds {
@@ -30,19 +30,19 @@ impl Bounds {
     /// full depth (X), width (Y) and height (Z) in metres.
     pub fn standing(size: Vector3<f32>) -> Self {
         let half = size / 2.0;
-        Self { offset: Vector3::new(0.0, 0.0, half.z), half, frame: Frame::Object }
+        Self { offset: Vector3::new(0.0, 0.0, half.z), half, frame: BoundsFrame::Object }
     }
 
     /// A world-aligned box centred on the node's origin.
     pub fn centred(size: Vector3<f32>) -> Self {
-        Self { offset: Vector3::zeros(), half: size / 2.0, frame: Frame::World }
+        Self { offset: Vector3::zeros(), half: size / 2.0, frame: BoundsFrame::World }
     }
 
     /// The world-aligned box that contains this one at `pose`.
     pub fn aabb(&self, pose: &Pose) -> Aabb {
         let (offset, half) = match self.frame {
-            Frame::World => (self.offset, self.half),
-            Frame::Object => {
+            BoundsFrame::World => (self.offset, self.half),
+            BoundsFrame::Object => {
                 let turn = pose.rotation.to_rotation_matrix();
                 (pose.rotation * self.offset, turn.matrix().abs() * self.half)
             }

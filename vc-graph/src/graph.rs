@@ -8,10 +8,10 @@ use nalgebra::Point3;
 use crate::asset::AssetLibrary;
 use crate::class::ClassTable;
 use crate::grid::Grid;
-use crate::met::Met;
-use crate::node::{Kind, Link, Node};
+use crate::node::{Link, Node, NodeKind};
 use crate::spelling::key;
 use crate::store::Store;
+use crate::visit_order::VisitOrder;
 use crate::{Edge, Label, NodeId, ObjectRole, Place, Property, Relation, State};
 
 /// The distance up to which an object counts as near: within reach of an agent's step and arm, metres.
@@ -172,7 +172,7 @@ impl SceneGraph {
     pub fn room_of(&self, id: NodeId) -> Option<NodeId> {
         let node = self.node(id)?;
         match node.kind() {
-            Kind::Room => Some(id),
+            NodeKind::Room => Some(id),
             _ => node.out(Relation::InRoom).next(),
         }
     }
@@ -302,7 +302,7 @@ impl SceneGraph {
 
     /// The node and everything that moves with it, itself first.
     pub fn carried_with(&self, id: NodeId) -> Vec<NodeId> {
-        let mut met = Met::default();
+        let mut met = VisitOrder::default();
         met.add(id);
         let mut next = 0;
         while let Some(node) = met.get(next) {
@@ -327,7 +327,7 @@ impl SceneGraph {
     /// Visits the placements of a node upwards, nearest first, until `stop` returns `true`. The data may be
     /// cyclic and chains may have any length.
     pub(crate) fn climb(&self, id: NodeId, stop: &mut impl FnMut(Place) -> bool) -> Option<NodeId> {
-        let mut met = Met::default();
+        let mut met = VisitOrder::default();
         let (mut node, mut next) = (Some(id), 0);
         while let Some(from) = node {
             for place in self.places(from) {
@@ -365,7 +365,7 @@ impl SceneGraph {
         if node.affords(crate::Property::BodyPart) || body.has(Relation::Near, id) {
             return true;
         }
-        if node.kind() == Kind::Room {
+        if node.kind() == NodeKind::Room {
             return self.room_of(agent) == Some(id);
         }
         if self.within_reach(body, node) {
@@ -422,9 +422,9 @@ impl SceneGraph {
         }
         add_sorted(Arc::make_mut(&mut self.by_class).entry(class).or_default(), id);
         match kind {
-            Kind::Room => add_sorted(Arc::make_mut(&mut self.rooms), id),
-            Kind::Agent => add_sorted(Arc::make_mut(&mut self.agents), id),
-            Kind::Object => {}
+            NodeKind::Room => add_sorted(Arc::make_mut(&mut self.rooms), id),
+            NodeKind::Agent => add_sorted(Arc::make_mut(&mut self.agents), id),
+            NodeKind::Object => {}
         }
         self.next = self.next.max(id.0.saturating_add(1));
         self.nodes.insert(id, node);
@@ -444,9 +444,9 @@ impl SceneGraph {
             }
         }
         match node.kind() {
-            Kind::Room => remove_sorted(Arc::make_mut(&mut self.rooms), id),
-            Kind::Agent => remove_sorted(Arc::make_mut(&mut self.agents), id),
-            Kind::Object => {}
+            NodeKind::Room => remove_sorted(Arc::make_mut(&mut self.rooms), id),
+            NodeKind::Agent => remove_sorted(Arc::make_mut(&mut self.agents), id),
+            NodeKind::Object => {}
         }
         Some(node)
     }

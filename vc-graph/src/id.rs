@@ -26,7 +26,7 @@ impl fmt::Display for NodeId {
 /// let label: Label = "cup.12".parse()?;
 /// assert_eq!(label.id, NodeId(12));
 /// assert_eq!(label.to_string(), "cup.12");
-/// # Ok::<(), vc_graph::BadLabel>(())
+/// # Ok::<(), vc_graph::LabelError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Label {
@@ -51,13 +51,13 @@ impl Serialize for Label {
 /// Text that is not a label.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{0}` names no object; write its class and number, as in `cup.12`")]
-pub struct BadLabel(pub String);
+pub struct LabelError(pub String);
 
 impl FromStr for Label {
-    type Err = BadLabel;
+    type Err = LabelError;
 
-    fn from_str(text: &str) -> Result<Self, BadLabel> {
-        let bad = || BadLabel(crate::spelling::clip(text));
+    fn from_str(text: &str) -> Result<Self, LabelError> {
+        let bad = || LabelError(crate::spelling::clip(text));
         let (class, number) = text.trim().rsplit_once('.').ok_or_else(bad)?;
         if !is_class(class) {
             return Err(bad());

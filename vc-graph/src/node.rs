@@ -13,7 +13,7 @@ use crate::{AssetId, Label, NodeId, ObjectRole, Place, Property, PropertySet, Re
 
 /// The sort of a node: where, who or which thing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
+pub enum NodeKind {
     /// A region that contains other nodes; it has no body.
     Room,
     /// A character that can act.
@@ -35,7 +35,7 @@ pub struct Spec {
     /// The author's category, or the class's.
     pub category: Arc<str>,
     /// Room, agent or object.
-    pub kind: Kind,
+    pub kind: NodeKind,
     /// Its role in the scene.
     pub role: ObjectRole,
     /// Properties given by the scene's author.
@@ -116,7 +116,7 @@ impl Node {
     }
 
     /// Room, agent or object.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> NodeKind {
         self.spec.kind
     }
 
@@ -233,7 +233,7 @@ impl Node {
 
     /// Everything that rests on, in or with the node, or is held by it.
     pub(crate) fn carried(&self) -> impl Iterator<Item = NodeId> {
-        let held = self.out.iter().filter(|l| self.spec.kind == Kind::Agent && is_hand(l));
+        let held = self.out.iter().filter(|l| self.spec.kind == NodeKind::Agent && is_hand(l));
         resting(&self.inc).chain(held).map(|l| l.node())
     }
 }
@@ -369,12 +369,12 @@ impl Draft {
     }
 }
 
-fn kind_of(class: Option<&Class>, category: &str) -> Kind {
+fn kind_of(class: Option<&Class>, category: &str) -> NodeKind {
     let written = ObjectRole::of_category(category);
     match (written, class.and_then(|c| c.listed)) {
-        (Some(ObjectRole::Room), _) => Kind::Room,
-        (Some(ObjectRole::Person), _) | (_, Some(ObjectRole::Person)) => Kind::Agent,
-        _ => Kind::Object,
+        (Some(ObjectRole::Room), _) => NodeKind::Room,
+        (Some(ObjectRole::Person), _) | (_, Some(ObjectRole::Person)) => NodeKind::Agent,
+        _ => NodeKind::Object,
     }
 }
 

@@ -6,7 +6,7 @@ use serde::ser::SerializeStruct;
 use serde::{Deserialize, Serialize};
 
 use crate::format::objects::seen;
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
 
 /// The range of an observation.
@@ -162,7 +162,7 @@ impl Observation {
     /// The room of a visible object.
     pub fn room_of(&self, id: NodeId) -> Option<NodeId> {
         let node = self.get(id)?;
-        if node.kind() == Kind::Room { Some(id) } else { node.out(Relation::InRoom).next() }
+        if node.kind() == NodeKind::Room { Some(id) } else { node.out(Relation::InRoom).next() }
     }
 
     /// The visible part as a scene of its own.

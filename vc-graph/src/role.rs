@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use crate::class::Class;
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::spelling::key;
 use crate::vocabulary::{Word, vocabulary};
 use crate::{Property, PropertySet};
@@ -123,12 +123,12 @@ impl ObjectRole {
     }
 
     /// The role of a node; `name` is the folded name of its class.
-    pub(crate) fn of(kind: Kind, class: Option<&Class>, (name, category): (&str, &str), can: PropertySet) -> Self {
+    pub(crate) fn of(kind: NodeKind, class: Option<&Class>, (name, category): (&str, &str), can: PropertySet) -> Self {
         let known = match (kind, class) {
-            (Kind::Room, _) => return Self::Room,
-            (Kind::Agent, _) => return Self::Person,
-            (Kind::Object, Some(class)) => class.listed,
-            (Kind::Object, None) => Self::of_name(name).or_else(|| Self::of_category(category)),
+            (NodeKind::Room, _) => return Self::Room,
+            (NodeKind::Agent, _) => return Self::Person,
+            (NodeKind::Object, Some(class)) => class.listed,
+            (NodeKind::Object, None) => Self::of_name(name).or_else(|| Self::of_category(category)),
         };
         known.filter(|role| !matches!(role, Self::Room | Self::Person)).unwrap_or_else(|| Self::by_use(can))
     }

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use crate::{Bounds, Frame, Pose};
+use crate::{Bounds, BoundsFrame, Pose};
 
 /// A pose: position in metres, rotation as quaternion x, y, z, w.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
@@ -77,14 +77,14 @@ fn is_false(value: &bool) -> bool {
 
 impl From<&Bounds> for BoundsFile {
     fn from(bounds: &Bounds) -> Self {
-        Self { offset: bounds.offset.into(), half: bounds.half.into(), world: bounds.frame == Frame::World }
+        Self { offset: bounds.offset.into(), half: bounds.half.into(), world: bounds.frame == BoundsFrame::World }
     }
 }
 
 impl BoundsFile {
     pub(crate) fn bounds(&self) -> Option<Bounds> {
         let sound = is_box(&self.offset) && is_box(&self.half) && self.half.iter().all(|v| *v >= 0.0);
-        let frame = if self.world { Frame::World } else { Frame::Object };
+        let frame = if self.world { BoundsFrame::World } else { BoundsFrame::Object };
         sound.then(|| Bounds { offset: self.offset.into(), half: self.half.into(), frame })
     }
 }

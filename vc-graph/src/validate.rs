@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::geometry::is_finite;
-use crate::node::{Kind, Node};
+use crate::node::{Node, NodeKind};
 use crate::{ClassTable, Label, NodeId, Property, Relation, SceneGraph, StateSet};
 
 /// A violation of a scene's invariants.
@@ -86,8 +86,8 @@ impl SceneGraph {
     fn check_room(&self, node: &Node, found: &mut Vec<Violation>) {
         let rooms = self.labels(node.out(Relation::InRoom));
         match (node.kind(), rooms.as_slice()) {
-            (Kind::Room, []) | (_, [_]) if node.kind() != Kind::Room || rooms.is_empty() => {}
-            (Kind::Room, _) => found.extend(rooms.into_iter().map(|r| Violation::RoomInRoom(node.label(), r))),
+            (NodeKind::Room, []) | (_, [_]) if node.kind() != NodeKind::Room || rooms.is_empty() => {}
+            (NodeKind::Room, _) => found.extend(rooms.into_iter().map(|r| Violation::RoomInRoom(node.label(), r))),
             (_, []) => found.push(Violation::NoRoom(node.label())),
             _ => found.push(Violation::SeveralRooms(node.label(), rooms)),
         }
@@ -99,7 +99,7 @@ impl SceneGraph {
             if held.len() > 1 {
                 found.push(Violation::HandFull(node.label(), hand, held.clone()));
             }
-            if node.kind() != Kind::Agent {
+            if node.kind() != NodeKind::Agent {
                 found.extend(held.into_iter().map(|h| Violation::HeldByNoAgent(node.label(), h)));
             }
         }
@@ -118,7 +118,7 @@ impl SceneGraph {
             }
             // Hanging objects are on a wall or a ceiling.
             let is_borne = carries(at) || at.is_building();
-            if place.relation == Relation::On && node.kind() == Kind::Object && !is_borne {
+            if place.relation == Relation::On && node.kind() == NodeKind::Object && !is_borne {
                 found.push(Violation::NotASurface(node.label(), at.label()));
             }
             if place.relation == Relation::Inside && !encloses(at, self.classes()) && !soaks(at) {

@@ -7,7 +7,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{Pose, Verb};
 
 use super::bone::{ANKLE, ARM, Bone, LEG, Side};
-use super::reach::{Reach, Stoop};
+use super::reach::{Reach, TrunkBend};
 use super::shape::palm;
 
 /// Length of a step of two feet, metres.
@@ -128,7 +128,7 @@ impl Skeleton {
     }
 
     fn stand(&mut self, doing: &Doing, carries: bool) {
-        let stoop = doing.reach.map_or_else(Stoop::default, |reach| Stoop::to(&reach, None));
+        let stoop = doing.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, None));
         let bob = doing.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
         let hips = stoop.hips();
         self.carry(Pose::translation(hips.x, 0.0, hips.z - bob));
@@ -184,7 +184,7 @@ impl Skeleton {
 
     fn sit(&mut self, height: f32, doing: &Doing) {
         let seat = Pose::translation(-0.1, 0.0, 0.09 - Bone::Pelvis.anchor().z);
-        let stoop = doing.reach.map_or_else(Stoop::default, |reach| Stoop::to(&reach, Some(seat)));
+        let stoop = doing.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, Some(seat)));
         self.carry(seat);
         self.turn(Bone::Chest, stoop.chest() * pitch(-0.08));
         self.look(doing);

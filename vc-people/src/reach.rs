@@ -33,7 +33,7 @@ pub struct Reach {
 
 /// The configuration of the trunk for a reaching hand.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Stoop {
+pub(super) struct TrunkBend {
     /// Radians, at the waist and around the spine.
     pub(super) bend: f32,
     twist: f32,
@@ -44,16 +44,16 @@ pub(super) struct Stoop {
 
 /// The variants of stooping: their end configurations, and the stages in which the hips move forward and
 /// vertically; bending and turning happen in the first stage.
-const WAYS: [(Stoop, [usize; 2]); 4] = [
+const WAYS: [(TrunkBend, [usize; 2]); 4] = [
     // Squat, then lean; or lean first.
-    (Stoop { bend: BEND, twist: TWIST, lean: LEAN, rise: -SQUAT }, [2, 1]),
-    (Stoop { bend: BEND, twist: TWIST, lean: LEAN, rise: -SQUAT }, [1, 2]),
+    (TrunkBend { bend: BEND, twist: TWIST, lean: LEAN, rise: -SQUAT }, [2, 1]),
+    (TrunkBend { bend: BEND, twist: TWIST, lean: LEAN, rise: -SQUAT }, [1, 2]),
     // On the toes, upright or bent over something.
-    (Stoop { bend: 0.0, twist: TWIST, lean: LEAN, rise: TIPTOE }, [1, 0]),
-    (Stoop { bend: BEND / 2.0, twist: TWIST, lean: LEAN, rise: TIPTOE }, [1, 0]),
+    (TrunkBend { bend: 0.0, twist: TWIST, lean: LEAN, rise: TIPTOE }, [1, 0]),
+    (TrunkBend { bend: BEND / 2.0, twist: TWIST, lean: LEAN, rise: TIPTOE }, [1, 0]),
 ];
 
-impl Stoop {
+impl TrunkBend {
     /// The smallest stoop with which the hand reaches a point, or the one that brings the hand nearest. The
     /// hips of a seated figure stay where they are.
     pub(super) fn to(reach: &Reach, seat: Option<Pose>) -> Self {

@@ -9,8 +9,8 @@ use rapier3d::math::Pose as EnginePose;
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 
-use crate::world::{Thing, World};
-use crate::{Role, convert, group};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, convert, group};
 
 /// Two bodies that touch, or are about to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +76,7 @@ impl Sum {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// All contacts of the last step, sorted by node numbers; contacts between parts of one node are left out.
     pub fn contacts(&self) -> Vec<Contact> {
         self.gather(self.engine.narrow.contact_pairs())
@@ -165,7 +165,7 @@ impl World {
                 }
             }
             for above in self.resting_on(body) {
-                let loose = self.thing(above).ok().filter(|t| t.state.role == Role::Loose);
+                let loose = self.thing(above).ok().filter(|t| t.state.role == BodyRole::Loose);
                 if let Some(thing) = loose.filter(|_| Some(above) != own && !load.contains(&above)) {
                     load.push(above);
                     open.push(thing.state.base);
@@ -184,7 +184,7 @@ impl World {
         while let Some(body) = open.pop() {
             let carriers = self.carriers(body);
             // A thing on the top of a box stays there if a door below the top's edge opens.
-            let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(Role::Fixed));
+            let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(BodyRole::Fixed));
             for (below, link) in carriers {
                 let Ok(thing) = self.thing(below) else { continue };
                 if link > 0 && !(stands && turns(thing, link)) {
@@ -193,7 +193,7 @@ impl World {
                 if thing.state.rides.is_some() {
                     return thing.state.rides;
                 }
-                if thing.state.role == Role::Loose && !seen.contains(&below) {
+                if thing.state.role == BodyRole::Loose && !seen.contains(&below) {
                     seen.push(below);
                     open.push(thing.state.base);
                 }
@@ -206,7 +206,7 @@ impl World {
     fn hovering_in(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let Some(around) = self.box_around([body].into_iter()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
-        let loose = self.things.iter().filter(|t| t.state.role == Role::Loose && self.is_asleep(t.id));
+        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && self.is_asleep(t.id));
         let above = |id: NodeId| {
             let own = self.aabb(id)?;
             let (centre, foot) = (own.centre(), own.min.z);

@@ -6,8 +6,8 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::parry::query::intersection_test;
 use vc_graph::NodeId;
 
-use crate::world::{Thing, World};
-use crate::{Role, convert};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, convert};
 
 /// The largest distance between the middles of two coinciding things: as a fraction of half the smaller one's
 /// shortest side, and in metres.
@@ -21,7 +21,7 @@ struct Body<'a> {
     near: f32,
 }
 
-impl World {
+impl PhysicsWorld {
     /// The loose things that coincide with another thing: their middles nearly agree, and their bodies overlap.
     /// The first thing at a place is not listed. A step would separate such things violently, so move them
     /// elsewhere first.
@@ -30,7 +30,7 @@ impl World {
     pub fn crowded(&self) -> Vec<NodeId> {
         let mut first: BTreeMap<[i64; 3], Vec<Body<'_>>> = BTreeMap::new();
         let mut crowded = Vec::new();
-        for body in self.things.iter().filter(|t| t.state.role == Role::Loose).filter_map(|t| self.body_at(t)) {
+        for body in self.things.iter().filter(|t| t.state.role == BodyRole::Loose).filter_map(|t| self.body_at(t)) {
             let cell = cell(&body.middle);
             let around = (0..27).map(|i| [i % 3, i / 3 % 3, i / 9]);
             let mut others = around.filter_map(|by| first.get(&std::array::from_fn(|k| cell[k] + by[k] - 1))).flatten();

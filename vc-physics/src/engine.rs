@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use vc_graph::portable::Portable;
 
-use crate::{convert, footing};
+use crate::{contact_reduction, convert};
 
 /// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
 /// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
@@ -88,7 +88,7 @@ impl Engine {
             joints: ImpulseJointSet::new(),
             islands: IslandManager::new(),
             broad: BroadPhaseBvh::new(),
-            narrow: NarrowPhase::with_query_dispatcher(footing::dispatcher()),
+            narrow: NarrowPhase::with_query_dispatcher(contact_reduction::dispatcher()),
             multibodies: MultibodyJointSet::new(),
             softs: SoftBodySet::new(),
             parameters: parameters(dt),
@@ -299,7 +299,7 @@ impl Engine {
 /// The query dispatcher is not serialised with the contacts.
 fn with_footings<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
     let mut narrow = NarrowPhase::deserialize(from)?;
-    narrow.set_query_dispatcher(footing::dispatcher());
+    narrow.set_query_dispatcher(contact_reduction::dispatcher());
     Ok(narrow)
 }
 

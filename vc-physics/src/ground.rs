@@ -10,8 +10,8 @@ use vc_graph::{Aabb, Node, NodeId, ObjectRole, Pose, SceneGraph};
 
 use crate::agent::Agent;
 use crate::shapes::Form;
-use crate::world::{Thing, World};
-use crate::{Role, convert, group};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, convert, group};
 
 /// Depth of the ground below a thin floor if nothing is there, metres: more than twice the distance that
 /// anything falls in a step of a sixtieth of a second.
@@ -64,10 +64,10 @@ fn around(form: &Form, pose: &Pose) -> Aabb {
     (1..8).map(corner).fold(start, |b, p| Aabb { min: b.min.inf(&p), max: b.max.sup(&p) })
 }
 
-impl World {
+impl PhysicsWorld {
     /// Records the height of the lowest fixed thing's bottom.
     pub(crate) fn find_bottom(&mut self) {
-        let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed);
+        let fixed = self.things.iter().filter(|t| t.state.role == BodyRole::Fixed);
         let low = fixed.filter_map(|t| Some(around(&t.form, &self.engine.pose(t.state.base)?).min.z));
         self.bottom = low.reduce(f32::min).unwrap_or(f32::NEG_INFINITY);
     }
@@ -93,7 +93,7 @@ impl World {
         let fallen: Vec<NodeId> = awake.iter().filter_map(fell).collect();
         for id in fallen {
             // The thing has a body, since it fell, so this cannot fail.
-            let _ = self.set_role(id, Role::Stopped);
+            let _ = self.set_role(id, BodyRole::Stopped);
             if !self.stopped.contains(&id) {
                 self.stopped.push(id);
             }

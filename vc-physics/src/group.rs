@@ -6,7 +6,7 @@
 use rapier3d::geometry::{Collider, Group, InteractionGroups, InteractionTestMode};
 use vc_graph::NodeId;
 
-use crate::Role;
+use crate::BodyRole;
 
 const FIXED: Group = Group::GROUP_1;
 const LEAF: Group = Group::GROUP_2;
@@ -19,11 +19,11 @@ fn groups(member: Group, of: Group) -> InteractionGroups {
 }
 
 /// Groups of a thing's base.
-pub(crate) fn base(role: Role) -> InteractionGroups {
+pub(crate) fn base(role: BodyRole) -> InteractionGroups {
     match role {
-        Role::Fixed | Role::Hung => groups(FIXED, LOOSE.union(AGENT)),
-        Role::Loose => groups(LOOSE, FIXED.union(LEAF).union(LOOSE).union(AGENT)),
-        Role::Carried | Role::Stopped => nothing(),
+        BodyRole::Fixed | BodyRole::Hung => groups(FIXED, LOOSE.union(AGENT)),
+        BodyRole::Loose => groups(LOOSE, FIXED.union(LEAF).union(LOOSE).union(AGENT)),
+        BodyRole::Carried | BodyRole::Stopped => nothing(),
     }
 }
 

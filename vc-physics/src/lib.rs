@@ -3,12 +3,12 @@
 
 mod agent;
 mod contact;
+mod contact_completion;
+mod contact_reduction;
 mod convert;
 mod crowd;
 mod engine;
 mod error;
-mod foot;
-mod footing;
 mod ground;
 mod group;
 mod joints;
@@ -27,16 +27,16 @@ mod vehicle;
 mod water;
 mod world;
 
-pub use agent::{BodyPlan, Hand, PartsAside, Posture, Walk};
+pub use agent::{BodyPlan, Hand, PartsToMoveAside, Posture, Walk};
 pub use contact::Contact;
 pub use error::{AgentError, PhysicsError, SnapshotError};
 pub use joints::MovingPart;
-pub use nav::{Doors, Floor, FloorPlan, Occupancy, Route, Stand};
+pub use nav::{Doors, Floor, FloorOptions, Occupancy, Route, Stand};
 pub use place::{Order, Shelf};
 pub use reset::Reset;
-pub use role::Role;
-pub use settings::{Fixing, Settings, Unplaced};
+pub use role::BodyRole;
+pub use settings::{Fixing, Settings, UnsupportedThings};
 pub use settle::{Moved, Settling};
 pub use shapes::Shapes;
 pub use vehicle::{Controls, VehiclePlan, WheelPlan};
-pub use world::World;
+pub use world::PhysicsWorld;

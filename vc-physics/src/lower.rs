@@ -6,13 +6,13 @@ use rapier3d::parry::query::ShapeCastOptions;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
-use crate::world::World;
-use crate::{PhysicsError, Role, convert, group};
+use crate::world::PhysicsWorld;
+use crate::{BodyRole, PhysicsError, convert, group};
 
 /// The gap that is left, metres: a thing at this distance rests at once.
 const GAP: f32 = 0.0005;
 
-impl World {
+impl PhysicsWorld {
     /// Lowers a loose thing until it almost touches its support, by at most `within` metres, so that it need
     /// not fall; returns the distance. A thing without a support within that distance is not lowered.
     ///
@@ -22,7 +22,7 @@ impl World {
     /// [`PhysicsError::NoBody`].
     pub fn lower(&mut self, id: NodeId, within: f32) -> Result<f32, PhysicsError> {
         let thing = self.thing(id)?;
-        let (base, loose) = (self.engine.pose(thing.state.base), thing.state.role == Role::Loose);
+        let (base, loose) = (self.engine.pose(thing.state.base), thing.state.role == BodyRole::Loose);
         let Some(pose) = base.filter(|_| loose && within > GAP) else { return Ok(0.0) };
         let bodies: Vec<_> = thing.bodies().filter_map(|b| self.engine.bodies.get(b)).collect();
         let own = bodies.iter().flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));

@@ -1,11 +1,11 @@
 //! Reset to the start, or to a scene that differs a little.
 
-use vc_graph::{Kind, Node, NodeId, Pose, SceneGraph};
+use vc_graph::{Node, NodeId, NodeKind, Pose, SceneGraph};
 
 use crate::role::Roles;
 use crate::shapes::Shapes;
-use crate::world::{Thing, World};
-use crate::{PhysicsError, Role, convert};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, PhysicsError, convert};
 
 /// The result of a reset.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,7 +25,7 @@ pub struct Reset {
 /// The largest difference of two equal poses, metres and quaternion units.
 const SAME: f32 = 1e-5;
 
-impl World {
+impl PhysicsWorld {
     /// A world for a scene that differs little from the one this world was built from: a copy of this world in
     /// which only the differing things are changed. Keep a settled world for each scene and reset from it.
     ///
@@ -37,7 +37,7 @@ impl World {
     /// Costs a clone, and some microseconds for each difference.
     ///
     /// # Errors
-    /// As [`World::build`].
+    /// As [`PhysicsWorld::build`].
     pub fn reset(&self, graph: &SceneGraph, shapes: &Shapes) -> Result<(Self, Reset), PhysicsError> {
         let Some(mut plan) = self.plan(graph) else {
             let world = Self::build(graph, shapes, self.settings)?;
@@ -87,7 +87,7 @@ impl World {
             let (Some(node), thing) = (graph.node(id), self.thing(id)?) else { continue };
             let class = graph.classes().get(node.class());
             let role = roles.of(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
-            if let Some(role) = role.filter(|r| *r != thing.state.role && thing.state.role != Role::Stopped) {
+            if let Some(role) = role.filter(|r| *r != thing.state.role && thing.state.role != BodyRole::Stopped) {
                 self.set_role(id, role)?;
             }
         }
@@ -98,7 +98,7 @@ impl World {
     fn plan(&self, graph: &SceneGraph) -> Option<Reset> {
         let mut plan = Reset::default();
         let mut things = self.things.iter().peekable();
-        for node in graph.nodes().filter(|n| n.kind() == Kind::Object) {
+        for node in graph.nodes().filter(|n| n.kind() == NodeKind::Object) {
             while let Some(gone) = things.next_if(|t| t.id < node.id()) {
                 plan.removed.push(gone.id);
             }

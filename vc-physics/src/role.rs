@@ -4,9 +4,9 @@ use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 use vc_graph::asset::Hold;
 use vc_graph::class::Class;
-use vc_graph::{Kind, Node, Property, Relation, SceneGraph};
+use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph};
 
-use crate::settings::{Fixing, Settings, Unplaced};
+use crate::settings::{Fixing, Settings, UnsupportedThings};
 use crate::shapes::Form;
 
 /// The largest distance of a hook from the bounding box of the thing that hangs on it, metres.
@@ -14,7 +14,7 @@ const HOOK: f32 = 0.05;
 
 /// The role of a body in the simulation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Role {
+pub enum BodyRole {
     /// The body stays where it is: the building, heavy furniture.
     Fixed,
     /// The body moves freely.
@@ -37,22 +37,22 @@ pub(crate) struct Roles<'a> {
 impl<'a> Roles<'a> {
     pub(crate) fn new(graph: &'a SceneGraph, settings: Settings) -> Self {
         let rests = |n: &Node| graph.places(n.id()).any(|p| matches!(p.relation, Relation::On | Relation::Inside));
-        let asks = settings.unplaced == Unplaced::Hangs;
+        let asks = settings.unplaced == UnsupportedThings::Hangs;
         Self { graph, settings, places_are_known: asks && graph.nodes().any(rests) }
     }
 
     /// The role of a node; `mass` is that of its asset, kilograms. `None` for rooms and agents, whose bodies
     /// are not made from assets.
-    pub(crate) fn of(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<Role> {
-        if node.kind() != Kind::Object {
+    pub(crate) fn of(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<BodyRole> {
+        if node.kind() != NodeKind::Object {
             return None;
         }
         if node.role().is_built_in() || self.stays(node, class.is_some(), mass) {
-            return Some(Role::Fixed);
+            return Some(BodyRole::Fixed);
         }
         let rests = self.graph.places(node.id()).next().is_some();
         let hangs = self.places_are_known && (!rests || self.is_on_a_hook(node, form));
-        Some(if hangs { Role::Hung } else { Role::Loose })
+        Some(if hangs { BodyRole::Hung } else { BodyRole::Loose })
     }
 
     /// Whether a hook of a node's support reaches into the node's bounding box: a coat on a rack, a shirt on

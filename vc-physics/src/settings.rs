@@ -19,7 +19,7 @@ pub enum Fixing {
 /// The treatment of a thing without a support in a graph that states the supports of other things.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
-pub enum Unplaced {
+pub enum UnsupportedThings {
     /// The thing hangs, as a picture or a wall clock does, and stays until it is taken or pushed off.
     #[default]
     Hangs,
@@ -27,7 +27,7 @@ pub enum Unplaced {
     Falls,
 }
 
-/// The settings by which a [`World`](crate::World) is built and stepped.
+/// The settings by which a [`PhysicsWorld`](crate::PhysicsWorld) is built and stepped.
 ///
 /// ```
 /// let settings = vc_physics::Settings { substeps: 2, ..Default::default() };
@@ -46,7 +46,7 @@ pub struct Settings {
     /// The mass from which on furniture is heavy, kilograms.
     pub heavy: f32,
     /// Whether things without a support hang or fall.
-    pub unplaced: Unplaced,
+    pub unplaced: UnsupportedThings,
     /// Friction torque of hinges, newton metres for each kilogram that turns.
     pub hinge_friction: f32,
     /// Friction force of slides, newtons for each kilogram that slides.
@@ -58,7 +58,7 @@ pub struct Settings {
     pub latches: bool,
     /// Whether masses outside the range of the node's class are clamped to that range. Assets are often
     /// modelled with too much or too little material. The range grows with the volume of a scaled node;
-    /// [`World::modelled_mass`](crate::World::modelled_mass) returns the unclamped mass.
+    /// [`PhysicsWorld::modelled_mass`](crate::PhysicsWorld::modelled_mass) returns the unclamped mass.
     pub class_masses: bool,
 }
 
@@ -70,7 +70,7 @@ impl Default for Settings {
             gravity: 9.81,
             fixing: Fixing::Heavy,
             heavy: 30.0,
-            unplaced: Unplaced::Hangs,
+            unplaced: UnsupportedThings::Hangs,
             hinge_friction: 0.05,
             slide_friction: 1.0,
             balanced: true,

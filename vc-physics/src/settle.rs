@@ -3,8 +3,8 @@
 use rapier3d::math::Vector;
 use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
 
-use crate::world::{Thing, World};
-use crate::{Role, convert};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, convert};
 
 /// The largest distance of a thing that counts as not moved, metres.
 const STILL: f32 = 0.02;
@@ -60,7 +60,7 @@ impl Settling {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// Steps until everything sleeps, at most `limit` times, and reports the changes.
     ///
     /// Bodies fall asleep a quarter of a second after they have come to rest, so a scene that is awake takes at
@@ -82,7 +82,7 @@ impl World {
             left: self
                 .things
                 .iter()
-                .filter(|t| matches!(t.state.role, Role::Loose | Role::Stopped))
+                .filter(|t| matches!(t.state.role, BodyRole::Loose | BodyRole::Stopped))
                 .filter_map(|t| Some((t.id, self.lost_place(t)?)))
                 .collect(),
             outside: self.outside(),
@@ -92,7 +92,7 @@ impl World {
     }
 
     fn loose(&self) -> impl Iterator<Item = &Thing> {
-        self.things.iter().filter(|t| t.state.role == Role::Loose)
+        self.things.iter().filter(|t| t.state.role == BodyRole::Loose)
     }
 
     fn whereabouts(&self, thing: &Thing) -> Option<(NodeId, Pose, Vector)> {
@@ -152,9 +152,9 @@ impl World {
         let Some(centre) = self.centre_of_mass(thing.id) else { return false };
         let inside = boxes.is_empty() || boxes.iter().any(|b| b.contains(&centre));
         match thing.state.role {
-            Role::Loose | Role::Stopped => !inside || grounds.iter().any(|b| b.contains(&centre)),
-            Role::Hung => !boxes.is_empty() && boxes.iter().all(|b| centre.z < b.min.z),
-            Role::Fixed | Role::Carried => false,
+            BodyRole::Loose | BodyRole::Stopped => !inside || grounds.iter().any(|b| b.contains(&centre)),
+            BodyRole::Hung => !boxes.is_empty() && boxes.iter().all(|b| centre.z < b.min.z),
+            BodyRole::Fixed | BodyRole::Carried => false,
         }
     }
 
@@ -162,7 +162,7 @@ impl World {
     fn inside(&self) -> Vec<Aabb> {
         let mut boxes: Vec<Aabb> = self.rooms.iter().map(|(_, aabb)| grown(aabb, DOORSTEP)).collect();
         if boxes.is_empty() {
-            let fixed = self.things.iter().filter(|t| t.state.role == Role::Fixed).filter_map(|t| self.aabb(t.id));
+            let fixed = self.things.iter().filter(|t| t.state.role == BodyRole::Fixed).filter_map(|t| self.aabb(t.id));
             boxes.extend(fixed.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }));
             boxes.iter_mut().for_each(|b| b.max.z = f32::INFINITY);
         }

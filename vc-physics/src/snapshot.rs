@@ -11,7 +11,7 @@ use crate::engine::Engine;
 use crate::shapes::Shapes;
 use crate::vehicle::Vehicle;
 use crate::water::Water;
-use crate::world::{Places, State, Thing, World};
+use crate::world::{PhysicsWorld, Places, State, Thing};
 use crate::{Settings, SnapshotError};
 
 /// The first bytes of a snapshot.
@@ -37,7 +37,7 @@ struct Content {
     skipped: Vec<NodeId>,
 }
 
-impl World {
+impl PhysicsWorld {
     /// The world as bytes, for [`restore`](Self::restore), about 3 KiB per body. A copy in memory by `clone` is
     /// several times cheaper.
     ///

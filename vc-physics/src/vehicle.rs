@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 use vc_graph::hash::Digester;
 use vc_graph::{NodeId, Pose};
 
-use crate::world::World;
-use crate::{PhysicsError, Role, convert};
+use crate::world::PhysicsWorld;
+use crate::{BodyRole, PhysicsError, convert};
 
 /// The largest imbalance between spring force and weight at rest, as a fraction of the weight.
 const CARRIED: f32 = 0.005;
@@ -118,7 +118,7 @@ pub(crate) struct Vehicle {
     driven: Vec<bool>,
 }
 
-impl World {
+impl PhysicsWorld {
     /// Makes a loose thing a vehicle, with its brakes on.
     ///
     /// # Errors
@@ -126,7 +126,7 @@ impl World {
     /// [`PhysicsError::BadVehicle`].
     pub fn add_vehicle(&mut self, id: NodeId, plan: &VehiclePlan) -> Result<(), PhysicsError> {
         let thing = self.thing(id)?;
-        if thing.state.role != Role::Loose {
+        if thing.state.role != BodyRole::Loose {
             return Err(PhysicsError::NotFree(id));
         }
         if let Some(fault) = plan.fault() {

@@ -13,8 +13,8 @@ use vc_graph::portable::Portable;
 use vc_graph::{Aabb, NodeId, Pose};
 
 use crate::agent::facing;
-use crate::world::{Thing, World};
-use crate::{PhysicsError, Role, convert};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, PhysicsError, convert};
 
 /// Density of water, kilograms per cubic metre.
 const DENSITY: f32 = 1000.0;
@@ -82,7 +82,7 @@ impl Water {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// Adds still water that fills a box: a pool, a pond, a sea.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ impl World {
             return Err(PhysicsError::NotFinite("the level", id));
         }
         let level = level.clamp(0.0, 1.0);
-        let basin = (thing.state.role == Role::Fixed).then(|| self.basin(thing, level)).flatten();
+        let basin = (thing.state.role == BodyRole::Fixed).then(|| self.basin(thing, level)).flatten();
         self.drain(id);
         self.fills.insert(id, level);
         if let Some((at, size)) = basin.filter(|_| level > 0.0) {
@@ -157,7 +157,7 @@ impl World {
 
     /// Adds water, and wakes the bodies in it.
     fn pour(&mut self, water: Water) {
-        let loose = self.things.iter().filter(|t| t.state.role == Role::Loose).map(|t| t.state.base);
+        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose).map(|t| t.state.base);
         let bodies: Vec<_> = loose.collect();
         for body in bodies {
             if let Some(rigid) = self.engine.bodies.get_mut(body) {

@@ -19,7 +19,7 @@ use homes::{errands, home};
 use plot::{Line, svg};
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Goal, NodeId, SceneGraph, Scope, Simulator};
-use vc_planner::{Agent, Decision, Effort, Planner};
+use vc_planner::{Agent, Decision, Planner, SearchLimits};
 
 const GOAL: &str = "On(plate, kitchen_table), 2 & Inside(apple, fridge) & Closed(fridge)";
 const GOALS: u64 = 200;
@@ -82,7 +82,7 @@ fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
     let scene = home(objects, 1);
     let me = scene.agents()[0];
     let goals: Vec<Goal> = (0..GOALS).map(|seed| goal(&scene, parts, seed)).collect();
-    let mut planner = Planner::trying(Effort::QUICK);
+    let mut planner = Planner::with_limits(SearchLimits::QUICK);
     let mut least = vec![Duration::MAX; goals.len()];
     for _ in 0..REPEATS {
         for (goal, least) in goals.iter().zip(&mut least) {
@@ -100,8 +100,8 @@ fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
 }
 
 fn scene() -> SceneGraph {
-    let bundled = include_str!("../../examples/data/apartment.json").to_owned();
-    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
+    let folded_size = include_str!("../../examples/data/apartment.json").to_owned();
+    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(folded_size);
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 
@@ -132,7 +132,7 @@ fn deciding() {
         ("500 objects", home.clone(), (0..20).map(|seed| goal(&home, 6, seed)).collect()),
     ];
     for (name, scene, goals) in cases {
-        let best = decisions(&format!("decision, {name}"), &scene, &goals, Agent::newcomer);
+        let best = decisions(&format!("decision, {name}"), &scene, &goals, Agent::in_known_home);
         let base = decisions("  as in the thesis", &scene, &goals, Agent::faithful);
         println!("  {:.1} times as fast in the mean", base.as_secs_f64() / best.as_secs_f64());
     }
@@ -169,7 +169,7 @@ fn best(mut call: impl FnMut()) -> Duration {
 fn moving_in() {
     let (scene, goal) = (scene(), GOAL.parse::<Goal>().unwrap());
     let me = scene.agents()[0];
-    let new = best(|| drop(std::hint::black_box(Agent::newcomer(&scene, me, goal.clone(), 1))));
+    let new = best(|| drop(std::hint::black_box(Agent::in_known_home(&scene, me, goal.clone(), 1))));
     let mut graph = scene.clone();
     let history = vc_graph::History::default();
     let plan = best(|| drop(std::hint::black_box(vc_planner::plan(&mut graph, me, &goal, &history).unwrap())));

@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::{ClassTable, NodeId, SceneGraph, Seed, Simulator, Verb};
-use vc_planner::{Newcomer, Policy, Prior, Resident, Run};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Prior};
 use vc_tasks::format::watch_and_help;
 use vc_tasks::{Outcome, Task};
 
@@ -49,10 +49,10 @@ fn main() {
 
 fn policy(name: &str) -> Box<dyn Policy> {
     match name {
-        "planner" => Box::new(Newcomer::best()),
-        "uniform" => Box::new(Newcomer::best().supposing(Prior::Uniform)),
-        "faithful" => Box::new(Newcomer::faithful()),
-        "oracle" => Box::new(Resident::default()),
+        "planner" => Box::new(PlannerPolicy::best()),
+        "uniform" => Box::new(PlannerPolicy::best().with_prior(Prior::Uniform)),
+        "faithful" => Box::new(PlannerPolicy::faithful()),
+        "oracle" => Box::new(OraclePolicy::default()),
         other => panic!("no policy `{other}`; there are planner, uniform, faithful and oracle"),
     }
 }
@@ -61,7 +61,7 @@ fn attempt(instance: &Instance, scene: &SceneGraph, name: &str) -> Result {
     let mut task = Task::new(&*instance.name, watch_and_help::read(&instance.goal.to_string()).unwrap());
     task.step_limit = instance.limit;
     let (mut opened, mut actions) = (Vec::new(), Vec::new());
-    let how = Run { agent: Some(NodeId(instance.agent)), seed: Seed(1), ..Run::default() };
+    let how = EpisodeOptions { agent: Some(NodeId(instance.agent)), seed: Seed(1), ..EpisodeOptions::default() };
     let mut world = Simulator::new(scene.clone());
     let episode = how.episode(policy(name).as_mut(), &task, &mut world, &mut |step| {
         let class = step.action.object.and_then(|id| scene.node(id)).map(|n| n.class().to_string());

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 use homes::{errands, home};
 use vc_graph::{Action, Draft, Goal, SceneBuilder, SceneGraph, Simulator, Verb};
-use vc_planner::{Effort, Planner};
+use vc_planner::{Planner, SearchLimits};
 use vc_tasks::format::pddl::{self, Keep};
 
 /// How often a plan is made to time it: the best counts.
@@ -42,7 +42,8 @@ fn main() {
         let me = scene.agents()[0];
         let written = pddl::planning(scene, me, &goal, Keep::Relevant).unwrap();
         let mut graph = scene.clone();
-        let (mut quick, mut planner) = (Planner::trying(Effort::QUICK), Planner::trying(Effort::THOROUGH));
+        let (mut quick, mut planner) =
+            (Planner::with_limits(SearchLimits::QUICK), Planner::with_limits(SearchLimits::THOROUGH));
         let plan = planner.plan(&mut graph, me, &goal, &[]).unwrap();
         let time = best(|| drop(std::hint::black_box(planner.plan(&mut graph, me, &goal, &[]))));
         let first = best(|| drop(std::hint::black_box(quick.outline(scene, me, &goal, &[]))));

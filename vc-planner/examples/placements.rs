@@ -13,7 +13,7 @@ mod placements;
 
 use placements::{Rule, errand};
 use vc_graph::{SceneGraph, Simulator};
-use vc_planner::{Newcomer, Policy, Prior, Resident, Run};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Prior};
 use vc_tasks::{Outcome, Task};
 
 const RULES: [(&str, Rule); 3] =
@@ -35,8 +35,9 @@ fn main() {
         let (mut won, mut steps, mut all) = (0, [0; 3], 0);
         for (scene, seed) in scenes.iter().flat_map(|scene| (0..number).map(move |seed| (scene, seed))) {
             let (home, goal) = errand(scene, rule, (1 + seed % MOST) as usize, seed);
-            let uniform = || Newcomer::best().supposing(Prior::Uniform);
-            let policies: [&mut dyn Policy; 3] = [&mut Newcomer::best(), &mut uniform(), &mut Resident::default()];
+            let uniform = || PlannerPolicy::best().with_prior(Prior::Uniform);
+            let policies: [&mut dyn Policy; 3] =
+                [&mut PlannerPolicy::best(), &mut uniform(), &mut OraclePolicy::default()];
             let runs = policies.map(|policy| attempt(policy, &home, &goal, seed));
             all += 1;
             won += usize::from(runs[0].0);
@@ -50,6 +51,6 @@ fn main() {
 fn attempt(policy: &mut dyn Policy, home: &SceneGraph, goal: &str, seed: u64) -> (bool, usize) {
     let mut task = Task::new("errand", goal.parse().unwrap());
     task.step_limit = 250;
-    let episode = Run::seeded(seed).episode(policy, &task, &mut Simulator::new(home.clone()), &mut |_| {});
+    let episode = EpisodeOptions::seeded(seed).episode(policy, &task, &mut Simulator::new(home.clone()), &mut |_| {});
     (episode.outcome == Outcome::Won, episode.steps)
 }

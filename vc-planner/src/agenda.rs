@@ -9,10 +9,10 @@ mod part;
 use vc_graph::NodeId;
 use vc_graph::goal::{Goal, Situation};
 
-use crate::Known;
+use crate::KnownNodes;
+use crate::open_condition::Unreachable;
 use crate::subgoal::View;
 use crate::subgoal::hints::Hints;
-use crate::want::Unreachable;
 use part::Part;
 
 /// A step as an agent sees it.
@@ -20,7 +20,7 @@ use part::Part;
 pub(crate) struct Moment<'a> {
     /// The sampled state, and all that the agent has done.
     pub(crate) now: Situation<'a>,
-    pub(crate) known: &'a Known,
+    pub(crate) known: &'a KnownNodes,
     /// Everything is known: whether a goal holds can be seen.
     pub(crate) knows_all: bool,
     /// How many actions had been done before this step.
@@ -29,7 +29,7 @@ pub(crate) struct Moment<'a> {
 
 impl Moment<'_> {
     /// The present step of a situation.
-    pub(crate) fn of<'a>(now: Situation<'a>, known: &'a Known, knows_all: bool) -> Moment<'a> {
+    pub(crate) fn of<'a>(now: Situation<'a>, known: &'a KnownNodes, knows_all: bool) -> Moment<'a> {
         Moment { now, known, knows_all, since: now.events.len().saturating_sub(1) }
     }
 

@@ -10,16 +10,16 @@ mod stages;
 use std::collections::VecDeque;
 
 use vc_graph::goal::Term;
-use vc_graph::{Action, Event, Goal, History, Kind, NodeId, Observation, Place, Property, SceneGraph, Verb};
+use vc_graph::{Action, Event, Goal, History, NodeId, NodeKind, Observation, Place, Property, SceneGraph, Verb};
 
 use crate::agenda::{Agenda, Aim};
 use crate::demand::Choice;
 use crate::manners::Manners;
+use crate::open_condition::{OpenCondition, Unreachable};
 use crate::plan::Horizon;
 use crate::planner::Planner;
-use crate::search::Effort;
+use crate::search::SearchLimits;
 use crate::trip::Promise;
-use crate::want::{Unreachable, Want};
 use crate::{Belief, Learned, Plan, Prior};
 use refused::Refused;
 
@@ -56,7 +56,7 @@ enum Mind {
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let mut world = Simulator::new(scene.build());
 ///
-/// let mut agent = Agent::newcomer(world.graph(), me, "Holds(milk)".parse()?, 7);
+/// let mut agent = Agent::in_known_home(world.graph(), me, "Holds(milk)".parse()?, 7);
 /// loop {
 ///     let seen = world.graph().observe(me, Scope::Room);
 ///     agent.see(&seen);
@@ -91,7 +91,7 @@ pub struct Agent {
     horizon: Horizon,
     planner: Planner,
     /// What it is in the middle of: kept until settled, or proved no longer open.
-    pursued: Option<Want>,
+    pursued: Option<OpenCondition>,
     /// What it will do as long as nothing new is learned.
     next: VecDeque<Action>,
     /// The alternative of the goal it is doing so by, if a shorter way is not ruled out.
@@ -109,36 +109,36 @@ pub struct Agent {
 impl Agent {
     /// An agent that knows the plan of the home and no more, and supposes that things
     /// are where people keep them.
-    pub fn newcomer(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::by_prior(graph, id, seed, Prior::Kept), Mind::Best)
+    pub fn in_known_home(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
+        Self::with(id, goal, Belief::with_prior(graph, id, seed, Prior::Kept), Mind::Best)
     }
 
-    /// As [`Agent::newcomer`], with suppositions of your own.
-    pub fn supposing(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64, prior: Prior) -> Self {
-        Self::with(id, goal, Belief::by_prior(graph, id, seed, prior), Mind::Best)
+    /// As [`Agent::in_known_home`], with suppositions of your own.
+    pub fn with_prior(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64, prior: Prior) -> Self {
+        Self::with(id, goal, Belief::with_prior(graph, id, seed, prior), Mind::Best)
     }
 
     /// An agent that knows the rooms and no more: what furniture there is, and which things, it
     /// learns by walking in.
-    pub fn stranger(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::of_stranger(graph, id, seed, Prior::Kept), Mind::Best)
+    pub fn in_unknown_home(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
+        Self::with(id, goal, Belief::of_unknown_home(graph, id, seed, Prior::Kept), Mind::Best)
     }
 
     /// The human-like agent of the thesis: every place is equally likely, one state is
     /// sampled, and one subgoal after the other is pursued.
     pub fn faithful(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::of_newcomer(graph, id, seed), Mind::Faithful)
+        Self::with(id, goal, Belief::of_known_home(graph, id, seed), Mind::Faithful)
     }
 
     /// An agent that knows everything there is.
-    pub fn resident(graph: &SceneGraph, id: NodeId, goal: Goal) -> Self {
-        Self::with(id, goal, Belief::of_resident(graph, id), Mind::Best)
+    pub fn oracle(graph: &SceneGraph, id: NodeId, goal: Goal) -> Self {
+        Self::with(id, goal, Belief::of_oracle(graph, id), Mind::Best)
     }
 
     fn with(id: NodeId, goal: Goal, belief: Belief, mind: Mind) -> Self {
         let concerns = concerns(&goal, belief.graph());
         let agenda = goal.is_temporal().then(|| Agenda::new(&goal));
-        let planner = Planner { effort: Effort { first: 2_000, improve: 500 }, ..Planner::default() };
+        let planner = Planner { effort: SearchLimits { first: 2_000, improve: 500 }, ..Planner::default() };
         Self {
             id,
             goal,
@@ -171,14 +171,14 @@ impl Agent {
 
     /// How it leaves the home.
     #[must_use]
-    pub fn mannered(mut self, manners: Manners) -> Self {
+    pub fn with_manners(mut self, manners: Manners) -> Self {
         self.planner.manners = manners;
         self
     }
 
     /// How much it searches for each plan.
     #[must_use]
-    pub fn trying(mut self, effort: Effort) -> Self {
+    pub fn with_limits(mut self, effort: SearchLimits) -> Self {
         self.planner.effort = effort;
         self
     }
@@ -296,7 +296,7 @@ impl Agent {
         };
         self.forget_plans();
         // What is shut away behind it is out of reach.
-        let shunned = action.verb == Verb::Open && self.belief.shun(id);
+        let shunned = action.verb == Verb::Open && self.belief.exclude(id);
         properties.iter().fold(shunned, |barred, property| self.belief.bar(id, *property) | barred)
     }
 
@@ -304,9 +304,9 @@ impl Agent {
     fn avoid(&mut self, id: NodeId) -> bool {
         use Property::{Container, Graspable, Heater, Lieable, Recipient, Sittable, Surface, Switchable};
         self.forget_plans();
-        let shunned = self.belief.shun(id);
+        let shunned = self.belief.exclude(id);
         let all = [Graspable, Surface, Sittable, Lieable, Container, Recipient, Heater, Switchable];
-        let there = self.belief.graph().node(id).is_some_and(|n| n.kind() == Kind::Object);
+        let there = self.belief.graph().node(id).is_some_and(|n| n.kind() == NodeKind::Object);
         all.into_iter().filter(|_| there).fold(shunned, |barred, property| self.belief.bar(id, property) | barred)
     }
 

@@ -13,10 +13,10 @@ use std::sync::Arc;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph, State, StateSet};
+use vc_graph::{Node, NodeId, NodeKind, Observation, Place, Property, Relation, SceneGraph, State, StateSet};
 
 use crate::prior::{Kinds, Supposed, Tidiness};
-use crate::{Known, Prior};
+use crate::{KnownNodes, Prior};
 
 /// An agent's belief: the places of things that it knows, and a guess for the others.
 ///
@@ -34,7 +34,7 @@ pub struct Belief {
     agent: NodeId,
     /// The sampled state: the known part of the scene, and guesses for the rest.
     graph: SceneGraph,
-    known: Known,
+    known: KnownNodes,
     /// The possible places of things; `seen` says which of them have been looked at.
     places: Vec<Place>,
     seen: Vec<bool>,
@@ -72,17 +72,18 @@ pub struct Learned {
 impl Belief {
     /// The belief of an agent that knows only the plan of a home. `graph` is the true scene: rooms and fixed
     /// things are taken from it; the places of movable things and all states are forgotten.
-    pub fn of_newcomer(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
-        Self::by_prior(graph, agent, seed, Prior::Uniform)
+    pub fn of_known_home(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
+        Self::with_prior(graph, agent, seed, Prior::Uniform)
     }
 
-    /// As [`Belief::of_newcomer`], with a prior.
-    pub fn by_prior(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
+    /// As [`Belief::of_known_home`], with a prior.
+    pub fn with_prior(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         belief.prior = prior;
         belief.look_for_places(graph);
         let held: Vec<NodeId> = graph.carried_with(agent);
-        let movable = |n: &&Node| n.kind() == Kind::Object && n.affords(Property::Graspable) && !held.contains(&n.id());
+        let movable =
+            |n: &&Node| n.kind() == NodeKind::Object && n.affords(Property::Graspable) && !held.contains(&n.id());
         let hidden: Vec<NodeId> = graph.nodes().filter(movable).map(Node::id).collect();
         belief.forget(&hidden);
         hidden.iter().for_each(|&id| belief.weigh(id));
@@ -91,19 +92,19 @@ impl Belief {
             belief.missing.push((id, place));
             belief.suppose(id, place);
         }
-        let seen_before = graph.nodes().filter(|n| n.kind() == Kind::Room).map(Node::id);
+        let seen_before = graph.nodes().filter(|n| n.kind() == NodeKind::Room).map(Node::id);
         belief.known = seen_before.chain(held).collect();
         belief
     }
 
     /// The belief of an agent that knows only the rooms, neither the furniture nor which things exist: it adds
     /// what it sees, and surfaces and containers become places once seen.
-    pub fn of_stranger(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
+    pub fn of_unknown_home(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         (belief.prior, belief.stranger) = (prior, true);
         let carried = graph.carried_with(agent);
         let mut edit = belief.graph.edit();
-        let unknown = |n: &&Node| n.kind() == Kind::Object && !carried.contains(&n.id());
+        let unknown = |n: &&Node| n.kind() == NodeKind::Object && !carried.contains(&n.id());
         for id in graph.nodes().filter(unknown).map(Node::id) {
             // The node exists, so it can be removed.
             let _ = edit.remove(id);
@@ -116,7 +117,7 @@ impl Belief {
     }
 
     /// The belief of an agent that knows everything.
-    pub fn of_resident(graph: &SceneGraph, agent: NodeId) -> Self {
+    pub fn of_oracle(graph: &SceneGraph, agent: NodeId) -> Self {
         let mut belief = Self::with(graph, agent, 0);
         belief.known = graph.nodes().map(Node::id).collect();
         belief
@@ -126,7 +127,7 @@ impl Belief {
         Self {
             agent,
             graph: graph.clone(),
-            known: Known::default(),
+            known: KnownNodes::default(),
             places: Vec::new(),
             seen: Vec::new(),
             rooms: Vec::new(),
@@ -151,12 +152,12 @@ impl Belief {
     }
 
     /// The sampled state, on which a planner can try actions and take them back, and the set of known nodes.
-    pub(crate) fn sampled_and_known(&mut self) -> (&mut SceneGraph, &Known) {
+    pub(crate) fn sampled_and_known(&mut self) -> (&mut SceneGraph, &KnownNodes) {
         (&mut self.graph, &self.known)
     }
 
     /// The nodes that the agent has seen.
-    pub fn known(&self) -> &Known {
+    pub fn known(&self) -> &KnownNodes {
         &self.known
     }
 
@@ -222,7 +223,7 @@ impl Belief {
     /// Forgets the places of things and the states of all things.
     fn forget(&mut self, hidden: &[NodeId]) {
         let states: Vec<(NodeId, StateSet)> =
-            self.graph.nodes().filter(|n| n.kind() == Kind::Object).map(|n| (n.id(), presumed(n))).collect();
+            self.graph.nodes().filter(|n| n.kind() == NodeKind::Object).map(|n| (n.id(), presumed(n))).collect();
         let near = [Relation::Near, Relation::NearFront, Relation::NearBack, Relation::NearLeft, Relation::NearRight];
         let mut edit = self.graph.edit();
         for (id, states) in states {

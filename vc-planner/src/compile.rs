@@ -6,13 +6,13 @@ mod site;
 mod uses;
 
 use vc_graph::goal::{Predicate, Situation};
-use vc_graph::{Condition, Kind, NodeId, Property, Relation, SceneGraph, State as Word, Verb};
+use vc_graph::{Condition, NodeId, NodeKind, Property, Relation, SceneGraph, State as Word, Verb};
 
 use crate::demand::{Demand, Demands};
-use crate::few::Few;
 use crate::manners::Leave;
+use crate::open_condition::Unreachable;
 use crate::packed::{MOST, Need, Problem, State, Way, bit, run_of};
-use crate::want::Unreachable;
+use crate::small_list::SmallList;
 
 pub(crate) use site::{anchor, is_ground};
 
@@ -222,7 +222,7 @@ impl Compiler<'_> {
         let graph = self.now.graph;
         let graspable = |id: &NodeId| Condition::Graspable(*id).holds(graph, self.now.agent);
         let free = |id: &NodeId| keep || !self.reserved.contains(id);
-        let (mut known, mut missing, mut fit) = (Few::NONE, Vec::new(), 0);
+        let (mut known, mut missing, mut fit) = (SmallList::NONE, Vec::new(), 0);
         for &id in demand.subjects().iter().filter(|id| graspable(id)) {
             fit += 1;
             match (self.known)(id) {
@@ -307,7 +307,7 @@ impl Compiler<'_> {
     fn puts(&mut self, demand: &Demand<'_>, verb: Verb) -> Result<Vec<Way>> {
         let graph = self.now.graph;
         let me = self.now.agent;
-        let room = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() == Kind::Room);
+        let room = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() == NodeKind::Room);
         // A book is a surface for a bookmark, and for little else.
         let takes = |id: &NodeId| {
             !self.affords(*id, Property::Readable)
@@ -321,7 +321,7 @@ impl Compiler<'_> {
         if others.is_empty() {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         }
-        let places: Few = others.iter().copied().filter(fits).collect();
+        let places: SmallList = others.iter().copied().filter(fits).collect();
         if places.is_empty() {
             let text = demand.part.to_string();
             return Err(if verb == Verb::Place {
@@ -334,9 +334,9 @@ impl Compiler<'_> {
             return Err(Unreachable::NoInstance(demand.part.to_string()));
         };
         let holds = |at: &NodeId| room(at) || Condition::Fits(sample, *at).holds(graph, me);
-        let mut places: Few = places.iter().copied().filter(holds).collect();
+        let mut places: SmallList = places.iter().copied().filter(holds).collect();
         let (here, hand) = (graph.room_of(me), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
-        if let Few::Many(many) = &mut places
+        if let SmallList::Many(many) = &mut places
             && many.len() > PLACES
         {
             many.sort_by_key(|&id| (!hand(id), graph.room_of(id) != here, id));

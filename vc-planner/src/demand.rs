@@ -3,14 +3,14 @@
 use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term};
 use vc_graph::{NodeId, State};
 
-use crate::few::Few;
+use crate::small_list::SmallList;
 
 /// A demand that a number of things from a list satisfy a predicate.
 #[derive(Debug, Clone)]
 pub(crate) struct Demand<'g> {
     pub(crate) predicate: Predicate,
     /// The candidates for each argument of the predicate.
-    pub(crate) things: [Few; 2],
+    pub(crate) things: [SmallList; 2],
     /// The argument that is counted.
     pub(crate) counted: usize,
     pub(crate) number: usize,
@@ -163,7 +163,7 @@ impl<'a, 'g> Reader<'a, 'g> {
             Goal::Same(a, b) => self.meant(a).is_some_and(|a| self.meant(b) == Some(a)),
             Goal::Not(part) => matches!(**part, Goal::Same(..)) && !self.holds(part),
             Goal::Literal(literal) => {
-                let things = |i: usize| literal.terms.get(i).map_or(Few::NONE, |t| self.candidates(t));
+                let things = |i: usize| literal.terms.get(i).map_or(SmallList::NONE, |t| self.candidates(t));
                 let (first, second) = (things(0), things(1));
                 let with = |a| match &*second {
                     [] => self.now.holds(literal.predicate, [Some(a), None]),
@@ -297,7 +297,7 @@ impl<'a, 'g> Reader<'a, 'g> {
             if self.now.holds(literal.predicate, [Some(id), None]) {
                 self.found.all.push(Demand {
                     predicate: Predicate::State(opposite),
-                    things: [Few::One(id), Few::NONE],
+                    things: [SmallList::One(id), SmallList::NONE],
                     counted: 0,
                     number: 1,
                     part,
@@ -308,7 +308,7 @@ impl<'a, 'g> Reader<'a, 'g> {
 
     fn demand(&mut self, part: &'g Goal, literal: &'g Literal, number: usize) {
         let terms = &literal.terms;
-        let things = [0, 1].map(|i| terms.get(i).map_or(Few::NONE, |t| self.candidates(t)));
+        let things = [0, 1].map(|i| terms.get(i).map_or(SmallList::NONE, |t| self.candidates(t)));
         // For `Holds` the held things are counted, not the holder. One thing that is to be at one of several
         // places is a need of one, whatever the places.
         let held = literal.predicate == Predicate::Holds;
@@ -321,22 +321,22 @@ impl<'a, 'g> Reader<'a, 'g> {
         self.found.all.push(Demand { predicate: literal.predicate, things, counted, number, part });
     }
 
-    fn candidates(&self, term: &Term) -> Few {
+    fn candidates(&self, term: &Term) -> SmallList {
         match term {
             Term::Variable(name) => {
-                self.bound.iter().rev().find(|(n, _)| n == name).map_or(Few::NONE, |&(_, id)| Few::One(id))
+                self.bound.iter().rev().find(|(n, _)| n == name).map_or(SmallList::NONE, |&(_, id)| SmallList::One(id))
             }
             // An agent that has not been told what exists knows no thing by its number before seeing it.
             Term::Node(_, id) => {
                 if self.now.graph.node(*id).is_some() {
-                    Few::One(*id)
+                    SmallList::One(*id)
                 } else {
-                    Few::NONE
+                    SmallList::NONE
                 }
             }
-            Term::Me => Few::One(self.now.agent),
-            Term::Anything => Few::NONE,
-            Term::Class(_) => Few::Many(self.now.candidates(term)),
+            Term::Me => SmallList::One(self.now.agent),
+            Term::Anything => SmallList::NONE,
+            Term::Class(_) => SmallList::Many(self.now.candidates(term)),
         }
     }
 }

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
-use vc_tasks::{Outcome, Progress, Task, World, WorldError};
+use vc_tasks::{GoalProgress, Outcome, Task, World, WorldError};
 
 use crate::observation::as_json;
-use crate::policy::{Brief, Policy, Reaction};
+use crate::policy::{EpisodeStart, Policy, RefusalResponse};
 use crate::{Decision, Learned, Plan, Unreachable};
 
 /// One step of an episode, as it is recorded.
@@ -19,7 +19,7 @@ pub struct Step {
     pub seen: usize,
     /// Digest of what it saw.
     pub sight: String,
-    /// What it saw, if the [`Run`] keeps that.
+    /// What it saw, if the [`EpisodeOptions`] keeps that.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub observation: Option<serde_json::Value>,
     /// What it saw for the first time.
@@ -87,15 +87,15 @@ impl From<&Episode> for Summary {
     }
 }
 
-/// Lets a policy do a task in a world as its first agent, with seed 0. See [`Run`] for
+/// Lets a policy do a task in a world as its first agent, with seed 0. See [`EpisodeOptions`] for
 /// more.
 ///
-/// The verdict and the score are those of [`Progress`]: of the true scene at the end, and for a goal with words of time
+/// The verdict and the score are those of [`GoalProgress`]: of the true scene at the end, and for a goal with words of time
 /// of all that happened in the episode.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{Resident, run_episode};
+/// use vc_planner::{OraclePolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -105,7 +105,7 @@ impl From<&Episode> for Summary {
 /// let scene = scene.build();
 /// let run = |goal: &str| -> Result<_, vc_graph::goal::GoalError> {
 ///     let task = Task::new("in time", goal.parse()?);
-///     Ok(run_episode(&mut Resident::default(), &task, &mut Simulator::new(scene.clone())))
+///     Ok(run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(scene.clone())))
 /// };
 /// let aired = run("eventually Open(fridge) & Closed(fridge)")?;
 /// assert_eq!((aired.outcome, aired.steps), (Outcome::Won, 3)); // walk, open, close
@@ -115,12 +115,12 @@ impl From<&Episode> for Summary {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run_episode(policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Episode {
-    Run::default().episode(policy, task, world, &mut |_| {})
+    EpisodeOptions::default().episode(policy, task, world, &mut |_| {})
 }
 
 /// How an episode is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Run {
+pub struct EpisodeOptions {
     /// Who acts; the first agent of the scene, if none.
     pub agent: Option<NodeId>,
     /// Where the policy's randomness comes from.
@@ -130,7 +130,7 @@ pub struct Run {
     pub keeps_observations: bool,
 }
 
-impl Run {
+impl EpisodeOptions {
     /// A run with a seed.
     pub fn seeded(seed: u64) -> Self {
         Self { seed: Seed(seed), ..Self::default() }
@@ -138,7 +138,7 @@ impl Run {
 
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
-    /// policy believes, and for a goal with words of time by the trace of true scenes: [`Progress`]. An episode is lost at once in a scene without an agent, and for a task whose
+    /// policy believes, and for a goal with words of time by the trace of true scenes: [`GoalProgress`]. An episode is lost at once in a scene without an agent, and for a task whose
     /// goal has a name that stands for nothing ([`Task::lost`]).
     pub fn episode(
         &self,
@@ -157,7 +157,7 @@ impl Run {
         if let Some(why) = task.lost(world.graph()) {
             return lost(why.to_string());
         }
-        policy.begin(&Brief { scene: world.graph(), agent, task, seed: self.seed });
+        policy.begin(&EpisodeStart { scene: world.graph(), agent, task, seed: self.seed });
         let (progress, keeps_observations) = (task.begin(world, agent), self.keeps_observations);
         let mut running = Running { agent, task, world, progress, done: 0, refused: None, keeps_observations };
         let (outcome, reason) = loop {
@@ -176,7 +176,7 @@ struct Running<'a> {
     agent: NodeId,
     task: &'a Task,
     world: &'a mut dyn World,
-    progress: Progress,
+    progress: GoalProgress,
     done: usize,
     /// The last action that was refused and has not been done since, and why.
     refused: Option<(Action, String)>,
@@ -214,7 +214,7 @@ impl Running<'_> {
             Err(why) => {
                 step.refused = Some(why.to_string());
                 self.refused = Some((action, refusal(&step.described, &why)));
-                let stop = policy.refused(&action, &why) == Reaction::Stop;
+                let stop = policy.refused(&action, &why) == RefusalResponse::Stop;
                 stop.then_some((Outcome::Aborted, None))
             }
         };

@@ -4,10 +4,10 @@ use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Verb
 use vc_tasks::{Outcome, Task, World, WorldError};
 
 use crate::episode::{refusal, told};
-use crate::policy::{Brief, Policy, Reaction};
+use crate::policy::{EpisodeStart, Policy, RefusalResponse};
 use crate::shared::shared;
 use crate::trip::{Promise, Trip};
-use crate::{Agent, Belief, Decision, Effort, Learned, Planner, Prior, TeamEpisode, Unreachable, Watcher};
+use crate::{Agent, Belief, Decision, GoalRecognizer, Learned, Planner, Prior, SearchLimits, TeamEpisode, Unreachable};
 
 /// It helps with a goal when it is likelier than this: than all others together.
 const SURE: f64 = 0.5;
@@ -25,7 +25,7 @@ const SURE: f64 = 0.5;
 pub struct Helper {
     goals: Vec<Goal>,
     scope: Scope,
-    watcher: Watcher,
+    watcher: GoalRecognizer,
     planner: Planner,
     me: NodeId,
     agent: Option<Agent>,
@@ -38,18 +38,18 @@ pub struct Helper {
 
 impl Helper {
     /// A helper that knows the home and sees all of it.
-    pub fn resident(goals: Vec<Goal>) -> Self {
+    pub fn oracle(goals: Vec<Goal>) -> Self {
         Self::with(goals, Scope::Whole)
     }
 
     /// A helper that has just moved in and sees the room it is in.
-    pub fn newcomer(goals: Vec<Goal>) -> Self {
+    pub fn in_known_home(goals: Vec<Goal>) -> Self {
         Self::with(goals, Scope::Room)
     }
 
     fn with(goals: Vec<Goal>, scope: Scope) -> Self {
-        let watcher = Watcher::new(goals.clone());
-        let planner = Planner::trying(Effort::QUICK);
+        let watcher = GoalRecognizer::new(goals.clone());
+        let planner = Planner::with_limits(SearchLimits::QUICK);
         Self { goals, scope, watcher, planner, me: NodeId(0), agent: None, other: None, trail: None, helping: None }
     }
 
@@ -122,14 +122,14 @@ impl Policy for Helper {
         self.scope
     }
 
-    fn begin(&mut self, brief: &Brief<'_>) {
-        let Brief { scene, agent, seed, .. } = *brief;
+    fn begin(&mut self, brief: &EpisodeStart<'_>) {
+        let EpisodeStart { scene, agent, seed, .. } = *brief;
         let idle = Goal::And(Vec::new());
         self.agent = Some(match self.scope {
-            Scope::Whole => Agent::resident(scene, agent, idle),
-            _ => Agent::supposing(scene, agent, idle, seed.0, Prior::Kept),
+            Scope::Whole => Agent::oracle(scene, agent, idle),
+            _ => Agent::with_prior(scene, agent, idle, seed.0, Prior::Kept),
         });
-        self.watcher = Watcher::new(self.goals.clone());
+        self.watcher = GoalRecognizer::new(self.goals.clone());
         (self.me, self.other, self.trail, self.helping) = (agent, None, None, None);
     }
 
@@ -172,11 +172,11 @@ impl Policy for Helper {
         }
     }
 
-    fn refused(&mut self, action: &Action, _: &WorldError) -> Reaction {
+    fn refused(&mut self, action: &Action, _: &WorldError) -> RefusalResponse {
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
         }
-        Reaction::GoOn
+        RefusalResponse::GoOn
     }
 
     fn belief(&self) -> Option<&Belief> {
@@ -202,7 +202,7 @@ pub fn run_together(
         return lost;
     }
     for (agent, policy) in policies.iter_mut() {
-        policy.begin(&Brief { scene: world.graph(), agent: *agent, task, seed });
+        policy.begin(&EpisodeStart { scene: world.graph(), agent: *agent, task, seed });
     }
     let mut progress = task.begin(world, policies[0].0);
     let (mut rounds, mut actions, mut idle, mut reasons) = (0, 0, 0, Vec::new());

@@ -4,7 +4,7 @@ use vc_graph::NodeId;
 
 /// A set of nodes, stored as bits by node number.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Known {
+pub struct KnownNodes {
     bits: Vec<u64>,
     /// Numbers too large for the bits.
     rest: Vec<NodeId>,
@@ -13,7 +13,7 @@ pub struct Known {
 /// Numbers below this are stored as bits: 512 KiB at most.
 const DENSE: u32 = 1 << 22;
 
-impl Known {
+impl KnownNodes {
     /// Whether a node has been seen.
     pub fn contains(&self, id: NodeId) -> bool {
         if id.0 >= DENSE {
@@ -39,7 +39,7 @@ impl Known {
     }
 }
 
-impl Known {
+impl KnownNodes {
     /// Removes a node.
     pub(crate) fn remove(&mut self, id: NodeId) {
         if let Some(word) = self.bits.get_mut(id.0 as usize / 64) {
@@ -49,7 +49,7 @@ impl Known {
     }
 }
 
-impl FromIterator<NodeId> for Known {
+impl FromIterator<NodeId> for KnownNodes {
     fn from_iter<I: IntoIterator<Item = NodeId>>(ids: I) -> Self {
         let mut known = Self::default();
         for id in ids {

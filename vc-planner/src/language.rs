@@ -3,10 +3,10 @@
 
 use std::fmt::Write as _;
 
-use vc_graph::{Action, Kind, NodeId, Observation, Property, Relation, SceneGraph, Verb, Word, rule};
+use vc_graph::{Action, NodeId, NodeKind, Observation, Property, Relation, SceneGraph, Verb, Word, rule};
 use vc_tasks::WorldError;
 
-use crate::policy::{Brief, Policy, Reaction};
+use crate::policy::{EpisodeStart, Policy, RefusalResponse};
 use crate::{Decision, Learned, Plan, Unreachable};
 
 /// How often the model is asked again after an unusable answer.
@@ -125,7 +125,7 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
 /// place and state.
 pub fn describe_seen(seen: &Observation) -> String {
     let mut text = describe_self(seen);
-    for node in seen.nodes().filter(|n| n.kind() == Kind::Object) {
+    for node in seen.nodes().filter(|n| n.kind() == NodeKind::Object) {
         let _ = write!(text, "{}", node.label());
         let states: Vec<&str> = node.states().iter().map(|s| s.as_str()).collect();
         if !states.is_empty() {
@@ -168,7 +168,7 @@ fn describe_self(seen: &Observation) -> String {
     // The contents of a thing at hand are at hand, too.
     let down = |id: &NodeId| seen.places(*id).next().map(|place| place.at);
     let within_reach = |id| std::iter::successors(Some(id), down).take(DEEPEST).any(|at| near.contains(&at));
-    let objects = seen.nodes().filter(|n| n.kind() == Kind::Object && within_reach(n.id()));
+    let objects = seen.nodes().filter(|n| n.kind() == NodeKind::Object && within_reach(n.id()));
     let at_hand: Vec<String> = objects.map(|n| n.label().to_string()).collect();
     let at_hand = if at_hand.is_empty() { "nothing".into() } else { at_hand.join(", ") };
     let _ = writeln!(text, ". At hand: {at_hand}.");
@@ -263,7 +263,7 @@ impl<F: FnMut(&Prompt) -> Result<String, String>> Policy for LanguageModel<F> {
         false
     }
 
-    fn begin(&mut self, brief: &Brief<'_>) {
+    fn begin(&mut self, brief: &EpisodeStart<'_>) {
         self.agent = brief.agent;
         self.goal = format!("{}. The task is done when: {}", brief.task.title, brief.task.goal);
         self.scene = Some(brief.scene.clone());
@@ -300,9 +300,9 @@ impl<F: FnMut(&Prompt) -> Result<String, String>> Policy for LanguageModel<F> {
         (self.wrong, self.refusals) = (None, 0);
     }
 
-    fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+    fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
         self.refusals += 1;
         self.wrong = Some(format!("`{action}`: {why}"));
-        if self.refusals <= RETRIES { Reaction::GoOn } else { Reaction::Stop }
+        if self.refusals <= RETRIES { RefusalResponse::GoOn } else { RefusalResponse::Stop }
     }
 }

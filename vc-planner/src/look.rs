@@ -1,14 +1,16 @@
 //! The next step while something is lacking: searching and delivering.
 //!
-//! This module turns the belief and the packed problem into a [`Hunt`], and the hunt's best move back into a
+//! This module turns the belief and the packed problem into a [`ObjectSearch`], and the hunt's best move back into a
 //! step in the scene.
 
 use vc_graph::{Action, NodeId, Place, Relation, SceneGraph, Verb};
 
 use crate::Belief;
 use crate::compile::{Compiled, anchor};
-use crate::hunt::{Hunt, Item, Lacking, MOST_LACKS, MOST_QUARRIES, MOST_ROOMS, MOST_SITES, Move, Quarry, Site, Target};
 use crate::manners::Manners;
+use crate::object_search::{
+    Item, Lacking, MOST_LACKS, MOST_QUARRIES, MOST_ROOMS, MOST_SITES, Move, ObjectSearch, Site, SoughtObject, Target,
+};
 use crate::packed::Way;
 
 /// The next step.
@@ -39,7 +41,7 @@ struct Map<'a> {
     graph: &'a SceneGraph,
     me: NodeId,
     compiled: &'a Compiled,
-    hunt: Hunt,
+    hunt: ObjectSearch,
     rooms: Vec<NodeId>,
     spots: Vec<NodeId>,
     /// The container that is opened to see a site, in the order of sites.
@@ -69,7 +71,7 @@ impl<'a> Map<'a> {
             graph,
             me,
             compiled,
-            hunt: Hunt { opening, ..Hunt::default() },
+            hunt: ObjectSearch { opening, ..ObjectSearch::default() },
             rooms: Vec::new(),
             spots: Vec::new(),
             shut: Vec::new(),
@@ -216,7 +218,7 @@ impl<'a> Map<'a> {
         if known.is_none() {
             self.hunt.targets.push(target);
         }
-        (number < crate::hunt::MOST_TARGETS).then_some(number as u8)
+        (number < crate::object_search::MOST_TARGETS).then_some(number as u8)
     }
 
     /// Adds the lacking things and their possible places.
@@ -233,7 +235,7 @@ impl<'a> Map<'a> {
                         by_site[site as usize] += chances.at(index);
                     }
                 }
-                self.hunt.quarries.push(Quarry { lack: number as u8, chances: by_site });
+                self.hunt.quarries.push(SoughtObject { lack: number as u8, chances: by_site });
             }
             // Fixed things that merely have not been seen need not be searched.
             let left = lack.number.min(self.hunt.quarries.len() - before) as u8;

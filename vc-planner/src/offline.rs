@@ -7,7 +7,7 @@
 mod table;
 
 use vc_graph::{SceneGraph, Scope, Simulator};
-use vc_tasks::{Outcome, Progress};
+use vc_tasks::{GoalProgress, Outcome};
 
 use crate::observation::as_json;
 use crate::{Fault, Trajectory};
@@ -47,7 +47,7 @@ impl Trajectory {
         self.is_of(initial)?;
         let me = self.header.agent;
         let mut world = Simulator::new(initial.clone());
-        let mut progress = Progress::new(&self.header.goal, &world, me);
+        let mut progress = GoalProgress::new(&self.header.goal, &world, me);
         let look = |world: &Simulator| as_json(&world.graph().observe(me, scope)).to_string();
         let (mut before, mut seen) = (progress.score(&world), look(&world));
         let mut all = Vec::new();

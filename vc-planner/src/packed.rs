@@ -14,7 +14,7 @@ mod moves;
 
 use vc_graph::{NodeId, Verb};
 
-use crate::few::Few;
+use crate::small_list::SmallList;
 
 use index::Index;
 
@@ -66,7 +66,7 @@ pub(crate) struct Pile {
     pub(crate) spot: u8,
     pub(crate) door: Option<u8>,
     /// One item for each bit.
-    pub(crate) items: Few,
+    pub(crate) items: SmallList,
     pub(crate) units: u64,
 }
 

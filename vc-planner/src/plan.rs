@@ -2,7 +2,7 @@
 
 use vc_graph::Action;
 
-use crate::want::Want;
+use crate::open_condition::OpenCondition;
 
 /// How far ahead to plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub struct Plan {
     pub actions: Vec<Action>,
     /// What each stretch of them is for, with how many actions it has; only regression
     /// says so.
-    pub wants: Vec<(Want, usize)>,
+    pub wants: Vec<(OpenCondition, usize)>,
     /// No plan of the packed problem is shorter. Where the goal has parts beyond it,
     /// nothing is proved.
     pub proved: bool,

@@ -5,14 +5,14 @@ use vc_graph::{Action, Event, History, Node, NodeId, Place, SceneGraph};
 
 use crate::compile::{Compiled, compile};
 use crate::demand::{Choice, Demands, Reader};
+use crate::expansion::Expansion;
 use crate::manners::{Leave, Manners, Touched};
+use crate::open_condition::{OpenCondition, Unreachable};
 use crate::packed::Op;
 use crate::plan::{Horizon, Plan};
 use crate::regression::Regression;
-use crate::search::{Effort, Found, Search};
-use crate::tour::Tour;
-use crate::want::{Unreachable, Want};
-use crate::{Belief, Known};
+use crate::search::{Found, Search, SearchLimits};
+use crate::{Belief, KnownNodes};
 
 /// Plans for an agent in a scene it knows entirely, with the usual effort and no
 /// manners; see [`Planner`].
@@ -61,7 +61,7 @@ const PARTS: usize = 64;
 pub struct Planner {
     pub(crate) search: Search,
     /// How much it searches.
-    pub effort: Effort,
+    pub effort: SearchLimits,
     /// How it leaves the home.
     pub manners: Manners,
     /// What it has opened and switched so far, with how it was.
@@ -74,7 +74,7 @@ pub struct Planner {
 
 impl Planner {
     /// A planner that searches so much, without manners.
-    pub fn trying(effort: Effort) -> Self {
+    pub fn with_limits(effort: SearchLimits) -> Self {
         Self { effort, ..Self::default() }
     }
 
@@ -99,7 +99,7 @@ impl Planner {
         goal: &Goal,
         events: &[Event],
     ) -> Result<Plan, Unreachable> {
-        if let Some(misnomer) = goal.misnomers(graph).into_iter().next() {
+        if let Some(misnomer) = goal.name_mismatches(graph).into_iter().next() {
             return Err(misnomer.into());
         }
         let is_tidy = self.tidy().is_none_or(|touched| touched.amiss(graph).next().is_none());
@@ -134,7 +134,7 @@ impl Planner {
             }
         }
         if general || !found {
-            let known: Known = graph.nodes().map(Node::id).collect();
+            let known: KnownNodes = graph.nodes().map(Node::id).collect();
             let mut way = Regression::new(graph, agent, &known, events, goal).tidying(self.tidy());
             match way.work(goal, Horizon::Goal, None) {
                 Ok(plan) => offer(way.amiss().len(), plan),
@@ -162,7 +162,7 @@ impl Planner {
         let demands = Reader::read(goal, &now, &mut Choice::default());
         let compiled = compile(&demands, &now, &|_| true, self.leave())?;
         let (ops, _) = self.solve(&compiled, goal)?;
-        Ok(Tour::write(&compiled.problem, compiled.start, &ops))
+        Ok(Expansion::write(&compiled.problem, compiled.start, &ops))
     }
 
     /// One choice of alternatives: packed, carried out, and what is left regressed.
@@ -178,8 +178,8 @@ impl Planner {
         let demands = Demands { regress_postures, ..Reader::read(goal, &now, choice) };
         let compiled = compile(&demands, &now, &|_| true, self.leave())?;
         let (ops, proved) = self.solve(&compiled, goal)?;
-        let actions = Tour::write(&compiled.problem, compiled.start, &ops);
-        let known: Known = graph.nodes().map(Node::id).collect();
+        let actions = Expansion::write(&compiled.problem, compiled.start, &ops);
+        let known: KnownNodes = graph.nodes().map(Node::id).collect();
         let touched = self.tidy().cloned();
         let mut way = Regression::new(graph, agent, &known, events, goal).tidying(touched.as_ref());
         let posture = compiled.problem.last != 0;
@@ -210,7 +210,7 @@ impl Planner {
             let compiled = compile(&Reader::read(goal, &now, choice), &now, &|_| true, self.leave());
             let Ok(compiled) = compiled else { return false };
             let Ok((ops, _)) = self.solve(&compiled, goal) else { return false };
-            let actions = Tour::write(&compiled.problem, compiled.start, &ops);
+            let actions = Expansion::write(&compiled.problem, compiled.start, &ops);
             if !way.follow(&actions) {
                 return false;
             }
@@ -237,12 +237,12 @@ impl Planner {
         &mut self,
         goal: &Goal,
         now: &Situation<'_>,
-        known: &Known,
+        known: &KnownNodes,
         choice: &mut Choice,
     ) -> Result<Sketch, Unreachable> {
         let compiled = compile(&demands_in_view(goal, now, choice), now, &|id| known.contains(id), self.leave())?;
         let (ops, proved) = self.solve(&compiled, goal)?;
-        let actions = Tour::write(&compiled.problem, compiled.start, &ops);
+        let actions = Expansion::write(&compiled.problem, compiled.start, &ops);
         Ok(Sketch { compiled, actions, proved })
     }
 
@@ -252,7 +252,7 @@ impl Planner {
         &mut self,
         goal: &Goal,
         now: &Situation<'_>,
-        known: &Known,
+        known: &KnownNodes,
         choice: &mut Choice,
         than: usize,
     ) -> Refined {
@@ -261,7 +261,7 @@ impl Planner {
             return Refined::Best;
         };
         match self.search.shorter(&problem, start, than, self.effort.improve / 2) {
-            Found::Way { ops, best, .. } => Refined::Shorter(Tour::write(&problem, start, &ops), best),
+            Found::Way { ops, best, .. } => Refined::Shorter(Expansion::write(&problem, start, &ops), best),
             Found::Exhausted(_) => Refined::Best,
             Found::Unfinished(_) => Refined::Unknown,
         }
@@ -316,7 +316,7 @@ pub(crate) fn plan_in_belief(
     goal: &Goal,
     events: &[Event],
     horizon: Horizon,
-    (pursued, touched): (Option<Want>, Option<&Touched>),
+    (pursued, touched): (Option<OpenCondition>, Option<&Touched>),
 ) -> Result<Plan, Unreachable> {
     let unseen: Vec<Place> = belief.possible_places().collect();
     let (graph, known) = belief.sampled_and_known();

@@ -4,11 +4,11 @@ use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Seed
 use vc_tasks::library::THESIS_VERBS;
 use vc_tasks::{Task, WorldError};
 
-use crate::{Agent, Belief, Decision, Effort, Horizon, Learned, Manners, Plan, Prior};
+use crate::{Agent, Belief, Decision, Horizon, Learned, Manners, Plan, Prior, SearchLimits};
 
 /// What a policy is told when an episode begins.
 #[derive(Debug, Clone, Copy)]
-pub struct Brief<'a> {
+pub struct EpisodeStart<'a> {
     /// The true scene. What a policy may take from it is its own honesty: newcomers
     /// take the rooms, the fixed things, and what movable things there are.
     pub scene: &'a SceneGraph,
@@ -22,7 +22,7 @@ pub struct Brief<'a> {
 
 /// What to do about a refused action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reaction {
+pub enum RefusalResponse {
     /// It counts as a step, and the episode goes on.
     GoOn,
     /// The episode ends.
@@ -34,11 +34,11 @@ pub enum Reaction {
 /// It is object-safe: runners take `&mut dyn Policy`.
 ///
 /// An action that is refused ends the episode unless the policy says otherwise: [`Policy::refused`] answers
-/// [`Reaction::Stop`] by default. A policy that tries what may not work overrides it and goes on.
+/// [`RefusalResponse::Stop`] by default. A policy that tries what may not work overrides it and goes on.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{Policy, Random, Resident, Newcomer, run_episode};
+/// use vc_planner::{Policy, RandomPolicy, OraclePolicy, PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -47,7 +47,7 @@ pub enum Reaction {
 /// scene.add_in(kitchen, Draft::new("character"))?;
 /// let task = Task::new("milk", "Holds(milk)".parse()?);
 /// let graph = scene.build();
-/// let policies: [&mut dyn Policy; 3] = [&mut Newcomer::best(), &mut Resident::default(), &mut Random::default()];
+/// let policies: [&mut dyn Policy; 3] = [&mut PlannerPolicy::best(), &mut OraclePolicy::default(), &mut RandomPolicy::default()];
 /// for policy in policies {
 ///     let episode = run_episode(policy, &task, &mut Simulator::new(graph.clone()));
 ///     assert_eq!(episode.outcome, Outcome::Won, "{}", policy.name());
@@ -70,7 +70,7 @@ pub trait Policy {
     }
 
     /// A new episode begins.
-    fn begin(&mut self, brief: &Brief<'_>);
+    fn begin(&mut self, brief: &EpisodeStart<'_>);
 
     /// Takes in what is seen.
     fn see(&mut self, seen: &Observation) -> Learned;
@@ -82,9 +82,9 @@ pub trait Policy {
     fn did(&mut self, action: &Action);
 
     /// The action was refused, for this reason, and nothing has changed. By default the episode ends here as
-    /// [`Aborted`](vc_tasks::Outcome::Aborted); with [`Reaction::GoOn`] it goes on, and the refusal counts as a step.
-    fn refused(&mut self, _action: &Action, _why: &WorldError) -> Reaction {
-        Reaction::Stop
+    /// [`Aborted`](vc_tasks::Outcome::Aborted); with [`RefusalResponse::GoOn`] it goes on, and the refusal counts as a step.
+    fn refused(&mut self, _action: &Action, _why: &WorldError) -> RefusalResponse {
+        RefusalResponse::Stop
     }
 
     /// Another agent in view has done something, before the next look.
@@ -140,7 +140,7 @@ impl Planning {
 
     /// What the world cannot do, the agent walks up to; what it cannot do a second time, the
     /// agent does not expect of it any more.
-    fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+    fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
         self.refusals += 1;
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
@@ -151,7 +151,7 @@ impl Planning {
             }
         }
         self.failed = Some(*action);
-        if self.refusals < REFUSALS { Reaction::GoOn } else { Reaction::Stop }
+        if self.refusals < REFUSALS { RefusalResponse::GoOn } else { RefusalResponse::Stop }
     }
 }
 
@@ -169,7 +169,7 @@ macro_rules! plans {
             self.planning.did(action);
         }
 
-        fn refused(&mut self, action: &Action, why: &WorldError) -> Reaction {
+        fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
             self.planning.refused(action, why)
         }
 
@@ -185,7 +185,7 @@ macro_rules! plans {
 
 /// Somebody who knows the plan of the home and searches it.
 #[derive(Debug, Clone)]
-pub struct Newcomer {
+pub struct PlannerPolicy {
     name: &'static str,
     planning: Planning,
     /// What it supposes about where things are; `None` for the thesis's agent.
@@ -195,7 +195,7 @@ pub struct Newcomer {
     manners: Manners,
 }
 
-impl Newcomer {
+impl PlannerPolicy {
     /// The best planner: things are where people keep them, the look that is most
     /// worth it first, two hands.
     pub fn best() -> Self {
@@ -205,7 +205,7 @@ impl Newcomer {
 
     /// The best planner, in a home of which it knows the rooms and no more: the furniture, and
     /// which things there are, it learns by walking in.
-    pub fn stranger() -> Self {
+    pub fn in_unknown_home() -> Self {
         Self { name: "stranger", told: false, ..Self::best() }
     }
 
@@ -216,7 +216,7 @@ impl Newcomer {
 
     /// The best planner, with another supposition about where things are.
     #[must_use]
-    pub fn supposing(self, prior: Prior) -> Self {
+    pub fn with_prior(self, prior: Prior) -> Self {
         Self { prior: Some(prior), ..self }
     }
 
@@ -228,24 +228,24 @@ impl Newcomer {
 
     /// How it leaves the home.
     #[must_use]
-    pub fn mannered(self, manners: Manners) -> Self {
+    pub fn with_manners(self, manners: Manners) -> Self {
         Self { manners, ..self }
     }
 }
 
-impl Policy for Newcomer {
+impl Policy for PlannerPolicy {
     fn name(&self) -> &str {
         self.name
     }
 
-    fn begin(&mut self, brief: &Brief<'_>) {
-        let Brief { scene, agent, task, seed } = *brief;
+    fn begin(&mut self, brief: &EpisodeStart<'_>) {
+        let EpisodeStart { scene, agent, task, seed } = *brief;
         let agent = match &self.prior {
-            _ if !self.told => Agent::stranger(scene, agent, task.goal.clone(), seed.0),
+            _ if !self.told => Agent::in_unknown_home(scene, agent, task.goal.clone(), seed.0),
             None => Agent::faithful(scene, agent, task.goal.clone(), seed.0),
-            Some(prior) => Agent::supposing(scene, agent, task.goal.clone(), seed.0, prior.clone()),
+            Some(prior) => Agent::with_prior(scene, agent, task.goal.clone(), seed.0, prior.clone()),
         };
-        self.planning.begin(agent.mannered(self.manners));
+        self.planning.begin(agent.with_manners(self.manners));
     }
 
     plans!();
@@ -253,26 +253,26 @@ impl Policy for Newcomer {
 
 /// The oracle: somebody who knows everything and sees everything.
 #[derive(Debug, Clone)]
-pub struct Resident {
+pub struct OraclePolicy {
     planning: Planning,
     manners: Manners,
 }
 
-impl Default for Resident {
+impl Default for OraclePolicy {
     fn default() -> Self {
         Self { planning: Planning::NEW, manners: Manners::GoalOnly }
     }
 }
 
-impl Resident {
+impl OraclePolicy {
     /// How it leaves the home.
     #[must_use]
-    pub fn mannered(self, manners: Manners) -> Self {
+    pub fn with_manners(self, manners: Manners) -> Self {
         Self { manners, ..self }
     }
 }
 
-impl Policy for Resident {
+impl Policy for OraclePolicy {
     fn name(&self) -> &str {
         "oracle"
     }
@@ -281,10 +281,11 @@ impl Policy for Resident {
         Scope::Whole
     }
 
-    fn begin(&mut self, brief: &Brief<'_>) {
-        let agent = Agent::resident(brief.scene, brief.agent, brief.task.goal.clone());
+    fn begin(&mut self, brief: &EpisodeStart<'_>) {
+        let agent = Agent::oracle(brief.scene, brief.agent, brief.task.goal.clone());
         // Others are measured by its plans.
-        self.planning.begin(agent.planning(Horizon::Goal).trying(Effort::THOROUGH).mannered(self.manners));
+        self.planning
+            .begin(agent.planning(Horizon::Goal).with_limits(SearchLimits::THOROUGH).with_manners(self.manners));
     }
 
     plans!();
@@ -293,12 +294,12 @@ impl Policy for Resident {
 /// The thesis's random model: a verb and objects of interest, each drawn uniformly;
 /// what cannot be done is ignored, and counts as a step.
 #[derive(Debug, Clone, Default)]
-pub struct Random {
+pub struct RandomPolicy {
     things: Vec<NodeId>,
     stream: Option<Stream>,
 }
 
-impl Random {
+impl RandomPolicy {
     fn draw(&mut self) -> Option<Action> {
         let stream = self.stream.as_mut()?;
         // A verb of VirtualCity that takes more things than there are is drawn again.
@@ -331,7 +332,7 @@ pub fn objects_of_interest(scene: &SceneGraph, goal: &Goal) -> Vec<NodeId> {
     found
 }
 
-impl Policy for Random {
+impl Policy for RandomPolicy {
     fn name(&self) -> &str {
         "random"
     }
@@ -340,7 +341,7 @@ impl Policy for Random {
         false
     }
 
-    fn begin(&mut self, brief: &Brief<'_>) {
+    fn begin(&mut self, brief: &EpisodeStart<'_>) {
         self.things = objects_of_interest(brief.scene, &brief.task.goal);
         self.stream = Some(brief.seed.child("random policy").stream());
     }
@@ -355,31 +356,31 @@ impl Policy for Random {
 
     fn did(&mut self, _: &Action) {}
 
-    fn refused(&mut self, _: &Action, _: &WorldError) -> Reaction {
-        Reaction::GoOn
+    fn refused(&mut self, _: &Action, _: &WorldError) -> RefusalResponse {
+        RefusalResponse::GoOn
     }
 }
 
 /// Does what is written, whatever it sees.
 #[derive(Debug, Clone, Default)]
-pub struct Scripted {
+pub struct ScriptedPolicy {
     script: Vec<Action>,
     next: usize,
 }
 
-impl Scripted {
+impl ScriptedPolicy {
     /// A policy that does these actions in turn.
     pub fn new(script: Vec<Action>) -> Self {
         Self { script, next: 0 }
     }
 }
 
-impl Policy for Scripted {
+impl Policy for ScriptedPolicy {
     fn name(&self) -> &str {
         "script"
     }
 
-    fn begin(&mut self, _: &Brief<'_>) {
+    fn begin(&mut self, _: &EpisodeStart<'_>) {
         self.next = 0;
     }
 

@@ -1,7 +1,7 @@
 //! Prior probabilities of the places of things.
 
-mod kin;
 mod kinds;
+mod related_classes;
 mod stray;
 mod tidiness;
 mod weights;
@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 use vc_graph::{NodeId, Relation, SceneGraph};
 
-use kin::Kin;
 pub(crate) use kinds::Kinds;
+use related_classes::RelatedClasses;
 #[cfg(test)]
 pub(crate) use tidiness::{CAUTION, HYPOTHESES, chance};
 pub(crate) use tidiness::{Supposed, Tidiness};
@@ -57,7 +57,7 @@ pub enum Prior {
 ///     weight,
 /// };
 /// let habits = [habit(Relation::Inside, "kitchen_cabinet", 3.0), habit(Relation::On, "kitchen_counter", 1.0)];
-/// let belief = Belief::by_prior(&scene.build(), me, 0, Prior::Habits(habits.into()));
+/// let belief = Belief::with_prior(&scene.build(), me, 0, Prior::Habits(habits.into()));
 /// let chance = |relation, at| belief.probability(mug, Place { relation, at });
 /// let astray = chance(Relation::On, table);
 /// let (often, seldom) = (chance(Relation::Inside, cupboard), chance(Relation::On, counter));

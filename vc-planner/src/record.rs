@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use serde::{Deserialize, Serialize};
 use vc_graph::format::unmarked;
 use vc_graph::{Action, Edge, Goal, NodeId, Observation, Refusal, Relation, SceneGraph, Scope, Seed, Simulator, Verb};
-use vc_tasks::{Outcome, Progress, Task, World};
+use vc_tasks::{GoalProgress, Outcome, Task, World};
 
 use crate::observation::as_json;
-use crate::{Policy, Run, Step, Summary};
+use crate::{EpisodeOptions, Policy, Step, Summary};
 
 /// The first line of a record: the subject of the episode.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -45,7 +45,7 @@ pub struct Trajectory {
 /// An error in a record.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum RecordError {
+pub enum TrajectoryError {
     /// A line cannot be read.
     #[error("line {line}: {error}")]
     Line {
@@ -100,7 +100,7 @@ pub enum Fault {
 
 impl Header {
     /// The header of an episode that is about to begin in a scene.
-    pub fn of(run: &Run, policy: &dyn Policy, task: &Task, graph: &SceneGraph) -> Self {
+    pub fn of(run: &EpisodeOptions, policy: &dyn Policy, task: &Task, graph: &SceneGraph) -> Self {
         Self {
             scene: graph.name().to_owned(),
             digest: graph.digest().to_string(),
@@ -116,7 +116,7 @@ impl Header {
 
 impl Trajectory {
     /// Runs an episode and records it.
-    pub fn record(run: &Run, policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Self {
+    pub fn record(run: &EpisodeOptions, policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Self {
         let header = Header::of(run, policy, task, world.graph());
         let mut steps = Vec::new();
         let episode = run.episode(policy, task, world, &mut |step| steps.push(step.clone()));
@@ -139,15 +139,15 @@ impl Trajectory {
     /// Reads what [`Trajectory::to_json_lines`] wrote.
     ///
     /// # Errors
-    /// [`RecordError`] with the line.
-    pub fn read_json_lines(text: &str) -> Result<Self, RecordError> {
+    /// [`TrajectoryError`] with the line.
+    pub fn read_json_lines(text: &str) -> Result<Self, TrajectoryError> {
         let lines: Vec<(usize, &str)> =
             unmarked(text).lines().enumerate().map(|(i, l)| (i + 1, l)).filter(|(_, l)| !l.trim().is_empty()).collect();
-        let [first, middle @ .., last] = lines.as_slice() else { return Err(RecordError::TooShort) };
+        let [first, middle @ .., last] = lines.as_slice() else { return Err(TrajectoryError::TooShort) };
         if is_with_bodies(first.1) {
-            return Err(RecordError::WithBodies);
+            return Err(TrajectoryError::WithBodies);
         }
-        let steps: Result<Vec<Step>, RecordError> = middle.iter().map(read).collect();
+        let steps: Result<Vec<Step>, TrajectoryError> = middle.iter().map(read).collect();
         Ok(Self { header: read(first)?, steps: steps?, summary: read(last)? })
     }
 
@@ -188,7 +188,7 @@ impl Trajectory {
         }
         let mut faults = Vec::new();
         let mut world = Simulator::new(initial.clone());
-        let mut progress = Progress::new(&self.header.goal, &world, self.header.agent);
+        let mut progress = GoalProgress::new(&self.header.goal, &world, self.header.agent);
         let mut last: Option<Action> = None;
         for step in &self.steps {
             self.check_step(&mut world, step, last, &mut faults);
@@ -244,8 +244,8 @@ fn is_with_bodies(line: &str) -> bool {
     header.is_ok_and(|header| header.get("agent").is_some_and(serde_json::Value::is_string))
 }
 
-fn read<T: serde::de::DeserializeOwned>(&(line, text): &(usize, &str)) -> Result<T, RecordError> {
-    serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })
+fn read<T: serde::de::DeserializeOwned>(&(line, text): &(usize, &str)) -> Result<T, TrajectoryError> {
+    serde_json::from_str(text).map_err(|error| TrajectoryError::Line { line, error })
 }
 
 /// The relation that an action is meant to establish.

@@ -9,12 +9,12 @@ use vc_graph::{
     Action, ChangeSet, Condition, Event, Node, NodeId, Place, Property, Relation, SceneGraph, State, Verb, rule,
 };
 
-use crate::Known;
+use crate::KnownNodes;
 use crate::manners::Touched;
+use crate::open_condition::{OpenCondition, Unreachable};
 use crate::plan::{Horizon, Plan};
 use crate::subgoal::View;
 use crate::subgoal::hints::Hints;
-use crate::want::{Unreachable, Want};
 
 /// How many actions a plan may hold, tried ones included.
 const BUDGET: usize = 4000;
@@ -29,7 +29,7 @@ const OPTIONS: usize = 48;
 pub(crate) struct Regression<'a> {
     graph: &'a mut SceneGraph,
     agent: NodeId,
-    known: &'a Known,
+    known: &'a KnownNodes,
     /// Everything is known: whether the goal holds can be seen.
     knows_all: bool,
     /// What has been opened and switched before, for those who put it back.
@@ -52,7 +52,7 @@ impl<'a> Regression<'a> {
     pub(crate) fn new(
         graph: &'a mut SceneGraph,
         agent: NodeId,
-        known: &'a Known,
+        known: &'a KnownNodes,
         events: &[Event],
         goal: &Goal,
     ) -> Self {
@@ -84,7 +84,12 @@ impl<'a> Regression<'a> {
         Self { unseen, ..self }
     }
 
-    pub(crate) fn run(mut self, goal: &Goal, horizon: Horizon, pursued: Option<Want>) -> Result<Plan, Unreachable> {
+    pub(crate) fn run(
+        mut self,
+        goal: &Goal,
+        horizon: Horizon,
+        pursued: Option<OpenCondition>,
+    ) -> Result<Plan, Unreachable> {
         let result = self.work(goal, horizon, pursued);
         self.rewind(0);
         result
@@ -102,7 +107,7 @@ impl<'a> Regression<'a> {
         &mut self,
         goal: &Goal,
         horizon: Horizon,
-        mut pursued: Option<Want>,
+        mut pursued: Option<OpenCondition>,
     ) -> Result<Plan, Unreachable> {
         let mut wants = Vec::new();
         loop {
@@ -140,12 +145,12 @@ impl<'a> Regression<'a> {
         goal.holds(&self.now())
     }
 
-    fn describe(&self, want: &Want) -> String {
+    fn describe(&self, want: &OpenCondition) -> String {
         match want {
-            Want::Do(action) => action.describe(self.graph).to_string(),
-            Want::See(id) => format!("see {}", self.graph.label(*id)),
-            Want::LookInto(id) => format!("look into {}", self.graph.label(*id)),
-            Want::Hold(condition) => match condition.check(self.graph, self.agent) {
+            OpenCondition::Do(action) => action.describe(self.graph).to_string(),
+            OpenCondition::See(id) => format!("see {}", self.graph.label(*id)),
+            OpenCondition::LookInto(id) => format!("look into {}", self.graph.label(*id)),
+            OpenCondition::Hold(condition) => match condition.check(self.graph, self.agent) {
                 Err(refusal) => format!("({refusal})"),
                 Ok(()) => want.to_string(),
             },
@@ -157,16 +162,16 @@ impl<'a> Regression<'a> {
     }
 
     /// Settles a want by actions, or leaves everything as it was.
-    fn settle(&mut self, want: &Want) -> bool {
+    fn settle(&mut self, want: &OpenCondition) -> bool {
         let mark = self.trail.len();
         let settled = match want {
-            Want::Hold(condition) => self.achieve(condition) && self.trail.len() > mark,
-            Want::Do(action) => self.act(action),
-            Want::See(id) => self.come_to_see(*id),
-            Want::LookInto(id) if self.graph.node(*id).is_some_and(Node::hides_contents) => {
+            OpenCondition::Hold(condition) => self.achieve(condition) && self.trail.len() > mark,
+            OpenCondition::Do(action) => self.act(action),
+            OpenCondition::See(id) => self.come_to_see(*id),
+            OpenCondition::LookInto(id) if self.graph.node(*id).is_some_and(Node::hides_contents) => {
                 self.achieve(&Condition::In(*id, State::Open))
             }
-            Want::LookInto(id) => self.come_to_see(*id),
+            OpenCondition::LookInto(id) => self.come_to_see(*id),
         };
         if !settled {
             self.rewind(mark);

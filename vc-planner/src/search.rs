@@ -15,14 +15,14 @@ use crate::packed::{ACTION, FINE, Op, Problem, State};
 
 /// How much a search may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Effort {
+pub struct SearchLimits {
     /// States looked at for the first answer.
     pub first: usize,
     /// States looked at to improve or prove it.
     pub improve: usize,
 }
 
-impl Effort {
+impl SearchLimits {
     /// A first answer and nothing more.
     pub const QUICK: Self = Self { first: 4_000, improve: 0 };
     /// Proves that no plan has fewer actions for six predicates, mostly for eight, and finds the
@@ -30,7 +30,7 @@ impl Effort {
     pub const THOROUGH: Self = Self { first: 4_000, improve: 7_000 };
 }
 
-impl Default for Effort {
+impl Default for SearchLimits {
     fn default() -> Self {
         Self::THOROUGH
     }
@@ -80,7 +80,7 @@ const WIDEST: usize = 256;
 
 impl Search {
     /// The cheapest way from a state to the goal that the effort allows.
-    pub(crate) fn solve(&mut self, problem: &Problem, start: State, effort: Effort) -> Found {
+    pub(crate) fn solve(&mut self, problem: &Problem, start: State, effort: SearchLimits) -> Found {
         let first = self.best_first(problem, start, 3, effort.first, u32::MAX);
         let Found::Way { mut ops, mut cost, .. } = first else { return first };
         let least = problem.bound(&start) / ACTION;

@@ -8,14 +8,14 @@ mod wants;
 use vc_graph::goal::{Goal, Predicate, Quantified, Situation, Term};
 use vc_graph::{NodeId, Place, SceneGraph};
 
-use crate::Known;
-use crate::want::{Subgoal, Unreachable, Want};
+use crate::KnownNodes;
+use crate::open_condition::{OpenCondition, Subgoal, Unreachable};
 use hints::Hints;
 
 /// A goal as seen by an agent with partial knowledge.
 pub(crate) struct View<'a> {
     pub(crate) now: Situation<'a>,
-    pub(crate) known: &'a Known,
+    pub(crate) known: &'a KnownNodes,
     /// The places where things that have not been found can be.
     pub(crate) unseen: &'a [Place],
     pub(crate) hints: &'a Hints,
@@ -132,7 +132,7 @@ impl View<'_> {
             None => Err(reason.unwrap_or_else(|| Unreachable::NoInstance(goal.to_string()))),
             Some(way) if way.len() == 1 => {
                 let single = possible.into_iter().take_while(|w| w.len() == 1);
-                let mut options: Vec<Want> = single.flatten().flat_map(|s| s.options).collect();
+                let mut options: Vec<OpenCondition> = single.flatten().flat_map(|s| s.options).collect();
                 options.sort_by_cached_key(|w| self.cost(w));
                 Ok(vec![Subgoal { options }])
             }

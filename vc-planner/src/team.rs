@@ -1,11 +1,11 @@
 //! Several agents with one goal, and one that helps another whose goal it infers.
 
 use vc_graph::{Event, Goal, NodeId, Refusal, SceneGraph, Scope, Verb};
-use vc_tasks::{Outcome, Progress, Task, World};
+use vc_tasks::{GoalProgress, Outcome, Task, World};
 
 use crate::episode::{refusal, told};
 use crate::shared::shared;
-use crate::{Agent, Decision, Effort, Planner, Summary};
+use crate::{Agent, Decision, Planner, SearchLimits, Summary};
 
 /// Agents that share a goal and tell each other what they see and what they will do.
 ///
@@ -80,12 +80,12 @@ const IDLE: usize = 2;
 impl Team {
     /// Agents that know the plan of the home and no more.
     pub fn newcomers(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
-        Self::of(ids, goal, |id, goal| Agent::newcomer(graph, id, goal, seed))
+        Self::of(ids, goal, |id, goal| Agent::in_known_home(graph, id, goal, seed))
     }
 
     /// Agents that know everything there is.
     pub fn residents(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
-        Self::of(ids, goal, |id, goal| Agent::resident(graph, id, goal))
+        Self::of(ids, goal, |id, goal| Agent::oracle(graph, id, goal))
     }
 
     /// The first has the whole goal, which speaks of it; the others what anybody can do.
@@ -124,7 +124,7 @@ impl Team {
         &mut self,
         task: &Task,
         world: &mut dyn World,
-        progress: &mut Progress,
+        progress: &mut GoalProgress,
         reasons: &mut Vec<String>,
     ) -> usize {
         let mut done = 0;
@@ -179,7 +179,7 @@ impl Team {
 /// that brings a goal nearer speaks for it (Ramirez and Geffner, AAAI 2010; inverse
 /// planning, Baker, Saxe and Tenenbaum 2009).
 #[derive(Debug, Clone)]
-pub struct Watcher {
+pub struct GoalRecognizer {
     goals: Vec<Goal>,
     /// Logarithms of how well each explains what was seen.
     weights: Vec<f64>,
@@ -193,11 +193,11 @@ const AGAINST: f64 = 2.5;
 /// things are has to.
 const ASTRAY: f64 = 0.2;
 
-impl Watcher {
+impl GoalRecognizer {
     /// Somebody who thinks that the other pursues one of these, each as likely.
     pub fn new(goals: Vec<Goal>) -> Self {
         let weights = vec![0.0; goals.len()];
-        Self { goals, weights, planner: Planner { effort: Effort::QUICK, ..Planner::default() } }
+        Self { goals, weights, planner: Planner { effort: SearchLimits::QUICK, ..Planner::default() } }
     }
 
     /// Takes note of an action that another did: the scene before it and after it.

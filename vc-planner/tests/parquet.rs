@@ -5,7 +5,7 @@
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 use vc_graph::{Draft, SceneBuilder, SceneGraph, Scope, Simulator};
-use vc_planner::{Newcomer, Policy, Random, Run, Trajectory, write_parquet};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, RandomPolicy, Trajectory, write_parquet};
 use vc_tasks::Task;
 
 fn home() -> SceneGraph {
@@ -22,13 +22,13 @@ fn home() -> SceneGraph {
 fn record(policy: &mut dyn Policy, seed: u64) -> Trajectory {
     let mut task = Task::new("a snack", "On(apple, kitchen_table) & Closed(fridge)".parse().unwrap());
     task.step_limit = 12;
-    Trajectory::record(&Run::seeded(seed), policy, &task, &mut Simulator::new(home()))
+    Trajectory::record(&EpisodeOptions::seeded(seed), policy, &task, &mut Simulator::new(home()))
 }
 
 #[test]
 fn a_table_says_what_the_trajectories_say() {
     let scene = home();
-    let episodes = [record(&mut Newcomer::best(), 1), record(&mut Random::default(), 2)];
+    let episodes = [record(&mut PlannerPolicy::best(), 1), record(&mut RandomPolicy::default(), 2)];
     let mut file = Vec::new();
     write_parquet(&mut file, Scope::Room, episodes.iter().map(|e| (e, &scene))).unwrap();
     if let Some(folder) = std::env::var_os("VC_PARQUET") {

@@ -3,10 +3,10 @@
 use vc_graph::Seed;
 
 use crate::check::Violation;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::furnish::{self, Item, Rest};
 use crate::layout::{Layout, attempts, remove, sub_seed};
-use crate::plan::Plan;
+use crate::plan::FloorPlan;
 use crate::{Specification, Style, clutter, structure};
 
 /// An apartment: its rooms and all items in them.
@@ -15,7 +15,7 @@ pub struct Apartment {
     /// The seed that it was generated from.
     pub seed: Seed,
     /// The floor plan: rooms, doors and windows.
-    pub plan: Plan,
+    pub plan: FloorPlan,
     /// Its materials.
     pub style: Style,
     /// All items: the building first, then furniture, then clutter. A support or container precedes
@@ -33,25 +33,25 @@ impl Apartment {
     /// let home = Apartment::from_seed(Seed(42))?;
     /// assert!(home.check().is_empty());
     /// assert_eq!(home, Apartment::from_seed(Seed(42))?);
-    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     ///
     /// # Errors
     /// As [`Self::generate`]; no seed is known that fails.
-    pub fn from_seed(seed: Seed) -> Result<Self, Impossible> {
+    pub fn from_seed(seed: Seed) -> Result<Self, SpecificationError> {
         Self::generate(&Specification::default(), seed)
     }
 
     /// Generates an apartment for a specification. Costs some milliseconds.
     ///
     /// # Errors
-    /// [`Impossible`] states the requirement that cannot be fulfilled.
-    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
+    /// [`SpecificationError`] states the requirement that cannot be fulfilled.
+    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
         specification.check()?;
         attempts(|attempt| Self::attempt(specification, seed, attempt))
     }
 
-    fn attempt(specification: &Specification, seed: Seed, attempt: u64) -> Result<Self, Impossible> {
+    fn attempt(specification: &Specification, seed: Seed, attempt: u64) -> Result<Self, SpecificationError> {
         let own = sub_seed(seed, attempt);
         let (Layout { plan, style, mut furniture }, drafts) = Layout::attempt(specification, seed, attempt)?;
         furnish::make(&mut furniture, &drafts, &style);
@@ -61,7 +61,9 @@ impl Apartment {
         clutter::fill(&mut home, specification.clutter.unwrap_or(0.6), own);
         match home.repair() {
             None => Ok(home),
-            Some(violation) => Err(Impossible::Unsound { attempts: attempt as usize + 1, last: violation.to_string() }),
+            Some(violation) => {
+                Err(SpecificationError::Unsound { attempts: attempt as usize + 1, last: violation.to_string() })
+            }
         }
     }
 

@@ -5,7 +5,7 @@ use crate::plan::RoomKind;
 /// A specification that cannot be fulfilled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Impossible {
+pub enum SpecificationError {
     /// The rooms need more than the specified area.
     #[error(
         "{rooms} rooms need at least {needed:.1} m², the specified area is {wished:.1} m²: the largest need is \

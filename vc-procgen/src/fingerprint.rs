@@ -8,7 +8,7 @@ use vc_graph::hash::splitmix;
 
 use crate::apartment::Apartment;
 use crate::furnish::Rest;
-use crate::plan::{CELLS, Opening, Plan, Rect, Room};
+use crate::plan::{CELLS, FloorPlan, Opening, Rect, Room};
 
 /// A 128-bit fingerprint: equal for apartments that differ only by a rotation or mirroring. Written as 32
 /// hexadecimal digits.
@@ -68,7 +68,7 @@ impl Fingerprint {
     }
 }
 
-impl Plan {
+impl FloorPlan {
     /// The fingerprint of rooms and openings on the plan's grid: the same for all eight rotations and
     /// mirrorings of the plan. The thickness of walls and the height of the ceiling do not count.
     ///
@@ -77,11 +77,11 @@ impl Plan {
     /// ```
     /// use vc_graph::Seed;
     /// use vc_procgen::Specification;
-    /// use vc_procgen::plan::Plan;
-    /// let plan = Plan::generate(&Specification::default(), Seed(3))?;
+    /// use vc_procgen::plan::FloorPlan;
+    /// let plan = FloorPlan::generate(&Specification::default(), Seed(3))?;
     /// assert_eq!(plan.fingerprint(), plan.turned(5).fingerprint());
-    /// assert_ne!(plan.fingerprint(), Plan::generate(&Specification::default(), Seed(4))?.fingerprint());
-    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// assert_ne!(plan.fingerprint(), FloorPlan::generate(&Specification::default(), Seed(4))?.fingerprint());
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn fingerprint(&self) -> Fingerprint {
         smallest(|way| seen(self, way))
@@ -122,7 +122,7 @@ fn smallest(value: impl Fn(usize) -> u128) -> Fingerprint {
 
 /// The value of a plan in one orientation. The values of rooms and openings are added up, so that their
 /// order does not matter.
-fn seen(plan: &Plan, way: usize) -> u128 {
+fn seen(plan: &FloorPlan, way: usize) -> u128 {
     let turned = plan.turned(way);
     let rooms = turned.rooms.iter().map(room);
     let sum = rooms.chain(turned.openings.iter().map(opening)).fold(0, u128::wrapping_add);
@@ -230,8 +230,8 @@ mod tests {
     use vc_graph::Seed;
 
     /// The plans of seeds; some seeds have none.
-    fn plans(seeds: std::ops::Range<u64>) -> Vec<Plan> {
-        seeds.filter_map(|seed| Plan::generate(&Specification::default(), Seed(seed)).ok()).collect()
+    fn plans(seeds: std::ops::Range<u64>) -> Vec<FloorPlan> {
+        seeds.filter_map(|seed| FloorPlan::generate(&Specification::default(), Seed(seed)).ok()).collect()
     }
 
     #[test]
@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn other_seeds_are_other_plans() {
         let plans = plans(0..400);
-        let all: HashSet<_> = plans.iter().map(Plan::fingerprint).collect();
+        let all: HashSet<_> = plans.iter().map(FloorPlan::fingerprint).collect();
         assert!(plans.len() > 300);
         assert_eq!(all.len(), plans.len());
     }

@@ -4,9 +4,9 @@ use vc_graph::Seed;
 
 use crate::check;
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::furnish::{self, Item, Rest};
-use crate::plan::{Plan, Programme, RoomKind};
+use crate::plan::{FloorPlan, Programme, RoomKind};
 use crate::reach::Reach;
 use crate::{Specification, Style};
 
@@ -28,12 +28,12 @@ const CLEARED: usize = 24;
 /// let layout = Layout::generate(&Specification::default(), Seed(42))?;
 /// let beds = layout.furniture.iter().filter(|i| i.object.class.ends_with("bed"));
 /// assert!(beds.count() > 0);
-/// # Ok::<(), vc_procgen::Impossible>(())
+/// # Ok::<(), vc_procgen::SpecificationError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
     /// Rooms, doors and windows.
-    pub plan: Plan,
+    pub plan: FloorPlan,
     /// The style.
     pub style: Style,
     /// Furniture and fixtures. Their objects have bounds and a class, but no parts.
@@ -49,8 +49,8 @@ impl Layout {
     /// Costs about a millisecond.
     ///
     /// # Errors
-    /// [`Impossible`] states the requirement that cannot be fulfilled.
-    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
+    /// [`SpecificationError`] states the requirement that cannot be fulfilled.
+    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
         specification.check()?;
         attempts(|attempt| Self::attempt(specification, seed, attempt)).map(|(layout, _)| layout)
     }
@@ -60,17 +60,17 @@ impl Layout {
         specification: &Specification,
         seed: Seed,
         attempt: u64,
-    ) -> Result<(Self, Vec<Draft>), Impossible> {
+    ) -> Result<(Self, Vec<Draft>), SpecificationError> {
         let style = specification.style.unwrap_or_else(|| Style::from_seed(seed));
         let own = sub_seed(seed, attempt);
         // Programmes that are hard to furnish are not given up at once, otherwise homes would have
         // fewer such rooms than were drawn.
         let programme = Programme::draw(specification, seed.nth(attempt / REDRAW))?;
-        let plan = Plan::lay_out(&programme, own)?;
+        let plan = FloorPlan::lay_out(&programme, own)?;
         // A facade may have no space for a balcony that was specified.
         let balconies = plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).count();
         if specification.balconies.is_some_and(|wished| balconies < wished) {
-            return Err(Impossible::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
+            return Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
         }
         let (mut furniture, mut drafts) = furnish::furnish(&plan, &style, own)?;
         clear_ways(&plan, &mut furniture, &mut drafts)?;
@@ -85,12 +85,14 @@ pub(crate) fn sub_seed(seed: Seed, attempt: u64) -> Seed {
 
 /// The first attempt that succeeds. Contradictory requirements end it at once because every attempt
 /// would fail.
-pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, Impossible>) -> Result<T, Impossible> {
-    let mut last = Impossible::Unsound { attempts: ATTEMPTS as usize, last: String::new() };
+pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, SpecificationError>) -> Result<T, SpecificationError> {
+    let mut last = SpecificationError::Unsound { attempts: ATTEMPTS as usize, last: String::new() };
     for attempt in 0..ATTEMPTS {
         match make(attempt) {
             Err(
-                error @ (Impossible::OutOfRange { .. } | Impossible::TooSmall { .. } | Impossible::TooLarge { .. }),
+                error @ (SpecificationError::OutOfRange { .. }
+                | SpecificationError::TooSmall { .. }
+                | SpecificationError::TooLarge { .. }),
             ) => return Err(error),
             Err(error) => last = error,
             made => return made,
@@ -100,7 +102,7 @@ pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, Impossible>) ->
 }
 
 /// Removes optional pieces until every room and every required piece is reachable.
-fn clear_ways(plan: &Plan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Result<(), Impossible> {
+fn clear_ways(plan: &FloorPlan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Result<(), SpecificationError> {
     for _ in 0..CLEARED {
         let reach = Reach::of(plan, items);
         let shut = (0..plan.rooms.len()).find(|&r| !reach.enters(plan, r));
@@ -115,7 +117,7 @@ fn clear_ways(plan: &Plan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Re
             items.iter().rposition(|i| i.room == room && !i.required && i.rest == Rest::Floor && i.corners().1.z > 0.1);
         let Some(out) = last.or(spared) else {
             let kind = plan.rooms[room].kind;
-            return Err(Impossible::NoPlace { kind, room, piece: "way to walk" });
+            return Err(SpecificationError::NoPlace { kind, room, piece: "way to walk" });
         };
         let mut gone = remove(items, &[out]).into_iter();
         drafts.retain(|_| !gone.next().unwrap_or(false));

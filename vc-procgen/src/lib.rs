@@ -13,7 +13,7 @@
 //! let home = Apartment::generate(&wishes, Seed(7))?;
 //! assert!(home.check().is_empty());
 //! assert!(home.scene().of_class("bed").len() >= 2);
-//! # Ok::<(), vc_procgen::Impossible>(())
+//! # Ok::<(), vc_procgen::SpecificationError>(())
 //! ```
 //!
 //! The objects come from `vc-shapes`, which this crate re-exports; [`dress`] gives scenes of boxes the look of
@@ -40,7 +40,7 @@ pub mod statistics;
 mod structure;
 
 pub use apartment::Apartment;
-pub use error::Impossible;
+pub use error::SpecificationError;
 pub use fingerprint::Fingerprint;
 pub use layout::Layout;
 pub use specification::Specification;

@@ -7,7 +7,7 @@ use vc_graph::Anthropometry;
 
 use crate::apartment::Apartment;
 use crate::furnish::{Area, Item, Rest};
-use crate::plan::{CELLS, OpeningKind, Plan, Rect, RoomKind};
+use crate::plan::{CELLS, FloorPlan, OpeningKind, Rect, RoomKind};
 
 /// The person for whom homes are furnished.
 const ADULT: Anthropometry = Anthropometry::ADULT;
@@ -44,7 +44,7 @@ impl Reach {
     /// Flood-fills the floor from the front door.
     ///
     /// Costs some tens of microseconds for a home: the obstacles are dilated a word at a time.
-    pub(crate) fn of(plan: &Plan, items: &[Item]) -> Self {
+    pub(crate) fn of(plan: &FloorPlan, items: &[Item]) -> Self {
         let hull = plan.hull().grown(MARGIN);
         let (west, south) = (hull.x0, hull.y0);
         let mut floor = BitGrid::new(hull.width() as usize, hull.depth() as usize);
@@ -82,7 +82,7 @@ impl Reach {
     }
 
     /// Whether a person can stand somewhere in a room.
-    pub(crate) fn enters(&self, plan: &Plan, room: usize) -> bool {
+    pub(crate) fn enters(&self, plan: &FloorPlan, room: usize) -> bool {
         plan.rooms[room]
             .net()
             .iter()
@@ -98,7 +98,7 @@ impl Reach {
 }
 
 /// The floor within the wall in an opening.
-pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
+pub(crate) fn doorway(plan: &FloorPlan, opening: &crate::plan::Opening) -> Rect {
     let outer = |room: Option<usize>| room.is_none_or(|r| plan.rooms[r].kind == RoomKind::Balcony);
     let low = if outer(opening.low) { plan.shell } else { 1 };
     let high = if outer(opening.high) { plan.shell } else { 1 };
@@ -106,7 +106,7 @@ pub(crate) fn doorway(plan: &Plan, opening: &crate::plan::Opening) -> Rect {
 }
 
 /// The areas where window sills protrude into their rooms, by room.
-pub(crate) fn boards(plan: &Plan) -> impl Iterator<Item = (usize, Rect)> {
+pub(crate) fn boards(plan: &FloorPlan) -> impl Iterator<Item = (usize, Rect)> {
     const DEPTH: i32 = 2;
     let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.sill < ADULT.stature);
     windows.filter_map(|o| o.high.or(o.low).map(|room| (room, o.before(o.high.is_some(), DEPTH))))

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{
-    AssetId, Bounds, Draft, Edge, EditError, Frame, NodeId, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
+    AssetId, Bounds, BoundsFrame, Draft, Edge, EditError, NodeId, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph,
+    State,
 };
 
 use crate::apartment::Apartment;
@@ -27,7 +28,7 @@ impl Apartment {
     /// let scene = home.scene();
     /// assert!(scene.validate().is_empty());
     /// assert_eq!(scene.rooms().len(), home.plan.rooms.len());
-    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn scene(&self) -> SceneGraph {
         let mut builder = SceneBuilder::new(format!("apartment_{}", self.seed.0));
@@ -70,7 +71,7 @@ impl Apartment {
         let size = Vector3::new(metres(inner.width()), metres(inner.depth()), self.plan.ceiling);
         Draft::new(class)
             .at(Pose::from_parts(centre.into(), nalgebra::UnitQuaternion::identity()))
-            .bounds(Bounds { frame: Frame::World, ..Bounds::standing(size) })
+            .bounds(Bounds { frame: BoundsFrame::World, ..Bounds::standing(size) })
     }
 
     fn edges(&self) -> Vec<Edge> {

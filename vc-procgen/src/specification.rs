@@ -1,7 +1,7 @@
 //! The specification of an apartment.
 
 use crate::Style;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 
 /// Requirements of an apartment; anything not specified is drawn from the seed.
 ///
@@ -50,8 +50,8 @@ impl Specification {
     /// Checks that every number is within its range.
     ///
     /// # Errors
-    /// [`Impossible::OutOfRange`] names the number.
-    pub fn check(&self) -> Result<(), Impossible> {
+    /// [`SpecificationError::OutOfRange`] names the number.
+    pub fn check(&self) -> Result<(), SpecificationError> {
         let count = |what, value: Option<usize>, low, high| range(what, value.map(|v| v as f32), low, high);
         count("bedrooms", self.bedrooms, 0.0, 6.0)?;
         let most = self.bedrooms.map_or(4.0, |b| (b as f32 + 1.0).min(4.0));
@@ -62,10 +62,12 @@ impl Specification {
     }
 }
 
-fn range(what: &'static str, value: Option<f32>, low: f32, high: f32) -> Result<(), Impossible> {
+fn range(what: &'static str, value: Option<f32>, low: f32, high: f32) -> Result<(), SpecificationError> {
     match value {
         // Written so that NaN is an error, too.
-        Some(value) if !(value >= low && value <= high) => Err(Impossible::OutOfRange { what, value, low, high }),
+        Some(value) if !(value >= low && value <= high) => {
+            Err(SpecificationError::OutOfRange { what, value, low, high })
+        }
         _ => Ok(()),
     }
 }

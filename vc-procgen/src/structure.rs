@@ -9,7 +9,7 @@ use crate::Style;
 use crate::furnish::{Facing, Item, Rest};
 use crate::material::Mat;
 use crate::object::{self, Object};
-use crate::plan::{Opening, OpeningKind, Plan, Rect, RoomKind, metres};
+use crate::plan::{FloorPlan, Opening, OpeningKind, Rect, RoomKind, metres};
 use crate::reach::doorway;
 use crate::solids::Solids;
 
@@ -21,7 +21,7 @@ const SKIRTING: (f32, f32) = (0.07, 0.012);
 const CASING: f32 = 0.06;
 
 /// All items of the building, in the order walls, floors, ceilings, doors, windows.
-pub(crate) fn build(plan: &Plan, style: &Style, seed: Seed) -> Vec<Item> {
+pub(crate) fn build(plan: &FloorPlan, style: &Style, seed: Seed) -> Vec<Item> {
     let looks = Looks::new(plan, style, seed);
     let mut items = walls(plan, &looks);
     items.extend((0..plan.rooms.len()).map(|room| floor(plan, room, &looks)));
@@ -40,7 +40,7 @@ struct Looks {
 }
 
 impl Looks {
-    fn new(plan: &Plan, style: &Style, seed: Seed) -> Self {
+    fn new(plan: &FloorPlan, style: &Style, seed: Seed) -> Self {
         use crate::material::{BRICK, CONCRETE, PLASTER, SANDSTONE, WHITE_TILE};
         let mut rng = seed.child("looks").stream();
         let feature = rng.below(plan.rooms.len());
@@ -72,7 +72,7 @@ struct Piece {
 
 /// The walls room by room: the ring between a room's gross and net area belongs to the room, the
 /// wall outside all rooms to the building.
-fn walls(plan: &Plan, looks: &Looks) -> Vec<Item> {
+fn walls(plan: &FloorPlan, looks: &Looks) -> Vec<Item> {
     let pieces = pieces(plan);
     let mut skirtings = skirtings(plan);
     let mut items = Vec::new();
@@ -121,7 +121,7 @@ fn touches(board: &[f32; 6], rect: &Rect) -> bool {
 }
 
 /// A rectangle of wall from floor to ceiling, minus the openings in it.
-fn cut(plan: &Plan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: Mat) {
+fn cut(plan: &FloorPlan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: Mat) {
     if rect.is_empty() {
         return;
     }
@@ -147,7 +147,7 @@ fn cut(plan: &Plan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: 
 }
 
 /// Decomposes all walls into rectangles, by a sweep over the coordinates at which they can change.
-fn pieces(plan: &Plan) -> Vec<Piece> {
+fn pieces(plan: &FloorPlan) -> Vec<Piece> {
     let inner: Vec<&crate::plan::Room> = plan.rooms.iter().collect();
     let nets: Vec<Vec<Rect>> = inner.iter().map(|r| r.net()).collect();
     let mut xs = Vec::new();
@@ -215,7 +215,7 @@ fn merge(grid: &[Option<(usize, bool)>], xs: &[i32], ys: &[i32]) -> Vec<Piece> {
 }
 
 /// The skirting boards of all rooms, as boxes, with their rooms.
-fn skirtings(plan: &Plan) -> Vec<([f32; 6], usize)> {
+fn skirtings(plan: &FloorPlan) -> Vec<([f32; 6], usize)> {
     let mut boards = Vec::new();
     for (index, room) in plan.rooms.iter().enumerate().filter(|(_, r)| r.kind != RoomKind::Balcony && !r.kind.is_wet())
     {
@@ -257,7 +257,7 @@ fn board(edge: &crate::plan::Edge, from: f32, to: f32) -> [f32; 6] {
 }
 
 /// A room's floor, with the thresholds of its outer doors.
-fn floor(plan: &Plan, room: usize, looks: &Looks) -> Item {
+fn floor(plan: &FloorPlan, room: usize, looks: &Looks) -> Item {
     let mut solids = Solids::new("floor");
     let own = &plan.rooms[room];
     let mut rects = own.rects.clone();
@@ -305,7 +305,7 @@ fn unreachable_floor(room: usize) -> Item {
     fixed(Arc::new(object), Pose::identity(), room)
 }
 
-fn ceiling(plan: &Plan, room: usize, style: &Style) -> Item {
+fn ceiling(plan: &FloorPlan, room: usize, style: &Style) -> Item {
     let mut solids = Solids::new("ceiling");
     let mat = if style.wall == crate::material::WALL_CREAM { style.wall } else { crate::material::WALL_WHITE };
     for rect in &plan.rooms[room].rects {
@@ -331,7 +331,7 @@ impl Solids {
 }
 
 /// A door or window in its opening.
-fn opening(plan: &Plan, opening: &Opening, style: &Style, seed: Seed) -> Option<Item> {
+fn opening(plan: &FloorPlan, opening: &Opening, style: &Style, seed: Seed) -> Option<Item> {
     let class = match opening.kind {
         OpeningKind::Entrance => "main_door",
         OpeningKind::Door => "door",

@@ -15,7 +15,7 @@ use proptest::prelude::*;
 use vc_graph::format::{native, thesis};
 use vc_graph::{ClassTable, Node, SceneGraph, Seed};
 use vc_procgen::plan::RoomKind;
-use vc_procgen::{Apartment, Impossible, Specification};
+use vc_procgen::{Apartment, Specification, SpecificationError};
 
 /// The default number of seeds tested.
 const SEEDS: u64 = 40;
@@ -262,7 +262,7 @@ proptest! {
                 let unmet = unmet(&wish, &home);
                 prop_assert!(unmet.is_empty(), "{wish:?}: {unmet:?}");
             }
-            Err(Impossible::Unsound { last, .. }) => prop_assert!(false, "{wish:?}: gave up at {last}"),
+            Err(SpecificationError::Unsound { last, .. }) => prop_assert!(false, "{wish:?}: gave up at {last}"),
             Err(error) => prop_assert!(error.to_string().len() > 20, "{wish:?}: {error}"),
         }
     }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::Seed;
-use vc_procgen::plan::{OpeningKind, Plan, Rect, Room, RoomKind, Scheme};
+use vc_procgen::plan::{FloorPlan, OpeningKind, Rect, Room, RoomKind, Scheme};
 use vc_procgen::{Apartment, Specification};
 
 /// The digests of the scenes of seeds 0, 1, 2 and so on. They are the same on every machine; a
@@ -19,8 +19,8 @@ fn every_machine_makes_the_same_bytes() {
 
 #[test]
 fn what_no_template_holds_is_annealed() {
-    let plans = (0..1500).filter_map(|seed| Plan::generate(&Specification::default(), Seed(seed)).ok());
-    let annealed: Vec<Plan> = plans.filter(|p| p.scheme == Scheme::Annealed).collect();
+    let plans = (0..1500).filter_map(|seed| FloorPlan::generate(&Specification::default(), Seed(seed)).ok());
+    let annealed: Vec<FloorPlan> = plans.filter(|p| p.scheme == Scheme::Annealed).collect();
     assert!(!annealed.is_empty(), "none of 1500 plans was annealed");
     for plan in &annealed {
         for (index, room) in plan.rooms.iter().enumerate() {

@@ -18,7 +18,7 @@ use parry3d::math::{Pose as EnginePose, Rotation as EngineRotation, Vector as En
 use parry3d::query::{ShapeCastOptions, cast_shapes};
 use parry3d::shape::{Compound, Cuboid, SharedShape};
 use vc_graph::{NodeId, Pose, SceneGraph};
-use vc_relations::{Evidence, Relations, Rule};
+use vc_relations::{Evidence, RelationRule, Relations};
 
 const SIZES: [u32; 3] = [100, 500, 2000];
 
@@ -37,7 +37,7 @@ fn all(c: &mut Criterion<Cpu>) {
     let mut group = c.benchmark_group("all relations");
     for objects in SIZES {
         let (graph, evidence, _) = scene(objects);
-        let mut relations = Relations::new(&graph, Rule::Repaired, evidence.clone()).unwrap();
+        let mut relations = Relations::new(&graph, RelationRule::Contacts, evidence.clone()).unwrap();
         eprintln!("{objects} objects: {} relations", relations.edges().len());
         group.bench_function(BenchmarkId::new("assets known", objects), |b| {
             b.iter(|| {
@@ -45,7 +45,7 @@ fn all(c: &mut Criterion<Cpu>) {
                 black_box(relations.edges())
             });
         });
-        for rule in [Rule::Repaired, Rule::BoxTrace] {
+        for rule in [RelationRule::Contacts, RelationRule::BoxTrace] {
             group.bench_function(BenchmarkId::new(format!("from nothing, {rule:?}"), objects), |b| {
                 b.iter(|| Relations::new(&graph, rule, evidence.clone()).unwrap().edges());
             });
@@ -58,7 +58,7 @@ fn moved(c: &mut Criterion<Cpu>) {
     let mut group = c.benchmark_group("update");
     for objects in SIZES {
         let (mut graph, evidence, ids) = scene(objects);
-        let mut relations = Relations::new(&graph, Rule::Repaired, evidence).unwrap();
+        let mut relations = Relations::new(&graph, RelationRule::Contacts, evidence).unwrap();
         let mut turn = 0_usize;
         for count in [1, 10, 50] {
             group.bench_function(BenchmarkId::new(format!("{count} moved"), objects), |b| {

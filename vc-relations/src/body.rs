@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
-use vc_graph::{Aabb, Frame, Node, NodeId, ObjectRole, Property, State};
+use vc_graph::{Aabb, BoundsFrame, Node, NodeId, ObjectRole, Property, State};
 
 use crate::form::{Form, Piece};
 use crate::solid::{Round, Solid};
@@ -43,7 +43,7 @@ impl Traits {
         let role = node.role();
         let boxed = node.spec().asset.is_none();
         let carries = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
-        let agent = node.kind() == vc_graph::Kind::Agent;
+        let agent = node.kind() == vc_graph::NodeKind::Agent;
         Self {
             structure: role.is_building(),
             fixed: role.is_built_in(),
@@ -89,7 +89,7 @@ impl Body {
         let spec = node.spec();
         let own = *pose.rotation.to_rotation_matrix().matrix();
         // A world-aligned box does not turn with its node.
-        let still = spec.asset.is_none() && spec.bounds.is_some_and(|b| b.frame == Frame::World);
+        let still = spec.asset.is_none() && spec.bounds.is_some_and(|b| b.frame == BoundsFrame::World);
         let (rotation, turn) =
             if still { (UnitQuaternion::identity(), Matrix3::identity()) } else { (pose.rotation, own) };
         let frame = Isometry3::from_parts(pose.translation, rotation);

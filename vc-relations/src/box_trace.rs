@@ -22,7 +22,7 @@ use crate::world::World;
 /// One of the thesis's six box traces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Trace {
+pub enum BoxTrace {
     /// Towards a side of the object.
     Side(Side),
     /// Up in the world, however the object is turned.
@@ -31,7 +31,7 @@ pub enum Trace {
     Down,
 }
 
-impl Trace {
+impl BoxTrace {
     /// All six traces.
     pub const ALL: [Self; 6] = [
         Self::Side(Side::Front),
@@ -56,7 +56,7 @@ impl Trace {
 }
 
 /// The first body that a trace hits, and the distance to it, metres.
-pub(crate) fn trace(world: &World, index: usize, trace: Trace) -> Option<(usize, f32)> {
+pub(crate) fn trace(world: &World, index: usize, trace: BoxTrace) -> Option<(usize, f32)> {
     let body = world.bodies[index].as_deref()?;
     let (along, limit) = trace.way(body);
     let start = body.whole.region();
@@ -87,13 +87,13 @@ pub(crate) fn edges(world: &World) -> Vec<Edge> {
     for index in 0..world.ids.len() {
         let Some(body) = world.bodies[index].as_deref().filter(|b| !b.traits.structure) else { continue };
         let id = |hit: Option<(usize, f32)>| hit.map(|(other, _)| world.ids[other]);
-        let [up, down] = [Trace::Up, Trace::Down].map(|t| id(trace(world, index, t)));
+        let [up, down] = [BoxTrace::Up, BoxTrace::Down].map(|t| id(trace(world, index, t)));
         let mut add = |relation, to: NodeId| edges.push(Edge::new(body.id, relation, to));
         down.into_iter().for_each(|by| add(Relation::On, by));
         up.into_iter().for_each(|by| add(if up == down { Relation::Inside } else { Relation::Under }, by));
         body.room.into_iter().for_each(|room| add(Relation::InRoom, room));
         for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
-            if let Some(to) = id(trace(world, index, Trace::Side(side))) {
+            if let Some(to) = id(trace(world, index, BoxTrace::Side(side))) {
                 let near = [Edge::new(body.id, Relation::Near, to), Edge::new(to, Relation::Near, body.id)];
                 edges.extend(near);
                 edges.push(Edge::new(body.id, side.relation(), to));

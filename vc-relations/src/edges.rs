@@ -3,7 +3,7 @@
 use vc_graph::{Edge, Relation};
 
 use crate::body::{Body, Posture};
-use crate::explanation::Verdict;
+use crate::explanation::TraceOutcome;
 use crate::facts::Facts;
 use crate::near::Side;
 use crate::pair::Pair;
@@ -132,7 +132,7 @@ impl<'w> Reader<'w> {
         let mut faced = Vec::new();
         world.targets.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_deref() else { return };
-            if other != index && sight::verdict(body, target, &world.walls) == Verdict::Counts {
+            if other != index && sight::verdict(body, target, &world.walls) == TraceOutcome::Counts {
                 faced.push(world.ids[other]);
             }
         });

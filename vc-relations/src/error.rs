@@ -11,7 +11,7 @@ use crate::threshold::{ROTATION_SLACK, WORLD_REACH};
 /// A flaw of a scene, or of the evidence about it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Flaw {
+pub enum InputFlaw {
     /// A number is not finite.
     #[error("{what} of {node} is not finite")]
     NotFinite {
@@ -70,7 +70,7 @@ fn short(value: f32) -> String {
 #[derive(Debug, Clone, PartialEq)]
 pub struct InputError {
     /// All flaws, by node.
-    pub flaws: Vec<Flaw>,
+    pub flaws: Vec<InputFlaw>,
 }
 
 impl fmt::Display for InputError {
@@ -84,7 +84,7 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-fn refuse_if_any(flaws: Vec<Flaw>) -> Result<(), InputError> {
+fn refuse_if_any(flaws: Vec<InputFlaw>) -> Result<(), InputError> {
     if flaws.is_empty() { Ok(()) } else { Err(InputError { flaws }) }
 }
 
@@ -121,18 +121,18 @@ pub(crate) fn check_assets(library: &AssetLibrary) -> Result<(), InputError> {
     let flaw = |asset: &Arc<Asset>| {
         let (low, high) = asset.extent()?;
         let value = low.coords.abs().sup(&high.coords.abs()).max();
-        (value > WORLD_REACH).then(|| Flaw::HugeAsset { name: asset.name.clone(), value })
+        (value > WORLD_REACH).then(|| InputFlaw::HugeAsset { name: asset.name.clone(), value })
     };
     refuse_if_any((0..library.len()).filter_map(asset).filter_map(flaw).collect())
 }
 
-fn check_node(node: &Node, flaws: &mut Vec<Flaw>) {
+fn check_node(node: &Node, flaws: &mut Vec<InputFlaw>) {
     let id = || node.label();
     if let Some(pose) = node.pose() {
         check(&id, "position", pose.translation.vector.as_slice(), -WORLD_REACH, flaws);
         let length = pose.rotation.norm();
         if (length - 1.0).abs() > ROTATION_SLACK || !length.is_finite() {
-            flaws.push(Flaw::NoRotation { node: id(), length });
+            flaws.push(InputFlaw::NoRotation { node: id(), length });
         }
     }
     if let Some(bounds) = node.spec().bounds {
@@ -143,17 +143,17 @@ fn check_node(node: &Node, flaws: &mut Vec<Flaw>) {
     check(&id, "scale", scale.as_slice(), f32::MIN_POSITIVE, flaws);
 }
 
-fn check_size(node: &Node, flaws: &mut Vec<Flaw>) {
+fn check_size(node: &Node, flaws: &mut Vec<InputFlaw>) {
     if let Some(bounds) = node.spec().bounds {
         check(&|| node.label(), "size", bounds.half.as_slice(), 0.0, flaws);
     }
 }
 
-fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f32, flaws: &mut Vec<Flaw>) {
+fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f32, flaws: &mut Vec<InputFlaw>) {
     let flaw = |&value: &f32| match value {
-        v if !v.is_finite() => Some(Flaw::NotFinite { node: node(), what }),
-        v if v.abs() > WORLD_REACH => Some(Flaw::TooFar { node: node(), what, value }),
-        v if v < least => Some(Flaw::NoSize { node: node(), what, value }),
+        v if !v.is_finite() => Some(InputFlaw::NotFinite { node: node(), what }),
+        v if v.abs() > WORLD_REACH => Some(InputFlaw::TooFar { node: node(), what, value }),
+        v if v < least => Some(InputFlaw::NoSize { node: node(), what, value }),
         _ => None,
     };
     flaws.extend(numbers.iter().find_map(flaw));
@@ -162,13 +162,13 @@ fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f
 /// # Errors
 /// Every flaw of the evidence. Nodes that are not in the scene are ignored, as they may be added later.
 pub(crate) fn check_evidence(graph: &SceneGraph, evidence: &Evidence) -> Result<(), InputError> {
-    let not_finite = |id, what| Flaw::NotFinite { node: graph.label(id), what };
+    let not_finite = |id, what| InputFlaw::NotFinite { node: graph.label(id), what };
     let contacts = evidence.contacts.iter().filter(|c| !c.impulse.iter().all(|v| v.is_finite()));
     let positions = evidence.positions.iter().filter(|p| !p.1.is_finite());
     let holding = [Relation::HoldsRight, Relation::HoldsLeft, Relation::WornBy];
     let held = evidence.held.iter().filter(|e| !holding.contains(&e.relation));
-    let mut flaws: Vec<Flaw> = contacts.map(|c| not_finite(c.between.1, "the impulse of a contact")).collect();
+    let mut flaws: Vec<InputFlaw> = contacts.map(|c| not_finite(c.between.1, "the impulse of a contact")).collect();
     flaws.extend(positions.map(|(key, _)| not_finite(key.0, "the position of a moving part")));
-    flaws.extend(held.map(|e| Flaw::NotHolding(*e)));
+    flaws.extend(held.map(|e| InputFlaw::NotHolding(*e)));
     refuse_if_any(flaws)
 }

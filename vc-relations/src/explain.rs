@@ -4,12 +4,12 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Aabb, Edge, NodeId};
 
 use crate::body::Body;
-use crate::box_trace::{self, Trace};
+use crate::box_trace::{self, BoxTrace};
 use crate::edges::Reader;
-use crate::explanation::{Explanation, Hit, Hook, Seat, Traced, Verdict, Within};
+use crate::explanation::{Explanation, Hit, Hook, Seat, TraceOutcome, Traced, Within};
 use crate::pair::{self, Contact, Hooked};
 use crate::relations::Relations;
-use crate::rule::Rule;
+use crate::rule::RelationRule;
 use crate::sight;
 use crate::support::Ground;
 use crate::threshold::{HOOK_REACH, ROOM_MARGIN, SUPPORT_NORMAL, SUPPORT_SINK, UNDER_REACH};
@@ -20,7 +20,7 @@ impl Relations {
     /// ten microseconds.
     ///
     /// Hits, supports, seats, hooks and sights are those of the repaired rule, and empty under another rule;
-    /// [`Rule::BoxTrace`] has its six traces instead.
+    /// [`RelationRule::BoxTrace`] has its six traces instead.
     pub fn explain(&self, from: NodeId, to: NodeId) -> Option<Explanation> {
         let (i, j) = (self.world.index(from)?, self.world.index(to)?);
         let (a, b) = (self.world.bodies[i].as_deref()?, self.world.bodies[j].as_deref());
@@ -35,7 +35,7 @@ impl Relations {
 
     /// The facts about one thing by itself and among all others.
     fn alone(&self, index: usize, body: &Body, to: NodeId) -> Explanation {
-        let repaired = self.rule() == Rule::Repaired;
+        let repaired = self.rule() == RelationRule::Contacts;
         let reader = Reader::new(&self.world, &self.facts);
         let mut held: Vec<Edge> = reader.supports.held(body.id).copied().collect();
         held.sort_unstable();
@@ -47,7 +47,7 @@ impl Relations {
             from: body.id,
             to,
             holds: self.between(body.id, to),
-            traces: if self.rule() == Rule::BoxTrace { self.traces(index) } else { Vec::new() },
+            traces: if self.rule() == RelationRule::BoxTrace { self.traces(index) } else { Vec::new() },
             down: if repaired { self.down(index, body) } else { Vec::new() },
             up: if repaired { self.up(index, body) } else { Vec::new() },
             supports: if repaired { self.supports(body.id) } else { Vec::new() },
@@ -74,7 +74,7 @@ impl Relations {
         why.distance = finite(pair.map(|p| p.distance));
         why.side = pair.and_then(|p| p.side);
         why.walled = self.world.walls.between(a, b);
-        if self.rule() == Rule::Repaired {
+        if self.rule() == RelationRule::Contacts {
             why.seat = self.seat((i, a), (j, b));
             why.hook = self.hook(a, b);
             why.sight = Some(sight::sight(a, b, &self.world.walls));
@@ -83,7 +83,7 @@ impl Relations {
 
     fn traces(&self, index: usize) -> Vec<Traced> {
         let hit = |trace| box_trace::trace(&self.world, index, trace).map(|(other, way)| (self.world.ids[other], way));
-        Trace::ALL.map(|trace| Traced { trace, hit: hit(trace) }).to_vec()
+        BoxTrace::ALL.map(|trace| Traced { trace, hit: hit(trace) }).to_vec()
     }
 
     fn down(&self, index: usize, body: &Body) -> Vec<Hit> {
@@ -101,12 +101,12 @@ impl Relations {
             let Some(contact) = best else { continue };
             let inner = pair::holds(body, other) || pair::is_within(other, body);
             let verdict = match contact {
-                _ if supports.iter().any(|s| s.by == other.id) => Verdict::Counts,
-                _ if inner => Verdict::Content,
-                c if c.normal.z < SUPPORT_NORMAL => Verdict::TooSteep,
-                _ if pair::rest(body, other).is_finite() => Verdict::Outranked,
-                c if c.down < -SUPPORT_SINK => Verdict::TooDeep,
-                _ => Verdict::TooFar,
+                _ if supports.iter().any(|s| s.by == other.id) => TraceOutcome::Counts,
+                _ if inner => TraceOutcome::Content,
+                c if c.normal.z < SUPPORT_NORMAL => TraceOutcome::TooSteep,
+                _ if pair::rest(body, other).is_finite() => TraceOutcome::Outranked,
+                c if c.down < -SUPPORT_SINK => TraceOutcome::TooDeep,
+                _ => TraceOutcome::TooFar,
             };
             let (s, t) = (&body.solids[contact.parts.0], &other.solids[contact.parts.1]);
             let at = over_both(&s.region(), &t.region(), s.low.z - contact.down);
@@ -127,12 +127,12 @@ impl Relations {
         let (middle, mut open) = (pair::middle_of(body).region(), true);
         let judge = |((over, piece), other): ((f32, usize), usize)| {
             let verdict = match under {
-                Some(u) if u == other => Verdict::Counts,
-                _ if reader.is_carried(other, index) => Verdict::Carried,
-                _ if open => Verdict::Shade,
-                _ => Verdict::Shaded,
+                Some(u) if u == other => TraceOutcome::Counts,
+                _ if reader.is_carried(other, index) => TraceOutcome::Carried,
+                _ if open => TraceOutcome::Shade,
+                _ => TraceOutcome::Shaded,
             };
-            open &= verdict == Verdict::Carried;
+            open &= verdict == TraceOutcome::Carried;
             let solid = self.world.bodies[other].as_deref()?.solids.get(piece)?;
             let at = over_both(&middle, &solid.region(), body.whole.centre.z + over);
             let (what, normal) = (self.world.ids[other], -Vector3::z());
@@ -150,12 +150,12 @@ impl Relations {
         let pair = self.world.pair(i, j);
         let (lies, rests) = (a.lies(), pair.is_some_and(|p| p.rest.is_finite()));
         let verdict = match share {
-            _ if taken.is_some_and(|t| t.1 == j) => Verdict::Counts,
-            _ if !(if lies { b.traits.lieable } else { b.traits.sittable }) => Verdict::Unfit,
-            _ if pair.is_some_and(|p| p.seated) || (rests && taken.is_some()) => Verdict::Outranked,
-            _ if lies => Verdict::TooFar,
-            Some(_) => Verdict::WrongHeight,
-            None => Verdict::Aside,
+            _ if taken.is_some_and(|t| t.1 == j) => TraceOutcome::Counts,
+            _ if !(if lies { b.traits.lieable } else { b.traits.sittable }) => TraceOutcome::Unfit,
+            _ if pair.is_some_and(|p| p.seated) || (rests && taken.is_some()) => TraceOutcome::Outranked,
+            _ if lies => TraceOutcome::TooFar,
+            Some(_) => TraceOutcome::WrongHeight,
+            None => TraceOutcome::Aside,
         };
         Some(Seat { share, verdict })
     }
@@ -168,11 +168,11 @@ impl Relations {
         })?;
         let hangs = self.supports(a.id).iter().any(|s| s.by == b.id && s.ground == Ground::Hook);
         let verdict = match best.distance {
-            _ if hangs => Verdict::Counts,
-            _ if a.traits.fixed => Verdict::Unfit,
-            far if far > HOOK_REACH => Verdict::TooFar,
-            _ if !best.is_high => Verdict::WrongHeight,
-            _ => Verdict::Outranked,
+            _ if hangs => TraceOutcome::Counts,
+            _ if a.traits.fixed => TraceOutcome::Unfit,
+            far if far > HOOK_REACH => TraceOutcome::TooFar,
+            _ if !best.is_high => TraceOutcome::WrongHeight,
+            _ => TraceOutcome::Outranked,
         };
         Some(Hook { at: best.at.into(), distance: best.distance, verdict })
     }

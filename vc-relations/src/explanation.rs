@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Edge, NodeId, Relation};
 
-use crate::box_trace::Trace;
+use crate::box_trace::BoxTrace;
 use crate::near::Side;
 use crate::support::{Ground, Support};
 use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, TOUCH_GAP};
@@ -13,7 +13,7 @@ use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, TOUCH_GAP};
 /// The outcome for a hit, a sight, a seat or a hook.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Verdict {
+pub enum TraceOutcome {
     /// It establishes the relation.
     Counts,
     /// It is too far away.
@@ -58,7 +58,7 @@ pub struct Hit {
     /// Normal of the contact, towards the traced thing.
     pub normal: Vector3<f32>,
     /// Its outcome.
-    pub verdict: Verdict,
+    pub verdict: TraceOutcome,
 }
 
 /// The extent to which a thing is within one of another's hollows.
@@ -79,7 +79,7 @@ pub struct Sight {
     /// Distance between the centres, metres.
     pub distance: f32,
     /// Whether the thing is faced, or why not.
-    pub verdict: Verdict,
+    pub verdict: TraceOutcome,
 }
 
 /// A seat or bed for an agent.
@@ -89,7 +89,7 @@ pub struct Seat {
     /// not under the centre.
     pub share: Option<f32>,
     /// Whether the agent sits or lies there, or why not.
-    pub verdict: Verdict,
+    pub verdict: TraceOutcome,
 }
 
 /// The hook of another thing on which a thing hangs, or comes nearest to hanging.
@@ -100,14 +100,14 @@ pub struct Hook {
     /// Distance from the box of the thing that might hang on it, metres.
     pub distance: f32,
     /// Whether the thing hangs there, or why not.
-    pub verdict: Verdict,
+    pub verdict: TraceOutcome,
 }
 
 /// One of the thesis's six traces, and its first hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Traced {
     /// The direction of the trace.
-    pub trace: Trace,
+    pub trace: BoxTrace,
     /// The thing it hit and the distance, metres; zero if they overlapped at the start.
     pub hit: Option<(NodeId, f32)>,
 }
@@ -156,21 +156,21 @@ pub struct Explanation {
     pub walled: bool,
 }
 
-fn because(verdict: Verdict) -> &'static str {
+fn because(verdict: TraceOutcome) -> &'static str {
     match verdict {
-        Verdict::Counts => "counts",
-        Verdict::TooFar => "too far",
-        Verdict::TooDeep => "too deep to rest on",
-        Verdict::TooSteep => "too steep to rest on",
-        Verdict::Content => "is in it",
-        Verdict::Outranked => "something else decides",
-        Verdict::Carried => "rests on it",
-        Verdict::Shade => "holds it or is the building",
-        Verdict::Shaded => "something is between",
-        Verdict::Aside => "off to the side",
-        Verdict::Walled => "a wall is between",
-        Verdict::WrongHeight => "at the wrong height",
-        Verdict::Unfit => "not made for it",
+        TraceOutcome::Counts => "counts",
+        TraceOutcome::TooFar => "too far",
+        TraceOutcome::TooDeep => "too deep to rest on",
+        TraceOutcome::TooSteep => "too steep to rest on",
+        TraceOutcome::Content => "is in it",
+        TraceOutcome::Outranked => "something else decides",
+        TraceOutcome::Carried => "rests on it",
+        TraceOutcome::Shade => "holds it or is the building",
+        TraceOutcome::Shaded => "something is between",
+        TraceOutcome::Aside => "off to the side",
+        TraceOutcome::Walled => "a wall is between",
+        TraceOutcome::WrongHeight => "at the wrong height",
+        TraceOutcome::Unfit => "not made for it",
     }
 }
 
@@ -190,14 +190,14 @@ fn cm(metres: f32) -> f32 {
     (metres * 1000.0).round() / 10.0 + 0.0
 }
 
-fn way(trace: Trace) -> &'static str {
+fn way(trace: BoxTrace) -> &'static str {
     match trace {
-        Trace::Side(Side::Front) => "to the front",
-        Trace::Side(Side::Back) => "to the back",
-        Trace::Side(Side::Left) => "to the left",
-        Trace::Side(Side::Right) => "to the right",
-        Trace::Up => "up",
-        Trace::Down => "down",
+        BoxTrace::Side(Side::Front) => "to the front",
+        BoxTrace::Side(Side::Back) => "to the back",
+        BoxTrace::Side(Side::Left) => "to the left",
+        BoxTrace::Side(Side::Right) => "to the right",
+        BoxTrace::Up => "up",
+        BoxTrace::Down => "down",
     }
 }
 
@@ -248,7 +248,7 @@ impl Explanation {
             let by = if edge.relation == Relation::WornBy { edge.to } else { edge.from };
             writeln!(f, "  {by} holds or wears it: it rests on nothing")?;
         }
-        if let Some(seat) = self.seat.filter(|s| s.verdict != Verdict::Unfit) {
+        if let Some(seat) = self.seat.filter(|s| s.verdict != TraceOutcome::Unfit) {
             let share =
                 seat.share.map_or("not under the middle".to_owned(), |s| format!("at {:.0}% of the height", s * 100.0));
             writeln!(f, "  as a seat or bed, {share}: {}", because(seat.verdict))?;
@@ -256,7 +256,7 @@ impl Explanation {
         if let Some(hook) = self.hook {
             writeln!(f, "  a hook is {:.1} cm from its box: {}", cm(hook.distance), because(hook.verdict))?;
         }
-        if let Some(sight) = self.sight.filter(|s| s.verdict != Verdict::Unfit) {
+        if let Some(sight) = self.sight.filter(|s| s.verdict != TraceOutcome::Unfit) {
             let (angle, far) = (sight.angle.to_degrees(), sight.distance);
             writeln!(f, "  looked at {angle:.0} degrees off the front, {far:.2} m away: {}", because(sight.verdict))?;
         }

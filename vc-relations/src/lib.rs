@@ -8,7 +8,7 @@
 //!
 //! ```
 //! use vc_graph::{Bounds, Draft, Edge, Pose, Relation, SceneBuilder};
-//! use vc_relations::{Evidence, Relations, Rule};
+//! use vc_relations::{Evidence, Relations, RelationRule};
 //!
 //! let size = |x, y, z| Bounds::standing(nalgebra::Vector3::new(x, y, z));
 //! let mut scene = SceneBuilder::new("kitchen");
@@ -17,18 +17,18 @@
 //! let milk = scene.add(milk)?;
 //! let graph = scene.build();
 //!
-//! let relations = Relations::new(&graph, Rule::Repaired, Evidence::default())?;
+//! let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default())?;
 //! assert_eq!(relations.between(milk, fridge), [Relation::Inside, Relation::Touching, Relation::Near]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # The rule
 //!
-//! [`Rule::BoxTrace`] is the thesis's rule to the letter: six swept boxes for each object; it is on the object
+//! [`RelationRule::BoxTrace`] is the thesis's rule to the letter: six swept boxes for each object; it is on the object
 //! that the trace down hits, inside it if the traces up and down hit the same object, otherwise under the
 //! object that the trace up hits. This rule fails for containers (their content overlaps their box), for things
-//! that overlap by a millimetre, and for stacks. [`Rule::VirtualHome`] uses VirtualHome's definitions on
-//! world-aligned boxes. [`Rule::Repaired`], the default, keeps the idea of traces:
+//! that overlap by a millimetre, and for stacks. [`RelationRule::VirtualHome`] uses VirtualHome's definitions on
+//! world-aligned boxes. [`RelationRule::Contacts`], the default, keeps the idea of traces:
 //!
 //! | relation | holds if |
 //! |---|---|
@@ -57,7 +57,7 @@
 //! | [`Support`], [`Near`], [`Side`] | the figures behind on and near |
 //! | [`Proximity`] | named degrees of nearness: touching distance, arm's reach, near, behind a wall, far |
 //! | [`Explanation`] | why a relation holds or does not: which trace hit which thing, and where; depth in rooms, angle off the front, distances from seat and hook |
-//! | [`Rule`] | the rule that decides |
+//! | [`RelationRule`] | the rule that decides |
 //!
 //! # Cost and upkeep
 //!
@@ -115,12 +115,12 @@ mod walls;
 mod world;
 mod write;
 
-pub use box_trace::Trace;
-pub use error::{Flaw, InputError, check_sizes};
+pub use box_trace::BoxTrace;
+pub use error::{InputError, InputFlaw, check_sizes};
 pub use evidence::{Attachment, Contact, Evidence};
-pub use explanation::{Explanation, Hit, Hook, Seat, Sight, Traced, Verdict, Within};
+pub use explanation::{Explanation, Hit, Hook, Seat, Sight, TraceOutcome, Traced, Within};
 pub use near::Side;
 pub use proximity::Proximity;
 pub use relations::{Near, Relations, relations};
-pub use rule::Rule;
+pub use rule::RelationRule;
 pub use support::{Ground, Support};

@@ -32,12 +32,12 @@ impl Relations {
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_relations::{Evidence, Proximity, Relations, Rule};
+    /// use vc_relations::{Evidence, Proximity, Relations, RelationRule};
     /// let mut scene = SceneBuilder::new("shelf");
     /// let size = Bounds::standing([0.1, 0.1, 0.1].into());
     /// let mut cup = |x| scene.add(Draft::new("cup").bounds(size).at(Pose::translation(x, 0.0, 0.0)));
     /// let cups = [cup(0.0)?, cup(0.14)?, cup(0.6)?, cup(1.0)?, cup(3.0)?];
-    /// let relations = Relations::new(&scene.build(), Rule::Repaired, Evidence::default())?;
+    /// let relations = Relations::new(&scene.build(), RelationRule::Contacts, Evidence::default())?;
     /// let to = |other| relations.proximity(cups[0], other);
     /// assert_eq!(to(cups[1]), Some(Proximity::TouchingDistance));
     /// assert_eq!(to(cups[2]), Some(Proximity::ArmsReach));

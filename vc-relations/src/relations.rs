@@ -10,7 +10,7 @@ use crate::error::{InputError, check_assets, check_evidence, check_nodes, check_
 use crate::evidence::Evidence;
 use crate::facts::{Facts, hands_of};
 use crate::near::Side;
-use crate::rule::Rule;
+use crate::rule::RelationRule;
 use crate::support::{Support, Supports};
 use crate::world::{Met, World};
 use crate::{box_trace, virtual_home};
@@ -30,7 +30,7 @@ pub struct Near {
 ///
 /// ```
 /// use vc_graph::{Bounds, Draft, Edge, Pose, Relation, SceneBuilder};
-/// use vc_relations::{Evidence, Relations, Rule};
+/// use vc_relations::{Evidence, Relations, RelationRule};
 /// let mut scene = SceneBuilder::new("corner");
 /// let size = |x, y, z| Bounds::standing(nalgebra::Vector3::new(x, y, z));
 /// let table = scene.add(Draft::new("table").bounds(size(0.8, 1.2, 0.75)).at(Pose::identity()))?;
@@ -38,7 +38,7 @@ pub struct Near {
 /// let cup = scene.add(cup)?;
 /// let mut graph = scene.build();
 ///
-/// let mut relations = Relations::new(&graph, Rule::Repaired, Evidence::default())?;
+/// let mut relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default())?;
 /// assert!(relations.has(Edge::new(cup, Relation::On, table)));
 ///
 /// let mut edit = graph.edit();
@@ -51,7 +51,7 @@ pub struct Near {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Relations {
-    rule: Rule,
+    rule: RelationRule,
     pub(crate) world: World,
     pub(crate) evidence: Evidence,
     pub(crate) facts: Facts,
@@ -65,7 +65,7 @@ impl Relations {
     ///
     /// # Errors
     /// [`InputError`] with every number that is not finite, too large, or not a valid size or rotation.
-    pub fn new(graph: &SceneGraph, rule: Rule, evidence: Evidence) -> Result<Self, InputError> {
+    pub fn new(graph: &SceneGraph, rule: RelationRule, evidence: Evidence) -> Result<Self, InputError> {
         check_evidence(graph, &evidence)?;
         let mut relations =
             Self { rule, world: World::default(), facts: Facts::default(), evidence, fixed: Arc::default() };
@@ -74,7 +74,7 @@ impl Relations {
     }
 
     /// The rule by which relations are read.
-    pub fn rule(&self) -> Rule {
+    pub fn rule(&self) -> RelationRule {
         self.rule
     }
 
@@ -88,11 +88,11 @@ impl Relations {
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_relations::{Evidence, Relations, Rule};
+    /// use vc_relations::{Evidence, Relations, RelationRule};
     /// let mut scene = SceneBuilder::new("flat");
     /// let size = Bounds::standing([4.0, 3.0, 2.5].into());
     /// let hall = scene.add(Draft::new("hallway").bounds(size).at(Pose::identity()))?;
-    /// let relations = Relations::new(&scene.build(), Rule::Repaired, Evidence::default())?;
+    /// let relations = Relations::new(&scene.build(), RelationRule::Contacts, Evidence::default())?;
     /// assert_eq!(relations.room_at(&[1.0, 1.0, 1.0].into()), Some(hall));
     /// assert_eq!(relations.room_at(&[9.0, 1.0, 1.0].into()), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -113,9 +113,9 @@ impl Relations {
         self.facts = Facts::of(graph, &self.evidence);
         self.world.rebuild(graph, &self.evidence);
         self.fixed = Arc::new(match self.rule {
-            Rule::Repaired => Vec::new(),
-            Rule::BoxTrace => box_trace::edges(&self.world),
-            Rule::VirtualHome => virtual_home::edges(graph),
+            RelationRule::Contacts => Vec::new(),
+            RelationRule::BoxTrace => box_trace::edges(&self.world),
+            RelationRule::VirtualHome => virtual_home::edges(graph),
         });
         Ok(())
     }
@@ -158,7 +158,7 @@ impl Relations {
     ///
     /// The result is that of [`Self::rebuild`], bit for bit. A moved object with the usual number of neighbours
     /// costs about ten microseconds. Changes of rooms, parts of the building and new nodes cost a rebuild, as
-    /// does any change under a rule other than [`Rule::Repaired`].
+    /// does any change under a rule other than [`RelationRule::Contacts`].
     ///
     /// # Errors
     /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then.
@@ -167,7 +167,7 @@ impl Relations {
         let mut changed = changed.to_vec();
         changed.sort_unstable();
         changed.dedup();
-        if self.rule == Rule::Repaired
+        if self.rule == RelationRule::Contacts
             && let Some(met) = self.update_each(graph, &changed)
         {
             return Ok(met);
@@ -234,7 +234,7 @@ impl Relations {
 
     /// All relations, sorted by start, kind and end; symmetric ones occur in both directions.
     pub fn edges(&self) -> Vec<Edge> {
-        if self.rule != Rule::Repaired {
+        if self.rule != RelationRule::Contacts {
             return self.fixed.to_vec();
         }
         let reader = Reader::of_all(&self.world, &self.facts);
@@ -248,7 +248,7 @@ impl Relations {
     /// All relations that start at a node, sorted.
     pub fn of(&self, id: NodeId) -> Vec<Edge> {
         let mut edges = Vec::new();
-        if self.rule != Rule::Repaired {
+        if self.rule != RelationRule::Contacts {
             let from = self.fixed.partition_point(|e| e.from < id);
             edges.extend(self.fixed[from..].iter().take_while(|e| e.from == id));
         } else if let Some(index) = self.world.index(id) {
@@ -260,7 +260,7 @@ impl Relations {
     /// All relations that start at some nodes, as given by [`Self::of`]. If these are most of a scene, all
     /// supports are found in one pass.
     pub(crate) fn of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
-        if self.rule != Rule::Repaired {
+        if self.rule != RelationRule::Contacts {
             return nodes.iter().map(|&id| (id, self.of(id))).collect();
         }
         let most = 2 * nodes.len() > self.world.ids.len();
@@ -312,5 +312,5 @@ impl Relations {
 /// # Ok::<(), vc_relations::InputError>(())
 /// ```
 pub fn relations(graph: &SceneGraph) -> Result<Vec<Edge>, InputError> {
-    Ok(Relations::new(graph, Rule::Repaired, Evidence::default())?.edges())
+    Ok(Relations::new(graph, RelationRule::Contacts, Evidence::default())?.edges())
 }

@@ -4,10 +4,10 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Rule {
+pub enum RelationRule {
     /// The repaired traces, as defined on the front page.
     #[default]
-    Repaired,
+    Contacts,
     /// The thesis's six box traces, to the letter.
     BoxTrace,
     /// VirtualHome's definitions, on world-aligned boxes.

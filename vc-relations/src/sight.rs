@@ -3,7 +3,7 @@
 use vc_graph::portable::Portable;
 
 use crate::body::Body;
-use crate::explanation::{Sight, Verdict};
+use crate::explanation::{Sight, TraceOutcome};
 use crate::threshold::{FACING_COSINE, FACING_REACH};
 use crate::walls::Walls;
 
@@ -13,18 +13,18 @@ pub(crate) fn can_face(body: &Body) -> bool {
 }
 
 /// Whether a body faces another, or why it does not.
-pub(crate) fn verdict(body: &Body, target: &Body, walls: &Walls) -> Verdict {
+pub(crate) fn verdict(body: &Body, target: &Body, walls: &Walls) -> TraceOutcome {
     let front = Front::new(body, target);
     if !can_face(body) || !target.traits.lookable {
-        Verdict::Unfit
+        TraceOutcome::Unfit
     } else if front.far > FACING_REACH || !body.region.grown(FACING_REACH, FACING_REACH).meets(&target.region) {
-        Verdict::TooFar
+        TraceOutcome::TooFar
     } else if !front.is_towards() {
-        Verdict::Aside
+        TraceOutcome::Aside
     } else if walls.between(body, target) {
-        Verdict::Walled
+        TraceOutcome::Walled
     } else {
-        Verdict::Counts
+        TraceOutcome::Counts
     }
 }
 

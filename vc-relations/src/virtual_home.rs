@@ -16,7 +16,7 @@
 
 use nalgebra::Point3;
 use vc_geometry::tree::Tree;
-use vc_graph::{Aabb, Edge, Kind, Node, NodeId, ObjectRole, Relation, SceneGraph};
+use vc_graph::{Aabb, Edge, Node, NodeId, NodeKind, ObjectRole, Relation, SceneGraph};
 
 use crate::threshold::{VH_CAST, VH_CLOSE, VH_FAR, VH_FOOTPRINT, VH_ROUNDING};
 
@@ -48,7 +48,8 @@ pub(crate) fn edges(graph: &SceneGraph) -> Vec<Edge> {
         Some(Item { id: node.id(), node, aabb, centre: aabb.centre() })
     };
     let items: Vec<Item<'_>> = graph.nodes().filter_map(item).collect();
-    let (rooms, things): (Vec<Item<'_>>, Vec<Item<'_>>) = items.into_iter().partition(|i| i.node.kind() == Kind::Room);
+    let (rooms, things): (Vec<Item<'_>>, Vec<Item<'_>>) =
+        items.into_iter().partition(|i| i.node.kind() == NodeKind::Room);
     let mut edges = Vec::new();
     let tree = Tree::new(&things.iter().map(|i| i.aabb).collect::<Vec<_>>());
     for (i, a) in things.iter().enumerate() {

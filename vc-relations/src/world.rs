@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use vc_geometry::cache::AssetCache;
 use vc_geometry::tree::{Meetings, Tree};
-use vc_graph::{Aabb, AssetId, AssetLibrary, Kind, Node, NodeId, ObjectRole, Property, Relation, SceneGraph};
+use vc_graph::{Aabb, AssetId, AssetLibrary, Node, NodeId, NodeKind, ObjectRole, Property, Relation, SceneGraph};
 
 use crate::body::Body;
 use crate::evidence::Evidence;
@@ -108,7 +108,7 @@ impl World {
     }
 
     fn body(&self, node: &Node, evidence: &Evidence) -> Option<Arc<Body>> {
-        if node.kind() == Kind::Room {
+        if node.kind() == NodeKind::Room {
             return None;
         }
         let form = self.forms.of(node)?;
@@ -155,7 +155,7 @@ impl World {
         let node = graph.node(id);
         let body = node.and_then(|n| self.body(n, evidence));
         let is_building = |b: &Option<Arc<Body>>| b.as_ref().is_some_and(|b| b.traits.structure);
-        let is_room = node.map_or_else(|| self.rooms.has(id), |n| n.kind() == Kind::Room);
+        let is_room = node.map_or_else(|| self.rooms.has(id), |n| n.kind() == NodeKind::Room);
         if is_room || is_building(&body) || is_building(&self.bodies[index]) {
             return None;
         }

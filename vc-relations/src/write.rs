@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use vc_graph::{ChangeSet, Edge, EditError, Kind, NodeId, Place, Relation, SceneGraph};
+use vc_graph::{ChangeSet, Edge, EditError, NodeId, NodeKind, Place, Relation, SceneGraph};
 
 use crate::relations::Relations;
 
@@ -29,14 +29,14 @@ impl Relations {
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, NodeId, Pose, SceneBuilder};
-    /// use vc_relations::{Evidence, Relations, Rule};
+    /// use vc_relations::{Evidence, Relations, RelationRule};
     /// let size = |x, y, z| Bounds::standing(nalgebra::Vector3::new(x, y, z));
     /// let mut scene = SceneBuilder::new("corner");
     /// let table = scene.add(Draft::new("table").bounds(size(0.8, 1.2, 0.75)).at(Pose::identity()))?;
     /// let cup = Draft::new("cup").bounds(size(0.08, 0.08, 0.1)).at(Pose::translation(0.0, 0.0, 0.75));
     /// let cup = scene.add(cup)?;
     /// let mut graph = scene.build();
-    /// let relations = Relations::new(&graph, Rule::Repaired, Evidence::default())?;
+    /// let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default())?;
     /// relations.write(&mut graph, &[table, cup])?;
     /// assert_eq!(graph.place(cup).map(|p| p.at), Some(table));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -136,7 +136,7 @@ fn place(edge: &Edge) -> Place {
 }
 
 fn graph_has(graph: &SceneGraph, id: NodeId) -> bool {
-    graph.node(id).is_some_and(|n| n.kind() != Kind::Room)
+    graph.node(id).is_some_and(|n| n.kind() != NodeKind::Room)
 }
 
 fn is_held(graph: &SceneGraph, id: NodeId) -> bool {

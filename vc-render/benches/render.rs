@@ -19,7 +19,7 @@ use std::time::Instant;
 use home::{Home, cameras, home};
 use nalgebra::Translation3;
 use stage::{LABELS, SIX, Stage, row, table};
-use vc_graph::Kind;
+use vc_graph::NodeKind;
 use vc_render::{Daylight, Modality};
 
 /// Cells along an edge of each mesh: 130,000 and a million triangles.
@@ -44,7 +44,7 @@ fn main() {
 
 /// Moves fifty things by a few centimetres, and prints the cost of that.
 fn move_some(stage: &mut Stage, home: &Home) {
-    let things = home.graph.nodes().filter(|node| node.kind() == Kind::Object);
+    let things = home.graph.nodes().filter(|node| node.kind() == NodeKind::Object);
     let moved: Vec<_> = things
         .filter_map(|node| Some((node.id(), Translation3::new(0.03, 0.02, 0.0) * node.pose()?)))
         .step_by(6)

@@ -134,7 +134,7 @@ mod tests {
 
     use vc_graph::Pose;
 
-    use crate::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot, common};
+    use crate::{Camera, Daylight, Frame, Modalities, Modality, PathTracing, Renderer, Shot, common};
 
     /// Makes `wide` report a processor without vectors of eight.
     pub(super) static PLAIN: AtomicBool = AtomicBool::new(false);
@@ -159,9 +159,9 @@ mod tests {
             let mut frame = Frame::new();
             renderer.render(&shot, &mut frame).unwrap();
             all.extend(Modality::ALL.iter().map(|modality| common::contents(&frame, *modality)));
-            let how = Exposure { samples: 2, ..Exposure::default() };
-            let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).unwrap();
-            all.push(photograph.light.as_flattened().iter().map(|v| v.to_bits()).collect());
+            let how = PathTracing { samples: 2, ..PathTracing::default() };
+            let reference_picture = renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap();
+            all.push(reference_picture.light.as_flattened().iter().map(|v| v.to_bits()).collect());
         }
         all
     }

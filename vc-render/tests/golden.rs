@@ -14,7 +14,7 @@ use common::{cameras, lamplit};
 use nalgebra::Vector3;
 use vc_graph::State;
 use vc_render::picture::{self, Picture};
-use vc_render::{Camera, Daylight, Exposure, Frame, Modalities, Modality, Renderer, Shot};
+use vc_render::{Camera, Daylight, Frame, Modalities, Modality, PathTracing, Renderer, Shot};
 use vc_testkit::golden;
 
 /// Decodes a PNG file.
@@ -83,9 +83,10 @@ fn the_reference_picture_is_as_it_was() {
     let snapshot = renderer.snapshot(&lamplit()).unwrap();
     let mut lamps = snapshot.clone();
     snapshot.nodes().for_each(|n| lamps.switch(n, true).unwrap());
-    let how = Exposure { samples: 8, ..Exposure::default() };
+    let how = PathTracing { samples: 8, ..PathTracing::default() };
     for (name, camera, daylight) in views().into_iter().skip(1) {
-        let photograph = renderer.photograph(&renderer.light(&lamps, &daylight), &camera, &how, |_| true).unwrap();
-        compare(&format!("{name}_reference"), &photograph.picture());
+        let reference_picture =
+            renderer.reference_picture(&renderer.light(&lamps, &daylight), &camera, &how, |_| true).unwrap();
+        compare(&format!("{name}_reference"), &reference_picture.picture());
     }
 }

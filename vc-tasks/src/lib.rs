@@ -4,7 +4,7 @@
 //! A [`Task`] is a goal with a title and a step limit. [`Task::obstacles`] lists the reasons why a
 //! goal cannot make sense in a scene before any attempt, an [`Outcome`] says how an attempt ended,
 //! and [`household`] is a list of everyday tasks. A [`World`] is the environment in which tasks are
-//! executed, symbolic or with bodies; [`Progress`] is the verdict on an episode step by step, and a
+//! executed, symbolic or with bodies; [`GoalProgress`] is the verdict on an episode step by step, and a
 //! [`Trial`] executes a task action by action, with observations and rewards. The [`library`] holds the thesis's hundred tasks and the benchmark of
 //! 145, and [`initial`] prepares a scene for one of them.
 //!
@@ -48,7 +48,7 @@ mod world;
 pub use explain::{Bindings, MinimalSets, Part, SETS, Unmet, explain, first_held};
 pub use household::household;
 pub use obstacle::{Obstacle, Wider};
-pub use progress::{Lost, Progress};
+pub use progress::{GoalProgress, Lost};
 pub use task::{Outcome, Task, TaskError};
 pub use trial::{Feedback, Trial};
 pub use world::{World, WorldError};

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
-use vc_graph::{Misnomer, Node, NodeId, Property, Relation, SceneGraph, State, did_you_mean};
+use vc_graph::{NameMismatch, Node, NodeId, Property, Relation, SceneGraph, State, did_you_mean};
 
 use crate::lint::brought_about;
 use crate::{Lost, Task, vacuous};
@@ -53,7 +53,7 @@ pub enum Obstacle {
         state: State,
     },
     /// A label of the goal is of another class than its node.
-    Misnomer(Misnomer),
+    Misnomer(NameMismatch),
     /// The scene has no node of a number that the goal names.
     NoSuchNode(String),
     /// An agent is to hold more at once than it has hands.
@@ -130,7 +130,7 @@ impl Task {
         let parts = obstacles(&self.goal, graph);
         let lacks = |told: &str| parts.iter().any(|o| matches!(o, Obstacle::TooFew { class, .. } if class == told));
         let told = |o: &Obstacle| matches!(o, Obstacle::UnknownClass { class, .. } if lacks(class));
-        let mut found: Vec<Obstacle> = self.goal.misnomers(graph).into_iter().map(Obstacle::Misnomer).collect();
+        let mut found: Vec<Obstacle> = self.goal.name_mismatches(graph).into_iter().map(Obstacle::Misnomer).collect();
         found.extend(unknown(self.goal.terms(), graph).into_iter().filter(|obstacle| !told(obstacle)));
         found.extend(parts);
         found
@@ -155,7 +155,7 @@ impl Task {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn lost(&self, graph: &SceneGraph) -> Option<Lost> {
-        let mut found: Vec<Obstacle> = self.goal.misnomers(graph).into_iter().map(Obstacle::Misnomer).collect();
+        let mut found: Vec<Obstacle> = self.goal.name_mismatches(graph).into_iter().map(Obstacle::Misnomer).collect();
         found.extend(unknown(vacuous::terms(&self.goal), graph));
         (!found.is_empty()).then_some(Lost::Misnamed(found))
     }
@@ -310,13 +310,15 @@ fn demand(predicate: Predicate, position: usize) -> (Fits, &'static str) {
             "a surface",
         ),
         (Predicate::Relation(Relation::Inside), 1) => (
-            |n| n.kind() == vc_graph::Kind::Room || n.affords(Property::Container) || n.affords(Property::Recipient),
+            |n| {
+                n.kind() == vc_graph::NodeKind::Room || n.affords(Property::Container) || n.affords(Property::Recipient)
+            },
             "a container",
         ),
         (Predicate::Relation(Relation::SittingOn), 1) => (|n| n.affords(Property::Sittable), "sittable"),
         (Predicate::Relation(Relation::LyingOn), 1) => (|n| n.affords(Property::Lieable), "lieable"),
         (Predicate::Relation(Relation::SittingOn | Relation::LyingOn), 0) => {
-            (|n| n.kind() == vc_graph::Kind::Agent, "a person")
+            (|n| n.kind() == vc_graph::NodeKind::Agent, "a person")
         }
         (Predicate::Relation(Relation::WornBy), 0) => (|n| n.affords(Property::Wearable), "wearable"),
         (Predicate::State(State::Open | State::Closed), 0) => (|n| n.affords(Property::Openable), "openable"),

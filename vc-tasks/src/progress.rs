@@ -1,6 +1,6 @@
 //! The verdict on a task while an episode goes on.
 
-use vc_graph::goal::Trace;
+use vc_graph::goal::EpisodeTrace;
 use vc_graph::{Goal, NodeId, SceneGraph};
 
 use crate::compile::Monitor;
@@ -36,7 +36,7 @@ use crate::{Obstacle, World};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Progress {
+pub struct GoalProgress {
     goal: Goal,
     agent: NodeId,
     past: Option<Box<Past>>,
@@ -45,14 +45,14 @@ pub struct Progress {
 /// The trace of an episode.
 #[derive(Debug, Clone)]
 struct Past {
-    trace: Trace,
+    trace: EpisodeTrace,
     /// The same trace as truth values, while the scene has the nodes that it began with.
     monitor: Option<Monitor>,
     /// How many actions the world's history had at the last step.
     done: usize,
 }
 
-impl Progress {
+impl GoalProgress {
     /// A goal of an agent in an episode that begins with the world as it is.
     pub fn new(goal: &Goal, world: &dyn World, agent: NodeId) -> Self {
         let past = goal.is_temporal().then(|| Box::new(Past::new(goal, world, agent)));
@@ -118,7 +118,7 @@ pub enum Lost {
 
 impl Past {
     fn new(goal: &Goal, world: &dyn World, agent: NodeId) -> Self {
-        let trace = Trace::new(world.graph().clone(), agent);
+        let trace = EpisodeTrace::new(world.graph().clone(), agent);
         // A goal too large to be compiled is judged on the states.
         let monitor = Monitor::on(goal, &trace);
         Self { trace, monitor, done: world.history().events().len() }

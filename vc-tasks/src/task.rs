@@ -5,7 +5,7 @@ use vc_graph::format::unmarked;
 use vc_graph::goal::GoalError;
 use vc_graph::{Goal, NodeId};
 
-use crate::{Progress, World};
+use crate::{GoalProgress, World};
 
 /// A goal to be reached in a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -67,8 +67,8 @@ impl Task {
 
     /// Begins an episode of an agent in a world as it is: the verdict on it, step by step. This is how
     /// episodes are judged; a goal with words of time can be judged in no other way.
-    pub fn begin(&self, world: &dyn World, agent: NodeId) -> Progress {
-        Progress::new(&self.goal, world, agent)
+    pub fn begin(&self, world: &dyn World, agent: NodeId) -> GoalProgress {
+        GoalProgress::new(&self.goal, world, agent)
     }
 
     /// Whether the goal holds for an agent in the world's current state: in the true scene, not in

@@ -2,13 +2,13 @@
 
 use vc_graph::{Action, NodeId, Observation, SceneGraph, Scope};
 
-use crate::{Lost, Progress, Task, World, WorldError};
+use crate::{GoalProgress, Lost, Task, World, WorldError};
 
 /// An agent with a task in a world, action by action, as in reinforcement learning: each action returns
 /// an observation and a reward. The caller runs the loop; `Policy` and `run_episode` of `vc-planner` run it
 /// themselves.
 ///
-/// The reward of an action is the change of the score of [`Progress`], so the rewards of an episode that was won sum
+/// The reward of an action is the change of the score of [`GoalProgress`], so the rewards of an episode that was won sum
 /// to the part of the goal that did not hold at first. A goal with words of time is judged on the trace since the trial
 /// began. Once it can no longer hold, [`Feedback::lost`] says why, and no reward is positive: a score that counts the
 /// steps at which `always Closed(fridge)` held would grow with each idle step after the fridge was open. Action costs
@@ -43,7 +43,7 @@ pub struct Trial<W> {
     task: Task,
     agent: NodeId,
     scope: Scope,
-    progress: Progress,
+    progress: GoalProgress,
     score: f64,
     steps: usize,
     lost: Option<Lost>,

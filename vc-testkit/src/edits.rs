@@ -1,7 +1,7 @@
 //! Random valid edits.
 
 use proptest::prelude::*;
-use vc_graph::{Draft, Edge, Edit, EditError, Kind, Node, NodeId, Relation, SceneGraph, State, Word};
+use vc_graph::{Draft, Edge, Edit, EditError, Node, NodeId, NodeKind, Relation, SceneGraph, State, Word};
 
 use crate::scenes::{CLASSES, places_for, pose};
 
@@ -37,14 +37,14 @@ pub fn make(edit: &mut Edit<'_>, (what, which, choice, numbers): Plan) -> Result
     match what {
         0 | 1 => add(edit, choice, room, numbers),
         2 => remove(edit, id),
-        3..=6 if kind != Kind::Room && !resting => place(edit, id, kind, choice),
-        7 if kind == Kind::Object => match edit.graph().agents().first().copied() {
+        3..=6 if kind != NodeKind::Room && !resting => place(edit, id, kind, choice),
+        7 if kind == NodeKind::Object => match edit.graph().agents().first().copied() {
             Some(agent) if edit.graph().free_hand(agent).is_some() && !edit.graph().rests_at(agent, id) => {
                 edit.hold(agent, id)
             }
             _ => Ok(()),
         },
-        8 if kind != Kind::Room => {
+        8 if kind != NodeKind::Room => {
             stand(edit, id)?;
             edit.move_to_room(id, room)
         }
@@ -56,7 +56,7 @@ pub fn make(edit: &mut Edit<'_>, (what, which, choice, numbers): Plan) -> Result
             let relation = [Relation::Near, Relation::Touching, Relation::Facing, Relation::TakenOff][choice % 4];
             edit.relate(Edge::new(id, relation, all[choice / 4 % all.len()]))
         }
-        11 if kind != Kind::Room => stand(edit, id),
+        11 if kind != NodeKind::Room => stand(edit, id),
         12 => edit.carry_to(id, pose(numbers, true)),
         13 => edit.fill(id, choice.is_multiple_of(2).then(|| "juice".into())),
         _ => Ok(()),
@@ -65,7 +65,7 @@ pub fn make(edit: &mut Edit<'_>, (what, which, choice, numbers): Plan) -> Result
 
 fn add(edit: &mut Edit<'_>, choice: usize, room: NodeId, numbers: [i16; 7]) -> Result<(), EditError> {
     let id = edit.add(Draft::new(CLASSES[choice / 8 % CLASSES.len()]).at(pose(numbers, true)))?;
-    if edit.graph().node(id).is_some_and(|n| n.kind() == Kind::Room) {
+    if edit.graph().node(id).is_some_and(|n| n.kind() == NodeKind::Room) {
         return Ok(());
     }
     edit.move_to_room(id, room)
@@ -83,7 +83,7 @@ fn remove(edit: &mut Edit<'_>, id: NodeId) -> Result<(), EditError> {
     edit.remove(id)
 }
 
-fn place(edit: &mut Edit<'_>, id: NodeId, kind: Kind, choice: usize) -> Result<(), EditError> {
+fn place(edit: &mut Edit<'_>, id: NodeId, kind: NodeKind, choice: usize) -> Result<(), EditError> {
     let places = places_for(edit.graph(), id, kind);
     let Some(&place) = places.get(choice % places.len().max(1)) else { return Ok(()) };
     match place.relation {

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::class::SlotKind;
 use vc_graph::{
-    Bounds, Draft, Edge, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, State, Word,
+    Bounds, Draft, Edge, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, State, Word,
 };
 
 /// One node to be: which class, which place, which state, flags, and its pose.
@@ -62,7 +62,7 @@ fn add(scene: &mut SceneBuilder, step: Step, posed: bool) {
     let draft = draft(CLASSES[class], state, flags, numbers, posed);
     let id = scene.add(draft).unwrap();
     let kind = scene.graph().node(id).unwrap().kind();
-    if kind != Kind::Room {
+    if kind != NodeKind::Room {
         let rooms = scene.graph().rooms();
         let room = rooms[place % rooms.len()];
         let mut edit = scene.edit();
@@ -104,7 +104,7 @@ pub fn pose([x, y, z, i, j, k, w]: [i16; 7], turned: bool) -> Pose {
 }
 
 /// Puts a node on, in or with something that is there already.
-fn settle(scene: &mut SceneBuilder, id: NodeId, kind: Kind, choice: usize, flags: u8) {
+fn settle(scene: &mut SceneBuilder, id: NodeId, kind: NodeKind, choice: usize, flags: u8) {
     let places = places_for(scene.graph(), id, kind);
     let Some(place) = places.get(choice % (places.len() + 1)) else { return };
     let mut edit = scene.edit();
@@ -125,12 +125,12 @@ fn settle(scene: &mut SceneBuilder, id: NodeId, kind: Kind, choice: usize, flags
 }
 
 /// Where a node can be in a sound scene.
-pub fn places_for(graph: &SceneGraph, id: NodeId, kind: Kind) -> Vec<Place> {
+pub fn places_for(graph: &SceneGraph, id: NodeId, kind: NodeKind) -> Vec<Place> {
     let free = |n: &Node, slot, relation| graph.relating(relation, n.id()).count() < n.slots(slot).max(1) as usize;
     let mut found = Vec::new();
-    for node in graph.nodes().filter(|n| n.id() != id && n.kind() != Kind::Room && !graph.rests_at(n.id(), id)) {
+    for node in graph.nodes().filter(|n| n.id() != id && n.kind() != NodeKind::Room && !graph.rests_at(n.id(), id)) {
         let mut offer = |yes: bool, relation| found.extend(yes.then_some(Place { relation, at: node.id() }));
-        if kind == Kind::Agent {
+        if kind == NodeKind::Agent {
             offer(
                 node.affords(Property::Sittable) && free(node, SlotKind::Seat, Relation::SittingOn),
                 Relation::SittingOn,
@@ -139,9 +139,9 @@ pub fn places_for(graph: &SceneGraph, id: NodeId, kind: Kind) -> Vec<Place> {
         } else {
             offer(node.affords(Property::Surface), Relation::On);
             offer(node.affords(Property::Container), Relation::Inside);
-            offer(node.kind() == Kind::Agent && graph.free_hand(node.id()).is_some(), Relation::HoldsRight);
+            offer(node.kind() == NodeKind::Agent && graph.free_hand(node.id()).is_some(), Relation::HoldsRight);
             let clothes = graph.node(id).is_some_and(|n| n.affords(Property::Wearable));
-            offer(node.kind() == Kind::Agent && clothes, Relation::WornBy);
+            offer(node.kind() == NodeKind::Agent && clothes, Relation::WornBy);
         }
     }
     found

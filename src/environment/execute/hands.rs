@@ -2,11 +2,11 @@
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Edge, EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
-use vc_physics::{Hand, Order, Role};
+use vc_physics::{BodyRole, Hand, Order};
 
 use super::{Done, Execution, UPRIGHT};
-use crate::environment::Impossible;
-use crate::environment::course::{Beat, Put};
+use crate::environment::PhysicalRefusal;
+use crate::environment::course::{BodyMotion, Put};
 use crate::environment::settle::come_to_rest;
 
 /// How far ahead of the body a hand puts things down, metres.
@@ -28,37 +28,37 @@ impl Execution<'_> {
         if self.hand(self.before, id).is_some() {
             return Ok(());
         }
-        let hand = self.hand(self.after, id).ok_or(Impossible::NotModelled("the rule gives it into no hand"))?;
+        let hand = self.hand(self.after, id).ok_or(PhysicalRefusal::NotModelled("the rule gives it into no hand"))?;
         if self.world.pose(id).is_none() {
             return self.undress(hand, id);
         }
         self.world.grab_all(self.agent, hand, id, &load_of(self.before, id))?;
-        self.course.push(Beat::Take(hand, id));
+        self.course.push(BodyMotion::Take(hand, id));
         Ok(())
     }
 
     pub(super) fn undress(&mut self, hand: Hand, id: NodeId) -> Done {
         let worn = self.before.related(id, Relation::WornBy).next() == Some(self.agent);
         if !worn {
-            return Err(Impossible::NoBody(self.before.label(id)));
+            return Err(PhysicalRefusal::NoBody(self.before.label(id)));
         }
         self.world.insert(self.before, id, &self.start.shapes)?;
         self.world.place(id, self.feet() * Pose::translation(0.3, 0.0, 1.0))?;
         self.world.grab(self.agent, hand, id)?;
-        self.course.push(Beat::Undress(hand, id));
+        self.course.push(BodyMotion::Undress(hand, id));
         Ok(())
     }
 
     pub(super) fn dress(&mut self, id: NodeId) -> Done {
         self.world.remove(id)?;
-        self.course.push(Beat::Dress(id));
+        self.course.push(BodyMotion::Dress(id));
         Ok(())
     }
 
     /// Puts a held thing where there is room for it, nearest to the hands; after a step, where
     /// there is room nearest to them then.
     pub(super) fn put(&mut self, id: NodeId, place: Place) -> Done {
-        let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
+        let hand = self.hand(self.before, id).ok_or(PhysicalRefusal::NotModelled("it is in no hand"))?;
         let mut spot = self.spot(id, place)?;
         if self.stands() && !self.puts_from(&self.feet(), id, &spot) {
             self.step_to(place.at, id, &spot)?;
@@ -69,12 +69,12 @@ impl Execution<'_> {
         self.turn_to(&spot);
         if self.spot_as_begun(id, place)? == Some(spot) {
             self.world.put_as(&self.start.world, (self.agent, hand), spot, place.at)?;
-            self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: true, tight: Some(place.at) }));
+            self.course.push(BodyMotion::Put(Put { hand, id, pose: spot, balanced: true, tight: Some(place.at) }));
             return Ok(());
         }
         let around = self.loose_around(place);
         self.world.put(self.agent, hand, spot)?;
-        self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
+        self.course.push(BodyMotion::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
         self.steady(id, place, spot, &around)
     }
 
@@ -116,7 +116,7 @@ impl Execution<'_> {
 
     /// Puts down a thing where there is room once the others are pushed together; if it does not come to rest there
     /// either, all is as it was.
-    fn rests_beside_others(&mut self, id: NodeId, place: Place) -> Result<bool, Impossible> {
+    fn rests_beside_others(&mut self, id: NodeId, place: Place) -> Result<bool, PhysicalRefusal> {
         let (before, beats) = (self.world.clone(), self.course.beats.clone());
         self.world.place(id, Pose::translation(0.0, 0.0, AWAY))?;
         let Some(room) = self.make_room(id, place)? else {
@@ -139,7 +139,7 @@ impl Execution<'_> {
 
     /// What was put down last has come elsewhere.
     fn revise(&mut self, at: Pose, held_still: bool) {
-        if let Some(Beat::Put(put)) = self.course.beats.last_mut() {
+        if let Some(BodyMotion::Put(put)) = self.course.beats.last_mut() {
             (put.pose, put.balanced) = (at, held_still);
         }
     }
@@ -168,7 +168,7 @@ impl Execution<'_> {
 
     /// Loose things at a place and on them, and where they are.
     fn loose_around(&self, place: Place) -> Vec<(NodeId, Pose)> {
-        let loose = |id: &NodeId| self.world.role(*id) == Some(Role::Loose);
+        let loose = |id: &NodeId| self.world.role(*id) == Some(BodyRole::Loose);
         let there = self.before.carried_with(place.at).into_iter().filter(|id| *id != place.at && loose(id));
         there.filter_map(|id| Some((id, self.world.pose(id)?))).collect()
     }
@@ -176,9 +176,9 @@ impl Execution<'_> {
     /// A free spot for a thing on or in another. If there is none, or if the thing did not stay there by itself at the
     /// start, it goes back to where it was, however tight. Else cloth is folded up, what is
     /// there is pushed together, and into containers things are put on the others at last.
-    pub(in crate::environment) fn spot(&mut self, id: NodeId, place: Place) -> Result<Pose, Impossible> {
+    pub(in crate::environment) fn spot(&mut self, id: NodeId, place: Place) -> Result<Pose, PhysicalRefusal> {
         self.floor.update(self.world);
-        let held = self.start.world.role(id) == Some(Role::Hung);
+        let held = self.start.world.role(id) == Some(BodyRole::Hung);
         let mut spot = if held { self.spot_as_begun(id, place)? } else { None };
         if spot.is_none() {
             spot = self.free_spot(id, place)?;
@@ -199,18 +199,18 @@ impl Execution<'_> {
     }
 
     /// The error for a thing without a spot at a place.
-    fn no_spot(&self, id: NodeId, place: Place) -> Result<Impossible, Impossible> {
+    fn no_spot(&self, id: NodeId, place: Place) -> Result<PhysicalRefusal, PhysicalRefusal> {
         let (thing, at) = (self.before.label(id), self.before.label(place.at));
         let inside = place.relation == Relation::Inside;
         if !inside && self.world.free_spot_at(id, place.at, inside, self.near_hands())?.is_some() {
-            return Ok(Impossible::ShutsIn { thing, at });
+            return Ok(PhysicalRefusal::ShutsIn { thing, at });
         }
         let by = self.before.relating(place.relation, place.at).map(|by| self.before.label(by)).collect();
-        Ok(Impossible::NoSpot { thing, where_: if inside { "in" } else { "on" }, at, by })
+        Ok(PhysicalRefusal::NoSpot { thing, where_: if inside { "in" } else { "on" }, at, by })
     }
 
     /// Where a thing was at its place at the start, if nothing has come there since.
-    fn spot_as_begun(&self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
+    fn spot_as_begun(&self, id: NodeId, place: Place) -> Result<Option<Pose>, PhysicalRefusal> {
         let was_there = self.start.graph.places(id).any(|p| p == place);
         Ok(if was_there { self.world.spot_as(&self.start.world, id, place.at)? } else { None })
     }
@@ -219,12 +219,12 @@ impl Execution<'_> {
         Order::Near(self.feet() * Point3::new(AHEAD, 0.0, 1.0))
     }
 
-    fn free_spot(&self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
+    fn free_spot(&self, id: NodeId, place: Place) -> Result<Option<Pose>, PhysicalRefusal> {
         self.spot_in_order(id, place, self.near_hands())
     }
 
     /// The first free spot at a place where the thing shuts nobody in.
-    fn spot_in_order(&self, id: NodeId, place: Place, order: Order) -> Result<Option<Pose>, Impossible> {
+    fn spot_in_order(&self, id: NodeId, place: Place, order: Order) -> Result<Option<Pose>, PhysicalRefusal> {
         let inside = place.relation == Relation::Inside;
         let admits = |spot: &Pose| inside || self.shuts_nobody_in(id, spot);
         Ok(self.world.free_spot_where(id, place.at, inside, order, admits)?)
@@ -240,7 +240,7 @@ impl Execution<'_> {
 
     /// Pushes together what is on or in a thing, away from the hands or to a side, the largest first, until
     /// there is room for another; if there is none then, all stays where it was.
-    fn make_room(&mut self, id: NodeId, place: Place) -> Result<Option<Pose>, Impossible> {
+    fn make_room(&mut self, id: NodeId, place: Place) -> Result<Option<Pose>, PhysicalRefusal> {
         let things = self.movable_at(place);
         let Some(around) = self.world.aabb(place.at).filter(|_| !things.is_empty()) else { return Ok(None) };
         let (middle, hands) = (around.centre(), self.feet() * Point3::new(AHEAD, 0.0, 1.0));
@@ -252,7 +252,7 @@ impl Execution<'_> {
                 && let Some(spot) = self.free_spot(id, place)?
             {
                 moved.iter().try_for_each(|(thing, _)| self.world.wake(*thing))?;
-                self.course.push(Beat::Push(moved));
+                self.course.push(BodyMotion::Push(moved));
                 return Ok(Some(spot));
             }
             self.world.clone_from(&before);
@@ -268,7 +268,7 @@ impl Execution<'_> {
         place: Place,
         to: Point3<f32>,
         close: bool,
-    ) -> Result<Option<Vec<(NodeId, Pose)>>, Impossible> {
+    ) -> Result<Option<Vec<(NodeId, Pose)>>, PhysicalRefusal> {
         for (index, thing) in things.iter().enumerate() {
             // Out of the way of those that come before it.
             self.world.place(*thing, Pose::translation(10.0 * index as f32, 0.0, AWAY))?;
@@ -293,8 +293,8 @@ impl Execution<'_> {
         let alone = |id: &NodeId| self.before.places(*id).eq([place]) && self.before.resting_at(*id).next().is_none();
         let carried = |id: NodeId| self.before.node(id).is_some_and(|n| n.affords(Property::Graspable));
         let movable = |id: &NodeId| match self.world.role(*id) {
-            Some(Role::Loose) => true,
-            Some(Role::Hung) => carried(*id),
+            Some(BodyRole::Loose) => true,
+            Some(BodyRole::Hung) => carried(*id),
             _ => false,
         };
         let size = |id: &NodeId| self.world.aabb(*id).map_or(0.0, |b| (b.max - b.min).xy().norm());
@@ -305,36 +305,36 @@ impl Execution<'_> {
     }
 
     /// Makes a flat bundle of cloth; whether it was any larger.
-    fn fold_up(&mut self, id: NodeId) -> Result<bool, Impossible> {
+    fn fold_up(&mut self, id: NodeId) -> Result<bool, PhysicalRefusal> {
         let Some(node) = self.before.node(id).filter(|n| is_cloth(n)) else { return Ok(false) };
-        let Some(by) = self.world.bundled(id)? else { return Ok(false) };
+        let Some(by) = self.world.folded_size(id)? else { return Ok(false) };
         let scale = node.spec().scale.component_mul(&by);
-        let graph = scaled(self.before, id, scale).map_err(|e| Impossible::Unreadable(e.to_string()))?;
+        let graph = scaled(self.before, id, scale).map_err(|e| PhysicalRefusal::Unreadable(e.to_string()))?;
         self.world.reshape(&graph, id, &self.start.shapes)?;
         self.folded.push((id, scale));
-        self.course.push(Beat::Fold(id, scale));
+        self.course.push(BodyMotion::Fold(id, scale));
         Ok(true)
     }
 
     pub(super) fn let_go(&mut self, id: NodeId) -> Done {
-        let hand = self.hand(self.before, id).ok_or(Impossible::NotModelled("it is in no hand"))?;
+        let hand = self.hand(self.before, id).ok_or(PhysicalRefusal::NotModelled("it is in no hand"))?;
         // Where it falls it may hang on a table's edge until something shakes it, or lie on a
         // book: on the floor beside these it stays.
         if let Some(spot) = self.floor_spot(id)?
             && self.world.put(self.agent, hand, spot).is_ok()
         {
-            self.course.push(Beat::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
+            self.course.push(BodyMotion::Put(Put { hand, id, pose: spot, balanced: false, tight: None }));
             return Ok(());
         }
         self.world.drop(self.agent, hand)?;
-        self.course.push(Beat::LetGo(hand));
+        self.course.push(BodyMotion::LetGo(hand));
         Ok(())
     }
 
     /// A free spot for a thing on the floor before the agent's feet, or beside them or behind where
     /// only that is in the room and in reach; where it would shut somebody in, after a step, one on the rest of the
     /// floor. None where it can only fall.
-    fn floor_spot(&mut self, id: NodeId) -> Result<Option<Pose>, Impossible> {
+    fn floor_spot(&mut self, id: NodeId) -> Result<Option<Pose>, PhysicalRefusal> {
         let Some(ground) = self.before.place(self.agent).filter(|_| self.stands()) else { return Ok(None) };
         self.floor.update(self.world);
         let place = Place { relation: Relation::On, at: ground.at };
@@ -356,13 +356,13 @@ impl Execution<'_> {
         id: NodeId,
         ground: Place,
         here: impl Fn(&Pose) -> bool,
-    ) -> Result<Option<Pose>, Impossible> {
+    ) -> Result<Option<Pose>, PhysicalRefusal> {
         if let Some(spot) = self.free_spot(id, ground)?.filter(here) {
             let stepped = self.step_to(ground.at, id, &spot).is_ok();
             return Ok(Some(spot).filter(|spot| stepped && self.puts_from(&self.feet(), id, spot)));
         }
         match self.no_spot(id, ground)? {
-            shut @ Impossible::ShutsIn { .. } => Err(shut),
+            shut @ PhysicalRefusal::ShutsIn { .. } => Err(shut),
             _ => Ok(None),
         }
     }

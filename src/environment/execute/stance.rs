@@ -2,12 +2,12 @@
 
 use nalgebra::{Point2, Point3, Vector2};
 use vc_graph::asset::JointKind;
-use vc_graph::{Kind, NodeId, Pose, Property};
-use vc_physics::{Stand, World};
+use vc_graph::{NodeId, NodeKind, Pose, Property};
+use vc_physics::{PhysicsWorld, Stand};
 
 use super::{Done, Execution, towards};
-use crate::environment::Impossible;
-use crate::environment::course::Beat;
+use crate::environment::PhysicalRefusal;
+use crate::environment::course::BodyMotion;
 use crate::environment::outlook;
 
 /// Free floor that agents keep from each other, metres.
@@ -33,7 +33,7 @@ impl Execution<'_> {
         }
         self.floor.update(self.world);
         let stand = self.stand_at(body, self.before.room_of(self.agent))?;
-        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
+        self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(id)))?)
     }
 
     /// Whether there is a spot from which hands get at a thing.
@@ -54,7 +54,7 @@ impl Execution<'_> {
 
     /// A spot in a room from which the agent reaches a thing: where it sees it too, if
     /// there is one.
-    pub(super) fn stand_at(&mut self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, Impossible> {
+    pub(super) fn stand_at(&mut self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, PhysicalRefusal> {
         self.at_need_nudging(|execution| {
             let found = execution.stand_where(id, room, |feet| execution.sees(feet, id))?;
             if found.is_some() { Ok(found) } else { execution.stand_where(id, room, |_| true) }
@@ -65,8 +65,8 @@ impl Execution<'_> {
     /// such that they are moved out of it.
     fn at_need_nudging<T>(
         &mut self,
-        find: impl Fn(&Self) -> Result<Option<T>, Impossible>,
-    ) -> Result<Option<T>, Impossible> {
+        find: impl Fn(&Self) -> Result<Option<T>, PhysicalRefusal>,
+    ) -> Result<Option<T>, PhysicalRefusal> {
         let found = find(self)?;
         if found.is_some() {
             return Ok(found);
@@ -87,7 +87,7 @@ impl Execution<'_> {
         id: NodeId,
         room: Option<NodeId>,
         admits: impl Fn(&Pose) -> bool,
-    ) -> Result<Option<Stand>, Impossible> {
+    ) -> Result<Option<Stand>, PhysicalRefusal> {
         let from = self.feet().translation.vector.xy().into();
         let good = |feet: &Pose| self.is_good(feet, room) && admits(feet);
         Ok(self.floor.stand_where(self.world, &self.plan(), from, id, good)?)
@@ -104,7 +104,7 @@ impl Execution<'_> {
         };
         let free = || match self.nudges {
             false => self.world.stands_free(self.agent, feet).unwrap_or(false),
-            true => self.world.parts_aside(self.agent, feet).is_ok_and(|parts| parts.is_some()),
+            true => self.world.parts_to_move_aside(self.agent, feet).is_ok_and(|parts| parts.is_some()),
         };
         room.is_none_or(inner) && self.is_unclaimed(&spot) && free()
     }
@@ -123,13 +123,13 @@ impl Execution<'_> {
         if route.points.first().is_some_and(|first| (first - from).norm() > 0.01) {
             route.points.insert(0, from);
         }
-        let aside = self.world.parts_aside(self.agent, &feet)?.unwrap_or_default();
+        let aside = self.world.parts_to_move_aside(self.agent, &feet)?.unwrap_or_default();
         aside.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
         self.world.teleport(self.agent, feet)?;
         if !aside.is_empty() {
-            self.course.push(Beat::Nudge(aside));
+            self.course.push(BodyMotion::Nudge(aside));
         }
-        self.course.push(Beat::Walk { points: route.points, doors: route.doors, feet, run: self.run });
+        self.course.push(BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.run });
         Ok(())
     }
 
@@ -137,16 +137,16 @@ impl Execution<'_> {
         self.floor.update(self.world);
         let kind = self.before.node(id).map(vc_graph::Node::kind);
         let stand = self.at_need_nudging(|execution| match kind {
-            Some(Kind::Room) => Ok(execution.stand_in(id)),
-            Some(Kind::Agent) => Ok(execution.stand_beside(id, |_| true)),
+            Some(NodeKind::Room) => Ok(execution.stand_in(id)),
+            Some(NodeKind::Agent) => Ok(execution.stand_beside(id, |_| true)),
             _ => execution.stand_before(id),
         })?;
-        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
+        self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(id)))?)
     }
 
     /// Before a thing: within reach of it and not only of its open door, else near it; else the
     /// same for what it is on or in, as long as that is near the thing itself.
-    pub(super) fn stand_before(&self, id: NodeId) -> Result<Option<Stand>, Impossible> {
+    pub(super) fn stand_before(&self, id: NodeId) -> Result<Option<Stand>, PhysicalRefusal> {
         for at in std::iter::once(id).chain(self.before.support_chain(id)) {
             for far in [self.plan().stretch(), NEAR] {
                 let reach = self.stand_within(id, at, far)?;
@@ -164,7 +164,7 @@ impl Execution<'_> {
 
     /// Within reach of one thing, so near to another: where it is seen too, if there is such a
     /// spot.
-    fn stand_within(&self, id: NodeId, at: NodeId, far: f32) -> Result<Option<Stand>, Impossible> {
+    fn stand_within(&self, id: NodeId, at: NodeId, far: f32) -> Result<Option<Stand>, PhysicalRefusal> {
         if self.world.aabb(at).is_none() {
             return Ok(None);
         }
@@ -241,7 +241,7 @@ impl Execution<'_> {
         let Some(centre) = centre.or_else(|| node?.position()) else { return Ok(()) };
         if (centre.xy() - Point2::from(self.feet().translation.vector.xy())).norm() > 0.05 {
             self.world.face(self.agent, centre)?;
-            self.course.push(Beat::Turn(self.feet()));
+            self.course.push(BodyMotion::Turn(self.feet()));
         }
         Ok(())
     }
@@ -259,7 +259,7 @@ impl Execution<'_> {
         let (room, target) = (self.before.room_of(self.agent), Point3::from(spot.translation.vector));
         let within = self.stand_to_put(room, id, spot)?;
         let stand = within.or_else(|| self.nearest_stand(room, target, NEAR, |_| true));
-        self.walk(stand.ok_or_else(|| Impossible::NoStand(self.before.label(at)))?)
+        self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(at)))?)
     }
 
     /// The spot in a room nearest to where a thing is to be put, from where it can be.
@@ -268,7 +268,7 @@ impl Execution<'_> {
         room: Option<NodeId>,
         id: NodeId,
         spot: &Pose,
-    ) -> Result<Option<Stand>, Impossible> {
+    ) -> Result<Option<Stand>, PhysicalRefusal> {
         let target = Point3::from(spot.translation.vector);
         self.at_need_nudging(|execution| {
             Ok(execution.nearest_stand(room, target, NEAR, |feet| execution.puts_from(feet, id, spot)))
@@ -278,7 +278,7 @@ impl Execution<'_> {
     pub(super) fn turn_to(&mut self, spot: &Pose) {
         let to = Point3::from(spot.translation.vector);
         if self.stands() && self.world.face(self.agent, to).is_ok() {
-            self.course.push(Beat::Turn(self.feet()));
+            self.course.push(BodyMotion::Turn(self.feet()));
         }
     }
 
@@ -315,11 +315,11 @@ impl Execution<'_> {
         if found.is_none() && self.has_cord(id) {
             found = self.stand_beside(id, clear);
         }
-        self.walk(found.ok_or_else(|| Impossible::NoStand(self.before.label(id)))?)
+        self.walk(found.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(id)))?)
     }
 
     /// The world with a container standing open, if it has a door that turns.
-    fn opened(&self, id: NodeId) -> Result<Option<World>, Impossible> {
+    fn opened(&self, id: NodeId) -> Result<Option<PhysicsWorld>, PhysicalRefusal> {
         let turns = self.world.moving_parts(id).iter().any(|part| part.kind == JointKind::Hinge);
         if !turns || !self.before.node(id).is_some_and(|n| n.affords(Property::Container)) {
             return Ok(None);
@@ -330,7 +330,7 @@ impl Execution<'_> {
     }
 
     /// Whether somebody who stands somewhere sees into a thing when it stands open.
-    fn shows_inside(&self, opened: &World, feet: &Pose, id: NodeId) -> bool {
+    fn shows_inside(&self, opened: &PhysicsWorld, feet: &Pose, id: NodeId) -> bool {
         let Some(closed) = self.world.aabb(id) else { return false };
         outlook::into_thing(opened, self.before, (id, &closed), (feet, self.plan().eye())) >= SHOWN
     }

@@ -1,7 +1,7 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Kind, Label, NodeId, ObjectRole, SceneGraph};
+use vc_graph::{Aabb, Label, NodeId, NodeKind, ObjectRole, SceneGraph};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use crate::Environment;
@@ -102,7 +102,7 @@ impl Environment {
 
     /// The box around a room.
     fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError<Label>> {
-        let node = self.graph().node(room).filter(|n| n.kind() == Kind::Room);
+        let node = self.graph().node(room).filter(|n| n.kind() == NodeKind::Room);
         node.and_then(|n| n.aabb()).ok_or_else(|| RenderError::NoRoom(self.graph().label(room)))
     }
 

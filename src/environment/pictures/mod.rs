@@ -8,9 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock};
 
 use vc_graph::asset::Joint;
-use vc_graph::{Kind, Label, Node, NodeId, ObjectRole, Pose, Property, Relation, State};
+use vc_graph::{Label, Node, NodeId, NodeKind, ObjectRole, Pose, Property, Relation, State};
 use vc_people::{Bone, clothes};
-use vc_physics::Role;
+use vc_physics::BodyRole;
 use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
 
 pub use self::camera::Viewpoint;
@@ -247,11 +247,11 @@ impl Base {
         let (graph, world) = environment.origin();
         let mut renderer = Renderer::new();
         let snapshot = renderer.snapshot_with(graph, |id, joint| position(graph, world, id, joint))?;
-        let body = |n: &&Node| n.kind() != Kind::Room;
+        let body = |n: &&Node| n.kind() != NodeKind::Room;
         let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
         let seen: Vec<NodeId> = snapshot.nodes().collect();
         let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
-        let fixed = |id: &NodeId| world.role(*id) == Some(Role::Fixed);
+        let fixed = |id: &NodeId| world.role(*id) == Some(BodyRole::Fixed);
         let loose = seen.iter().copied().filter(|id| !fixed(id)).collect();
         let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
         let lets_in =

@@ -1,7 +1,7 @@
 //! The eyes' target: whoever has done something at a thing keeps it in view.
 
 use nalgebra::Point3;
-use vc_graph::{Kind, NodeId, Pose};
+use vc_graph::{NodeId, NodeKind, Pose};
 
 use crate::Environment;
 
@@ -28,7 +28,7 @@ impl Environment {
     /// The middle of a thing, or of the part of a wide one that is ahead of some feet. There is none for what is
     /// held or worn, behind or far away.
     fn middle_before(&self, feet: &Pose, id: NodeId) -> Option<Point3<f32>> {
-        let node = self.graph().node(id).filter(|node| node.kind() == Kind::Object)?;
+        let node = self.graph().node(id).filter(|node| node.kind() == NodeKind::Object)?;
         if self.world().holder(id).is_some() {
             return None;
         }

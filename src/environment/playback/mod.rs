@@ -17,7 +17,7 @@ use vc_graph::{Action, ChangeSet, NodeId, Pose, rule};
 use vc_physics::{Hand, Posture};
 
 use super::act::{self, Done};
-use super::course::{Beat, Course};
+use super::course::{BodyMotion, Course};
 use super::{ActionError, Environment, observe};
 use vc_people::Skeleton;
 use walk::Passage;
@@ -186,41 +186,41 @@ impl Player {
 
     /// Plays a beat; gives whether it is over. What cannot be shown is skipped: the end of
     /// the action is known already.
-    fn play(&mut self, show: &mut Environment, beat: &Beat, before: f32) -> bool {
+    fn play(&mut self, show: &mut Environment, beat: &BodyMotion, before: f32) -> bool {
         let agent = self.agent;
         match beat {
-            Beat::Walk { points, doors, feet, run } => self.walk(show, points, doors, feet, *run),
-            Beat::Turn(feet) => self.turn(show, feet),
-            Beat::Take(hand, id) => self.take(show, *hand, *id, before),
-            Beat::Nudge(parts) => {
+            BodyMotion::Walk { points, doors, feet, run } => self.walk(show, points, doors, feet, *run),
+            BodyMotion::Turn(feet) => self.turn(show, feet),
+            BodyMotion::Take(hand, id) => self.take(show, *hand, *id, before),
+            BodyMotion::Nudge(parts) => {
                 parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, *part, *open)));
                 true
             }
-            Beat::Steady(things) => {
+            BodyMotion::Steady(things) => {
                 things.iter().for_each(|id| drop(show.world.pin(*id)));
                 true
             }
-            Beat::Push(moved) => {
+            BodyMotion::Push(moved) => {
                 for (id, pose) in moved {
                     drop(show.world.place(*id, *pose).and_then(|()| show.world.wake(*id)));
                 }
                 true
             }
-            Beat::Fold(id, scale) => {
+            BodyMotion::Fold(id, scale) => {
                 fold(show, *id, *scale);
                 true
             }
-            Beat::Put(put) => self.put(show, put, before),
-            Beat::LetGo(hand) => self.at_once(show, before, |show| drop(show.world.drop(agent, *hand))),
-            Beat::Dress(id) => self.at_once(show, before, |show| drop(show.world.remove(*id))),
-            Beat::Undress(hand, id) => self.at_once(show, before, |show| undress(show, agent, *hand, *id)),
-            Beat::Drive(drive) => self.drive(show, drive, before),
-            Beat::Rest(id, lying) => self.settle(show, before, |show| {
+            BodyMotion::Put(put) => self.put(show, put, before),
+            BodyMotion::LetGo(hand) => self.at_once(show, before, |show| drop(show.world.drop(agent, *hand))),
+            BodyMotion::Dress(id) => self.at_once(show, before, |show| drop(show.world.remove(*id))),
+            BodyMotion::Undress(hand, id) => self.at_once(show, before, |show| undress(show, agent, *hand, *id)),
+            BodyMotion::Drive(drive) => self.drive(show, drive, before),
+            BodyMotion::Rest(id, lying) => self.settle(show, before, |show| {
                 let world = &mut show.world;
                 drop(if *lying { world.lie(agent, *id) } else { world.sit(agent, *id) });
             }),
-            Beat::GetUp(feet) => self.settle(show, before, |show| drop(show.world.teleport(agent, *feet))),
-            Beat::Gesture(action, seconds) => self.gesture(show, action, *seconds),
+            BodyMotion::GetUp(feet) => self.settle(show, before, |show| drop(show.world.teleport(agent, *feet))),
+            BodyMotion::Gesture(action, seconds) => self.gesture(show, action, *seconds),
         }
     }
 

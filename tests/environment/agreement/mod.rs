@@ -1,12 +1,12 @@
 //! Rule and bodies agree, and the graph equals a scene derived anew.
 
 use virtualcity::graph::{
-    Action, Bounds, Draft, Edge, Kind, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Seed,
-    State, Verb,
+    Action, Bounds, Draft, Edge, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneBuilder, SceneGraph,
+    Seed, State, Verb,
 };
-use virtualcity::physics::{Posture, Role};
-use virtualcity::relations::{Evidence, Relations, Rule};
-use virtualcity::{ActionError, Environment, Impossible, legal_action};
+use virtualcity::physics::{BodyRole, Posture};
+use virtualcity::relations::{Evidence, RelationRule, Relations};
+use virtualcity::{ActionError, Environment, PhysicalRefusal, legal_action};
 
 use super::{act, home};
 
@@ -22,13 +22,13 @@ fn edges(graph: &SceneGraph) -> Vec<Edge> {
 /// thing that stands open keeps its places, as it has not moved: its open door may touch another wall.
 fn rebuilt(home: &Environment) -> SceneGraph {
     let world = home.world();
-    let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(Role::Carried));
+    let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(BodyRole::Carried));
     let mut evidence = Evidence::default().carrying(carried);
     for id in world.nodes() {
         let turned = (0..).zip(world.moving_parts(id)).filter(|(_, part)| part.position != 0.0);
         evidence.positions.extend(turned.map(|(joint, part)| ((id, joint), part.position)));
     }
-    let relations = Relations::new(home.graph(), Rule::Repaired, evidence).unwrap();
+    let relations = Relations::new(home.graph(), RelationRule::Contacts, evidence).unwrap();
     let mut graph = home.graph().clone();
     let all: Vec<NodeId> = graph.nodes().map(Node::id).collect();
     let is_open = |id: NodeId| world.moving_parts(id).iter().any(|part| part.position != 0.0);
@@ -147,7 +147,7 @@ fn assert_all_opens(seed: u64) -> usize {
     let (graph, world) = (fresh.graph(), fresh.world());
     let built = |id: NodeId| graph.places(id).all(|p| graph.node(p.at).is_some_and(Node::is_building));
     let opens = |n: &&Node| n.affords(Property::Openable) && n.is(State::Closed) && built(n.id());
-    let small = |n: &Node| n.affords(Property::Graspable) && world.role(n.id()) == Some(Role::Loose);
+    let small = |n: &Node| n.affords(Property::Graspable) && world.role(n.id()) == Some(BodyRole::Loose);
     let all: Vec<NodeId> = graph.nodes().filter(opens).filter(|n| !small(n)).map(Node::id).collect();
     for &id in &all {
         let mut home = fresh.clone();
@@ -293,7 +293,7 @@ fn what_is_in_the_way_has_a_name() {
     home.reset(&graph).unwrap();
     act(&mut home, me, Verb::Walk, &[can]);
     let stuck = home.set_action(me, Action::one(Verb::Open, can)).unwrap_err();
-    let ActionError::Impossible { why: Impossible::Stuck { by, .. }, .. } = &stuck else { panic!("{stuck}") };
+    let ActionError::Impossible { why: PhysicalRefusal::Stuck { by, .. }, .. } = &stuck else { panic!("{stuck}") };
     assert_eq!(by.iter().map(|b| b.id).collect::<Vec<_>>(), [shelf]);
     assert!(stuck.to_string().ends_with(&format!("wall.{} is in the way", shelf.0)), "{stuck}");
 }
@@ -304,7 +304,7 @@ fn what_is_in_the_way_has_a_name() {
 fn whatever_is_found_is_near() {
     let fresh = home(42, 1);
     let me = fresh.agents()[0];
-    let things: Vec<NodeId> = fresh.graph().nodes().filter(|n| n.kind() == Kind::Object).map(Node::id).collect();
+    let things: Vec<NodeId> = fresh.graph().nodes().filter(|n| n.kind() == NodeKind::Object).map(Node::id).collect();
     let mut found = 0;
     for id in things.into_iter().step_by(4) {
         let mut home = fresh.clone();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use virtualcity::graph::{Bounds, ClassTable, Draft, NodeId, Pose, Property, SceneBuilder, Seed};
-use virtualcity::physics::{Settings, Shapes, World};
+use virtualcity::physics::{PhysicsWorld, Settings, Shapes};
 use virtualcity::procgen::material;
 use virtualcity::procgen::object::{Generator, generator, generators};
 
@@ -33,7 +33,7 @@ fn carried() -> Vec<&'static Generator> {
 }
 
 /// A world with randomly oriented instances of a class above a floor.
-fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (World, Vec<NodeId>) {
+fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (PhysicsWorld, Vec<NodeId>) {
     let (mut library, mut scene) = (material::library(), SceneBuilder::new("drop"));
     let slab = Bounds::standing([30.0, 30.0, fall.thick].into());
     scene.add(Draft::new("floor").at(Pose::translation(0.0, 0.0, -fall.thick)).bounds(slab)).unwrap();
@@ -52,7 +52,7 @@ fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (World, Vec<NodeI
         things.push(scene.add(draft).unwrap());
     }
     scene.assets(Arc::new(library));
-    (World::build(&scene.build(), &Shapes::new(), Settings::default()).unwrap(), things)
+    (PhysicsWorld::build(&scene.build(), &Shapes::new(), Settings::default()).unwrap(), things)
 }
 
 /// The numbers of instances that are still awake, and of those below the floor.

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Vector2, Vector3};
 use vc_graph::asset::{Hold, JointKind};
 use vc_graph::format::thesis;
-use vc_graph::{Aabb, Asset, ClassTable, Kind, Node, Property, SceneGraph};
+use vc_graph::{Aabb, Asset, ClassTable, Node, NodeKind, Property, SceneGraph};
 use vc_procgen::{Apartment, dress, object};
 
 fn dressed(scene: &SceneGraph) -> SceneGraph {
@@ -45,7 +45,7 @@ fn the_scene_stays_and_shapes_fill_its_boxes() {
                 (after.label(), &after.spec().name, after.states())
             );
             assert_eq!(before.position(), after.position(), "{label} stays where it is");
-            if before.kind() != Kind::Object || builds(before) || goes_around(before) {
+            if before.kind() != NodeKind::Object || builds(before) || goes_around(before) {
                 continue;
             }
             let (old, new) = (before.aabb().unwrap(), after.aabb().unwrap());
@@ -95,7 +95,7 @@ fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
 fn nothing_that_has_a_generator_is_a_plain_box() {
     let mut plain = std::collections::BTreeSet::new();
     for (_, looks) in scenes() {
-        for node in looks.nodes().filter(|n| n.kind() == Kind::Object && !builds(n)) {
+        for node in looks.nodes().filter(|n| n.kind() == NodeKind::Object && !builds(n)) {
             let made = asset(&looks, node);
             if made.parts.len() == 1 && &*made.parts[0].name == "box" {
                 plain.insert(node.class().to_string());
@@ -198,7 +198,7 @@ fn free(scene: &SceneGraph, node: &Node, way: Vector2<f32>) -> f32 {
     let is_in_way = |n: &&Node| {
         let tall = n.aabb().is_some_and(|b| b.max.z > 0.2 && b.min.z < 1.5 && (b.max - b.min).xy().min() < 2.4);
         let apart = n.id() != node.id() && !scene.rests_at(node.id(), n.id()) && !scene.rests_at(n.id(), node.id());
-        n.kind() == Kind::Object && tall && apart && !n.affords(Property::Graspable) && &**n.class() != "chair"
+        n.kind() == NodeKind::Object && tall && apart && !n.affords(Property::Graspable) && &**n.class() != "chair"
     };
     let blocks: Vec<Aabb> = scene.nodes().filter(is_in_way).filter_map(Node::aabb).collect();
     let floors: Vec<Aabb> = scene.of_class("floor").iter().filter_map(|f| scene.node(*f)?.aabb()).collect();
@@ -245,7 +245,7 @@ fn a_home_of_the_thesis_format_looks_as_it_did() {
     let text = thesis::write(&home);
     let looks = dressed(&thesis::read(&text, &ClassTable::builtin()).unwrap());
     let (mut all, mut shared) = (0, 0);
-    for before in home.nodes().filter(|n| n.kind() == Kind::Object && n.spec().asset.is_some()) {
+    for before in home.nodes().filter(|n| n.kind() == NodeKind::Object && n.spec().asset.is_some()) {
         let after = looks.node(before.id()).unwrap();
         assert_eq!(before.class(), after.class());
         let mats = |graph: &SceneGraph, node: &Node| -> std::collections::BTreeSet<String> {
@@ -269,14 +269,14 @@ fn doors_of_furniture_open_into_no_wall() {
         let placed = |node: &Node, (low, high): (nalgebra::Point3<f32>, nalgebra::Point3<f32>)| {
             let half = (high - low) / 2.0;
             let offset = nalgebra::center(&low, &high).coords;
-            vc_graph::Bounds { offset, half, frame: vc_graph::Frame::Object }.aabb(node.pose().unwrap())
+            vc_graph::Bounds { offset, half, frame: vc_graph::BoundsFrame::Object }.aabb(node.pose().unwrap())
         };
         let walls: Vec<Aabb> = looks
             .nodes()
             .filter(|n| &**n.class() == "wall")
             .flat_map(|n| asset(&looks, n).parts.iter().map(move |p| placed(n, p.extent())))
             .collect();
-        for node in looks.nodes().filter(|n| n.kind() == Kind::Object && !builds(n) && n.spec().asset.is_some()) {
+        for node in looks.nodes().filter(|n| n.kind() == NodeKind::Object && !builds(n) && n.spec().asset.is_some()) {
             for part in &asset(&looks, node).parts {
                 let Some(joint) = part.joint.filter(|j| j.kind == JointKind::Hinge && j.axis.z.abs() > 0.9) else {
                     continue;

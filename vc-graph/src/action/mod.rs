@@ -11,8 +11,8 @@ use crate::{NodeId, SceneGraph};
 mod names;
 mod text;
 
-pub use names::{Called, Misnomer};
-pub use text::Deed;
+pub use names::{NameMismatch, ObjectNames};
+pub use text::ParsedAction;
 
 vocabulary! {
     /// A verb. [`Verb::rule`](crate::Verb::rule) gives the arity, preconditions and effects of each.
@@ -203,14 +203,14 @@ impl Verb {
 ///
 /// Prints with plain numbers, `grab #12`; [`Action::describe`] adds the classes, `grab cup.12`. Both forms can
 /// be parsed. An action parsed from labels is refused if an object is not of the class in its label: see
-/// [`Called`].
+/// [`ObjectNames`].
 ///
 /// ```
 /// use vc_graph::{Action, NodeId, Verb};
 /// let action: Action = "put_in cup.12 dishwasher.3".parse()?;
 /// assert_eq!(action, Action::two(Verb::PutIn, NodeId(12), NodeId(3)));
 /// assert_eq!("[PUTIN] <cup> (12) <dishwasher> (3)".parse::<Action>()?, action);
-/// # Ok::<(), vc_graph::ActionError>(())
+/// # Ok::<(), vc_graph::ActionTextError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Action {
@@ -221,13 +221,13 @@ pub struct Action {
     /// The second object: the tool, the surface or the container.
     pub target: Option<NodeId>,
     /// The names of the objects in the text that the action was parsed from.
-    pub called: Called,
+    pub called: ObjectNames,
 }
 
 /// An error in the text of an action.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum ActionError {
+pub enum ActionTextError {
     /// The text is empty.
     #[error("an action begins with a verb, as in `grab cup.12`")]
     Empty,
@@ -236,7 +236,7 @@ pub enum ActionError {
     Verb(#[from] crate::vocabulary::UnknownWord),
     /// A badly written object.
     #[error(transparent)]
-    Label(#[from] crate::BadLabel),
+    Label(#[from] crate::LabelError),
     /// Too few or too many objects.
     #[error("`{verb}` takes {takes} things, {given} are given")]
     Arity {
@@ -261,7 +261,7 @@ pub enum ActionError {
 impl Action {
     /// An action without objects: `stand`.
     pub const fn zero(verb: Verb) -> Self {
-        Self { verb, object: None, target: None, called: Called::NOTHING }
+        Self { verb, object: None, target: None, called: ObjectNames::NOTHING }
     }
 
     /// An action on one object: `grab #12`.
@@ -277,13 +277,13 @@ impl Action {
     /// An action on the given objects.
     ///
     /// # Errors
-    /// [`ActionError::Arity`] if the verb takes another number of objects.
-    pub fn with(verb: Verb, things: &[NodeId]) -> Result<Self, ActionError> {
+    /// [`ActionTextError::Arity`] if the verb takes another number of objects.
+    pub fn with(verb: Verb, things: &[NodeId]) -> Result<Self, ActionTextError> {
         let (takes, given) = (verb.arity(), things.len());
         // VirtualHome writes `[SLEEP]` and `[SLEEP] <bed> (1)` alike.
         let optional = matches!(verb, Verb::Sleep | Verb::WakeUp | Verb::Stand | Verb::Leave) && given <= 1;
         if takes != given && !optional {
-            return Err(ActionError::Arity { verb, takes, given });
+            return Err(ActionTextError::Arity { verb, takes, given });
         }
         let (object, target) = (things.first().copied(), things.get(1).copied());
         Ok(Self { object: object.filter(|_| takes > 0), target, ..Self::zero(verb) })
@@ -303,9 +303,9 @@ impl Action {
     /// as the scene's author spelled them.
     ///
     /// # Errors
-    /// [`ActionError::NotInVirtualHome`].
-    pub fn to_virtualhome(&self, graph: &SceneGraph) -> Result<String, ActionError> {
-        let verb = self.verb.virtualhome().ok_or(ActionError::NotInVirtualHome(self.verb))?;
+    /// [`ActionTextError::NotInVirtualHome`].
+    pub fn to_virtualhome(&self, graph: &SceneGraph) -> Result<String, ActionTextError> {
+        let verb = self.verb.virtualhome().ok_or(ActionTextError::NotInVirtualHome(self.verb))?;
         let spelled = |id| graph.node(id).map_or("unknown", |n| &n.spec().spelling);
         let things = self.things().map(|id| format!(" <{}> ({})", spelled(id), id.0));
         Ok(format!("[{verb}]{}", things.collect::<String>()))
@@ -332,13 +332,13 @@ impl fmt::Display for Action {
 }
 
 impl std::str::FromStr for Action {
-    type Err = ActionError;
+    type Err = ActionTextError;
 
-    fn from_str(text: &str) -> Result<Self, ActionError> {
-        let deed: Deed = text.parse()?;
+    fn from_str(text: &str) -> Result<Self, ActionTextError> {
+        let deed: ParsedAction = text.parse()?;
         match deed.character {
-            0 => Ok(Self { called: Called::of(&deed.action, &deed.labels), ..deed.action }),
-            someone => Err(ActionError::Character(someone)),
+            0 => Ok(Self { called: ObjectNames::of(&deed.action, &deed.labels), ..deed.action }),
+            someone => Err(ActionTextError::Character(someone)),
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::{Label, Node, NodeId, SceneGraph, nearest};
 /// A label whose class is not the class of its node.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{written}` names a thing that is {found}; write the class and the number of one thing")]
-pub struct Misnomer {
+pub struct NameMismatch {
     /// The label as it was written.
     pub written: Label,
     /// The label of the node with that number.
@@ -46,22 +46,22 @@ impl SceneGraph {
     /// ```
     ///
     /// # Errors
-    /// [`Misnomer`] with both names.
-    pub fn check_name(&self, class: &str, id: NodeId) -> Result<(), Misnomer> {
+    /// [`NameMismatch`] with both names.
+    pub fn check_name(&self, class: &str, id: NodeId) -> Result<(), NameMismatch> {
         let Some(node) = self.node(id) else { return Ok(()) };
         let spec = node.spec();
         let written = std::iter::once(&*spec.spelling).chain(spec.name.as_deref());
         if written.into_iter().any(|own| same_word(own, class)) || self.classes().is_a(&spec.class, class) {
             return Ok(());
         }
-        Err(Misnomer { written: Label { class: clip(class).into(), id }, found: node.label() })
+        Err(NameMismatch { written: Label { class: clip(class).into(), id }, found: node.label() })
     }
 
     /// Checks that a node is of a label's class, as [`Self::check_name`] does.
     ///
     /// # Errors
-    /// [`Misnomer`] with both names.
-    pub fn check_label(&self, label: &Label) -> Result<(), Misnomer> {
+    /// [`NameMismatch`] with both names.
+    pub fn check_label(&self, label: &Label) -> Result<(), NameMismatch> {
         self.check_name(&label.class, label.id)
     }
 }
@@ -83,9 +83,9 @@ impl SceneGraph {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Called([Option<NonZeroU32>; 2]);
+pub struct ObjectNames([Option<NonZeroU32>; 2]);
 
-impl Called {
+impl ObjectNames {
     /// No names.
     pub const NOTHING: Self = Self([None; 2]);
 
@@ -121,26 +121,26 @@ fn mark(name: &str) -> NonZeroU32 {
     NonZeroU32::new(folded(name).fold(0x811c_9dc5, mix)).unwrap_or(NonZeroU32::MAX)
 }
 
-impl PartialEq for Called {
+impl PartialEq for ObjectNames {
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-impl Eq for Called {}
+impl Eq for ObjectNames {}
 
-impl PartialOrd for Called {
+impl PartialOrd for ObjectNames {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Called {
+impl Ord for ObjectNames {
     fn cmp(&self, _: &Self) -> Ordering {
         Ordering::Equal
     }
 }
 
-impl Hash for Called {
+impl Hash for ObjectNames {
     fn hash<H: Hasher>(&self, _: &mut H) {}
 }

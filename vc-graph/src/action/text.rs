@@ -2,23 +2,23 @@
 
 use std::str::FromStr;
 
-use super::{Action, ActionError, Misnomer, Verb};
+use super::{Action, ActionTextError, NameMismatch, Verb};
 use crate::spelling::{clip, unmarked};
 use crate::vocabulary::Word;
-use crate::{BadLabel, Label, NodeId, SceneGraph};
+use crate::{Label, LabelError, NodeId, SceneGraph};
 
 /// A parsed action with the character that performs it and the names that the text gives its objects.
 ///
 /// ```
-/// use vc_graph::{Action, Deed, NodeId, Verb};
-/// let deed: Deed = "<char1> [GRAB] <cup> (12)".parse()?;
+/// use vc_graph::{Action, ParsedAction, NodeId, Verb};
+/// let deed: ParsedAction = "<char1> [GRAB] <cup> (12)".parse()?;
 /// assert_eq!((deed.character, deed.action), (1, Action::one(Verb::Grab, NodeId(12))));
 /// assert_eq!(deed.labels[0].to_string(), "cup.12");
-/// assert_eq!("<char1> grab cup.12".parse::<Deed>()?, deed);
-/// # Ok::<(), vc_graph::ActionError>(())
+/// assert_eq!("<char1> grab cup.12".parse::<ParsedAction>()?, deed);
+/// # Ok::<(), vc_graph::ActionTextError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Deed {
+pub struct ParsedAction {
     /// The number of the character, as in `<char1>`; 0 if none is named.
     pub character: u32,
     /// The action.
@@ -27,27 +27,27 @@ pub struct Deed {
     pub labels: Vec<Label>,
 }
 
-impl From<Action> for Deed {
+impl From<Action> for ParsedAction {
     /// An action of the first character, without labels.
     fn from(action: Action) -> Self {
         Self { character: 0, action, labels: Vec::new() }
     }
 }
 
-impl Deed {
+impl ParsedAction {
     /// Checks that the objects are of the classes in their labels, see [`SceneGraph::check_name`].
     ///
     /// # Errors
-    /// The first [`Misnomer`].
-    pub fn check(&self, graph: &SceneGraph) -> Result<(), Misnomer> {
+    /// The first [`NameMismatch`].
+    pub fn check(&self, graph: &SceneGraph) -> Result<(), NameMismatch> {
         self.labels.iter().try_for_each(|label| graph.check_label(label))
     }
 }
 
-impl FromStr for Deed {
-    type Err = ActionError;
+impl FromStr for ParsedAction {
+    type Err = ActionTextError;
 
-    fn from_str(text: &str) -> Result<Self, ActionError> {
+    fn from_str(text: &str) -> Result<Self, ActionTextError> {
         let text = unmarked(text).trim();
         let (character, deed) = character(text)?;
         let (action, labels) = if deed.contains('[') { virtualhome(deed)? } else { native(deed)? };
@@ -56,27 +56,27 @@ impl FromStr for Deed {
 }
 
 /// Parses the number in `<char1> [GRAB] ...`; returns it and the rest of the text.
-fn character(text: &str) -> Result<(u32, &str), ActionError> {
+fn character(text: &str) -> Result<(u32, &str), ActionTextError> {
     if !text.starts_with('<') {
         return Ok((0, text));
     }
-    let bad = || ActionError::Notation(clip(text));
+    let bad = || ActionTextError::Notation(clip(text));
     let (name, rest) = text[1..].split_once('>').ok_or_else(bad)?;
     let number = name.trim().strip_prefix("char").ok_or_else(bad)?;
     Ok((number.parse().map_err(|_| bad())?, rest.trim_start()))
 }
 
 /// Parses `grab cup.12`.
-fn native(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
+fn native(text: &str) -> Result<(Action, Vec<Label>), ActionTextError> {
     let mut words = text.split_whitespace();
-    let verb = Verb::parse(words.next().ok_or(ActionError::Empty)?)?;
+    let verb = Verb::parse(words.next().ok_or(ActionTextError::Empty)?)?;
     let mut labels = Vec::new();
-    let things = words.map(|word| thing(word, &mut labels)).collect::<Result<Vec<NodeId>, BadLabel>>()?;
+    let things = words.map(|word| thing(word, &mut labels)).collect::<Result<Vec<NodeId>, LabelError>>()?;
     Ok((Action::with(verb, &things)?, labels))
 }
 
 /// Parses `cup.12` or `#12`.
-fn thing(word: &str, labels: &mut Vec<Label>) -> Result<NodeId, BadLabel> {
+fn thing(word: &str, labels: &mut Vec<Label>) -> Result<NodeId, LabelError> {
     if let Some(number) = word.strip_prefix('#').and_then(|number| number.parse().ok()) {
         return Ok(NodeId(number));
     }
@@ -88,10 +88,10 @@ fn thing(word: &str, labels: &mut Vec<Label>) -> Result<NodeId, BadLabel> {
 
 /// Parses `[GRAB] <cup> (12)`. In VirtualHome's older form, `(1.12)`, the number after the dot identifies the
 /// instance. A number in brackets may follow, `[0]`.
-fn virtualhome(text: &str) -> Result<(Action, Vec<Label>), ActionError> {
-    let bad = || ActionError::Notation(clip(text));
+fn virtualhome(text: &str) -> Result<(Action, Vec<Label>), ActionTextError> {
+    let bad = || ActionTextError::Notation(clip(text));
     let (verb, mut rest) = text.strip_prefix('[').and_then(|t| t.split_once(']')).ok_or_else(bad)?;
-    let unknown = || Verb::parse(verb.trim()).map_err(ActionError::Verb);
+    let unknown = || Verb::parse(verb.trim()).map_err(ActionTextError::Verb);
     let verb = Verb::from_virtualhome(verb.trim()).map_or_else(unknown, Ok)?;
     let mut labels: Vec<Label> = Vec::new();
     while let Some((name, after)) = rest.split_once('(') {

@@ -81,7 +81,7 @@ pub enum Problem {
     Asset(#[from] crate::asset::AssetError),
     /// An invalid action.
     #[error(transparent)]
-    Action(#[from] crate::ActionError),
+    Action(#[from] crate::ActionTextError),
     /// One character performs two actions in one step.
     #[error("`<char{0}>` does two things at once; write them in two lines, or name another character for one of them")]
     ActsTwice(u32),

@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{FormatError, Problem, Source};
 use crate::class::Slot;
-use crate::node::{Kind, Node, Spec};
+use crate::node::{Node, NodeKind, Spec};
 use crate::serial::{BoundsFile, LARGEST_SCALE, PoseFile, within};
 use crate::spelling::key;
 use crate::{
@@ -200,9 +200,9 @@ impl From<&Node> for NodeFile {
     fn from(node: &Node) -> Self {
         let spec = node.spec();
         let kind = match spec.kind {
-            Kind::Room => KindFile::Room,
-            Kind::Agent => KindFile::Agent,
-            Kind::Object => KindFile::Object,
+            NodeKind::Room => KindFile::Room,
+            NodeKind::Agent => KindFile::Agent,
+            NodeKind::Object => KindFile::Object,
         };
         Self {
             id: node.id(),
@@ -236,9 +236,9 @@ impl NodeFile {
     fn into_node(self, classes: &ClassTable) -> Result<Node, &'static str> {
         let affordances: PropertySet = self.affordances.into_iter().collect();
         let kind = match self.kind.unwrap_or_else(|| implied(&self.category)) {
-            KindFile::Room => Kind::Room,
-            KindFile::Agent => Kind::Agent,
-            KindFile::Object => Kind::Object,
+            KindFile::Room => NodeKind::Room,
+            KindFile::Agent => NodeKind::Agent,
+            KindFile::Object => NodeKind::Object,
         };
         let scale = self.scale.unwrap_or([1.0; 3]);
         if !within(&scale, LARGEST_SCALE) {

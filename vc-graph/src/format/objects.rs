@@ -94,7 +94,7 @@ fn listed<'a>(
     room_of: impl Fn(NodeId) -> Option<NodeId>,
     edges: impl Iterator<Item = Edge>,
 ) -> Vec<Object> {
-    let things = nodes.filter(|n| n.kind() != crate::Kind::Room);
+    let things = nodes.filter(|n| n.kind() != crate::NodeKind::Room);
     let mut all: Vec<Object> = things.map(|n| bare(n, room_of(n.id()))).collect();
     for Edge { from, relation, to } in edges {
         if let Ok(at) = all.binary_search_by_key(&from, |object| object.id) {

@@ -14,7 +14,7 @@
 
 use super::{FormatError, LARGEST, Problem, unmarked};
 use crate::simulator::Event;
-use crate::{Action, ActionError, Deed, Label, Misnomer, SceneGraph, Verb, Word};
+use crate::{Action, ActionTextError, Label, NameMismatch, ParsedAction, SceneGraph, Verb, Word};
 
 /// A program: a sequence of actions of one or more characters.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub struct Program {
     /// Title and description; may be empty.
     pub heading: Vec<String>,
     /// The actions, step by step: each step has one action, or one for each of several characters.
-    pub steps: Vec<Vec<Deed>>,
+    pub steps: Vec<Vec<ParsedAction>>,
 }
 
 /// The reason why a program does not match a scene, regardless of its actions' preconditions.
@@ -45,7 +45,7 @@ pub enum CastError {
         /// The step, counted from one.
         step: usize,
         /// The object's label in the program and in the scene.
-        misnomer: Misnomer,
+        misnomer: NameMismatch,
     },
 }
 
@@ -89,14 +89,14 @@ impl Program {
     /// [`CastError`]: a missing character, or an object of another class than its label says.
     pub fn cast(&self, graph: &SceneGraph) -> Result<Vec<Vec<Event>>, CastError> {
         let agents = graph.agents();
-        let event = |step: usize, deed: &Deed| {
+        let event = |step: usize, deed: &ParsedAction| {
             let missing =
                 || CastError::NoSuchCharacter { step: step + 1, character: deed.character, agents: agents.len() };
             let agent = *agents.get(deed.character as usize).ok_or_else(missing)?;
             deed.check(graph).map_err(|misnomer| CastError::Misnomer { step: step + 1, misnomer })?;
             Ok(Event { agent, action: deed.action })
         };
-        let step = |(i, deeds): (usize, &Vec<Deed>)| deeds.iter().map(|deed| event(i, deed)).collect();
+        let step = |(i, deeds): (usize, &Vec<ParsedAction>)| deeds.iter().map(|deed| event(i, deed)).collect();
         self.steps.iter().enumerate().map(step).collect()
     }
 }
@@ -136,9 +136,9 @@ pub fn read(text: &str) -> Result<Program, FormatError> {
 }
 
 /// Parses the actions in a line, of one character or of several: `<char0> [..] | <char1> [..]`.
-pub(super) fn step(line: &str) -> Result<Vec<Deed>, Problem> {
-    let deeds: Vec<Deed> = line.split('|').map(str::parse).collect::<Result<_, ActionError>>()?;
-    let twice = |(i, deed): (usize, &Deed)| deeds[..i].iter().any(|d| d.character == deed.character);
+pub(super) fn step(line: &str) -> Result<Vec<ParsedAction>, Problem> {
+    let deeds: Vec<ParsedAction> = line.split('|').map(str::parse).collect::<Result<_, ActionTextError>>()?;
+    let twice = |(i, deed): (usize, &ParsedAction)| deeds[..i].iter().any(|d| d.character == deed.character);
     match deeds.iter().enumerate().find(|&(i, deed)| twice((i, deed))) {
         Some((_, deed)) => Err(Problem::ActsTwice(deed.character)),
         None => Ok(deeds),
@@ -204,19 +204,19 @@ fn is_number(text: &str) -> bool {
 /// first one performs all actions.
 ///
 /// # Errors
-/// [`ActionError::NotInVirtualHome`] for a verb that VirtualHome does not have.
-pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionError> {
+/// [`ActionTextError::NotInVirtualHome`] for a verb that VirtualHome does not have.
+pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionTextError> {
     let mut text: String = program.heading.iter().map(|line| format!("{line}\n")).collect();
     if !text.is_empty() {
         text.push('\n');
     }
     let several = program.steps.iter().flatten().any(|deed| deed.character > 0);
-    let deed = |deed: &Deed| {
+    let deed = |deed: &ParsedAction| {
         let action = deed.action.to_virtualhome(graph)?;
         Ok(if several { format!("<char{}> {action}", deed.character) } else { action })
     };
     for step in &program.steps {
-        let deeds: Vec<String> = step.iter().map(deed).collect::<Result<_, ActionError>>()?;
+        let deeds: Vec<String> = step.iter().map(deed).collect::<Result<_, ActionTextError>>()?;
         text.push_str(&deeds.join(" | "));
         text.push('\n');
     }

@@ -21,11 +21,11 @@ use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::{FormatError, Problem, Source};
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::serial::{FARTHEST, LARGEST_SCALE, is_box, mended, within};
 use crate::spelling::clip;
 use crate::{
-    Bounds, ClassTable, Draft, Edge, EditError, Frame, Node, NodeId, Pose, Property, PropertySet, Relation,
+    Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, Node, NodeId, Pose, Property, PropertySet, Relation,
     SceneBuilder, SceneGraph, State, StateSet, UnknownWord, Word, did_you_mean,
 };
 
@@ -277,7 +277,7 @@ impl EnvironmentNode {
             let pose =
                 *draft.pose.get_or_insert_with(|| Isometry3::from_parts(centre.into(), UnitQuaternion::identity()));
             let offset = centre - pose.translation.vector;
-            draft.bounds = Some(Bounds { offset, half: swap(b.size).abs() / 2.0, frame: Frame::World });
+            draft.bounds = Some(Bounds { offset, half: swap(b.size).abs() / 2.0, frame: BoundsFrame::World });
         }
         Ok(draft)
     }
@@ -325,7 +325,7 @@ impl EnvironmentNode {
 fn bounding_box(node: &Node, aabb: &crate::Aabb) -> BoundingBox {
     match (node.spec().bounds, node.pose()) {
         // Write the numbers that were read, not results of arithmetic on them.
-        (Some(b), Some(pose)) if b.frame == Frame::World => {
+        (Some(b), Some(pose)) if b.frame == BoundsFrame::World => {
             BoundingBox { center: swap_back(pose.translation.vector + b.offset), size: swap_back(b.half * 2.0) }
         }
         _ => BoundingBox { center: swap_back(aabb.centre().coords), size: swap_back(aabb.max - aabb.min) },
@@ -337,14 +337,14 @@ impl EnvironmentEdge {
     fn read(&self, graph: &SceneGraph) -> Edge {
         let (from, to) = (NodeId(self.from_id), NodeId(self.to_id));
         let is = |id, kind| graph.node(id).is_some_and(|n| n.kind() == kind);
-        let in_state = |state| is(from, Kind::Agent) && graph.node(from).is_some_and(|n| n.is(state));
+        let in_state = |state| is(from, NodeKind::Agent) && graph.node(from).is_some_and(|n| n.is(state));
         let relation = match self.relation_type {
-            RelationType::Inside if is(to, Kind::Room) => Relation::InRoom,
+            RelationType::Inside if is(to, NodeKind::Room) => Relation::InRoom,
             RelationType::Inside => Relation::Inside,
             RelationType::Sitting => Relation::SittingOn,
             RelationType::On if in_state(State::Sitting) => Relation::SittingOn,
             RelationType::On if in_state(State::Lying) => Relation::LyingOn,
-            RelationType::On if is(to, Kind::Agent) => Relation::WornBy,
+            RelationType::On if is(to, NodeKind::Agent) => Relation::WornBy,
             RelationType::On => Relation::On,
             RelationType::Between => Relation::Between,
             RelationType::Close => Relation::Near,

@@ -15,7 +15,7 @@
 //! [`Goal::holds_on`] requires it at the end. Only that evaluator relates an action to the state in which it
 //! begins; for [`Goal::holds_on`] it may have been performed at any time.
 
-use super::{Comparison, Goal, Literal, Predicate, Quantified, Term, Trace};
+use super::{Comparison, EpisodeTrace, Goal, Literal, Predicate, Quantified, Term};
 use crate::{Edge, NodeId, Relation, SceneGraph};
 
 /// The reason why the Embodied Agent Interface gives no verdict on a goal.
@@ -41,14 +41,14 @@ impl Goal {
     /// differences from [`Goal::holds_on`].
     ///
     /// ```
-    /// use vc_graph::goal::{Goal, Trace};
+    /// use vc_graph::goal::{Goal, EpisodeTrace};
     /// use vc_graph::{Draft, Event, SceneBuilder, Simulator};
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
     /// scene.add_in(kitchen, Draft::new("fridge"))?;
     /// let me = scene.add_in(kitchen, Draft::new("character"))?;
     /// let mut world = Simulator::new(scene.build());
-    /// let mut trace = Trace::new(world.graph().clone(), me);
+    /// let mut trace = EpisodeTrace::new(world.graph().clone(), me);
     /// for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
     ///     let action = line.parse()?;
     ///     world.step(me, &action).map_err(|refusals| refusals[0].clone())?;
@@ -64,7 +64,7 @@ impl Goal {
     ///
     /// # Errors
     /// [`NoVerdict`] where its evaluator stops with an error, and for goals that are not among its formulas.
-    pub fn eai_verdict(&self, trace: &Trace) -> Result<bool, NoVerdict> {
+    pub fn eai_verdict(&self, trace: &EpisodeTrace) -> Result<bool, NoVerdict> {
         Ok(Evaluator { trace, bound: Vec::new() }.after(self, 0)?.is_some())
     }
 
@@ -96,7 +96,7 @@ type Part<'g> = (Option<(&'g str, NodeId)>, &'g Goal);
 const NOWHERE: i64 = 1_000_000_000;
 
 struct Evaluator<'g, 'a> {
-    trace: &'a Trace,
+    trace: &'a EpisodeTrace,
     bound: Vec<(&'g str, NodeId)>,
 }
 

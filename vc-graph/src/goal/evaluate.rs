@@ -4,7 +4,7 @@ use super::{Predicate, Term};
 use crate::{Edge, Event, History, NodeId, Relation, SceneGraph, State};
 
 /// The data by which a goal is evaluated: the scene, the agent, and the past actions. See
-/// [`Trace`](super::Trace) for goals about earlier states.
+/// [`EpisodeTrace`](super::EpisodeTrace) for goals about earlier states.
 #[derive(Debug, Clone, Copy)]
 pub struct Situation<'a> {
     /// The current scene.
@@ -16,7 +16,7 @@ pub struct Situation<'a> {
 }
 
 /// The objects chosen for the terms of a literal; `None` if there is no such term.
-pub type Things = [Option<NodeId>; 2];
+pub type BoundObjects = [Option<NodeId>; 2];
 
 impl<'a> Situation<'a> {
     /// The situation of an agent in a scene.
@@ -36,7 +36,7 @@ impl<'a> Situation<'a> {
     }
 
     /// Whether a predicate holds for some objects. For past actions, `None` stands for any object.
-    pub fn holds(&self, predicate: Predicate, things: Things) -> bool {
+    pub fn holds(&self, predicate: Predicate, things: BoundObjects) -> bool {
         match (predicate, things) {
             (Predicate::State(state), [Some(id), _]) => self.graph.node(id).is_some_and(|n| n.is(state)),
             (Predicate::Real, [Some(id), _]) => self.graph.node(id).is_some_and(|n| !n.is(State::Future)),

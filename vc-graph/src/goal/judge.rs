@@ -1,7 +1,7 @@
 //! Evaluation of goals, part by part.
 
 use super::trace::{Course, Stretch};
-use super::{Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Trace, Variable};
+use super::{EpisodeTrace, Goal, Literal, Pairs, Predicate, Quantified, Situation, Term, Variable};
 use crate::NodeId;
 
 impl Goal {
@@ -28,12 +28,12 @@ impl Goal {
 
     /// Whether the goal holds on a trace, see the [module](super) on time. Costs an evaluation of every part
     /// for every choice of objects and, for each temporal operator around it, for every step.
-    pub fn holds_on(&self, trace: &Trace) -> bool {
+    pub fn holds_on(&self, trace: &EpisodeTrace) -> bool {
         self.judge(trace.course())
     }
 
     /// Whether the goal holds on the trace up to the end of a step.
-    pub fn holds_by(&self, trace: &Trace, step: usize) -> bool {
+    pub fn holds_by(&self, trace: &EpisodeTrace, step: usize) -> bool {
         let course = trace.course();
         let stretch = Stretch::up_to(step.min(course.last()));
         Judge { course, bound: Vec::new() }.holds(self, stretch)

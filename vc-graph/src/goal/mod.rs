@@ -51,7 +51,7 @@
 //!
 //! # Time
 //!
-//! A [`Trace`] records an episode: a state for each step, and the actions in it. [`Goal::holds_on`] evaluates a
+//! A [`EpisodeTrace`] records an episode: a state for each step, and the actions in it. [`Goal::holds_on`] evaluates a
 //! goal on it by linear temporal logic on finite traces (De Giacomo and Vardi, IJCAI 2013), with one
 //! convention, by which a goal without temporal operators is about the end: a part outside all temporal
 //! operators is evaluated in the last state and with all actions; a part inside one is evaluated at single
@@ -63,7 +63,7 @@
 //! is held from the start, and fails at once if none is.
 //!
 //! ```
-//! use vc_graph::goal::Trace;
+//! use vc_graph::goal::EpisodeTrace;
 //! use vc_graph::{Draft, Goal, SceneBuilder};
 //! let mut scene = SceneBuilder::new("flat");
 //! let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -74,7 +74,7 @@
 //! let mut edit = held.edit();
 //! edit.hold(me, cup)?;
 //! edit.commit();
-//! let mut trace = Trace::new(start, me);
+//! let mut trace = EpisodeTrace::new(start, me);
 //! trace.push(held, []);
 //! let goal: Goal = "Holds(cup) until Dirty(cup)".parse()?;
 //! assert!(!goal.holds_on(&trace)); // at the start the cup is neither held nor dirty
@@ -99,13 +99,13 @@ mod text;
 mod trace;
 mod write;
 
-pub use evaluate::{Situation, Things};
+pub use evaluate::{BoundObjects, Situation};
 pub use literal::{Comparison, Literal, Predicate, Term};
 pub use pairing::{Pairing, Pairs, Variable, largest_matching};
 pub use text::{GoalError, GoalProblem};
-pub use trace::Trace;
+pub use trace::EpisodeTrace;
 
-use crate::{Misnomer, SceneGraph};
+use crate::{NameMismatch, SceneGraph};
 
 /// A goal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -224,12 +224,12 @@ impl Goal {
     /// let mut scene = SceneBuilder::new("flat");
     /// let glass = scene.add(Draft::new("water_glass"))?;
     /// let goal: Goal = format!("Holds(fridge.{}) | Holds(glass.{})", glass.0, glass.0).parse()?;
-    /// let wrong: Vec<String> = goal.misnomers(&scene.build()).iter().map(|m| m.written.to_string()).collect();
+    /// let wrong: Vec<String> = goal.name_mismatches(&scene.build()).iter().map(|m| m.written.to_string()).collect();
     /// assert_eq!(wrong, ["fridge.1"]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn misnomers(&self, graph: &SceneGraph) -> Vec<Misnomer> {
-        let mut found: Vec<Misnomer> = Vec::new();
+    pub fn name_mismatches(&self, graph: &SceneGraph) -> Vec<NameMismatch> {
+        let mut found: Vec<NameMismatch> = Vec::new();
         for term in self.terms() {
             let Term::Node(Some(class), id) = term else { continue };
             found.extend(graph.check_name(&class, id).err().filter(|misnomer| !found.contains(misnomer)));

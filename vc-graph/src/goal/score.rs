@@ -2,7 +2,7 @@
 
 use super::judge::Judge;
 use super::trace::{Course, Stretch};
-use super::{Comparison, Goal, Quantified, Situation, Trace};
+use super::{Comparison, EpisodeTrace, Goal, Quantified, Situation};
 
 impl Goal {
     /// The degree to which the goal is satisfied, 0 to 1; 1 if and only if it holds. The parts of a conjunction
@@ -13,7 +13,7 @@ impl Goal {
 
     /// The degree to which the goal is satisfied on a trace; a part that must hold at some step is scored by
     /// its best step, one that must hold at all steps by the mean over the steps.
-    pub fn score_on(&self, trace: &Trace) -> f64 {
+    pub fn score_on(&self, trace: &EpisodeTrace) -> f64 {
         self.scored(trace.course())
     }
 

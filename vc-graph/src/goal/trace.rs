@@ -7,14 +7,14 @@ use crate::{Event, NodeId, SceneGraph};
 /// scenes share everything that did not change between them, so a long trace is small.
 ///
 /// ```
-/// use vc_graph::goal::{Goal, Trace};
+/// use vc_graph::goal::{Goal, EpisodeTrace};
 /// use vc_graph::{Draft, Event, SceneBuilder, Simulator};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
 /// scene.add_in(kitchen, Draft::new("fridge"))?;
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let mut world = Simulator::new(scene.build());
-/// let mut trace = Trace::new(world.graph().clone(), me);
+/// let mut trace = EpisodeTrace::new(world.graph().clone(), me);
 /// for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
 ///     let action = line.parse()?;
 ///     world.step(me, &action).map_err(|refusals| refusals[0].clone())?;
@@ -28,7 +28,7 @@ use crate::{Event, NodeId, SceneGraph};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Trace {
+pub struct EpisodeTrace {
     agent: NodeId,
     graphs: Vec<SceneGraph>,
     events: Vec<Event>,
@@ -36,7 +36,7 @@ pub struct Trace {
     ends: Vec<usize>,
 }
 
-impl Trace {
+impl EpisodeTrace {
     /// A trace without steps.
     pub fn new(graph: SceneGraph, agent: NodeId) -> Self {
         Self { agent, graphs: vec![graph], events: Vec::new(), ends: vec![0] }

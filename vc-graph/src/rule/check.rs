@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::rule::condition::Condition;
 use crate::rule::judge::Judge;
 use crate::rule::refusal::Refusal;
@@ -11,7 +11,7 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph};
 /// Whether the agent and the objects of an action exist and are as many as the verb takes.
 pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -> Option<Refusal> {
     let Some(body) = graph.node(agent) else { return Some(Refusal::NoSuchThing(agent)) };
-    if body.kind() != Kind::Agent {
+    if body.kind() != NodeKind::Agent {
         return Some(Refusal::NoAgent(body.label()));
     }
     let (verb, takes, given) = (action.verb, action.verb.arity(), action.things().count());
@@ -72,7 +72,7 @@ impl Condition {
 
 /// A checker of an agent's preconditions without reasons; `None` if the node is not an agent of the scene.
 pub(super) fn judge_of(graph: &SceneGraph, agent: NodeId) -> Option<Judge<'_, Untold>> {
-    let body = graph.node(agent).filter(|body| body.kind() == Kind::Agent)?;
+    let body = graph.node(agent).filter(|body| body.kind() == NodeKind::Agent)?;
     Some(Judge { graph, agent, body, why: PhantomData })
 }
 

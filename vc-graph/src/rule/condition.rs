@@ -1,6 +1,6 @@
 //! Preconditions of actions.
 
-use crate::rule::effect::Role;
+use crate::rule::effect::Argument;
 use crate::{Action, NodeId, Property, Relation, State};
 
 /// A precondition of an action. `T` is the role of an object in the rule table, or the object itself once the
@@ -104,11 +104,11 @@ pub enum Condition<T = NodeId> {
     Related(T, Relation, T),
 }
 
-impl Condition<Role> {
+impl Condition<Argument> {
     /// The condition with the objects of an action; `None` if the action lacks one.
     pub fn ground(self, action: &Action) -> Option<Condition> {
         use Condition as C;
-        let of = |role: Role| role.of(action);
+        let of = |role: Argument| role.of(action);
         Some(match self {
             C::Affords(t, p) => C::Affords(of(t)?, p),
             C::In(t, s) => C::In(of(t)?, s),

@@ -2,21 +2,21 @@
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::portable::Portable;
 use crate::rule::check::{origin, vehicle_of};
 use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 
 /// The role of an object in an action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Role {
+pub enum Argument {
     /// The first object: the one that is grabbed, opened, put.
     X,
     /// The second object: the place where the first is put.
     Y,
 }
 
-impl Role {
+impl Argument {
     pub(super) fn of(self, action: &Action) -> Option<NodeId> {
         match self {
             Self::X => action.object,
@@ -73,11 +73,11 @@ pub enum Effect<T> {
     DriveTo(T, T),
 }
 
-impl Effect<Role> {
+impl Effect<Argument> {
     /// The effect with the objects of an action; `None` if the action lacks one.
     pub fn ground(self, action: &Action) -> Option<Effect<NodeId>> {
         use Effect as E;
-        let of = |role: Role| role.of(action);
+        let of = |role: Argument| role.of(action);
         Some(match self {
             E::Enter(t, s) => E::Enter(of(t)?, s),
             E::EnterWith(t, s) => E::EnterWith(of(t)?, s),
@@ -154,7 +154,7 @@ pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeI
 }
 
 fn enter_with(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(), EditError> {
-    let object = |id: &NodeId| edit.graph().node(*id).is_some_and(|n| n.kind() == Kind::Object);
+    let object = |id: &NodeId| edit.graph().node(*id).is_some_and(|n| n.kind() == NodeKind::Object);
     let all: Vec<NodeId> = edit.graph().carried_with(id).into_iter().filter(object).collect();
     all.into_iter().try_for_each(|id| edit.enter_state(id, state))
 }
@@ -214,7 +214,7 @@ fn stand_point(graph: &SceneGraph, agent: NodeId, id: NodeId) -> Option<Pose> {
     let (from, target) = (body.position()?, graph.node(id)?);
     let aabb = target.aabb();
     let centre = aabb.map_or_else(|| target.position(), |b| Some(b.centre()))?;
-    if target.kind() == Kind::Room {
+    if target.kind() == NodeKind::Room {
         return Some(facing(Point3::new(centre.x, centre.y, from.z), centre - from));
     }
     let nearest = aabb.map_or(centre, |b| b.nearest(&from));

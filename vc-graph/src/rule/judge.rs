@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use crate::class::{SlotKind, Trait};
-use crate::node::{Kind, Node};
+use crate::node::{Node, NodeKind};
 use crate::rule::check::{Why, origin, vehicle_of};
 use crate::rule::condition::Condition;
 use crate::rule::fit::misfit;
@@ -32,7 +32,7 @@ impl<'a, W: Why> Judge<'a, W> {
             C::Reachable(t) => self.require(graph.room_of(t).is_some(), || Refusal::NoWay(graph.label(t))),
             C::Tangible(t) => {
                 let node = self.node(t)?;
-                self.require(node.kind() != Kind::Room, || Refusal::IsRoom(node.label()))
+                self.require(node.kind() != NodeKind::Room, || Refusal::IsRoom(node.label()))
             }
             C::Accessible(t) => self.accessible(t),
             C::Graspable(t) => self.graspable(t),
@@ -88,7 +88,7 @@ impl<'a, W: Why> Judge<'a, W> {
             }
             C::Personal(t) => {
                 let node = self.node(t)?;
-                let person = node.kind() == Kind::Agent || node.affords(Property::Person);
+                let person = node.kind() == NodeKind::Agent || node.affords(Property::Person);
                 self.require(person, || Refusal::NotAfforded(node.label(), "a person"))
             }
             C::Other(t) => self.require(t != agent, || Refusal::Oneself(graph.label(t))),
@@ -181,7 +181,7 @@ impl<'a, W: Why> Judge<'a, W> {
 
     fn seat_inside(&self, id: NodeId) -> Result<(), W> {
         let places = self.node(id)?.slots(SlotKind::Seat).max(1);
-        let agent = |n: &NodeId| self.graph.node(*n).is_some_and(|n| n.kind() == Kind::Agent);
+        let agent = |n: &NodeId| self.graph.node(*n).is_some_and(|n| n.kind() == NodeKind::Agent);
         let taken = self.graph.relating(Relation::Inside, id).filter(agent).count();
         self.require(taken < places as usize, || Refusal::Occupied { seat: self.graph.label(id), places })
     }
@@ -247,7 +247,7 @@ impl<'a, W: Why> Judge<'a, W> {
 
     /// No agent carries the object, in a hand or on an object in a hand.
     fn steady(&self, id: NodeId) -> Result<(), W> {
-        let is_agent = |p: Place| self.graph.node(p.at).is_some_and(|n| n.kind() == Kind::Agent);
+        let is_agent = |p: Place| self.graph.node(p.at).is_some_and(|n| n.kind() == NodeKind::Agent);
         let carrier = self.graph.climb(id, &mut { is_agent });
         carrier.map_or(Ok(()), |by| self.held_by(id, by))
     }

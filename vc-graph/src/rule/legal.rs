@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use crate::rule::check::{Untold, judge_of};
 use crate::rule::condition::Condition;
-use crate::rule::effect::Role;
+use crate::rule::effect::Argument;
 use crate::rule::judge::Judge;
 use crate::rule::table::RULES;
 use crate::vocabulary::{Set, Word};
@@ -58,7 +58,7 @@ type Verbs = Set<Verb>;
 
 /// A precondition on one object, and the verbs that require it of their first and of their second object.
 struct OfThing {
-    need: Condition<Role>,
+    need: Condition<Argument>,
     first: Verbs,
     second: Verbs,
 }
@@ -66,7 +66,7 @@ struct OfThing {
 /// The preconditions of the verbs, each once; those on two objects at once are left out.
 #[derive(Default)]
 struct Needs {
-    of_agent: Vec<(Condition<Role>, Verbs)>,
+    of_agent: Vec<(Condition<Argument>, Verbs)>,
     without_first: Verbs,
     without_second: Verbs,
     /// Those that are told by the node of the thing, which costs least.
@@ -85,7 +85,7 @@ fn both(id: NodeId) -> Action {
 }
 
 /// Whether a precondition concerns two objects at once: neither alone grounds it.
-fn is_of_two(need: Condition<Role>) -> bool {
+fn is_of_two(need: Condition<Argument>) -> bool {
     let one = both(NodeId(0));
     [Action { object: None, ..one }, Action { target: None, ..one }].iter().all(|a| need.ground(a).is_none())
 }
@@ -109,14 +109,14 @@ impl Needs {
         needs
     }
 
-    fn note_of_agent(&mut self, need: Condition<Role>, verb: Verb) {
+    fn note_of_agent(&mut self, need: Condition<Argument>, verb: Verb) {
         match self.of_agent.iter_mut().find(|(known, _)| *known == need) {
             Some((_, verbs)) => *verbs = verbs.with(verb),
             None => self.of_agent.push((need, Verbs::of(&[verb]))),
         }
     }
 
-    fn note_of_thing(&mut self, need: Condition<Role>, verb: Verb) {
+    fn note_of_thing(&mut self, need: Condition<Argument>, verb: Verb) {
         let thing = both(NodeId(0));
         let of_first = need.ground(&Action { target: None, ..thing }).is_some();
         let at = self.of_thing.iter().position(|known| known.need.ground(&thing) == need.ground(&thing));
@@ -150,7 +150,7 @@ impl Open {
     /// The actions of a verb with two objects.
     fn pairs<'a>(&'a self, now: &'a Judge<'_, Untold>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
         let needs = verb.rule().needs.iter();
-        let of_two: Vec<Condition<Role>> = needs.filter(|need| is_of_two(**need)).copied().collect();
+        let of_two: Vec<Condition<Argument>> = needs.filter(|need| is_of_two(**need)).copied().collect();
         let met = move |a: &Action| of_two.iter().filter_map(|need| need.ground(a)).all(|need| now.meets(&need));
         let seconds = &self.second[verb.index()];
         let with = move |&x: &NodeId| seconds.iter().filter(move |y| **y != x).map(move |&y| Action::two(verb, x, y));
@@ -178,7 +178,7 @@ fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, node: &Node) -> (Verbs, Verbs)
 }
 
 /// Whether a node meets a need that it tells itself; others it does not refuse.
-fn is_met_by(node: &Node, need: Condition<Role>) -> bool {
+fn is_met_by(node: &Node, need: Condition<Argument>) -> bool {
     match need {
         C::Affords(_, property) => node.affords(property),
         C::In(_, state) => node.is(state),

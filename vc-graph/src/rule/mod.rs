@@ -46,10 +46,10 @@ pub mod table;
 pub mod virtual_home;
 
 pub use condition::Condition;
-pub use effect::{Effect, Role};
+pub use effect::{Argument, Effect};
 pub use legal::{legal_actions, legal_actions_with};
 pub use refusal::Refusal;
-pub use table::Rule;
+pub use table::ActionRule;
 pub(crate) use virtual_home::Memory;
 pub use virtual_home::Semantics;
 

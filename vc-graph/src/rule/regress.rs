@@ -2,7 +2,7 @@
 
 use crate::rule::check::origin;
 use crate::rule::condition::Condition;
-use crate::rule::effect::{Effect, Role};
+use crate::rule::effect::{Argument, Effect};
 use crate::rule::preconditions;
 use crate::rule::table::RULES;
 use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
@@ -28,8 +28,8 @@ pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Act
     let mut found = candidates(graph, agent, want);
     let unmet = |a: &Action| preconditions(a).iter().filter(|c| !c.holds(graph, agent)).count();
     // Dropping has the fewest preconditions, but putting down is preferred.
-    let mannered = matches!(want, Condition::FreeHand | Condition::FreeHandOrHolding(_));
-    if found.len() > 1 && found.len() < MANY && !mannered {
+    let with_manners = matches!(want, Condition::FreeHand | Condition::FreeHandOrHolding(_));
+    if found.len() > 1 && found.len() < MANY && !with_manners {
         found.sort_by_cached_key(unmet);
     }
     found
@@ -80,8 +80,8 @@ fn by_effect(graph: &SceneGraph, agent: NodeId, verb: Verb, want: &Condition) ->
     let bound = verb.rule().does.iter().find_map(|e| binding(*e, want, agent))?;
     let action = match bound {
         Bound::Nothing => Action::zero(verb),
-        Bound::One(Role::X, id) => Action::one(verb, id),
-        Bound::One(Role::Y, _) => return None,
+        Bound::One(Argument::X, id) => Action::one(verb, id),
+        Bound::One(Argument::Y, _) => return None,
         Bound::Two(id, at) => Action::two(verb, id, at),
     };
     let target = match (verb, verb.arity(), action.target) {
@@ -102,12 +102,12 @@ fn running_water(graph: &SceneGraph) -> Option<NodeId> {
 
 enum Bound {
     Nothing,
-    One(Role, NodeId),
+    One(Argument, NodeId),
     Two(NodeId, NodeId),
 }
 
 /// The assignment of an effect's roles with which it makes a condition true.
-fn binding(effect: Effect<Role>, want: &Condition, agent: NodeId) -> Option<Bound> {
+fn binding(effect: Effect<Argument>, want: &Condition, agent: NodeId) -> Option<Bound> {
     use Bound::{Nothing, One, Two};
     use Condition as C;
     match (effect, *want) {

@@ -1,28 +1,28 @@
 //! The rule table: each verb's arity, preconditions and effects.
 
 use crate::rule::condition::Condition::{self, *};
+use crate::rule::effect::Argument::{self, X, Y};
 use crate::rule::effect::Effect::{self, *};
-use crate::rule::effect::Role::{self, X, Y};
 use crate::{Property, State, Verb};
 
 /// A verb's arity, preconditions and effects.
 #[derive(Debug)]
-pub struct Rule {
+pub struct ActionRule {
     /// The verb.
     pub verb: Verb,
     /// The number of objects that it takes.
     pub arity: usize,
     /// The preconditions, in the order in which a planner would bring them about.
-    pub needs: &'static [Condition<Role>],
+    pub needs: &'static [Condition<Argument>],
     /// The effects, in order.
-    pub does: &'static [Effect<Role>],
+    pub does: &'static [Effect<Argument>],
     /// A description in one sentence.
     pub about: &'static str,
 }
 
 impl Verb {
     /// The verb's arity, preconditions and effects.
-    pub fn rule(self) -> &'static Rule {
+    pub fn rule(self) -> &'static ActionRule {
         // A test checks that the table is in the order of the verbs.
         &RULES[self as usize]
     }
@@ -31,16 +31,16 @@ impl Verb {
 const fn rule(
     verb: Verb,
     arity: usize,
-    needs: &'static [Condition<Role>],
-    does: &'static [Effect<Role>],
+    needs: &'static [Condition<Argument>],
+    does: &'static [Effect<Argument>],
     about: &'static str,
-) -> Rule {
-    Rule { verb, arity, needs, does, about }
+) -> ActionRule {
+    ActionRule { verb, arity, needs, does, about }
 }
 
 /// All rules, in the order of the verbs.
 #[rustfmt::skip]
-pub const RULES: &[Rule] = &[
+pub const RULES: &[ActionRule] = &[
     rule(Verb::Walk, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],
         "Walks to a room, or into the room of a thing and up to it. Doors do not block: one opens and closes them in passing. What was near is no longer."),
     rule(Verb::Run, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],

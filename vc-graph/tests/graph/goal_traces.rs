@@ -2,16 +2,16 @@
 #![allow(clippy::unwrap_used)]
 
 use proptest::prelude::*;
-use vc_graph::goal::{Situation, Trace};
+use vc_graph::goal::{EpisodeTrace, Situation};
 use vc_graph::{Draft, Event, Goal, SceneBuilder, Simulator};
 use vc_testkit::cases;
 use vc_testkit::flat::Flat;
 use vc_testkit::goals::goal;
 
 /// The trace of actions that `me` performs one by one.
-fn trace(actions: &[&str]) -> Trace {
+fn trace(actions: &[&str]) -> EpisodeTrace {
     let mut flat = Flat::new();
-    let mut trace = Trace::new(flat.graph().clone(), flat.me);
+    let mut trace = EpisodeTrace::new(flat.graph().clone(), flat.me);
     for text in actions {
         let action = flat.action(text);
         flat.step(text).unwrap_or_else(|refusals| panic!("{text}: {}", vc_testkit::flat::plain(&refusals)));
@@ -20,7 +20,7 @@ fn trace(actions: &[&str]) -> Trace {
     trace
 }
 
-fn check(trace: &Trace, yes: &[&str], no: &[&str]) {
+fn check(trace: &EpisodeTrace, yes: &[&str], no: &[&str]) {
     let holds = |text: &str| {
         let goal: Goal = text.parse().unwrap_or_else(|e| panic!("{text}: {e}"));
         let score = goal.score_on(trace);
@@ -32,7 +32,7 @@ fn check(trace: &Trace, yes: &[&str], no: &[&str]) {
 }
 
 /// Milk is taken out of the fridge and put on the table, and the fridge is closed again.
-fn milk() -> Trace {
+fn milk() -> EpisodeTrace {
     trace(&[
         "walk fridge",
         "open fridge",
@@ -138,7 +138,7 @@ fn stretches_one_after_the_other() {
 #[test]
 fn order_matters() {
     let forth = milk();
-    let mut back = Trace::new(forth.graph(forth.steps()).unwrap().clone(), forth.agent());
+    let mut back = EpisodeTrace::new(forth.graph(forth.steps()).unwrap().clone(), forth.agent());
     for step in (0..forth.steps()).rev() {
         back.push(forth.graph(step).unwrap().clone(), forth.events(step + 1).to_vec());
     }
@@ -178,7 +178,7 @@ proptest! {
     #[test]
     fn a_situation_is_a_trace_of_its_present_state(goal in goal(0, 2)) {
         let flat = Flat::after(&["walk bread", "eat bread", "walk cup", "grab cup"]);
-        let mut trace = Trace::new(flat.graph().clone(), flat.me);
+        let mut trace = EpisodeTrace::new(flat.graph().clone(), flat.me);
         flat.sim.history().events().iter().for_each(|&e| trace.push(flat.graph().clone(), [e]));
         let now = Situation::new(flat.graph(), flat.me, flat.sim.history());
         prop_assert_eq!(goal.holds(&now), goal.holds_on(&trace), "{}", goal);
@@ -195,7 +195,7 @@ fn formulas_are_judged_as_published_beside_our_way() {
     scene.add_in(kitchen, Draft::new("fridge")).unwrap();
     let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
     let mut world = Simulator::new(scene.build());
-    let mut trace = Trace::new(world.graph().clone(), me);
+    let mut trace = EpisodeTrace::new(world.graph().clone(), me);
     for line in ["walk fridge.2", "open fridge.2", "close fridge.2"] {
         let action = line.parse().unwrap();
         world.step(me, &action).unwrap();

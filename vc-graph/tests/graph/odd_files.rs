@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use vc_graph::format::{eai, native, program, read_scene, thesis, virtualhome};
-use vc_graph::{ClassTable, Draft, Kind, NodeId, Pose, Relation, SceneBuilder};
+use vc_graph::{ClassTable, Draft, NodeId, NodeKind, Pose, Relation, SceneBuilder};
 use vc_testkit::documents::{CLASSES, GOAL, NATIVE, PROGRAM, RECORD, TASKS, THESIS, VIRTUALHOME};
 
 #[test]
@@ -11,7 +11,7 @@ fn an_object_of_the_category_of_rooms_stays_an_object() {
     let text = NATIVE
         .replace(r#""class": "cup", "category": "prop""#, r#""class": "cup", "category": "room", "kind": "object""#);
     let graph = native::read(&text, &classes).unwrap();
-    assert_eq!(graph.node(NodeId(4)).unwrap().kind(), Kind::Object);
+    assert_eq!(graph.node(NodeId(4)).unwrap().kind(), NodeKind::Object);
     assert_eq!(native::read(&native::write(&graph), &classes).unwrap(), graph);
 }
 

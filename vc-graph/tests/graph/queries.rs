@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use nalgebra::Point3;
 use proptest::prelude::*;
 use vc_graph::{
-    Draft, Kind, NEAR, Node, NodeId, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Scope, State, Word,
+    Draft, NEAR, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneBuilder, SceneGraph, Scope, State, Word,
 };
 use vc_testkit::cases;
 use vc_testkit::edits::{apply, plans};
@@ -43,7 +43,7 @@ fn starts(graph: &SceneGraph, relation: Relation, to: NodeId) -> Vec<NodeId> {
 }
 
 fn room_of(graph: &SceneGraph, id: NodeId) -> Option<NodeId> {
-    if graph.node(id)?.kind() == Kind::Room { Some(id) } else { ends(graph, id, Relation::InRoom).first().copied() }
+    if graph.node(id)?.kind() == NodeKind::Room { Some(id) } else { ends(graph, id, Relation::InRoom).first().copied() }
 }
 
 fn places(graph: &SceneGraph, id: NodeId) -> BTreeSet<Place> {
@@ -88,7 +88,7 @@ fn near(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
     let (mine, its) = (about(agent), chain(graph, id));
     let node = graph.node(id).unwrap();
     let same_room = room_of(graph, agent) == room_of(graph, id);
-    if node.kind() == Kind::Room && !node.affords(Property::BodyPart) {
+    if node.kind() == NodeKind::Room && !node.affords(Property::BodyPart) {
         return mine.contains(&id) || room_of(graph, agent) == Some(id);
     }
     // If poses and rooms are known, an object in another room is not near through a near object.
@@ -117,8 +117,8 @@ proptest! {
     #[test]
     fn rooms_and_people(Shown(graph) in graphs()) {
         let of_kind = |kind| graph.nodes().filter(|n| n.kind() == kind).map(Node::id).collect::<Vec<_>>();
-        prop_assert_eq!(graph.rooms(), of_kind(Kind::Room));
-        prop_assert_eq!(graph.agents(), of_kind(Kind::Agent));
+        prop_assert_eq!(graph.rooms(), of_kind(NodeKind::Room));
+        prop_assert_eq!(graph.agents(), of_kind(NodeKind::Agent));
         for id in ids(&graph) {
             prop_assert_eq!(graph.room_of(id), room_of(&graph, id));
             let inside: Vec<NodeId> = graph.in_room(id).collect();

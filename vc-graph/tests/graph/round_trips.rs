@@ -133,9 +133,9 @@ fn mug(change: impl FnOnce(Draft) -> Draft) -> SceneGraph {
 #[test]
 fn digest_tells_every_difference() {
     use vc_graph::class::{Slot, SlotKind};
-    use vc_graph::{Bounds, Frame, Pose};
+    use vc_graph::{Bounds, BoundsFrame, Pose};
     let size = nalgebra::Vector3::new(0.1, 0.2, 0.3);
-    let turned = Bounds { frame: Frame::Object, ..Bounds::centred(size) };
+    let turned = Bounds { frame: BoundsFrame::Object, ..Bounds::centred(size) };
     let all = [
         ("plain", mug(|d| d)),
         ("name", mug(|d| d.named("SM_Mug"))),

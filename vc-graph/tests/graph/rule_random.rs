@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use vc_graph::rule::{allows, legal_actions, preconditions, refusals, regress::achievers, step};
-use vc_graph::{Action, Condition, Kind, Node, NodeId, Relation, State, Verb, Word};
+use vc_graph::{Action, Condition, Node, NodeId, NodeKind, Relation, State, Verb, Word};
 use vc_testkit::cases;
 use vc_testkit::flat::{Flat, plain};
 
@@ -112,7 +112,7 @@ fn conditions(flat: &Flat, agent: NodeId) -> Vec<Condition> {
         all.extend([Condition::Near(id), Condition::Holding(id), Condition::Facing(id), Condition::Accessible(id)]);
         all.extend([Condition::Worn(id), Condition::SameRoom(id), Condition::Accepts(id), Condition::AboardOf(id)]);
         all.extend(State::ALL.iter().flat_map(|&s| [Condition::In(id, s), Condition::NotIn(id, s)]));
-        if node.kind() == Kind::Room {
+        if node.kind() == NodeKind::Room {
             continue;
         }
         all.extend(

@@ -8,7 +8,7 @@ use vc_graph::{NodeId, Pose};
 
 use super::Agent;
 use super::seat::upright;
-use crate::world::World;
+use crate::world::PhysicsWorld;
 use crate::{AgentError, convert, group};
 
 /// How far open a part stays that gives way, as a fraction of its way.
@@ -17,9 +17,9 @@ const AJAR: f32 = 0.1;
 const LOOKS: u8 = 18;
 
 /// Moving parts by node and number, and how far open each would be, 0 to 1.
-pub type PartsAside = Vec<(NodeId, usize, f32)>;
+pub type PartsToMoveAside = Vec<(NodeId, usize, f32)>;
 
-impl World {
+impl PhysicsWorld {
     /// What would have to give way so that an agent could stand with its feet at a pose: moving
     /// parts that stand open, by node and part, and how far open each would be then, a tenth of
     /// its way at least. Nothing where the agent stands free; `None` if anything else is in the
@@ -30,16 +30,16 @@ impl World {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn parts_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsAside>, AgentError> {
+    pub fn parts_to_move_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
         self.parts_moved(agent, feet, false)
     }
 
-    /// As [`parts_aside`](Self::parts_aside); doors between rooms that are shut but not locked give way too, and
+    /// As [`parts_to_move_aside`](Self::parts_to_move_aside); doors between rooms that are shut but not locked give way too, and
     /// stand open then.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn doors_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsAside>, AgentError> {
+    pub fn doors_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
         self.parts_moved(agent, feet, true)
     }
 
@@ -58,7 +58,7 @@ impl World {
         Ok(!solid.any(meets))
     }
 
-    fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsAside>, AgentError> {
+    fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsToMoveAside>, AgentError> {
         let body = self.agent(agent)?;
         let aside = |(id, link): (NodeId, usize)| {
             let part = link.checked_sub(1)?;

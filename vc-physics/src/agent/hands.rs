@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Pose, Relation};
 
 use super::{ADULT, Agent, BodyPlan, Posture};
-use crate::world::World;
-use crate::{AgentError, PhysicsError, Role, convert};
+use crate::world::PhysicsWorld;
+use crate::{AgentError, BodyRole, PhysicsError, convert};
 
 /// How low a shoulder comes when one bends, as a share of the height.
 const BENT: f32 = 0.3;
@@ -105,7 +105,7 @@ impl Agent {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// What a hand holds.
     pub fn held(&self, agent: NodeId, hand: Hand) -> Option<NodeId> {
         self.agents.get(&agent)?.hands[hand as usize].as_ref().map(|h| h.id)
@@ -180,7 +180,8 @@ impl World {
         // Whatever it bends for is within this of its middle.
         let middle = feet + Vector3::z() * (0.5 * body.plan.height);
         let near = self.within(middle, body.plan.stretch() + 0.5 * body.plan.height);
-        let carried = |id: &NodeId| self.thing(*id).is_ok_and(|t| t.state.graspable && t.state.role != Role::Carried);
+        let carried =
+            |id: &NodeId| self.thing(*id).is_ok_and(|t| t.state.graspable && t.state.role != BodyRole::Carried);
         let mut found = Vec::new();
         for (id, _) in near.into_iter().filter(|(id, _)| carried(id)) {
             let distance = self.reach_to(agent, id)?;
@@ -257,7 +258,7 @@ impl World {
     pub fn grab_all(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
         self.check_reach(agent, id)?;
         let resting = self.load_on(id);
-        let free = |load: &&NodeId| matches!(self.role(**load), Some(Role::Loose | Role::Hung)) && **load != id;
+        let free = |load: &&NodeId| matches!(self.role(**load), Some(BodyRole::Loose | BodyRole::Hung)) && **load != id;
         let apart = load.iter().filter(|load| !resting.contains(load)).filter(free);
         let all: Vec<NodeId> = resting.iter().filter(|resting| load.contains(resting)).chain(apart).copied().collect();
         self.take(agent, hand, id, &all)
@@ -275,12 +276,12 @@ impl World {
         let (body, thing) = (self.agent(agent)?, self.thing(id)?);
         let pose = self.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
         let grip = grip(body, hand, &pose, thing.form.extent);
-        let pinned = |load: NodeId| self.role(load) == Some(Role::Hung);
+        let pinned = |load: NodeId| self.role(load) == Some(BodyRole::Hung);
         let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
         let left: Vec<NodeId> = self.load_on(id).into_iter().filter(|resting| !load.contains(resting)).collect();
         let load: Vec<Loaded> = load.iter().copied().filter_map(at).collect();
         for carried in load.iter().map(|l| l.id).chain([id]) {
-            self.set_role(carried, Role::Carried)?;
+            self.set_role(carried, BodyRole::Carried)?;
         }
         left.into_iter().try_for_each(|id| self.wake(id))?;
         self.agent_mut(agent)?.hands[hand as usize] = Some(Held { id, grip, load });
@@ -295,9 +296,9 @@ impl World {
             return Err(AgentError::HandFull { agent, held: held.id });
         }
         match self.thing(id)?.state.role {
-            Role::Loose | Role::Hung => {}
-            Role::Carried => return Err(AgentError::Held(id)),
-            Role::Fixed | Role::Stopped => return Err(PhysicsError::NotFree(id).into()),
+            BodyRole::Loose | BodyRole::Hung => {}
+            BodyRole::Carried => return Err(AgentError::Held(id)),
+            BodyRole::Fixed | BodyRole::Stopped => return Err(PhysicsError::NotFree(id).into()),
         }
         let (mass, limit) = (self.mass(id).unwrap_or(0.0), body.plan.carries);
         if mass > limit {
@@ -410,7 +411,7 @@ impl World {
         let load = held.load.iter().map(|l| (l.id, pose * l.at, l.pinned));
         for (id, at, pinned) in std::iter::once((held.id, pose, false)).chain(load) {
             // What was taken out of the world meanwhile is not put down.
-            if self.set_role(id, Role::Loose).is_ok() {
+            if self.set_role(id, BodyRole::Loose).is_ok() {
                 self.place(id, at)?;
                 if pinned {
                     self.pin_to(id, held.id)?;

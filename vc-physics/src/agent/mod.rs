@@ -13,10 +13,10 @@ use serde::{Deserialize, Serialize};
 use vc_graph::hash::Digester;
 use vc_graph::{Anthropometry, NodeId, Pose, Relation, SceneGraph};
 
-use crate::world::World;
+use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError, convert, group};
 
-pub use aside::PartsAside;
+pub use aside::PartsToMoveAside;
 pub use hands::Hand;
 pub use walk::Walk;
 
@@ -191,7 +191,7 @@ impl Agent {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// Agents of the graph that have poses, and what they hold.
     pub(crate) fn add_agents(&mut self, graph: &SceneGraph) {
         for &id in graph.agents() {
@@ -214,7 +214,7 @@ impl World {
         self.skipped.sort_unstable();
     }
 
-    /// Adds an agent's body, its feet at a pose. [`World::build`] does so for the
+    /// Adds an agent's body, its feet at a pose. [`PhysicsWorld::build`] does so for the
     /// agents of the graph, with [`BodyPlan::default`].
     ///
     /// # Errors

@@ -11,8 +11,8 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
 use super::{Agent, Posture};
-use crate::world::{Thing, World};
-use crate::{AgentError, PhysicsError, Role, convert, group};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{AgentError, BodyRole, PhysicsError, convert, group};
 
 /// The largest distance to the body's future position from which an agent can sit or lie down, metres: one
 /// step.
@@ -37,7 +37,7 @@ const SLIM: f32 = 0.5;
 /// Number of directions to each side in which exits are searched.
 const EXIT_TURNS: usize = 12;
 
-impl World {
+impl PhysicsWorld {
     /// Places to sit on a node, in the world's frame, metres: the middle of each seat, with X towards its
     /// front. Their number is that of the node's slots, at least one. They are distributed over the asset's
     /// level surfaces at the height of seats, or side by side on its box.
@@ -87,7 +87,7 @@ impl World {
         places: &[Pose],
         posture: fn(NodeId, u32) -> Posture,
     ) -> Result<(), AgentError> {
-        if self.thing(on)?.state.role == Role::Carried {
+        if self.thing(on)?.state.role == BodyRole::Carried {
             return Err(AgentError::Held(on));
         }
         let body = self.standing(agent)?;
@@ -227,7 +227,7 @@ impl World {
     /// each of some fractions of their range (0 closed, 1 open).
     ///
     /// # Errors
-    /// [`AgentError::NoSuchAgent`]; otherwise as [`World::drive`].
+    /// [`AgentError::NoSuchAgent`]; otherwise as [`PhysicsWorld::drive`].
     pub fn stands_clear(&self, agent: NodeId, feet: &Pose, id: NodeId, open: &[f32]) -> Result<bool, AgentError> {
         let body = self.agent(agent)?;
         for part in 0..self.thing(id)?.state.moving.len() {

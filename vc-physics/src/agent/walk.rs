@@ -12,7 +12,7 @@ use vc_graph::NodeId;
 
 use super::{Agent, Posture, facing};
 use crate::nav::avoid::{self, Walker};
-use crate::world::World;
+use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError, convert, group};
 
 /// Distance at which a waypoint counts as reached, metres.
@@ -94,7 +94,7 @@ impl Motion {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// Lets an agent move at a velocity over the floor, metres per second, until told otherwise, no faster than
     /// its running speed. Zero stops it.
     ///

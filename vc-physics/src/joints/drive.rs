@@ -9,8 +9,8 @@ use vc_graph::asset::JointKind;
 use super::make::{axis, friction, idle};
 use super::motion::{closed, opened};
 use crate::shapes::Link;
-use crate::world::{Moving, World};
-use crate::{PhysicsError, Role, convert, group};
+use crate::world::{Moving, PhysicsWorld};
+use crate::{BodyRole, PhysicsError, convert, group};
 
 /// Speed of the motor per unit of remaining distance, per second: like an arm, it slows down before it arrives.
 const EAGER: f32 = 8.0;
@@ -27,7 +27,7 @@ const SLOW: f32 = 0.02;
 /// Largest distance from the target of a part that has arrived, as a fraction of the range.
 const ARRIVED: f32 = 0.005;
 
-impl World {
+impl PhysicsWorld {
     /// Starts a part's motor, which takes the part to a fraction of its range (0 closed, 1 open) in about a
     /// second, as an arm would, if nothing is in the way. A part without a motor is moved at once.
     ///
@@ -199,7 +199,7 @@ impl World {
     fn settle_part(&mut self, index: usize, part: usize) {
         let position = self.part_position(&self.things[index], part);
         let thing = &mut self.things[index];
-        let (link, fixed_base) = (&thing.form.links[part + 1], thing.state.role == Role::Fixed);
+        let (link, fixed_base) = (&thing.form.links[part + 1], thing.state.role == BodyRole::Fixed);
         let friction = link.joint.map_or(0.0, |j| friction(&j, link, &self.settings)) * thing.state.mass_factor;
         let moving = &mut thing.state.moving[part];
         let (Some(body), Some(position)) = (moving.body, position) else { return };

@@ -9,14 +9,14 @@ use super::motion::{closed, opened};
 use crate::engine::Engine;
 use crate::shapes::Link;
 use crate::world::{Moving, Thing, collider};
-use crate::{Role, Settings, convert, group};
+use crate::{BodyRole, Settings, convert, group};
 
 /// The mass from which on a base carries jointed bodies, kilograms.
 const STURDY: f32 = 10.0;
 
 /// Creates the bodies of a thing's moving parts.
 pub(crate) fn add(engine: &mut Engine, thing: &mut Thing, settings: &Settings, open: bool) {
-    let sturdy = thing.state.role == Role::Fixed || thing.form.mass() * thing.state.mass_factor > STURDY;
+    let sturdy = thing.state.role == BodyRole::Fixed || thing.form.mass() * thing.state.mass_factor > STURDY;
     for index in 1..thing.form.links.len() {
         let form = thing.form.clone();
         let link = &form.links[index];
@@ -44,7 +44,7 @@ pub(crate) fn add(engine: &mut Engine, thing: &mut Thing, settings: &Settings, o
 fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, settings: &Settings) -> Moving {
     let link = &thing.form.links[index];
     let (Some(joint), Some(base)) = (link.joint, engine.pose(thing.state.base)) else { return moving };
-    let latched = settings.latches && moving.position == closed(joint.limits) && thing.state.role == Role::Fixed;
+    let latched = settings.latches && moving.position == closed(joint.limits) && thing.state.role == BodyRole::Fixed;
     let kind = if latched { RigidBodyType::Fixed } else { RigidBodyType::Dynamic };
     let builder = RigidBodyBuilder::new(kind)
         .pose(convert::pose(&(base * joint.motion(moving.position))))

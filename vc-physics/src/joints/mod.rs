@@ -5,14 +5,14 @@
 //! once.
 
 mod drive;
-mod leap;
 mod make;
 mod motion;
+mod openness;
 
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
-use crate::world::{Thing, World};
+use crate::world::{PhysicsWorld, Thing};
 
 pub(crate) use make::add;
 
@@ -38,7 +38,7 @@ pub struct MovingPart {
     pub has_motor: bool,
 }
 
-impl World {
+impl PhysicsWorld {
     /// The moving parts of a node, in the asset's order; empty if it has none.
     pub fn moving_parts(&self, id: NodeId) -> Vec<MovingPart> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };

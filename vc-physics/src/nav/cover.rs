@@ -4,10 +4,10 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_geometry::outline::{Outline, contains, hull, rectangle};
 use vc_graph::{NodeId, Pose};
 
-use super::{Doors, FloorPlan};
-use crate::Role;
+use super::{Doors, FloorOptions};
+use crate::BodyRole;
 use crate::shapes::{Footprint, Link, levels};
-use crate::world::{Thing, World};
+use crate::world::{PhysicsWorld, Thing};
 
 /// Motion up to which a door counts as closed, metres.
 const SAME: f32 = 0.005;
@@ -27,7 +27,7 @@ pub(crate) struct Cover {
     /// furniture.
     pub(crate) gate: Vec<Outline>,
     poses: Vec<Pose>,
-    role: Option<Role>,
+    role: Option<BodyRole>,
     locked: bool,
 }
 
@@ -37,12 +37,12 @@ impl Cover {
         Self { id, outlines, gate: Vec::new(), poses: Vec::new(), role: None, locked: false }
     }
 
-    fn of(world: &World, thing: &Thing, plan: &FloorPlan) -> Self {
+    fn of(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> Self {
         let poses = poses(world, thing);
         let locked = thing.state.moving.iter().any(|m| m.locked);
         let mut cover =
             Self { id: thing.id, outlines: Vec::new(), gate: Vec::new(), poses, role: Some(thing.state.role), locked };
-        if thing.state.role == Role::Carried || is_covered(world, thing, plan) {
+        if thing.state.role == BodyRole::Carried || is_covered(world, thing, plan) {
             return cover;
         }
         let base = cover.poses.first().copied().unwrap_or_else(Pose::identity);
@@ -62,7 +62,7 @@ impl Cover {
         cover
     }
 
-    fn is_current(&self, world: &World, thing: &Thing) -> bool {
+    fn is_current(&self, world: &PhysicsWorld, thing: &Thing) -> bool {
         let now = poses(world, thing);
         self.id == thing.id
             && self.role == Some(thing.state.role)
@@ -77,12 +77,12 @@ fn near(a: &Pose, b: &Pose) -> bool {
 }
 
 /// Poses of a thing's links.
-fn poses(world: &World, thing: &Thing) -> Vec<Pose> {
+fn poses(world: &PhysicsWorld, thing: &Thing) -> Vec<Pose> {
     poses_at(world, thing, world.engine.pose(thing.state.base).unwrap_or_else(Pose::identity))
 }
 
 /// Poses of its links if it were at a pose.
-fn poses_at(world: &World, thing: &Thing, base: Pose) -> Vec<Pose> {
+fn poses_at(world: &PhysicsWorld, thing: &Thing, base: Pose) -> Vec<Pose> {
     let part = |(i, link): (usize, &Link)| {
         let position = world.part_position(thing, i).unwrap_or(0.0);
         link.joint.map_or(base, |j| base * j.motion(position))
@@ -93,10 +93,11 @@ fn poses_at(world: &World, thing: &Thing, base: Pose) -> Vec<Pose> {
 
 /// Whether some support in the graph's support chain of a thing is fixed and covers all of it: cups on a table
 /// obstruct nobody. The contents of an open drawer move along when it is closed.
-fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
+fn is_covered(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> bool {
     let below = |t: &Thing| world.thing(t.state.rests?.at).ok();
     let mut chain = std::iter::successors(below(thing), |t| below(t)).take(STACKED);
-    let Some(at) = chain.find(|t| t.state.role == Role::Fixed).filter(|_| thing.state.role != Role::Fixed) else {
+    let Some(at) = chain.find(|t| t.state.role == BodyRole::Fixed).filter(|_| thing.state.role != BodyRole::Fixed)
+    else {
         return false;
     };
     let base = world.engine.pose(at.state.base).filter(is_upright);
@@ -111,7 +112,7 @@ fn is_covered(world: &World, thing: &Thing, plan: &FloorPlan) -> bool {
 }
 
 /// Whether a point is over an open part of a thing that is closed in passing.
-fn goes_along(world: &World, thing: &Thing, point: &Point2<f32>, plan: &FloorPlan) -> bool {
+fn goes_along(world: &PhysicsWorld, thing: &Thing, point: &Point2<f32>, plan: &FloorOptions) -> bool {
     let locked = thing.state.moving.iter().any(|m| m.locked);
     let poses = poses(world, thing);
     let Some(base) = poses.first().filter(|_| plan.doors == Doors::Opened && !locked) else { return false };
@@ -122,7 +123,7 @@ fn goes_along(world: &World, thing: &Thing, point: &Point2<f32>, plan: &FloorPla
 }
 
 /// The area that a thing would cover at a pose.
-pub(crate) fn outlines_at(world: &World, thing: &Thing, pose: &Pose, plan: &FloorPlan) -> Vec<Outline> {
+pub(crate) fn outlines_at(world: &PhysicsWorld, thing: &Thing, pose: &Pose, plan: &FloorOptions) -> Vec<Outline> {
     let poses = poses_at(world, thing, *pose);
     let links = thing.form.links.iter().zip(&poses);
     links.flat_map(|(link, pose)| outlines(link, pose, |low, high| is_in_the_way(plan, low, high))).collect()
@@ -139,7 +140,7 @@ fn is_upright(pose: &Pose) -> bool {
 }
 
 /// Whether a height range lies between floor and head.
-fn is_in_the_way(plan: &FloorPlan, low: f32, high: f32) -> bool {
+fn is_in_the_way(plan: &FloorOptions, low: f32, high: f32) -> bool {
     high > plan.level + plan.step && low < plan.level + plan.height
 }
 
@@ -164,13 +165,13 @@ fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Ou
 }
 
 /// The covered areas of all nodes.
-pub(crate) fn covers(world: &World, plan: &FloorPlan) -> Vec<Cover> {
+pub(crate) fn covers(world: &PhysicsWorld, plan: &FloorOptions) -> Vec<Cover> {
     world.things.iter().map(|t| Cover::of(world, t, plan)).collect()
 }
 
 /// Updates the covers; returns whether any outline changed. The covers depend only on the bodies' poses, not on
 /// their history.
-pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -> bool {
+pub(crate) fn update(covers: &mut Vec<Cover>, world: &PhysicsWorld, plan: &FloorOptions) -> bool {
     if covers.len() != world.things.len() || covers.iter().zip(&world.things).any(|(c, t)| c.id != t.id) {
         *covers = self::covers(world, plan);
         return true;
@@ -187,10 +188,10 @@ pub(crate) fn update(covers: &mut Vec<Cover>, world: &World, plan: &FloorPlan) -
 }
 
 /// Outlines of the ground: pieces of the building whose top is the floor; the rooms' boxes if there are none.
-pub(crate) fn ground(world: &World, plan: &FloorPlan) -> Vec<Outline> {
+pub(crate) fn ground(world: &PhysicsWorld, plan: &FloorOptions) -> Vec<Outline> {
     let tops = plan.level - BELOW..=plan.level + plan.step;
     let mut found = Vec::new();
-    for thing in world.things.iter().filter(|t| t.state.structure && t.state.role == Role::Fixed) {
+    for thing in world.things.iter().filter(|t| t.state.structure && t.state.role == BodyRole::Fixed) {
         let Some(base) = world.engine.pose(thing.state.base) else { continue };
         found.extend(outlines(&thing.form.links[0], &base, |_, top| tops.contains(&top)));
     }

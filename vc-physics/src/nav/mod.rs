@@ -12,7 +12,7 @@ use vc_geometry::outline::{Outline, crosses};
 use vc_geometry::walk::{Bands, shortest};
 use vc_graph::{Anthropometry, NodeId};
 
-use crate::world::World;
+use crate::world::PhysicsWorld;
 use cover::Cover;
 
 pub use occupancy::Occupancy;
@@ -32,7 +32,7 @@ pub enum Doors {
 
 /// The parameters of a floor and of its walkers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FloorPlan {
+pub struct FloorOptions {
     /// Height of the floor, metres.
     pub level: f32,
     /// Height that is walked over without effort, metres: rugs, sills.
@@ -47,7 +47,7 @@ pub struct FloorPlan {
     pub doors: Doors,
 }
 
-impl Default for FloorPlan {
+impl Default for FloorOptions {
     fn default() -> Self {
         let Anthropometry { walked_over: step, headroom: height, clearance: radius, .. } = Anthropometry::ADULT;
         Self { level: 0.0, step, height, radius, cell: 0.05, doors: Doors::default() }
@@ -76,19 +76,19 @@ pub struct Route {
 ///
 /// ```
 /// use nalgebra::Point2;
-/// use vc_physics::{Floor, FloorPlan};
+/// use vc_physics::{Floor, FloorOptions};
 /// let corner = |x: f32, y: f32| Point2::new(x, y);
 /// let rectangle = |x0, y0, x1, y1| vec![corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)];
 /// let room = rectangle(0.0, 0.0, 4.0, 3.0);
 /// let wall = rectangle(1.9, 0.0, 2.1, 2.0);
-/// let floor = Floor::of_outlines(&[room], &[wall], FloorPlan::default());
+/// let floor = Floor::of_outlines(&[room], &[wall], FloorOptions::default());
 /// let route = floor.route(corner(1.0, 0.5), corner(3.0, 0.5)).ok_or("no way")?;
 /// assert!(route.points.len() > 3 && route.length > 4.0);
 /// # Ok::<(), &str>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Floor {
-    plan: FloorPlan,
+    plan: FloorOptions,
     covers: Vec<Cover>,
     ground: Vec<Outline>,
     raster: Option<Raster>,
@@ -100,20 +100,20 @@ const SNAP: f32 = 0.6;
 
 impl Floor {
     /// The floor of a world in its present state.
-    pub fn of(world: &World, plan: FloorPlan) -> Self {
+    pub fn of(world: &PhysicsWorld, plan: FloorOptions) -> Self {
         let covers = cover::covers(world, &plan);
         let ground = cover::ground(world, &plan);
         Self::new(plan, covers, ground)
     }
 
     /// A floor from convex outlines, corners counter-clockwise, metres: the ground and the obstacles.
-    pub fn of_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], plan: FloorPlan) -> Self {
+    pub fn of_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], plan: FloorOptions) -> Self {
         let finite = |o: &&Vec<Point2<f32>>| o.iter().all(|p| p.x.abs() < 1e5 && p.y.abs() < 1e5);
         let cover = Cover::fixed(obstacles.iter().filter(finite).cloned().collect());
         Self::new(plan, vec![cover], ground.iter().filter(finite).cloned().collect())
     }
 
-    fn new(plan: FloorPlan, covers: Vec<Cover>, ground: Vec<Outline>) -> Self {
+    fn new(plan: FloorOptions, covers: Vec<Cover>, ground: Vec<Outline>) -> Self {
         let corners = || ground.iter().flatten();
         let low = corners().copied().reduce(|a, b| a.inf(&b));
         let high = corners().copied().reduce(|a, b| a.sup(&b));
@@ -126,7 +126,7 @@ impl Floor {
     /// Updates the floor to the things that have moved since: doors, chairs, things on the floor. Returns
     /// whether any had moved. Costs about a microsecond for ten bodies if none has moved, otherwise little less
     /// than making the floor anew.
-    pub fn update(&mut self, world: &World) -> bool {
+    pub fn update(&mut self, world: &PhysicsWorld) -> bool {
         let moved = cover::update(&mut self.covers, world, &self.plan);
         if moved {
             self.paint();
@@ -145,7 +145,7 @@ impl Floor {
     }
 
     /// The plan from which the floor was made.
-    pub fn plan(&self) -> &FloorPlan {
+    pub fn plan(&self) -> &FloorOptions {
         &self.plan
     }
 

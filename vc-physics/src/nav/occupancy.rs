@@ -8,16 +8,16 @@ use super::Floor;
 /// An occupancy grid of the walkable floor for other planners: rows of square cells along the world's axes.
 ///
 /// Columns run along X and rows along Y, both upwards from `origin`; cells are listed row by row. A cell is
-/// free if a person whose middle is at its centre keeps clear of everything, as [`FloorPlan`](crate::FloorPlan)
+/// free if a person whose middle is at its centre keeps clear of everything, as [`FloorOptions`](crate::FloorOptions)
 /// specifies: obstacles are already grown by the walker's radius, and people are not among them.
 ///
 /// ```
 /// use nalgebra::Point2;
-/// use vc_physics::{Floor, FloorPlan};
+/// use vc_physics::{Floor, FloorOptions};
 /// let corner = |x: f32, y: f32| Point2::new(x, y);
 /// let rectangle = |x0, y0, x1, y1| vec![corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)];
 /// let table = rectangle(1.5, 1.0, 2.5, 2.0);
-/// let floor = Floor::of_outlines(&[rectangle(0.0, 0.0, 4.0, 3.0)], &[table], FloorPlan::default());
+/// let floor = Floor::of_outlines(&[rectangle(0.0, 0.0, 4.0, 3.0)], &[table], FloorOptions::default());
 /// let grid = floor.occupancy();
 /// assert_eq!((grid.origin, grid.free.len()), ([0.0, 0.0], grid.columns * grid.rows));
 /// let (column, row) = grid.cell_of(corner(2.0, 1.5)).ok_or("outside")?;

@@ -6,7 +6,7 @@ use vc_graph::{NodeId, Pose};
 
 use super::{Floor, SNAP, cover};
 use crate::PhysicsError;
-use crate::world::World;
+use crate::world::PhysicsWorld;
 
 /// The largest area that may be cut off, square metres: a nook in which nobody stands.
 const NOOK: f32 = 0.1;
@@ -22,7 +22,7 @@ impl Floor {
     /// [`PhysicsError::NoBody`].
     pub fn stays_open(
         &self,
-        world: &World,
+        world: &PhysicsWorld,
         id: NodeId,
         pose: &Pose,
         from: &[Point2<f32>],

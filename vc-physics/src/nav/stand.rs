@@ -5,7 +5,7 @@ use vc_graph::{NodeId, Pose};
 
 use super::{Floor, Route};
 use crate::agent::{BodyPlan, facing};
-use crate::world::World;
+use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError};
 
 /// Margin by which an agent stands nearer than its reach, metres: nobody stops exactly on the spot.
@@ -32,7 +32,7 @@ impl Floor {
     /// [`PhysicsError::NoBody`].
     pub fn stand(
         &self,
-        world: &World,
+        world: &PhysicsWorld,
         plan: &BodyPlan,
         from: Point2<f32>,
         id: NodeId,
@@ -47,7 +47,7 @@ impl Floor {
     /// [`PhysicsError::NoBody`].
     pub fn stand_where(
         &self,
-        world: &World,
+        world: &PhysicsWorld,
         plan: &BodyPlan,
         from: Point2<f32>,
         id: NodeId,
@@ -87,14 +87,20 @@ impl Floor {
         Pose::from_parts(nalgebra::Translation3::new(spot.x, spot.y, self.plan.level), turn)
     }
 
-    fn reaches(&self, world: &World, plan: &BodyPlan, spot: Point2<f32>, id: NodeId) -> Result<bool, PhysicsError> {
+    fn reaches(
+        &self,
+        world: &PhysicsWorld,
+        plan: &BodyPlan,
+        spot: Point2<f32>,
+        id: NodeId,
+    ) -> Result<bool, PhysicsError> {
         let arm = world.arm(plan, Point3::new(spot.x, spot.y, self.plan.level), id)?;
         Ok(world.distance_to(id, arm)? <= plan.reach - SLACK)
     }
 
-    /// Whether a body standing at a pose sees a thing, as [`World::can_see`] from there. Agents do not occlude
+    /// Whether a body standing at a pose sees a thing, as [`PhysicsWorld::can_see`] from there. Agents do not occlude
     /// it.
-    pub fn sees(&self, world: &World, plan: &BodyPlan, feet: &Pose, id: NodeId) -> bool {
+    pub fn sees(&self, world: &PhysicsWorld, plan: &BodyPlan, feet: &Pose, id: NodeId) -> bool {
         let agents: Vec<NodeId> = world.agents().collect();
         world.sees(feet * Point3::new(0.0, 0.0, plan.eye()), id, &agents).unwrap_or(false)
     }
@@ -108,7 +114,7 @@ fn raster(low: Point2<f32>, high: Point2<f32>) -> impl Iterator<Item = Point2<f3
         .flat_map(move |r| (0..=columns).map(move |c| Point2::new(low.x + c as f32 * PITCH, low.y + r as f32 * PITCH)))
 }
 
-impl World {
+impl PhysicsWorld {
     /// Lets an agent walk or run the shortest path to a point. Doors on it have to be opened as the agent
     /// reaches them.
     ///

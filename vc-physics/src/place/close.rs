@@ -10,7 +10,7 @@ use vc_graph::{NodeId, Pose};
 use super::raster::spots;
 use super::way::{INTO, WITHIN, Way};
 use super::{GAP, Order, Shelf};
-use crate::world::{Thing, World};
+use crate::world::{PhysicsWorld, Thing};
 use crate::{PhysicsError, convert, group};
 
 /// Distance of the spots that are tried, metres.
@@ -26,7 +26,7 @@ const BELOW: f32 = 0.004;
 /// How things are put on others.
 const ONTO: [Way; 1] = [Way { over: OVER, ..WITHIN }];
 
-impl World {
+impl PhysicsWorld {
     /// As [`free_spot_at`](Self::free_spot_at), as close to what is there as it stands: room is asked for the
     /// outline of a thing, not for the box around it, on a raster of two centimetres. On top of things it may be
     /// anywhere over the top that bears it, also beyond the rectangle that its asset states: near the edge of a

@@ -13,8 +13,8 @@ use vc_graph::{NodeId, Pose, Seed};
 
 use self::raster::{PITCH, is_burner, spots};
 use self::way::{ACROSS, HEAP, INTO, ONTO, TURNTABLE, Tip, Way};
-use crate::world::{Thing, World};
-use crate::{PhysicsError, Role, convert, group};
+use crate::world::{PhysicsWorld, Thing};
+use crate::{BodyRole, PhysicsError, convert, group};
 
 /// Gap that is left between a thing and what it is put on, metres: it is at rest
 /// after a millimetre's fall.
@@ -56,7 +56,7 @@ pub enum Order {
     Random(Seed),
 }
 
-impl World {
+impl PhysicsWorld {
     /// The surfaces of a node as they are now: those of a drawer move with it.
     pub fn shelves(&self, id: NodeId) -> Vec<Shelf> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
@@ -312,7 +312,7 @@ impl World {
 
     /// Whether a thing is loose, other than the one of a surface on top of which things are put.
     fn is_loose_on(&self, shelf: &Shelf, id: NodeId) -> bool {
-        shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(Role::Loose)
+        shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(BodyRole::Loose)
     }
 
     /// The first spot that counts as free and is admitted.

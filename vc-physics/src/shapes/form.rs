@@ -9,7 +9,7 @@ use rapier3d::math::Pose as EnginePose;
 use vc_geometry::cut::{self, Polygons};
 use vc_graph::asset::{Joint, Part, Shape, Surface};
 use vc_graph::class::Range;
-use vc_graph::{Asset, AssetLibrary, Bounds, Frame, Pose};
+use vc_graph::{Asset, AssetLibrary, Bounds, BoundsFrame, Pose};
 
 use super::footprint::{self, Footprint};
 use super::mass::{self, Moments};
@@ -132,8 +132,8 @@ impl Form {
     pub(super) fn of_box(bounds: &Bounds, pose: &Pose, hollow: bool) -> Self {
         let at = Pose::from_parts(bounds.offset.into(), nalgebra::UnitQuaternion::identity());
         let at = match bounds.frame {
-            Frame::Object => at,
-            Frame::World => Pose::from_parts(nalgebra::Translation3::identity(), pose.rotation.inverse()) * at,
+            BoundsFrame::Object => at,
+            BoundsFrame::World => Pose::from_parts(nalgebra::Translation3::identity(), pose.rotation.inverse()) * at,
         };
         let half = bounds.half.map(|h| h.abs().max(0.001));
         let walls = if hollow { shell(half) } else { vec![(Vector3::zeros(), half)] };

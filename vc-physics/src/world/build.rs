@@ -6,17 +6,17 @@ use std::sync::Arc;
 use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
 use rapier3d::geometry::{ColliderBuilder, SharedShape};
 use rapier3d::math::Pose as EnginePose;
-use vc_graph::{Aabb, Kind, Node, NodeId, ObjectRole, Pose, Property, SceneGraph};
+use vc_graph::{Aabb, Node, NodeId, NodeKind, ObjectRole, Pose, Property, SceneGraph};
 
 use super::rest::Watch;
-use super::{Places, State, Thing, World};
+use super::{PhysicsWorld, Places, State, Thing};
 use crate::engine::Engine;
 use crate::ground::Storeys;
 use crate::role::Roles;
 use crate::shapes::{Link, Session, Shapes, scaled};
-use crate::{PhysicsError, Role, Settings, convert, group, joints, rolling};
+use crate::{BodyRole, PhysicsError, Settings, convert, group, joints, rolling};
 
-impl World {
+impl PhysicsWorld {
     /// A world with a body for every object that has a pose and an asset or a box, and for every agent that has
     /// a pose; nodes without are listed in [`skipped`](Self::skipped). Things that are open in the graph are
     /// open here, and things that agents hold are in their hands.
@@ -30,12 +30,12 @@ impl World {
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_physics::{Settings, Shapes, World};
+    /// use vc_physics::{Settings, Shapes, PhysicsWorld};
     /// let mut scene = SceneBuilder::new("flat");
     /// let size = |x, y, z| Bounds::standing([x, y, z].into());
     /// scene.add(Draft::new("floor").at(Pose::translation(0.0, 0.0, -0.1)).bounds(size(4.0, 4.0, 0.1)))?;
     /// let apple = scene.add(Draft::new("apple").at(Pose::translation(0.0, 0.0, 1.0)).bounds(size(0.1, 0.1, 0.1)))?;
-    /// let mut world = World::build(&scene.build(), &Shapes::new(), Settings::default())?;
+    /// let mut world = PhysicsWorld::build(&scene.build(), &Shapes::new(), Settings::default())?;
     /// let report = world.settle(200);
     /// assert!(report.at_rest && report.fell == [apple]);
     /// assert!(world.pose(apple).is_some_and(|p| p.translation.z.abs() < 0.005));
@@ -48,7 +48,7 @@ impl World {
         let mut world = Self::empty(graph, settings);
         let rules = Rules::new(graph, settings);
         shapes.session(graph.assets(), |session| {
-            for node in graph.nodes().filter(|n| n.kind() == Kind::Object) {
+            for node in graph.nodes().filter(|n| n.kind() == NodeKind::Object) {
                 if !world.embody_node(graph, node, &rules, session) {
                     world.skipped.push(node.id());
                 }
@@ -96,7 +96,7 @@ impl World {
         }
         let bodies: Vec<_> = self.thing(id)?.bodies().collect();
         bodies.into_iter().for_each(|b| self.engine.refresh(b));
-        if self.thing(id)?.state.role == Role::Fixed {
+        if self.thing(id)?.state.role == BodyRole::Fixed {
             self.find_bottom();
         }
         Ok(())
@@ -115,12 +115,12 @@ impl World {
         self.driven.retain(|(d, _)| *d != id);
         self.vehicles.remove(&id);
         self.drain(id);
-        let hung = |t: &&Thing| t.state.role == Role::Hung && t.state.rests.is_some_and(|place| place.at == id);
+        let hung = |t: &&Thing| t.state.role == BodyRole::Hung && t.state.rests.is_some_and(|place| place.at == id);
         let hung: Vec<NodeId> = self.things.iter().filter(hung).map(|t| t.id).collect();
-        if thing.state.role == Role::Fixed {
+        if thing.state.role == BodyRole::Fixed {
             self.find_bottom();
         }
-        hung.into_iter().try_for_each(|id| self.set_role(id, Role::Loose))
+        hung.into_iter().try_for_each(|id| self.set_role(id, BodyRole::Loose))
     }
 
     fn embody_node(&mut self, graph: &SceneGraph, node: &Node, rules: &Rules<'_>, session: &mut Session<'_>) -> bool {
@@ -131,7 +131,7 @@ impl World {
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
         let Some(role) = rules.roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
         let below = || rules.storeys.ground_below(node, &form, &pose);
-        let ground = if role == Role::Fixed { below() } else { 0.0 };
+        let ground = if role == BodyRole::Fixed { below() } else { 0.0 };
         let deepened = if ground > 0.0 { form.links[0].deepened(ground) } else { None };
         let state = State {
             role,
@@ -162,7 +162,7 @@ impl World {
     /// Adds the body of a thing's base, with another shape in place of its own if one is given.
     fn add_base(&mut self, thing: &Thing, instead: Option<(SharedShape, EnginePose)>, pose: &Pose) -> RigidBodyHandle {
         let builder = match thing.state.role {
-            Role::Loose => RigidBodyBuilder::dynamic(),
+            BodyRole::Loose => RigidBodyBuilder::dynamic(),
             _ => RigidBodyBuilder::fixed(),
         };
         let link = &thing.form.links[0];

@@ -4,10 +4,10 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::{RigidBodyHandle, RigidBodyType};
 use vc_graph::{NodeId, Pose};
 
-use super::World;
-use crate::{PhysicsError, Role, convert, group};
+use super::PhysicsWorld;
+use crate::{BodyRole, PhysicsError, convert, group};
 
-impl World {
+impl PhysicsWorld {
     /// Lets one step of time pass: agents walk, vehicles drive, water carries, motors turn, bodies fall.
     ///
     /// Costs a microsecond or two while everything sleeps.
@@ -78,7 +78,7 @@ impl World {
     fn stop(&mut self, body: RigidBodyHandle) {
         let Some(id) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0) else { return };
         if let Ok(thing) = self.thing_mut(id) {
-            thing.state.role = Role::Stopped;
+            thing.state.role = BodyRole::Stopped;
         }
         if !self.stopped.contains(&id) {
             self.stopped.push(id);
@@ -96,11 +96,11 @@ impl World {
         if !convert::is_sound(&pose) {
             return Err(PhysicsError::NotFinite("the pose", id));
         }
-        if thing.state.role == Role::Carried {
+        if thing.state.role == BodyRole::Carried {
             return Err(PhysicsError::NotFree(id));
         }
         let before = self.engine.pose(thing.state.base).unwrap_or(pose);
-        let stopped = thing.state.role == Role::Stopped;
+        let stopped = thing.state.role == BodyRole::Stopped;
         let motion = pose * before.inverse();
         let bodies: Vec<_> = thing.bodies().collect();
         if pose != before {
@@ -114,7 +114,7 @@ impl World {
         if stopped {
             self.set_going(id)?;
         }
-        if self.thing(id)?.state.role == Role::Fixed {
+        if self.thing(id)?.state.role == BodyRole::Fixed {
             self.find_bottom();
         }
         match self.fills.get(&id) {
@@ -128,7 +128,7 @@ impl World {
         self.stopped.retain(|other| *other != id);
         let bodies: Vec<_> = self.thing(id)?.bodies().collect();
         bodies.into_iter().for_each(|body| self.engine.enable(body));
-        self.set_role(id, Role::Loose)
+        self.set_role(id, BodyRole::Loose)
     }
 
     /// Pushes a node with an impulse at a point, newton seconds and metres; a hanging thing comes down.
@@ -182,13 +182,13 @@ impl World {
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
     pub fn pin(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         match self.thing(id)?.state.role {
-            Role::Loose => {
+            BodyRole::Loose => {
                 let rides = self.rides(id);
-                self.set_role(id, Role::Hung)?;
+                self.set_role(id, BodyRole::Hung)?;
                 self.thing_mut(id)?.state.rides = rides;
                 Ok(())
             }
-            Role::Hung => Ok(()),
+            BodyRole::Hung => Ok(()),
             _ => Err(PhysicsError::NotFree(id)),
         }
     }
@@ -212,21 +212,21 @@ impl World {
         let thing = self.thing(id)?;
         let (base, role) = (thing.state.base, thing.state.role);
         match role {
-            Role::Loose => {}
-            Role::Hung => self.set_role(id, Role::Loose)?,
+            BodyRole::Loose => {}
+            BodyRole::Hung => self.set_role(id, BodyRole::Loose)?,
             _ => return Err(PhysicsError::NotFree(id)),
         }
         Ok(base)
     }
 
     /// Changes the role of a thing, and adapts its body and colliders.
-    pub(crate) fn set_role(&mut self, id: NodeId, role: Role) -> Result<(), PhysicsError> {
+    pub(crate) fn set_role(&mut self, id: NodeId, role: BodyRole) -> Result<(), PhysicsError> {
         let thing = self.thing_mut(id)?;
         (thing.state.role, thing.state.rides) = (role, None);
         let base = thing.state.base;
         let kind = match role {
-            Role::Loose => RigidBodyType::Dynamic,
-            Role::Carried => RigidBodyType::KinematicPositionBased,
+            BodyRole::Loose => RigidBodyType::Dynamic,
+            BodyRole::Carried => RigidBodyType::KinematicPositionBased,
             _ => RigidBodyType::Fixed,
         };
         let Some(rigid) = self.engine.bodies.get_mut(base) else { return Ok(()) };

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 use vc_graph::{NodeId, SceneGraph};
 
-use super::World;
+use super::PhysicsWorld;
 use super::build::collider;
 use crate::shapes::Shapes;
 use crate::{PhysicsError, group};
@@ -15,13 +15,13 @@ const LOOSE: f32 = 115.0;
 /// The sides of a bundle, relative to the longest.
 const FLAT: Vector3<f32> = Vector3::new(1.0, 1.0, 0.5);
 
-impl World {
+impl PhysicsWorld {
     /// The scale along a thing's own axes if it were cloth folded to a flat bundle with the volume that its
     /// mass takes. `None` if it would be no smaller.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
-    pub fn bundled(&self, id: NodeId) -> Result<Option<Vector3<f32>>, PhysicsError> {
+    pub fn folded_size(&self, id: NodeId) -> Result<Option<Vector3<f32>>, PhysicsError> {
         let (low, high) = self.thing(id)?.form.extent;
         let size = (high - low).map(|v| v.max(1e-4));
         let volume = self.mass(id).unwrap_or(0.0) / LOOSE;

@@ -4,10 +4,10 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
 use vc_graph::{Aabb, NodeId, Pose};
 
-use super::World;
-use crate::{Role, Settings, convert};
+use super::PhysicsWorld;
+use crate::{BodyRole, Settings, convert};
 
-impl World {
+impl PhysicsWorld {
     /// Where a node is: its base, as in the scene graph; an agent's feet. `None`
     /// without a body.
     pub fn pose(&self, id: NodeId) -> Option<Pose> {
@@ -39,7 +39,7 @@ impl World {
     }
 
     /// How a node takes part; `None` without a body.
-    pub fn role(&self, id: NodeId) -> Option<Role> {
+    pub fn role(&self, id: NodeId) -> Option<BodyRole> {
         self.thing(id).ok().map(|t| t.state.role)
     }
 

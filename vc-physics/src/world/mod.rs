@@ -1,11 +1,11 @@
 //! The world: the bodies of a scene's nodes, in a physics engine.
 
 mod build;
-mod doze;
 mod drive;
 mod fold;
 mod look;
 mod rest;
+mod sleep;
 
 pub(crate) use build::{collider, rooms};
 
@@ -23,7 +23,7 @@ use crate::settings::Settings;
 use crate::shapes::Form;
 use crate::vehicle::Vehicle;
 use crate::water::Water;
-use crate::{PhysicsError, Role};
+use crate::{BodyRole, PhysicsError};
 
 /// The bodies of a scene's nodes, and their time.
 ///
@@ -31,7 +31,7 @@ use crate::{PhysicsError, Role};
 /// positions are available as plain data by node number. `Clone` copies the dynamic state and shares the
 /// shapes; a clone evolves as the original does, bit for bit.
 #[derive(Clone)]
-pub struct World {
+pub struct PhysicsWorld {
     pub(crate) settings: Settings,
     pub(crate) engine: Engine,
     /// Sorted by node.
@@ -77,7 +77,7 @@ impl Places {
 /// The part of a thing that a snapshot keeps; form and places are reconstructed from the graph.
 #[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct State {
-    pub(crate) role: Role,
+    pub(crate) role: BodyRole,
     pub(crate) base: RigidBodyHandle,
     pub(crate) moving: Vec<Moving>,
     /// The factor on its parts' masses.
@@ -125,7 +125,7 @@ pub(crate) struct Moving {
     pub(crate) latched: bool,
 }
 
-impl World {
+impl PhysicsWorld {
     pub(crate) fn index(&self, id: NodeId) -> Result<usize, PhysicsError> {
         self.things.binary_search_by_key(&id, |t| t.id).map_err(|_| PhysicsError::NoBody(id))
     }

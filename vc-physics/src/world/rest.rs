@@ -11,7 +11,7 @@ use rapier3d::math::{Pose as EnginePose, Vector};
 use serde::{Deserialize, Serialize};
 use vc_graph::NodeId;
 
-use super::{Thing, World};
+use super::{PhysicsWorld, Thing};
 use crate::group;
 
 /// The smallest lever of rolling resistance, however hard a thing is, metres: handbooks of mechanics give 0.2
@@ -77,7 +77,7 @@ impl Watch {
     }
 }
 
-impl World {
+impl PhysicsWorld {
     /// Lets things sleep that merely tremble.
     pub(crate) fn watch(&mut self) {
         let every = (LOOK / self.settings.dt).round().max(1.0) as u64;

@@ -6,8 +6,10 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Joint, JointKind, Material, Part, Shape, Surface};
-use vc_graph::{Asset, AssetId, AssetLibrary, Bounds, Draft, Frame, NodeId, Pose, SceneBuilder, SceneGraph, State};
-use vc_physics::{Settings, Shapes, World};
+use vc_graph::{
+    Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, NodeId, Pose, SceneBuilder, SceneGraph, State,
+};
+use vc_physics::{PhysicsWorld, Settings, Shapes};
 
 /// A scene in the making.
 pub(crate) struct Scene {
@@ -94,7 +96,7 @@ impl Scene {
 
     pub(crate) fn room(&mut self, low: [f32; 2], high: [f32; 2]) -> NodeId {
         let size = Vector3::new(high[0] - low[0], high[1] - low[1], 2.6);
-        let bounds = Bounds { frame: Frame::World, ..Bounds::standing(size) };
+        let bounds = Bounds { frame: BoundsFrame::World, ..Bounds::standing(size) };
         let pose = at((low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0, 0.0);
         self.builder.add(Draft::new("kitchen").at(pose).bounds(bounds)).unwrap()
     }
@@ -177,12 +179,12 @@ impl Scene {
         self.builder.build()
     }
 
-    pub(crate) fn world(self) -> World {
+    pub(crate) fn world(self) -> PhysicsWorld {
         self.world_with(plain())
     }
 
-    pub(crate) fn world_with(self, settings: Settings) -> World {
-        World::build(&self.graph(), &Shapes::new(), settings).unwrap()
+    pub(crate) fn world_with(self, settings: Settings) -> PhysicsWorld {
+        PhysicsWorld::build(&self.graph(), &Shapes::new(), settings).unwrap()
     }
 }
 

@@ -8,10 +8,10 @@ use common::{Scene, at, block, part, plain, turned};
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::{Asset, Bounds, Draft, NodeId, Pose, Relation};
 use vc_physics::{
-    AgentError, BodyPlan, Floor, FloorPlan, Hand, Order, PhysicsError, Posture, Role, Shapes, Walk, World,
+    AgentError, BodyPlan, BodyRole, Floor, FloorOptions, Hand, Order, PhysicsError, PhysicsWorld, Posture, Shapes, Walk,
 };
 
-fn position(world: &World, id: NodeId) -> Vector3<f32> {
+fn position(world: &PhysicsWorld, id: NodeId) -> Vector3<f32> {
     world.pose(id).unwrap().translation.vector
 }
 
@@ -182,7 +182,7 @@ fn taking_carrying_and_putting_down() {
     assert!(matches!(world.grab(me, Hand::Right, heavy), Err(AgentError::TooHeavy { .. })));
     assert!(matches!(world.grab(me, Hand::Right, NodeId(999)), Err(AgentError::World(PhysicsError::NoBody(_)))));
     world.grab(me, Hand::Right, tray).unwrap();
-    assert_eq!((world.held(me, Hand::Right), world.role(cup)), (Some(tray), Some(Role::Carried)));
+    assert_eq!((world.held(me, Hand::Right), world.role(cup)), (Some(tray), Some(BodyRole::Carried)));
     assert!(matches!(world.grab(me, Hand::Right, heavy), Err(AgentError::HandFull { .. })));
     assert_eq!(world.grab(me, Hand::Left, tray), Err(AgentError::Held(tray)));
     let between = position(&world, cup) - position(&world, tray);
@@ -263,7 +263,7 @@ fn held_in_the_graph() {
     edit.commit();
     let graph = scene.graph();
     assert!(graph.related(me, Relation::HoldsRight).any(|id| id == toy));
-    let world = World::build(&graph, &Shapes::new(), plain()).unwrap();
+    let world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
     assert_eq!(world.holder(toy), Some((me, Hand::Right)));
     assert!(position(&world, toy).x < 1.0);
 }
@@ -440,7 +440,7 @@ fn walking_and_being_there_end_the_same() {
     let mut walking = scene.world();
     walking.settle(100);
     let mut jumping = walking.clone();
-    let floor = Floor::of(&walking, FloorPlan::default());
+    let floor = Floor::of(&walking, FloorOptions::default());
     let stand = floor.stand(&walking, &BodyPlan::default(), Point2::new(-2.0, 0.0), toy).unwrap().unwrap();
     let goal = stand.route.points.last().copied().unwrap();
     let route = walking.walk_to(me, &floor, goal, true).unwrap();
@@ -459,7 +459,7 @@ fn walking_and_being_there_end_the_same() {
 }
 
 /// An agent, a closed door, and a cube beside it.
-fn beside_a_door() -> (World, NodeId, NodeId) {
+fn beside_a_door() -> (PhysicsWorld, NodeId, NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
     let me = scene.agent(at(3.0, 3.0, 0.0));
@@ -473,7 +473,7 @@ fn beside_a_door() -> (World, NodeId, NodeId) {
 #[test]
 fn clear_of_a_door_that_swings() {
     let (mut world, me, door) = beside_a_door();
-    let clear = |world: &World, x: f32, y: f32, open: &[f32]| world.stands_clear(me, &at(x, y, 0.0), door, open);
+    let clear = |world: &PhysicsWorld, x: f32, y: f32, open: &[f32]| world.stands_clear(me, &at(x, y, 0.0), door, open);
     // In the door's way, but at neither its start nor its end.
     assert_eq!(clear(&world, 0.5, 0.0, &[0.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.0, &[0.5]), Ok(false));
@@ -513,16 +513,16 @@ fn agents_refuse_nonsense() {
 #[test]
 fn open_doors_give_way() {
     let (mut world, me, door) = beside_a_door();
-    assert_eq!(world.parts_aside(me, &at(0.5, 0.4, 0.0)), Ok(Some(Vec::new())));
+    assert_eq!(world.parts_to_move_aside(me, &at(0.5, 0.4, 0.0)), Ok(Some(Vec::new())));
     world.put_all_open(door, 1.0).unwrap();
     assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
-    let aside = world.parts_aside(me, &at(0.5, 0.4, 0.0)).unwrap().unwrap();
+    let aside = world.parts_to_move_aside(me, &at(0.5, 0.4, 0.0)).unwrap().unwrap();
     assert!(matches!(aside[..], [(id, 0, open)] if id == door && open > 0.05 && open < 1.0), "{aside:?}");
     aside.iter().try_for_each(|(id, part, open)| world.put_open(*id, *part, *open)).unwrap();
     assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(true));
-    assert_eq!(world.parts_aside(me, &at(-0.5, 0.0, 0.0)), Ok(None));
+    assert_eq!(world.parts_to_move_aside(me, &at(-0.5, 0.0, 0.0)), Ok(None));
     // A closed door does not open to let anybody in.
     world.put_all_open(door, 0.0).unwrap();
-    assert_eq!(world.parts_aside(me, &at(0.0, 0.0, 0.0)), Ok(None));
-    assert!(world.parts_aside(NodeId(77), &at(0.0, 0.0, 0.0)).is_err());
+    assert_eq!(world.parts_to_move_aside(me, &at(0.0, 0.0, 0.0)), Ok(None));
+    assert!(world.parts_to_move_aside(NodeId(77), &at(0.0, 0.0, 0.0)).is_err());
 }

@@ -7,7 +7,7 @@ use crate::common;
 use common::{Scene, at, plain, turned};
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Aabb, Bounds, Draft, NodeId, SceneGraph, Seed};
-use vc_physics::{Controls, Hand, Posture, Role, Settings, Shapes, SnapshotError, VehiclePlan, World};
+use vc_physics::{BodyRole, Controls, Hand, PhysicsWorld, Posture, Settings, Shapes, SnapshotError, VehiclePlan};
 
 /// The agents and things that are moved in the scene.
 #[derive(Clone, Copy)]
@@ -45,7 +45,7 @@ fn graph() -> (SceneGraph, Vec<NodeId>, Others) {
 }
 
 /// The events in the world at a step, always the same.
-fn act(world: &mut World, step: u32, things: &[NodeId], others: Others) {
+fn act(world: &mut PhysicsWorld, step: u32, things: &[NodeId], others: Others) {
     let Others { chest, door, car, stool, me, sitter } = others;
     match step {
         2 => world.add_vehicle(car, &VehiclePlan::car(80.0, 0.6, 0.3, 0.08, 0.0)).unwrap(),
@@ -70,7 +70,7 @@ trait Takes {
     fn take_any(&mut self, agent: NodeId, things: &[NodeId]);
 }
 
-impl Takes for World {
+impl Takes for PhysicsWorld {
     fn take_any(&mut self, agent: NodeId, things: &[NodeId]) {
         let near = self.in_reach(agent).unwrap().first().map(|(id, _)| *id);
         if let Some(id) = near.filter(|id| things.contains(id)) {
@@ -83,15 +83,15 @@ impl Takes for World {
 fn clone_restore_and_rebuild_are_the_same_world() {
     let (graph, things, others) = graph();
     let shapes = Shapes::new();
-    let build = || World::build(&graph, &shapes, plain()).unwrap();
+    let build = || PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let (mut original, mut rebuilt) = (build(), build());
-    let mut copies: Vec<(&str, World)> = Vec::new();
+    let mut copies: Vec<(&str, PhysicsWorld)> = Vec::new();
     for step in 0..240 {
         // Copies are made while things move.
         if step == 0 || step == 70 {
             copies.push(("clone", original.clone()));
             let bytes = original.save().unwrap();
-            let restored = World::restore(&bytes, &graph, &Shapes::new()).unwrap();
+            let restored = PhysicsWorld::restore(&bytes, &graph, &Shapes::new()).unwrap();
             assert_eq!(restored.save().unwrap(), bytes, "a snapshot of the snapshot is the same");
             copies.push(("restored", restored));
         }
@@ -126,7 +126,7 @@ fn a_restored_world_is_the_saved_one_after_any_edits() {
             .collect();
         nodes.extend((0..12).map(|_| scene.cube(0.05, at(rng.between(-2.0, 11.0), 0.0, rng.between(0.5, 2.0)))));
         let graph = scene.graph();
-        let mut world = World::build(&graph, &Shapes::new(), plain()).unwrap();
+        let mut world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
         for _ in 0..10 {
             world.run(rng.count(1, 30) as u32);
             let id = nodes[rng.below(nodes.len())];
@@ -138,7 +138,7 @@ fn a_restored_world_is_the_saved_one_after_any_edits() {
                 world.place(id, at(rng.between(-2.0, 11.0), 0.0, rng.between(-12.0, 2.0))).unwrap();
             }
         }
-        let mut restored = World::restore(&world.save().unwrap(), &graph, &Shapes::new()).unwrap();
+        let mut restored = PhysicsWorld::restore(&world.save().unwrap(), &graph, &Shapes::new()).unwrap();
         for _ in 0..40 {
             world.run(6);
             restored.run(6);
@@ -154,7 +154,7 @@ fn any_number_of_threads() {
     let (graph, things, others) = graph();
     let shapes = Shapes::new();
     let run = || {
-        let mut world = World::build(&graph, &shapes, plain()).unwrap();
+        let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
         (0..150).for_each(|step| act(&mut world, step, &things, others));
         world.digest()
     };
@@ -168,7 +168,7 @@ fn any_number_of_threads() {
 #[test]
 fn worlds_can_be_sent_and_shared() {
     fn check<T: Send + Sync>() {}
-    check::<World>();
+    check::<PhysicsWorld>();
     check::<Shapes>();
     check::<vc_physics::Floor>();
 }
@@ -177,9 +177,9 @@ fn worlds_can_be_sent_and_shared() {
 fn damaged_snapshots_are_refused() {
     let (graph, ..) = graph();
     let shapes = Shapes::new();
-    let world = World::build(&graph, &shapes, plain()).unwrap();
+    let world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let bytes = world.save().unwrap();
-    let restore = |bytes: &[u8]| World::restore(bytes, &graph, &shapes).err();
+    let restore = |bytes: &[u8]| PhysicsWorld::restore(bytes, &graph, &shapes).err();
     assert_eq!(restore(b"nonsense"), Some(SnapshotError::NotASnapshot));
     assert_eq!(restore(&[]), Some(SnapshotError::NotASnapshot));
     assert_eq!(restore(&bytes[..bytes.len() - 1]), Some(SnapshotError::Damaged));
@@ -192,7 +192,7 @@ fn damaged_snapshots_are_refused() {
     newer[8] = 99;
     assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 7 }));
     let other = Scene::default().graph();
-    assert!(matches!(World::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
+    assert!(matches!(PhysicsWorld::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
 }
 
 /// A reset moves the differing things and leaves the rest asleep; with too many differences the world is built
@@ -207,7 +207,7 @@ fn reset_moves_what_differs() {
     let cubes: Vec<_> = (0..40).map(|i| scene.cube(0.05, at(-2.0 + 0.12 * i as f32, -2.0, 0.052))).collect();
     let graph = scene.graph();
     let shapes = Shapes::new();
-    let mut template = World::build(&graph, &shapes, Settings::default()).unwrap();
+    let mut template = PhysicsWorld::build(&graph, &shapes, Settings::default()).unwrap();
     template.settle(200);
     let (same, plan) = template.reset(&graph, &shapes).unwrap();
     assert_eq!((same.digest(), plan), (template.digest(), Default::default()));
@@ -253,7 +253,7 @@ fn a_reset_brings_agents_back() {
     let stool = scene.add("stool", stool, at(1.0, 0.0, 0.22));
     let (walker, sitter) = (scene.agent(at(-2.0, 0.0, 0.01)), scene.agent(at(0.3, 0.0, 0.01)));
     let (graph, shapes) = (scene.graph(), Shapes::new());
-    let mut template = World::build(&graph, &shapes, plain()).unwrap();
+    let mut template = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     template.settle(100);
     let fresh = template.poses();
     let (same, _) = template.reset(&graph, &shapes).unwrap();
@@ -287,22 +287,22 @@ fn a_reset_takes_things_off_hooks() {
     edit.place(coat, vc_graph::Place { relation: vc_graph::Relation::On, at: rack }).unwrap();
     edit.commit();
     let (graph, shapes) = (scene.graph(), Shapes::new());
-    let mut template = World::build(&graph, &shapes, plain()).unwrap();
+    let mut template = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     template.settle(100);
-    assert_eq!(template.role(coat), Some(Role::Hung));
+    assert_eq!(template.role(coat), Some(BodyRole::Hung));
     let mut other = graph.clone();
     let mut edit = other.edit();
     edit.place(coat, vc_graph::Place { relation: vc_graph::Relation::On, at: table }).unwrap();
     edit.set_pose(coat, Some(at(2.0, 0.0, 0.9))).unwrap();
     edit.commit();
     let (mut world, plan) = template.reset(&other, &shapes).unwrap();
-    let built = World::build(&other, &shapes, plain()).unwrap();
+    let built = PhysicsWorld::build(&other, &shapes, plain()).unwrap();
     assert_eq!((world.role(coat), plan.built), (built.role(coat), false));
     world.settle(200);
     assert!((world.pose(coat).unwrap().translation.z - 0.79).abs() < 0.006, "{:?}", world.pose(coat));
     // The coat is back on the hook.
     let (hung, _) = world.reset(&graph, &shapes).unwrap();
-    assert_eq!(hung.role(coat), Some(Role::Hung));
+    assert_eq!(hung.role(coat), Some(BodyRole::Hung));
 }
 
 /// Two resets to the same scene give the same world.
@@ -310,7 +310,7 @@ fn a_reset_takes_things_off_hooks() {
 fn resets_are_deterministic() {
     let (graph, things, _) = graph();
     let shapes = Shapes::new();
-    let mut template = World::build(&graph, &shapes, plain()).unwrap();
+    let mut template = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     template.settle(400);
     let mut other = graph.clone();
     let mut edit = other.edit();

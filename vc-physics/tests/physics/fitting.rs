@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, SceneGraph};
-use vc_physics::{Hand, Order, Shapes, World};
+use vc_physics::{Hand, Order, PhysicsWorld, Shapes};
 
 /// A box without a lid, 0.5 m by 0.4 m by 0.3 m inside.
 fn chest(scene: &mut Scene) -> NodeId {
@@ -26,7 +26,7 @@ fn chest(scene: &mut Scene) -> NodeId {
     scene.add("toy_box", asset, at(0.0, 0.0, 0.0))
 }
 
-fn within(world: &World, id: NodeId, chest: NodeId) -> bool {
+fn within(world: &PhysicsWorld, id: NodeId, chest: NodeId) -> bool {
     let (thing, chest) = (world.aabb(id).unwrap(), world.aabb(chest).unwrap());
     let inside = |i: usize| thing.min[i] > chest.min[i] && thing.max[i] < chest.max[i];
     (0..3).all(inside)
@@ -172,10 +172,10 @@ fn shirt() -> (SceneGraph, NodeId, NodeId, NodeId) {
 fn cloth_is_folded_up_in_the_hand() {
     let (mut graph, chest, shirt, me) = shirt();
     let shapes = Shapes::new();
-    let mut world = World::build(&graph, &shapes, plain()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     assert_eq!(world.free_spot_at(shirt, chest, true, Order::Middle).unwrap(), None);
     world.grab(me, Hand::Right, shirt).unwrap();
-    let (mass, by) = (world.mass(shirt).unwrap(), world.bundled(shirt).unwrap().unwrap());
+    let (mass, by) = (world.mass(shirt).unwrap(), world.folded_size(shirt).unwrap().unwrap());
     let mut edit = graph.edit();
     edit.set_scale(shirt, by).unwrap();
     edit.commit();
@@ -185,14 +185,14 @@ fn cloth_is_folded_up_in_the_hand() {
     // So dense that seven kilograms fill a drum of sixty litres.
     let size = world.aabb(shirt).map(|b| b.max - b.min).unwrap();
     assert!((mass / size.product() - 115.0).abs() < 1.0, "{mass} kg in {size:?}");
-    assert!(world.bundled(shirt).unwrap().is_none(), "it gets no smaller");
+    assert!(world.folded_size(shirt).unwrap().is_none(), "it gets no smaller");
     let spot = world.free_spot_at(shirt, chest, true, Order::Near(Point3::origin())).unwrap().unwrap();
     world.put(me, Hand::Right, spot).unwrap();
     let report = world.settle(300);
     assert!(report.at_rest && within(&world, shirt, chest), "{report:?}");
     // A world is written and read with it as it is now.
     let saved = world.save().unwrap();
-    let again = World::restore(&saved, &graph, &shapes).unwrap();
+    let again = PhysicsWorld::restore(&saved, &graph, &shapes).unwrap();
     assert_eq!((again.digest(), again.aabb(shirt)), (world.digest(), world.aabb(shirt)));
 }
 
@@ -203,13 +203,13 @@ fn what_has_moving_parts_is_not_reshaped() {
     let chest = scene.add("dresser", asset, at(0.0, 0.0, 0.0));
     let mut graph = scene.graph();
     let shapes = Shapes::new();
-    let mut world = World::build(&graph, &shapes, plain()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let mut edit = graph.edit();
     edit.set_scale(chest, Vector3::repeat(0.5)).unwrap();
     edit.commit();
     assert!(world.reshape(&graph, chest, &shapes).is_err());
     assert!(world.reshape(&graph, NodeId(999), &shapes).is_err());
-    assert!(world.bundled(NodeId(999)).is_err());
+    assert!(world.folded_size(NodeId(999)).is_err());
 }
 
 /// Of two boards on a tray one is said to come along; the other is left where it was, and falls.

@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{Asset, NodeId, Pose, State};
-use vc_physics::{PhysicsError, Settings, Shapes, World};
+use vc_physics::{PhysicsError, PhysicsWorld, Settings, Shapes};
 
 #[test]
 fn doors_and_drawers_follow_the_graph_and_back() {
@@ -18,7 +18,7 @@ fn doors_and_drawers_follow_the_graph_and_back() {
     let (shut, ajar) = (scene.add("door", door, at(0.0, 0.0, 0.0)), scene.add("door", door, at(2.0, 0.0, 0.0)));
     let mut graph = scene.graph();
     common::open(&mut graph, ajar);
-    let mut world = World::build(&graph, &Shapes::new(), plain()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
     assert_eq!((world.openness(shut), world.openness(ajar)), (Some(0.0), Some(1.0)));
     assert_eq!(world.open_state(shut), Some(State::Closed));
     assert_eq!(world.open_state(ajar), Some(State::Open));
@@ -184,7 +184,7 @@ fn a_window_of_two_leaves() {
         scene.asset(Asset { name: "window".into(), parts: vec![sill, leaf(1.0), leaf(-1.0)], ..Asset::default() });
     let window = scene.add("window", window, at(0.0, 0.0, 0.0));
     let mut world = scene.world();
-    let open = |world: &World| world.moving_parts(window).iter().map(|p| p.open).collect::<Vec<f32>>();
+    let open = |world: &PhysicsWorld| world.moving_parts(window).iter().map(|p| p.open).collect::<Vec<f32>>();
     world.drive(window, 1, 1.0).unwrap();
     assert!(world.settle(600).at_rest);
     let now = open(&world);
@@ -217,19 +217,19 @@ fn doors_that_leap() {
     let ((mut driven, door), (mut leapt, _)) = (scene(false), scene(false));
     driven.drive(door, 0, 1.0).unwrap();
     driven.settle(600);
-    assert!(leapt.leap_open(door, 1.0).unwrap());
+    assert!(leapt.set_openness(door, 1.0).unwrap());
     leapt.settle(100);
-    let angle = |world: &World| world.moving_parts(door)[0].position;
+    let angle = |world: &PhysicsWorld| world.moving_parts(door)[0].position;
     assert!((angle(&driven) - angle(&leapt)).abs() < 0.01, "{} {}", angle(&driven), angle(&leapt));
     let (mut blocked, door) = scene(true);
     let before = blocked.digest();
-    assert!(!blocked.leap_open(door, 1.0).unwrap());
+    assert!(!blocked.set_openness(door, 1.0).unwrap());
     assert_eq!(blocked.digest(), before);
 }
 
 /// A cupboard with a sliding board, and in front of it a door with a rack; a jar stands on the rack, in front
 /// of the board. There may be a wall that the jar hits while the door opens.
-fn racked(wall: bool) -> (World, vc_graph::NodeId, vc_graph::NodeId) {
+fn racked(wall: bool) -> (PhysicsWorld, vc_graph::NodeId, vc_graph::NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
     let slide = Joint { kind: JointKind::Slide, anchor: Point3::origin(), axis: Vector3::x(), limits: (0.0, 0.3) };
@@ -262,9 +262,9 @@ fn racked(wall: bool) -> (World, vc_graph::NodeId, vc_graph::NodeId) {
 #[test]
 fn what_is_in_the_way_moves_first() {
     let (mut world, cupboard, jar) = racked(false);
-    let open = |world: &World| world.moving_parts(cupboard).iter().map(|p| p.open).collect::<Vec<f32>>();
+    let open = |world: &PhysicsWorld| world.moving_parts(cupboard).iter().map(|p| p.open).collect::<Vec<f32>>();
     for wanted in [1.0, 0.0] {
-        assert!(world.leap_open(cupboard, wanted).unwrap());
+        assert!(world.set_openness(cupboard, wanted).unwrap());
         world.settle(200);
         assert!(open(&world).iter().all(|o| (o - wanted).abs() < 0.01), "{:?}", open(&world));
         assert_eq!(world.supports(jar), [cupboard]);
@@ -275,7 +275,7 @@ fn what_is_in_the_way_moves_first() {
 #[test]
 fn a_door_opens_as_far_as_its_load_goes() {
     let (mut world, cupboard, jar) = racked(true);
-    assert!(world.leap_open(cupboard, 1.0).unwrap());
+    assert!(world.set_openness(cupboard, 1.0).unwrap());
     let parts = world.moving_parts(cupboard);
     assert!(parts[0].open > 0.99 && (0.5..0.9).contains(&parts[1].open), "{parts:?}");
     let before = world.pose(jar).unwrap().translation.vector;

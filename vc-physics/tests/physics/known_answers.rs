@@ -8,7 +8,7 @@ use common::{Scene, at, block, material, part, plain, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Asset;
 use vc_graph::asset::{Joint, JointKind, Shape};
-use vc_physics::{Controls, Fixing, Settings, VehiclePlan, World};
+use vc_physics::{Controls, Fixing, PhysicsWorld, Settings, VehiclePlan};
 
 #[test]
 fn free_fall() {
@@ -156,7 +156,7 @@ fn friction_of_a_pendulum_door() {
     let settings = Settings { balanced: false, latches: false, hinge_friction: friction, substeps: 4, ..plain() };
     let mut world = scene.world_with(settings);
     world.put_open(flap, 0, 0.6).unwrap();
-    let position = |world: &World| world.moving_parts(flap)[0].position;
+    let position = |world: &PhysicsWorld| world.moving_parts(flap)[0].position;
     let (mut ends, mut before) = (vec![position(&world)], [position(&world); 2]);
     for _ in 0..600 {
         world.step();
@@ -322,7 +322,7 @@ fn springs_and_dampers_of_a_car() {
     let mut world = scene.world_with(Settings { substeps: 4, ..plain() });
     world.add_vehicle(car, &VehiclePlan::car(1300.0, 2.6, 1.5, 0.32, 0.32)).unwrap();
     world.run(240);
-    let height = |world: &World| world.pose(car).unwrap().translation.z;
+    let height = |world: &PhysicsWorld| world.pose(car).unwrap().translation.z;
     let rest = height(&world);
     world.place(car, at(0.0, 0.0, rest - 0.06)).unwrap();
     let (mut crossings, mut peaks, mut before) = (Vec::new(), Vec::new(), [-0.06_f32; 2]);

@@ -7,7 +7,7 @@ use crate::common;
 use common::{Scene, at};
 use nalgebra::{Point2, Vector2};
 use vc_graph::{NodeId, Seed};
-use vc_physics::{BodyPlan, Doors, Floor, FloorPlan};
+use vc_physics::{BodyPlan, Doors, Floor, FloorOptions};
 
 type Outline = Vec<Point2<f32>>;
 
@@ -116,7 +116,7 @@ fn brute_force(obstacles: &[Outline], radius: f32, from: Point2<f32>, to: Point2
 
 #[test]
 fn ways_are_within_two_percent_of_the_shortest() {
-    let plan = FloorPlan { radius: 0.25, ..FloorPlan::default() };
+    let plan = FloorOptions { radius: 0.25, ..FloorOptions::default() };
     let (mut compared, mut worst, mut only_one, mut tight) = (0, 0.0_f32, 0, 0);
     for seed in 0..100 {
         let (ground, obstacles) = random_floor(seed);
@@ -167,7 +167,7 @@ fn check(points: &[Point2<f32>], obstacles: &[Outline], clearance: f32) {
 /// cells.
 #[test]
 fn ways_are_the_shortest_over_the_cells() {
-    let plan = FloorPlan { radius: 0.2, cell: 0.2, ..FloorPlan::default() };
+    let plan = FloorOptions { radius: 0.2, cell: 0.2, ..FloorOptions::default() };
     for seed in 0..60 {
         let (ground, obstacles) = random_floor(1000 + seed);
         let floor = Floor::of_outlines(&ground, &obstacles, plan);
@@ -204,7 +204,8 @@ fn cells_are_free_whose_middles_keep_clear() {
     let (mut free, mut taken) = (0, 0);
     for seed in 0..400 {
         let mut rng = Seed(seed).child("clear").stream();
-        let plan = FloorPlan { radius: rng.between(0.0, 0.5), cell: rng.between(0.02, 0.2), ..FloorPlan::default() };
+        let plan =
+            FloorOptions { radius: rng.between(0.0, 0.5), cell: rng.between(0.02, 0.2), ..FloorOptions::default() };
         let mut one = || {
             let centre = Point2::new(rng.between(-0.5, 4.5), rng.between(-0.5, 3.5));
             let half = (rng.between(0.02, 0.8), rng.between(0.02, 0.8));
@@ -310,9 +311,9 @@ fn doors_block_and_open() {
     let (scene, doors) = rooms();
     let mut world = scene.world();
     let (left, right) = (Point2::new(-4.0, -1.0), Point2::new(4.0, 1.0));
-    let as_they_are = FloorPlan { doors: Doors::AsTheyAre, ..FloorPlan::default() };
+    let as_they_are = FloorOptions { doors: Doors::AsTheyAre, ..FloorOptions::default() };
     let mut floor = Floor::of(&world, as_they_are);
-    let mut any = Floor::of(&world, FloorPlan::default());
+    let mut any = Floor::of(&world, FloorOptions::default());
     assert_eq!(floor.route(left, right), None, "they are shut");
     let route = any.route(left, right).unwrap();
     assert_eq!(route.doors, doors, "they can be opened");
@@ -341,10 +342,10 @@ fn open_drawers_are_shut_in_passing() {
     let mut world = scene.world();
     world.put_open(chest, 0, 1.0).unwrap();
     let (a, b) = (Point2::new(4.5, -1.5), Point2::new(4.5, 1.5));
-    let straight = FloorPlan { radius: 0.15, ..FloorPlan::default() };
+    let straight = FloorOptions { radius: 0.15, ..FloorOptions::default() };
     let route = Floor::of(&world, straight).route(a, b).unwrap();
     assert!(route.length < 3.01 && route.doors == [chest], "{route:?}");
-    let as_it_is = Floor::of(&world, FloorPlan { doors: Doors::AsTheyAre, ..straight });
+    let as_it_is = Floor::of(&world, FloorOptions { doors: Doors::AsTheyAre, ..straight });
     assert!(as_it_is.route(a, b).is_some_and(|r| r.length > 3.2 && r.doors.is_empty()));
 }
 
@@ -353,7 +354,7 @@ fn chairs_in_the_way() {
     let (mut scene, _) = rooms();
     let crate_ = scene.cube(0.45, at(4.5, 0.0, 0.45));
     let mut world = scene.world();
-    let mut floor = Floor::of(&world, FloorPlan::default());
+    let mut floor = Floor::of(&world, FloorOptions::default());
     let (a, b) = (Point2::new(0.0, 0.0), Point2::new(5.5, 0.0));
     let round = floor.route(a, b).unwrap();
     assert!(round.length > 5.6 && round.points.len() > 2);
@@ -371,7 +372,7 @@ fn ways_stay_open_or_do_not() {
     let (mut scene, _) = rooms();
     let crate_ = scene.cube(0.2, at(4.5, 1.5, 2.0));
     let world = scene.world();
-    let floor = Floor::of(&world, FloorPlan::default());
+    let floor = Floor::of(&world, FloorOptions::default());
     let open = |x: f32, y: f32, from: &[Point2<f32>]| floor.stays_open(&world, crate_, &at(x, y, 0.2), from).unwrap();
     let (left, middle) = (Point2::new(-4.0, -1.0), Point2::new(0.0, 0.0));
     assert!(!open(-2.0, 0.0, &[left]) && !open(-1.5, 0.0, &[middle]));
@@ -391,7 +392,7 @@ fn things_on_tables_are_not_in_the_way() {
     edit.place(cup, vc_graph::Place { relation: vc_graph::Relation::On, at: table }).unwrap();
     edit.commit();
     let mut world = scene.world();
-    let mut floor = Floor::of(&world, FloorPlan::default());
+    let mut floor = Floor::of(&world, FloorOptions::default());
     let area = floor.area();
     world.place(cup, at(4.2, 0.1, 0.79)).unwrap();
     floor.update(&world);
@@ -410,7 +411,7 @@ fn places_to_stand() {
     let high = scene.wall([5.7, -0.3, 2.2], [6.0, 0.3, 2.25]);
     let out_of_reach = scene.cube(0.05, at(5.9, 0.0, 3.2));
     let world = scene.world();
-    let floor = Floor::of(&world, FloorPlan::default());
+    let floor = Floor::of(&world, FloorOptions::default());
     let plan = BodyPlan::default();
     let from = Point2::new(0.0, 0.0);
     for id in [near, floor_toy] {
@@ -441,7 +442,7 @@ fn the_nearest_place_to_stand() {
     let me = scene.agent(at(-3.0, 0.2, 0.0));
     let mut world = scene.world();
     world.run(5);
-    let floor = Floor::of(&world, FloorPlan::default());
+    let floor = Floor::of(&world, FloorOptions::default());
     let (plan, from) = (BodyPlan::default(), Point2::new(-3.0, 0.2));
     let stand = floor.stand(&world, &plan, from, cup).unwrap().unwrap();
     let length = |spot: Point2<f32>| floor.route(from, spot).map(|r| r.length);
@@ -465,7 +466,7 @@ fn the_nearest_place_to_stand() {
 
 #[test]
 fn odd_floors() {
-    let plan = FloorPlan::default();
+    let plan = FloorOptions::default();
     let p = Point2::new(1.0, 1.0);
     for (ground, obstacles) in [
         (vec![], vec![]),

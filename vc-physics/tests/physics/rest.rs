@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, Place, Relation};
-use vc_physics::{Role, Settings, Shapes, Unplaced, World};
+use vc_physics::{BodyRole, PhysicsWorld, Settings, Shapes, UnsupportedThings};
 
 /// A picture without a support hangs, if the graph states the supports of other things.
 #[test]
@@ -22,14 +22,14 @@ fn what_hangs_stays_until_it_is_touched() {
     edit.place(toy, Place { relation: Relation::On, at: floor }).unwrap();
     edit.commit();
     let graph = scene.graph();
-    let mut world = World::build(&graph, &Shapes::new(), plain()).unwrap();
-    assert_eq!((world.role(picture), world.role(toy)), (Some(Role::Hung), Some(Role::Loose)));
+    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
+    assert_eq!((world.role(picture), world.role(toy)), (Some(BodyRole::Hung), Some(BodyRole::Loose)));
     assert!(world.settle(200).is_sound());
     assert!(world.pose(picture).unwrap().translation.z == 1.5);
     world.push(picture, Vector3::new(0.1, 0.0, 0.0), Point3::new(0.0, 0.0, 1.5)).unwrap();
     assert_eq!(world.settle(300).fell, [picture]);
-    let falls = Settings { unplaced: Unplaced::Falls, ..plain() };
-    let mut world = World::build(&graph, &Shapes::new(), falls).unwrap();
+    let falls = Settings { unplaced: UnsupportedThings::Falls, ..plain() };
+    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), falls).unwrap();
     assert_eq!(world.settle(300).fell, [picture]);
 }
 
@@ -53,7 +53,7 @@ fn what_is_on_a_hook_hangs() {
     }
     edit.commit();
     let mut world = scene.world();
-    assert_eq!((world.role(hangs), world.role(falls)), (Some(Role::Hung), Some(Role::Loose)));
+    assert_eq!((world.role(hangs), world.role(falls)), (Some(BodyRole::Hung), Some(BodyRole::Loose)));
     assert_eq!(world.settle(400).fell, [falls]);
 }
 
@@ -70,7 +70,7 @@ fn who_dozes_off() {
     let burden = scene.cube(0.03, at(0.402, 0.3, 0.87));
     let mut world = scene.world();
     world.run(3);
-    world.doze();
+    world.put_to_sleep();
     world.step();
     let asleep = [safe, stacked, edge, burden].map(|id| world.is_asleep(id));
     assert_eq!(asleep, [true, true, false, false]);
@@ -88,9 +88,9 @@ fn what_is_pinned_stays() {
     let mut world = scene.world();
     world.pin(cube).unwrap();
     world.settle(100);
-    assert_eq!((world.role(cube), world.pose(cube).unwrap().translation.z), (Some(Role::Hung), 1.0));
+    assert_eq!((world.role(cube), world.pose(cube).unwrap().translation.z), (Some(BodyRole::Hung), 1.0));
     world.push(cube, Vector3::new(0.01, 0.0, 0.0), Point3::new(0.0, 0.0, 1.0)).unwrap();
-    assert_eq!((world.settle(300).fell, world.role(cube)), (vec![cube], Some(Role::Loose)));
+    assert_eq!((world.settle(300).fell, world.role(cube)), (vec![cube], Some(BodyRole::Loose)));
     assert!(world.pin(floor).is_err());
 }
 
@@ -200,7 +200,7 @@ fn let_down_it_rests() {
     assert!(world.lower(NodeId(77), 0.02).is_err());
     assert!(world.is_at(low, table, false) && !world.is_at(low, table, true) && !world.is_at(high, table, false));
     world.step();
-    world.doze();
+    world.put_to_sleep();
     world.step();
     assert!(world.is_asleep(low) && !world.is_asleep(high));
 }
@@ -218,13 +218,13 @@ fn what_leans_sleeps_where_it_slept() {
     let rested = world.pose(leaning).unwrap();
     world.wake(leaning).unwrap();
     world.step();
-    world.doze();
+    world.put_to_sleep();
     world.step();
     assert!(world.is_asleep(leaning));
     // After it has been moved it does not.
     world.place(leaning, at(-0.01, 0.0, 0.0) * rested).unwrap();
     world.step();
-    world.doze();
+    world.put_to_sleep();
     world.step();
     assert!(!world.is_asleep(leaning));
 }
@@ -245,9 +245,9 @@ fn what_hung_from_it_falls() {
     edit.commit();
     let mut world = scene.world();
     world.settle(100);
-    assert_eq!(world.role(coat), Some(Role::Hung));
+    assert_eq!(world.role(coat), Some(BodyRole::Hung));
     world.remove(rack).unwrap();
-    assert_eq!((world.settle(400).fell, world.role(coat)), (vec![coat], Some(Role::Loose)));
+    assert_eq!((world.settle(400).fell, world.role(coat)), (vec![coat], Some(BodyRole::Loose)));
 }
 
 /// A block whose bottom has eight corners comes to rest from any small tilt: it does not rock from side to side

@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Bounds, Draft, Edge, Relation, SceneBuilder};
-use vc_physics::{Fixing, Order, Role, Settings, Shapes, World};
+use vc_physics::{BodyRole, Fixing, Order, PhysicsWorld, Settings, Shapes};
 
 #[test]
 fn roles_by_class() {
@@ -22,10 +22,10 @@ fn roles_by_class() {
     let strange = scene.add("gizmo_of_no_class", heavy, at(0.0, 2.0, 0.3));
     let (graph, shapes) = (scene.graph(), Shapes::new());
     let roles = |fixing| {
-        let world = World::build(&graph, &shapes, Settings { fixing, ..plain() }).unwrap();
+        let world = PhysicsWorld::build(&graph, &shapes, Settings { fixing, ..plain() }).unwrap();
         [floor, table, sofa, fridge, cup, strange].map(|id| world.role(id).unwrap())
     };
-    use Role::{Fixed, Loose};
+    use BodyRole::{Fixed, Loose};
     // The mass of the table is 33 kg, that of the blocks 130 kg.
     assert_eq!(roles(Fixing::Heavy), [Fixed, Fixed, Fixed, Fixed, Loose, Fixed]);
     assert_eq!(roles(Fixing::Immovable), [Fixed, Loose, Loose, Fixed, Loose, Loose]);
@@ -38,10 +38,10 @@ fn class_masses() {
     let cup = scene.solid("cup", block([0.04, 0.04, 0.04]), scene.wood);
     let heavy = scene.add("cup", cup, at(0.0, 0.0, 1.0));
     let graph = scene.graph();
-    let modelled = World::build(&graph, &Shapes::new(), plain()).unwrap();
+    let modelled = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
     assert!((modelled.mass(heavy).unwrap() - 0.3072).abs() < 1e-3);
     // No cup weighs more than 0.3 kg.
-    let real = World::build(&graph, &Shapes::new(), Settings::default()).unwrap();
+    let real = PhysicsWorld::build(&graph, &Shapes::new(), Settings::default()).unwrap();
     assert!((real.mass(heavy).unwrap() - 0.3).abs() < 1e-4);
     assert_eq!(real.modelled_mass(heavy), modelled.mass(heavy));
 }
@@ -97,7 +97,7 @@ fn free_spots_for_a_footprint() {
     let cube = scene.solid("cube", block([0.1; 3]), scene.wood);
     let mut graph = scene.graph();
     let shapes = Shapes::new();
-    let mut world = World::build(&graph, &shapes, plain()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let near = Order::Near(Point3::new(1.0, 0.6, 0.8));
     let spot = world.free_spot_for(Vector3::repeat(0.1), table, 0, 0.4, near).unwrap().unwrap();
     assert!((spot.translation.z - 0.841).abs() < 1e-4, "the middle of the box: {spot}");
@@ -267,7 +267,7 @@ fn boxes_only() {
         builder.add_on(cabinet, Draft::new("apple").at(at(0.0, 0.0, 0.801)).bounds(size(0.08, 0.08, 0.08))).unwrap();
     let nowhere = builder.add(Draft::new("fork")).unwrap();
     let graph = builder.build();
-    let mut world = World::build(&graph, &Shapes::new(), Settings::default()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), Settings::default()).unwrap();
     assert_eq!(world.skipped(), [nowhere]);
     let report = world.settle(300);
     assert!(report.is_sound(), "{report:?}");
@@ -283,12 +283,12 @@ fn shapes_are_kept_between_worlds_and_dropped_with_their_library() {
     scene.floor(5.0, 0.5);
     scene.table(at(0.0, 0.0, 0.0));
     let graph = scene.graph();
-    World::build(&graph, &shapes, plain()).unwrap();
+    PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     assert_eq!(shapes.len(), 2);
-    World::build(&graph, &shapes, plain()).unwrap();
+    PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     assert_eq!(shapes.len(), 2);
     drop(graph);
     let other = Scene::default().graph();
-    World::build(&other, &shapes, plain()).unwrap();
+    PhysicsWorld::build(&other, &shapes, plain()).unwrap();
     assert!(shapes.is_empty());
 }

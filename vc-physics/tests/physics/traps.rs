@@ -11,7 +11,7 @@ use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Draft};
-use vc_physics::{Settings, Shapes, World};
+use vc_physics::{PhysicsWorld, Settings, Shapes};
 
 /// Bodies that are inserted asleep sink into their supports: `rest` finds contacts first.
 #[test]
@@ -238,7 +238,7 @@ fn no_tunnelling() {
         let can = scene.solid("can", can, scene.wood);
         let mut graph = scene.graph();
         let shapes = Shapes::new();
-        let mut world = World::build(&graph, &shapes, plain()).unwrap();
+        let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
         let things: Vec<_> = (0..500)
             .map(|i| {
                 let mut pose = || {
@@ -291,7 +291,7 @@ fn steps_of_other_lengths() {
     for bad in
         [Settings { dt: 0.0, ..plain() }, Settings { substeps: 0, ..plain() }, Settings { dt: f32::NAN, ..plain() }]
     {
-        assert!(World::build(&graph, &Shapes::new(), bad).is_err());
+        assert!(PhysicsWorld::build(&graph, &Shapes::new(), bad).is_err());
     }
 }
 
@@ -334,7 +334,7 @@ fn what_falls_out_of_the_world_is_stopped() {
     assert_eq!((report.stopped.as_slice(), report.outside.as_slice()), (&[cube][..], &[cube][..]), "{report:?}");
     assert!(world.pose(cube).unwrap().translation.z > -4.0 && world.is_outside(cube));
     world.place(cube, at(1.0, 0.0, 0.3)).unwrap();
-    assert_eq!(world.role(cube), Some(vc_physics::Role::Loose));
+    assert_eq!(world.role(cube), Some(vc_physics::BodyRole::Loose));
     world.settle(300);
     assert!(world.stopped().is_empty() && !world.is_outside(cube));
     assert!((world.pose(cube).unwrap().translation.z - 0.05).abs() < 0.006);
@@ -358,7 +358,7 @@ fn an_agent_over_nothing_falls() {
         world.run(20);
         assert!(world.stopped().is_empty());
         world.run(200);
-        let feet = |world: &World| world.pose(agent).unwrap().translation.vector;
+        let feet = |world: &PhysicsWorld| world.pose(agent).unwrap().translation.vector;
         let end = feet(&world);
         assert!((-4.0..-1.9).contains(&end.z) && world.stopped() == [agent], "{end}");
         world.follow(agent, &[nalgebra::Point2::new(0.0, 0.0)], false).unwrap();

@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, surface, turned};
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{Asset, NodeId, Pose};
-use vc_physics::World;
+use vc_physics::PhysicsWorld;
 
 /// A bath of five boards, 0.8 by 1.6 m, half a metre deep.
 fn bath(scene: &mut Scene, pose: Pose) -> NodeId {
@@ -26,7 +26,7 @@ fn bath(scene: &mut Scene, pose: Pose) -> NodeId {
     scene.add("bathtub", bath, pose)
 }
 
-fn height(world: &World, id: NodeId) -> f32 {
+fn height(world: &PhysicsWorld, id: NodeId) -> f32 {
     world.pose(id).unwrap().translation.z
 }
 

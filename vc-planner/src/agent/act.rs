@@ -5,7 +5,7 @@ use vc_graph::{Action, Property, Refusal, Relation, State, Verb, rule};
 use super::{Agent, Decision};
 use crate::Plan;
 use crate::compile::anchor;
-use crate::tour::drops_elsewhere;
+use crate::expansion::drops_elsewhere;
 
 impl Agent {
     /// Does an action after its prerequisites: a walk, an opening, a free hand.

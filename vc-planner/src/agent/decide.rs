@@ -8,11 +8,11 @@ use super::{Agent, Decision, Mind};
 use crate::Plan;
 use crate::compile::Compiled;
 use crate::demand::Choice;
+use crate::expansion::drops_elsewhere;
 use crate::look::{Look, best_look};
+use crate::open_condition::Unreachable;
 use crate::packed::Way;
 use crate::planner::{Refined, Sketch, plan_in_belief};
-use crate::tour::drops_elsewhere;
-use crate::want::Unreachable;
 
 /// Number of complete searches of the home after which a faithful agent gives up.
 const PATIENCE: usize = 4;

@@ -3,11 +3,11 @@
 
 use vc_graph::{Action, Digest, NodeId, Observation, Verb};
 
-use super::stages::Breach;
+use super::stages::ContractViolation;
 use super::{Agent, Decision};
 use crate::Plan;
 use crate::compile::anchor;
-use crate::want::Unreachable;
+use crate::open_condition::Unreachable;
 
 /// After so many refusals an action is not tried any more: what looks different each time may fail all the same.
 const MOST: usize = 3;
@@ -71,7 +71,7 @@ impl Agent {
                 (Decision::GiveUp(_), Some(why)) => return Decision::GiveUp(why),
                 (decision, _) => return decision,
             };
-            if let Some(Breach { why, action }) = self.breach(&plan.actions) {
+            if let Some(ContractViolation { why, action }) = self.breach(&plan.actions) {
                 self.forget_plans();
                 self.breach = Some(why.clone());
                 if !action.is_some_and(|action| self.bar(&action)) {

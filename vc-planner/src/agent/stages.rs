@@ -5,13 +5,13 @@ use vc_graph::{Action, Event, Goal, SceneGraph, rule};
 
 use super::{Agent, Decision};
 use crate::agenda::{Agenda, Aim, Guard, Moment};
-use crate::want::Unreachable;
+use crate::open_condition::Unreachable;
 
 /// Most stages and alternatives that are gone through for one decision.
 const STAGES: usize = 64;
 
 /// Why a plan is not taken.
-pub(super) struct Breach {
+pub(super) struct ContractViolation {
     pub(super) why: Unreachable,
     /// The action that breaks a part; none if the plan only takes too long.
     pub(super) action: Option<Action>,
@@ -67,7 +67,7 @@ impl Agent {
     }
 
     /// Whether a plan breaks what must stay so until the aim is reached, or reaches it too late.
-    pub(super) fn breach(&self, plan: &[Action]) -> Option<Breach> {
+    pub(super) fn breach(&self, plan: &[Action]) -> Option<ContractViolation> {
         let aim = self.aim.as_ref().filter(|aim| aim.by.is_some() || !aim.guards.is_empty())?;
         let mut graph = self.belief.graph().clone();
         let mut events = self.history.events().get(self.since()..).unwrap_or_default().to_vec();
@@ -97,15 +97,16 @@ impl Agent {
         guard.goal.holds(&Situation { graph, agent: self.id, events })
     }
 
-    fn broken(&self, goal: &Goal, guard: &Guard, action: &Action) -> Breach {
+    fn broken(&self, goal: &Goal, guard: &Guard, action: &Action) -> ContractViolation {
         let described = action.describe(self.belief.graph()).to_string();
         let why = Unreachable::Breaks { goal: goal.to_string(), part: guard.part.clone(), action: described };
-        Breach { why, action: Some(*action) }
+        ContractViolation { why, action: Some(*action) }
     }
 
-    fn too_late(&self, aim: &Aim, more: usize) -> Option<Breach> {
+    fn too_late(&self, aim: &Aim, more: usize) -> Option<ContractViolation> {
         let (by, part) = aim.by.as_ref()?;
         let steps = self.history.events().len() + more;
-        (steps > *by).then(|| Breach { why: Unreachable::TooLate { part: part.clone(), steps }, action: None })
+        (steps > *by)
+            .then(|| ContractViolation { why: Unreachable::TooLate { part: part.clone(), steps }, action: None })
     }
 }

@@ -102,7 +102,7 @@ fn marginals_are_those_of_a_brute_force_filter() {
         let home = home(seed);
         let places = places::all(&home.scene);
         let (mut homes, mut judge) = (possible(&places), Judge::new(&home, &places, &prior));
-        let mut belief = Belief::by_prior(&home.scene, home.me, seed, prior);
+        let mut belief = Belief::with_prior(&home.scene, home.me, seed, prior);
         let mut world = Simulator::new(home.scene.clone());
         let mut stream = Seed(seed).child("walk").stream();
         for _ in 0..5 {

@@ -1,7 +1,7 @@
 //! What is still missing: found, lost, or guessed anew where it was not.
 
 use rand_chacha::rand_core::Rng;
-use vc_graph::{Kind, Node, NodeId, Observation, Place, Property, Relation};
+use vc_graph::{Node, NodeId, NodeKind, Observation, Place, Property, Relation};
 
 use super::places::{in_view, left};
 use super::{Belief, Learned};
@@ -108,8 +108,8 @@ impl Belief {
     /// Expects to get at a thing no more, nor at anything on or in it: what is only guessed
     /// there is guessed elsewhere, what is known there cannot be picked up. Whether there was
     /// anything to expect.
-    pub(crate) fn shun(&mut self, id: NodeId) -> bool {
-        if self.graph.node(id).is_none_or(|n| n.kind() != Kind::Object) || self.shunned.contains(&id) {
+    pub(crate) fn exclude(&mut self, id: NodeId) -> bool {
+        if self.graph.node(id).is_none_or(|n| n.kind() != NodeKind::Object) || self.shunned.contains(&id) {
             return false;
         }
         self.shunned.push(id);

@@ -1,6 +1,6 @@
 //! Where things can be, and whether that can be seen from where one stands.
 
-use vc_graph::{Kind, Node, NodeId, ObjectRole, Observation, Place, Property, Relation, SceneGraph};
+use vc_graph::{Node, NodeId, NodeKind, ObjectRole, Observation, Place, Property, Relation, SceneGraph};
 
 use super::Belief;
 use crate::prior::Kinds;
@@ -64,8 +64,8 @@ pub(super) fn all(graph: &SceneGraph) -> Vec<Place> {
     let mut places = Vec::new();
     for node in graph.nodes() {
         match node.kind() {
-            Kind::Room if bare(node.id()) => places.push(Place { relation: Relation::InRoom, at: node.id() }),
-            Kind::Object => places.extend(fixed(node)),
+            NodeKind::Room if bare(node.id()) => places.push(Place { relation: Relation::InRoom, at: node.id() }),
+            NodeKind::Object => places.extend(fixed(node)),
             _ => {}
         }
     }
@@ -75,7 +75,7 @@ pub(super) fn all(graph: &SceneGraph) -> Vec<Place> {
 /// The places that a thing which stays where it is has to offer.
 fn fixed(node: &Node) -> impl Iterator<Item = Place> {
     let affords = |p| node.affords(p);
-    let fixed = node.kind() == Kind::Object && !affords(Property::Graspable);
+    let fixed = node.kind() == NodeKind::Object && !affords(Property::Graspable);
     let surface = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(affords);
     let offers = [(Relation::On, surface), (Relation::Inside, affords(Property::Container))];
     let at = node.id();

@@ -1,7 +1,7 @@
 //! Updates of the sampled state by observations, messages and actions.
 
 use vc_graph::{
-    Action, Change, ChangeSet, Edge, Kind, Node, NodeId, Observation, Place, Property, Relation, SceneGraph, rule,
+    Action, Change, ChangeSet, Edge, Node, NodeId, NodeKind, Observation, Place, Property, Relation, SceneGraph, rule,
 };
 
 use super::{Belief, Learned};
@@ -30,7 +30,7 @@ impl Belief {
         self.meet(told);
         for node in told.nodes().filter(|n| n.id() != me) {
             let id = node.id();
-            if self.known.insert(id) && node.kind() != Kind::Room {
+            if self.known.insert(id) && node.kind() != NodeKind::Room {
                 learned.found.push(id);
                 self.learn_places(node, told.room_of(id));
             }
@@ -98,7 +98,7 @@ impl Belief {
             if same && !self.touched.contains(&id) {
                 continue;
             }
-            if self.known.insert(id) && node.kind() != Kind::Room {
+            if self.known.insert(id) && node.kind() != NodeKind::Room {
                 learned.found.push(id);
                 self.learn_places(node, seen.room_of(id));
             }

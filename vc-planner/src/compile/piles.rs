@@ -1,12 +1,12 @@
 //! The things to carry: held things, and piles of things.
 
 use vc_graph::goal::largest_matching;
-use vc_graph::{Edge, Kind, Node, NodeId, Property, Relation};
+use vc_graph::{Edge, Node, NodeId, NodeKind, Property, Relation};
 
 use super::site::Standing;
 use super::{Compiler, SPARE};
-use crate::few::Few;
 use crate::packed::{MOST, Need, Pile, Spot, Way, ones, run_of};
+use crate::small_list::SmallList;
 
 impl Compiler<'_> {
     /// Adds the held things.
@@ -60,7 +60,7 @@ impl Compiler<'_> {
             let at = self.standing(id);
             match piles.iter_mut().find(|p| p.at == at && p.serves == serves) {
                 Some(pile) => pile.items.push(id),
-                None => piles.push(Lot { at, serves, items: Few::One(id) }),
+                None => piles.push(Lot { at, serves, items: SmallList::One(id) }),
             }
         }
         if piles.len() > SPARE {
@@ -91,8 +91,9 @@ impl Compiler<'_> {
         if standing.anchor != id || graph.near(self.now.agent, id) {
             return standing;
         }
-        let fixed =
-            |at: NodeId| graph.node(at).is_some_and(|n| n.kind() == Kind::Object && !n.affords(Property::Graspable));
+        let fixed = |at: NodeId| {
+            graph.node(at).is_some_and(|n| n.kind() == NodeKind::Object && !n.affords(Property::Graspable))
+        };
         let beside = |spot: &&Spot| {
             graph.has(Edge::new(id, Relation::Near, spot.anchor))
                 && fixed(spot.anchor)
@@ -180,5 +181,5 @@ impl Compiler<'_> {
 struct Lot {
     at: Standing,
     serves: u32,
-    items: Few,
+    items: SmallList,
 }

@@ -1,6 +1,6 @@
 //! The sites that packed plans work on: spots to walk to, doors and switches.
 
-use vc_graph::{Kind, NodeId, ObjectRole, Place, Property, Relation, SceneGraph, State as Word};
+use vc_graph::{NodeId, NodeKind, ObjectRole, Place, Property, Relation, SceneGraph, State as Word};
 
 use super::Compiler;
 use crate::manners::Touched;
@@ -23,7 +23,7 @@ impl Compiler<'_> {
         }
         let node = graph.node(anchor)?;
         let surface =
-            node.kind() == Kind::Object && node.affords(Property::Surface) && !node.affords(Property::Graspable);
+            node.kind() == NodeKind::Object && node.affords(Property::Surface) && !node.affords(Property::Graspable);
         self.out.problem.spots.push(Spot { anchor, room: Some(room), reach: bit(number as u8), surface });
         if graph.near(me, anchor) || graph.room_of(me) == Some(anchor) {
             self.out.start.at |= bit(number as u8);

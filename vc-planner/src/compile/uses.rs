@@ -4,9 +4,9 @@ use vc_graph::{Action, Condition, NodeId, Property, Relation, State as Word, Ver
 
 use super::{Compiler, Lack, Result, SPARE, anchor};
 use crate::demand::Demand;
-use crate::few::Few;
+use crate::open_condition::Unreachable;
 use crate::packed::{BITS, MOST, Way};
-use crate::want::Unreachable;
+use crate::small_list::SmallList;
 
 impl Compiler<'_> {
     pub(super) fn state(&mut self, demand: &Demand<'_>, short: usize, word: Word) -> Result<()> {
@@ -165,7 +165,7 @@ impl Compiler<'_> {
         let needs = rule::preconditions(&action(fit[0]));
         let held = needs.iter().any(|c| matches!(c, Condition::Holding(_)));
         if held && needs.iter().all(|c| c.is_lasting() || matches!(c, Condition::Holding(_))) {
-            let narrowed = Demand { things: [Few::Many(fit), Few::NONE], ..demand.clone() };
+            let narrowed = Demand { things: [SmallList::Many(fit), SmallList::NONE], ..demand.clone() };
             return self.need(&narrowed, short, vec![Way::UseHeld { verb }]);
         }
         let known: Vec<NodeId> = fit.iter().copied().filter(|id| self.is_located(*id)).collect();

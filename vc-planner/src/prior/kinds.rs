@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use vc_graph::{NodeId, ObjectRole, Place, Property, Relation, SceneGraph};
 
-use super::{Kin, Row};
+use super::{RelatedClasses, Row};
 
 /// The places of a belief by their kind, in the order in which they became known.
 #[derive(Debug, Clone, Default)]
@@ -13,7 +13,7 @@ pub(crate) struct Kinds {
     /// The kind of each place.
     of: Vec<u16>,
     /// The places where the scene's class table keeps things of related classes.
-    kin: Arc<Kin>,
+    kin: Arc<RelatedClasses>,
 }
 
 /// Places that are alike.
@@ -35,7 +35,7 @@ pub(crate) struct PlaceKind {
 
 impl Kinds {
     pub(crate) fn of(graph: &SceneGraph, places: &[Place]) -> Self {
-        let mut kinds = Self { kin: Kin::of(graph.classes()), ..Self::default() };
+        let mut kinds = Self { kin: RelatedClasses::of(graph.classes()), ..Self::default() };
         places.iter().for_each(|place| kinds.add(graph, place, graph.room_of(place.at)));
         kinds
     }
@@ -56,7 +56,7 @@ impl Kinds {
         &self.all
     }
 
-    pub(crate) fn kin(&self) -> &Kin {
+    pub(crate) fn kin(&self) -> &RelatedClasses {
         &self.kin
     }
 

@@ -2,7 +2,7 @@
 
 use vc_graph::{NodeId, Relation, SceneGraph};
 
-use super::Kin;
+use super::RelatedClasses;
 use super::kinds::PlaceKind;
 
 /// Factor for a room in which related things are not kept anywhere, such as a bathroom for a plate.
@@ -22,7 +22,7 @@ const LEAST: f64 = 1e-6;
 const LARGEST: f64 = 1.0;
 
 /// The unnormalized probability that a thing is at any of the places of a kind.
-pub(crate) fn stray(graph: &SceneGraph, kin: &Kin, id: NodeId, kind: &PlaceKind, home: bool) -> f64 {
+pub(crate) fn stray(graph: &SceneGraph, kin: &RelatedClasses, id: NodeId, kind: &PlaceKind, home: bool) -> f64 {
     let classes = graph.classes();
     let thing = graph.node(id).and_then(|n| classes.get(n.class()));
     let at = (!kind.floor).then(|| classes.get(&kind.at)).flatten();

@@ -4,7 +4,7 @@ use vc_graph::goal::Goal;
 use vc_graph::{Action, Refusal, Verb, rule};
 
 use super::{ROUNDS, Regression};
-use crate::tour::drops_elsewhere;
+use crate::expansion::drops_elsewhere;
 
 impl Regression<'_> {
     /// Executes actions, adds a walk or a rise between them where necessary, and leaves out unnecessary walks.

@@ -5,7 +5,7 @@ use vc_graph::{Condition, NodeId, State};
 
 use super::Regression;
 use crate::manners::Touched;
-use crate::want::{Subgoal, Want};
+use crate::open_condition::{OpenCondition, Subgoal};
 
 /// Subgoals from this stage on come after tidying up, since an agent that sits cannot walk.
 const LAST: u8 = 6;
@@ -21,7 +21,7 @@ impl Regression<'_> {
     }
 
     /// Restores one of them when only the last subgoals are open, if the goal is no further off afterwards.
-    pub(super) fn put_back(&mut self, goal: &Goal, subgoals: &[Subgoal]) -> Option<(Want, usize)> {
+    pub(super) fn put_back(&mut self, goal: &Goal, subgoals: &[Subgoal]) -> Option<(OpenCondition, usize)> {
         self.touched?;
         let last = |s: &Subgoal| s.options.first().is_none_or(|want| self.view().stage(want) >= LAST);
         if !subgoals.iter().all(last) {
@@ -29,7 +29,7 @@ impl Regression<'_> {
         }
         let mark = self.trail.len();
         for (id, was) in self.amiss() {
-            let want = Want::Hold(Condition::In(id, was));
+            let want = OpenCondition::Hold(Condition::In(id, was));
             if self.settle(&want) && self.is_no_further(goal, subgoals.len()) {
                 return Some((want, self.trail.len() - mark));
             }

@@ -3,8 +3,8 @@
 use vc_graph::goal::{Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{Action, Condition, NodeId, Relation, State, Verb};
 
+use crate::open_condition::OpenCondition;
 use crate::subgoal::View;
-use crate::want::Want;
 
 /// What the whole goal says about how to go about its parts.
 #[derive(Debug, Clone, Default)]
@@ -75,30 +75,30 @@ impl View<'_> {
     /// When in the sequence of subgoals to go about a want: things are carried and
     /// looked for first, doors closed and machines switched on when that is done,
     /// and only then does one sit down, turn to something and watch it.
-    pub(crate) fn stage(&self, want: &Want) -> u8 {
+    pub(crate) fn stage(&self, want: &OpenCondition) -> u8 {
         let me = self.now.agent;
         match want {
-            Want::See(_) | Want::LookInto(_) => 0,
-            Want::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
+            OpenCondition::See(_) | OpenCondition::LookInto(_) => 0,
+            OpenCondition::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
                 if *from != me =>
             {
                 1
             }
-            Want::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 8,
-            Want::Hold(Condition::In(_, State::Open)) => 2,
-            Want::Hold(Condition::In(_, State::Closed)) => 3,
-            Want::Hold(Condition::In(_, State::On)) => 4,
-            Want::Hold(Condition::In(..)) => 2,
-            Want::Hold(Condition::Holding(_)) => 5,
+            OpenCondition::Hold(Condition::In(id, State::Sitting | State::Lying)) if *id == me => 8,
+            OpenCondition::Hold(Condition::In(_, State::Open)) => 2,
+            OpenCondition::Hold(Condition::In(_, State::Closed)) => 3,
+            OpenCondition::Hold(Condition::In(_, State::On)) => 4,
+            OpenCondition::Hold(Condition::In(..)) => 2,
+            OpenCondition::Hold(Condition::Holding(_)) => 5,
             // The right hand is filled first.
-            Want::Hold(Condition::Related(_, Relation::HoldsRight, _)) => 4,
-            Want::Hold(Condition::Related(_, Relation::HoldsLeft, _)) => 6,
-            Want::Do(action) => self.stage_of(action.verb),
-            Want::Hold(Condition::Near(_)) => 6,
-            Want::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,
-            Want::Hold(Condition::Related(_, Relation::SittingOn | Relation::LyingOn, _)) => 7,
-            Want::Hold(Condition::Facing(_)) => 9,
-            Want::Hold(_) => 4,
+            OpenCondition::Hold(Condition::Related(_, Relation::HoldsRight, _)) => 4,
+            OpenCondition::Hold(Condition::Related(_, Relation::HoldsLeft, _)) => 6,
+            OpenCondition::Do(action) => self.stage_of(action.verb),
+            OpenCondition::Hold(Condition::Near(_)) => 6,
+            OpenCondition::Hold(Condition::Related(_, Relation::InRoom, _)) => 6,
+            OpenCondition::Hold(Condition::Related(_, Relation::SittingOn | Relation::LyingOn, _)) => 7,
+            OpenCondition::Hold(Condition::Facing(_)) => 9,
+            OpenCondition::Hold(_) => 4,
         }
     }
 
@@ -111,14 +111,14 @@ impl View<'_> {
     }
 
     /// Roughly how far away it is to bring something about.
-    pub(crate) fn cost(&self, want: &Want) -> u32 {
+    pub(crate) fn cost(&self, want: &OpenCondition) -> u32 {
         match want {
-            Want::See(id) | Want::LookInto(id) => self.way(*id) + 1,
-            Want::Do(action) => {
+            OpenCondition::See(id) | OpenCondition::LookInto(id) => self.way(*id) + 1,
+            OpenCondition::Do(action) => {
                 let named = |id| self.hints.named.is_empty() || self.hints.named.contains(&id);
                 action.things().map(|id| self.way(id) + UNNAMED * u32::from(!named(id))).sum()
             }
-            Want::Hold(condition) => match *condition {
+            OpenCondition::Hold(condition) => match *condition {
                 Condition::Related(from, _, to) => self.way(from) + self.way(to),
                 Condition::In(id, _)
                 | Condition::Holding(id)

@@ -5,7 +5,7 @@ use vc_graph::{Action, Node, NodeId, Place, Property, Relation, Verb};
 
 use super::number::Limit;
 use super::{Bindings, Found, View};
-use crate::want::{Subgoal, Unreachable, Want};
+use crate::open_condition::{OpenCondition, Subgoal, Unreachable};
 
 impl View<'_> {
     /// At least, or at most, a number of different things has to satisfy a literal.
@@ -28,7 +28,7 @@ impl View<'_> {
             return Err(Unreachable::NoInstance(goal.to_string()));
         }
         let mut met = 0;
-        let mut options: Vec<Want> = Vec::new();
+        let mut options: Vec<OpenCondition> = Vec::new();
         for (_, things) in &choices {
             let holding = || things.iter().filter(|t| self.now.holds(literal.predicate, **t));
             if holding().any(|t| self.is_known(literal, t)) {
@@ -53,7 +53,7 @@ impl View<'_> {
     /// At most a number of things may satisfy a literal.
     pub(super) fn at_most(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
         let (mut holding, mut carried) = (Vec::new(), Vec::new());
-        let mut looks: Vec<Want> = Vec::new();
+        let mut looks: Vec<OpenCondition> = Vec::new();
         for (_, things) in self.choices(literal, bound) {
             for t in things {
                 if self.now.holds(literal.predicate, t) {
@@ -67,7 +67,8 @@ impl View<'_> {
         }
         let excess = holding.len().saturating_sub(number);
         if excess > 0 {
-            let mut options: Vec<Want> = holding.iter().flat_map(|t| self.undo(literal.predicate, *t)).collect();
+            let mut options: Vec<OpenCondition> =
+                holding.iter().flat_map(|t| self.undo(literal.predicate, *t)).collect();
             options.sort_by_cached_key(|w| self.cost(w));
             let irrevocable = options.is_empty();
             return if irrevocable {
@@ -79,7 +80,7 @@ impl View<'_> {
         // A thing that has been carried out of a room is dropped first, lest the agent carry it back in when it
         // looks further.
         if let Some(&id) = carried.first().filter(|_| !looks.is_empty()) {
-            return Ok(vec![Subgoal { options: vec![Want::Do(Action::one(Verb::Drop, id))] }]);
+            return Ok(vec![Subgoal { options: vec![OpenCondition::Do(Action::one(Verb::Drop, id))] }]);
         }
         looks.sort_by_cached_key(|want| self.cost(want));
         Ok(looks.into_iter().map(|want| Subgoal { options: vec![want] }).collect())
@@ -130,7 +131,7 @@ impl View<'_> {
             let needs = vc_graph::rule::preconditions(&probe);
             needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(self.graph(), self.now.agent))
         };
-        self.graph().nodes().filter(|n| n.kind() == vc_graph::Kind::Object).filter(fits).map(Node::id).collect()
+        self.graph().nodes().filter(|n| n.kind() == vc_graph::NodeKind::Object).filter(fits).map(Node::id).collect()
     }
 
     fn is_known(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> bool {
@@ -138,16 +139,22 @@ impl View<'_> {
     }
 
     /// The things to look at to be certain of a literal.
-    fn to_see(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
+    fn to_see(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<OpenCondition> {
         if matches!(literal.predicate, Predicate::Did(_)) {
             return Vec::new();
         }
-        things.iter().flatten().filter(|&&id| !self.known.contains(id)).take(1).map(|&id| Want::See(id)).collect()
+        things
+            .iter()
+            .flatten()
+            .filter(|&&id| !self.known.contains(id))
+            .take(1)
+            .map(|&id| OpenCondition::See(id))
+            .collect()
     }
 
     /// The things to look at to be certain that a literal does not hold: for the place of a thing, the unseen
     /// places that the literal names.
-    fn to_rule_out(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<Want> {
+    fn to_rule_out(&self, literal: &Literal, things: &[Option<NodeId>; 2]) -> Vec<OpenCondition> {
         let (
             Predicate::Relation(relation @ (Relation::On | Relation::Inside | Relation::InRoom)),
             [Some(id), Some(at)],
@@ -165,8 +172,8 @@ impl View<'_> {
             _ => place.at == at || graph.room_of(place.at) == Some(at) || graph.support_chain(place.at).contains(&at),
         };
         let look = |place: &Place| match place.relation {
-            Relation::Inside => Want::LookInto(place.at),
-            _ => Want::See(place.at),
+            Relation::Inside => OpenCondition::LookInto(place.at),
+            _ => OpenCondition::See(place.at),
         };
         self.unseen.iter().filter(there).map(look).collect()
     }

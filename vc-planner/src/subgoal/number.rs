@@ -4,7 +4,7 @@ use vc_graph::NodeId;
 use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
 
 use super::{Bindings, Found, View, bind, sift};
-use crate::want::{Subgoal, Unreachable, Want};
+use crate::open_condition::{OpenCondition, Subgoal, Unreachable};
 
 /// The required number.
 #[derive(Debug, Clone, Copy)]
@@ -128,7 +128,7 @@ impl View<'_> {
 
 /// Whether a way consists only of looks, or of nothing.
 fn is_look(way: &[Subgoal]) -> bool {
-    way.iter().all(|s| s.options.first().is_some_and(Want::is_look))
+    way.iter().all(|s| s.options.first().is_some_and(OpenCondition::is_look))
 }
 
 /// The open subgoals of a number of pairs: pairs with few subgoals are preferred, and no pair that holds is

@@ -4,29 +4,29 @@ use vc_graph::goal::Predicate;
 use vc_graph::{Action, Condition, NodeId, Property, Relation, State, Verb};
 
 use super::View;
-use crate::want::Want;
+use crate::open_condition::OpenCondition;
 
 impl View<'_> {
     /// The wants that would make a predicate true for given things.
-    pub(super) fn wants(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
+    pub(super) fn wants(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<OpenCondition> {
         let me = self.now.agent;
-        let hold = |c| vec![Want::Hold(c)];
+        let hold = |c| vec![OpenCondition::Hold(c)];
         match (predicate, things) {
             (Predicate::State(state), [Some(id), _]) => hold(Condition::In(id, state)),
             (Predicate::Holds, [Some(agent), Some(id)]) if agent == me => hold(Condition::Holding(id)),
             (Predicate::Relation(relation), [Some(from), Some(to)]) => self.wants_relation(from, relation, to),
             (Predicate::Did(verb), [object, target]) => {
                 let things: Vec<NodeId> = object.into_iter().chain(target).collect();
-                Action::with(verb, &things).map(Want::Do).into_iter().collect()
+                Action::with(verb, &things).map(OpenCondition::Do).into_iter().collect()
             }
             _ => Vec::new(),
         }
     }
 
-    fn wants_relation(&self, from: NodeId, relation: Relation, to: NodeId) -> Vec<Want> {
+    fn wants_relation(&self, from: NodeId, relation: Relation, to: NodeId) -> Vec<OpenCondition> {
         let me = self.now.agent;
         let room = self.graph().rooms().contains(&to);
-        let related = |relation| vec![Want::Hold(Condition::Related(from, relation, to))];
+        let related = |relation| vec![OpenCondition::Hold(Condition::Related(from, relation, to))];
         let fixed = from != me && !Condition::Graspable(from).holds(self.graph(), me);
         if from == to || (fixed && matches!(relation, Relation::On | Relation::Inside | Relation::InRoom)) {
             return Vec::new();
@@ -40,37 +40,39 @@ impl View<'_> {
                 let (first, second) = if self.hints.lying { (lie, sit) } else { (sit, lie) };
                 first.into_iter().chain(second).flat_map(related).collect()
             }
-            Relation::On if to == me => vec![Want::Hold(Condition::Worn(from))],
+            Relation::On if to == me => vec![OpenCondition::Hold(Condition::Worn(from))],
             Relation::Inside | Relation::InRoom if room => related(Relation::InRoom),
-            Relation::Near if from == me && room => vec![Want::Hold(Condition::Related(me, Relation::InRoom, to))],
-            Relation::Near if from == me => vec![Want::Hold(Condition::Near(to))],
-            Relation::Facing if from == me => vec![Want::Hold(Condition::Facing(to))],
+            Relation::Near if from == me && room => {
+                vec![OpenCondition::Hold(Condition::Related(me, Relation::InRoom, to))]
+            }
+            Relation::Near if from == me => vec![OpenCondition::Hold(Condition::Near(to))],
+            Relation::Facing if from == me => vec![OpenCondition::Hold(Condition::Facing(to))],
             _ => related(relation),
         }
     }
 
     /// The wants that would make a predicate false for given things.
-    pub(super) fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<Want> {
+    pub(super) fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<OpenCondition> {
         let me = self.now.agent;
         match (predicate, things) {
             (Predicate::State(State::Sitting | State::Lying), [Some(id), _]) if id == me => {
-                vec![Want::Hold(Condition::Upright)]
+                vec![OpenCondition::Hold(Condition::Upright)]
             }
             (Predicate::State(state), [Some(id), _]) => {
-                state.opposites().iter().map(|s| Want::Hold(Condition::In(id, s))).collect()
+                state.opposites().iter().map(|s| OpenCondition::Hold(Condition::In(id, s))).collect()
             }
-            (Predicate::Holds, [_, Some(id)]) => vec![Want::Do(Action::one(Verb::Drop, id))],
+            (Predicate::Holds, [_, Some(id)]) => vec![OpenCondition::Do(Action::one(Verb::Drop, id))],
             (Predicate::Relation(relation), [Some(from), Some(to)]) => match relation {
-                Relation::HoldsRight | Relation::HoldsLeft => vec![Want::Do(Action::one(Verb::Drop, to))],
-                Relation::SittingOn | Relation::LyingOn => vec![Want::Hold(Condition::Upright)],
-                Relation::On | Relation::Inside if from == me => vec![Want::Hold(Condition::Upright)],
+                Relation::HoldsRight | Relation::HoldsLeft => vec![OpenCondition::Do(Action::one(Verb::Drop, to))],
+                Relation::SittingOn | Relation::LyingOn => vec![OpenCondition::Hold(Condition::Upright)],
+                Relation::On | Relation::Inside if from == me => vec![OpenCondition::Hold(Condition::Upright)],
                 // Picking a thing up does not take it out of the room.
                 Relation::Inside | Relation::InRoom if self.graph().rooms().contains(&to) => {
                     let others = self.graph().rooms().iter().filter(|room| **room != to);
-                    others.map(|&room| Want::Hold(Condition::Related(from, Relation::InRoom, room))).collect()
+                    others.map(|&room| OpenCondition::Hold(Condition::Related(from, Relation::InRoom, room))).collect()
                 }
                 Relation::On | Relation::Inside | Relation::WornBy | Relation::InRoom => {
-                    vec![Want::Hold(Condition::Holding(from))]
+                    vec![OpenCondition::Hold(Condition::Holding(from))]
                 }
                 _ => Vec::new(),
             },

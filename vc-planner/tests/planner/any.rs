@@ -8,10 +8,10 @@ use crate::brute;
 use vc_graph::goal::Situation;
 use vc_graph::rule::{self, Effect};
 use vc_graph::{
-    Action, ChangeSet, Draft, Event, Goal, History, Kind, NodeId, Property, PropertySet, SceneBuilder, SceneGraph,
+    Action, ChangeSet, Draft, Event, Goal, History, NodeId, NodeKind, Property, PropertySet, SceneBuilder, SceneGraph,
     Seed, Simulator, State, Stream, Verb, Word,
 };
-use vc_planner::{Newcomer, Policy, Resident, Run, Unreachable, plan};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Unreachable, plan};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
 const FIXED: [&str; 8] =
@@ -103,7 +103,7 @@ fn any_goals(number: u64) -> impl Iterator<Item = (u64, String, Goal)> {
 
 /// The possible actions on the things that a goal names, and on their supports and containers.
 fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
-    let named = scene.nodes().filter(|n| n.kind() != Kind::Agent && text.contains(&**n.class())).map(|n| n.id());
+    let named = scene.nodes().filter(|n| n.kind() != NodeKind::Agent && text.contains(&**n.class())).map(|n| n.id());
     let mut things: Vec<NodeId> = named.flat_map(|id| [Some(id), scene.place(id).map(|p| p.at)]).flatten().collect();
     things.sort_unstable();
     things.dedup();
@@ -179,8 +179,13 @@ fn no_goal_makes_an_agent_loop() {
     for (seed, text, goal) in any_goals(150) {
         let scene = home(seed);
         let task = Task { step_limit: LIMIT, ..Task::new("any", goal) };
-        for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()] {
-            let episode = Run::seeded(seed).episode(policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
+        for policy in [
+            &mut PlannerPolicy::best() as &mut dyn Policy,
+            &mut PlannerPolicy::faithful(),
+            &mut OraclePolicy::default(),
+        ] {
+            let episode =
+                EpisodeOptions::seeded(seed).episode(policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
             assert_ne!(episode.outcome, Outcome::TimedOut, "{seed} {}: {text}: {episode:?}", policy.name());
         }
     }
@@ -221,13 +226,15 @@ fn no_world_makes_an_agent_loop() {
     for (seed, text, goal) in any_goals(60) {
         let task = Task { step_limit: LIMIT, ..Task::new("any", goal) };
         for (homes, refuses) in [(1, 1), (1, 2), (1, usize::MAX), (3, 3), (2, usize::MAX)] {
-            for policy in
-                [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()]
-            {
+            for policy in [
+                &mut PlannerPolicy::best() as &mut dyn Policy,
+                &mut PlannerPolicy::faithful(),
+                &mut OraclePolicy::default(),
+            ] {
                 // The same things at other places.
                 let homes = (0..homes).map(|i| home(1_000 + seed + i)).collect();
                 let mut world = Contrary { homes, history: History::default(), steps: 0, refuses };
-                let episode = Run::seeded(seed).episode(policy, &task, &mut world, &mut |_| {});
+                let episode = EpisodeOptions::seeded(seed).episode(policy, &task, &mut world, &mut |_| {});
                 assert_ne!(episode.outcome, Outcome::TimedOut, "{seed} {refuses} {}: {text}", policy.name());
             }
         }
@@ -349,14 +356,17 @@ fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
                 ] {
                     let task = Task::new("contradiction", text.parse().unwrap());
                     // A policy that does not know the place of the pot can only search one of its two rooms.
-                    let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(Resident::default())];
+                    let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(OraclePolicy::default())];
                     if !apart {
-                        policies
-                            .extend([Box::new(Newcomer::best()) as Box<dyn Policy>, Box::new(Newcomer::stranger())]);
+                        policies.extend([
+                            Box::new(PlannerPolicy::best()) as Box<dyn Policy>,
+                            Box::new(PlannerPolicy::in_unknown_home()),
+                        ]);
                     }
                     for (mut policy, spare) in policies.into_iter().zip([0, 8, 8]) {
                         let mut world = Simulator::new(scene.clone());
-                        let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                        let episode =
+                            EpisodeOptions::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                         let told = format!("{text} {apart} {box_first} {poses} {}: {episode:?}", policy.name());
                         assert_eq!(episode.outcome, Outcome::Won, "{told}");
                         assert!(episode.steps <= most + spare, "{told}");

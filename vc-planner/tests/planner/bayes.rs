@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use vc_graph::{Draft, NodeId, Place, Property, PropertySet, Relation, SceneBuilder, SceneGraph, Simulator};
-use vc_planner::{Belief, Newcomer, Prior, Run};
+use vc_planner::{Belief, EpisodeOptions, PlannerPolicy, Prior};
 use vc_tasks::{Outcome, Task};
 
 /// Three rooms, eight places (including the rooms' floors), two things.
@@ -263,9 +263,9 @@ fn mean_steps(layout: &Layout) -> f64 {
     let mut steps = 0;
     for a in 0..PLACES {
         for b in 0..PLACES {
-            let mut policy = Newcomer::best().supposing(Prior::Uniform);
+            let mut policy = PlannerPolicy::best().with_prior(Prior::Uniform);
             let mut world = Simulator::new(home(layout, [a, b]).scene);
-            let episode = Run::seeded(1).episode(&mut policy, &task, &mut world, &mut |_| {});
+            let episode = EpisodeOptions::seeded(1).episode(&mut policy, &task, &mut world, &mut |_| {});
             assert_eq!(episode.outcome, Outcome::Won, "{}: {a} {b}: {episode:?}", layout.name);
             steps += episode.steps;
         }
@@ -277,7 +277,7 @@ fn mean_steps(layout: &Layout) -> f64 {
 fn hardly_more_steps_than_the_best_policy() {
     for layout in &LAYOUTS {
         let first = home(layout, [0, 0]);
-        let belief = Belief::of_newcomer(&first.scene, first.scene.agents()[0], 0);
+        let belief = Belief::of_known_home(&first.scene, first.scene.agents()[0], 0);
         let mut believed: Vec<Place> = belief.possible_places().collect();
         believed.sort_unstable();
         let mut real = first.places.clone();

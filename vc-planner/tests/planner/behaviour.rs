@@ -9,7 +9,7 @@ mod time;
 use homes::{GOALS, home};
 use vc_graph::goal::Situation;
 use vc_graph::{Action, Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Scope, Simulator, Verb};
-use vc_planner::{Agent, Decision, Newcomer, Policy, Resident, Run, Step, plan, run_episode};
+use vc_planner::{Agent, Decision, EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Step, plan, run_episode};
 use vc_tasks::{Outcome, Task};
 
 #[test]
@@ -19,7 +19,9 @@ fn a_step_limit_is_told_apart_from_what_cannot_be() {
         let task = Task { step_limit, ..Task::new("limited", goal.parse().unwrap()) };
         run_episode(policy, &task, &mut Simulator::new(scene.clone()))
     };
-    for policy in [&mut Resident::default() as &mut dyn Policy, &mut Newcomer::best(), &mut Newcomer::faithful()] {
+    for policy in
+        [&mut OraclePolicy::default() as &mut dyn Policy, &mut PlannerPolicy::best(), &mut PlannerPolicy::faithful()]
+    {
         let late = attempt(policy, GOALS[1], 2);
         assert_eq!((late.outcome, late.steps), (Outcome::TimedOut, 2), "{}: {late:?}", policy.name());
         assert_eq!(late.reason.as_deref(), Some("step limit reached"));
@@ -86,7 +88,7 @@ fn episodes(policies: &mut [&mut dyn Policy]) -> Vec<(String, SceneGraph, Vec<St
                 let task = Task::new("behaviour", goal.parse().unwrap());
                 let mut steps = Vec::new();
                 let mut world = Simulator::new(scene.clone());
-                Run::seeded(seed).episode(*policy, &task, &mut world, &mut |step| steps.push(step.clone()));
+                EpisodeOptions::seeded(seed).episode(*policy, &task, &mut world, &mut |step| steps.push(step.clone()));
                 all.push((format!("{seed} {} {goal}", policy.name()), scene, steps));
             }
         }
@@ -102,7 +104,7 @@ fn taught(before: &Step, after: &Step) -> bool {
 #[test]
 fn no_walk_is_in_vain() {
     let (mut walks, mut vain) = (0, Vec::new());
-    for (name, _, steps) in episodes(&mut [&mut Newcomer::best(), &mut Resident::default()]) {
+    for (name, _, steps) in episodes(&mut [&mut PlannerPolicy::best(), &mut OraclePolicy::default()]) {
         for pair in steps.windows(2).filter(|w| w[0].action.verb == Verb::Walk && w[1].action.verb == Verb::Walk) {
             walks += 1;
             if !taught(&pair[0], &pair[1]) {
@@ -119,7 +121,7 @@ fn no_walk_is_in_vain() {
 #[test]
 fn what_is_known_is_walked_up_to() {
     let (mut rooms, mut vain) = (0, Vec::new());
-    for (name, scene, steps) in episodes(&mut [&mut Newcomer::best(), &mut Resident::default()]) {
+    for (name, scene, steps) in episodes(&mut [&mut PlannerPolicy::best(), &mut OraclePolicy::default()]) {
         for (i, step) in steps.iter().enumerate() {
             let to_room = step.action.object.is_some_and(|id| scene.rooms().contains(&id));
             if step.action.verb != Verb::Walk || !to_room {
@@ -182,7 +184,7 @@ fn an_irrelevant_find_keeps_the_plan() {
     let me = scene.add_in(bedroom, Draft::new("character")).unwrap();
     let mut world = Simulator::new(scene.build());
     let goal = "Inside(apple, fridge) & Closed(fridge)".parse().unwrap();
-    let mut agent = Agent::newcomer(world.graph(), me, goal, 3);
+    let mut agent = Agent::in_known_home(world.graph(), me, goal, 3);
     let mut expected: Option<Vec<Action>> = None;
     let mut found_by_the_way = false;
     loop {

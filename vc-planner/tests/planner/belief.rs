@@ -45,7 +45,7 @@ fn places(flat: &Flat) -> Vec<Place> {
 #[test]
 fn chances_sum_to_one_and_are_equal() {
     let flat = flat(0);
-    let belief = Belief::of_newcomer(&flat.scene, flat.me, 1);
+    let belief = Belief::of_known_home(&flat.scene, flat.me, 1);
     let chances: Vec<f64> = places(&flat).iter().map(|&p| belief.probability(flat.apple, p)).collect();
     assert!((chances.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{chances:?}");
     assert!(chances.iter().all(|&c| c == 0.0 || (c - chances[0].max(chances[1])).abs() < 1e-9), "{chances:?}");
@@ -56,7 +56,7 @@ fn what_is_seen_empty_is_excluded_and_only_what_is_disproved_is_guessed_anew() {
     for seed in 0..20 {
         let flat = flat(0);
         let mut world = Simulator::new(flat.scene.clone());
-        let mut belief = Belief::of_newcomer(&flat.scene, flat.me, seed);
+        let mut belief = Belief::of_known_home(&flat.scene, flat.me, seed);
         belief.observe(&world.graph().observe(flat.me, Scope::Room));
         for cupboard in [flat.cupboards[2], flat.cupboards[3]] {
             let before = belief.graph().place(flat.apple);
@@ -76,7 +76,7 @@ fn what_is_seen_empty_is_excluded_and_only_what_is_disproved_is_guessed_anew() {
 #[test]
 fn a_picture_shows_where_a_thing_can_be() {
     let flat = flat(2);
-    let mut belief = Belief::of_newcomer(&flat.scene, flat.me, 4);
+    let mut belief = Belief::of_known_home(&flat.scene, flat.me, 4);
     let places = belief.distribution(flat.apple).len();
     let fields = |svg: &str, colour: &str| svg.matches(&format!("fill='{colour}' fill-opacity")).count();
     let before = belief.to_svg(&[flat.apple, NodeId(u32::MAX)]);
@@ -98,7 +98,7 @@ fn a_picture_shows_where_a_thing_can_be() {
 fn what_is_seen_is_certain() {
     let flat = flat(2);
     let mut world = Simulator::new(flat.scene.clone());
-    let mut belief = Belief::of_newcomer(&flat.scene, flat.me, 4);
+    let mut belief = Belief::of_known_home(&flat.scene, flat.me, 4);
     for verb in ["walk", "open"] {
         world.step(flat.me, &format!("{verb} {}", world.graph().label(flat.cupboards[2])).parse().unwrap()).unwrap();
     }
@@ -113,7 +113,7 @@ fn what_is_seen_is_certain() {
 fn when_everything_is_disproved_the_belief_widens() {
     let flat = flat(0);
     let mut world = Simulator::new(flat.scene.clone());
-    let mut belief = Belief::of_newcomer(&flat.scene, flat.me, 9);
+    let mut belief = Belief::of_known_home(&flat.scene, flat.me, 9);
     // All cupboards are opened while somebody carries the apple in front of the agent.
     for (index, &cupboard) in flat.cupboards.iter().enumerate().rev() {
         if index == 0 {
@@ -149,7 +149,7 @@ fn agents_know_no_more_than_they_can_see() {
 fn trail(flat: &Flat, seed: u64) -> Vec<String> {
     let mut world = Simulator::new(flat.scene.clone());
     let goal = "On(apple, kitchen_table)".parse().unwrap();
-    let mut agent = Agent::newcomer(&flat.scene, flat.me, goal, seed);
+    let mut agent = Agent::in_known_home(&flat.scene, flat.me, goal, seed);
     let mut done = Vec::new();
     loop {
         agent.see(&world.graph().observe(flat.me, Scope::Room));
@@ -200,7 +200,7 @@ fn a_plate_is_not_looked_for_in_a_bathroom() {
     for seed in 0..20 {
         let (scene, me) = tidy();
         let goal = "Inside(plate, dishwasher) & Closed(dishwasher) & SwitchedOn(dishwasher)".parse().unwrap();
-        let mut agent = Agent::newcomer(&scene, me, goal, seed);
+        let mut agent = Agent::in_known_home(&scene, me, goal, seed);
         let mut world = Simulator::new(scene);
         for _ in 0..4 {
             agent.see(&world.graph().observe(me, Scope::Room));
@@ -246,7 +246,7 @@ fn where_one_was_found_the_others_are_looked_for() {
         }
         let me = scene.add_in(kitchen, Draft::new("character")).unwrap();
         let mut world = Simulator::new(scene.build());
-        let mut agent = Agent::newcomer(world.graph(), me, "On(plate, kitchen_table), 3".parse().unwrap(), seed);
+        let mut agent = Agent::in_known_home(world.graph(), me, "On(plate, kitchen_table), 3".parse().unwrap(), seed);
         let plates = world.graph().of_class("plate");
         let mut wrong = 0;
         loop {

@@ -5,7 +5,7 @@
 
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed, Simulator};
-use vc_planner::{Newcomer, Policy, Resident, Run};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
 use vc_tasks::initial::{Generator, PlainStock};
 use vc_tasks::library::Benchmark;
 use vc_tasks::{Outcome, World};
@@ -31,12 +31,15 @@ fn what_the_oracle_can_do_the_planners_can() {
             task.goal = activity.goal.clone();
             task.step_limit = 200;
             made += 1;
-            let mut policies: [Box<dyn Policy>; 3] =
-                [Box::new(Resident::default()), Box::new(Newcomer::best()), Box::new(Newcomer::faithful())];
+            let mut policies: [Box<dyn Policy>; 3] = [
+                Box::new(OraclePolicy::default()),
+                Box::new(PlannerPolicy::best()),
+                Box::new(PlannerPolicy::faithful()),
+            ];
             let mut solvable = false;
             for (i, policy) in policies.iter_mut().enumerate() {
                 world.reset(&initial.scene).unwrap();
-                let run = Run { agent: Some(initial.agent), ..Run::seeded(1) };
+                let run = EpisodeOptions { agent: Some(initial.agent), ..EpisodeOptions::seeded(1) };
                 let episode = run.episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                 let done = episode.outcome == Outcome::Won;
                 solvable |= i == 0 && done;

@@ -12,7 +12,7 @@ use vc_graph::{
     Action, Draft, Event, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State,
     Verb, rule,
 };
-use vc_planner::{Agent, Decision, Resident, plan, run_episode};
+use vc_planner::{Agent, Decision, OraclePolicy, plan, run_episode};
 use vc_tasks::{Outcome, Task};
 
 /// A small random home, its movable things, and the places where they can be put.
@@ -170,7 +170,7 @@ fn long_plans_are_improved_on_the_way() {
         let scene = homes::home(120, seed);
         let me = scene.agents()[0];
         let goal: Goal = homes::errands(&scene, 12, seed).join(" & ").parse().unwrap();
-        let mut agent = Agent::resident(&scene, me, goal.clone());
+        let mut agent = Agent::oracle(&scene, me, goal.clone());
         let mut world = Simulator::new(scene);
         let (mut first, mut steps) = (None, 0);
         loop {
@@ -211,7 +211,7 @@ fn an_errand_of_forty_costs_no_more_than_one_of_twenty() {
         many += length(&scene, &goal(40));
         [done_few, done_many] = [(done_few, 20), (done_many, 40)].map(|(done, parts)| {
             let task = Task { step_limit: 500, ..Task::new("errands", goal(parts)) };
-            let episode = run_episode(&mut Resident::default(), &task, &mut Simulator::new(scene.clone()));
+            let episode = run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(scene.clone()));
             assert_eq!(episode.outcome, Outcome::Won, "{seed}: {episode:?}");
             done + episode.steps
         });

@@ -8,7 +8,7 @@ use homes::{ITEMS, home};
 use vc_graph::{
     Action, Draft, NodeId, Place, Property, Relation, SceneBuilder, SceneGraph, Scope, Simulator, State, Verb,
 };
-use vc_planner::{Belief, Newcomer, Policy, Prior, Run};
+use vc_planner::{Belief, EpisodeOptions, PlannerPolicy, Policy, Prior};
 use vc_tasks::{Outcome, Task};
 
 /// The place of a thing, also on a bare floor.
@@ -23,7 +23,7 @@ fn the_likeliest_state_has_each_thing_where_it_is_likeliest() {
         for prior in [Prior::Uniform, Prior::Kept] {
             let scene = home(seed);
             let me = scene.agents()[0];
-            let mut belief = Belief::by_prior(&scene, me, seed, prior.clone());
+            let mut belief = Belief::with_prior(&scene, me, seed, prior.clone());
             check_likeliest(&belief, &scene);
             // Once more after an observation.
             belief.observe(&scene.observe(me, Scope::Room));
@@ -89,7 +89,7 @@ fn what_can_be_carried_becomes_a_place_when_it_is_seen() {
     for class in PORTABLE {
         for prior in [Prior::Uniform, Prior::Kept] {
             let Shut { scene, me, apple, inside } = shut_in(class);
-            let mut belief = Belief::by_prior(&scene, me, 5, prior.clone());
+            let mut belief = Belief::with_prior(&scene, me, 5, prior.clone());
             let mut world = Simulator::new(scene);
             let places = |belief: &Belief| belief.distribution(apple).len();
             let whole = |belief: &Belief| belief.distribution(apple).iter().map(|(_, c)| c).sum::<f64>();
@@ -117,11 +117,11 @@ fn what_can_be_carried_becomes_a_place_when_it_is_seen() {
 fn what_is_shut_in_something_portable_is_found() {
     for class in PORTABLE {
         for seed in 0..4 {
-            for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful()] {
+            for policy in [&mut PlannerPolicy::best() as &mut dyn Policy, &mut PlannerPolicy::faithful()] {
                 let Shut { scene, .. } = shut_in(class);
                 let task = Task::new("lunch", "On(apple, desk)".parse().unwrap());
                 let mut world = Simulator::new(scene);
-                let episode = Run::seeded(seed).episode(policy, &task, &mut world, &mut |_| {});
+                let episode = EpisodeOptions::seeded(seed).episode(policy, &task, &mut world, &mut |_| {});
                 assert_eq!(episode.outcome, Outcome::Won, "{class} {seed} {}: {episode:?}", policy.name());
             }
         }
@@ -135,13 +135,13 @@ fn instances_of_a_class_are_interchangeable() {
     for seed in 0..12 {
         let scene = home(seed);
         let me = scene.agents()[0];
-        let belief = Belief::by_prior(&scene, me, seed, Prior::Kept);
+        let belief = Belief::with_prior(&scene, me, seed, Prior::Kept);
         let mugs = scene.of_class("mug");
         assert_eq!(belief.distribution(mugs[0]), belief.distribution(mugs[1]), "{seed}");
 
         let task = Task::new("a mug", "Holds(mug)".parse().unwrap());
         let mut world = Simulator::new(scene.clone());
-        let episode = Run::seeded(seed).episode(&mut Newcomer::best(), &task, &mut world, &mut |_| {});
+        let episode = EpisodeOptions::seeded(seed).episode(&mut PlannerPolicy::best(), &task, &mut world, &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{seed}");
         let held = world.graph().held(me).find(|id| mugs.contains(id)).unwrap();
         taken.push(held == mugs[0]);

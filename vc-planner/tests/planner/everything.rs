@@ -5,9 +5,9 @@
 use std::collections::BTreeSet;
 
 use vc_graph::goal::{Predicate, Situation, Term};
-use vc_graph::rule::{Effect, Role};
+use vc_graph::rule::{Argument, Effect};
 use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Simulator, State, Verb, Word};
-use vc_planner::{Newcomer, Policy, Run, plan};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, plan};
 use vc_tasks::format::alfred::Template;
 use vc_tasks::{Outcome, Task};
 
@@ -97,7 +97,7 @@ fn every_state_can_be_planned() {
         let mut goals = terms.map(|t| Goal::literal(Predicate::State(*state), vec![t]));
         let planned = goals.any(|goal| is_planned(&scene, &goal));
         assert_eq!(planned, !NOBODYS.contains(state), "{}", state.as_str());
-        let enters = |effect: &Effect<Role>| matches!(effect, Effect::Enter(_, s) | Effect::EnterWith(_, s) | Effect::EnterOwn(s) if s == state);
+        let enters = |effect: &Effect<Argument>| matches!(effect, Effect::Enter(_, s) | Effect::EnterWith(_, s) | Effect::EnterOwn(s) if s == state);
         let brought = Verb::ALL.iter().any(|verb| verb.rule().does.iter().any(enters));
         assert!(planned || !brought, "some verb makes things {}", state.as_str());
     }
@@ -126,9 +126,9 @@ fn alfreds_tasks_can_be_done() {
         let goal = Template::read(&text).unwrap().to_goal();
         assert!(is_planned(&scene, &goal), "{kind}: {goal}");
         let task = Task::new(kind, goal);
-        for mut policy in [Newcomer::best(), Newcomer::stranger()] {
+        for mut policy in [PlannerPolicy::best(), PlannerPolicy::in_unknown_home()] {
             let mut world = Simulator::new(scene.clone());
-            let episode = Run::seeded(1).episode(&mut policy, &task, &mut world, &mut |_| {});
+            let episode = EpisodeOptions::seeded(1).episode(&mut policy, &task, &mut world, &mut |_| {});
             assert_eq!(episode.outcome, Outcome::Won, "{}: {}: {episode:?}", policy.name(), task.goal);
         }
     }

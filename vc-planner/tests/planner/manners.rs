@@ -5,7 +5,7 @@
 
 use vc_graph::goal::Situation;
 use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, State};
-use vc_planner::{Manners, Newcomer, Planner, Policy, Resident, Run, Unreachable};
+use vc_planner::{EpisodeOptions, Manners, OraclePolicy, Planner, PlannerPolicy, Policy, Unreachable};
 use vc_tasks::{Outcome, Task};
 
 /// A home in which some doors are open and some machines run at first, and most things are in closed
@@ -83,7 +83,8 @@ fn left(policy: &mut dyn Policy, seed: u64, text: &str) -> Vec<String> {
     let task = Task::new("manners", text.parse().unwrap());
     let mut world = Simulator::new(scene.clone());
     let mut done = Vec::new();
-    let episode = Run::seeded(seed).episode(policy, &task, &mut world, &mut |step| done.push(step.described.clone()));
+    let episode =
+        EpisodeOptions::seeded(seed).episode(policy, &task, &mut world, &mut |step| done.push(step.described.clone()));
     assert_eq!(episode.outcome, Outcome::Won, "{seed} {text} {}: {episode:?} {done:?}", policy.name());
     let amiss = amiss(&scene, &world, me, &task.goal);
     amiss.into_iter().map(|what| format!("{seed} {text} {}: {what}: {done:?}", policy.name())).collect()
@@ -94,13 +95,13 @@ fn who_is_tidy_leaves_doors_and_switches_as_they_were() {
     let mut rude = 0;
     for (seed, text) in (0..12).flat_map(|seed| GOALS.map(|text| (seed, text))) {
         for policy in [
-            &mut Resident::default().mannered(Manners::Tidy) as &mut dyn Policy,
-            &mut Newcomer::best().mannered(Manners::Tidy),
-            &mut Newcomer::faithful().mannered(Manners::Tidy),
+            &mut OraclePolicy::default().with_manners(Manners::Tidy) as &mut dyn Policy,
+            &mut PlannerPolicy::best().with_manners(Manners::Tidy),
+            &mut PlannerPolicy::faithful().with_manners(Manners::Tidy),
         ] {
             assert_eq!(left(policy, seed, text), [""; 0]);
         }
-        rude += left(&mut Newcomer::best(), seed, text).len();
+        rude += left(&mut PlannerPolicy::best(), seed, text).len();
     }
     println!("{rude} doors and switches left amiss by who is not");
     assert!(rude >= 100, "{rude}");

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::{Action, Draft, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, Verb};
-use vc_planner::{Newcomer, Run};
+use vc_planner::{EpisodeOptions, PlannerPolicy};
 use vc_tasks::{Outcome, Task};
 
 const BOXES: [&str; 5] = ["fridge", "kitchen_cabinet", "closet", "bathroom_cabinet", "microwave"];
@@ -31,9 +31,9 @@ fn home(seed: u64, on_table: usize) -> SceneGraph {
 /// The actions of each of two newcomers for a goal.
 fn deeds(scene: &SceneGraph, goal: &str, seed: u64) -> [Vec<Action>; 2] {
     let task = Task::new("not there", goal.parse().unwrap());
-    [Newcomer::best(), Newcomer::faithful()].map(|mut policy| {
+    [PlannerPolicy::best(), PlannerPolicy::faithful()].map(|mut policy| {
         let mut world = Simulator::new(scene.clone());
-        let episode = Run::seeded(seed).episode(&mut policy, &task, &mut world, &mut |_| {});
+        let episode = EpisodeOptions::seeded(seed).episode(&mut policy, &task, &mut world, &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{seed} {goal}: {episode:?}");
         world.history().events().iter().map(|event| event.action).collect()
     })

@@ -11,13 +11,14 @@ use placements::{Rule, errand};
 use vc_graph::{Action, Draft, NodeId, Relation, SceneBuilder, SceneGraph, Seed, Simulator};
 use vc_planner::language::{Answer, AnswerError, read_answer};
 use vc_planner::{
-    Belief, Fault, LanguageModel, Newcomer, Policy, Prior, Random, Resident, Run, Scripted, Trajectory, run_episode,
+    Belief, EpisodeOptions, Fault, LanguageModel, OraclePolicy, PlannerPolicy, Policy, Prior, RandomPolicy,
+    ScriptedPolicy, Trajectory, run_episode,
 };
 use vc_tasks::{Outcome, Task};
 
 fn attempt(policy: &mut dyn Policy, scene: &SceneGraph, goal: &str, seed: u64) -> Trajectory {
     let task = Task::new("test", goal.parse().unwrap());
-    Trajectory::record(&Run::seeded(seed), policy, &task, &mut Simulator::new(scene.clone()))
+    Trajectory::record(&EpisodeOptions::seeded(seed), policy, &task, &mut Simulator::new(scene.clone()))
 }
 
 #[test]
@@ -26,24 +27,21 @@ fn planners_win_and_their_records_replay() {
     for seed in 0..12 {
         let scene = home(seed);
         for goal in GOALS {
-            let lengths =
-                [&mut Resident::default() as &mut dyn Policy, &mut Newcomer::best(), &mut Newcomer::faithful()].map(
-                    |policy| {
-                        let trajectory = attempt(policy, &scene, goal, seed);
-                        let who = policy.name();
-                        assert_eq!(
-                            trajectory.summary.outcome,
-                            Outcome::Won,
-                            "{seed} {who} {goal}: {:?}",
-                            trajectory.summary
-                        );
-                        let faults = trajectory.check(&scene);
-                        assert!(faults.is_empty(), "{seed} {who} {goal}: {faults:?}");
-                        let again = Trajectory::read_json_lines(&trajectory.to_json_lines().unwrap()).unwrap();
-                        assert_eq!(again, trajectory);
-                        trajectory.steps.len()
-                    },
-                );
+            let lengths = [
+                &mut OraclePolicy::default() as &mut dyn Policy,
+                &mut PlannerPolicy::best(),
+                &mut PlannerPolicy::faithful(),
+            ]
+            .map(|policy| {
+                let trajectory = attempt(policy, &scene, goal, seed);
+                let who = policy.name();
+                assert_eq!(trajectory.summary.outcome, Outcome::Won, "{seed} {who} {goal}: {:?}", trajectory.summary);
+                let faults = trajectory.check(&scene);
+                assert!(faults.is_empty(), "{seed} {who} {goal}: {faults:?}");
+                let again = Trajectory::read_json_lines(&trajectory.to_json_lines().unwrap()).unwrap();
+                assert_eq!(again, trajectory);
+                trajectory.steps.len()
+            });
             oracle += lengths[0];
             best += lengths[1];
             faithful += lengths[2];
@@ -55,7 +53,9 @@ fn planners_win_and_their_records_replay() {
 
 #[test]
 fn same_seed_same_trajectory() {
-    for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Random::default()] {
+    for policy in
+        [&mut PlannerPolicy::best() as &mut dyn Policy, &mut PlannerPolicy::faithful(), &mut RandomPolicy::default()]
+    {
         let run = |policy: &mut dyn Policy| attempt(policy, &home(3), GOALS[2], 5);
         assert_eq!(run(policy), run(policy), "{}", policy.name());
     }
@@ -66,9 +66,11 @@ fn what_is_nowhere_is_searched_for_and_given_up() {
     for seed in 0..4 {
         let scene = home(seed);
         for goal in ["Holds(unicorn)", "On(fridge, desk)", "On(apple, desk), 3", "Open(mug)", "SwitchedOn(plate)"] {
-            for policy in
-                [&mut Newcomer::best() as &mut dyn Policy, &mut Newcomer::faithful(), &mut Resident::default()]
-            {
+            for policy in [
+                &mut PlannerPolicy::best() as &mut dyn Policy,
+                &mut PlannerPolicy::faithful(),
+                &mut OraclePolicy::default(),
+            ] {
                 let summary = attempt(policy, &scene, goal, seed).summary;
                 assert_eq!(summary.outcome, Outcome::Lost, "{goal} {}: {summary:?}", policy.name());
                 assert!(summary.reason.is_some());
@@ -81,7 +83,7 @@ fn what_is_nowhere_is_searched_for_and_given_up() {
 fn tidy_home(seed: u64) -> SceneGraph {
     let mut scene = home(seed);
     let mut stream = Seed(seed).child("tidy").stream();
-    let belief = Belief::by_prior(&scene, scene.agents()[0], seed, Prior::Kept);
+    let belief = Belief::with_prior(&scene, scene.agents()[0], seed, Prior::Kept);
     let items: Vec<NodeId> = ITEMS.iter().flat_map(|class| scene.of_class(class)).collect();
     let mut edit = scene.edit();
     for id in items {
@@ -110,8 +112,8 @@ fn fewer_steps_than_the_agent_of_the_thesis() {
         for seed in 0..30 {
             let scene = home(seed);
             for goal in &GOALS[1..4] {
-                ours += attempt(&mut Newcomer::best().supposing(prior.clone()), &scene, goal, seed).steps.len();
-                theirs += attempt(&mut Newcomer::faithful(), &scene, goal, seed).steps.len();
+                ours += attempt(&mut PlannerPolicy::best().with_prior(prior.clone()), &scene, goal, seed).steps.len();
+                theirs += attempt(&mut PlannerPolicy::faithful(), &scene, goal, seed).steps.len();
             }
         }
         println!("{name}: ours {ours}, theirs {theirs}: {:.3}", ours as f64 / theirs as f64);
@@ -126,7 +128,7 @@ fn habits_do_not_hurt_where_there_are_none() {
     for seed in 0..200 {
         let scene = home(seed);
         for goal in &GOALS[1..4] {
-            let steps = |prior| attempt(&mut Newcomer::best().supposing(prior), &scene, goal, seed).steps.len();
+            let steps = |prior| attempt(&mut PlannerPolicy::best().with_prior(prior), &scene, goal, seed).steps.len();
             by_habit += steps(Prior::Kept);
             evenly += steps(Prior::Uniform);
         }
@@ -148,7 +150,7 @@ fn the_prior_holds_in_homes_of_others() {
         for (scene, seed) in scenes.iter().flat_map(|scene| (0..8).map(move |seed| (scene, seed))) {
             let (home, goal) = errand(scene, rule, (1 + seed % 4) as usize, seed);
             let steps = |prior| {
-                let trajectory = attempt(&mut Newcomer::best().supposing(prior), &home, &goal, seed);
+                let trajectory = attempt(&mut PlannerPolicy::best().with_prior(prior), &home, &goal, seed);
                 assert_eq!(trajectory.summary.outcome, Outcome::Won, "{rule:?} {goal}: {:?}", trajectory.summary);
                 trajectory.steps.len()
             };
@@ -166,7 +168,8 @@ fn random_actions_are_ignored_where_they_cannot_be_done() {
     let mut won = 0;
     for seed in 0..40 {
         let mut world = Simulator::new(home(seed));
-        let episode = Run::seeded(seed).episode(&mut Random::default(), &task, &mut world, &mut |_| {});
+        let episode =
+            EpisodeOptions::seeded(seed).episode(&mut RandomPolicy::default(), &task, &mut world, &mut |_| {});
         assert!(episode.steps <= 100);
         won += usize::from(episode.outcome == Outcome::Won);
     }
@@ -176,7 +179,7 @@ fn random_actions_are_ignored_where_they_cannot_be_done() {
 #[test]
 fn faults_of_a_record_are_found() {
     let scene = home(1);
-    let good = attempt(&mut Resident::default(), &scene, GOALS[0], 0);
+    let good = attempt(&mut OraclePolicy::default(), &scene, GOALS[0], 0);
     let mut other = good.clone();
     other.steps[0].digest = "0".into();
     assert!(other.check(&scene).contains(&Fault::OtherState(1)));
@@ -199,7 +202,7 @@ fn a_script_is_done_as_written() {
     let fridge = scene.of_class("fridge")[0];
     let script: Vec<Action> = ["walk", "open"].iter().map(|v| format!("{v} #{}", fridge.0).parse().unwrap()).collect();
     let task = Task::new("open", "Open(fridge)".parse().unwrap());
-    let episode = run_episode(&mut Scripted::new(script), &task, &mut Simulator::new(scene));
+    let episode = run_episode(&mut ScriptedPolicy::new(script), &task, &mut Simulator::new(scene));
     assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
 }
 

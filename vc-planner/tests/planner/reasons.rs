@@ -73,7 +73,7 @@ fn a_thing_that_is_called_what_it_is_not_is_refused() {
         assert!(why.contains(&told), "{goal}: {why}");
         let task = vc_tasks::Task::new("t", parsed);
         let mut world = vc_graph::Simulator::new(scene.clone());
-        let episode = vc_planner::run_episode(&mut vc_planner::Newcomer::best(), &task, &mut world);
+        let episode = vc_planner::run_episode(&mut vc_planner::PlannerPolicy::best(), &task, &mut world);
         assert_eq!((episode.outcome, episode.steps), (vc_tasks::Outcome::Lost, 0));
         assert_eq!(episode.reason.unwrap(), why);
     }
@@ -92,9 +92,10 @@ fn what_the_scene_lacks_is_named() {
     let (scene, _) = flat();
     let task = vc_tasks::Task::new("tea", "On(mug, kitchen_table), 2 & Holds(apple)".parse().unwrap());
     let mut world = vc_graph::Simulator::new(scene);
-    for policy in
-        [&mut vc_planner::Newcomer::best() as &mut dyn vc_planner::Policy, &mut vc_planner::Resident::default()]
-    {
+    for policy in [
+        &mut vc_planner::PlannerPolicy::best() as &mut dyn vc_planner::Policy,
+        &mut vc_planner::OraclePolicy::default(),
+    ] {
         let reason = vc_planner::run_episode(policy, &task, &mut world).reason.unwrap();
         assert!(reason.contains("needs 2 of `mug`, the scene has 0"), "{reason}");
     }
@@ -105,9 +106,10 @@ fn what_the_scene_lacks_is_named() {
 fn two_hands_hold_two_things() {
     let (scene, _) = flat();
     let task = vc_tasks::Task::new("armful", "Holds(apple) & Holds(book) & Holds(chicken)".parse().unwrap());
-    for policy in
-        [&mut vc_planner::Newcomer::best() as &mut dyn vc_planner::Policy, &mut vc_planner::Resident::default()]
-    {
+    for policy in [
+        &mut vc_planner::PlannerPolicy::best() as &mut dyn vc_planner::Policy,
+        &mut vc_planner::OraclePolicy::default(),
+    ] {
         let mut world = vc_graph::Simulator::new(scene.clone());
         let episode = vc_planner::run_episode(policy, &task, &mut world);
         let reason = episode.reason.unwrap();

@@ -6,10 +6,12 @@ use crate::homes;
 
 use homes::{GOALS, home};
 use vc_graph::{Action, NodeId, SceneGraph, Scope, Simulator, Verb};
-use vc_planner::{Fault, Newcomer, Policy, Random, Resident, Run, Scripted, Trajectory};
+use vc_planner::{
+    EpisodeOptions, Fault, OraclePolicy, PlannerPolicy, Policy, RandomPolicy, ScriptedPolicy, Trajectory,
+};
 use vc_tasks::{Outcome, Task};
 
-fn record(run: &Run, policy: &mut dyn Policy, scene: &SceneGraph, goal: &str) -> Trajectory {
+fn record(run: &EpisodeOptions, policy: &mut dyn Policy, scene: &SceneGraph, goal: &str) -> Trajectory {
     let task = Task { step_limit: 60, ..Task::new("recorded", goal.parse().unwrap()) };
     Trajectory::record(run, policy, &task, &mut Simulator::new(scene.clone()))
 }
@@ -18,9 +20,10 @@ fn record(run: &Run, policy: &mut dyn Policy, scene: &SceneGraph, goal: &str) ->
 fn what_was_seen_is_recorded_and_checked() {
     let scene = home(4);
     let scopes = [Scope::Room, Scope::Room, Scope::Whole];
-    let policies = [&mut Newcomer::best() as &mut dyn Policy, &mut Random::default(), &mut Resident::default()];
+    let policies =
+        [&mut PlannerPolicy::best() as &mut dyn Policy, &mut RandomPolicy::default(), &mut OraclePolicy::default()];
     for (policy, scope) in policies.into_iter().zip(scopes) {
-        let good = record(&Run::seeded(4), policy, &scene, GOALS[1]);
+        let good = record(&EpisodeOptions::seeded(4), policy, &scene, GOALS[1]);
         assert_eq!(good.header.scope, scope, "{}", policy.name());
         let own = |f: &Fault| !matches!(f, Fault::Duplicate(_));
         assert!(!good.check(&scene).iter().any(own), "{}: {:?}", policy.name(), good.check(&scene));
@@ -38,7 +41,7 @@ fn what_was_seen_is_recorded_and_checked() {
         }
     }
     // A record that claims a larger scope of observation.
-    let mut other = record(&Run::seeded(4), &mut Newcomer::best(), &scene, GOALS[1]);
+    let mut other = record(&EpisodeOptions::seeded(4), &mut PlannerPolicy::best(), &scene, GOALS[1]);
     other.header.scope = Scope::Whole;
     let blamed = other.check(&scene).iter().filter(|f| matches!(f, Fault::OtherSight(_))).count();
     assert_eq!(blamed, other.steps.len());
@@ -47,8 +50,8 @@ fn what_was_seen_is_recorded_and_checked() {
 #[test]
 fn what_was_seen_can_be_kept_whole() {
     let scene = home(5);
-    let run = Run { keeps_observations: true, ..Run::seeded(5) };
-    let whole = record(&run, &mut Newcomer::best(), &scene, GOALS[0]);
+    let run = EpisodeOptions { keeps_observations: true, ..EpisodeOptions::seeded(5) };
+    let whole = record(&run, &mut PlannerPolicy::best(), &scene, GOALS[0]);
     assert_eq!(whole.check(&scene), []);
     let told = whole.steps.iter().map(|s| s.observation.as_ref().unwrap().to_string());
     let seen = whole.transitions(&scene, Scope::Room).unwrap().into_iter().map(|t| t.observation);
@@ -60,7 +63,7 @@ fn what_was_seen_can_be_kept_whole() {
     other.steps[0].observation.as_mut().unwrap()["room"] = "attic.99".into();
     assert_eq!(other.check(&scene), [Fault::OtherSight(1)]);
     // Without the option there are only the digests, with the same values.
-    let brief = record(&Run::seeded(5), &mut Newcomer::best(), &scene, GOALS[0]);
+    let brief = record(&EpisodeOptions::seeded(5), &mut PlannerPolicy::best(), &scene, GOALS[0]);
     assert!(brief.steps.iter().all(|s| s.observation.is_none()));
     assert!(brief.steps.iter().map(|s| &s.sight).eq(whole.steps.iter().map(|s| &s.sight)));
     assert!(brief.to_json_lines().unwrap().len() < whole.to_json_lines().unwrap().len());
@@ -69,8 +72,8 @@ fn what_was_seen_can_be_kept_whole() {
 #[test]
 fn a_record_gives_the_states_back() {
     let scene = home(6);
-    for policy in [&mut Newcomer::best() as &mut dyn Policy, &mut Random::default()] {
-        let trajectory = record(&Run::seeded(6), policy, &scene, GOALS[1]);
+    for policy in [&mut PlannerPolicy::best() as &mut dyn Policy, &mut RandomPolicy::default()] {
+        let trajectory = record(&EpisodeOptions::seeded(6), policy, &scene, GOALS[1]);
         let states = trajectory.replay(&scene).unwrap();
         assert_eq!(states.len(), trajectory.steps.len() + 1);
         assert_eq!(states[0], scene);
@@ -84,7 +87,7 @@ fn a_record_gives_the_states_back() {
         assert_eq!(holds, trajectory.summary.outcome == Outcome::Won);
         assert_eq!(trajectory.replay(&home(7)), Err(Fault::OtherScene));
     }
-    let mut odd = record(&Run::seeded(6), &mut Newcomer::best(), &scene, GOALS[1]);
+    let mut odd = record(&EpisodeOptions::seeded(6), &mut PlannerPolicy::best(), &scene, GOALS[1]);
     odd.steps[0].action = Action::one(Verb::Open, NodeId(u32::MAX));
     assert!(matches!(odd.replay(&scene), Err(Fault::Refused(1, _))));
 }
@@ -95,7 +98,8 @@ fn refused_steps_are_skipped() {
     let scene = home(0);
     let fridge = scene.of_class("fridge")[0];
     let script = [Verb::Walk, Verb::Open].map(|verb| Action::one(verb, fridge));
-    let mut trajectory = record(&Run::seeded(0), &mut Scripted::new(script.to_vec()), &scene, "Open(fridge)");
+    let mut trajectory =
+        record(&EpisodeOptions::seeded(0), &mut ScriptedPolicy::new(script.to_vec()), &scene, "Open(fridge)");
     assert_eq!(trajectory.check(&scene), []);
     trajectory.steps[1].refused = Some("the door is stuck".into());
     assert!(trajectory.check(&scene).contains(&Fault::NotRefused(2)));
@@ -106,7 +110,7 @@ fn refused_steps_are_skipped() {
 #[test]
 fn a_header_is_whole_or_refused() {
     let scene = home(2);
-    let trajectory = record(&Run::seeded(2), &mut Newcomer::best(), &scene, GOALS[0]);
+    let trajectory = record(&EpisodeOptions::seeded(2), &mut PlannerPolicy::best(), &scene, GOALS[0]);
     let text = trajectory.to_json_lines().unwrap();
     let (first, rest) = text.split_once('\n').unwrap();
     for field in ["scene", "digest", "task", "goal", "agent", "policy", "scope", "seed"] {

@@ -10,7 +10,7 @@ use homes::{GOALS, home};
 use vc_graph::{
     Action, ChangeSet, Draft, History, NodeId, Refusal, SceneBuilder, SceneGraph, Seed, Simulator, State, Stream, Verb,
 };
-use vc_planner::{Newcomer, Policy, Resident, Run};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
 /// A world in which some actions fail, whatever the transition rule says.
@@ -60,12 +60,12 @@ fn another_thing_is_taken_and_another_place_found() {
     let scene = scene.build();
     let place = |mug: NodeId, at: NodeId| Action::two(Verb::Place, mug, at);
     let cannot = vec![Action::one(Verb::Grab, mugs[0]), place(mugs[1], near)];
-    let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+    let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
     for mut policy in policies {
         let mut world =
             Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
         let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
-        let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+        let episode = EpisodeOptions::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
         assert_eq!(episode.outcome, Outcome::Won, "{}: {episode:?}", policy.name());
         assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == far), "{}", policy.name());
         assert!(world.failures <= 4, "{}: {} times what cannot be done", policy.name(), world.failures);
@@ -74,7 +74,7 @@ fn another_thing_is_taken_and_another_place_found() {
     let cannot = vec![Action::one(Verb::Open, fridge)];
     let mut world = Clumsy { world: Simulator::new(scene), cannot, forbids: false, failures: 0 };
     let task = Task::new("air", "Open(fridge)".parse().unwrap());
-    let episode = Run::seeded(1).episode(&mut Resident::default(), &task, &mut world, &mut |_| {});
+    let episode = EpisodeOptions::seeded(1).episode(&mut OraclePolicy::default(), &task, &mut world, &mut |_| {});
     assert!(episode.outcome != Outcome::Won && episode.steps <= 8, "{episode:?}");
     assert!(!World::graph(&world).node(fridge).unwrap().states().contains(State::Open));
 }
@@ -92,11 +92,11 @@ fn what_is_full_is_left_alone() {
         let scene = scene.build();
         let task = Task::new("tidy", "Inside(milk, fridge) & Closed(fridge)".parse().unwrap());
         for seed in 0..5 {
-            let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+            let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
             for mut policy in policies {
                 let cannot = vec![Action::two(Verb::PutIn, milk, fridges[0])];
                 let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot, forbids: false, failures: 0 };
-                let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                let episode = EpisodeOptions::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                 assert_eq!(episode.outcome == Outcome::Won, wins, "{} {seed}: {episode:?}", policy.name());
                 assert!(world.failures <= 2, "{}: {} times what cannot be done", policy.name(), world.failures);
             }
@@ -118,11 +118,11 @@ fn what_there_is_no_way_to_is_left_alone() {
     // The first cabinet cannot be reached, and the second does not open.
     let cannot = vec![Action::one(Verb::Walk, cabinets[0]), Action::one(Verb::Open, cabinets[1])];
     for seed in 0..20 {
-        let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+        let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
         for mut policy in policies {
             let mut world =
                 Clumsy { world: Simulator::new(scene.clone()), cannot: cannot.clone(), forbids: false, failures: 0 };
-            let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+            let episode = EpisodeOptions::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
             assert_eq!(episode.outcome, Outcome::Won, "{} {seed}: {episode:?}", policy.name());
             assert!(World::graph(&world).place(mugs[1]).is_some_and(|p| p.at == table));
             assert!(world.failures <= 4, "{}: {} times what cannot be done", policy.name(), world.failures);
@@ -193,17 +193,17 @@ fn what_was_refused_is_not_tried_again_while_nothing_changes() {
             let scene = home(seed);
             for goal in GOALS {
                 let policies: [Box<dyn Policy>; 4] = [
-                    Box::new(Resident::default()),
-                    Box::new(Newcomer::best()),
-                    Box::new(Newcomer::stranger()),
-                    Box::new(Newcomer::faithful()),
+                    Box::new(OraclePolicy::default()),
+                    Box::new(PlannerPolicy::best()),
+                    Box::new(PlannerPolicy::in_unknown_home()),
+                    Box::new(PlannerPolicy::faithful()),
                 ];
                 for mut policy in policies {
                     let stream = Seed(seed).child(goal).stream();
                     let (vain, refused) = (Vec::new(), BTreeMap::new());
                     let mut world = Moody { world: Simulator::new(scene.clone()), stream, percent, vain, refused };
                     let task = Task::new("moody", goal.parse().unwrap());
-                    let episode = Run::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+                    let episode = EpisodeOptions::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                     let told = format!("{} {seed} {goal} {percent}%: {episode:?}", policy.name());
                     assert!(episode.outcome != Outcome::TimedOut, "{told}");
                     // A stranger takes unknown things as absent.
@@ -232,11 +232,11 @@ fn what_is_forbidden_is_not_tried_for_ever() {
         let tables: Vec<NodeId> = tables.collect();
         let scene = scene.build();
         let task = Task::new("lay", "On(mug, kitchen_table)".parse().unwrap());
-        let policies: [Box<dyn Policy>; 2] = [Box::new(Resident::default()), Box::new(Newcomer::best())];
+        let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
         for mut policy in policies {
             let cannot = vec![Action::two(Verb::Place, mug, tables[0])];
             let mut world = Clumsy { world: Simulator::new(scene.clone()), cannot, forbids: true, failures: 0 };
-            let episode = Run::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+            let episode = EpisodeOptions::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
             assert_eq!(episode.outcome == Outcome::Won, wins, "{}: {episode:?}", policy.name());
             assert!(episode.outcome != Outcome::Aborted, "{}: {episode:?}", policy.name());
             assert!(world.failures <= 3, "{}: {} times what is forbidden", policy.name(), world.failures);

@@ -6,7 +6,7 @@ use crate::homes;
 
 use homes::{GOALS, home};
 use vc_graph::{Draft, Node, NodeId, Place, Property, Relation, SceneBuilder, Scope, Simulator};
-use vc_planner::{Belief, Newcomer, Policy, Prior, Run};
+use vc_planner::{Belief, EpisodeOptions, PlannerPolicy, Policy, Prior};
 use vc_tasks::{Outcome, Task};
 
 #[test]
@@ -20,7 +20,7 @@ fn places_are_added_when_they_are_seen() {
     let book = scene.add_on(desk, Draft::new("book")).unwrap();
     let me = scene.add_in(bedroom, Draft::new("character")).unwrap();
     let mut world = Simulator::new(scene.build());
-    let mut belief = Belief::of_stranger(world.graph(), me, 0, Prior::Kept);
+    let mut belief = Belief::of_unknown_home(world.graph(), me, 0, Prior::Kept);
     let knows = |belief: &Belief, ids: &[NodeId]| -> Vec<bool> {
         ids.iter().map(|&id| belief.graph().node(id).is_some()).collect()
     };
@@ -59,14 +59,14 @@ fn goals_are_reached_without_knowing_the_furniture() {
         let scene = home(seed);
         for goal in GOALS {
             let task = Task::new("unknown home", goal.parse().unwrap());
-            let steps = |mut policy: Newcomer| {
+            let steps = |mut policy: PlannerPolicy| {
                 let mut world = Simulator::new(scene.clone());
-                let episode = Run::seeded(seed).episode(&mut policy, &task, &mut world, &mut |_| {});
+                let episode = EpisodeOptions::seeded(seed).episode(&mut policy, &task, &mut world, &mut |_| {});
                 assert_eq!(episode.outcome, Outcome::Won, "{} {seed} {goal}: {episode:?}", policy.name());
                 episode.steps
             };
-            told += steps(Newcomer::best());
-            stranger += steps(Newcomer::stranger());
+            told += steps(PlannerPolicy::best());
+            stranger += steps(PlannerPolicy::in_unknown_home());
         }
     }
     println!("{told} steps, {stranger} without knowing the furniture");
@@ -79,7 +79,8 @@ fn what_is_nowhere_is_given_up_when_all_has_been_seen() {
     let scene = home(3);
     let task = Task::new("nowhere", "Holds(unicorn)".parse().unwrap());
     let mut world = Simulator::new(scene.clone());
-    let episode = Run::seeded(3).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
+    let episode =
+        EpisodeOptions::seeded(3).episode(&mut PlannerPolicy::in_unknown_home(), &task, &mut world, &mut |_| {});
     assert_eq!(episode.outcome, Outcome::Lost);
     assert!(episode.reason.unwrap().contains("unicorn"));
     let shut =
@@ -95,16 +96,16 @@ fn what_can_be_nowhere_is_given_up_at_once() {
     let me = scene.add(Draft::new("character")).unwrap();
     let apples = ["apple", "apple"].map(|class| scene.add(Draft::new(class)).unwrap());
     let scene = scene.build();
-    for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::faithful()] {
+    for mut policy in [PlannerPolicy::best(), PlannerPolicy::in_unknown_home(), PlannerPolicy::faithful()] {
         for goal in ["Holds(apple)", "Near(me, apple)", "On(apple, apple)", "Sliced(apple), 2"] {
             let task = Task::new("nowhere", goal.parse().unwrap());
             let mut world = Simulator::new(scene.clone());
-            let episode = Run::seeded(0).episode(&mut policy, &task, &mut world, &mut |_| {});
+            let episode = EpisodeOptions::seeded(0).episode(&mut policy, &task, &mut world, &mut |_| {});
             assert_eq!((episode.outcome, episode.steps), (Outcome::Lost, 0), "{} {goal}", policy.name());
             assert!(episode.reason.unwrap().contains("apple"), "{} {goal}", policy.name());
         }
     }
-    let belief = Belief::of_newcomer(&scene, me, 0);
+    let belief = Belief::of_known_home(&scene, me, 0);
     assert_eq!(apples.map(|id| belief.distribution(id).len()), [0, 0]);
 }
 
@@ -143,7 +144,12 @@ fn numbered_things_in_rooms_not_seen_are_found() {
         let steps = |goal: &str| {
             let task = Task::new("numbers", goal.parse().unwrap());
             let mut world = Simulator::new(scene.clone());
-            let episode = Run::seeded(1).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
+            let episode = EpisodeOptions::seeded(1).episode(
+                &mut PlannerPolicy::in_unknown_home(),
+                &task,
+                &mut world,
+                &mut |_| {},
+            );
             assert_eq!(episode.outcome, Outcome::Won, "{goal}: {episode:?}");
             episode.steps
         };
@@ -153,7 +159,8 @@ fn numbered_things_in_rooms_not_seen_are_found() {
     // A goal about a thing that the scene lacks is lost once everything has been seen.
     let task = Task::new("numbers", "On(pudding, #999) & SittingOn(me, chair)".parse().unwrap());
     let mut world = Simulator::new(scene.clone());
-    let episode = Run::seeded(1).episode(&mut Newcomer::stranger(), &task, &mut world, &mut |_| {});
+    let episode =
+        EpisodeOptions::seeded(1).episode(&mut PlannerPolicy::in_unknown_home(), &task, &mut world, &mut |_| {});
     assert!(episode.outcome == Outcome::Lost && episode.steps < 20, "{episode:?}");
 }
 
@@ -163,9 +170,10 @@ fn a_scene_without_any_place_is_lost_with_a_reason() {
     let text = r#"{"nodes": [{"id": 1, "class_name": "character", "category": "Characters"},
         {"id": 2, "class_name": "apple", "category": "Food"}], "edges": []}"#;
     let scene = vc_graph::format::virtualhome::read(text, &vc_graph::ClassTable::builtin()).unwrap();
-    for mut policy in [Newcomer::best(), Newcomer::stranger(), Newcomer::faithful()] {
+    for mut policy in [PlannerPolicy::best(), PlannerPolicy::in_unknown_home(), PlannerPolicy::faithful()] {
         let task = Task::new("nowhere", "Holds(apple)".parse().unwrap());
-        let episode = Run::seeded(0).episode(&mut policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
+        let episode =
+            EpisodeOptions::seeded(0).episode(&mut policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
         assert_eq!((episode.outcome, episode.steps), (Outcome::Lost, 0), "{}", policy.name());
         assert!(episode.reason.unwrap().contains("apple"), "{}", policy.name());
     }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
 use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, Verb};
-use vc_planner::{Helper, Newcomer, Policy, Team, Watcher, plan, run_together};
+use vc_planner::{GoalRecognizer, Helper, PlannerPolicy, Policy, Team, plan, run_together};
 use vc_tasks::{Outcome, Task};
 
 /// A home with two people, and one of each of eight things anywhere.
@@ -128,7 +128,7 @@ fn what_somebody_does_tells_its_goal() {
         let scene = home(index as u64);
         let me = scene.agents()[0];
         let actions = plan(&mut scene.clone(), me, goal, &History::default()).unwrap().actions;
-        let mut watcher = Watcher::new(goals.clone());
+        let mut watcher = GoalRecognizer::new(goals.clone());
         let mut world = Simulator::new(scene);
         for &action in &actions[..actions.len() * 2 / 3] {
             let before = world.graph().clone();
@@ -163,9 +163,9 @@ fn helped_by(helper: fn(Vec<Goal>) -> Helper) -> (usize, usize, usize) {
             episode.rounds
         };
         let ids = scene.agents();
-        alone += rounds(&mut [(ids[0], &mut Newcomer::best())]);
+        alone += rounds(&mut [(ids[0], &mut PlannerPolicy::best())]);
         let mut helper = helper(goals.clone());
-        helped += rounds(&mut [(ids[0], &mut Newcomer::best()), (ids[1], &mut helper)]);
+        helped += rounds(&mut [(ids[0], &mut PlannerPolicy::best()), (ids[1], &mut helper)]);
         right += usize::from(*helper.likely()[0].0 == task.goal);
     }
     println!("alone {alone}, helped {helped}: {:.3}; {right} of 20 goals inferred", helped as f64 / alone as f64);
@@ -174,7 +174,7 @@ fn helped_by(helper: fn(Vec<Goal>) -> Helper) -> (usize, usize, usize) {
 
 #[test]
 fn a_helper_saves_steps() {
-    let (alone, helped, right) = helped_by(Helper::resident);
+    let (alone, helped, right) = helped_by(Helper::oracle);
     assert!(right >= 18, "{right}");
     assert!(helped * 100 <= alone * 76, "{helped} of {alone}");
 }
@@ -182,7 +182,7 @@ fn a_helper_saves_steps() {
 /// Who sees only the room it is in goes after the other to see what it does, and helps less.
 #[test]
 fn a_helper_that_has_just_moved_in_saves_steps_too() {
-    let (alone, helped, right) = helped_by(Helper::newcomer);
+    let (alone, helped, right) = helped_by(Helper::in_known_home);
     assert!(right >= 18, "{right}");
     assert!(helped * 100 <= alone * 92, "{helped} of {alone}");
 }
@@ -194,7 +194,7 @@ fn a_goal_that_calls_a_thing_what_it_is_not_is_lost_and_names_both() {
     let task = Task::new("misnamed", format!("Inside(plate.{apple}, fridge)").parse().unwrap());
     let told = format!("`plate.{apple}` names a thing that is apple.{apple}");
     let mut team = Team::newcomers(&scene, &ids, &task.goal, 3);
-    let mut newcomer = Newcomer::best();
+    let mut newcomer = PlannerPolicy::best();
     let mut world = Simulator::new(scene.clone());
     for episode in [
         team.run(&task, &mut world),
@@ -216,7 +216,7 @@ fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
         (NodeId(9_999_999), "there is no node #9999999 in this scene".to_owned()),
     ] {
         let mut team = Team::newcomers(&scene, &[me, stranger], &task.goal, 3);
-        let (mut one, mut other) = (Newcomer::best(), Newcomer::best());
+        let (mut one, mut other) = (PlannerPolicy::best(), PlannerPolicy::best());
         let mut together = [(me, &mut one as &mut dyn Policy), (stranger, &mut other as &mut dyn Policy)];
         let mut world = Simulator::new(scene.clone());
         for episode in [

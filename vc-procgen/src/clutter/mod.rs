@@ -6,8 +6,8 @@
 //! within a surface of its carrier, and no two on one surface overlap.
 
 mod habits;
-mod keeper;
 mod set;
+mod surface_filler;
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ use vc_graph::asset::Hold;
 use crate::apartment::Apartment;
 use crate::furnish::{Item, Rest};
 use habits::{Choice, Habits, Place};
-use keeper::Keeper;
+use surface_filler::SurfaceFiller;
 
 /// Fills an apartment; `amount` ranges from 0 (only the objects that furniture needs) to 1.
 pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
@@ -32,7 +32,7 @@ pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
         let own = seed.child("clutter").nth(index as u64);
         let first = standing.partition_point(|s| s.carrier < index);
         let on_it = standing[first..].iter().take_while(|s| s.carrier == index);
-        let mut keeper = Keeper::new(home, index, own, on_it.map(|s| (s.surface, s.item)));
+        let mut keeper = SurfaceFiller::new(home, index, own, on_it.map(|s| (s.surface, s.item)));
         set::dress(&mut keeper, amount);
         for surface in 0..keeper.surfaces() {
             keep(&mut keeper, surface, &mut choices, amount);
@@ -72,7 +72,7 @@ impl Choices {
 }
 
 /// Puts habitual objects on a surface, their number depending on its area and the amount.
-fn keep(keeper: &mut Keeper<'_>, surface: usize, choices: &mut Choices, amount: f32) {
+fn keep(keeper: &mut SurfaceFiller<'_>, surface: usize, choices: &mut Choices, amount: f32) {
     let (class, room) = (keeper.class(), keeper.room_class());
     let Some(s) = keeper.surface(surface) else { return };
     let (hold, area) = (s.hold, 4.0 * s.half.0 * s.half.1);

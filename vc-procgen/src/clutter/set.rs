@@ -4,11 +4,11 @@ use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::asset::Hold;
 use vc_graph::{State, Stream};
 
-use super::keeper::Keeper;
+use super::surface_filler::SurfaceFiller;
 use crate::draft::Draft;
 
 /// Adds the objects that a piece needs, and those it usually has.
-pub(super) fn dress(k: &mut Keeper<'_>, amount: f32) {
+pub(super) fn dress(k: &mut SurfaceFiller<'_>, amount: f32) {
     match k.class() {
         "double_bed" => bedding(k, 2),
         "single_bed" | "kids_bed" => bedding(k, 1),
@@ -46,7 +46,7 @@ pub(super) fn together(class: &str, rng: &mut Stream) -> usize {
 }
 
 /// Places a duvet, spread over the bed or turned back, and pillows at the head.
-fn bedding(k: &mut Keeper<'_>, pillows: usize) {
+fn bedding(k: &mut SurfaceFiller<'_>, pillows: usize) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
     let (length, width) = (2.0 * half.0, 2.0 * half.1);
@@ -71,7 +71,7 @@ fn bedding(k: &mut Keeper<'_>, pillows: usize) {
     }
 }
 
-fn cushions(k: &mut Keeper<'_>) {
+fn cushions(k: &mut SurfaceFiller<'_>) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
     for side in [-1.0_f32, 1.0] {
@@ -86,7 +86,7 @@ fn cushions(k: &mut Keeper<'_>) {
 }
 
 /// Places a television as wide as its stand allows.
-fn television(k: &mut Keeper<'_>) {
+fn television(k: &mut SurfaceFiller<'_>) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
     let width = (2.0 * half.1 - 0.02).min(1.45);
@@ -97,7 +97,7 @@ fn television(k: &mut Keeper<'_>) {
 }
 
 /// Places a laptop, or a monitor with keyboard and mouse, and a lamp.
-fn workplace(k: &mut Keeper<'_>) {
+fn workplace(k: &mut SurfaceFiller<'_>) {
     let Some(surface) = k.first(Hold::On) else { return };
     let Some((centre, half)) = k.surface(surface).map(|s| (s.centre, s.half)) else { return };
     // A person at the desk faces its back, so screens face its front.
@@ -123,7 +123,7 @@ fn workplace(k: &mut Keeper<'_>) {
     lamp(k, "desk_lamp", 0.7);
 }
 
-fn lamp(k: &mut Keeper<'_>, class: &str, chance: f32) {
+fn lamp(k: &mut SurfaceFiller<'_>, class: &str, chance: f32) {
     let Some(surface) = k.first(Hold::On) else { return };
     if !k.rng.chance(chance) {
         return;
@@ -137,7 +137,7 @@ fn lamp(k: &mut Keeper<'_>, class: &str, chance: f32) {
 }
 
 /// Places a tap on the ledge behind a bowl.
-fn tap(k: &mut Keeper<'_>) {
+fn tap(k: &mut SurfaceFiller<'_>) {
     let Some(&ledge) = k.named("ledge").first() else { return };
     let Some(centre) = k.surface(ledge).map(|s| s.centre) else { return };
     let Some(tap) = k.make("faucet", Some([0.2, 0.06, 0.3])) else { return };
@@ -145,7 +145,7 @@ fn tap(k: &mut Keeper<'_>) {
 }
 
 /// Places the usual appliances on a worktop.
-fn worktop(k: &mut Keeper<'_>, amount: f32) {
+fn worktop(k: &mut SurfaceFiller<'_>, amount: f32) {
     let Some(surface) = k.first(Hold::On) else { return };
     for (class, chance) in [
         ("kettle", 0.35),
@@ -161,7 +161,7 @@ fn worktop(k: &mut Keeper<'_>, amount: f32) {
     }
 }
 
-fn cookware(k: &mut Keeper<'_>, amount: f32) {
+fn cookware(k: &mut SurfaceFiller<'_>, amount: f32) {
     let burners = k.named("burner");
     for surface in burners {
         if k.rng.chance(0.25 * amount) {
@@ -172,7 +172,7 @@ fn cookware(k: &mut Keeper<'_>, amount: f32) {
 }
 
 /// Hangs objects on hooks and rods.
-fn coats(k: &mut Keeper<'_>, classes: &[&str], chance: f32) {
+fn coats(k: &mut SurfaceFiller<'_>, classes: &[&str], chance: f32) {
     for surface in 0..k.surfaces() {
         let hook = k.surface(surface).is_some_and(|s| s.hold == Hold::Hook);
         if !hook || !k.rng.chance(chance) {
@@ -198,7 +198,7 @@ fn coats(k: &mut Keeper<'_>, classes: &[&str], chance: f32) {
 }
 
 /// Places rows of standing books, from a shelf's left side.
-fn books(k: &mut Keeper<'_>, amount: f32) {
+fn books(k: &mut SurfaceFiller<'_>, amount: f32) {
     for surface in 0..k.surfaces() {
         let Some((centre, half, clearance)) =
             k.surface(surface).map(|s| (s.centre, s.half, s.clearance.unwrap_or(0.3)))

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use vc_geometry::Opening;
-use vc_graph::{Aabb, Asset, Bounds, ClassTable, Frame, Kind, Node, NodeId, ObjectRole, Property, SceneGraph};
+use vc_graph::{
+    Aabb, Asset, Bounds, BoundsFrame, ClassTable, Node, NodeId, NodeKind, ObjectRole, Property, SceneGraph,
+};
 use vc_shapes::Generators;
 
 use super::holders;
@@ -33,7 +35,7 @@ const WAY: (f32, f32) = (0.12, 1.6);
 
 impl<'g> House<'g> {
     pub(super) fn of(graph: &'g SceneGraph, generators: &'g Generators) -> Self {
-        let objects = || graph.nodes().filter(|n| n.kind() == Kind::Object);
+        let objects = || graph.nodes().filter(|n| n.kind() == NodeKind::Object);
         let mut shapes = vc_geometry::shapes(graph);
         let (floor, wall, ceiling) = (ObjectRole::Floor, ObjectRole::Wall, ObjectRole::Ceiling);
         let built = |n: &Node| [floor, wall, ceiling].contains(&n.role()) || goes_around(n);
@@ -94,7 +96,7 @@ impl<'g> House<'g> {
     /// The objects of a class and its subclasses, with their classes and bounding boxes.
     pub(super) fn of_kind<'a>(&'a self, kind: &'a str) -> impl Iterator<Item = (NodeId, &'a Arc<str>, Aabb)> + 'a {
         let classes = self.graph.classes();
-        let of_kind = move |n: &&Node| n.kind() == Kind::Object && classes.is_a(n.class(), kind);
+        let of_kind = move |n: &&Node| n.kind() == NodeKind::Object && classes.is_a(n.class(), kind);
         self.graph.nodes().filter(of_kind).filter_map(|n| Some((n.id(), n.class(), n.aabb()?)))
     }
 }
@@ -127,7 +129,7 @@ fn pieces(node: &Node, asset: &Asset) -> Vec<Aabb> {
     let placed = |part: &vc_graph::asset::Part| {
         let (low, high) = part.extent();
         let half = (high - low) / 2.0;
-        let bounds = Bounds { offset: nalgebra::center(&low, &high).coords, half, frame: Frame::Object };
+        let bounds = Bounds { offset: nalgebra::center(&low, &high).coords, half, frame: BoundsFrame::Object };
         bounds.aabb(pose)
     };
     asset.parts.iter().map(placed).collect()

@@ -44,8 +44,8 @@ use std::sync::Arc;
 use nalgebra::{Translation3, Vector3};
 use vc_graph::asset::{AssetError, Merged};
 use vc_graph::{
-    Asset, AssetId, AssetLibrary, Bounds, Draft, EditError, Frame, Kind, Node, NodeId, Pose, SceneBuilder, SceneGraph,
-    Seed,
+    Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, EditError, Node, NodeId, NodeKind, Pose, SceneBuilder,
+    SceneGraph, Seed,
 };
 
 use vc_shapes::{Generator, Generators, Style};
@@ -169,7 +169,7 @@ impl<'g> Wardrobe<'g> {
     /// Determines the shape that a node needs.
     fn need(&self, house: &House, node: &Node) -> Need {
         let (Some(bounds), Some(pose)) = (node.spec().bounds, node.pose()) else { return Need::Usual };
-        if node.kind() != Kind::Object || node.spec().asset.is_some() {
+        if node.kind() != NodeKind::Object || node.spec().asset.is_some() {
             return Need::Nothing;
         }
         if let Some(built) = shell::built(house, node, &self.style, self.seed) {
@@ -261,7 +261,7 @@ fn rounded(bounds: &Bounds) -> [i32; 6] {
 
 /// The generator for a node, if the node has neither shape nor box.
 fn lacks_all<'g>(generators: &'g Generators, node: &Node) -> Option<&'g Generator> {
-    let bare = node.kind() == Kind::Object && node.spec().asset.is_none() && node.spec().bounds.is_none();
+    let bare = node.kind() == NodeKind::Object && node.spec().asset.is_none() && node.spec().bounds.is_none();
     generators.get(node.class()).filter(|_| bare)
 }
 
@@ -282,7 +282,7 @@ fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) 
 
 /// Whether a node's box does not tell its rotation.
 fn is_unturned(bounds: &Bounds) -> bool {
-    bounds.frame == Frame::World
+    bounds.frame == BoundsFrame::World
 }
 
 /// The nodes that a node rests on or in, directly or indirectly, the nearest first.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector2, Vector3};
 use vc_geometry::Opening;
-use vc_graph::{Aabb, Asset, Bounds, Frame, Node, NodeId, ObjectRole, Pose, Seed};
+use vc_graph::{Aabb, Asset, Bounds, BoundsFrame, Node, NodeId, ObjectRole, Pose, Seed};
 
 use super::compose::{block, moved};
 use super::house::{House, goes_around};
@@ -83,13 +83,13 @@ fn corners(bounds: &Bounds) -> (Point3<f32>, Point3<f32>) {
 /// The pose whose axes a node's box is aligned with.
 fn upright(pose: &Pose, bounds: &Bounds) -> Pose {
     match bounds.frame {
-        Frame::Object => *pose,
-        Frame::World => Isometry3::from_parts(pose.translation, UnitQuaternion::identity()),
+        BoundsFrame::Object => *pose,
+        BoundsFrame::World => Isometry3::from_parts(pose.translation, UnitQuaternion::identity()),
     }
 }
 
 fn around(low: Point3<f32>, high: Point3<f32>) -> Bounds {
-    Bounds { offset: nalgebra::center(&low, &high).coords, half: (high - low) / 2.0, frame: Frame::Object }
+    Bounds { offset: nalgebra::center(&low, &high).coords, half: (high - low) / 2.0, frame: BoundsFrame::Object }
 }
 
 fn one_block(name: &str, (low, high): (Point3<f32>, Point3<f32>), mat: Mat) -> Asset {
@@ -134,7 +134,7 @@ fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
     let top = Point3::new(clear.max.x, clear.max.y, clear.min.z + STRIP);
     let (a, c) = (pose.inverse() * clear.min, pose.inverse() * top);
     let asset = one_block("threshold", (a.inf(&c), a.sup(&c)), mat);
-    Some(Built { asset, pose, bounds: Bounds { frame: Frame::Object, ..bounds } })
+    Some(Built { asset, pose, bounds: Bounds { frame: BoundsFrame::Object, ..bounds } })
 }
 
 /// A door, window or empty frame, generated for its opening.

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, Point2, Rotation3, UnitQuaternion, Vector2, Vector3};
-use vc_graph::{Aabb, Bounds, Frame, NodeId, ObjectRole, Pose, Property};
+use vc_graph::{Aabb, Bounds, BoundsFrame, NodeId, ObjectRole, Pose, Property};
 use vc_shapes::Generators;
 
 use super::house::{House, is_seat};
@@ -50,7 +50,7 @@ pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) ->
     let half = lain.own(if front % 2 == 1 { Vector3::new(size.y, size.x, size.z) } else { size }) / 2.0;
     let half = grown(house.generators, &class, half);
     let offset = rotation.inverse() * bounds.offset;
-    let bounds = Bounds { offset, half, frame: Frame::Object };
+    let bounds = Bounds { offset, half, frame: BoundsFrame::Object };
     let taken = taken(house, id, &box_, front);
     Place { class, pose, bounds, taken }
 }

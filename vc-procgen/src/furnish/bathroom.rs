@@ -4,13 +4,13 @@ use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Rest, Setter};
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::plan::RoomKind;
 
 /// The number of attempts to place the fittings.
 const TRIES: usize = 40;
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
+pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let bath = s.kind() == RoomKind::Bathroom;
     let mut fittings: Vec<Vec<(Draft, Need)>> = Vec::new();
     if bath {

@@ -4,10 +4,10 @@ use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Facing, Rest, Setter};
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::plan::RoomKind;
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
+pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     // In small rooms sometimes one, sometimes the other finds a place only if it comes first.
     if s.rng.chance(0.3) {
         wardrobe(s)?;
@@ -24,13 +24,13 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-fn bed(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn bed(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let bed = place_bed(s).ok_or_else(|| s.missing("bed"))?;
     s.item(bed).required = true;
     Ok(())
 }
 
-fn wardrobe(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn wardrobe(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let widths: &[f32] =
         if s.space.square_metres > 13.0 { &[2.4, 2.0, 1.6, 1.2, 1.0, 0.8] } else { &[1.8, 1.5, 1.0, 0.8] };
     let skip = s.rng.below(2);

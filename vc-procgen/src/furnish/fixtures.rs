@@ -5,10 +5,10 @@ use super::area::Facing;
 use super::other::hang_somewhere;
 use super::space::{Side, Solid};
 use super::{Rest, Setter};
-use crate::plan::{OpeningKind, Plan, RoomKind, metres};
+use crate::plan::{FloorPlan, OpeningKind, RoomKind, metres};
 
 /// Adds the fixtures that fit beside the room's furniture.
-pub(super) fn fix(s: &mut Setter<'_>, plan: &Plan) {
+pub(super) fn fix(s: &mut Setter<'_>, plan: &FloorPlan) {
     if s.kind() == RoomKind::Balcony {
         return;
     }
@@ -33,7 +33,7 @@ pub(super) fn fix(s: &mut Setter<'_>, plan: &Plan) {
 }
 
 /// Hangs one lamp from the ceiling of every room, several in rooms of several rectangles.
-fn ceiling_lamp(s: &mut Setter<'_>, plan: &Plan) {
+fn ceiling_lamp(s: &mut Setter<'_>, plan: &FloorPlan) {
     let class = match s.kind() {
         RoomKind::Living | RoomKind::Kids | RoomKind::Bedroom if s.rng.chance(0.5) => "pendant_lamp",
         _ => "ceiling_lamp",
@@ -63,7 +63,7 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &Plan) {
 }
 
 /// Adds a switch at the latch side of every door, inside the room.
-fn switches(s: &mut Setter<'_>, plan: &Plan) {
+fn switches(s: &mut Setter<'_>, plan: &FloorPlan) {
     let Some(switch) = s.make("lightswitch", [0.012, 0.08, 0.08]) else { return };
     let doors: Vec<_> = plan.doors_of(s.room).filter(|o| o.has_leaf()).copied().collect();
     for door in doors.iter().filter(|o| o.kind != OpeningKind::BalconyDoor).take(2) {

@@ -4,7 +4,7 @@ use super::Setter;
 use super::place::{Need, Spot};
 use super::space::OFF_WALL;
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::plan::RoomKind;
 
 /// The depth and height of units, metres.
@@ -26,7 +26,7 @@ const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Un
     Unit { class, widths, height: TOP, required }
 }
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
+pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let large = s.space.square_metres > 7.5 && s.kind() == RoomKind::Kitchen;
     let fridge = Unit { class: "fridge", widths: &[0.7, 0.6], height: s.rng.between(1.6, 1.95), required: true };
     let mut units =
@@ -61,7 +61,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
 
 /// Places the whole run; if that fails, only the required units; if that fails, these in their
 /// narrowest widths.
-fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Impossible> {
+fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, SpecificationError> {
     if let Ok(run) = place_run(s, &units) {
         return Ok(run);
     }
@@ -82,7 +82,7 @@ fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Imp
 
 /// Places the units side by side: along the wall that accommodates most of them, the rest along
 /// others.
-fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Impossible> {
+fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, SpecificationError> {
     let mut best: Option<Run> = None;
     let tries = s.space.sides.len() * 2;
     // Made once, because every attempt uses the same objects.

@@ -4,10 +4,10 @@ use super::place::{Need, Spot};
 use super::space::Solid;
 use super::{Area, Facing, Rest, Setter};
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::object::Object;
 
-pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Impossible> {
+pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), SpecificationError> {
     sitting(s)?;
     if open_kitchen || s.space.square_metres > 15.0 {
         dining(s, if s.space.square_metres > 24.0 { 6 } else { 4 });
@@ -30,7 +30,7 @@ pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Impo
 }
 
 /// Furnishes a studio: bed, kitchen, table, and a sofa if it fits.
-pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), Impossible> {
+pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     super::kitchen::furnish(s)?;
     super::bedroom::furnish(s)?;
     if sitting(s).is_err() {
@@ -49,7 +49,7 @@ pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), Impossible> {
 }
 
 /// Ensures that there is a table: a small one if none has been placed yet.
-fn table(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn table(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let tables = ["coffee_table", "side_table", "dining_table"];
     if let Some(at) = s.items.iter().position(|i| tables.contains(&i.object.class)) {
         s.items[at].required = true;
@@ -62,7 +62,7 @@ fn table(s: &mut Setter<'_>) -> Result<(), Impossible> {
 }
 
 /// Places a sofa facing a television stand across a coffee table.
-fn sitting(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn sitting(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let square = s.space.square_metres;
     let widths: &[f32] = if square > 22.0 { &[2.3, 2.0, 1.7, 1.5] } else { &[1.9, 1.6, 1.4] };
     let depth = s.rng.between(0.86, 0.96);

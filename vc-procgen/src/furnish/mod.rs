@@ -26,9 +26,9 @@ use vc_graph::{Pose, Seed, State, Stream};
 
 use crate::Style;
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::object::Object;
-use crate::plan::{OpeningKind, Plan, RoomKind};
+use crate::plan::{FloorPlan, OpeningKind, RoomKind};
 use space::{Solid, Space};
 
 /// The number of attempts to furnish a room before the plan is given up.
@@ -118,8 +118,12 @@ impl Item {
 /// The furniture of a whole plan, room by room, as boxes, with the draft of each piece.
 ///
 /// # Errors
-/// [`Impossible::NoPlace`] with the room and the piece that does not fit.
-pub(crate) fn furnish(plan: &Plan, style: &Style, seed: Seed) -> Result<(Vec<Item>, Vec<Draft>), Impossible> {
+/// [`SpecificationError::NoPlace`] with the room and the piece that does not fit.
+pub(crate) fn furnish(
+    plan: &FloorPlan,
+    style: &Style,
+    seed: Seed,
+) -> Result<(Vec<Item>, Vec<Draft>), SpecificationError> {
     let open_kitchen = plan.openings.iter().any(|o| {
         o.kind == OpeningKind::Passage
             && [o.low, o.high].into_iter().flatten().any(|r| plan.rooms[r].kind == RoomKind::Kitchen)
@@ -165,11 +169,11 @@ fn strictness(kind: RoomKind) -> u8 {
     }
 }
 
-fn unwalkable(plan: &Plan, room: usize) -> Impossible {
-    Impossible::NoPlace { kind: plan.rooms[room].kind, room, piece: "way to walk" }
+fn unwalkable(plan: &FloorPlan, room: usize) -> SpecificationError {
+    SpecificationError::NoPlace { kind: plan.rooms[room].kind, room, piece: "way to walk" }
 }
 
-fn furnish_room(s: &mut Setter<'_>, plan: &Plan, open_kitchen: bool) -> Result<(), Impossible> {
+fn furnish_room(s: &mut Setter<'_>, plan: &FloorPlan, open_kitchen: bool) -> Result<(), SpecificationError> {
     if !s.space.walk.stays_open(&[]) {
         return Err(unwalkable(plan, s.room));
     }
@@ -220,8 +224,8 @@ impl Setter<'_> {
     }
 
     /// An error that names the missing piece.
-    fn missing(&self, piece: &'static str) -> Impossible {
-        Impossible::NoPlace { kind: self.space.kind, room: self.room, piece }
+    fn missing(&self, piece: &'static str) -> SpecificationError {
+        SpecificationError::NoPlace { kind: self.space.kind, room: self.room, piece }
     }
 
     /// Adds an item whose footprint is centred on a point, its base at `z`; returns its index in

@@ -5,10 +5,10 @@ use super::bedroom::{bookcase, desk, in_corner};
 use super::place::Need;
 use super::space::Solid;
 use crate::draft::Draft;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 use crate::plan::RoomKind;
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), Impossible> {
+pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     match s.kind() {
         RoomKind::Hall => hall(s),
         RoomKind::Study => return study(s),
@@ -61,7 +61,7 @@ fn hooks(s: &mut Setter<'_>) {
     }
 }
 
-fn study(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn study(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let index = desk(s, 1.2).ok_or_else(|| s.missing("desk"))?;
     s.item(index).required = true;
     bookcase(s);
@@ -79,7 +79,7 @@ fn study(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-fn laundry(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn laundry(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let washer =
         s.first_against("washing_machine", &[[0.6, 0.6, 0.85], [0.5, 0.58, 0.85]], Need::front(0.55), in_corner);
     let washer = washer.ok_or_else(|| s.missing("washing machine"))?;
@@ -95,7 +95,7 @@ fn laundry(s: &mut Setter<'_>) -> Result<(), Impossible> {
     Ok(())
 }
 
-fn storage(s: &mut Setter<'_>) -> Result<(), Impossible> {
+fn storage(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     let sizes = [[0.4, 1.0, 1.8], [0.35, 0.8, 1.7], [0.3, 0.6, 1.6], [0.28, 0.5, 1.5]];
     let shelf = s.first_against("storage_shelf", &sizes, Need::front(0.5), in_corner);
     let shelf = shelf.ok_or_else(|| s.missing("shelf"))?;

@@ -7,7 +7,7 @@ use vc_geometry::grid::{ceiling, floor};
 
 use super::area::{Area, Facing};
 use super::walk::Walk;
-use crate::plan::{Edge, OpeningKind, Plan, Rect, Room, RoomKind, metres};
+use crate::plan::{Edge, FloorPlan, OpeningKind, Rect, Room, RoomKind, metres};
 
 /// The distance of furniture from walls, which leaves space for the skirting, metres.
 pub(super) const OFF_WALL: f32 = 0.02;
@@ -85,7 +85,7 @@ pub(super) struct Space {
 }
 
 impl Space {
-    pub(super) fn of(plan: &Plan, index: usize) -> Self {
+    pub(super) fn of(plan: &FloorPlan, index: usize) -> Self {
         let room = &plan.rooms[index];
         let net = room.net();
         let mut space = Self {
@@ -186,7 +186,7 @@ impl Space {
     }
 }
 
-fn panes(plan: &Plan, index: usize) -> Vec<Solid> {
+fn panes(plan: &FloorPlan, index: usize) -> Vec<Solid> {
     let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(index));
     let pane = |o: &crate::plan::Opening| Solid {
         area: Area::of(&o.before(o.high == Some(index), 4)).grown(0.07),
@@ -197,13 +197,13 @@ fn panes(plan: &Plan, index: usize) -> Vec<Solid> {
 }
 
 /// The inner faces of a room's walls; for a balcony its railings and the house.
-fn sides(plan: &Plan, index: usize, net: &[Rect]) -> Vec<Side> {
+fn sides(plan: &FloorPlan, index: usize, net: &[Rect]) -> Vec<Side> {
     let inner = Room { kind: plan.rooms[index].kind, rects: net.to_vec(), of: None };
     let edges = crate::plan::edges_of(&[inner]);
     edges.iter().map(|e| side(plan, index, e)).collect()
 }
 
-fn side(plan: &Plan, index: usize, edge: &Edge) -> Side {
+fn side(plan: &FloorPlan, index: usize, edge: &Edge) -> Side {
     let inwards_high = edge.high.is_some();
     let facing = match (edge.vertical, inwards_high) {
         (true, true) => Facing(0),

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use vc_geometry::grid::BitGrid;
 
 use super::Area;
-use crate::plan::{OpeningKind, Plan, Rect};
+use crate::plan::{FloorPlan, OpeningKind, Rect};
 use crate::reach::{BODY, PERSON, REACH, boards, doorway, is_in_the_way, outward};
 
 /// The depth of floor beyond a door that is assumed to be free, cells: the next room keeps it so.
@@ -46,7 +46,7 @@ struct Wanted {
 }
 
 impl Walk {
-    pub(super) fn of(plan: &Plan, room: usize, net: &[Rect]) -> Self {
+    pub(super) fn of(plan: &FloorPlan, room: usize, net: &[Rect]) -> Self {
         let hull = plan.rooms[room].hull().grown(BEYOND + plan.shell + 2);
         let blank = BitGrid::new(hull.width() as usize, hull.depth() as usize);
         let doorways: Vec<Rect> = plan.doors_of(room).map(|o| doorway(plan, o)).collect();

@@ -8,7 +8,7 @@ use super::canvas::{Anchor, Canvas, Colour, Ink, Point};
 use super::top;
 use crate::apartment::Apartment;
 use crate::furnish::Area;
-use crate::plan::{Opening, OpeningKind, Plan, Rect, Room, RoomKind, Scheme, metres};
+use crate::plan::{FloorPlan, Opening, OpeningKind, Rect, Room, RoomKind, Scheme, metres};
 use crate::reach::doorway;
 
 /// The margin around the building, metres.
@@ -26,17 +26,17 @@ const THIN: f32 = 0.015;
 /// The text heights tried for room names, metres.
 const SIZES: [f32; 5] = [0.26, 0.21, 0.17, 0.13, 0.09];
 
-impl Plan {
+impl FloorPlan {
     /// Draws the plan seen from above, in metres: walls, doors, windows, names and areas of rooms,
     /// a scale.
     ///
     /// ```
     /// use vc_graph::Seed;
     /// use vc_procgen::Specification;
-    /// use vc_procgen::plan::Plan;
-    /// let plan = Plan::generate(&Specification::with_bedrooms(2), Seed(42))?;
+    /// use vc_procgen::plan::FloorPlan;
+    /// let plan = FloorPlan::generate(&Specification::with_bedrooms(2), Seed(42))?;
     /// assert!(plan.drawing().to_svg(1000).contains("Living room"));
-    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn drawing(&self) -> Canvas {
         draw(self, &summary(self), &[], |_| {})
@@ -52,7 +52,7 @@ impl Apartment {
     /// use vc_procgen::Apartment;
     /// let home = Apartment::from_seed(Seed(42))?;
     /// assert!(home.floor_plan().to_svg(1000).contains("Apartment 42"));
-    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn floor_plan(&self) -> Canvas {
         let title = format!("Apartment {} · {}", self.seed.0, summary(&self.plan));
@@ -77,7 +77,7 @@ impl Scheme {
 }
 
 /// The scheme, the area, and the numbers of bedrooms and bathrooms.
-fn summary(plan: &Plan) -> String {
+fn summary(plan: &FloorPlan) -> String {
     let count = |f: fn(RoomKind) -> bool| plan.rooms.iter().filter(|r| f(r.kind)).count();
     let (beds, baths) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
     format!("{} · {:.1} m² · {beds} bed · {baths} bath", plan.scheme.title(), plan.area())
@@ -85,7 +85,7 @@ fn summary(plan: &Plan) -> String {
 
 /// Draws everything in order, from the floors to the names; `furnish` draws on the floors, and the
 /// names avoid `furniture` as far as possible.
-fn draw(plan: &Plan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut Canvas)) -> Canvas {
+fn draw(plan: &FloorPlan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut Canvas)) -> Canvas {
     let (low, high) = frame(plan);
     let mut canvas = Canvas::new(low, high);
     balconies(&mut canvas, plan);
@@ -103,7 +103,7 @@ fn draw(plan: &Plan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut 
 
 /// The visible area: the building with its outer walls and a margin, no narrower than [`SLIMMEST`]
 /// of its height.
-fn frame(plan: &Plan) -> (Point, Point) {
+fn frame(plan: &FloorPlan) -> (Point, Point) {
     let hull = plan.hull().grown(plan.shell);
     let (south, north) = (metres(hull.y0) - MARGIN - STRIP, metres(hull.y1) + MARGIN + STRIP);
     let side = (SLIMMEST * (north - south) - metres(hull.width())) / 2.0;
@@ -129,14 +129,14 @@ fn tint(kind: RoomKind) -> Colour {
 }
 
 /// Draws balconies with dashed outlines.
-fn balconies(canvas: &mut Canvas, plan: &Plan) {
+fn balconies(canvas: &mut Canvas, plan: &FloorPlan) {
     for rect in plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).flat_map(|r| &r.rects) {
         fill(canvas, rect, Ink::filled(tint(RoomKind::Balcony)).outlined(LINE, 2.0 * THIN).dashed(0.12));
     }
 }
 
 /// Draws walls: the area within the outer line that is in no room's net area.
-fn walls(canvas: &mut Canvas, plan: &Plan) {
+fn walls(canvas: &mut Canvas, plan: &FloorPlan) {
     let indoors = || plan.rooms.iter().filter(|r| r.kind != RoomKind::Balcony);
     for rect in indoors().flat_map(|r| &r.rects) {
         fill(canvas, &rect.grown(plan.shell), Ink::filled(WALL));
@@ -152,7 +152,7 @@ fn at(opening: &Opening, along: f32, across: f32) -> Point {
 }
 
 /// Draws the gap of an opening in its wall, with the panes of a window.
-fn cut(canvas: &mut Canvas, plan: &Plan, opening: &Opening) {
+fn cut(canvas: &mut Canvas, plan: &FloorPlan, opening: &Opening) {
     let hole = doorway(plan, opening);
     let inside = [opening.low, opening.high].into_iter().flatten().map(|r| plan.rooms[r].kind);
     let floor = inside.filter(|&k| k != RoomKind::Balcony).map(tint).next().unwrap_or(Colour::WHITE);

@@ -27,7 +27,7 @@ use serde::Serialize;
 use vc_graph::{Seed, Stream};
 
 use crate::Specification;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 
 /// The number of grid cells per metre.
 pub const CELLS: f32 = 20.0;
@@ -186,7 +186,7 @@ impl Room {
 
 /// A floor plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Plan {
+pub struct FloorPlan {
     /// The scheme of its layout.
     pub scheme: Scheme,
     /// The rooms; balconies come last.
@@ -223,12 +223,12 @@ pub enum Scheme {
     Annealed,
 }
 
-impl Plan {
+impl FloorPlan {
     /// Generates a plan for a specification: draws a programme and lays it out.
     ///
     /// # Errors
-    /// [`Impossible`] states the requirement that cannot be fulfilled.
-    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
+    /// [`SpecificationError`] states the requirement that cannot be fulfilled.
+    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
         Self::lay_out(&Programme::draw(specification, seed)?, seed)
     }
 
@@ -238,15 +238,15 @@ impl Plan {
     /// hundred microseconds; if none does, uses annealing, in some milliseconds.
     ///
     /// # Errors
-    /// [`Impossible::NoPlan`] if no scheme accommodates it.
-    pub fn lay_out(programme: &Programme, seed: Seed) -> Result<Self, Impossible> {
+    /// [`SpecificationError::NoPlan`] if no scheme accommodates it.
+    pub fn lay_out(programme: &Programme, seed: Seed) -> Result<Self, SpecificationError> {
         let mut rng = seed.child("plan").stream();
         for scheme in programme.schemes(&mut rng) {
             if let Some(plan) = Self::attempt(programme, scheme, &mut rng) {
                 return Ok(plan);
             }
         }
-        Err(Impossible::NoPlan { rooms: programme.wishes.len(), area: programme.area() })
+        Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() })
     }
 
     fn attempt(programme: &Programme, scheme: Scheme, rng: &mut Stream) -> Option<Self> {

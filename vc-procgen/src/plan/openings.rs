@@ -5,7 +5,7 @@ use vc_graph::Stream;
 
 use super::edges::Edge;
 use super::programme::{Programme, draw_area};
-use super::{CELLS, Plan, Rect, Room, RoomKind, cells, edges};
+use super::{CELLS, FloorPlan, Rect, Room, RoomKind, cells, edges};
 
 /// The kind of an opening in a wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -107,7 +107,7 @@ impl Opening {
 const CORNER: i32 = 3;
 
 /// Adds doors, passages, balconies and windows to a plan. `None` if a room cannot have its door.
-pub(super) fn open(plan: &mut Plan, programme: &Programme, rng: &mut Stream) -> Option<()> {
+pub(super) fn open(plan: &mut FloorPlan, programme: &Programme, rng: &mut Stream) -> Option<()> {
     let edges = edges::edges(&plan.rooms);
     let mut opener = Opener { rooms: &plan.rooms, edges: &edges, facades: plan.facades, placed: Vec::new() };
     opener.entrance(rng)?;
@@ -292,7 +292,13 @@ fn side(edge: &Edge) -> usize {
 }
 
 /// Adds balconies in front of windowed walls, with their doors.
-fn balconies(plan: &mut Plan, edges: &[Edge], programme: &Programme, openings: &mut Vec<Opening>, rng: &mut Stream) {
+fn balconies(
+    plan: &mut FloorPlan,
+    edges: &[Edge],
+    programme: &Programme,
+    openings: &mut Vec<Opening>,
+    rng: &mut Stream,
+) {
     let mut wished: Vec<bool> = vec![false; usize::from(programme.balconies.0)];
     wished.extend(vec![true; usize::from(programme.balconies.1)]);
     wished.extend((0..programme.more_balconies).map(|i| i % 2 == 0));
@@ -316,7 +322,7 @@ fn balconies(plan: &mut Plan, edges: &[Edge], programme: &Programme, openings: &
 }
 
 /// A balcony in front of an outer wall: its net area begins where the wall ends.
-fn balcony(plan: &Plan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> Option<(Room, Opening)> {
+fn balcony(plan: &FloorPlan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> Option<(Room, Opening)> {
     let depth = rng.count(24, 34) as i32;
     let area = draw_area(RoomKind::Balcony, rng);
     let length = ((area * CELLS * CELLS / (depth - 2) as f32) as i32 + 2).clamp(32, edge.length());
@@ -354,7 +360,7 @@ fn balcony(plan: &Plan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> 
 
 /// Adds windows: in living rooms and bedrooms at least an eighth of the floor area, where the outer
 /// walls allow it.
-fn windows(plan: &Plan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &mut Stream) {
+fn windows(plan: &FloorPlan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &mut Stream) {
     for (index, room) in plan.rooms.iter().enumerate() {
         let (sill, head, share, most) = match room.kind {
             RoomKind::Living | RoomKind::Bedroom | RoomKind::Kids | RoomKind::Study => (0.9, 2.25, 0.125, 44),

@@ -5,7 +5,7 @@ use vc_graph::{Seed, Stream};
 
 use super::{RoomKind, Scheme, Topology};
 use crate::Specification;
-use crate::error::Impossible;
+use crate::error::SpecificationError;
 
 /// A requested room.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,8 +69,8 @@ impl Programme {
     /// Draws everything that the specification leaves open.
     ///
     /// # Errors
-    /// [`Impossible`] if the requirements contradict each other.
-    pub fn draw(specification: &Specification, seed: Seed) -> Result<Self, Impossible> {
+    /// [`SpecificationError`] if the requirements contradict each other.
+    pub fn draw(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
         specification.check()?;
         let mut rng = seed.child("programme").stream();
         let bedrooms = specification.bedrooms.unwrap_or_else(|| draw_bedrooms(specification, &mut rng));
@@ -154,7 +154,7 @@ impl Programme {
     }
 
     /// Scales the rooms to a requested total, within the limits of each kind.
-    fn fit_area(&mut self, wished: Option<f32>) -> Result<(), Impossible> {
+    fn fit_area(&mut self, wished: Option<f32>) -> Result<(), SpecificationError> {
         let Some(wished) = wished else { return Ok(()) };
         let bounds = |w: &Wish| (areas(w.kind).2, areas(w.kind).3);
         let hall = if self.wishes.len() > 2 { (self.wishes.len() as f32 * 0.9).max(2.5) } else { 0.0 };
@@ -164,10 +164,10 @@ impl Programme {
         if wished < needed {
             let largest = self.wishes.iter().max_by(|a, b| bounds(a).0.total_cmp(&bounds(b).0));
             let (largest, share) = largest.map_or(("", 0.0), |w| (w.kind.title(), bounds(w).0));
-            return Err(Impossible::TooSmall { rooms, needed, wished, largest, share });
+            return Err(SpecificationError::TooSmall { rooms, needed, wished, largest, share });
         }
         if wished > most {
-            return Err(Impossible::TooLarge { rooms, most, wished });
+            return Err(SpecificationError::TooLarge { rooms, most, wished });
         }
         // Rooms at a limit leave the rest to the others.
         for _ in 0..8 {

@@ -1,19 +1,19 @@
 //! Rotations and mirrorings of plans.
 
 use super::rect;
-use super::{Opening, Plan};
+use super::{FloorPlan, Opening};
 
-impl Plan {
+impl FloorPlan {
     /// The plan in one of its eight orientations, with its south-west corner at the origin. The
     /// bits of `way`: 1 mirrors X, 2 mirrors Y, 4 then swaps them.
     ///
     /// ```
     /// use vc_graph::Seed;
     /// use vc_procgen::Specification;
-    /// use vc_procgen::plan::Plan;
-    /// let plan = Plan::generate(&Specification::default(), Seed(3))?;
+    /// use vc_procgen::plan::FloorPlan;
+    /// let plan = FloorPlan::generate(&Specification::default(), Seed(3))?;
     /// assert_eq!(plan.turned(1).turned(1), plan.turned(0));
-    /// # Ok::<(), vc_procgen::Impossible>(())
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     #[must_use]
     pub fn turned(&self, way: usize) -> Self {
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn openings_stay_in_their_walls() {
         for seed in 0..20 {
-            let Ok(plan) = Plan::generate(&Specification::default(), Seed(seed)) else { continue };
+            let Ok(plan) = FloorPlan::generate(&Specification::default(), Seed(seed)) else { continue };
             for way in 0..8 {
                 let turned = plan.turned(way);
                 let edges = turned.edges();

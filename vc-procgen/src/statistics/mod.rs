@@ -8,16 +8,16 @@
 //! ```
 //! use vc_graph::Seed;
 //! use vc_procgen::Specification;
-//! use vc_procgen::plan::Plan;
+//! use vc_procgen::plan::FloorPlan;
 //! use vc_procgen::statistics::Statistics;
 //!
 //! let mut statistics = Statistics::default();
 //! for seed in 0..20 {
-//!     statistics.add_plan(&Plan::generate(&Specification::with_bedrooms(2), Seed(seed))?);
+//!     statistics.add_plan(&FloorPlan::generate(&Specification::with_bedrooms(2), Seed(seed))?);
 //! }
 //! assert_eq!(statistics.homes, 20);
 //! assert!(statistics.report().contains("| bedroom"));
-//! # Ok::<(), vc_procgen::Impossible>(())
+//! # Ok::<(), vc_procgen::SpecificationError>(())
 //! ```
 
 mod compare;
@@ -38,7 +38,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::apartment::Apartment;
 use crate::furnish::Rest;
-use crate::plan::{OpeningKind, Plan, RoomKind};
+use crate::plan::{FloorPlan, OpeningKind, RoomKind};
 
 /// The bin width of areas, m².
 const AREA: f32 = 0.05;
@@ -123,7 +123,7 @@ impl Statistics {
     }
 
     /// Adds a plan without furniture.
-    pub fn add_plan(&mut self, plan: &Plan) {
+    pub fn add_plan(&mut self, plan: &FloorPlan) {
         let count = |f: fn(RoomKind) -> bool| plan.rooms.iter().filter(|r| f(r.kind)).count() as u32;
         let (bedrooms, bathrooms) = (count(RoomKind::is_bedroom), count(|k| k == RoomKind::Bathroom));
         self.homes += 1;
@@ -166,7 +166,7 @@ impl Statistics {
 }
 
 impl RoomFigures {
-    fn add(&mut self, plan: &Plan, index: usize) {
+    fn add(&mut self, plan: &FloorPlan, index: usize) {
         let room = &plan.rooms[index];
         let hull = room.hull().grown(-1);
         self.area.add(room.area());
@@ -201,7 +201,7 @@ mod tests {
 
     fn of(seeds: std::ops::Range<u64>) -> Statistics {
         let mut statistics = Statistics::default();
-        let plans = seeds.filter_map(|seed| Plan::generate(&Specification::default(), Seed(seed)).ok());
+        let plans = seeds.filter_map(|seed| FloorPlan::generate(&Specification::default(), Seed(seed)).ok());
         plans.for_each(|plan| statistics.add_plan(&plan));
         statistics
     }
@@ -230,8 +230,8 @@ mod tests {
 
     #[test]
     fn turning_changes_nothing() {
-        let plan = Plan::generate(&Specification::with_bedrooms(2), Seed(9)).unwrap();
-        let of = |plan: &Plan| {
+        let plan = FloorPlan::generate(&Specification::with_bedrooms(2), Seed(9)).unwrap();
+        let of = |plan: &FloorPlan| {
             let mut statistics = Statistics::default();
             statistics.add_plan(plan);
             statistics

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::zone::{Zone, pair};
 use super::{AREA, Spread, add_counts};
-use crate::plan::{OpeningKind, Plan};
+use crate::plan::{FloorPlan, OpeningKind};
 
 /// The contact length below which rooms do not count as sharing a wall, cells.
 const CONTACT: i32 = 6;
@@ -31,7 +31,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    pub(super) fn add(&mut self, plan: &Plan) {
+    pub(super) fn add(&mut self, plan: &FloorPlan) {
         self.homes += 1;
         self.area.get_or_insert_with(|| Spread::new(AREA)).add(plan.area());
         self.add_areas(plan);
@@ -50,7 +50,7 @@ impl Sample {
         }
     }
 
-    fn add_areas(&mut self, plan: &Plan) {
+    fn add_areas(&mut self, plan: &FloorPlan) {
         let mut living = 0.0;
         for room in &plan.rooms {
             match Zone::of(room.kind) {

@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 
 use vc_graph::{NodeId, SceneGraph};
 use vc_procgen::Apartment;
-use vc_procgen::plan::{Plan, metres};
+use vc_procgen::plan::{FloorPlan, metres};
 
 use thing::{Thing, things};
 
@@ -47,7 +47,7 @@ pub(crate) struct Finding {
 /// An apartment under examination.
 pub(crate) struct House<'a> {
     seed: u64,
-    plan: &'a Plan,
+    plan: &'a FloorPlan,
     scene: &'a SceneGraph,
     things: Vec<Thing>,
     at: HashMap<NodeId, usize>,

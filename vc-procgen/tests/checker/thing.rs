@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use nalgebra::Isometry3;
 use vc_graph::asset::{Hold, Joint};
-use vc_graph::{AssetId, Kind, Node, NodeId, Property, Relation, SceneGraph};
+use vc_graph::{AssetId, Node, NodeId, NodeKind, Property, Relation, SceneGraph};
 
 use super::shape::{Form, P, V};
 
@@ -121,7 +121,7 @@ pub(crate) fn hull(boxes: impl Iterator<Item = (P, P)>) -> (P, P) {
 /// All objects of a scene that have a shape.
 pub(crate) fn things(scene: &SceneGraph) -> Vec<Thing> {
     let mut forms: HashMap<AssetId, Vec<Rc<Form>>> = HashMap::new();
-    let nodes = scene.nodes().filter(|n| n.kind() == Kind::Object);
+    let nodes = scene.nodes().filter(|n| n.kind() == NodeKind::Object);
     nodes.filter_map(|n| thing(scene, n, &mut forms)).collect()
 }
 

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 use vc_graph::Edge;
-use vc_relations::{Relations, Rule};
+use vc_relations::{RelationRule, Relations};
 
 fn words(value: &Value) -> Vec<&str> {
     value.as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect()
@@ -25,7 +25,7 @@ fn all_relations_are_those_worked_out_by_hand() {
     for line in include_str!("../data/box_traces.jsonl").lines() {
         let case: Value = serde_json::from_str(line).unwrap();
         let scene = shared::scene(words(&case["scene"]));
-        let relations = Relations::new(&scene.graph, Rule::BoxTrace, scene.evidence.clone()).unwrap();
+        let relations = Relations::new(&scene.graph, RelationRule::BoxTrace, scene.evidence.clone()).unwrap();
         let expected: BTreeSet<Edge> = words(&case["edges"]).iter().map(|e| edge(&scene, e)).collect();
         let found: BTreeSet<Edge> = relations.edges().into_iter().collect();
         let named = |edges: &mut dyn Iterator<Item = &Edge>| -> Vec<String> {

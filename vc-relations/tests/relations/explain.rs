@@ -6,9 +6,9 @@ use crate::shared;
 
 use nalgebra::Point3;
 use vc_graph::{Edge, Relation};
-use vc_relations::{Evidence, Explanation, Hit, Relations, Rule, Side, Trace, Verdict};
+use vc_relations::{BoxTrace, Evidence, Explanation, Hit, RelationRule, Relations, Side, TraceOutcome};
 
-fn explain(rule: Rule, lines: &[&str], from: &str, to: &str) -> (shared::Named, Explanation) {
+fn explain(rule: RelationRule, lines: &[&str], from: &str, to: &str) -> (shared::Named, Explanation) {
     let scene = shared::scene(lines.iter().copied());
     let relations = Relations::new(&scene.graph, rule, scene.evidence.clone()).unwrap();
     let why = relations.explain(scene.id(from), scene.id(to)).unwrap();
@@ -16,7 +16,7 @@ fn explain(rule: Rule, lines: &[&str], from: &str, to: &str) -> (shared::Named, 
 }
 
 fn why(lines: &[&str], from: &str, to: &str) -> Explanation {
-    explain(Rule::Repaired, lines, from, to).1
+    explain(RelationRule::Contacts, lines, from, to).1
 }
 
 fn hit_of(why: &Explanation, hits: &[Hit]) -> Hit {
@@ -27,14 +27,14 @@ fn hit_of(why: &Explanation, hits: &[Hit]) -> Hit {
 fn hits_tell_what_was_met_where() {
     let scene =
         shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let relations = Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
     assert_eq!(why.down[0].what, scene.id("table"));
     assert!((why.down[0].distance - 0.002).abs() < 1e-4);
     assert!((why.down[0].at - Point3::new(0.1, 0.2, 0.75)).norm() < 0.02);
-    assert_eq!(why.down[0].verdict, Verdict::Counts);
+    assert_eq!(why.down[0].verdict, TraceOutcome::Counts);
     assert_eq!(why.down[1].what, scene.id("floor"));
-    assert_eq!(why.down[1].verdict, Verdict::TooFar);
+    assert_eq!(why.down[1].verdict, TraceOutcome::TooFar);
     assert!(why.to_string().contains("by the trace down"));
 }
 
@@ -47,7 +47,7 @@ fn hits_upwards_tell_which_piece_was_met_and_where() {
     assert_eq!(hit.pieces, (None, 4));
     assert!((hit.distance - 0.67).abs() < 1e-4, "{hit:?}");
     assert!((hit.at - Point3::new(0.3825, 0.0, 0.72)).norm() < 1e-4, "{hit:?}");
-    assert_eq!(hit.verdict, Verdict::Counts);
+    assert_eq!(hit.verdict, TraceOutcome::Counts);
     assert!(why.holds.contains(&Relation::Under));
 }
 
@@ -58,16 +58,16 @@ fn every_verdict_on_what_is_below() {
         hit_of(&why, &why.down).verdict
     };
     let saucer = ["t = table 0.8 1.2 0.75", "s = box 0.2 0.2 0.01 @ 0 0 0.75", "c = box 0.1 0.1 0.1 @ 0 0 0.76"];
-    assert_eq!(verdict(&saucer, "c", "s"), Verdict::Counts);
-    assert_eq!(verdict(&saucer, "c", "t"), Verdict::Outranked);
+    assert_eq!(verdict(&saucer, "c", "s"), TraceOutcome::Counts);
+    assert_eq!(verdict(&saucer, "c", "t"), TraceOutcome::Outranked);
     let high = ["f = floor 4 4", "a = box 0.2 0.2 0.2 @ 0 0 0.5"];
-    assert_eq!(verdict(&high, "a", "f"), Verdict::TooFar);
+    assert_eq!(verdict(&high, "a", "f"), TraceOutcome::TooFar);
     let sunk = ["a = box 0.4 0.4 0.4", "b = box 0.3 0.3 0.3 @ 0 0 0.3"];
-    assert_eq!(verdict(&sunk, "b", "a"), Verdict::TooDeep);
+    assert_eq!(verdict(&sunk, "b", "a"), TraceOutcome::TooDeep);
     let steep = ["a = box 1 1 0.1 @ 0 0 0.5 r 0 70 0", "b = box 0.1 0.1 0.1 @ 0 0 1"];
-    assert_eq!(verdict(&steep, "b", "a"), Verdict::TooSteep);
+    assert_eq!(verdict(&steep, "b", "a"), TraceOutcome::TooSteep);
     let shelf = ["s = shelf 0.3 0.8 1.2 3", "b = book 0.2 0.03 0.25 @ 0 0 0.413"];
-    assert_eq!(verdict(&shelf, "s", "b"), Verdict::Content);
+    assert_eq!(verdict(&shelf, "s", "b"), TraceOutcome::Content);
 }
 
 #[test]
@@ -77,11 +77,11 @@ fn every_verdict_on_what_is_above() {
         hit_of(&why, &why.up).verdict
     };
     let room = ["c = ceiling 4 4 @ 0 0 2.5", "t = table 0.8 1.2 0.75", "b = ball 0.1"];
-    assert_eq!(verdict(&room, "b", "t"), Verdict::Counts);
-    assert_eq!(verdict(&room, "b", "c"), Verdict::Shaded);
-    assert_eq!(verdict(&room, "t", "c"), Verdict::Shade);
+    assert_eq!(verdict(&room, "b", "t"), TraceOutcome::Counts);
+    assert_eq!(verdict(&room, "b", "c"), TraceOutcome::Shaded);
+    assert_eq!(verdict(&room, "t", "c"), TraceOutcome::Shade);
     let stack = ["a = box 0.4 0.4 0.3", "b = box 0.3 0.3 0.3 @ 0 0 0.3"];
-    assert_eq!(verdict(&stack, "a", "b"), Verdict::Carried);
+    assert_eq!(verdict(&stack, "a", "b"), TraceOutcome::Carried);
 }
 
 #[test]
@@ -90,24 +90,24 @@ fn every_verdict_on_looking() {
         let mut lines = vec!["me = person 1.7", tv];
         lines.extend(more);
         let why = why(&lines, "me", "tv");
-        assert_eq!(why.holds.contains(&Relation::Facing), why.sight.unwrap().verdict == Verdict::Counts, "{why}");
+        assert_eq!(why.holds.contains(&Relation::Facing), why.sight.unwrap().verdict == TraceOutcome::Counts, "{why}");
         why.sight.unwrap()
     };
     let ahead = sight("tv = tv 0.1 1.2 0.7 @ 3 1.73205 0.5", &[]);
-    assert_eq!(ahead.verdict, Verdict::Counts);
+    assert_eq!(ahead.verdict, TraceOutcome::Counts);
     assert!((ahead.angle.to_degrees() - 30.0).abs() < 1e-3 && (ahead.distance - 12.0_f32.sqrt()).abs() < 1e-4);
     let aside = sight("tv = tv 0.1 1.2 0.7 @ 0 -3 0.5", &[]);
-    assert_eq!(aside.verdict, Verdict::Aside);
+    assert_eq!(aside.verdict, TraceOutcome::Aside);
     assert!((aside.angle.to_degrees() - 90.0).abs() < 1e-3);
     let behind = sight("tv = tv 0.1 1.2 0.7 @ -3 0 0.5", &[]);
-    assert!(behind.verdict == Verdict::Aside && (behind.angle.to_degrees() - 180.0).abs() < 1e-3);
-    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 5.1 0 0.5", &[]).verdict, Verdict::TooFar);
-    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 1 0 6.8", &[]).verdict, Verdict::TooFar);
+    assert!(behind.verdict == TraceOutcome::Aside && (behind.angle.to_degrees() - 180.0).abs() < 1e-3);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 5.1 0 0.5", &[]).verdict, TraceOutcome::TooFar);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 1 0 6.8", &[]).verdict, TraceOutcome::TooFar);
     let wall = ["wall = wall 0.1 4 2.5 @ 1.5 0 0"];
-    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 3 0 0.5", &wall).verdict, Verdict::Walled);
-    assert_eq!(sight("tv = box 0.1 1.2 0.7 @ 3 0 0.5", &[]).verdict, Verdict::Unfit);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 3 0 0.5", &wall).verdict, TraceOutcome::Walled);
+    assert_eq!(sight("tv = box 0.1 1.2 0.7 @ 3 0 0.5", &[]).verdict, TraceOutcome::Unfit);
     let back = why(&["me = person 1.7", "tv = tv 0.1 1.2 0.7 @ 3 0 0.5 r 0 0 180"], "tv", "me");
-    assert_eq!(back.sight.unwrap().verdict, Verdict::Unfit);
+    assert_eq!(back.sight.unwrap().verdict, TraceOutcome::Unfit);
 }
 
 #[test]
@@ -115,16 +115,16 @@ fn every_verdict_on_sitting_and_lying() {
     let seat = |lines: &[&str], to: &str| why(lines, "me", to).seat.unwrap();
     let sitting = "me = boxed 0.3 0.45 1.3 @ 0.05 0 0 class character state sitting";
     let on_chair = seat(&["c = chair", sitting], "c");
-    assert_eq!(on_chair.verdict, Verdict::Counts);
+    assert_eq!(on_chair.verdict, TraceOutcome::Counts);
     assert!((on_chair.share.unwrap() - 0.46 / 1.3).abs() < 1e-4, "{on_chair:?}");
-    assert_eq!(seat(&["c = chair @ 0.02 0 0", "d = chair", sitting], "d").verdict, Verdict::Outranked);
-    assert_eq!(seat(&["c = chair @ 0.7 0 0", sitting], "c").verdict, Verdict::Aside);
-    assert_eq!(seat(&["c = chair", "me = person 1.7 @ 0.05 0 0.46"], "c").verdict, Verdict::WrongHeight);
-    assert_eq!(seat(&["b = box 0.4 0.4 0.4", sitting], "b").verdict, Verdict::Unfit);
+    assert_eq!(seat(&["c = chair @ 0.02 0 0", "d = chair", sitting], "d").verdict, TraceOutcome::Outranked);
+    assert_eq!(seat(&["c = chair @ 0.7 0 0", sitting], "c").verdict, TraceOutcome::Aside);
+    assert_eq!(seat(&["c = chair", "me = person 1.7 @ 0.05 0 0.46"], "c").verdict, TraceOutcome::WrongHeight);
+    assert_eq!(seat(&["b = box 0.4 0.4 0.4", sitting], "b").verdict, TraceOutcome::Unfit);
     let lying = "me = boxed 1.7 0.45 0.3 @ 0 0 0.5 class character state lying";
-    assert_eq!(seat(&["b = bed 1.4", lying], "b").verdict, Verdict::Counts);
-    assert_eq!(seat(&["b = bed 1.4 @ 4 0 0", lying], "b").verdict, Verdict::TooFar);
-    assert_eq!(seat(&["c = chair", lying], "c").verdict, Verdict::Unfit);
+    assert_eq!(seat(&["b = bed 1.4", lying], "b").verdict, TraceOutcome::Counts);
+    assert_eq!(seat(&["b = bed 1.4 @ 4 0 0", lying], "b").verdict, TraceOutcome::TooFar);
+    assert_eq!(seat(&["c = chair", lying], "c").verdict, TraceOutcome::Unfit);
     assert_eq!(why(&["c = chair", sitting], "c", "me").seat, None);
 }
 
@@ -138,21 +138,21 @@ fn every_verdict_on_hanging() {
     };
     // A narrow coat, which only one of the hooks touches.
     let hangs = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180 s 1 0.3 1", &[]);
-    assert_eq!((hangs.verdict, hangs.distance), (Verdict::Counts, 0.0));
+    assert_eq!((hangs.verdict, hangs.distance), (TraceOutcome::Counts, 0.0));
     assert!((hangs.at - Point3::new(2.945, 0.1, 1.69)).norm() < 1e-4, "{hangs:?}");
     let far = hook("c = coat @ 1.9 0.1 1.7 r 0 0 180", &[]);
-    assert!(far.verdict == Verdict::TooFar && (far.distance - 0.985).abs() < 1e-4, "{far:?}");
-    assert_eq!(hook("c = coat @ 2.9 0.1 2.5 r 0 0 180", &[]).verdict, Verdict::WrongHeight);
+    assert!(far.verdict == TraceOutcome::TooFar && (far.distance - 0.985).abs() < 1e-4, "{far:?}");
+    assert_eq!(hook("c = coat @ 2.9 0.1 2.5 r 0 0 180", &[]).verdict, TraceOutcome::WrongHeight);
     let stands = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180", &["b = box 0.3 0.6 0.7 @ 2.85 0.1 0"]);
-    assert_eq!(stands.verdict, Verdict::Outranked);
-    assert_eq!(hook("c = door 0.9 2 @ 2.945 0 0", &[]).verdict, Verdict::Unfit);
+    assert_eq!(stands.verdict, TraceOutcome::Outranked);
+    assert_eq!(hook("c = door 0.9 2 @ 2.945 0 0", &[]).verdict, TraceOutcome::Unfit);
     assert_eq!(why(&[hooks, "c = coat"], "h", "c").hook, None);
 }
 
 #[test]
 fn who_holds_a_thing_is_said() {
     let lines = ["t = table 0.8 1.2 0.75", "me = person 1.7 @ 1 0 0", "c = mug 0.08 0.1 @ 0 0 0.75", "me holds_left c"];
-    let (scene, why) = explain(Rule::Repaired, &lines, "c", "t");
+    let (scene, why) = explain(RelationRule::Contacts, &lines, "c", "t");
     assert_eq!(why.held, [Edge::new(scene.id("me"), Relation::HoldsLeft, scene.id("c"))]);
     assert!(why.supports.is_empty() && !why.holds.contains(&Relation::On));
     assert!(why.to_string().contains("holds or wears it"), "{why}");
@@ -172,21 +172,21 @@ const TWO_ROOMS: [&str; 7] = [
 fn depths_tell_why_a_thing_is_in_a_room() {
     let mut lines = TWO_ROOMS.to_vec();
     lines.push("cup = box 0.1 0.1 0.1 @ -1.5 0 0");
-    let (scene, here) = explain(Rule::Repaired, &lines, "cup", "west");
+    let (scene, here) = explain(RelationRule::Contacts, &lines, "cup", "west");
     let close = |depth: f32, to: f32| (depth - to).abs() < 1e-4;
     assert_eq!(here.holds, [Relation::InRoom]);
     assert!(here.rooms.len() == 1 && here.rooms[0].0 == scene.id("west") && close(here.rooms[0].1, 1.4), "{here}");
-    let (scene, there) = explain(Rule::Repaired, &lines, "cup", "east");
+    let (scene, there) = explain(RelationRule::Contacts, &lines, "cup", "east");
     assert_eq!((there.holds.len(), there.rooms.len()), (0, 2));
     assert!(there.rooms[1].0 == scene.id("east") && close(there.rooms[1].1, -1.6), "{there}");
     assert!(there.to_string().contains(&format!("1.60 m outside of {}", scene.id("east"))), "{there}");
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let relations = Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     assert!(relations.explain(scene.id("west"), scene.id("cup")).is_none());
 }
 
 #[test]
 fn points_beside_a_door_tell_what_it_is_between() {
-    let (scene, why) = explain(Rule::Repaired, &TWO_ROOMS, "door", "east");
+    let (scene, why) = explain(RelationRule::Contacts, &TWO_ROOMS, "door", "east");
     assert_eq!(why.holds, [Relation::Between]);
     let mut sides = why.sides.clone();
     sides.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
@@ -199,18 +199,18 @@ fn points_beside_a_door_tell_what_it_is_between() {
 #[test]
 fn other_rules_are_explained_by_what_they_ask() {
     let lines = ["f = floor 4 4", "a = box 0.4 0.4 0.3 @ 0 0 0.01", "b = box 0.2 0.2 0.2 @ 0.5 0 0.02"];
-    let (scene, why) = explain(Rule::BoxTrace, &lines, "a", "b");
+    let (scene, why) = explain(RelationRule::BoxTrace, &lines, "a", "b");
     assert_eq!(why.holds, [Relation::Near, Relation::NearFront]);
-    assert_eq!(why.traces.iter().map(|t| t.trace).collect::<Vec<_>>(), Trace::ALL);
+    assert_eq!(why.traces.iter().map(|t| t.trace).collect::<Vec<_>>(), BoxTrace::ALL);
     let hit = |trace| why.traces.iter().find(|t| t.trace == trace).unwrap().hit;
-    let (what, far) = hit(Trace::Side(Side::Front)).unwrap();
+    let (what, far) = hit(BoxTrace::Side(Side::Front)).unwrap();
     assert!(what == scene.id("b") && (far - 0.2).abs() < 1e-5);
-    let (what, far) = hit(Trace::Down).unwrap();
+    let (what, far) = hit(BoxTrace::Down).unwrap();
     assert!(what == scene.id("f") && (far - 0.01).abs() < 1e-5);
-    assert!([Trace::Up, Trace::Side(Side::Back), Trace::Side(Side::Left)].iter().all(|t| hit(*t).is_none()));
-    for rule in [Rule::BoxTrace, Rule::VirtualHome] {
+    assert!([BoxTrace::Up, BoxTrace::Side(Side::Back), BoxTrace::Side(Side::Left)].iter().all(|t| hit(*t).is_none()));
+    for rule in [RelationRule::BoxTrace, RelationRule::VirtualHome] {
         let (_, why) = explain(rule, &lines, "a", "b");
         assert!(why.down.is_empty() && why.up.is_empty() && why.supports.is_empty() && why.sight.is_none());
-        assert_eq!(why.traces.is_empty(), rule == Rule::VirtualHome);
+        assert_eq!(why.traces.is_empty(), rule == RelationRule::VirtualHome);
     }
 }

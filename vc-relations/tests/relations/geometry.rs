@@ -8,12 +8,12 @@ use crate::shared;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_relations::{Evidence, Flaw, Relations, Rule};
+use vc_relations::{Evidence, InputFlaw, RelationRule, Relations};
 
 fn boxes(list: &[(Vector3<f32>, Pose)]) -> SceneGraph {
     let mut scene = SceneBuilder::new("boxes");
     for (half, pose) in list {
-        let bounds = Bounds { offset: Vector3::zeros(), half: *half, frame: vc_graph::Frame::Object };
+        let bounds = Bounds { offset: Vector3::zeros(), half: *half, frame: vc_graph::BoundsFrame::Object };
         scene.add(Draft::new("carton").bounds(bounds).at(*pose)).unwrap();
     }
     scene.build()
@@ -85,7 +85,7 @@ proptest! {
     fn distances_are_those_of_the_slow_way(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
-        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+        let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
         let (least, most) = slow_bounds(&one, &two);
         match relations.near(NodeId(1)).first() {
             Some(near) => {
@@ -103,7 +103,7 @@ proptest! {
     fn sweeps_meet_what_a_dropped_box_meets(a in half(), p in pose(), b in half(), q in pose()) {
         let (one, two) = ((a, p), (b, q));
         let graph = boxes(&[one, two]);
-        let relations = Relations::new(&graph, Rule::BoxTrace, Evidence::default()).unwrap();
+        let relations = Relations::new(&graph, RelationRule::BoxTrace, Evidence::default()).unwrap();
         let hit = relations.between(NodeId(1), NodeId(2)).contains(&Relation::On);
         let slow = slow_drop(&one, &two, 2.9);
         // Grazing hits may go either way, so the slow result must be the same with a thicker and with a thinner
@@ -128,7 +128,7 @@ proptest! {
             edit.add(Draft::new("character").bounds(bounds).at(list[0].1)).unwrap();
             edit.commit();
         }
-        let relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+        let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
         let edges = relations.edges();
         prop_assert!(edges.is_sorted());
         for edge in &edges {
@@ -178,7 +178,7 @@ proptest! {
             n[..3].iter().any(|&v| !(0.0..=1e4).contains(&v)) || n[3..].iter().any(|v| !(-1e4..=1e4).contains(v))
         };
         let bad = numbers.iter().filter(is_bad).count();
-        for rule in [Rule::Repaired, Rule::BoxTrace, Rule::VirtualHome] {
+        for rule in [RelationRule::Contacts, RelationRule::BoxTrace, RelationRule::VirtualHome] {
             match Relations::new(&graph, rule, Evidence::default()) {
                 Ok(mut relations) => {
                     prop_assert_eq!(bad, 0);
@@ -195,13 +195,13 @@ proptest! {
 #[test]
 fn flaws_are_named_and_change_nothing() {
     let mut graph = boxes(&[(Vector3::repeat(0.1), Pose::identity()), (Vector3::repeat(0.1), Pose::identity())]);
-    let mut relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+    let mut relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
     let before = relations.edges();
     let mut edit = graph.edit();
     edit.set_pose(NodeId(1), Some(Pose::translation(0.0, 20_000.0, 0.0))).unwrap();
     edit.commit();
     let error = relations.update(&graph, &[NodeId(1)]).unwrap_err();
-    assert_eq!(error.flaws, [Flaw::TooFar { node: graph.label(NodeId(1)), what: "position", value: 20_000.0 }]);
+    assert_eq!(error.flaws, [InputFlaw::TooFar { node: graph.label(NodeId(1)), what: "position", value: 20_000.0 }]);
     let label = graph.label(NodeId(1));
     assert_eq!(error.to_string(), format!("position of {label} is 20000 m, more than 10000 m"));
     assert_eq!(relations.edges(), before);
@@ -217,11 +217,11 @@ fn contacts_decide_before_traces() {
     let scene =
         shared::scene(["a = box 0.3 0.3 0.3", "b = box 0.3 0.3 0.3 @ 0.3 0 0", "c = box 0.2 0.2 0.2 @ 0.15 0 0.3"]);
     let [a, b, c] = ["a", "b", "c"].map(|n| scene.id(n));
-    let traced = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let traced = Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     assert_eq!(traced.supports(c).iter().map(|s| s.by).collect::<Vec<_>>(), [a, b]);
     let contact = |on, up: f32| vc_relations::Contact { between: (on, c), impulse: Vector3::new(0.0, 0.0, up) };
     let evidence = Evidence::default().contact(contact(a, 0.95)).contact(contact(b, 0.05));
-    let pushed = Relations::new(&scene.graph, Rule::Repaired, evidence).unwrap();
+    let pushed = Relations::new(&scene.graph, RelationRule::Contacts, evidence).unwrap();
     let supports = pushed.supports(c);
     assert_eq!(supports.iter().map(|s| s.by).collect::<Vec<_>>(), [a]);
     assert!((supports[0].share - 0.95).abs() < 1e-6);
@@ -232,7 +232,8 @@ fn joints_take_the_place_of_support() {
     let scene =
         shared::scene(["floor = floor 4 4", "frame = box 0.6 0.6 1.8", "leaf = box 0.05 0.6 1.7 @ 0.33 0 0.05"]);
     let attachment = vc_relations::Attachment { child: scene.id("leaf"), parent: scene.id("frame") };
-    let relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default().attached(attachment)).unwrap();
+    let relations =
+        Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default().attached(attachment)).unwrap();
     assert_eq!(relations.between(scene.id("leaf"), scene.id("frame"))[0], Relation::On);
     assert!(!relations.between(scene.id("leaf"), scene.id("floor")).contains(&Relation::On));
 }
@@ -240,7 +241,7 @@ fn joints_take_the_place_of_support() {
 #[test]
 fn what_is_written_back_is_sound() {
     let (mut home, truth) = shared::home::home(50);
-    let relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let relations = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     let all: Vec<NodeId> = home.graph.nodes().map(vc_graph::Node::id).collect();
     relations.write(&mut home.graph, &all).unwrap();
     for t in &truth {

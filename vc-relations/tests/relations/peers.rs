@@ -5,7 +5,7 @@
 use crate::shared;
 
 use vc_graph::{NodeId, Relation};
-use vc_relations::{Relations, Rule};
+use vc_relations::{RelationRule, Relations};
 
 /// Supports found of all, containments found of all, and the number of false containments.
 #[derive(Debug, PartialEq, Eq)]
@@ -15,14 +15,14 @@ struct Score {
     false_ones: usize,
 }
 
-fn score(objects: u32, rule: Rule) -> Option<Score> {
+fn score(objects: u32, rule: RelationRule) -> Option<Score> {
     let peers = shared::peers::read(objects)?;
     let relations = Relations::new(&peers.graph, rule, peers.evidence.clone()).unwrap();
     let to = |id, relation| -> Vec<NodeId> {
         relations.of(id).iter().filter(|e| e.relation == relation).map(|e| e.to).collect()
     };
     let supports = |id| match rule {
-        Rule::Repaired => relations.supports(id).iter().map(|s| s.by).collect(),
+        RelationRule::Contacts => relations.supports(id).iter().map(|s| s.by).collect(),
         _ => to(id, Relation::On),
     };
     let right = peers.truth.iter().filter(|t| supports(t.0) == [t.1]).count();
@@ -41,7 +41,7 @@ fn score(objects: u32, rule: Rule) -> Option<Score> {
 #[test]
 fn every_support_and_containment_is_found_and_none_is_false() {
     for objects in [100, 500, 2000] {
-        let Some(score) = score(objects, Rule::Repaired) else { return };
+        let Some(score) = score(objects, RelationRule::Contacts) else { return };
         assert_eq!(score.supports.0, score.supports.1);
         assert_eq!(score.containments.0, score.containments.1);
         assert_eq!(score.false_ones, 0);
@@ -50,7 +50,7 @@ fn every_support_and_containment_is_found_and_none_is_false() {
 
 #[test]
 fn the_box_traces_are_reported_beside_it() {
-    let Some(score) = score(500, Rule::BoxTrace) else { return };
+    let Some(score) = score(500, RelationRule::BoxTrace) else { return };
     let reported = Score { supports: (400, 500), containments: (100, 220), false_ones: 80 };
     assert_eq!(score, reported);
 }
@@ -58,6 +58,6 @@ fn the_box_traces_are_reported_beside_it() {
 #[test]
 fn there_are_as_many_relations_as_reported() {
     let Some(peers) = shared::peers::read(500) else { return };
-    let relations = Relations::new(&peers.graph, Rule::Repaired, peers.evidence).unwrap();
+    let relations = Relations::new(&peers.graph, RelationRule::Contacts, peers.evidence).unwrap();
     assert_eq!(relations.edges().len(), 12_656);
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Bounds, Draft, NodeId, Pose, SceneBuilder};
-use vc_relations::{Evidence, Relations, Rule};
+use vc_relations::{Evidence, RelationRule, Relations};
 
 /// The centre of an L-shaped floor is in the other room.
 #[test]
@@ -49,7 +49,7 @@ fn a_floor_is_of_its_own_room() {
     scene.assets(Arc::new(library));
     let mut graph = scene.build();
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-    let mut relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+    let mut relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
     for _ in 0..3 {
         relations.write(&mut graph, &all).unwrap();
         for (room, floor) in rooms {

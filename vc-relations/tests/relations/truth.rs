@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 use vc_graph::Relation;
-use vc_relations::{Proximity, Relations, Rule};
+use vc_relations::{Proximity, RelationRule, Relations};
 
 /// Relations of which a configuration must list all that hold; other relations are listed only if they must
 /// hold, or must `not` hold.
@@ -66,7 +66,7 @@ fn configurations(file: &str) -> Vec<Configuration> {
 }
 
 /// The deviation from the expected relations, if any.
-fn judge(c: &Configuration, rule: Rule) -> Option<String> {
+fn judge(c: &Configuration, rule: RelationRule) -> Option<String> {
     let relations = Relations::new(&c.scene.graph, rule, c.scene.evidence.clone()).unwrap();
     let [from, to] = [0, 1].map(|i| c.scene.id(&c.pair[i]));
     let found: BTreeSet<Relation> = relations.between(from, to).into_iter().collect();
@@ -84,7 +84,7 @@ fn all() -> Vec<Configuration> {
 #[test]
 fn every_configuration_is_right_by_the_default_rule() {
     let all = all();
-    let wrong: Vec<String> = all.iter().filter_map(|c| judge(c, Rule::Repaired)).collect();
+    let wrong: Vec<String> = all.iter().filter_map(|c| judge(c, RelationRule::Contacts)).collect();
     assert!(all.len() >= 200, "only {} configurations", all.len());
     assert!(wrong.is_empty(), "{} of {} wrong:\n{}", wrong.len(), all.len(), wrong.join("\n"));
 }
@@ -93,7 +93,7 @@ fn every_configuration_is_right_by_the_default_rule() {
 #[test]
 fn low_rims_and_missing_backs_hold_things() {
     let all = configurations(include_str!("../data/rims_and_backs.jsonl"));
-    let wrong: Vec<String> = all.iter().filter_map(|c| judge(c, Rule::Repaired)).collect();
+    let wrong: Vec<String> = all.iter().filter_map(|c| judge(c, RelationRule::Contacts)).collect();
     assert!(all.len() == 10 && wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -117,7 +117,7 @@ fn nearness_has_names() {
     for (more, other, proximity, near) in cases {
         let lines = lines(&[&["a = box 0.1 0.1 0.1"], more].concat());
         let scene = shared::scene(lines.iter().map(String::as_str));
-        let relations = Relations::new(&scene.graph, Rule::Repaired, scene.evidence.clone()).unwrap();
+        let relations = Relations::new(&scene.graph, RelationRule::Contacts, scene.evidence.clone()).unwrap();
         let (a, b) = (scene.id("a"), scene.id(other));
         assert_eq!([(a, b), (b, a)].map(|(a, b)| relations.proximity(a, b)), [Some(proximity); 2], "{more:?}");
         assert_eq!(relations.between(a, b).contains(&Relation::Near), near, "{more:?}");
@@ -142,7 +142,7 @@ fn the_box_traces_are_reported_beside_it() {
         c.expect.retain(|r| COMPLETE.contains(r));
         let entry = table.entry(c.theme.clone()).or_default();
         entry.1 += 1;
-        entry.0 += usize::from(judge(&c, Rule::BoxTrace).is_none());
+        entry.0 += usize::from(judge(&c, RelationRule::BoxTrace).is_none());
     }
     let (right, of) = table.values().fold((0, 0), |s, v| (s.0 + v.0, s.1 + v.1));
     for (theme, (right, of)) in &table {

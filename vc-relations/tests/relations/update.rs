@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, Edge, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
-use vc_relations::{Evidence, Relations, Rule};
+use vc_relations::{Evidence, RelationRule, Relations};
 
 fn by_node(edges: &[Edge]) -> BTreeMap<NodeId, Vec<Edge>> {
     let mut map: BTreeMap<NodeId, Vec<Edge>> = BTreeMap::new();
@@ -54,12 +54,12 @@ proptest! {
     fn update_equals_rebuild(seed in any::<u64>()) {
         let (mut home, truth) = shared::home::home(100);
         let movable: Vec<NodeId> = truth.iter().map(|t| home.id(&t.name)).collect();
-        let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
+        let mut relations = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap();
         let mut before = by_node(&relations.edges());
         for round in 0..12 {
             let moved = shuffle(&mut home.graph, &movable, Seed(seed).nth(round));
             let met = relations.update(&home.graph, &moved).unwrap();
-            let fresh = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
+            let fresh = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap();
             let after = relations.edges();
             prop_assert!(differences(&after, &fresh.edges()).is_empty(), "{:?}", differences(&after, &fresh.edges()));
             for &id in &movable {
@@ -89,7 +89,7 @@ fn exactly_in_reach_is_the_same_after_an_update() {
         let x = 0.013 * step as f32;
         let (a, b) = (put(x), put(x + 1.3));
         let graph = scene.build();
-        let fresh = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+        let fresh = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
         for id in [a, b] {
             let mut updated = fresh.clone();
             updated.update(&graph, &[id]).unwrap();
@@ -101,14 +101,17 @@ fn exactly_in_reach_is_the_same_after_an_update() {
 #[test]
 fn nodes_come_and_go() {
     let (mut home, _) = shared::home::home(50);
-    let mut relations = Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let mut relations = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     let (apple, bowl) = (home.id("apple0"), home.id("bowl0"));
     let mut edit = home.graph.edit();
     edit.remove(apple).unwrap();
     edit.commit();
     relations.update(&home.graph, &[apple]).unwrap();
     assert!(relations.of(apple).is_empty());
-    assert_eq!(relations.edges(), Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap().edges());
+    assert_eq!(
+        relations.edges(),
+        Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap().edges()
+    );
     let mut edit = home.graph.edit();
     let pose = *edit.graph().node(bowl).unwrap().pose().unwrap();
     let mut draft = vc_graph::Draft::new("apple").at(Pose::translation(0.0, 0.0, 0.02) * pose);
@@ -117,5 +120,8 @@ fn nodes_come_and_go() {
     edit.commit();
     relations.update(&home.graph, &[fresh]).unwrap();
     assert!(relations.has(Edge::new(fresh, vc_graph::Relation::Inside, bowl)));
-    assert_eq!(relations.edges(), Relations::new(&home.graph, Rule::Repaired, Evidence::default()).unwrap().edges());
+    assert_eq!(
+        relations.edges(),
+        Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap().edges()
+    );
 }

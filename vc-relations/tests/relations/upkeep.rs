@@ -9,8 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use vc_graph::{Bounds, Draft, Edge, Kind, NodeId, Pose, Relation, SceneGraph, Seed, State, Stream};
-use vc_relations::{Attachment, Contact, Evidence, Relations, Rule};
+use vc_graph::{Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneGraph, Seed, State, Stream};
+use vc_relations::{Attachment, Contact, Evidence, RelationRule, Relations};
 
 /// In addition to the rooms of objects: people, and things to look at, sit on, hang on and pull.
 const MORE: [&str; 11] = [
@@ -46,7 +46,7 @@ impl Life {
     }
 
     /// A random node that is not part of the building.
-    fn thing(&mut self, wanted: impl Fn(Kind) -> bool) -> NodeId {
+    fn thing(&mut self, wanted: impl Fn(NodeKind) -> bool) -> NodeId {
         let building = |n: &vc_graph::Node| &*n.spec().category == "structure";
         let all: Vec<NodeId> =
             self.graph.nodes().filter(|n| wanted(n.kind()) && !building(n)).map(vc_graph::Node::id).collect();
@@ -54,11 +54,11 @@ impl Life {
     }
 
     fn object(&mut self) -> NodeId {
-        self.thing(|kind| kind == Kind::Object)
+        self.thing(|kind| kind == NodeKind::Object)
     }
 
     fn pose(&mut self) -> Pose {
-        let goal = self.thing(|kind| kind != Kind::Room);
+        let goal = self.thing(|kind| kind != NodeKind::Room);
         let at = self.graph.node(goal).unwrap().pose().unwrap().translation.vector;
         let rng = &mut self.rng;
         let far = if rng.chance(0.2) { 3.0 } else { 0.3 };
@@ -74,13 +74,13 @@ impl Life {
     }
 
     fn moves(&mut self) {
-        let (id, pose) = (self.thing(|kind| kind != Kind::Room), self.pose());
+        let (id, pose) = (self.thing(|kind| kind != NodeKind::Room), self.pose());
         self.edit(|edit| edit.set_pose(id, Some(pose)).unwrap());
         self.changed.push(id);
     }
 
     fn poses_itself(&mut self) {
-        let (id, state) = (self.thing(|kind| kind == Kind::Agent), self.rng.below(3));
+        let (id, state) = (self.thing(|kind| kind == NodeKind::Agent), self.rng.below(3));
         self.edit(|edit| {
             [State::Sitting, State::Lying].into_iter().for_each(|s| edit.leave_state(id, s).unwrap());
             if let Some(state) = [State::Sitting, State::Lying].get(state) {
@@ -93,7 +93,7 @@ impl Life {
     /// Takes something in a hand or lets it go; reports either the thing as changed, or its present and former
     /// holders.
     fn takes(&mut self) {
-        let (agent, thing, lets_go) = (self.thing(|kind| kind == Kind::Agent), self.object(), self.rng.chance(0.5));
+        let (agent, thing, lets_go) = (self.thing(|kind| kind == NodeKind::Agent), self.object(), self.rng.chance(0.5));
         let own = self.graph.related(agent, Relation::HoldsRight).next().filter(|_| lets_go);
         let thing = own.unwrap_or(thing);
         let before = self.graph.holder(thing).map(|p| p.at);
@@ -119,14 +119,14 @@ impl Life {
 
     fn goes(&mut self) {
         let agents = self.graph.agents().len();
-        let id = self.thing(|kind| kind == Kind::Object || (kind == Kind::Agent && agents > 1));
+        let id = self.thing(|kind| kind == NodeKind::Object || (kind == NodeKind::Agent && agents > 1));
         self.edit(|edit| edit.remove(id).unwrap());
         self.changed.push(id);
     }
 
     /// Changes the evidence at random.
     fn is_said(&mut self) {
-        let (agent, one, other) = (self.thing(|kind| kind == Kind::Agent), self.object(), self.object());
+        let (agent, one, other) = (self.thing(|kind| kind == NodeKind::Agent), self.object(), self.object());
         let (node, links) = self.moving[self.rng.below(self.moving.len())];
         let (rng, evidence) = (&mut self.rng, &mut self.evidence);
         match rng.below(5) {
@@ -198,7 +198,7 @@ fn compare(updated: &Relations, fresh: &Relations, life: &mut Life) -> Result<()
         prop_assert!(is_there(edge.from) && is_there(edge.to), "{edge:?} is with nothing");
     }
     for _ in 0..8 {
-        let (one, other) = (life.thing(|kind| kind != Kind::Room), life.thing(|_| true));
+        let (one, other) = (life.thing(|kind| kind != NodeKind::Room), life.thing(|_| true));
         prop_assert_eq!(updated.explain(one, other), fresh.explain(one, other));
     }
     Ok(())
@@ -207,7 +207,7 @@ fn compare(updated: &Relations, fresh: &Relations, life: &mut Life) -> Result<()
 /// Ten rounds of a few changes, an incremental update and a rebuild.
 fn live(seed: Seed) -> Result<(), TestCaseError> {
     let mut life = Life::new(seed);
-    let mut relations = Relations::new(&life.graph, Rule::Repaired, life.evidence.clone()).unwrap();
+    let mut relations = Relations::new(&life.graph, RelationRule::Contacts, life.evidence.clone()).unwrap();
     for _ in 0..10 {
         let before = by_node(&relations.edges());
         let said = life.goes_on();
@@ -219,7 +219,7 @@ fn live(seed: Seed) -> Result<(), TestCaseError> {
         if said && !first {
             relations.set_evidence(&life.graph, life.evidence.clone()).unwrap();
         }
-        let fresh = Relations::new(&life.graph, Rule::Repaired, life.evidence.clone()).unwrap();
+        let fresh = Relations::new(&life.graph, RelationRule::Contacts, life.evidence.clone()).unwrap();
         compare(&relations, &fresh, &mut life)?;
         let (after, none) = (by_node(&relations.edges()), BTreeSet::new());
         for id in life.graph.nodes().map(vc_graph::Node::id).filter(|_| !said) {
@@ -244,7 +244,7 @@ proptest! {
 #[test]
 fn rooms_come_and_go() {
     let mut scene = shared::scene(["old = room 4 4", "cup = box 0.1 0.1 0.1 @ 1 1 0", "door = door 0.9 2 @ 2 0 0"]);
-    let mut relations = Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap();
+    let mut relations = Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     let (old, cup) = (scene.id("old"), scene.id("cup"));
     assert!(relations.has(Edge::new(cup, Relation::InRoom, old)));
     let mut edit = scene.graph.edit();
@@ -252,7 +252,10 @@ fn rooms_come_and_go() {
     let new = edit.add(Draft::new("bedroom").bounds(size).at(Pose::translation(4.2, 0.0, 0.0))).unwrap();
     edit.commit();
     relations.update(&scene.graph, &[new]).unwrap();
-    assert_eq!(relations.edges(), Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap().edges());
+    assert_eq!(
+        relations.edges(),
+        Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap().edges()
+    );
     let door = scene.id("door");
     assert!(
         relations.has(Edge::new(door, Relation::Between, old))
@@ -262,7 +265,10 @@ fn rooms_come_and_go() {
     edit.remove(old).unwrap();
     edit.commit();
     relations.update(&scene.graph, &[old]).unwrap();
-    assert_eq!(relations.edges(), Relations::new(&scene.graph, Rule::Repaired, Evidence::default()).unwrap().edges());
+    assert_eq!(
+        relations.edges(),
+        Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap().edges()
+    );
     assert!(!relations.has(Edge::new(cup, Relation::InRoom, old)));
 }
 
@@ -279,7 +285,7 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
         .contact(Contact { between: (table, cup), impulse: up / 9.0 })
         .holding(Edge::new(none, Relation::HoldsRight, cup))
         .holding(Edge::new(me, Relation::HoldsRight, none));
-    let mut relations = Relations::new(&scene.graph, Rule::Repaired, evidence.clone()).unwrap();
+    let mut relations = Relations::new(&scene.graph, RelationRule::Contacts, evidence.clone()).unwrap();
     let supports = relations.supports(cup);
     assert!(supports.len() == 1 && supports[0].by == table && (supports[0].share - 1.0).abs() < 1e-6, "{supports:?}");
     assert!(relations.of(me).iter().all(|e| e.to != none) && relations.explain(cup, table).unwrap().held.is_empty());
@@ -321,7 +327,7 @@ fn contents_change_rooms_with_their_container() {
         let scene = shared::scene(lines.iter().map(String::as_str));
         let mut graph = scene.graph.clone();
         let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-        let mut relations = Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap();
+        let mut relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap();
         relations.write(&mut graph, &all).unwrap();
         for _ in 0..12 {
             let (set, to) = (rng.below(4), 4.2 * rng.below(3) as f32);
@@ -336,7 +342,7 @@ fn contents_change_rooms_with_their_container() {
             let met = relations.update(&graph, &moved).unwrap();
             relations.write(&mut graph, &met).unwrap();
             let mut anew = graph.clone();
-            Relations::new(&anew, Rule::Repaired, Evidence::default()).unwrap().write(&mut anew, &all).unwrap();
+            Relations::new(&anew, RelationRule::Contacts, Evidence::default()).unwrap().write(&mut anew, &all).unwrap();
             let [ours, theirs] = [&graph, &anew].map(|g| g.edges().collect::<BTreeSet<Edge>>());
             let apart: Vec<&Edge> = ours.symmetric_difference(&theirs).collect();
             assert!(apart.is_empty(), "seed {seed}: {apart:?}");
@@ -362,7 +368,7 @@ fn a_hand_carries_nothing_built_in() {
     let [switch, wall, carton, pillow, cup, me] =
         ["switch", "wall", "carton", "pillow", "cup", "me"].map(|n| scene.id(n));
     let on = |evidence: Evidence, graph: &SceneGraph, id: NodeId| -> Vec<NodeId> {
-        let relations = Relations::new(graph, Rule::Repaired, evidence).unwrap();
+        let relations = Relations::new(graph, RelationRule::Contacts, evidence).unwrap();
         relations.supports(id).into_iter().map(|s| s.by).collect()
     };
     let held = || scene.evidence.clone().holding(Edge::new(me, Relation::HoldsRight, carton));

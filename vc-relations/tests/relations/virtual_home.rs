@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::{Edge, NodeId, Relation, SceneGraph};
-use vc_relations::{Evidence, Relations, Rule};
+use vc_relations::{Evidence, RelationRule, Relations};
 use vc_testkit::data;
 
 /// Number of pairs, and their classes.
@@ -48,12 +48,12 @@ const COMPARED: [Relation; 6] =
 
 /// Edges of a kind that start at objects; those of characters are written by VirtualHome's actions.
 fn of_kind(graph: &SceneGraph, edges: impl Iterator<Item = Edge>, relation: Relation) -> BTreeSet<Edge> {
-    let agent = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::Kind::Agent);
-    let room = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::Kind::Room);
+    let agent = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::NodeKind::Agent);
+    let room = |id| graph.node(id).is_none_or(|n| n.kind() == vc_graph::NodeKind::Room);
     edges.filter(|e| e.relation == relation && !agent(e.from) && !agent(e.to) && !room(e.from)).collect()
 }
 
-fn scores(rule: Rule) -> Option<[Score; COMPARED.len()]> {
+fn scores(rule: RelationRule) -> Option<[Score; COMPARED.len()]> {
     let scenes = scenes();
     let mut scores = [Score::default(); COMPARED.len()];
     for graph in &scenes {
@@ -76,7 +76,7 @@ fn scores(rule: Rule) -> Option<[Score; COMPARED.len()]> {
 
 #[test]
 fn its_own_definitions_give_its_own_edges() {
-    let Some([near, between, inside, on, in_room, _]) = scores(Rule::VirtualHome) else { return };
+    let Some([near, between, inside, on, in_room, _]) = scores(RelationRule::VirtualHome) else { return };
     assert_eq!((near.false_ones, near.missed), (0, 0));
     assert_eq!((between.false_ones, between.missed), (0, 0));
     assert!(inside.f1() >= 0.99, "{inside:?}");
@@ -104,7 +104,7 @@ fn place(edges: &BTreeSet<Edge>, from: NodeId, to: NodeId) -> &'static str {
 /// view of a corner.
 #[test]
 fn the_default_rule_scores_what_is_reported() {
-    let Some(scores) = scores(Rule::Repaired) else { return };
+    let Some(scores) = scores(RelationRule::Contacts) else { return };
     let three = |share: f64| (share * 1000.0).round() / 1000.0;
     let found = scores.map(|s| (three(s.precision()), three(s.recall())));
     let reported = [(0.998, 0.383), (0.492, 1.0), (0.809, 0.792), (0.469, 0.697), (0.992, 0.991), (0.299, 0.014)];
@@ -119,9 +119,9 @@ fn pairs_are_taken_for_what_is_reported() {
     let mut table: BTreeMap<(&str, &str), Confusion> = BTreeMap::new();
     for graph in scenes() {
         let found: BTreeSet<Edge> =
-            Relations::new(&graph, Rule::Repaired, Evidence::default()).unwrap().edges().into_iter().collect();
+            Relations::new(&graph, RelationRule::Contacts, Evidence::default()).unwrap().edges().into_iter().collect();
         let gold: BTreeSet<Edge> = graph.edges().collect();
-        let object = |id| graph.node(id).is_some_and(|n| n.kind() == vc_graph::Kind::Object);
+        let object = |id| graph.node(id).is_some_and(|n| n.kind() == vc_graph::NodeKind::Object);
         let pairs: BTreeSet<(NodeId, NodeId)> = found.union(&gold).map(|e| (e.from, e.to)).collect();
         for (from, to) in pairs.into_iter().filter(|p| object(p.0) && object(p.1)) {
             let key = (place(&gold, from, to), place(&found, from, to));

@@ -3,7 +3,7 @@
 use super::{brightness, dot};
 use crate::affine::{self, scaled, three};
 use crate::label::unit;
-use crate::photo::{cosine, frame, lattice};
+use crate::path_tracing::{cosine, frame, lattice};
 use crate::renderer::Renderer;
 use crate::surface::Role;
 use crate::trace::{Ray, Tracer};

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
-use vc_graph::{Aabb, Kind, Node, NodeId, ObjectRole, Pose, Property, SceneGraph, State};
+use vc_graph::{Aabb, Node, NodeId, NodeKind, ObjectRole, Pose, Property, SceneGraph, State};
 
 use super::body::{Gives, Poured, Stands, Tied};
 use super::classes::Classes;
@@ -71,7 +71,7 @@ impl Snapshot {
         let classes = Classes::of(graph)?;
         let (mut bodies, mut instances) = (Vec::new(), Vec::new());
         let mut around = Around::default();
-        for node in graph.nodes().filter(|n| n.kind() != Kind::Room) {
+        for node in graph.nodes().filter(|n| n.kind() != NodeKind::Room) {
             let Some(pose) = node.pose() else { continue };
             let links = links(store, graph, node)?;
             let first = instances.len() as u32;
@@ -101,7 +101,7 @@ impl Snapshot {
                 around.covers.push((bodies.len(), node.is(State::Closed)));
             } else if matches!(node.role(), ObjectRole::Door | ObjectRole::Window) {
                 around.openings.push(bodies.len());
-            } else if node.kind() == Kind::Object && !node.affords(Property::Graspable) {
+            } else if node.kind() == NodeKind::Object && !node.affords(Property::Graspable) {
                 around.standing.push(bodies.len());
             }
             bodies.push(body);

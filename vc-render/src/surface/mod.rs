@@ -13,7 +13,7 @@ use std::sync::Arc;
 use vc_graph::asset::{Material, Part};
 
 use crate::affine::three;
-use crate::photo::Finish;
+use crate::path_tracing::Finish;
 
 pub use coat::Coat;
 pub(crate) use pattern::Pattern;

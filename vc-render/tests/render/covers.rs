@@ -9,7 +9,7 @@ use common::{Stage, block, material, part};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Material;
 use vc_graph::{NodeId, Pose, State};
-use vc_render::{Camera, Daylight, Exposure, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
+use vc_render::{Camera, Daylight, Frame, Lighting, Modality, PathTracing, Renderer, Shot, Snapshot};
 
 /// A closed room with a window at x = 2, covered from inside.
 struct Room {
@@ -74,8 +74,8 @@ impl Room {
     }
 
     fn reference(&self, lighting: &Lighting, camera: &Camera) -> f64 {
-        let how = Exposure { samples: 200, brightest: f32::INFINITY, denoise: false, ..Exposure::default() };
-        let light = self.renderer.photograph(lighting, &camera.resized(24, 18), &how, |_| true).unwrap().light;
+        let how = PathTracing { samples: 200, brightest: f32::INFINITY, denoise: false, ..PathTracing::default() };
+        let light = self.renderer.reference_picture(lighting, &camera.resized(24, 18), &how, |_| true).unwrap().light;
         light.iter().map(|c| f64::from(c[1])).sum::<f64>() / light.len() as f64
     }
 }
@@ -212,13 +212,13 @@ fn fast_light_through_a_drawn_cover_is_about_that_of_the_reference() {
             let snapshot = room.drawn(closed);
             let lighting = room.renderer.light(&snapshot, &day);
             // The tone curve would turn noise into a loss of brightness.
-            let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
-            let photograph =
-                room.renderer.photograph(&lighting, &at_the_floor().resized(32, 24), &how, |_| true).unwrap();
+            let how = PathTracing { samples: 256, brightest: f32::INFINITY, ..PathTracing::default() };
+            let reference_picture =
+                room.renderer.reference_picture(&lighting, &at_the_floor().resized(32, 24), &how, |_| true).unwrap();
             let mean = |pixels: &[[u8; 3]]| {
                 pixels.as_flattened().iter().map(|v| f64::from(*v)).sum::<f64>() / (3 * pixels.len()) as f64
             };
-            mean(&room.frame(&snapshot, &lighting, &at_the_floor()).rgb) - mean(&photograph.picture().pixels)
+            mean(&room.frame(&snapshot, &lighting, &at_the_floor()).rgb) - mean(&reference_picture.picture().pixels)
         };
         let (open, closed) = (level(false), level(true));
         eprintln!("fast brighter by {open:.1} when open, {closed:.1} when closed");
@@ -232,13 +232,14 @@ fn few_paths_find_the_light_behind_a_drawn_cover() {
         let room = Room::new(kind, true);
         let lighting = room.renderer.light(&room.snapshot, &day);
         let made = |samples: u32, seed: u32, brightest: f32| {
-            let how = Exposure { samples, seed, brightest, denoise: false, ..Exposure::default() };
-            let made = room.renderer.photograph(&lighting, &at_the_floor().resized(24, 18), &how, |_| true).unwrap();
+            let how = PathTracing { samples, seed, brightest, denoise: false, ..PathTracing::default() };
+            let made =
+                room.renderer.reference_picture(&lighting, &at_the_floor().resized(24, 18), &how, |_| true).unwrap();
             made.light.iter().map(|c| f64::from(c[1])).collect::<Vec<f64>>()
         };
         let mean = |light: &[f64]| light.iter().sum::<f64>() / light.len() as f64;
         let (many, few) = (made(1500, 0, f32::INFINITY), made(200, 1, f32::INFINITY));
-        let usual = made(64, 2, Exposure::default().brightest);
+        let usual = made(64, 2, PathTracing::default().brightest);
         let off: f64 = usual.iter().zip(&many).map(|(a, b)| (a - b) * (a - b)).sum();
         let ([few, usual], many, count) = ([&few, &usual].map(|l| mean(l)), mean(&many), usual.len() as f64);
         let noise = (off / count).sqrt() / many;
@@ -256,8 +257,8 @@ fn drawn_covers_glow_in_fast_pictures_as_in_the_reference() {
         let lighting = room.renderer.light(&room.snapshot, &day);
         let camera = at_the_window().resized(48, 36);
         let frame = room.frame(&room.snapshot, &lighting, &camera);
-        let how = Exposure { samples: 400, brightest: f32::INFINITY, ..Exposure::default() };
-        let reference = room.renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().picture();
+        let how = PathTracing { samples: 400, brightest: f32::INFINITY, ..PathTracing::default() };
+        let reference = room.renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap().picture();
         let mean = |pixels: &[[u8; 3]], cover: bool| {
             let of = |id: &NodeId| room.covers.contains(id) == cover;
             let all = pixels.iter().zip(&frame.instance).filter(|(_, id)| of(id));

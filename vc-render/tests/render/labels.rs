@@ -8,7 +8,7 @@ use common::{Stage, block, cameras, furnished, lamplit, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
-use vc_render::{Camera, Daylight, Exposure, Frame, Modalities, Modality, NOTHING, RenderError, Renderer, Shot};
+use vc_render::{Camera, Daylight, Frame, Modalities, Modality, NOTHING, PathTracing, RenderError, Renderer, Shot};
 
 #[test]
 fn masks_boxes_and_ids_agree_exactly() {
@@ -108,11 +108,11 @@ fn threads_do_not_change_a_byte() {
             let mut frame = Frame::new();
             let shot = Shot::new(&snapshot, &camera, Modalities::SIX).lit(&lighting).after(&snapshot, &camera);
             renderer.render(&shot, &mut frame).unwrap();
-            let how = Exposure { samples: 1, bounces: 3, ..Exposure::default() };
+            let how = PathTracing { samples: 1, bounces: 3, ..PathTracing::default() };
             let small = Camera { width: 40, height: 30, ..camera };
-            let photograph = renderer.photograph(&lighting, &small, &how, |_| true).unwrap();
+            let reference_picture = renderer.reference_picture(&lighting, &small, &how, |_| true).unwrap();
             let flow: Vec<[u32; 2]> = frame.flow_forward.iter().map(|f| f.map(f32::to_bits)).collect();
-            (frame.rgb, frame.depth, frame.instance, flow, photograph.light)
+            (frame.rgb, frame.depth, frame.instance, flow, reference_picture.light)
         })
     };
     let one = make(1);
@@ -130,12 +130,12 @@ fn a_grey_ball_in_even_light_is_grey() {
     let even = Daylight { sun: Vector3::zeros(), zenith: one, horizon: one, ground: one, ..Daylight::noon() };
     let lighting = renderer.light(&snapshot, &even);
     let camera = Camera::with_fov(24, 24, 0.5).looking(Point3::new(-3.0, 0.0, 0.0), Point3::origin());
-    let how = Exposure { samples: 128, denoise: false, ..Exposure::default() };
-    let photograph = renderer.photograph(&lighting, &camera, &how, |_| true).unwrap();
-    let middle = photograph.light[12 * 24 + 12];
+    let how = PathTracing { samples: 128, denoise: false, ..PathTracing::default() };
+    let reference_picture = renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap();
+    let middle = reference_picture.light[12 * 24 + 12];
     // The reflectance is 0.8, with a little gloss; the light is never more than that of the surroundings.
     assert!(middle.iter().all(|v| (0.7..=1.0).contains(v)), "{middle:?}");
-    assert!((photograph.light[0][0] - 1.0).abs() < 0.15);
+    assert!((reference_picture.light[0][0] - 1.0).abs() < 0.15);
 }
 
 #[test]

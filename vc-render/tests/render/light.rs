@@ -8,11 +8,11 @@ use common::{Stage, block, material, part, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Shape};
 use vc_graph::{NodeId, Pose};
-use vc_render::{Camera, Daylight, Exposure, Renderer, Snapshot};
+use vc_render::{Camera, Daylight, PathTracing, Renderer, Snapshot};
 
 /// Settings that find all light of paths, without denoising.
-fn exact(samples: u32) -> Exposure {
-    Exposure { samples, bounces: 200, brightest: f32::INFINITY, denoise: false, seed: 1 }
+fn exact(samples: u32) -> PathTracing {
+    PathTracing { samples, bounces: 200, brightest: f32::INFINITY, denoise: false, seed: 1 }
 }
 
 /// Equal light from all directions.
@@ -34,7 +34,7 @@ fn ball(made: Material) -> f32 {
     let snapshot = renderer.snapshot(&stage.build()).unwrap();
     let lighting = renderer.light(&snapshot, &even());
     let camera = Camera::with_fov(8, 8, 0.2).looking(Point3::new(-3.0, 0.0, 0.0), Point3::origin());
-    mean(&renderer.photograph(&lighting, &camera, &exact(256), |_| true).unwrap().light)
+    mean(&renderer.reference_picture(&lighting, &camera, &exact(256), |_| true).unwrap().light)
 }
 
 #[test]
@@ -91,8 +91,8 @@ fn closed(share: f32, all: bool) -> (Renderer, Snapshot) {
 /// Light at pixels of a picture taken inside the box.
 fn seen((renderer, snapshot): &(Renderer, Snapshot), camera: &Camera, samples: u32) -> Vec<f32> {
     let lighting = renderer.light(snapshot, &Daylight::night());
-    let photograph = renderer.photograph(&lighting, camera, &exact(samples), |_| true).unwrap();
-    photograph.light.iter().map(|c| c[1]).collect()
+    let reference_picture = renderer.reference_picture(&lighting, camera, &exact(samples), |_| true).unwrap();
+    reference_picture.light.iter().map(|c| c[1]).collect()
 }
 
 fn inside(target: [f32; 3]) -> Camera {
@@ -209,7 +209,8 @@ fn seeds_differ_in_noise_alone() {
     let made = closed(0.5, false);
     let camera = inside([0.0, 1.2, 1.0]);
     let lighting = made.0.light(&made.1, &Daylight::night());
-    let of = |seed: u32| made.0.photograph(&lighting, &camera, &Exposure { seed, ..exact(64) }, |_| true).unwrap();
+    let of =
+        |seed: u32| made.0.reference_picture(&lighting, &camera, &PathTracing { seed, ..exact(64) }, |_| true).unwrap();
     let (one, again, other) = (of(1), of(1), of(2));
     assert!(one == again && one != other);
     assert!((mean(&one.light) / mean(&other.light) - 1.0).abs() < 0.03);
@@ -220,8 +221,8 @@ fn progress_is_told_and_may_end_it() {
     let made = closed(0.5, true);
     let lighting = made.0.light(&made.1, &Daylight::night());
     let mut told = Vec::new();
-    let ended = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(100), |made| {
-        let so_far = made.photograph();
+    let ended = made.0.reference_picture(&lighting, &inside([0.0; 3]), &exact(100), |made| {
+        let so_far = made.reference_picture();
         assert_eq!((so_far.width, so_far.height), (6, 4));
         told.push((made.rounds, so_far));
         made.rounds < 3
@@ -229,7 +230,7 @@ fn progress_is_told_and_may_end_it() {
     assert_eq!(told.iter().map(|t| t.0).collect::<Vec<_>>(), [1, 2, 3]);
     // Without denoising, the last one is the final picture.
     assert!(ended.as_ref().is_ok_and(|made| *made == told[2].1) && told[0].1 != told[1].1);
-    let three = made.0.photograph(&lighting, &inside([0.0; 3]), &exact(3), |_| true);
+    let three = made.0.reference_picture(&lighting, &inside([0.0; 3]), &exact(3), |_| true);
     assert!(ended == three, "what is there counts");
 }
 
@@ -243,8 +244,8 @@ fn smoothing_keeps_the_light_there_is() {
     let lighting = renderer.light(&snapshot, &Daylight::night());
     for camera in &common::cameras(96, 72)[..2] {
         let of = |denoise: bool| {
-            let how = Exposure { samples: 8, denoise, ..Exposure::default() };
-            renderer.photograph(&lighting, camera, &how, |_| true).unwrap().light
+            let how = PathTracing { samples: 8, denoise, ..PathTracing::default() };
+            renderer.reference_picture(&lighting, camera, &how, |_| true).unwrap().light
         };
         let (noisy, smooth) = (of(false), of(true));
         assert!((mean(&smooth) / mean(&noisy) - 1.0).abs() < 0.01, "{} and {}", mean(&smooth), mean(&noisy));

@@ -10,7 +10,7 @@ use common::{Stage, block, cameras, lamplit, material, part, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Shape};
 use vc_graph::{Draft, NodeId, Pose};
-use vc_render::{Camera, Daylight, Exposure, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
+use vc_render::{Camera, Daylight, Frame, Lighting, Modality, PathTracing, Renderer, Shot, Snapshot};
 
 struct Shown {
     renderer: Renderer,
@@ -125,9 +125,9 @@ fn glass_is_a_thing_that_is_seen_through() {
     assert!(2 * i32::from(a[0]) > 3 * i32::from(a[1]) && b[0] / 2 > b[1], "{a:?} and {b:?}");
     assert!(sum(a) > 0.7 * sum(b) && sum(a) < 1.3 * sum(b), "{a:?} through glass, {b:?} without");
     // The reference picture agrees.
-    let how = Exposure { samples: 64, ..Exposure::default() };
-    let [a, b] =
-        [&clear, &open].map(|s| s.renderer.photograph(&s.lighting, &camera, &how, |_| true).unwrap().light[middle]);
+    let how = PathTracing { samples: 64, ..PathTracing::default() };
+    let [a, b] = [&clear, &open]
+        .map(|s| s.renderer.reference_picture(&s.lighting, &camera, &how, |_| true).unwrap().light[middle]);
     assert!(a[0] > 3.0 * a[1] && a[0] > 0.6 * b[0] && a[0] < 1.05 * b[0], "{a:?} through glass, {b:?} without");
 }
 
@@ -191,8 +191,8 @@ fn fast_colours_are_near_those_of_the_reference() {
     for camera in cameras(64, 48) {
         let mut frame = Frame::new();
         renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame).unwrap();
-        let how = Exposure { samples: 64, ..Exposure::default() };
-        let picture = renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().picture();
+        let how = PathTracing { samples: 64, ..PathTracing::default() };
+        let picture = renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap().picture();
         let channels = || frame.rgb.as_flattened().iter().zip(picture.pixels.as_flattened());
         let count = channels().count() as f64;
         let bias = channels().map(|(a, b)| f64::from(*a) - f64::from(*b)).sum::<f64>() / count;
@@ -211,8 +211,8 @@ fn smoothing_takes_noise_away_and_leaves_the_light() {
     let (renderer, _, lighting) = lamp_lit();
     let camera = cameras(64, 48)[1];
     let of = |samples: u32, seed: u32, denoise: bool| {
-        let how = Exposure { samples, seed, denoise, brightest: f32::INFINITY, ..Exposure::default() };
-        renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().light
+        let how = PathTracing { samples, seed, denoise, brightest: f32::INFINITY, ..PathTracing::default() };
+        renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap().light
     };
     let truth = of(1024, 9, false);
     // Relative to the brightness at each pixel.
@@ -270,8 +270,8 @@ fn light_through_windows_is_the_same_however_it_is_looked_for() {
         let shown = Shown::new(stage, &Daylight::overcast());
         let camera = Camera::with_fov(8, 6, 0.5).looking(Point3::new(-1.0, 0.0, 2.0), Point3::new(0.2, 0.0, 0.0));
         let of = |seed: u32| {
-            let how = Exposure { samples: 1500, brightest: f32::INFINITY, bounces: 3, denoise: false, seed };
-            mean(&shown.renderer.photograph(&shown.lighting, &camera, &how, |_| true).unwrap().light)
+            let how = PathTracing { samples: 1500, brightest: f32::INFINITY, bounces: 3, denoise: false, seed };
+            mean(&shown.renderer.reference_picture(&shown.lighting, &camera, &how, |_| true).unwrap().light)
         };
         [of(1), of(2)]
     };
@@ -299,8 +299,9 @@ fn panes_dim_fast_light_as_they_dim_the_references() {
     for sun in [false, true] {
         let level = |smoked: bool| {
             let shown = dark(smoked, sun);
-            let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
-            let reference = shown.renderer.photograph(&shown.lighting, &camera, &how, |_| true).unwrap().picture();
+            let how = PathTracing { samples: 256, brightest: f32::INFINITY, ..PathTracing::default() };
+            let reference =
+                shown.renderer.reference_picture(&shown.lighting, &camera, &how, |_| true).unwrap().picture();
             let mean = |pixels: &[[u8; 3]]| pixels.iter().map(|p| sum(*p)).sum::<f64>() / (3 * pixels.len()) as f64;
             mean(&shown.frame(&camera, false).rgb) - mean(&reference.pixels)
         };

@@ -8,7 +8,7 @@ use common::{Stage, block, material, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::{Material, Shape};
-use vc_render::{Camera, Daylight, Exposure, Renderer};
+use vc_render::{Camera, Daylight, PathTracing, Renderer};
 
 const SIZE: (usize, usize) = (64, 48);
 
@@ -34,8 +34,8 @@ fn seen(mirror: bool, eye: [f32; 3], target: [f32; 3]) -> Vec<[f32; 3]> {
     let dark = Daylight { zenith: none, horizon: none, ground: none, ..Daylight::night() };
     let lighting = renderer.light(&snapshot, &dark);
     let camera = Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.5).looking(Point3::from(eye), Point3::from(target));
-    let how = Exposure { samples: 4, denoise: false, brightest: f32::INFINITY, ..Exposure::default() };
-    renderer.photograph(&lighting, &camera, &how, |_| true).unwrap().light
+    let how = PathTracing { samples: 4, denoise: false, brightest: f32::INFINITY, ..PathTracing::default() };
+    renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap().light
 }
 
 /// The light of a pixel, if its eight neighbours have the same light, so that it is not at an edge.

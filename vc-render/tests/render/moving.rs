@@ -7,7 +7,7 @@ use crate::common;
 use common::{cameras, furnished, lamplit, pose};
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Draft, NodeId, Pose, SceneGraph, Seed, State};
-use vc_render::{Daylight, Exposure, Frame, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
+use vc_render::{Daylight, Frame, Modality, PathTracing, RayCaster, RenderError, Renderer, Shot, Snapshot};
 
 type Ray = (Point3<f32>, Vector3<f32>);
 
@@ -96,9 +96,10 @@ fn reference_pictures_show_what_has_moved() {
     let mut lighting = renderer.light(&snapshot, &Daylight::night());
     moved(&scene, &mut snapshot, 7);
     let anew = renderer.light(&snapshot, &Daylight::night());
-    let how = Exposure { samples: 8, denoise: false, ..Exposure::default() };
+    let how = PathTracing { samples: 8, denoise: false, ..PathTracing::default() };
     let camera = cameras(48, 36)[0];
-    let made = |lighting: &vc_render::Lighting| renderer.photograph(lighting, &camera, &how, |_| true).unwrap().light;
+    let made =
+        |lighting: &vc_render::Lighting| renderer.reference_picture(lighting, &camera, &how, |_| true).unwrap().light;
     let (before, wanted) = (made(&lighting), made(&anew));
     lighting.follow(&snapshot).unwrap();
     let own = made(&lighting);

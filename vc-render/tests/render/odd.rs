@@ -10,7 +10,8 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Shape};
 use vc_graph::{Draft, Pose, SceneBuilder};
 use vc_render::{
-    Camera, Daylight, Exposure, Frame, Modalities, Modality, NOTHING, RayCaster, RenderError, Renderer, Shot, Snapshot,
+    Camera, Daylight, Frame, Modalities, Modality, NOTHING, PathTracing, RayCaster, RenderError, Renderer, Shot,
+    Snapshot,
 };
 
 fn everything() -> Modalities {
@@ -23,10 +24,10 @@ fn rendered(renderer: &Renderer, snapshot: &Snapshot, camera: &Camera) -> Frame 
     let mut frame = Frame::new();
     let shot = Shot::new(snapshot, camera, everything()).lit(&lighting);
     renderer.render(&shot.after(snapshot, camera).before(snapshot, camera), &mut frame).unwrap();
-    let how = Exposure { samples: 1, ..Exposure::default() };
+    let how = PathTracing { samples: 1, ..PathTracing::default() };
     let small = Camera { width: camera.width.min(16), height: camera.height.min(12), ..*camera };
-    let photograph = renderer.photograph(&lighting, &small, &how, |_| true).unwrap();
-    assert!(photograph.light.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
+    let reference_picture = renderer.reference_picture(&lighting, &small, &how, |_| true).unwrap();
+    assert!(reference_picture.light.iter().flatten().all(|v| v.is_finite() && *v >= 0.0));
     frame
 }
 
@@ -36,7 +37,7 @@ fn cameras_that_cannot_be_are_refused_by_the_reference_as_well() {
     let snapshot = renderer.snapshot(&furnished()).unwrap();
     let lighting = renderer.light(&snapshot, &Daylight::noon());
     let good = Camera::with_fov(16, 12, 1.0);
-    let of = |camera: &Camera| renderer.photograph(&lighting, camera, &Exposure::default(), |_| false);
+    let of = |camera: &Camera| renderer.reference_picture(&lighting, camera, &PathTracing::default(), |_| false);
     assert!(of(&good).is_ok());
     assert!(matches!(of(&Camera { width: 0, ..good }), Err(RenderError::BadSize { .. })));
     assert!(matches!(of(&Camera { height: 1 << 20, ..good }), Err(RenderError::BadSize { .. })));
@@ -234,13 +235,13 @@ fn exposures_that_cannot_be_give_some_picture() {
     let numbers =
         [(0, 0, f32::NAN), (0, 12, 0.0), (1, 0, 20.0), (1, 12, f32::NAN), (1, u32::MAX, f32::INFINITY), (2, 3, -1.0)];
     for ((samples, bounces, brightest), denoise) in numbers.into_iter().flat_map(|n| [(n, false), (n, true)]) {
-        let how = Exposure { samples, bounces, brightest, seed: u32::MAX, denoise };
+        let how = PathTracing { samples, bounces, brightest, seed: u32::MAX, denoise };
         let mut rounds = 0;
-        let photograph = renderer.photograph(&lighting, &camera, &how, |made| {
+        let reference_picture = renderer.reference_picture(&lighting, &camera, &how, |made| {
             rounds = made.rounds;
             true
         });
-        let light = photograph.unwrap().light;
+        let light = reference_picture.unwrap().light;
         // At least one path is traced, as there would be no picture otherwise.
         assert_eq!(rounds, samples.max(1), "{how:?}");
         assert_eq!(light.len(), 16 * 12);

@@ -7,7 +7,7 @@ use crate::common;
 use common::{Stage, block, cameras, crowded, furnished, material, pose};
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit, Vector3};
 use vc_graph::{Draft, NodeId, Pose, SceneBuilder, State};
-use vc_render::{Daylight, Exposure, Frame, Modalities, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
+use vc_render::{Daylight, Frame, Modalities, Modality, PathTracing, RayCaster, RenderError, Renderer, Shot, Snapshot};
 
 /// The thing named in an error about another scene.
 fn other<T>(result: Result<T, RenderError>) -> &'static str {
@@ -86,9 +86,9 @@ fn what_another_renderer_made_is_refused() {
     assert_eq!(few.render(&shot, &mut frame), Err(RenderError::OtherRenderer("snapshot")));
     let strange = few.light(&snapshot, &Daylight::noon());
     assert_eq!(lots.render(&shot.lit(&strange), &mut frame), Err(RenderError::OtherRenderer("light")));
-    let how = Exposure { samples: 1, ..Exposure::default() };
-    assert!(lots.photograph(&light, &camera, &how, |_| true).is_ok());
-    let refused = few.photograph(&light, &camera, &how, |_| true);
+    let how = PathTracing { samples: 1, ..PathTracing::default() };
+    assert!(lots.reference_picture(&light, &camera, &how, |_| true).is_ok());
+    let refused = few.reference_picture(&light, &camera, &how, |_| true);
     assert_eq!(refused, Err(RenderError::OtherRenderer("light")));
     assert_eq!(few.relight(&mut light.clone(), &snapshot), Err(RenderError::OtherRenderer("light")));
 }
@@ -118,7 +118,10 @@ fn daylight_that_cannot_be_is_refused() {
         let bad = |result: Result<(), RenderError>| matches!(result, Err(RenderError::BadDaylight(_)));
         let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&light);
         assert!(bad(renderer.render(&shot, &mut frame)), "{day:?}");
-        assert!(bad(renderer.photograph(&light, &camera, &Exposure::default(), |_| false).map(|_| ())), "{day:?}");
+        assert!(
+            bad(renderer.reference_picture(&light, &camera, &PathTracing::default(), |_| false).map(|_| ())),
+            "{day:?}"
+        );
         assert!(bad(renderer.relight(&mut light, &snapshot)), "{day:?}");
     }
 }

@@ -9,7 +9,7 @@ use common::{Stage, block, material, part};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::{Material, Shape};
-use vc_render::{Camera, Daylight, Exposure, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
+use vc_render::{Camera, Daylight, Frame, Lighting, Modality, PathTracing, Renderer, Shot, Snapshot};
 
 const TOWARDS: [f32; 3] = [1.0, 0.25, 0.9];
 
@@ -28,8 +28,8 @@ impl Lit {
     }
 
     /// Mean light in each colour of a reference picture.
-    fn reference(&self, camera: &Camera, how: Exposure) -> [f64; 3] {
-        let light = self.renderer.photograph(&self.lighting, camera, &how, |_| true).unwrap().light;
+    fn reference(&self, camera: &Camera, how: PathTracing) -> [f64; 3] {
+        let light = self.renderer.reference_picture(&self.lighting, camera, &how, |_| true).unwrap().light;
         [0, 1, 2].map(|i: usize| light.iter().map(|c| f64::from(c[i])).sum::<f64>() / light.len() as f64)
     }
 
@@ -78,7 +78,7 @@ fn a_pane_lets_in_the_same_light_as_a_box_and_as_a_sheet() {
     let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(-1.8, -0.4, 2.0), Point3::new(0.4, 0.3, 0.0));
     for (name, day) in [("overcast", Daylight::overcast()), ("sun", sunny)] {
         let [solid, sheet] = [false, true].map(|sheet| glazed(sheet, &day));
-        let how = Exposure { samples: 600, brightest: f32::INFINITY, denoise: false, ..Exposure::default() };
+        let how = PathTracing { samples: 600, brightest: f32::INFINITY, denoise: false, ..PathTracing::default() };
         let (a, b) = (solid.reference(&camera, how), sheet.reference(&camera, how));
         eprintln!("{name}: {a:.4?} through a box, {b:.4?} through a sheet");
         a.iter().zip(&b).for_each(|(a, b)| assert!((b / a - 1.0).abs() < 0.04, "{name}: {a} and {b}"));
@@ -92,7 +92,7 @@ fn a_pane_lets_in_the_same_light_as_a_box_and_as_a_sheet() {
 fn what_is_seen_through_a_pane_is_the_same_through_a_box_and_through_a_sheet() {
     let camera = Camera::with_fov(6, 6, 0.3).looking(Point3::new(0.0, 0.0, 1.5), Point3::new(2.1, 0.0, 1.5));
     let [solid, sheet] = [false, true].map(|sheet| glazed(sheet, &Daylight::overcast()));
-    let how = Exposure { samples: 2000, brightest: f32::INFINITY, denoise: false, ..Exposure::default() };
+    let how = PathTracing { samples: 2000, brightest: f32::INFINITY, denoise: false, ..PathTracing::default() };
     let (a, b) = (solid.reference(&camera, how), sheet.reference(&camera, how));
     eprintln!("{a:.4?} through a box, {b:.4?} through a sheet");
     a.iter().zip(&b).for_each(|(a, b)| assert!((b / a - 1.0).abs() < 0.03, "{a} and {b}"));
@@ -114,7 +114,7 @@ fn the_sun_through_a_bare_opening_is_as_bright_as_it_is() {
     let along = day.towards_sun / day.towards_sun.z;
     let at = Point3::new(2.1 - 1.5 * along.x, -1.5 * along.y, 0.0);
     let camera = Camera::with_fov(4, 4, 0.05).looking(Point3::new(-1.0, 0.8, 2.0), at);
-    let light = lit.reference(&camera, Exposure { samples: 64, denoise: false, ..Exposure::default() });
+    let light = lit.reference(&camera, PathTracing { samples: 64, denoise: false, ..PathTracing::default() });
     for (i, light) in light.into_iter().enumerate() {
         let wanted = f64::from(0.5 / std::f32::consts::PI * day.sun[i] * day.towards_sun.z);
         assert!((light / wanted - 1.0).abs() < 0.01, "{light}, not {wanted}");
@@ -127,10 +127,10 @@ fn what_the_sun_lights_through_a_bare_opening_lights_the_room() {
     // Measured at the ceiling, which the sun does not reach.
     let camera = Camera::with_fov(8, 6, 0.6).looking(Point3::new(-1.0, 0.0, 1.0), Point3::new(0.4, 0.0, 2.6));
     let of = |samples: u32, brightest: f32| {
-        let how = Exposure { samples, brightest, denoise: false, ..Exposure::default() };
+        let how = PathTracing { samples, brightest, denoise: false, ..PathTracing::default() };
         lit.reference(&camera, how)[1]
     };
-    let (truth, usual) = (of(4000, f32::INFINITY), of(400, Exposure::default().brightest));
+    let (truth, usual) = (of(4000, f32::INFINITY), of(400, PathTracing::default().brightest));
     eprintln!("{truth:.4} and {usual:.4} with specks cut off");
     assert!((usual / truth - 1.0).abs() < 0.05, "{truth}, {usual} with specks cut off");
 }
@@ -146,8 +146,8 @@ fn what_is_seen_through_a_pane_is_smooth() {
         let lit = Lit::new(stage, &Daylight::overcast());
         let camera = Camera::with_fov(48, 36, 0.5).looking(Point3::new(1.0, 0.2, 1.4), Point3::new(-2.0, 0.1, 1.2));
         let [a, b] = [1, 2].map(|seed| {
-            let how = Exposure { samples: 16, seed, ..Exposure::default() };
-            lit.renderer.photograph(&lit.lighting, &camera, &how, |_| true).unwrap().light
+            let how = PathTracing { samples: 16, seed, ..PathTracing::default() };
+            lit.renderer.reference_picture(&lit.lighting, &camera, &how, |_| true).unwrap().light
         });
         let square: f32 = a.iter().zip(&b).map(|(a, b)| (a[1] - b[1]) * (a[1] - b[1])).sum();
         let mean = a.iter().map(|c| c[1]).sum::<f32>() / a.len() as f32;
@@ -186,8 +186,8 @@ fn undone(pixels: &[[u8; 3]]) -> [f64; 3] {
 /// The ratio of a fast picture's brightness to the reference's, and the ratios of red and blue relative to
 /// green.
 fn brighter(lit: &Lit, camera: &Camera) -> [f64; 3] {
-    let how = Exposure { samples: 256, brightest: f32::INFINITY, ..Exposure::default() };
-    let reference = lit.renderer.photograph(&lit.lighting, camera, &how, |_| true).unwrap().picture();
+    let how = PathTracing { samples: 256, brightest: f32::INFINITY, ..PathTracing::default() };
+    let reference = lit.renderer.reference_picture(&lit.lighting, camera, &how, |_| true).unwrap().picture();
     let (fast, wanted) = (undone(&lit.fast(camera).rgb), undone(&reference.pixels));
     let [red, green, blue] = [0, 1, 2].map(|c: usize| fast[c] / wanted[c]);
     [green, red / green, blue / green]

@@ -6,7 +6,7 @@ use crate::common;
 
 use common::{cameras, lamplit};
 use vc_graph::NodeId;
-use vc_render::{Camera, Daylight, Exposure, Lighting, Renderer};
+use vc_render::{Camera, Daylight, Lighting, PathTracing, Renderer};
 
 const SIZE: (usize, usize) = (72, 54);
 
@@ -20,8 +20,8 @@ fn lit() -> (Renderer, Lighting) {
 }
 
 fn brightness((renderer, lighting): &(Renderer, Lighting), camera: &Camera, samples: u32, denoise: bool) -> Vec<f32> {
-    let how = Exposure { samples, denoise, ..Exposure::default() };
-    let light = renderer.photograph(lighting, camera, &how, |_| true).unwrap().light;
+    let how = PathTracing { samples, denoise, ..PathTracing::default() };
+    let light = renderer.reference_picture(lighting, camera, &how, |_| true).unwrap().light;
     light.iter().map(|c| 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]).collect()
 }
 

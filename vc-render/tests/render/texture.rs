@@ -10,7 +10,7 @@ use common::{Stage, material};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Material, Shape, Texture};
 use vc_graph::{Draft, Pose, SceneGraph};
-use vc_render::{Adaptation, Camera, Daylight, Exposure, Frame, Lighting, Modality, Renderer, Shot, Snapshot};
+use vc_render::{Adaptation, Camera, Daylight, Frame, Lighting, Modality, PathTracing, Renderer, Shot, Snapshot};
 
 /// Colours of blocks of texels, rows from the top.
 const BLOCKS: [[[u8; 3]; 4]; 3] = [
@@ -75,8 +75,8 @@ fn screen(texture: Option<Texture>) -> Shown {
 }
 
 fn traced(shown: &Shown, camera: &Camera) -> Vec<[f32; 3]> {
-    let how = Exposure { samples: 16, denoise: false, brightest: f32::INFINITY, ..Exposure::default() };
-    shown.renderer.photograph(&shown.lighting, camera, &how, |_| true).unwrap().light
+    let how = PathTracing { samples: 16, denoise: false, brightest: f32::INFINITY, ..PathTracing::default() };
+    shown.renderer.reference_picture(&shown.lighting, camera, &how, |_| true).unwrap().light
 }
 
 #[test]
@@ -159,9 +159,9 @@ impl Shown {
     }
 
     /// Light with a single bounce, so that only the board's own colour matters.
-    fn photograph(&self, camera: &Camera) -> Vec<[f32; 3]> {
-        let how = Exposure { samples: 16, bounces: 1, denoise: false, ..Exposure::default() };
-        self.renderer.photograph(&self.lighting, camera, &how, |_| true).unwrap().light
+    fn reference_picture(&self, camera: &Camera) -> Vec<[f32; 3]> {
+        let how = PathTracing { samples: 16, bounces: 1, denoise: false, ..PathTracing::default() };
+        self.renderer.reference_picture(&self.lighting, camera, &how, |_| true).unwrap().light
     }
 }
 
@@ -186,7 +186,7 @@ fn every_texel_is_where_its_coordinates_say() {
     // The texture multiplies the material's colour.
     let pictured = Shown::new(&alone(board(true), matt(tint), Some(blocks()), 1.0));
     for camera in cameras() {
-        let (fast, photograph) = (pictured.exposed(&camera, None), pictured.photograph(&camera));
+        let (fast, reference_picture) = (pictured.exposed(&camera, None), pictured.reference_picture(&camera));
         for (row, column) in (0..3).flat_map(|row| (0..4).map(move |column| (row, column))) {
             let texel = BLOCKS[row][column].map(linear);
             let colour = [0, 1, 2].map(|i: usize| tint[i] * texel[i]);
@@ -195,7 +195,7 @@ fn every_texel_is_where_its_coordinates_say() {
             let (own, wanted) = (fast.rgb[at], plain.exposed(&camera, Some(fast.exposure)).rgb[at]);
             // Light reflected by the board lights it a little, and differs.
             assert!((0..3).all(|i| own[i].abs_diff(wanted[i]) <= 6), "{row} {column}: {own:?}, not {wanted:?}");
-            let (own, wanted) = (photograph[at], plain.photograph(&camera)[at]);
+            let (own, wanted) = (reference_picture[at], plain.reference_picture(&camera)[at]);
             let off = (0..3).map(|i| (own[i] - wanted[i]).abs()).fold(0.0, f32::max);
             assert!(off < 0.002, "{row} {column}: {own:?}, not {wanted:?}");
         }
@@ -240,7 +240,7 @@ fn any_coordinates_are_taken() {
         let shape = Shape::Mesh { vertices: vertices.clone(), triangles: triangles.clone(), uvs };
         let shown = Shown::new(&alone(shape, matt([0.8; 3]), Some(blocks()), 1.0));
         assert_eq!(shown.fast(&cameras()[1]).len(), 96 * 72);
-        assert!(shown.photograph(&cameras()[1]).iter().flatten().all(|v| v.is_finite()));
+        assert!(shown.reference_picture(&cameras()[1]).iter().flatten().all(|v| v.is_finite()));
     }
 }
 

@@ -8,7 +8,7 @@ use common::{Stage, block, material};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::Material;
-use vc_render::{Adaptation, Camera, Daylight, Exposure, Frame, Modality, Photograph, Renderer, Shot};
+use vc_render::{Adaptation, Camera, Daylight, Frame, Modality, PathTracing, ReferencePicture, Renderer, Shot};
 
 fn even() -> Daylight {
     let one = Vector3::repeat(1.0);
@@ -16,19 +16,19 @@ fn even() -> Daylight {
 }
 
 /// A photograph of a plain scene, for its exposure.
-fn photograph() -> Photograph {
+fn reference_picture() -> ReferencePicture {
     let mut stage = Stage::new();
     stage.one("box", block([0.5; 3]), Pose::translation(2.0, 0.0, 0.0), 1);
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&stage.build()).unwrap();
     let lighting = renderer.light(&snapshot, &even());
-    let how = Exposure { samples: 1, ..Exposure::default() };
-    renderer.photograph(&lighting, &Camera::with_fov(8, 6, 1.0), &how, |_| true).unwrap()
+    let how = PathTracing { samples: 1, ..PathTracing::default() };
+    renderer.reference_picture(&lighting, &Camera::with_fov(8, 6, 1.0), &how, |_| true).unwrap()
 }
 
 #[test]
 fn more_light_is_never_darker_on_film() {
-    let mut made = photograph();
+    let mut made = reference_picture();
     // From a millionth up, in steps of one percent.
     let steps = std::iter::successors(Some(1e-6_f32), |v| Some(1.01 * v)).take(4000);
     made.light = steps.map(|v| [v, 0.5 * v, 3.0 * v]).collect();
@@ -46,7 +46,7 @@ fn more_light_is_never_darker_on_film() {
 /// Sunlit things keep their hue and shading: five to thirty times the light of the room is neither white nor flat.
 #[test]
 fn sunlit_walls_keep_their_hue_and_shading() {
-    let mut made = photograph();
+    let mut made = reference_picture();
     made.light = vec![[1.0; 3]];
     (made.width, made.height) = (1, 1);
     // The light that a white wall reflects in the light of the room: it is displayed at about two fifths.
@@ -145,7 +145,7 @@ fn a_large_step_is_adapted_to_at_once() {
 
 #[test]
 fn light_that_cannot_be_has_a_colour() {
-    let mut made = photograph();
+    let mut made = reference_picture();
     made.light = vec![[f32::NAN; 3], [-1.0; 3], [f32::NEG_INFINITY; 3], [0.0; 3], [f32::MAX; 3], [f32::INFINITY; 3]];
     (made.width, made.height) = (6, 1);
     assert_eq!(made.picture().pixels, [[0; 3], [0; 3], [0; 3], [0; 3], [255; 3], [255; 3]]);

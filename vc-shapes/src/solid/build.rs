@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Joint, JointKind, Part, Shape, Surface};
-use vc_graph::{Asset, Bounds, Frame, Pose, Stream};
+use vc_graph::{Asset, Bounds, BoundsFrame, Pose, Stream};
 
 use crate::material::Mat;
 use crate::style::Style;
@@ -83,7 +83,7 @@ impl<'a> Build<'a> {
         let half = (high - low) / 2.0;
         if self.anchored {
             let offset = nalgebra::center(&low, &high).coords;
-            return (asset, Bounds { offset, half, frame: Frame::Object });
+            return (asset, Bounds { offset, half, frame: BoundsFrame::Object });
         }
         let shift = Vector3::new(-(low.x + high.x) / 2.0, -(low.y + high.y) / 2.0, -low.z);
         let moved = Translation3::from(shift);

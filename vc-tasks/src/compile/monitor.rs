@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use vc_graph::Goal;
-use vc_graph::goal::{Situation, Trace};
+use vc_graph::goal::{EpisodeTrace, Situation};
 
 use super::course::Course;
 use super::{Bits, CompileError, Compiler, Program};
@@ -83,7 +83,7 @@ impl Monitor {
 
     /// Evaluates a whole trace; the objects are those of its start. `None` where [`Monitor::new`]
     /// fails.
-    pub fn on(goal: &Goal, trace: &Trace) -> Option<Self> {
+    pub fn on(goal: &Goal, trace: &EpisodeTrace) -> Option<Self> {
         let mut situations = (0..=trace.steps()).filter_map(|step| trace.situation(step));
         let mut monitor = Self::new(goal, &situations.next()?).ok()?;
         situations.for_each(|now| {

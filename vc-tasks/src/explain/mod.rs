@@ -2,7 +2,7 @@
 
 mod sets;
 
-use vc_graph::goal::{Quantified, Situation, Trace};
+use vc_graph::goal::{EpisodeTrace, Quantified, Situation};
 use vc_graph::{Goal, NodeId};
 
 use crate::compile::{CompileError, Compiler, Monitor, Things};
@@ -96,7 +96,7 @@ fn bindings(q: &Quantified, now: &Situation<'_>) -> Bindings {
 ///
 /// Costs as much as a [`Monitor`]; where objects are added or removed, or variables range over too
 /// many, the goal is evaluated directly at each step.
-pub fn first_held(goal: &Goal, trace: &Trace) -> Vec<Option<usize>> {
+pub fn first_held(goal: &Goal, trace: &EpisodeTrace) -> Vec<Option<usize>> {
     if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::on(goal, trace)).flatten() {
         return monitor.first_held().to_vec();
     }
@@ -105,7 +105,7 @@ pub fn first_held(goal: &Goal, trace: &Trace) -> Vec<Option<usize>> {
 }
 
 /// Whether the same objects exist at all steps.
-fn keeps_its_things(trace: &Trace) -> bool {
+fn keeps_its_things(trace: &EpisodeTrace) -> bool {
     let things = |step: usize| trace.graph(step).into_iter().flat_map(|g| g.nodes()).map(vc_graph::Node::id);
     (1..=trace.steps()).all(|step| things(step).eq(things(0)))
 }

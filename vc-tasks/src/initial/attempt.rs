@@ -6,11 +6,11 @@ use nalgebra::{Isometry3, Translation3};
 use vc_graph::class::{Category, Class};
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{
-    AssetLibrary, Bounds, Draft, EditError, History, Kind, NodeId, ObjectRole, Place, Property, PropertySet, Relation,
-    SceneBuilder, SceneGraph, Seed, State,
+    AssetLibrary, Bounds, Draft, EditError, History, NodeId, NodeKind, ObjectRole, Place, Property, PropertySet,
+    Relation, SceneBuilder, SceneGraph, Seed, State,
 };
 
-use super::error::{InitialError, Why};
+use super::error::{InitialError, PlacementReason};
 use super::fit::{Fit, refused, turned};
 use super::site::{Places, Site};
 use super::solid::Solids;
@@ -138,8 +138,11 @@ impl<'a> Attempt<'a> {
         let class = self.graph.classes().get("character");
         let size = class.and_then(Class::typical_size);
         let rooms = self.walk.as_ref().map_or_else(|| self.graph.rooms().to_vec(), Walk::entered);
-        let nowhere =
-            || InitialError::NoSpot { thing: "character".into(), place: "floor".into(), why: Why::Unreachable };
+        let nowhere = || InitialError::NoSpot {
+            thing: "character".into(),
+            place: "floor".into(),
+            why: PlacementReason::Unreachable,
+        };
         let room = *rooms.get(stream.below(rooms.len())).ok_or_else(nowhere)?;
         let mut draft = Draft::new("character");
         if let (Some(walk), Some(size)) = (&self.walk, size) {
@@ -197,7 +200,7 @@ impl<'a> Attempt<'a> {
 
     fn is_reached(&self, id: NodeId) -> bool {
         let Some(walk) = &self.walk else { return true };
-        let Some(node) = self.graph.node(id).filter(|n| n.kind() == Kind::Object) else { return true };
+        let Some(node) = self.graph.node(id).filter(|n| n.kind() == NodeKind::Object) else { return true };
         node.aabb().is_none_or(|aabb| walk.reaches(&aabb, self.graph.room_of(id)) || is_overhead(node))
     }
 
@@ -231,7 +234,7 @@ impl<'a> Attempt<'a> {
         let mut sites = Places { graph: &self.graph, assets: &self.assets }.sites(class, spots);
         let mut stream = seed.child("place").stream();
         let asked = || spots.iter().map(Spot::to_string).collect::<Vec<_>>().join(" | ");
-        let mut last = (asked(), Why::Absent);
+        let mut last = (asked(), PlacementReason::Absent);
         while let Some(chosen) = stream.weighted(sites.iter().map(|s| s.weight)) {
             let site = sites.swap_remove(chosen);
             match self.try_site(class, &draft, &site, purpose, &mut stream) {
@@ -250,40 +253,40 @@ impl<'a> Attempt<'a> {
         site: &Site,
         purpose: Purpose,
         stream: &mut vc_graph::Stream,
-    ) -> Result<NodeId, Why> {
+    ) -> Result<NodeId, PlacementReason> {
         let fit = Fit { graph: &self.graph, assets: &self.assets, solids: &self.solids, walk: self.walk.as_ref() };
         let pose = fit.pose(class, draft.bounds, site, stream)?;
         self.put(Draft { pose, ..draft.clone() }, site, purpose)
     }
 
     /// Places an object at a site unless that fulfils part of the goal or blocks a way.
-    fn put(&mut self, draft: Draft, site: &Site, purpose: Purpose) -> Result<NodeId, Why> {
+    fn put(&mut self, draft: Draft, site: &Site, purpose: Purpose) -> Result<NodeId, PlacementReason> {
         let agent = self.agent;
         let before = merits(&self.activity.goal, &self.graph, agent);
         let mut edit = self.graph.edit();
-        let id = edit.add(draft).map_err(|_| Why::Refused)?;
+        let id = edit.add(draft).map_err(|_| PlacementReason::Refused)?;
         if purpose != Purpose::Agent && refused(edit.graph(), agent, id, site) {
-            return Err(Why::Refused);
+            return Err(PlacementReason::Refused);
         }
         let place = Place { relation: site.relation, at: site.at };
         match site.relation {
             Relation::InRoom => edit.move_to_room(id, site.at),
             _ => edit.place(id, place),
         }
-        .map_err(|_| Why::Refused)?;
+        .map_err(|_| PlacementReason::Refused)?;
         if purpose != Purpose::Agent && gains(&before, &merits(&self.activity.goal, edit.graph(), agent)) {
-            return Err(Why::MeetsGoal);
+            return Err(PlacementReason::MeetsGoal);
         }
         let on_floor =
             edit.graph().node(site.at).is_some_and(|n| matches!(n.role(), ObjectRole::Room | ObjectRole::Floor));
         if let Some(walk) = self.walk.as_mut().filter(|_| on_floor && purpose != Purpose::Agent) {
-            let after = Walk::of(edit.graph(), &self.assets).ok_or(Why::Unreachable)?;
+            let after = Walk::of(edit.graph(), &self.assets).ok_or(PlacementReason::Unreachable)?;
             if after.entered() != walk.entered() {
-                return Err(Why::Unreachable);
+                return Err(PlacementReason::Unreachable);
             }
             *walk = after;
         }
-        let room = edit.graph().room_of(id).ok_or(Why::Absent)?;
+        let room = edit.graph().room_of(id).ok_or(PlacementReason::Absent)?;
         let aabb = edit.graph().node(id).and_then(|n| n.aabb());
         edit.commit();
         aabb.into_iter().for_each(|aabb| self.solids.add(id, aabb));
@@ -356,7 +359,7 @@ impl<'a> Attempt<'a> {
         lost.map_or(Ok(()), |&id| {
             let thing = self.graph.label(id).to_string();
             let place = self.graph.place(id).map_or_else(String::new, |p| self.graph.label(p.at).to_string());
-            Err(InitialError::NoSpot { thing, place, why: Why::Unreachable })
+            Err(InitialError::NoSpot { thing, place, why: PlacementReason::Unreachable })
         })
     }
 }

@@ -23,7 +23,7 @@ pub enum InitialError {
         /// The place tried last.
         place: String,
         /// The reason why the object does not fit there.
-        why: Why,
+        why: PlacementReason,
     },
     /// The goal already holds before any action.
     #[error("the goal holds already: `{0}`")]
@@ -51,7 +51,7 @@ impl InitialError {
 /// The reason why an object cannot be placed somewhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Why {
+pub enum PlacementReason {
     /// There is no such place in the scene.
     Absent,
     /// The object is wider or deeper than the place.
@@ -68,7 +68,7 @@ pub enum Why {
     Refused,
 }
 
-impl fmt::Display for Why {
+impl fmt::Display for PlacementReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Absent => "there is no such place",

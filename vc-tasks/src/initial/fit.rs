@@ -6,7 +6,7 @@ use vc_graph::class::Class;
 use vc_graph::portable::Portable;
 use vc_graph::{Aabb, AssetLibrary, Bounds, Node, NodeId, ObjectRole, Pose, Property, Relation, SceneGraph, Stream};
 
-use super::error::Why;
+use super::error::PlacementReason;
 use super::site::Site;
 use super::solid::{Solids, meet, part_boxes};
 use super::walk::Walk;
@@ -46,19 +46,19 @@ impl Fit<'_> {
         bounds: Option<Bounds>,
         site: &Site,
         stream: &mut Stream,
-    ) -> Result<Option<Pose>, Why> {
-        let Some(carrier) = self.graph.node(site.at) else { return Err(Why::Absent) };
+    ) -> Result<Option<Pose>, PlacementReason> {
+        let Some(carrier) = self.graph.node(site.at) else { return Err(PlacementReason::Absent) };
         let (Some(bounds), Some(pose), Some(aabb)) = (bounds, carrier.pose(), carrier.aabb()) else { return Ok(None) };
         let own = carrier.spec().asset.and_then(|id| self.assets.get(id));
         let surface = own.zip(site.surface).and_then(|(asset, i)| asset.surfaces.get(i)).cloned();
         let surface = surface.unwrap_or_else(|| plain_surface(&aabb, pose, site.relation));
         let ways = Ways { class, bounds: &bounds, surface: &surface, carrier: carrier.spec().bounds };
-        let mut why = Why::TooSmall;
+        let mut why = PlacementReason::TooSmall;
         for _ in 0..TRIES {
             let Some(local) = ways.draw(self.is_floor(site), stream) else { return Err(why) };
             let world = pose * local;
             match self.obstacle(&bounds.aabb(&world), site, &surface) {
-                None if self.is_in_the_way(class, &bounds, &world, site) => why = Why::Unreachable,
+                None if self.is_in_the_way(class, &bounds, &world, site) => why = PlacementReason::Unreachable,
                 None => return Ok(Some(world)),
                 Some(reason) => why = reason,
             }
@@ -91,24 +91,24 @@ impl Fit<'_> {
     }
 
     /// The reason why an object cannot be where its bounding box would be.
-    fn obstacle(&self, aabb: &Aabb, site: &Site, surface: &Surface) -> Option<Why> {
+    fn obstacle(&self, aabb: &Aabb, site: &Site, surface: &Surface) -> Option<PlacementReason> {
         let height = aabb.max.z - aabb.min.z;
         let room = self.graph.room_of(site.at);
         let ceiling = room.and_then(|r| self.graph.node(r)?.aabb()).map(|b| b.max.z - HEADROOM);
         let low = surface.hold != Hold::Hook && surface.clearance.is_some_and(|c| height > c - GAP);
         if low || ceiling.is_some_and(|c| aabb.max.z > c) {
-            return Some(Why::TooLow);
+            return Some(PlacementReason::TooLow);
         }
         let mut besides = self.graph.support_chain(site.at);
         besides.push(site.at);
         if self.solids.hit(self.graph, self.assets, aabb, &besides).is_some() {
-            return Some(Why::Taken);
+            return Some(PlacementReason::Taken);
         }
         let doors = || self.graph.of_role(ObjectRole::Door).filter_map(Node::aabb);
         if self.is_floor(site) && doors().any(|door| meet(&before(&door), aabb)) {
-            return Some(Why::Unreachable);
+            return Some(PlacementReason::Unreachable);
         }
-        self.walk.filter(|walk| !walk.reaches(aabb, room)).map(|_| Why::Unreachable)
+        self.walk.filter(|walk| !walk.reaches(aabb, room)).map(|_| PlacementReason::Unreachable)
     }
 }
 

@@ -47,7 +47,7 @@ use crate::library::Activity;
 use crate::{Task, World};
 use attempt::{Asked, Attempt, Ground};
 
-pub use error::{InitialError, Why};
+pub use error::{InitialError, PlacementReason};
 pub use stock::{PlainStock, Stock};
 
 /// The default number of attempts.

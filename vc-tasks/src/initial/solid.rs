@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::Part;
-use vc_graph::{Aabb, AssetLibrary, Bounds, Frame, Kind, Node, NodeId, Pose, SceneGraph};
+use vc_graph::{Aabb, AssetLibrary, Bounds, BoundsFrame, Node, NodeId, NodeKind, Pose, SceneGraph};
 
 /// The depth by which boxes may overlap before they count as colliding, metres.
 const TOUCH: f32 = 0.002;
@@ -15,7 +15,7 @@ pub(super) struct Solids {
 
 impl Solids {
     pub(super) fn of(graph: &SceneGraph) -> Self {
-        let things = graph.nodes().filter(|n| n.kind() != Kind::Room);
+        let things = graph.nodes().filter(|n| n.kind() != NodeKind::Room);
         Self { boxes: things.filter_map(|n| Some((n.id(), n.aabb()?))).collect() }
     }
 
@@ -57,5 +57,5 @@ fn part_box(part: &Part, scale: Vector3<f32>, pose: &Pose) -> Aabb {
     let (low, high) = part.extent();
     let scaled = |p: Point3<f32>| p.coords.component_mul(&scale);
     let (low, high) = (scaled(low), scaled(high));
-    Bounds { offset: (low + high) / 2.0, half: (high - low) / 2.0, frame: Frame::Object }.aabb(pose)
+    Bounds { offset: (low + high) / 2.0, half: (high - low) / 2.0, frame: BoundsFrame::Object }.aabb(pose)
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3};
 use vc_geometry::grid::{BitGrid, Disc};
-use vc_graph::{Aabb, Anthropometry, AssetLibrary, Kind, Node, NodeId, ObjectRole, SceneGraph, Stream};
+use vc_graph::{Aabb, Anthropometry, AssetLibrary, Node, NodeId, NodeKind, ObjectRole, SceneGraph, Stream};
 
 use super::solid::part_boxes;
 
@@ -146,5 +146,5 @@ impl Walk {
 
 /// Whether an object can be an obstacle: floors, doors and people cannot.
 fn hinders(node: &Node) -> bool {
-    node.kind() == Kind::Object && !matches!(node.role(), ObjectRole::Floor | ObjectRole::Door)
+    node.kind() == NodeKind::Object && !matches!(node.role(), ObjectRole::Floor | ObjectRole::Door)
 }

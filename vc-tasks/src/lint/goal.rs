@@ -53,7 +53,7 @@ fn unknown(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
 /// Findings about labels whose class is not that of their node, and about objects that the scene lacks.
 fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let finding = |kind, part| Finding { kind, at: None, part };
-    let misnomers = goal.misnomers(graph).into_iter().map(|m| finding(Kind::Misnomer, m.to_string()));
+    let name_mismatches = goal.name_mismatches(graph).into_iter().map(|m| finding(Kind::Misnomer, m.to_string()));
     let nobody = |id: &NodeId| graph.node(*id).is_none();
     let ids = goal.terms().into_iter().filter_map(|t| if let Term::Node(_, id) = t { Some(id) } else { None });
     let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();
@@ -62,7 +62,7 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     // Unknown classes are findings of their own, and states that no action brings about are found without a scene, too.
     let is_plain = |o: &Obstacle| !matches!(o, Obstacle::UnknownClass { .. } | Obstacle::NoAction { .. });
     let obstacles = task.obstacles(graph).into_iter().filter(is_plain).map(|o| finding(Kind::Obstacle, o.to_string()));
-    misnomers.chain(missing).chain(obstacles).collect()
+    name_mismatches.chain(missing).chain(obstacles).collect()
 }
 
 /// A finding if the goal asks for objects that support each other in a cycle.

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use vc_tasks::Outcome;
-//! use vc_tasks::report::{By, Report, Run};
+//! use vc_tasks::report::{GroupBy, Report, Run};
 //!
 //! let run = |task: &str, outcome, steps| Run {
 //!     agent: "planner".into(),
@@ -22,7 +22,7 @@
 //!     run("watch_tv-02", Outcome::Won, 20),
 //!     run("put_fridge-01", Outcome::TimedOut, 100),
 //! ]);
-//! let table = report.table(By::Group);
+//! let table = report.table(GroupBy::Group);
 //! let tv = table.rows.iter().find(|r| r.key == "watch_tv").ok_or("no such row")?;
 //! assert_eq!((tv.success, tv.spl, tv.steps_won), (1.0, Some(0.75), Some(15.0)));
 //! assert_eq!(report.overall().success, 2.0 / 3.0);
@@ -126,7 +126,7 @@ pub fn predicates(goal: &Goal) -> usize {
 
 /// The key by which a table aggregates attempts; agents are always kept separate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum By {
+pub enum GroupBy {
     /// By agent alone.
     Agent,
     /// By the task's group.
@@ -135,7 +135,7 @@ pub enum By {
     Predicates,
 }
 
-impl By {
+impl GroupBy {
     /// The name in tables.
     pub fn as_str(self) -> &'static str {
         match self {
@@ -169,7 +169,7 @@ impl Report {
     }
 
     /// Aggregates the attempts, one row for each key and agent.
-    pub fn table(&self, by: By) -> Table {
+    pub fn table(&self, by: GroupBy) -> Table {
         let mut groups: std::collections::BTreeMap<(usize, String, &str), Vec<&Run>> = Default::default();
         for run in &self.runs {
             let (rank, key) = by.key(run);

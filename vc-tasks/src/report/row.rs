@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{By, Run};
+use super::{GroupBy, Run};
 use crate::Outcome;
 
 /// The measures of several attempts.
@@ -45,7 +45,7 @@ pub struct Row {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// The aggregation key.
-    pub by: By,
+    pub by: GroupBy,
     /// The rows: by key, then by agent.
     pub rows: Vec<Row>,
 }

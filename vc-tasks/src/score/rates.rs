@@ -1,7 +1,7 @@
 //! Scores that count conditions.
 
 use vc_graph::Goal;
-use vc_graph::goal::{Comparison, Situation, Trace};
+use vc_graph::goal::{Comparison, EpisodeTrace, Situation};
 
 use crate::compile::{Bits, Program};
 
@@ -34,7 +34,7 @@ impl Program {
 /// and not undone where they must last. Propositions are the conjuncts; "at least n" is n of them,
 /// as many of which are satisfied as objects were found. A proposition that need not last is
 /// written with `eventually`, one that comes after another with `before` or `then`.
-pub fn percent_complete(goal: &Goal, trace: &Trace) -> Conditions {
+pub fn percent_complete(goal: &Goal, trace: &EpisodeTrace) -> Conditions {
     let last = trace.situation(trace.steps());
     let mut sum = Conditions { met: 0, conditions: 0 };
     for part in goal.conjuncts() {

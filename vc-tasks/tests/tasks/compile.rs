@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use common::{Room, flips, timeless};
 use proptest::prelude::*;
-use vc_graph::goal::{Situation, Trace};
+use vc_graph::goal::{EpisodeTrace, Situation};
 use vc_graph::{Action, Change, ChangeSet, Event, Goal, History, NodeId, SceneGraph};
 use vc_tasks::compile::{CompileError, Known, Monitor, Program, Tracker, Verdict};
-use vc_tasks::{Progress, World, WorldError};
+use vc_tasks::{GoalProgress, World, WorldError};
 use vc_testkit::cases;
 use vc_testkit::edits::{apply, plans};
 use vc_testkit::goals::goal;
@@ -107,9 +107,9 @@ proptest! {
 }
 
 /// A trace of a room with the given flips and actions, step by step.
-fn course(first: &[common::Flip], then: &[(common::Flip, usize)]) -> (Room, Trace) {
+fn course(first: &[common::Flip], then: &[(common::Flip, usize)]) -> (Room, EpisodeTrace) {
     let mut room = Room::new(first);
-    let mut trace = Trace::new(room.graph.clone(), room.me);
+    let mut trace = EpisodeTrace::new(room.graph.clone(), room.me);
     for &(flip, deed) in then {
         room.flip(flip);
         let lines = ["", "grab #2", "grab #5", "eat #3", "place #2 #5"];
@@ -181,8 +181,8 @@ proptest! {
     ) {
         let mut world = Shown { room: Room::new(&first) };
         let me = world.room.me;
-        let mut progress = Progress::new(&goal, &world, me);
-        let mut trace = Trace::new(world.room.graph.clone(), me);
+        let mut progress = GoalProgress::new(&goal, &world, me);
+        let mut trace = EpisodeTrace::new(world.room.graph.clone(), me);
         for (number, (flip, deed)) in then.into_iter().enumerate() {
             world.room.flip(flip);
             if number == adds {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use vc_graph::format::eai::{Record, Task, read_record, read_tasks};
 use vc_graph::format::virtualhome::EnvironmentGraph;
-use vc_graph::goal::{Goal, Quantified, Trace};
+use vc_graph::goal::{EpisodeTrace, Goal, Quantified};
 use vc_graph::{Action, ClassTable, Event, NodeId, SceneGraph, Semantics, Simulator};
 use vc_tasks::compile::Monitor;
 use vc_tasks::format::eai;
@@ -39,9 +39,9 @@ fn every_goal_and_formula_is_written_as_it_is_read() {
 
 /// The trace of a program's execution; refused actions are left out. The last state is the one that
 /// their simulator left: a glass that it puts into both hands is in one hand here.
-fn trace(start: &SceneGraph, me: NodeId, actions: &[Action], end: &SceneGraph) -> Trace {
+fn trace(start: &SceneGraph, me: NodeId, actions: &[Action], end: &SceneGraph) -> EpisodeTrace {
     let mut world = Simulator::new(start.clone());
-    let mut trace = Trace::new(start.clone(), me);
+    let mut trace = EpisodeTrace::new(start.clone(), me);
     for (i, &action) in actions.iter().enumerate() {
         let last = i + 1 == actions.len();
         if world.step(me, &action).is_ok() || last {
@@ -53,9 +53,9 @@ fn trace(start: &SceneGraph, me: NodeId, actions: &[Action], end: &SceneGraph) -
 }
 
 /// The same trajectory backwards: states and actions.
-fn reversed(trace: &Trace) -> Trace {
+fn reversed(trace: &EpisodeTrace) -> EpisodeTrace {
     let last = trace.steps();
-    let mut back = Trace::new(trace.graph(last).unwrap().clone(), trace.agent());
+    let mut back = EpisodeTrace::new(trace.graph(last).unwrap().clone(), trace.agent());
     for step in (0..last).rev() {
         back.push(trace.graph(step).unwrap().clone(), trace.events(step + 1).iter().copied());
     }

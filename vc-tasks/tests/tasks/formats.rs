@@ -221,7 +221,9 @@ fn activities_are_bound_to_things_of_a_scene() {
         let things: Vec<NodeId> = bound.objects.iter().map(|(_, thing)| *thing).collect();
         assert_eq!(things, [first, second, table, me], "{condition}");
         assert_eq!(bound.goal.holds(&now), holds, "{condition}: {}", bound.goal);
-        assert!(bound.goal.misnomers(&scene).is_empty() && Task::new("t", bound.goal).obstacles(&scene).is_empty());
+        assert!(
+            bound.goal.name_mismatches(&scene).is_empty() && Task::new("t", bound.goal).obstacles(&scene).is_empty()
+        );
     }
     // All objects that find nothing are named.
     let more = "cup.n.01_1 cup.n.01_2 cup.n.01_3 - cup.n.01 table.n.02_1 - table.n.02 harp.n.01_1 - harp.n.01";

@@ -5,10 +5,10 @@
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::goal::Situation;
 use vc_graph::{
-    Action, Bounds, ChangeSet, Draft, Edge, History, Kind, NodeId, Place, Relation, SceneBuilder, SceneGraph, Seed,
+    Action, Bounds, ChangeSet, Draft, Edge, History, NodeId, NodeKind, Place, Relation, SceneBuilder, SceneGraph, Seed,
     Simulator,
 };
-use vc_tasks::initial::{Generator, Initial, InitialError, PlainStock, Purpose, Why};
+use vc_tasks::initial::{Generator, Initial, InitialError, PlacementReason, PlainStock, Purpose};
 use vc_tasks::library::{Activity, Benchmark, List, thesis_tasks};
 use vc_tasks::{World, WorldError};
 
@@ -85,7 +85,7 @@ fn environments_are_as_they_were_asked_for() {
 
 /// An added object and another whose boxes overlap although neither holds the other.
 fn overlapping(scene: &SceneGraph, made: &Initial) -> Option<(NodeId, NodeId)> {
-    let things: Vec<NodeId> = scene.nodes().filter(|n| n.kind() != Kind::Room).map(vc_graph::Node::id).collect();
+    let things: Vec<NodeId> = scene.nodes().filter(|n| n.kind() != NodeKind::Room).map(vc_graph::Node::id).collect();
     let boxed = |id: NodeId| scene.node(id).unwrap().aabb().unwrap();
     let meet = |a: NodeId, b: NodeId| {
         let (a, b) = (boxed(a), boxed(b));
@@ -195,11 +195,11 @@ fn there_must_be_height_and_room() {
     // A shelf compartment four centimetres high cannot hold milk.
     let low = make(&activity("Holds(milk)", &["milk in bookshelf"], ""), &flat(0.04), 1).unwrap_err();
     let InitialError::NoSpot { thing, why, .. } = &low else { panic!("{low}") };
-    assert_eq!((thing.as_str(), *why), ("milk", Why::TooLow));
+    assert_eq!((thing.as_str(), *why), ("milk", PlacementReason::TooLow));
     // A table has no space for a hundred plates side by side.
     let full = make(&activity("Holds(plate)", &["100 plate on dining_table"], ""), &flat(1.0), 1).unwrap_err();
     let InitialError::NoSpot { why, .. } = &full else { panic!("{full}") };
-    assert_eq!(*why, Why::Taken);
+    assert_eq!(*why, PlacementReason::Taken);
 }
 
 /// Furniture that opens does not block the way when it is open: in front of it is a metre of free
@@ -224,7 +224,7 @@ fn what_opens_has_room_before_it() {
         let free = before.aabb(machine.pose().unwrap());
         let meets =
             |b: &vc_graph::Aabb| (0..3).all(|i| b.min[i] + 0.005 < free.max[i] && free.min[i] + 0.005 < b.max[i]);
-        let stands = |n: &&vc_graph::Node| n.kind() == Kind::Object && n.id() != machine.id();
+        let stands = |n: &&vc_graph::Node| n.kind() == NodeKind::Object && n.id() != machine.id();
         let met = made.scene.nodes().filter(stands).find(|n| n.aabb().as_ref().is_some_and(meets));
         assert_eq!(met.map(|n| n.label()), None, "seed {seed}");
     }

@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use vc_tasks::Outcome;
-use vc_tasks::report::{By, Report, Run};
+use vc_tasks::report::{GroupBy, Report, Run};
 
 const OUTCOMES: [Outcome; 4] = [Outcome::Won, Outcome::Lost, Outcome::TimedOut, Outcome::Aborted];
 
@@ -21,9 +21,9 @@ fn rows_keep_agents_apart_and_numbers_in_order() {
         run("a", "y-01", Outcome::Won, 2, 9),
     ]);
     let keys = |by| report.table(by).rows.iter().map(|r| format!("{} {}", r.key, r.agent)).collect::<Vec<_>>();
-    assert_eq!(keys(By::Group), ["x a", "x b", "y a"]);
-    assert_eq!(keys(By::Predicates), ["9 a", "10 a", "10 b"]);
-    assert_eq!(keys(By::Agent), ["a a", "b b"]);
+    assert_eq!(keys(GroupBy::Group), ["x a", "x b", "y a"]);
+    assert_eq!(keys(GroupBy::Predicates), ["9 a", "10 a", "10 b"]);
+    assert_eq!(keys(GroupBy::Agent), ["a a", "b b"]);
 }
 
 #[test]
@@ -52,7 +52,7 @@ fn table_reads_as_text() {
         run("planner", "x-01", Outcome::Won, 4, 1),
         run("planner", "x-02", Outcome::TimedOut, 100, 1),
     ]);
-    let text = report.table(By::Group).text();
+    let text = report.table(GroupBy::Group).text();
     let lines: Vec<Vec<&str>> = text.lines().map(|l| l.split_whitespace().collect()).collect();
     assert_eq!(lines[1][..7], ["x", "planner", "2", "1", "0", "1", "0"]);
     assert!(!text.contains("distance"), "{text}");
@@ -67,7 +67,7 @@ fn csv_quotes_what_must_be() {
 #[test]
 fn plots_are_well_formed() {
     let report = Report::new(vec![run("a<b", "x-01", Outcome::Won, 4, 1), run("c", "x-01", Outcome::Lost, 4, 1)]);
-    let svg = report.table(By::Group).svg("tasks & agents");
+    let svg = report.table(GroupBy::Group).svg("tasks & agents");
     assert!(svg.contains("tasks &amp; agents") && svg.contains("a&lt;b"));
     for tag in ["svg", "text"] {
         assert_eq!(svg.matches(&format!("<{tag} ")).count(), svg.matches(&format!("</{tag}>")).count(), "{tag}");
@@ -94,7 +94,7 @@ proptest! {
     #[test]
     fn every_run_is_in_one_row_and_files_read_back(runs in proptest::collection::vec(any_run(), 0..30)) {
         let report = Report::new(runs);
-        for by in [By::Agent, By::Group, By::Predicates] {
+        for by in [GroupBy::Agent, GroupBy::Group, GroupBy::Predicates] {
             let rows = report.table(by).rows;
             prop_assert_eq!(rows.iter().map(|r| r.runs).sum::<usize>(), report.runs.len());
             for row in rows {

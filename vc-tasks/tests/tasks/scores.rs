@@ -371,7 +371,7 @@ fn bddl_counts_the_asked_for_alone() {
 #[test]
 fn propositions_that_last_and_such_that_need_not() {
     let mut room = Room::new(&[]);
-    let mut trace = vc_graph::goal::Trace::new(room.graph.clone(), room.me);
+    let mut trace = vc_graph::goal::EpisodeTrace::new(room.graph.clone(), room.me);
     for flip in [(0, 0, 0), (0, 1, 0), (0, 0, 0)] {
         room.flip(flip);
         trace.push(room.graph.clone(), []);

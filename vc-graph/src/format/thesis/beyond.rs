@@ -6,7 +6,7 @@ use super::super::Problem;
 use crate::serial::{BoundsFile, FARTHEST, within};
 use crate::spelling::{clip, key};
 use crate::vocabulary::Word;
-use crate::{Bounds, Class, ClassTable, Draft, Frame, Node, Property, PropertySet, State, StateSet};
+use crate::{Bounds, BoundsFrame, Class, ClassTable, Draft, Node, Property, PropertySet, State, StateSet};
 
 /// Metres, in our axes. A field is there where the rest of the object would be read otherwise.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -97,8 +97,8 @@ pub(super) fn down(bounds: &Bounds) -> nalgebra::Vector3<f32> {
 fn above(base: &crate::Pose, bounds: &Bounds) -> crate::Pose {
     let up = nalgebra::Translation3::from(-down(bounds));
     match bounds.frame {
-        Frame::Object => base * up,
-        Frame::World => up * base,
+        BoundsFrame::Object => base * up,
+        BoundsFrame::World => up * base,
     }
 }
 

@@ -38,10 +38,10 @@ use crate::serial::{FARTHEST, within};
 use beyond::{Beyond, down};
 
 use crate::class::{Slot, SlotKind};
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::spelling::clip;
 use crate::{
-    Bounds, ClassTable, Draft, Edge, Frame, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word,
+    Bounds, BoundsFrame, ClassTable, Draft, Edge, Node, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Word,
 };
 
 #[derive(Serialize, Deserialize)]
@@ -250,8 +250,8 @@ fn base(node: &Node) -> Pose {
 fn base_of(node: &Node, pose: &Pose, bounds: &Bounds) -> Pose {
     let down = Translation3::from(down(bounds));
     match frame(node, bounds) {
-        Frame::Object => pose * down,
-        Frame::World => down * pose,
+        BoundsFrame::Object => pose * down,
+        BoundsFrame::World => down * pose,
     }
 }
 
@@ -265,15 +265,15 @@ fn stands(bounds: &Bounds) -> bool {
 }
 
 /// The axes that a node's box is along; a room is not turned, and its box is along both.
-fn frame(node: &Node, bounds: &Bounds) -> Frame {
+fn frame(node: &Node, bounds: &Bounds) -> BoundsFrame {
     let turned = node.pose().is_some_and(|p| p.rotation != UnitQuaternion::identity());
-    if node.kind() == Kind::Room && !turned { Frame::Object } else { bounds.frame }
+    if node.kind() == NodeKind::Room && !turned { BoundsFrame::Object } else { bounds.frame }
 }
 
 /// The box of a node where pose and scale do not tell it.
 fn untold(graph: &SceneGraph, node: &Node) -> Option<Bounds> {
     let sized = typical_size(graph, node).is_some();
-    let told = |b: &Bounds| sized && stands(b) && frame(node, b) == Frame::Object;
+    let told = |b: &Bounds| sized && stands(b) && frame(node, b) == BoundsFrame::Object;
     let pose = node.pose().copied().unwrap_or_else(Pose::identity);
     node.spec().bounds.filter(|b| !told(b) && is_near(&base_of(node, &pose, b)))
 }
@@ -378,7 +378,7 @@ impl<'f> Names<'f> {
         });
         let Some((relation, to)) = rest else { return Err(no_relation(object, text)) };
         let (from, to) = (NodeId(object.id), self.find(graph, NodeId(object.id), to)?);
-        let into_room = relation == Relation::Inside && graph.node(to).is_some_and(|n| n.kind() == Kind::Room);
+        let into_room = relation == Relation::Inside && graph.node(to).is_some_and(|n| n.kind() == NodeKind::Room);
         Ok(Edge { from, relation: if into_room { Relation::InRoom } else { relation }, to })
     }
 
@@ -412,7 +412,7 @@ fn no_relation(object: &ObjectFile, text: &str) -> Problem {
 fn find_rooms(scene: &mut SceneBuilder) -> Result<(), crate::EditError> {
     let graph = scene.graph();
     let lost: Vec<NodeId> =
-        graph.nodes().filter(|n| n.kind() != Kind::Room && graph.room_of(n.id()).is_none()).map(Node::id).collect();
+        graph.nodes().filter(|n| n.kind() != NodeKind::Room && graph.room_of(n.id()).is_none()).map(Node::id).collect();
     let found: Vec<(NodeId, NodeId)> = lost.iter().filter_map(|&id| Some((id, room_around(graph, id)?))).collect();
     let mut edit = scene.edit();
     for (id, room) in found {

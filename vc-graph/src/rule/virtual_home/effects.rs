@@ -2,7 +2,7 @@
 
 use super::Memory;
 use super::view::{Link, View};
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::{Action, Edge, Edit, EditError, NodeId, Property, Relation, State, Verb};
 
 type Done = Result<(), EditError>;
@@ -101,8 +101,8 @@ impl Doing<'_, '_> {
     fn add(&mut self, from: NodeId, link: Link, to: NodeId) {
         let is = |kind| self.view().node(to).is_some_and(|n| n.kind() == kind);
         let relation = match link {
-            Link::On if is(Kind::Agent) => Relation::WornBy,
-            Link::Inside if is(Kind::Room) => Relation::InRoom,
+            Link::On if is(NodeKind::Agent) => Relation::WornBy,
+            Link::Inside if is(NodeKind::Room) => Relation::InRoom,
             _ => link.relations()[0],
         };
         if !self.view().has(from, link, to) {

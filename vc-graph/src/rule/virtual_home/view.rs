@@ -1,7 +1,7 @@
 //! A scene as VirtualHome's simulator sees it.
 
 use super::order::walked;
-use crate::node::Kind;
+use crate::node::NodeKind;
 use crate::{Edge, Node, NodeId, Property, Relation, SceneGraph, State};
 
 /// The relations that VirtualHome's actions use.
@@ -68,7 +68,7 @@ impl<'a> View<'a> {
     }
 
     pub(super) fn is_room(self, id: NodeId) -> bool {
-        self.node(id).is_some_and(|n| n.kind() == Kind::Room)
+        self.node(id).is_some_and(|n| n.kind() == NodeKind::Room)
     }
 
     /// Whether an object's own properties, as written, include one of these.

@@ -1,9 +1,9 @@
 //! Goals with words of time: each is judged on the trace, pursued by stages, or given up with the part that stands in
 //! the way.
 
-use vc_graph::goal::Trace;
+use vc_graph::goal::EpisodeTrace;
 use vc_graph::{Draft, Event, Goal, NodeId, SceneBuilder, SceneGraph, Scope, Simulator};
-use vc_planner::{Newcomer, Policy, Resident, Run, Trajectory};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Trajectory};
 use vc_tasks::{Outcome, Task};
 
 /// A kitchen with milk and an egg in the fridge, which is closed, and an apple on the table.
@@ -53,23 +53,23 @@ const LOST: &[(&str, &str)] = &[
 
 fn policies() -> [Box<dyn Policy>; 4] {
     [
-        Box::new(Resident::default()),
-        Box::new(Newcomer::best()),
-        Box::new(Newcomer::faithful()),
-        Box::new(Newcomer::stranger()),
+        Box::new(OraclePolicy::default()),
+        Box::new(PlannerPolicy::best()),
+        Box::new(PlannerPolicy::faithful()),
+        Box::new(PlannerPolicy::in_unknown_home()),
     ]
 }
 
 fn attempt(policy: &mut dyn Policy, text: &str) -> (Trajectory, Goal) {
     let task = Task { step_limit: 60, ..Task::new("in time", text.parse().unwrap()) };
-    (Trajectory::record(&Run::default(), policy, &task, &mut Simulator::new(kitchen())), task.goal)
+    (Trajectory::record(&EpisodeOptions::default(), policy, &task, &mut Simulator::new(kitchen())), task.goal)
 }
 
 /// Whether a goal holds on the trace of a record, and how much of it.
 fn on_trace(trajectory: &Trajectory, goal: &Goal) -> (bool, f64) {
     let me: NodeId = trajectory.header.agent;
     let mut scenes = trajectory.replay(&kitchen()).unwrap().into_iter();
-    let mut trace = Trace::new(scenes.next().unwrap(), me);
+    let mut trace = EpisodeTrace::new(scenes.next().unwrap(), me);
     for (graph, step) in scenes.zip(&trajectory.steps) {
         trace.push(graph, [Event { agent: me, action: step.action }]);
     }
@@ -114,10 +114,10 @@ fn what_stands_in_the_way_is_told() {
 /// The rewards of transitions are those on the trace.
 #[test]
 fn transitions_sum_to_the_score_on_the_trace() {
-    let (trajectory, goal) = attempt(&mut Resident::default(), "Open(fridge) then Closed(fridge) then Holds(milk)");
+    let (trajectory, goal) = attempt(&mut OraclePolicy::default(), "Open(fridge) then Closed(fridge) then Holds(milk)");
     let transitions = trajectory.transitions(&kitchen(), Scope::Room).unwrap();
     let sum: f64 = transitions.iter().map(|t| t.reward).sum();
-    let start = Trace::new(kitchen(), trajectory.header.agent);
+    let start = EpisodeTrace::new(kitchen(), trajectory.header.agent);
     assert!((sum - (1.0 - goal.score_on(&start))).abs() < 1e-9, "{sum}");
     assert!(transitions.last().unwrap().terminated);
 }
@@ -126,7 +126,7 @@ fn transitions_sum_to_the_score_on_the_trace() {
 #[test]
 fn what_was_broken_is_told() {
     let task = Task::new("in time", "Holds(apple) until Holds(milk)".parse().unwrap());
-    let episode = vc_planner::run_episode(&mut Newcomer::best(), &task, &mut Simulator::new(kitchen()));
+    let episode = vc_planner::run_episode(&mut PlannerPolicy::best(), &task, &mut Simulator::new(kitchen()));
     assert_eq!(episode.outcome, Outcome::Lost);
     assert!(episode.reason.unwrap().contains("does not hold any more"));
     let me = kitchen().agents()[0];
@@ -174,7 +174,7 @@ fn misspelt_classes_win_nothing() {
         let task = Task::new("t", text.parse().unwrap());
         let mut trial = vc_tasks::Trial::new(Simulator::new(kitchen()), task.clone(), me);
         let step = trial.step(&"dance".parse().unwrap());
-        let episode = vc_planner::run_episode(&mut Resident::default(), &task, &mut Simulator::new(kitchen()));
+        let episode = vc_planner::run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(kitchen()));
         assert_eq!(step.terminated, episode.outcome == Outcome::Won, "{text}: {step:?} {episode:?}");
         let told: Vec<String> = task.obstacles(&kitchen()).iter().map(ToString::to_string).collect();
         (episode, step, told.join("; "))

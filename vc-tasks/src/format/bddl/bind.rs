@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use vc_graph::goal::{Comparison, Goal, Quantified, Term};
-use vc_graph::{Kind, NodeId, SceneGraph};
+use vc_graph::{NodeId, NodeKind, SceneGraph};
 
 use super::Activity;
 use crate::format::ReadError;
@@ -156,7 +156,7 @@ impl Places<'_> {
     }
 
     fn term(&self, thing: NodeId) -> Term {
-        let class = self.graph.node(thing).filter(|n| n.kind() != Kind::Agent).map(|n| n.class().to_string());
+        let class = self.graph.node(thing).filter(|n| n.kind() != NodeKind::Agent).map(|n| n.class().to_string());
         Term::Node(class, thing)
     }
 

@@ -1,7 +1,7 @@
 //! Goals in PDDL: facts, or an action that states that they hold.
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Term};
-use vc_graph::{Kind, NodeId, Relation, SceneGraph};
+use vc_graph::{NodeId, NodeKind, Relation, SceneGraph};
 
 use super::rules::{is, is_not, kind};
 use super::scene::name;
@@ -228,7 +228,7 @@ impl<'g> Translator<'g, '_> {
             (Relation::LyingOn, true) => "lying_on",
             _ => return no(literal, "it has no such relation"),
         };
-        let room = |id: NodeId| self.graph.node(id).is_some_and(|n| n.kind() == Kind::Room);
+        let room = |id: NodeId| self.graph.node(id).is_some_and(|n| n.kind() == NodeKind::Room);
         let into_room = match second {
             Term::Node(_, id) => room(*id),
             Term::Class(class) => self.graph.of_class(class).into_iter().any(room),

@@ -16,7 +16,7 @@
 
 use std::collections::BTreeSet;
 
-use vc_graph::rule::{Condition, Effect, Role};
+use vc_graph::rule::{Argument, Condition, Effect};
 use vc_graph::{Property, State, Verb};
 
 use super::{Atom, Change, Domain, Formula, Operator, Signature, Typed};
@@ -31,7 +31,7 @@ pub struct LeftOut {
 }
 
 /// A static fact, which no action changes, with the condition that decides it in a scene.
-pub(super) type Lasting = (String, Condition<Role>);
+pub(super) type Lasting = (String, Condition<Argument>);
 
 /// The domain of some verbs, with those that are left out.
 ///
@@ -162,37 +162,37 @@ fn ways(verb: Verb) -> Result<Vec<Way>, String> {
         for does in rule.does {
             way.effect(*does)?;
         }
-        let things = [Role::X, Role::Y].into_iter().take(rule.arity).map(variable);
+        let things = [Argument::X, Argument::Y].into_iter().take(rule.arity).map(variable);
         let did = Atom::new(format!("did_{verb}"), &things.collect::<Vec<_>>());
         way.does.push(Change::Add(did));
     }
     Ok(all)
 }
 
-fn variable(role: Role) -> &'static str {
+fn variable(role: Argument) -> &'static str {
     match role {
-        Role::X => "?x",
-        Role::Y => "?y",
+        Argument::X => "?x",
+        Argument::Y => "?y",
     }
 }
 
 /// The variables for an object's spot and for its cover.
-fn spot(role: Role) -> (&'static str, &'static str) {
+fn spot(role: Argument) -> (&'static str, &'static str) {
     match role {
-        Role::X => ("?sx", "?cx"),
-        Role::Y => ("?sy", "?cy"),
+        Argument::X => ("?sx", "?cx"),
+        Argument::Y => ("?sy", "?cy"),
     }
 }
 
-fn lasting(name: impl Into<String>, condition: Condition<Role>, role: Role) -> Way {
+fn lasting(name: impl Into<String>, condition: Condition<Argument>, role: Argument) -> Way {
     let name = name.into();
     let needs = vec![Atom::new(&*name, &[variable(role)])];
     // The condition is about one object, whichever role it has here.
     Way { needs, lasting: vec![(name, condition)], ..Way::default() }
 }
 
-fn affords(property: Property, role: Role) -> Way {
-    lasting(format!("affords_{property}"), Condition::Affords(Role::X, property), role)
+fn affords(property: Property, role: Argument) -> Way {
+    lasting(format!("affords_{property}"), Condition::Affords(Argument::X, property), role)
 }
 
 fn facts(needs: &[(&str, &[&str])]) -> Way {
@@ -210,9 +210,9 @@ pub(super) fn is_not(state: State) -> String {
 }
 
 /// The ways in which a condition is fulfilled.
-fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
+fn condition(needed: Condition<Argument>, verb: Verb) -> Result<Vec<Way>, String> {
     use Condition as C;
-    let x = Role::X;
+    let x = Argument::X;
     Ok(vec![match needed {
         C::Affords(t, property) => affords(property, t),
         C::Reachable(t) => lasting("spot", C::Reachable(x), t),
@@ -235,7 +235,7 @@ fn condition(needed: Condition<Role>, verb: Verb) -> Result<Vec<Way>, String> {
         C::Edible(t) => affords(Property::Eatable, t),
         C::Fits(a, b) => {
             let needs = vec![Atom::new("fits", &[variable(a), variable(b)])];
-            Way { needs, lasting: vec![("fits".to_owned(), C::Fits(Role::X, Role::Y))], ..Way::default() }
+            Way { needs, lasting: vec![("fits".to_owned(), C::Fits(Argument::X, Argument::Y))], ..Way::default() }
         }
         C::In(t, state) => facts(&[(&is(state), &[variable(t)])]),
         C::NotIn(t, state) => facts(&[(&is_not(state), &[variable(t)])]),
@@ -286,7 +286,7 @@ fn on_heat(x: &str) -> Vec<Way> {
 /// In a cooler that is on, or that has no switch.
 fn in_cold(x: &str) -> Vec<Way> {
     let on = Way { needs: vec![Atom::new(is(State::On), &["?k"])], ..Way::default() };
-    let lasting = vec![(UNSWITCHED.to_owned(), Condition::Affords(Role::X, Property::Cooler))];
+    let lasting = vec![(UNSWITCHED.to_owned(), Condition::Affords(Argument::X, Property::Cooler))];
     let always = Way { needs: vec![Atom::new(UNSWITCHED, &["?k"])], lasting, ..Way::default() };
     [on, always].iter().flat_map(|cold| at_machine(Property::Cooler, x, &["in"], cold)).collect()
 }
@@ -296,7 +296,7 @@ fn at_machine(kind: Property, x: &str, how: &[&str], works: &Way) -> Vec<Way> {
     let affords = format!("affords_{kind}");
     let machine = Way {
         needs: vec![Atom::new(&*affords, &["?k"])],
-        lasting: vec![(affords, Condition::Affords(Role::X, kind))],
+        lasting: vec![(affords, Condition::Affords(Argument::X, kind))],
         ..Way::default()
     };
     let at = |needs: Vec<Atom>| Way { needs, ..Way::default() }.with(&machine).with(works);
@@ -338,7 +338,7 @@ impl Way {
         self.does.push(Change::Delete(Atom::new(predicate, things)));
     }
 
-    fn effect(&mut self, effect: Effect<Role>) -> Result<(), String> {
+    fn effect(&mut self, effect: Effect<Argument>) -> Result<(), String> {
         match effect {
             Effect::Enter(t, state) => self.enter(variable(t), state),
             // Objects on or in it would enter the state as well.

@@ -335,7 +335,7 @@ impl Scene<'_> {
         }
     }
 
-    fn fits(&self, id: NodeId, condition: &Condition<vc_graph::rule::Role>, facts: &mut BTreeSet<Atom>) {
+    fn fits(&self, id: NodeId, condition: &Condition<vc_graph::rule::Argument>, facts: &mut BTreeSet<Atom>) {
         if !self.movable(id) {
             return;
         }

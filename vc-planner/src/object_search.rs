@@ -53,7 +53,7 @@ pub(crate) struct Lacking {
 
 /// A thing that would serve, with the probability that it is at each site.
 #[derive(Debug, Clone)]
-pub(crate) struct Quarry {
+pub(crate) struct SoughtObject {
     pub(crate) lack: u8,
     pub(crate) chances: Vec<f64>,
 }
@@ -81,14 +81,14 @@ pub(crate) enum Move {
 
 /// The whole search, as far as it is known.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Hunt {
+pub(crate) struct ObjectSearch {
     /// Sorted by room; in each room the visible sites first, then the closed ones, likeliest first.
     pub(crate) sites: Vec<Site>,
     /// The sites of each room, and the index from which on they are closed.
     pub(crate) rooms: Vec<(Range<u16>, u16)>,
     pub(crate) targets: Vec<Target>,
     pub(crate) lacks: Vec<Lacking>,
-    pub(crate) quarries: Vec<Quarry>,
+    pub(crate) quarries: Vec<SoughtObject>,
     pub(crate) items: Vec<Item>,
     /// Targets of the held things.
     pub(crate) hands: Vec<u8>,
@@ -125,7 +125,7 @@ const CANDIDATES: usize = 10;
 /// A rollout of this many actions is cut short.
 const LONGEST: u32 = 2_000;
 
-impl Hunt {
+impl ObjectSearch {
     /// The best next move; `None` if there is nothing to look at or to handle.
     pub(crate) fn best(&mut self) -> Option<Move> {
         if self.lacks.iter().all(|l| l.left == 0) {

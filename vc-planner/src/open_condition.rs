@@ -5,7 +5,7 @@ use vc_graph::{Action, Condition, NodeId, Word};
 /// A condition to be brought about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Want {
+pub enum OpenCondition {
     /// A condition on the scene.
     Hold(Condition),
     /// An action that has to be done.
@@ -16,7 +16,7 @@ pub enum Want {
     LookInto(NodeId),
 }
 
-impl Want {
+impl OpenCondition {
     /// Whether it is only an observation.
     pub(crate) fn is_look(&self) -> bool {
         matches!(self, Self::See(_) | Self::LookInto(_))
@@ -27,10 +27,10 @@ impl Want {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Subgoal {
     /// The options, cheapest first.
-    pub options: Vec<Want>,
+    pub options: Vec<OpenCondition>,
 }
 
-impl std::fmt::Display for Want {
+impl std::fmt::Display for OpenCondition {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Hold(Condition::Related(from, relation, to)) => write!(f, "{from} {} {to}", relation.as_str()),
@@ -49,7 +49,7 @@ impl std::fmt::Display for Want {
 pub enum Unreachable {
     /// A label in the goal names a class that differs from that of its node.
     #[error(transparent)]
-    Misnomer(#[from] vc_graph::Misnomer),
+    Misnomer(#[from] vc_graph::NameMismatch),
     /// The scene lacks the things that a part of the goal is about.
     #[error("nothing in this scene can satisfy `{0}`")]
     NoInstance(String),

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use super::world::World;
 use super::{
-    FLOOR, Hunt, Item, LONGEST, MOST_ITEMS, MOST_LACKS, MOST_ROOMS, MOST_SITES, MOST_TARGETS, Move, Outlook, Target,
+    FLOOR, Item, LONGEST, MOST_ITEMS, MOST_LACKS, MOST_ROOMS, MOST_SITES, MOST_TARGETS, Move, ObjectSearch, Outlook,
+    Target,
 };
 use crate::packed::ones;
 
@@ -32,7 +33,7 @@ pub(super) struct Play {
 }
 
 impl Play {
-    pub(super) fn start(hunt: &Hunt) -> Self {
+    pub(super) fn start(hunt: &ObjectSearch) -> Self {
         let mut play = Self {
             cost: 0,
             room: hunt.room,
@@ -63,7 +64,7 @@ impl Play {
     }
 
     /// The cost of a move and of the rollout of the base policy after it.
-    pub(super) fn played(mut self, hunt: &Hunt, world: &World, first: Move) -> f64 {
+    pub(super) fn played(mut self, hunt: &ObjectSearch, world: &World, first: Move) -> f64 {
         self.make(hunt, world, first);
         loop {
             self.at_once(hunt);
@@ -78,7 +79,7 @@ impl Play {
         }
     }
 
-    fn make(&mut self, hunt: &Hunt, world: &World, next: Move) {
+    fn make(&mut self, hunt: &ObjectSearch, world: &World, next: Move) {
         match next {
             Move::Visit { room, spot } => self.go(hunt, world, room, spot),
             Move::Open(site) => self.open(hunt, world, site),
@@ -99,7 +100,7 @@ impl Play {
         }
     }
 
-    fn go(&mut self, hunt: &Hunt, world: &World, room: u8, spot: Option<u16>) {
+    fn go(&mut self, hunt: &ObjectSearch, world: &World, room: u8, spot: Option<u16>) {
         // The former spots are no longer at hand.
         self.stale |= if self.begun { 1 << self.room | 1 << room } else { every_room(hunt) };
         (self.cost, self.room, self.at, self.begun) = (self.cost + 1, room, spot, true);
@@ -110,7 +111,7 @@ impl Play {
         }
     }
 
-    fn open(&mut self, hunt: &Hunt, world: &World, site: u16) {
+    fn open(&mut self, hunt: &ObjectSearch, world: &World, site: u16) {
         let spot = hunt.sites[site as usize].spot;
         if !self.at_hand(hunt, spot) {
             self.go(hunt, world, hunt.room_of[site as usize], spot);
@@ -119,7 +120,7 @@ impl Play {
         self.reveal(hunt, world, site);
     }
 
-    fn reveal(&mut self, hunt: &Hunt, world: &World, site: u16) {
+    fn reveal(&mut self, hunt: &ObjectSearch, world: &World, site: u16) {
         self.seen[site as usize / 64] |= 1 << (site % 64);
         self.stale |= 1 << hunt.room_of[site as usize];
         let new = world.things_at(site) & !self.found;
@@ -167,7 +168,7 @@ impl Play {
         self.hold(item.target);
     }
 
-    fn put(&mut self, hunt: &Hunt, world: &World, hand: u8) {
+    fn put(&mut self, hunt: &ObjectSearch, world: &World, hand: u8) {
         let Some(target) = self.target(hunt, hand) else { return };
         if let Some(site) = target.door.filter(|s| !self.has_seen(*s)) {
             // A full hand is emptied first and filled again afterwards.
@@ -179,7 +180,7 @@ impl Play {
     }
 
     /// Does everything that needs no walk: puts down held things wanted at hand, takes wanted things at hand.
-    fn at_once(&mut self, hunt: &Hunt) {
+    fn at_once(&mut self, hunt: &ObjectSearch) {
         for hand in 0..2 {
             let open = |t: &Target| t.door.is_none_or(|s| self.has_seen(s));
             if self.target(hunt, hand).is_some_and(|t| self.at_hand(hunt, Some(t.spot)) && open(&t)) {
@@ -196,7 +197,7 @@ impl Play {
         }
     }
 
-    fn target(&self, hunt: &Hunt, hand: u8) -> Option<Target> {
+    fn target(&self, hunt: &ObjectSearch, hand: u8) -> Option<Target> {
         self.held.get(hand as usize).copied().flatten().map(|t| hunt.targets[t as usize])
     }
 
@@ -205,7 +206,7 @@ impl Play {
     }
 
     /// The next look of the base policy. Only rooms in which something has changed are evaluated again.
-    fn look(&mut self, hunt: &Hunt) -> Option<Move> {
+    fn look(&mut self, hunt: &ObjectSearch) -> Option<Move> {
         for room in ones(self.stale) {
             self.offers[room] = self.best_in(hunt, room as u8);
         }
@@ -220,7 +221,7 @@ impl Play {
     }
 
     /// The best look in a room.
-    fn best_in(&self, hunt: &Hunt, room: u8) -> Option<(f64, Move)> {
+    fn best_in(&self, hunt: &ObjectSearch, room: u8) -> Option<(f64, Move)> {
         let (range, shut) = &hunt.rooms[room as usize];
         let mut best: Option<(f64, Move)> = None;
         let mut offer = |worth: f64, next: Move| {
@@ -251,7 +252,7 @@ impl Play {
 
     /// A lower bound on the remaining work for the known things: every spot and target is visited once per two
     /// things.
-    fn rest(&self, hunt: &Hunt) -> u32 {
+    fn rest(&self, hunt: &ObjectSearch) -> u32 {
         let items = &self.items[..self.known as usize];
         let mut into = [0u8; MOST_TARGETS];
         let mut cost = 0;
@@ -279,22 +280,22 @@ impl Play {
         self.seen[site as usize / 64] >> (site % 64) & 1 == 1
     }
 
-    pub(super) fn at_hand(&self, hunt: &Hunt, spot: Option<u16>) -> bool {
+    pub(super) fn at_hand(&self, hunt: &ObjectSearch, spot: Option<u16>) -> bool {
         let Some(spot) = spot else { return false };
         if self.begun { self.at == Some(spot) } else { hunt.near.contains(&spot) }
     }
 
     /// The expected number of lacking things at a site.
-    pub(super) fn value(&self, hunt: &Hunt, site: u16) -> f64 {
+    pub(super) fn value(&self, hunt: &ObjectSearch, site: u16) -> f64 {
         hunt.values[self.lacking as usize * hunt.sites.len() + site as usize]
     }
 
-    pub(super) fn outlook(&self, hunt: &Hunt, room: u8) -> Outlook {
+    pub(super) fn outlook(&self, hunt: &ObjectSearch, room: u8) -> Outlook {
         hunt.outlooks[self.lacking as usize * hunt.rooms.len() + room as usize]
     }
 }
 
 /// All rooms, as bits.
-fn every_room(hunt: &Hunt) -> u64 {
+fn every_room(hunt: &ObjectSearch) -> u64 {
     u64::MAX.checked_shr((MOST_ROOMS - hunt.rooms.len().min(MOST_ROOMS)) as u32).unwrap_or(0)
 }

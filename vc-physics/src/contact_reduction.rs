@@ -5,7 +5,7 @@
 //! all others can carry the same loads. The engine's own clusters merge points whenever normals agree, and so
 //! keep points that hover where others carry; this module leaves points as they are unless nothing is lost.
 
-use crate::foot;
+use crate::contact_completion;
 use rapier3d::geometry::{ContactData, ContactManifold, ContactManifoldData};
 use rapier3d::math::{Pose, Vector};
 use rapier3d::parry::query::details::NormalConstraints;
@@ -48,7 +48,7 @@ impl PersistentQueryDispatcher<ContactManifoldData, ContactData> for Footing {
     ) -> Result<(), Unsupported> {
         if g1.as_compound().is_none() && g2.as_compound().is_none() {
             DefaultQueryDispatcher.contact_manifolds(pos12, g1, g2, prediction, manifolds, workspace)?;
-            foot::complete(manifolds, pos12, (g1, g2));
+            contact_completion::complete(manifolds, pos12, (g1, g2));
             return Ok(());
         }
         // The workspace records which manifold belongs to which parts. It has no entry for merged manifolds, so

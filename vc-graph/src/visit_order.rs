@@ -9,13 +9,13 @@ const FEW: usize = 6;
 
 /// An ordered set that is efficient while small and works at any size.
 #[derive(Debug, Default)]
-pub(crate) struct Met {
+pub(crate) struct VisitOrder {
     few: [Option<NodeId>; FEW],
     many: Vec<NodeId>,
     all: BTreeSet<NodeId>,
 }
 
-impl Met {
+impl VisitOrder {
     /// Adds a node; `false` if it was visited before.
     pub(crate) fn add(&mut self, id: NodeId) -> bool {
         for place in &mut self.few {

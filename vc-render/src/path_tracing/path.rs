@@ -1,6 +1,6 @@
 //! Tracing of a single path.
 
-use super::Exposure;
+use super::PathTracing;
 use super::cover::Covers;
 use super::direct::Point;
 use super::glass::{Reflections, mirrored};
@@ -28,7 +28,7 @@ pub(super) struct Paths<'a> {
     pub(super) lights: &'a Lights,
     pub(super) spots: &'a Spots,
     pub(super) covers: &'a Covers,
-    pub(super) how: &'a Exposure,
+    pub(super) how: &'a PathTracing,
     /// Greatest brightness that a path may contribute by way of a second surface.
     pub(super) most: f32,
 }

@@ -12,7 +12,7 @@ pub(crate) fn drops_elsewhere(graph: &SceneGraph, agent: NodeId, walk: &Action, 
 }
 
 /// Expands macros, with the things that they concern.
-pub(crate) struct Tour<'a> {
+pub(crate) struct Expansion<'a> {
     problem: &'a Problem,
     state: State,
     /// The items that are carried or put down temporarily, with their kind plus one.
@@ -20,7 +20,7 @@ pub(crate) struct Tour<'a> {
     actions: Vec<Action>,
 }
 
-impl<'a> Tour<'a> {
+impl<'a> Expansion<'a> {
     /// The actions of macros from a state.
     pub(crate) fn write(problem: &'a Problem, start: State, ops: &[Op]) -> Vec<Action> {
         let carried = start.hands.iter().zip(problem.held).filter_map(|(&kind, id)| id.map(|id| (kind, id))).collect();

@@ -12,9 +12,9 @@ use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
 use vc_geometry::outline::{Outline, hull, turn};
 
 use super::rest::Spot;
-use super::{Thing, World};
+use super::{PhysicsWorld, Thing};
 use crate::contact::Touch;
-use crate::{Role, convert, group};
+use crate::{BodyRole, convert, group};
 
 /// The largest speed of a thing at rest, including its rim, metres per second.
 const SLOW: f32 = 0.03;
@@ -37,13 +37,13 @@ const CARRIES: f32 = 0.0015;
 /// The overlap from which on things are pushed apart, metres.
 const DEEP: f32 = 0.003;
 
-impl World {
+impl PhysicsWorld {
     /// Puts the things to sleep that are certainly at rest: they are slow, and they and all awake things that
     /// they touch stand on their supports such that they cannot tip. All others stay awake. Call it a few steps
     /// after things were placed: things in the air are falling by then.
     ///
     /// Costs a few microseconds for each awake thing.
-    pub fn doze(&mut self) {
+    pub fn put_to_sleep(&mut self) {
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
         let moves =
             |b: &RigidBodyHandle| self.engine.bodies.get(*b).is_some_and(|b| b.is_dynamic() && !b.is_sleeping());
@@ -94,7 +94,7 @@ impl World {
         if self.is_where_it_slept(thing, rigid, size) {
             return true;
         }
-        let alone = thing.state.role == Role::Loose && thing.state.moving.iter().all(|m| m.body.is_none());
+        let alone = thing.state.role == BodyRole::Loose && thing.state.moving.iter().all(|m| m.body.is_none());
         alone && self.stands(body, rigid, size)
     }
 

@@ -6,12 +6,12 @@ use vc_graph::NodeId;
 
 /// A list of things that needs no allocation in the usual case of one thing.
 #[derive(Debug, Clone)]
-pub(crate) enum Few {
+pub(crate) enum SmallList {
     One(NodeId),
     Many(Vec<NodeId>),
 }
 
-impl Few {
+impl SmallList {
     pub(crate) const NONE: Self = Self::Many(Vec::new());
 
     pub(crate) fn push(&mut self, id: NodeId) {
@@ -31,7 +31,7 @@ impl Few {
     }
 }
 
-impl Deref for Few {
+impl Deref for SmallList {
     type Target = [NodeId];
 
     fn deref(&self) -> &[NodeId] {
@@ -42,7 +42,7 @@ impl Deref for Few {
     }
 }
 
-impl FromIterator<NodeId> for Few {
+impl FromIterator<NodeId> for SmallList {
     fn from_iter<I: IntoIterator<Item = NodeId>>(ids: I) -> Self {
         let mut few = Self::NONE;
         ids.into_iter().for_each(|id| few.push(id));

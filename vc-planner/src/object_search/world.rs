@@ -1,6 +1,6 @@
 //! Sampled homes for rollouts: possible places of the wanted things.
 
-use super::{ALL, Hunt, MOST_QUARRIES, Quarry, STAGES};
+use super::{ALL, MOST_QUARRIES, ObjectSearch, STAGES, SoughtObject};
 
 /// A home with its probability, and the quarries at each site as bits.
 #[derive(Debug, Clone, Default)]
@@ -16,7 +16,7 @@ impl World {
     }
 }
 
-impl Hunt {
+impl ObjectSearch {
     /// The homes for rollouts, and whether they are an enumeration of all rather than a sample.
     pub(super) fn worlds(&self) -> (Vec<World>, bool) {
         let mut supports = self.quarries.iter().map(|q| q.chances.iter().filter(|c| **c > 0.0).count());
@@ -61,7 +61,7 @@ impl Hunt {
     }
 }
 
-fn running_sums(quarry: &Quarry) -> Vec<f64> {
+fn running_sums(quarry: &SoughtObject) -> Vec<f64> {
     let add = |sum: &mut f64, chance: &f64| {
         *sum += chance;
         Some(*sum)

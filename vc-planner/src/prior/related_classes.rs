@@ -11,16 +11,17 @@ type At = Option<(Relation, Arc<str>)>;
 /// For each group of classes, the fraction of its things that is kept at each place; the fractions of a group
 /// sum to one.
 #[derive(Debug, Default)]
-pub(crate) struct Kin(BTreeMap<Arc<str>, BTreeMap<At, f64>>);
+pub(crate) struct RelatedClasses(BTreeMap<Arc<str>, BTreeMap<At, f64>>);
 
 /// The weight of a group relative to the next narrower one: cakes tell more about the place of a cake than food
 /// does.
 const WIDER: f64 = 0.5;
 
-impl Kin {
+impl RelatedClasses {
     /// The table for a class table; that of the built-in one is computed once.
     pub(crate) fn of(classes: &Arc<ClassTable>) -> Arc<Self> {
-        static BUILTIN: LazyLock<Arc<Kin>> = LazyLock::new(|| Arc::new(Kin::read(&ClassTable::builtin())));
+        static BUILTIN: LazyLock<Arc<RelatedClasses>> =
+            LazyLock::new(|| Arc::new(RelatedClasses::read(&ClassTable::builtin())));
         if Arc::ptr_eq(classes, &ClassTable::builtin()) { BUILTIN.clone() } else { Arc::new(Self::read(classes)) }
     }
 

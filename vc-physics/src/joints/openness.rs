@@ -7,7 +7,7 @@ use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
 use super::motion::fraction;
-use crate::world::{Thing, World};
+use crate::world::{PhysicsWorld, Thing};
 use crate::{PhysicsError, convert, group};
 
 /// Number of positions that are tested on the way, including the end.
@@ -17,7 +17,7 @@ const HALF: f32 = 0.5;
 /// Smaller overlaps count as touching only, metres.
 const SKIN: f32 = 0.001;
 
-impl World {
+impl PhysicsWorld {
     /// Opens or closes every part of a node at once, with the contents of drawers, where neither loose things
     /// nor agents are in the way; returns whether it did. The parts then end where [`drive`](Self::drive) takes
     /// them, except in two cases in which `drive` would press a part against things: a part that cannot open
@@ -30,11 +30,11 @@ impl World {
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub fn leap_open(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
+    pub fn set_openness(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
         self.leap_open_past(id, open, &[])
     }
 
-    /// As [`Self::leap_open`], ignoring some nodes as obstacles: an agent that opens a door gives way to it.
+    /// As [`Self::set_openness`], ignoring some nodes as obstacles: an agent that opens a door gives way to it.
     ///
     /// # Errors
     /// As [`Self::drive`].

@@ -22,7 +22,7 @@ const HEADROOM: f32 = 0.05;
 const TRIES: usize = 12;
 
 /// Fills the surfaces of one item.
-pub(super) struct Keeper<'a> {
+pub(super) struct SurfaceFiller<'a> {
     home: &'a mut Apartment,
     carrier: usize,
     pub(super) rng: Stream,
@@ -32,7 +32,7 @@ pub(super) struct Keeper<'a> {
     taken: Vec<Vec<Area>>,
 }
 
-impl<'a> Keeper<'a> {
+impl<'a> SurfaceFiller<'a> {
     /// A keeper for one item; `standing` lists the furniture already on it, as pairs of surface and
     /// item.
     pub(super) fn new(

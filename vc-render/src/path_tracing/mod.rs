@@ -46,7 +46,7 @@ pub(crate) use scatter::{Finish, cosine, frame};
 /// ```
 /// # use nalgebra::{Point3, Vector3};
 /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-/// use vc_render::{Camera, Daylight, Exposure, Renderer};
+/// use vc_render::{Camera, Daylight, PathTracing, Renderer};
 /// # let mut scene = SceneBuilder::new("flat");
 /// # let kitchen = scene.add(Draft::new("kitchen"))?;
 /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
@@ -56,15 +56,15 @@ pub(crate) use scatter::{Finish, cosine, frame};
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// # let lighting = renderer.light(&snapshot, &Daylight::noon());
 /// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
-/// let quick = Exposure { samples: 2, bounces: 3, ..Exposure::default() };
-/// let photograph = renderer.photograph(&lighting, &camera, &quick, |_| true)?;
+/// let quick = PathTracing { samples: 2, bounces: 3, ..PathTracing::default() };
+/// let reference_picture = renderer.reference_picture(&lighting, &camera, &quick, |_| true)?;
 /// // The same light with different noise.
-/// let other = renderer.photograph(&lighting, &camera, &Exposure { seed: 1, ..quick }, |_| true)?;
-/// assert_eq!(photograph.light.len(), other.light.len());
+/// let other = renderer.reference_picture(&lighting, &camera, &PathTracing { seed: 1, ..quick }, |_| true)?;
+/// assert_eq!(reference_picture.light.len(), other.light.len());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Exposure {
+pub struct PathTracing {
     /// Number of paths for each pixel.
     pub samples: u32,
     /// Greatest number of surfaces that reflect light on its way from its source to the camera; panes and
@@ -80,18 +80,18 @@ pub struct Exposure {
     pub denoise: bool,
 }
 
-impl Default for Exposure {
+impl Default for PathTracing {
     fn default() -> Self {
         Self { samples: 64, bounces: 12, brightest: 20.0, seed: 0, denoise: true }
     }
 }
 
-/// The light of a reference picture, made by [`Renderer::photograph`].
+/// The light of a reference picture, made by [`Renderer::reference_picture`].
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
 /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-/// use vc_render::{Camera, Daylight, Exposure, Renderer, picture};
+/// use vc_render::{Camera, Daylight, PathTracing, Renderer, picture};
 /// # let mut scene = SceneBuilder::new("flat");
 /// # let kitchen = scene.add(Draft::new("kitchen"))?;
 /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
@@ -101,17 +101,17 @@ impl Default for Exposure {
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// # let lighting = renderer.light(&snapshot, &Daylight::noon());
 /// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
-/// let how = Exposure { samples: 2, ..Exposure::default() };
-/// let photograph = renderer.photograph(&lighting, &camera, &how, |_| true)?;
+/// let how = PathTracing { samples: 2, ..PathTracing::default() };
+/// let reference_picture = renderer.reference_picture(&lighting, &camera, &how, |_| true)?;
 /// // Luminance of the sky in the corner, candela per square metre (Rec. 709).
-/// let [red, green, blue] = photograph.light[0];
+/// let [red, green, blue] = reference_picture.light[0];
 /// assert!(5000.0 * (0.2126 * red + 0.7152 * green + 0.0722 * blue) > 100.0);
-/// let file = picture::png(&photograph.picture())?;
+/// let file = picture::png(&reference_picture.picture())?;
 /// assert!(!file.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Photograph {
+pub struct ReferencePicture {
     /// Pixels across.
     pub width: usize,
     /// Pixels down.
@@ -122,12 +122,12 @@ pub struct Photograph {
     exposure: [f32; 3],
 }
 
-/// A reference picture in the making, which [`Renderer::photograph`] passes on after each round.
+/// A reference picture in the making, which [`Renderer::reference_picture`] passes on after each round.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
 /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-/// use vc_render::{Camera, Daylight, Exposure, Renderer};
+/// use vc_render::{Camera, Daylight, PathTracing, Renderer};
 /// # let mut scene = SceneBuilder::new("flat");
 /// # let kitchen = scene.add(Draft::new("kitchen"))?;
 /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
@@ -137,16 +137,16 @@ pub struct Photograph {
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// # let lighting = renderer.light(&snapshot, &Daylight::noon());
 /// # let camera = Camera::with_fov(16, 12, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
-/// let how = Exposure { samples: 64, denoise: false, ..Exposure::default() };
+/// let how = PathTracing { samples: 64, denoise: false, ..PathTracing::default() };
 /// let mut sketch = None;
-/// let made = renderer.photograph(&lighting, &camera, &how, |so_far| {
-///     sketch = Some(so_far.photograph());
+/// let made = renderer.reference_picture(&lighting, &camera, &how, |so_far| {
+///     sketch = Some(so_far.reference_picture());
 ///     so_far.rounds < 2 // that is enough
 /// })?;
 /// assert_eq!(sketch, Some(made));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Progress<'a> {
+pub struct RenderProgress<'a> {
     /// Number of paths for each pixel so far.
     pub rounds: u32,
     traced: &'a [Pixel],
@@ -154,16 +154,16 @@ pub struct Progress<'a> {
     exposure: [f32; 3],
 }
 
-impl Progress<'_> {
+impl RenderProgress<'_> {
     /// The picture so far, not denoised. Linear in the pixels; a path costs far more.
-    pub fn photograph(&self) -> Photograph {
+    pub fn reference_picture(&self) -> ReferencePicture {
         let light: Vec<[f32; 3]> = self.traced.iter().map(Pixel::light).collect();
         let height = light.len() / self.width.max(1);
-        Photograph { width: self.width, height, light, exposure: self.exposure }
+        ReferencePicture { width: self.width, height, light, exposure: self.exposure }
     }
 }
 
-impl Photograph {
+impl ReferencePicture {
     /// The displayable picture: exposed for the rooms in view, with bright light compressed like fast colours
     /// (Naka and Rushton 1966). Costs two powers for each pixel.
     pub fn picture(&self) -> Picture {
@@ -196,7 +196,7 @@ impl Renderer {
     /// `progress` is called after each round of one path for every pixel, with the number of rounds so far; it
     /// may look at the picture so far, and stops rendering by returning false. The picture is the same for any
     /// number of threads. Costs a microsecond or two for each path and surface hit, and 132 bytes for each
-    /// pixel while paths are traced, more at edges. [`Exposure`], [`Photograph`] and [`Progress`] have
+    /// pixel while paths are traced, more at edges. [`PathTracing`], [`ReferencePicture`] and [`RenderProgress`] have
     /// examples.
     ///
     /// Direct sampling of light sources and chance hits are combined by multiple importance sampling (Veach
@@ -209,13 +209,13 @@ impl Renderer {
     /// # Errors
     /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::OtherRenderer`],
     /// [`RenderError::BadDaylight`].
-    pub fn photograph(
+    pub fn reference_picture(
         &self,
         lighting: &Lighting,
         camera: &Camera,
-        how: &Exposure,
-        mut progress: impl FnMut(&Progress<'_>) -> bool,
-    ) -> Result<Photograph, RenderError> {
+        how: &PathTracing,
+        mut progress: impl FnMut(&RenderProgress<'_>) -> bool,
+    ) -> Result<ReferencePicture, RenderError> {
         camera.check()?;
         lighting.check(&self.store)?;
         let (width, height) = (camera.width as usize, camera.height as usize);
@@ -239,7 +239,7 @@ impl Renderer {
             traced.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
                 row.iter_mut().enumerate().for_each(|(x, pixel)| pixel.add(&paths.path((x, y), round), eye));
             });
-            if !progress(&Progress { rounds: round + 1, traced: &traced, width, exposure }) {
+            if !progress(&RenderProgress { rounds: round + 1, traced: &traced, width, exposure }) {
                 break;
             }
         }
@@ -247,6 +247,6 @@ impl Renderer {
             true => denoise::denoised(&traced, width, eye),
             false => traced.iter().map(Pixel::light).collect(),
         };
-        Ok(Photograph { width, height, light, exposure })
+        Ok(ReferencePicture { width, height, light, exposure })
     }
 }
