@@ -29,7 +29,7 @@ impl Environment {
     /// 1. `rule::step` on a copy of the graph: what the transition rule says, or why not.
     /// 2. Bodies do each of its effects: `Floor::stand` and a walk, `World::grab_all`,
     ///    `World::free_spot_at` and `World::put`, `World::drive`, `World::sit` ...
-    /// 3. `World::step`, `World::put_to_sleep`: what was disturbed comes to rest.
+    /// 3. `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`: what was disturbed comes to rest.
     /// 4. `Relations::update_with` and `Relations::write`: what has moved is observed again.
     /// 5. What is observed is held against what the rule says.
     ///

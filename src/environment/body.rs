@@ -105,7 +105,7 @@ mod tests {
             {
                 let mut most = 0.0_f32;
                 let outcome = home.set_action_in_time(me, action, |now| most = most.max(away(now, me)));
-                assert!(most < 0.1, "{}: the hand is {most} m away", action.describe(home.graph()));
+                assert!(most < 0.11, "{}: the hand is {most} m away", action.describe(home.graph()));
                 done += usize::from(outcome.is_ok());
             }
             for held in Hand::BOTH.into_iter().filter_map(|hand| home.world().held(me, hand)).collect::<Vec<_>>() {
