@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::format::serial::pose;
 use crate::node::Node;
+use crate::serial::pose;
 use crate::{Edge, NodeId, Pose, SceneGraph, StateSet};
 
 /// One reversible change of a scene.

@@ -2,10 +2,8 @@
 
 use std::sync::Arc;
 
-use serde::ser::SerializeStruct;
 use serde::{Deserialize, Serialize};
 
-use crate::format::objects::seen;
 use crate::node::NodeKind;
 use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
 
@@ -78,18 +76,6 @@ impl SceneGraph {
     fn seen_within(&self, agent: NodeId, radius: f32) -> Vec<NodeId> {
         let Some(centre) = self.node(agent).and_then(Node::position) else { return Vec::new() };
         self.within(centre, radius).into_iter().filter(|&id| self.open_to_view(id)).collect()
-    }
-}
-
-/// Agent, range, room, and the [objects](crate::format::objects) that the agent sees.
-impl Serialize for Observation {
-    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        let mut fields = s.serialize_struct("Observation", 4)?;
-        fields.serialize_field("agent", &self.agent)?;
-        fields.serialize_field("scope", &self.scope)?;
-        fields.serialize_field("room", &self.room)?;
-        fields.serialize_field("objects", &seen(self))?;
-        fields.end()
     }
 }
 

@@ -196,6 +196,22 @@ impl Engine {
         self.islands.active_bodies()
     }
 
+    /// Those of some bodies that are fixed, with their poses.
+    pub(crate) fn fixed_among(&self, bodies: &[RigidBodyHandle]) -> Vec<(RigidBodyHandle, EnginePose)> {
+        let fixed = bodies.iter().filter_map(|&b| Some((b, self.bodies.get(b).filter(|b| b.is_fixed())?)));
+        fixed.map(|(handle, body)| (handle, *body.position())).collect()
+    }
+
+    /// Puts fixed bodies back to the bit: a body that was pinned while it was awake stays among those that the engine
+    /// integrates, and its rotation creeps by rounding.
+    pub(crate) fn keep(&mut self, fixed: &[(RigidBodyHandle, EnginePose)]) {
+        for (handle, pose) in fixed {
+            if let Some(body) = self.bodies.get_mut(*handle).filter(|b| b.is_fixed() && b.position() != pose) {
+                body.set_position(*pose, false);
+            }
+        }
+    }
+
     /// Queries about shapes in space, in the present state.
     pub(crate) fn queries<'a>(&'a self, filter: QueryFilter<'a>) -> QueryPipeline<'a> {
         self.tree().as_query_pipeline(self.narrow.query_dispatcher(), &self.bodies, &self.colliders, filter)

@@ -29,6 +29,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod attainable;
 pub mod compile;
 mod explain;
 pub mod format;

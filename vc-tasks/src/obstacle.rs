@@ -5,7 +5,7 @@ use std::fmt;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
 use vc_graph::{NameMismatch, Node, NodeId, Property, Relation, SceneGraph, State, did_you_mean};
 
-use crate::lint::brought_about;
+use crate::attainable::brought_about;
 use crate::{Lost, Task, vacuous};
 
 /// A reason why a goal cannot be reached in a scene by any agent.

@@ -1,5 +1,6 @@
 //! A scene as a plain list of objects, for programs that do not use graphs.
 
+use serde::ser::SerializeStruct;
 use serde::{Deserialize, Serialize};
 
 use crate::{Aabb, Edge, Node, NodeId, Observation, Pose, SceneGraph};
@@ -119,5 +120,17 @@ fn bare(node: &Node, room: Option<NodeId>) -> Object {
         bounds: node.aabb().map(corners),
         states: node.states().iter().map(|state| state.to_string()).collect(),
         relations: Vec::new(),
+    }
+}
+
+/// Agent, range, room, and the [objects](self) that the agent sees.
+impl Serialize for Observation {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        let mut fields = s.serialize_struct("Observation", 4)?;
+        fields.serialize_field("agent", &self.agent())?;
+        fields.serialize_field("scope", &self.scope())?;
+        fields.serialize_field("room", &self.room())?;
+        fields.serialize_field("objects", &seen(self))?;
+        fields.end()
     }
 }

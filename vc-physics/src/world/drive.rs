@@ -13,6 +13,7 @@ impl PhysicsWorld {
     /// Costs a microsecond or two while everything sleeps.
     pub fn step(&mut self) {
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
+        let fixed = self.engine.fixed_among(&awake);
         self.move_agents();
         for _ in 0..self.settings.substeps {
             self.push_vehicles();
@@ -21,6 +22,7 @@ impl PhysicsWorld {
             let stopped = self.engine.step().to_vec();
             stopped.into_iter().for_each(|b| self.stop(b));
         }
+        self.engine.keep(&fixed);
         self.tend_motors();
         self.watch();
         self.note_sleepers(&awake);

@@ -276,3 +276,19 @@ fn flat_blocks_do_not_rock() {
     let awake: Vec<_> = things.into_iter().filter(|id| !world.is_asleep(*id)).collect();
     assert!(report.at_rest, "{awake:?} of 24 are awake");
 }
+
+/// A thing that is pinned while it turns stays to the bit, step after step.
+#[test]
+fn what_is_pinned_does_not_creep() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let cube = scene.cube(0.1, turned(0.0, 0.0, 1.0, Vector3::new(0.3, 0.5, 0.8), 0.7));
+    let mut world = PhysicsWorld::build(&scene.graph(), &Shapes::new(), plain()).unwrap();
+    world.run(40);
+    world.pin(cube).unwrap();
+    let pose = world.pose(cube).unwrap();
+    for _ in 0..200 {
+        world.step();
+        assert_eq!(world.pose(cube), Some(pose));
+    }
+}

@@ -3,11 +3,11 @@
 use std::collections::{BTreeSet, HashSet};
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
-use vc_graph::rule::table::RULES;
-use vc_graph::{ClassTable, Effect, History, NodeId, Refusal, Relation, SceneGraph, State, did_you_mean};
+use vc_graph::{ClassTable, History, NodeId, Refusal, SceneGraph, did_you_mean};
 
 use super::circle::{first_in_circle, rests};
 use super::{Finding, Kind, LARGEST, satisfiability};
+use crate::attainable::brought_about;
 use crate::compile::{CompileError, Compiler, Program, Things};
 use crate::{Obstacle, Task};
 
@@ -221,55 +221,4 @@ fn terms_in<'g>(goal: &'g Goal, found: &mut HashSet<&'g Term>) {
         _ => {}
     }
     goal.parts().into_iter().for_each(|part| terms_in(part, found));
-}
-
-/// Whether the transition rules have an action that makes a predicate true.
-///
-/// ```
-/// use vc_graph::State;
-/// use vc_graph::goal::Predicate;
-/// use vc_tasks::lint::brought_about;
-/// assert!(brought_about(Predicate::State(State::Cooked)));
-/// assert!(!brought_about(Predicate::State(State::Broken)));
-/// ```
-pub fn brought_about(predicate: Predicate) -> bool {
-    match predicate {
-        Predicate::Did(_) | Predicate::Holds => true,
-        Predicate::State(state) => RULES.iter().flat_map(|r| r.does).any(|e| enters(e, state)),
-        Predicate::Relation(relation) => RULES.iter().flat_map(|r| r.does).any(|e| relates(e, relation)),
-        // No action creates an object that does not exist.
-        Predicate::Real | _ => false,
-    }
-}
-
-fn enters<T>(effect: &Effect<T>, state: State) -> bool {
-    match effect {
-        Effect::Enter(_, entered) | Effect::EnterWith(_, entered) | Effect::EnterOwn(entered) => *entered == state,
-        Effect::SitOn(_) | Effect::Board(_) => state == State::Sitting,
-        Effect::LieOn(_) => state == State::Lying,
-        Effect::PourInto(..) => [State::Filled, State::Empty].contains(&state),
-        Effect::FillWithWater(_) => state == State::Filled,
-        _ => false,
-    }
-}
-
-fn relates<T>(effect: &Effect<T>, relation: Relation) -> bool {
-    use Relation as R;
-    let made: &[R] = match effect {
-        Effect::GoTo(_) | Effect::Approach(_) => &[R::Near, R::InRoom, R::Inside],
-        Effect::Face(_) => &[R::Facing],
-        Effect::Hold(_) => &[R::HoldsRight, R::HoldsLeft, R::Near, R::TakenOff, R::TakenOut],
-        Effect::PutOn(..) => &[R::On, R::Near],
-        Effect::PutInto(..) => &[R::Inside, R::Near],
-        Effect::PutWhereItWas(_) => &[R::On, R::Inside, R::Near],
-        Effect::SitOn(_) => &[R::SittingOn, R::On, R::Facing],
-        Effect::LieOn(_) => &[R::LyingOn, R::On],
-        Effect::PourInto(..) => &[R::PouredInto, R::Inside, R::FilledWith, R::Contains],
-        Effect::FillWithWater(_) => &[R::FilledWith, R::Contains],
-        Effect::PutOnBody(_) => &[R::WornBy, R::On],
-        Effect::Board(_) => &[R::Inside],
-        Effect::DriveTo(..) => &[R::InRoom, R::Near, R::Inside],
-        _ => &[],
-    };
-    made.contains(&relation)
 }

@@ -21,7 +21,9 @@ mod satisfy;
 use std::fmt;
 
 pub use activity::activity;
-pub use goal::{brought_about, goal};
+pub use goal::goal;
+
+pub use crate::attainable::brought_about;
 
 use crate::compile::{Program, Verdict};
 

@@ -1,0 +1,56 @@
+//! Predicates that some action makes true.
+
+use vc_graph::goal::Predicate;
+use vc_graph::rule::table::RULES;
+use vc_graph::{Effect, Relation, State};
+
+/// Whether the transition rules have an action that makes a predicate true.
+///
+/// ```
+/// use vc_graph::State;
+/// use vc_graph::goal::Predicate;
+/// use vc_tasks::lint::brought_about;
+/// assert!(brought_about(Predicate::State(State::Cooked)));
+/// assert!(!brought_about(Predicate::State(State::Broken)));
+/// ```
+pub fn brought_about(predicate: Predicate) -> bool {
+    match predicate {
+        Predicate::Did(_) | Predicate::Holds => true,
+        Predicate::State(state) => RULES.iter().flat_map(|r| r.does).any(|e| enters(e, state)),
+        Predicate::Relation(relation) => RULES.iter().flat_map(|r| r.does).any(|e| relates(e, relation)),
+        // No action creates an object that does not exist.
+        Predicate::Real | _ => false,
+    }
+}
+
+fn enters<T>(effect: &Effect<T>, state: State) -> bool {
+    match effect {
+        Effect::Enter(_, entered) | Effect::EnterWith(_, entered) | Effect::EnterOwn(entered) => *entered == state,
+        Effect::SitOn(_) | Effect::Board(_) => state == State::Sitting,
+        Effect::LieOn(_) => state == State::Lying,
+        Effect::PourInto(..) => [State::Filled, State::Empty].contains(&state),
+        Effect::FillWithWater(_) => state == State::Filled,
+        _ => false,
+    }
+}
+
+fn relates<T>(effect: &Effect<T>, relation: Relation) -> bool {
+    use Relation as R;
+    let made: &[R] = match effect {
+        Effect::GoTo(_) | Effect::Approach(_) => &[R::Near, R::InRoom, R::Inside],
+        Effect::Face(_) => &[R::Facing],
+        Effect::Hold(_) => &[R::HoldsRight, R::HoldsLeft, R::Near, R::TakenOff, R::TakenOut],
+        Effect::PutOn(..) => &[R::On, R::Near],
+        Effect::PutInto(..) => &[R::Inside, R::Near],
+        Effect::PutWhereItWas(_) => &[R::On, R::Inside, R::Near],
+        Effect::SitOn(_) => &[R::SittingOn, R::On, R::Facing],
+        Effect::LieOn(_) => &[R::LyingOn, R::On],
+        Effect::PourInto(..) => &[R::PouredInto, R::Inside, R::FilledWith, R::Contains],
+        Effect::FillWithWater(_) => &[R::FilledWith, R::Contains],
+        Effect::PutOnBody(_) => &[R::WornBy, R::On],
+        Effect::Board(_) => &[R::Inside],
+        Effect::DriveTo(..) => &[R::InRoom, R::Near, R::Inside],
+        _ => &[],
+    };
+    made.contains(&relation)
+}
