@@ -17,7 +17,7 @@ impl Environment {
     /// bodies (`PhysicsWorld::save`) and the history. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
-    /// [`SaveError::PhysicsWorld`].
+    /// [`SaveError::World`].
     pub fn save(&self) -> Result<Vec<u8>, SaveError> {
         let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
         let history: String = self.history.events().iter().map(line).collect();

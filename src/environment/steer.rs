@@ -28,7 +28,7 @@ impl Environment {
     /// `World::face` and `Relations::update_with`.
     ///
     /// # Errors
-    /// [`ActionError::PhysicalRefusal`] if there is no such agent, it does not stand, or a number is not finite; in
+    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite; in
     /// these cases no time has passed.
     ///
     /// ```
