@@ -178,7 +178,7 @@ impl Environment {
         self.graph.agents()
     }
 
-    /// What an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative radius or NaN covers nothing: the
+    /// Returns the part of the scene that an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative radius or NaN covers nothing: the
     /// agent sees only the rooms, itself and the objects it carries. Changes nothing.
     pub fn observation(&self, agent: NodeId, radius: f32) -> Observation {
         self.graph.observe(agent, Scope::Radius(radius))

@@ -9,7 +9,7 @@ const CALM: u32 = 120;
 const AGAIN: u32 = 4;
 /// Steps between looks for what rests already; at first there is one after each.
 const DOZE: u32 = 3;
-/// What is slower is held still then, metres a second.
+/// The speed below which a thing is held still then, metres a second.
 const SLOW: f32 = 0.05;
 
 /// Lets what was disturbed come to rest; what only trembles or creeps is held where it is.
@@ -20,7 +20,7 @@ pub(super) fn come_to_rest(world: &mut PhysicsWorld) {
         while left > 0 && world.awake() > 0 {
             world.step();
             left -= 1;
-            // What surely rests need not be watched for longer.
+            // Things that surely rest need not be watched for longer.
             if left.is_multiple_of(DOZE) || left + DOZE > CALM {
                 world.put_to_sleep();
             }

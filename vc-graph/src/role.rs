@@ -19,7 +19,7 @@ vocabulary! {
     /// 3. If the class has no such ancestor, its category decides: `structure`, `door`, `window`, `lamp`.
     /// 4. For a class that the class table lacks, the category that the scene's author wrote decides, in the words of
     ///    this crate or of VirtualHome: `Floors`, `Walls`, `Ceiling`, `Doors`, `Windows`, `Lamps`.
-    /// 5. Of all others, a thing that can be grasped is loose, the rest is furniture.
+    /// 5. Any other thing is loose if it can be grasped, and furniture if not.
     ///
     /// The table is `data/roles.txt`. A class of a user's own table has the role of its ancestor.
     ///

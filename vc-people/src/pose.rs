@@ -34,7 +34,7 @@ pub struct Doing {
     pub walked: Option<f32>,
     /// A gesture, and since when, seconds.
     pub gesture: Option<(Verb, f32)>,
-    /// What it keeps in view while it stands.
+    /// The point that it keeps in view while it stands.
     pub attends: Option<Point3<f32>>,
     /// What a hand reaches for.
     pub reach: Option<Reach>,

@@ -19,7 +19,7 @@ pub struct Step {
     pub seen: usize,
     /// Digest of what it saw.
     pub sight: String,
-    /// What it saw, if the [`EpisodeOptions`] keeps that.
+    /// The observation before the step, if the [`EpisodeOptions`] keep it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub observation: Option<serde_json::Value>,
     /// What it saw for the first time.

@@ -53,8 +53,8 @@ const PARTS: usize = 64;
 /// A planner with its memory, kept from one plan to the next.
 ///
 /// The goal is packed: deliveries, doors, switches and what is done to single things
-/// become a small search problem, solved by weighted A* and then improved. What is
-/// beyond that (postures, upper bounds, orders, cooking ...) is added by regression
+/// become a small search problem, solved by weighted A* and then improved. The parts
+/// beyond it (postures, upper bounds, orders, cooking ...) are added by regression
 /// through the transition rule. Every plan is carried out on the scene by the rule and
 /// taken back, so that each can be carried out as it is.
 #[derive(Debug, Clone, Default)]
@@ -64,9 +64,9 @@ pub struct Planner {
     pub effort: SearchLimits,
     /// How it leaves the home.
     pub manners: Manners,
-    /// What it has opened and switched so far, with how it was.
+    /// The things that it has opened and switched so far, with their earlier states.
     pub(crate) touched: Touched,
-    /// What another is bringing something to.
+    /// The places to which another agent is bringing something.
     pub(crate) awaited: Vec<NodeId>,
     /// Others pursue the goal as well: one tells them what one does next, and does that.
     pub(crate) in_company: bool,
@@ -78,7 +78,7 @@ impl Planner {
         Self { effort, ..Self::default() }
     }
 
-    /// What has been touched, for those who put it back.
+    /// The things that have been touched, for planners that put them back.
     pub(crate) fn tidy(&self) -> Option<&Touched> {
         (self.manners == Manners::Tidy).then_some(&self.touched)
     }
@@ -274,7 +274,7 @@ fn demands_in_view<'g>(goal: &'g Goal, now: &Situation<'_>, choice: &mut Choice)
     Demands { regress_postures, ..Reader::read(goal, now, choice) }
 }
 
-/// What an attempt packed and what it left.
+/// The packed part of an attempt and the part that it left.
 struct Left {
     /// Some of the goal was regressed.
     rest: bool,
@@ -293,7 +293,7 @@ pub(crate) struct Sketch {
     pub(crate) proved: bool,
 }
 
-/// What became of looking for a shorter plan.
+/// The outcome of the search for a shorter plan.
 #[derive(Debug)]
 pub(crate) enum Refined {
     /// A shorter one, and whether none is shorter still.
@@ -304,9 +304,9 @@ pub(crate) enum Refined {
     Unknown,
 }
 
-/// Plans for an agent in the state it believes in by regression alone. What it pursued
-/// before it goes on pursuing, if that is still open; what it has touched it puts back, if
-/// it has manners.
+/// Plans for an agent by regression alone, in the state that the agent believes in. The agent
+/// goes on with the subgoal that it pursued before, if that is still open, and puts back the
+/// things that it has touched, if it has manners.
 ///
 /// # Errors
 /// As [`plan`].

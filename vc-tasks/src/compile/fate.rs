@@ -1,4 +1,4 @@
-//! What a trace says of a temporal goal whatever follows.
+//! The verdict of a trace on a temporal goal, whatever follows.
 
 use vc_graph::goal::Comparison;
 
