@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
-use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, Relation, SceneGraph, State};
+use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneGraph, State};
 use vc_physics::{BodyRole, Floor, Order, PhysicsError, PhysicsWorld};
 use vc_relations::Relations;
 
@@ -483,7 +483,14 @@ pub(super) fn settle_place(
     }
     let order = if posed { Order::Near(Point3::from(pose.translation.vector)) } else { Order::Middle };
     let inside = place.relation == Relation::Inside;
-    let Some(spot) = world.free_spot_at(id, place.at, inside, order)? else {
+    // Furniture on a floor stands in no door's way where that can be.
+    let is_furniture = !inside && graph.node(id).is_some_and(|n| !n.affords(Property::Graspable));
+    let leaves_free = |spot: &Pose| !is_furniture || world.leaves_openings_free(id, spot).unwrap_or(true);
+    let mut spot = world.free_spot_where(id, place.at, inside, order, leaves_free)?;
+    if spot.is_none() && is_furniture {
+        spot = world.free_spot_at(id, place.at, inside, order)?;
+    }
+    let Some(spot) = spot else {
         return Ok(Err(no_spot(world, graph, id, place)));
     };
     world.place(id, spot)?;

@@ -15,6 +15,45 @@ pub(super) fn is_as_read(home: &Environment) {
 
 /// A spawned object behaves as if it had always been there: it stands, has relations, can be taken, saved and
 /// restored.
+/// Plates stand side by side: each is on the table and on no other plate.
+#[test]
+fn plates_stand_beside_each_other() {
+    let mut home = home(42, 1);
+    let table = home.graph().of_class("dining_table")[0];
+    let on_table = Place { relation: Relation::On, at: table };
+    let plates: Vec<NodeId> = (0..3).map_while(|_| home.spawn("plate", on_table).ok()).collect();
+    assert!(plates.len() > 1);
+    for &plate in &plates {
+        assert!(home.graph().places(plate).eq([on_table]), "{:?}", home.graph().places(plate).collect::<Vec<_>>());
+    }
+}
+
+/// Furniture that is put into a room keeps clear of the doors of what stands there.
+#[test]
+fn furniture_stands_before_no_door() {
+    let (mut stood, mut opened) = (0, 0);
+    for (seed, room) in [3, 9, 42].into_iter().flat_map(|seed| [(seed, "bedroom"), (seed, "kitchen")]) {
+        let mut home = home(seed, 1);
+        let room = home.graph().of_class(room)[0];
+        let Ok(chair) = home.spawn("armchair", Place { relation: Relation::On, at: room }) else { continue };
+        let mut world = home.world().clone();
+        let pose = world.pose(chair).unwrap();
+        // Some kitchens have no such spot.
+        if !world.leaves_openings_free(chair, &pose).unwrap() {
+            continue;
+        }
+        stood += 1;
+        for id in world.nodes().into_iter().filter(|id| home.graph().room_of(*id) == Some(room)) {
+            if id != chair && world.put_all_open(id, 1.0).is_ok() && !world.moving_parts(id).is_empty() {
+                opened += 1;
+                let met = world.overlaps(chair, &pose).unwrap();
+                assert!(!met.contains(&id), "{} opens into it", home.graph().label(id));
+            }
+        }
+    }
+    assert!(stood > 3 && opened > 10, "{stood} stand, {opened} open");
+}
+
 #[test]
 fn things_appear_where_they_are_wanted() {
     let mut home = home(42, 1);

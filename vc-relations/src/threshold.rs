@@ -134,8 +134,9 @@ pub const SLICES: usize = 6;
 /// Slices thinner than this share of the shape's height are omitted: they come from rounding of a profile.
 pub const THIN_SLICE: f32 = 0.01;
 
-/// Number of boxes around a ring: they are within 8% of its radius.
-pub const STAVES: usize = 8;
+/// Number of boxes around a ring: they are within 2% of its radius, so that the rims of plates side by side do not
+/// overlap by more than a trace is narrower.
+pub const STAVES: usize = 16;
 
 /// A ring whose hole is a smaller share of its radius is taken as a disc: profiles start a little off the axis.
 pub const AXIS_HOLE: f32 = 0.02;

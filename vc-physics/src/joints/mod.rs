@@ -4,6 +4,7 @@
 //! limits, friction and a motor. On a light thing, such as a book, it moves with the base and is opened at
 //! once.
 
+mod clearance;
 mod drive;
 mod make;
 mod motion;

@@ -22,8 +22,11 @@ const GAP: f32 = 0.001;
 /// How much smaller a thing is taken than it is when it is looked for overlaps,
 /// metres: what stands in contact does not overlap.
 const SKIN: f32 = 0.001;
-/// Room that is left around a thing where it is put, metres: rims of plates do not touch.
-const AROUND: f32 = 0.005;
+/// Room that is left around a thing where it is put, metres: rims of plates do not touch, which are wider than the
+/// polygons that stand for them here.
+const AROUND: f32 = 0.015;
+/// How far beside a surface the middle of a thing may be that is on it, metres.
+const BESIDE: f32 = 0.005;
 /// How far above a surface the bottom of a thing is that is on it, metres.
 const LOW: f32 = 0.02;
 
@@ -306,7 +309,7 @@ impl PhysicsWorld {
         let clear = |spot: &Pose| self.is_clear(thing, spot);
         let loose = |id| self.is_loose_on(shelf, id);
         let first = |free: &dyn Fn(&Pose) -> bool| self.first_spot(thing, shelf, way, order, free, admits);
-        let apart = first(&|spot| clear_around(spot, &|_| true));
+        let apart = first(&|spot| clear_around(spot, &|_| true) && clear(spot));
         apart.or_else(|| first(&|spot| clear(spot) && clear_around(spot, &loose)))
     }
 
@@ -375,7 +378,7 @@ impl PhysicsWorld {
         let (Some(aabb), Some(pose), Ok(thing)) = (self.aabb(id), self.pose(id), self.thing(id)) else { return false };
         let (low, high) = thing.form.extent;
         let middle = pose * nalgebra::center(&low, &high);
-        let margin = if inside { -AROUND } else { AROUND };
+        let margin = if inside { -BESIDE } else { BESIDE };
         let over = |shelf: &Shelf, point: Point3<f32>, margin: f32| {
             let own = shelf.pose.inverse_transform_point(&point);
             let across = own.x.abs() <= shelf.half.0 + margin && own.y.abs() <= shelf.half.1 + margin;

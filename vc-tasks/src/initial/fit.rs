@@ -26,6 +26,8 @@ const DOORWAY: f32 = 0.85;
 /// The floor that stays free in front of furniture that opens, metres: for its door, and for a
 /// person who passes while it stands open.
 const FRONT: f32 = 1.3;
+/// The widest door for which the floor in front of other furniture stays free, metres.
+const DOOR: f32 = 0.9;
 /// The number of positions sampled on a surface before it is given up.
 const TRIES: usize = 24;
 
@@ -72,7 +74,7 @@ impl Fit<'_> {
     }
 
     /// Whether furniture would stand away from any wall, as at an edge of the floor where the room
-    /// goes on, or, once open, leave no way past its front.
+    /// goes on, or, once open, leave no way past its front, or stand before the door of other furniture.
     fn is_in_the_way(&self, class: &Class, bounds: &Bounds, pose: &Pose, site: &Site) -> bool {
         let opens = class.affordances.contains(Property::Openable);
         let before = beside(bounds, FRONT).aabb(pose);
@@ -82,7 +84,19 @@ impl Fit<'_> {
         let stands_free = !walls.is_empty() && !walls.iter().any(|wall| meet(wall, &behind));
         self.is_floor(site)
             && !class.affordances.contains(Property::Graspable)
-            && (stands_free || opens && is_shut_in())
+            && (stands_free || opens && is_shut_in() || self.is_before_a_door(&bounds.aabb(pose)))
+    }
+
+    /// Whether a box is where the doors and drawers of furniture open.
+    fn is_before_a_door(&self, aabb: &Aabb) -> bool {
+        let opens = |n: &&Node| {
+            n.role() == ObjectRole::Furniture && n.affords(Property::Openable) && !n.affords(Property::Graspable)
+        };
+        let front = |n: &Node| {
+            let bounds = n.spec().bounds?;
+            Some(beside(&bounds, (2.0 * bounds.half.y).min(DOOR)).aabb(n.pose()?))
+        };
+        self.graph.nodes().filter(opens).filter_map(front).any(|front| meet(&front, aabb))
     }
 
     fn walls(&self) -> impl Iterator<Item = Aabb> + '_ {
