@@ -6,18 +6,7 @@
 //! use vc_graph::{Asset, AssetLibrary, Pose};
 //!
 //! let mut library = AssetLibrary::default();
-//! let red = Material {
-//!     name: "red".into(),
-//!     colour: [0.56, 0.03, 0.03],
-//!     density: 1000.0,
-//!     friction: 0.4,
-//!     restitution: 0.4,
-//!     roughness: 0.4,
-//!     metallic: 0.0,
-//!     transmission: 0.0,
-//!     emission: [0.0; 3],
-//!     texture: None,
-//! };
+//! let red = Material { friction: 0.4, restitution: 0.4, roughness: 0.4, ..Material::new("red", [0.56, 0.03, 0.03]) };
 //! let red = library.add_material(red)?;
 //! let part = Part {
 //!     name: "ball".into(),

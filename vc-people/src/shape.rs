@@ -37,18 +37,7 @@ impl Stuff {
     fn of(library: &mut AssetLibrary, number: usize) -> Result<Self, AssetError> {
         let ([shirt, trousers], [skin, hair]) = (CLOTHES[number % CLOTHES.len()], LOOKS[number % LOOKS.len()]);
         let mut add = |name: &str, colour, roughness| {
-            library.add_material(Material {
-                name: name.into(),
-                colour,
-                density: 1000.0,
-                friction: 0.5,
-                restitution: 0.0,
-                roughness,
-                metallic: 0.0,
-                transmission: 0.0,
-                emission: [0.0; 3],
-                texture: None,
-            })
+            library.add_material(Material { restitution: 0.0, roughness, ..Material::new(name, colour) })
         };
         Ok(Self {
             skin: add("skin", skin, 0.55)?,

@@ -5,7 +5,7 @@ use vc_graph::Pose;
 use vc_graph::portable::Portable;
 
 use crate::RenderError;
-use crate::affine::Affine;
+use crate::math::Affine;
 
 /// Longest side of an image, pixels.
 pub const MAX_SIDE: u32 = 8192;
@@ -223,7 +223,7 @@ impl Camera {
         let Self { width, height, .. } = *self;
         let side = 1..=MAX_SIDE;
         if !side.contains(&width) || !side.contains(&height) {
-            return Err(RenderError::BadSize { width, height });
+            return Err(RenderError::BadSize { width, height, longest: MAX_SIDE });
         }
         let length = |v: f32| v.is_finite() && v > 0.0 && v < 1e9;
         if !length(self.focal.0) || !length(self.focal.1) {

@@ -8,13 +8,15 @@ extern crate self as vc_render;
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-mod affine;
+mod bvh;
 pub mod camera;
+mod colour;
 mod error;
 pub mod format;
 mod frame;
 mod label;
 mod light;
+mod math;
 mod mesh;
 mod modality;
 mod path_tracing;
@@ -23,17 +25,15 @@ mod raster;
 mod renderer;
 mod scene;
 mod shade;
-mod simd;
 mod surface;
 mod trace;
 mod view;
-mod viewpoint;
 
 pub use camera::Camera;
 pub use error::RenderError;
-pub use frame::{Box3, BoxLabel, Frame, Mask, NO_LABEL, NOTHING, PixelBox, Rle};
+pub use frame::{Box3, BoxLabel, Frame, Mask, PixelBox, Rle};
 pub use light::{Daylight, Lighting, Source};
-pub use modality::{Modalities, Modality};
+pub use modality::{Modalities, Modality, NO_LABEL, NOTHING};
 pub use path_tracing::{PathTracing, ReferencePicture, RenderProgress};
 pub use renderer::Renderer;
 pub use scene::Snapshot;

@@ -3,6 +3,15 @@
 use std::fmt;
 use std::ops::{BitOr, BitOrAssign};
 
+use vc_graph::NodeId;
+
+/// Node of a pixel where nothing is visible, in [`Frame::instance`](crate::Frame::instance).
+pub const NOTHING: NodeId = NodeId(u32::MAX);
+
+/// Class and part of a pixel where nothing is visible, in [`Frame::class`](crate::Frame::class) and
+/// [`Frame::part`](crate::Frame::part).
+pub const NO_LABEL: u16 = u16::MAX;
+
 macro_rules! modalities {
     ($($(#[$doc:meta])* $name:ident = $bit:literal;)*) => {
         /// A kind of image or label that a camera produces. Sets are made with `|`.

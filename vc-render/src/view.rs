@@ -1,9 +1,9 @@
 //! Views and shots: which scene is rendered, from which camera, with which modalities.
 
 use crate::RenderError;
-use crate::affine::three;
 use crate::camera::Camera;
 use crate::light::Lighting;
+use crate::math::three;
 use crate::modality::{Modalities, Modality};
 use crate::scene::{Snapshot, Store};
 

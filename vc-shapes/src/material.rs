@@ -331,8 +331,16 @@ fn material(name: &str, family: Family, colour: u32) -> Material {
         Family::Screen => (of(OFF), shines(40.0)),
         _ => (of(colour), [0.0; 3]),
     };
-    let (name, texture) = (name.into(), None);
-    Material { name, colour, density, friction, restitution, roughness, metallic, transmission, emission, texture }
+    Material {
+        density,
+        friction,
+        restitution,
+        roughness,
+        metallic,
+        transmission,
+        emission,
+        ..Material::new(name, colour)
+    }
 }
 
 /// sRGB's transfer function (IEC 61966-2-1), to linear.

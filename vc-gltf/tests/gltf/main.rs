@@ -16,16 +16,11 @@ use vc_graph::{Asset, AssetLibrary, Draft, Pose, SceneBuilder};
 fn library() -> AssetLibrary {
     let mut library = AssetLibrary::default();
     let oak = Material {
-        name: "oak".into(),
-        colour: [0.5, 0.25, 0.125],
         density: 650.0,
         friction: 0.4,
         restitution: 0.3,
         roughness: 0.75,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
+        ..Material::new("oak", [0.5, 0.25, 0.125])
     };
     let lamp = Material { name: "lamp".into(), emission: [8.0, 4.0, 2.0], ..oak.clone() };
     let glass = Material { name: "glass".into(), transmission: 0.75, emission: [0.5, 0.0, 0.0], ..oak.clone() };

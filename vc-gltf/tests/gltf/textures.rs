@@ -30,16 +30,12 @@ fn sign() -> (Asset, AssetLibrary) {
     library.add_texture(Arc::new(Texture { name: "other".into(), ..picture() })).unwrap();
     let texture = library.add_texture(Arc::new(picture())).unwrap();
     let material = Material {
-        name: "printed".into(),
-        colour: [0.5, 0.25, 1.0],
         density: 650.0,
         friction: 0.4,
         restitution: 0.3,
         roughness: 0.75,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
         texture: Some(texture),
+        ..Material::new("printed", [0.5, 0.25, 1.0])
     };
     library.add_material(material).unwrap();
     let corners = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from).to_vec();

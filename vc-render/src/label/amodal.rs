@@ -6,13 +6,13 @@ use crate::raster::{Drawing, Frustum, Layers, NONE};
 use crate::scene::Snapshot;
 
 /// Draws every labelled body alone, and fills in its mask and visible fraction.
-pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &mut Frame) {
+pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, layers: &mut Layers, frame: &mut Frame) {
     let (width, height) = (frame.width, frame.height);
-    let Frame { memory, boxes, whole_masks, .. } = frame;
+    let Frame { boxes, whole_masks, .. } = frame;
     let frustum = Frustum::new(camera, &(0..height as i32));
     let drawing = Drawing { instances: &snapshot.instances, frustum, detail };
     whole_masks.begin(width, height);
-    memory.alone.front.reset(width, 0..height as i32);
+    layers.front.reset(width, 0..height as i32);
     for label in boxes {
         let Some(body) = snapshot.body_of(label.node) else { continue };
         // One pixel more on every side allows for rounding.
@@ -24,7 +24,6 @@ pub(crate) fn amodal(camera: &Camera, snapshot: &Snapshot, detail: f32, frame: &
             height: h.saturating_add(2),
         };
         let Some(within) = roomy.within(width, height) else { continue };
-        let layers = &mut memory.alone;
         layers.front.erase(within.x..within.x + within.width, within.y..within.y + within.height);
         layers.visible.clear();
         layers.add(&drawing, body.instances.clone(), false);

@@ -6,9 +6,9 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::Pose;
 
 use super::Run;
-use crate::affine::{self, Affine, Narrow, volume};
 use crate::camera::Camera;
 use crate::frame::{Box3, BoxLabel, Frame, PixelBox};
+use crate::math::{self, Affine, Narrow, volume};
 use crate::mesh::Mesh;
 use crate::modality::Modality;
 use crate::raster::{Frustum, refill};
@@ -27,13 +27,18 @@ pub(crate) struct Tally {
 const UNSEEN: Tally = Tally { low: [i32::MAX; 2], high: [i32::MIN; 2], area: 0, label: 0 };
 
 /// Fills in boxes and visible masks from the runs of all bands.
-pub(crate) fn boxes(camera: &Camera, snapshot: &Snapshot, frame: &mut Frame) {
-    let Frame { memory, boxes, visible_masks, width, height, holds, .. } = frame;
-    let tally = &mut memory.tally;
-    refill(tally, UNSEEN, snapshot.bodies.len());
+pub(crate) fn boxes<'a>(
+    camera: &Camera,
+    snapshot: &Snapshot,
+    runs: impl Iterator<Item = &'a Run> + Clone,
+    tallies: &mut Vec<Tally>,
+    frame: &mut Frame,
+) {
+    let Frame { boxes, visible_masks, width, height, holds, .. } = frame;
+    refill(tallies, UNSEEN, snapshot.bodies.len());
     let body = |run: &Run| snapshot.instances[run.instance as usize].body as usize;
-    for run in memory.bands.iter().flat_map(|b| &b.runs) {
-        tally[body(run)].add(run);
+    for run in runs.clone() {
+        tallies[body(run)].add(run);
     }
     // Amodal boxes and masks need the labels, too.
     let labelled = holds.has(Modality::Boxes) || holds.has(Modality::Amodal);
@@ -42,7 +47,7 @@ pub(crate) fn boxes(camera: &Camera, snapshot: &Snapshot, frame: &mut Frame) {
         visible_masks.begin(*width, *height);
     }
     let frustum = Frustum::new(camera, &(0..camera.height as i32));
-    let seen = snapshot.bodies.iter().zip(tally.iter_mut()).filter(|(_, t)| t.area > 0);
+    let seen = snapshot.bodies.iter().zip(tallies.iter_mut()).filter(|(_, t)| t.area > 0);
     for (number, (body, tally)) in seen.enumerate() {
         tally.label = number as u32;
         if labelled {
@@ -53,8 +58,8 @@ pub(crate) fn boxes(camera: &Camera, snapshot: &Snapshot, frame: &mut Frame) {
         }
     }
     if masked {
-        for run in memory.bands.iter().flat_map(|b| &b.runs) {
-            visible_masks.set(memory.tally[body(run)].label as usize, run.y, run.from, run.to);
+        for run in runs {
+            visible_masks.set(tallies[body(run)].label as usize, run.y, run.from, run.to);
         }
     }
 }
@@ -75,7 +80,7 @@ impl Tally {
 fn label(camera: &Camera, frustum: &Frustum, snapshot: &Snapshot, body: &Body, tally: &Tally) -> BoxLabel {
     let visible = tally.within();
     let instances = &snapshot.instances[body.instances.start as usize..body.instances.end as usize];
-    let whole = crate::simd::widest(
+    let whole = crate::math::simd::widest(
         #[inline(always)]
         || outline(frustum, instances),
     );
@@ -151,7 +156,7 @@ impl Found {
     #[inline(always)]
     fn add(&mut self, map: &Narrow, [xs, ys, zs]: [&[f32; LANES]; 3]) {
         for i in 0..LANES {
-            let [px, py, depth] = affine::point(map, [xs[i], ys[i], zs[i]]);
+            let [px, py, depth] = math::point(map, [xs[i], ys[i], zs[i]]);
             let over = 1.0 / depth;
             self.nearest[i] = if depth < self.nearest[i] { depth } else { self.nearest[i] };
             for (axis, v) in [px * over, py * over].into_iter().enumerate() {

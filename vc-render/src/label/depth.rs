@@ -1,8 +1,8 @@
 //! Depth, distance and points of pixels.
 
-use crate::affine;
 use crate::camera::Camera;
 use crate::frame::Strip;
+use crate::math;
 use crate::raster::Layers;
 
 /// Writes depth, distance and points, as far as they are requested.
@@ -35,12 +35,12 @@ fn distances(camera: &Camera, y: i32, inverse: &[f32], distance: &mut [f32]) {
 
 #[inline(always)]
 fn positions(camera: &Camera, y: i32, inverse: &[f32], position: &mut [[f32; 3]]) {
-    let map = affine::Affine::of(&camera.pose).narrow();
+    let map = math::Affine::of(&camera.pose).narrow();
     let down = (y as f32 + 0.5 - camera.centre.1) / camera.focal.1;
     for ((x, out), v) in (0_u32..).zip(position).zip(inverse) {
         let across = (x as f32 + 0.5 - camera.centre.0) / camera.focal.0;
         let depth = 1.0 / v;
-        let seen = affine::point(&map, [across * depth, down * depth, depth]);
+        let seen = math::point(&map, [across * depth, down * depth, depth]);
         *out = if *v > 0.0 { seen } else { [f32::INFINITY; 3] };
     }
 }

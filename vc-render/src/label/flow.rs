@@ -1,7 +1,7 @@
 //! Optical flow, from the true motion of camera and bodies.
 
-use crate::affine::{Affine, Narrow};
-use crate::label::Run;
+use super::Run;
+use crate::math::{Affine, Narrow};
 use crate::raster::{Frustum, Layers, NONE, refill};
 use crate::scene::Instance;
 use crate::view::View;

@@ -4,10 +4,10 @@
 
 use super::Run;
 use super::flow::{Motions, PART};
-use crate::affine::{Narrow, volume};
+use crate::math::simd::widest;
+use crate::math::{Narrow, volume};
 use crate::raster::{Frustum, Layers, NONE, Visible, refill};
 use crate::scene::Instance;
-use crate::simd::widest;
 use crate::view::View;
 
 /// The visibility buffer of another moment, to tell what is hidden then.

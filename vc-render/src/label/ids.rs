@@ -3,7 +3,8 @@
 use pulp::{Simd, WithSimd};
 use vc_graph::NodeId;
 
-use crate::frame::{NO_LABEL, NOTHING, Strip};
+use crate::frame::Strip;
+use crate::modality::{NO_LABEL, NOTHING};
 use crate::raster::{Layers, NONE};
 use crate::scene::Snapshot;
 
@@ -19,7 +20,7 @@ pub(crate) struct Run {
 
 /// Finds the runs of some rows, one row after the other.
 pub(crate) fn runs(layers: &Layers, rows: std::ops::Range<i32>, runs: &mut Vec<Run>) {
-    crate::simd::dispatch(Find { layers, rows, runs });
+    crate::math::simd::dispatch(Find { layers, rows, runs });
 }
 
 /// The search for runs, compiled for the processor's vectors.
@@ -38,7 +39,7 @@ impl WithSimd for Find<'_> {
         runs.clear();
         for y in rows {
             let mut last = NONE;
-            crate::simd::runs(
+            crate::math::simd::runs(
                 simd,
                 layers.front.triangle_row(y),
                 #[inline(always)]

@@ -14,4 +14,4 @@ pub(crate) use depth::depths;
 pub(crate) use flow::{Motions, flows};
 pub(crate) use hidden::{Faces, Other, hidden};
 pub(crate) use ids::{Run, ids, runs};
-pub(crate) use normal::{Bent, bent, normals, unit};
+pub(crate) use normal::{Bent, bent, normals};

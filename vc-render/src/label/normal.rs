@@ -1,8 +1,8 @@
 //! Surface normals.
 
-use crate::affine::{self, Narrow, scaled, three};
 use crate::camera::Camera;
 use crate::frame::Strip;
+use crate::math::{self, Narrow, three, unit};
 use crate::raster::{Layers, Visible};
 use crate::scene::{Instance, Snapshot};
 
@@ -57,13 +57,13 @@ pub(crate) fn bent(
     let instance = &instances[visible.instance as usize];
     let mesh = visible.mesh(instances);
     let normals = &mesh.normals[visible.index()];
-    let turned = |n: [f32; 3]| unit(affine::normal(&instance.inverse, n));
+    let turned = |n: [f32; 3]| unit(math::normal(&instance.inverse, n));
     if mesh.faces[visible.index()].is_flat() {
         return Ok(turned(normals[0]));
     }
     let map = map();
     let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index()).map(|p| {
-        let [x, y, z] = affine::point(&map, p);
+        let [x, y, z] = math::point(&map, p);
         (z >= near, [x / z, y / z, 1.0 / z])
     });
     let normals = normals.map(turned);
@@ -73,14 +73,6 @@ pub(crate) fn bent(
         // Triangles that reach behind the eye are taken as flat.
         Ok(unit(three(|i| normals[0][i] + normals[1][i] + normals[2][i])))
     }
-}
-
-/// Normalizes a vector; a zero vector becomes the upward one.
-#[inline(always)]
-pub(crate) fn unit(v: [f32; 3]) -> [f32; 3] {
-    let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    let over = 1.0 / square.sqrt();
-    if over.is_finite() { scaled(v, over) } else { [0.0, 0.0, 1.0] }
 }
 
 /// Writes normals, if they are requested.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Lighting;
 use super::lamp::Lamp;
-use crate::affine::scaled;
+use crate::math::scaled;
 use crate::scene::{Body, NO_ROOM};
 
 /// Light levels below this count as dark.

@@ -8,11 +8,13 @@ use rayon::prelude::*;
 
 use super::extent::rooms;
 use super::grid::Grid;
-use super::{Ambient, Daylight, Lighting, brightness, dot};
-use crate::affine::three;
-use crate::renderer::Renderer;
+use super::{Ambient, Daylight, Lighting};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::math::{dot, three};
+use crate::scene::Store;
 use crate::scene::{Body, NO_ROOM, Stands};
-use crate::trace::{Met, Ray};
+use crate::trace::Met;
 
 /// Number of rays from each point.
 const RAYS: usize = 256;
@@ -61,14 +63,14 @@ pub(super) fn directions() -> Vec<[f32; 3]> {
 /// The grids of all rooms, and last the one for things in no room.
 ///
 /// Also, for each of them, the share of sunlight that panes let through where the sun shines in.
-pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
+pub(super) fn grids(store: &Store, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
     let bounds = rooms(&lighting.tracer.snapshot);
     let mut grids = Grid::over_all(&bounds);
     let directions = directions();
     let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
     let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
     let within = within(lighting, &grids, &places);
-    let look = |(g, i): &(usize, usize)| look(renderer, lighting, *g, grids[*g].place(*i), &directions);
+    let look = |(g, i): &(usize, usize)| look(store, lighting, *g, grids[*g].place(*i), &directions);
     let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
     let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
     let sunlight = sunlight(seen.iter().flatten().flatten(), grids.len());
@@ -143,13 +145,7 @@ fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec
 }
 
 /// Casts rays from a point; none if the point is inside of things.
-fn look(
-    renderer: &Renderer,
-    lighting: &Lighting,
-    room: usize,
-    from: [f32; 3],
-    directions: &[[f32; 3]],
-) -> Option<Vec<Seen>> {
+fn look(store: &Store, lighting: &Lighting, room: usize, from: [f32; 3], directions: &[[f32; 3]]) -> Option<Vec<Seen>> {
     let tracer = &lighting.tracer;
     let rays: Vec<Ray> = directions.iter().map(|along| Ray { from, along: *along, end: 1e4 }).collect();
     let mut behind = 0;
@@ -158,17 +154,17 @@ fn look(
         let met = tracer.first(ray);
         if let Some(cover) = met.as_ref().filter(|met| met.instance.covers()) {
             let (cover, other) = (cover.facing(ray.along.map(|v| -v)), directions[index * STRIDE % directions.len()]);
-            seen.push(lighting.past(renderer, (&cover, ray), other, room));
+            seen.push(lighting.past(store, (&cover, ray), other, room));
             continue;
         }
         let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
         behind += usize::from(inside);
         let share = || {
             let end = met.as_ref().map_or(ray.end, |met| met.t);
-            super::pane::passes(renderer, tracer, Ray { end, ..*ray })
+            super::pane::passes(store, tracer, Ray { end, ..*ray })
         };
         seen.push(match met {
-            Some(met) if !inside => lighting.seen(renderer, &met, room).behind(share()),
+            Some(met) if !inside => lighting.seen(store, &met, room).behind(share()),
             Some(_) => Seen::only([0.0; 3]),
             None => Seen::only(lighting.daylight.radiance(ray.along)).behind(share()),
         });
@@ -191,8 +187,8 @@ impl Seen {
 }
 
 impl Lighting {
-    pub(super) fn seen(&self, renderer: &Renderer, met: &Met<'_>, room: usize) -> Seen {
-        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+    pub(super) fn seen(&self, store: &Store, met: &Met<'_>, room: usize) -> Seen {
+        let surface = &store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
         let colour = surface.thrown(&met.instance.coat);
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
@@ -209,7 +205,7 @@ impl Lighting {
         };
         let lit = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
         let sunny = lit && !self.tracer.blocked(&towards());
-        let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
+        let sun = if sunny { self.panes(store, met) } else { 0.0 };
         let into = self.room_of(body, met.instance, met.at, met.flat);
         let direct = self.direct(met.at, met.normal, into, sun);
         let gaps = self.gaps(body, met, into);
@@ -234,14 +230,14 @@ impl Lighting {
     }
 
     /// The share of sunlight that panes let through to a surface.
-    fn panes(&self, renderer: &Renderer, met: &Met<'_>) -> f32 {
-        self.panes_from(renderer, three(|i| met.at[i] + 1e-3 * met.flat[i]))
+    fn panes(&self, store: &Store, met: &Met<'_>) -> f32 {
+        self.panes_from(store, three(|i| met.at[i] + 1e-3 * met.flat[i]))
     }
 
     /// The share of sunlight that panes let through to a point.
-    pub(super) fn panes_from(&self, renderer: &Renderer, from: [f32; 3]) -> f32 {
+    pub(super) fn panes_from(&self, store: &Store, from: [f32; 3]) -> f32 {
         let ray = Ray { from, along: self.daylight.towards_sun.into(), end: 1e4 };
-        brightness(super::pane::passes(renderer, &self.tracer, ray))
+        luminance(super::pane::passes(store, &self.tracer, ray))
     }
 }
 

@@ -123,7 +123,7 @@ impl Daylight {
     /// assert!(!Daylight::at(8.0).is_dark() && !Daylight::overcast().is_dark());
     /// ```
     pub fn is_dark(&self) -> bool {
-        self.sun == Vector3::zeros() && super::brightness(self.zenith.into()) < DARK
+        self.sun == Vector3::zeros() && crate::colour::luminance(self.zenith.into()) < DARK
     }
 
     pub(crate) fn check(&self) -> Result<(), RenderError> {

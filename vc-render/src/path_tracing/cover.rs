@@ -4,8 +4,9 @@
 
 use super::path::Walk;
 use super::source::{Pane, Place, Triangle};
-use crate::affine;
-use crate::light::{Lighting, brightness};
+use crate::colour::luminance;
+use crate::light::Lighting;
+use crate::math;
 
 /// Share of paths that are sent to covers where there is no other light.
 const SENT: f32 = 0.3;
@@ -37,8 +38,8 @@ impl Covers {
             let halves = [[a, b, c], [a, c, d]].map(Triangle::new).into_iter().filter(|half| half.area > 0.0);
             covers.halves.extend(halves.map(|triangle| Pane { room: body.room, triangle }));
         }
-        let sky = 0.5 * brightness((daylight.horizon + daylight.zenith).into());
-        covers.light = THROUGH * (sky + brightness(daylight.sun.into()) / std::f32::consts::PI);
+        let sky = 0.5 * luminance((daylight.horizon + daylight.zenith).into());
+        covers.light = THROUGH * (sky + luminance(daylight.sun.into()) / std::f32::consts::PI);
         covers
     }
 
@@ -66,7 +67,7 @@ impl Covers {
             left < 0.0
         })?;
         let at = half.triangle.point(square);
-        Some(crate::label::unit(affine::three(|i| at[i] - from.at[i])))
+        Some(crate::math::unit(math::three(|i| at[i] - from.at[i])))
     }
 
     /// The probability density over solid angle that a path continues in a direction, given the density of its

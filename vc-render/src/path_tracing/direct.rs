@@ -3,13 +3,13 @@
 
 use super::path::{Kind, Paths, Walk, off};
 use super::sampler::Sampler;
-use super::scatter::{Scatter, frame};
 use super::source::Place;
 use super::spots::Way;
-use crate::affine::three;
-use crate::label::unit;
-use crate::light::{brightness, dot};
-use crate::trace::{Met, Ray};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::math::{basis, dot, three, unit};
+use crate::surface::Scatter;
+use crate::trace::Met;
 
 /// Angular radius of the sun, radians: a little larger than the real one, as haze makes it.
 const SUN: f32 = 0.008;
@@ -43,8 +43,8 @@ impl Paths<'_> {
     /// the sun; zero for kinds that are absent.
     fn kinds(&self, point: &Point<'_>) -> [f32; 4] {
         let daylight = &self.lighting.daylight;
-        let sun = brightness(daylight.sun.into());
-        let sky = brightness((daylight.horizon + daylight.zenith).into()) * 0.5 * point.place.panes;
+        let sun = luminance(daylight.sun.into());
+        let sky = luminance((daylight.horizon + daylight.zenith).into()) * 0.5 * point.place.panes;
         let kinds = [0.02 * sun, point.place.lamps, sky, self.spots.power() * 0.02];
         let least = 0.1 * kinds.iter().sum::<f32>();
         kinds.map(|k| if k > 0.0 { k.max(least) } else { 0.0 })
@@ -66,7 +66,7 @@ impl Paths<'_> {
     fn sunlight(&self, walk: &Walk, point: &Point<'_>, [a, b]: [f32; 2]) -> [f32; 3] {
         use vc_graph::portable::Portable;
         let daylight = &self.lighting.daylight;
-        let [u, v, middle] = frame(daylight.towards_sun.into());
+        let [u, v, middle] = basis(daylight.towards_sun.into());
         let (s, c) = (std::f32::consts::TAU * a).sine_cosine();
         let (x, y) = (SUN * b.sqrt() * c, SUN * b.sqrt() * s);
         let towards = unit(three(|i| middle[i] + x * u[i] + y * v[i]));
@@ -135,6 +135,6 @@ impl Paths<'_> {
         if dot(point.met.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
             return Way { share: [0.0; 3], chance: 0.0, crossed: 0 };
         }
-        Way::through(self.renderer, self.lighting, self.lights, ray, Some(&point.place))
+        Way::through(self.store, self.lighting, self.lights, ray, Some(&point.place))
     }
 }

@@ -2,10 +2,11 @@
 //! caustics. Panes are too thin to bend rays.
 
 use super::path::{Paths, Walk, off};
-use crate::affine::three;
-use crate::label::unit;
-use crate::light::{INDEX, brightness, dot, fresnel, straight, tint};
-use crate::trace::{Met, Ray};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::light::{INDEX, fresnel, straight, tint};
+use crate::math::{dot, three, unit};
+use crate::trace::Met;
 
 /// Reflections of glass along a path: one of them, sampled by brightness, stands for all.
 #[derive(Clone, Copy, Default)]
@@ -17,7 +18,7 @@ pub(super) struct Reflections {
 
 impl Reflections {
     fn add(&mut self, ray: Ray, share: [f32; 3], choice: f32) {
-        let bright = brightness(share);
+        let bright = luminance(share);
         self.all += bright;
         if choice * self.all < bright {
             self.one = Some((ray, share.map(|v| v / bright)));
@@ -64,7 +65,7 @@ impl Paths<'_> {
             walk.ray.along = reflected;
             walk.chance = f32::INFINITY;
         } else {
-            let tint = tint(self.renderer, met);
+            let tint = tint(self.store, met);
             walk.share = three(|i| walk.share[i] * tint[i]);
             if bends {
                 let over = if entering { 1.0 / INDEX } else { INDEX };

@@ -6,23 +6,23 @@ use super::direct::Point;
 use super::glass::{Reflections, mirrored};
 use super::lights::Lights;
 use super::sampler::Sampler;
-use super::scatter::{Finish, Scatter};
 use super::source::Place;
 use super::spots::{self, Spots};
-use crate::affine::{self, Affine, three};
+use crate::bvh::Ray;
 use crate::camera::Camera;
-use crate::label::unit;
-use crate::light::{Lighting, brightness, dot, through};
-use crate::renderer::Renderer;
-use crate::surface::Surface;
-use crate::trace::{Met, Ray};
+use crate::colour::luminance;
+use crate::light::{Lighting, through};
+use crate::math::{self, Affine, dot, three, unit};
+use crate::scene::Store;
+use crate::surface::{Finish, Scatter, Surface};
+use crate::trace::Met;
 
 /// Greatest number of steps of a path, including those through glass.
 const STEPS: u32 = 128;
 
 /// The scene and settings that paths are traced in.
 pub(super) struct Paths<'a> {
-    pub(super) renderer: &'a Renderer,
+    pub(super) store: &'a Store,
     pub(super) lighting: &'a Lighting,
     pub(super) camera: &'a Camera,
     pub(super) lights: &'a Lights,
@@ -105,7 +105,7 @@ impl Paths<'_> {
         let mut sampler = Sampler::new((x, y), round, self.how.seed);
         let [dx, dy] = sampler.pair();
         let pose = Affine::of(&self.camera.pose).narrow();
-        let along = unit(affine::vector(&pose, self.camera.ray(x as f32 + dx, y as f32 + dy).into()));
+        let along = unit(math::vector(&pose, self.camera.ray(x as f32 + dx, y as f32 + dy).into()));
         let ray = Ray { from: self.camera.eye().into(), along, end: 1e4 };
         let mut walk = Walk::new(ray, self.most);
         self.follow(&mut walk, &mut sampler);
@@ -122,7 +122,7 @@ impl Paths<'_> {
     fn follow(&self, walk: &mut Walk, sampler: &mut Sampler) {
         for _ in 0..STEPS {
             let Some(met) = self.lighting.tracer.first_of_all(&walk.ray) else { return self.sky(walk) };
-            let surface = &self.renderer.store.surfaces[usize::from(met.face.surface)];
+            let surface = &self.store.surfaces[usize::from(met.face.surface)];
             if surface.is_clear() {
                 self.glass(walk, &met, sampler.one());
             } else if !self.surface(walk, &met, surface, sampler) {
@@ -154,7 +154,7 @@ impl Paths<'_> {
         // Sheets have two sides in one place, either of which may be hit first. The inside of things is dark
         // anyway.
         let mut met = &met.facing(back);
-        let look = met.look(surface, self.footprint(walk, met));
+        let look = met.appearance(surface, self.footprint(walk, met));
         self.glow(walk, met, surface);
         if surface.is_mirror() {
             walk.share = three(|i| walk.share[i] * look.colour[i]);
@@ -282,7 +282,7 @@ impl Walk {
     /// Adds light; contributions by way of a second surface are limited in brightness.
     pub(super) fn gain(&mut self, light: [f32; 3], kind: Kind) {
         let mut brought = three(|i| self.share[i] * light[i]);
-        let bright = brightness(brought);
+        let bright = luminance(brought);
         if self.surfaces > 0 && bright > self.most {
             brought = brought.map(|v| v * self.most / bright);
         }

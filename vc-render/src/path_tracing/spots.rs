@@ -4,12 +4,14 @@
 use rayon::prelude::*;
 
 use super::lights::Lights;
-use super::scatter::Finish;
 use super::source::Place;
-use crate::affine::three;
-use crate::light::{Lighting, brightness, dot, straight, tint};
-use crate::renderer::Renderer;
-use crate::trace::{Met, Ray};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::light::{Lighting, straight, tint};
+use crate::math::{dot, three};
+use crate::scene::Store;
+use crate::surface::Finish;
+use crate::trace::Met;
 
 /// Number of rays sent from panes.
 const RAYS: u32 = 1 << 16;
@@ -43,7 +45,7 @@ pub(super) struct Spot {
 }
 
 impl Spots {
-    pub(super) fn of(renderer: &Renderer, lighting: &Lighting, lights: &Lights) -> Self {
+    pub(super) fn of(store: &Store, lighting: &Lighting, lights: &Lights) -> Self {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
         if lighting.daylight.sun.norm_squared() == 0.0 {
             return Self::default();
@@ -51,7 +53,7 @@ impl Spots {
         let (panes, across) = lights.across(towards);
         let spot = |index: u32| {
             let from = lights.pane_point(&panes, (index as f32 + 0.5) / RAYS as f32 * across, index)?;
-            Spot::found(renderer, lighting, lights, from)
+            Spot::found(store, lighting, lights, from)
         };
         let found = if across > 0.0 { RAYS } else { 0 };
         let mut all: Vec<Spot> = (0..found).into_par_iter().filter_map(spot).collect();
@@ -62,7 +64,7 @@ impl Spots {
         let rooms = (0..count).map(|room| start(room)..start(room + 1)).collect();
         // There are no samples if there is no pane to send rays from.
         let scale = if all.is_empty() { 0.0 } else { RAYS as f32 / (across * all.len() as f32) };
-        let power = all.iter().map(|s| brightness(s.light)).sum::<f32>() * across / RAYS as f32;
+        let power = all.iter().map(|s| luminance(s.light)).sum::<f32>() * across / RAYS as f32;
         Self { all, rooms, power, scale }
     }
 
@@ -105,18 +107,18 @@ impl Spot {
     }
 
     /// The place that the sun lights through a point of a pane; none if it is not in the sun.
-    fn found(renderer: &Renderer, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
+    fn found(store: &Store, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
         let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
-        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+        let surface = &store.surfaces[usize::from(met.face.surface)];
         let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
         // A drawn cover transmits as much light as it reflects, so it is left to chance hits.
         let other = surface.is_mirror() || met.instance.covers();
         if dot(met.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
             return None;
         }
-        let way = Way::through(renderer, lighting, lights, ray, None);
-        let look = met.look(surface, 0.002);
+        let way = Way::through(store, lighting, lights, ray, None);
+        let look = met.appearance(surface, 0.002);
         Some(Self {
             at: met.at,
             flat: met.flat,
@@ -143,7 +145,7 @@ pub(super) struct Way {
 impl Way {
     /// Follows a ray through panes; `from` is the point from which it may have been sampled.
     pub(super) fn through(
-        renderer: &Renderer,
+        store: &Store,
         lighting: &Lighting,
         lights: &Lights,
         mut ray: Ray,
@@ -158,7 +160,7 @@ impl Way {
                 way.crossed += 1;
                 way.chance += from.map_or(0.0, |from| lights.through(from, &pane, gone, cosine));
             }
-            let (tint, passes) = (tint(renderer, &glass), straight(&glass, ray.along));
+            let (tint, passes) = (tint(store, &glass), straight(&glass, ray.along));
             way.share = three(|i| way.share[i] * passes * tint[i]);
             ray.from = super::path::off(&glass, ray.along);
             ray.end -= glass.t;

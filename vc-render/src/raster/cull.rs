@@ -2,9 +2,9 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use crate::affine::{self, Affine, Narrow, three};
 use crate::camera::Camera;
-use crate::mesh::{Ball, Bounds, Cluster};
+use crate::math::{self, Affine, Ball, Bounds, Narrow, three};
+use crate::mesh::Cluster;
 
 /// The view volume of a camera, or of some rows of its image.
 #[derive(Debug, Clone, Copy)]
@@ -85,7 +85,7 @@ impl Frustum {
     /// image.
     #[inline(always)]
     pub(crate) fn extent(&self, map: &Narrow, bounds: &Bounds) -> Option<Extent> {
-        let middle = affine::point(map, bounds.centre);
+        let middle = math::point(map, bounds.centre);
         let side = |c: usize| [0, 1, 2].map(|r: usize| map[r][c] * bounds.half[c]);
         let sides = [side(0), side(1), side(2)];
         let reach = |n: [f32; 3]| {

@@ -10,7 +10,7 @@ use super::fill;
 use super::project::{Corner, Points};
 use super::setup::{EIGHT, SIFTED, Setup};
 use super::target::{Solid, Target, Visible};
-use crate::affine::{Affine, Narrow};
+use crate::math::{Affine, Narrow};
 use crate::mesh::{Cluster, Mesh, TOLERANCES};
 use crate::scene::Instance;
 
@@ -98,12 +98,12 @@ impl Layers {
     ) {
         self.front.reset(width, rows);
         self.visible.clear();
-        crate::simd::dispatch(Pass { layers: self, drawing, which, apart: None });
+        crate::math::simd::dispatch(Pass { layers: self, drawing, which, apart: None });
     }
 
     /// Like [`Self::draw`], on top of the present contents.
     pub(crate) fn add(&mut self, drawing: &Drawing<'_>, which: impl Iterator<Item = u32>, apart: bool) {
-        crate::simd::dispatch(Pass { layers: self, drawing, which, apart: Some(apart) });
+        crate::math::simd::dispatch(Pass { layers: self, drawing, which, apart: Some(apart) });
     }
 
     #[inline(always)]
@@ -160,7 +160,7 @@ impl Layers {
         if !alone && self.hidden(drawing, &narrow, &mesh.bounds) {
             return;
         }
-        let eye = crate::affine::point(&instance.inverse, drawing.frustum.eye);
+        let eye = crate::math::point(&instance.inverse, drawing.frustum.eye);
         let open = drawing.frustum.near >= CUTS && placed.nearest <= drawing.frustum.near;
         for cluster in &mesh.clusters[clusters] {
             if (looks_away(cluster, eye) && !open) || self.hidden(drawing, &narrow, &cluster.bounds) {
@@ -182,7 +182,7 @@ impl Layers {
 
     /// Whether a box is out of view or hidden behind drawn triangles.
     #[inline(always)]
-    fn hidden(&mut self, drawing: &Drawing<'_>, map: &Narrow, bounds: &crate::mesh::Bounds) -> bool {
+    fn hidden(&mut self, drawing: &Drawing<'_>, map: &Narrow, bounds: &crate::math::Bounds) -> bool {
         let Some(extent) = drawing.frustum.extent(map, bounds) else { return true };
         // A thousandth nearer, to allow for rounding.
         extent.nearest > drawing.frustum.near && self.front.hides(extent.low, extent.high, 1.001 / extent.nearest)

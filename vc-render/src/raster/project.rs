@@ -1,6 +1,6 @@
 //! Projection of vertices into the image.
 
-use crate::affine::Narrow;
+use crate::math::Narrow;
 
 /// Greatest number of vertices of a cluster: a byte indexes them.
 pub(super) const POINTS: usize = 256;

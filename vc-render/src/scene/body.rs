@@ -8,8 +8,8 @@ use vc_graph::{NodeId, ObjectRole, Pose};
 
 use super::cover::Drawn;
 use super::liquid::SPECK;
-use crate::affine::{Affine, Narrow};
-use crate::mesh::{Ball, Bounds, Link};
+use crate::math::{Affine, Ball, Bounds, Narrow};
+use crate::mesh::Link;
 use crate::surface::Coat;
 
 /// Room index of bodies that are in no room.
@@ -170,15 +170,9 @@ impl Body {
         let mut all: Option<Bounds> = None;
         for instance in instances {
             let own = back.after(&instance.world).narrow();
-            let bounds = turned(&own, &instance.link.levels[0].bounds);
+            let bounds = instance.link.levels[0].bounds.mapped(&own);
             all = Some(all.map_or(bounds, |a| a.joined(&bounds)));
         }
         all.unwrap_or_default()
     }
-}
-
-/// The bounding box of a mapped box.
-pub(crate) fn turned(map: &Narrow, bounds: &Bounds) -> Bounds {
-    let half = [0, 1, 2].map(|r: usize| (0..3).map(|c| map[r][c].abs() * bounds.half[c]).sum());
-    Bounds { centre: crate::affine::point(map, bounds.centre), half }
 }

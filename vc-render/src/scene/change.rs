@@ -8,7 +8,7 @@ use vc_graph::{NodeId, Pose};
 use super::cover::draw;
 use super::{NO_ROOM, Snapshot, liquid};
 use crate::RenderError;
-use crate::affine::Affine;
+use crate::math::Affine;
 use crate::surface::Coat;
 
 impl Snapshot {

@@ -8,7 +8,7 @@ use vc_graph::class::Class;
 use vc_graph::{SceneGraph, Seed, Word};
 
 use crate::RenderError;
-use crate::frame::NO_LABEL;
+use crate::modality::NO_LABEL;
 
 /// The first number for classes that are not in the class table.
 const UNKNOWN: u16 = 1 << 15;

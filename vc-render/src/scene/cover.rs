@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Body, Instance, turned};
-use crate::affine::{Affine, Narrow, point, three};
-use crate::mesh::{Bounds, Mesh};
+use super::{Body, Instance};
+use crate::math::{Affine, Bounds, Narrow, point, three};
+use crate::mesh::Mesh;
 
 /// Greatest distance of a cover from its opening, metres: out of the wall, and along the wall or above.
 const OFF: [f32; 2] = [0.35, 0.4];
@@ -125,7 +125,7 @@ fn layers(bodies: &[Body], around: &Around) -> Vec<Option<Layer>> {
 /// Whether two covers hang in the same place: a cover does with itself.
 fn hang_together(cover: &Body, other: &Body) -> bool {
     let Some(back) = Affine::of(&cover.pose).inverse() else { return false };
-    let (own, other) = (cover.bounds, turned(&back.after(&Affine::of(&other.pose)).narrow(), &other.bounds));
+    let (own, other) = (cover.bounds, other.bounds.mapped(&back.after(&Affine::of(&other.pose)).narrow()));
     (0..3).all(|axis| {
         let ([a, b], [c, d]) = (ends(&own, axis), ends(&other, axis));
         b.min(d) - a.max(c) >= TOGETHER * (b - a).min(d - c)
@@ -171,7 +171,7 @@ impl Hung {
         let back = Affine::of(&cover.pose).inverse()?;
         let of = |body: &Body| &instances[body.instances.start as usize..body.instances.end as usize];
         let own = |i: &Instance| back.after(&i.world).narrow();
-        let around = |i: &Instance| turned(&own(i), &i.link.levels[0].bounds);
+        let around = |i: &Instance| i.link.levels[0].bounds.mapped(&own(i));
         // Swinging parts of the opening are left out.
         let fixed = || of(opening).iter().filter(|i| i.link.joint.is_none());
         let made = Self {
@@ -191,7 +191,7 @@ impl Hung {
         let Some(back) = Affine::of(&cover.pose).inverse() else { return self };
         let (all, [wall, front]) = (self.own.joined(&self.opening), ends(&self.own, 0));
         let reach = [[wall, front.max(wall + SWEEP + FLAT)], ends(&all, 1), ends(&all, 2)];
-        let near = |body: &&Body| meets(&turned(&back.after(&Affine::of(&body.pose)).narrow(), &body.bounds), &reach);
+        let near = |body: &&Body| meets(&body.bounds.mapped(&back.after(&Affine::of(&body.pose)).narrow()), &reach);
         let own = |body: &Body| &instances[body.instances.start as usize..body.instances.end as usize];
         let found = standing.filter(near).flat_map(own);
         let found = found.flat_map(|i| parts(&back.after(&i.world).narrow(), &i.link.levels[0]));

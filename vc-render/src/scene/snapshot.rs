@@ -11,8 +11,8 @@ use super::classes::Classes;
 use super::cover::{Around, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
-use crate::affine::Affine;
-use crate::mesh::{Ball, Link};
+use crate::math::{Affine, Ball};
+use crate::mesh::Link;
 use crate::surface::Coat;
 
 /// Everything visible in a scene at one moment: the meshes and their poses, and which lamps are on.

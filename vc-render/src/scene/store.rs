@@ -14,6 +14,8 @@ use crate::surface::{Picture, Role, Surface};
 /// Links of all assets seen so far, and their surface materials.
 #[derive(Debug, Default)]
 pub(crate) struct Store {
+    /// Largest screen-space error of a curved outline at which a coarser mesh may be drawn, pixels.
+    pub(crate) detail: f32,
     /// Identity of the store, compared by address; snapshots made with this store carry it.
     pub(crate) name: Arc<()>,
     pub(crate) surfaces: Vec<Surface>,
@@ -43,6 +45,11 @@ pub(super) type Contained = (Arc<Link>, [f64; 3]);
 pub(super) type Loose = (Arc<Link>, [[f64; 3]; 2]);
 
 impl Store {
+    /// An empty store, for meshes that are off by at most so many pixels.
+    pub(crate) fn new(detail: f32) -> Self {
+        Self { detail, ..Self::default() }
+    }
+
     /// The liquid that an uploaded asset can hold, if any; built on first use.
     pub(super) fn liquid(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Contained> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);

@@ -6,7 +6,7 @@
 
 use super::smooth::Edge;
 use super::surfel::{Known, Writer};
-use crate::affine::three;
+use crate::math::three;
 use crate::raster::{NONE, Solid};
 
 /// Three lines in an image, as coefficients of x, y and one.

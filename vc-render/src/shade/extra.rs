@@ -5,20 +5,21 @@
 use super::light::Lamps;
 use super::planes;
 use super::surfel::Known;
-use crate::affine::three;
-use crate::label::{bent, unit};
-use crate::light::{Lighting, dot, passes};
+use crate::bvh::Ray;
+use crate::label::bent;
+use crate::light::{Lighting, passes};
+use crate::math::simd::stretches;
+use crate::math::{dot, three, unit};
 use crate::raster::{Frustum, Layers, NONE};
-use crate::renderer::Renderer;
-use crate::simd::stretches;
-use crate::trace::{Met, Ray};
+use crate::scene::Store;
+use crate::trace::Met;
 use crate::view::View;
 
 /// Number of pixels of a pane that share ambient light.
 const SHARED: usize = 8;
 
 pub(super) struct Extra<'a> {
-    pub(super) renderer: &'a Renderer,
+    pub(super) store: &'a Store,
     pub(super) view: View<'a>,
     pub(super) lamps: &'a Lamps<'a>,
 }
@@ -54,10 +55,10 @@ impl Extra<'_> {
         let lighting = self.lamps.lighting;
         let ray = Ray { from, along, end: 1e4 };
         let (light, end) = match lighting.tracer.first(&ray) {
-            Some(met) => (lighting.thrown(self.renderer, &met, 0.004), met.t),
+            Some(met) => (lighting.thrown(self.store, &met, 0.004), met.t),
             None => (lighting.daylight.radiance(along), ray.end),
         };
-        let share = passes(self.renderer, &lighting.tracer, Ray { end, ..ray });
+        let share = passes(self.store, &lighting.tracer, Ray { end, ..ray });
         three(|i| share[i] * light[i])
     }
 
@@ -90,8 +91,7 @@ impl Extra<'_> {
         let visible = layers.visible[triangle as usize];
         let instances = &self.view.snapshot.instances;
         let instance = &instances[visible.instance as usize];
-        let surface =
-            &self.renderer.store.surfaces[usize::from(visible.mesh(instances).faces[visible.index()].surface)];
+        let surface = &self.store.surfaces[usize::from(visible.mesh(instances).faces[visible.index()].surface)];
         let room = self.view.snapshot.bodies[instance.body as usize].room;
         let map = || frustum.map.after(&instance.world).narrow();
         let bend = bent(map, frustum.near, instances, visible);
@@ -127,11 +127,11 @@ impl Extra<'_> {
 
 impl Lighting {
     /// Emitted and diffusely reflected light of a hit surface, without gloss.
-    pub(crate) fn thrown(&self, renderer: &Renderer, met: &Met<'_>, footprint: f32) -> [f32; 3] {
-        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
+    pub(crate) fn thrown(&self, store: &Store, met: &Met<'_>, footprint: f32) -> [f32; 3] {
+        let surface = &store.surfaces[usize::from(met.face.surface)];
         let room =
             self.room_of(&self.tracer.snapshot.bodies[met.instance.body as usize], met.instance, met.at, met.flat);
-        let look = met.look(surface, footprint);
+        let look = met.appearance(surface, footprint);
         let falling = self.around(met.at, look.normal, room);
         let direct = self.direct(met.at, look.normal, room, self.sunlight(room));
         let shine = met.shine(surface, footprint);

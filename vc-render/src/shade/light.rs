@@ -5,14 +5,14 @@
 mod beam;
 
 use super::Openness;
-use super::lattice::{LIGHT, Lattice};
+use super::interpolate::{LIGHT, SampleGrid};
 use super::planes::{Planes, gloss, packed};
 use super::surfel::{Known, Look, NOTHING, Writer};
-use crate::affine::{self, Affine, Narrow, three};
-use crate::label::unit;
-use crate::light::{Ambient, Lighting, brightness, dot};
+use crate::colour::luminance;
+use crate::light::{Ambient, Lighting};
+use crate::math::simd::widest;
+use crate::math::{self, Affine, Narrow, dot, three, unit};
 use crate::raster::Solid;
-use crate::simd::widest;
 
 /// Number of pixels shaded together.
 const BATCH: usize = 64;
@@ -97,7 +97,7 @@ impl<'a> Lamps<'a> {
     pub(super) fn new(writer: &'a Writer<'a>, open: Option<&'a Openness>, solid: Solid<'a>) -> Self {
         let camera = writer.view.camera;
         let pose: Narrow = Affine::of(&camera.pose).narrow();
-        let turned = |v: [f32; 3]| affine::vector(&pose, v);
+        let turned = |v: [f32; 3]| math::vector(&pose, v);
         let (fx, fy) = (1.0 / camera.focal.0, 1.0 / camera.focal.1);
         let corner = [(0.5 - camera.centre.0) * fx, (0.5 - camera.centre.1) * fy, 1.0];
         let rays = [turned([fx, 0.0, 0.0]), turned([0.0, fy, 0.0]), turned(corner)];
@@ -113,7 +113,7 @@ impl<'a> Lamps<'a> {
     /// Computes the light at pixels of a strip, whose first row is `start` in the image.
     pub(super) fn light(
         &self,
-        (lattice, planes): (&mut Lattice, &mut Planes),
+        (samples, planes): (&mut SampleGrid, &mut Planes),
         known: &mut Known,
         (start, spots): (i32, &[u32]),
         batch: &mut Batch,
@@ -121,7 +121,7 @@ impl<'a> Lamps<'a> {
         for spots in spots.chunks(BATCH) {
             widest(
                 #[inline(always)]
-                || self.some((lattice, planes), known, (start, spots), batch),
+                || self.some((samples, planes), known, (start, spots), batch),
             );
         }
     }
@@ -130,7 +130,7 @@ impl<'a> Lamps<'a> {
     #[inline(always)]
     fn some(
         &self,
-        (lattice, planes): (&mut Lattice, &mut Planes),
+        (samples, planes): (&mut SampleGrid, &mut Planes),
         known: &mut Known,
         (start, spots): (i32, &[u32]),
         batch: &mut Batch,
@@ -143,8 +143,8 @@ impl<'a> Lamps<'a> {
                 batch.lamp(lamp, self.open.is_none());
             }
         }
-        batch.store((lattice, planes), known, spots);
-        batch.sky(self, (lattice, planes), (start, spots));
+        batch.store((samples, planes), known, spots);
+        batch.sky(self, (samples, planes), (start, spots));
     }
 }
 
@@ -240,12 +240,12 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn store(&mut self, (lattice, planes): (&mut Lattice, &mut Planes), known: &Known, spots: &[u32]) {
+    fn store(&mut self, (samples, planes): (&mut SampleGrid, &mut Planes), known: &Known, spots: &[u32]) {
         let (mut drift, mut again, mut metals) = ([0_u32; BATCH], [0.0; BATCH], false);
         for i in 0..self.lanes() {
             again[i] = AGAIN * self.roughness[i] * self.roughness[i] * self.metal(i);
             metals |= again[i] > 0.0;
-            let over = 1.0 / (DRIFT * brightness([self.light[0][i], self.light[1][i], self.light[2][i]])).max(1e-6);
+            let over = 1.0 / (DRIFT * luminance([self.light[0][i], self.light[1][i], self.light[2][i]])).max(1e-6);
             drift[i] = packed([self.drift[0][i] * over, self.drift[1][i] * over, self.drift[2][i] * over]);
             (0..3).for_each(|k| self.light[k][i] *= self.base[i]);
         }
@@ -255,7 +255,7 @@ impl Batch {
                 let colour = planes.0[row].colour.each_ref().map(|list| list[x]);
                 (0..3).for_each(|c| self.light[c + 3][i] *= 1.0 + again[i] * colour[c]);
             }
-            let (cells, k) = lattice.cell(planes, row, x);
+            let (cells, k) = samples.cell(planes, row, x);
             let Look { glow, shine, .. } = known.look(self.looks[i]);
             for c in 0..3 {
                 cells.light[c][k] = self.light[c][i] + shine[c];
@@ -267,7 +267,7 @@ impl Batch {
 
     /// Writes the sky into pixels where nothing is visible.
     #[inline(always)]
-    fn sky(&self, lamps: &Lamps<'_>, (lattice, planes): (&mut Lattice, &mut Planes), (start, spots): (i32, &[u32])) {
+    fn sky(&self, lamps: &Lamps<'_>, (samples, planes): (&mut SampleGrid, &mut Planes), (start, spots): (i32, &[u32])) {
         if !self.looks[..self.count].contains(&NOTHING) {
             return;
         }
@@ -275,7 +275,7 @@ impl Batch {
             let (row, x) = place(*spot);
             let towards = unit(lamps.ray(x as f32, (start + row as i32) as f32));
             let sky = lamps.lighting.daylight.radiance(towards);
-            let (cells, k) = lattice.cell(planes, row, x);
+            let (cells, k) = samples.cell(planes, row, x);
             for c in 0..3 {
                 cells.light[c][k] = 0.0;
                 cells.light[c + 3][k] = sky[c];

@@ -2,42 +2,39 @@
 //!
 //! Ambient occlusion is computed at half the resolution or a quarter ([`occlusion`]). Then the image is
 //! processed in strips of a few rows, which stay in the processor's cache: surface attributes are written for
-//! every pixel ([`surfel`]); light is computed ([`light`]) where it cannot be interpolated ([`lattice`]);
-//! mirrors and panes are added ([`extra`]); and light is converted to colours ([`tone`]). Finally edges are
+//! every pixel ([`surfel`]); light is computed ([`light`]) where it cannot be interpolated ([`interpolate`]);
+//! mirrors and panes are added ([`extra`]); and light is converted to colours ([`colour`]). Finally edges are
 //! found ([`edge`]) and smoothed ([`smooth`]).
 
 mod edge;
 mod extra;
-mod lattice;
+mod interpolate;
 mod light;
-mod look;
 mod occlusion;
 mod planes;
-mod shrink;
 mod smooth;
 mod surfel;
 mod texture;
-mod tone;
 
-pub(crate) use look::{Look, look};
 pub(crate) use occlusion::Openness;
-pub(crate) use shrink::shrink;
 pub(crate) use smooth::Smoother;
-pub(crate) use tone::{decoded, displayed, encoded, night};
 
 use self::edge::Find;
 use self::extra::Extra;
-use self::lattice::{Between, Lattice, STEP, Spots};
+use self::interpolate::{Between, STEP, SampleGrid, Spots};
 use self::light::{Batch, DRIFT, Lamps};
 use self::planes::{Planes, Row, gloss, unpacked};
 use self::smooth::Edge;
 use self::surfel::{Known, Writer};
+use std::ops::Range;
+
 use crate::camera::Camera;
-use crate::frame::{Band, Frame, Strip};
+use crate::colour;
+use crate::frame::Strip;
 use crate::light::Lighting;
+use crate::math::simd::widest;
 use crate::raster::Layers;
-use crate::renderer::Renderer;
-use crate::simd::widest;
+use crate::scene::Store;
 use crate::view::View;
 
 /// Bands begin at multiples of this number of rows, so that light is computed at the same pixels however many
@@ -56,7 +53,7 @@ const PART: usize = 64;
 pub(crate) struct Scratch {
     known: Known,
     planes: Planes,
-    lattice: Lattice,
+    samples: SampleGrid,
     batch: Box<Batch>,
     spots: Spots,
     linear: [Vec<f32>; 3],
@@ -67,7 +64,7 @@ pub(crate) struct Scratch {
 
 /// Inputs shared by all bands.
 pub(crate) struct Shading<'a> {
-    pub(crate) renderer: &'a Renderer,
+    pub(crate) store: &'a Store,
     pub(crate) lighting: &'a Lighting,
     pub(crate) view: View<'a>,
     /// None for light without shadows.
@@ -75,34 +72,36 @@ pub(crate) struct Shading<'a> {
     pub(crate) exposure: [f32; 3],
 }
 
-/// Computes ambient occlusion from the visibility buffer.
-pub(crate) fn occlusion<'a>(camera: &Camera, bands: &[Band], open: &'a mut Openness) -> &'a Openness {
+/// Computes ambient occlusion from the visibility buffers of bands of rows.
+pub(crate) fn occlusion<'a, 'b>(
+    camera: &Camera,
+    bands: impl Iterator<Item = (&'b Layers, Range<i32>)>,
+    open: &'a mut Openness,
+) -> &'a Openness {
     open.find(camera, bands);
     open
 }
 
-/// Smooths edges.
-pub(crate) fn smooth(frame: &mut Frame) {
-    let Frame { memory, rgb, width, .. } = frame;
-    let edges = memory.bands.iter().map(|b| b.shading.edges.as_slice());
-    memory.smoother.smooth(edges, *width, rgb);
+impl Scratch {
+    /// The edges found in the band.
+    pub(crate) fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
 }
 
 impl Shading<'_> {
     /// Writes the colours of a band.
-    pub(crate) fn band(&self, band: &mut Band, strip: &mut Strip<'_>) {
-        let Band { layers, shading, .. } = band;
+    pub(crate) fn band(&self, layers: &Layers, scratch: &mut Scratch, strip: &mut Strip<'_>) {
         let View { snapshot, camera } = self.view;
-        shading.known.reset(snapshot.instances.len(), layers.visible.len());
+        scratch.known.reset(snapshot.instances.len(), layers.visible.len());
         let count = (STRIP / camera.width as usize).next_multiple_of(STEP).max(STEP);
-        shading.planes.prepare(camera.width as usize, count);
-        shading.lattice.prepare(camera.width as usize, count);
-        shading.linear.iter_mut().for_each(|l| l.resize(camera.width as usize, 0.0));
-        shading.edges.clear();
-        let writer = Writer::new(self.renderer, (self.lighting, self.exposure), self.view, layers, &strip.rows);
+        scratch.planes.prepare(camera.width as usize, count);
+        scratch.samples.prepare(camera.width as usize, count);
+        scratch.linear.iter_mut().for_each(|l| l.resize(camera.width as usize, 0.0));
+        scratch.edges.clear();
+        let writer = Writer::new(self.store, (self.lighting, self.exposure), self.view, layers, &strip.rows);
         let lamps = Lamps::new(&writer, self.open, layers.solid());
-        let mut rows =
-            Rows { shading: self, layers, writer: &writer, lamps, scratch: shading, start: strip.rows.start, count };
+        let mut rows = Rows { shading: self, layers, writer: &writer, lamps, scratch, start: strip.rows.start, count };
         rows.band(strip);
     }
 }
@@ -133,20 +132,20 @@ impl Rows<'_> {
             self.rest(last);
             self.finish(last, strip);
             self.scratch.planes.turn();
-            self.scratch.lattice.turn();
+            self.scratch.samples.turn();
             self.start += self.count as i32;
         }
     }
 
     /// Writes the surface attributes of a row of the strip.
     fn write(&mut self, row: usize) {
-        let Scratch { known, planes, lattice, .. } = &mut *self.scratch;
+        let Scratch { known, planes, samples, .. } = &mut *self.scratch;
         let (solid, y) = (self.layers.solid(), self.start + row as i32);
         widest(
             #[inline(always)]
             || {
                 self.writer.row(solid, y, known, &mut planes.0[row]);
-                lattice.write(row, &planes.0[row].cells);
+                samples.write(row, &planes.0[row].cells);
             },
         );
     }
@@ -154,46 +153,46 @@ impl Rows<'_> {
     /// Light in every fourth row, from `first` to `last`, by sideways interpolation only.
     fn lines(&mut self, first: usize, last: usize) {
         for row in (first..=last).step_by(STEP) {
-            self.scratch.lattice.first(row, &mut self.scratch.spots);
+            self.scratch.samples.first(row, &mut self.scratch.spots);
         }
         self.light();
-        self.fill((first..=last).step_by(STEP).map(Lattice::half));
+        self.fill((first..=last).step_by(STEP).map(SampleGrid::half));
         self.quarters(first, last);
     }
 
     /// The rest of the light in rows where every second pixel has it.
     fn quarters(&mut self, first: usize, last: usize) {
-        self.fill((first..=last).step_by(STEP).flat_map(Lattice::quarters));
+        self.fill((first..=last).step_by(STEP).flat_map(SampleGrid::quarters));
     }
 
     /// Light in the rows after the first, up to `last`.
     fn rest(&mut self, last: usize) {
         self.lines(STEP, last);
-        self.fill((2..=last).step_by(STEP).flat_map(|row| Lattice::between(row, last)));
+        self.fill((2..=last).step_by(STEP).flat_map(|row| SampleGrid::between(row, last)));
         self.quarters(2, last);
         self.gather(2, last);
-        let Scratch { lattice, planes, spots, .. } = &mut *self.scratch;
-        (1..=last).step_by(2).for_each(|row| lattice.fill_row(planes, (row, last), spots));
+        let Scratch { samples, planes, spots, .. } = &mut *self.scratch;
+        (1..=last).step_by(2).for_each(|row| samples.fill_row(planes, (row, last), spots));
         self.light();
     }
 
     /// Merges the combs of every second row.
     fn gather(&mut self, first: usize, last: usize) {
-        let Scratch { lattice, planes, .. } = &mut *self.scratch;
-        (first..=last).step_by(2).for_each(|row| lattice.gather(row, &mut planes.0[row].cells));
+        let Scratch { samples, planes, .. } = &mut *self.scratch;
+        (first..=last).step_by(2).for_each(|row| samples.gather(row, &mut planes.0[row].cells));
     }
 
     /// Interpolates pixels, and computes the light of those where that is not possible.
     fn fill(&mut self, which: impl Iterator<Item = Between>) {
-        let Scratch { lattice, spots, .. } = &mut *self.scratch;
-        which.for_each(|which| lattice.fill(which, spots));
+        let Scratch { samples, spots, .. } = &mut *self.scratch;
+        which.for_each(|which| samples.fill(which, spots));
         self.light();
     }
 
     /// Computes the light of the collected pixels.
     fn light(&mut self) {
-        let Scratch { lattice, planes, spots, batch, known, .. } = &mut *self.scratch;
-        self.lamps.light((lattice, planes), known, (self.start, spots), batch);
+        let Scratch { samples, planes, spots, batch, known, .. } = &mut *self.scratch;
+        self.lamps.light((samples, planes), known, (self.start, spots), batch);
         spots.clear();
     }
 
@@ -239,7 +238,7 @@ impl Rows<'_> {
         );
         let [r, g, b] = linear;
         let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
-        let extra = Extra { renderer: shading.renderer, view: shading.view, lamps: &self.lamps };
+        let extra = Extra { store: shading.store, view: shading.view, lamps: &self.lamps };
         if known.mirrors() {
             extra.mirrors(known, seen, y, &mut line);
         }
@@ -249,7 +248,7 @@ impl Rows<'_> {
         let line = line.map(|l| &*l);
         widest(
             #[inline(always)]
-            || tone::colours(line, shading.exposure, out),
+            || colour::colours(line, shading.exposure, out),
         );
     }
 }

@@ -5,14 +5,15 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
+use std::ops::Range;
 use std::sync::LazyLock;
 
 use rayon::prelude::*;
 
 use crate::camera::Camera;
-use crate::frame::Band;
-use crate::simd;
-use crate::simd::whole;
+use crate::math::simd;
+use crate::math::simd::whole;
+use crate::raster::Layers;
 
 /// Distance up to which things occlude ambient light, metres.
 const REACH: f32 = 0.45;
@@ -55,14 +56,14 @@ static SPIRALS: LazyLock<Vec<[[[f32; LANES]; 2]; TAPS]>> = LazyLock::new(|| {
 
 impl Openness {
     /// Computes openness for all bands.
-    pub(super) fn find(&mut self, camera: &Camera, bands: &[Band]) {
+    pub(super) fn find<'a>(&mut self, camera: &Camera, bands: impl Iterator<Item = (&'a Layers, Range<i32>)>) {
         let (width, height) = (camera.width as usize, camera.height as usize);
         self.step = if camera.height < LARGE { 2 } else { 4 };
         (self.across, self.down) = (width.div_ceil(self.step), height.div_ceil(self.step));
         self.inverse.clear();
-        for band in bands {
-            let solid = band.layers.solid();
-            for y in band.rows.clone().filter(|y| y % self.step as i32 == 0) {
+        for (layers, rows) in bands {
+            let solid = layers.solid();
+            for y in rows.filter(|y| y % self.step as i32 == 0) {
                 self.inverse.extend(solid.inverse_row(y).iter().step_by(self.step));
             }
         }

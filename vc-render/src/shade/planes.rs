@@ -1,7 +1,7 @@
 //! A strip of rows in structure-of-arrays layout, one list for each attribute of a pixel.
 
-use super::lattice::{BEYOND, LIGHT, PART};
-use crate::simd::whole;
+use super::interpolate::{BEYOND, LIGHT, PART};
+use crate::math::simd::whole;
 use crate::surface::SPAN;
 
 /// Surface attributes at every pixel of a strip's rows, and of the row after it.

@@ -1,7 +1,7 @@
 //! Smoothing: colours are mixed where edges cross pixels.
 
-use super::tone::{decoded, encoded};
-use crate::affine::three;
+use crate::colour::{decoded, encoded};
+use crate::math::three;
 use crate::raster::refill;
 
 /// An edge between two pixels of a picture.
@@ -41,7 +41,7 @@ impl Edge {
 
 impl Smoother {
     /// Mixes neighbours' colours into pixels, in a picture of this width.
-    pub(super) fn smooth<'a>(&mut self, edges: impl Iterator<Item = &'a [Edge]>, width: usize, rgb: &mut [[u8; 3]]) {
+    pub(crate) fn smooth<'a>(&mut self, edges: impl Iterator<Item = &'a [Edge]>, width: usize, rgb: &mut [[u8; 3]]) {
         self.edges.clear();
         self.shares.clear();
         self.changes.clear();

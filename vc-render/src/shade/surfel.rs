@@ -7,13 +7,13 @@ mod first;
 use super::edge::{Lines, lines};
 use super::planes::{Row, gloss_of};
 use super::texture::Texture;
-use crate::affine::{self, Affine, Narrow, three};
 use crate::label::Bent;
 use crate::light::Lighting;
+use crate::math::simd::stretches;
+use crate::math::{self, Affine, Narrow, three};
 use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
-use crate::renderer::Renderer;
+use crate::scene::Store;
 use crate::scene::{Instance, NO_ROOM};
-use crate::simd::stretches;
 use crate::surface::SPAN;
 use crate::view::View;
 
@@ -76,7 +76,7 @@ pub(crate) struct Known {
 
 /// A view whose surface attributes are written.
 pub(super) struct Writer<'a> {
-    pub(super) renderer: &'a Renderer,
+    pub(super) store: &'a Store,
     pub(super) lighting: &'a Lighting,
     pub(super) view: View<'a>,
     pub(super) exposure: [f32; 3],
@@ -140,7 +140,7 @@ impl Known {
         let (visible, instances) = (writer.visible[triangle as usize], &writer.view.snapshot.instances);
         let (mesh, index) = (visible.mesh(instances), visible.index());
         let map = self.maps(visible.instance, instances, &writer.frustum)[0];
-        let corners = mesh.triangle(mesh.cluster_of(index), index).map(|p| affine::point(&map, p));
+        let corners = mesh.triangle(mesh.cluster_of(index), index).map(|p| math::point(&map, p));
         self.edged[triangle as usize] = self.lines.len() as u32;
         self.lines.push(lines(corners));
     }
@@ -148,7 +148,7 @@ impl Known {
 
 impl<'a> Writer<'a> {
     pub(super) fn new(
-        renderer: &'a Renderer,
+        store: &'a Store,
         (lighting, exposure): (&'a Lighting, [f32; 3]),
         view: View<'a>,
         layers: &'a Layers,
@@ -156,7 +156,7 @@ impl<'a> Writer<'a> {
     ) -> Self {
         let frustum = Frustum::new(view.camera, rows);
         let world = frustum.map.inverse().unwrap_or(Affine::IDENTITY).narrow();
-        Self { renderer, lighting, view, exposure, visible: &layers.visible, frustum, world }
+        Self { store, lighting, view, exposure, visible: &layers.visible, frustum, world }
     }
 
     /// Writes the surface attributes of a row of the image.

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::planes::packed;
-use crate::affine::{self, Narrow, three};
+use crate::math::{self, Narrow, three};
 use crate::surface::{Picture, SPAN, Span, Tile, Touch};
 
 /// A texture mapped onto a surface.
@@ -41,7 +41,7 @@ impl Texture {
     ) -> Self {
         let edge = |i: usize| three(|k| corners[i][k] - corners[0][k]);
         let (b, c) = (edge(1), edge(2));
-        let across = cross(affine::vector(world, b), affine::vector(world, c));
+        let across = cross(math::vector(world, b), math::vector(world, c));
         let area = 0.5 * length(across);
         let density = picture.texels(uvs) / area.sqrt().max(1e-12);
         let normal = cross(b, c);

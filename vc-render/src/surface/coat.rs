@@ -44,7 +44,7 @@ impl Coat {
     /// The colour of a surface under this coat.
     #[inline(always)]
     pub(crate) fn over(&self, colour: [f32; 3]) -> [f32; 3] {
-        crate::affine::three(|i| colour[i] + (self.colour[i] - colour[i]) * self.share)
+        crate::math::three(|i| colour[i] + (self.colour[i] - colour[i]) * self.share)
     }
 
     /// The roughness of a surface under this coat.

@@ -1,23 +1,27 @@
 //! Surfaces: materials and their textures, as shading sees them.
 
+mod albedo;
+mod appearance;
 mod coat;
 mod matter;
 mod mean;
 mod noise;
 mod pattern;
 mod picture;
+mod scatter;
 mod tile;
 
 use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
 
-use crate::affine::three;
-use crate::path_tracing::Finish;
+use crate::math::three;
 
+pub(crate) use appearance::{Appearance, texture_axes, textured};
 pub use coat::Coat;
 pub(crate) use pattern::Pattern;
 pub(crate) use picture::Picture;
+pub(crate) use scatter::{Finish, Scatter};
 pub(crate) use tile::{SPAN, Span, Tile, Touch};
 
 /// A material, prepared for shading.

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 
 use super::Pattern;
 use super::mean::{Mixer, Pair, Shares, mean};
-use crate::affine::three;
-use crate::simd::whole;
+use crate::math::simd::whole;
+use crate::math::three;
 
 /// A stored texel of four bytes: either the factors for red, green and blue (128 is one) and roughness (64 is
 /// one), or the tilt of the normal along u and v (128 is none, 64 more is one). Few lookups need both, so they

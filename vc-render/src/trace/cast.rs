@@ -4,10 +4,10 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use vc_graph::NodeId;
 
-use super::bvh::Ray;
 use super::scene::Tracer;
 use crate::RenderError;
-use crate::affine::three;
+use crate::bvh::Ray;
+use crate::math::three;
 use crate::scene::Snapshot;
 
 /// Casts rays in a scene, against the finest meshes.

@@ -4,12 +4,10 @@ use std::sync::Arc;
 
 use pulp::{Simd, WithSimd};
 
-use super::build::over;
-use super::bvh::{Bvh, Hit, Node, Ray};
-use super::walk::{Beam, walk};
-use crate::affine::{self, three};
-use crate::mesh::{Bounds, Mesh};
-use crate::scene::{Instance, turned};
+use crate::bvh::{Beam, Bvh, Hit, Node, Ray, over, walk};
+use crate::math::{self, Bounds, three};
+use crate::mesh::Mesh;
+use crate::scene::Instance;
 
 /// The opaque triangles of a scene, or the clear ones.
 #[derive(Debug, Clone, Default)]
@@ -70,7 +68,7 @@ impl Layer {
             let world = at.world.narrow();
             let mesh = &*at.link.levels[0];
             for (triangle, own) in mesh.of_kind(clear) {
-                corners.push(own.map(|p| affine::point(&world, p)));
+                corners.push(own.map(|p| math::point(&world, p)));
                 origins.push(Origin { instance, triangle, part: mesh.faces[triangle as usize].part });
             }
         }
@@ -94,10 +92,10 @@ impl Layer {
 /// The first hit of a ray in several layers.
 #[inline]
 pub(super) fn first<const LAYERS: usize>(layers: [&Layer; LAYERS], instances: &[Instance], ray: &Ray) -> Option<Found> {
-    let mut found = crate::simd::dispatch(Standing::<false, LAYERS> { layers, ray });
+    let mut found = crate::math::simd::dispatch(Standing::<false, LAYERS> { layers, ray });
     for layer in layers.into_iter().filter(|layer| !layer.moving.is_empty()) {
         let ray = Ray { end: found.map_or(ray.end, |(hit, _)| hit.t), ..*ray };
-        found = crate::simd::dispatch(Among::<false> { layer, instances, ray: &ray }).or(found);
+        found = crate::math::simd::dispatch(Among::<false> { layer, instances, ray: &ray }).or(found);
     }
     found
 }
@@ -105,8 +103,8 @@ pub(super) fn first<const LAYERS: usize>(layers: [&Layer; LAYERS], instances: &[
 /// Whether a ray hits anything in a layer.
 #[inline]
 pub(super) fn any(layer: &Layer, instances: &[Instance], ray: &Ray) -> bool {
-    let among = || crate::simd::dispatch(Among::<true> { layer, instances, ray });
-    let standing = crate::simd::dispatch(Standing::<true, 1> { layers: [layer], ray });
+    let among = || crate::math::simd::dispatch(Among::<true> { layer, instances, ray });
+    let standing = crate::math::simd::dispatch(Standing::<true, 1> { layers: [layer], ray });
     standing.is_some() || !layer.moving.is_empty() && among().is_some()
 }
 
@@ -157,10 +155,10 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
                 let instance = &instances[number as usize];
                 let (mesh, back) = (&*instance.link.levels[0], &instance.inverse);
                 // Lengths along the ray are the same in both frames.
-                let own = Ray { from: affine::point(back, ray.from), along: affine::vector(back, ray.along), end };
+                let own = Ray { from: math::point(back, ray.from), along: math::vector(back, ray.along), end };
                 let hit = mesh.trees()[kind].meet::<S, ANY>(simd, (&own, end), &Beam::new(simd, &own))?;
                 let world = instance.world.narrow();
-                let edges = hit.edges.map(|edge| affine::vector(&world, edge));
+                let edges = hit.edges.map(|edge| math::vector(&world, edge));
                 let triangle = hit.number + if layer.clear { mesh.first_clear() } else { 0 };
                 let part = mesh.faces[triangle as usize].part;
                 Some((hit.t, (Hit { edges, ..hit }, Origin { instance: number, triangle, part })))
@@ -172,7 +170,7 @@ impl<const ANY: bool> WithSimd for Among<'_, ANY> {
 
 /// The bounding box of an instance, enlarged a little to allow for rounding.
 fn reach(instance: &Instance) -> Bounds {
-    let around = turned(&instance.world.narrow(), &instance.link.levels[0].bounds);
+    let around = instance.link.levels[0].bounds.mapped(&instance.world.narrow());
     let half = three(|i| around.half[i] + 1e-5 * (1.0 + around.centre[i].abs() + around.half[i]));
     Bounds { half, ..around }
 }

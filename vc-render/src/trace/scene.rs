@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use super::bvh::{Hit, Ray};
 use super::layer::{self, Found, Layer, Origin};
 use crate::RenderError;
-use crate::affine::{self, Affine, three};
+use crate::bvh::{Hit, Ray};
+use crate::math::{self, Affine, three};
 use crate::mesh::Face;
 use crate::scene::{Instance, Snapshot};
-use crate::shade::{Look, look};
-use crate::surface::{Pattern, Picture, Role, Surface};
+use crate::surface::{Appearance, Pattern, Picture, Role, Surface, textured};
 
 /// All triangles of a snapshot: clear ones and opaque ones in separate layers.
 #[derive(Debug, Clone)]
@@ -35,10 +34,10 @@ pub(super) struct Touched {
 #[inline(always)]
 fn flat(hit: &Hit, mirrored: bool) -> ([f32; 3], f32) {
     let [b, c] = hit.edges;
-    let across = affine::cross(b, c);
+    let across = math::cross(b, c);
     let out = if mirrored { -1.0 } else { 1.0 };
     let area = 0.5 * (across[0] * across[0] + across[1] * across[1] + across[2] * across[2]).sqrt();
-    (crate::label::unit(across.map(|v| v * out)), area)
+    (crate::math::unit(across.map(|v| v * out)), area)
 }
 
 /// For each instance, its body and whether it is mirrored.
@@ -144,7 +143,7 @@ impl Tracer {
         let [n0, n1, n2] = mesh.normals[triangle as usize];
         let bent = three(|i| n0[i] * (1.0 - u - v) + n1[i] * u + n2[i] * v);
         let normal = if face.is_flat() { n0 } else { bent };
-        let normal = affine::normal(&instance.inverse, normal);
+        let normal = math::normal(&instance.inverse, normal);
         // If the corner normals cancel out, the triangle's normal is used.
         let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         Met {
@@ -157,7 +156,7 @@ impl Tracer {
             weights: hit.weights,
             area,
             flat,
-            normal: if length > 1e-20 { crate::label::unit(normal) } else { flat },
+            normal: if length > 1e-20 { crate::math::unit(normal) } else { flat },
         }
     }
 }
@@ -165,7 +164,7 @@ impl Tracer {
 impl Met<'_> {
     /// The hit as seen on the side that faces a direction.
     pub(crate) fn facing(&self, towards: [f32; 3]) -> Self {
-        if crate::light::dot(self.flat, towards) >= 0.0 {
+        if crate::math::dot(self.flat, towards) >= 0.0 {
             return *self;
         }
         Self { flat: self.flat.map(|v| -v), normal: self.normal.map(|v| -v), ..*self }
@@ -174,7 +173,7 @@ impl Met<'_> {
     /// The hit triangle in the world.
     pub(crate) fn corners(&self) -> [[f32; 3]; 3] {
         let (world, mesh, at) = (self.instance.world.narrow(), &*self.instance.link.levels[0], self.triangle as usize);
-        mesh.triangle(mesh.cluster_of(at), at).map(|p| affine::point(&world, p))
+        mesh.triangle(mesh.cluster_of(at), at).map(|p| math::point(&world, p))
     }
 
     /// The surface's texture at the hit.
@@ -193,28 +192,28 @@ impl Met<'_> {
     }
 
     /// The surface at the hit with its texture and coat; `footprint` is the diameter to average over, metres.
-    pub(crate) fn look(&self, surface: &Surface, footprint: f32) -> Look {
+    pub(crate) fn appearance(&self, surface: &Surface, footprint: f32) -> Appearance {
         let (coat, look) = (&self.instance.coat, self.bare(surface, footprint));
-        Look { colour: coat.over(look.colour), roughness: coat.rough(look.roughness), ..look }
+        Appearance { colour: coat.over(look.colour), roughness: coat.rough(look.roughness), ..look }
     }
 
     /// The surface without its coat.
-    fn bare(&self, surface: &Surface, footprint: f32) -> Look {
+    fn bare(&self, surface: &Surface, footprint: f32) -> Appearance {
         if let Some(picture) = &surface.picture {
             let shown = self.shown(picture, footprint);
             let colour = three(|i| surface.colour[i] * shown[i]);
-            return Look { colour, roughness: surface.roughness, normal: self.normal };
+            return Appearance { colour, roughness: surface.roughness, normal: self.normal };
         }
         if surface.pattern == Pattern::Plain {
-            return Look { colour: surface.colour, roughness: surface.roughness, normal: self.normal };
+            return Appearance { colour: surface.colour, roughness: surface.roughness, normal: self.normal };
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let (local, facing) = if built {
-            (self.at, affine::longest(self.flat))
+            (self.at, math::longest(self.flat))
         } else {
-            (affine::point(&self.instance.inverse, self.at), self.face.axis)
+            (math::point(&self.instance.inverse, self.at), self.face.axis)
         };
         let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
-        look(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
+        textured(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
     }
 }

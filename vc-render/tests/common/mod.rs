@@ -19,18 +19,7 @@ pub struct Stage {
 }
 
 pub fn material(name: &str, colour: [f32; 3]) -> Material {
-    Material {
-        name: name.into(),
-        colour,
-        density: 500.0,
-        friction: 0.5,
-        restitution: 0.1,
-        roughness: 0.5,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material::new(name, colour)
 }
 
 pub fn part(name: &str, shape: Shape, at: [f32; 3], material: u32) -> Part {

@@ -3,7 +3,8 @@
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 use super::{BATCH, Batch, Lanes};
-use crate::light::{Lamp, Lighting, Points, brightness};
+use crate::colour::luminance;
+use crate::light::{Lamp, Lighting, Points};
 use crate::scene::NO_ROOM;
 
 impl Batch {
@@ -85,7 +86,7 @@ impl Batch {
     #[inline(always)]
     fn add(&mut self, flux: [f32; 3]) {
         let over = 1.0 / std::f32::consts::PI;
-        let bright = brightness(flux);
+        let bright = luminance(flux);
         for i in 0..self.lanes() {
             let (x, y, z) =
                 (self.to[0][i] + self.back[0][i], self.to[1][i] + self.back[1][i], self.to[2][i] + self.back[2][i]);

@@ -1,8 +1,8 @@
 //! Attributes derived for a triangle when it is first seen.
 
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
-use crate::affine;
 use crate::label::{Bent, bent};
+use crate::math;
 use crate::shade::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
@@ -22,7 +22,7 @@ impl Writer<'_> {
         let instance = &instances[visible.instance as usize];
         let mesh = visible.mesh(instances);
         let face = &mesh.faces[visible.index()];
-        let surface = &self.renderer.store.surfaces[usize::from(face.surface)];
+        let surface = &self.store.surfaces[usize::from(face.surface)];
         let look = self.look(triangle, (face.surface, face.facet), known);
         let number = if face.is_flat() { look } else { look | BENT };
         if let Some(picture) = &surface.picture {
@@ -34,9 +34,9 @@ impl Writer<'_> {
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let plain = surface.pattern == Pattern::Plain;
-        let turned = || affine::longest(affine::normal(&instance.inverse, mesh.normals[visible.index()][0]));
+        let turned = || math::longest(math::normal(&instance.inverse, mesh.normals[visible.index()][0]));
         let facing = if built { turned() } else { face.axis };
-        let (u, v) = if plain { (0, 0) } else { crate::shade::look::plane(surface.pattern, (facing, face.grain)) };
+        let (u, v) = if plain { (0, 0) } else { crate::surface::texture_axes(surface.pattern, (facing, face.grain)) };
         let way = 3 * u + v;
         if known.looks[look as usize].paints[way] == NONE {
             let texture = (!plain).then(|| {
@@ -86,7 +86,7 @@ impl Writer<'_> {
         if at != NONE {
             return at;
         }
-        let of = &self.renderer.store.surfaces[usize::from(surface)];
+        let of = &self.store.surfaces[usize::from(surface)];
         let glow = if body.lit { self.lighting.shown(of, index, self.exposure) } else { [0.0; 3] };
         // A texture colours the light that falls on it, and likewise light that comes from behind.
         let (glow, shine) = match of.picture {

@@ -6,14 +6,14 @@ use arrayvec::ArrayVec;
 use pulp::Simd;
 
 use super::build::LEVELS;
-use super::bvh::{LEAF, Lanes, Node, Ray, WIDE, part};
-use crate::simd::at_most;
+use super::tree::{LEAF, Lanes, Node, Ray, WIDE, part};
+use crate::math::simd::at_most;
 
 /// Greatest number of pending nodes: at each level but the last, all children but one.
 const STACK: usize = (WIDE - 1) * LEVELS;
 
 /// A ray prepared for tests with boxes.
-pub(super) struct Beam<S: Simd> {
+pub(crate) struct Beam<S: Simd> {
     from: [S::f32s; 3],
     /// Reciprocals of the direction, and slightly larger ones for the far sides, to allow for rounding (Ize
     /// 2013).
@@ -26,7 +26,7 @@ pub(super) struct Beam<S: Simd> {
 /// Traverses nodes along a ray up to an end; `meet` intersects a leaf and returns its hit before an end, and
 /// the distance.
 #[inline(always)]
-pub(super) fn walk<S: Simd, H, const ANY: bool>(
+pub(crate) fn walk<S: Simd, H, const ANY: bool>(
     simd: S,
     nodes: &[Node],
     (beam, mut end): (&Beam<S>, f32),
@@ -117,7 +117,7 @@ fn nearest_child(children: &[u32; WIDE], enters: &Lanes, mut met: u32, stack: &m
 
 impl<S: Simd> Beam<S> {
     #[inline(always)]
-    pub(super) fn new(simd: S, ray: &Ray) -> Self {
+    pub(crate) fn new(simd: S, ray: &Ray) -> Self {
         let mut beam = Self {
             from: [simd.splat_f32s(0.0); 3],
             over: [simd.splat_f32s(0.0); 3],

@@ -3,12 +3,12 @@
 use nalgebra::Point3;
 use vc_graph::{Anthropometry, NodeId, ObjectRole};
 
+use super::Renderer;
 use crate::RenderError;
-use crate::affine;
 use crate::camera::Camera;
-use crate::frame::{Frame, NOTHING};
-use crate::modality::Modality;
-use crate::renderer::Renderer;
+use crate::frame::Frame;
+use crate::math;
+use crate::modality::{Modality, NOTHING};
 use crate::scene::{Instance, Snapshot};
 use crate::view::Shot;
 
@@ -119,7 +119,7 @@ fn eyes(low: &Point3<f32>, high: &Point3<f32>) -> impl Iterator<Item = Point3<f3
 /// Whether a position is neither inside a thing nor right before one.
 fn is_free(snapshot: &Snapshot, eye: Point3<f32>) -> bool {
     let within = |instance: &Instance| {
-        let (bounds, own) = (&instance.link.levels[0].bounds, affine::point(&instance.inverse, eye.into()));
+        let (bounds, own) = (&instance.link.levels[0].bounds, math::point(&instance.inverse, eye.into()));
         (0..3).all(|k| (own[k] - bounds.centre[k]).abs() <= bounds.half[k] + CLEAR)
     };
     !snapshot.instances.iter().any(within)

@@ -48,7 +48,7 @@ impl<'a> Near<'a> {
 
     /// Green light reflected by a matt surface, and its gloss.
     #[inline(always)]
-    fn brightness(self, from: usize) -> [f32; PART] {
+    fn luminance(self, from: usize) -> [f32; PART] {
         let (falls, sheen, mut all) = (self.light(1, from), self.light(LIGHT - 2, from), [0.0; PART]);
         for i in 0..PART {
             all[i] = 0.2 * falls[i] + sheen[i];
@@ -81,7 +81,7 @@ fn bits(holds: bool) -> u32 {
 pub(super) fn weigh(own: &Cells, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
     let (l0, l1, l2) = (part(&own.look, from), a.look(from), b.look(from));
     let (v0, v1, v2) = (part(&own.inverse, from), a.inverse(from), b.inverse(from));
-    let (p, q) = (a.brightness(from), b.brightness(from));
+    let (p, q) = (a.luminance(from), b.luminance(from));
     let (half, one, close) = (0.5_f32.to_bits(), 1.0_f32.to_bits(), bits(close));
     let (mut first, mut second) = ([0.0; PART], [0.0; PART]);
     for i in 0..PART {

@@ -9,10 +9,8 @@ use std::f32::consts::PI;
 use vc_graph::portable::Portable;
 
 use super::albedo::{self, Shares};
-use super::sampler::lattice;
-use crate::affine::three;
-use crate::label::unit;
-use crate::light::{brightness, dot};
+use crate::colour::luminance;
+use crate::math::{basis, cosine_weighted, dot, low_discrepancy, three, unit};
 
 /// Reflectance of glass, lacquer and other dielectrics at normal incidence.
 const HEAD_ON: f32 = 0.04;
@@ -46,7 +44,7 @@ impl Finish {
 }
 
 /// The reflection at a surface point, in its local frame: the normal is up.
-pub(super) struct Scatter {
+pub(crate) struct Scatter {
     /// Reflectance of the matt base, times the light that the gloss lets through, normalized by pi.
     base: [f32; 3],
     /// Reflectance of the gloss at normal incidence and at grazing angles, with compensation for losses between
@@ -67,9 +65,9 @@ pub(super) struct Scatter {
 
 impl Scatter {
     /// The reflection at a point. `back` is the direction to where the path came from, unit length.
-    pub(super) fn new(finish: &Finish, normal: [f32; 3], back: [f32; 3]) -> Self {
+    pub(crate) fn new(finish: &Finish, normal: [f32; 3], back: [f32; 3]) -> Self {
         let Finish { colour, metallic, roughness } = *finish;
-        let axes = frame(normal);
+        let axes = basis(normal);
         let mut own = axes.map(|axis| dot(axis, back));
         own[2] = own[2].max(1e-3);
         let back = unit(own);
@@ -84,7 +82,7 @@ impl Scatter {
         let given_back = head_on.map(|h| 1.0 + h * metallic * (1.0 / all - 1.0));
         let base = colour.map(|c| c * (1.0 - metallic));
         let shine = three(|i| given_back[i] * (head_on[i] * here[0] + at_edge * here[1]));
-        let (matt, shine) = (brightness(base) * passes, brightness(shine));
+        let (matt, shine) = (luminance(base) * passes, luminance(shine));
         let by_gloss = match () {
             () if shine <= 0.0 => 0.0,
             () if matt <= 0.0 => 1.0,
@@ -105,7 +103,7 @@ impl Scatter {
 
     /// Reflectance times the cosine for light from a world direction, by colour; and the probability density
     /// over solid angle that [`Self::sample`] chooses it.
-    pub(super) fn evaluate(&self, towards: [f32; 3]) -> ([f32; 3], f32) {
+    pub(crate) fn evaluate(&self, towards: [f32; 3]) -> ([f32; 3], f32) {
         let to = self.axes.map(|axis| dot(axis, towards));
         if to[2] <= 1e-4 {
             return ([0.0; 3], 0.0);
@@ -121,8 +119,8 @@ impl Scatter {
     }
 
     /// Samples a world direction to continue in.
-    pub(super) fn sample(&self, choice: f32, square: [f32; 2]) -> [f32; 3] {
-        let own = if choice < self.by_gloss { self.gloss.bounced(self.back, square) } else { cosine(square) };
+    pub(crate) fn sample(&self, choice: f32, square: [f32; 2]) -> [f32; 3] {
+        let own = if choice < self.by_gloss { self.gloss.bounced(self.back, square) } else { cosine_weighted(square) };
         three(|i| own[0] * self.axes[0][i] + own[1] * self.axes[1][i] + own[2] * self.axes[2][i])
     }
 }
@@ -139,7 +137,7 @@ pub(super) struct Gloss {
 }
 
 impl Gloss {
-    pub(super) fn new(roughness: f32) -> Self {
+    pub(crate) fn new(roughness: f32) -> Self {
         Self { alpha: (roughness * roughness).max(2e-3) }
     }
 
@@ -183,7 +181,7 @@ impl Gloss {
         let back = [(1.0 - cosine * cosine).max(0.0).sqrt(), 0.0, cosine];
         let mut sums = [0.0; 2];
         for index in 0..directions {
-            let to = self.bounced(back, lattice(index as u32));
+            let to = self.bounced(back, low_discrepancy(index as u32));
             if to[2] > 0.0 {
                 let half = unit(three(|i| to[i] + back[i]));
                 let edge = (1.0 - dot(half, to).clamp(0.0, 1.0)).raised(5);
@@ -193,21 +191,6 @@ impl Gloss {
         }
         sums
     }
-}
-
-/// A cosine-distributed direction around up (Malley's method).
-pub(crate) fn cosine([a, b]: [f32; 2]) -> [f32; 3] {
-    let (s, c) = (2.0 * PI * b).sine_cosine();
-    let r = a.sqrt();
-    [r * c, r * s, (1.0 - a).max(0.0).sqrt()]
-}
-
-/// An orthonormal frame with a given last axis (Duff and others 2017).
-pub(crate) fn frame(n: [f32; 3]) -> [[f32; 3]; 3] {
-    let sign = 1.0_f32.copysign(n[2]);
-    let a = -1.0 / (sign + n[2]);
-    let b = n[0] * n[1] * a;
-    [[1.0 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]], [b, sign + n[1] * n[1] * a, -n[1]], n]
 }
 
 #[cfg(test)]
@@ -230,7 +213,7 @@ mod tests {
         let count = 20_000;
         let mut followed = 0.0_f64;
         for i in 0..count {
-            let towards = scatter.sample((i as f32 * 0.618_034).fract(), lattice(i));
+            let towards = scatter.sample((i as f32 * 0.618_034).fract(), low_discrepancy(i));
             let (value, chance) = scatter.evaluate(towards);
             if chance > 0.0 {
                 followed += f64::from(value[0] / chance);

@@ -8,7 +8,7 @@
 use pulp::Simd;
 
 use super::walk::{Beam, walk};
-use crate::simd::at_most;
+use crate::math::simd::at_most;
 
 /// Number of children of a node, and of triangles in a leaf.
 pub(super) const WIDE: usize = 8;
@@ -24,7 +24,7 @@ pub(super) type Lanes = [f32; WIDE];
 /// The boxes of eight children: least x, y, z, then greatest.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-pub(super) struct Node {
+pub(crate) struct Node {
     pub(super) bounds: [Lanes; 6],
     pub(super) children: [u32; WIDE],
 }
@@ -77,7 +77,7 @@ struct Touch {
 impl Bvh {
     /// The first triangle that a ray hits before an end, from either side; with `ANY`, the first one found.
     #[inline(always)]
-    pub(super) fn meet<S: Simd, const ANY: bool>(
+    pub(crate) fn meet<S: Simd, const ANY: bool>(
         &self,
         simd: S,
         (ray, end): (&Ray, f32),
@@ -99,7 +99,7 @@ impl Bvh {
     }
 
     /// Removes triangles; the boxes around them stay.
-    pub(super) fn remove(&mut self, gone: impl Fn(u32) -> bool) {
+    pub(crate) fn remove(&mut self, gone: impl Fn(u32) -> bool) {
         for leaf in &mut self.leaves {
             for lane in 0..WIDE {
                 if leaf.numbers[lane] != EMPTY && gone(leaf.numbers[lane]) {

@@ -15,7 +15,7 @@ mod between;
 
 use self::between::{Near, missing, mix, weigh};
 use super::planes::{Cells, Planes};
-use crate::simd::widest;
+use crate::math::simd::widest;
 
 pub(super) use self::between::PART;
 
@@ -36,7 +36,7 @@ pub(super) fn spot(row: usize, x: usize) -> u32 {
 
 /// The light in a strip.
 #[derive(Default)]
-pub(crate) struct Lattice {
+pub(crate) struct SampleGrid {
     width: usize,
     /// Combs of every second row.
     combs: Vec<[Cells; STEP]>,
@@ -57,7 +57,7 @@ pub(super) struct Between {
     close: bool,
 }
 
-impl Lattice {
+impl SampleGrid {
     /// Allocates `rows` rows of this width, and one more.
     pub(super) fn prepare(&mut self, width: usize, rows: usize) {
         self.width = width;

@@ -5,10 +5,9 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use super::lighting::dot;
 use super::shadow::{BLOCK, CLEAR, Cube, ShadowMap, WIDEST};
-use crate::affine::{self, three};
-use crate::simd::whole;
+use crate::math::simd::whole;
+use crate::math::{self, dot, three};
 
 pub(super) const LANES: usize = 16;
 
@@ -117,7 +116,7 @@ impl ShadowMap {
         let (most, centre, over_focal) = (self.side as f32 - 1.0, 0.5 * self.side as f32, 1.0 / self.focal);
         for i in 0..N {
             let normal = three(|k| points.normal[k][i]);
-            let [x, y, z] = affine::point(&self.map, three(|k| points.at[k][i] + OFF * normal[k]));
+            let [x, y, z] = math::point(&self.map, three(|k| points.at[k][i] + OFF * normal[k]));
             let over = 1.0 / z;
             let (x, y) = (x * over, y * over);
             let inside = (z > 0.0) & (x >= 1.0) & (x < most) & (y >= 1.0) & (y < most);

@@ -1,8 +1,7 @@
 //! Building of trees by the surface area heuristic over bins (Wald 2007).
 
-use super::bvh::{Bvh, EMPTY, LEAF, Leaf, Node, WIDE};
-use crate::affine::three;
-use crate::mesh;
+use super::tree::{Bvh, EMPTY, LEAF, Leaf, Node, WIDE};
+use crate::math::{self, three};
 
 /// A triangle's corners.
 pub(crate) type Corners = [[f32; 3]; 3];
@@ -70,8 +69,8 @@ impl Bvh {
 }
 
 /// Builds nodes over boxes; a leaf holds the number given with its box.
-pub(super) fn over(boxes: impl Iterator<Item = (u32, mesh::Bounds)>) -> Vec<Node> {
-    let item = |(number, around): (u32, mesh::Bounds)| {
+pub(crate) fn over(boxes: impl Iterator<Item = (u32, math::Bounds)>) -> Vec<Node> {
+    let item = |(number, around): (u32, math::Bounds)| {
         let (middle, half) = (around.centre, around.half);
         let side = |sign: f32| three(|i| middle[i] + sign * half[i]);
         Item { bounds: Bounds { low: side(-1.0), high: side(1.0) }, middle, number }

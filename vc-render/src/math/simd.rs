@@ -127,8 +127,8 @@ pub(crate) fn runs<S: Simd>(simd: S, row: &[u32], mut run: impl FnMut(u32, usize
     }
 }
 
-#[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
+#[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicBool, Ordering};
 

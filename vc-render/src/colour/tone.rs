@@ -2,33 +2,9 @@
 
 use std::sync::LazyLock;
 
-use crate::affine::three;
-use crate::light::brightness;
-use crate::simd::whole;
-
-/// Steps of the table from linear to sRGB.
-const STEPS: usize = 4096;
-
-static TABLE: LazyLock<Box<[u8; STEPS]>> = LazyLock::new(|| {
-    use vc_graph::portable::Portable;
-    let encode = |i: usize| {
-        let v = i as f32 / (STEPS - 1) as f32;
-        // sRGB's transfer function (IEC 61966-2-1).
-        let v = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
-        (v * 255.0 + 0.5) as u8
-    };
-    Box::new(std::array::from_fn(encode))
-});
-
-/// The table from sRGB back to linear.
-static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
-    use vc_graph::portable::Portable;
-    let decode = |i: usize| {
-        let v = i as f32 / 255.0;
-        if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).power(2.4) }
-    };
-    (0..256).map(decode).collect()
-});
+use super::srgb::{STEPS, TABLE, luminance};
+use crate::math::simd::whole;
+use crate::math::three;
 
 /// The strength of the eye's response to light: the tone curve before it saturates. It grows with the light's power of
 /// [`CONTRAST`] up to [`SHOULDER`], and from there on more slowly, by [`FLATTER`].
@@ -81,22 +57,8 @@ fn within(light: f32, exposure: f32) -> f32 {
 pub(crate) fn displayed(light: [f32; 3], exposure: [f32; 3]) -> [f32; 3] {
     let light = three(|c| within(light[c], exposure[c]));
     let greatest = light[0].max(light[1]).max(light[2]);
-    let (shown, dim) = (saturated(light, greatest, strength(greatest)), night(brightness(exposure)));
+    let (shown, dim) = (saturated(light, greatest, strength(greatest)), night(luminance(exposure)));
     three(|c| dim * shown[c])
-}
-
-/// Encodes a linear colour in sRGB.
-#[inline(always)]
-pub(crate) fn encoded(colour: [f32; 3]) -> [u8; 3] {
-    let table: &[u8; STEPS] = &TABLE;
-    three(|c| table[((colour[c] * (STEPS - 1) as f32) as usize).min(STEPS - 1)])
-}
-
-/// Decodes an sRGB colour to linear.
-#[inline(always)]
-pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
-    let table = &*LINEAR;
-    three(|c| table[usize::from(colour[c])])
 }
 
 /// Bits of a float between neighbouring entries of the table of strengths, and the light of its first entry and the
@@ -120,9 +82,9 @@ const MANY: usize = 64;
 
 /// Display colours for the light of a row's pixels, as [`displayed`] gives them.
 #[inline(always)]
-pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]]) {
+pub(crate) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]]) {
     let (strengths, codes): (&[f32; ENTRIES], &[u8; STEPS]) = (&STRENGTHS, &TABLE);
-    let top = (STEPS - 1) as f32 * night(brightness(exposure));
+    let top = (STEPS - 1) as f32 * night(luminance(exposure));
     for (part, out) in out.chunks_mut(MANY).enumerate() {
         let (mut exposed, mut greatest, mut strong) = ([[DARK; MANY]; 3], [DARK; MANY], [0.0; MANY]);
         for ((exposed, light), exposure) in exposed.iter_mut().zip(light).zip(exposure) {
@@ -149,7 +111,8 @@ pub(super) fn colours(light: [&[f32]; 3], exposure: [f32; 3], out: &mut [[u8; 3]
 mod tests {
     use vc_graph::portable::Portable;
 
-    use super::{colours, displayed, encoded};
+    use super::super::encoded;
+    use super::{colours, displayed};
 
     /// Fast pictures and reference pictures display the same light in the same colours, by day and at night.
     #[test]

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::tone::{decoded, encoded};
+use super::srgb::{decoded, encoded};
 
 /// Half a step of the encoding table, which rounds down.
 const HALF: f32 = 0.5 / 4095.0;
