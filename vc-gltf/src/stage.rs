@@ -1,16 +1,25 @@
 //! The cameras and lights of an exported scene.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
-use serde::{Deserialize, Serialize};
 use vc_graph::Pose;
 
 use super::document as json;
 use super::write::Writer;
 
-/// The extension for lights.
-pub(super) const LIGHTS: &str = "KHR_lights_punctual";
-
 /// The cameras of a scene, and its lights apart from emissive objects.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use vc_gltf::{LightPlace, Stage, StageLight};
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// scene.add(Draft::new("kitchen"))?;
+/// let place = LightPlace::From { towards: Vector3::z(), lux: 50_000.0 };
+/// let sun = StageLight { name: "sun".into(), colour: [1.0; 3], place };
+/// let file = vc_gltf::staged_scene(&scene.build(), &Stage { lights: vec![sun], ..Stage::default() })?;
+/// assert!(String::from_utf8_lossy(&file).contains("KHR_lights_punctual"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stage {
     /// The cameras.
@@ -62,16 +71,6 @@ pub enum LightPlace {
         /// Intensity, candela.
         candela: f32,
     },
-}
-
-/// A light in the form of the extension.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Light {
-    name: String,
-    #[serde(rename = "type")]
-    kind: String,
-    color: [f32; 3],
-    intensity: f32,
 }
 
 /// Adds the nodes of a stage and returns their indices.
@@ -126,7 +125,7 @@ impl StageLight {
         }
         let color = self.colour.map(|c| c.clamp(0.0, 1.0));
         let lights = &mut writer.document.extensions.get_or_insert_default().lights.lights;
-        lights.push(Light { name: self.name.clone(), kind: kind.into(), color, intensity });
+        lights.push(json::Light { name: self.name.clone(), kind: kind.into(), color, intensity });
         let light = lights.len() - 1;
         Some(writer.node(json::Node {
             name: self.name.clone(),

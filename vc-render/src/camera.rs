@@ -169,7 +169,7 @@ impl Camera {
     /// assert!(views.windows(2).all(|v| (v[1].eye() - v[0].eye()).norm() < 0.12)); // 5.6 m in 59 steps
     /// ```
     pub fn along(self, way: &[Point3<f32>], count: usize) -> Vec<Self> {
-        let way = Way::of(way);
+        let way = Way::new(way);
         let Some(length) = way.length() else { return Vec::new() };
         let ahead = AHEAD.min(0.5 * length);
         let view = |i: usize| {
@@ -204,7 +204,7 @@ impl Camera {
 
     /// The map from the world to the optical frame.
     pub(crate) fn view(&self) -> Affine {
-        Affine::of(&self.pose).inverse().unwrap_or(Affine::IDENTITY)
+        Affine::from_pose(&self.pose).inverse().unwrap_or(Affine::IDENTITY)
     }
 
     /// The same view with `times` as many pixels along each side.
@@ -238,7 +238,7 @@ impl Camera {
             return Err(RenderError::BadCamera("near plane is to be from 1e-6 to 1e6 metres away"));
         }
         let turn = self.pose.rotation.norm();
-        if !Affine::of(&self.pose).is_finite() || !(0.99..1.01).contains(&turn) {
+        if !Affine::from_pose(&self.pose).is_finite() || !(0.99..1.01).contains(&turn) {
             return Err(RenderError::BadCamera(
                 "pose is to be finite, within 1e15 metres, and its turn of unit length",
             ));
@@ -248,7 +248,7 @@ impl Camera {
 }
 
 impl Way {
-    fn of(points: &[Point3<f32>]) -> Self {
+    fn new(points: &[Point3<f32>]) -> Self {
         let points = (0..3).fold(points.to_vec(), |points, _| cut(&points));
         let steps = points.windows(2).map(|p| (p[1] - p[0]).norm());
         let gone = std::iter::once(0.0).chain(steps.scan(0.0, |sum, step| {

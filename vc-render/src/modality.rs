@@ -107,7 +107,7 @@ impl Modalities {
     }
 
     /// The set of the modalities in a list.
-    pub fn of(list: &[Modality]) -> Self {
+    pub fn new(list: &[Modality]) -> Self {
         list.iter().fold(Self::NONE, |all, one| all | *one)
     }
 

@@ -54,6 +54,16 @@ impl Object {
     ///
     /// Dimensions are rounded to a centimetre, or to a twentieth of the object's largest dimension
     /// where that is less; names and order of parts count, too.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_shapes::{Style, object};
+    /// let generator = object::generator("chair").ok_or("no generator")?;
+    /// let chair = |style| generator.object(&Style::from_seed(Seed(style)), Seed(1));
+    /// // Another style changes the materials and not the shape.
+    /// assert_eq!(chair(1).shape_key(), chair(1).shape_key());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn shape_key(&self) -> Digest {
         let step = (self.size().max() * 0.05).min(0.01);
         let mut key = Key { hash: Digester::new(), step };

@@ -7,8 +7,15 @@ use vc_graph::asset::Material;
 use vc_graph::portable::Portable;
 
 /// A material of the [table](ALL): its index in every library that this crate makes.
+///
+/// ```
+/// use vc_shapes::material::{Family, OAK, library};
+/// assert_eq!((OAK.name(), OAK.family()), ("oak", Some(Family::Wood)));
+/// // The same index in every library of this crate.
+/// assert_eq!(library().material(OAK.0).map(|material| &*material.name), Some("oak"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Mat(pub u32);
+pub struct MaterialId(pub u32);
 
 /// The kind of a material; the materials of a family share everything but the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +86,7 @@ macro_rules! materials {
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name),* }
         $(#[doc = concat!("The material `", $text, "`.")]
-        pub const $name: Mat = Mat(Number::$name as u32);)*
+        pub const $name: MaterialId = MaterialId(Number::$name as u32);)*
         /// The name, family and sRGB colour of every material.
         pub const ALL: &[(&str, Family, u32)] = &[$(($text, Family::$family, $colour)),*];
     };
@@ -294,7 +301,7 @@ materials! {
     POOL_WATER "pool_water" Liquid 0x6fc3d6;
 }
 
-impl Mat {
+impl MaterialId {
     /// The material's name.
     pub fn name(self) -> &'static str {
         ALL.get(self.0 as usize).map_or("", |m| m.0)

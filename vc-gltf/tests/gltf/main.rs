@@ -9,7 +9,7 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 use serde_json::{Value, json};
-use vc_gltf::{self as gltf, GltfError, Options, Size};
+use vc_gltf::{self as gltf, GltfError, ImportOptions, ModelSize};
 use vc_graph::asset::{Hold, Joint, JointKind, Material, Part, Shape, Surface};
 use vc_graph::{Asset, AssetLibrary, Draft, Pose, SceneBuilder};
 
@@ -80,8 +80,8 @@ fn cabinet() -> Asset {
     Asset { name: "cabinet_1".into(), parts, surfaces, ..Asset::default() }
 }
 
-fn plain() -> Options {
-    Options { hulls: 0, ..Options::default() }
+fn plain() -> ImportOptions {
+    ImportOptions { hulls: 0, ..ImportOptions::default() }
 }
 
 fn volume(parts: &[Part]) -> f32 {
@@ -129,20 +129,21 @@ fn an_asset_reads_back() {
 fn sizes_and_turns() {
     let (asset, library) = (cabinet(), library());
     let file = gltf::asset(&asset, &library).unwrap();
-    let sized = |size, quarter_turns| gltf::read(&file, &Options { size, quarter_turns, ..plain() }).map(|i| i.asset);
-    let own = size(&sized(Size::AsIs, 0).unwrap());
-    assert!((size(&sized(Size::Times(0.01), 0).unwrap()) * 100.0 - own).norm() < 1e-3);
-    assert!((size(&sized(Size::Height(1.0), 0).unwrap()).z - 1.0).abs() < 1e-5);
-    let fitted = size(&sized(Size::Within(Vector3::new(1.0, 1.0, 1.0)), 0).unwrap());
+    let sized =
+        |size, quarter_turns| gltf::read(&file, &ImportOptions { size, quarter_turns, ..plain() }).map(|i| i.asset);
+    let own = size(&sized(ModelSize::AsIs, 0).unwrap());
+    assert!((size(&sized(ModelSize::Times(0.01), 0).unwrap()) * 100.0 - own).norm() < 1e-3);
+    assert!((size(&sized(ModelSize::Height(1.0), 0).unwrap()).z - 1.0).abs() < 1e-5);
+    let fitted = size(&sized(ModelSize::Within(Vector3::new(1.0, 1.0, 1.0)), 0).unwrap());
     assert!((fitted.max() - 1.0).abs() < 1e-5);
-    let turned = sized(Size::AsIs, 1).unwrap();
+    let turned = sized(ModelSize::AsIs, 1).unwrap();
     assert!((size(&turned) - Vector3::new(own.y, own.x, own.z)).norm() < 1e-4);
     let slide = turned.parts.iter().filter_map(|p| p.joint).find(|j| j.kind == JointKind::Slide).unwrap();
     assert!((slide.axis - Vector3::y()).norm() < 1e-6, "what slid to the front slides to the left");
-    let half = sized(Size::Times(0.5), 0).unwrap();
+    let half = sized(ModelSize::Times(0.5), 0).unwrap();
     assert!(half.parts.iter().filter_map(|p| p.joint).any(|j| j.kind == JointKind::Slide && j.limits == (0.0, 0.2)));
     for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        assert_eq!(sized(Size::Times(bad), 0).unwrap_err(), GltfError::BadSize);
+        assert_eq!(sized(ModelSize::Times(bad), 0).unwrap_err(), GltfError::BadSize);
     }
 }
 
@@ -153,7 +154,7 @@ fn physics_gets_convex_pieces() {
     let one = |shape| Asset { name: "one".into(), parts: vec![part("one", shape, 0, [0.0; 3])], ..Asset::default() };
     let collision = |shape| {
         let file = gltf::asset(&one(shape), &library).unwrap();
-        gltf::read(&file, &Options::default()).unwrap().asset.collision
+        gltf::read(&file, &ImportOptions::default()).unwrap().asset.collision
     };
     let pieces = collision(cup.clone());
     assert!((4..=16).contains(&pieces.len()), "{}", pieces.len());
@@ -302,11 +303,11 @@ fn what_is_passed_over_is_no_reason_to_refuse() {
         "nullname.glb"
     ];
     let read = files.map(|(name, file)| (name, gltf::read(file, &plain()).unwrap_or_else(|e| panic!("{name}: {e}"))));
-    let shape = |model: &gltf::Imported| model.asset.parts.iter().map(|p| p.shape.clone()).collect::<Vec<_>>();
+    let shape = |model: &gltf::ImportedModel| model.asset.parts.iter().map(|p| p.shape.clone()).collect::<Vec<_>>();
     for (name, model) in &read {
         assert_eq!(shape(model), shape(&read[0].1), "{name}");
         let pictured = ["badpng.glb", "ext_image.glb", "nosource.glb", "webp.glb"].contains(name);
-        assert_eq!(!model.missing_pictures.is_empty(), pictured, "{name}: {:?}", model.missing_pictures);
+        assert_eq!(!model.missing_images.is_empty(), pictured, "{name}: {:?}", model.missing_images);
         assert!(model.materials.iter().all(|m| m.texture.is_none()));
     }
 }
@@ -389,7 +390,7 @@ proptest! {
         let positions: Vec<[f32; 3]> = if wide { positions } else {
             positions.into_iter().map(|p| p.map(|v| if v.is_finite() { v.clamp(-1.0, 1.0) } else { 0.0 })).collect()
         };
-        if let Ok(read) = gltf::read(&soup(&positions), &Options { hulls: 4, ..Options::default() }) {
+        if let Ok(read) = gltf::read(&soup(&positions), &ImportOptions { hulls: 4, ..ImportOptions::default() }) {
             let mut library = AssetLibrary::default();
             prop_assert!(read.add_to(&mut library).is_ok());
         }
@@ -425,7 +426,7 @@ fn triangles_of_which_voxels_have_no_hull_get_one_piece() {
         [0.0, 1e-30, -3.045386e-16],
         [1e-30, 1.0, -1.0],
     ];
-    let read = gltf::read(&soup(&positions), &Options { hulls: 4, ..Options::default() }).unwrap();
+    let read = gltf::read(&soup(&positions), &ImportOptions { hulls: 4, ..ImportOptions::default() }).unwrap();
     assert!(read.add_to(&mut AssetLibrary::default()).is_ok());
 }
 

@@ -61,7 +61,7 @@ impl Bvh {
         };
         let mut items: Vec<Item> = triangles.iter().zip(0..).map(item).collect();
         let nodes = grown(&mut items, WIDE, |items| {
-            leaves.push(Leaf::of(items, triangles));
+            leaves.push(Leaf::new(items, triangles));
             LEAF | (leaves.len() as u32 - 1)
         });
         Self { nodes, leaves }
@@ -130,7 +130,7 @@ impl<F: FnMut(&[Item]) -> u32> Growth<F> {
 }
 
 impl Leaf {
-    fn of(items: &[Item], triangles: &[Corners]) -> Self {
+    fn new(items: &[Item], triangles: &[Corners]) -> Self {
         // No ray hits a triangle of NaN.
         let none = [[f32::NAN; WIDE]; 3];
         let mut leaf = Self { corner: none, edges: [none; 2], numbers: [EMPTY; WIDE] };

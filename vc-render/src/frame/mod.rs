@@ -54,7 +54,7 @@ pub struct Frame {
     /// Pixels down.
     pub height: usize,
     /// The modalities in this frame.
-    pub holds: Modalities,
+    pub modalities: Modalities,
     /// Colours in sRGB.
     pub rgb: Vec<[u8; 3]>,
     /// The exposure: factors by which light was multiplied to give these colours, linear RGB; zero without
@@ -117,7 +117,7 @@ impl Frame {
 
     /// Resizes the buffers.
     pub(crate) fn prepare(&mut self, width: usize, height: usize, wanted: Modalities, [next, last]: [bool; 2]) {
-        (self.width, self.height, self.holds) = (width, height, wanted);
+        (self.width, self.height, self.modalities) = (width, height, wanted);
         let pixels = width * height;
         let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
         self.rgb.resize(count(Modality::Rgb), [0; 3]);

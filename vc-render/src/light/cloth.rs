@@ -4,10 +4,10 @@ use super::Lighting;
 use super::room::Seen;
 use crate::bvh::Ray;
 use crate::math::{self, Affine, dot, scaled, three};
+use crate::ray_casting::SurfaceHit;
 use crate::scene::Store;
 use crate::scene::{Body, Instance};
 use crate::surface::{Pattern, Surface};
-use crate::trace::Met;
 
 /// Shares of light that pass a single face: of cloth, and of slats with gaps between them.
 const CLOTH: f32 = 0.4;
@@ -21,7 +21,7 @@ const FOLDS: usize = 16;
 const PLACES: usize = 8;
 
 /// The share of light that passes the face of a ray hit; zero except on covers that are drawn over an opening.
-pub(crate) fn through(met: &Met<'_>, surface: &Surface) -> f32 {
+pub(crate) fn through(met: &SurfaceHit<'_>, surface: &Surface) -> f32 {
     match surface.pattern {
         _ if !met.instance.covers() => 0.0,
         Pattern::Weave => CLOTH,
@@ -31,7 +31,7 @@ pub(crate) fn through(met: &Met<'_>, surface: &Surface) -> f32 {
 
 /// The shares of light from one side that a cover reflects and that it transmits, by colour: through its two
 /// faces, interreflection between them included.
-pub(crate) fn parted(met: &Met<'_>, surface: &Surface) -> [[f32; 3]; 2] {
+pub(crate) fn parted(met: &SurfaceHit<'_>, surface: &Surface) -> [[f32; 3]; 2] {
     let (share, colour) = (through(met, surface), met.appearance(surface, NEAR).colour);
     let (goes, back) = (colour.map(|c| share * c), colour.map(|c| (1.0 - share) * c));
     let out = three(|i| goes[i] * goes[i] / (1.0 - back[i] * back[i]).max(1e-3));
@@ -55,7 +55,7 @@ impl Lighting {
 
     /// Mean radiance through a cover, seen straight on from its room.
     fn comes(&self, store: &Store, body: &Body, number: u32) -> [f32; 3] {
-        let pose = Affine::of(&body.pose).narrow();
+        let pose = Affine::from_pose(&body.pose).narrow();
         let (along, ways) = (math::vector(&pose, [-1.0, 0.0, 0.0]), super::room::directions());
         let (centre, half) = (body.bounds.centre, body.bounds.half);
         let (mut sum, mut count) = ([0.0; 3], 0.0);
@@ -77,16 +77,22 @@ impl Lighting {
 
     /// The light seen on a cover that is drawn over an opening: the light it reflects, and the transmitted
     /// light from behind it, for which a single direction stands for all.
-    pub(super) fn past(&self, store: &Store, (cover, ray): (&Met<'_>, &Ray), about: [f32; 3], room: usize) -> Seen {
+    pub(super) fn past(
+        &self,
+        store: &Store,
+        (cover, ray): (&SurfaceHit<'_>, &Ray),
+        about: [f32; 3],
+        room: usize,
+    ) -> Seen {
         let surface = &store.surfaces[usize::from(cover.face.surface)];
-        let ([thrown, share], mean) = (parted(cover, surface), surface.thrown(&cover.instance.coat));
+        let ([thrown, share], mean) = (parted(cover, surface), surface.reflected(&cover.instance.coat));
         let own = self.seen(store, cover, room).behind(three(|i| thrown[i] / mean[i].max(1e-3)));
         let behind = self.outside(store, (cover, self.far_side(cover, ray)), about, room);
         Seen { direct: three(|i| own.direct[i] + share[i] * behind[i]), ..own }
     }
 
     /// A point just behind a cover that a ray passes.
-    fn far_side(&self, cover: &Met<'_>, ray: &Ray) -> [f32; 3] {
+    fn far_side(&self, cover: &SurfaceHit<'_>, ray: &Ray) -> [f32; 3] {
         let step = |at: [f32; 3]| three(|i| at[i] + 1e-3 * ray.along[i]);
         let mut at = step(cover.at);
         for _ in 0..FOLDS {
@@ -99,7 +105,13 @@ impl Lighting {
 
     /// Irradiance on the far side of a cover, over pi: the radiance along one direction or its opposite, taken
     /// as that of all directions; and the sun.
-    fn outside(&self, store: &Store, (cover, from): (&Met<'_>, [f32; 3]), about: [f32; 3], room: usize) -> [f32; 3] {
+    fn outside(
+        &self,
+        store: &Store,
+        (cover, from): (&SurfaceHit<'_>, [f32; 3]),
+        about: [f32; 3],
+        room: usize,
+    ) -> [f32; 3] {
         let away = dot(cover.flat, about);
         let along = if away < 0.0 { about } else { about.map(|v| -v) };
         let beyond = self.tracer.first(&Ray { from, along, end: 1e4 });

@@ -3,9 +3,9 @@
 use crate::bvh::Ray;
 use crate::colour::luminance;
 use crate::math::{self, basis, cosine_weighted, dot, low_discrepancy, scaled, three, unit};
+use crate::ray_casting::Tracer;
 use crate::scene::Store;
 use crate::surface::Role;
-use crate::trace::Tracer;
 
 /// Number of light paths that are traced.
 const WAYS: u32 = 512;
@@ -86,7 +86,7 @@ fn out(
         let Some(met) = met else { return Some((light, along, at)) };
         let met = met.facing(along.map(|v| -v));
         let surface = &store.surfaces[usize::from(met.face.surface)];
-        let thrown = surface.thrown(&met.instance.coat);
+        let thrown = surface.reflected(&met.instance.coat);
         (at, normal, light) = (met.at, met.flat, three(|i| light[i] * thrown[i]));
     }
     None

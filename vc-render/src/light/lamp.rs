@@ -6,9 +6,9 @@ use super::flux::{Leaving, leaving};
 use super::shadow::Cube;
 use crate::colour::luminance;
 use crate::math::{self, dot, scaled, three};
+use crate::ray_casting::Tracer;
 use crate::scene::Store;
 use crate::scene::{Body, Gives, Snapshot};
-use crate::trace::Tracer;
 
 /// Lumens in one unit of luminous flux.
 pub(super) const LUMENS: f32 = 5000.0;
@@ -62,7 +62,7 @@ pub(super) fn lamps(store: &Store, tracer: &Tracer, kept: &[Lamp]) -> Shining {
     let mut gains = vec![[0.0; 4]; snapshot.bodies.len()];
     let (mut found, mut screens) = (Vec::new(), Vec::new());
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
-        let glow = Glow::of(store, snapshot, body);
+        let glow = Glow::new(store, snapshot, body);
         let Some(target) = lumens(body, glow.area) else {
             gains[index] = [FAINT, 0.0, 0.0, 0.0];
             screens.push((index as u32, glow.most));
@@ -96,7 +96,7 @@ fn lumens(body: &Body, area: f32) -> Option<f32> {
 }
 
 impl Glow {
-    fn of(store: &Store, snapshot: &Snapshot, body: &Body) -> Self {
+    fn new(store: &Store, snapshot: &Snapshot, body: &Body) -> Self {
         let mut glow = Self { area: 0.0, most: 0.0, flux: [0.0; 3], middle: [0.0; 3], shade: 0.0 };
         for instance in &snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
             let mesh = &*instance.link.levels[0];

@@ -12,9 +12,9 @@ use super::{Daylight, extent::rooms, room};
 use crate::RenderError;
 use crate::colour::luminance;
 use crate::math::{dot, scaled, three};
+use crate::ray_casting::Tracer;
 use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
-use crate::trace::Tracer;
 
 /// The light in a scene at one moment: shadow maps of the sun and of the lamps that are on, and the indirect
 /// light in rooms. [`Renderer::light`](crate::Renderer::light) makes it; it serves any number of cameras and is cheap to clone. When

@@ -137,8 +137,8 @@ impl ShadowMap {
     /// unknown.
     #[inline(always)]
     fn far(&self, z: f32, [least, greatest]: [f32; 2]) -> f32 {
-        let told = if greatest < z - 4.0 * self.slack { 0.0 } else { UNKNOWN };
-        if least >= z - self.slack { 1.0 } else { told }
+        let decided = if greatest < z - 4.0 * self.slack { 0.0 } else { UNKNOWN };
+        if least >= z - self.slack { 1.0 } else { decided }
     }
 
     /// The share of light at a point where one lookup decides; otherwise unknown.
@@ -151,8 +151,8 @@ impl ShadowMap {
         let by = [all.x[i].floor() + 0.5 - all.x[i], all.y[i].floor() + 0.5 - all.y[i]];
         let limit = z + by[0] * all.slope[0][i] + by[1] * all.slope[1][i] - self.slack;
         let behind = if found < limit - 3.0 * self.slack { 0.0 } else { UNKNOWN };
-        let told = if found >= limit { 1.0 } else { behind };
-        if clear { told } else { UNKNOWN }
+        let decided = if found >= limit { 1.0 } else { behind };
+        if clear { decided } else { UNKNOWN }
     }
 
     /// Radius of a shadow's edge, texels, for a blocker at the given depth.

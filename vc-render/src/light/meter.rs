@@ -61,7 +61,7 @@ impl Lighting {
     pub(crate) fn metered(&self, patch: &Patch<'_>) -> Spot {
         let &Patch { surface, coat, body, at, normal, room } = patch;
         let (around, direct) = (self.around(at, normal, room), self.direct(at, normal, room, self.sunlight(room)));
-        let colour = surface.thrown(coat);
+        let colour = surface.reflected(coat);
         let falls = three(|i| colour[i] * (around[i] + direct[i]));
         let own = self.glow(surface, body);
         Spot { room, luminance: luminance(falls) * std::f32::consts::FRAC_1_PI + luminance(own) }

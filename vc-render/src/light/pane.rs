@@ -3,8 +3,8 @@
 
 use crate::bvh::Ray;
 use crate::math::{dot, three};
+use crate::ray_casting::{SurfaceHit, Tracer};
 use crate::scene::Store;
-use crate::trace::{Met, Tracer};
 
 /// Greatest number of pane sides that a ray passes.
 const SIDES: usize = 16;
@@ -31,14 +31,14 @@ pub(crate) fn passes(store: &Store, tracer: &Tracer, mut ray: Ray) -> [f32; 3] {
 
 /// Colour transmission at a hit on a clear surface: of one side of a solid pane, or of a sheet, which stands
 /// for both sides at once.
-pub(crate) fn tint(store: &Store, met: &Met<'_>) -> [f32; 3] {
+pub(crate) fn tint(store: &Store, met: &SurfaceHit<'_>) -> [f32; 3] {
     let surface = &store.surfaces[usize::from(met.face.surface)];
     let both = surface.colour.map(|c| c * surface.transmission);
     if met.face.sheet { both } else { both.map(f32::sqrt) }
 }
 
 /// The share of light that a pane does not reflect at a hit: by one of its sides, or by both sides of a sheet.
-pub(crate) fn straight(met: &Met<'_>, along: [f32; 3]) -> f32 {
+pub(crate) fn straight(met: &SurfaceHit<'_>, along: [f32; 3]) -> f32 {
     let one = 1.0 - fresnel(dot(along, met.flat).abs().min(1.0), INDEX).0;
     if met.face.sheet { one * one } else { one }
 }

@@ -12,9 +12,9 @@ use super::{Ambient, Daylight, Lighting};
 use crate::bvh::Ray;
 use crate::colour::luminance;
 use crate::math::{dot, three};
+use crate::ray_casting::SurfaceHit;
 use crate::scene::Store;
 use crate::scene::{Body, NO_ROOM, Stands};
-use crate::trace::Met;
 
 /// Number of rays from each point.
 const RAYS: usize = 256;
@@ -187,10 +187,10 @@ impl Seen {
 }
 
 impl Lighting {
-    pub(super) fn seen(&self, store: &Store, met: &Met<'_>, room: usize) -> Seen {
+    pub(super) fn seen(&self, store: &Store, met: &SurfaceHit<'_>, room: usize) -> Seen {
         let surface = &store.surfaces[usize::from(met.face.surface)];
         let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
-        let colour = surface.thrown(&met.instance.coat);
+        let colour = surface.reflected(&met.instance.coat);
         let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
         let glow = || {
             let (glow, shine) = (self.glow(surface, met.instance.body), met.shine(surface, FAR));
@@ -223,14 +223,14 @@ impl Lighting {
     }
 
     /// The light that comes around a closed door leaf from the room behind it.
-    fn gaps(&self, body: &Body, met: &Met<'_>, into: u16) -> Option<Thrown> {
+    fn gaps(&self, body: &Body, met: &SurfaceHit<'_>, into: u16) -> Option<Thrown> {
         let back = met.flat.map(|v| -v);
         let from = (body.stands == Stands::Between).then(|| self.room_of(body, met.instance, met.at, back))?;
         (from != into).then(|| (three(|i| met.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
     }
 
     /// The share of sunlight that panes let through to a surface.
-    fn panes(&self, store: &Store, met: &Met<'_>) -> f32 {
+    fn panes(&self, store: &Store, met: &SurfaceHit<'_>) -> f32 {
         self.panes_from(store, three(|i| met.at[i] + 1e-3 * met.flat[i]))
     }
 

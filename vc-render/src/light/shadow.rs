@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::camera::Camera;
 use crate::math::{Narrow, three};
-use crate::raster::{Drawing, Frustum, Layers, Target};
+use crate::rasterization::{Drawing, Frustum, Layers, Target};
 use crate::scene::Store;
 use crate::scene::{Instance, Snapshot};
 

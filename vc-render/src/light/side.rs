@@ -3,7 +3,7 @@
 use super::Lighting;
 use crate::bvh::Ray;
 use crate::math::{self, dot, three, unit};
-use crate::raster::Visible;
+use crate::rasterization::Visible;
 use crate::scene::{Body, Instance, NO_ROOM, Snapshot, Stands};
 
 /// Distance from the surface of a door or wall to a point that is in the room before it, metres.

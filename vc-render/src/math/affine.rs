@@ -26,7 +26,7 @@ impl Affine {
     }
 
     /// The map of a pose alone.
-    pub(crate) fn of(pose: &Isometry3<f32>) -> Self {
+    pub(crate) fn from_pose(pose: &Isometry3<f32>) -> Self {
         Self::placed(pose, &Vector3::repeat(1.0))
     }
 

@@ -154,7 +154,7 @@ mod tests {
         for (camera, daylight) in common::cameras(76, 52).into_iter().zip([Daylight::noon(), Daylight::night()]) {
             let lighting = renderer.light(&snapshot, &daylight);
             let then = Camera { pose: camera.pose * nalgebra::Translation3::new(0.05, 0.0, 0.1), ..camera };
-            let shot = Shot::new(&snapshot, &camera, Modalities::of(Modality::ALL)).lit(&lighting);
+            let shot = Shot::new(&snapshot, &camera, Modalities::new(Modality::ALL)).lit(&lighting);
             let shot = shot.after(&next, &then).before(&next, &then);
             let mut frame = Frame::new();
             renderer.render(&shot, &mut frame).unwrap();

@@ -25,7 +25,7 @@ pub(super) struct Covers {
 }
 
 impl Covers {
-    pub(super) fn of(lighting: &Lighting) -> Self {
+    pub(super) fn new(lighting: &Lighting) -> Self {
         let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
         let mut covers = Self::default();
         for body in snapshot.bodies.iter().filter(|body| body.covers(&snapshot.instances)) {

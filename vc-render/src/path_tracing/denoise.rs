@@ -60,7 +60,7 @@ pub(super) struct Plane<'a> {
 }
 
 pub(super) fn denoised(pixels: &[Pixel], width: usize, eye: [f32; 3]) -> Vec<[f32; 3]> {
-    let plane = Plane::of(pixels, width, eye);
+    let plane = Plane::new(pixels, width, eye);
     let alone = plane.alone();
     let (mut light, mut lost) = (vec![[0.0; 3]; plane.traced.len()], vec![[0.0; 3]; plane.traced.len()]);
     for kind in SCATTERED {
@@ -93,7 +93,7 @@ impl Guide {
 }
 
 impl Soft {
-    fn of(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
+    fn new(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
         let ((light, variance), under) = (traced.light_of(kind), guide.under(kind).map(|v| v.max(1e-6)));
         let colour = luminance(under);
         // Pieces without glass in front reflect nothing, whatever is reflected beside them.
@@ -103,7 +103,7 @@ impl Soft {
 }
 
 impl<'a> Plane<'a> {
-    fn of(pixels: &'a [Pixel], width: usize, eye: [f32; 3]) -> Self {
+    fn new(pixels: &'a [Pixel], width: usize, eye: [f32; 3]) -> Self {
         let mut plane = Self { traced: vec![], guides: vec![], pixels: vec![], first: vec![0], width };
         for (pixel, number) in pixels.iter().zip(0..) {
             let paths = pixel.paths();
@@ -145,7 +145,7 @@ impl<'a> Plane<'a> {
 
     /// One kind of light, smoothed.
     fn smooth(&self, kind: Kind) -> Vec<Soft> {
-        let mut soft: Vec<Soft> = self.traced.iter().zip(&self.guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
+        let mut soft: Vec<Soft> = self.traced.iter().zip(&self.guides).map(|(t, g)| Soft::new(t, g, kind)).collect();
         // Few pictures show reflections in panes.
         if soft.iter().all(|soft| soft.light == [0.0; 3]) {
             return soft;

@@ -8,15 +8,15 @@ use super::spots::Way;
 use crate::bvh::Ray;
 use crate::colour::luminance;
 use crate::math::{basis, dot, three, unit};
+use crate::ray_casting::SurfaceHit;
 use crate::surface::Scatter;
-use crate::trace::Met;
 
 /// Angular radius of the sun, radians: a little larger than the real one, as haze makes it.
 const SUN: f32 = 0.008;
 
 /// A surface point at which a path gathers direct light.
 pub(super) struct Point<'a> {
-    pub(super) met: &'a Met<'a>,
+    pub(super) met: &'a SurfaceHit<'a>,
     pub(super) place: Place,
     pub(super) scatter: &'a Scatter,
 }
@@ -91,7 +91,7 @@ impl Paths<'_> {
             return [0.0; 3];
         }
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
-        let (value, chance) = self.thrown(point, towards);
+        let (value, chance) = self.reflected(point, towards);
         let weight = 1.0 / (lit.density * square / facing + chance);
         three(|i| value[i] * lit.light[i] * share[i] * weight)
     }
@@ -106,7 +106,7 @@ impl Paths<'_> {
         if facing <= 1e-3 {
             return [0.0; 3];
         }
-        let (value, chance) = self.thrown(point, towards);
+        let (value, chance) = self.reflected(point, towards);
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
         let sun: [f32; 3] = self.lighting.daylight.towards_sun.into();
         let thrown = Scatter::new(&spot.finish, spot.normal, towards.map(|v| -v)).evaluate(sun).0;
@@ -119,7 +119,7 @@ impl Paths<'_> {
     fn skylight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(pane) = self.lights.window(&point.place, which, square) else { return [0.0; 3] };
         let towards = unit(three(|i| pane[i] - point.met.at[i]));
-        let (value, chance) = self.thrown(point, towards);
+        let (value, chance) = self.reflected(point, towards);
         let way = self.reaches(point, towards, 1e4);
         if way.chance <= 0.0 {
             return [0.0; 3];

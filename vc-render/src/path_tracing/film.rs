@@ -22,7 +22,7 @@ pub(super) struct Pixel {
 
 impl Pixel {
     pub(super) fn add(&mut self, one: &Sample, eye: [f32; 3]) {
-        let place = Lie::of(one.normal, one.at, eye);
+        let place = Lie::new(one.normal, one.at, eye);
         let alike = |piece: &Traced| piece.lie(eye).like(&place);
         if self.first.count == 0.0 || alike(&self.first) > ALIKE {
             return self.first.add(one);
@@ -69,7 +69,7 @@ pub(super) struct Lie {
 }
 
 impl Lie {
-    fn of(normal: [f32; 3], at: [f32; 3], eye: [f32; 3]) -> Self {
+    fn new(normal: [f32; 3], at: [f32; 3], eye: [f32; 3]) -> Self {
         let to = three(|i| at[i] - eye[i]);
         let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
         let length = dot(normal, normal).sqrt();
@@ -153,6 +153,6 @@ impl Traced {
 
     /// Mean position and orientation of the first surface.
     pub(super) fn lie(&self, eye: [f32; 3]) -> Lie {
-        Lie::of(self.mean(self.sum.normal), self.mean(self.sum.at), eye)
+        Lie::new(self.mean(self.sum.normal), self.mean(self.sum.at), eye)
     }
 }

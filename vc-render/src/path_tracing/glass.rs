@@ -6,7 +6,7 @@ use crate::bvh::Ray;
 use crate::colour::luminance;
 use crate::light::{INDEX, fresnel, straight, tint};
 use crate::math::{dot, three, unit};
-use crate::trace::Met;
+use crate::ray_casting::SurfaceHit;
 
 /// Reflections of glass along a path: one of them, sampled by brightness, stands for all.
 #[derive(Clone, Copy, Default)]
@@ -42,7 +42,7 @@ pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
 
 impl Paths<'_> {
     /// Continues through glass or reflects off it.
-    pub(super) fn glass(&self, walk: &mut Walk, met: &Met<'_>, choice: f32) {
+    pub(super) fn glass(&self, walk: &mut Walk, met: &SurfaceHit<'_>, choice: f32) {
         // A sheet is entered and left in one hit.
         let bends = walk.surfaces == 0 && self.lights.bend(met.index) && !met.face.sheet;
         let normal = if bends { met.normal } else { met.flat };

@@ -7,8 +7,8 @@ use super::source::{Glowing, Lamp, Pane, Place, SMALL, Shown, Triangle, is_windo
 use crate::colour::luminance;
 use crate::light::Lighting;
 use crate::math::{self, dot, low_discrepancy};
+use crate::ray_casting::SurfaceHit;
 use crate::scene::Store;
-use crate::trace::Met;
 
 /// Lamps and panes of a scene.
 pub(super) struct Lights {
@@ -36,7 +36,7 @@ pub(super) struct Lit {
 }
 
 impl Lights {
-    pub(super) fn of(store: &Store, lighting: &Lighting) -> Self {
+    pub(super) fn new(store: &Store, lighting: &Lighting) -> Self {
         let snapshot = &lighting.tracer.snapshot;
         let by_body = vec![u32::MAX; snapshot.bodies.len()];
         let (bends, opens) = (vec![true; snapshot.instances.len()], vec![false; snapshot.instances.len()]);
@@ -179,7 +179,7 @@ impl Lights {
 
     /// The pane triangle of a hit, if it belongs to those sampled deliberately. A sheet has one sampled side,
     /// but rays may hit either.
-    pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
+    pub(super) fn window_of(&self, met: &SurfaceHit<'_>, room: u16) -> Option<Pane> {
         let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
         let picked = picked && self.opens.get(met.index as usize).is_some_and(|opens| *opens);
         picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })

@@ -167,7 +167,7 @@ impl ReferencePicture {
 
 /// Meters the light at pixels scattered over a picture, of opaque surfaces, including those seen through glass.
 fn metered<'a>(store: &'a Store, lighting: &'a Lighting, camera: &Camera) -> impl Iterator<Item = Spot> + 'a {
-    let (pose, eye) = (Affine::of(&camera.pose).narrow(), camera.eye().into());
+    let (pose, eye) = (Affine::from_pose(&camera.pose).narrow(), camera.eye().into());
     let rays: Vec<[f32; 3]> = camera.strewn().map(|[x, y]| math::vector(&pose, camera.ray(x, y).into())).collect();
     rays.into_iter().filter_map(move |ray| {
         let along = unit(ray);
@@ -193,9 +193,9 @@ pub(crate) fn traced(
     mut progress: impl FnMut(&RenderProgress<'_>) -> bool,
 ) -> ReferencePicture {
     let (width, height) = (camera.width as usize, camera.height as usize);
-    let lights = Lights::of(store, lighting);
-    let spots = Spots::of(store, lighting, &lights);
-    let covers = Covers::of(lighting);
+    let lights = Lights::new(store, lighting);
+    let spots = Spots::new(store, lighting, &lights);
+    let covers = Covers::new(lighting);
     let exposure = lighting.exposure(camera.eye().into(), metered(store, lighting, camera));
     let paths = Paths {
         store,

@@ -13,9 +13,9 @@ use crate::camera::Camera;
 use crate::colour::luminance;
 use crate::light::{Lighting, through};
 use crate::math::{self, Affine, dot, three, unit};
+use crate::ray_casting::SurfaceHit;
 use crate::scene::Store;
 use crate::surface::{Finish, Scatter, Surface};
-use crate::trace::Met;
 
 /// Greatest number of steps of a path, including those through glass.
 const STEPS: u32 = 128;
@@ -104,7 +104,7 @@ impl Paths<'_> {
     pub(super) fn path(&self, (x, y): (usize, usize), round: u32) -> Sample {
         let mut sampler = Sampler::new((x, y), round, self.how.seed);
         let [dx, dy] = sampler.pair();
-        let pose = Affine::of(&self.camera.pose).narrow();
+        let pose = Affine::from_pose(&self.camera.pose).narrow();
         let along = unit(math::vector(&pose, self.camera.ray(x as f32 + dx, y as f32 + dy).into()));
         let ray = Ray { from: self.camera.eye().into(), along, end: 1e4 };
         let mut walk = Walk::new(ray, self.most);
@@ -131,12 +131,12 @@ impl Paths<'_> {
         }
     }
 
-    pub(super) fn room(&self, met: &Met<'_>) -> u16 {
+    pub(super) fn room(&self, met: &SurfaceHit<'_>) -> u16 {
         spots::room(self.lighting, met)
     }
 
     /// Diameter over which a surface's texture is averaged, metres; textures seen directly are sharp.
-    fn footprint(&self, walk: &Walk, met: &Met<'_>) -> f32 {
+    fn footprint(&self, walk: &Walk, met: &SurfaceHit<'_>) -> f32 {
         let pixel = (met.t + walk.gone) / self.camera.focal.1;
         if walk.surfaces == 0 { pixel.min(0.002) } else { 0.002 }
     }
@@ -149,7 +149,7 @@ impl Paths<'_> {
     }
 
     /// Handles a surface hit: gathers light and chooses the next direction; false where the path ends.
-    fn surface(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface, sampler: &mut Sampler) -> bool {
+    fn surface(&self, walk: &mut Walk, met: &SurfaceHit<'_>, surface: &Surface, sampler: &mut Sampler) -> bool {
         let mut back = walk.ray.along.map(|v| -v);
         // Sheets have two sides in one place, either of which may be hit first. The inside of things is dark
         // anyway.
@@ -186,7 +186,7 @@ impl Paths<'_> {
     }
 
     /// Adds the emission of a surface.
-    fn glow(&self, walk: &mut Walk, met: &Met<'_>, surface: &Surface) {
+    fn glow(&self, walk: &mut Walk, met: &SurfaceHit<'_>, surface: &Surface) {
         let glow = self.lighting.glow(surface, met.instance.body);
         if glow != [0.0; 3] {
             let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
@@ -204,7 +204,7 @@ impl Paths<'_> {
     }
 
     /// Reflectance times the cosine towards a direction, and the density with which a path continues there.
-    pub(super) fn thrown(&self, point: &Point<'_>, towards: [f32; 3]) -> ([f32; 3], f32) {
+    pub(super) fn reflected(&self, point: &Point<'_>, towards: [f32; 3]) -> ([f32; 3], f32) {
         let (value, chance) = point.scatter.evaluate(towards);
         (value, self.covers.mixed(chance, &point.place, towards))
     }
@@ -216,7 +216,7 @@ impl Paths<'_> {
             false => None,
         };
         let towards = sent.unwrap_or_else(|| point.scatter.sample(sampler.one(), sampler.pair()));
-        let (value, chance) = self.thrown(point, towards);
+        let (value, chance) = self.reflected(point, towards);
         if chance <= 1e-7 || dot(met.flat, towards) <= 0.0 {
             return false;
         }
@@ -237,7 +237,7 @@ impl Paths<'_> {
 }
 
 /// A point slightly off a surface towards a direction, so that the ray does not hit it again.
-pub(super) fn off(met: &Met<'_>, towards: [f32; 3]) -> [f32; 3] {
+pub(super) fn off(met: &SurfaceHit<'_>, towards: [f32; 3]) -> [f32; 3] {
     let by = 2e-4_f32.copysign(dot(met.flat, towards)) * (1.0 + 0.2 * met.t.min(20.0));
     three(|i| met.at[i] + by * met.flat[i])
 }

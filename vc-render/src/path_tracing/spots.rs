@@ -9,9 +9,9 @@ use crate::bvh::Ray;
 use crate::colour::luminance;
 use crate::light::{Lighting, straight, tint};
 use crate::math::{dot, three};
+use crate::ray_casting::SurfaceHit;
 use crate::scene::Store;
 use crate::surface::Finish;
-use crate::trace::Met;
 
 /// Number of rays sent from panes.
 const RAYS: u32 = 1 << 16;
@@ -45,7 +45,7 @@ pub(super) struct Spot {
 }
 
 impl Spots {
-    pub(super) fn of(store: &Store, lighting: &Lighting, lights: &Lights) -> Self {
+    pub(super) fn new(store: &Store, lighting: &Lighting, lights: &Lights) -> Self {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
         if lighting.daylight.sun.norm_squared() == 0.0 {
             return Self::default();
@@ -169,6 +169,6 @@ impl Way {
     }
 }
 
-pub(super) fn room(lighting: &Lighting, met: &Met<'_>) -> u16 {
+pub(super) fn room(lighting: &Lighting, met: &SurfaceHit<'_>) -> u16 {
     lighting.tracer.snapshot.bodies[met.instance.body as usize].room
 }

@@ -5,10 +5,10 @@ use super::scratch::{Band, Scratch, halves};
 use crate::frame::{Frame, Strip};
 use crate::light::{Lighting, Patch, Spot};
 use crate::math::{self, dot, three, unit};
-use crate::raster::Visible;
+use crate::rasterization::Visible;
 use crate::scene::Snapshot;
-use crate::shade::{self, Shading};
-use crate::view::{Shot, View};
+use crate::shading::{self, Shading};
+use crate::shot::{Shot, View};
 
 impl Renderer {
     /// Shades the visible surfaces of all bands.
@@ -16,9 +16,9 @@ impl Renderer {
         let view = shot.view;
         let Scratch { bands, openness, smoother, .. } = scratch;
         let drawn = bands.in_use().iter().map(|band| (&band.layers, band.rows.clone()));
-        let open = (!shot.plain).then(|| shade::occlusion(view.camera, drawn, openness));
+        let open = (!shot.unshadowed).then(|| shading::occlusion(view.camera, drawn, openness));
         let exposure = lighting.exposure(view.camera.eye().into(), self.spots(lighting, view, bands.in_use()));
-        let exposure = shot.adapts.map_or(exposure, |adapts| adapts.towards(exposure));
+        let exposure = shot.adaptation.map_or(exposure, |adaptation| adaptation.towards(exposure));
         let shading = Shading { store: &self.store, lighting, view, open, exposure };
         shade_bands(&shading, Strip::whole(frame), bands.in_use_mut());
         frame.exposure = exposure;

@@ -3,11 +3,11 @@
 use super::Renderer;
 use super::scratch::{Band, Scratch, halves};
 use crate::frame::{Frame, Strip};
-use crate::label::{self, Other};
+use crate::labels::{self, Other};
 use crate::math::simd::widest;
 use crate::modality::Modality;
-use crate::raster::{Drawing, Frustum, Layers};
-use crate::view::{Shot, View};
+use crate::rasterization::{Drawing, Frustum, Layers};
+use crate::shot::{Shot, View};
 
 /// Modalities that are written run by run: neighbouring pixels of a row that show one instance.
 const RUNS: [Modality; 8] = [
@@ -26,17 +26,17 @@ impl Renderer {
     pub(super) fn labels(&self, shot: &Shot<'_>, frame: &mut Frame, scratch: &mut Scratch) {
         let View { snapshot, camera } = shot.view;
         let Scratch { bands, others, alone, tallies, .. } = scratch;
-        if shot.wanted.has(Modality::Occlusion) {
+        if shot.modalities.has(Modality::Occlusion) {
             self.others([shot.after, shot.before], others);
         }
         bands.prepare(count(camera.height));
         self.bands(shot, Strip::whole(frame), bands.in_use_mut(), others);
-        if [Modality::Boxes, Modality::Masks, Modality::Amodal].iter().any(|m| shot.wanted.has(*m)) {
+        if [Modality::Boxes, Modality::Masks, Modality::Amodal].iter().any(|m| shot.modalities.has(*m)) {
             let runs = bands.in_use().iter().flat_map(|band| &band.runs);
-            label::boxes(camera, snapshot, runs, tallies, frame);
+            labels::boxes(camera, snapshot, runs, tallies, frame);
         }
-        if shot.wanted.has(Modality::Amodal) {
-            label::amodal(camera, snapshot, self.store.detail, alone, frame);
+        if shot.modalities.has(Modality::Amodal) {
+            labels::amodal(camera, snapshot, self.store.detail, alone, frame);
         }
     }
 
@@ -51,7 +51,7 @@ impl Renderer {
 
     fn band(&self, shot: &Shot<'_>, mut strip: Strip<'_>, band: &mut Band, other: &[Other; 2]) {
         let View { snapshot, camera } = shot.view;
-        let wanted = shot.wanted;
+        let wanted = shot.modalities;
         // Colours need one more row, for the smoothing of edges.
         let rgb = wanted.has(Modality::Rgb);
         let last = if rgb { (strip.rows.end + 1).min(camera.height as i32) } else { strip.rows.end };
@@ -60,13 +60,13 @@ impl Renderer {
         self.draw(shot.view, rows, &mut band.layers, rgb);
         widest(
             #[inline(always)]
-            || label::depths(camera, &band.layers, &mut strip),
+            || labels::depths(camera, &band.layers, &mut strip),
         );
-        label::normals(camera, snapshot, &band.layers, &mut strip);
+        labels::normals(camera, snapshot, &band.layers, &mut strip);
         band.runs.clear();
         if RUNS.iter().any(|m| wanted.has(*m)) || wanted.has(Modality::Part) {
-            label::runs(&band.layers, strip.rows.clone(), &mut band.runs);
-            label::ids(snapshot, &band.layers, &band.runs, &mut strip);
+            labels::runs(&band.layers, strip.rows.clone(), &mut band.runs);
+            labels::ids(snapshot, &band.layers, &band.runs, &mut strip);
         }
         flow(shot, &mut strip, band, other);
     }
@@ -102,14 +102,14 @@ fn flow(shot: &Shot<'_>, strip: &mut Strip<'_>, band: &mut Band, other: &[Other;
     ];
     for ((then, modality, flow, occluded), other) in ways.into_iter().zip(other) {
         let Some(then) = then else { continue };
-        if shot.wanted.has(modality) {
+        if shot.modalities.has(modality) {
             widest(
                 #[inline(always)]
-                || label::flows(shot.view, then, seen, motion, (width, flow)),
+                || labels::flows(shot.view, then, seen, motion, (width, flow)),
             );
         }
-        if shot.wanted.has(Modality::Occlusion) {
-            label::hidden(shot.view, then, seen, (motion, faces, other), (width, occluded));
+        if shot.modalities.has(Modality::Occlusion) {
+            labels::hidden(shot.view, then, seen, (motion, faces, other), (width, occluded));
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::colour::shrink;
 use crate::frame::Frame;
 use crate::modality::Modality;
 use crate::scene::{Snapshot, Store};
-use crate::view::{Shot, View};
+use crate::shot::{Shot, View};
 
 /// Owns uploaded meshes and surface materials, and renders with them.
 ///
@@ -127,7 +127,7 @@ impl Renderer {
 
     /// Renders a shot into a frame. Modalities that are not requested cost nothing, and a frame that is reused
     /// for pictures of the same size allocates nothing. The renderer keeps its working memory for the next picture:
-    /// 8 bytes for each pixel and more for colours, and with [`Shot::finer`] a larger frame of colours, for as many
+    /// 8 bytes for each pixel and more for colours, and with [`Shot::supersampled`] a larger frame of colours, for as many
     /// pictures as were ever rendered at once.
     ///
     /// For 130,000 triangles at 640 by 480 pixels, labels, depth and flow took 3.2 to 4.7 ms on one core and
@@ -148,7 +148,7 @@ impl Renderer {
     /// [`RenderError::OtherScene`], [`RenderError::OtherRenderer`], [`RenderError::BadDaylight`]; the frame is
     /// then unchanged.
     pub fn render(&self, shot: &Shot<'_>, frame: &mut Frame) -> Result<(), RenderError> {
-        self.scratch.with(|scratch| match shot.finer > 1 && shot.wanted.has(Modality::Rgb) {
+        self.scratch.with(|scratch| match shot.supersampling > 1 && shot.modalities.has(Modality::Rgb) {
             true => self.render_finer(shot, frame, scratch),
             false => self.render_plain(shot, frame, scratch),
         })
@@ -159,9 +159,9 @@ impl Renderer {
         shot.check(&self.store)?;
         let camera = shot.view.camera;
         let moments = [shot.after, shot.before].map(|view| view.is_some());
-        frame.prepare(camera.width as usize, camera.height as usize, shot.wanted, moments);
+        frame.prepare(camera.width as usize, camera.height as usize, shot.modalities, moments);
         self.labels(shot, frame, scratch);
-        if let (true, Some(lighting)) = (shot.wanted.has(Modality::Rgb), shot.lighting) {
+        if let (true, Some(lighting)) = (shot.modalities.has(Modality::Rgb), shot.lighting) {
             self.colours(lighting, shot, frame, scratch);
         }
         Ok(())
@@ -170,17 +170,18 @@ impl Renderer {
     /// Renders labels at the shot's size and colours at a finer one, which are then shrunk.
     fn render_finer(&self, shot: &Shot<'_>, frame: &mut Frame, scratch: &mut Scratch) -> Result<(), RenderError> {
         let View { snapshot, camera } = shot.view;
-        let camera = camera.finer(shot.finer);
+        let camera = camera.finer(shot.supersampling);
         let view = View { snapshot, camera: &camera };
-        let colours = Shot { view, before: None, after: None, wanted: Modality::Rgb.into(), finer: 1, ..*shot };
+        let colours =
+            Shot { view, before: None, after: None, modalities: Modality::Rgb.into(), supersampling: 1, ..*shot };
         shot.check(&self.store)?;
         colours.check(&self.store)?;
-        let labels = Shot { wanted: shot.wanted.without(Modality::Rgb), finer: 1, ..*shot };
+        let labels = Shot { modalities: shot.modalities.without(Modality::Rgb), supersampling: 1, ..*shot };
         self.render_plain(&labels, frame, scratch)?;
         let mut fine = std::mem::take(&mut scratch.finer);
         self.render_plain(&colours, &mut fine, scratch)?;
-        shrink(&fine.rgb, shot.finer as usize, (frame.width, &mut frame.rgb));
-        frame.holds = shot.wanted;
+        shrink(&fine.rgb, shot.supersampling as usize, (frame.width, &mut frame.rgb));
+        frame.modalities = shot.modalities;
         frame.exposure = fine.exposure;
         scratch.finer = fine;
         Ok(())

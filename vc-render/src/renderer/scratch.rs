@@ -4,9 +4,9 @@ use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::frame::{Frame, Strip};
-use crate::label::{Faces, Motions, Other, Run, Tally};
-use crate::raster::Layers;
-use crate::shade::{self, Openness, Smoother};
+use crate::labels::{Faces, Motions, Other, Run, Tally};
+use crate::rasterization::Layers;
+use crate::shading::{self, Openness, Smoother};
 
 /// Working memory for one picture.
 #[derive(Default)]
@@ -31,7 +31,7 @@ pub(super) struct Band {
     pub(super) runs: Vec<Run>,
     pub(super) motion: Motions,
     pub(super) faces: Faces,
-    pub(super) shading: shade::Scratch,
+    pub(super) shading: shading::Scratch,
 }
 
 /// Bands of a picture, from the top; a picture of fewer bands leaves the memory of the others unused.
@@ -61,7 +61,7 @@ impl Bands {
 /// start.
 pub(super) fn halves<'a, 'b>(strip: Strip<'a>, bands: &'b mut [Band]) -> [(Strip<'a>, &'b mut [Band]); 2] {
     let middle = bands.len() / 2;
-    let rows = strip.rows.len() * middle / bands.len() / shade::ALIGNED * shade::ALIGNED;
+    let rows = strip.rows.len() * middle / bands.len() / shading::ALIGNED * shading::ALIGNED;
     let (upper, lower) = strip.split(rows as i32);
     let (first, last) = bands.split_at_mut(middle);
     [(upper, first), (lower, last)]

@@ -10,7 +10,7 @@ use crate::frame::Frame;
 use crate::math;
 use crate::modality::{Modality, NOTHING};
 use crate::scene::{Instance, Snapshot};
-use crate::view::Shot;
+use crate::shot::Shot;
 
 /// Height of the camera, and of the point it looks at, above the floor, metres.
 const EYE: f32 = Anthropometry::ADULT.view;

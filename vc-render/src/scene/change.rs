@@ -89,7 +89,7 @@ impl Snapshot {
         let moved = instances.iter().map(|i| motion(&i.link.joint?, i.joint));
         let moved: Vec<Option<(f32, Pose)>> = moved.collect();
         let placed = Affine::placed(&body.pose, &body.scale);
-        let sound = |(at, own): &(f32, Pose)| at.is_finite() && placed.after(&Affine::of(own)).is_finite();
+        let sound = |(at, own): &(f32, Pose)| at.is_finite() && placed.after(&Affine::from_pose(own)).is_finite();
         if !moved.iter().flatten().all(sound) {
             return Err(RenderError::BadPose(node));
         }

@@ -27,7 +27,7 @@ pub(crate) struct Classes {
 type Named = (Arc<str>, Arc<str>);
 
 impl Classes {
-    pub(crate) fn of(graph: &SceneGraph) -> Result<Self, RenderError> {
+    pub(crate) fn new(graph: &SceneGraph) -> Result<Self, RenderError> {
         let named = |c: &Class| (c.name.clone(), c.category.as_str().into());
         let known: Vec<Named> = graph.classes().iter().map(named).collect();
         if known.len() > usize::from(UNKNOWN) {

@@ -73,7 +73,7 @@ impl Store {
         if let Some(known) = self.untied.get(&key) {
             return known.clone();
         }
-        let made = Untied::of(asset).map(|Untied { cloth, index, hidden }| {
+        let made = Untied::new(asset).map(|Untied { cloth, index, hidden }| {
             let finish = self.surface(key.0, library, &cloth);
             let mut hanging = asset.as_ref().clone();
             hanging.parts[index] = cloth;
@@ -131,13 +131,13 @@ impl Store {
     }
 
     fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> Finish {
-        let role = Role::of(part);
+        let role = Role::from_part(part);
         let placed = matches!(&part.shape, Shape::Mesh { uvs, .. } if !uvs.is_empty());
         let key = (address, part.material, role, placed);
         let known = self.known_surfaces.get(&key).copied();
         let index = known.unwrap_or_else(|| {
             let material = library.material(part.material);
-            let made = material.map_or_else(Surface::plain, |m: &Material| Surface::of(m, role));
+            let made = material.map_or_else(Surface::plain, |m: &Material| Surface::new(m, role));
             let made = match material.and_then(|m| self.picture(address, library, m.texture?)) {
                 Some(picture) if placed => made.with(picture),
                 Some(picture) => made.tinted(&picture),

@@ -21,7 +21,7 @@ pub(crate) fn textured(
     normal: [f32; 3],
     footprint: f32,
 ) -> Appearance {
-    let tile = Tile::of(surface.pattern);
+    let tile = Tile::for_pattern(surface.pattern);
     let (u, v) = texture_axes(surface.pattern, (facing, grain));
     let touch = tile.at(tile.level(footprint), local[u], local[v]);
     let colour = three(|i| surface.colour[i] * touch.tint[i]);

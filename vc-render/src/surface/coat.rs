@@ -30,7 +30,7 @@ impl Coat {
     pub const NONE: Self = Self { colour: [0.0; 3], share: 0.0, roughness: 1.0 };
 
     /// The coat for a node's states: dirty, stained, dusty, cooked, sliced, frozen, wet.
-    pub fn of(node: &Node) -> Self {
+    pub fn from_node(node: &Node) -> Self {
         STATES.iter().find(|(state, _)| node.is(*state)).map_or(Self::NONE, |(_, coat)| *coat)
     }
 

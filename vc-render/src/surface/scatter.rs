@@ -25,7 +25,7 @@ pub(crate) struct Finish {
 
 impl Finish {
     /// Albedo: the share of diffuse light that is reflected in all directions, by colour.
-    pub(crate) fn thrown(&self) -> [f32; 3] {
+    pub(crate) fn reflected(&self) -> [f32; 3] {
         let (coat, means) = (self.coat(), albedo::mean_shares(self.roughness));
         let (matt, metal) = (1.0 - self.metallic, self.metallic);
         let again = metal * (1.0 / (means[0] + means[1]).max(0.05) - 1.0);
@@ -243,7 +243,7 @@ mod tests {
             let finish = Finish { colour: [share; 3], metallic, roughness };
             // Stratified by the square of the cosine, so that all strata count the same.
             let rows: Vec<f32> = (0..8).map(|i| thrown(&finish, ((i as f32 + 0.5) / 8.0).sqrt())[1]).collect();
-            let (mean, all) = (rows.iter().sum::<f32>() / 8.0, finish.thrown()[0]);
+            let (mean, all) = (rows.iter().sum::<f32>() / 8.0, finish.reflected()[0]);
             assert!(
                 (all - mean).abs() < 0.012,
                 "metallic {metallic}, roughness {roughness}, {share}: {all}, not {mean}"

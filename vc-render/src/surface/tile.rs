@@ -90,7 +90,7 @@ static TILES: LazyLock<Vec<Tile>> = LazyLock::new(|| {
 
 impl Tile {
     /// The tile of a pattern.
-    pub(crate) fn of(pattern: Pattern) -> &'static Self {
+    pub(crate) fn for_pattern(pattern: Pattern) -> &'static Self {
         &TILES[pattern as usize]
     }
 
@@ -289,7 +289,7 @@ mod tests {
     #[test]
     fn means_are_those_of_the_tiles() {
         for (pattern, (tint, roughness)) in Pattern::ALL.into_iter().zip(MEANS) {
-            let tile = Tile::of(pattern);
+            let tile = Tile::for_pattern(pattern);
             // Leaves out the repeated row and column.
             let rows = tile.levels[0].colours.chunks(tile.row(0)).take(tile.texels);
             let texels: Vec<Texel> = rows.flat_map(|row| &row[..tile.texels]).copied().collect();

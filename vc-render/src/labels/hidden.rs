@@ -6,9 +6,9 @@ use super::Run;
 use super::flow::{Motions, PART};
 use crate::math::simd::widest;
 use crate::math::{Narrow, volume};
-use crate::raster::{Frustum, Layers, NONE, Visible, refill};
+use crate::rasterization::{Frustum, Layers, NONE, Visible, refill};
 use crate::scene::Instance;
-use crate::view::View;
+use crate::shot::View;
 
 /// The visibility buffer of another moment, to tell what is hidden then.
 #[derive(Default)]

@@ -6,7 +6,7 @@ use vc_graph::asset::{Joint, Part, Shape};
 use vc_graph::class::Trait;
 use vc_graph::{Asset, ClassTable, Pose, Property};
 
-use super::reveal::extent;
+use super::flush::extent;
 
 /// The number of costly parts from which a hull pays off.
 const PARTS: usize = 2;
@@ -30,7 +30,7 @@ const ROUND: f32 = 0.08;
 
 /// Gives an asset of such a class one collision shape for all parts that move together, where that is simpler
 /// than the parts.
-pub(super) fn lump(class: &str, asset: &mut Asset, size: Vector3<f32>) {
+pub(super) fn simplify(class: &str, asset: &mut Asset, size: Vector3<f32>) {
     let flat = is_flat(class);
     let small = size.max() <= SMALL && asset.surfaces.is_empty();
     if !asset.collision.is_empty() {

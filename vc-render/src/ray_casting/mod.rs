@@ -5,4 +5,4 @@ mod layer;
 mod scene;
 
 pub use cast::{RayCaster, RayHit};
-pub(crate) use scene::{Met, Tracer};
+pub(crate) use scene::{SurfaceHit, Tracer};

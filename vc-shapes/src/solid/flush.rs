@@ -15,12 +15,12 @@ const TURNS: usize = 8;
 
 /// Sets back parts that would share a plane; returns the asset's extent. O(n²) in the parts, but
 /// almost every pair is decided by one test of two words.
-pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
+pub(super) fn set_back(asset: &mut Asset) -> Option<Corners> {
     let mut boxes: Vec<Around> = asset.parts.iter().map(Around::new).collect();
     let mut corners: Vec<Corners> = asset.parts.iter().zip(&boxes).map(|(p, b)| b.corners(p)).collect();
     let (low, high) = around(&corners)?;
     let hair = HAIR.min((high - low).min() * 0.25);
-    let cells = Cells::of((low, high), hair);
+    let cells = Cells::new((low, high), hair);
     let mut flat: Vec<(usize, u64)> = Vec::with_capacity(boxes.len());
     let mut near = Vec::new();
     for j in 0..asset.parts.len() {
@@ -36,7 +36,7 @@ pub(super) fn reveal(asset: &mut Asset) -> Option<Corners> {
             let still = near.iter().filter(|&&i| meet(&corners[i], &corners[j], hair));
             let flush = still.filter_map(|&i| boxes[j].flush(&boxes[i], hair * 0.75)).next();
             let Some((axis, high)) = flush else { break };
-            if !set_back(&mut asset.parts[j], axis, high, hair) {
+            if !set_back_side(&mut asset.parts[j], axis, high, hair) {
                 break;
             }
             boxes[j] = Around::new(&asset.parts[j]);
@@ -72,7 +72,7 @@ struct Cells {
 impl Cells {
     const COUNT: usize = 21;
 
-    fn of((low, high): Corners, hair: f32) -> Self {
+    fn new((low, high): Corners, hair: f32) -> Self {
         let density = (high - low).map(|length| Self::COUNT as f32 / length.max(f32::MIN_POSITIVE));
         Self { low, density, hair }
     }
@@ -153,7 +153,7 @@ impl Around {
 }
 
 /// Moves one side of a part inwards by `by`, unless the part is too thin for that.
-fn set_back(part: &mut Part, axis: usize, high: bool, by: f32) -> bool {
+fn set_back_side(part: &mut Part, axis: usize, high: bool, by: f32) -> bool {
     let (least, most) = part.shape.extent();
     let length = most[axis] - least[axis];
     if length < 4.0 * by {

@@ -7,15 +7,15 @@ mod first;
 use super::edge::{Lines, lines};
 use super::planes::{Row, gloss_of};
 use super::texture::Texture;
-use crate::label::Bent;
+use crate::labels::Bent;
 use crate::light::Lighting;
 use crate::math::simd::stretches;
 use crate::math::{self, Affine, Narrow, three};
-use crate::raster::{Frustum, Layers, NONE, Solid, Visible, refill};
+use crate::rasterization::{Frustum, Layers, NONE, Solid, Visible, refill};
 use crate::scene::Store;
 use crate::scene::{Instance, NO_ROOM};
+use crate::shot::View;
 use crate::surface::SPAN;
-use crate::view::View;
 
 /// Attributes that all pixels of an instance's surface share.
 #[derive(Debug, Clone, Copy)]

@@ -11,7 +11,7 @@ use crate::frame::{Box3, BoxLabel, Frame, PixelBox};
 use crate::math::{self, Affine, Narrow, volume};
 use crate::mesh::Mesh;
 use crate::modality::Modality;
-use crate::raster::{Frustum, refill};
+use crate::rasterization::{Frustum, refill};
 use crate::scene::{Body, Instance, Snapshot};
 
 /// The visible pixels of a body.
@@ -34,15 +34,15 @@ pub(crate) fn boxes<'a>(
     tallies: &mut Vec<Tally>,
     frame: &mut Frame,
 ) {
-    let Frame { boxes, visible_masks, width, height, holds, .. } = frame;
+    let Frame { boxes, visible_masks, width, height, modalities, .. } = frame;
     refill(tallies, UNSEEN, snapshot.bodies.len());
     let body = |run: &Run| snapshot.instances[run.instance as usize].body as usize;
     for run in runs.clone() {
         tallies[body(run)].add(run);
     }
     // Amodal boxes and masks need the labels, too.
-    let labelled = holds.has(Modality::Boxes) || holds.has(Modality::Amodal);
-    let masked = holds.has(Modality::Masks);
+    let labelled = modalities.has(Modality::Boxes) || modalities.has(Modality::Amodal);
+    let masked = modalities.has(Modality::Masks);
     if masked {
         visible_masks.begin(*width, *height);
     }

@@ -47,7 +47,7 @@ fn owners(snapshot: &Snapshot) -> Vec<(u32, bool)> {
 
 /// A hit of a ray, with its surface.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Met<'a> {
+pub(crate) struct SurfaceHit<'a> {
     pub(crate) t: f32,
     pub(crate) at: [f32; 3],
     pub(crate) instance: &'a Instance,
@@ -100,16 +100,16 @@ impl Tracer {
     }
 
     /// The first opaque hit of a ray.
-    pub(crate) fn first(&self, ray: &Ray) -> Option<Met<'_>> {
+    pub(crate) fn first(&self, ray: &Ray) -> Option<SurfaceHit<'_>> {
         layer::first([&self.solid], &self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
     /// The first hit of a ray, opaque or clear.
-    pub(crate) fn first_of_all(&self, ray: &Ray) -> Option<Met<'_>> {
+    pub(crate) fn first_of_all(&self, ray: &Ray) -> Option<SurfaceHit<'_>> {
         self.nearest(ray).map(|found| self.met(ray, &found))
     }
 
-    /// The first hit with its distance, normal (as in [`Met::flat`]), body and part only: this takes about a
+    /// The first hit with its distance, normal (as in [`SurfaceHit::flat`]), body and part only: this takes about a
     /// sixth less time.
     #[inline]
     pub(super) fn touched(&self, ray: &Ray) -> Option<Touched> {
@@ -124,7 +124,7 @@ impl Tracer {
     }
 
     /// The first clear hit of a ray.
-    pub(crate) fn first_clear(&self, ray: &Ray) -> Option<Met<'_>> {
+    pub(crate) fn first_clear(&self, ray: &Ray) -> Option<SurfaceHit<'_>> {
         layer::first([&self.clear], &self.snapshot.instances, ray).map(|found| self.met(ray, &found))
     }
 
@@ -133,7 +133,7 @@ impl Tracer {
         layer::any(&self.solid, &self.snapshot.instances, ray)
     }
 
-    fn met(&self, ray: &Ray, (hit, origin): &Found) -> Met<'_> {
+    fn met(&self, ray: &Ray, (hit, origin): &Found) -> SurfaceHit<'_> {
         let Origin { instance: index, triangle, .. } = *origin;
         let instance = &self.snapshot.instances[index as usize];
         let mesh = &*instance.link.levels[0];
@@ -146,7 +146,7 @@ impl Tracer {
         let normal = math::normal(&instance.inverse, normal);
         // If the corner normals cancel out, the triangle's normal is used.
         let length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-        Met {
+        SurfaceHit {
             t: hit.t,
             at: three(|i| ray.from[i] + hit.t * ray.along[i]),
             instance,
@@ -161,7 +161,7 @@ impl Tracer {
     }
 }
 
-impl Met<'_> {
+impl SurfaceHit<'_> {
     /// The hit as seen on the side that faces a direction.
     pub(crate) fn facing(&self, towards: [f32; 3]) -> Self {
         if crate::math::dot(self.flat, towards) >= 0.0 {

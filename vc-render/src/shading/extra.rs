@@ -6,14 +6,14 @@ use super::light::Lamps;
 use super::planes;
 use super::surfel::Known;
 use crate::bvh::Ray;
-use crate::label::bent;
+use crate::labels::bent;
 use crate::light::{Lighting, passes};
 use crate::math::simd::stretches;
 use crate::math::{dot, three, unit};
-use crate::raster::{Frustum, Layers, NONE};
+use crate::rasterization::{Frustum, Layers, NONE};
+use crate::ray_casting::SurfaceHit;
 use crate::scene::Store;
-use crate::trace::Met;
-use crate::view::View;
+use crate::shot::View;
 
 /// Number of pixels of a pane that share ambient light.
 const SHARED: usize = 8;
@@ -55,7 +55,7 @@ impl Extra<'_> {
         let lighting = self.lamps.lighting;
         let ray = Ray { from, along, end: 1e4 };
         let (light, end) = match lighting.tracer.first(&ray) {
-            Some(met) => (lighting.thrown(self.store, &met, 0.004), met.t),
+            Some(met) => (lighting.reflected(self.store, &met, 0.004), met.t),
             None => (lighting.daylight.radiance(along), ray.end),
         };
         let share = passes(self.store, &lighting.tracer, Ray { end, ..ray });
@@ -127,7 +127,7 @@ impl Extra<'_> {
 
 impl Lighting {
     /// Emitted and diffusely reflected light of a hit surface, without gloss.
-    pub(crate) fn thrown(&self, store: &Store, met: &Met<'_>, footprint: f32) -> [f32; 3] {
+    pub(crate) fn reflected(&self, store: &Store, met: &SurfaceHit<'_>, footprint: f32) -> [f32; 3] {
         let surface = &store.surfaces[usize::from(met.face.surface)];
         let room =
             self.room_of(&self.tracer.snapshot.bodies[met.instance.body as usize], met.instance, met.at, met.flat);

@@ -3,8 +3,8 @@
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
 use super::LIGHT;
-use crate::shade::planes::Cells;
-use crate::shade::surfel::BENT;
+use crate::shading::planes::Cells;
+use crate::shading::surfel::BENT;
 
 /// Greatest relative deviation of inverse depth from its neighbours' mean.
 const FLAT: f32 = 0.01;
@@ -13,7 +13,7 @@ const LONE: f32 = 0.05;
 /// Greatest relative difference between the light of two neighbours.
 const ALIKE: f32 = 0.10;
 /// Number of pixels interpolated together.
-pub(in crate::shade) const PART: usize = 32;
+pub(in crate::shading) const PART: usize = 32;
 
 /// Neighbouring pixels, from an offset on.
 #[derive(Clone, Copy)]

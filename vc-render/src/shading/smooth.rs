@@ -2,7 +2,7 @@
 
 use crate::colour::{decoded, encoded};
 use crate::math::three;
-use crate::raster::refill;
+use crate::rasterization::refill;
 
 /// An edge between two pixels of a picture.
 #[derive(Debug, Clone, Copy)]

@@ -77,13 +77,13 @@ pub struct Shot<'a> {
     /// The light, which colours need.
     pub lighting: Option<&'a Lighting>,
     /// The wanted modalities.
-    pub wanted: Modalities,
+    pub modalities: Modalities,
     /// Supersampling factor of colours: they are rendered this many times finer along each side, then shrunk.
-    pub finer: u32,
+    pub supersampling: u32,
     /// Whether to leave shadows and occlusion out of the colours.
-    pub plain: bool,
+    pub unshadowed: bool,
     /// The exposure that the camera is still adapted to, if it continues from another picture.
-    pub adapts: Option<Adaptation>,
+    pub adaptation: Option<Adaptation>,
 }
 
 /// Gradual adaptation of the exposure: a camera that comes from other light gets used to what it sees little by
@@ -102,12 +102,12 @@ pub struct Shot<'a> {
 /// # let snapshot = renderer.snapshot(&scene)?;
 /// let lighting = renderer.light(&snapshot, &Daylight::overcast());
 /// let cameras = Camera::with_fov(64, 48, 1.0).around(Point3::new(2.0, 0.0, 1.0), 3.0, 0.3, 8);
-/// let (mut frame, mut adapts) = (Frame::new(), None);
+/// let (mut frame, mut adaptation) = (Frame::new(), None);
 /// for camera in &cameras {
-///     let shot = Shot { adapts, ..Shot::new(&snapshot, camera, Modality::Rgb).lit(&lighting) };
+///     let shot = Shot { adaptation, ..Shot::new(&snapshot, camera, Modality::Rgb).lit(&lighting) };
 ///     renderer.render(&shot, &mut frame)?;
 /// // Twelve frames a second.
-///     adapts = Some(Adaptation::after(frame.exposure, 1.0 / 12.0));
+///     adaptation = Some(Adaptation::after(frame.exposure, 1.0 / 12.0));
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -158,17 +158,17 @@ impl Adaptation {
 
 impl<'a> Shot<'a> {
     /// A picture of one moment.
-    pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, wanted: impl Into<Modalities>) -> Self {
+    pub fn new(snapshot: &'a Snapshot, camera: &'a Camera, modalities: impl Into<Modalities>) -> Self {
         let view = View { snapshot, camera };
         Self {
             view,
             before: None,
             after: None,
             lighting: None,
-            wanted: wanted.into(),
-            finer: 1,
-            plain: false,
-            adapts: None,
+            modalities: modalities.into(),
+            supersampling: 1,
+            unshadowed: false,
+            adaptation: None,
         }
     }
 
@@ -194,22 +194,22 @@ impl<'a> Shot<'a> {
     /// thinner than a pixel, which otherwise break up into dashes, stay whole. Colours cost the square of
     /// `times` as much; labels stay as they are.
     #[must_use]
-    pub fn finer(self, times: u32) -> Self {
-        Self { finer: times.max(1), ..self }
+    pub fn supersampled(self, times: u32) -> Self {
+        Self { supersampling: times.max(1), ..self }
     }
 
     /// Leaves shadows and occlusion out of the colours, for learning from many pictures that need not look
     /// real. Indirect light stays; lamps light every surface that faces them in their rooms; the sun lights
     /// only surfaces that are in no room. Colours then take four fifths to nine tenths of the time.
     #[must_use]
-    pub fn plain(self) -> Self {
-        Self { plain: true, ..self }
+    pub fn unshadowed(self) -> Self {
+        Self { unshadowed: true, ..self }
     }
 
     /// The same shot by a camera that is still adapting to the light.
     #[must_use]
-    pub fn adapting(self, adapts: Adaptation) -> Self {
-        Self { adapts: Some(adapts), ..self }
+    pub fn with_adaptation(self, adaptation: Adaptation) -> Self {
+        Self { adaptation: Some(adaptation), ..self }
     }
 
     pub(crate) fn check(&self, store: &Store) -> Result<(), RenderError> {
@@ -223,7 +223,7 @@ impl<'a> Shot<'a> {
             other.camera.check()?;
             snapshot.with(what, other.snapshot)?;
         }
-        if let (Some(lighting), true) = (self.lighting, self.wanted.has(Modality::Rgb)) {
+        if let (Some(lighting), true) = (self.lighting, self.modalities.has(Modality::Rgb)) {
             lighting.check(store)?;
             snapshot.with("light", &lighting.tracer.snapshot)?;
         }
@@ -238,7 +238,7 @@ impl<'a> Shot<'a> {
                 self.before.is_some() || self.after.is_some(),
             ),
         ];
-        match needs.into_iter().find(|(modality, .., there)| self.wanted.has(*modality) && !there) {
+        match needs.into_iter().find(|(modality, .., there)| self.modalities.has(*modality) && !there) {
             Some((_, wanted, needs, _)) => Err(RenderError::Missing { wanted, needs }),
             None => Ok(()),
         }

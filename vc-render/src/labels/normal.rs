@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::frame::Strip;
 use crate::math::{self, Narrow, three, unit};
-use crate::raster::{Layers, Visible};
+use crate::rasterization::{Layers, Visible};
 use crate::scene::{Instance, Snapshot};
 
 /// Normals interpolated across a triangle in the image.
@@ -80,7 +80,7 @@ pub(crate) fn normals(camera: &Camera, snapshot: &Snapshot, layers: &Layers, str
     if strip.normal.is_empty() {
         return;
     }
-    let frustum = crate::raster::Frustum::new(camera, &strip.rows);
+    let frustum = crate::rasterization::Frustum::new(camera, &strip.rows);
     for y in strip.rows.clone() {
         let row = strip.row(y);
         let mut column = 0;

@@ -7,7 +7,7 @@
 use super::smooth::Edge;
 use super::surfel::{Known, Writer};
 use crate::math::three;
-use crate::raster::{NONE, Solid};
+use crate::rasterization::{NONE, Solid};
 
 /// Three lines in an image, as coefficients of x, y and one.
 pub(super) type Lines = [[f32; 3]; 3];

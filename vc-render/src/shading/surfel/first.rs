@@ -1,9 +1,9 @@
 //! Attributes derived for a triangle when it is first seen.
 
 use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
-use crate::label::{Bent, bent};
+use crate::labels::{Bent, bent};
 use crate::math;
-use crate::shade::texture::Texture;
+use crate::shading::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
 impl Paint {
@@ -45,7 +45,7 @@ impl Writer<'_> {
                 } else {
                     (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow())
                 };
-                Texture::tile(Tile::of(surface.pattern), (u, v), (&back, &axes))
+                Texture::tile(Tile::for_pattern(surface.pattern), (u, v), (&back, &axes))
             });
             known.looks[look as usize].paints[way] =
                 known.paint(triangle, Paint::new(number, (surface, &instance.coat), texture));

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use crate::camera::Camera;
 use crate::math::simd;
 use crate::math::simd::whole;
-use crate::raster::Layers;
+use crate::rasterization::Layers;
 
 /// Distance up to which things occlude ambient light, metres.
 const REACH: f32 = 0.45;

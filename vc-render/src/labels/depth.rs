@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::frame::Strip;
 use crate::math;
-use crate::raster::Layers;
+use crate::rasterization::Layers;
 
 /// Writes depth, distance and points, as far as they are requested.
 #[inline(always)]
@@ -35,7 +35,7 @@ fn distances(camera: &Camera, y: i32, inverse: &[f32], distance: &mut [f32]) {
 
 #[inline(always)]
 fn positions(camera: &Camera, y: i32, inverse: &[f32], position: &mut [[f32; 3]]) {
-    let map = math::Affine::of(&camera.pose).narrow();
+    let map = math::Affine::from_pose(&camera.pose).narrow();
     let down = (y as f32 + 0.5 - camera.centre.1) / camera.focal.1;
     for ((x, out), v) in (0_u32..).zip(position).zip(inverse) {
         let across = (x as f32 + 0.5 - camera.centre.0) / camera.focal.0;

@@ -33,9 +33,9 @@ use crate::colour;
 use crate::frame::Strip;
 use crate::light::Lighting;
 use crate::math::simd::widest;
-use crate::raster::Layers;
+use crate::rasterization::Layers;
 use crate::scene::Store;
-use crate::view::View;
+use crate::shot::View;
 
 /// Bands begin at multiples of this number of rows, so that light is computed at the same pixels however many
 /// bands there are.
@@ -234,7 +234,7 @@ impl Rows<'_> {
         let seen = &planes.0[row];
         widest(
             #[inline(always)]
-            || seen.thrown(linear),
+            || seen.reflected(linear),
         );
         let [r, g, b] = linear;
         let mut line = [r.as_mut_slice(), g.as_mut_slice(), b.as_mut_slice()];
@@ -256,7 +256,7 @@ impl Rows<'_> {
 impl Row {
     /// Light that surfaces reflect to the eye.
     #[inline(always)]
-    fn thrown(&self, out: &mut [Vec<f32>; 3]) {
+    fn reflected(&self, out: &mut [Vec<f32>; 3]) {
         for from in (0..self.width).step_by(PART) {
             let to = (from + PART).min(self.width);
             self.part(from..to, &self.leant(from..to), out.each_mut().map(|out| &mut out[from..to]));

@@ -2,9 +2,9 @@
 
 use super::Run;
 use crate::math::{Affine, Narrow};
-use crate::raster::{Frustum, Layers, NONE, refill};
+use crate::rasterization::{Frustum, Layers, NONE, refill};
 use crate::scene::Instance;
-use crate::view::View;
+use crate::shot::View;
 
 /// Motion of pixels for every instance, computed on first use.
 #[derive(Default)]

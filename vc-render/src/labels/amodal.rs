@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::frame::{Frame, PixelBox};
-use crate::raster::{Drawing, Frustum, Layers, NONE};
+use crate::rasterization::{Drawing, Frustum, Layers, NONE};
 use crate::scene::Snapshot;
 
 /// Draws every labelled body alone, and fills in its mask and visible fraction.

@@ -5,7 +5,7 @@ use vc_graph::NodeId;
 
 use crate::frame::Strip;
 use crate::modality::{NO_LABEL, NOTHING};
-use crate::raster::{Layers, NONE};
+use crate::rasterization::{Layers, NONE};
 use crate::scene::Snapshot;
 
 /// Neighbouring pixels of a row that show one instance.

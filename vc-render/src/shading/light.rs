@@ -12,7 +12,7 @@ use crate::colour::luminance;
 use crate::light::{Ambient, Lighting};
 use crate::math::simd::widest;
 use crate::math::{self, Affine, Narrow, dot, three, unit};
-use crate::raster::Solid;
+use crate::rasterization::Solid;
 
 /// Number of pixels shaded together.
 const BATCH: usize = 64;
@@ -96,7 +96,7 @@ impl Default for Batch {
 impl<'a> Lamps<'a> {
     pub(super) fn new(writer: &'a Writer<'a>, open: Option<&'a Openness>, solid: Solid<'a>) -> Self {
         let camera = writer.view.camera;
-        let pose: Narrow = Affine::of(&camera.pose).narrow();
+        let pose: Narrow = Affine::from_pose(&camera.pose).narrow();
         let turned = |v: [f32; 3]| math::vector(&pose, v);
         let (fx, fy) = (1.0 / camera.focal.0, 1.0 / camera.focal.1);
         let corner = [(0.5 - camera.centre.0) * fx, (0.5 - camera.centre.1) * fy, 1.0];
