@@ -75,11 +75,13 @@ mod glb;
 mod image;
 mod import;
 mod note;
+mod options;
 mod paint;
 mod stage;
 mod write;
 
 pub use error::GltfError;
 pub use export::{TOLERANCE, asset, asset_of_class, posed_scene, scene, staged_scene};
-pub use import::{ImportOptions, ImportedModel, ModelSize, read};
+pub use import::{ImportedModel, read};
+pub use options::{ImportOptions, ModelSize};
 pub use stage::{LightPlace, Stage, StageCamera, StageLight};

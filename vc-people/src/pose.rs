@@ -56,6 +56,7 @@ pub struct Activity {
 /// assert!(height(BodyPosture::Sitting(0.45)) < 1.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum BodyPosture {
     /// On its feet.
     Standing,

@@ -9,6 +9,7 @@ use crate::object::{Generator, Object, generators};
 
 /// One object of the catalogue.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Instance {
     /// The generator that made it.
     pub generator: &'static Generator,

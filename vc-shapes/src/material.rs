@@ -19,6 +19,7 @@ pub struct MaterialId(pub u32);
 
 /// The kind of a material; the materials of a family share everything but the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Family {
     /// Furniture wood and floor boards.
     Wood,

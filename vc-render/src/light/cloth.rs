@@ -21,9 +21,9 @@ const FOLDS: usize = 16;
 const PLACES: usize = 8;
 
 /// The share of light that passes the face of a ray hit; zero except on covers that are drawn over an opening.
-pub(crate) fn through(met: &SurfaceHit<'_>, surface: &Surface) -> f32 {
+pub(crate) fn through(hit: &SurfaceHit<'_>, surface: &Surface) -> f32 {
     match surface.pattern {
-        _ if !met.instance.covers() => 0.0,
+        _ if !hit.instance.covers() => 0.0,
         Pattern::Weave => CLOTH,
         _ => SLATS,
     }
@@ -31,8 +31,8 @@ pub(crate) fn through(met: &SurfaceHit<'_>, surface: &Surface) -> f32 {
 
 /// The shares of light from one side that a cover reflects and that it transmits, by colour: through its two
 /// faces, interreflection between them included.
-pub(crate) fn parted(met: &SurfaceHit<'_>, surface: &Surface) -> [[f32; 3]; 2] {
-    let (share, colour) = (through(met, surface), met.appearance(surface, NEAR).colour);
+pub(crate) fn parted(hit: &SurfaceHit<'_>, surface: &Surface) -> [[f32; 3]; 2] {
+    let (share, colour) = (through(hit, surface), hit.appearance(surface, NEAR).colour);
     let (goes, back) = (colour.map(|c| share * c), colour.map(|c| (1.0 - share) * c));
     let out = three(|i| goes[i] * goes[i] / (1.0 - back[i] * back[i]).max(1e-3));
     [three(|i| back[i] + out[i] * back[i]), out]
@@ -63,12 +63,12 @@ impl Lighting {
             let [y, z] = [index % PLACES, index / PLACES].map(|i| (2 * i + 1) as f32 / PLACES as f32 - 1.0);
             let from = [centre[0] + half[0] + 0.01, centre[1] + y * half[1], centre[2] + z * half[2]];
             let ray = Ray { from: math::point(&pose, from), along, end: 1e4 };
-            let met = self.tracer.first(&ray).filter(|met| met.instance.body == number && met.instance.covers());
-            let Some(met) = met.map(|met| met.facing(along.map(|v| -v))) else { continue };
-            let share = parted(&met, &store.surfaces[usize::from(met.face.surface)])[1];
+            let hit = self.tracer.first(&ray).filter(|hit| hit.instance.body == number && hit.instance.covers());
+            let Some(hit) = hit.map(|hit| hit.facing(along.map(|v| -v))) else { continue };
+            let share = parted(&hit, &store.surfaces[usize::from(hit.face.surface)])[1];
             let about = ways[index * super::room::STRIDE % ways.len()];
             let room = usize::from(body.room).min(self.rooms.len() - 1);
-            let behind = self.outside(store, (&met, self.far_side(&met, &ray)), about, room);
+            let behind = self.outside(store, (&hit, self.far_side(&hit, &ray)), about, room);
             sum = three(|i| sum[i] + share[i] * behind[i]);
             count += 1.0;
         }
@@ -96,9 +96,9 @@ impl Lighting {
         let step = |at: [f32; 3]| three(|i| at[i] + 1e-3 * ray.along[i]);
         let mut at = step(cover.at);
         for _ in 0..FOLDS {
-            let met = self.tracer.first(&Ray { from: at, ..*ray });
-            let Some(met) = met.filter(|met| met.instance.body == cover.instance.body) else { break };
-            at = step(met.at);
+            let hit = self.tracer.first(&Ray { from: at, ..*ray });
+            let Some(hit) = hit.filter(|hit| hit.instance.body == cover.instance.body) else { break };
+            at = step(hit.at);
         }
         at
     }
@@ -115,10 +115,10 @@ impl Lighting {
         let away = dot(cover.flat, about);
         let along = if away < 0.0 { about } else { about.map(|v| -v) };
         let beyond = self.tracer.first(&Ray { from, along, end: 1e4 });
-        let end = beyond.map_or(1e4, |met| met.t);
+        let end = beyond.map_or(1e4, |hit| hit.t);
         let panes = super::pane::passes(store, &self.tracer, Ray { from, along, end });
         let light = match beyond {
-            Some(met) if dot(met.flat, along) < 0.0 => self.seen(store, &met, room).direct,
+            Some(hit) if dot(hit.flat, along) < 0.0 => self.seen(store, &hit, room).direct,
             Some(_) => [0.0; 3],
             None => self.daylight.radiance(along),
         };

@@ -82,12 +82,12 @@ fn out(
         let [u, v, n] = basis(normal);
         let along = unit(three(|i| own[0] * u[i] + own[1] * v[i] + own[2] * n[i]));
         let ray = Ray { from: three(|i| at[i] + 1e-4 * normal[i]), along, end: 1e4 };
-        let met = tracer.first(&ray).filter(|met| met.instance.body == body);
-        let Some(met) = met else { return Some((light, along, at)) };
-        let met = met.facing(along.map(|v| -v));
-        let surface = &store.surfaces[usize::from(met.face.surface)];
-        let thrown = surface.reflected(&met.instance.coat);
-        (at, normal, light) = (met.at, met.flat, three(|i| light[i] * thrown[i]));
+        let hit = tracer.first(&ray).filter(|hit| hit.instance.body == body);
+        let Some(hit) = hit else { return Some((light, along, at)) };
+        let hit = hit.facing(along.map(|v| -v));
+        let surface = &store.surfaces[usize::from(hit.face.surface)];
+        let thrown = surface.reflected(&hit.instance.coat);
+        (at, normal, light) = (hit.at, hit.flat, three(|i| light[i] * thrown[i]));
     }
     None
 }

@@ -31,16 +31,16 @@ pub(crate) fn passes(store: &Store, tracer: &Tracer, mut ray: Ray) -> [f32; 3] {
 
 /// Colour transmission at a hit on a clear surface: of one side of a solid pane, or of a sheet, which stands
 /// for both sides at once.
-pub(crate) fn tint(store: &Store, met: &SurfaceHit<'_>) -> [f32; 3] {
-    let surface = &store.surfaces[usize::from(met.face.surface)];
+pub(crate) fn tint(store: &Store, hit: &SurfaceHit<'_>) -> [f32; 3] {
+    let surface = &store.surfaces[usize::from(hit.face.surface)];
     let both = surface.colour.map(|c| c * surface.transmission);
-    if met.face.sheet { both } else { both.map(f32::sqrt) }
+    if hit.face.sheet { both } else { both.map(f32::sqrt) }
 }
 
 /// The share of light that a pane does not reflect at a hit: by one of its sides, or by both sides of a sheet.
-pub(crate) fn straight(met: &SurfaceHit<'_>, along: [f32; 3]) -> f32 {
-    let one = 1.0 - fresnel(dot(along, met.flat).abs().min(1.0), INDEX).0;
-    if met.face.sheet { one * one } else { one }
+pub(crate) fn straight(hit: &SurfaceHit<'_>, along: [f32; 3]) -> f32 {
+    let one = 1.0 - fresnel(dot(along, hit.flat).abs().min(1.0), INDEX).0;
+    if hit.face.sheet { one * one } else { one }
 }
 
 /// Fresnel reflectance and the cosine beyond the interface, where light enters a medium with `denser` times the

@@ -135,7 +135,7 @@ fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec
     let tracer = &lighting.tracer;
     let over = |(g, i): &(usize, usize)| {
         let down = Ray { from: grids[*g].place(*i), along: [0.0, 0.0, -1.0], end: 1e4 };
-        let below = tracer.first(&down).map(|met| tracer.snapshot.bodies[met.instance.body as usize].room);
+        let below = tracer.first(&down).map(|hit| tracer.snapshot.bodies[hit.instance.body as usize].room);
         below.is_some_and(|room| usize::from(room) == *g)
     };
     let over: Vec<bool> = places.par_iter().map(over).collect();
@@ -151,20 +151,20 @@ fn look(store: &Store, lighting: &Lighting, room: usize, from: [f32; 3], directi
     let mut behind = 0;
     let mut seen = Vec::with_capacity(rays.len());
     for (index, ray) in rays.iter().enumerate() {
-        let met = tracer.first(ray);
-        if let Some(cover) = met.as_ref().filter(|met| met.instance.covers()) {
+        let hit = tracer.first(ray);
+        if let Some(cover) = hit.as_ref().filter(|hit| hit.instance.covers()) {
             let (cover, other) = (cover.facing(ray.along.map(|v| -v)), directions[index * STRIDE % directions.len()]);
             seen.push(lighting.past(store, (&cover, ray), other, room));
             continue;
         }
-        let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
+        let inside = hit.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
         behind += usize::from(inside);
         let share = || {
-            let end = met.as_ref().map_or(ray.end, |met| met.t);
+            let end = hit.as_ref().map_or(ray.end, |hit| hit.t);
             super::pane::passes(store, tracer, Ray { end, ..*ray })
         };
-        seen.push(match met {
-            Some(met) if !inside => lighting.seen(store, &met, room).behind(share()),
+        seen.push(match hit {
+            Some(hit) if !inside => lighting.seen(store, &hit, room).behind(share()),
             Some(_) => Seen::only([0.0; 3]),
             None => Seen::only(lighting.daylight.radiance(ray.along)).behind(share()),
         });
@@ -187,28 +187,28 @@ impl Seen {
 }
 
 impl Lighting {
-    pub(super) fn seen(&self, store: &Store, met: &SurfaceHit<'_>, room: usize) -> Seen {
-        let surface = &store.surfaces[usize::from(met.face.surface)];
-        let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
-        let colour = surface.reflected(&met.instance.coat);
-        let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
+    pub(super) fn seen(&self, store: &Store, hit: &SurfaceHit<'_>, room: usize) -> Seen {
+        let surface = &store.surfaces[usize::from(hit.face.surface)];
+        let body = &self.tracer.snapshot.bodies[hit.instance.body as usize];
+        let colour = surface.reflected(&hit.instance.coat);
+        let lamp = self.lamps.iter().any(|l| l.body == hit.instance.body && usize::from(l.room) == room);
         let glow = || {
-            let (glow, shine) = (self.glow(surface, met.instance.body), met.shine(surface, FAR));
+            let (glow, shine) = (self.glow(surface, hit.instance.body), hit.shine(surface, FAR));
             three(|i| glow[i] * shine[i])
         };
         let own = if lamp { [0.0; 3] } else { glow() };
         // Shadow maps let a little light through at edges.
         let towards = || Ray {
-            from: three(|i| met.at[i] + 1e-3 * met.flat[i]),
+            from: three(|i| hit.at[i] + 1e-3 * hit.flat[i]),
             along: self.daylight.towards_sun.into(),
             end: 1e4,
         };
-        let lit = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
+        let lit = self.sunshine(hit.at, hit.normal).is_some_and(|lit| lit > 0.0);
         let sunny = lit && !self.tracer.blocked(&towards());
-        let sun = if sunny { self.panes(store, met) } else { 0.0 };
-        let into = self.room_of(body, met.instance, met.at, met.flat);
-        let direct = self.direct(met.at, met.normal, into, sun);
-        let gaps = self.gaps(body, met, into);
+        let sun = if sunny { self.panes(store, hit) } else { 0.0 };
+        let into = self.room_of(body, hit.instance, hit.at, hit.flat);
+        let direct = self.direct(hit.at, hit.normal, into, sun);
+        let gaps = self.gaps(body, hit, into);
         let past = gaps.map_or([0.0; 3], |(at, normal, share, room)| {
             let falls = self.direct(at, normal, room, 0.0);
             three(|i| share[i] * falls[i])
@@ -216,22 +216,22 @@ impl Lighting {
         let over = 1.0 / std::f32::consts::PI;
         Seen {
             direct: three(|i| own[i] + (colour[i] * direct[i] + past[i]) * over),
-            place: Some((met.at, met.normal, colour, into)),
+            place: Some((hit.at, hit.normal, colour, into)),
             gaps,
             sun,
         }
     }
 
     /// The light that comes around a closed door leaf from the room behind it.
-    fn gaps(&self, body: &Body, met: &SurfaceHit<'_>, into: u16) -> Option<Thrown> {
-        let back = met.flat.map(|v| -v);
-        let from = (body.stands == Stands::Between).then(|| self.room_of(body, met.instance, met.at, back))?;
-        (from != into).then(|| (three(|i| met.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
+    fn gaps(&self, body: &Body, hit: &SurfaceHit<'_>, into: u16) -> Option<Thrown> {
+        let back = hit.flat.map(|v| -v);
+        let from = (body.stands == Stands::Between).then(|| self.room_of(body, hit.instance, hit.at, back))?;
+        (from != into).then(|| (three(|i| hit.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
     }
 
     /// The share of sunlight that panes let through to a surface.
-    fn panes(&self, store: &Store, met: &SurfaceHit<'_>) -> f32 {
-        self.panes_from(store, three(|i| met.at[i] + 1e-3 * met.flat[i]))
+    fn panes(&self, store: &Store, hit: &SurfaceHit<'_>) -> f32 {
+        self.panes_from(store, three(|i| hit.at[i] + 1e-3 * hit.flat[i]))
     }
 
     /// The share of sunlight that panes let through to a point.

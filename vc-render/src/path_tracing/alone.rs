@@ -5,7 +5,7 @@
 use rayon::prelude::*;
 
 use super::denoise::Plane;
-use super::path::SCATTERED;
+use super::walk::SCATTERED;
 use crate::colour::luminance;
 use crate::math::three;
 

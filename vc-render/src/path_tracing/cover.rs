@@ -2,8 +2,8 @@
 //! there deliberately: a path continues in a direction sampled either by its surface or towards a cover, and is
 //! weighted by the combined density of both (one-sample multiple importance sampling, Veach 1997).
 
-use super::path::Walk;
 use super::source::{Pane, Place, Triangle};
+use super::walk::Walk;
 use crate::colour::luminance;
 use crate::light::Lighting;
 use crate::math;

@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use super::film::{Lie, Pixel, Traced};
-use super::path::{Kind, SCATTERED};
+use super::walk::{Kind, SCATTERED};
 use crate::colour::luminance;
 use crate::math::three;
 

@@ -1,10 +1,11 @@
 //! Direct light by next-event estimation: from the sun, from lamps, from the sky through panes, and from places
 //! lit by the sun.
 
-use super::path::{Kind, Paths, Walk, off};
+use super::path::{Paths, off};
 use super::sampler::Sampler;
 use super::source::Place;
 use super::spots::Way;
+use super::walk::{Kind, Walk};
 use crate::bvh::Ray;
 use crate::colour::luminance;
 use crate::math::{basis, dot, three, unit};
@@ -16,7 +17,7 @@ const SUN: f32 = 0.008;
 
 /// A surface point at which a path gathers direct light.
 pub(super) struct Point<'a> {
-    pub(super) met: &'a SurfaceHit<'a>,
+    pub(super) hit: &'a SurfaceHit<'a>,
     pub(super) place: Place,
     pub(super) scatter: &'a Scatter,
 }
@@ -27,7 +28,7 @@ impl Paths<'_> {
     pub(super) fn direct(&self, walk: &mut Walk, point: &Point<'_>, sampler: &mut Sampler) {
         let kinds = self.kinds(point);
         let all: f32 = kinds.iter().sum();
-        if walk.surfaces == 0 || point.met.instance.covers() {
+        if walk.surfaces == 0 || point.hit.instance.covers() {
             return (0..4).filter(|k| kinds[*k] > 0.0).for_each(|k| self.of_kind(walk, point, (k, 1.0), sampler));
         }
         let mut left = sampler.one() * all;
@@ -73,17 +74,17 @@ impl Paths<'_> {
         let way = self.reaches(point, towards, 1e4);
         let (value, _) = point.scatter.evaluate(towards);
         // The path may also have hit this surface by sampling it as a sunlit place.
-        let met = point.met;
-        let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
-        let crossed = if met.instance.covers() { 0 } else { way.crossed };
-        let density = self.spots.density(&walk.last, point.place.room, crossed, dot(met.flat, towards));
-        let weight = walk.weight(density * (met.t + walk.gone) * (met.t + walk.gone) / facing);
+        let hit = point.hit;
+        let facing = -dot(hit.flat, walk.ray.along).min(-1e-4);
+        let crossed = if hit.instance.covers() { 0 } else { way.crossed };
+        let density = self.spots.density(&walk.last, point.place.room, crossed, dot(hit.flat, towards));
+        let weight = walk.weight(density * (hit.t + walk.gone) * (hit.t + walk.gone) / facing);
         three(|i| value[i] * daylight.sun[i] * way.share[i] * weight)
     }
 
     fn lamplight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(lit) = self.lights.lit(&point.place, which, square) else { return [0.0; 3] };
-        let to = three(|i| lit.at[i] - point.met.at[i]);
+        let to = three(|i| lit.at[i] - point.hit.at[i]);
         let square = dot(to, to).max(1e-6);
         let towards = unit(to);
         let facing = -dot(lit.normal, towards);
@@ -99,7 +100,7 @@ impl Paths<'_> {
     /// Sunlight reflected by another place towards the point.
     fn spotlight(&self, point: &Point<'_>, which: f32) -> [f32; 3] {
         let Some(spot) = self.spots.pick(point.place.room, which) else { return [0.0; 3] };
-        let to = three(|i| spot.at[i] - point.met.at[i]);
+        let to = three(|i| spot.at[i] - point.hit.at[i]);
         let square = dot(to, to).max(1e-6);
         let towards = unit(to);
         let facing = -dot(spot.flat, towards);
@@ -118,7 +119,7 @@ impl Paths<'_> {
     /// Light of the sky through a pane.
     fn skylight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(pane) = self.lights.window(&point.place, which, square) else { return [0.0; 3] };
-        let towards = unit(three(|i| pane[i] - point.met.at[i]));
+        let towards = unit(three(|i| pane[i] - point.hit.at[i]));
         let (value, chance) = self.reflected(point, towards);
         let way = self.reaches(point, towards, 1e4);
         if way.chance <= 0.0 {
@@ -131,8 +132,8 @@ impl Paths<'_> {
 
     /// Traces light from a direction to a point; solid things block it.
     fn reaches(&self, point: &Point<'_>, towards: [f32; 3], end: f32) -> Way {
-        let ray = Ray { from: off(point.met, towards), along: towards, end };
-        if dot(point.met.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
+        let ray = Ray { from: off(point.hit, towards), along: towards, end };
+        if dot(point.hit.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
             return Way { share: [0.0; 3], chance: 0.0, crossed: 0 };
         }
         Way::through(self.store, self.lighting, self.lights, ray, Some(&point.place))

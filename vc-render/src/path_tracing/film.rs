@@ -1,6 +1,6 @@
 //! The film: the accumulated results of all paths of a picture.
 
-use super::path::{KINDS, Kind, Sample};
+use super::walk::{KINDS, Kind, Sample};
 use crate::colour::luminance;
 use crate::math::{dot, three};
 

@@ -179,10 +179,10 @@ impl Lights {
 
     /// The pane triangle of a hit, if it belongs to those sampled deliberately. A sheet has one sampled side,
     /// but rays may hit either.
-    pub(super) fn window_of(&self, met: &SurfaceHit<'_>, room: u16) -> Option<Pane> {
-        let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
-        let picked = picked && self.opens.get(met.index as usize).is_some_and(|opens| *opens);
-        picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })
+    pub(super) fn window_of(&self, hit: &SurfaceHit<'_>, room: u16) -> Option<Pane> {
+        let picked = if hit.face.sheet { hit.area >= SMALL } else { is_window(hit.area, hit.flat) };
+        let picked = picked && self.opens.get(hit.index as usize).is_some_and(|opens| *opens);
+        picked.then(|| Pane { room, triangle: Triangle::new(hit.corners()) })
     }
 
     /// The probability density over solid angle with which a path from a point through a pane is sampled, given

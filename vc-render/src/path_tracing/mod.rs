@@ -18,6 +18,7 @@ mod path;
 mod sampler;
 mod source;
 mod spots;
+mod walk;
 
 use rayon::prelude::*;
 
@@ -104,6 +105,7 @@ impl Default for PathTracing {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ReferencePicture {
     /// Pixels across.
     pub width: usize,
@@ -171,14 +173,14 @@ fn metered<'a>(store: &'a Store, lighting: &'a Lighting, camera: &Camera) -> imp
     let rays: Vec<[f32; 3]> = camera.strewn().map(|[x, y]| math::vector(&pose, camera.ray(x, y).into())).collect();
     rays.into_iter().filter_map(move |ray| {
         let along = unit(ray);
-        let met = lighting.tracer.first(&Ray { from: eye, along, end: 1e4 })?.facing(along.map(|v| -v));
+        let hit = lighting.tracer.first(&Ray { from: eye, along, end: 1e4 })?.facing(along.map(|v| -v));
         Some(lighting.metered(&Patch {
-            surface: &store.surfaces[usize::from(met.face.surface)],
-            coat: &met.instance.coat,
-            body: met.instance.body,
-            at: met.at,
-            normal: met.normal,
-            room: spots::room(lighting, &met),
+            surface: &store.surfaces[usize::from(hit.face.surface)],
+            coat: &hit.instance.coat,
+            body: hit.instance.body,
+            at: hit.at,
+            normal: hit.normal,
+            room: spots::room(lighting, &hit),
         }))
     })
 }

@@ -109,23 +109,23 @@ impl Spot {
     /// The place that the sun lights through a point of a pane; none if it is not in the sun.
     fn found(store: &Store, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
-        let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
-        let surface = &store.surfaces[usize::from(met.face.surface)];
-        let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
+        let hit = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
+        let surface = &store.surfaces[usize::from(hit.face.surface)];
+        let ray = Ray { from: super::path::off(&hit, towards), along: towards, end: 1e4 };
         // A drawn cover transmits as much light as it reflects, so it is left to chance hits.
-        let other = surface.is_mirror() || met.instance.covers();
-        if dot(met.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
+        let other = surface.is_mirror() || hit.instance.covers();
+        if dot(hit.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
             return None;
         }
         let way = Way::through(store, lighting, lights, ray, None);
-        let look = met.appearance(surface, 0.002);
+        let look = hit.appearance(surface, 0.002);
         Some(Self {
-            at: met.at,
-            flat: met.flat,
+            at: hit.at,
+            flat: hit.flat,
             normal: look.normal,
             finish: Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness },
             light: three(|i| way.share[i] * lighting.daylight.sun[i]),
-            room: room(lighting, &met),
+            room: room(lighting, &hit),
             crossed: way.crossed,
         })
         .filter(|s| s.crossed > 0)
@@ -169,6 +169,6 @@ impl Way {
     }
 }
 
-pub(super) fn room(lighting: &Lighting, met: &SurfaceHit<'_>) -> u16 {
-    lighting.tracer.snapshot.bodies[met.instance.body as usize].room
+pub(super) fn room(lighting: &Lighting, hit: &SurfaceHit<'_>) -> u16 {
+    lighting.tracer.snapshot.bodies[hit.instance.body as usize].room
 }

@@ -273,33 +273,6 @@ impl Run<'_> {
     }
 }
 
-impl Visible {
-    /// Bits of the triangle's number; the level of detail is stored above.
-    const BITS: u32 = 29;
-
-    pub(super) fn new(instance: u32, level: u8, triangle: u32) -> Self {
-        Self { instance, triangle: u32::from(level) << Self::BITS | triangle }
-    }
-
-    /// The mesh that the triangle belongs to.
-    #[inline(always)]
-    pub(crate) fn mesh(self, instances: &[Instance]) -> &Mesh {
-        &instances[self.instance as usize].link.levels[self.level() as usize]
-    }
-
-    /// Level of detail of its mesh.
-    #[inline(always)]
-    pub(crate) fn level(self) -> u32 {
-        self.triangle >> Self::BITS
-    }
-
-    /// Index of the triangle in the mesh.
-    #[inline(always)]
-    pub(crate) fn index(self) -> usize {
-        (self.triangle & ((1 << Self::BITS) - 1)) as usize
-    }
-}
-
 impl Drawing<'_> {
     /// The coarsest level of detail with an allowed screen-space error.
     #[inline(always)]

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+use crate::mesh::Mesh;
+use crate::scene::Instance;
+
 /// Triangle of an empty pixel.
 pub(crate) const NONE: u32 = u32::MAX;
 
@@ -17,6 +20,33 @@ pub(crate) struct Visible {
     pub(crate) instance: u32,
     /// Level of detail and index in the mesh.
     pub(super) triangle: u32,
+}
+
+impl Visible {
+    /// Bits of the triangle's number; the level of detail is stored above.
+    const BITS: u32 = 29;
+
+    pub(super) fn new(instance: u32, level: u8, triangle: u32) -> Self {
+        Self { instance, triangle: u32::from(level) << Self::BITS | triangle }
+    }
+
+    /// The mesh that the triangle belongs to.
+    #[inline(always)]
+    pub(crate) fn mesh(self, instances: &[Instance]) -> &Mesh {
+        &instances[self.instance as usize].link.levels[self.level() as usize]
+    }
+
+    /// Level of detail of its mesh.
+    #[inline(always)]
+    pub(crate) fn level(self) -> u32 {
+        self.triangle >> Self::BITS
+    }
+
+    /// Index of the triangle in the mesh.
+    #[inline(always)]
+    pub(crate) fn index(self) -> usize {
+        (self.triangle & ((1 << Self::BITS) - 1)) as usize
+    }
 }
 
 /// Inverse depth and triangle of every pixel of a band of rows.

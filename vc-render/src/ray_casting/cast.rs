@@ -40,6 +40,7 @@ pub struct RayCaster {
 
 /// The first hit of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RayHit {
     /// Distance from the ray's start, metres.
     pub distance: f32,

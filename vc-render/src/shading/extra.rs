@@ -55,7 +55,7 @@ impl Extra<'_> {
         let lighting = self.lamps.lighting;
         let ray = Ray { from, along, end: 1e4 };
         let (light, end) = match lighting.tracer.first(&ray) {
-            Some(met) => (lighting.reflected(self.store, &met, 0.004), met.t),
+            Some(hit) => (lighting.reflected(self.store, &hit, 0.004), hit.t),
             None => (lighting.daylight.radiance(along), ray.end),
         };
         let share = passes(self.store, &lighting.tracer, Ray { end, ..ray });
@@ -127,16 +127,16 @@ impl Extra<'_> {
 
 impl Lighting {
     /// Emitted and diffusely reflected light of a hit surface, without gloss.
-    pub(crate) fn reflected(&self, store: &Store, met: &SurfaceHit<'_>, footprint: f32) -> [f32; 3] {
-        let surface = &store.surfaces[usize::from(met.face.surface)];
+    pub(crate) fn reflected(&self, store: &Store, hit: &SurfaceHit<'_>, footprint: f32) -> [f32; 3] {
+        let surface = &store.surfaces[usize::from(hit.face.surface)];
         let room =
-            self.room_of(&self.tracer.snapshot.bodies[met.instance.body as usize], met.instance, met.at, met.flat);
-        let look = met.appearance(surface, footprint);
-        let falling = self.around(met.at, look.normal, room);
-        let direct = self.direct(met.at, look.normal, room, self.sunlight(room));
-        let shine = met.shine(surface, footprint);
-        let glow = self.glow(surface, met.instance.body);
-        let behind = self.through(surface, met.instance).unwrap_or_default();
+            self.room_of(&self.tracer.snapshot.bodies[hit.instance.body as usize], hit.instance, hit.at, hit.flat);
+        let look = hit.appearance(surface, footprint);
+        let falling = self.around(hit.at, look.normal, room);
+        let direct = self.direct(hit.at, look.normal, room, self.sunlight(room));
+        let shine = hit.shine(surface, footprint);
+        let glow = self.glow(surface, hit.instance.body);
+        let behind = self.through(surface, hit.instance).unwrap_or_default();
         let over = 1.0 / std::f32::consts::PI;
         three(|i| glow[i] * shine[i] + look.colour[i] * over * (falling[i] + direct[i] + behind[i]))
     }

@@ -7,6 +7,7 @@ mod matter;
 mod mean;
 mod noise;
 mod pattern;
+mod pattern_mean;
 mod picture;
 mod scatter;
 mod tile;
@@ -94,7 +95,7 @@ impl Surface {
 
     /// Mean reflectance for diffuse light, by colour, under a coat; the gloss reflects white.
     pub(crate) fn reflected(&self, coat: &Coat) -> [f32; 3] {
-        let (tint, roughness) = tile::mean_of(self.pattern);
+        let (tint, roughness) = pattern_mean::mean_of(self.pattern);
         let tint = self.picture.as_ref().map_or(tint, |picture| picture.mean());
         let colour = coat.over(three(|i| self.colour[i] * tint[i]));
         let roughness = coat.rough((self.roughness * roughness).clamp(0.02, 1.0));

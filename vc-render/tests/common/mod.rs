@@ -174,7 +174,11 @@ pub fn contents(frame: &Frame, of: Modality) -> Vec<u32> {
         }
         // The visible fraction belongs to amodal masks.
         Modality::Boxes => {
-            let text = |b: &BoxLabel| format!("{:?}", BoxLabel { visible_fraction: None, ..b.clone() }).into_bytes();
+            let text = |b: &BoxLabel| {
+                let mut label = b.clone();
+                label.visible_fraction = None;
+                format!("{label:?}").into_bytes()
+            };
             frame.boxes.iter().flat_map(text).map(u32::from).collect()
         }
         Modality::Masks => frame.masks().flat_map(|mask| pixels(&mask)).collect(),

@@ -63,6 +63,7 @@ pub struct Generator {
 
 /// The places where objects of a class belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Realm {
     /// Inside buildings.
     Indoor,
