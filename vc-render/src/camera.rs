@@ -93,6 +93,16 @@ impl Camera {
 
     /// The camera above a point, looking down, so that `span` metres of the ground
     /// fit from top to bottom.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_render::Camera;
+    /// // Six metres of the floor fit from top to bottom.
+    /// let camera = Camera::with_fov(320, 240, 1.0).overhead(Point3::origin(), 6.0);
+    /// let edge = camera.project(&Point3::new(3.0, 0.0, 0.0)).ok_or("behind the camera")?;
+    /// assert!(edge.y.abs() < 1e-2);
+    /// # Ok::<(), &str>(())
+    /// ```
     #[must_use]
     pub fn overhead(self, at: Point3<f32>, span: f32) -> Self {
         let up = span * self.focal.1 / self.height.max(1) as f32;
@@ -121,6 +131,16 @@ impl Camera {
 
     /// The point of the world at a place in the image (pixels) and a depth along the
     /// axis (metres).
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_render::Camera;
+    /// let camera = Camera::with_fov(320, 240, 1.0).looking(Point3::new(0.0, 0.0, 1.5), Point3::new(2.0, 1.0, 0.5));
+    /// let point = Point3::new(2.5, 0.7, 0.9);
+    /// let seen = camera.project(&point).ok_or("behind the camera")?;
+    /// assert!((camera.unproject(seen.x, seen.y, seen.z) - point).norm() < 1e-4);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn unproject(&self, across: f32, down: f32, depth: f32) -> Point3<f32> {
         self.pose * Point3::from(self.ray(across, down) * depth)
     }

@@ -112,6 +112,12 @@ impl Modalities {
     }
 
     /// The set without one modality.
+    ///
+    /// ```
+    /// use vc_render::{Modalities, Modality};
+    /// let labels = Modalities::SIX.without(Modality::Rgb);
+    /// assert!(labels.has(Modality::Depth) && !labels.has(Modality::Rgb));
+    /// ```
     #[must_use]
     pub const fn without(self, one: Modality) -> Self {
         Self(self.0 & !one.bit())

@@ -164,7 +164,7 @@ impl Environment {
         let then =
             later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
         let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
-        let lighting = lighting.map(|light| if view.is_plan() { light.evened(EVEN) } else { light });
+        let lighting = lighting.map(|light| if view.is_plan() { light.equalized(EVEN) } else { light });
         let mut shot = Shot::new(&snapshot, &camera, wanted).supersampled(how.finer);
         (shot.lighting, shot.adaptation) = (lighting.as_ref(), how.adapts);
         if let Some((snapshot, camera)) = &then {
@@ -211,7 +211,7 @@ impl Environment {
             snapshot.fill(*id, contents.map(AsRef::as_ref))?;
         }
         for id in &base.covers {
-            snapshot.draw(*id, self.graph().node(*id).is_some_and(|n| n.is(State::Closed)))?;
+            snapshot.draw_cover(*id, self.graph().node(*id).is_some_and(|n| n.is(State::Closed)))?;
         }
         for id in &base.jointed {
             snapshot.articulate(*id, |joint| position(self.graph(), self.world(), *id, joint))?;

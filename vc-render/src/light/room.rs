@@ -70,9 +70,9 @@ pub(super) fn grids(store: &Store, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>)
     let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
     let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
     let within = within(lighting, &grids, &places);
-    let look = |(g, i): &(usize, usize)| look(store, lighting, *g, grids[*g].place(*i), &directions);
-    let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
-    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
+    let cast = |(g, i): &(usize, usize)| cast_rays(store, lighting, *g, grids[*g].place(*i), &directions);
+    let cast = |(place, within): (&_, &bool)| within.then(|| cast(place)).flatten();
+    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(cast).collect();
     let sunlight = sunlight(seen.iter().flatten().flatten(), grids.len());
     let mut sums = vec![[0.0; 2]; grids.len()];
     let mut before: Vec<Vec<Ambient>> = Vec::new();
@@ -145,7 +145,13 @@ fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec
 }
 
 /// Casts rays from a point; none if the point is inside of things.
-fn look(store: &Store, lighting: &Lighting, room: usize, from: [f32; 3], directions: &[[f32; 3]]) -> Option<Vec<Seen>> {
+fn cast_rays(
+    store: &Store,
+    lighting: &Lighting,
+    room: usize,
+    from: [f32; 3],
+    directions: &[[f32; 3]],
+) -> Option<Vec<Seen>> {
     let tracer = &lighting.tracer;
     let rays: Vec<Ray> = directions.iter().map(|along| Ray { from, along: *along, end: 1e4 }).collect();
     let mut behind = 0;

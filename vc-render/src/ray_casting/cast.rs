@@ -89,6 +89,27 @@ impl RayCaster {
     }
 
     /// Calls [`Self::first`] for many rays in parallel.
+    ///
+    /// ```
+    /// # use nalgebra::{Point3, Vector3};
+    /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// # let mut scene = SceneBuilder::new("flat");
+    /// # let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+    /// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+    /// # let scene = scene.build();
+    /// use vc_render::{RayCaster, Renderer};
+    /// let caster = RayCaster::new(&Renderer::new().snapshot(&scene)?);
+    /// // A planar lidar of 36 beams.
+    /// let beam = |i: usize| {
+    ///     let (sine, cosine) = (i as f32 / 36.0 * std::f32::consts::TAU).sin_cos();
+    ///     (Point3::new(0.0, 0.0, 1.0), Vector3::new(cosine, sine, 0.0))
+    /// };
+    /// let beams: Vec<_> = (0..36).map(beam).collect();
+    /// let hits = caster.first_of_each(&beams, 10.0);
+    /// assert!(hits[0].is_some_and(|hit| (hit.distance - 1.7).abs() < 1e-4) && hits[18].is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn first_of_each(&self, rays: &[(Point3<f32>, Vector3<f32>)], reach: f32) -> Vec<Option<RayHit>> {
         rays.par_iter().with_min_len(256).map(|(from, along)| self.first(from, along, reach)).collect()
     }

@@ -24,6 +24,24 @@ use crate::shot::{Shot, View};
 /// [`snapshot`](Self::snapshot) uploads meshes, once for each asset. Rendering takes `&self`, so many threads
 /// may share a renderer. It runs on the threads of the [rayon](https://docs.rs/rayon) pool it is called in, and
 /// its result does not depend on their number.
+///
+/// ```
+/// use nalgebra::{Point3, Vector3};
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// use vc_render::{Camera, Frame, Modality, Renderer, Shot};
+/// let mut scene = SceneBuilder::new("yard");
+/// let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+/// let fridge = scene.add(Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+///
+/// let mut renderer = Renderer::new();
+/// let snapshot = renderer.snapshot(&scene.build())?;
+/// let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+/// let mut frame = Frame::new();
+/// renderer.render(&Shot::new(&snapshot, &camera, Modality::Depth | Modality::Instance), &mut frame)?;
+/// assert_eq!(frame.instance[24 * 64 + 32], fridge);
+/// assert!((frame.depth[24 * 64 + 32] - 1.7).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Renderer {
     pub(crate) store: Store,

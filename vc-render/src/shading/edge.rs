@@ -26,15 +26,15 @@ const LANES: usize = 32;
 /// Colours of some pixels of a row, and of their neighbours.
 type Colours<'a> = [&'a [[u8; 3]]; 2];
 
-/// A bit mask of pixels whose look differs from their neighbour's, or that are curved and show another
+/// A bit mask of pixels whose group differs from their neighbour's, or that are curved and show another
 /// triangle.
 #[inline(always)]
-fn turns([here, there]: [&[u32; LANES]; 2], [look, looks]: [&[u32; LANES]; 2]) -> u32 {
+fn turns([here, there]: [&[u32; LANES]; 2], [group, groups]: [&[u32; LANES]; 2]) -> u32 {
     let mut all = 0;
     for i in 0..LANES {
         // All bits are set for curved surfaces.
-        let bent = (look[i] as i32 >> 31) as u32;
-        let turn = (look[i] ^ looks[i]) | (bent & (here[i] ^ there[i]));
+        let bent = (group[i] as i32 >> 31) as u32;
+        let turn = (group[i] ^ groups[i]) | (bent & (here[i] ^ there[i]));
         all |= u32::from(turn != 0) << i;
     }
     all
@@ -49,11 +49,11 @@ fn after<T>(list: &[T]) -> &[T] {
 impl Find<'_> {
     /// Finds edges between neighbouring pixels of a row.
     #[inline(always)]
-    pub(super) fn across(&self, looks: &[u32], y: i32, colours: &[[u8; 3]], known: &mut Known, edges: &mut Vec<Edge>) {
-        let (here, width) = (self.solid.triangle_row(y), looks.len() as u32);
+    pub(super) fn across(&self, groups: &[u32], y: i32, colours: &[[u8; 3]], known: &mut Known, edges: &mut Vec<Edge>) {
+        let (here, width) = (self.solid.triangle_row(y), groups.len() as u32);
         self.pairs(
             [here, after(here)],
-            [looks, after(looks)],
+            [groups, after(groups)],
             [colours, after(colours)],
             #[inline(always)]
             |x| {
@@ -69,17 +69,17 @@ impl Find<'_> {
     #[inline(always)]
     pub(super) fn down(
         &self,
-        looks: [&[u32]; 2],
+        groups: [&[u32]; 2],
         y: i32,
         colours: Colours<'_>,
         known: &mut Known,
         edges: &mut Vec<Edge>,
     ) {
-        let width = looks[0].len() as u32;
+        let width = groups[0].len() as u32;
         let (here, next) = (self.solid.triangle_row(y), self.solid.triangle_row(y + 1));
         self.pairs(
             [here, next],
-            looks,
+            groups,
             colours,
             #[inline(always)]
             |x| {
@@ -96,7 +96,7 @@ impl Find<'_> {
     fn pairs(
         &self,
         [here, there]: [&[u32]; 2],
-        [look, looks]: [&[u32]; 2],
+        [group, groups]: [&[u32]; 2],
         [own, beside]: Colours<'_>,
         mut edge: impl FnMut(usize),
     ) {
@@ -104,16 +104,16 @@ impl Find<'_> {
             let same = |k: usize| own[x][k].abs_diff(beside[x][k]) <= SAME;
             let seen = here[x] != there[x]
                 && !(same(0) && same(1) && same(2))
-                && !(look[x] == looks[x] && self.writer.smooth([here[x], there[x]]));
+                && !(group[x] == groups[x] && self.writer.smooth([here[x], there[x]]));
             if seen {
                 edge(x);
             }
         };
         let count = here.len().min(there.len());
-        let chunks = [here, there, look, looks].map(|list| list[..count].as_chunks::<LANES>().0.iter());
-        let [here, there, look, looks] = chunks;
-        for (part, ((here, there), (look, looks))) in here.zip(there).zip(look.zip(looks)).enumerate() {
-            let mut turns = turns([here, there], [look, looks]);
+        let chunks = [here, there, group, groups].map(|list| list[..count].as_chunks::<LANES>().0.iter());
+        let [here, there, group, groups] = chunks;
+        for (part, ((here, there), (group, groups))) in here.zip(there).zip(group.zip(groups)).enumerate() {
+            let mut turns = turns([here, there], [group, groups]);
             while turns != 0 {
                 look_at(part * LANES + turns.trailing_zeros() as usize);
                 turns &= turns - 1;

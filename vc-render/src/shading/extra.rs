@@ -37,8 +37,8 @@ impl Extra<'_> {
     /// Shades mirrors in a row of the image.
     pub(super) fn mirrors(&self, known: &mut Known, seen: &planes::Row, y: i32, row: &mut Row<'_>) {
         let inverse = self.lamps.solid.inverse_row(y);
-        for (x, look) in seen.looks().iter().enumerate() {
-            if known.look(*look).mirror {
+        for (x, group) in seen.groups().iter().enumerate() {
+            if known.group(*group).mirror {
                 let (at, towards) = self.place((x, y), inverse[x]);
                 let triangle = self.lamps.solid.triangle_row(y)[x];
                 let normal = unit(self.lamps.writer.normal(triangle, (x as f32 + 0.5, y as f32 + 0.5), known));
@@ -131,13 +131,13 @@ impl Lighting {
         let surface = &store.surfaces[usize::from(hit.face.surface)];
         let room =
             self.room_of(&self.tracer.snapshot.bodies[hit.instance.body as usize], hit.instance, hit.at, hit.flat);
-        let look = hit.appearance(surface, footprint);
-        let falling = self.around(hit.at, look.normal, room);
-        let direct = self.direct(hit.at, look.normal, room, self.sunlight(room));
+        let group = hit.appearance(surface, footprint);
+        let falling = self.around(hit.at, group.normal, room);
+        let direct = self.direct(hit.at, group.normal, room, self.sunlight(room));
         let shine = hit.shine(surface, footprint);
         let glow = self.glow(surface, hit.instance.body);
         let behind = self.through(surface, hit.instance).unwrap_or_default();
         let over = 1.0 / std::f32::consts::PI;
-        three(|i| glow[i] * shine[i] + look.colour[i] * over * (falling[i] + direct[i] + behind[i]))
+        three(|i| glow[i] * shine[i] + group.colour[i] * over * (falling[i] + direct[i] + behind[i]))
     }
 }

@@ -23,7 +23,7 @@ pub(super) use self::between::PART;
 pub(super) const LIGHT: usize = 6;
 /// Number of combs of a row, and the step between rows in which light is computed first.
 pub(super) const STEP: usize = 4;
-/// Look of pixels past a row's end.
+/// SurfaceGroup of pixels past a row's end.
 pub(super) const BEYOND: u32 = u32::MAX;
 
 /// Pixels of a strip: row and column, sixteen bits each.
@@ -73,12 +73,12 @@ impl SampleGrid {
         self.combs.swap(0, last);
     }
 
-    /// Stores a row's looks and inverse depths.
+    /// Stores a row's groups and inverse depths.
     #[inline(always)]
     pub(super) fn write(&mut self, row: usize, seen: &Cells) {
         if row.is_multiple_of(2) {
             let combs = &mut self.combs[row / 2];
-            deal(&seen.look[..self.width], combs.each_mut().map(|comb| comb.look.as_mut_slice()));
+            deal(&seen.group[..self.width], combs.each_mut().map(|comb| comb.group.as_mut_slice()));
             deal(&seen.inverse[..self.width], combs.each_mut().map(|comb| comb.inverse.as_mut_slice()));
         }
     }

@@ -7,7 +7,7 @@ mod beam;
 use super::Openness;
 use super::interpolate::{LIGHT, SampleGrid};
 use super::planes::{Planes, gloss, packed};
-use super::surfel::{Known, Look, NOTHING, Writer};
+use super::surfel::{Known, NOTHING, SurfaceGroup, Writer};
 use crate::colour::luminance;
 use crate::light::{Ambient, Lighting};
 use crate::math::simd::widest;
@@ -42,7 +42,7 @@ pub(super) struct Lamps<'a> {
 /// A batch of pixels to shade.
 pub(crate) struct Batch {
     count: usize,
-    looks: [u32; BATCH],
+    groups: [u32; BATCH],
     rooms: [u16; BATCH],
     at: [Lanes; 3],
     normal: [Lanes; 3],
@@ -72,7 +72,7 @@ impl Default for Batch {
         let three = [zero; 3];
         Self {
             count: 0,
-            looks: [0; BATCH],
+            groups: [0; BATCH],
             rooms: [0; BATCH],
             at: three,
             normal: three,
@@ -170,8 +170,8 @@ impl Batch {
             let (row, x) = place(*spot);
             let y = start + row as i32;
             let seen = &planes.0[row];
-            self.looks[i] = seen.cells.look[x];
-            self.rooms[i] = known.look(self.looks[i]).room;
+            self.groups[i] = seen.cells.group[x];
+            self.rooms[i] = known.group(self.groups[i]).room;
             (xs[i], ys[i], inverse[i]) = (x as f32, y as f32, seen.cells.inverse[x]);
             shiny[i] = seen.gloss[x];
             let triangle = lamps.solid.triangle_row(y)[x];
@@ -256,7 +256,7 @@ impl Batch {
                 (0..3).for_each(|c| self.light[c + 3][i] *= 1.0 + again[i] * colour[c]);
             }
             let (cells, k) = samples.cell(planes, row, x);
-            let Look { glow, shine, .. } = known.look(self.looks[i]);
+            let SurfaceGroup { glow, shine, .. } = known.group(self.groups[i]);
             for c in 0..3 {
                 cells.light[c][k] = self.light[c][i] + shine[c];
                 cells.light[c + 3][k] = self.light[c + 3][i] + glow[c];
@@ -268,10 +268,10 @@ impl Batch {
     /// Writes the sky into pixels where nothing is visible.
     #[inline(always)]
     fn sky(&self, lamps: &Lamps<'_>, (samples, planes): (&mut SampleGrid, &mut Planes), (start, spots): (i32, &[u32])) {
-        if !self.looks[..self.count].contains(&NOTHING) {
+        if !self.groups[..self.count].contains(&NOTHING) {
             return;
         }
-        for (_, spot) in self.looks.iter().zip(spots).filter(|(look, _)| **look == NOTHING) {
+        for (_, spot) in self.groups.iter().zip(spots).filter(|(group, _)| **group == NOTHING) {
             let (row, x) = place(*spot);
             let towards = unit(lamps.ray(x as f32, (start + row as i32) as f32));
             let sky = lamps.lighting.daylight.radiance(towards);

@@ -213,14 +213,14 @@ impl Rows<'_> {
             let own = &strip.rgb[strip.row(y)];
             widest(
                 #[inline(always)]
-                || find.across(planes.0[row].looks(), y, own, known, edges),
+                || find.across(planes.0[row].groups(), y, own, known, edges),
             );
             if row < last {
                 let below = if y + 1 < strip.rows.end { &strip.rgb[strip.row(y + 1)] } else { &next[..] };
-                let looks = [&planes.0[row], &planes.0[row + 1]].map(Row::looks);
+                let groups = [&planes.0[row], &planes.0[row + 1]].map(Row::groups);
                 widest(
                     #[inline(always)]
-                    || find.down(looks, y, [own, below], known, edges),
+                    || find.down(groups, y, [own, below], known, edges),
                 );
             }
         }

@@ -72,7 +72,7 @@ impl Openness {
         self.open.resize(self.across * self.down, 1.0);
         self.blurred.resize(self.across * self.down, 1.0);
         let spirals = &*SPIRALS;
-        let look = Look {
+        let around = Surroundings {
             share: 1.0 / self.step as f32,
             inverse: &self.inverse,
             depth: &self.depth,
@@ -85,10 +85,10 @@ impl Openness {
             simd::widest(
                 #[inline(always)]
                 || {
-                    for (i, row) in rows.chunks_mut(look.across).enumerate() {
+                    for (i, row) in rows.chunks_mut(around.across).enumerate() {
                         let y = chunk * ROWS + i;
                         for (j, out) in row.chunks_mut(LANES).enumerate() {
-                            look.open(j * LANES, y, &spirals[y % 4], out);
+                            around.open(j * LANES, y, &spirals[y % 4], out);
                         }
                     }
                 },
@@ -183,7 +183,7 @@ fn means(own: &[f32], [inverse, open]: [[&[f32]; WINDOW]; 2], out: &mut [f32]) {
     }
 }
 
-struct Look<'a> {
+struct Surroundings<'a> {
     /// Points for each pixel.
     share: f32,
     inverse: &'a [f32],
@@ -193,7 +193,7 @@ struct Look<'a> {
     camera: &'a Camera,
 }
 
-impl Look<'_> {
+impl Surroundings<'_> {
     /// Computes the openness of some points of a row.
     #[inline(always)]
     fn open(&self, x0: usize, y: usize, taps: &[[[f32; LANES]; 2]; TAPS], out: &mut [f32]) {

@@ -24,8 +24,8 @@ pub(crate) struct Row {
 /// Attributes from which light is interpolated.
 #[derive(Default)]
 pub(crate) struct Cells {
-    /// Index of the look.
-    pub(super) look: Vec<u32>,
+    /// Index of the group.
+    pub(super) group: Vec<u32>,
     /// Inverse depth; zero where nothing is visible.
     pub(super) inverse: Vec<f32>,
     pub(super) light: [Vec<f32>; LIGHT],
@@ -63,7 +63,7 @@ pub(super) fn unpacked(v: u32) -> [f32; 3] {
 impl Cells {
     /// Allocates `count` entries.
     pub(super) fn prepare(&mut self, count: usize) {
-        for list in [&mut self.look, &mut self.drift] {
+        for list in [&mut self.group, &mut self.drift] {
             list.clear();
             list.resize(count, BEYOND);
         }
@@ -75,10 +75,10 @@ impl Cells {
 }
 
 impl Row {
-    /// The looks of its pixels.
+    /// The groups of its pixels.
     #[inline(always)]
-    pub(super) fn looks(&self) -> &[u32] {
-        &self.cells.look[..self.width]
+    pub(super) fn groups(&self) -> &[u32] {
+        &self.cells.group[..self.width]
     }
 }
 

@@ -19,9 +19,9 @@ use crate::surface::SPAN;
 
 /// Attributes that all pixels of an instance's surface share.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Look {
+pub(crate) struct SurfaceGroup {
     surface: u16,
-    /// Direction it faces; sharply curved surfaces have several looks.
+    /// Direction it faces; sharply curved surfaces have several groups.
     facet: u16,
     pub(super) room: u16,
     pub(super) mirror: bool,
@@ -29,22 +29,22 @@ pub(crate) struct Look {
     pub(super) glow: [f32; 3],
     /// Emission through its texture, expressed as light that falls on the surface and is reflected.
     pub(super) shine: [f32; 3],
-    /// The next look of the same instance.
+    /// The next group of the same instance.
     next: u32,
     /// Its paint for each orientation of the texture.
     paints: [u32; 9],
 }
 
-/// Flag in the look numbers of curved surfaces.
+/// Flag in the group numbers of curved surfaces.
 pub(super) const BENT: u32 = 1 << 31;
 
-/// Look and paint of pixels where nothing is visible.
+/// SurfaceGroup and paint of pixels where nothing is visible.
 pub(super) const NOTHING: u32 = 0;
 
 /// Colours and texture of pixels.
 #[derive(Debug, Clone)]
 struct Paint {
-    look: u32,
+    group: u32,
     colour: [f32; 3],
     roughness: f32,
     metallic: f32,
@@ -69,9 +69,9 @@ pub(crate) struct Known {
     /// For each visible triangle, the index of its edges.
     edged: Vec<u32>,
     lines: Vec<Lines>,
-    /// For each instance, the first of its looks.
+    /// For each instance, the first of its groups.
     heads: Vec<u32>,
-    looks: Vec<Look>,
+    groups: Vec<SurfaceGroup>,
 }
 
 /// A view whose surface attributes are written.
@@ -98,9 +98,9 @@ impl Known {
         self.lines.clear();
         self.pairs.clear();
         self.bends.clear();
-        self.looks.clear();
+        self.groups.clear();
         self.paints.clear();
-        let look = Look {
+        let group = SurfaceGroup {
             surface: 0,
             facet: 0,
             room: NO_ROOM,
@@ -110,9 +110,9 @@ impl Known {
             next: NONE,
             paints: [NONE; 9],
         };
-        self.looks.push(look);
+        self.groups.push(group);
         let colour = [0.0; 3];
-        self.paints.push(Paint { look: NOTHING, colour, roughness: 1.0, metallic: 0.0, texture: None });
+        self.paints.push(Paint { group: NOTHING, colour, roughness: 1.0, metallic: 0.0, texture: None });
     }
 
     /// An instance's maps to the image and back, computed on first use.
@@ -203,7 +203,7 @@ impl<'a> Writer<'a> {
         known.bends[known.bent[triangle as usize] as usize].at(x, y)
     }
 
-    /// Whether two triangles of one look meet without a crease.
+    /// Whether two triangles of one group meet without a crease.
     #[inline(always)]
     pub(super) fn smooth(&self, triangles: [u32; 2]) -> bool {
         if triangles.contains(&NONE) {
@@ -220,15 +220,15 @@ impl<'a> Writer<'a> {
 }
 
 impl Known {
-    /// The look of a number.
+    /// The group of a number.
     #[inline(always)]
-    pub(super) fn look(&self, number: u32) -> &Look {
-        &self.looks[(number & !BENT) as usize]
+    pub(super) fn group(&self, number: u32) -> &SurfaceGroup {
+        &self.groups[(number & !BENT) as usize]
     }
 
-    /// Whether any look is a mirror.
+    /// Whether any group is a mirror.
     pub(super) fn mirrors(&self) -> bool {
-        self.looks.iter().any(|look| look.mirror)
+        self.groups.iter().any(|group| group.mirror)
     }
 
     /// Stores the paint of a triangle, and returns its number.
@@ -241,10 +241,10 @@ impl Known {
     /// Writes pixels of a row that have the same paint, and some after them.
     #[inline(always)]
     fn write(&self, paint: u32, row: &mut Row, at: std::ops::Range<usize>, (y, focal): (i32, f32)) {
-        let Paint { look, colour, roughness, metallic, texture } = &self.paints[paint as usize];
+        let Paint { group, colour, roughness, metallic, texture } = &self.paints[paint as usize];
         let Some(texture) = texture else {
             let gloss = gloss_of(*roughness, *metallic);
-            at.step_by(SPAN).for_each(|from| row.even(from, (*look, *colour, gloss)));
+            at.step_by(SPAN).for_each(|from| row.even(from, (*group, *colour, gloss)));
             return;
         };
         for from in at.clone().step_by(SPAN) {
@@ -252,7 +252,7 @@ impl Known {
             let footprint = 1.0 / (seen[count / 2 % SPAN] * focal);
             if let Some(touch) = texture.even(footprint) {
                 let gloss = gloss_of(roughness * touch.roughness, *metallic);
-                row.even(from, (*look, three(|c| (colour[c] * touch.tint[c]).min(1.0)), gloss));
+                row.even(from, (*group, three(|c| (colour[c] * touch.tint[c]).min(1.0)), gloss));
                 continue;
             }
             let place = (from as u32 as f32 + 0.5, y as f32 + 0.5);
@@ -266,7 +266,7 @@ impl Known {
             for i in 0..SPAN {
                 gloss[i] = gloss_of(roughness * span.roughness[i], *metallic);
             }
-            *part_mut(&mut row.cells.look, from) = [*look; SPAN];
+            *part_mut(&mut row.cells.group, from) = [*group; SPAN];
             *part_mut(&mut row.gloss, from) = gloss;
             *part_mut(&mut row.lean, from) = lean;
             (0..3).for_each(|c| *part_mut(&mut row.colour[c], from) = colours[c]);
@@ -277,8 +277,8 @@ impl Known {
 impl Row {
     /// Writes a span of identical pixels.
     #[inline(always)]
-    fn even(&mut self, from: usize, (look, colour, gloss): (u32, [f32; 3], u32)) {
-        *part_mut(&mut self.cells.look, from) = [look; SPAN];
+    fn even(&mut self, from: usize, (group, colour, gloss): (u32, [f32; 3], u32)) {
+        *part_mut(&mut self.cells.group, from) = [group; SPAN];
         *part_mut(&mut self.gloss, from) = [gloss; SPAN];
         *part_mut(&mut self.lean, from) = [0; SPAN];
         (0..3).for_each(|c| *part_mut(&mut self.colour[c], from) = [colour[c]; SPAN]);

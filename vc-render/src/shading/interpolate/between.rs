@@ -27,8 +27,8 @@ pub(super) type Beside<'a> = [Near<'a>; 2];
 
 impl<'a> Near<'a> {
     #[inline(always)]
-    fn look(self, from: usize) -> &'a [u32; PART] {
-        part(&self.cells.look, from + self.further)
+    fn group(self, from: usize) -> &'a [u32; PART] {
+        part(&self.cells.group, from + self.further)
     }
 
     #[inline(always)]
@@ -79,7 +79,7 @@ fn bits(holds: bool) -> u32 {
 /// computed.
 #[inline(always)]
 pub(super) fn weigh(own: &Cells, [a, b]: Beside<'_>, close: bool, from: usize) -> [[f32; PART]; 2] {
-    let (l0, l1, l2) = (part(&own.look, from), a.look(from), b.look(from));
+    let (l0, l1, l2) = (part(&own.group, from), a.group(from), b.group(from));
     let (v0, v1, v2) = (part(&own.inverse, from), a.inverse(from), b.inverse(from));
     let (p, q) = (a.luminance(from), b.luminance(from));
     let (half, one, close) = (0.5_f32.to_bits(), 1.0_f32.to_bits(), bits(close));

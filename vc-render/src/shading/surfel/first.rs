@@ -1,15 +1,15 @@
 //! Attributes derived for a triangle when it is first seen.
 
-use super::{BENT, Known, Look, NONE, Paint, UNMOVED, Writer};
+use super::{BENT, Known, NONE, Paint, SurfaceGroup, UNMOVED, Writer};
 use crate::labels::{Bent, bent};
 use crate::math;
 use crate::shading::texture::Texture;
 use crate::surface::{Coat, Pattern, Role, Surface, Tile};
 
 impl Paint {
-    fn new(look: u32, (of, coat): (&Surface, &Coat), texture: Option<Texture>) -> Self {
+    fn new(group: u32, (of, coat): (&Surface, &Coat), texture: Option<Texture>) -> Self {
         let (colour, roughness) = (coat.over(of.colour), coat.rough(of.roughness));
-        Self { look, colour, roughness, metallic: of.metallic, texture }
+        Self { group, colour, roughness, metallic: of.metallic, texture }
     }
 }
 
@@ -23,8 +23,8 @@ impl Writer<'_> {
         let mesh = visible.mesh(instances);
         let face = &mesh.faces[visible.index()];
         let surface = &self.store.surfaces[usize::from(face.surface)];
-        let look = self.look(triangle, (face.surface, face.facet), known);
-        let number = if face.is_flat() { look } else { look | BENT };
+        let group = self.group(triangle, (face.surface, face.facet), known);
+        let number = if face.is_flat() { group } else { group | BENT };
         if let Some(picture) = &surface.picture {
             let corners = mesh.triangle(mesh.cluster_of(visible.index()), visible.index());
             let uvs = mesh.uvs.get(visible.index()).copied().unwrap_or_default();
@@ -38,7 +38,7 @@ impl Writer<'_> {
         let facing = if built { turned() } else { face.axis };
         let (u, v) = if plain { (0, 0) } else { crate::surface::texture_axes(surface.pattern, (facing, face.grain)) };
         let way = 3 * u + v;
-        if known.looks[look as usize].paints[way] == NONE {
+        if known.groups[group as usize].paints[way] == NONE {
             let texture = (!plain).then(|| {
                 let (back, axes) = if built {
                     (self.world, UNMOVED)
@@ -47,10 +47,10 @@ impl Writer<'_> {
                 };
                 Texture::tile(Tile::for_pattern(surface.pattern), (u, v), (&back, &axes))
             });
-            known.looks[look as usize].paints[way] =
+            known.groups[group as usize].paints[way] =
                 known.paint(triangle, Paint::new(number, (surface, &instance.coat), texture));
         }
-        let paint = known.looks[look as usize].paints[way];
+        let paint = known.groups[group as usize].paints[way];
         known.triangles[triangle as usize] = paint;
         paint
     }
@@ -67,8 +67,8 @@ impl Writer<'_> {
         });
     }
 
-    /// The look of an instance's surface, given one of its triangles.
-    fn look(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
+    /// The group of an instance's surface, given one of its triangles.
+    fn group(&self, triangle: u32, (surface, facet): (u16, u16), known: &mut Known) -> u32 {
         let (snapshot, seen) = (self.view.snapshot, &self.visible[triangle as usize]);
         let instance = seen.instance;
         let own = &snapshot.instances[instance as usize];
@@ -78,10 +78,10 @@ impl Writer<'_> {
         // both sides.
         let room = self.lighting.room_seen(snapshot, seen, self.view.camera.eye().into());
         let mut at = known.heads[instance as usize];
-        while let Some(look) = known.looks.get(at as usize)
-            && (look.surface, look.facet, look.room) != (surface, facet, room)
+        while let Some(group) = known.groups.get(at as usize)
+            && (group.surface, group.facet, group.room) != (surface, facet, room)
         {
-            at = look.next;
+            at = group.next;
         }
         if at != NONE {
             return at;
@@ -95,9 +95,9 @@ impl Writer<'_> {
         };
         let shine = self.lighting.through(of, own).unwrap_or(shine);
         let next = known.heads[instance as usize];
-        known.heads[instance as usize] = known.looks.len() as u32;
+        known.heads[instance as usize] = known.groups.len() as u32;
         let mirror = of.is_mirror();
-        known.looks.push(Look { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
-        known.looks.len() as u32 - 1
+        known.groups.push(SurfaceGroup { surface, facet, room, mirror, glow, shine, next, paints: [NONE; 9] });
+        known.groups.len() as u32 - 1
     }
 }
