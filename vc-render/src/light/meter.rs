@@ -4,7 +4,7 @@ use arrayvec::ArrayVec;
 use vc_graph::portable::Portable;
 
 use super::Lighting;
-use crate::camera::STREWN;
+use crate::camera::SCATTERED_PIXELS;
 use crate::colour::{luminance, night};
 use crate::math::three;
 use crate::surface::{Coat, Surface};
@@ -78,8 +78,8 @@ impl Lighting {
         let outdoors = self.room_for(eye) + 1 == self.rooms.len();
         let number = |spot: &Spot| usize::from(spot.room).min(self.rooms.len() - 1);
         let inside = |spot: &Spot| outdoors || number(spot) + 1 < self.rooms.len();
-        let spots: ArrayVec<Spot, STREWN> = seen.into_iter().filter(inside).take(STREWN).collect();
-        let mut levels: ArrayVec<_, STREWN> = spots.iter().map(|spot| self.level(number(spot))).collect();
+        let spots: ArrayVec<Spot, SCATTERED_PIXELS> = seen.into_iter().filter(inside).take(SCATTERED_PIXELS).collect();
+        let mut levels: ArrayVec<_, SCATTERED_PIXELS> = spots.iter().map(|spot| self.level(number(spot))).collect();
         if levels.is_empty() {
             levels.push(self.level(self.room_for(eye)));
         }

@@ -170,7 +170,8 @@ impl ReferencePicture {
 /// Meters the light at pixels scattered over a picture, of opaque surfaces, including those seen through glass.
 fn metered<'a>(store: &'a Store, lighting: &'a Lighting, camera: &Camera) -> impl Iterator<Item = Spot> + 'a {
     let (pose, eye) = (Affine::from_pose(&camera.pose).narrow(), camera.eye().into());
-    let rays: Vec<[f32; 3]> = camera.strewn().map(|[x, y]| math::vector(&pose, camera.ray(x, y).into())).collect();
+    let rays: Vec<[f32; 3]> =
+        camera.scattered_pixels().map(|[x, y]| math::vector(&pose, camera.ray(x, y).into())).collect();
     rays.into_iter().filter_map(move |ray| {
         let along = unit(ray);
         let hit = lighting.tracer.first(&Ray { from: eye, along, end: 1e4 })?.facing(along.map(|v| -v));

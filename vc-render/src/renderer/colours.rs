@@ -32,7 +32,7 @@ impl Renderer {
         View { snapshot, camera }: View<'a>,
         bands: &'a [Band],
     ) -> impl Iterator<Item = Spot> + 'a {
-        camera.strewn().filter_map(move |[x, y]| {
+        camera.scattered_pixels().filter_map(move |[x, y]| {
             let band = bands.iter().find(|band| band.rows.contains(&(y as i32)))?;
             let solid = band.layers.solid();
             let triangle = *solid.triangle_row(y as i32).get(x as usize)?;

@@ -131,7 +131,7 @@ impl Snapshot {
     }
 
     /// Sets the coat on a body. The coats that follow from a graph's states are there from the beginning, by
-    /// [`Coat::of`].
+    /// [`Coat::from_node`].
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};

@@ -1,9 +1,12 @@
 //! A pinhole camera.
 
+mod path;
+
 use nalgebra::{Isometry3, Matrix3, Matrix3x4, Matrix4, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::Pose;
 use vc_graph::portable::Portable;
 
+use self::path::Path;
 use crate::RenderError;
 use crate::math::Affine;
 
@@ -12,16 +15,9 @@ pub const MAX_SIDE: u32 = 8192;
 
 /// How far ahead a camera looks along a path, metres, and the number of points there whose mean it looks at.
 const AHEAD: f32 = 1.4;
-const LOOKS: usize = 8;
+const POINTS_AHEAD: usize = 8;
 /// Number of pixels sampled where a whole picture is not needed.
-pub(crate) const STREWN: usize = 192;
-
-/// A path with its corners cut off.
-struct Way {
-    points: Vec<Point3<f32>>,
-    /// Length of the path up to each point, metres.
-    gone: Vec<f32>,
-}
+pub(crate) const SCATTERED_PIXELS: usize = 192;
 
 /// A pinhole camera. Its optical frame has x to the right, y down and z forward.
 ///
@@ -189,13 +185,15 @@ impl Camera {
     /// assert!(views.windows(2).all(|v| (v[1].eye() - v[0].eye()).norm() < 0.12)); // 5.6 m in 59 steps
     /// ```
     pub fn along(self, way: &[Point3<f32>], count: usize) -> Vec<Self> {
-        let way = Way::new(way);
+        let way = Path::new(way);
         let Some(length) = way.length() else { return Vec::new() };
         let ahead = AHEAD.min(0.5 * length);
         let view = |i: usize| {
             let gone = (length - ahead) * i as f32 / count.saturating_sub(1).max(1) as f32;
-            let next = (1..=LOOKS).map(|k| way.at(gone + ahead * k as f32 / LOOKS as f32).coords).sum::<Vector3<f32>>();
-            self.looking(way.at(gone), (next / LOOKS as f32).into())
+            let next = (1..=POINTS_AHEAD)
+                .map(|k| way.at(gone + ahead * k as f32 / POINTS_AHEAD as f32).coords)
+                .sum::<Vector3<f32>>();
+            self.looking(way.at(gone), (next / POINTS_AHEAD as f32).into())
         };
         (0..count).map(view).collect()
     }
@@ -207,14 +205,14 @@ impl Camera {
 
     /// Centres of pixels scattered evenly over the picture (Roberts's sequence), so that a straight edge does
     /// not cross many at once, as it would on a grid of rows and columns.
-    pub(crate) fn strewn(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
+    pub(crate) fn scattered_pixels(&self) -> impl Iterator<Item = [f32; 2]> + use<> {
         const STEP: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
         let size = [self.width, self.height];
         let place = move |axis: usize, i: u32| {
             let share = (0.5 + f64::from(i) * STEP[axis]).fract();
             (share * f64::from(size[axis])).floor() as f32 + 0.5
         };
-        (0..STREWN as u32).map(move |i| [place(0, i), place(1, i)])
+        (0..SCATTERED_PIXELS as u32).map(move |i| [place(0, i), place(1, i)])
     }
 
     /// Position of the camera in the world.
@@ -265,38 +263,4 @@ impl Camera {
         }
         Ok(())
     }
-}
-
-impl Way {
-    fn new(points: &[Point3<f32>]) -> Self {
-        let points = (0..3).fold(points.to_vec(), |points, _| cut(&points));
-        let steps = points.windows(2).map(|p| (p[1] - p[0]).norm());
-        let gone = std::iter::once(0.0).chain(steps.scan(0.0, |sum, step| {
-            *sum += step;
-            Some(*sum)
-        }));
-        Self { gone: gone.take(points.len()).collect(), points }
-    }
-
-    /// Length of the path, metres; `None` if it has no points.
-    fn length(&self) -> Option<f32> {
-        self.gone.last().copied()
-    }
-
-    /// The point of the path at a distance from its start, metres.
-    fn at(&self, gone: f32) -> Point3<f32> {
-        let next = self.gone.partition_point(|g| *g <= gone).clamp(1, self.points.len().max(2) - 1);
-        let (Some(a), Some(b)) = (self.points.get(next - 1), self.points.get(next)) else { return self.points[0] };
-        let (from, to) = (self.gone[next - 1], self.gone[next]);
-        let share = if to > from { ((gone - from) / (to - from)).min(1.0) } else { 0.0 };
-        a + (b - a) * share
-    }
-}
-
-/// Cuts corners off, a quarter of each side from either end (one step of Chaikin's algorithm).
-fn cut(points: &[Point3<f32>]) -> Vec<Point3<f32>> {
-    let (Some(first), [.., last]) = (points.first(), points) else { return Vec::new() };
-    let quarters = points.windows(2).flat_map(|p| [0.25, 0.75].map(|share| p[0] + (p[1] - p[0]) * share));
-    let ends = points.len() > 1;
-    std::iter::once(*first).chain(quarters).chain(ends.then_some(*last)).collect()
 }
