@@ -21,7 +21,7 @@ const ROW: &str = "samovar | appliance | | appliance | graspable | 0.24-0.30 0.2
 /// Builds within `b.size`: X forward, Y to the left, Z up, the origin at the centre of the base.
 fn samovar(b: &mut Build<'_>) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let metal = b.one(&[BRASS, CHROME]);
+    let metal = b.choose(&[BRASS, CHROME]);
     b.lathe("urn", [0.0; 3], &[(0.7 * r, 0.0), (0.4 * r, 0.2 * h), (0.8 * r, 0.5 * h), (0.5 * r, 0.9 * h)], metal);
     b.ball("knob", [0.0, 0.0, 0.95 * h], 0.05 * h, BLACK_PLASTIC);
     b.pipe("tap", &[[0.5 * r, 0.0, 0.35 * h], [0.9 * r, 0.0, 0.35 * h], [0.9 * r, 0.0, 0.28 * h]], 0.06 * r, metal);

@@ -84,7 +84,7 @@ fn main() -> Result<(), Complaint> {
         }
         let wanted = Modality::Rgb | Modality::Depth | Modality::Normal | Modality::FlowForward;
         renderer
-            .render(&Shot::new(&snapshot, camera, wanted).lit(&lighting).after(&then, next).finer(2), &mut frame)
+            .render(&Shot::new(&snapshot, camera, wanted).lit(&lighting).after(&then, next).supersampled(2), &mut frame)
             .map_err(Complaint::new)?;
         pictures.push(shown(&frame, &options, &object));
         snapshot = then;
@@ -126,8 +126,8 @@ fn catalogued(options: &Options) -> Result<Object, Complaint> {
 fn model(path: &Path) -> Result<Object, Complaint> {
     let complaint = |e: String| Complaint::new(format!("{}: {e}", path.display()));
     let bytes = virtualcity::read_bytes(path).map_err(Complaint::new)?;
-    let model = gltf::read(&bytes, &gltf::Options::default()).map_err(|e| complaint(e.to_string()))?;
-    model.missing_pictures.iter().for_each(|why| say!("{}: plain where a picture is missing: {why}", path.display()));
+    let model = gltf::read(&bytes, &gltf::ImportOptions::default()).map_err(|e| complaint(e.to_string()))?;
+    model.missing_images.iter().for_each(|why| say!("{}: plain where a picture is missing: {why}", path.display()));
     let mut library = material::library();
     let id = model.add_to(&mut library).map_err(|e| complaint(e.to_string()))?;
     let class = model.class.map_or_else(|| "model".to_owned(), |c| c.to_string());

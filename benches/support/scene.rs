@@ -155,17 +155,7 @@ fn part(name: &str, shape: Shape, at: [f32; 3], material: u32) -> Part {
 /// The material of a density, with the peers' friction.
 fn material(library: &mut AssetLibrary, density: f32) -> u32 {
     let same = (0..).map_while(|i| library.material(i)).position(|m| m.density == density);
-    let fresh = Material {
-        name: format!("{density} kg/m3").into(),
-        colour: [0.5; 3],
-        density,
-        friction: 0.6,
-        restitution: 0.0,
-        roughness: 0.5,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    };
+    let fresh =
+        Material { density, friction: 0.6, restitution: 0.0, ..Material::new(format!("{density} kg/m3"), [0.5; 3]) };
     same.map_or_else(|| library.add_material(fresh).unwrap(), |i| i as u32)
 }

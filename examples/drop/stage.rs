@@ -96,18 +96,7 @@ pub(crate) fn build(seed: u64, things: u16) -> Result<(SceneGraph, Cast), InputF
 }
 
 fn material(name: &str, colour: [f32; 3], density: f32, friction: f32, restitution: f32) -> Material {
-    Material {
-        name: name.into(),
-        colour,
-        density,
-        friction,
-        restitution,
-        roughness: 0.6,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material { density, friction, restitution, roughness: 0.6, ..Material::new(name, colour) }
 }
 
 fn at(x: f32, y: f32, z: f32) -> Pose {

@@ -78,7 +78,7 @@ fn main() -> Result<(), Complaint> {
         }
         let adapts = (!pictures.is_empty()).then(|| Adaptation::after(frame.exposure, 1.0 / f32::from(options.rate)));
         let shot = Shot::new(&snapshot, &pair[0], wanted).lit(&lighting).after(&snapshot, &pair[1]);
-        let shot = Shot { adapts, ..shot };
+        let shot = Shot { adaptation: adapts, ..shot };
         renderer.render(&shot, &mut frame).map_err(Complaint::new)?;
         if options.exr {
             write(&options.out.join(format!("{:04}.exr", pictures.len())), &exr(&frame)?)?;

@@ -69,18 +69,7 @@ impl Corner {
 /// The scene: it has only shapes and poses and no relations.
 pub(crate) fn build() -> Result<SceneGraph, String> {
     let mut corner = Corner { scene: SceneBuilder::new("kitchen corner"), library: AssetLibrary::default() };
-    let wood = Material {
-        name: "wood".into(),
-        colour: [0.5, 0.4, 0.3],
-        density: 600.0,
-        friction: 0.5,
-        restitution: 0.1,
-        roughness: 0.6,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    };
+    let wood = Material { density: 600.0, roughness: 0.6, ..Material::new("wood", [0.5, 0.4, 0.3]) };
     corner.library.add_material(wood).map_err(|e| e.to_string())?;
     let bowl = [(0.06, 0.0), (0.1, 0.03), (0.12, 0.09), (0.115, 0.09), (0.095, 0.03), (0.06, 0.005)];
     let mug = [(0.04, 0.0), (0.04, 0.1), (0.036, 0.1), (0.036, 0.004)];

@@ -73,11 +73,11 @@ fn seen(camera: &Camera) -> StageCamera {
 fn lights(scene: &SceneGraph, lighting: &Lighting) -> Vec<StageLight> {
     let light = |source: &Source| match *source {
         Source::Sun { towards, colour, lux } => {
-            Some(StageLight { name: "sun".into(), colour, place: LightPlace::From { towards, lux } })
+            Some(StageLight { name: "sun".into(), colour, place: LightPlace::Directional { towards, lux } })
         }
         Source::Lamp { node, at, colour, candela } => {
             let name = format!("light of {}", scene.label(node));
-            Some(StageLight { name, colour, place: LightPlace::At { point: at, candela } })
+            Some(StageLight { name, colour, place: LightPlace::Point { point: at, candela } })
         }
         _ => None,
     };

@@ -22,7 +22,8 @@ pub(crate) fn all(
     let next = Camera { pose: camera.pose * nalgebra::Translation3::from(step), ..*camera };
     let wanted = Modalities::SIX | Modality::Normal | Modality::Part;
     let finer = (MAX_SIDE / camera.width.max(camera.height).max(1)).clamp(1, FINER);
-    renderer.render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).finer(finer), frame)?;
+    renderer
+        .render(&Shot::new(snapshot, camera, wanted).lit(lighting).after(snapshot, &next).supersampled(finer), frame)?;
     let rgb = picture::rgb(frame);
     let pictures = [
         rgb.clone(),

@@ -3,10 +3,10 @@
 
 use libfuzzer_sys::fuzz_target;
 use vc_graph::AssetLibrary;
-use vc_gltf::{self as gltf, Options};
+use vc_gltf::{self as gltf, ImportOptions};
 
 fuzz_target!(|file: &[u8]| {
-    let options = Options { hulls: 0, ..Options::default() };
+    let options = ImportOptions { hulls: 0, ..ImportOptions::default() };
     let Ok(model) = gltf::read(file, &options) else { return };
     let mut library = AssetLibrary::default();
     let Ok(id) = model.add_to(&mut library) else { return };

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, Pose};
-use vc_people::{Attitude, Doing, Skeleton};
+use vc_people::{Activity, BodyPosture, Skeleton};
 use vc_physics::{Hand, PhysicsWorld, Posture};
 
 use crate::Environment;
@@ -13,16 +13,16 @@ impl Environment {
         let world = self.world();
         let pose = world.pose(agent)?;
         let attitude = match world.posture(agent)? {
-            Posture::Standing => Attitude::Standing,
-            Posture::Sitting(..) => Attitude::Sitting(pose.translation.z - self.floor().plan().level),
-            Posture::Lying(..) => Attitude::Lying,
+            Posture::Standing => BodyPosture::Standing,
+            Posture::Sitting(..) => BodyPosture::Sitting(pose.translation.z - self.floor().plan().level),
+            Posture::Lying(..) => BodyPosture::Lying,
         };
         let mut doing = self.doing(agent);
-        if doing == Doing::default() {
-            doing.attends = self.attention(agent);
+        if doing == Activity::default() {
+            doing.gaze = self.attention(agent);
         }
         let own = |point: &mut Point3<f32>| *point = pose.inverse_transform_point(point);
-        doing.attends.iter_mut().for_each(own);
+        doing.gaze.iter_mut().for_each(own);
         doing.reach.iter_mut().for_each(|reach| own(&mut reach.point));
         let hands = Hand::BOTH.map(|hand| grip(world, &pose, hand, world.held(agent, hand)?));
         Some(Skeleton::new(attitude, &doing, hands))
@@ -70,7 +70,7 @@ fn beside(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<P
 #[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
     use vc_graph::{Action, Node, Property, Verb};
-    use vc_people::{Bone, Side, palm};
+    use vc_people::{BodySide, Bone, palm};
     use vc_physics::BodyRole;
 
     use super::*;
@@ -79,7 +79,7 @@ mod tests {
     fn away(home: &Environment, agent: NodeId) -> f32 {
         let skeleton = home.skeleton(agent).unwrap();
         let feet = home.world().pose(agent).unwrap();
-        let off = Side::BOTH.into_iter().zip(Hand::BOTH).filter_map(|(side, hand)| {
+        let off = BodySide::BOTH.into_iter().zip(Hand::BOTH).filter_map(|(side, hand)| {
             let held = home.world().held(agent, hand)?;
             let own = feet * (skeleton.motion(Bone::Hand(side)) * palm(side));
             Some((own - home.world().nearest_point(held, own)?).norm())

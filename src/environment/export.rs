@@ -39,7 +39,7 @@ impl Environment {
     /// The motion of a part on a joint: a limb, a door, a drawer.
     fn moved(&self, id: NodeId, joint: &Joint) -> Option<Pose> {
         match self.skeleton(id) {
-            Some(skeleton) => Some(skeleton.motion(Bone::of(joint)?)),
+            Some(skeleton) => Some(skeleton.motion(Bone::from_joint(joint)?)),
             None => Some(joint.motion(position(&self.graph, &self.world, id, joint)?)),
         }
     }

@@ -97,7 +97,7 @@ pub struct Environment {
     history: History,
     undo: undo::Undo,
     /// What bodies are shown to do while an action takes its time.
-    poses: std::collections::BTreeMap<NodeId, vc_people::Doing>,
+    poses: std::collections::BTreeMap<NodeId, vc_people::Activity>,
     #[cfg(feature = "render")]
     picture_cache: Arc<pictures::PictureCache>,
     #[cfg(feature = "render")]
@@ -213,7 +213,7 @@ impl Environment {
     }
 
     /// What a body is shown to do now.
-    pub(crate) fn doing(&self, agent: NodeId) -> vc_people::Doing {
+    pub(crate) fn doing(&self, agent: NodeId) -> vc_people::Activity {
         self.poses.get(&agent).cloned().unwrap_or_default()
     }
 

@@ -130,7 +130,7 @@ impl Dataset {
         let number = self.seen.pictures();
         let name = format!("{FRAMES}/{number:06}.png");
         save(&self.folder.join(&name), &picture::png(&picture::rgb(&frame))?)?;
-        let picture = CocoPicture::of(name, &frame, &home.snapshot()?)?;
+        let picture = CocoPicture::new(name, &frame, &home.snapshot()?)?;
         let mut picture = picture.taken(home.graph().name(), view.describe(home.graph()));
         for (modality, kind) in self.wanted() {
             let name = format!("{kind}/{number:06}.npy");

@@ -165,7 +165,11 @@ impl Recorder {
         }
         let width = options.width;
         if width == 0 || width > vc_render::camera::MAX_SIDE {
-            return Err(RecordError::Picture(RenderError::BadSize { width, height: width }));
+            return Err(RecordError::Picture(RenderError::BadSize {
+                width,
+                height: width,
+                longest: vc_render::camera::MAX_SIDE,
+            }));
         }
         let daylight = options.daylight.unwrap_or(home.pictures().daylight);
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });

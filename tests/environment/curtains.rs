@@ -77,7 +77,7 @@ impl Hung {
 
 fn drawn(snapshot: &Snapshot, windows: &[Hung], closed: bool) -> RayCaster {
     let mut drawn = snapshot.clone();
-    windows.iter().flat_map(|hung| &hung.curtains).for_each(|curtain| drawn.draw(*curtain, closed).unwrap());
+    windows.iter().flat_map(|hung| &hung.curtains).for_each(|curtain| drawn.draw_cover(*curtain, closed).unwrap());
     RayCaster::new(&drawn)
 }
 

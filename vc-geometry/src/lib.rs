@@ -75,18 +75,7 @@ const DENSITY: f32 = 150.0;
 
 /// The one material of all shapes that are made here: their parts have number 0.
 pub fn material() -> Material {
-    Material {
-        name: "plain".into(),
-        colour: [0.6, 0.58, 0.55],
-        density: DENSITY,
-        friction: 0.5,
-        restitution: 0.0,
-        roughness: 0.8,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material { density: DENSITY, restitution: 0.0, roughness: 0.8, ..Material::new("plain", [0.6, 0.58, 0.55]) }
 }
 
 /// Whether only a box is known of a node: it is an object with a box and a pose and without an asset.

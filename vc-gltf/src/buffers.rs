@@ -10,7 +10,7 @@ pub(super) struct Buffers<'a>(Vec<Option<Cow<'a, [u8]>>>);
 
 impl<'a> Buffers<'a> {
     /// The first buffer is the container's bytes, unless the buffer has a URI.
-    pub(super) fn of(document: &Document, container: &'a [u8]) -> Self {
+    pub(super) fn new(document: &Document, container: &'a [u8]) -> Self {
         let own = Some(Cow::Borrowed(container)).filter(|bytes| !bytes.is_empty());
         let each = document.buffers.iter().zip(std::iter::once(own).chain(std::iter::repeat(None)));
         Self(each.map(|(buffer, own)| buffer.uri.as_deref().map_or(own, |uri| inline(uri).map(Cow::Owned))).collect())

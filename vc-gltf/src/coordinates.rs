@@ -17,7 +17,7 @@ pub(super) struct TextureMap<'a> {
 impl<'a> TextureMap<'a> {
     /// The texture coordinates of a primitive; `None` if its material has no texture or it has no
     /// coordinates for it.
-    pub(super) fn of(
+    pub(super) fn new(
         document: &Document,
         buffers: &'a Buffers<'_>,
         primitive: &Primitive,

@@ -85,7 +85,20 @@ object! { DocumentExtensions {
     #[serde(rename = "KHR_lights_punctual")] lights: Lights,
 }}
 
-object! { Lights { lights: Vec<super::stage::Light>, } }
+object! { Lights { lights: Vec<Light>, } }
+
+/// The extension for lights.
+pub(super) const LIGHTS: &str = "KHR_lights_punctual";
+
+/// A light in the form of the extension.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Light {
+    pub(super) name: String,
+    #[serde(rename = "type")]
+    pub(super) kind: String,
+    pub(super) color: [f32; 3],
+    pub(super) intensity: f32,
+}
 
 /// The extensions of a node.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]

@@ -4,6 +4,12 @@ use vc_graph::AssetId;
 use vc_graph::asset::AssetError;
 
 /// The reason why something could not be written as glTF or read from it.
+///
+/// ```
+/// use vc_gltf::{GltfError, ImportOptions};
+/// let error = vc_gltf::read(b"no model", &ImportOptions::default()).unwrap_err();
+/// assert!(matches!(error, GltfError::NotGltf(_)));
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GltfError {

@@ -20,6 +20,19 @@ const UPRIGHT: [f32; 4] = [-0.5, -0.5, -0.5, 0.5];
 
 /// An asset as a binary glTF file, its joints at zero. Moving links and surfaces are nodes of their own.
 ///
+/// ```
+/// # use vc_graph::asset::{Material, Part, Shape};
+/// # use vc_graph::{Asset, AssetLibrary, Pose};
+/// # let mut library = AssetLibrary::default();
+/// # let material = library.add_material(Material::new("red", [0.56, 0.03, 0.03]))?;
+/// # let shape = Shape::Sphere { radius: 0.11 };
+/// # let part = Part { name: "ball".into(), shape, material, pose: Pose::identity(), joint: None };
+/// # let ball = Asset { name: "ball_1".into(), parts: vec![part], ..Asset::default() };
+/// let file = vc_gltf::asset(&ball, &library)?;
+/// assert!(file.starts_with(b"glTF"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
 pub fn asset(asset: &Asset, library: &AssetLibrary) -> Result<Vec<u8>, GltfError> {
@@ -27,6 +40,20 @@ pub fn asset(asset: &Asset, library: &AssetLibrary) -> Result<Vec<u8>, GltfError
 }
 
 /// The same, with an annotation of its class, which [`read`](super::read) understands.
+///
+/// ```
+/// # use vc_graph::asset::{Material, Part, Shape};
+/// # use vc_graph::{Asset, AssetLibrary, Pose};
+/// # let mut library = AssetLibrary::default();
+/// # let material = library.add_material(Material::new("red", [0.56, 0.03, 0.03]))?;
+/// # let shape = Shape::Sphere { radius: 0.11 };
+/// # let part = Part { name: "ball".into(), shape, material, pose: Pose::identity(), joint: None };
+/// # let ball = Asset { name: "ball_1".into(), parts: vec![part], ..Asset::default() };
+/// let file = vc_gltf::asset_of_class("football", &ball, &library)?;
+/// let model = vc_gltf::read(&file, &vc_gltf::ImportOptions::default())?;
+/// assert_eq!(model.class.as_deref(), Some("football"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].
@@ -69,6 +96,15 @@ fn written_asset(asset: &Asset, library: &AssetLibrary, class: Option<String>) -
 /// A scene as a binary glTF file: each node that has an asset and a pose becomes a glTF node, named by its
 /// label. Nodes with the same asset share its meshes; if the asset has emissive materials, only nodes that are
 /// all on or all off share them. Joints are at zero, whatever the nodes' states.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// scene.add(Draft::new("kitchen"))?;
+/// let file = vc_gltf::scene(&scene.build())?;
+/// assert!(file.starts_with(b"glTF"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`GltfError::NoSuchAsset`], [`GltfError::NoSuchMaterial`], [`GltfError::TooLarge`].

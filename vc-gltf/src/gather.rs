@@ -176,7 +176,7 @@ impl Gathered {
         let (4..=6, Some(position)) = (mode, primitive.attributes.position) else { return Ok(Default::default()) };
         let positions = Elements::vectors(document, buffers, position)?;
         let indices = primitive.indices.map(|i| Elements::indices(document, buffers, i)).transpose()?;
-        let map = TextureMap::of(document, buffers, primitive)?;
+        let map = TextureMap::new(document, buffers, primitive)?;
         let corners = indices.as_ref().map_or(positions.count, |i| i.count);
         let count = if mode == 4 { corners / 3 } else { corners.saturating_sub(2) };
         // An empty primitive counts too, so that reading time is bounded for every file.

@@ -10,65 +10,13 @@ use vc_graph::{Asset, AssetId, AssetLibrary, Pose};
 use super::buffers::Buffers;
 use super::gather::{FoundJoint, FoundSurface, Gathered, Piece, gather};
 use super::image::Decoder;
+use super::options::{ImportOptions, ModelSize};
 use super::{GltfError, collision, document, glb, paint};
-
-/// The size of an imported model.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub enum Size {
-    /// As the file says, in metres.
-    #[default]
-    AsIs,
-    /// The file's size times a factor.
-    Times(f32),
-    /// Scaled to this height, metres.
-    Height(f32),
-    /// Scaled to fit into this depth, width and height, metres.
-    Within(Vector3<f32>),
-}
-
-/// Options for reading a model.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Options {
-    /// The name of the asset; by default that of the scene or its first part.
-    pub name: Option<Arc<str>>,
-    /// The size of the asset.
-    pub size: Size,
-    /// Quarter turns counter-clockwise seen from above, for a model whose front is not where glTF has
-    /// it (+Z).
-    pub quarter_turns: i32,
-    /// Whether to put the centre of its base at the origin; true by default.
-    pub recentre: bool,
-    /// The greatest number of convex collision pieces for each link; 16 by default, and hollow parts
-    /// need at least four. With 0 there are none, and physics uses the triangles.
-    pub hulls: usize,
-    /// The density of materials without an annotation, kilograms per cubic metre.
-    pub density: f32,
-    /// The Coulomb friction coefficient of materials without an annotation.
-    pub friction: f32,
-    /// The coefficient of restitution of materials without an annotation, 0 to 1.
-    pub restitution: f32,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            name: None,
-            size: Size::AsIs,
-            quarter_turns: 0,
-            recentre: true,
-            hulls: 16,
-            density: 700.0,
-            friction: 0.5,
-            restitution: 0.2,
-        }
-    }
-}
 
 /// An imported model.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Imported {
+pub struct ImportedModel {
     /// The asset; its parts refer to materials by their index in `materials`.
     pub asset: Asset,
     /// The materials; they refer to textures by their index in `textures`.
@@ -80,10 +28,10 @@ pub struct Imported {
     /// Whether each of its parts encloses a volume.
     pub closed: bool,
     /// The reasons why images are missing; parts that would use one of these have a plain colour.
-    pub missing_pictures: Vec<GltfError>,
+    pub missing_images: Vec<GltfError>,
 }
 
-impl Imported {
+impl ImportedModel {
     /// Adds the asset, its materials and textures to a library.
     ///
     /// # Errors
@@ -107,12 +55,12 @@ impl Imported {
 ///
 /// # Errors
 /// [`GltfError`] with the reason and advice for the export.
-pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
+pub fn read(file: &[u8], options: &ImportOptions) -> Result<ImportedModel, GltfError> {
     let (document, bytes) = glb::split(file)?;
     if let Some(extension) = document.extensions_required.iter().find(|e| !paint::understands(e)) {
         return Err(GltfError::Extension(extension.clone()));
     }
-    let buffers = Buffers::of(&document, bytes);
+    let buffers = Buffers::new(&document, bytes);
     let found = gather(&document, &buffers, upright(options.quarter_turns))?;
     let placing = Placing::new(&found, options)?;
     let mut paints = Paints::new(&document, &buffers, options);
@@ -126,8 +74,8 @@ pub fn read(file: &[u8], options: &Options) -> Result<Imported, GltfError> {
     let collision = collision::pieces(&parts, options.hulls);
     let closed = parts.iter().all(|p| p.shape.mesh(0.0).is_closed());
     let asset = Asset { name: name(&document, options, &parts), parts, surfaces, collision };
-    let Paints { all: materials, textures, missing: missing_pictures, .. } = paints;
-    Ok(Imported { asset, materials, textures, class: found.class.map(Into::into), closed, missing_pictures })
+    let Paints { all: materials, textures, missing: missing_images, .. } = paints;
+    Ok(ImportedModel { asset, materials, textures, class: found.class.map(Into::into), closed, missing_images })
 }
 
 /// The rotation from Y up, Z forward to Z up, X forward, and the quarter turns.
@@ -137,7 +85,7 @@ fn upright(quarter_turns: i32) -> Matrix4<f64> {
     turn * Matrix4::new(0., 0., 1., 0., 1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 0., 1.)
 }
 
-fn name(document: &document::Document, options: &Options, parts: &[Part]) -> Arc<str> {
+fn name(document: &document::Document, options: &ImportOptions, parts: &[Part]) -> Arc<str> {
     let scene = document.scenes.get(document.scene.unwrap_or(0)).map(|s| s.name.as_str());
     let scene = scene.filter(|n| !n.is_empty()).map(Into::into);
     options.name.clone().or(scene).or_else(|| parts.first().map(|p| p.name.clone())).unwrap_or_default()
@@ -150,15 +98,15 @@ struct Placing {
 }
 
 impl Placing {
-    fn new(found: &Gathered, options: &Options) -> Result<Self, GltfError> {
+    fn new(found: &Gathered, options: &ImportOptions) -> Result<Self, GltfError> {
         let (low, high) = corners(found.pieces.iter()).ok_or(GltfError::Empty)?;
         let extent = high - low;
         let share = |target: f32, own: f64| f64::from(target) / own;
         let scale = match options.size {
-            Size::AsIs => 1.0,
-            Size::Times(factor) => f64::from(factor),
-            Size::Height(height) => share(height, extent.z),
-            Size::Within(size) => (0..3).map(|i| share(size[i], extent[i])).fold(f64::INFINITY, f64::min),
+            ModelSize::AsIs => 1.0,
+            ModelSize::Times(factor) => f64::from(factor),
+            ModelSize::Height(height) => share(height, extent.z),
+            ModelSize::Within(size) => (0..3).map(|i| share(size[i], extent[i])).fold(f64::INFINITY, f64::min),
         };
         let reach = low.coords.abs().sup(&high.coords.abs()).max() * scale;
         if !(scale.is_finite() && scale > 0.0) {
@@ -215,7 +163,7 @@ fn corners<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<(Point3<f64>, 
 struct Paints<'a> {
     document: &'a document::Document,
     buffers: &'a Buffers<'a>,
-    options: &'a Options,
+    options: &'a ImportOptions,
     numbers: BTreeMap<Option<usize>, u32>,
     all: Vec<Material>,
     decoder: Decoder,
@@ -226,7 +174,7 @@ struct Paints<'a> {
 }
 
 impl<'a> Paints<'a> {
-    fn new(document: &'a document::Document, buffers: &'a Buffers<'a>, options: &'a Options) -> Self {
+    fn new(document: &'a document::Document, buffers: &'a Buffers<'a>, options: &'a ImportOptions) -> Self {
         let (numbers, pictures, decoder) = (BTreeMap::new(), BTreeMap::new(), Decoder::new());
         let (all, textures, missing) = (Vec::new(), Vec::new(), Vec::new());
         Self { document, buffers, options, numbers, all, decoder, pictures, textures, missing }

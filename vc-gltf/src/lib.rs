@@ -1,23 +1,12 @@
 //! glTF 2.0: exporting assets and scenes, importing a user's own models.
 //!
 //! ```
-//! use vc_gltf::{self as gltf, Options};
+//! use vc_gltf::{self as gltf, ImportOptions};
 //! use vc_graph::asset::{Material, Part, Shape};
 //! use vc_graph::{Asset, AssetLibrary, Pose};
 //!
 //! let mut library = AssetLibrary::default();
-//! let red = Material {
-//!     name: "red".into(),
-//!     colour: [0.56, 0.03, 0.03],
-//!     density: 1000.0,
-//!     friction: 0.4,
-//!     restitution: 0.4,
-//!     roughness: 0.4,
-//!     metallic: 0.0,
-//!     transmission: 0.0,
-//!     emission: [0.0; 3],
-//!     texture: None,
-//! };
+//! let red = Material { friction: 0.4, restitution: 0.4, roughness: 0.4, ..Material::new("red", [0.56, 0.03, 0.03]) };
 //! let red = library.add_material(red)?;
 //! let part = Part {
 //!     name: "ball".into(),
@@ -29,7 +18,7 @@
 //! let ball = Asset { name: "ball_1".into(), parts: vec![part], ..Asset::default() };
 //! let file = gltf::asset(&ball, &library)?; // std::fs::write("ball.glb", &file)
 //!
-//! let model = gltf::read(&file, &Options::default())?;
+//! let model = gltf::read(&file, &ImportOptions::default())?;
 //! let mut mine = AssetLibrary::default();
 //! let id = model.add_to(&mut mine)?;
 //! assert_eq!(mine.get(id).map(|a| a.parts.len()), Some(1));
@@ -69,7 +58,7 @@
 //! The only images read are those of base colours, and of emission where there is no base colour image (PNG and
 //! JPEG; alpha is ignored, and all images repeat). Skins, morph targets, animations, cameras and lights are not
 //! read; points and lines are ignored. Where an image cannot be read, the model has a plain colour and
-//! [`Imported::missing_pictures`] has the reason. Compressed vertices, and vertices in separate files, are
+//! [`ImportedModel::missing_images`] has the reason. Compressed vertices, and vertices in separate files, are
 //! refused with an error that advises how to export instead.
 
 #![warn(clippy::disallowed_methods)]
@@ -86,11 +75,13 @@ mod glb;
 mod image;
 mod import;
 mod note;
+mod options;
 mod paint;
 mod stage;
 mod write;
 
 pub use error::GltfError;
 pub use export::{TOLERANCE, asset, asset_of_class, posed_scene, scene, staged_scene};
-pub use import::{Imported, Options, Size, read};
+pub use import::{ImportedModel, read};
+pub use options::{ImportOptions, ModelSize};
 pub use stage::{LightPlace, Stage, StageCamera, StageLight};

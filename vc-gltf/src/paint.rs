@@ -4,7 +4,7 @@ use vc_graph::asset::Material;
 
 use super::document as json;
 use super::note::{MaterialNote, Physics, noted, written};
-use super::{GltfError, Options};
+use super::{GltfError, ImportOptions};
 
 /// Quantised vertices are read whether or not a file names the extension.
 const QUANTISED: &str = "KHR_mesh_quantization";
@@ -66,7 +66,7 @@ pub(super) fn read(
     material: &json::Material,
     index: usize,
     texture: Option<u32>,
-    options: &Options,
+    options: &ImportOptions,
 ) -> Result<Material, GltfError> {
     let note: MaterialNote = noted(material.extras.as_ref(), || format!("material {index}"))?;
     let physics = note.physics;

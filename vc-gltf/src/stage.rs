@@ -1,16 +1,25 @@
 //! The cameras and lights of an exported scene.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
-use serde::{Deserialize, Serialize};
 use vc_graph::Pose;
 
 use super::document as json;
 use super::write::Writer;
 
-/// The extension for lights.
-pub(super) const LIGHTS: &str = "KHR_lights_punctual";
-
 /// The cameras of a scene, and its lights apart from emissive objects.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use vc_gltf::{LightPlace, Stage, StageLight};
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// scene.add(Draft::new("kitchen"))?;
+/// let place = LightPlace::Directional { towards: Vector3::z(), lux: 50_000.0 };
+/// let sun = StageLight { name: "sun".into(), colour: [1.0; 3], place };
+/// let file = vc_gltf::staged_scene(&scene.build(), &Stage { lights: vec![sun], ..Stage::default() })?;
+/// assert!(String::from_utf8_lossy(&file).contains("KHR_lights_punctual"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stage {
     /// The cameras.
@@ -47,31 +56,22 @@ pub struct StageLight {
 
 /// The direction or position of a light, and its strength.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum LightPlace {
     /// A directional light, such as the sun.
-    From {
+    Directional {
         /// The direction towards the light.
         towards: Vector3<f32>,
         /// The illuminance of a surface that faces it, lux.
         lux: f32,
     },
     /// A point light.
-    At {
+    Point {
         /// The point, metres.
         point: Point3<f32>,
         /// Intensity, candela.
         candela: f32,
     },
-}
-
-/// A light in the form of the extension.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Light {
-    name: String,
-    #[serde(rename = "type")]
-    kind: String,
-    color: [f32; 3],
-    intensity: f32,
 }
 
 /// Adds the nodes of a stage and returns their indices.
@@ -111,14 +111,14 @@ impl StageLight {
     /// Writes a light; `None` if its position or strength is invalid.
     fn write(&self, writer: &mut Writer<'_>) -> Option<usize> {
         let (kind, intensity, at, turned) = match self.place {
-            LightPlace::From { towards, lux } => {
+            LightPlace::Directional { towards, lux } => {
                 // A directional light shines along the node's -z.
                 let up = towards.try_normalize(1e-9)?;
                 let turn = UnitQuaternion::rotation_between(&Vector3::z(), &up)
                     .unwrap_or_else(|| UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(0.0, 1.0, 0.0, 0.0)));
                 ("directional", lux, None, Some(turn.into_inner().normalize().coords.into()))
             }
-            LightPlace::At { point, candela } => ("point", candela, Some(point.coords), None),
+            LightPlace::Point { point, candela } => ("point", candela, Some(point.coords), None),
         };
         let finite = at.iter().flatten().chain(&self.colour).all(|v| v.is_finite()) && intensity.is_finite();
         if !finite || intensity < 0.0 {
@@ -126,7 +126,7 @@ impl StageLight {
         }
         let color = self.colour.map(|c| c.clamp(0.0, 1.0));
         let lights = &mut writer.document.extensions.get_or_insert_default().lights.lights;
-        lights.push(Light { name: self.name.clone(), kind: kind.into(), color, intensity });
+        lights.push(json::Light { name: self.name.clone(), kind: kind.into(), color, intensity });
         let light = lights.len() - 1;
         Some(writer.node(json::Node {
             name: self.name.clone(),

@@ -198,7 +198,7 @@ impl<'a> Writer<'a> {
         self.document.scenes = vec![json::Scene { name: name.into(), nodes: roots }];
         self.document.extensions_used = paint::extensions(&self.document.materials);
         if self.document.extensions.is_some() {
-            self.document.extensions_used.push(super::stage::LIGHTS.to_owned());
+            self.document.extensions_used.push(json::LIGHTS.to_owned());
         }
         let mut numbers = [None; 4];
         let mut all = Vec::new();

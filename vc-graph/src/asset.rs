@@ -405,6 +405,29 @@ impl AssetLibrary {
 }
 
 impl Material {
+    /// A material of a name and a linear RGB reflectance, otherwise usual: 1000 kilograms per cubic metre, friction
+    /// 0.5, restitution 0.1, half rough, opaque, not metallic, without a texture; it emits no light.
+    ///
+    /// ```
+    /// use vc_graph::asset::Material;
+    /// let steel = Material { density: 7800.0, metallic: 1.0, roughness: 0.3, ..Material::new("steel", [0.6; 3]) };
+    /// assert_eq!((&*steel.name, steel.friction, steel.emission), ("steel", 0.5, [0.0; 3]));
+    /// ```
+    pub fn new(name: impl Into<Arc<str>>, colour: [f32; 3]) -> Self {
+        Self {
+            name: name.into(),
+            colour,
+            density: 1000.0,
+            friction: 0.5,
+            restitution: 0.1,
+            roughness: 0.5,
+            metallic: 0.0,
+            transmission: 0.0,
+            emission: [0.0; 3],
+            texture: None,
+        }
+    }
+
     fn is_sound(&self) -> bool {
         let single = [self.friction, self.restitution, self.roughness, self.metallic, self.transmission];
         let mut all = self.colour.iter().chain(&self.emission).chain(&single);

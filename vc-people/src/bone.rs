@@ -6,6 +6,13 @@ use vc_graph::asset::{Joint, JointKind};
 use super::ADULT;
 
 /// A bone of the figure.
+///
+/// ```
+/// use vc_people::{Bone, BodySide};
+/// assert_eq!(Bone::Hand(BodySide::Left).parent(), Some(Bone::Forearm(BodySide::Left)));
+/// assert!(Bone::Head.anchor().z > Bone::Chest.anchor().z);
+/// assert_eq!(Bone::from_joint(&Bone::Head.joint()), Some(Bone::Head));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Bone {
     /// The hips, on which everything hangs.
@@ -15,29 +22,34 @@ pub enum Bone {
     /// Head and neck.
     Head,
     /// From the shoulder to the elbow.
-    UpperArm(Side),
+    UpperArm(BodySide),
     /// From the elbow to the wrist.
-    Forearm(Side),
+    Forearm(BodySide),
     /// The hand.
-    Hand(Side),
+    Hand(BodySide),
     /// From the hip to the knee.
-    Thigh(Side),
+    Thigh(BodySide),
     /// From the knee to the ankle.
-    Shin(Side),
+    Shin(BodySide),
     /// The foot.
-    Foot(Side),
+    Foot(BodySide),
 }
 
 /// The side of the body, right or left.
+///
+/// ```
+/// use vc_people::BodySide;
+/// assert_eq!(BodySide::BOTH.map(BodySide::sign), [-1.0, 1.0]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Side {
+pub enum BodySide {
     /// Right: negative Y.
     Right,
     /// Left: positive Y.
     Left,
 }
 
-impl Side {
+impl BodySide {
     /// Both sides.
     pub const BOTH: [Self; 2] = [Self::Right, Self::Left];
 
@@ -63,18 +75,18 @@ impl Bone {
         Self::Pelvis,
         Self::Chest,
         Self::Head,
-        Self::UpperArm(Side::Right),
-        Self::UpperArm(Side::Left),
-        Self::Forearm(Side::Right),
-        Self::Forearm(Side::Left),
-        Self::Hand(Side::Right),
-        Self::Hand(Side::Left),
-        Self::Thigh(Side::Right),
-        Self::Thigh(Side::Left),
-        Self::Shin(Side::Right),
-        Self::Shin(Side::Left),
-        Self::Foot(Side::Right),
-        Self::Foot(Side::Left),
+        Self::UpperArm(BodySide::Right),
+        Self::UpperArm(BodySide::Left),
+        Self::Forearm(BodySide::Right),
+        Self::Forearm(BodySide::Left),
+        Self::Hand(BodySide::Right),
+        Self::Hand(BodySide::Left),
+        Self::Thigh(BodySide::Right),
+        Self::Thigh(BodySide::Left),
+        Self::Shin(BodySide::Right),
+        Self::Shin(BodySide::Left),
+        Self::Foot(BodySide::Right),
+        Self::Foot(BodySide::Left),
     ];
 
     pub(crate) fn index(self) -> usize {
@@ -119,7 +131,7 @@ impl Bone {
     }
 
     /// The bone of a joint.
-    pub fn of(joint: &Joint) -> Option<Self> {
+    pub fn from_joint(joint: &Joint) -> Option<Self> {
         Self::ALL.into_iter().find(|b| b.anchor() == joint.anchor)
     }
 }

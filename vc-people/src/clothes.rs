@@ -52,6 +52,12 @@ const SMALL: [&str; 14] = [
 ];
 
 /// Whether a piece of clothing of a class covers a bone.
+///
+/// ```
+/// use vc_people::{BodySide, Bone, clothes};
+/// assert!(clothes::covers("coat", Bone::Forearm(BodySide::Right)));
+/// assert!(!clothes::covers("watch", Bone::Forearm(BodySide::Right)));
+/// ```
 pub fn covers(class: &str, bone: Bone) -> bool {
     if SMALL.iter().any(|word| class.contains(word)) {
         return false;

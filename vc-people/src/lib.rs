@@ -5,7 +5,7 @@
 //! ```
 //! use vc_graph::AssetLibrary;
 //! use vc_graph::nalgebra::Point3;
-//! use vc_people::{Attitude, Bone, Doing, Side, Skeleton, palm};
+//! use vc_people::{BodyPosture, Bone, Activity, BodySide, Skeleton, palm};
 //!
 //! let mut library = AssetLibrary::default();
 //! let person = vc_people::add_to(&mut library, 0)?;
@@ -13,8 +13,8 @@
 //!
 //! // The left hand holds something before the chest.
 //! let cup = Point3::new(0.35, 0.2, 1.1);
-//! let skeleton = Skeleton::new(Attitude::Standing, &Doing::default(), [None, Some(cup)]);
-//! let hand = skeleton.motion(Bone::Hand(Side::Left)) * palm(Side::Left);
+//! let skeleton = Skeleton::new(BodyPosture::Standing, &Activity::default(), [None, Some(cup)]);
+//! let hand = skeleton.motion(Bone::Hand(BodySide::Left)) * palm(BodySide::Left);
 //! assert!((hand - cup).norm() < 0.01);
 //! # Ok::<(), vc_graph::asset::AssetError>(())
 //! ```
@@ -26,19 +26,25 @@ pub mod clothes;
 mod pose;
 mod reach;
 mod shape;
+mod skeleton;
 
 use vc_graph::asset::AssetError;
 use vc_graph::{Anthropometry, AssetId, AssetLibrary, Bounds};
 
-pub use bone::{Bone, Side};
-pub use pose::{Attitude, Doing, Skeleton};
+pub use bone::{BodySide, Bone};
+pub use pose::{Activity, BodyPosture};
 pub use reach::Reach;
 pub use shape::palm;
+pub use skeleton::Skeleton;
 
 /// The person that the figure shows.
 pub(crate) const ADULT: Anthropometry = Anthropometry::ADULT;
 
 /// The bounding box of a standing person.
+///
+/// ```
+/// assert!((1.5..2.0).contains(&vc_people::bounds().size().z));
+/// ```
 pub fn bounds() -> Bounds {
     Bounds::standing(nalgebra::Vector3::new(ADULT.depth, ADULT.breadth, ADULT.stature))
 }

@@ -3,8 +3,8 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::Pose;
 
-use super::bone::{ARM, Bone, LEG, Side};
-use super::pose::{STRETCH, about, pitch};
+use super::bone::{ARM, BodySide, Bone, LEG};
+use super::skeleton::{STRETCH, about, pitch};
 
 /// Largest bend at the waist and largest forward turn of the shoulder, radians.
 const BEND: f32 = 1.25;
@@ -19,10 +19,21 @@ const BACK: f32 = 0.2;
 const STEPS: usize = 16;
 
 /// A reaching hand; the body bends as far as necessary, and the eyes follow.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use vc_people::{Activity, BodyPosture, BodySide, Bone, Reach, Skeleton, palm};
+/// let point = Point3::new(0.5, -0.2, 1.1);
+/// let reach = Reach { side: BodySide::Right, point, share: 1.0, looks: 1.0 };
+/// let activity = Activity { reach: Some(reach), ..Activity::default() };
+/// let skeleton = Skeleton::new(BodyPosture::Standing, &activity, [None, None]);
+/// let hand = skeleton.motion(Bone::Hand(BodySide::Right)) * palm(BodySide::Right);
+/// assert!((hand - point).norm() < 0.02);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
     /// The hand that reaches.
-    pub side: Side,
+    pub side: BodySide,
     /// The point that it reaches for, in the body's frame.
     pub point: Point3<f32>,
     /// Progress of the hand, 0 to 1.
@@ -96,7 +107,7 @@ impl TrunkBend {
         pitch(self.bend) * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), self.twist)
     }
 
-    fn shoulder(&self, side: Side, seat: Option<&Pose>) -> Point3<f32> {
+    fn shoulder(&self, side: BodySide, seat: Option<&Pose>) -> Point3<f32> {
         let bent = about(Bone::Chest.anchor(), self.chest()) * Bone::UpperArm(side).anchor();
         seat.map_or_else(|| bent + self.hips(), |seat| seat * bent)
     }

@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{AssetError, Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Pose};
 
-use super::bone::{ANKLE, ARM, Bone, LEG, Side};
+use super::bone::{ANKLE, ARM, BodySide, Bone, LEG};
 
 /// Linear reflectance of shirts and trousers, by the person's number.
 const CLOTHES: [[[f32; 3]; 2]; 4] = [
@@ -34,21 +34,10 @@ struct Stuff {
 }
 
 impl Stuff {
-    fn of(library: &mut AssetLibrary, number: usize) -> Result<Self, AssetError> {
+    fn new(library: &mut AssetLibrary, number: usize) -> Result<Self, AssetError> {
         let ([shirt, trousers], [skin, hair]) = (CLOTHES[number % CLOTHES.len()], LOOKS[number % LOOKS.len()]);
         let mut add = |name: &str, colour, roughness| {
-            library.add_material(Material {
-                name: name.into(),
-                colour,
-                density: 1000.0,
-                friction: 0.5,
-                restitution: 0.0,
-                roughness,
-                metallic: 0.0,
-                transmission: 0.0,
-                emission: [0.0; 3],
-                texture: None,
-            })
+            library.add_material(Material { restitution: 0.0, roughness, ..Material::new(name, colour) })
         };
         Ok(Self {
             skin: add("skin", skin, 0.55)?,
@@ -63,11 +52,11 @@ impl Stuff {
 
 /// A standing person with its arms down, facing X, feet at the origin.
 pub(super) fn person(library: &mut AssetLibrary, number: usize) -> Result<Asset, AssetError> {
-    let stuff = Stuff::of(library, number)?;
+    let stuff = Stuff::new(library, number)?;
     let mut parts = Vec::new();
     trunk(&stuff, &mut parts);
     head(&stuff, &mut parts);
-    for side in Side::BOTH {
+    for side in BodySide::BOTH {
         arm(&stuff, side, &mut parts);
         leg(&stuff, side, &mut parts);
     }
@@ -103,7 +92,7 @@ fn trunk(stuff: &Stuff, parts: &mut Vec<Part>) {
     parts.push(part("pelvis", Bone::Pelvis, block([0.1, 0.16, 0.11], 0.09), stuff.trousers, v(0.0, 0.0, 0.03)));
     parts.push(part("belly", Bone::Chest, block([0.1, 0.15, 0.13], 0.09), stuff.shirt, v(0.0, 0.0, 0.06)));
     parts.push(part("chest", Bone::Chest, block([0.11, 0.18, 0.17], 0.1), stuff.shirt, v(0.0, 0.0, 0.25)));
-    for side in Side::BOTH {
+    for side in BodySide::BOTH {
         let anchor = Bone::UpperArm(side).anchor() - Bone::Chest.anchor();
         let inner = v(0.0, 0.06 * side.sign(), anchor.z);
         // The shoulder blade fills the corner between the chest and the arm, the other one slopes up to the neck.
@@ -123,13 +112,13 @@ fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
     parts.push(part("hair", Bone::Head, ball(0.102), stuff.hair, v(-0.016, 0.0, 0.155)));
     parts.push(part("hair", Bone::Head, ball(0.087), stuff.hair, v(-0.03, 0.0, 0.095)));
     parts.push(part("nose", Bone::Head, ball(0.014), stuff.skin, v(0.1, 0.0, 0.105)));
-    for side in Side::BOTH {
+    for side in BodySide::BOTH {
         parts.push(part("eye", Bone::Head, ball(0.011), stuff.eyes, v(0.089, 0.034 * side.sign(), 0.13)));
         parts.push(part("ear", Bone::Head, ball(0.02), stuff.skin, v(0.0, 0.085 * side.sign(), 0.11)));
     }
 }
 
-fn arm(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
+fn arm(stuff: &Stuff, side: BodySide, parts: &mut Vec<Part>) {
     parts.push(part(
         "shoulder",
         Bone::UpperArm(side),
@@ -147,7 +136,7 @@ fn arm(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
     parts.push(part("thumb", Bone::Hand(side), thumb, stuff.skin, Vector3::new(0.042, 0.0, -0.06)));
 }
 
-fn leg(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
+fn leg(stuff: &Stuff, side: BodySide, parts: &mut Vec<Part>) {
     parts.push(limb("thigh", Bone::Thigh(side), LEG[0], 0.074, stuff.trousers));
     parts.push(limb("shin", Bone::Shin(side), LEG[1] - 0.02, 0.054, stuff.trousers));
     let shoe = block([0.125, 0.046, 0.038], 0.034);
@@ -155,6 +144,6 @@ fn leg(stuff: &Stuff, side: Side, parts: &mut Vec<Part>) {
 }
 
 /// The position of the palm when the arm hangs down.
-pub fn palm(side: Side) -> Point3<f32> {
+pub fn palm(side: BodySide) -> Point3<f32> {
     Bone::UpperArm(side).anchor() - Vector3::z() * (ARM[0] + ARM[1])
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use vc_graph::{Bounds, Stream};
 use vc_shapes::Style;
-use vc_shapes::material::Mat;
+use vc_shapes::material::MaterialId;
 use vc_shapes::{Build, Object};
 
 use crate::plan::{Rect, metres};
@@ -11,7 +11,7 @@ use crate::plan::{Rect, metres};
 /// Boxes in world coordinates that become one object.
 pub(crate) struct Solids {
     class: &'static str,
-    boxes: Vec<(&'static str, [f32; 3], [f32; 3], Mat)>,
+    boxes: Vec<(&'static str, [f32; 3], [f32; 3], MaterialId)>,
     tops: Vec<(&'static str, Rect)>,
 }
 
@@ -20,7 +20,7 @@ impl Solids {
         Self { class, boxes: Vec::new(), tops: Vec::new() }
     }
 
-    pub(crate) fn block(&mut self, name: &'static str, low: [f32; 3], high: [f32; 3], mat: Mat) {
+    pub(crate) fn block(&mut self, name: &'static str, low: [f32; 3], high: [f32; 3], mat: MaterialId) {
         self.boxes.push((name, low, high, mat));
     }
 

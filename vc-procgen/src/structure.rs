@@ -7,7 +7,7 @@ use vc_graph::{Pose, Seed};
 
 use crate::Style;
 use crate::furnish::{Facing, Item, Rest};
-use crate::material::Mat;
+use crate::material::MaterialId;
 use crate::object::{self, Object};
 use crate::plan::{FloorPlan, Opening, OpeningKind, Rect, RoomKind, metres};
 use crate::reach::doorway;
@@ -33,10 +33,10 @@ pub(crate) fn build(plan: &FloorPlan, style: &Style, seed: Seed) -> Vec<Item> {
 
 /// The materials of walls and floors by room.
 struct Looks {
-    walls: Vec<Mat>,
-    floors: Vec<Mat>,
-    outside: Mat,
-    joinery: Mat,
+    walls: Vec<MaterialId>,
+    floors: Vec<MaterialId>,
+    outside: MaterialId,
+    joinery: MaterialId,
 }
 
 impl Looks {
@@ -121,7 +121,7 @@ fn touches(board: &[f32; 6], rect: &Rect) -> bool {
 }
 
 /// A rectangle of wall from floor to ceiling, minus the openings in it.
-fn cut(plan: &FloorPlan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: Mat) {
+fn cut(plan: &FloorPlan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: MaterialId) {
     if rect.is_empty() {
         return;
     }

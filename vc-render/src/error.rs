@@ -7,13 +7,16 @@ use vc_graph::{Label, NodeId};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError<N = NodeId> {
-    /// A side of the image is zero or longer than [`MAX_SIDE`](crate::camera::MAX_SIDE).
-    #[error("an image of {width} x {height} pixels cannot be rendered: sides are 1 to {most}", most = crate::camera::MAX_SIDE)]
+    /// A side of the image is zero or longer than the longest possible,
+    /// [`MAX_SIDE`](crate::camera::MAX_SIDE).
+    #[error("an image of {width} x {height} pixels cannot be rendered: sides are 1 to {longest}")]
     BadSize {
         /// Pixels across.
         width: u32,
         /// Pixels down.
         height: u32,
+        /// Longest possible side, pixels.
+        longest: u32,
     },
     /// The camera's focal lengths, principal point, near plane or pose are not finite or out of range; the text
     /// says which, and the range.
@@ -111,7 +114,7 @@ impl<N> RenderError<N> {
     pub fn named<M>(self, name: &impl Fn(N) -> M) -> RenderError<M> {
         use RenderError as E;
         match self {
-            E::BadSize { width, height } => E::BadSize { width, height },
+            E::BadSize { width, height, longest } => E::BadSize { width, height, longest },
             E::BadCamera(wrong) => E::BadCamera(wrong),
             E::BadPose(id) => E::BadPose(name(id)),
             E::NoSuchAsset { node, asset } => E::NoSuchAsset { node: name(node), asset },

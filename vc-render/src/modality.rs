@@ -3,6 +3,15 @@
 use std::fmt;
 use std::ops::{BitOr, BitOrAssign};
 
+use vc_graph::NodeId;
+
+/// Node of a pixel where nothing is visible, in [`Frame::instance`](crate::Frame::instance).
+pub const NOTHING: NodeId = NodeId(u32::MAX);
+
+/// Class and part of a pixel where nothing is visible, in [`Frame::class`](crate::Frame::class) and
+/// [`Frame::part`](crate::Frame::part).
+pub const NO_LABEL: u16 = u16::MAX;
+
 macro_rules! modalities {
     ($($(#[$doc:meta])* $name:ident = $bit:literal;)*) => {
         /// A kind of image or label that a camera produces. Sets are made with `|`.
@@ -98,11 +107,17 @@ impl Modalities {
     }
 
     /// The set of the modalities in a list.
-    pub fn of(list: &[Modality]) -> Self {
+    pub fn new(list: &[Modality]) -> Self {
         list.iter().fold(Self::NONE, |all, one| all | *one)
     }
 
     /// The set without one modality.
+    ///
+    /// ```
+    /// use vc_render::{Modalities, Modality};
+    /// let labels = Modalities::SIX.without(Modality::Rgb);
+    /// assert!(labels.has(Modality::Depth) && !labels.has(Modality::Rgb));
+    /// ```
     #[must_use]
     pub const fn without(self, one: Modality) -> Self {
         Self(self.0 & !one.bit())

@@ -70,7 +70,7 @@ fn frames_used_again_allocate_nothing() {
         pool.install(|| {
             let mut frame = Frame::new();
             let mut render = |camera: &Camera| {
-                let shot = Shot::new(&snapshot, camera, wanted).lit(&lighting).finer(finer);
+                let shot = Shot::new(&snapshot, camera, wanted).lit(&lighting).supersampled(finer);
                 renderer.render(&shot.after(&then, camera).before(&then, camera), &mut frame).unwrap();
             };
             // All cameras are rendered until all buffers have their final lengths.

@@ -9,6 +9,7 @@ use crate::object::{Generator, Object, generators};
 
 /// One object of the catalogue.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Instance {
     /// The generator that made it.
     pub generator: &'static Generator,
@@ -54,6 +55,16 @@ impl Object {
     ///
     /// Dimensions are rounded to a centimetre, or to a twentieth of the object's largest dimension
     /// where that is less; names and order of parts count, too.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_shapes::{Style, object};
+    /// let generator = object::generator("chair").ok_or("no generator")?;
+    /// let chair = |style| generator.object(&Style::from_seed(Seed(style)), Seed(1));
+    /// // Another style changes the materials and not the shape.
+    /// assert_eq!(chair(1).shape_key(), chair(1).shape_key());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn shape_key(&self) -> Digest {
         let step = (self.size().max() * 0.05).min(0.01);
         let mut key = Key { hash: Digester::new(), step };

@@ -7,11 +7,19 @@ use vc_graph::asset::Material;
 use vc_graph::portable::Portable;
 
 /// A material of the [table](ALL): its index in every library that this crate makes.
+///
+/// ```
+/// use vc_shapes::material::{Family, OAK, library};
+/// assert_eq!((OAK.name(), OAK.family()), ("oak", Some(Family::Wood)));
+/// // The same index in every library of this crate.
+/// assert_eq!(library().material(OAK.0).map(|material| &*material.name), Some("oak"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Mat(pub u32);
+pub struct MaterialId(pub u32);
 
 /// The kind of a material; the materials of a family share everything but the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Family {
     /// Furniture wood and floor boards.
     Wood,
@@ -79,7 +87,7 @@ macro_rules! materials {
         #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
         enum Number { $($name),* }
         $(#[doc = concat!("The material `", $text, "`.")]
-        pub const $name: Mat = Mat(Number::$name as u32);)*
+        pub const $name: MaterialId = MaterialId(Number::$name as u32);)*
         /// The name, family and sRGB colour of every material.
         pub const ALL: &[(&str, Family, u32)] = &[$(($text, Family::$family, $colour)),*];
     };
@@ -294,7 +302,7 @@ materials! {
     POOL_WATER "pool_water" Liquid 0x6fc3d6;
 }
 
-impl Mat {
+impl MaterialId {
     /// The material's name.
     pub fn name(self) -> &'static str {
         ALL.get(self.0 as usize).map_or("", |m| m.0)
@@ -331,8 +339,16 @@ fn material(name: &str, family: Family, colour: u32) -> Material {
         Family::Screen => (of(OFF), shines(40.0)),
         _ => (of(colour), [0.0; 3]),
     };
-    let (name, texture) = (name.into(), None);
-    Material { name, colour, density, friction, restitution, roughness, metallic, transmission, emission, texture }
+    Material {
+        density,
+        friction,
+        restitution,
+        roughness,
+        metallic,
+        transmission,
+        emission,
+        ..Material::new(name, colour)
+    }
 }
 
 /// sRGB's transfer function (IEC 61966-2-1), to linear.

@@ -5,56 +5,66 @@ use vc_graph::Seed;
 use crate::material::*;
 
 /// The materials by purpose; one style applies to a whole home.
+///
+/// ```
+/// use vc_graph::Seed;
+/// use vc_shapes::Style;
+/// use vc_shapes::material::Family;
+/// // One style for a whole home; any purpose may be given another material.
+/// let style = Style { wood: vc_shapes::material::OAK, ..Style::from_seed(Seed(3)) };
+/// assert_eq!(style.wood.family(), Some(Family::Wood));
+/// assert_eq!(Style::from_seed(Seed(3)), Style::from_seed(Seed(3)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// Wood of tables, chairs, shelves.
-    pub wood: Mat,
+    pub wood: MaterialId,
     /// A second, matching wood or lacquer: cabinets, wardrobes.
-    pub cabinet: Mat,
+    pub cabinet: MaterialId,
     /// Fronts of kitchen units.
-    pub front: Mat,
+    pub front: MaterialId,
     /// Worktops.
-    pub worktop: Mat,
+    pub worktop: MaterialId,
     /// Legs, handles, frames.
-    pub metal: Mat,
+    pub metal: MaterialId,
     /// Taps and bathroom fittings.
-    pub tap: Mat,
+    pub tap: MaterialId,
     /// Sofas and armchairs.
-    pub upholstery: Mat,
+    pub upholstery: MaterialId,
     /// Cushions, throws, chairs.
-    pub accent: Mat,
+    pub accent: MaterialId,
     /// Bed linen.
-    pub linen: Mat,
+    pub linen: MaterialId,
     /// Curtains and blinds.
-    pub curtain: Mat,
+    pub curtain: MaterialId,
     /// Rugs.
-    pub rug: Mat,
+    pub rug: MaterialId,
     /// Towels.
-    pub towel: Mat,
+    pub towel: MaterialId,
     /// Plates and bowls.
-    pub crockery: Mat,
+    pub crockery: MaterialId,
     /// Cases of appliances.
-    pub appliance: Mat,
+    pub appliance: MaterialId,
     /// Doors and skirting.
-    pub joinery: Mat,
+    pub joinery: MaterialId,
     /// Walls of living rooms and bedrooms.
-    pub wall: Mat,
+    pub wall: MaterialId,
     /// A wall colour for one or two rooms.
-    pub feature: Mat,
+    pub feature: MaterialId,
     /// Floors of dry rooms.
-    pub floor: Mat,
+    pub floor: MaterialId,
     /// Floors of kitchens and baths.
-    pub tile: Mat,
+    pub tile: MaterialId,
 }
 
 /// Matching woods, lacquers and cloths.
 struct Palette {
-    woods: &'static [Mat],
-    cabinets: &'static [Mat],
-    metals: &'static [Mat],
-    cloths: &'static [Mat],
-    accents: &'static [Mat],
-    walls: &'static [Mat],
+    woods: &'static [MaterialId],
+    cabinets: &'static [MaterialId],
+    metals: &'static [MaterialId],
+    cloths: &'static [MaterialId],
+    accents: &'static [MaterialId],
+    walls: &'static [MaterialId],
 }
 
 const PALETTES: [Palette; 5] = [
@@ -110,7 +120,7 @@ impl Style {
     pub fn from_seed(seed: Seed) -> Self {
         let mut rng = seed.child("style").stream();
         let palette = &PALETTES[rng.below(PALETTES.len())];
-        let mut of = |list: &[Mat]| list[rng.below(list.len())];
+        let mut of = |list: &[MaterialId]| list[rng.below(list.len())];
         Self {
             wood: of(palette.woods),
             cabinet: of(palette.cabinets),

@@ -85,7 +85,7 @@ impl Base {
             let end = usize::from(lit.open.contains(&id));
             snapshot.articulate(id, |joint| Some(ends(joint)[end]))?;
         }
-        self.covers.iter().try_for_each(|id| snapshot.draw(*id, lit.drawn.contains(id)))?;
+        self.covers.iter().try_for_each(|id| snapshot.draw_cover(*id, lit.drawn.contains(id)))?;
         for (id, pose, room) in &lit.moved {
             snapshot.place(*id, pose)?;
             snapshot.enter(*id, *room)?;
@@ -106,7 +106,7 @@ impl Base {
                 snapshot.place(*id, &(Pose::translation(0.0, 0.0, 1e-3) * pose))?;
             }
         }
-        self.covers.iter().try_for_each(|id| snapshot.draw(*id, !lit.drawn.contains(id)))?;
+        self.covers.iter().try_for_each(|id| snapshot.draw_cover(*id, !lit.drawn.contains(id)))?;
         self.vessels.iter().try_for_each(|(id, full)| snapshot.fill(*id, (!full).then_some("water")))?;
         Ok(snapshot)
     }

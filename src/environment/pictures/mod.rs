@@ -164,9 +164,9 @@ impl Environment {
         let then =
             later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
         let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
-        let lighting = lighting.map(|light| if view.is_plan() { light.evened(EVEN) } else { light });
-        let mut shot = Shot::new(&snapshot, &camera, wanted).finer(how.finer);
-        (shot.lighting, shot.adapts) = (lighting.as_ref(), how.adapts);
+        let lighting = lighting.map(|light| if view.is_plan() { light.equalized(EVEN) } else { light });
+        let mut shot = Shot::new(&snapshot, &camera, wanted).supersampled(how.finer);
+        (shot.lighting, shot.adaptation) = (lighting.as_ref(), how.adapts);
         if let Some((snapshot, camera)) = &then {
             shot = shot.after(snapshot, camera);
         }
@@ -203,7 +203,7 @@ impl Environment {
         for node in &base.seen {
             // Dirt comes and goes.
             if let Some(node) = self.graph().node(*node) {
-                snapshot.coat(node.id(), Coat::of(node))?;
+                snapshot.coat(node.id(), Coat::from_node(node))?;
             }
         }
         for (id, _) in &base.vessels {
@@ -211,19 +211,20 @@ impl Environment {
             snapshot.fill(*id, contents.map(AsRef::as_ref))?;
         }
         for id in &base.covers {
-            snapshot.draw(*id, self.graph().node(*id).is_some_and(|n| n.is(State::Closed)))?;
+            snapshot.draw_cover(*id, self.graph().node(*id).is_some_and(|n| n.is(State::Closed)))?;
         }
         for id in &base.jointed {
             snapshot.articulate(*id, |joint| position(self.graph(), self.world(), *id, joint))?;
         }
         for &agent in self.agents() {
             if let Some(skeleton) = self.skeleton(agent) {
-                snapshot.arrange(agent, |joint| Some(skeleton.motion(Bone::of(joint)?)))?;
+                snapshot.arrange(agent, |joint| Some(skeleton.motion(Bone::from_joint(joint)?)))?;
             }
             for worn in self.graph().relating(Relation::WornBy, agent).filter_map(|id| self.graph().node(id)) {
                 let colour = clothes::colour(self.graph().assets(), worn).unwrap_or([0.5; 3]);
                 let coat = Coat { colour, share: 1.0, roughness: 1.0 };
-                let on = |joint: &Joint| Bone::of(joint).filter(|b| clothes::covers(worn.class(), *b)).map(|_| coat);
+                let on =
+                    |joint: &Joint| Bone::from_joint(joint).filter(|b| clothes::covers(worn.class(), *b)).map(|_| coat);
                 snapshot.coat_links(agent, on)?;
                 snapshot.hide(worn.id(), true)?;
             }

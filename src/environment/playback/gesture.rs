@@ -4,7 +4,7 @@
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{Aabb, Action, Anthropometry, NodeId, Pose, Verb};
-use vc_people::{Doing, Reach};
+use vc_people::{Activity, Reach};
 use vc_physics::Hand;
 
 use super::Player;
@@ -50,8 +50,8 @@ impl Player {
     pub(super) fn gesture(&mut self, show: &mut Environment, action: &Action, seconds: f32) -> bool {
         // Cups and books come to where the eyes are while the head is upright.
         let upright = matches!(action.verb, Verb::Drink | Verb::Eat | Verb::Read);
-        let attends = if upright { None } else { show.attended(self.agent, action.things()) };
-        let doing = Doing { gesture: Some((action.verb, self.time)), attends, ..Doing::default() };
+        let gaze = if upright { None } else { show.attended(self.agent, action.things()) };
+        let doing = Activity { gesture: Some((action.verb, self.time)), gaze, ..Activity::default() };
         show.poses.insert(self.agent, doing);
         let ease = EASE * seconds;
         let share = (self.time.min(seconds - self.time) / ease).clamp(0.0, 1.0);

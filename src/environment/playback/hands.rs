@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
-use vc_people::{Doing, Reach, Side};
+use vc_people::{Activity, BodySide, Reach};
 use vc_physics::Hand;
 
 use super::{Player, between};
@@ -145,8 +145,8 @@ impl Player {
             Some(point) => Some(Reach { side, point, share: 1.0, looks: share }),
             None => self.handling.at.map(|point| Reach { side, point, share, looks: share }),
         };
-        let attends = show.attended(self.agent, [thing]);
-        show.poses.insert(self.agent, Doing { reach, attends, ..Doing::default() });
+        let gaze = show.attended(self.agent, [thing]);
+        show.poses.insert(self.agent, Activity { reach, gaze, ..Activity::default() });
         self.time >= 2.0 * REACHING
     }
 
@@ -171,9 +171,9 @@ fn push(show: &mut Environment, drive: &Drive, begins: bool) -> bool {
     show.world.is_driven(drive.id)
 }
 
-pub(super) fn side(hand: Hand) -> Side {
+pub(super) fn side(hand: Hand) -> BodySide {
     match hand {
-        Hand::Right => Side::Right,
-        Hand::Left => Side::Left,
+        Hand::Right => BodySide::Right,
+        Hand::Left => BodySide::Left,
     }
 }

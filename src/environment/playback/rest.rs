@@ -1,7 +1,7 @@
 //! Sitting down, lying down and getting up: the transition between two postures.
 
 use vc_graph::Pose;
-use vc_people::{Doing, Skeleton};
+use vc_people::{Activity, Skeleton};
 use vc_physics::Hand;
 
 use super::{Player, between};
@@ -34,7 +34,7 @@ impl Player {
                 Some((hand, moved * grip?, now))
             });
             let held = held.collect();
-            self.settling = skeleton.map(|from| Settling { from: from.seen_after(&moved), held });
+            self.settling = skeleton.map(|from| Settling { from: from.transformed(&moved), held });
         }
         let Some(Settling { from, held }) = &self.settling else { return true };
         let share = (self.time / SETTLING).min(1.0);
@@ -44,7 +44,7 @@ impl Player {
             // The thing is in that hand.
             let _ = show.world.regrip(self.agent, *hand, between(from, to, share));
         }
-        show.poses.insert(self.agent, Doing { settles: Some((from.clone(), share)), ..Doing::default() });
+        show.poses.insert(self.agent, Activity { transition: Some((from.clone(), share)), ..Activity::default() });
         self.time >= SETTLING
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Translation3, Vector2};
 use vc_graph::{NodeId, Pose, Relation};
-use vc_people::Doing;
+use vc_people::Activity;
 
 use super::Player;
 use crate::environment::Environment;
@@ -64,8 +64,8 @@ impl Player {
         self.swing_doors(show, way);
         self.turn(show, &Pose::from_parts(Translation3::new(at.x, at.y, feet.translation.z), towards(front)));
         let from = self.from.clone().filter(|_| self.time < SETTLING);
-        let settles = from.map(|from| (from, self.time / SETTLING));
-        show.poses.insert(self.agent, Doing { walked: Some(way), settles, ..Doing::default() });
+        let transition = from.map(|from| (from, self.time / SETTLING));
+        show.poses.insert(self.agent, Activity { walked: Some(way), transition, ..Activity::default() });
         false
     }
 

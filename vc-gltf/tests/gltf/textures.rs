@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Point3;
 use proptest::prelude::*;
 use serde_json::{Value, json};
-use vc_gltf::{self as gltf, Imported, Options};
+use vc_gltf::{self as gltf, ImportOptions, ImportedModel};
 use vc_graph::asset::{Material, Part, Shape, Texture};
 use vc_graph::{Asset, AssetLibrary, Pose};
 
@@ -14,8 +14,8 @@ const JPEG: &[u8] = include_bytes!("../data/four.jpg");
 /// Texture coordinates of two triangles; the triangles share an edge of the mesh but not of the image.
 const UVS: [[[f32; 2]; 3]; 2] = [[[0.0, 1.0], [0.5, 1.0], [0.5, 0.0]], [[0.25, 0.0], [0.75, 1.0], [1.5, -0.5]]];
 
-fn plain() -> Options {
-    Options { hulls: 0, recentre: false, ..Options::default() }
+fn plain() -> ImportOptions {
+    ImportOptions { hulls: 0, recentre: false, ..ImportOptions::default() }
 }
 
 fn picture() -> Texture {
@@ -30,16 +30,12 @@ fn sign() -> (Asset, AssetLibrary) {
     library.add_texture(Arc::new(Texture { name: "other".into(), ..picture() })).unwrap();
     let texture = library.add_texture(Arc::new(picture())).unwrap();
     let material = Material {
-        name: "printed".into(),
-        colour: [0.5, 0.25, 1.0],
         density: 650.0,
         friction: 0.4,
         restitution: 0.3,
         roughness: 0.75,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
         texture: Some(texture),
+        ..Material::new("printed", [0.5, 0.25, 1.0])
     };
     library.add_material(material).unwrap();
     let corners = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from).to_vec();
@@ -103,7 +99,7 @@ fn changed(file: &[u8], picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -
     [&file[..12], &json, &chunk(b"BIN\0", bytes)].concat()
 }
 
-fn read(picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Result<Imported, String> {
+fn read(picture: Option<&[u8]>, edit: impl FnOnce(&mut Value)) -> Result<ImportedModel, String> {
     gltf::read(&edited(picture, edit), &plain()).map_err(|e| e.to_string())
 }
 
@@ -132,7 +128,7 @@ fn pictures_read_back() {
 #[test]
 fn pictures_that_glow_read_back() {
     let file = screen();
-    let is_glowing = |model: &Imported| {
+    let is_glowing = |model: &ImportedModel| {
         let pictured: Vec<&Material> = model.materials.iter().filter(|m| m.texture.is_some()).collect();
         assert_eq!(pictured.len(), 1);
         let close = pictured[0].emission.iter().zip([40.0, 20.0, 10.0]).all(|(a, b)| (a - b).abs() < 1e-3);
@@ -209,7 +205,7 @@ fn coordinates_are_found_and_moved_as_the_file_says() {
 #[test]
 fn a_model_is_plain_where_its_picture_cannot_be_used() {
     let own = written();
-    let shape = |model: &Imported| model.asset.parts.iter().map(|p| p.shape.clone()).collect::<Vec<_>>();
+    let shape = |model: &ImportedModel| model.asset.parts.iter().map(|p| p.shape.clone()).collect::<Vec<_>>();
     let whole = shape(&read(None, |_| {}).unwrap());
     let start = own.windows(4).position(|w| w == b"\x89PNG").unwrap();
     let png = &own[start..];
@@ -235,7 +231,7 @@ fn a_model_is_plain_where_its_picture_cannot_be_used() {
         let model = read(picture, edit).unwrap();
         assert_eq!(shape(&model), whole);
         assert!(model.textures.is_empty() && model.materials.iter().all(|m| m.texture.is_none()));
-        let said: Vec<String> = model.missing_pictures.iter().map(ToString::to_string).collect();
+        let said: Vec<String> = model.missing_images.iter().map(ToString::to_string).collect();
         assert!(said.len() == 1 && said[0].contains(expected), "{said:?} does not say `{expected}`");
     }
     let cut = read(None, |d| d["bufferViews"][1]["byteLength"] = json!(8)).err().unwrap_or_default();

@@ -10,18 +10,7 @@ use vc_graph::format::native;
 use vc_graph::{Asset, AssetLibrary, ClassTable, Draft, Pose, SceneBuilder};
 
 fn oak() -> Material {
-    Material {
-        name: "oak".into(),
-        colour: [0.4, 0.3, 0.2],
-        density: 700.0,
-        friction: 0.5,
-        restitution: 0.1,
-        roughness: 0.6,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material { density: 700.0, roughness: 0.6, ..Material::new("oak", [0.4, 0.3, 0.2]) }
 }
 
 fn part(shape: Shape) -> Part {

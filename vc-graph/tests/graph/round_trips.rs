@@ -177,16 +177,9 @@ fn native_keeps_assets_and_materials() {
 
 fn material() -> vc_graph::asset::Material {
     vc_graph::asset::Material {
-        name: "oak".into(),
-        colour: [0.4, 0.3, 0.1],
         density: 700.0,
-        friction: 0.5,
-        restitution: 0.1,
         roughness: 0.6,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
+        ..vc_graph::asset::Material::new("oak", [0.4, 0.3, 0.1])
     }
 }
 

@@ -19,18 +19,7 @@ pub(crate) struct Scene {
 }
 
 pub(crate) fn material(name: &str, density: f32, friction: f32, restitution: f32) -> Material {
-    Material {
-        name: name.into(),
-        colour: [0.5; 3],
-        density,
-        friction,
-        restitution,
-        roughness: 0.5,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material { density, friction, restitution, ..Material::new(name, [0.5; 3]) }
 }
 
 pub(crate) fn at(x: f32, y: f32, z: f32) -> Pose {

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Translation3, Vector3};
 use vc_graph::Asset;
 use vc_graph::asset::{Joint, Part, Shape};
 
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// The asset translated against its origin, metres.
 pub(super) fn moved(mut asset: Asset, by: Vector3<f32>) -> Asset {
@@ -50,7 +50,7 @@ pub(super) fn joined(name: &str, units: Vec<Asset>) -> Asset {
 }
 
 /// A box between two corners.
-pub(super) fn block(name: &str, low: Point3<f32>, high: Point3<f32>, mat: Mat) -> Part {
+pub(super) fn block(name: &str, low: Point3<f32>, high: Point3<f32>, mat: MaterialId) -> Part {
     let centre = nalgebra::center(&low, &high);
     Part {
         name: name.into(),

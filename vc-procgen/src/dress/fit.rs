@@ -32,7 +32,7 @@ const ROWS: [(&str, f32); 5] = [
 ];
 
 /// The material of an object without a generator, by a word in its class.
-const MATTER: [(&str, Mat); 12] = [
+const MATTER: [(&str, MaterialId); 12] = [
     ("wood", OAK),
     ("metal", STEEL),
     ("glass", GLASS),

@@ -8,7 +8,7 @@ use super::compose::{block, moved};
 use super::house::{House, goes_around};
 use crate::Style;
 use crate::furnish::Facing;
-use crate::material::{self, Mat};
+use crate::material::{self, MaterialId};
 use crate::object::{Generator, Object};
 
 /// The thickness of a ceiling whose box has none, metres.
@@ -55,7 +55,7 @@ pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Op
 }
 
 /// Walls and floors with the shapes of `vc-geometry`, in a material.
-fn painted(house: &House, node: &Node, mat: Mat) -> Option<Built> {
+fn painted(house: &House, node: &Node, mat: MaterialId) -> Option<Built> {
     let mut asset = house.shapes.get(&node.id())?.clone();
     asset.parts.iter_mut().for_each(|part| part.material = mat.0);
     let (low, high) = asset.extent()?;
@@ -92,7 +92,7 @@ fn around(low: Point3<f32>, high: Point3<f32>) -> Bounds {
     Bounds { offset: nalgebra::center(&low, &high).coords, half: (high - low) / 2.0, frame: BoundsFrame::Object }
 }
 
-fn one_block(name: &str, (low, high): (Point3<f32>, Point3<f32>), mat: Mat) -> Asset {
+fn one_block(name: &str, (low, high): (Point3<f32>, Point3<f32>), mat: MaterialId) -> Asset {
     Asset { name: name.into(), parts: vec![block(name, low, high, mat)], ..Asset::default() }
 }
 
@@ -124,7 +124,7 @@ fn hole(house: &House, opening: &Opening) -> Aabb {
 }
 
 /// A strip on the floor in place of a frame whose door has its own.
-fn threshold(node: &Node, opening: &Opening, mat: Mat) -> Option<Built> {
+fn threshold(node: &Node, opening: &Opening, mat: MaterialId) -> Option<Built> {
     let (bounds, pose) = (node.spec().bounds?, node.pose()?);
     let pose = upright(pose, &bounds);
     if !quarter(&pose.rotation) {

@@ -14,16 +14,11 @@ fn a_floor_is_of_its_own_room() {
     let mut library = AssetLibrary::default();
     let stone = library
         .add_material(Material {
-            name: "stone".into(),
-            colour: [0.5; 3],
             density: 2000.0,
             friction: 0.6,
             restitution: 0.0,
             roughness: 0.8,
-            metallic: 0.0,
-            transmission: 0.0,
-            emission: [0.0; 3],
-            texture: None,
+            ..Material::new("stone", [0.5; 3])
         })
         .unwrap();
     let mut scene = SceneBuilder::new("flat");

@@ -53,18 +53,7 @@ impl<'a> Words<'a> {
 
 pub(crate) fn library() -> AssetLibrary {
     let mut library = AssetLibrary::default();
-    let material = Material {
-        name: "wood".into(),
-        colour: [0.5; 3],
-        density: 600.0,
-        friction: 0.5,
-        restitution: 0.1,
-        roughness: 0.5,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    };
+    let material = Material { density: 600.0, ..Material::new("wood", [0.5; 3]) };
     library.add_material(material).unwrap();
     library
 }

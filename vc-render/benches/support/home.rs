@@ -42,18 +42,7 @@ struct Site {
 }
 
 fn material((name, colour, roughness, metallic): (&str, [f32; 3], f32, f32)) -> Material {
-    Material {
-        name: name.into(),
-        colour,
-        density: 500.0,
-        friction: 0.5,
-        restitution: 0.1,
-        roughness,
-        metallic,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material { roughness, metallic, ..Material::new(name, colour) }
 }
 
 /// A cube with `fine` by `fine` cells on each side, each of its vertices mapped by `place`.

@@ -47,7 +47,7 @@ impl Stage {
 
     fn shot<'a>(&'a self, camera: &'a Camera, (wanted, plain): Wanted) -> Shot<'a> {
         let shot = Shot::new(&self.snapshot, camera, wanted).lit(&self.lighting).after(&self.next, camera);
-        if plain { shot.plain() } else { shot }
+        if plain { shot.unshadowed() } else { shot }
     }
 
     /// CPU milliseconds of a picture on one thread: the mean over the cameras of the median.

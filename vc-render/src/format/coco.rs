@@ -48,7 +48,7 @@ impl Coco {
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks; nothing is added then.
     pub fn add(&mut self, file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<(), RenderError> {
-        self.push(CocoPicture::of(file_name, frame, snapshot)?);
+        self.push(CocoPicture::new(file_name, frame, snapshot)?);
         Ok(())
     }
 
@@ -119,8 +119,8 @@ impl CocoPicture {
     ///
     /// # Errors
     /// [`RenderError::Missing`] for a frame without boxes or masks.
-    pub fn of(file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<Self, RenderError> {
-        if ![Modality::Boxes, Modality::Masks].iter().all(|modality| frame.holds.has(*modality)) {
+    pub fn new(file_name: impl Into<String>, frame: &Frame, snapshot: &Snapshot) -> Result<Self, RenderError> {
+        if ![Modality::Boxes, Modality::Masks].iter().all(|modality| frame.modalities.has(*modality)) {
             return Err(RenderError::Missing { wanted: "COCO", needs: "a frame with boxes and masks" });
         }
         let objects = frame.boxes.iter().zip(frame.masks()).map(|(label, mask)| {

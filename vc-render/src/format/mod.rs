@@ -6,4 +6,4 @@ mod npy;
 
 pub use coco::{Coco, CocoPicture};
 pub use exr::exr;
-pub use npy::{Number, npy};
+pub use npy::{NpyNumber, npy};

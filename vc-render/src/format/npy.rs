@@ -3,7 +3,7 @@
 use crate::RenderError;
 
 /// A number type that NumPy has, for [`npy`]: `f32`, `u32`, `u16` and `u8`, and nodes by their numbers.
-pub trait Number: Copy {
+pub trait NpyNumber: Copy {
     /// NumPy's name of the type, such as `<f4`.
     const NAME: &'static str;
     /// Appends its bytes, the lowest first.
@@ -12,7 +12,7 @@ pub trait Number: Copy {
 
 macro_rules! numbers {
     ($($number:ty: $name:literal),*) => {
-        $(impl Number for $number {
+        $(impl NpyNumber for $number {
             const NAME: &'static str = $name;
             fn bytes(self, out: &mut Vec<u8>) {
                 out.extend(self.to_le_bytes());
@@ -23,7 +23,7 @@ macro_rules! numbers {
 
 numbers!(f32: "<f4", u32: "<u4", u16: "<u2", u8: "|u1");
 
-impl Number for vc_graph::NodeId {
+impl NpyNumber for vc_graph::NodeId {
     const NAME: &'static str = u32::NAME;
     fn bytes(self, out: &mut Vec<u8>) {
         self.0.bytes(out);
@@ -46,7 +46,7 @@ impl Number for vc_graph::NodeId {
 /// assert_eq!(vc_render::format::npy(&instance, &[2])?, vc_render::format::npy(&[7_u32, 9], &[2])?);
 /// # Ok::<(), vc_render::RenderError>(())
 /// ```
-pub fn npy<T: Number>(numbers: &[T], shape: &[usize]) -> Result<Vec<u8>, RenderError> {
+pub fn npy<T: NpyNumber>(numbers: &[T], shape: &[usize]) -> Result<Vec<u8>, RenderError> {
     if shape.iter().try_fold(1_usize, |all, length| all.checked_mul(*length)) != Some(numbers.len()) {
         return Err(RenderError::BadShape { numbers: numbers.len(), shape: shape.to_vec() });
     }

@@ -82,6 +82,7 @@ fn corners<S: serde::Serializer>(corners: &[Option<Point2<f32>>; 8], s: S) -> Re
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BoxLabel {
     /// The node.
     pub node: NodeId,

@@ -127,6 +127,26 @@ impl Mask<'_> {
     /// The mask in COCO's run-length encoding: lengths of runs down the columns, from the left, alternately of
     /// pixels outside and inside. Costs a step for every pixel of [`within`](Self::within), and takes four
     /// bytes for each run.
+    ///
+    /// ```
+    /// # use nalgebra::{Point3, Vector3};
+    /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// # let mut scene = SceneBuilder::new("flat");
+    /// # let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+    /// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+    /// # let scene = scene.build();
+    /// use vc_render::{Camera, Frame, Modality, Renderer, Shot};
+    /// # let mut renderer = Renderer::new();
+    /// # let snapshot = renderer.snapshot(&scene)?;
+    /// # let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(0.0, 0.0, 1.0), Point3::new(2.0, 0.0, 1.0));
+    /// let mut frame = Frame::new();
+    /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Masks), &mut frame)?;
+    /// let mask = frame.masks().next().ok_or("nothing is visible")?;
+    /// assert_eq!(mask.node(), fridge);
+    /// assert_eq!(mask.rle().area(), mask.area());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn rle(&self) -> Rle {
         let within = self.entry.within;
         let (height, total) = (self.masks.height as u32, (self.masks.width * self.masks.height) as u32);

@@ -11,25 +11,15 @@ pub(crate) use strip::Strip;
 
 use vc_graph::NodeId;
 
-use crate::label::{Other, Run};
-use crate::modality::{Modalities, Modality};
-use crate::raster::Layers;
-use crate::shade::Openness;
-
-/// Node of a pixel where nothing is visible, in [`Frame::instance`].
-pub const NOTHING: NodeId = NodeId(u32::MAX);
-
-/// Class and part of a pixel where nothing is visible, in [`Frame::class`] and [`Frame::part`].
-pub const NO_LABEL: u16 = u16::MAX;
+use crate::modality::{Modalities, Modality, NOTHING};
 
 /// A rendered view: the wanted modalities in typed buffers. Each buffer holds `height * width` pixels, row by row
 /// from the top left; buffers of modalities not requested are empty.
 ///
 /// A frame that is rendered into again keeps its memory. Bytes for each pixel: colours 3, depth and distance 4
 /// each, nodes 4, parts and classes 2 each, normals and points 12 each, flow 8 for each direction, occlusion 1
-/// for each; masks take a bit for each pixel of an object's box, its rows filled up to 64 bits. The renderer's
-/// working memory is kept too: 8 bytes for each pixel and more for colours, and with
-/// [`Shot::finer`](crate::Shot::finer) a larger frame of colours.
+/// for each; masks take a bit for each pixel of an object's box, its rows filled up to 64 bits. The working memory of
+/// rendering is kept by the [`Renderer`](crate::Renderer).
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -64,7 +54,7 @@ pub struct Frame {
     /// Pixels down.
     pub height: usize,
     /// The modalities in this frame.
-    pub holds: Modalities,
+    pub modalities: Modalities,
     /// Colours in sRGB.
     pub rgb: Vec<[u8; 3]>,
     /// The exposure: factors by which light was multiplied to give these colours, linear RGB; zero without
@@ -76,9 +66,9 @@ pub struct Frame {
     pub distance: Vec<f32>,
     /// The graph's node; [`NOTHING`] where nothing is visible.
     pub instance: Vec<NodeId>,
-    /// Position of the part in the node's asset; [`NO_LABEL`] where nothing is visible.
+    /// Position of the part in the node's asset; [`NO_LABEL`](crate::NO_LABEL) where nothing is visible.
     pub part: Vec<u16>,
-    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`] where nothing is visible.
+    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`](crate::NO_LABEL) where nothing is visible.
     pub class: Vec<u16>,
     /// Normal of the surface in the world, unit length; zero where nothing is visible.
     pub normal: Vec<[f32; 3]>,
@@ -100,32 +90,6 @@ pub struct Frame {
     pub boxes: Vec<BoxLabel>,
     pub(crate) visible_masks: Masks,
     pub(crate) whole_masks: Masks,
-    pub(crate) memory: Memory,
-}
-
-/// Working memory of rendering.
-#[derive(Default)]
-pub(crate) struct Memory {
-    pub(crate) bands: Vec<Band>,
-    pub(crate) other: [Other; 2],
-    pub(crate) alone: Layers,
-    pub(crate) tally: Vec<crate::label::Tally>,
-    pub(crate) open: Openness,
-    /// The smoother of coloured edges.
-    pub(crate) smoother: crate::shade::Smoother,
-    /// The frame of finer colours, before they are shrunk.
-    pub(crate) finer: Option<Box<Frame>>,
-}
-
-/// Working memory for a band of rows.
-#[derive(Default)]
-pub(crate) struct Band {
-    pub(crate) rows: std::ops::Range<i32>,
-    pub(crate) layers: Layers,
-    pub(crate) runs: Vec<Run>,
-    pub(crate) motion: crate::label::Motions,
-    pub(crate) faces: crate::label::Faces,
-    pub(crate) shading: crate::shade::Scratch,
 }
 
 impl Frame {
@@ -153,7 +117,7 @@ impl Frame {
 
     /// Resizes the buffers.
     pub(crate) fn prepare(&mut self, width: usize, height: usize, wanted: Modalities, [next, last]: [bool; 2]) {
-        (self.width, self.height, self.holds) = (width, height, wanted);
+        (self.width, self.height, self.modalities) = (width, height, wanted);
         let pixels = width * height;
         let count = |of: Modality| if wanted.has(of) { pixels } else { 0 };
         self.rgb.resize(count(Modality::Rgb), [0; 3]);

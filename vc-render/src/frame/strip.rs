@@ -17,9 +17,9 @@ macro_rules! strips {
 
         impl<'a> Strip<'a> {
             /// All rows of a frame.
-            pub(crate) fn of(frame: &'a mut Frame) -> (Self, &'a mut super::Memory) {
-                let Frame { width, height, memory, $($name,)* .. } = frame;
-                (Self { width: *width, rows: 0..*height as i32, $($name,)* }, memory)
+            pub(crate) fn whole(frame: &'a mut Frame) -> Self {
+                let Frame { width, height, $($name,)* .. } = frame;
+                Self { width: *width, rows: 0..*height as i32, $($name,)* }
             }
 
             /// Splits off the first rows.

@@ -2,7 +2,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use crate::affine::{scaled, three};
+use crate::math::{scaled, three};
 
 /// Irradiance on surfaces that face along the six axis directions, after Valve's ambient cube (McTaggart 2004):
 /// a surface that faces a wall with a window gets none of the window's light.
@@ -38,7 +38,7 @@ impl Ambient {
         for axis in 0..3 {
             let side = axis + if towards[axis] < 0.0 { 3 } else { 0 };
             let [red, green, blue] = light;
-            for (sum, light) in self.0[4 * side..].iter_mut().zip([red, green, blue, super::brightness(light)]) {
+            for (sum, light) in self.0[4 * side..].iter_mut().zip([red, green, blue, crate::colour::luminance(light)]) {
                 *sum += towards[axis].abs() * light;
             }
         }

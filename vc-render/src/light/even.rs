@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Lighting;
 use super::lamp::Lamp;
-use crate::affine::scaled;
+use crate::math::scaled;
 use crate::scene::{Body, NO_ROOM};
 
 /// Light levels below this count as dark.
@@ -28,14 +28,14 @@ impl Lighting {
     /// # let scene = scene.build();
     /// # let mut renderer = Renderer::new();
     /// # let snapshot = renderer.snapshot(&scene)?;
-    /// let lighting = renderer.light(&snapshot, &Daylight::noon()).evened(0.8);
+    /// let lighting = renderer.light(&snapshot, &Daylight::noon()).equalized(0.8);
     /// let camera = Camera::with_fov(64, 48, 1.0).overhead(Point3::new(2.0, 0.0, 2.0), 4.0);
     /// let mut frame = Frame::new();
     /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn evened(&self, share: f32) -> Self {
+    pub fn equalized(&self, share: f32) -> Self {
         let share = share.clamp(0.0, 1.0);
         let (middle, gains) = self.evening(share);
         let Some((outside, _)) = gains.split_last() else { return self.clone() };

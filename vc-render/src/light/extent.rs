@@ -2,7 +2,7 @@
 
 use vc_graph::ObjectRole;
 
-use crate::affine::{self, three};
+use crate::math::{self, three};
 use crate::scene::Snapshot;
 
 /// Boxes around rooms, from their floors and walls.
@@ -14,8 +14,8 @@ pub(super) fn rooms(snapshot: &Snapshot) -> Vec<([f32; 3], [f32; 3])> {
     for body in &snapshot.bodies {
         let room = usize::from(body.room).min(count - 1);
         let floor = body.role == ObjectRole::Floor;
-        let map = affine::Affine::of(&body.pose).narrow();
-        let around = crate::scene::turned(&map, &body.bounds);
+        let map = math::Affine::from_pose(&body.pose).narrow();
+        let around = body.bounds.mapped(&map);
         let (low, high) = (three(|i| around.centre[i] - around.half[i]), three(|i| around.centre[i] + around.half[i]));
         // In the plan, the floor alone gives the extent if there is one; upwards, all bodies do.
         let (from, to) = &mut all[room];

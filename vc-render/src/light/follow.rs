@@ -7,47 +7,15 @@ use rayon::prelude::*;
 use super::Lighting;
 use super::lamp::{Lamp, lamps, others};
 use crate::RenderError;
-use crate::renderer::Renderer;
-use crate::scene::Snapshot;
+use crate::scene::{Snapshot, Store};
 
-impl Renderer {
-    /// Updates shadows, mirrors and reference pictures to another moment of the same scene: things that have
-    /// moved cast their shadows from their new places, and lamps that were carried shine from theirs. Indirect
-    /// light stays as it was; [`relight`](Self::relight) computes it anew as well.
-    ///
-    /// The shadows are then bit for bit those that [`light`](Self::light) would make. Only those rows of shadow
-    /// maps are redrawn in which a moved thing may be the nearest: this takes some milliseconds where a person
-    /// walks in the sun or below a lamp, and less than one where nothing has moved in the light
-    /// (`benches/README.md`).
-    ///
-    /// ```
-    /// # use nalgebra::{Point3, Vector3};
-    /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
-    /// # let mut scene = SceneBuilder::new("yard");
-    /// # let slab = Bounds::standing(Vector3::new(6.0, 6.0, 0.1));
-    /// # scene.add(Draft::new("floor").at(Pose::translation(0.0, 0.0, -0.1)).bounds(slab))?;
-    /// # let size = Bounds::standing(Vector3::new(0.4, 0.4, 1.0));
-    /// # let chair = scene.add(Draft::new("chair").at(Pose::identity()).bounds(size))?;
-    /// # let scene = scene.build();
-    /// # let mut renderer = Renderer::new();
-    /// let mut snapshot = renderer.snapshot(&scene)?;
-    /// let mut lighting = renderer.light(&snapshot, &Daylight::noon());
-    /// snapshot.place(chair, &Pose::translation(1.0, 0.5, 0.0))?;
-    /// renderer.follow(&mut lighting, &snapshot)?;
-    /// let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::new(3.0, -2.0, 2.0), Point3::new(0.5, 0.0, 0.0));
-    /// let mut frame = Frame::new();
-    /// renderer.render(&Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting), &mut frame)?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Those of [`relight`](Self::relight); the light is then unchanged.
-    pub fn follow(&self, lighting: &mut Lighting, snapshot: &Snapshot) -> Result<(), RenderError> {
-        lighting.check(&self.store)?;
-        lighting.tracer.snapshot.with("snapshot to follow", snapshot)?;
-        lighting.tracer.follow(snapshot)?;
-        let before = std::mem::replace(&mut lighting.cast, Arc::new(snapshot.clone()));
+impl Lighting {
+    /// Updates shadows, mirrors and reference pictures to another moment of the same scene.
+    pub(crate) fn follow_shadows(&mut self, store: &Store, snapshot: &Snapshot) -> Result<(), RenderError> {
+        self.check(store)?;
+        self.tracer.snapshot.with("snapshot to follow", snapshot)?;
+        self.tracer.follow(snapshot)?;
+        let before = std::mem::replace(&mut self.cast, Arc::new(snapshot.clone()));
         let pairs = before.instances.iter().zip(&snapshot.instances).zip(0..);
         let moved: Vec<u32> = pairs.filter(|((a, b), _)| a.world != b.world).map(|(_, index)| index).collect();
         if moved.is_empty() {
@@ -55,34 +23,34 @@ impl Renderer {
         }
         let moments = [&*before, snapshot];
         let all = 0..snapshot.instances.len() as u32;
-        let sun = lighting.sun.as_ref().and_then(|map| map.followed(self, moments, &moved, all));
+        let sun = self.sun.as_ref().and_then(|map| map.followed(store, moments, &moved, all));
         if let Some(sun) = sun {
-            lighting.sun = Some(Arc::new(sun));
+            self.sun = Some(Arc::new(sun));
         }
-        self.follow_lamps(lighting, moments, &moved);
+        self.follow_lamps(store, moments, &moved);
         Ok(())
     }
 
     /// Updates the shadows of lamps, and rebuilds the lamps that have moved.
-    fn follow_lamps(&self, lighting: &mut Lighting, moments: [&Snapshot; 2], moved: &[u32]) {
+    fn follow_lamps(&mut self, store: &Store, moments: [&Snapshot; 2], moved: &[u32]) {
         let bodies: Vec<u32> = moved.iter().map(|i| moments[1].instances[*i as usize].body).collect();
         let stays = |lamp: &&Lamp| !bodies.contains(&lamp.body);
         let followed = |lamp: &Lamp| {
             let others = others(moments[1], lamp.body);
-            Lamp { shadows: lamp.shadows.followed(self, moments, moved, others), ..lamp.clone() }
+            Lamp { shadows: lamp.shadows.followed(store, moments, moved, others), ..lamp.clone() }
         };
-        let count = lighting.lamps.len();
-        let mut all: Vec<Lamp> = lighting.lamps.par_iter().filter(stays).map(followed).collect();
+        let count = self.lamps.len();
+        let mut all: Vec<Lamp> = self.lamps.par_iter().filter(stays).map(followed).collect();
         if all.len() < count {
-            let anew = lamps(self, &lighting.tracer, &all);
-            (lighting.gains, lighting.screens, all) = (anew.gains, anew.screens, anew.lamps);
+            let anew = lamps(store, &self.tracer, &all);
+            (self.gains, self.screens, all) = (anew.gains, anew.screens, anew.lamps);
         }
-        lighting.lamps = Arc::new(all);
+        self.lamps = Arc::new(all);
     }
 }
 
-#[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+#[cfg(test)]
 mod tests {
     use vc_graph::{NodeId, Pose};
 

@@ -1,8 +1,8 @@
 //! A room's grid of ambient light: its points, interpolation between them, and filling in of unknown points.
 
 use super::Ambient;
-use crate::affine::three;
-use crate::simd::whole;
+use crate::math::simd::whole;
+use crate::math::three;
 
 /// Spacing of the grid's points along the floor and upwards, metres.
 const STEP: [f32; 3] = [0.5, 0.5, 0.6];

@@ -4,11 +4,11 @@ use rayon::prelude::*;
 
 use super::flux::{Leaving, leaving};
 use super::shadow::Cube;
-use super::{brightness, dot};
-use crate::affine::{self, scaled, three};
-use crate::renderer::Renderer;
+use crate::colour::luminance;
+use crate::math::{self, dot, scaled, three};
+use crate::ray_casting::Tracer;
+use crate::scene::Store;
 use crate::scene::{Body, Gives, Snapshot};
-use crate::trace::Tracer;
 
 /// Lumens in one unit of luminous flux.
 pub(super) const LUMENS: f32 = 5000.0;
@@ -57,30 +57,30 @@ pub(super) fn others(snapshot: &Snapshot, body: u32) -> impl Iterator<Item = u32
 }
 
 /// Finds the luminous bodies of a scene. Lamps in `kept` already have their shadows.
-pub(super) fn lamps(renderer: &Renderer, tracer: &Tracer, kept: &[Lamp]) -> Shining {
+pub(super) fn lamps(store: &Store, tracer: &Tracer, kept: &[Lamp]) -> Shining {
     let snapshot = &tracer.snapshot;
     let mut gains = vec![[0.0; 4]; snapshot.bodies.len()];
     let (mut found, mut screens) = (Vec::new(), Vec::new());
     for (index, body) in snapshot.bodies.iter().enumerate().filter(|(_, b)| b.lit) {
-        let glow = Glow::of(renderer, snapshot, body);
+        let glow = Glow::new(store, snapshot, body);
         let Some(target) = lumens(body, glow.area) else {
             gains[index] = [FAINT, 0.0, 0.0, 0.0];
             screens.push((index as u32, glow.most));
             continue;
         };
         if glow.area > 0.0 {
-            let gain = target / LUMENS / brightness(glow.flux).max(1e-9);
+            let gain = target / LUMENS / luminance(glow.flux).max(1e-9);
             // A third of the light passes through the shade, in the bulb's colour.
             let through = 0.35 * target / LUMENS;
             let shade = if glow.shade > 0.0 { through / (std::f32::consts::PI * glow.shade) } else { 0.0 };
-            let [red, green, blue] = scaled(glow.flux, shade / brightness(glow.flux).max(1e-9));
+            let [red, green, blue] = scaled(glow.flux, shade / luminance(glow.flux).max(1e-9));
             gains[index] = [gain, red, green, blue];
             found.push((index as u32, glow));
         }
     }
     let lamp = |(body, glow): (u32, Glow)| {
         let known = kept.iter().find(|lamp| lamp.body == body).cloned();
-        known.unwrap_or_else(|| Lamp::new(renderer, tracer, (body, &gains[body as usize]), &glow))
+        known.unwrap_or_else(|| Lamp::new(store, tracer, (body, &gains[body as usize]), &glow))
     };
     let lamps = found.into_par_iter().map(lamp).collect();
     Shining { gains, screens, lamps }
@@ -96,15 +96,15 @@ fn lumens(body: &Body, area: f32) -> Option<f32> {
 }
 
 impl Glow {
-    fn of(renderer: &Renderer, snapshot: &Snapshot, body: &Body) -> Self {
+    fn new(store: &Store, snapshot: &Snapshot, body: &Body) -> Self {
         let mut glow = Self { area: 0.0, most: 0.0, flux: [0.0; 3], middle: [0.0; 3], shade: 0.0 };
         for instance in &snapshot.instances[body.instances.start as usize..body.instances.end as usize] {
             let mesh = &*instance.link.levels[0];
             let world = instance.world.narrow();
             for cluster in &mesh.clusters {
                 for triangle in cluster.triangles.clone() {
-                    let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
-                    let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
+                    let surface = &store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
+                    let corners = mesh.triangle(cluster, triangle as usize).map(|p| math::point(&world, p));
                     if surface.glows() {
                         glow.add(corners, surface.mean_emission());
                     } else if surface.role == crate::surface::Role::Shade {
@@ -122,7 +122,7 @@ impl Glow {
     fn add(&mut self, corners: [[f32; 3]; 3], emission: [f32; 3]) {
         let (_, area) = area(corners);
         self.area += area;
-        self.most = self.most.max(brightness(emission));
+        self.most = self.most.max(luminance(emission));
         for i in 0..3 {
             self.flux[i] += std::f32::consts::PI * emission[i] * area;
             self.middle[i] += (corners[0][i] + corners[1][i] + corners[2][i]) / 3.0 * area;
@@ -134,18 +134,18 @@ impl Glow {
 pub(super) fn area([a, b, c]: [[f32; 3]; 3]) -> ([f32; 3], f32) {
     let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
     let (u, v) = (edge(b), edge(c));
-    let cross = affine::cross(u, v);
+    let cross = math::cross(u, v);
     let length = dot(cross, cross).sqrt();
     (if length > 0.0 { cross.map(|x| x / length) } else { [0.0; 3] }, 0.5 * length)
 }
 
 impl Lamp {
-    fn new(renderer: &Renderer, tracer: &Tracer, (index, gains): (u32, &[f32; 4]), glow: &Glow) -> Self {
+    fn new(store: &Store, tracer: &Tracer, (index, gains): (u32, &[f32; 4]), glow: &Glow) -> Self {
         let snapshot = &tracer.snapshot;
         let others: Vec<u32> = others(snapshot, index).collect();
         let radius = (glow.area / (4.0 * std::f32::consts::PI)).sqrt();
-        let Leaving { flux, axis, at } = leaving(renderer, tracer, index, gains).unwrap_or(Leaving::none(glow.middle));
-        let shadows = Cube::new(renderer, snapshot, &others, at, radius);
+        let Leaving { flux, axis, at } = leaving(store, tracer, index, gains).unwrap_or(Leaving::none(glow.middle));
+        let shadows = Cube::new(store, snapshot, &others, at, radius);
         // A ceiling just above a lamp must still be lit.
         let (room, radius) = (snapshot.bodies[index as usize].room, 0.5 * radius);
         Self { body: index, room, at, radius, flux, axis, shadows }

@@ -3,10 +3,10 @@
 use arrayvec::ArrayVec;
 use vc_graph::portable::Portable;
 
-use super::{Lighting, brightness};
-use crate::affine::three;
-use crate::camera::STREWN;
-use crate::shade::night;
+use super::Lighting;
+use crate::camera::SCATTERED_PIXELS;
+use crate::colour::{luminance, night};
+use crate::math::three;
 use crate::surface::{Coat, Surface};
 
 /// How far the white balance goes towards the colour of the room's light: lamplight stays warm, but does not
@@ -61,10 +61,10 @@ impl Lighting {
     pub(crate) fn metered(&self, patch: &Patch<'_>) -> Spot {
         let &Patch { surface, coat, body, at, normal, room } = patch;
         let (around, direct) = (self.around(at, normal, room), self.direct(at, normal, room, self.sunlight(room)));
-        let colour = surface.thrown(coat);
+        let colour = surface.reflected(coat);
         let falls = three(|i| colour[i] * (around[i] + direct[i]));
         let own = self.glow(surface, body);
-        Spot { room, luminance: brightness(falls) * std::f32::consts::FRAC_1_PI + brightness(own) }
+        Spot { room, luminance: luminance(falls) * std::f32::consts::FRAC_1_PI + luminance(own) }
     }
 
     /// The exposure: factors that bring the light in view to a picture's middle grey, and its colour part of
@@ -78,8 +78,8 @@ impl Lighting {
         let outdoors = self.room_for(eye) + 1 == self.rooms.len();
         let number = |spot: &Spot| usize::from(spot.room).min(self.rooms.len() - 1);
         let inside = |spot: &Spot| outdoors || number(spot) + 1 < self.rooms.len();
-        let spots: ArrayVec<Spot, STREWN> = seen.into_iter().filter(inside).take(STREWN).collect();
-        let mut levels: ArrayVec<_, STREWN> = spots.iter().map(|spot| self.level(number(spot))).collect();
+        let spots: ArrayVec<Spot, SCATTERED_PIXELS> = seen.into_iter().filter(inside).take(SCATTERED_PIXELS).collect();
+        let mut levels: ArrayVec<_, SCATTERED_PIXELS> = spots.iter().map(|spot| self.level(number(spot))).collect();
         if levels.is_empty() {
             levels.push(self.level(self.room_for(eye)));
         }
@@ -87,7 +87,7 @@ impl Lighting {
         let adapted = adapted(level);
         let count = levels.len() as f32;
         let colour = levels.iter().fold([0.0; 3], |sum, (_, c)| {
-            let share = 1.0 / brightness(*c);
+            let share = 1.0 / luminance(*c);
             three(|i| sum[i] + share * c[i])
         });
         // In darkness eyes see little colour, and the sky's blue tells of the night.
@@ -102,7 +102,7 @@ impl Lighting {
         let lamps = self.lamps.iter().filter(|l| usize::from(l.room) == room);
         let own = lamps.fold([0.0; 3], |sum, lamp| three(|c| sum[c] + lamp.flux[c]));
         let (grid, share) = (&self.grids[room], 0.25 / (self.floor(room) * 4.0).max(1.0));
-        (grid.middling + brightness(own) * share, three(|c| grid.colour[c] + own[c] * share + 1e-6))
+        (grid.middling + luminance(own) * share, three(|c| grid.colour[c] + own[c] * share + 1e-6))
     }
 
     /// The room for whose light a picture is exposed: the one that the camera is in; seen from above, the one

@@ -5,9 +5,9 @@
 
 #![allow(clippy::needless_range_loop, reason = "lists of one length go side by side, as vectors do")]
 
-use super::look::{LANES, column};
+use super::lookup::{LANES, column};
 use super::shadow::ShadowMap;
-use crate::simd::whole;
+use crate::math::simd::whole;
 
 /// Number of points spread evenly over a disc.
 const POINTS: usize = 12;

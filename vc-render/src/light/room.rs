@@ -8,11 +8,13 @@ use rayon::prelude::*;
 
 use super::extent::rooms;
 use super::grid::Grid;
-use super::{Ambient, Daylight, Lighting, brightness, dot};
-use crate::affine::three;
-use crate::renderer::Renderer;
+use super::{Ambient, Daylight, Lighting};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::math::{dot, three};
+use crate::ray_casting::SurfaceHit;
+use crate::scene::Store;
 use crate::scene::{Body, NO_ROOM, Stands};
-use crate::trace::{Met, Ray};
 
 /// Number of rays from each point.
 const RAYS: usize = 256;
@@ -61,16 +63,16 @@ pub(super) fn directions() -> Vec<[f32; 3]> {
 /// The grids of all rooms, and last the one for things in no room.
 ///
 /// Also, for each of them, the share of sunlight that panes let through where the sun shines in.
-pub(super) fn grids(renderer: &Renderer, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
+pub(super) fn grids(store: &Store, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
     let bounds = rooms(&lighting.tracer.snapshot);
     let mut grids = Grid::over_all(&bounds);
     let directions = directions();
     let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
     let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
     let within = within(lighting, &grids, &places);
-    let look = |(g, i): &(usize, usize)| look(renderer, lighting, *g, grids[*g].place(*i), &directions);
-    let look = |(place, within): (&_, &bool)| within.then(|| look(place)).flatten();
-    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(look).collect();
+    let cast = |(g, i): &(usize, usize)| cast_rays(store, lighting, *g, grids[*g].place(*i), &directions);
+    let cast = |(place, within): (&_, &bool)| within.then(|| cast(place)).flatten();
+    let seen: Vec<Option<Vec<Seen>>> = places.par_iter().zip(&within).map(cast).collect();
     let sunlight = sunlight(seen.iter().flatten().flatten(), grids.len());
     let mut sums = vec![[0.0; 2]; grids.len()];
     let mut before: Vec<Vec<Ambient>> = Vec::new();
@@ -133,7 +135,7 @@ fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec
     let tracer = &lighting.tracer;
     let over = |(g, i): &(usize, usize)| {
         let down = Ray { from: grids[*g].place(*i), along: [0.0, 0.0, -1.0], end: 1e4 };
-        let below = tracer.first(&down).map(|met| tracer.snapshot.bodies[met.instance.body as usize].room);
+        let below = tracer.first(&down).map(|hit| tracer.snapshot.bodies[hit.instance.body as usize].room);
         below.is_some_and(|room| usize::from(room) == *g)
     };
     let over: Vec<bool> = places.par_iter().map(over).collect();
@@ -143,8 +145,8 @@ fn within(lighting: &Lighting, grids: &[Grid], places: &[(usize, usize)]) -> Vec
 }
 
 /// Casts rays from a point; none if the point is inside of things.
-fn look(
-    renderer: &Renderer,
+fn cast_rays(
+    store: &Store,
     lighting: &Lighting,
     room: usize,
     from: [f32; 3],
@@ -155,20 +157,20 @@ fn look(
     let mut behind = 0;
     let mut seen = Vec::with_capacity(rays.len());
     for (index, ray) in rays.iter().enumerate() {
-        let met = tracer.first(ray);
-        if let Some(cover) = met.as_ref().filter(|met| met.instance.covers()) {
+        let hit = tracer.first(ray);
+        if let Some(cover) = hit.as_ref().filter(|hit| hit.instance.covers()) {
             let (cover, other) = (cover.facing(ray.along.map(|v| -v)), directions[index * STRIDE % directions.len()]);
-            seen.push(lighting.past(renderer, (&cover, ray), other, room));
+            seen.push(lighting.past(store, (&cover, ray), other, room));
             continue;
         }
-        let inside = met.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
+        let inside = hit.as_ref().is_some_and(|m| dot(m.flat, ray.along) > 0.0);
         behind += usize::from(inside);
         let share = || {
-            let end = met.as_ref().map_or(ray.end, |met| met.t);
-            super::pane::passes(renderer, tracer, Ray { end, ..*ray })
+            let end = hit.as_ref().map_or(ray.end, |hit| hit.t);
+            super::pane::passes(store, tracer, Ray { end, ..*ray })
         };
-        seen.push(match met {
-            Some(met) if !inside => lighting.seen(renderer, &met, room).behind(share()),
+        seen.push(match hit {
+            Some(hit) if !inside => lighting.seen(store, &hit, room).behind(share()),
             Some(_) => Seen::only([0.0; 3]),
             None => Seen::only(lighting.daylight.radiance(ray.along)).behind(share()),
         });
@@ -191,28 +193,28 @@ impl Seen {
 }
 
 impl Lighting {
-    pub(super) fn seen(&self, renderer: &Renderer, met: &Met<'_>, room: usize) -> Seen {
-        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
-        let body = &self.tracer.snapshot.bodies[met.instance.body as usize];
-        let colour = surface.thrown(&met.instance.coat);
-        let lamp = self.lamps.iter().any(|l| l.body == met.instance.body && usize::from(l.room) == room);
+    pub(super) fn seen(&self, store: &Store, hit: &SurfaceHit<'_>, room: usize) -> Seen {
+        let surface = &store.surfaces[usize::from(hit.face.surface)];
+        let body = &self.tracer.snapshot.bodies[hit.instance.body as usize];
+        let colour = surface.reflected(&hit.instance.coat);
+        let lamp = self.lamps.iter().any(|l| l.body == hit.instance.body && usize::from(l.room) == room);
         let glow = || {
-            let (glow, shine) = (self.glow(surface, met.instance.body), met.shine(surface, FAR));
+            let (glow, shine) = (self.glow(surface, hit.instance.body), hit.shine(surface, FAR));
             three(|i| glow[i] * shine[i])
         };
         let own = if lamp { [0.0; 3] } else { glow() };
         // Shadow maps let a little light through at edges.
         let towards = || Ray {
-            from: three(|i| met.at[i] + 1e-3 * met.flat[i]),
+            from: three(|i| hit.at[i] + 1e-3 * hit.flat[i]),
             along: self.daylight.towards_sun.into(),
             end: 1e4,
         };
-        let lit = self.sunshine(met.at, met.normal).is_some_and(|lit| lit > 0.0);
+        let lit = self.sunshine(hit.at, hit.normal).is_some_and(|lit| lit > 0.0);
         let sunny = lit && !self.tracer.blocked(&towards());
-        let sun = if sunny { self.panes(renderer, met) } else { 0.0 };
-        let into = self.room_of(body, met.instance, met.at, met.flat);
-        let direct = self.direct(met.at, met.normal, into, sun);
-        let gaps = self.gaps(body, met, into);
+        let sun = if sunny { self.panes(store, hit) } else { 0.0 };
+        let into = self.room_of(body, hit.instance, hit.at, hit.flat);
+        let direct = self.direct(hit.at, hit.normal, into, sun);
+        let gaps = self.gaps(body, hit, into);
         let past = gaps.map_or([0.0; 3], |(at, normal, share, room)| {
             let falls = self.direct(at, normal, room, 0.0);
             three(|i| share[i] * falls[i])
@@ -220,28 +222,28 @@ impl Lighting {
         let over = 1.0 / std::f32::consts::PI;
         Seen {
             direct: three(|i| own[i] + (colour[i] * direct[i] + past[i]) * over),
-            place: Some((met.at, met.normal, colour, into)),
+            place: Some((hit.at, hit.normal, colour, into)),
             gaps,
             sun,
         }
     }
 
     /// The light that comes around a closed door leaf from the room behind it.
-    fn gaps(&self, body: &Body, met: &Met<'_>, into: u16) -> Option<Thrown> {
-        let back = met.flat.map(|v| -v);
-        let from = (body.stands == Stands::Between).then(|| self.room_of(body, met.instance, met.at, back))?;
-        (from != into).then(|| (three(|i| met.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
+    fn gaps(&self, body: &Body, hit: &SurfaceHit<'_>, into: u16) -> Option<Thrown> {
+        let back = hit.flat.map(|v| -v);
+        let from = (body.stands == Stands::Between).then(|| self.room_of(body, hit.instance, hit.at, back))?;
+        (from != into).then(|| (three(|i| hit.at[i] + LEAF * back[i]), back, [GAPS; 3], from))
     }
 
     /// The share of sunlight that panes let through to a surface.
-    fn panes(&self, renderer: &Renderer, met: &Met<'_>) -> f32 {
-        self.panes_from(renderer, three(|i| met.at[i] + 1e-3 * met.flat[i]))
+    fn panes(&self, store: &Store, hit: &SurfaceHit<'_>) -> f32 {
+        self.panes_from(store, three(|i| hit.at[i] + 1e-3 * hit.flat[i]))
     }
 
     /// The share of sunlight that panes let through to a point.
-    pub(super) fn panes_from(&self, renderer: &Renderer, from: [f32; 3]) -> f32 {
+    pub(super) fn panes_from(&self, store: &Store, from: [f32; 3]) -> f32 {
         let ray = Ray { from, along: self.daylight.towards_sun.into(), end: 1e4 };
-        brightness(super::pane::passes(renderer, &self.tracer, ray))
+        luminance(super::pane::passes(store, &self.tracer, ray))
     }
 }
 

@@ -8,13 +8,13 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-use crate::affine::{Narrow, three};
 use crate::camera::Camera;
-use crate::raster::{Drawing, Frustum, Layers, Target};
-use crate::renderer::Renderer;
+use crate::math::{Narrow, three};
+use crate::rasterization::{Drawing, Frustum, Layers, Target};
+use crate::scene::Store;
 use crate::scene::{Instance, Snapshot};
 
-use super::look::column;
+use super::lookup::column;
 
 /// Depth over an image plane, seen from the centre of a spherical light.
 #[derive(Debug, Clone)]
@@ -59,7 +59,7 @@ const DISC: f32 = 0.0047 * 1.5 * FAR;
 
 impl ShadowMap {
     fn new(
-        renderer: &Renderer,
+        store: &Store,
         snapshot: &Snapshot,
         which: impl Iterator<Item = u32>,
         camera: &Camera,
@@ -78,18 +78,18 @@ impl ShadowMap {
             source,
             slack,
         };
-        made.draw(renderer, snapshot, which, &(0..side as i32));
+        made.draw(store, snapshot, which, &(0..side as i32));
         made
     }
 
     /// Redraws some rows and everything that depends on them; the other rows are up to date.
-    fn draw(&mut self, renderer: &Renderer, snapshot: &Snapshot, which: impl Iterator<Item = u32>, rows: &Range<i32>) {
+    fn draw(&mut self, store: &Store, snapshot: &Snapshot, which: impl Iterator<Item = u32>, rows: &Range<i32>) {
         let side = self.side as i32;
         // The rows whose clearance may have changed, and the rows that are needed to compute it.
         let changed = grown(rows, REACH + 1, side);
         let drawn = grown(&changed, REACH + 1, side);
         let frustum = Frustum::new(&self.camera, &drawn);
-        let drawing = Drawing { instances: &snapshot.instances, frustum, detail: renderer.detail.max(0.5) };
+        let drawing = Drawing { instances: &snapshot.instances, frustum, detail: store.detail.max(0.5) };
         let mut layers = Layers::default();
         layers.draw_solid(&drawing, which, (side as usize, drawn.clone()));
         let depths = depths(&layers.front, (side, &drawn), self.slack);
@@ -119,7 +119,7 @@ impl ShadowMap {
     /// The map at another moment, at which some instances have moved; `None` if the map is unchanged.
     pub(super) fn followed(
         &self,
-        renderer: &Renderer,
+        store: &Store,
         moments: [&Snapshot; 2],
         moved: &[u32],
         which: impl Iterator<Item = u32>,
@@ -129,7 +129,7 @@ impl ShadowMap {
         let rows = moved.iter().flat_map(rows).flatten();
         let rows = rows.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end))?;
         let mut map = self.clone();
-        map.draw(renderer, moments[1], which, &rows);
+        map.draw(store, moments[1], which, &rows);
         Some(map)
     }
 
@@ -149,7 +149,7 @@ impl ShadowMap {
 
     /// The sun's map of everything within a sphere.
     pub(super) fn sun(
-        renderer: &Renderer,
+        store: &Store,
         snapshot: &Snapshot,
         towards: Vector3<f32>,
         middle: Point3<f32>,
@@ -160,7 +160,7 @@ impl ShadowMap {
         let centre = 0.5 * SUN as f32;
         let camera = Camera { near: 1.0, ..Camera::with_intrinsics(SUN, SUN, (focal, focal), (centre, centre)) };
         let all = 0..snapshot.instances.len() as u32;
-        Self::new(renderer, snapshot, all, &camera.looking(eye, middle), (DISC, 0.015))
+        Self::new(store, snapshot, all, &camera.looking(eye, middle), (DISC, 0.015))
     }
 }
 
@@ -177,7 +177,7 @@ fn depths(target: &Target, (side, rows): (i32, &Range<i32>), slack: f32) -> Vec<
     let inner = (rows.start + 1).max(1)..(rows.end - 1).min(side - 1);
     clear.par_chunks_mut(width).zip(rows.clone()).filter(|(_, y)| inner.contains(y)).for_each(|(out, y)| {
         let [above, own, below] = [y - 1, y, y + 1].map(|y| target.inverse_row(y));
-        crate::simd::widest(
+        crate::math::simd::widest(
             #[inline(always)]
             || even([above, own, below], 0.05 * slack, out),
         );
@@ -214,7 +214,7 @@ fn spread(from: &[u8], stride: usize) -> Vec<u8> {
             let after = from.get(start + by * stride..).unwrap_or(&[]);
             let missing = (by * stride).saturating_sub(start).min(near.len());
             let before = &from[(start + missing).saturating_sub(by * stride)..end.saturating_sub(by * stride)];
-            crate::simd::widest(
+            crate::math::simd::widest(
                 #[inline(always)]
                 || {
                     lower(near, after, by as u8);
@@ -252,7 +252,7 @@ fn widened(blocks: &[[f32; 2]], across: usize) -> Vec<[f32; 2]> {
 }
 
 impl Cube {
-    pub(super) fn new(renderer: &Renderer, snapshot: &Snapshot, which: &[u32], at: [f32; 3], radius: f32) -> Self {
+    pub(super) fn new(store: &Store, snapshot: &Snapshot, which: &[u32], at: [f32; 3], radius: f32) -> Self {
         let eye = Point3::from(at);
         // The field of view is a little more than a right angle, so that samples at the border stay within.
         let focal = 0.5 * LAMP as f32 * 0.95;
@@ -261,7 +261,7 @@ impl Cube {
         let face = |axis: usize| {
             let towards = Vector3::ith(axis % 3, if axis < 3 { 1.0 } else { -1.0 });
             let camera = camera.looking(eye, eye + towards);
-            Arc::new(ShadowMap::new(renderer, snapshot, which.iter().copied(), &camera, (radius, 0.025)))
+            Arc::new(ShadowMap::new(store, snapshot, which.iter().copied(), &camera, (radius, 0.025)))
         };
         Self((0..6).map(face).collect())
     }
@@ -269,13 +269,13 @@ impl Cube {
     /// The maps at another moment, as [`ShadowMap::followed`] makes them.
     pub(super) fn followed(
         &self,
-        renderer: &Renderer,
+        store: &Store,
         moments: [&Snapshot; 2],
         moved: &[u32],
         which: impl Iterator<Item = u32> + Clone,
     ) -> Self {
         let face = |map: &Arc<ShadowMap>| {
-            map.followed(renderer, moments, moved, which.clone()).map_or_else(|| map.clone(), Arc::new)
+            map.followed(store, moments, moved, which.clone()).map_or_else(|| map.clone(), Arc::new)
         };
         Self(self.0.iter().map(face).collect())
     }

@@ -1,11 +1,10 @@
 //! The room whose light falls on a surface.
 
-use super::{Lighting, dot};
-use crate::affine::{self, three};
-use crate::label::unit;
-use crate::raster::Visible;
+use super::Lighting;
+use crate::bvh::Ray;
+use crate::math::{self, dot, three, unit};
+use crate::rasterization::Visible;
 use crate::scene::{Body, Instance, NO_ROOM, Snapshot, Stands};
-use crate::trace::Ray;
 
 /// Distance from the surface of a door or wall to a point that is in the room before it, metres.
 const AHEAD: f32 = 0.3;
@@ -22,8 +21,8 @@ impl Lighting {
         }
         let (mesh, index) = (seen.mesh(&snapshot.instances), seen.index());
         let [a, b, c] = mesh.triangle(mesh.cluster_of(index), index);
-        let at = affine::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
-        let normal = unit(affine::normal(&instance.inverse, mesh.normals[index][0]));
+        let at = math::point(&instance.world.narrow(), three(|i| (a[i] + b[i] + c[i]) / 3.0));
+        let normal = unit(math::normal(&instance.inverse, mesh.normals[index][0]));
         match body.stands {
             // The eye sees only the near side of a body that reaches through a wall.
             Stands::Between => self.room_beside(instance, (at, eye), normal).unwrap_or(body.room),
@@ -46,8 +45,8 @@ impl Lighting {
     /// point `from` lies.
     fn room_beside(&self, leaf: &Instance, (at, from): ([f32; 3], [f32; 3]), normal: [f32; 3]) -> Option<u16> {
         let world = leaf.world.narrow();
-        let out = unit(affine::vector(&world, [1.0, 0.0, 0.0]));
-        let middle = affine::point(&world, leaf.link.levels[0].bounds.centre);
+        let out = unit(math::vector(&world, [1.0, 0.0, 0.0]));
+        let middle = math::point(&world, leaf.link.levels[0].bounds.centre);
         let side = dot(three(|i| from[i] - middle[i]), out).signum();
         let ahead = |along: [f32; 3]| three(|i| at[i] + AHEAD * along[i]);
         let room = |at: [f32; 3]| self.room_around(at).map(|room| room as u16);

@@ -41,6 +41,14 @@ impl Daylight {
     /// A clear day with the sun at an elevation above the horizon and an azimuth from X towards Y, radians. The
     /// lower the sun, the redder it is, by the air mass that its light passes (Kasten and Young's formula,
     /// rounded).
+    ///
+    /// ```
+    /// use vc_render::Daylight;
+    /// // The sun half a right angle high.
+    /// let daylight = Daylight::clear(0.785, 0.0);
+    /// assert!((daylight.towards_sun.z - 0.707).abs() < 1e-2);
+    /// assert!(!daylight.is_dark() && Daylight::night().is_dark());
+    /// ```
     pub fn clear(elevation: f32, azimuth: f32) -> Self {
         let (rise, level) = elevation.sine_cosine();
         let (s, c) = azimuth.sine_cosine();
@@ -123,7 +131,7 @@ impl Daylight {
     /// assert!(!Daylight::at(8.0).is_dark() && !Daylight::overcast().is_dark());
     /// ```
     pub fn is_dark(&self) -> bool {
-        self.sun == Vector3::zeros() && super::brightness(self.zenith.into()) < DARK
+        self.sun == Vector3::zeros() && crate::colour::luminance(self.zenith.into()) < DARK
     }
 
     pub(crate) fn check(&self) -> Result<(), RenderError> {

@@ -3,8 +3,9 @@
 use nalgebra::{Point3, Vector3};
 use vc_graph::NodeId;
 
+use super::Lighting;
 use super::lamp::LUMENS;
-use super::{Lighting, brightness};
+use crate::colour::luminance;
 
 /// A light source without extent, in photometric units, from [`Lighting::sources`].
 ///
@@ -15,18 +16,7 @@ use super::{Lighting, brightness};
 /// use vc_render::{Daylight, Renderer, Source};
 /// # let mut scene = SceneBuilder::new("flat");
 /// # let kitchen = scene.add(Draft::new("kitchen"))?;
-/// # let material = Material {
-/// #     name: "warm_bulb".into(),
-/// #     colour: [0.9; 3],
-/// #     density: 500.0,
-/// #     friction: 0.5,
-/// #     restitution: 0.1,
-/// #     roughness: 0.5,
-/// #     metallic: 0.0,
-/// #     transmission: 0.0,
-/// #     emission: [30.0; 3],
-/// #     texture: None,
-/// # };
+/// # let material = Material { emission: [30.0; 3], ..Material::new("warm_bulb", [0.9; 3]) };
 /// # let mut library = AssetLibrary::default();
 /// # let material = library.add_material(material)?;
 /// # let shape = Shape::Sphere { radius: 0.12 };
@@ -77,7 +67,7 @@ impl Lighting {
     pub fn sources(&self) -> Vec<Source> {
         let hue = |c: [f32; 3]| c.map(|v| v / c.iter().fold(1e-9_f32, |m, v| m.max(*v)));
         // The intensity that gives this light when multiplied with a colour whose greatest component is one.
-        let strength = |c: [f32; 3]| LUMENS * brightness(c) / brightness(hue(c)).max(1e-9);
+        let strength = |c: [f32; 3]| LUMENS * luminance(c) / luminance(hue(c)).max(1e-9);
         let sun: [f32; 3] = self.daylight.sun.into();
         let shines = self.daylight.check().is_ok() && self.daylight.sun.norm_squared() > 0.0;
         let sun = Source::Sun { towards: self.daylight.towards_sun, colour: hue(sun), lux: strength(sun) };

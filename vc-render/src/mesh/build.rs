@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use vc_graph::TriangleMesh;
 
 use super::cluster::cone;
-use super::{Bounds, Cluster, Face, MOST, Mesh};
-use crate::affine;
+use super::{Cluster, Face, MOST, Mesh};
+use crate::math;
+use crate::math::Bounds;
 
 /// A part's triangles, in the asset's frame, with its surface.
 pub(crate) struct Source {
@@ -94,7 +95,7 @@ impl Mesh {
 
 fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
     let mesh = &source.mesh;
-    let grain = mesh.bounds().map_or(0, |b| affine::longest((b.max - b.min).into()));
+    let grain = mesh.bounds().map_or(0, |b| math::longest((b.max - b.min).into()));
     mesh.triangles.iter().enumerate().filter_map(move |(number, triangle)| {
         let at = triangle.map(|v| v as usize);
         let [a, b, c] = [mesh.positions.get(at[0])?, mesh.positions.get(at[1])?, mesh.positions.get(at[2])?];
@@ -115,7 +116,7 @@ fn triangles(source: &Source) -> impl Iterator<Item = Loose> + '_ {
                 facet,
                 sheet: source.sheet,
                 grain,
-                axis: affine::longest(normals[0]),
+                axis: math::longest(normals[0]),
             },
             normals,
             uvs: mesh.uvs.get(number).copied().unwrap_or_default(),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::Bounds;
+use crate::math::Bounds;
 
 /// Up to [`MOST`](super::MOST) triangles with their own vertices.
 #[derive(Debug, Clone)]

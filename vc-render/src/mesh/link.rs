@@ -34,7 +34,7 @@ pub(crate) struct Finish {
 }
 
 /// A part's index and its surface.
-type Look = (usize, Finish);
+type Finished = (usize, Finish);
 
 /// Greatest distance of a head's upper end from the top of its cover, metres, and greatest share of the cover's
 /// height that a head has.
@@ -47,12 +47,12 @@ const HEAD: (f32, f32) = (0.005, 0.4);
 pub(crate) fn links(asset: &Asset, cover: bool, mut finish: impl FnMut(&Part) -> Finish) -> Vec<Link> {
     type Key = (Option<Joint>, bool);
     let whole = if cover { asset.extent().map(|(low, high)| (low.z, high.z)) } else { None };
-    let mut groups: Vec<(Key, Vec<Look>)> = vec![((None, false), Vec::new())];
+    let mut groups: Vec<(Key, Vec<Finished>)> = vec![((None, false), Vec::new())];
     for (index, part) in asset.parts.iter().enumerate() {
-        let (look, key) = ((index, finish(part)), (part.joint, whole.is_some_and(|whole| is_head(part, whole))));
+        let (own, key) = ((index, finish(part)), (part.joint, whole.is_some_and(|whole| is_head(part, whole))));
         match groups.iter_mut().find(|g| g.0 == key) {
-            Some(group) => group.1.push(look),
-            None => groups.push((key, vec![look])),
+            Some(group) => group.1.push(own),
+            None => groups.push((key, vec![own])),
         }
     }
     groups.retain(|g| !g.1.is_empty());
@@ -70,8 +70,8 @@ pub(crate) fn single(asset: &Asset, part: usize, finish: Finish) -> Link {
     Link { joint: asset.parts[part].joint, head: false, levels: levels(asset, &[(part, finish)]) }
 }
 
-fn levels(asset: &Asset, looks: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
-    let mut parts: Vec<Coarser> = looks.iter().map(|look| Coarser::new(asset, *look)).collect();
+fn levels(asset: &Asset, finished: &[Finished]) -> [Arc<Mesh>; TOLERANCES.len()] {
+    let mut parts: Vec<Coarser> = finished.iter().map(|own| Coarser::new(asset, *own)).collect();
     let mut last: Option<Arc<Mesh>> = None;
     TOLERANCES.map(|tolerance| {
         let sources: Vec<Source> = parts.iter_mut().map(|part| part.source(tolerance)).collect();
@@ -84,19 +84,19 @@ fn levels(asset: &Asset, looks: &[Look]) -> [Arc<Mesh>; TOLERANCES.len()] {
 /// A part that becomes coarser from level to level.
 struct Coarser<'a> {
     part: &'a Part,
-    look: Look,
+    own: Finished,
     /// For a simplified mesh, after its first level.
     simplifier: Option<Simplifier>,
 }
 
 impl<'a> Coarser<'a> {
-    fn new(asset: &'a Asset, look: Look) -> Self {
-        Self { part: &asset.parts[look.0], look, simplifier: None }
+    fn new(asset: &'a Asset, own: Finished) -> Self {
+        Self { part: &asset.parts[own.0], own, simplifier: None }
     }
 
     fn source(&mut self, tolerance: f32) -> Source {
         let free = matches!(self.part.shape, Shape::Mesh { .. });
-        let (index, Finish { surface, clear, pictured }) = self.look;
+        let (index, Finish { surface, clear, pictured }) = self.own;
         let mut mesh = match &mut self.simplifier {
             Some(simplifier) => {
                 simplifier.collapse(tolerance);

@@ -5,9 +5,9 @@
 use rayon::prelude::*;
 
 use super::denoise::Plane;
-use super::path::SCATTERED;
-use crate::affine::three;
-use crate::light::brightness;
+use super::walk::SCATTERED;
+use crate::colour::luminance;
+use crate::math::three;
 
 /// A piece is isolated if the pieces like it around it fill less than this many whole pixels: a piece along a
 /// line has two.
@@ -50,7 +50,7 @@ impl Plane<'_> {
         let kinds = SCATTERED.map(|kind| self.traced[index].light_of(kind));
         let light = three(|i| kinds.iter().map(|(light, _)| light[i]).sum());
         let variance: f32 = kinds.iter().map(|(_, variance)| variance).sum();
-        (light, variance / (brightness(light) * brightness(light)).max(1e-12))
+        (light, variance / (luminance(light) * luminance(light)).max(1e-12))
     }
 
     /// Scales isolated pieces so that they, together with other isolated ones around, are as bright as the
@@ -59,10 +59,10 @@ impl Plane<'_> {
         let made = &*light;
         let share = |index: &usize| {
             let others = self.around(*index, SHARING, 1).filter(|(.., there)| alone[*there]);
-            let trusted = TRUSTED / self.traced[*index].count().max(1.0) * brightness(made[*index]) + 1e-9;
+            let trusted = TRUSTED / self.traced[*index].count().max(1.0) * luminance(made[*index]) + 1e-9;
             let sums = others.fold([trusted; 2], |[found, mended], (.., there)| {
                 let weight = self.guides[there].share;
-                [found + weight * brightness(self.found(there).0), mended + weight * brightness(made[there])]
+                [found + weight * luminance(self.found(there).0), mended + weight * luminance(made[there])]
             });
             sums[0] / sums[1]
         };

@@ -2,10 +2,11 @@
 //! there deliberately: a path continues in a direction sampled either by its surface or towards a cover, and is
 //! weighted by the combined density of both (one-sample multiple importance sampling, Veach 1997).
 
-use super::path::Walk;
 use super::source::{Pane, Place, Triangle};
-use crate::affine;
-use crate::light::{Lighting, brightness};
+use super::walk::Walk;
+use crate::colour::luminance;
+use crate::light::Lighting;
+use crate::math;
 
 /// Share of paths that are sent to covers where there is no other light.
 const SENT: f32 = 0.3;
@@ -24,7 +25,7 @@ pub(super) struct Covers {
 }
 
 impl Covers {
-    pub(super) fn of(lighting: &Lighting) -> Self {
+    pub(super) fn new(lighting: &Lighting) -> Self {
         let (snapshot, daylight) = (&lighting.tracer.snapshot, &lighting.daylight);
         let mut covers = Self::default();
         for body in snapshot.bodies.iter().filter(|body| body.covers(&snapshot.instances)) {
@@ -37,8 +38,8 @@ impl Covers {
             let halves = [[a, b, c], [a, c, d]].map(Triangle::new).into_iter().filter(|half| half.area > 0.0);
             covers.halves.extend(halves.map(|triangle| Pane { room: body.room, triangle }));
         }
-        let sky = 0.5 * brightness((daylight.horizon + daylight.zenith).into());
-        covers.light = THROUGH * (sky + brightness(daylight.sun.into()) / std::f32::consts::PI);
+        let sky = 0.5 * luminance((daylight.horizon + daylight.zenith).into());
+        covers.light = THROUGH * (sky + luminance(daylight.sun.into()) / std::f32::consts::PI);
         covers
     }
 
@@ -66,7 +67,7 @@ impl Covers {
             left < 0.0
         })?;
         let at = half.triangle.point(square);
-        Some(crate::label::unit(affine::three(|i| at[i] - from.at[i])))
+        Some(crate::math::unit(math::three(|i| at[i] - from.at[i])))
     }
 
     /// The probability density over solid angle that a path continues in a direction, given the density of its

@@ -11,9 +11,9 @@
 use rayon::prelude::*;
 
 use super::film::{Lie, Pixel, Traced};
-use super::path::{Kind, SCATTERED};
-use crate::affine::three;
-use crate::light::brightness;
+use super::walk::{Kind, SCATTERED};
+use crate::colour::luminance;
+use crate::math::three;
 
 /// Number of passes; each reaches twice as far as the one before.
 const PASSES: u32 = 6;
@@ -60,7 +60,7 @@ pub(super) struct Plane<'a> {
 }
 
 pub(super) fn denoised(pixels: &[Pixel], width: usize, eye: [f32; 3]) -> Vec<[f32; 3]> {
-    let plane = Plane::of(pixels, width, eye);
+    let plane = Plane::new(pixels, width, eye);
     let alone = plane.alone();
     let (mut light, mut lost) = (vec![[0.0; 3]; plane.traced.len()], vec![[0.0; 3]; plane.traced.len()]);
     for kind in SCATTERED {
@@ -93,9 +93,9 @@ impl Guide {
 }
 
 impl Soft {
-    fn of(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
+    fn new(traced: &Traced, guide: &Guide, kind: Kind) -> Self {
         let ((light, variance), under) = (traced.light_of(kind), guide.under(kind).map(|v| v.max(1e-6)));
-        let colour = brightness(under);
+        let colour = luminance(under);
         // Pieces without glass in front reflect nothing, whatever is reflected beside them.
         let weight = guide.share * if kind == Kind::Reflected { guide.glass } else { 1.0 };
         Self { light: three(|i| light[i] / under[i]), variance: variance / (colour * colour), weight }
@@ -103,7 +103,7 @@ impl Soft {
 }
 
 impl<'a> Plane<'a> {
-    fn of(pixels: &'a [Pixel], width: usize, eye: [f32; 3]) -> Self {
+    fn new(pixels: &'a [Pixel], width: usize, eye: [f32; 3]) -> Self {
         let mut plane = Self { traced: vec![], guides: vec![], pixels: vec![], first: vec![0], width };
         for (pixel, number) in pixels.iter().zip(0..) {
             let paths = pixel.paths();
@@ -145,7 +145,7 @@ impl<'a> Plane<'a> {
 
     /// One kind of light, smoothed.
     fn smooth(&self, kind: Kind) -> Vec<Soft> {
-        let mut soft: Vec<Soft> = self.traced.iter().zip(&self.guides).map(|(t, g)| Soft::of(t, g, kind)).collect();
+        let mut soft: Vec<Soft> = self.traced.iter().zip(&self.guides).map(|(t, g)| Soft::new(t, g, kind)).collect();
         // Few pictures show reflections in panes.
         if soft.iter().all(|soft| soft.light == [0.0; 3]) {
             return soft;
@@ -159,7 +159,7 @@ impl<'a> Plane<'a> {
     /// Clamps fireflies: a piece more than twice as bright as all of its surface in the pixels around it
     /// becomes as bright as the brightest of these.
     fn dim_specks(&self, soft: &mut [Soft]) {
-        let bright: Vec<f32> = soft.iter().map(|s| brightness(s.light)).collect();
+        let bright: Vec<f32> = soft.iter().map(|s| luminance(s.light)).collect();
         soft.par_iter_mut().enumerate().for_each(|(index, piece)| {
             let others = self.around(index, 1, 1).filter(|(dx, dy, _)| (*dx, *dy) != (0, 0));
             let kin = others.filter(|(.., there)| self.like(index, *there) > KIN);
@@ -222,7 +222,7 @@ impl<'a> Plane<'a> {
 
     /// Adds to the smoothed light the energy that smoothing removed or added, spread over the surface.
     fn give_back(&self, mut lost: Vec<[f32; 3]>, light: &mut [[f32; 3]]) {
-        let fallen = light.iter().zip(&self.guides).map(|(l, g)| brightness(*l) / brightness(g.colour) + 1e-9);
+        let fallen = light.iter().zip(&self.guides).map(|(l, g)| luminance(*l) / luminance(g.colour) + 1e-9);
         let fallen: Vec<f32> = fallen.collect();
         let mut reach = vec![1.0; lost.len()];
         for pass in 0..PASSES {
@@ -272,7 +272,7 @@ impl<'a> Plane<'a> {
         for (dx, dy, there) in self.around(index, 1, 1) {
             let like = self.like(index, there) * soft[there].weight;
             let weight = (2 - dx.abs()) as f32 * (2 - dy.abs()) as f32 * like + 1e-6;
-            sum[0] += weight * brightness(soft[there].light);
+            sum[0] += weight * luminance(soft[there].light);
             sum[1] += weight * soft[there].variance;
             total += weight;
         }

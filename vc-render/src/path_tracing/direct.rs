@@ -1,22 +1,23 @@
 //! Direct light by next-event estimation: from the sun, from lamps, from the sky through panes, and from places
 //! lit by the sun.
 
-use super::path::{Kind, Paths, Walk, off};
+use super::path::{Paths, off};
 use super::sampler::Sampler;
-use super::scatter::{Scatter, frame};
 use super::source::Place;
 use super::spots::Way;
-use crate::affine::three;
-use crate::label::unit;
-use crate::light::{brightness, dot};
-use crate::trace::{Met, Ray};
+use super::walk::{Kind, Walk};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::math::{basis, dot, three, unit};
+use crate::ray_casting::SurfaceHit;
+use crate::surface::Scatter;
 
 /// Angular radius of the sun, radians: a little larger than the real one, as haze makes it.
 const SUN: f32 = 0.008;
 
 /// A surface point at which a path gathers direct light.
 pub(super) struct Point<'a> {
-    pub(super) met: &'a Met<'a>,
+    pub(super) hit: &'a SurfaceHit<'a>,
     pub(super) place: Place,
     pub(super) scatter: &'a Scatter,
 }
@@ -27,7 +28,7 @@ impl Paths<'_> {
     pub(super) fn direct(&self, walk: &mut Walk, point: &Point<'_>, sampler: &mut Sampler) {
         let kinds = self.kinds(point);
         let all: f32 = kinds.iter().sum();
-        if walk.surfaces == 0 || point.met.instance.covers() {
+        if walk.surfaces == 0 || point.hit.instance.covers() {
             return (0..4).filter(|k| kinds[*k] > 0.0).for_each(|k| self.of_kind(walk, point, (k, 1.0), sampler));
         }
         let mut left = sampler.one() * all;
@@ -43,8 +44,8 @@ impl Paths<'_> {
     /// the sun; zero for kinds that are absent.
     fn kinds(&self, point: &Point<'_>) -> [f32; 4] {
         let daylight = &self.lighting.daylight;
-        let sun = brightness(daylight.sun.into());
-        let sky = brightness((daylight.horizon + daylight.zenith).into()) * 0.5 * point.place.panes;
+        let sun = luminance(daylight.sun.into());
+        let sky = luminance((daylight.horizon + daylight.zenith).into()) * 0.5 * point.place.panes;
         let kinds = [0.02 * sun, point.place.lamps, sky, self.spots.power() * 0.02];
         let least = 0.1 * kinds.iter().sum::<f32>();
         kinds.map(|k| if k > 0.0 { k.max(least) } else { 0.0 })
@@ -66,24 +67,24 @@ impl Paths<'_> {
     fn sunlight(&self, walk: &Walk, point: &Point<'_>, [a, b]: [f32; 2]) -> [f32; 3] {
         use vc_graph::portable::Portable;
         let daylight = &self.lighting.daylight;
-        let [u, v, middle] = frame(daylight.towards_sun.into());
+        let [u, v, middle] = basis(daylight.towards_sun.into());
         let (s, c) = (std::f32::consts::TAU * a).sine_cosine();
         let (x, y) = (SUN * b.sqrt() * c, SUN * b.sqrt() * s);
         let towards = unit(three(|i| middle[i] + x * u[i] + y * v[i]));
         let way = self.reaches(point, towards, 1e4);
         let (value, _) = point.scatter.evaluate(towards);
         // The path may also have hit this surface by sampling it as a sunlit place.
-        let met = point.met;
-        let facing = -dot(met.flat, walk.ray.along).min(-1e-4);
-        let crossed = if met.instance.covers() { 0 } else { way.crossed };
-        let density = self.spots.density(&walk.last, point.place.room, crossed, dot(met.flat, towards));
-        let weight = walk.weight(density * (met.t + walk.gone) * (met.t + walk.gone) / facing);
+        let hit = point.hit;
+        let facing = -dot(hit.flat, walk.ray.along).min(-1e-4);
+        let crossed = if hit.instance.covers() { 0 } else { way.crossed };
+        let density = self.spots.density(&walk.last, point.place.room, crossed, dot(hit.flat, towards));
+        let weight = walk.weight(density * (hit.t + walk.gone) * (hit.t + walk.gone) / facing);
         three(|i| value[i] * daylight.sun[i] * way.share[i] * weight)
     }
 
     fn lamplight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(lit) = self.lights.lit(&point.place, which, square) else { return [0.0; 3] };
-        let to = three(|i| lit.at[i] - point.met.at[i]);
+        let to = three(|i| lit.at[i] - point.hit.at[i]);
         let square = dot(to, to).max(1e-6);
         let towards = unit(to);
         let facing = -dot(lit.normal, towards);
@@ -91,7 +92,7 @@ impl Paths<'_> {
             return [0.0; 3];
         }
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
-        let (value, chance) = self.thrown(point, towards);
+        let (value, chance) = self.reflected(point, towards);
         let weight = 1.0 / (lit.density * square / facing + chance);
         three(|i| value[i] * lit.light[i] * share[i] * weight)
     }
@@ -99,14 +100,14 @@ impl Paths<'_> {
     /// Sunlight reflected by another place towards the point.
     fn spotlight(&self, point: &Point<'_>, which: f32) -> [f32; 3] {
         let Some(spot) = self.spots.pick(point.place.room, which) else { return [0.0; 3] };
-        let to = three(|i| spot.at[i] - point.met.at[i]);
+        let to = three(|i| spot.at[i] - point.hit.at[i]);
         let square = dot(to, to).max(1e-6);
         let towards = unit(to);
         let facing = -dot(spot.flat, towards);
         if facing <= 1e-3 {
             return [0.0; 3];
         }
-        let (value, chance) = self.thrown(point, towards);
+        let (value, chance) = self.reflected(point, towards);
         let share = self.reaches(point, towards, square.sqrt() * 0.999 - 2e-3).share;
         let sun: [f32; 3] = self.lighting.daylight.towards_sun.into();
         let thrown = Scatter::new(&spot.finish, spot.normal, towards.map(|v| -v)).evaluate(sun).0;
@@ -118,8 +119,8 @@ impl Paths<'_> {
     /// Light of the sky through a pane.
     fn skylight(&self, point: &Point<'_>, which: f32, square: [f32; 2]) -> [f32; 3] {
         let Some(pane) = self.lights.window(&point.place, which, square) else { return [0.0; 3] };
-        let towards = unit(three(|i| pane[i] - point.met.at[i]));
-        let (value, chance) = self.thrown(point, towards);
+        let towards = unit(three(|i| pane[i] - point.hit.at[i]));
+        let (value, chance) = self.reflected(point, towards);
         let way = self.reaches(point, towards, 1e4);
         if way.chance <= 0.0 {
             return [0.0; 3];
@@ -131,10 +132,10 @@ impl Paths<'_> {
 
     /// Traces light from a direction to a point; solid things block it.
     fn reaches(&self, point: &Point<'_>, towards: [f32; 3], end: f32) -> Way {
-        let ray = Ray { from: off(point.met, towards), along: towards, end };
-        if dot(point.met.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
+        let ray = Ray { from: off(point.hit, towards), along: towards, end };
+        if dot(point.hit.flat, towards) <= 0.0 || self.lighting.tracer.blocked(&ray) {
             return Way { share: [0.0; 3], chance: 0.0, crossed: 0 };
         }
-        Way::through(self.renderer, self.lighting, self.lights, ray, Some(&point.place))
+        Way::through(self.store, self.lighting, self.lights, ray, Some(&point.place))
     }
 }

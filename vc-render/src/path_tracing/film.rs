@@ -1,8 +1,8 @@
 //! The film: the accumulated results of all paths of a picture.
 
-use super::path::{KINDS, Kind, Sample};
-use crate::affine::three;
-use crate::light::{brightness, dot};
+use super::walk::{KINDS, Kind, Sample};
+use crate::colour::luminance;
+use crate::math::{dot, three};
 
 /// Greatest number of surfaces told apart within a pixel.
 const PIECES: usize = 4;
@@ -22,7 +22,7 @@ pub(super) struct Pixel {
 
 impl Pixel {
     pub(super) fn add(&mut self, one: &Sample, eye: [f32; 3]) {
-        let place = Lie::of(one.normal, one.at, eye);
+        let place = Lie::new(one.normal, one.at, eye);
         let alike = |piece: &Traced| piece.lie(eye).like(&place);
         if self.first.count == 0.0 || alike(&self.first) > ALIKE {
             return self.first.add(one);
@@ -69,7 +69,7 @@ pub(super) struct Lie {
 }
 
 impl Lie {
-    fn of(normal: [f32; 3], at: [f32; 3], eye: [f32; 3]) -> Self {
+    fn new(normal: [f32; 3], at: [f32; 3], eye: [f32; 3]) -> Self {
         let to = three(|i| at[i] - eye[i]);
         let over = 1.0 / (OFF * dot(to, to).sqrt()).max(1e-4);
         let length = dot(normal, normal).sqrt();
@@ -108,7 +108,7 @@ impl Traced {
         let add = |sum: &mut [f32; 3], more: [f32; 3]| (0..3).for_each(|i| sum[i] += more[i]);
         for (kind, light) in one.light.into_iter().enumerate() {
             add(&mut self.sum.light[kind], light);
-            self.squares[kind] += brightness(light) * brightness(light);
+            self.squares[kind] += luminance(light) * luminance(light);
         }
         add(&mut self.sum.colour, one.colour);
         add(&mut self.sum.normal, one.normal);
@@ -135,7 +135,7 @@ impl Traced {
     pub(super) fn light_of(&self, kind: Kind) -> ([f32; 3], f32) {
         let kind = kind as usize;
         let light = self.mean(self.sum.light[kind]);
-        let (count, bright) = (self.count.max(1.0), brightness(light));
+        let (count, bright) = (self.count.max(1.0), luminance(light));
         let spread = (self.squares[kind] / count - bright * bright).max(0.0) / count;
         // With few paths the measured variance is not reliable.
         (light, spread + bright * bright / (count * count))
@@ -153,6 +153,6 @@ impl Traced {
 
     /// Mean position and orientation of the first surface.
     pub(super) fn lie(&self, eye: [f32; 3]) -> Lie {
-        Lie::of(self.mean(self.sum.normal), self.mean(self.sum.at), eye)
+        Lie::new(self.mean(self.sum.normal), self.mean(self.sum.at), eye)
     }
 }

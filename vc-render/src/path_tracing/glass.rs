@@ -1,11 +1,13 @@
 //! Glass: view rays through it are refracted; light goes straight through it, so glass casts shadows but no
 //! caustics. Panes are too thin to bend rays.
 
-use super::path::{Paths, Walk, off};
-use crate::affine::three;
-use crate::label::unit;
-use crate::light::{INDEX, brightness, dot, fresnel, straight, tint};
-use crate::trace::{Met, Ray};
+use super::path::{Paths, off};
+use super::walk::Walk;
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::light::{INDEX, fresnel, straight, tint};
+use crate::math::{dot, three, unit};
+use crate::ray_casting::SurfaceHit;
 
 /// Reflections of glass along a path: one of them, sampled by brightness, stands for all.
 #[derive(Clone, Copy, Default)]
@@ -17,7 +19,7 @@ pub(super) struct Reflections {
 
 impl Reflections {
     fn add(&mut self, ray: Ray, share: [f32; 3], choice: f32) {
-        let bright = brightness(share);
+        let bright = luminance(share);
         self.all += bright;
         if choice * self.all < bright {
             self.one = Some((ray, share.map(|v| v / bright)));
@@ -41,22 +43,22 @@ pub(super) fn mirrored(along: [f32; 3], normal: [f32; 3]) -> [f32; 3] {
 
 impl Paths<'_> {
     /// Continues through glass or reflects off it.
-    pub(super) fn glass(&self, walk: &mut Walk, met: &Met<'_>, choice: f32) {
+    pub(super) fn glass(&self, walk: &mut Walk, hit: &SurfaceHit<'_>, choice: f32) {
         // A sheet is entered and left in one hit.
-        let bends = walk.surfaces == 0 && self.lights.bend(met.index) && !met.face.sheet;
-        let normal = if bends { met.normal } else { met.flat };
+        let bends = walk.surfaces == 0 && self.lights.bend(hit.index) && !hit.face.sheet;
+        let normal = if bends { hit.normal } else { hit.flat };
         let entering = dot(walk.ray.along, normal) < 0.0;
         let normal = if entering { normal } else { normal.map(|v| -v) };
         let cosine = -dot(walk.ray.along, normal);
         let (share, beyond) = fresnel(cosine, if bends && !entering { 1.0 / INDEX } else { INDEX });
-        let share = if bends { share } else { 1.0 - straight(met, walk.ray.along) };
+        let share = if bends { share } else { 1.0 - straight(hit, walk.ray.along) };
         let reflected = mirrored(walk.ray.along, normal);
         // Glass in front of the first surface is passed, and its reflection is a separate path. If chance
         // decided between the two, neighbouring pixels would seem to show different things and not be smoothed
         // together. This does not apply to round glass, which shows too many directions in one pixel.
-        let parts = !walk.guided && share < 1.0 && met.face.is_flat();
+        let parts = !walk.guided && share < 1.0 && hit.face.is_flat();
         if parts {
-            let ray = Ray { from: off(met, reflected), along: reflected, ..walk.ray };
+            let ray = Ray { from: off(hit, reflected), along: reflected, ..walk.ray };
             walk.reflections.add(ray, walk.share.map(|v| v * share), choice);
             walk.share = walk.share.map(|v| v * (1.0 - share));
         }
@@ -64,21 +66,21 @@ impl Paths<'_> {
             walk.ray.along = reflected;
             walk.chance = f32::INFINITY;
         } else {
-            let tint = tint(self.renderer, met);
+            let tint = tint(self.store, hit);
             walk.share = three(|i| walk.share[i] * tint[i]);
             if bends {
                 let over = if entering { 1.0 / INDEX } else { INDEX };
                 let slide = over * cosine - beyond;
                 walk.ray.along = unit(three(|i| over * walk.ray.along[i] + slide * normal[i]));
             } else {
-                walk.gone += met.t;
-                let cosine = dot(walk.ray.along, met.flat).abs();
-                if let Some(pane) = self.lights.window_of(met, self.room(met)) {
+                walk.gone += hit.t;
+                let cosine = dot(walk.ray.along, hit.flat).abs();
+                if let Some(pane) = self.lights.window_of(hit, self.room(hit)) {
                     walk.through += self.lights.through(&walk.last, &pane, walk.gone, cosine);
                 }
             }
         }
-        walk.ray.from = off(met, walk.ray.along);
+        walk.ray.from = off(hit, walk.ray.along);
     }
 }
 

@@ -3,12 +3,12 @@
 
 use std::sync::Arc;
 
-use super::sampler::lattice;
 use super::source::{Glowing, Lamp, Pane, Place, SMALL, Shown, Triangle, is_window};
-use crate::affine;
-use crate::light::{Lighting, brightness, dot};
-use crate::renderer::Renderer;
-use crate::trace::Met;
+use crate::colour::luminance;
+use crate::light::Lighting;
+use crate::math::{self, dot, low_discrepancy};
+use crate::ray_casting::SurfaceHit;
+use crate::scene::Store;
 
 /// Lamps and panes of a scene.
 pub(super) struct Lights {
@@ -36,7 +36,7 @@ pub(super) struct Lit {
 }
 
 impl Lights {
-    pub(super) fn of(renderer: &Renderer, lighting: &Lighting) -> Self {
+    pub(super) fn new(store: &Store, lighting: &Lighting) -> Self {
         let snapshot = &lighting.tracer.snapshot;
         let by_body = vec![u32::MAX; snapshot.bodies.len()];
         let (bends, opens) = (vec![true; snapshot.instances.len()], vec![false; snapshot.instances.len()]);
@@ -51,8 +51,8 @@ impl Lights {
                 let kept = lights.panes.len();
                 for (place, cluster) in mesh.clusters.iter().enumerate() {
                     for triangle in cluster.triangles.clone() {
-                        let corners = mesh.triangle(cluster, triangle as usize).map(|p| affine::point(&world, p));
-                        let surface = &renderer.store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
+                        let corners = mesh.triangle(cluster, triangle as usize).map(|p| math::point(&world, p));
+                        let surface = &store.surfaces[usize::from(mesh.faces[triangle as usize].surface)];
                         if place >= mesh.opaque {
                             lights.bends[number] &= !lights.pane(body.room, Triangle::new(corners));
                         } else if body.lit {
@@ -95,7 +95,7 @@ impl Lights {
     }
 
     fn glow(&mut self, first: usize, (triangle, picture): (Triangle, Option<Shown>), light: [f32; 3]) {
-        let power = triangle.area * brightness(light);
+        let power = triangle.area * luminance(light);
         if power > 0.0 {
             let before = self.glowing.get(first..).and_then(|g| g.last()).map_or(0.0, |g| g.sum);
             self.glowing.push(Glowing { triangle, light, picture, sum: before + power });
@@ -107,7 +107,7 @@ impl Lights {
         let all = &self.glowing[first..];
         let Some(power) = all.last().map(|g| g.sum) else { return };
         let corners = all.iter().map(|g| g.triangle.middle);
-        let around = crate::mesh::Bounds::around(corners);
+        let around = crate::math::Bounds::around(corners);
         self.by_body[body] = self.lamps.len() as u32;
         self.lamps.push(Lamp {
             room,
@@ -146,7 +146,7 @@ impl Lights {
         let glowing = &all[index];
         // The density uses the brightness without the texture, as a path that hits the lamp by chance can
         // compute that, too.
-        let density = weight / from.lamps * brightness(glowing.light) / lamp.power;
+        let density = weight / from.lamps * luminance(glowing.light) / lamp.power;
         let triangle = &glowing.triangle;
         Some(Lit { at: triangle.point(square), normal: triangle.normal, light: glowing.at(square), density })
     }
@@ -155,7 +155,7 @@ impl Lights {
     /// sampled.
     pub(super) fn density(&self, from: &Place, body: u32, light: [f32; 3]) -> f32 {
         match self.lamps.get(self.by_body[body as usize] as usize) {
-            Some(lamp) if from.lamps > 0.0 => lamp.weight(from) / from.lamps * brightness(light) / lamp.power,
+            Some(lamp) if from.lamps > 0.0 => lamp.weight(from) / from.lamps * luminance(light) / lamp.power,
             _ => 0.0,
         }
     }
@@ -179,10 +179,10 @@ impl Lights {
 
     /// The pane triangle of a hit, if it belongs to those sampled deliberately. A sheet has one sampled side,
     /// but rays may hit either.
-    pub(super) fn window_of(&self, met: &Met<'_>, room: u16) -> Option<Pane> {
-        let picked = if met.face.sheet { met.area >= SMALL } else { is_window(met.area, met.flat) };
-        let picked = picked && self.opens.get(met.index as usize).is_some_and(|opens| *opens);
-        picked.then(|| Pane { room, triangle: Triangle::new(met.corners()) })
+    pub(super) fn window_of(&self, hit: &SurfaceHit<'_>, room: u16) -> Option<Pane> {
+        let picked = if hit.face.sheet { hit.area >= SMALL } else { is_window(hit.area, hit.flat) };
+        let picked = picked && self.opens.get(hit.index as usize).is_some_and(|opens| *opens);
+        picked.then(|| Pane { room, triangle: Triangle::new(hit.corners()) })
     }
 
     /// The probability density over solid angle with which a path from a point through a pane is sampled, given
@@ -210,6 +210,6 @@ impl Lights {
     /// The `index`-th point on the pane at which the cumulative area reaches a number.
     pub(super) fn pane_point(&self, sums: &[f32], at: f32, index: u32) -> Option<[f32; 3]> {
         let pane = self.panes.get(sums.partition_point(|s| *s <= at).min(sums.len().checked_sub(1)?))?;
-        Some(pane.triangle.point(lattice(index)))
+        Some(pane.triangle.point(low_discrepancy(index)))
     }
 }

@@ -2,12 +2,11 @@
 //!
 //! At every hit, light from the sun, from lamps and through panes is sampled directly ([`direct`]) and combined
 //! with chance hits by the balance heuristic (multiple importance sampling, Veach 1997); some paths are sent to
-//! drawn blinds and curtains ([`cover`]). Surfaces are Lambertian under microfacets ([`scatter`]). View rays
-//! through glass are refracted, and reflections of panes are separate paths ([`glass`]). Remaining noise is
+//! drawn blinds and curtains ([`cover`]). Surfaces are Lambertian under microfacets
+//! ([`Scatter`](crate::surface::Scatter)). View rays through glass are refracted, and reflections of panes are separate paths ([`glass`]). Remaining noise is
 //! smoothed along surfaces ([`denoise`]), separately for the surfaces of a pixel ([`film`]); isolated pixels
 //! take light from around them ([`alone`]).
 
-mod albedo;
 mod alone;
 mod cover;
 mod denoise;
@@ -17,29 +16,24 @@ mod glass;
 mod lights;
 mod path;
 mod sampler;
-mod scatter;
 mod source;
 mod spots;
+mod walk;
 
 use rayon::prelude::*;
 
-use crate::RenderError;
-use crate::affine::{self, Affine};
+use crate::bvh::Ray;
 use crate::camera::Camera;
-use crate::label::unit;
+use crate::colour::{displayed, encoded};
 use crate::light::{Lighting, Patch, Spot};
+use crate::math::{self, Affine, unit};
 use crate::picture::Picture;
-use crate::renderer::Renderer;
-use crate::shade::{displayed, encoded};
-use crate::trace::Ray;
+use crate::scene::Store;
 use cover::Covers;
 use film::Pixel;
 use lights::Lights;
 use path::Paths;
 use spots::Spots;
-
-pub(crate) use sampler::lattice;
-pub(crate) use scatter::{Finish, cosine, frame};
 
 /// Settings of a reference picture.
 ///
@@ -86,7 +80,7 @@ impl Default for PathTracing {
     }
 }
 
-/// The light of a reference picture, made by [`Renderer::reference_picture`].
+/// The light of a reference picture, made by [`Renderer::reference_picture`](crate::Renderer::reference_picture).
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -111,6 +105,7 @@ impl Default for PathTracing {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ReferencePicture {
     /// Pixels across.
     pub width: usize,
@@ -122,7 +117,7 @@ pub struct ReferencePicture {
     exposure: [f32; 3],
 }
 
-/// A reference picture in the making, which [`Renderer::reference_picture`] passes on after each round.
+/// A reference picture in the making, which [`Renderer::reference_picture`](crate::Renderer::reference_picture) passes on after each round.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};
@@ -173,80 +168,61 @@ impl ReferencePicture {
 }
 
 /// Meters the light at pixels scattered over a picture, of opaque surfaces, including those seen through glass.
-fn metered<'a>(renderer: &'a Renderer, lighting: &'a Lighting, camera: &Camera) -> impl Iterator<Item = Spot> + 'a {
-    let (pose, eye) = (Affine::of(&camera.pose).narrow(), camera.eye().into());
-    let rays: Vec<[f32; 3]> = camera.strewn().map(|[x, y]| affine::vector(&pose, camera.ray(x, y).into())).collect();
+fn metered<'a>(store: &'a Store, lighting: &'a Lighting, camera: &Camera) -> impl Iterator<Item = Spot> + 'a {
+    let (pose, eye) = (Affine::from_pose(&camera.pose).narrow(), camera.eye().into());
+    let rays: Vec<[f32; 3]> =
+        camera.scattered_pixels().map(|[x, y]| math::vector(&pose, camera.ray(x, y).into())).collect();
     rays.into_iter().filter_map(move |ray| {
         let along = unit(ray);
-        let met = lighting.tracer.first(&Ray { from: eye, along, end: 1e4 })?.facing(along.map(|v| -v));
+        let hit = lighting.tracer.first(&Ray { from: eye, along, end: 1e4 })?.facing(along.map(|v| -v));
         Some(lighting.metered(&Patch {
-            surface: &renderer.store.surfaces[usize::from(met.face.surface)],
-            coat: &met.instance.coat,
-            body: met.instance.body,
-            at: met.at,
-            normal: met.normal,
-            room: spots::room(lighting, &met),
+            surface: &store.surfaces[usize::from(hit.face.surface)],
+            coat: &hit.instance.coat,
+            body: hit.instance.body,
+            at: hit.at,
+            normal: hit.normal,
+            room: spots::room(lighting, &hit),
         }))
     })
 }
 
-impl Renderer {
-    /// Renders the reference picture of a lighting's scene by path tracing.
-    ///
-    /// `progress` is called after each round of one path for every pixel, with the number of rounds so far; it
-    /// may look at the picture so far, and stops rendering by returning false. The picture is the same for any
-    /// number of threads. Costs a microsecond or two for each path and surface hit, and 132 bytes for each
-    /// pixel while paths are traced, more at edges. [`PathTracing`], [`ReferencePicture`] and [`RenderProgress`] have
-    /// examples.
-    ///
-    /// Direct sampling of light sources and chance hits are combined by multiple importance sampling (Veach
-    /// 1997), with Sobol points scrambled for each pixel (Burley 2020). Surfaces have a matt base under
-    /// microfacets (Trowbridge and Reitz; sampled by Heitz 2018; base and gloss share the light as in Ashikhmin
-    /// and Shirley 2000, and the light lost between facets is compensated by Turquin 2019). Noise is smoothed
-    /// by an edge-avoiding wavelet filter (Dammertz and others 2010), guided by the noise of each pixel (Schied
-    /// and others 2017).
-    ///
-    /// # Errors
-    /// [`RenderError::BadSize`], [`RenderError::BadCamera`], [`RenderError::OtherRenderer`],
-    /// [`RenderError::BadDaylight`].
-    pub fn reference_picture(
-        &self,
-        lighting: &Lighting,
-        camera: &Camera,
-        how: &PathTracing,
-        mut progress: impl FnMut(&RenderProgress<'_>) -> bool,
-    ) -> Result<ReferencePicture, RenderError> {
-        camera.check()?;
-        lighting.check(&self.store)?;
-        let (width, height) = (camera.width as usize, camera.height as usize);
-        let lights = Lights::of(self, lighting);
-        let spots = Spots::of(self, lighting, &lights);
-        let covers = Covers::of(lighting);
-        let exposure = lighting.exposure(camera.eye().into(), metered(self, lighting, camera));
-        let paths = Paths {
-            renderer: self,
-            lighting,
-            camera,
-            lights: &lights,
-            spots: &spots,
-            covers: &covers,
-            how,
-            most: how.brightest.max(0.0) / exposure[1],
-        };
-        let eye = camera.eye().into();
-        let mut traced = vec![Pixel::default(); width * height];
-        for round in 0..how.samples.max(1) {
-            traced.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
-                row.iter_mut().enumerate().for_each(|(x, pixel)| pixel.add(&paths.path((x, y), round), eye));
-            });
-            if !progress(&RenderProgress { rounds: round + 1, traced: &traced, width, exposure }) {
-                break;
-            }
+/// Traces the reference picture of a lighting's scene; `progress` is called after each round of one path for every
+/// pixel.
+pub(crate) fn traced(
+    store: &Store,
+    lighting: &Lighting,
+    camera: &Camera,
+    how: &PathTracing,
+    mut progress: impl FnMut(&RenderProgress<'_>) -> bool,
+) -> ReferencePicture {
+    let (width, height) = (camera.width as usize, camera.height as usize);
+    let lights = Lights::new(store, lighting);
+    let spots = Spots::new(store, lighting, &lights);
+    let covers = Covers::new(lighting);
+    let exposure = lighting.exposure(camera.eye().into(), metered(store, lighting, camera));
+    let paths = Paths {
+        store,
+        lighting,
+        camera,
+        lights: &lights,
+        spots: &spots,
+        covers: &covers,
+        how,
+        most: how.brightest.max(0.0) / exposure[1],
+    };
+    let eye = camera.eye().into();
+    let mut traced = vec![Pixel::default(); width * height];
+    for round in 0..how.samples.max(1) {
+        traced.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
+            row.iter_mut().enumerate().for_each(|(x, pixel)| pixel.add(&paths.path((x, y), round), eye));
+        });
+        if !progress(&RenderProgress { rounds: round + 1, traced: &traced, width, exposure }) {
+            break;
         }
-        let light = match how.denoise {
-            true => denoise::denoised(&traced, width, eye),
-            false => traced.iter().map(Pixel::light).collect(),
-        };
-        Ok(ReferencePicture { width, height, light, exposure })
     }
+    let light = match how.denoise {
+        true => denoise::denoised(&traced, width, eye),
+        false => traced.iter().map(Pixel::light).collect(),
+    };
+    ReferencePicture { width, height, light, exposure }
 }

@@ -48,12 +48,6 @@ fn scrambled(value: u32, seed: u32) -> u32 {
     v.reverse_bits()
 }
 
-/// Low-discrepancy points of the unit square: a lattice from the plastic number (Roberts 2018).
-pub(crate) fn lattice(index: u32) -> [f32; 2] {
-    // Integers wrap around as fractional parts do.
-    [3_242_174_889_u32, 2_447_445_414].map(|step| (index.wrapping_mul(step) >> 8) as f32 / (1 << 24) as f32)
-}
-
 /// A 32-bit hash (Wellons's lowbias32).
 fn mixed(value: u32) -> u32 {
     let v = (value ^ (value >> 16)).wrapping_mul(0x7feb_352d);

@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use super::sampler::lattice;
-use super::scatter;
-use crate::affine::{self, three};
-use crate::light::{Lighting, dot};
+use crate::bvh::Ray;
+use crate::light::Lighting;
+use crate::math::{self, basis, cosine_weighted, dot, low_discrepancy, three};
 use crate::surface::Picture;
-use crate::trace::Ray;
 
 /// Factor for lamps in another room than the lit point.
 const ELSEWHERE: f32 = 0.05;
@@ -75,13 +73,13 @@ impl Triangle {
     pub(super) fn new([a, b, c]: [[f32; 3]; 3]) -> Self {
         let edge = |p: [f32; 3]| three(|i| p[i] - a[i]);
         let (u, v) = (edge(b), edge(c));
-        let cross = affine::cross(u, v);
+        let cross = math::cross(u, v);
         let middle = three(|i| (a[i] + b[i] + c[i]) / 3.0);
         Self {
             corner: a,
             edges: [u, v],
             middle,
-            normal: crate::label::unit(cross),
+            normal: crate::math::unit(cross),
             area: 0.5 * dot(cross, cross).sqrt(),
         }
     }
@@ -95,11 +93,11 @@ impl Triangle {
     /// Whether much of the sky is visible from one of its sides.
     pub(super) fn opens(&self, lighting: &Lighting) -> bool {
         [1.0, -1.0].into_iter().any(|side| {
-            let axes = scatter::frame(self.normal.map(|v| v * side));
+            let axes = basis(self.normal.map(|v| v * side));
             let blocked = |index: &u32| {
-                let own = scatter::cosine(lattice(*index));
+                let own = cosine_weighted(low_discrepancy(*index));
                 let along = three(|i| own[0] * axes[0][i] + own[1] * axes[1][i] + own[2] * axes[2][i]);
-                let from = self.point(lattice(OUT + index));
+                let from = self.point(low_discrepancy(OUT + index));
                 lighting.tracer.blocked(&Ray { from, along, end: 1e4 })
             };
             (0..OUT).filter(|index| !blocked(index)).count() >= OPEN
@@ -114,7 +112,7 @@ impl Triangle {
         let distance = dot(self.normal, to) / facing;
         // The intersection with its plane, relative to its corner.
         let at = three(|i| distance * along[i] - to[i]);
-        let across = |a: [f32; 3], b: [f32; 3]| dot(self.normal, affine::cross(a, b));
+        let across = |a: [f32; 3], b: [f32; 3]| dot(self.normal, math::cross(a, b));
         let [u, v] = [across(at, self.edges[1]), across(self.edges[0], at)];
         let within = distance > 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 2.0 * self.area;
         if within { distance * distance / (facing.abs().max(1e-4) * self.area) } else { 0.0 }

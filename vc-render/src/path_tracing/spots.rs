@@ -4,12 +4,14 @@
 use rayon::prelude::*;
 
 use super::lights::Lights;
-use super::scatter::Finish;
 use super::source::Place;
-use crate::affine::three;
-use crate::light::{Lighting, brightness, dot, straight, tint};
-use crate::renderer::Renderer;
-use crate::trace::{Met, Ray};
+use crate::bvh::Ray;
+use crate::colour::luminance;
+use crate::light::{Lighting, straight, tint};
+use crate::math::{dot, three};
+use crate::ray_casting::SurfaceHit;
+use crate::scene::Store;
+use crate::surface::Finish;
 
 /// Number of rays sent from panes.
 const RAYS: u32 = 1 << 16;
@@ -43,7 +45,7 @@ pub(super) struct Spot {
 }
 
 impl Spots {
-    pub(super) fn of(renderer: &Renderer, lighting: &Lighting, lights: &Lights) -> Self {
+    pub(super) fn new(store: &Store, lighting: &Lighting, lights: &Lights) -> Self {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
         if lighting.daylight.sun.norm_squared() == 0.0 {
             return Self::default();
@@ -51,7 +53,7 @@ impl Spots {
         let (panes, across) = lights.across(towards);
         let spot = |index: u32| {
             let from = lights.pane_point(&panes, (index as f32 + 0.5) / RAYS as f32 * across, index)?;
-            Spot::found(renderer, lighting, lights, from)
+            Spot::found(store, lighting, lights, from)
         };
         let found = if across > 0.0 { RAYS } else { 0 };
         let mut all: Vec<Spot> = (0..found).into_par_iter().filter_map(spot).collect();
@@ -62,7 +64,7 @@ impl Spots {
         let rooms = (0..count).map(|room| start(room)..start(room + 1)).collect();
         // There are no samples if there is no pane to send rays from.
         let scale = if all.is_empty() { 0.0 } else { RAYS as f32 / (across * all.len() as f32) };
-        let power = all.iter().map(|s| brightness(s.light)).sum::<f32>() * across / RAYS as f32;
+        let power = all.iter().map(|s| luminance(s.light)).sum::<f32>() * across / RAYS as f32;
         Self { all, rooms, power, scale }
     }
 
@@ -105,25 +107,25 @@ impl Spot {
     }
 
     /// The place that the sun lights through a point of a pane; none if it is not in the sun.
-    fn found(renderer: &Renderer, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
+    fn found(store: &Store, lighting: &Lighting, lights: &Lights, from: [f32; 3]) -> Option<Self> {
         let towards: [f32; 3] = lighting.daylight.towards_sun.into();
-        let met = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
-        let surface = &renderer.store.surfaces[usize::from(met.face.surface)];
-        let ray = Ray { from: super::path::off(&met, towards), along: towards, end: 1e4 };
+        let hit = lighting.tracer.first(&Ray { from, along: towards.map(|v| -v), end: 1e4 })?;
+        let surface = &store.surfaces[usize::from(hit.face.surface)];
+        let ray = Ray { from: super::path::off(&hit, towards), along: towards, end: 1e4 };
         // A drawn cover transmits as much light as it reflects, so it is left to chance hits.
-        let other = surface.is_mirror() || met.instance.covers();
-        if dot(met.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
+        let other = surface.is_mirror() || hit.instance.covers();
+        if dot(hit.flat, towards) <= 1e-3 || other || lighting.tracer.blocked(&ray) {
             return None;
         }
-        let way = Way::through(renderer, lighting, lights, ray, None);
-        let look = met.look(surface, 0.002);
+        let way = Way::through(store, lighting, lights, ray, None);
+        let look = hit.appearance(surface, 0.002);
         Some(Self {
-            at: met.at,
-            flat: met.flat,
+            at: hit.at,
+            flat: hit.flat,
             normal: look.normal,
             finish: Finish { colour: look.colour, metallic: surface.metallic, roughness: look.roughness },
             light: three(|i| way.share[i] * lighting.daylight.sun[i]),
-            room: room(lighting, &met),
+            room: room(lighting, &hit),
             crossed: way.crossed,
         })
         .filter(|s| s.crossed > 0)
@@ -143,7 +145,7 @@ pub(super) struct Way {
 impl Way {
     /// Follows a ray through panes; `from` is the point from which it may have been sampled.
     pub(super) fn through(
-        renderer: &Renderer,
+        store: &Store,
         lighting: &Lighting,
         lights: &Lights,
         mut ray: Ray,
@@ -158,7 +160,7 @@ impl Way {
                 way.crossed += 1;
                 way.chance += from.map_or(0.0, |from| lights.through(from, &pane, gone, cosine));
             }
-            let (tint, passes) = (tint(renderer, &glass), straight(&glass, ray.along));
+            let (tint, passes) = (tint(store, &glass), straight(&glass, ray.along));
             way.share = three(|i| way.share[i] * passes * tint[i]);
             ray.from = super::path::off(&glass, ray.along);
             ray.end -= glass.t;
@@ -167,6 +169,6 @@ impl Way {
     }
 }
 
-pub(super) fn room(lighting: &Lighting, met: &Met<'_>) -> u16 {
-    lighting.tracer.snapshot.bodies[met.instance.body as usize].room
+pub(super) fn room(lighting: &Lighting, hit: &SurfaceHit<'_>) -> u16 {
+    lighting.tracer.snapshot.bodies[hit.instance.body as usize].room
 }

@@ -76,7 +76,7 @@ impl Picture {
         whole.paste(self, 0, 0);
         let mut small = Self { width, height, pixels: Vec::new() };
         if width > 0 {
-            crate::shade::shrink(&whole.pixels, times, (width, &mut small.pixels));
+            crate::colour::shrink(&whole.pixels, times, (width, &mut small.pixels));
         }
         small
     }

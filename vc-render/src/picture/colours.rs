@@ -3,7 +3,8 @@
 use vc_graph::portable::Portable;
 
 use super::Picture;
-use crate::frame::{Frame, NO_LABEL, NOTHING};
+use crate::frame::Frame;
+use crate::modality::{NO_LABEL, NOTHING};
 
 /// Colours that tell numbers apart: a number always has the same colour, which no other of the first eight
 /// million numbers has. None is dark.

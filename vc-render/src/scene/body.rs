@@ -8,8 +8,8 @@ use vc_graph::{NodeId, ObjectRole, Pose};
 
 use super::cover::Drawn;
 use super::liquid::SPECK;
-use crate::affine::{Affine, Narrow};
-use crate::mesh::{Ball, Bounds, Link};
+use crate::math::{Affine, Ball, Bounds, Narrow};
+use crate::mesh::Link;
 use crate::surface::Coat;
 
 /// Room index of bodies that are in no room.
@@ -26,7 +26,7 @@ pub(crate) enum Stands {
 }
 
 impl Stands {
-    pub(super) fn of(role: ObjectRole) -> Self {
+    pub(super) fn from_role(role: ObjectRole) -> Self {
         match role {
             ObjectRole::Door => Self::Between,
             _ if role.is_built_in() => Self::Around,
@@ -142,10 +142,10 @@ impl Instance {
     /// Places it according to its body's pose and its own motion.
     pub(crate) fn arrange(&mut self, pose: &Pose, scale: &Vector3<f32>, own: &Pose) -> bool {
         let placed = match self.drawn.as_ref().and_then(Drawn::map) {
-            Some(map) => Affine::of(pose).after(map).after(&Affine::placed(&Pose::identity(), scale)),
+            Some(map) => Affine::from_pose(pose).after(map).after(&Affine::placed(&Pose::identity(), scale)),
             None => Affine::placed(pose, scale),
         };
-        let placed = placed.after(&Affine::of(own));
+        let placed = placed.after(&Affine::from_pose(own));
         // A hidden instance shrinks to an invisible speck: nothing is seen of it, but every holder of the scene
         // keeps the same list of instances.
         self.world = self.speck().map_or(placed, |at| placed.after(&Affine::shrunk(at, SPECK)));
@@ -166,19 +166,13 @@ impl Body {
 
     /// The box around the body's instances in the body's own frame.
     pub(crate) fn measured(&self, instances: &[Instance]) -> Bounds {
-        let Some(back) = Affine::of(&self.pose).inverse() else { return Bounds::default() };
+        let Some(back) = Affine::from_pose(&self.pose).inverse() else { return Bounds::default() };
         let mut all: Option<Bounds> = None;
         for instance in instances {
             let own = back.after(&instance.world).narrow();
-            let bounds = turned(&own, &instance.link.levels[0].bounds);
+            let bounds = instance.link.levels[0].bounds.mapped(&own);
             all = Some(all.map_or(bounds, |a| a.joined(&bounds)));
         }
         all.unwrap_or_default()
     }
-}
-
-/// The bounding box of a mapped box.
-pub(crate) fn turned(map: &Narrow, bounds: &Bounds) -> Bounds {
-    let half = [0, 1, 2].map(|r: usize| (0..3).map(|c| map[r][c].abs() * bounds.half[c]).sum());
-    Bounds { centre: crate::affine::point(map, bounds.centre), half }
 }

@@ -8,11 +8,28 @@ use vc_graph::{NodeId, Pose};
 use super::cover::draw;
 use super::{NO_ROOM, Snapshot, liquid};
 use crate::RenderError;
-use crate::affine::Affine;
+use crate::math::Affine;
 use crate::surface::Coat;
 
 impl Snapshot {
     /// Moves a body. Costs a few operations for each of its links.
+    ///
+    /// ```
+    /// # use nalgebra::{Point3, Vector3};
+    /// # use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+    /// # let mut scene = SceneBuilder::new("flat");
+    /// # let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// # let size = Bounds::standing(Vector3::new(0.6, 0.6, 1.8));
+    /// # let fridge = scene.add_in(kitchen, Draft::new("fridge").at(Pose::translation(2.0, 0.0, 0.0)).bounds(size))?;
+    /// # let scene = scene.build();
+    /// # let fridge_at = |x| Pose::translation(x, 0.0, 0.0);
+    /// use vc_render::Renderer;
+    /// let mut renderer = Renderer::new();
+    /// let mut snapshot = renderer.snapshot(&scene)?;
+    /// snapshot.place(fridge, &fridge_at(3.0))?;
+    /// assert!(snapshot.bounds(fridge).is_some_and(|bounds| (bounds.max.x - 3.3).abs() < 1e-4));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`RenderError::NoBody`], [`RenderError::BadPose`].
@@ -89,7 +106,7 @@ impl Snapshot {
         let moved = instances.iter().map(|i| motion(&i.link.joint?, i.joint));
         let moved: Vec<Option<(f32, Pose)>> = moved.collect();
         let placed = Affine::placed(&body.pose, &body.scale);
-        let sound = |(at, own): &(f32, Pose)| at.is_finite() && placed.after(&Affine::of(own)).is_finite();
+        let sound = |(at, own): &(f32, Pose)| at.is_finite() && placed.after(&Affine::from_pose(own)).is_finite();
         if !moved.iter().flatten().all(sound) {
             return Err(RenderError::BadPose(node));
         }
@@ -114,7 +131,7 @@ impl Snapshot {
     }
 
     /// Sets the coat on a body. The coats that follow from a graph's states are there from the beginning, by
-    /// [`Coat::of`].
+    /// [`Coat::from_node`].
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
@@ -247,13 +264,13 @@ impl Snapshot {
     /// let blinds = Draft::new("blinds").bounds(Bounds::standing([0.06, 1.2, 0.3].into()));
     /// let blinds = scene.add(blinds.at(Pose::translation(0.1, 0.0, 2.0)))?;
     /// let mut snapshot = Renderer::new().snapshot(&scene.build())?;
-    /// snapshot.draw(blinds, true)?;
+    /// snapshot.draw_cover(blinds, true)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// [`RenderError::NoBody`].
-    pub fn draw(&mut self, node: NodeId, closed: bool) -> Result<(), RenderError> {
+    pub fn draw_cover(&mut self, node: NodeId, closed: bool) -> Result<(), RenderError> {
         let index = self.body(node)?;
         draw((&mut self.bodies[index], &mut self.instances), closed);
         Ok(())

@@ -8,7 +8,7 @@ use vc_graph::class::Class;
 use vc_graph::{SceneGraph, Seed, Word};
 
 use crate::RenderError;
-use crate::frame::NO_LABEL;
+use crate::modality::NO_LABEL;
 
 /// The first number for classes that are not in the class table.
 const UNKNOWN: u16 = 1 << 15;
@@ -27,7 +27,7 @@ pub(crate) struct Classes {
 type Named = (Arc<str>, Arc<str>);
 
 impl Classes {
-    pub(crate) fn of(graph: &SceneGraph) -> Result<Self, RenderError> {
+    pub(crate) fn new(graph: &SceneGraph) -> Result<Self, RenderError> {
         let named = |c: &Class| (c.name.clone(), c.category.as_str().into());
         let known: Vec<Named> = graph.classes().iter().map(named).collect();
         if known.len() > usize::from(UNKNOWN) {

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Body, Instance, turned};
-use crate::affine::{Affine, Narrow, point, three};
-use crate::mesh::{Bounds, Mesh};
+use super::{Body, Instance};
+use crate::math::{Affine, Bounds, Narrow, point, three};
+use crate::mesh::Mesh;
 
 /// Greatest distance of a cover from its opening, metres: out of the wall, and along the wall or above.
 const OFF: [f32; 2] = [0.35, 0.4];
@@ -124,8 +124,8 @@ fn layers(bodies: &[Body], around: &Around) -> Vec<Option<Layer>> {
 
 /// Whether two covers hang in the same place: a cover does with itself.
 fn hang_together(cover: &Body, other: &Body) -> bool {
-    let Some(back) = Affine::of(&cover.pose).inverse() else { return false };
-    let (own, other) = (cover.bounds, turned(&back.after(&Affine::of(&other.pose)).narrow(), &other.bounds));
+    let Some(back) = Affine::from_pose(&cover.pose).inverse() else { return false };
+    let (own, other) = (cover.bounds, other.bounds.mapped(&back.after(&Affine::from_pose(&other.pose)).narrow()));
     (0..3).all(|axis| {
         let ([a, b], [c, d]) = (ends(&own, axis), ends(&other, axis));
         b.min(d) - a.max(c) >= TOGETHER * (b - a).min(d - c)
@@ -148,7 +148,7 @@ pub(super) fn draw((body, instances): (&mut Body, &mut [Instance]), closed: bool
 fn stretches((bodies, instances): (&[Body], &[Instance]), around: &Around) -> Vec<Option<(bool, Affine)>> {
     let hung = |(cover, _): &(usize, bool)| {
         let cover = &bodies[*cover];
-        let all = around.openings.iter().filter_map(|o| Some((*o, Hung::of(cover, &bodies[*o], instances)?)));
+        let all = around.openings.iter().filter_map(|o| Some((*o, Hung::new(cover, &bodies[*o], instances)?)));
         let (opening, hung) = all.min_by(|a, b| a.1.apart().total_cmp(&b.1.apart()))?;
         let standing = around.standing.iter().map(|body| &bodies[*body]);
         Some((opening, hung.among(cover, standing, instances)))
@@ -167,11 +167,11 @@ fn stretches((bodies, instances): (&[Body], &[Instance]), around: &Around) -> Ve
 
 impl Hung {
     /// None if the cover does not hang at the opening.
-    fn of(cover: &Body, opening: &Body, instances: &[Instance]) -> Option<Self> {
-        let back = Affine::of(&cover.pose).inverse()?;
+    fn new(cover: &Body, opening: &Body, instances: &[Instance]) -> Option<Self> {
+        let back = Affine::from_pose(&cover.pose).inverse()?;
         let of = |body: &Body| &instances[body.instances.start as usize..body.instances.end as usize];
         let own = |i: &Instance| back.after(&i.world).narrow();
-        let around = |i: &Instance| turned(&own(i), &i.link.levels[0].bounds);
+        let around = |i: &Instance| i.link.levels[0].bounds.mapped(&own(i));
         // Swinging parts of the opening are left out.
         let fixed = || of(opening).iter().filter(|i| i.link.joint.is_none());
         let made = Self {
@@ -188,10 +188,11 @@ impl Hung {
 
     /// Adds the parts of things that stand where the cover may come down or pass.
     fn among<'a>(self, cover: &Body, standing: impl Iterator<Item = &'a Body>, instances: &[Instance]) -> Self {
-        let Some(back) = Affine::of(&cover.pose).inverse() else { return self };
+        let Some(back) = Affine::from_pose(&cover.pose).inverse() else { return self };
         let (all, [wall, front]) = (self.own.joined(&self.opening), ends(&self.own, 0));
         let reach = [[wall, front.max(wall + SWEEP + FLAT)], ends(&all, 1), ends(&all, 2)];
-        let near = |body: &&Body| meets(&turned(&back.after(&Affine::of(&body.pose)).narrow(), &body.bounds), &reach);
+        let near =
+            |body: &&Body| meets(&body.bounds.mapped(&back.after(&Affine::from_pose(&body.pose)).narrow()), &reach);
         let own = |body: &Body| &instances[body.instances.start as usize..body.instances.end as usize];
         let found = standing.filter(near).flat_map(own);
         let found = found.flat_map(|i| parts(&back.after(&i.world).narrow(), &i.link.levels[0]));

@@ -3,7 +3,7 @@
 use vc_graph::{Aabb, NodeId};
 
 use super::{Instance, Snapshot};
-use crate::affine::point;
+use crate::math::point;
 
 impl Snapshot {
     /// The axis-aligned box in the world around a node as it is drawn, metres: with its doors and limbs in

@@ -61,7 +61,7 @@ pub(super) fn coat(class: &str) -> Coat {
 impl Liquid {
     /// The liquid of a vessel that is open above and has walls around; none for any other asset.
     pub(super) fn within(asset: &Asset) -> Option<Self> {
-        let walls = Walls::of(asset)?;
+        let walls = Walls::new(asset)?;
         walls.floors().into_iter().find_map(|bottom| Self::above(bottom, &walls))
     }
 
@@ -100,7 +100,7 @@ struct Walls {
 }
 
 impl Walls {
-    fn of(asset: &Asset) -> Option<Self> {
+    fn new(asset: &Asset) -> Option<Self> {
         let meshes: Vec<_> = asset.parts.iter().map(|p| p.shape.mesh(TOLERANCE).transformed(&p.pose)).collect();
         let boxed = |points: &[Point3<f32>]| {
             let first = *points.first()?;

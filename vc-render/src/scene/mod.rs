@@ -10,6 +10,6 @@ mod snapshot;
 mod store;
 mod untied;
 
-pub(crate) use body::{Body, Gives, Instance, NO_ROOM, Stands, turned};
+pub(crate) use body::{Body, Gives, Instance, NO_ROOM, Stands};
 pub use snapshot::Snapshot;
 pub(crate) use store::Store;

@@ -11,8 +11,8 @@ use super::classes::Classes;
 use super::cover::{Around, hang};
 use super::{Body, Instance, NO_ROOM, Store, liquid};
 use crate::RenderError;
-use crate::affine::Affine;
-use crate::mesh::{Ball, Link};
+use crate::math::{Affine, Ball};
+use crate::mesh::Link;
 use crate::surface::Coat;
 
 /// Everything visible in a scene at one moment: the meshes and their poses, and which lamps are on.
@@ -68,7 +68,7 @@ impl Snapshot {
         joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
     ) -> Result<Self, RenderError> {
         let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
-        let classes = Classes::of(graph)?;
+        let classes = Classes::new(graph)?;
         let (mut bodies, mut instances) = (Vec::new(), Vec::new());
         let mut around = Around::default();
         for node in graph.nodes().filter(|n| n.kind() != NodeKind::Room) {
@@ -88,7 +88,7 @@ impl Snapshot {
                 class: classes.number(node.class()),
                 room,
                 role: node.role(),
-                stands: Stands::of(node.role()),
+                stands: Stands::from_role(node.role()),
                 gives: gives(graph, node),
                 lit: graph.is_lit(node.id()),
                 pose: *pose,
@@ -225,12 +225,12 @@ fn instance(
     joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
 ) -> Option<Instance> {
     let position = link.joint.map_or(0.0, |j| {
-        let told = joint(node.id(), &j).filter(|p| p.is_finite());
-        told.unwrap_or_else(|| if node.is(State::Open) { opened(&j) } else { closed(&j) })
+        let given = joint(node.id(), &j).filter(|p| p.is_finite());
+        given.unwrap_or_else(|| if node.is(State::Open) { opened(&j) } else { closed(&j) })
     });
     let (world, inverse) = (Affine::IDENTITY, [[0.0; 4]; 3]);
     let coat = match (liquid, node.contents()) {
-        (None, _) => Coat::of(node),
+        (None, _) => Coat::from_node(node),
         (Some(_), contents) => contents.map_or(Coat::NONE, |class| liquid::coat(class)),
     };
     let mut instance = Instance {

@@ -14,6 +14,8 @@ use crate::surface::{Picture, Role, Surface};
 /// Links of all assets seen so far, and their surface materials.
 #[derive(Debug, Default)]
 pub(crate) struct Store {
+    /// Largest screen-space error of a curved outline at which a coarser mesh may be drawn, pixels.
+    pub(crate) detail: f32,
     /// Identity of the store, compared by address; snapshots made with this store carry it.
     pub(crate) name: Arc<()>,
     pub(crate) surfaces: Vec<Surface>,
@@ -43,6 +45,11 @@ pub(super) type Contained = (Arc<Link>, [f64; 3]);
 pub(super) type Loose = (Arc<Link>, [[f64; 3]; 2]);
 
 impl Store {
+    /// An empty store, for meshes that are off by at most so many pixels.
+    pub(crate) fn new(detail: f32) -> Self {
+        Self { detail, ..Self::default() }
+    }
+
     /// The liquid that an uploaded asset can hold, if any; built on first use.
     pub(super) fn liquid(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Contained> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
@@ -66,7 +73,7 @@ impl Store {
         if let Some(known) = self.untied.get(&key) {
             return known.clone();
         }
-        let made = Untied::of(asset).map(|Untied { cloth, index, hidden }| {
+        let made = Untied::new(asset).map(|Untied { cloth, index, hidden }| {
             let finish = self.surface(key.0, library, &cloth);
             let mut hanging = asset.as_ref().clone();
             hanging.parts[index] = cloth;
@@ -124,13 +131,13 @@ impl Store {
     }
 
     fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> Finish {
-        let role = Role::of(part);
+        let role = Role::from_part(part);
         let placed = matches!(&part.shape, Shape::Mesh { uvs, .. } if !uvs.is_empty());
         let key = (address, part.material, role, placed);
         let known = self.known_surfaces.get(&key).copied();
         let index = known.unwrap_or_else(|| {
             let material = library.material(part.material);
-            let made = material.map_or_else(Surface::plain, |m: &Material| Surface::of(m, role));
+            let made = material.map_or_else(Surface::plain, |m: &Material| Surface::new(m, role));
             let made = match material.and_then(|m| self.picture(address, library, m.texture?)) {
                 Some(picture) if placed => made.with(picture),
                 Some(picture) => made.tinted(&picture),

@@ -27,7 +27,7 @@ pub(super) struct Untied {
 
 impl Untied {
     /// None if the asset is not tied.
-    pub(super) fn of(asset: &Asset) -> Option<Self> {
+    pub(super) fn new(asset: &Asset) -> Option<Self> {
         let named = |name: &str| asset.parts.iter().position(|part| &*part.name == name);
         let (band, index) = (&asset.parts[named(BAND)?], named(CLOTH)?);
         let ((low, high), (from, to)) = (asset.extent()?, band.extent());

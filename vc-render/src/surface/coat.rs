@@ -30,7 +30,7 @@ impl Coat {
     pub const NONE: Self = Self { colour: [0.0; 3], share: 0.0, roughness: 1.0 };
 
     /// The coat for a node's states: dirty, stained, dusty, cooked, sliced, frozen, wet.
-    pub fn of(node: &Node) -> Self {
+    pub fn from_node(node: &Node) -> Self {
         STATES.iter().find(|(state, _)| node.is(*state)).map_or(Self::NONE, |(_, coat)| *coat)
     }
 
@@ -44,7 +44,7 @@ impl Coat {
     /// The colour of a surface under this coat.
     #[inline(always)]
     pub(crate) fn over(&self, colour: [f32; 3]) -> [f32; 3] {
-        crate::affine::three(|i| colour[i] + (self.colour[i] - colour[i]) * self.share)
+        crate::math::three(|i| colour[i] + (self.colour[i] - colour[i]) * self.share)
     }
 
     /// The roughness of a surface under this coat.

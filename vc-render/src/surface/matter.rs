@@ -46,7 +46,7 @@ static TABLE: LazyLock<Vec<(Matter, Vec<&str>)>> = LazyLock::new(|| {
 
 impl Matter {
     /// The matter of a material with this name, if the table has one of its words.
-    pub(super) fn of(name: &str) -> Option<Self> {
+    pub(super) fn from_name(name: &str) -> Option<Self> {
         // A word counts only at its beginning: "washed" is not ash.
         let begins = |at: usize| !name[..at].ends_with(|c: char| c.is_alphabetic());
         let has = |word: &&str| name.match_indices(*word).any(|(at, _)| begins(at));
@@ -62,6 +62,6 @@ mod tests {
     fn every_line_of_the_table_is_read() {
         let lines = include_str!("../../data/matter.txt").lines().filter(|line| !line.starts_with('#')).count();
         assert_eq!(TABLE.len(), lines);
-        assert_eq!([Matter::of("roof_tile"), Matter::of("red_roof")], [Some(Matter::Brick), None]);
+        assert_eq!([Matter::from_name("roof_tile"), Matter::from_name("red_roof")], [Some(Matter::Brick), None]);
     }
 }

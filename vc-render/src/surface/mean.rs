@@ -29,7 +29,7 @@ impl Mixer {
     pub(super) fn new() -> Self {
         Self {
             #[cfg(target_arch = "x86_64")]
-            v3: crate::simd::wide(),
+            v3: crate::math::simd::wide(),
         }
     }
 

@@ -1,23 +1,28 @@
 //! Surfaces: materials and their textures, as shading sees them.
 
+mod albedo;
+mod appearance;
 mod coat;
 mod matter;
 mod mean;
 mod noise;
 mod pattern;
+mod pattern_mean;
 mod picture;
+mod scatter;
 mod tile;
 
 use std::sync::Arc;
 
 use vc_graph::asset::{Material, Part};
 
-use crate::affine::three;
-use crate::path_tracing::Finish;
+use crate::math::three;
 
+pub(crate) use appearance::{Appearance, texture_axes, textured};
 pub use coat::Coat;
 pub(crate) use pattern::Pattern;
 pub(crate) use picture::Picture;
+pub(crate) use scatter::{Finish, Scatter};
 pub(crate) use tile::{SPAN, Span, Tile, Touch};
 
 /// A material, prepared for shading.
@@ -48,7 +53,7 @@ pub(crate) enum Role {
 }
 
 impl Role {
-    pub(crate) fn of(part: &Part) -> Self {
+    pub(crate) fn from_part(part: &Part) -> Self {
         match &*part.name {
             "shade" => Self::Shade,
             "floor" => Self::Floor,
@@ -59,8 +64,8 @@ impl Role {
 }
 
 impl Surface {
-    pub(crate) fn of(material: &Material, role: Role) -> Self {
-        let pattern = Pattern::of(material, role);
+    pub(crate) fn new(material: &Material, role: Role) -> Self {
+        let pattern = Pattern::from_material(material, role);
         // No light shines through a shade of metal.
         let translucent = material.transmission > 0.0 || matches!(pattern, Pattern::Weave | Pattern::Paper);
         let role = if role == Role::Shade && !translucent { Role::Plain } else { role };
@@ -89,12 +94,12 @@ impl Surface {
     }
 
     /// Mean reflectance for diffuse light, by colour, under a coat; the gloss reflects white.
-    pub(crate) fn thrown(&self, coat: &Coat) -> [f32; 3] {
-        let (tint, roughness) = tile::mean_of(self.pattern);
+    pub(crate) fn reflected(&self, coat: &Coat) -> [f32; 3] {
+        let (tint, roughness) = pattern_mean::mean_of(self.pattern);
         let tint = self.picture.as_ref().map_or(tint, |picture| picture.mean());
         let colour = coat.over(three(|i| self.colour[i] * tint[i]));
         let roughness = coat.rough((self.roughness * roughness).clamp(0.02, 1.0));
-        Finish { colour, metallic: self.metallic, roughness }.thrown()
+        Finish { colour, metallic: self.metallic, roughness }.reflected()
     }
 
     /// Emission averaged over the texture.

@@ -54,8 +54,8 @@ impl Pattern {
     ];
 
     /// The pattern that suits a material.
-    pub(crate) fn of(material: &Material, role: Role) -> Self {
-        match Matter::of(&material.name) {
+    pub(crate) fn from_material(material: &Material, role: Role) -> Self {
+        match Matter::from_name(&material.name) {
             _ if material.transmission > 0.3 => Self::Plain,
             Some(Matter::Smooth) => Self::Plain,
             Some(Matter::Wood) if role == Role::Floor => Self::Boards,
@@ -240,7 +240,7 @@ mod tests {
 
     #[test]
     fn patterns_go_by_how_words_begin() {
-        let of = |name: &str, role: Role| Pattern::of(&crate::common::material(name, [0.5; 3]), role);
+        let of = |name: &str, role: Role| Pattern::from_material(&crate::common::material(name, [0.5; 3]), role);
         let cases = [
             ("ash", Pattern::Grain),
             ("washed_linen", Pattern::Weave),

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use vc_graph::asset::Texture;
 
-use crate::affine::three;
-use crate::shade::decoded;
+use crate::colour::decoded;
+use crate::math::three;
 
 /// An image texture, interpolated between its texels.
 #[derive(Debug)]

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 
 use super::Pattern;
 use super::mean::{Mixer, Pair, Shares, mean};
-use crate::affine::three;
-use crate::simd::whole;
+use crate::math::simd::whole;
+use crate::math::three;
 
 /// A stored texel of four bytes: either the factors for red, green and blue (128 is one) and roughness (64 is
 /// one), or the tilt of the normal along u and v (128 is none, 64 more is one). Few lookups need both, so they
@@ -59,30 +59,6 @@ pub(crate) struct Touch {
     pub(crate) lean: [f32; 2],
 }
 
-/// Mean tint and roughness of each pattern. They are constants because indirect light needs only these, and
-/// tiles take long to make.
-#[rustfmt::skip]
-const MEANS: [([f32; 3], f32); 13] = [
-    ([1.0, 1.0, 1.0], 1.0), // plain
-    ([0.9064, 0.8859, 0.8721], 1.0042), // grain
-    ([0.8742, 0.8466, 0.8282], 1.0182), // boards
-    ([0.9513, 0.9513, 0.9513], 1.0), // weave
-    ([0.96, 0.96, 0.96], 0.9571), // leather
-    ([0.9435, 0.9435, 0.9435], 1.0926), // tiles
-    ([0.9406, 0.9893, 1.0059], 1.1875), // bricks
-    ([0.8626, 0.8626, 0.8626], 1.0), // speckle
-    ([0.9404, 0.9404, 0.9404], 0.5938), // marble
-    ([0.9816, 0.9816, 0.9816], 1.0), // rough
-    ([1.0008, 1.0008, 1.0008], 0.846), // brushed
-    ([0.9944, 0.9944, 0.9944], 1.0), // paper
-    ([0.9821, 0.9821, 0.9821], 1.0), // wall
-];
-
-/// The mean tint of a pattern, and its mean roughness.
-pub(crate) fn mean_of(pattern: Pattern) -> ([f32; 3], f32) {
-    MEANS[pattern as usize]
-}
-
 static TILES: LazyLock<Vec<Tile>> = LazyLock::new(|| {
     use rayon::prelude::*;
     Pattern::ALL.par_iter().map(|pattern| Tile::new(*pattern)).collect()
@@ -90,7 +66,7 @@ static TILES: LazyLock<Vec<Tile>> = LazyLock::new(|| {
 
 impl Tile {
     /// The tile of a pattern.
-    pub(crate) fn of(pattern: Pattern) -> &'static Self {
+    pub(crate) fn for_pattern(pattern: Pattern) -> &'static Self {
         &TILES[pattern as usize]
     }
 
@@ -284,12 +260,13 @@ fn halved(fine: &[Texel]) -> Vec<Texel> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pattern_mean::MEANS;
     use super::*;
 
     #[test]
     fn means_are_those_of_the_tiles() {
         for (pattern, (tint, roughness)) in Pattern::ALL.into_iter().zip(MEANS) {
-            let tile = Tile::of(pattern);
+            let tile = Tile::for_pattern(pattern);
             // Leaves out the repeated row and column.
             let rows = tile.levels[0].colours.chunks(tile.row(0)).take(tile.texels);
             let texels: Vec<Texel> = rows.flat_map(|row| &row[..tile.texels]).copied().collect();

@@ -19,18 +19,7 @@ pub struct Stage {
 }
 
 pub fn material(name: &str, colour: [f32; 3]) -> Material {
-    Material {
-        name: name.into(),
-        colour,
-        density: 500.0,
-        friction: 0.5,
-        restitution: 0.1,
-        roughness: 0.5,
-        metallic: 0.0,
-        transmission: 0.0,
-        emission: [0.0; 3],
-        texture: None,
-    }
+    Material::new(name, colour)
 }
 
 pub fn part(name: &str, shape: Shape, at: [f32; 3], material: u32) -> Part {
@@ -185,7 +174,11 @@ pub fn contents(frame: &Frame, of: Modality) -> Vec<u32> {
         }
         // The visible fraction belongs to amodal masks.
         Modality::Boxes => {
-            let text = |b: &BoxLabel| format!("{:?}", BoxLabel { visible_fraction: None, ..b.clone() }).into_bytes();
+            let text = |b: &BoxLabel| {
+                let mut label = b.clone();
+                label.visible_fraction = None;
+                format!("{label:?}").into_bytes()
+            };
             frame.boxes.iter().flat_map(text).map(u32::from).collect()
         }
         Modality::Masks => frame.masks().flat_map(|mask| pixels(&mask)).collect(),

@@ -62,7 +62,7 @@ impl Room {
 
     fn drawn(&self, closed: bool) -> Snapshot {
         let mut snapshot = self.snapshot.clone();
-        self.covers.iter().for_each(|cover| snapshot.draw(*cover, closed).unwrap());
+        self.covers.iter().for_each(|cover| snapshot.draw_cover(*cover, closed).unwrap());
         snapshot
     }
 
@@ -116,7 +116,7 @@ fn a_drawn_cover_hides_its_window_and_an_open_one_is_as_it_was() {
         let around = |f: &Frame| f.instance.iter().filter(|id| !room.covers.contains(id)).count();
         assert!(around(&open) > around(&closed));
         let mut again = room.drawn(true);
-        room.covers.iter().for_each(|cover| again.draw(*cover, false).unwrap());
+        room.covers.iter().for_each(|cover| again.draw_cover(*cover, false).unwrap());
         assert!(is_same(&room.frame(&again, &lighting, &camera), &open));
         // A graph's states draw covers, too.
         let made = Room::new(kind, true);
@@ -281,8 +281,8 @@ fn what_hangs_at_no_window_stays_as_it_is() {
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(&stage.build()).unwrap();
     let mut drawn = snapshot.clone();
-    drawn.draw(curtain, true).unwrap();
-    assert!(drawn.draw(NodeId(999), true).is_err());
+    drawn.draw_cover(curtain, true).unwrap();
+    assert!(drawn.draw_cover(NodeId(999), true).is_err());
     let camera = Camera::with_fov(48, 36, 1.2);
     let of = |snapshot: &Snapshot| {
         let mut frame = Frame::new();

@@ -129,7 +129,7 @@ fn where_nothing_is_seen_all_buffers_say_so() {
     let snapshot = renderer.snapshot(&graph).unwrap();
     let camera = Camera::with_fov(64, 48, 1.0).looking(Point3::origin(), Point3::new(1.0, 0.0, 0.0));
     let later = Camera { pose: camera.pose * Pose::translation(0.02, 0.0, 0.0), ..camera };
-    let wanted = Modalities::of(Modality::ALL).without(Modality::Rgb);
+    let wanted = Modalities::new(Modality::ALL).without(Modality::Rgb);
     let shot = Shot::new(&snapshot, &camera, wanted).after(&snapshot, &later).before(&snapshot, &later);
     let mut frame = Frame::new();
     renderer.render(&shot, &mut frame).unwrap();

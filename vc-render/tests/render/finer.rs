@@ -27,7 +27,7 @@ fn bars_thinner_than_a_pixel_do_not_break_up() {
         Camera::with_intrinsics(96, 72, (100.0, 100.0), (48.0, 36.0)).looking(Point3::origin(), [1.0, 0.0, 0.0].into());
     let missing = |times: u32| {
         let mut frame = Frame::new();
-        let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting).finer(times);
+        let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting).supersampled(times);
         renderer.render(&shot, &mut frame).unwrap();
         let wall = frame.rgb[5 * 96 + 48][1];
         let brightest = |x: usize| (0..72).map(|y| frame.rgb[y * 96 + x][1]).max().unwrap();
@@ -48,11 +48,11 @@ fn labels_are_what_they_were_and_colours_nearly() {
     let (mut plain, mut fine) = (Frame::new(), Frame::new());
     renderer.render(&shot, &mut plain).unwrap();
     // A frame that was used for other pictures before works as well.
-    renderer.render(&shot.finer(3), &mut fine).unwrap();
+    renderer.render(&shot.supersampled(3), &mut fine).unwrap();
     renderer.render(&shot, &mut fine).unwrap();
     assert!(fine.rgb == plain.rgb);
-    renderer.render(&shot.finer(2), &mut fine).unwrap();
-    assert!(fine.holds == wanted && fine.rgb.len() == 96 * 72);
+    renderer.render(&shot.supersampled(2), &mut fine).unwrap();
+    assert!(fine.modalities == wanted && fine.rgb.len() == 96 * 72);
     assert!(fine.instance == plain.instance && fine.depth == plain.depth && fine.normal == plain.normal);
     assert!(fine.boxes == plain.boxes);
     let off = |(a, b): (&[u8; 3], &[u8; 3])| a[1].abs_diff(b[1]) > 12;
@@ -71,9 +71,9 @@ fn too_many_pixels_are_refused() {
     let camera = Camera::with_fov(64, 48, 1.0);
     let mut frame = Frame::new();
     for times in [129, u32::MAX] {
-        let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting).finer(times);
+        let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting).supersampled(times);
         assert!(matches!(renderer.render(&shot, &mut frame), Err(RenderError::BadSize { .. })));
     }
-    let unlit = Shot::new(&snapshot, &camera, Modality::Rgb).finer(2);
+    let unlit = Shot::new(&snapshot, &camera, Modality::Rgb).supersampled(2);
     assert!(matches!(renderer.render(&unlit, &mut frame), Err(RenderError::Missing { .. })));
 }

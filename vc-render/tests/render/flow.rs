@@ -188,7 +188,7 @@ fn occlusion_needs_a_moment_but_no_flow() {
     // The mask is the same whether flow is requested or not.
     made.renderer.render(&shot.after(then, later), &mut frame).unwrap();
     let alone = frame.occluded_forward.clone();
-    let both = Shot { wanted: Modality::Occlusion | Modality::FlowForward, ..shot };
+    let both = Shot { modalities: Modality::Occlusion | Modality::FlowForward, ..shot };
     made.renderer.render(&both.after(then, later), &mut frame).unwrap();
     assert!(frame.occluded_forward == alone && alone.contains(&0) && alone.contains(&1));
 }

@@ -38,7 +38,7 @@ fn blinds() -> (Snapshot, NodeId, NodeId) {
     roller.pose.rotation = nalgebra::UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
     let parts = vec![roller, part("cloth", block([0.002, 0.5, 0.14]), [0.017, 0.0, 0.14], 1)];
     let (mut snapshot, window, covers) = hung(parts, &[[1.95, 0.0, 1.85]]);
-    snapshot.draw(covers[0], true).unwrap();
+    snapshot.draw_cover(covers[0], true).unwrap();
     (snapshot, window, covers[0])
 }
 
@@ -81,7 +81,7 @@ fn curtains_are_drawn_before_the_sill() {
         let parts = vec![part("cloth", block([0.04, 0.14, high]), [0.0, 0.0, high], 1)];
         let places = [-1.0, 1.0].map(|side| [1.94, 0.66 * side, bottom]);
         let (mut snapshot, window, curtains) = hung(parts, &places);
-        curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
+        curtains.iter().for_each(|curtain| snapshot.draw_cover(*curtain, true).unwrap());
         for y in [-0.45, -0.2, 0.1, 0.3, 0.48] {
             let before = straight(&snapshot, [0.0, y, SILL[1] - 0.01], [1.0, 0.0, 0.0]).unwrap();
             assert!(curtains.contains(&before.node) && before.point.x < SILL[0], "{before:?}");
@@ -101,7 +101,7 @@ fn curtains_that_end_above_the_sill_hang_straight() {
     let (mut snapshot, _, curtains) = hung(parts, &places);
     let at = |snapshot: &Snapshot, y: f32| straight(snapshot, [0.0, y, 1.5], [1.0, 0.0, 0.0]).unwrap();
     let open = at(&snapshot, 0.6);
-    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
+    curtains.iter().for_each(|curtain| snapshot.draw_cover(*curtain, true).unwrap());
     let closed = at(&snapshot, 0.1);
     assert!(curtains.contains(&closed.node) && (closed.point.x - open.point.x).abs() < 1e-4);
 }
@@ -116,7 +116,7 @@ fn before(high: f32, front: f32) -> (Snapshot, NodeId, Vec<NodeId>) {
     let parts = vec![part("cloth", block([0.04, 0.14, 1.1]), [0.0, 0.0, 1.1], 1)];
     let places = [-1.0, 1.0].map(|side| [1.94, 0.66 * side, 0.02]);
     let (mut snapshot, _, curtains) = hung_on(stage, parts, &places);
-    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
+    curtains.iter().for_each(|curtain| snapshot.draw_cover(*curtain, true).unwrap());
     (snapshot, thing, curtains)
 }
 
@@ -162,12 +162,12 @@ fn tied_curtains_are_untied_where_they_are_drawn() {
     let window = || (0..64).map(|i| [-0.48 + 0.137 * (i % 8) as f32, 0.95 + 0.14 * (i / 8) as f32]);
     assert!(window().all(|[y, z]| met(&open, y, z).is_none()), "it leaves the window free");
     assert!([-1.0_f32, 1.0].iter().any(|side| met(&open, 0.57 * side, 0.99) == Some(2)), "tied");
-    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, true).unwrap());
+    curtains.iter().for_each(|curtain| snapshot.draw_cover(*curtain, true).unwrap());
     for [y, z] in window() {
         assert_eq!(met(&snapshot, y, z), Some(0), "at {y}, {z}");
     }
     assert_ne!(open.triangles(), snapshot.triangles());
-    curtains.iter().for_each(|curtain| snapshot.draw(*curtain, false).unwrap());
+    curtains.iter().for_each(|curtain| snapshot.draw_cover(*curtain, false).unwrap());
     assert_eq!(open.triangles(), snapshot.triangles());
     assert!(window().all(|[y, z]| met(&snapshot, y, z).is_none()));
 }

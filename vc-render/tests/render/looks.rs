@@ -34,7 +34,7 @@ impl Shown {
         let wanted = Modality::Rgb | Modality::Instance | Modality::Position | Modality::Normal;
         let shot = Shot::new(&self.snapshot, camera, wanted).lit(&self.lighting);
         let mut frame = Frame::new();
-        self.renderer.render(&if plain { shot.plain() } else { shot }, &mut frame).unwrap();
+        self.renderer.render(&if plain { shot.unshadowed() } else { shot }, &mut frame).unwrap();
         frame
     }
 

@@ -1,4 +1,5 @@
-//! Tests of pictures, in one program: each program links anew. Those of `golden` and `memory` are apart, because they\n//! write files and count what is allocated.
+//! Tests of pictures, in one program: each program links anew. Those of `golden` and `memory` are apart, because they
+//! write files and count what is allocated.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -33,3 +34,4 @@ mod smooth;
 mod specks;
 mod texture;
 mod tone;
+mod viewpoints;

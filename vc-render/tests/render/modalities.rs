@@ -43,7 +43,7 @@ fn pair(camera: Camera) -> [Camera; 2] {
 }
 
 fn everything() -> Modalities {
-    Modalities::of(Modality::ALL)
+    Modalities::new(Modality::ALL)
 }
 
 fn all(frame: &Frame) -> Vec<Vec<u32>> {
@@ -59,12 +59,12 @@ fn each_alone_is_what_it_is_among_all() {
     for camera in cameras(64, 48).into_iter().take(2) {
         let cameras = pair(camera);
         made.renderer.render(&made.shot(&lighting, &cameras, everything()), &mut whole).unwrap();
-        assert_eq!(whole.holds, everything());
+        assert_eq!(whole.modalities, everything());
         for one in Modality::ALL {
             let wanted = contents(&whole, *one);
             assert!(!wanted.is_empty(), "there is no {one:?} to compare");
             made.renderer.render(&made.shot(&lighting, &cameras, *one), &mut alone).unwrap();
-            assert_eq!(alone.holds, Modalities::from(*one));
+            assert_eq!(alone.modalities, Modalities::from(*one));
             assert!(contents(&alone, *one) == wanted, "{one:?} alone is not what it is among all");
             for other in Modality::ALL.iter().filter(|other| *other != one) {
                 // The visible fraction, which comes with amodal masks, is stored in boxes.
@@ -150,16 +150,16 @@ fn a_refused_picture_leaves_the_frame_as_it_was() {
         Shot { after: None, ..tiny },
         Shot { before: None, ..tiny },
         Shot { lighting: Some(&gone), ..tiny },
-        Shot { lighting: None, ..tiny }.finer(2),
-        Shot { after: None, ..tiny }.finer(2),
-        tiny.finer(1000),
+        Shot { lighting: None, ..tiny }.supersampled(2),
+        Shot { after: None, ..tiny }.supersampled(2),
+        tiny.supersampled(1000),
     ];
     let mut frame = Frame::new();
     made.renderer.render(&whole, &mut frame).unwrap();
     let before = all(&frame);
     for (number, shot) in refused.iter().enumerate() {
         assert!(made.renderer.render(shot, &mut frame).is_err(), "shot {number}");
-        assert_eq!((frame.width, frame.height, frame.holds), (64, 48, everything()), "shot {number}");
+        assert_eq!((frame.width, frame.height, frame.modalities), (64, 48, everything()), "shot {number}");
         assert!(all(&frame) == before, "shot {number} was refused and changed the frame");
     }
     // Each of several shots has its own frame: the valid ones are rendered.

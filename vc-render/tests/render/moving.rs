@@ -154,7 +154,7 @@ fn plain_light_has_no_shadows() {
     let shot = Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting);
     let (mut real, mut plain) = (Frame::new(), Frame::new());
     renderer.render(&shot, &mut real).unwrap();
-    renderer.render(&shot.plain(), &mut plain).unwrap();
+    renderer.render(&shot.unshadowed(), &mut plain).unwrap();
     let darker = real.rgb.iter().zip(&plain.rgb).filter(|(a, b)| a[1].saturating_add(8) < b[1]).count();
     let brighter = real.rgb.iter().zip(&plain.rgb).filter(|(a, b)| a[1] > b[1].saturating_add(8)).count();
     assert!(darker * 25 > real.rgb.len(), "{darker} pixels are in shadow");

@@ -29,7 +29,7 @@ fn light_and_moments_of_another_scene_are_refused() {
         let light = renderer.light(two, &day);
         let colours = Shot::new(one, &camera, Modality::Rgb).lit(&light);
         assert_eq!(other(renderer.render(&colours, &mut frame)), "light");
-        assert_eq!(other(renderer.render(&colours.finer(2), &mut frame)), "light");
+        assert_eq!(other(renderer.render(&colours.supersampled(2), &mut frame)), "light");
         // Light that is not requested does not matter.
         renderer.render(&Shot::new(one, &camera, Modality::Depth).lit(&light), &mut frame).unwrap();
         let flow = Modality::FlowForward | Modality::FlowBackward | Modality::Occlusion;

@@ -153,7 +153,7 @@ impl Shown {
     fn exposed(&self, camera: &Camera, exposure: Option<[f32; 3]>) -> Frame {
         let mut frame = Frame::new();
         let adapts = exposure.map(|from| Adaptation { from, share: 0.0 });
-        let shot = Shot { adapts, ..Shot::new(&self.snapshot, camera, Modality::Rgb).lit(&self.lighting) };
+        let shot = Shot { adaptation: adapts, ..Shot::new(&self.snapshot, camera, Modality::Rgb).lit(&self.lighting) };
         self.renderer.render(&shot, &mut frame).unwrap();
         frame
     }

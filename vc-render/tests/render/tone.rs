@@ -130,7 +130,7 @@ fn a_large_step_is_adapted_to_at_once() {
     let camera = Camera::with_fov(8, 6, 1.0);
     let exposure = |adapts: Option<Adaptation>| {
         let mut frame = Frame::new();
-        let shot = Shot { adapts, ..Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting) };
+        let shot = Shot { adaptation: adapts, ..Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting) };
         renderer.render(&shot, &mut frame).unwrap();
         frame.exposure[1]
     };
@@ -193,7 +193,7 @@ fn the_sky_is_seen_from_a_room() {
     let eye = Point3::new(0.0, 0.0, 1.5);
     let camera = Camera::with_fov(48, 48, 1.0).looking(eye, eye + Vector3::new(-1.0, -1.0, 0.9));
     let indoors = Adaptation { from: [8.0; 3], share: 0.0 };
-    let shot = Shot { adapts: Some(indoors), ..Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting) };
+    let shot = Shot { adaptation: Some(indoors), ..Shot::new(&snapshot, &camera, Modality::Rgb).lit(&lighting) };
     let mut frame = Frame::new();
     renderer.render(&shot, &mut frame).unwrap();
     let (high, low) = (frame.rgb[2 * 48 + 24], frame.rgb[46 * 48 + 24]);

@@ -43,9 +43,9 @@ struct Bed {
     top: f32,
     /// The thickness of the mattress.
     mattress: f32,
-    wood: Mat,
-    cloth: Mat,
-    metal: Mat,
+    wood: MaterialId,
+    cloth: MaterialId,
+    metal: MaterialId,
 }
 
 impl Bed {
@@ -53,16 +53,16 @@ impl Bed {
         at_least(b, [0.6, 0.3, 0.2]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let top = if h < 0.6 { h * 0.92 } else { b.vary(0.46, 0.58).min(h * 0.75) };
-        let metal = b.one(&[BLACK_METAL, WHITE_METAL, BRASS, b.style.metal]);
-        let wood = b.one(&[b.style.wood, b.style.wood, b.style.cabinet]);
-        let cloth = b.one(&[b.style.upholstery, b.style.accent, BEIGE_FABRIC]);
+        let metal = b.choose(&[BLACK_METAL, WHITE_METAL, BRASS, b.style.metal]);
+        let wood = b.choose(&[b.style.wood, b.style.wood, b.style.cabinet]);
+        let cloth = b.choose(&[b.style.upholstery, b.style.accent, BEIGE_FABRIC]);
         Self { x, y, h, top, mattress: b.vary(0.18, 0.25).min(top * 0.5), wood, cloth, metal }
     }
 
     /// The mattress with its fitted sheet, between head and foot.
     fn mattress(&self, b: &mut Build<'_>, x: (f32, f32), half: f32) {
         let (low, linen) = (self.top - self.mattress, b.style.linen);
-        b.soft("mattress", [x.0, -half, low], [x.1, half, self.top], 0.05, linen);
+        b.rounded_block("mattress", [x.0, -half, low], [x.1, half, self.top], 0.05, linen);
         b.block(
             "seam",
             [x.0 + 0.02, -half - 0.002, low + self.mattress * 0.3],
@@ -73,7 +73,7 @@ impl Bed {
     }
 
     /// Boards along the sides, and slats that carry the mattress.
-    fn rails(&self, b: &mut Build<'_>, x: (f32, f32), half: f32, tall: f32, mat: Mat) {
+    fn rails(&self, b: &mut Build<'_>, x: (f32, f32), half: f32, tall: f32, mat: MaterialId) {
         let (t, high) = (0.025, self.top - self.mattress * 0.75);
         for side in [-1.0_f32, 1.0] {
             let (a, c) = (side * half, side * (half - t));
@@ -94,7 +94,7 @@ fn bed(b: &mut Build<'_>) {
     } else {
         &[Design::Divan, Design::Platform]
     };
-    match b.one(designs) {
+    match b.choose(designs) {
         Design::Platform => platform(b, &bed, high),
         Design::Upholstered => upholstered(b, &bed),
         Design::Divan => divan(b, &bed),
@@ -106,7 +106,7 @@ fn platform(b: &mut Build<'_>, bed: &Bed, head: bool) {
     let t = if head { 0.035 } else { 0.0 };
     let deck = (bed.top - bed.mattress).max(0.1);
     let (x0, x1) = (-bed.x + t, bed.x);
-    b.soft("platform", [x0, -bed.y, deck - 0.07_f32.min(deck * 0.5)], [x1, bed.y, deck], 0.01, bed.wood);
+    b.rounded_block("platform", [x0, -bed.y, deck - 0.07_f32.min(deck * 0.5)], [x1, bed.y, deck], 0.01, bed.wood);
     let (lx, ly, low) = (bed.x * 0.78, bed.y * 0.8, deck - 0.07_f32.min(deck * 0.5) + 0.002);
     for (sx, sy) in CORNERS {
         leg(b, "leg", ([sx * lx, sy * ly, 0.0], 0.028), ([sx * lx, sy * ly, low], 0.035), Cut::Square, bed.wood);
@@ -128,9 +128,9 @@ fn upholstered(b: &mut Build<'_>, bed: &Bed) {
         leg(b, "leg", ([cx, cy, 0.0], 0.016), ([cx, cy, lift + 0.004], 0.024), Cut::Round, bed.wood);
     }
     let (x0, w) = (-bed.x + t, 0.05);
-    b.soft("frame", [-bed.x + t * 0.5, -bed.y + 0.004, lift], [bed.x, w - bed.y, rim], 0.02, bed.cloth);
-    b.soft("frame", [-bed.x + t * 0.5, bed.y - w, lift], [bed.x, bed.y - 0.004, rim], 0.02, bed.cloth);
-    b.soft(
+    b.rounded_block("frame", [-bed.x + t * 0.5, -bed.y + 0.004, lift], [bed.x, w - bed.y, rim], 0.02, bed.cloth);
+    b.rounded_block("frame", [-bed.x + t * 0.5, bed.y - w, lift], [bed.x, bed.y - 0.004, rim], 0.02, bed.cloth);
+    b.rounded_block(
         "frame",
         [bed.x - w, -bed.y + 0.006, lift + 0.001],
         [bed.x - 0.001, bed.y - 0.006, rim - 0.001],
@@ -144,7 +144,7 @@ fn upholstered(b: &mut Build<'_>, bed: &Bed) {
         bed.cloth,
     );
     bed.mattress(b, (x0 + 0.005, bed.x - w - 0.003), bed.y - w - 0.004);
-    b.soft("headboard", [-bed.x, -bed.y, lift], [-bed.x + t * 0.6, bed.y, bed.h], 0.025, bed.cloth);
+    b.rounded_block("headboard", [-bed.x, -bed.y, lift], [-bed.x + t * 0.6, bed.y, bed.h], 0.025, bed.cloth);
     // Padding in channels or squares.
     let channels = b.rng.chance(0.5);
     let (count, rows) = if channels { ((bed.y / 0.11) as usize, 1) } else { ((bed.y / 0.22) as usize, 2) };
@@ -153,7 +153,7 @@ fn upholstered(b: &mut Build<'_>, bed: &Bed) {
     let tall = (bed.h - 0.015 - low) / rows as f32;
     for (i, k) in (0..count).flat_map(|i| (0..rows).map(move |k| (i, k))) {
         let (y, z) = (0.015 - bed.y + pitch * i as f32, low + tall * k as f32);
-        b.soft(
+        b.rounded_block(
             "padding",
             [-bed.x + t * 0.4, y + 0.001, z + 0.001],
             [x0 - 0.002, y + pitch - 0.001, z + tall - 0.001],
@@ -168,7 +168,7 @@ fn divan(b: &mut Build<'_>, bed: &Bed) {
     for (sx, sy) in CORNERS {
         b.cylinder("foot", [sx * (bed.x - 0.08), sy * (bed.y - 0.08), 0.0], 0.025, lift + 0.003, bed.metal);
     }
-    b.soft("box", [-bed.x, -bed.y, lift], [bed.x, bed.y, bed.top - bed.mattress], 0.02, bed.cloth);
+    b.rounded_block("box", [-bed.x, -bed.y, lift], [bed.x, bed.y, bed.top - bed.mattress], 0.02, bed.cloth);
     bed.mattress(b, (0.004 - bed.x, bed.x - 0.004), bed.y - 0.006);
 }
 
@@ -176,7 +176,7 @@ fn divan(b: &mut Build<'_>, bed: &Bed) {
 fn posted(b: &mut Build<'_>, bed: &Bed, design: Design) {
     let metal = design == Design::Metal;
     let (mat, r) = if metal { (bed.metal, 0.018) } else { (bed.wood, 0.032) };
-    let foot = bed.top + b.one(&[-0.1_f32, 0.0, 0.15]).min((bed.h - bed.top) * 0.5);
+    let foot = bed.top + b.choose(&[-0.1_f32, 0.0, 0.15]).min((bed.h - bed.top) * 0.5);
     let round = b.rng.chance(0.5);
     for (sx, high) in [(-1.0, bed.h), (1.0, foot)] {
         let cx = sx * (bed.x - r);
@@ -215,7 +215,7 @@ fn posted(b: &mut Build<'_>, bed: &Bed, design: Design) {
                 }
             }
             _ => {
-                let look = b.one(&[Look::Framed, Look::Reeded, Look::Louvred]);
+                let look = b.choose(&[Look::Framed, Look::Reeded, Look::Louvred]);
                 b.block("cap", [cx - r * 0.9, -y - 0.001, high - 0.04], [cx + r * 0.9, y + 0.001, high - 0.003], mat);
                 panel(b, "board", [cx - 0.014, -y, low - 0.12], [cx + 0.014, y, high - 0.039], look, mat);
             }
@@ -230,7 +230,7 @@ fn posted(b: &mut Build<'_>, bed: &Bed, design: Design) {
 /// A small low bed with guards at its head end, some with arched ends, in various colours.
 fn kids_bed(b: &mut Build<'_>) {
     let mut bed = Bed::new(b);
-    let wood = b.one(&[b.style.wood, WHITE, SKY, DUSTY_ROSE, b.style.cabinet, RED]);
+    let wood = b.choose(&[b.style.wood, WHITE, SKY, DUSTY_ROSE, b.style.cabinet, RED]);
     bed.top = (bed.h * 0.6).min(0.4);
     bed.mattress = (bed.top * 0.35).min(0.12);
     let (x, y, h, t) = (bed.x, bed.y, bed.h, 0.022);
@@ -276,7 +276,7 @@ fn kids_bed(b: &mut Build<'_>) {
 fn crib(b: &mut Build<'_>) {
     at_least(b, [0.5, 0.3, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let wood = b.one(&[b.style.wood, WHITE, b.style.cabinet]);
+    let wood = b.choose(&[b.style.wood, WHITE, b.style.cabinet]);
     let (t, low, rail) = (0.03, h * 0.22, 0.05_f32.min(h * 0.08));
     for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * (x - t / 2.0), sy * (y - t / 2.0));
@@ -309,8 +309,8 @@ fn crib(b: &mut Build<'_>) {
     let reach = (x - t * 0.5 - 0.009, y - t * 0.5 - 0.009);
     b.block("deck", [-reach.0, -reach.1, deck - 0.015], [reach.0, reach.1, deck], wood);
     let thick = 0.1_f32.min(h * 0.12);
-    let sheet = b.one(&[WHITE_COTTON, b.style.linen, SKY, CREAM]);
-    b.soft("mattress", [-half.0, -half.1, deck], [half.0, half.1, deck + thick], 0.025, sheet);
+    let sheet = b.choose(&[WHITE_COTTON, b.style.linen, SKY, CREAM]);
+    b.rounded_block("mattress", [-half.0, -half.1, deck], [half.0, half.1, deck + thick], 0.025, sheet);
     b.top("mattress", [0.0, 0.0, deck + thick], (half.0 - 0.03, half.1 - 0.03));
 }
 
@@ -319,7 +319,7 @@ fn bunk_bed(b: &mut Build<'_>) {
     let bed = Bed::new(b);
     let (x, y, h) = (bed.x, bed.y, bed.h);
     let metal = b.rng.chance(0.35);
-    let (mat, r) = if metal { (bed.metal, 0.02) } else { (b.one(&[bed.wood, WHITE, PINE]), 0.033) };
+    let (mat, r) = if metal { (bed.metal, 0.02) } else { (b.choose(&[bed.wood, WHITE, PINE]), 0.033) };
     let (step, thick) = (0.05, bed.mattress.min(h * 0.09).min(0.15));
     let inset = if metal { 0.03 } else { 0.045 };
     let half = y - inset;
@@ -360,7 +360,7 @@ fn bunk_bed(b: &mut Build<'_>) {
         let reach = half - r - 0.012;
         b.block("slats", [-in_x, -reach, deck - 0.02], [in_x, reach, deck - 0.001], BIRCH);
         let linen = b.style.linen;
-        b.soft("mattress", [-in_x, -in_y, deck], [in_x, in_y, top], 0.03, linen);
+        b.rounded_block("mattress", [-in_x, -in_y, deck], [in_x, in_y, top], 0.03, linen);
         let (centre, free) = ([0.0, 0.0, top], (in_x - 0.03, in_y - 0.03));
         if i == 0 {
             b.ledge("lower", centre, free, h * 0.5 - thick - 0.08);
@@ -387,9 +387,9 @@ fn bunk_bed(b: &mut Build<'_>) {
 fn mattress(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.2, 0.06]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let side = b.one(&[GREY_FABRIC, WHITE_COTTON, BEIGE_FABRIC, BLUE_FABRIC]);
+    let side = b.choose(&[GREY_FABRIC, WHITE_COTTON, BEIGE_FABRIC, BLUE_FABRIC]);
     let r = h * b.vary(0.2, 0.35);
-    b.soft("mattress", [0.004 - x, 0.004 - y, 0.0], [x - 0.004, y - 0.004, h], r, WHITE_COTTON);
+    b.rounded_block("mattress", [0.004 - x, 0.004 - y, 0.0], [x - 0.004, y - 0.004, h], r, WHITE_COTTON);
     b.block("border", [r - x, -y, h * 0.28], [x - r, y, h * 0.72], side);
     b.block("border", [-x, r - y, h * 0.28 + 0.001], [x, y - r, h * 0.72 - 0.001], side);
     b.top("mattress", [0.0, 0.0, h], (x - 0.05, y - 0.05));
@@ -405,19 +405,19 @@ fn air_mattress(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.2, 0.06]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (body, top) =
-        (b.one(&[BLUE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]), b.one(&[NAVY_FABRIC, BLUE_FABRIC, GREY_FABRIC]));
+        (b.choose(&[BLUE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]), b.choose(&[NAVY_FABRIC, BLUE_FABRIC, GREY_FABRIC]));
     let rows = if h > 0.32 { 2 } else { 1 };
     let tall = h / rows as f32;
     for i in 0..rows {
         let z = tall * i as f32;
         let mat = if i + 1 == rows { top } else { body };
-        b.soft("chamber", [-x, -y, z], [x, y, z + tall - 0.003], tall * 0.42, mat);
+        b.rounded_block("chamber", [-x, -y, z], [x, y, z + tall - 0.003], tall * 0.42, mat);
     }
     let count = ((2.0 * y - 0.2) / 0.17).clamp(1.0, 9.0) as usize;
     let pitch = (2.0 * y - 0.2).max(0.1) / count as f32;
     for i in 0..count {
         let cy = pitch * (i as f32 - (count - 1) as f32 / 2.0);
-        b.soft("rib", [0.1 - x, cy - pitch * 0.46, h - 0.03], [x - 0.1, cy + pitch * 0.46, h], 0.014, top);
+        b.rounded_block("rib", [0.1 - x, cy - pitch * 0.46, h - 0.03], [x - 0.1, cy + pitch * 0.46, h], 0.014, top);
     }
     b.rod("valve", [x * 0.9, y - 0.012, tall * 0.5], [x * 0.9, y - 0.001, tall * 0.5], 0.018, WHITE_PLASTIC);
     b.top("mattress", [0.0, 0.0, h], (x - 0.12, y - 0.11));

@@ -3,7 +3,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use crate::material::Mat;
+use crate::material::MaterialId;
 use crate::solid::{Build, P};
 
 /// The thickness of boards, metres.
@@ -25,7 +25,7 @@ pub(super) enum Handle {
 
 impl Handle {
     pub(super) fn any(b: &mut Build<'_>) -> Self {
-        b.one(&[Self::Bar, Self::Bar, Self::Knob, Self::None])
+        b.choose(&[Self::Bar, Self::Bar, Self::Knob, Self::None])
     }
 
     /// How far it protrudes, metres.
@@ -39,7 +39,7 @@ impl Handle {
 }
 
 /// A handle in front of a plane at `x`, centred at (`y`, `z`), `length` long, upright or level.
-pub(super) fn handle(b: &mut Build<'_>, kind: Handle, at: P, length: f32, upright: bool, mat: Mat) {
+pub(super) fn handle(b: &mut Build<'_>, kind: Handle, at: P, length: f32, upright: bool, mat: MaterialId) {
     let [x, y, z] = at;
     match kind {
         Handle::None => {}
@@ -70,7 +70,15 @@ pub(super) enum Side {
 
 /// A hinged front that fills the rectangle `low..high` (its thickness along X) with a gap around
 /// it; it opens outwards by up to about 100 degrees.
-pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, kind: Handle, mats: (Mat, Mat)) {
+pub(super) fn door(
+    b: &mut Build<'_>,
+    name: &str,
+    low: P,
+    high: P,
+    side: Side,
+    kind: Handle,
+    mats: (MaterialId, MaterialId),
+) {
     let (low, high) = shrunk(low, high);
     let (hinge, grip, turn) = match side {
         Side::Left => (high[1], low[1] + 0.04, 1.0),
@@ -95,7 +103,14 @@ pub(super) fn door(b: &mut Build<'_>, name: &str, low: P, high: P, side: Side, k
 
 /// A drawer that fills the space `low..high`: its front at the high X, its tray behind; it slides
 /// out by three quarters of its depth.
-pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handle, mats: (Mat, Mat, Mat)) {
+pub(super) fn drawer(
+    b: &mut Build<'_>,
+    name: &str,
+    low: P,
+    high: P,
+    kind: Handle,
+    mats: (MaterialId, MaterialId, MaterialId),
+) {
     let (front, tray, metal) = mats;
     let (fl, fh) = shrunk([high[0] - BOARD, low[1], low[2]], high);
     let t = 0.012;
@@ -118,7 +133,7 @@ pub(super) fn drawer(b: &mut Build<'_>, name: &str, low: P, high: P, kind: Handl
 
 /// Four straight legs under a rectangle of half lengths `half`, from the floor to `height`, square
 /// or round, inside the edges.
-pub(super) fn legs(b: &mut Build<'_>, half: (f32, f32), height: f32, thickness: f32, round: bool, mat: Mat) {
+pub(super) fn legs(b: &mut Build<'_>, half: (f32, f32), height: f32, thickness: f32, round: bool, mat: MaterialId) {
     let (x, y) = (half.0 - thickness / 2.0, half.1 - thickness / 2.0);
     let r = thickness / 2.0;
     for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {

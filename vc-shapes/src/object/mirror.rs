@@ -10,6 +10,16 @@ use super::Object;
 
 impl Object {
     /// The mirror image of the object, with left and right exchanged.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_shapes::{Style, object};
+    /// let door = object::generator("door").ok_or("no generator")?.object(&Style::from_seed(Seed(1)), Seed(1));
+    /// let other = door.mirrored();
+    /// assert_eq!(door.asset.parts.len(), other.asset.parts.len());
+    /// assert_eq!(door.size(), other.size());
+    /// # Ok::<(), &str>(())
+    /// ```
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut mirrored = self.clone();

@@ -63,6 +63,7 @@ pub struct Generator {
 
 /// The places where objects of a class belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Realm {
     /// Inside buildings.
     Indoor,
@@ -109,6 +110,12 @@ const FAMILIES: &[&[Generator]] = &[
 ];
 
 /// All generators, by family.
+///
+/// ```
+/// use vc_shapes::object;
+/// assert!(object::generators().count() > 200);
+/// assert!(object::generators().any(|generator| generator.class == "sofa"));
+/// ```
 pub fn generators() -> impl Iterator<Item = &'static Generator> {
     FAMILIES.iter().copied().flatten()
 }
@@ -121,6 +128,16 @@ pub fn generator(class: &str) -> Option<&'static Generator> {
 }
 
 /// An asset of a class, with its size.
+///
+/// ```
+/// use vc_graph::Seed;
+/// use vc_shapes::{Style, object};
+/// let style = Style::from_seed(Seed(1));
+/// let fridge = object::generator("fridge").ok_or("no generator")?.object(&style, Seed(1));
+/// assert!(fridge.size().z > fridge.size().x);
+/// assert!(fridge.asset.parts.iter().any(|part| part.joint.is_some())); // its doors open
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Object {
     /// The class.
@@ -156,6 +173,15 @@ impl Generator {
     }
 
     /// Generates an instance no larger than `size` (depth, width, height in metres).
+    ///
+    /// ```
+    /// use vc_graph::{Seed, nalgebra::Vector3};
+    /// use vc_shapes::{Style, object};
+    /// let (style, most) = (Style::from_seed(Seed(1)), Vector3::new(0.8, 1.6, 0.75));
+    /// let table = object::generator("dining_table").ok_or("no generator")?.sized(most, &style, Seed(2));
+    /// assert!((table.size() - most).max() < 0.01);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn sized(&self, size: Vector3<f32>, style: &Style, seed: Seed) -> Object {
         let mut build = Build::new(self.class, size, style, seed.child("object").stream());
         (self.make)(&mut build);
@@ -179,6 +205,13 @@ pub fn least_size(class: &str) -> Option<Vector3<f32>> {
 }
 
 /// Draws a size from the class's usual range: depth, width, height, metres.
+///
+/// ```
+/// use vc_graph::Seed;
+/// use vc_shapes::object::usual_size;
+/// let mug = usual_size("mug", Seed(1));
+/// assert!((0.05..0.2).contains(&mug.z));
+/// ```
 pub fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
     drawn_size(usual_ranges(class), seed)
 }

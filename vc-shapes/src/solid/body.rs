@@ -8,14 +8,14 @@ use vc_graph::portable::Portable;
 use super::build::{Build, P};
 use super::circle;
 use super::curve::{arch, level_oval};
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// Points around a bent or oval object: a multiple of four, and enough to look round.
 const SIDES: usize = 12;
 
 /// A closed surface over rings with equal numbers of points, from one end to the other. Its triangles are ordered
 /// along the rings' points, those of [`loft`](super::loft) ring by ring.
-pub fn loft_columns(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+pub(crate) fn loft_columns(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: MaterialId) {
     let n = rings.iter().map(Vec::len).min().unwrap_or(0);
     if n < 3 || rings.len() < 2 {
         return;
@@ -51,7 +51,7 @@ fn volume(vertices: &[P], triangles: &[[u32; 3]]) -> f32 {
 
 /// A tube along a path in a plane: each point has its half width along `side`, which is
 /// perpendicular to that plane, and its half thickness within the plane.
-pub fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat: Mat) {
+pub fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat: MaterialId) {
     let side = Vector3::from(side).normalize();
     let at = |i: usize| Vector3::from(path[i.min(path.len() - 1)].0);
     let ring = |i: usize| {
@@ -74,13 +74,25 @@ pub fn sweep(b: &mut Build<'_>, name: &str, path: &[(P, f32, f32)], side: P, mat
 }
 
 /// A round tube through points of a plane perpendicular to `side`.
-pub fn planar_tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, side: P, mat: Mat) {
+pub(crate) fn planar_tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, side: P, mat: MaterialId) {
     let path: Vec<_> = points.iter().map(|&p| (p, radius, radius)).collect();
     sweep(b, name, &path, side, mat);
 }
 
 /// An ear-shaped handle, upright at the Y side of a vessel, from `y.0` out to `y.1`.
-pub fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::POTTERY;
+/// use vc_shapes::solid::ear;
+/// ear(&mut b, (0.04, 0.07), (0.02, 0.08), 0.004, POTTERY);
+/// let (asset, _) = b.finish();
+/// assert_eq!(&*asset.parts[0].name, "handle");
+/// ```
+pub fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: MaterialId) {
     let r = radius.min((z.1 - z.0).abs() * 0.2).max(1e-4);
     let reach = (y.1 - y.0 - r).max(1e-4);
     let path = arch([0.0, y.0, f32::midpoint(z.0, z.1)], [0.0, 0.0, (z.1 - z.0) / 2.0 - r], [0.0, reach, 0.0]);
@@ -88,7 +100,18 @@ pub fn ear(b: &mut Build<'_>, y: (f32, f32), z: (f32, f32), radius: f32, mat: Ma
 }
 
 /// A lump: an ellipsoid with bumps of up to a fraction of its size.
-pub fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::POTTERY;
+/// use vc_shapes::solid::lump;
+/// lump(&mut b, "potato", [0.0, 0.0, 0.04], [0.05, 0.04, 0.04], 0.2, POTTERY);
+/// assert!(b.finish().1.size().x <= 0.1);
+/// ```
+pub fn lump(b: &mut Build<'_>, name: &str, centre: P, half: P, bump: f32, mat: MaterialId) {
     boulder(b, name, (centre, half), bump, (SIDES, 7), mat);
 }
 
@@ -99,7 +122,7 @@ pub fn boulder(
     (centre, half): (P, P),
     bump: f32,
     (sides, rows): (usize, usize),
-    mat: Mat,
+    mat: MaterialId,
 ) {
     let phases = [b.vary(0.0, TAU), b.vary(0.0, TAU), b.vary(0.0, TAU)];
     // Terms that are equal in all rows.
@@ -141,7 +164,14 @@ fn smoothed(profile: &[(f32, f32)]) -> Vec<(f32, f32)> {
 
 /// A body of elliptical sections between two corners: a profile as fractions of its half width and
 /// length, upright or, if `lying`, along Y.
-pub fn spun(b: &mut Build<'_>, name: &str, (low, high): (P, P), profile: &[(f32, f32)], lying: bool, mat: Mat) {
+pub(crate) fn spun(
+    b: &mut Build<'_>,
+    name: &str,
+    (low, high): (P, P),
+    profile: &[(f32, f32)],
+    lying: bool,
+    mat: MaterialId,
+) {
     let centre = [0, 1, 2].map(|i| f32::midpoint(low[i], high[i]));
     let half = [0, 1, 2].map(|i| (high[i] - low[i]) / 2.0);
     let ring = |&(r, k): &(f32, f32)| {
@@ -161,13 +191,24 @@ pub fn spun(b: &mut Build<'_>, name: &str, (low, high): (P, P), profile: &[(f32,
 }
 
 /// A lathe body whose profile is given as fractions of a radius and a height.
-pub fn turn(b: &mut Build<'_>, name: &str, base: P, (r, h): (f32, f32), profile: &[(f32, f32)], mat: Mat) {
+pub fn turn(b: &mut Build<'_>, name: &str, base: P, (r, h): (f32, f32), profile: &[(f32, f32)], mat: MaterialId) {
     let profile: Vec<_> = profile.iter().map(|p| (p.0 * r, p.1 * h)).collect();
     b.lathe(name, base, &profile, mat);
 }
 
 /// A flat ring between two radii.
-pub fn flat_ring(b: &mut Build<'_>, name: &str, z: (f32, f32), (inner, outer): (f32, f32), mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::STEEL;
+/// use vc_shapes::solid::flat_ring;
+/// flat_ring(&mut b, "washer", (0.0, 0.002), (0.005, 0.01), STEEL);
+/// assert!((b.finish().1.size().x - 0.02).abs() < 1e-3);
+/// ```
+pub fn flat_ring(b: &mut Build<'_>, name: &str, z: (f32, f32), (inner, outer): (f32, f32), mat: MaterialId) {
     let profile = [(outer, z.0), (outer, z.1), (inner, z.1), (inner, z.0), (outer, z.0)];
     b.lathe(name, [0.0; 3], &profile, mat);
 }

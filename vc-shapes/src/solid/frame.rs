@@ -5,29 +5,48 @@ use nalgebra::{Isometry3, Vector3};
 use super::build::{Build, P};
 
 /// Depth, width and height to fill.
-pub fn dims(b: &Build<'_>) -> (f32, f32, f32) {
+pub(crate) fn dims(b: &Build<'_>) -> (f32, f32, f32) {
     (b.size.x.max(1e-3), b.size.y.max(1e-3), b.size.z.max(1e-3))
 }
 
 /// Half depth, half width and height of the object.
-pub fn half_dims(b: &Build<'_>) -> (f32, f32, f32) {
+pub(crate) fn half_dims(b: &Build<'_>) -> (f32, f32, f32) {
     (b.size.x / 2.0, b.size.y / 2.0, b.size.z)
 }
 
 /// Enlarges the build's size to at least `least`: an object far below the usual size of its class
 /// would have no room for its boards and tubes.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::solid::at_least;
+/// at_least(&mut b, [0.2, 0.2, 1.5]);
+/// assert_eq!(b.size, Vector3::new(1.0, 1.0, 1.5));
+/// ```
 pub fn at_least(b: &mut Build<'_>, least: P) {
     b.size = b.size.sup(&Vector3::from(least));
 }
 
 /// The factor by which fixed dimensions shrink: one if the size is at least `least`.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::solid::fit;
+/// assert_eq!(fit(&b, [0.5, 0.5, 2.0]), 0.5);
+/// ```
 pub fn fit(b: &Build<'_>, least: P) -> f32 {
     (b.size.x / least[0]).min(b.size.y / least[1]).min(b.size.z / least[2]).min(1.0)
 }
 
 /// Reserves a margin for round parts: reduces every side and the top by the given metres, but keeps
 /// at least six tenths of the size.
-pub fn spare(b: &mut Build<'_>, x: f32, y: f32, z: f32) {
+pub(crate) fn spare(b: &mut Build<'_>, x: f32, y: f32, z: f32) {
     let least = b.size * 0.6;
     b.size = (b.size - Vector3::new(2.0 * x, 2.0 * y, z)).sup(&least);
 }
@@ -51,7 +70,7 @@ pub fn facing(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f3
 
 /// Builds with +Y of the frame along the longest horizontal side of the size; `build` receives half
 /// depth, half length and height.
-pub fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
+pub(crate) fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
     let (x, y, h) = half_dims(b);
     if x > y {
         b.at([0.0; 3], std::f32::consts::FRAC_PI_2, |b| build(b, y, x, h));
@@ -62,7 +81,7 @@ pub fn lengthwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32
 
 /// Builds with +Z of the frame along the longest side of the size, which may lie along Y or X;
 /// `build` receives thickness, width and length.
-pub fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
+pub(crate) fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, f32)) {
     let s = b.size;
     let quarter = std::f32::consts::FRAC_PI_2;
     if s.z >= s.y.max(s.x) {
@@ -77,11 +96,11 @@ pub fn longwise(b: &mut Build<'_>, build: impl FnOnce(&mut Build<'_>, f32, f32, 
 }
 
 /// A frame rotated around Y: a positive pitch tips the front down.
-pub fn pitched(at: P, pitch: f32) -> vc_graph::Pose {
+pub(crate) fn pitched(at: P, pitch: f32) -> vc_graph::Pose {
     Isometry3::new(Vector3::from(at), Vector3::y() * pitch)
 }
 
 /// A frame rotated around X: a positive roll tips the left side up.
-pub fn rolled(at: P, roll: f32) -> vc_graph::Pose {
+pub(crate) fn rolled(at: P, roll: f32) -> vc_graph::Pose {
     Isometry3::new(Vector3::from(at), Vector3::x() * roll)
 }

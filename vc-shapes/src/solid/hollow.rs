@@ -7,14 +7,14 @@ use super::build::{Axis, Build, P};
 use super::curve::rounded_ring;
 use super::mesh::blocks;
 use super::profile::vessel_profile;
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// Half the side of the smallest placement surface, metres.
 const LEAST: f32 = 0.0042;
 
 /// A hollow vessel whose plan is a rounded rectangle. `outside` is its outer (height, half depth,
 /// half width) from the bottom up; `t` is the wall thickness.
-pub fn tub(b: &mut Build<'_>, name: &str, outside: &[(f32, f32, f32)], round: f32, t: f32, mat: Mat) {
+pub fn tub(b: &mut Build<'_>, name: &str, outside: &[(f32, f32, f32)], round: f32, t: f32, mat: MaterialId) {
     let floor = outside.first().map_or(0.0, |s| s.0) + t;
     let thin = |v: f32| (v - t).max(v * 0.3);
     let outer = outside.iter().map(|&(z, x, y)| rounded_ring(z, (x, y), round));
@@ -33,7 +33,7 @@ pub fn tapered_tub(
     top: (f32, f32),
     height: f32,
     wall: f32,
-    mat: Mat,
+    mat: MaterialId,
 ) {
     let [x, y, z] = base;
     let corner = |(hx, hy): (f32, f32), i: usize, z: f32, inset: f32| {
@@ -53,7 +53,7 @@ pub fn tapered_tub(
 }
 
 /// An open box: four walls and a bottom of thickness `t`.
-pub fn walled_tray(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), t: f32, mat: Mat) {
+pub(crate) fn walled_tray(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), t: f32, mat: MaterialId) {
     let (mid, foot) = (t * 0.5, low + t * 0.3);
     b.block("bottom", [mid - x, mid - y, low], [x - mid, y - mid, low + t], mat);
     let list = [
@@ -66,33 +66,70 @@ pub fn walled_tray(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32
 }
 
 /// A box with walls `t` thick, open above.
-pub fn pit(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: Mat) {
+pub(crate) fn pit(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: MaterialId) {
     b.block(name, low, [high[0], high[1], low[2] + t], mat);
     let walls = ([low[0], low[1], low[2] + t], high);
     plate_with_hole(b, name, Axis::Z, walls, ((low[0] + t, low[1] + t), (high[0] - t, high[1] - t)), mat);
 }
 
 /// An open box whose bottom is a surface inside.
-pub fn basket(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::basket;
+/// basket(&mut b, "crate", [-0.2, -0.3, 0.0], [0.2, 0.3, 0.25], 0.01, OAK);
+/// let (asset, bounds) = b.finish();
+/// assert_eq!(asset.surfaces.len(), 1);
+/// assert!((bounds.size() - Vector3::new(0.4, 0.6, 0.25)).norm() < 2e-3);
+/// ```
+pub fn basket(b: &mut Build<'_>, name: &str, low: P, high: P, t: f32, mat: MaterialId) {
     pit(b, name, low, high, t, mat);
     floor_of(b, name, [low[0] + t, low[1] + t, low[2] + t], [high[0] - t, high[1] - t, high[2]]);
 }
 
 /// A box with walls `t` thick, open towards X.
-pub fn case(b: &mut Build<'_>, low: P, high: P, t: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::case;
+/// case(&mut b, [-0.2, -0.3, 0.0], [0.2, 0.3, 0.9], 0.02, OAK);
+/// let (_, bounds) = b.finish();
+/// assert!((bounds.size() - Vector3::new(0.4, 0.6, 0.9)).norm() < 2e-3);
+/// ```
+pub fn case(b: &mut Build<'_>, low: P, high: P, t: f32, mat: MaterialId) {
     b.block("back", low, [low[0] + t, high[1], high[2]], mat);
     plate_with_border(b, "case", [low[0] + t, low[1], low[2]], high, t, mat);
 }
 
 /// A plate with a rectangular hole through `axis`. The corners of the hole are given in the other
 /// two axes, in their order.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::{Axis, plate_with_hole};
+/// let (low, high) = ([-0.3, -0.3, 0.0], [0.3, 0.3, 0.03]);
+/// plate_with_hole(&mut b, "top", Axis::Z, (low, high), ((-0.1, -0.1), (0.1, 0.1)), OAK);
+/// assert_eq!(b.finish().0.parts.len(), 4);
+/// ```
 pub fn plate_with_hole(
     b: &mut Build<'_>,
     name: &str,
     axis: Axis,
     (low, high): (P, P),
     hole: ((f32, f32), (f32, f32)),
-    mat: Mat,
+    mat: MaterialId,
 ) {
     let (u, v) = match axis {
         Axis::X => (1, 2),
@@ -110,12 +147,12 @@ pub fn plate_with_hole(
 }
 
 /// A plate in the plane of X with a border `w` wide around its hole.
-pub fn plate_with_border(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: Mat) {
+pub(crate) fn plate_with_border(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: MaterialId) {
     plate_with_hole(b, name, Axis::X, (low, high), ((low[1] + w, low[2] + w), (high[1] - w, high[2] - w)), mat);
 }
 
 /// A ring revolved about the line from one point to another.
-pub fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P), radii: (f32, f32), mat: Mat) {
+pub fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P), radii: (f32, f32), mat: MaterialId) {
     let length = (0..3).map(|i| (to[i] - from[i]).raised(2)).sum::<f32>().sqrt();
     let (inner, outer) = radii;
     let profile = [(inner, 0.0), (outer, 0.0), (outer, length), (inner, length), (inner, 0.0)];
@@ -123,7 +160,13 @@ pub fn collar(b: &mut Build<'_>, name: &str, (from, to): (P, P), radii: (f32, f3
 }
 
 /// A closed strip between two outlines with equal numbers of corners.
-pub fn ring_wall(b: &mut Build<'_>, name: &str, [outer, inner]: [&[(f32, f32)]; 2], (low, high): (f32, f32), mat: Mat) {
+pub fn ring_wall(
+    b: &mut Build<'_>,
+    name: &str,
+    [outer, inner]: [&[(f32, f32)]; 2],
+    (low, high): (f32, f32),
+    mat: MaterialId,
+) {
     let n = outer.len() as u32;
     let level = |outline: &[(f32, f32)], z: f32| -> Vec<P> { outline.iter().map(|p| [p.0, p.1, z]).collect() };
     let vertices = [level(outer, low), level(outer, high), level(inner, low), level(inner, high)].concat();
@@ -141,7 +184,20 @@ pub fn ring_wall(b: &mut Build<'_>, name: &str, [outer, inner]: [&[(f32, f32)]; 
 
 /// A hollow round vessel; its outline is given as fractions of a radius and a height. Its content
 /// is inside.
-pub fn vessel(b: &mut Build<'_>, name: &str, (r, h): (f32, f32), outside: &[(f32, f32)], t: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::POTTERY;
+/// use vc_shapes::solid::vessel;
+/// // The outline from foot to rim, as fractions of the radius and the height.
+/// vessel(&mut b, "vase", (0.08, 0.25), &[(0.6, 0.0), (1.0, 0.4), (0.7, 1.0)], 0.005, POTTERY);
+/// let (asset, bounds) = b.finish();
+/// assert!((bounds.size().z - 0.25).abs() < 1e-3 && asset.surfaces.len() == 1);
+/// ```
+pub fn vessel(b: &mut Build<'_>, name: &str, (r, h): (f32, f32), outside: &[(f32, f32)], t: f32, mat: MaterialId) {
     let outside: Vec<_> = outside.iter().map(|p| (p.0 * r, p.1 * h)).collect();
     let profile = vessel_profile(&outside, t);
     let narrowest = profile[outside.len()..].iter().fold(r, |least, p| least.min(p.0));
@@ -158,7 +214,7 @@ pub fn vessel(b: &mut Build<'_>, name: &str, (r, h): (f32, f32), outside: &[(f32
 /// A solid through level loops with equal numbers of points, from the outer bottom edge over the
 /// rim to the inner bottom; the first and the last are closed by flat faces. Loops are convex and
 /// counter-clockwise seen from above.
-pub fn loft_levels(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32, f32)>, f32)], mat: Mat) {
+pub(crate) fn loft_levels(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32, f32)>, f32)], mat: MaterialId) {
     let Some(n) = loops.first().map(|l| l.0.len() as u32).filter(|n| *n > 2) else { return };
     let vertices: Vec<P> = loops.iter().flat_map(|(points, z)| points.iter().map(|p| [p.0, p.1, *z])).collect();
     let mut triangles = Vec::new();
@@ -177,20 +233,33 @@ pub fn loft_levels(b: &mut Build<'_>, name: &str, loops: &[(Vec<(f32, f32)>, f32
 }
 
 /// The bottom of the hollow `low..high` as a surface inside.
-pub fn floor_of(b: &mut Build<'_>, name: &str, low: P, high: P) {
+pub(crate) fn floor_of(b: &mut Build<'_>, name: &str, low: P, high: P) {
     let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), low[2]];
     let half = |i: usize| ((high[i] - low[i]) * 0.48).max(0.0);
     b.inside(name, centre, (half(0), half(1)), (high[2] - low[2] - 0.002).max(0.0));
 }
 
 /// The bottom of a round vessel as a surface inside.
-pub fn round_floor(b: &mut Build<'_>, name: &str, at: P, radius: f32, clearance: f32) {
+pub(crate) fn round_floor(b: &mut Build<'_>, name: &str, at: P, radius: f32, clearance: f32) {
     let half = radius * 0.68;
     b.inside(name, at, (half, half), clearance.max(0.0));
 }
 
 /// Divides the hollow `low..high` into `count` compartments one above the other, each with a
 /// surface inside; `floor` builds the boards between them, `t` thick.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::tiers;
+/// let hollow = ([-0.2, -0.3, 0.0], [0.2, 0.3, 0.9]);
+/// tiers(&mut b, "shelf", hollow, 3, 0.02, |b, low, high| b.block("board", low, high, OAK));
+/// let (asset, _) = b.finish();
+/// assert_eq!((asset.parts.len(), asset.surfaces.len()), (2, 3));
+/// ```
 pub fn tiers(
     b: &mut Build<'_>,
     name: &str,

@@ -7,9 +7,26 @@ use vc_graph::portable::Portable;
 use super::build::{Axis, Build, P};
 use super::circle;
 use super::curve::oval;
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// A mesh under construction, made of closed pieces.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::MeshBuilder;
+/// // Many slats as one part.
+/// let mut mesh = MeshBuilder::default();
+/// for i in 0..5 {
+///     let x = 0.1 * i as f32;
+///     mesh.block([x, 0.0, 0.0], [x + 0.05, 0.8, 0.02]);
+/// }
+/// mesh.put(&mut b, "slats", OAK);
+/// assert_eq!(b.finish().0.parts.len(), 1);
+/// ```
 #[derive(Default)]
 pub struct MeshBuilder {
     vertices: Vec<P>,
@@ -18,7 +35,7 @@ pub struct MeshBuilder {
 
 impl MeshBuilder {
     /// Adds the mesh to the object as one part.
-    pub fn put(self, b: &mut Build<'_>, name: &str, mat: Mat) {
+    pub fn put(self, b: &mut Build<'_>, name: &str, mat: MaterialId) {
         if !self.triangles.is_empty() {
             b.mesh(name, self.vertices, self.triangles, mat);
         }
@@ -182,7 +199,7 @@ impl MeshBuilder {
 
     /// A cushion: bulging in the centre, thin at its edges, which are drawn inwards by `pinch`
     /// between the corners.
-    pub fn puff(&mut self, at: P, half: P, pinch: f32) {
+    pub fn cushion(&mut self, at: P, half: P, pinch: f32) {
         let bulge = |t: f32| (1.0 - t * t).max(0.0);
         self.sheet((10, 10), |u, v| {
             let (u, v) = (ease(u), ease(v));
@@ -245,42 +262,77 @@ fn sections(points: &[P], closed: bool, radius: impl Fn(f32) -> f32) -> (Vec<P>,
 }
 
 /// One loft as one part.
-pub fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::POTTERY;
+/// use vc_shapes::solid::{level_oval, loft};
+/// let rings = [(0.0, 0.1), (0.2, 0.15), (0.3, 0.05)].map(|(z, r)| level_oval([0.0, 0.0, z], (r, r)));
+/// loft(&mut b, "pot", &rings, POTTERY);
+/// assert!((b.finish().1.size().z - 0.3).abs() < 1e-3);
+/// ```
+pub fn loft(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     shell.loft(rings);
     shell.put(b, name, mat);
 }
 
 /// One tube as one part.
-pub fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::STEEL;
+/// use vc_shapes::solid::{spline, tube};
+/// let path = spline(&[[0.0; 3], [0.0, 0.2, 0.1], [0.0, 0.4, 0.0]], 5);
+/// tube(&mut b, "hose", &path, 0.01, STEEL);
+/// assert_eq!(b.finish().0.parts.len(), 1);
+/// ```
+pub fn tube(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     shell.tube(points, radius);
     shell.put(b, name, mat);
 }
 
 /// One closed ring of round section as one part.
-pub fn hoop(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: Mat) {
+pub fn hoop(b: &mut Build<'_>, name: &str, points: &[P], radius: f32, mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     shell.hoop(points, radius);
     shell.put(b, name, mat);
 }
 
 /// Boxes as one part.
-pub fn blocks(b: &mut Build<'_>, name: &str, boxes: &[(P, P)], mat: Mat) {
+pub fn blocks(b: &mut Build<'_>, name: &str, boxes: &[(P, P)], mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     boxes.iter().for_each(|&(low, high)| shell.block(low, high));
     shell.put(b, name, mat);
 }
 
 /// One cushion as one part.
-pub fn puff(b: &mut Build<'_>, name: &str, at: P, half: P, pinch: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::WHITE;
+/// use vc_shapes::solid::cushion;
+/// cushion(&mut b, "pillow", [0.0, 0.0, 0.08], [0.2, 0.3, 0.08], 0.05, WHITE);
+/// assert!(b.finish().1.size().z <= 0.161);
+/// ```
+pub fn cushion(b: &mut Build<'_>, name: &str, at: P, half: P, pinch: f32, mat: MaterialId) {
     let mut shell = MeshBuilder::default();
-    shell.puff(at, half, pinch);
+    shell.cushion(at, half, pinch);
     shell.put(b, name, mat);
 }
 
 /// One sheet as one part.
-pub fn sheet(b: &mut Build<'_>, name: &str, grid: (usize, usize), at: impl Fn(f32, f32) -> (P, P), mat: Mat) {
+pub fn sheet(b: &mut Build<'_>, name: &str, grid: (usize, usize), at: impl Fn(f32, f32) -> (P, P), mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     shell.sheet(grid, at);
     shell.put(b, name, mat);

@@ -13,19 +13,16 @@
 //!
 //! | shape | functions |
 //! |---|---|
-//! | box, rounded box, taper, convex hull | [`Build::block`], [`Build::soft`], [`Build::taper`], [`Build::hull`], [`blocks`] |
+//! | box, rounded box, taper, convex hull | [`Build::block`], [`Build::rounded_block`], [`Build::taper`], [`Build::hull`], [`blocks`] |
 //! | cylinder, cone, sphere, rod, capsule | [`Build::cylinder`], [`Build::cone`], [`Build::ball`], [`Build::rod`], [`Build::bar`] |
-//! | body of revolution | [`Build::lathe`], [`Build::lathe_along`], [`turn`], [`spun`], [`disc`], [`flat_ring`], [`collar`], with the profiles [`torus_profile`], [`cup_profile`], [`vessel_profile`] |
+//! | body of revolution | [`Build::lathe`], [`Build::lathe_along`], [`turn`], [`disc`], [`flat_ring`], [`collar`], with the profiles [`torus_profile`], [`cup_profile`], [`vessel_profile`] |
 //! | extrusion | [`Build::prism`], [`ribbon`], with outlines such as [`ngon`], [`star`], [`ellipse`], [`oblong`], [`band`] |
-//! | tube | [`Build::pipe`] of capsules; [`tube`] through any points; [`planar_tube`] and [`sweep`] in a plane; [`hoop`] closed; [`coil`] a spring |
-//! | surface over rings | [`loft`], [`loft_columns`], [`loft_levels`], [`ring_skin`] closed in itself, [`zone`] of a sphere |
-//! | sheet | [`sheet`], [`puff`] a cushion, [`plate`], [`curved_sheet`], [`hull_shell`] |
-//! | hollow | [`tub`] rounded in plan, [`tapered_tub`] of slanted boards, [`walled_tray`], [`pit`], [`basket`], [`case`] open ahead, [`vessel`] round, [`ring_wall`] |
-//! | plate with a hole | [`plate_with_hole`], [`plate_with_border`] |
+//! | tube | [`Build::pipe`] of capsules; [`tube`] through any points; [`sweep`] in a plane; [`hoop`] closed; [`coil`] a spring |
+//! | surface over rings | [`loft`], [`zone`] of a sphere |
+//! | sheet | [`sheet`], [`cushion`], [`plate`], [`curved_sheet`] |
+//! | hollow | [`tub`] rounded in plan, [`tapered_tub`] of slanted boards, [`basket`], [`case`] open ahead, [`vessel`] round, [`ring_wall`] |
+//! | plate with a hole | [`plate_with_hole`] |
 //! | lump | [`lump`], [`boulder`], [`blob`], [`limb`], [`Sketch`] |
-//!
-//! Three lofts differ in the order of their triangles, and four rounded rectangles in the number of their points;
-//! both are part of what a seed generates.
 //!
 //! ```
 //! use vc_graph::Seed;
@@ -42,37 +39,40 @@
 //! assert!((bounds.size().z - 0.25).abs() < 1e-4);
 //! ```
 
+// Three lofts differ in the order of their triangles, and four rounded rectangles in the number of their points: both
+// are part of what a seed generates.
 mod body;
 mod build;
 pub(crate) mod circle;
+mod collision;
 mod curve;
+mod flush;
 mod frame;
 mod hollow;
-mod lump;
 mod mesh;
 mod outline;
 mod profile;
-mod reveal;
 mod sheet;
 mod sketch;
 mod skin;
 
-pub use body::{boulder, ear, flat_ring, loft_columns, lump, planar_tube, spun, sweep, turn};
+pub use body::{boulder, ear, flat_ring, lump, sweep, turn};
+pub(crate) use body::{loft_columns, planar_tube, spun};
 pub(crate) use build::P;
 pub use build::{Axis, Build};
-pub use curve::{arc, arch, level_oval, mix, oval, rounded_ring, spaced, spline};
-pub use frame::{at_least, dims, facing, fit, half_dims, lengthwise, longwise, lying, pitched, rolled, spare};
-pub use hollow::{
-    basket, case, collar, floor_of, loft_levels, pit, plate_with_border, plate_with_hole, ring_wall, round_floor,
-    tapered_tub, tiers, tub, vessel, walled_tray,
-};
-pub use mesh::{MeshBuilder, blocks, hoop, loft, puff, sheet, tube};
-pub use outline::{
-    CORNERS, arc_outline, band, ellipse, ngon, oblong, oval_outline, polar, polygon, rounded_between,
-    rounded_by_radius, rounded_by_share, star,
-};
+pub(crate) use curve::rounded_ring;
+pub use curve::{arc, arch, level_oval, mix, oval, spaced, spline};
+pub use frame::{at_least, facing, fit, lying};
+pub(crate) use frame::{dims, half_dims, lengthwise, longwise, pitched, rolled, spare};
+pub use hollow::{basket, case, collar, plate_with_hole, ring_wall, tapered_tub, tiers, tub, vessel};
+pub(crate) use hollow::{floor_of, loft_levels, pit, plate_with_border, round_floor, walled_tray};
+pub use mesh::{MeshBuilder, blocks, cushion, hoop, loft, sheet, tube};
+pub(crate) use outline::{CORNERS, arc_outline, oval_outline, polar, rounded_between, rounded_by_share};
+pub use outline::{band, ellipse, ngon, oblong, polygon, rounded_by_radius, star};
 pub use profile::{cup_profile, torus_profile, vessel_profile};
-pub use sheet::{Cut, Row, curved_sheet, disc, hull_shell, leg, plate, ribbon};
+pub(crate) use sheet::hull_shell;
+pub use sheet::{Cut, SheetRow, curved_sheet, disc, leg, plate, ribbon};
 pub use sketch::{Sketch, blob, limb};
-pub use skin::{coil, ring_skin, seam, zone};
+pub(crate) use skin::ring_skin;
+pub use skin::{coil, seam, zone};
 pub(crate) use skin::{heading, skinned};

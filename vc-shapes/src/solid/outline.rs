@@ -9,31 +9,53 @@ use super::build::Axis;
 use super::curve::oval;
 
 /// The four corners of a rectangle around the origin, as signs of X and Y.
-pub const CORNERS: [(f32, f32); 4] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+pub(crate) const CORNERS: [(f32, f32); 4] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
 
 /// The point at an angle and a distance from the origin of a plane.
-pub fn polar(angle: f32, radius: f32) -> (f32, f32) {
+pub(crate) fn polar(angle: f32, radius: f32) -> (f32, f32) {
     let (sin, cos) = angle.sine_cosine();
     (cos * radius, sin * radius)
 }
 
 /// Corners of a regular polygon, the first one at `start` radians.
+///
+/// ```
+/// use vc_shapes::solid::polygon;
+/// let hexagon = polygon(6, 1.0, 0.0);
+/// assert!(hexagon.len() == 6 && hexagon.iter().all(|(x, y)| (x.hypot(*y) - 1.0).abs() < 1e-5));
+/// ```
 pub fn polygon(corners: usize, radius: f32, start: f32) -> Vec<(f32, f32)> {
     (0..corners).map(|i| polar(start + TAU * i as f32 / corners as f32, radius)).collect()
 }
 
 /// A regular polygon as an outline.
+///
+/// ```
+/// use vc_shapes::solid::ngon;
+/// assert!(ngon((0.3, 0.1), 8).iter().all(|(x, y)| x.abs() <= 0.3001 && y.abs() <= 0.1001));
+/// ```
 pub fn ngon(half: (f32, f32), n: usize) -> Vec<(f32, f32)> {
     oval(Axis::Z, [0.0; 3], half, 0, n).into_iter().map(|p| (p[0], p[1])).collect()
 }
 
 /// A star whose corners alternate between two radii.
+///
+/// ```
+/// use vc_shapes::solid::star;
+/// assert_eq!(star(5, 1.0, 0.4).len(), 10);
+/// ```
 pub fn star(points: usize, outer: f32, inner: f32) -> Vec<(f32, f32)> {
     let step = TAU / (2 * points) as f32;
     (0..2 * points).map(|i| polar(step * i as f32, if i % 2 == 0 { outer } else { inner })).collect()
 }
 
 /// The outline of an ellipse.
+///
+/// ```
+/// use vc_shapes::solid::ellipse;
+/// let plate = ellipse((0.2, 0.1));
+/// assert!(plate.iter().all(|(x, y)| ((x / 0.2).powi(2) + (y / 0.1).powi(2) - 1.0).abs() < 1e-3));
+/// ```
 pub fn ellipse(half: (f32, f32)) -> Vec<(f32, f32)> {
     let mut points: Vec<_> = turned(8, half).into_iter().map(|(_, p)| p).collect();
     points.dedup_by(|a, b| (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-5);
@@ -42,24 +64,30 @@ pub fn ellipse(half: (f32, f32)) -> Vec<(f32, f32)> {
 }
 
 /// An ellipse with `count` corners around a centre.
-pub fn oval_outline(centre: (f32, f32), half: (f32, f32), count: usize) -> Vec<(f32, f32)> {
+pub(crate) fn oval_outline(centre: (f32, f32), half: (f32, f32), count: usize) -> Vec<(f32, f32)> {
     arc_outline(centre, half, (0.0, TAU * (1.0 - 1.0 / count as f32)), count)
 }
 
 /// Part of an ellipse, from one angle to another.
-pub fn arc_outline(centre: (f32, f32), half: (f32, f32), angles: (f32, f32), count: usize) -> Vec<(f32, f32)> {
+pub(crate) fn arc_outline(centre: (f32, f32), half: (f32, f32), angles: (f32, f32), count: usize) -> Vec<(f32, f32)> {
     let turn = |i: usize| angles.0 + (angles.1 - angles.0) * i as f32 / (count.max(2) - 1) as f32;
     (0..count).map(|i| turn(i).sine_cosine()).map(|(s, c)| (centre.0 + half.0 * c, centre.1 + half.1 * s)).collect()
 }
 
 /// A band along a curve: the curve followed by the same curve, reversed and shifted by `by`.
+///
+/// ```
+/// use vc_shapes::solid::band;
+/// let strip = band(&[(0.0, 0.0), (1.0, 0.0)], (0.0, 0.1));
+/// assert_eq!(strip, [(0.0, 0.0), (1.0, 0.0), (1.0, 0.1), (0.0, 0.1)]);
+/// ```
 pub fn band(curve: &[(f32, f32)], by: (f32, f32)) -> Vec<(f32, f32)> {
     let back = curve.iter().rev().map(|&(x, y)| (x + by.0, y + by.1));
     curve.iter().copied().chain(back).collect()
 }
 
 /// A rectangle with rounded corners; `round` is 0 for sharp corners and 1 for half circles.
-pub fn rounded_by_share(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
+pub(crate) fn rounded_by_share(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
     let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
     let point = |i: usize| {
         let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][i / CORNER];
@@ -80,6 +108,12 @@ static TURNS: LazyLock<[(f32, f32); 4 * CORNER]> = LazyLock::new(|| {
 
 /// An outline with rounded corners around the origin, for prisms along Z. Large radii give a
 /// stadium or a circle.
+///
+/// ```
+/// use vc_shapes::solid::rounded_by_radius;
+/// let outline = rounded_by_radius((0.3, 0.2), 0.05);
+/// assert!(outline.iter().all(|(x, y)| x.abs() < 0.3001 && y.abs() < 0.2001));
+/// ```
 pub fn rounded_by_radius(half: (f32, f32), radius: f32) -> Vec<(f32, f32)> {
     let r = radius.min(half.0 * 0.999).min(half.1 * 0.999);
     turned(6, (r, r)).into_iter().map(|(c, p)| (p.0 + c.0 * (half.0 - r), p.1 + c.1 * (half.1 - r))).collect()
@@ -107,7 +141,7 @@ fn turned(steps: usize, half: (f32, f32)) -> Vec<((f32, f32), (f32, f32))> {
 }
 
 /// A rectangle from `low` to `high` with its corners rounded by `by`.
-pub fn rounded_between(low: (f32, f32), high: (f32, f32), by: (f32, f32)) -> Vec<(f32, f32)> {
+pub(crate) fn rounded_between(low: (f32, f32), high: (f32, f32), by: (f32, f32)) -> Vec<(f32, f32)> {
     let quarter = TAU / 4.0;
     let (x0, x1, y0, y1) = (low.0 + by.0, high.0 - by.0, low.1 + by.1, high.1 - by.1);
     let centres = [(x1, y1), (x0, y1), (x0, y0), (x1, y0)];
@@ -116,6 +150,11 @@ pub fn rounded_between(low: (f32, f32), high: (f32, f32), by: (f32, f32)) -> Vec
 }
 
 /// A rectangle of half lengths `half` whose corners are rounded by `r`.
+///
+/// ```
+/// use vc_shapes::solid::oblong;
+/// assert_eq!(oblong((0.3, 0.2), 0.05).len(), 20);
+/// ```
 pub fn oblong(half: (f32, f32), r: f32) -> Vec<(f32, f32)> {
     let steps = [(1.0, 0.0), (0.924, 0.383), (0.707, 0.707), (0.383, 0.924), (0.0, 1.0)];
     let r = r.min(half.0 * 0.98).min(half.1 * 0.98);

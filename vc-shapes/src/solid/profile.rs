@@ -5,6 +5,13 @@ use vc_graph::portable::Portable;
 use super::outline::polygon;
 
 /// The lathe profile of a torus: radius of the ring and radius of its section.
+///
+/// ```
+/// use vc_shapes::solid::torus_profile;
+/// let profile = torus_profile(0.2, 0.05);
+/// assert!(profile.iter().all(|(radius, height)| *radius < 0.251 && *height < 0.101));
+/// assert_eq!(profile.first(), profile.last());
+/// ```
 pub fn torus_profile(radius: f32, section: f32) -> Vec<(f32, f32)> {
     let mut profile: Vec<_> =
         polygon(10, section, 0.0).into_iter().map(|(r, z)| ((radius + r).max(0.0), z + section)).collect();
@@ -13,6 +20,17 @@ pub fn torus_profile(radius: f32, section: f32) -> Vec<(f32, f32)> {
 }
 
 /// The profile of a cup: outer radius at the bottom and the top, height, wall.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::POTTERY;
+/// use vc_shapes::solid::cup_profile;
+/// b.lathe("cup", [0.0; 3], &cup_profile(0.03, 0.04, 0.09, 0.004), POTTERY);
+/// assert!((b.finish().1.size().z - 0.09).abs() < 1e-3);
+/// ```
 pub fn cup_profile(bottom: f32, top: f32, height: f32, wall: f32) -> [(f32, f32); 4] {
     [(bottom, 0.0), (top, height), ((top - wall).max(wall), height), ((bottom - wall).max(wall), wall)]
 }

@@ -5,11 +5,24 @@ use vc_graph::portable::Portable;
 
 use super::build::{Axis, Build, P};
 use super::outline::CORNERS;
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// A thin plate from the four corners of one face; the thickness extends to the side from which the
 /// corners run clockwise.
-pub fn plate(b: &mut Build<'_>, name: &str, quad: [P; 4], thickness: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::plate;
+/// let quad = [[0.1, 0.1, 0.5], [-0.1, 0.1, 0.5], [-0.1, -0.1, 0.5], [0.1, -0.1, 0.5]];
+/// plate(&mut b, "lid", quad, 0.01, OAK);
+/// let (_, bounds) = b.finish();
+/// assert!((bounds.size() - Vector3::new(0.2, 0.2, 0.01)).norm() < 2e-3);
+/// ```
+pub fn plate(b: &mut Build<'_>, name: &str, quad: [P; 4], thickness: f32, mat: MaterialId) {
     let [p, q, r, s] = quad.map(Vector3::from);
     let normal = (r - p).cross(&(s - q)).try_normalize(1e-9).unwrap_or_else(Vector3::z) * thickness;
     let points: Vec<P> = [p, q, r, s].iter().flat_map(|&c| [c.into(), (c - normal).into()]).collect();
@@ -39,7 +52,19 @@ const OCTAGON: [(f32, f32); 8] = [
 ];
 
 /// A leg between two level ends, each given by its centre and half width.
-pub fn leg(b: &mut Build<'_>, name: &str, foot: (P, f32), head: (P, f32), cut: Cut, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::{Cut, leg};
+/// leg(&mut b, "leg", ([0.0; 3], 0.02), ([0.0, 0.0, 0.7], 0.03), Cut::Square, OAK);
+/// let (_, bounds) = b.finish();
+/// assert!((bounds.size() - Vector3::new(0.06, 0.06, 0.7)).norm() < 2e-3);
+/// ```
+pub fn leg(b: &mut Build<'_>, name: &str, foot: (P, f32), head: (P, f32), cut: Cut, mat: MaterialId) {
     let ring: &[(f32, f32)] = if cut == Cut::Square { &CORNERS } else { &OCTAGON };
     let end = |(at, r): (P, f32)| ring.iter().map(move |c| [at[0] + c.0 * r, at[1] + c.1 * r, at[2]]);
     let points: Vec<P> = end(foot).chain(end(head)).collect();
@@ -48,7 +73,7 @@ pub fn leg(b: &mut Build<'_>, name: &str, foot: (P, f32), head: (P, f32), cut: C
 
 /// A board that follows a line of (x, z), extruded from `y.0` to `y.1`. The line is the visible
 /// side: if it runs from the front to the back and up, the board is below and behind it.
-pub fn ribbon(b: &mut Build<'_>, name: &str, line: &[(f32, f32)], thickness: f32, y: (f32, f32), mat: Mat) {
+pub fn ribbon(b: &mut Build<'_>, name: &str, line: &[(f32, f32)], thickness: f32, y: (f32, f32), mat: MaterialId) {
     let ups = ups(line);
     let under = line.iter().zip(&ups).rev().map(|(p, up)| (p.0 - up.0 * thickness, p.1 - up.1 * thickness));
     let outline: Vec<(f32, f32)> = line.iter().copied().chain(under).collect();
@@ -57,7 +82,7 @@ pub fn ribbon(b: &mut Build<'_>, name: &str, line: &[(f32, f32)], thickness: f32
 
 /// One row of a curved sheet: its position, half its width and how far its edges rise.
 #[derive(Debug, Clone, Copy)]
-pub struct Row {
+pub struct SheetRow {
     /// X and Z.
     pub at: (f32, f32),
     /// Half the width.
@@ -67,7 +92,7 @@ pub struct Row {
 }
 
 /// A doubly curved sheet, from its front edge to the back and up.
-pub fn curved_sheet(b: &mut Build<'_>, name: &str, rows: &[Row], thickness: f32, mat: Mat) {
+pub fn curved_sheet(b: &mut Build<'_>, name: &str, rows: &[SheetRow], thickness: f32, mat: MaterialId) {
     const ACROSS: u32 = 6;
     if rows.len() < 2 {
         return;
@@ -119,7 +144,19 @@ fn unit(v: (f32, f32)) -> (f32, f32) {
 }
 
 /// A round board with softened edges, its upper side at `z`.
-pub fn disc(b: &mut Build<'_>, name: &str, at: P, radius: f32, thickness: f32, mat: Mat) {
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::disc;
+/// disc(&mut b, "top", [0.0, 0.0, 0.74], 0.4, 0.03, OAK);
+/// let (_, bounds) = b.finish();
+/// assert!((bounds.size() - Vector3::new(0.8, 0.8, 0.03)).norm() < 2e-3);
+/// ```
+pub fn disc(b: &mut Build<'_>, name: &str, at: P, radius: f32, thickness: f32, mat: MaterialId) {
     let e = (thickness * 0.3).min(0.006);
     let profile = [(radius - e, 0.0), (radius, e), (radius, thickness - e), (radius - e, thickness)];
     b.lathe(name, [at[0], at[1], at[2] - thickness], &profile, mat);
@@ -127,7 +164,7 @@ pub fn disc(b: &mut Build<'_>, name: &str, at: P, radius: f32, thickness: f32, m
 
 /// A closed surface between two point grids of the same shape, such as a boat's hull: rows run
 /// along X, each from the left rim under the keel to the right rim.
-pub fn hull_shell(b: &mut Build<'_>, name: &str, outer: &[Vec<P>], inner: &[Vec<P>], mat: Mat) {
+pub(crate) fn hull_shell(b: &mut Build<'_>, name: &str, outer: &[Vec<P>], inner: &[Vec<P>], mat: MaterialId) {
     let (rows, columns) = (outer.len(), outer.first().map_or(0, Vec::len));
     let vertices: Vec<P> = outer.iter().chain(inner).flatten().copied().collect();
     let o = |i: usize, j: usize| (i * columns + j) as u32;

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::build::{Build, P};
 use super::outline::{polar, polygon};
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// Points spread over an ellipsoid, each pulled inwards by up to `jitter` of its distance.
 pub fn blob(b: &mut Build<'_>, centre: P, radii: P, points: usize, jitter: f32) -> Vec<P> {
@@ -21,6 +21,12 @@ pub fn blob(b: &mut Build<'_>, centre: P, radii: P, points: usize, jitter: f32) 
 }
 
 /// Points of a tapered limb with a hexagonal section between two points.
+///
+/// ```
+/// use vc_shapes::solid::limb;
+/// let points = limb([0.0; 3], [0.0, 0.0, 1.0], 0.1, 0.05);
+/// assert_eq!(points.len(), 12);
+/// ```
 pub fn limb(from: P, to: P, start: f32, end: f32) -> Vec<P> {
     let (a, c) = (Vector3::from(from), Vector3::from(to));
     let way = (c - a).try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -34,12 +40,27 @@ pub fn limb(from: P, to: P, start: f32, end: f32) -> Vec<P> {
 }
 
 /// Convex solids drawn at any scale, fitted into a box when built.
+///
+/// ```
+/// # use vc_graph::{Seed, nalgebra::Vector3};
+/// # use vc_shapes::{Build, Style};
+/// # let style = Style::from_seed(Seed(1));
+/// # let mut b = Build::new("thing", Vector3::new(1.0, 1.0, 1.0), &style, Seed(1).stream());
+/// use vc_shapes::material::OAK;
+/// use vc_shapes::solid::{Sketch, limb};
+/// let mut sketch = Sketch::default();
+/// sketch.add("trunk", limb([0.0, 0.0, 0.0], [0.0, 0.0, 5.0], 1.0, 0.5), OAK);
+/// // Drawn at any scale, built to fill the size.
+/// sketch.fill(&mut b);
+/// let (_, bounds) = b.finish();
+/// assert!((bounds.size() - Vector3::new(1.0, 1.0, 1.0)).norm() < 2e-3);
+/// ```
 #[derive(Default)]
-pub struct Sketch(Vec<(&'static str, Vec<P>, Mat)>);
+pub struct Sketch(Vec<(&'static str, Vec<P>, MaterialId)>);
 
 impl Sketch {
     /// Adds a solid.
-    pub fn add(&mut self, name: &'static str, points: Vec<P>, mat: Mat) {
+    pub fn add(&mut self, name: &'static str, points: Vec<P>, mat: MaterialId) {
         self.0.push((name, points, mat));
     }
 

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 
 use super::build::{Build, P};
-use crate::material::Mat;
+use crate::material::MaterialId;
 
 /// A ring: its centre and its two half axes.
 pub(crate) type Skin = (Vector3<f32>, Vector3<f32>, Vector3<f32>);
@@ -72,7 +72,14 @@ fn join(triangles: &mut Vec<[u32; 3]>, below: (u32, u32), above: (u32, u32), n: 
 }
 
 /// A zone of a sphere between two angles from an axis through its `centre`.
-pub fn zone(b: &mut Build<'_>, name: &str, (centre, radius): (P, f32), towards: P, angles: (f32, f32), mat: Mat) {
+pub fn zone(
+    b: &mut Build<'_>,
+    name: &str,
+    (centre, radius): (P, f32),
+    towards: P,
+    angles: (f32, f32),
+    mat: MaterialId,
+) {
     let way = Vector3::from(towards).try_normalize(1e-6).unwrap_or_else(Vector3::z);
     let across = way.cross(&Vector3::x()).try_normalize(0.1).unwrap_or_else(|| way.cross(&Vector3::y()).normalize());
     let other = way.cross(&across);
@@ -92,7 +99,7 @@ pub fn zone(b: &mut Build<'_>, name: &str, (centre, radius): (P, f32), towards: 
 }
 
 /// A coil spring standing on `base`: radii of the coil and of its wire, height.
-pub fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f32, f32), height: f32, mat: Mat) {
+pub fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f32, f32), height: f32, mat: MaterialId) {
     let (turns, steps) = (5, 14);
     let count = turns * steps;
     let rise = (height - 2.0 * radii.1).max(height * 0.5);
@@ -109,7 +116,7 @@ pub fn coil(b: &mut Build<'_>, name: &str, base: P, radii: (f32, f32), height: f
 
 /// A line along a closed curve of positions in metres, raised away from `centre`, such as a ball's
 /// seam.
-pub fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &[P], half: f32, mat: Mat) {
+pub fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &[P], half: f32, mat: MaterialId) {
     let n = curve.len();
     let (middle, at) = (Vector3::from(centre), |i: usize| Vector3::from(curve[i % n]));
     let mut vertices = Vec::with_capacity(n * 4);
@@ -130,7 +137,7 @@ pub fn seam(b: &mut Build<'_>, name: &str, centre: P, curve: &[P], half: f32, ma
 }
 
 /// A ring of any shape in plan: the surface over rings whose last one joins the first.
-pub fn ring_skin(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: Mat) {
+pub(crate) fn ring_skin(b: &mut Build<'_>, name: &str, rings: &[Vec<P>], mat: MaterialId) {
     let n = rings.first().map_or(0, Vec::len);
     let rows = rings.len().saturating_sub(1);
     let vertices: Vec<_> = rings.iter().take(rows).flatten().copied().collect();

@@ -20,7 +20,7 @@ use std::collections::{BTreeMap, HashSet};
 use cases::{FINDINGS, Rule, chosen};
 use vc_graph::Seed;
 use vc_graph::hash::Digester;
-use vc_shapes::material::{Family, Mat};
+use vc_shapes::material::{Family, MaterialId};
 use vc_shapes::object::{self, Realm, generators};
 use vc_shapes::{Style, catalogue};
 
@@ -193,7 +193,7 @@ fn pictures_of_screens_are_of_light() {
         for seed in 0..40 {
             let made = generator.object(&Style::from_seed(Seed(seed)), Seed(seed));
             for part in made.asset.parts.iter().filter(|part| &*part.name == "picture") {
-                let mat = Mat(part.material);
+                let mat = MaterialId(part.material);
                 assert_eq!(mat.family(), Some(Family::Screen), "{class} {seed}: {} in its picture", mat.name());
             }
         }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::TriangleMesh;
 use vc_graph::asset::{Joint, Shape};
-use vc_shapes::material::{Family, Mat};
+use vc_shapes::material::{Family, MaterialId};
 use vc_shapes::object::Object;
 
 pub(crate) type P = Point3<f64>;
@@ -43,7 +43,7 @@ pub(crate) fn solids(object: &Object) -> Vec<Solid> {
             Solid {
                 name: format!("part {i} `{}`", part.name),
                 material: part.material,
-                liquid: Mat(part.material).family() == Some(Family::Liquid),
+                liquid: MaterialId(part.material).family() == Some(Family::Liquid),
                 joint: part.joint,
                 closed: mesh.is_closed() || balanced(&mesh),
                 round: matches!(part.shape, Shape::Capsule { .. } | Shape::Sphere { .. }),

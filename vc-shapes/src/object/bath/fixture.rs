@@ -29,14 +29,21 @@ fn oval(x0: f32, x1: f32, y: f32) -> Vec<(f32, f32)> {
 }
 
 /// The hull between ovals at two heights.
-fn oval_hull(b: &mut Build<'_>, name: &str, below: (f32, f32, f32, f32), above: (f32, f32, f32, f32), mat: Mat) {
+fn oval_hull(b: &mut Build<'_>, name: &str, below: (f32, f32, f32, f32), above: (f32, f32, f32, f32), mat: MaterialId) {
     let level = |(x0, x1, y, z): (f32, f32, f32, f32)| oval(x0, x1, y).into_iter().map(move |p| [p.0, p.1, z]);
     let points: Vec<P> = level(below).chain(level(above)).collect();
     b.hull(name, &points, mat);
 }
 
 /// A rim between two ovals.
-fn oval_rim(b: &mut Build<'_>, name: &str, outer: &[(f32, f32)], inner: &[(f32, f32)], (z0, z1): (f32, f32), mat: Mat) {
+fn oval_rim(
+    b: &mut Build<'_>,
+    name: &str,
+    outer: &[(f32, f32)],
+    inner: &[(f32, f32)],
+    (z0, z1): (f32, f32),
+    mat: MaterialId,
+) {
     for i in 0..outer.len() {
         let k = (i + 1) % outer.len();
         b.prism(name, Axis::Z, [0.0, 0.0, z0], &[outer[i], outer[k], inner[k], inner[i]], z1 - z0, mat);
@@ -44,7 +51,7 @@ fn oval_rim(b: &mut Build<'_>, name: &str, outer: &[(f32, f32)], inner: &[(f32, 
 }
 
 /// An open oval bowl that narrows downwards, with a surface inside.
-fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
+fn oval_bowl(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), (z0, z1): (f32, f32), wall: f32, mat: MaterialId) {
     let tall = z1 - z0;
     let outer = |inset: f32, k: f32| oval(x0 + (x1 - x0) * inset * 0.5, x1 - (x1 - x0) * inset, y * k);
     let inner = |inset: f32, k: f32| {
@@ -92,15 +99,27 @@ pub(super) fn toilet(b: &mut Build<'_>) {
     oval_bowl(b, (back - 0.03 * u, x, side), (floor, rim), 0.035 * u, PORCELAIN);
     b.cylinder("water", [x * 0.25, 0.0, floor + 0.034 * u], side * 0.3, 0.0025 * u, WATER);
     let shelf = [-x, -side * 0.8, floor * 0.9];
-    b.soft("mount", shelf, [back + 0.03 * u, side * 0.8, rim], 0.02 * u, PORCELAIN);
+    b.rounded_block("mount", shelf, [back + 0.03 * u, side * 0.8, rim], 0.02 * u, PORCELAIN);
     if cistern {
-        b.soft("cistern", [-x, -y * 0.98, rim - 0.004 * u], [-x + tank, y * 0.98, h - 0.035 * u], 0.025 * u, PORCELAIN);
-        b.soft("cistern_lid", [-x, -y, h - 0.036 * u], [-x + tank + 0.006 * u, y, h - 0.006 * u], 0.012 * u, PORCELAIN);
+        b.rounded_block(
+            "cistern",
+            [-x, -y * 0.98, rim - 0.004 * u],
+            [-x + tank, y * 0.98, h - 0.035 * u],
+            0.025 * u,
+            PORCELAIN,
+        );
+        b.rounded_block(
+            "cistern_lid",
+            [-x, -y, h - 0.036 * u],
+            [-x + tank + 0.006 * u, y, h - 0.006 * u],
+            0.012 * u,
+            PORCELAIN,
+        );
         b.top("cistern", [-x + tank * 0.3, 0.0, h], (tank * 0.28, y * 0.8));
         b.cylinder("button", [-x + tank * 0.7, 0.0, h - 0.008 * u], 0.022 * u, 0.008 * u, CHROME);
     } else {
-        b.soft("panel", [-x, -y, rim - 0.05 * u], [-x + 0.1 * u, y, h], 0.008 * u, WHITE_TILE);
-        b.soft(
+        b.rounded_block("panel", [-x, -y, rim - 0.05 * u], [-x + 0.1 * u, y, h], 0.008 * u, WHITE_TILE);
+        b.rounded_block(
             "plate",
             [-x + 0.098 * u, -0.11 * u, h - 0.19 * u],
             [-x + 0.108 * u, 0.11 * u, h - 0.05 * u],
@@ -114,7 +133,7 @@ pub(super) fn toilet(b: &mut Build<'_>) {
 
 /// Seat and lid, each on its own hinge.
 fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32) {
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, WHITE_PLASTIC, b.style.wood, BLACK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, WHITE_PLASTIC, b.style.wood, BLACK_PLASTIC]);
     let (t, low) = (0.018 * u, rim + 0.002 * u);
     let anchor = [x0, 0.0, low + t];
     for cy in [-y * 0.4, y * 0.4] {
@@ -128,16 +147,16 @@ fn toilet_seat(b: &mut Build<'_>, (x0, x1, y): (f32, f32, f32), rim: f32, u: f32
     }
     let (outer, inner) = (oval(x0 + 0.002 * u, x1, y), oval(x0 + 0.09 * u, x1 - 0.07 * u, y * 0.62));
     lid(b, anchor, 1.5, |b| {
-        b.seen(|b| oval_rim(b, "seat", &outer, &inner, (low, low + t), mat));
-        b.felt(|b| seat_bars(b, (x0, x1, y), (low, low + t), u));
+        b.visual_only(|b| oval_rim(b, "seat", &outer, &inner, (low, low + t), mat));
+        b.collision_only(|b| seat_bars(b, (x0, x1, y), (low, low + t), u));
     });
     // A tiny offset distinguishes the lid's hinge from the seat's.
     lid(b, [anchor[0], 0.0, anchor[2] + 0.002 * u], 1.55, |b| {
         let under = [0.0, 0.0, low + t + 0.002 * u];
-        b.seen(|b| b.prism("lid", Axis::Z, under, &outer, t * 0.9, mat));
+        b.visual_only(|b| b.prism("lid", Axis::Z, under, &outer, t * 0.9, mat));
         // Every second corner of the oval, including those of the straight back.
         let corners: Vec<(f32, f32)> = [0, 1, 3, 5, 6, 8, 10, 11].map(|i| outer[i]).into();
-        b.felt(|b| b.prism("lid", Axis::Z, under, &corners, t * 0.9, mat));
+        b.collision_only(|b| b.prism("lid", Axis::Z, under, &corners, t * 0.9, mat));
         b.top("lid", [f32::midpoint(x0, x1), 0.0, low + t * 1.9 + 0.002 * u], ((x1 - x0) * 0.3, y * 0.6));
     });
 }
@@ -171,7 +190,7 @@ pub(super) fn bidet(b: &mut Build<'_>) {
         PORCELAIN,
     );
     oval_bowl(b, (-x + 0.1 * u, x, y), (floor, top), wall, PORCELAIN);
-    b.soft("deck", [-x, -y * 0.78, floor * 0.8], [-x + 0.15 * u, y * 0.78, top], 0.015 * u, PORCELAIN);
+    b.rounded_block("deck", [-x, -y * 0.78, floor * 0.8], [-x + 0.15 * u, y * 0.78, top], 0.015 * u, PORCELAIN);
     let tap = b.style.tap;
     b.cylinder("tap", [-x + 0.06 * u, 0.0, top - 0.001 * u], 0.02 * u, (h - top) * 0.7, tap);
     b.bar(
@@ -201,7 +220,7 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
         b.cylinder("waste", [ledge / 2.0, 0.0, rim - deep - 0.001 * u], 0.03 * u, t + 0.002 * u, CHROME);
     } else {
         oval_bowl(b, (-x + ledge * 0.8, x, y), (rim - deep, rim), t, PORCELAIN);
-        b.soft("ledge", [-x, -y * 0.8, rim - deep * 0.8], [-x + ledge, y * 0.8, rim], 0.012 * u, PORCELAIN);
+        b.rounded_block("ledge", [-x, -y * 0.8, rim - deep * 0.8], [-x + ledge, y * 0.8, rim], 0.012 * u, PORCELAIN);
         b.cylinder("waste", [ledge * 0.4, 0.0, rim - deep + t * 0.5], 0.025 * u, t * 0.5 + 0.002 * u, CHROME);
     }
     b.top("ledge", [-x + ledge * 0.44, 0.0, rim], (ledge * 0.4, (y * 0.7).min(0.14)));
@@ -209,7 +228,13 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
     match b.rng.below(3) {
         0 => {
             let foot = ([-x + 0.02 * u, -y * 0.32], [x * 0.15, y * 0.32]);
-            b.soft("foot", [foot.0[0], foot.0[1], 0.0], [foot.1[0], foot.1[1], 0.05 * u], 0.015 * u, PORCELAIN);
+            b.rounded_block(
+                "foot",
+                [foot.0[0], foot.0[1], 0.0],
+                [foot.1[0], foot.1[1], 0.05 * u],
+                0.015 * u,
+                PORCELAIN,
+            );
             oval_hull(
                 b,
                 "pedestal",
@@ -236,7 +261,7 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
 /// A round, oval or square bowl that stands on a counter.
 fn bowl_basin(b: &mut Build<'_>, u: f32) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[PORCELAIN, PORCELAIN, STONEWARE, MARBLE, GREEN_GLAZE, BLACK_GLAZE]);
+    let mat = b.choose(&[PORCELAIN, PORCELAIN, STONEWARE, MARBLE, GREEN_GLAZE, BLACK_GLAZE]);
     let t = 0.014 * u;
     match b.rng.below(3) {
         0 => {
@@ -267,7 +292,7 @@ pub(super) fn bathtub(b: &mut Build<'_>) {
     let (rim, floor) = (0.07 * u, h * 0.24);
     let free = b.rng.chance(0.5);
     let feet = free && b.rng.chance(0.5);
-    let mat = b.one(&[WHITE_METAL, WHITE_METAL, PORCELAIN]);
+    let mat = b.choose(&[WHITE_METAL, WHITE_METAL, PORCELAIN]);
     let base = if feet { floor * 0.6 } else { 0.0 };
     let (mouth, bed) = ((x - rim, y - rim), ((x - rim) * 0.84, (y - rim) * 0.86));
     let round = x * if free { 0.9 } else { 0.35 };
@@ -303,7 +328,7 @@ pub(super) fn bathtub(b: &mut Build<'_>) {
         }
     }
     if !free {
-        let panel = b.one(&[WHITE, WHITE, b.style.tile, b.style.wood]);
+        let panel = b.choose(&[WHITE, WHITE, b.style.tile, b.style.wood]);
         b.block("panel", [x - 0.03 * u, -y + 0.012 * u, 0.0], [x - 0.005 * u, y - 0.012 * u, h - 0.04 * u], panel);
     }
     b.cylinder("waste", [0.0, -bed.1 * 0.8, floor - 0.01], 0.03 * u, 0.0115, CHROME);
@@ -325,7 +350,7 @@ pub(super) fn shower(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let tray = tray(b, u);
     let (t, tap) = (0.008 * u, b.style.tap);
-    let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
+    let pane = b.choose(&[GLASS, GLASS, FROSTED_GLASS]);
     let top = h * 0.96;
     let edge = y - t * 2.0;
     b.block("pane", [-x + 0.02 * u, edge - t, tray - 0.001 * u], [x - 0.02 * u, edge, top], pane);
@@ -346,7 +371,7 @@ fn tray(b: &mut Build<'_>, u: f32) -> f32 {
     let tall = b.vary(0.04, 0.14) * u;
     let rim = 0.045 * u;
     let floor = tall * 0.6;
-    let mat = b.one(&[WHITE_METAL, WHITE_METAL, SLATE_TILE]);
+    let mat = b.choose(&[WHITE_METAL, WHITE_METAL, SLATE_TILE]);
     b.block("tray", [-x, -y, 0.0], [x, y, floor], mat);
     plate_with_hole(
         b,
@@ -399,7 +424,7 @@ pub(super) fn shower_stall(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let low = tray(b, u) - 0.001 * u;
     let (t, post, tap) = (0.008 * u, 0.03 * u, b.style.tap);
-    let pane = b.one(&[GLASS, GLASS, FROSTED_GLASS]);
+    let pane = b.choose(&[GLASS, GLASS, FROSTED_GLASS]);
     let roof = b.rng.chance(0.4);
     let top = h - if roof { 0.06 * u } else { 0.0 };
     for (cx, cy) in [(-x, -y), (-x, y - post), (x - post, -y), (x - post, y - post)] {
@@ -440,7 +465,7 @@ pub(super) fn shower_stall(b: &mut Build<'_>) {
         });
     }
     if roof {
-        b.soft("roof", [-x, -y, top - 0.001 * u], [x, y, h], 0.02 * u, WHITE_PLASTIC);
+        b.rounded_block("roof", [-x, -y, top - 0.001 * u], [x, y, h], 0.02 * u, WHITE_PLASTIC);
     }
     riser(b, [-x + 0.012 * u, 0.0, 0.0], top * 0.98, u);
 }

@@ -8,7 +8,7 @@ use crate::solid::{
 
 /// The design of bathroom fronts.
 fn bath_look(b: &mut Build<'_>, u: f32) -> Look {
-    let mat = b.one(&[b.style.cabinet, b.style.front, b.style.wood, WHITE]);
+    let mat = b.choose(&[b.style.cabinet, b.style.front, b.style.wood, WHITE]);
     let t = b.vary(0.016, 0.02) * u;
     Look::any(b, mat, t)
 }
@@ -24,7 +24,7 @@ pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let look = bath_look(b, u);
     let (slab, t) = (b.vary(0.02, 0.04) * u, look.t);
-    let stone = b.one(&[MARBLE, WHITE, b.style.worktop, b.style.wood]);
+    let stone = b.choose(&[MARBLE, WHITE, b.style.worktop, b.style.wood]);
     let front = face(b, &look);
     b.block("top", [-x, -y, h - slab], [x, y, h], stone);
     b.top("top", [0.0, 0.0, h], (x - 0.01 * u, y - 0.01 * u));
@@ -62,7 +62,7 @@ fn stand(b: &mut Build<'_>, look: &Look, (front, y): (f32, f32), h: f32, u: f32)
     match b.rng.below(3) {
         0 => {
             let floor = h * b.vary(0.16, 0.24);
-            let metal = b.one(&[look.metal, look.mat]);
+            let metal = b.choose(&[look.metal, look.mat]);
             for cx in [-x + 0.03 * u, front - 0.04 * u] {
                 for cy in [-y + 0.03 * u, y - 0.03 * u] {
                     b.taper(
@@ -115,7 +115,7 @@ pub(super) fn bathroom_cabinet(b: &mut Build<'_>) {
     let front = face(b, &look) - 0.006 * u;
     let t = look.t;
     let top = h - 0.02 * u;
-    let slab = b.one(&[look.mat, MARBLE, WHITE]);
+    let slab = b.choose(&[look.mat, MARBLE, WHITE]);
     b.block("top", [-x, -y, top], [front + 0.006 * u, y, h], slab);
     b.top("top", [(front - x) / 2.0, 0.0, h], ((front + x) / 2.0 - 0.01 * u, y - 0.01 * u));
     let inset = 0.006 * u;
@@ -193,7 +193,7 @@ pub(super) fn under_sink_cabinet(b: &mut Build<'_>) {
 pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.24, 0.04]);
     let (x, y, h) = half_dims(b);
-    let (metal, wood) = (b.style.tap, b.one(&[b.style.wood, WHITE, GLASS, BAMBOO]));
+    let (metal, wood) = (b.style.tap, b.choose(&[b.style.wood, WHITE, GLASS, BAMBOO]));
     let t = (0.012 * u).min(h * 0.4);
     if h < 0.25 {
         // One board on brackets, with a rail so that nothing falls off.
@@ -256,7 +256,7 @@ pub(super) fn bathroom_shelf(b: &mut Build<'_>) {
 }
 
 /// Glass shelves have sides of metal.
-fn wood_or(b: &Build<'_>, mat: Mat) -> Mat {
+fn wood_or(b: &Build<'_>, mat: MaterialId) -> MaterialId {
     if mat == GLASS { b.style.tap } else { mat }
 }
 
@@ -264,7 +264,7 @@ fn wood_or(b: &Build<'_>, mat: Mat) -> Mat {
 pub(super) fn medicine_cabinet(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.32, 0.432]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE, b.style.cabinet, ALUMINIUM]);
+    let body = b.choose(&[WHITE, b.style.cabinet, ALUMINIUM]);
     let t = 0.014 * u;
     let light = b.rng.chance(0.4);
     let roof = if light { h - 0.045 * u } else { h };
@@ -322,7 +322,7 @@ pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
     let depth = (2.0 * x).max(0.004);
     match b.rng.below(5) {
         0 => {
-            let frame = b.one(&[b.style.wood, b.style.tap, WHITE, BLACK]);
+            let frame = b.choose(&[b.style.wood, b.style.tap, WHITE, BLACK]);
             let w = b.vary(0.025, 0.05) * u;
             plate_with_border(b, "frame", [-x, -y, 0.0], [x, y, h], w, frame);
             b.block("mirror", [-x, -y + w, w], [x - depth * 0.3, y - w, h - w], MIRROR);
@@ -334,7 +334,7 @@ pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
         }
         2 => {
             let outline = oblong((y, h / 2.0), y.min(h / 2.0) * b.vary(0.2, 0.98));
-            let rim = b.one(&[b.style.tap, BLACK_METAL, b.style.wood]);
+            let rim = b.choose(&[b.style.tap, BLACK_METAL, b.style.wood]);
             let inner: Vec<_> = outline.iter().map(|p| (p.0 * 0.96, p.1 * 0.97)).collect();
             b.prism("frame", Axis::X, [-x, 0.0, h / 2.0], &outline, depth * 0.7, rim);
             b.prism("mirror", Axis::X, [x - depth * 0.31, 0.0, h / 2.0], &inner, depth * 0.31, MIRROR);
@@ -394,7 +394,7 @@ pub(super) fn towel_rack(b: &mut Build<'_>) {
 /// A ladder of bars in front of the wall, whose top bars form a shelf.
 fn ladder(b: &mut Build<'_>, r: f32) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[b.style.tap, b.style.wood, IRON]);
+    let mat = b.choose(&[b.style.tap, b.style.wood, IRON]);
     for cy in [-y + r, y - r] {
         b.block("side", [x - 3.0 * r, cy - r, 0.0], [x - r, cy + r, h - r * 0.5], mat);
         for z in [h * 0.12, h - r * 2.0] {
@@ -419,7 +419,7 @@ fn ladder(b: &mut Build<'_>, r: f32) {
 pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.32, 0.56]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[CHROME, WHITE_METAL, BLACK_METAL, CHROME]);
+    let mat = b.choose(&[CHROME, WHITE_METAL, BLACK_METAL, CHROME]);
     let flat = b.rng.chance(0.4);
     let r = 0.012 * u;
     let post = 0.016 * u;
@@ -467,7 +467,7 @@ pub(super) fn heated_towel_rail(b: &mut Build<'_>) {
 pub(super) fn shower_caddy(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.192, 0.128]);
     let (x, y, h) = half_dims(b);
-    let metal = b.one(&[CHROME, STEEL, BLACK_METAL, WHITE_METAL]);
+    let metal = b.choose(&[CHROME, STEEL, BLACK_METAL, WHITE_METAL]);
     let w = 0.005 * u;
     let count = (h / 0.24).round().clamp(1.0, 3.0) as usize;
     let tall = (h * 0.5).min(0.06);

@@ -65,7 +65,7 @@ const ARC: [(f32, f32); 7] =
     [(1.0, 0.0), (0.866, 0.5), (0.5, 0.866), (0.0, 1.0), (-0.5, 0.866), (-0.866, 0.5), (-1.0, 0.0)];
 
 /// A lever at the side, or a cross handle at either side where there is space.
-fn handles(b: &mut Build<'_>, [root, r, body]: P, (y, h): (f32, f32), u: f32, tap: Mat) {
+fn handles(b: &mut Build<'_>, [root, r, body]: P, (y, h): (f32, f32), u: f32, tap: MaterialId) {
     if y > 0.07 * u {
         let out = y - 0.02 * u;
         b.rod("bridge", [root, -out, body * 0.4], [root, out, body * 0.4], r * 0.45, tap);
@@ -95,7 +95,7 @@ pub(super) fn shower_head(b: &mut Build<'_>) {
         if b.rng.chance(0.5) {
             b.lathe("rose", [cx, 0.0, 0.0], &[(r * 0.94, 0.0), (r, flat * 0.5), (r * 0.3, flat)], tap);
         } else {
-            b.soft("rose", [cx - r, -y, 0.0], [x, y, flat * 0.8], 0.004 * u, tap);
+            b.rounded_block("rose", [cx - r, -y, 0.0], [x, y, flat * 0.8], 0.004 * u, tap);
         }
         b.cylinder("joint", [cx, 0.0, flat * 0.7], 0.014 * u, h * 0.35, tap);
         let z = h - 0.013 * u;

@@ -7,19 +7,19 @@ use crate::solid::{
     Axis, Build, MeshBuilder, arc, blocks, half_dims, hoop, loft, mix, oval, spline, tube, walled_tray,
 };
 
-const BRIGHT: [Mat; 7] =
+const BRIGHT: [MaterialId; 7] =
     [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC];
 
 /// A soft pencil case with a zip along its top, which opens like a lid.
 pub(super) fn pencil_case(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cloth = b.one(&[DENIM, RED_FABRIC, TEAL_FABRIC, BLACK_FABRIC, PURPLE_FABRIC, MUSTARD_FABRIC]);
+    let cloth = b.choose(&[DENIM, RED_FABRIC, TEAL_FABRIC, BLACK_FABRIC, PURPLE_FABRIC, MUSTARD_FABRIC]);
     let t = x.min(h) * 0.08;
     let lid = h * 0.7;
     walled_tray(b, (x, y), (0.0, lid), t, cloth);
     b.inside("compartment", [0.0, 0.0, t], (x - 2.0 * t, y - 2.0 * t), lid - t);
     b.hinge([-x, 0.0, lid], [0.0, -1.0, 0.0], 1.6, |b| {
-        b.soft("lid", [-x, -y, lid], [x, y, h * 0.97], h * 0.2, cloth);
+        b.rounded_block("lid", [-x, -y, lid], [x, y, h * 0.97], h * 0.2, cloth);
         blocks(b, "zip", &[([x * 0.1, -y * 0.9, (lid + h) * 0.5], [x * 0.2, y * 0.9, h])], STEEL);
     });
 }
@@ -27,7 +27,7 @@ pub(super) fn pencil_case(b: &mut Build<'_>) {
 /// A cup for pens: round, square or of mesh.
 pub(super) fn pencil_holder(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[BLACK_METAL, b.style.wood, WHITE_PLASTIC, POTTERY, BLUE_GLAZE, TAN_LEATHER, STEEL]);
+    let mat = b.choose(&[BLACK_METAL, b.style.wood, WHITE_PLASTIC, POTTERY, BLUE_GLAZE, TAN_LEATHER, STEEL]);
     let r = x.min(y);
     let t = r * 0.08;
     if b.rng.chance(0.6) {
@@ -47,8 +47,8 @@ pub(super) fn pencil_holder(b: &mut Build<'_>) {
 /// A stapler: base, magazine and a hinged arm.
 pub(super) fn stapler(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let colour = b.one(&BRIGHT);
-    b.soft("base", [-x, -y, 0.0], [x, y, h * 0.14], h * 0.05, BLACK_PLASTIC);
+    let colour = b.choose(&BRIGHT);
+    b.rounded_block("base", [-x, -y, 0.0], [x, y, h * 0.14], h * 0.05, BLACK_PLASTIC);
     b.block("anvil", [-x * 0.5, y * 0.6, h * 0.12], [x * 0.5, y * 0.9, h * 0.17], STEEL);
     b.block("post", [-x * 0.7, -y * 0.95, h * 0.1], [x * 0.7, -y * 0.6, h * 0.42], colour);
     b.hinge([0.0, -y * 0.85, h * 0.45], [1.0, 0.0, 0.0], 0.4, |b| {
@@ -62,8 +62,8 @@ pub(super) fn stapler(b: &mut Build<'_>) {
 /// A hole punch: tray, two plungers and a lever.
 pub(super) fn hole_punch(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let colour = b.one(&BRIGHT);
-    b.soft("tray", [-x, -y, 0.0], [x, y, h * 0.15], h * 0.05, BLACK_PLASTIC);
+    let colour = b.choose(&BRIGHT);
+    b.rounded_block("tray", [-x, -y, 0.0], [x, y, h * 0.15], h * 0.05, BLACK_PLASTIC);
     b.block("bridge", [-x * 0.5, -y * 0.9, h * 0.1], [x * 0.1, y * 0.9, h * 0.5], STEEL);
     for side in [-0.65, 0.65] {
         b.cylinder("plunger", [-x * 0.1, y * side, h * 0.3], x * 0.12, h * 0.4, STEEL);
@@ -79,9 +79,9 @@ pub(super) fn tape(b: &mut Build<'_>) {
     let r = x.min(y);
     let duct = b.class == "duct_tape";
     let colour = if duct {
-        b.one(&[SILVER_METAL, GREY_PLASTIC, BLACK_PLASTIC])
+        b.choose(&[SILVER_METAL, GREY_PLASTIC, BLACK_PLASTIC])
     } else {
-        b.one(&[CLEAR_PLASTIC, BROWN_PLASTIC, CREAM_PAPER])
+        b.choose(&[CLEAR_PLASTIC, BROWN_PLASTIC, CREAM_PAPER])
     };
     let core = r * b.vary(0.55, 0.68);
     let ring =
@@ -96,7 +96,7 @@ pub(super) fn glue(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
     let (label, cap) =
-        (b.one(&[YELLOW_CARD, BLUE_CARD, RED_CARD]), b.one(&[RED_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]));
+        (b.choose(&[YELLOW_CARD, BLUE_CARD, RED_CARD]), b.choose(&[RED_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]));
     if b.rng.chance(0.5) {
         b.cylinder("tube", [0.0; 3], r * 0.93, h * 0.7, WHITE_PLASTIC);
         b.lathe("label", [0.0, 0.0, h * 0.08], &[(r, 0.0), (r, h * 0.55)], label);
@@ -117,7 +117,7 @@ pub(super) fn glue(b: &mut Build<'_>) {
 /// Scissors: two blades that cross, two rings.
 pub(super) fn scissors(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let grip = b.one(&[RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, STEEL]);
+    let grip = b.choose(&[RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, STEEL]);
     let r = h * 0.42;
     let ring = (x * 0.48 - r, y * 0.27);
     for (side, z) in [(-1.0_f32, h * 0.3), (1.0, h * 0.7)] {
@@ -139,7 +139,7 @@ pub(super) fn scissors(b: &mut Build<'_>) {
 /// A folder of card with papers in it, or a ring binder if thick.
 pub(super) fn folder(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let card = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, CARDBOARD, BLACK_CARD, TEAL_CARD]);
+    let card = b.choose(&[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, CARDBOARD, BLACK_CARD, TEAL_CARD]);
     let t = (h * 0.12).min(0.002);
     let binder = h > 0.03;
     b.block("back", [-x, -y, 0.0], [x, y * 0.99, t], card);
@@ -163,7 +163,7 @@ pub(super) fn folder(b: &mut Build<'_>) {
 /// Stacked letter trays, with some paper.
 pub(super) fn paper_tray(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[BLACK_METAL, GREY_PLASTIC, CLEAR_PLASTIC, b.style.wood, WHITE_PLASTIC]);
+    let mat = b.choose(&[BLACK_METAL, GREY_PLASTIC, CLEAR_PLASTIC, b.style.wood, WHITE_PLASTIC]);
     let count = ((h / 0.07).round() as usize).clamp(1, 3);
     let t = (h * 0.04).min(0.003);
     let pitch = h / count as f32;
@@ -198,9 +198,9 @@ pub(super) fn paper_tray(b: &mut Build<'_>) {
 /// A clipboard with its clip and a few sheets.
 pub(super) fn clipboard(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let board = b.one(&[OAK, BROWN_PLASTIC, BLACK_PLASTIC, CLEAR_PLASTIC, BLUE_PLASTIC]);
+    let board = b.choose(&[OAK, BROWN_PLASTIC, BLACK_PLASTIC, CLEAR_PLASTIC, BLUE_PLASTIC]);
     let t = (h * 0.3).min(0.004);
-    b.soft("board", [-x, -y, 0.0], [x, y, t], t * 0.4, board);
+    b.rounded_block("board", [-x, -y, 0.0], [x, y, t], t * 0.4, board);
     b.block("paper", [-x * 0.82, -y * 0.92, t], [x * 0.92, y * 0.92, t + (h * 0.1).min(0.001)], WHITE_PAPER);
     b.block("clip", [-x * 0.97, -y * 0.4, t * 0.9], [-x * 0.75, y * 0.4, h * 0.7], STEEL);
     let grip = arc(Axis::Y, [-x * 0.9, -y * 0.25, h * 0.6], (x * 0.06, h * 0.38), (0.0, PI), 6);
@@ -212,9 +212,9 @@ pub(super) fn clipboard(b: &mut Build<'_>) {
 /// A pocket or desk calculator.
 pub(super) fn calculator(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
+    let case = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let face = h * 0.85;
-    b.soft("case", [-x, -y, 0.0], [x, y, face], h * 0.25, case);
+    b.rounded_block("case", [-x, -y, 0.0], [x, y, face], h * 0.25, case);
     b.block("display", [-x * 0.85, -y * 0.85, face * 0.8], [-x * 0.5, y * 0.85, face + h * 0.06], SAGE);
     b.block("solar", [-x * 0.96, y * 0.2, face * 0.8], [-x * 0.89, y * 0.8, face + h * 0.04], SCREEN);
     let (rows, columns) = (b.rng.count(4, 5), b.rng.count(4, 5));
@@ -232,10 +232,10 @@ pub(super) fn calculator(b: &mut Build<'_>) {
 /// A mouse pad, with a rim or a wrist rest.
 pub(super) fn mousepad(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cloth = b.one(&[BLACK_FABRIC, NAVY_FABRIC, GREY_FABRIC, RED_FABRIC, TEAL_FABRIC]);
-    b.soft("rubber", [-x, -y, 0.0], [x, y, h * 0.6], h * 0.2, RUBBER);
+    let cloth = b.choose(&[BLACK_FABRIC, NAVY_FABRIC, GREY_FABRIC, RED_FABRIC, TEAL_FABRIC]);
+    b.rounded_block("rubber", [-x, -y, 0.0], [x, y, h * 0.6], h * 0.2, RUBBER);
     b.block("cloth", [-x * 0.985, -y * 0.985, h * 0.4], [x * 0.985, y * 0.985, h * 0.76], cloth);
-    let glow = b.one(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC]);
+    let glow = b.choose(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC]);
     b.block("logo", [x * 0.6, y * 0.55, h * 0.6], [x * 0.8, y * 0.85, h], glow);
     b.top("top", [0.0, 0.0, h * 0.76], (x * 0.95, y * 0.95));
 }
@@ -243,7 +243,7 @@ pub(super) fn mousepad(b: &mut Build<'_>) {
 /// A paper shredder: a head with a slot on a bin.
 pub(super) fn paper_shredder(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[BLACK_PLASTIC, GREY_PLASTIC]);
+    let case = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC]);
     let t = 0.004_f32.min(x * 0.1);
     let split = h * b.vary(0.68, 0.76);
     let wall = |s: f32| (x * s, y * s);
@@ -251,7 +251,7 @@ pub(super) fn paper_shredder(b: &mut Build<'_>) {
     walled_tray(b, wall(0.94), (0.0, split), t, bin);
     b.inside("bin", [0.0, 0.0, t], (x * 0.94 - 2.0 * t, y * 0.94 - 2.0 * t), split - t);
     let top = h * 0.995;
-    b.soft("head", [-x, -y, split], [x, y, top], h * 0.04, case);
+    b.rounded_block("head", [-x, -y, split], [x, y, top], h * 0.04, case);
     b.block("slot", [-x * 0.12, -y * 0.75, top * 0.99], [x * 0.02, y * 0.75, top + h * 0.002], SCREEN);
     b.block("panel", [x * 0.4, -y * 0.4, top * 0.99], [x * 0.75, y * 0.4, top + h * 0.003], GREY_PLASTIC);
     b.cylinder("light", [x * 0.55, y * 0.25, top], x * 0.05, h - top, LED);

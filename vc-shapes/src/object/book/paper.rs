@@ -8,8 +8,8 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, lying};
 pub(super) fn sheets(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let paper = match b.class {
-        "banknote" => b.one(&[GREEN_CARD, TEAL_CARD, ORANGE_CARD, PINK_CARD]),
-        "notes" => b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]),
+        "banknote" => b.choose(&[GREEN_CARD, TEAL_CARD, ORANGE_CARD, PINK_CARD]),
+        "notes" => b.choose(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]),
         "check" => CREAM_PAPER,
         _ => WHITE_PAPER,
     };
@@ -46,7 +46,7 @@ pub(super) fn sheets(b: &mut Build<'_>) {
             }
         }
     }
-    let mark = if b.class == "homework" { BLUE_CARD } else { b.one(&[BLACK_CARD, GREY_PLASTIC]) };
+    let mark = if b.class == "homework" { BLUE_CARD } else { b.choose(&[BLACK_CARD, GREY_PLASTIC]) };
     blocks(b, "print", &list, mark);
 }
 
@@ -55,18 +55,18 @@ pub(super) fn pad(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let sticky = b.class == "sticky_notes";
     let inks = [YELLOW_CARD, PINK_CARD, ORANGE_CARD, GREEN_CARD];
-    let paper = if sticky { b.one(&inks) } else { b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]) };
+    let paper = if sticky { b.choose(&inks) } else { b.choose(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]) };
     let relief = (h * 0.1).min(0.001);
     let body = h - relief;
     let back = x - (x * 0.02).min(0.0005);
     b.block("back", [-back, -y * 0.99, 0.0], [x, y * 0.99, body * 0.15], if sticky { paper } else { CARDBOARD });
     b.block("pages", [-back, -y * 0.98, body * 0.15], [x * 0.99, y * 0.98, body], paper);
     if sticky {
-        let tone = b.one(&[BLUE_CARD, BLACK_CARD]);
+        let tone = b.choose(&[BLUE_CARD, BLACK_CARD]);
         let line = |a: f32, w: f32| ([a * x, -0.7 * y, body * 0.9], [(a + 0.08) * x, w * y, h]);
         blocks(b, "print", &[line(-0.4, 0.5), line(-0.1, 0.7), line(0.2, 0.1)], tone);
     } else {
-        let head = b.one(&[RED_CARD, BLUE_CARD, BLACK_CARD]);
+        let head = b.choose(&[RED_CARD, BLUE_CARD, BLACK_CARD]);
         b.block("head", [-x, -y, body * 0.1], [-x * 0.88, y, h], head);
         let rules: Vec<(P, P)> = (0..9)
             .map(|i| -0.75 + 0.18 * i as f32)
@@ -83,7 +83,7 @@ pub(super) fn envelope(b: &mut Build<'_>) {
     let relief = (h * 0.2).min(0.0008);
     let body = h - relief;
     for i in 0..count {
-        let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CARDBOARD, WHITE_PAPER]);
+        let paper = b.choose(&[WHITE_PAPER, CREAM_PAPER, CARDBOARD, WHITE_PAPER]);
         let inset = if i == 0 { 0.0 } else { b.vary(0.03, 0.15) };
         let (z0, z1) = (body * i as f32 / count as f32, body * (i as f32 + 0.97) / count as f32);
         b.block(
@@ -94,7 +94,7 @@ pub(super) fn envelope(b: &mut Build<'_>) {
         );
     }
     let line = |a: f32, c: f32, y0: f32, y1: f32| ([a * x, y0 * y, body * 0.9], [c * x, y1 * y, h]);
-    let stamp = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD]);
+    let stamp = b.choose(&[RED_CARD, BLUE_CARD, GREEN_CARD]);
     if b.rng.chance(0.35) {
         let flap = [(-x * 0.84, -y * 0.84), (-x * 0.84, y * 0.84), (x * 0.1, y * 0.08), (x * 0.1, -y * 0.08)];
         b.prism("flap", Axis::Z, [0.0, 0.0, body * 0.9], &flap, h - body * 0.9, CREAM_PAPER);
@@ -116,8 +116,8 @@ pub(super) fn card(b: &mut Build<'_>) {
     let body = h - relief;
     match b.class {
         "credit_card" => {
-            let colour = b.one(&[BLUE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREY_PLASTIC]);
-            b.soft("card", [-x, -y, 0.0], [x, y, body], h, colour);
+            let colour = b.choose(&[BLUE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREY_PLASTIC]);
+            b.rounded_block("card", [-x, -y, 0.0], [x, y, body], h, colour);
             b.block("chip", [-x * 0.25, -y * 0.7, body * 0.7], [x * 0.2, -y * 0.45, h], GOLD);
             b.block("number", [x * 0.35, -y * 0.7, body * 0.7], [x * 0.5, y * 0.7, h], SILVER_METAL);
         }
@@ -139,7 +139,7 @@ pub(super) fn card(b: &mut Build<'_>) {
                 blocks(b, "teeth", &teeth, WHITE_PAPER);
             }
             let edge = if stamp { 0.92 } else { 1.0 };
-            let paper = if stamp { WHITE_PAPER } else { b.one(&[WHITE_PAPER, CREAM_PAPER, PINK_CARD]) };
+            let paper = if stamp { WHITE_PAPER } else { b.choose(&[WHITE_PAPER, CREAM_PAPER, PINK_CARD]) };
             b.block("card", [-x * edge, -y * edge, 0.0], [x * edge, y * edge, body], paper);
             let inks = Inks::printed(b);
             let canvas = Canvas { half: (y * 0.78, x * 0.78), step: relief / 3.0 };
@@ -151,7 +151,7 @@ pub(super) fn card(b: &mut Build<'_>) {
 /// A coin with a raised rim.
 pub(super) fn coin(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let metal = b.one(&[GOLD, COPPER, SILVER_METAL, BRASS]);
+    let metal = b.choose(&[GOLD, COPPER, SILVER_METAL, BRASS]);
     let r = x.min(y);
     let rim = [(r, 0.0), (r, h), (r * 0.88, h), (r * 0.86, h * 0.85), (0.0, h * 0.85)];
     b.lathe("coin", [0.0; 3], &rim, metal);

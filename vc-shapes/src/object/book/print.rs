@@ -16,13 +16,14 @@ pub(super) fn magazine(b: &mut Build<'_>) {
     let relief = (h * 0.25).min(0.001);
     let body = h - relief;
     let curl = b.vary(0.0, 0.35);
-    let cover = b.one(&[RED_CARD, BLUE_CARD, TEAL_CARD, YELLOW_CARD, PINK_CARD, BLACK_CARD, ORANGE_CARD, GREEN_CARD]);
+    let cover =
+        b.choose(&[RED_CARD, BLUE_CARD, TEAL_CARD, YELLOW_CARD, PINK_CARD, BLACK_CARD, ORANGE_CARD, GREEN_CARD]);
     b.block("pages", [-x * 0.995, -y * 0.995, 0.0], [x * 0.995, y * 0.99, body * 0.8], WHITE_PAPER);
     b.block("cover", [-x, -y, body * 0.75], [x, y - y * 0.02 * curl, body], cover);
     let inks = Inks::printed(b);
     let (px, half) = (x * b.vary(0.05, 0.2), (y * b.vary(0.6, 0.9), x * b.vary(0.55, 0.7)));
     lying(b, [px, 0.0, body], |b| motif(b, Canvas { half, step: relief / 3.0 }, [0.0; 3], inks));
-    let ink = b.one(&[WHITE_PAPER, YELLOW_CARD, BLACK_CARD]);
+    let ink = b.choose(&[WHITE_PAPER, YELLOW_CARD, BLACK_CARD]);
     let line = |a: f32, c: f32, y0: f32, y1: f32| ([a * x, y0 * y, body * 0.9], [c * x, y1 * y, h]);
     blocks(b, "masthead", &[line(-0.94, -0.76, -0.85, 0.6), line(-0.94, -0.9, 0.66, 0.9)], ink);
 }
@@ -37,7 +38,7 @@ pub(super) fn newspaper(b: &mut Build<'_>) {
     for i in 0..4 {
         let (z0, z1) = ((h - relief) * i as f32 / 4.0, (h - relief) * (i as f32 + 0.96) / 4.0);
         let inset = 0.006 * ((wave + 2.0 * i as f32).sine() + 1.0);
-        b.soft(
+        b.rounded_block(
             "pages",
             [-x * (1.0 - inset), -y, z0],
             [x * (1.0 - inset), y * (1.0 - inset), z1],
@@ -76,7 +77,7 @@ pub(super) fn calendar(b: &mut Build<'_>) {
             let (y0, z0) = (-w * 0.44 + w * 0.127 * column as f32, h * 0.05 + h * 0.072 * row as f32);
             days.push(([0.0, y0, z0], [sheet + step, y0 + w * 0.1, z0 + h * 0.05]));
         }
-        let ink = b.one(&[GREY_PLASTIC, BLUE_CARD, TEAL_CARD, RED_CARD]);
+        let ink = b.choose(&[GREY_PLASTIC, BLUE_CARD, TEAL_CARD, RED_CARD]);
         blocks(b, "days", &days, ink);
     });
 }
@@ -102,7 +103,7 @@ pub(super) fn map(b: &mut Build<'_>) {
 /// A bookmark with a ribbon.
 pub(super) fn bookmark(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let card = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, TAN_LEATHER]);
+    let card = b.choose(&[RED_CARD, BLUE_CARD, GREEN_CARD, TAN_LEATHER]);
     b.block("card", [-x, -y * 0.8, 0.0], [x, y, h * 0.7], card);
     b.block("stripe", [-x * 0.6, -y * 0.5, h * 0.3], [x * 0.6, y * 0.7, h], CREAM_PAPER);
     let wave = |u: f32, v: f32| {

@@ -120,6 +120,6 @@ pub(super) fn entitle(b: &mut Build<'_>) {
         "diary" | "photo_album" | "notebook" => (&["Notes", "Memories", "Journal", "Days"], &["I", "II", "III", "IV"]),
         _ => (&FIRST, &SECOND),
     };
-    let title = [b.one(first), b.one(second)].join(" ");
+    let title = [b.choose(first), b.choose(second)].join(" ");
     b.name(&title);
 }

@@ -7,7 +7,7 @@ use super::title::entitle;
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, lying};
 
-const COVERS: [Mat; 14] = [
+const COVERS: [MaterialId; 14] = [
     RED_CARD,
     BLUE_CARD,
     GREEN_CARD,
@@ -29,8 +29,10 @@ pub(super) fn book(b: &mut Build<'_>) {
     entitle(b);
     let (x, y, h) = half_dims(b);
     let cover = match b.class {
-        "diary" | "photo_album" => b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, NAVY_FABRIC, RED_FABRIC, LINEN]),
-        _ => b.one(&COVERS),
+        "diary" | "photo_album" => {
+            b.choose(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, NAVY_FABRIC, RED_FABRIC, LINEN])
+        }
+        _ => b.choose(&COVERS),
     };
     let ink = contrast(b, cover);
     let hard = b.rng.chance(0.55) || matches!(b.class, "photo_album" | "picture_book");
@@ -41,7 +43,7 @@ pub(super) fn book(b: &mut Build<'_>) {
     let back = spine(b, board, (low, high), cover);
     let end = x - (x * 0.02).min(0.0003);
     b.block("cover", [-end, back, low], [end, y, low + board], cover);
-    let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CREAM_PAPER]);
+    let paper = b.choose(&[WHITE_PAPER, CREAM_PAPER, CREAM_PAPER]);
     let inset = shelf.max((x * 0.03).min(0.0008));
     b.block("pages", [-x + inset, back - board * 0.5, low + board], [x - inset, y - inset, high - board], paper);
     bands(b, (low, high), ink);
@@ -53,7 +55,7 @@ pub(super) fn book(b: &mut Build<'_>) {
 }
 
 /// The back of the book, flat or round; returns where the boards begin.
-fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> f32 {
+fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: MaterialId) -> f32 {
     let (x, y, _) = half_dims(b);
     let relief = (y * 0.02).min(0.001);
     let middle = f32::midpoint(low, high);
@@ -76,7 +78,7 @@ fn spine(b: &mut Build<'_>, board: f32, (low, high): (f32, f32), cover: Mat) -> 
 }
 
 /// Bands and a title on the spine.
-fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: Mat) {
+fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: MaterialId) {
     let (x, y, _) = half_dims(b);
     let deep = (y * 0.3).min(0.008);
     let (z0, z1) = (low + (high - low) * 0.28, high - (high - low) * 0.28);
@@ -94,7 +96,7 @@ fn bands(b: &mut Build<'_>, (low, high): (f32, f32), ink: Mat) {
 }
 
 /// The print on the front cover: a title and a picture, a frame or a label.
-fn front(b: &mut Build<'_>, z: f32, back: f32, ink: Mat) {
+fn front(b: &mut Build<'_>, z: f32, back: f32, ink: MaterialId) {
     let (x, y, h) = half_dims(b);
     let middle = f32::midpoint(back, y);
     let wide = (y - back) / 2.0;
@@ -128,11 +130,11 @@ fn front(b: &mut Build<'_>, z: f32, back: f32, ink: Mat) {
 }
 
 /// A colour that is visible on a cover.
-fn contrast(b: &mut Build<'_>, cover: Mat) -> Mat {
+fn contrast(b: &mut Build<'_>, cover: MaterialId) -> MaterialId {
     if [YELLOW_CARD, CREAM_PAPER, WHITE_PAPER, PINK_CARD, LINEN, ORANGE_CARD].contains(&cover) {
-        b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD])
+        b.choose(&[BLACK_CARD, RED_CARD, BLUE_CARD])
     } else {
-        b.one(&[GOLD, WHITE_PAPER, CREAM_PAPER, YELLOW_CARD])
+        b.choose(&[GOLD, WHITE_PAPER, CREAM_PAPER, YELLOW_CARD])
     }
 }
 
@@ -140,7 +142,7 @@ fn contrast(b: &mut Build<'_>, cover: Mat) -> Mat {
 pub(super) fn notebook(b: &mut Build<'_>) {
     entitle(b);
     let (x, y, h) = half_dims(b);
-    let cover = b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD, TEAL_CARD, YELLOW_CARD, BROWN_LEATHER, CARDBOARD]);
+    let cover = b.choose(&[BLACK_CARD, RED_CARD, BLUE_CARD, TEAL_CARD, YELLOW_CARD, BROWN_LEATHER, CARDBOARD]);
     let spiral = b.rng.chance(0.5);
     let board = (h * 0.1).min(0.0015);
     let relief = (h * 0.1).min(0.001);
@@ -173,7 +175,7 @@ pub(super) fn notebook(b: &mut Build<'_>) {
 /// A passport with a crest on its cover.
 pub(super) fn passport(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cover = b.one(&[RED_CARD, BLUE_CARD, GREEN_CARD, BLACK_CARD]);
+    let cover = b.choose(&[RED_CARD, BLUE_CARD, GREEN_CARD, BLACK_CARD]);
     let relief = h * 0.12;
     let (leaf, top) = (h * 0.25, h - relief);
     let edge = y * 0.99;

@@ -18,12 +18,12 @@ pub(super) fn stick(b: &mut Build<'_>) {
 }
 
 /// A section of the shaft as a solid of revolution.
-fn turned(b: &mut Build<'_>, name: &str, profile: &[(f32, f32)], mat: Mat) {
+fn turned(b: &mut Build<'_>, name: &str, profile: &[(f32, f32)], mat: MaterialId) {
     b.lathe(name, [0.0; 3], profile, mat);
 }
 
 fn pencil(b: &mut Build<'_>, r: f32, l: f32) {
-    let paint = b.one(&[YELLOW, RED, BLUE, GREEN, BLACK, OAK]);
+    let paint = b.choose(&[YELLOW, RED, BLUE, GREEN, BLACK, OAK]);
     let rubber = b.rng.chance(0.6);
     let start = if rubber { l * 0.07 } else { 0.0 };
     b.prism("shaft", Axis::Z, [0.0, 0.0, start], &ngon((r, r), 6), l * 0.9 - start, paint);
@@ -36,7 +36,7 @@ fn pencil(b: &mut Build<'_>, r: f32, l: f32) {
 }
 
 fn crayon(b: &mut Build<'_>, r: f32, l: f32) {
-    let (wax, card) = b.one(&[
+    let (wax, card) = b.choose(&[
         (RED_PLASTIC, RED_CARD),
         (BLUE_PLASTIC, BLUE_CARD),
         (GREEN_PLASTIC, GREEN_CARD),
@@ -48,7 +48,7 @@ fn crayon(b: &mut Build<'_>, r: f32, l: f32) {
 }
 
 fn brush(b: &mut Build<'_>, x: f32, y: f32, l: f32) {
-    let handle = b.one(&[OAK, RED, BLACK, BEECH, BLUE]);
+    let handle = b.choose(&[OAK, RED, BLACK, BEECH, BLUE]);
     let (sx, sy) = (x.min(y) * 0.8, (y * 0.3).max(x.min(y) * 0.8));
     let ring = |z: f32, s: f32| crate::solid::oval(Axis::Z, [0.0, 0.0, z * l], (sx * s, sy * s), 0, 10);
     let mut shaft = MeshBuilder::default();
@@ -61,7 +61,7 @@ fn brush(b: &mut Build<'_>, x: f32, y: f32, l: f32) {
 /// A pen, marker or pointer: barrel, cap or tip, clip.
 fn pen(b: &mut Build<'_>, r: f32, l: f32) {
     let colours = [BLUE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, STEEL, PURPLE_PLASTIC];
-    let (barrel, trim) = (b.one(&colours), b.one(&[STEEL, GOLD, BLACK_PLASTIC]));
+    let (barrel, trim) = (b.choose(&colours), b.choose(&[STEEL, GOLD, BLACK_PLASTIC]));
     let clip = r * b.vary(0.2, 0.32);
     let body = r - clip;
     let (cap, slim) = (l * b.vary(0.52, 0.64), body * b.vary(0.8, 0.88));
@@ -91,16 +91,16 @@ fn pen(b: &mut Build<'_>, r: f32, l: f32) {
 /// An eraser in a paper sleeve, one end rounded by use.
 pub(super) fn eraser(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let sleeve = b.one(&[BLUE_CARD, GREEN_CARD, BLACK_CARD]);
+    let sleeve = b.choose(&[BLUE_CARD, GREEN_CARD, BLACK_CARD]);
     let edge = h * 0.06;
-    b.soft("rubber", [-x * 0.95, -y, edge], [x * 0.95, y, h - edge], h * 0.3, WHITE_PLASTIC);
+    b.rounded_block("rubber", [-x * 0.95, -y, edge], [x * 0.95, y, h - edge], h * 0.3, WHITE_PLASTIC);
     b.block("sleeve", [-x, -y * 0.9, 0.0], [x, y * 0.35, h], sleeve);
 }
 
 /// A ruler with its marks.
 pub(super) fn ruler(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[PINE, CLEAR_PLASTIC, STEEL, YELLOW_PLASTIC, BEECH]);
+    let body = b.choose(&[PINE, CLEAR_PLASTIC, STEEL, YELLOW_PLASTIC, BEECH]);
     b.block("ruler", [-x, -y, 0.0], [x, y, h * 0.75], body);
     let marks: Vec<(P, P)> = (0..=30)
         .map(|i| {
@@ -122,7 +122,7 @@ pub(super) fn ruler(b: &mut Build<'_>) {
 pub(super) fn sharpener(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     if h > x {
-        let tub = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, CLEAR_PLASTIC]);
+        let tub = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, CLEAR_PLASTIC]);
         let r = x.min(y);
         b.lathe("tub", [0.0; 3], &[(r * 0.9, 0.0), (r, h * 0.1), (r, h * 0.7)], tub);
         b.lathe(
@@ -159,7 +159,7 @@ pub(super) fn paper_clip(b: &mut Build<'_>) {
         at(0.4, -0.4),
         at(0.4, 0.5),
     ];
-    let wire = b.one(&[STEEL, STEEL, RED_PLASTIC, BLUE_PLASTIC]);
+    let wire = b.choose(&[STEEL, STEEL, RED_PLASTIC, BLUE_PLASTIC]);
     tube(b, "wire", &spline(&bend, 2), r, wire);
 }
 
@@ -167,7 +167,7 @@ pub(super) fn paper_clip(b: &mut Build<'_>) {
 pub(super) fn push_pin(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let head = b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC]);
+    let head = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC]);
     let waist =
         [(r, 0.0), (r, h * 0.1), (r * 0.5, h * 0.15), (r * 0.45, h * 0.35), (r * 0.8, h * 0.4), (r * 0.8, h * 0.46)];
     b.lathe("head", [0.0; 3], &waist, head);
@@ -186,6 +186,6 @@ pub(super) fn rubber_band(b: &mut Build<'_>) {
             [(x - r) * a.cosine() * s, (y - r) * a.sine() * s, r]
         })
         .collect();
-    let band = b.one(&[RED_RUBBER, GREY_RUBBER, FOAM]);
+    let band = b.choose(&[RED_RUBBER, GREY_RUBBER, FOAM]);
     hoop(b, "band", &points, r, band);
 }

@@ -39,7 +39,7 @@ pub(super) fn clip_hanger(b: &mut Build<'_>, h: f32) -> f32 {
 /// A clothes hanger of wood, plastic or wire, facing the front.
 pub(super) fn hanger(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[OAK, BEECH, BLACK_PLASTIC, STEEL, WHITE_PLASTIC, WALNUT]);
+    let mat = b.choose(&[OAK, BEECH, BLACK_PLASTIC, STEEL, WHITE_PLASTIC, WALNUT]);
     let r = x.min(if mat == STEEL { 0.002 } else { 0.009 }).min(h * 0.06);
     let neck = h * 0.62;
     let round = (h - neck) * 0.28;
@@ -63,8 +63,8 @@ pub(super) fn hanger(b: &mut Build<'_>) {
 pub(super) fn umbrella(b: &mut Build<'_>) {
     longwise(b, |b, t, w, h| {
         let (x, y) = (t / 2.0, w / 2.0);
-        let cloth = b.one(&[BLACK_FABRIC, RED_FABRIC, NAVY_FABRIC, YELLOW_PLASTIC, GREEN_FABRIC, b.style.accent]);
-        let grip = b.one(&[WALNUT, BLACK_PLASTIC, OAK, BROWN_LEATHER]);
+        let cloth = b.choose(&[BLACK_FABRIC, RED_FABRIC, NAVY_FABRIC, YELLOW_PLASTIC, GREEN_FABRIC, b.style.accent]);
+        let grip = b.choose(&[WALNUT, BLACK_PLASTIC, OAK, BROWN_LEATHER]);
         let r = x.min(y);
         let crook = h > 0.5;
         let (low, high) = if crook { (h * 0.08, h * 0.72) } else { (0.0, h * 0.78) };
@@ -112,8 +112,8 @@ pub(super) fn umbrella(b: &mut Build<'_>) {
 /// Glasses: two rims, a bridge and temples that are open or folded.
 pub(super) fn spectacles(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let frame = b.one(&[BLACK_PLASTIC, BROWN_PLASTIC, GOLD, STEEL, RED_PLASTIC]);
-    let lens = if b.class == "sunglasses" { b.one(&[BLACK_GLASS, BROWN_GLASS]) } else { GLASS };
+    let frame = b.choose(&[BLACK_PLASTIC, BROWN_PLASTIC, GOLD, STEEL, RED_PLASTIC]);
+    let lens = if b.class == "sunglasses" { b.choose(&[BLACK_GLASS, BROWN_GLASS]) } else { GLASS };
     let r = (h * 0.06).min(x * 0.2).min(0.003);
     let front = x - r;
     let half = (y * 0.44 - r, h / 2.0 - r);
@@ -157,7 +157,7 @@ pub(super) fn keys(b: &mut Build<'_>) {
     b.rod("pin", [-x * 0.75, 0.0, h - 2.0 * ring + thin], [x * 0.75, 0.0, h - 2.0 * ring + thin], thin * 1.3, STEEL);
     let count = b.rng.count(2, 3);
     for i in 0..count {
-        let metal = b.one(&[BRASS, STEEL, SILVER_METAL]);
+        let metal = b.choose(&[BRASS, STEEL, SILVER_METAL]);
         let lean = (i as f32 / (count - 1) as f32 * 2.0 - 1.0) * 0.55;
         let px = x * (-0.6 + 1.2 * i as f32 / (count - 1) as f32);
         let top = [y * lean * 0.25, h - ring * 1.7];
@@ -192,7 +192,7 @@ pub(super) fn keys(b: &mut Build<'_>) {
         b.prism("key", Axis::X, [px - thick / 2.0, 0.0, 0.0], &outline, thick, metal);
     }
     if b.rng.chance(0.5) {
-        let tag = b.one(&[RED_PLASTIC, BLUE_PLASTIC, BROWN_LEATHER, YELLOW_PLASTIC]);
+        let tag = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, BROWN_LEATHER, YELLOW_PLASTIC]);
         b.rod("tag", [-x, 0.0, h - ring * 2.0], [x, 0.0, h - ring * 2.0], ring * 0.5, tag);
     }
 }
@@ -200,7 +200,7 @@ pub(super) fn keys(b: &mut Build<'_>) {
 /// A folded wallet, standing on its edge or lying.
 pub(super) fn wallet(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
-        let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC]);
+        let leather = b.choose(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC]);
         let (x, y) = (t / 2.0, w / 2.0);
         let leaf = t * 0.1;
         let edge = y * 0.98;
@@ -219,7 +219,7 @@ pub(super) fn wallet(b: &mut Build<'_>) {
 /// A shoe horn: a curved blade with a grip.
 pub(super) fn shoe_horn(b: &mut Build<'_>) {
     longwise(b, |b, t, w, h| {
-        let mat = b.one(&[STEEL, BROWN_PLASTIC, WALNUT, BLACK_PLASTIC]);
+        let mat = b.choose(&[STEEL, BROWN_PLASTIC, WALNUT, BLACK_PLASTIC]);
         let (x, y) = (t / 2.0, w / 2.0);
         let blade = |u: f32, v: f32| {
             let side = 2.0 * v - 1.0;
@@ -237,7 +237,7 @@ pub(super) fn shoe_horn(b: &mut Build<'_>) {
 /// A box for shoe polish: lid, brush and tin.
 pub(super) fn shoe_shine_kit(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let wood = b.one(&[OAK, WALNUT, BLACK_PLASTIC]);
+    let wood = b.choose(&[OAK, WALNUT, BLACK_PLASTIC]);
     let t = (x * 0.06).min(0.008);
     let rim = h * 0.6;
     walled_tray(b, (x, y), (0.0, rim), t, wood);
@@ -247,6 +247,6 @@ pub(super) fn shoe_shine_kit(b: &mut Build<'_>) {
         b.block("lid", [-x, -y, rim + h * 0.002], [x, y, rim + t], wood);
         let brush = mix([0.0, 0.0, rim + t], [0.0, 0.0, h], 0.4);
         b.block("bristles", [-x * 0.35, -y * 0.55, rim + t * 0.9], [x * 0.35, y * 0.55, brush[2]], BLACK_FABRIC);
-        b.soft("brush", [-x * 0.42, -y * 0.65, brush[2] - 0.001], [x * 0.42, y * 0.65, h], h * 0.08, BEECH);
+        b.rounded_block("brush", [-x * 0.42, -y * 0.65, brush[2] - 0.001], [x * 0.42, y * 0.65, h], h * 0.08, BEECH);
     });
 }

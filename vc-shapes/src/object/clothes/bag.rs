@@ -5,7 +5,7 @@ use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, loft, ov
 
 /// Builds an open bag between two heights, wider at the top by `spread`, and returns its inner
 /// bottom.
-fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: Mat) {
+fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: MaterialId) {
     let t = (x * 0.04).min(0.004).min(high * 0.05);
     let ring = |z: f32, s: f32, t: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s - t, y * s - t), 2, 28);
     let (low, top) = (1.0_f32.min(1.0 - spread), 1.0_f32.min(1.0 + spread));
@@ -29,7 +29,7 @@ fn pouch(b: &mut Build<'_>, (x, y): (f32, f32), high: f32, spread: f32, mat: Mat
 }
 
 /// Two handles over the opening, at the front and the back.
-fn handles(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), r: f32, mat: Mat) {
+fn handles(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), r: f32, mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     for side in [-1.0_f32, 1.0] {
         let px = side * x;
@@ -45,8 +45,8 @@ fn handles(b: &mut Build<'_>, (x, y): (f32, f32), (low, high): (f32, f32), r: f3
 pub(super) fn handbag(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let leather =
-        b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC, WHITE_LEATHER, b.style.accent]);
-    let metal = b.one(&[GOLD, SILVER_METAL, BRASS]);
+        b.choose(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, RED_FABRIC, NAVY_FABRIC, WHITE_LEATHER, b.style.accent]);
+    let metal = b.choose(&[GOLD, SILVER_METAL, BRASS]);
     let (body, clasp) = (h * b.vary(0.58, 0.7), x * 0.05);
     let spread = b.vary(-0.22, 0.0);
     let deep = x - clasp;
@@ -93,21 +93,21 @@ pub(super) fn handbag(b: &mut Build<'_>) {
 pub(super) fn tote(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let mat = if b.class == "laundry_bag" {
-        b.one(&[LINEN, GREY_FABRIC, WHITE_COTTON, NAVY_FABRIC])
+        b.choose(&[LINEN, GREY_FABRIC, WHITE_COTTON, NAVY_FABRIC])
     } else {
-        b.one(&[CARDBOARD, LINEN, WHITE_PAPER, GREEN_CARD, RED_FABRIC, JUTE, BLUE_PLASTIC])
+        b.choose(&[CARDBOARD, LINEN, WHITE_PAPER, GREEN_CARD, RED_FABRIC, JUTE, BLUE_PLASTIC])
     };
     let body = h * if b.class == "laundry_bag" { 0.86 } else { b.vary(0.66, 0.78) };
     let spread = b.vary(-0.1, 0.12);
     pouch(b, (x * 0.985, y), body, spread, mat);
-    let ink = b.one(&[RED_CARD, BLACK_CARD, GREEN_CARD, WHITE_PAPER]);
+    let ink = b.choose(&[RED_CARD, BLACK_CARD, GREEN_CARD, WHITE_PAPER]);
     let low = x * 0.985 * (1.0 - spread.max(0.0) * 0.6);
     b.block("print", [low * 0.8, -y * 0.35, body * 0.35], [x, y * 0.35, body * 0.6], ink);
     let wide = 1.0_f32.min(1.0 + spread);
     if b.class == "laundry_bag" {
         let (lx, ly) = (x * 0.985 * wide, y * wide);
         b.hinge([-lx, 0.0, body], [0.0, -1.0, 0.0], 2.2, |b| {
-            b.soft("lid", [-lx, -ly, body + h * 0.002], [lx, ly, body + (h - body) * 0.45], h * 0.01, mat);
+            b.rounded_block("lid", [-lx, -ly, body + h * 0.002], [lx, ly, body + (h - body) * 0.45], h * 0.01, mat);
             let grip = [
                 [0.0, -ly * 0.4, body + (h - body) * 0.4],
                 [0.0, -ly * 0.3, body + (h - body) * 0.8],

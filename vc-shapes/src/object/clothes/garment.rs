@@ -32,29 +32,29 @@ enum Front {
 fn cut(b: &mut Build<'_>) -> Cut {
     let (hem, waist, chest, sleeve, front, collar) = match b.class {
         "t_shirt" => (0.66, 0.64, 0.66, 0.34, Front::Closed, 0.1),
-        "shirt" => (0.62, 0.6, 0.62, b.one(&[0.88, 0.88, 0.36]), Front::Buttons, 0.24),
-        "sweater" => (0.62, 0.66, 0.64, 0.92, b.one(&[Front::Closed, Front::Closed, Front::Buttons]), 0.22),
-        "hoodie" => (0.6, 0.66, 0.64, 0.92, b.one(&[Front::Closed, Front::Zip]), 0.3),
-        "jacket" => (0.62, 0.66, 0.66, 0.94, b.one(&[Front::Zip, Front::Buttons]), 0.3),
-        "raincoat" => (0.76, 0.68, 0.64, 0.68, b.one(&[Front::Zip, Front::Buttons]), 0.26),
+        "shirt" => (0.62, 0.6, 0.62, b.choose(&[0.88, 0.88, 0.36]), Front::Buttons, 0.24),
+        "sweater" => (0.62, 0.66, 0.64, 0.92, b.choose(&[Front::Closed, Front::Closed, Front::Buttons]), 0.22),
+        "hoodie" => (0.6, 0.66, 0.64, 0.92, b.choose(&[Front::Closed, Front::Zip]), 0.3),
+        "jacket" => (0.62, 0.66, 0.66, 0.94, b.choose(&[Front::Zip, Front::Buttons]), 0.3),
+        "raincoat" => (0.76, 0.68, 0.64, 0.68, b.choose(&[Front::Zip, Front::Buttons]), 0.26),
         "suit" => (0.64, 0.58, 0.64, 0.75, Front::Lapels, 0.16),
-        "coat" => (0.74, 0.66, 0.66, 0.66, b.one(&[Front::Lapels, Front::Buttons, Front::Lapels]), 0.26),
+        "coat" => (0.74, 0.66, 0.66, 0.66, b.choose(&[Front::Lapels, Front::Buttons, Front::Lapels]), 0.26),
         "bathrobe" => (0.7, 0.64, 0.64, 0.6, Front::Belt, 0.26),
-        _ => (b.vary(0.75, 0.99), 0.46, 0.56, b.one(&[0.0, 0.0, 0.22, 0.5]), Front::Closed, 0.08),
+        _ => (b.vary(0.75, 0.99), 0.46, 0.56, b.choose(&[0.0, 0.0, 0.22, 0.5]), Front::Closed, 0.08),
     };
     Cut { hem, waist, chest, sleeve, front, collar }
 }
 
-fn cloth(b: &mut Build<'_>) -> Mat {
+fn cloth(b: &mut Build<'_>) -> MaterialId {
     let accent = b.style.accent;
     match b.class {
-        "shirt" => b.one(&[WHITE_COTTON, SKY, BLUE_FABRIC, ROSE_FABRIC, DENIM, LINEN]),
-        "suit" => b.one(&[CHARCOAL_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC]),
-        "coat" => b.one(&[CHARCOAL_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, BLACK_FABRIC, BROWN_FABRIC, RED_FABRIC]),
-        "jacket" => b.one(&[DENIM, BLACK_LEATHER, BROWN_LEATHER, OLIVE_FABRIC, NAVY_FABRIC, RED_FABRIC]),
-        "raincoat" => b.one(&[YELLOW_PLASTIC, NAVY_FABRIC, GREEN_FABRIC, RED_FABRIC]),
-        "bathrobe" => b.one(&[b.style.towel, TOWEL_WHITE, TOWEL_BLUE, GREY_FABRIC]),
-        _ => b.one(&[
+        "shirt" => b.choose(&[WHITE_COTTON, SKY, BLUE_FABRIC, ROSE_FABRIC, DENIM, LINEN]),
+        "suit" => b.choose(&[CHARCOAL_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC]),
+        "coat" => b.choose(&[CHARCOAL_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, BLACK_FABRIC, BROWN_FABRIC, RED_FABRIC]),
+        "jacket" => b.choose(&[DENIM, BLACK_LEATHER, BROWN_LEATHER, OLIVE_FABRIC, NAVY_FABRIC, RED_FABRIC]),
+        "raincoat" => b.choose(&[YELLOW_PLASTIC, NAVY_FABRIC, GREEN_FABRIC, RED_FABRIC]),
+        "bathrobe" => b.choose(&[b.style.towel, TOWEL_WHITE, TOWEL_BLUE, GREY_FABRIC]),
+        _ => b.choose(&[
             accent,
             WHITE_COTTON,
             GREY_FABRIC,
@@ -75,7 +75,7 @@ fn cloth(b: &mut Build<'_>) -> Mat {
 pub(super) fn top(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let cloth = cloth(b);
-    let trim = b.one(&[WHITE_COTTON, BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, GREY_FABRIC, MUSTARD_FABRIC]);
+    let trim = b.choose(&[WHITE_COTTON, BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, GREY_FABRIC, MUSTARD_FABRIC]);
     if h < x.max(y) {
         return lying(b, cloth, trim);
     }
@@ -94,10 +94,10 @@ fn depth(b: &Build<'_>) -> f32 {
     b.size.x / 2.0 * 0.88
 }
 
-fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: Mat) {
+fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: MaterialId) {
     let (_, y, _) = half_dims(b);
     let deep = depth(b);
-    let (phase, folds) = (b.vary(0.0, 6.0), b.one(&[5.0, 7.0, 9.0]));
+    let (phase, folds) = (b.vary(0.0, 6.0), b.choose(&[5.0, 7.0, 9.0]));
     let ring = |t: f32, w: f32, d: f32, wave: f32| -> Vec<P> {
         let n = 24;
         oval(Axis::Z, [0.0, 0.0, neck * t], (deep * d, y * w), 1, n)
@@ -131,7 +131,7 @@ fn body(b: &mut Build<'_>, cut: &Cut, neck: f32, cloth: Mat) {
     }
 }
 
-fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
+fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (MaterialId, MaterialId)) {
     let (_, y, _) = half_dims(b);
     let deep = depth(b) * 0.85;
     let long = cut.sleeve > 0.5;
@@ -155,14 +155,14 @@ fn sleeves(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
 }
 
 /// Buttons, zip, lapels or a belt.
-fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
+fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (MaterialId, MaterialId)) {
     let (x, y, _) = half_dims(b);
     let deep = depth(b);
     let step = (x - deep) * 0.3;
     let strip = |w: f32, z0: f32, z1: f32, layer: f32| {
         ([deep * 0.6, -y * w, neck * z0], [deep + step * layer, y * w, neck * z1])
     };
-    let buttons = |b: &mut Build<'_>, count: usize, top: f32, layer: f32, mat: Mat| {
+    let buttons = |b: &mut Build<'_>, count: usize, top: f32, layer: f32, mat: MaterialId| {
         let size = (y * 0.035).min(0.012);
         let list: Vec<(P, P)> = (0..count)
             .map(|i| neck * (top - (top - 0.12) * i as f32 / count as f32))
@@ -174,7 +174,7 @@ fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
         Front::Closed => {}
         Front::Buttons => {
             blocks(b, "placket", &[strip(0.07, 0.02, 0.84, 1.0)], cloth);
-            let mat = b.one(&[WHITE_PLASTIC, BROWN_PLASTIC, BLACK_PLASTIC]);
+            let mat = b.choose(&[WHITE_PLASTIC, BROWN_PLASTIC, BLACK_PLASTIC]);
             buttons(b, 6, 0.82, 2.0, mat);
         }
         Front::Zip => {
@@ -188,7 +188,7 @@ fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
             blocks(b, "pocket", &pockets, trim);
         }
         Front::Lapels => {
-            let shirt = b.one(&[WHITE_COTTON, SKY, LINEN, cloth]);
+            let shirt = b.choose(&[WHITE_COTTON, SKY, LINEN, cloth]);
             let vee = [(-0.22, 0.9), (0.22, 0.9), (0.0, 0.5)].map(|(a, z)| (y * a, neck * z));
             b.prism("shirt", Axis::X, [deep * 0.5, 0.0, 0.0], &vee, deep * 0.5 + step, shirt);
             for s in [-1.0_f32, 1.0] {
@@ -210,7 +210,7 @@ fn closure(b: &mut Build<'_>, cut: &Cut, neck: f32, (cloth, trim): (Mat, Mat)) {
 }
 
 /// Stripes, a print, pockets or a pattern on the front.
-fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
+fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: MaterialId) {
     let (x, y, _) = half_dims(b);
     let deep = depth(b);
     let step = (x - deep) * 0.3;
@@ -264,7 +264,7 @@ fn decoration(b: &mut Build<'_>, cut: &Cut, neck: f32, trim: Mat) {
 }
 
 /// A folded garment: a stack of layers with collar and buttons or a stripe on top.
-fn lying(b: &mut Build<'_>, cloth: Mat, trim: Mat) {
+fn lying(b: &mut Build<'_>, cloth: MaterialId, trim: MaterialId) {
     let (x, y, h) = half_dims(b);
     let layers = ((h / 0.018) as usize).clamp(2, 5);
     let relief = (h * 0.12).min(0.008);

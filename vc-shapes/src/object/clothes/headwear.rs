@@ -6,8 +6,8 @@ use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, loft, oval};
 /// A hat: with a brim and a pinched crown, a straw hat, a bowler, or a bobble hat.
 pub(super) fn hat(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cloth = b.one(&[BROWN_FABRIC, BLACK_FABRIC, GREY_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, JUTE, OLIVE_FABRIC]);
-    let trim = b.one(&[BLACK_FABRIC, BROWN_LEATHER, RED_FABRIC, WHITE_COTTON]);
+    let cloth = b.choose(&[BROWN_FABRIC, BLACK_FABRIC, GREY_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, JUTE, OLIVE_FABRIC]);
+    let trim = b.choose(&[BLACK_FABRIC, BROWN_LEATHER, RED_FABRIC, WHITE_COTTON]);
     let small = x.min(y) < 0.115;
     if small || b.rng.chance(0.25) {
         return bobble(b);
@@ -46,7 +46,7 @@ pub(super) fn hat(b: &mut Build<'_>) {
 /// A knitted hat with a turned-up edge and a bobble.
 fn bobble(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (cloth, trim) = b.one(&[
+    let (cloth, trim) = b.choose(&[
         (RED_FABRIC, WHITE_COTTON),
         (NAVY_FABRIC, MUSTARD_FABRIC),
         (GREY_FABRIC, GREY_FABRIC),
@@ -65,8 +65,8 @@ fn bobble(b: &mut Build<'_>) {
 pub(super) fn cap(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let (cloth, trim) = (
-        b.one(&[RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREEN_FABRIC, BEIGE_FABRIC, DENIM]),
-        b.one(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, NAVY_FABRIC]),
+        b.choose(&[RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREEN_FABRIC, BEIGE_FABRIC, DENIM]),
+        b.choose(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, NAVY_FABRIC]),
     );
     let long = x * 0.7;
     let at = -x + long;

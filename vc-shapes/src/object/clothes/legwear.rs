@@ -5,12 +5,14 @@ use super::accessory::clip_hanger;
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, loft, oval};
 
-fn cloth(b: &mut Build<'_>) -> Mat {
+fn cloth(b: &mut Build<'_>) -> MaterialId {
     match b.class {
-        "jeans" => b.one(&[DENIM, DENIM, NAVY_FABRIC, BLACK_FABRIC]),
-        "shorts" => b.one(&[BEIGE_FABRIC, DENIM, NAVY_FABRIC, RED_FABRIC, OLIVE_FABRIC, BLUE_FABRIC]),
-        "skirt" => b.one(&[b.style.accent, RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, DENIM, MUSTARD_FABRIC, ROSE_FABRIC]),
-        _ => b.one(&[CHARCOAL_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, BLACK_FABRIC, OLIVE_FABRIC, BROWN_FABRIC]),
+        "jeans" => b.choose(&[DENIM, DENIM, NAVY_FABRIC, BLACK_FABRIC]),
+        "shorts" => b.choose(&[BEIGE_FABRIC, DENIM, NAVY_FABRIC, RED_FABRIC, OLIVE_FABRIC, BLUE_FABRIC]),
+        "skirt" => {
+            b.choose(&[b.style.accent, RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, DENIM, MUSTARD_FABRIC, ROSE_FABRIC])
+        }
+        _ => b.choose(&[CHARCOAL_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, BLACK_FABRIC, OLIVE_FABRIC, BROWN_FABRIC]),
     }
 }
 
@@ -87,17 +89,17 @@ pub(super) fn skirt(b: &mut Build<'_>) {
         cloth,
     );
     let band = oval(Axis::Z, [0.0, 0.0, waist * 0.97], (x * 0.9, y * 0.6), 1, n);
-    let trim = b.one(&[cloth, BLACK_FABRIC, WHITE_COTTON]);
+    let trim = b.choose(&[cloth, BLACK_FABRIC, WHITE_COTTON]);
     hoop(b, "waistband", &band, (x * 0.1).min(waist * 0.02), trim);
 }
 
 /// Folded into a flat stack, the waistband in front.
-fn lying(b: &mut Build<'_>, cloth: Mat) {
+fn lying(b: &mut Build<'_>, cloth: MaterialId) {
     let (x, y, h) = half_dims(b);
     let layers = ((h / 0.02) as usize).clamp(2, 5);
     folded(b, "garment", Fold { low: [-x, -y, 0.0], high: [x, y, h - 0.001], layers, soft: 0.6 }, cloth);
     let thick = h / layers as f32;
-    let trim = if b.class == "jeans" { BROWN_LEATHER } else { b.one(&[BLACK_FABRIC, BROWN_FABRIC, GREY_FABRIC]) };
+    let trim = if b.class == "jeans" { BROWN_LEATHER } else { b.choose(&[BLACK_FABRIC, BROWN_FABRIC, GREY_FABRIC]) };
     let top = h - thick * 0.3;
     blocks(b, "label", &[([-x * 0.6, y * 0.3, top], [-x * 0.35, y * 0.6, h])], trim);
     blocks(b, "seam", &[([-x * 0.9, y * 0.78, top], [x - thick * 0.6, y * 0.8, h])], MUSTARD_FABRIC);

@@ -6,7 +6,7 @@ use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, loft, ov
 /// A rucksack: main bag with a lid, a front pocket, two side pockets, straps at the back.
 pub(super) fn backpack(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (cloth, trim) = b.one(&[
+    let (cloth, trim) = b.choose(&[
         (NAVY_FABRIC, BROWN_LEATHER),
         (GREY_FABRIC, BLACK_FABRIC),
         (RED_FABRIC, BLACK_FABRIC),
@@ -35,7 +35,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
     );
     b.inside("compartment", [at, 0.0, 2.0 * t], (half * 0.8, w * 0.85), rim - 2.0 * t);
     let pocket = (front - t, x, h * 0.1, h * b.vary(0.42, 0.52));
-    b.soft("pocket", [pocket.0, -w * 0.75, pocket.2], [pocket.1, w * 0.75, pocket.3], x * 0.15, cloth);
+    b.rounded_block("pocket", [pocket.0, -w * 0.75, pocket.2], [pocket.1, w * 0.75, pocket.3], x * 0.15, cloth);
     b.block(
         "zip",
         [pocket.1 - x * 0.2, -w * 0.68, pocket.3 - h * 0.05],
@@ -44,7 +44,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
     );
     for s in [-1.0_f32, 1.0] {
         let (a, c) = (s * w * 0.9, s * y);
-        b.soft(
+        b.rounded_block(
             "side_pocket",
             [at - half * 0.7, a.min(c), h * 0.04],
             [at + half * 0.7, a.max(c), h * 0.32],
@@ -91,7 +91,7 @@ pub(super) fn backpack(b: &mut Build<'_>) {
 pub(super) fn suitcase(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let shell =
-        b.one(&[NAVY, RED_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, TEAL_FABRIC, DUSTY_ROSE, MUSTARD, SILVER_METAL]);
+        b.choose(&[NAVY, RED_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, TEAL_FABRIC, DUSTY_ROSE, MUSTARD, SILVER_METAL]);
     let wheel = (h * 0.06).min(x * 0.25);
     let (grip, t) = (h * 0.09, 0.004_f32.min(x * 0.05));
     let (low, top) = (wheel * 1.3, h - grip);
@@ -170,7 +170,7 @@ pub(super) fn suitcase(b: &mut Build<'_>) {
 /// An upright briefcase with a lid that opens towards the front and a handle on top.
 pub(super) fn briefcase(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, SILVER_METAL]);
+    let leather = b.choose(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER, SILVER_METAL]);
     let t = 0.004_f32.min(x * 0.08);
     let top = h * 0.86;
     let walls = [
@@ -183,7 +183,7 @@ pub(super) fn briefcase(b: &mut Build<'_>) {
     blocks(b, "case", &walls, leather);
     b.inside("compartment", [-x * 0.3, 0.0, t], (x * 0.7 - 2.0 * t, y - 2.0 * t), top - 2.5 * t);
     b.hinge([x * 0.4, 0.0, 0.0], [0.0, 1.0, 0.0], 1.5, |b| {
-        b.soft("lid", [x * 0.4 + h * 0.002, -y, 0.0], [x * 0.95, y, top], t, leather);
+        b.rounded_block("lid", [x * 0.4 + h * 0.002, -y, 0.0], [x * 0.95, y, top], t, leather);
         let locks = [-0.6, 0.6].map(|s| ([x * 0.5, y * s - y * 0.05, top * 0.88], [x, y * s + y * 0.05, top * 0.97]));
         blocks(b, "lock", &locks, BRASS);
         b.block("seam", [x * 0.6, -y * 0.95, top * 0.6], [x * 0.95 + h * 0.002, y * 0.95, top * 0.62], BLACK_LEATHER);

@@ -45,16 +45,16 @@ impl Last {
 pub(super) fn pair(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let leather = match b.class {
-        "sneakers" => b.one(&[WHITE_LEATHER, RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC, TEAL_FABRIC]),
-        "slippers" => b.one(&[GREY_FABRIC, ROSE_FABRIC, BROWN_FABRIC, NAVY_FABRIC, RED_FABRIC]),
-        "high_heels" => b.one(&[BLACK_LEATHER, RED_GLAZE, WHITE_LEATHER, NAVY, BLACK_GLAZE]),
-        _ => b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER, BROWN_LEATHER]),
+        "sneakers" => b.choose(&[WHITE_LEATHER, RED_FABRIC, NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC, TEAL_FABRIC]),
+        "slippers" => b.choose(&[GREY_FABRIC, ROSE_FABRIC, BROWN_FABRIC, NAVY_FABRIC, RED_FABRIC]),
+        "high_heels" => b.choose(&[BLACK_LEATHER, RED_GLAZE, WHITE_LEATHER, NAVY, BLACK_GLAZE]),
+        _ => b.choose(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER, BROWN_LEATHER]),
     };
     let style = b.rng.below(3);
     let trim = match b.class {
-        "shoes" => b.one(&[BLACK_PLASTIC, BROWN_PLASTIC]),
-        "boots" => b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, NAVY]),
-        _ => b.one(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, MUSTARD_FABRIC]),
+        "shoes" => b.choose(&[BLACK_PLASTIC, BROWN_PLASTIC]),
+        "boots" => b.choose(&[GREEN_PLASTIC, YELLOW_PLASTIC, NAVY]),
+        _ => b.choose(&[WHITE_COTTON, BLACK_FABRIC, RED_FABRIC, MUSTARD_FABRIC]),
     };
     let gap = y * b.vary(0.02, 0.06);
     let w = (y - gap) / 2.0 / 1.06;
@@ -72,11 +72,11 @@ pub(super) fn pair(b: &mut Build<'_>) {
 }
 
 /// A flat sole with a heel.
-fn sole(b: &mut Build<'_>, last: Last, thick: f32, mat: Mat) {
+fn sole(b: &mut Build<'_>, last: Last, thick: f32, mat: MaterialId) {
     b.prism("sole", Axis::Z, [0.0; 3], &last.sole(1.0), thick, mat);
 }
 
-fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize) {
+fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (MaterialId, MaterialId), style: usize) {
     let sporty = b.class == "sneakers";
     let thick = last.h * if sporty { 0.22 } else { 0.14 };
     let rubber = if sporty { WHITE_PLASTIC } else { trim };
@@ -119,7 +119,7 @@ fn shoe(b: &mut Build<'_>, last: Last, (leather, trim): (Mat, Mat), style: usize
 }
 
 /// Laces across the instep.
-fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: Mat) {
+fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     let r = last.w * 0.06;
     for i in 0..4 {
@@ -148,7 +148,7 @@ fn laces(b: &mut Build<'_>, last: Last, collar: f32, mat: Mat) {
     shell.put(b, "lace", mat);
 }
 
-fn boot(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
+fn boot(b: &mut Build<'_>, last: Last, leather: MaterialId, style: usize) {
     let rubber = style == 2;
     let thick = (last.h * 0.1).min(0.03);
     sole(b, last, thick, if rubber { leather } else { BLACK_PLASTIC });
@@ -199,7 +199,7 @@ fn boot(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
     }
 }
 
-fn sandal(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
+fn sandal(b: &mut Build<'_>, last: Last, leather: MaterialId, style: usize) {
     let thick = last.h * 0.35;
     sole(b, last, thick * 0.6, BLACK_PLASTIC);
     b.prism("bed", Axis::Z, [0.0, 0.0, thick * 0.55], &last.sole(0.97), thick * 0.45, CORK);
@@ -235,7 +235,7 @@ fn sandal(b: &mut Build<'_>, last: Last, leather: Mat, style: usize) {
     straps.put(b, "strap", leather);
 }
 
-fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (Mat, Mat)) {
+fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (MaterialId, MaterialId)) {
     let thick = last.h * 0.22;
     sole(b, last, thick, BROWN_PLASTIC);
     b.prism("bed", Axis::Z, [0.0, 0.0, thick * 0.9], &last.sole(0.94), last.h * 0.1, WOOL);
@@ -267,7 +267,7 @@ fn slipper(b: &mut Build<'_>, last: Last, (cloth, trim): (Mat, Mat)) {
     rim.put(b, "rim", trim);
 }
 
-fn heel(b: &mut Build<'_>, last: Last, leather: Mat) {
+fn heel(b: &mut Build<'_>, last: Last, leather: MaterialId) {
     let lift = last.h * 0.66;
     let z = |t: f32| {
         if t > 0.35 {

@@ -8,7 +8,7 @@ use super::super::textile::{Fold, folded};
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, facing, half_dims, hoop, oval, spline, tube};
 
-const COLOURS: [Mat; 10] = [
+const COLOURS: [MaterialId; 10] = [
     RED_FABRIC,
     NAVY_FABRIC,
     MUSTARD_FABRIC,
@@ -24,7 +24,7 @@ const COLOURS: [Mat; 10] = [
 /// A folded scarf with stripes and a fringe.
 pub(super) fn scarf(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
+    let (cloth, trim) = (b.choose(&COLOURS), b.choose(&COLOURS));
     let fringe = x * 0.2;
     let layers = b.rng.count(2, 4);
     folded(b, "scarf", Fold { low: [-x + fringe, -y, 0.0], high: [x, y, h - 0.001], layers, soft: 0.6 }, cloth);
@@ -42,7 +42,7 @@ pub(super) fn scarf(b: &mut Build<'_>) {
 /// A pair of socks laid on each other, with cuff, heel and toe in a second colour.
 pub(super) fn socks(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
+    let (cloth, trim) = (b.choose(&COLOURS), b.choose(&COLOURS));
     // Samples along the sock: position along it, centre across, half width.
     let shape = [
         (-1.0, -0.12, 0.72),
@@ -80,7 +80,7 @@ pub(super) fn socks(b: &mut Build<'_>) {
 /// Briefs or trunks; a one-piece if the size is high.
 pub(super) fn briefs(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
-        let (cloth, trim) = (b.one(&COLOURS), b.one(&COLOURS));
+        let (cloth, trim) = (b.choose(&COLOURS), b.choose(&COLOURS));
         let (x, y) = (t / 2.0, w / 2.0);
         let outline: Vec<(f32, f32)> = if h > 1.3 * w {
             [
@@ -118,7 +118,7 @@ pub(super) fn briefs(b: &mut Build<'_>) {
 /// A brassiere: two cups, band and straps.
 pub(super) fn bra(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
-        let cloth = b.one(&[BLACK_FABRIC, WHITE_COTTON, ROSE_FABRIC, RED_FABRIC]);
+        let cloth = b.choose(&[BLACK_FABRIC, WHITE_COTTON, ROSE_FABRIC, RED_FABRIC]);
         let (x, y) = (t / 2.0, w / 2.0);
         let mut cups = MeshBuilder::default();
         for side in [-1.0, 1.0] {
@@ -146,8 +146,8 @@ pub(super) fn bra(b: &mut Build<'_>) {
 pub(super) fn tie(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let (cloth, trim) = (
-            b.one(&[NAVY_FABRIC, RED_FABRIC, BLACK_FABRIC, PURPLE_FABRIC, GREEN_FABRIC]),
-            b.one(&[WHITE_COTTON, MUSTARD_FABRIC, GREY_FABRIC]),
+            b.choose(&[NAVY_FABRIC, RED_FABRIC, BLACK_FABRIC, PURPLE_FABRIC, GREEN_FABRIC]),
+            b.choose(&[WHITE_COTTON, MUSTARD_FABRIC, GREY_FABRIC]),
         );
         let (x, y) = (t / 2.0, w / 2.0);
         let r = (x * 0.8).min(y * 0.2);
@@ -175,7 +175,7 @@ pub(super) fn tie(b: &mut Build<'_>) {
 /// A rolled-up belt with its buckle outside.
 pub(super) fn belt(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER]);
+    let leather = b.choose(&[BROWN_LEATHER, BLACK_LEATHER, TAN_LEATHER]);
     let wide = y.min(h / 2.0);
     let buckle = wide * 0.08;
     let turns = 3.2;
@@ -188,7 +188,7 @@ pub(super) fn belt(b: &mut Build<'_>) {
     let thin = wide * 0.07;
     let spiral: Vec<(f32, f32)> = (0..54).map(|i| point(i, 0.0)).chain((0..54).rev().map(|i| point(i, thin))).collect();
     b.prism("strap", Axis::X, [-x * 0.85, 0.0, 0.0], &spiral, x * 1.7, leather);
-    let metal = b.one(&[BRASS, STEEL]);
+    let metal = b.choose(&[BRASS, STEEL]);
     let at = [(x, h * 0.42), (-x, h * 0.42), (-x, h * 0.75), (x, h * 0.75)];
     let r = buckle * 0.5;
     let frame: Vec<P> = at.iter().map(|&(a, z)| [a - r * a.signum(), y - r, z]).collect();
@@ -198,8 +198,8 @@ pub(super) fn belt(b: &mut Build<'_>) {
 /// A pair of gloves, one in front of the other.
 pub(super) fn gloves(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
-        let cloth = b.one(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC, RED_FABRIC, NAVY_FABRIC]);
-        let cuff = b.one(&[cloth, WHITE_COTTON, BLACK_FABRIC]);
+        let cloth = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC, RED_FABRIC, NAVY_FABRIC]);
+        let cuff = b.choose(&[cloth, WHITE_COTTON, BLACK_FABRIC]);
         let mut hands = MeshBuilder::default();
         for (i, side) in [(0, 1.0_f32), (1, -1.0)] {
             let px = t * (0.25 - 0.5 * i as f32);
@@ -229,7 +229,7 @@ pub(super) fn pile(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let count = b.rng.count(4, 6);
     for i in 0..count {
-        let cloth = b.one(&COLOURS);
+        let cloth = b.choose(&COLOURS);
         let level = i as f32 / count as f32;
         let reach = 1.0 - 0.55 * level;
         let (px, py) = (x * b.vary(-0.3, 0.3) * level.min(0.8), y * b.vary(-0.3, 0.3) * level.min(0.8));
@@ -247,7 +247,7 @@ pub(super) fn pile(b: &mut Build<'_>) {
         });
         shell.put(b, "garment", cloth);
     }
-    let cloth = b.one(&COLOURS);
+    let cloth = b.choose(&COLOURS);
     let r = h * 0.09;
     let arm = [[x * 0.3, -y * 0.2, h * 0.5], [x * 0.6, -y * 0.5, h * 0.35], [x * 0.8, -y * 0.6, r]];
     tube(b, "sleeve", &spline(&arm, 4), r, cloth);

@@ -21,7 +21,7 @@ struct Cold {
     /// Whether the door is of glass.
     pane: bool,
     /// The colour of the digits on the door's display, if it has one.
-    display: Option<Mat>,
+    display: Option<MaterialId>,
 }
 
 const LARDER: Cold =
@@ -35,11 +35,11 @@ const RACKS: Cold =
 pub(super) fn fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.4, 1.12]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[b.style.appliance, b.style.appliance, STEEL]);
+    let body = b.choose(&[b.style.appliance, b.style.appliance, STEEL]);
     let (feet, face, door) = (0.03 * u, x - 0.035 * u, 0.05 * u);
     let back = face - door;
     foot_row(b, (x * 0.75, y * 0.85), 0.025 * u, feet);
-    let at = b.one(&[Swing::Left, Swing::Right]);
+    let at = b.choose(&[Swing::Left, Swing::Right]);
     let gap = 0.002 * u;
     if y > 0.37 {
         let split = y * b.vary(-0.15, 0.1);
@@ -66,11 +66,11 @@ pub(super) fn mini_fridge(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.336, 0.4]);
     let (x, y, _) = half_dims(b);
     let h = under_worktop(b, u);
-    let body = b.one(&[b.style.appliance, BLACK_METAL, RED_METAL, WHITE_METAL]);
+    let body = b.choose(&[b.style.appliance, BLACK_METAL, RED_METAL, WHITE_METAL]);
     let (feet, door) = (0.02 * u, 0.04 * u);
     foot_row(b, (x * 0.75, y * 0.85), 0.02 * u, feet);
     let cold = Cold { shelves: b.rng.count(2, 3), drawers: 0, door_shelves: 2, pane: b.rng.chance(0.25), ..LARDER };
-    let at = b.one(&[Swing::Left, Swing::Right]);
+    let at = b.choose(&[Swing::Left, Swing::Right]);
     chamber(b, &cold, ([-x, -y, feet], [x - 0.035 * u - door, y, h]), door, at, body, u);
     if !in_run(b) {
         b.top("top", [0.0, 0.0, h], (x - 0.04 * u, y - 0.01 * u));
@@ -86,7 +86,7 @@ pub(super) fn freezer(b: &mut Build<'_>) {
     let (feet, door) = (0.03 * u, 0.05 * u);
     foot_row(b, (x * 0.75, y * 0.85), 0.02 * u, feet);
     let drawers = (h / 0.24).round().clamp(2.0, 7.0) as usize;
-    let at = b.one(&[Swing::Left, Swing::Right]);
+    let at = b.choose(&[Swing::Left, Swing::Right]);
     let frozen = Cold { drawers, display: Some(LED), ..FREEZER };
     chamber(b, &frozen, ([-x, -y, feet], [x - 0.035 * u - door, y, h]), door, at, body, u);
 }
@@ -95,7 +95,7 @@ pub(super) fn freezer(b: &mut Build<'_>) {
 pub(super) fn chest_freezer(b: &mut Build<'_>) {
     let u = fit(b, [0.448, 0.48, 0.64]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
+    let body = b.choose(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
     let (feet, cover, wall) = (0.025 * u, 0.05 * u, 0.05 * u);
     let front = x - 0.025 * u;
     foot_row(b, (x * 0.8, y * 0.85), 0.025 * u, feet);
@@ -114,7 +114,7 @@ pub(super) fn chest_freezer(b: &mut Build<'_>) {
     );
     b.block("badge", [front - 0.001 * u, -y * 0.9, h * 0.8], [front + 0.002 * u, -y * 0.65, h * 0.83], GREY_PLASTIC);
     lid(b, [-x, 0.0, h], 1.35, |b| {
-        b.soft("lid", [-x, -y, h - cover + 0.002 * u], [x - 0.01 * u, y, h], 0.015 * u, body);
+        b.rounded_block("lid", [-x, -y, h - cover + 0.002 * u], [x - 0.01 * u, y, h], 0.015 * u, body);
         let w = y * 0.25;
         b.block("grip", [x - 0.02 * u, -w, h - cover * 0.8], [x, w, h - cover * 0.3], GREY_PLASTIC);
         b.top("lid", [0.0, 0.0, h], (x - 0.04 * u, y - 0.03 * u));
@@ -144,7 +144,7 @@ pub(super) fn commercial_fridge(b: &mut Build<'_>) {
         let other = Cold { name: "left_shelf", ..racks };
         chamber(b, &other, ([-x, 0.002, z0], [back, y, z1]), door, Swing::Left, STEEL, u);
     } else {
-        let at = b.one(&[Swing::Left, Swing::Right]);
+        let at = b.choose(&[Swing::Left, Swing::Right]);
         chamber(b, &racks, ([-x, -y, z0], [back, y, z1]), door, at, STEEL, u);
     }
 }
@@ -159,7 +159,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
     let castors = b.rng.chance(0.4);
     steel_legs(b, (x * 0.8, y * 0.85), feet, castors, u);
     b.block("head", [-x, -y, h - head], [face, y, h], STEEL);
-    let board = b.one(&[BLACK_GLASS, BLUE_METAL]);
+    let board = b.choose(&[BLACK_GLASS, BLUE_METAL]);
     b.block(
         "board",
         [face - 0.001 * u, -y * 0.95, h - head * 0.9],
@@ -169,7 +169,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
     display(b, face + 0.002 * u, (-y * 0.3, h - head * 0.72), (y * 0.1, h - head * 0.28), COOL_BULB);
     knob(b, [face + 0.002 * u, y * 0.6, h - head * 0.5], head * 0.25, 0.014 * u, (STEEL, BLACK));
     let racks = Cold { name: "rack", shelves: ((h - feet - head) / 0.13).clamp(3.0, 8.0) as usize, ..RACKS };
-    let at = b.one(&[Swing::Left, Swing::Right]);
+    let at = b.choose(&[Swing::Left, Swing::Right]);
     chamber(b, &racks, ([-x, -y, feet], [face - door, y, h - head]), door, at, STEEL, u);
     b.top("top", [0.0, 0.0, h], (x - 0.045 * u, y - 0.01 * u));
 }
@@ -178,7 +178,7 @@ pub(super) fn blast_chiller(b: &mut Build<'_>) {
 pub(super) fn wine_cooler(b: &mut Build<'_>) {
     let u = fit(b, [0.352, 0.24, 0.4]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_METAL, BLACK_METAL, STEEL]);
+    let body = b.choose(&[BLACK_METAL, BLACK_METAL, STEEL]);
     let (feet, door, head) = (0.02 * u, 0.035 * u, 0.05 * u);
     let face = x - 0.035 * u;
     let back = face - door;
@@ -189,13 +189,13 @@ pub(super) fn wine_cooler(b: &mut Build<'_>) {
     let hollow = ([-x + wall, -y + wall, feet + wall], [back - 0.012 * u, y - wall, h - wall - head]);
     b.block("lamp", [-x + wall, -y + wall, h - wall - head * 0.6], [-x + wall * 1.6, y - wall, h - wall], COOL_BULB);
     let racks = (h / 0.13).clamp(3.0, 9.0) as usize;
-    let wood = b.one(&[BEECH, OAK, STEEL]);
+    let wood = b.choose(&[BEECH, OAK, STEEL]);
     tiers(b, "rack", hollow, racks, 0.02 * u, |b, l, h| {
         rack(b, l, h, 6, STEEL);
         b.block("rack_front", [h[0] + 0.0005 * u, l[1], l[2]], [h[0] + 0.011 * u, h[1], h[2] + 0.01 * u], wood);
     });
-    let at = b.one(&[Swing::Left, Swing::Right]);
-    let glass = b.one(&[GLASS, BROWN_GLASS]);
+    let at = b.choose(&[Swing::Left, Swing::Right]);
+    let glass = b.choose(&[GLASS, BROWN_GLASS]);
     glass_door(b, at, ([back, -y, feet], [face, y, h]), (body, glass), 0.03 * u);
 }
 
@@ -203,7 +203,7 @@ pub(super) fn wine_cooler(b: &mut Build<'_>) {
 pub(super) fn ice_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.208, 0.256]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, STEEL, BLACK_METAL, RED_METAL]);
+    let body = b.choose(&[STEEL, STEEL, BLACK_METAL, RED_METAL]);
     let (feet, wall) = (h * 0.05, 0.02 * u);
     foot_row(b, (x * 0.78, y * 0.8), 0.018 * u, feet);
     let face = x - 0.03 * u;
@@ -219,7 +219,7 @@ pub(super) fn ice_machine(b: &mut Build<'_>) {
     b.block("head", [-x, -y, lintel], [face, y, h], body);
     display(b, face, (-y * 0.4, h - (h - lintel) * 0.65), (y * 0.4, h - (h - lintel) * 0.3), COOL_BULB);
     let (low, high) = gapped([back, -y, sill], [face, y, lintel], 0.001);
-    let pane = b.one(&[body, BROWN_GLASS]);
+    let pane = b.choose(&[body, BROWN_GLASS]);
     swing(b, Swing::Up, low, high, 1.4, |b| {
         b.block("flap", low, high, pane);
         grab(b, [face, 0.0, sill + (lintel - sill) * 0.14], y * 0.9, false, 0.028 * u, BLACK_PLASTIC);
@@ -303,7 +303,7 @@ pub(super) fn grille(b: &mut Build<'_>, x: f32, low: (f32, f32), high: (f32, f32
 
 /// An insulated compartment `low..high` behind a door `door` thick: shelves, drawers at the bottom,
 /// shelves in the door.
-fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: Swing, body: Mat, u: f32) {
+fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: Swing, body: MaterialId, u: f32) {
     let skin = 0.012 * u;
     case(b, low, high, skin, body);
     let steel = body == STEEL && cold.wire;
@@ -339,7 +339,7 @@ fn chamber(b: &mut Build<'_>, cold: &Cold, (low, high): (P, P), door: f32, at: S
     let (z, length) = (f32::midpoint(dl[2], dh[2]), (dh[2] - dl[2]) * 0.45);
     let metal = if body == STEEL { STEEL } else { CHROME };
     swing(b, at, dl, dh, 1.8, |b| {
-        b.soft("door", dl, dh, 0.012 * u, body);
+        b.rounded_block("door", dl, dh, 0.012 * u, body);
         grab(b, [dh[0], grip, z], length.min(0.5), true, 0.032 * u, metal);
         if let Some(light) = cold.display {
             let (middle, wide) = (f32::midpoint(dl[1], dh[1]), (dh[1] - dl[1]) * 0.1);

@@ -13,7 +13,7 @@ use crate::object::joinery::{Handle, handle};
 use crate::solid::{Build, P, basket, half_dims, plate_with_border};
 
 /// A level rack of bars along X between two cross bars.
-pub(in crate::object) fn rack(b: &mut Build<'_>, low: P, high: P, count: usize, mat: Mat) {
+pub(in crate::object) fn rack(b: &mut Build<'_>, low: P, high: P, count: usize, mat: MaterialId) {
     let w = (high[0] - low[0]).min(high[1] - low[1]) * 0.02;
     b.block("rack", low, [low[0] + w, high[1], high[2]], mat);
     b.block("rack", [high[0] - w, low[1], low[2]], high, mat);
@@ -25,7 +25,7 @@ pub(in crate::object) fn rack(b: &mut Build<'_>, low: P, high: P, count: usize, 
 }
 
 /// A knob on a plane at X, with a pointer.
-pub(in crate::object) fn knob(b: &mut Build<'_>, at: P, radius: f32, depth: f32, mats: (Mat, Mat)) {
+pub(in crate::object) fn knob(b: &mut Build<'_>, at: P, radius: f32, depth: f32, mats: (MaterialId, MaterialId)) {
     let [x, y, z] = at;
     b.lathe_along("knob", at, [x + 1.0, y, z], &[(radius, 0.0), (radius * 0.85, depth)], mats.0);
     let w = radius * 0.12;
@@ -33,7 +33,14 @@ pub(in crate::object) fn knob(b: &mut Build<'_>, at: P, radius: f32, depth: f32,
 }
 
 /// A row of knobs across a plane at X.
-pub(in crate::object) fn knobs(b: &mut Build<'_>, at: P, span: f32, count: usize, radius: f32, mats: (Mat, Mat)) {
+pub(in crate::object) fn knobs(
+    b: &mut Build<'_>,
+    at: P,
+    span: f32,
+    count: usize,
+    radius: f32,
+    mats: (MaterialId, MaterialId),
+) {
     for i in 0..count {
         let y = at[1] + span * ((i as f32 + 0.5) / count as f32 - 0.5);
         knob(b, [at[0], y, at[2]], radius, (radius * 0.9).min(0.025), mats);
@@ -41,7 +48,7 @@ pub(in crate::object) fn knobs(b: &mut Build<'_>, at: P, span: f32, count: usize
 }
 
 /// A handle bar on two posts, level or upright, protruding by `depth` from a plane at X.
-pub(in crate::object) fn grab(b: &mut Build<'_>, at: P, length: f32, upright: bool, depth: f32, mat: Mat) {
+pub(in crate::object) fn grab(b: &mut Build<'_>, at: P, length: f32, upright: bool, depth: f32, mat: MaterialId) {
     let half = length / 2.0;
     let end = |k: f32, out: f32| {
         let along = half * k;
@@ -55,7 +62,7 @@ pub(in crate::object) fn grab(b: &mut Build<'_>, at: P, length: f32, upright: bo
 }
 
 /// A dark display with lit digits on a plane at X.
-pub(in crate::object) fn display(b: &mut Build<'_>, x: f32, low: (f32, f32), high: (f32, f32), light: Mat) {
+pub(in crate::object) fn display(b: &mut Build<'_>, x: f32, low: (f32, f32), high: (f32, f32), light: MaterialId) {
     b.block("display", [x - 0.001, low.0, low.1], [x + 0.0015, high.0, high.1], SCREEN);
     let (w, h) = (high.0 - low.0, high.1 - low.1);
     for i in 0..3 {
@@ -127,17 +134,17 @@ pub(in crate::object) struct Look {
     /// The kind of handle.
     pub(in crate::object) handle: Handle,
     /// The material of fronts.
-    pub(in crate::object) mat: Mat,
+    pub(in crate::object) mat: MaterialId,
     /// The material of handles.
-    pub(in crate::object) metal: Mat,
+    pub(in crate::object) metal: MaterialId,
     /// The thickness of fronts and boards.
     pub(in crate::object) t: f32,
 }
 
 impl Look {
     /// A look drawn from the style: fronts of `mat`, boards `t` thick.
-    pub(in crate::object) fn any(b: &mut Build<'_>, mat: Mat, t: f32) -> Self {
-        let panel = b.one(&[Panel::Slab, Panel::Slab, Panel::Framed, Panel::Framed, Panel::Boards]);
+    pub(in crate::object) fn any(b: &mut Build<'_>, mat: MaterialId, t: f32) -> Self {
+        let panel = b.choose(&[Panel::Slab, Panel::Slab, Panel::Framed, Panel::Framed, Panel::Boards]);
         Self { panel, handle: Handle::any(b), mat, metal: b.style.metal, t }
     }
 
@@ -155,7 +162,7 @@ impl Look {
 }
 
 /// A front of the rectangle `low..high`.
-pub(in crate::object) fn panel(b: &mut Build<'_>, how: Panel, name: &str, (low, high): (P, P), mat: Mat) {
+pub(in crate::object) fn panel(b: &mut Build<'_>, how: Panel, name: &str, (low, high): (P, P), mat: MaterialId) {
     let t = high[0] - low[0];
     let (width, tall) = (high[1] - low[1], high[2] - low[2]);
     let w = (width.min(tall) * 0.28).min(0.07);
@@ -217,7 +224,7 @@ pub(in crate::object) fn cupboard_doors(
     high_up: bool,
 ) {
     if high[1] - low[1] <= widest {
-        let at = b.one(&[Swing::Left, Swing::Right]);
+        let at = b.choose(&[Swing::Left, Swing::Right]);
         cupboard_door(b, look, "door", (low, high), at, high_up);
     } else {
         let middle = f32::midpoint(low[1], high[1]);

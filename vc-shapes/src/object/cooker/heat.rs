@@ -17,10 +17,10 @@ pub(super) fn stove(b: &mut Build<'_>) {
     let u = fit(b, [0.56, 0.48, 0.8]);
     let (x, y, h) = half_dims(b);
     let body = b.style.appliance;
-    let trim = b.one(&[STEEL, BLACK_METAL, body]);
+    let trim = b.choose(&[STEEL, BLACK_METAL, body]);
     let face = x - RUN * u;
     let wall = 0.035 * u;
-    let fire = b.one(&[Fire::Gas, Fire::Gas, Fire::Glass, Fire::Glass, Fire::Plates]);
+    let fire = b.choose(&[Fire::Gas, Fire::Gas, Fire::Glass, Fire::Glass, Fire::Plates]);
     let top = h - 0.03 * u;
     cooktop(b, fire, ([-x, -y, top - 0.025 * u], [x - 0.004 * u, y, h]), u);
     let (sill, lintel) = (h * b.vary(0.22, 0.26), h * 0.83);
@@ -38,7 +38,7 @@ pub(super) fn stove(b: &mut Build<'_>) {
     }
     b.block("controls", [-x, -y, lintel], [face, y, top - 0.025 * u], trim);
     let radius = ((h - lintel - 0.055 * u) * 0.34).min(0.03 * u);
-    let knob_mats = b.one(&[(BLACK_PLASTIC, WHITE), (STEEL, BLACK), (WHITE_PLASTIC, BLACK)]);
+    let knob_mats = b.choose(&[(BLACK_PLASTIC, WHITE), (STEEL, BLACK), (WHITE_PLASTIC, BLACK)]);
     let z = f32::midpoint(lintel, top - 0.025 * u);
     let count = 4 + ovens + b.rng.below(2);
     let clock = b.rng.chance(0.5);
@@ -62,7 +62,7 @@ pub(super) fn stove(b: &mut Build<'_>) {
 pub(super) fn hob(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.448, 0.019]);
     let (x, y, h) = half_dims(b);
-    let fire = b.one(&[Fire::Gas, Fire::Glass, Fire::Glass]);
+    let fire = b.choose(&[Fire::Gas, Fire::Glass, Fire::Glass]);
     if h < 0.03 || fire == Fire::Glass {
         let glass = (h * 0.3).min(0.008);
         if h >= 0.03 {
@@ -101,13 +101,13 @@ pub(super) fn oven(b: &mut Build<'_>) {
 pub(super) fn steam_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.48]);
     let tall = b.size.z > 0.7;
-    let at = if tall { Swing::Right } else { b.one(&[Swing::Down, Swing::Right]) };
+    let at = if tall { Swing::Right } else { b.choose(&[Swing::Down, Swing::Right]) };
     oven_box(b, u, if tall { 6 } else { 3 }, at);
 }
 
 fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, STEEL, BLACK_METAL, WHITE_METAL]);
+    let body = b.choose(&[STEEL, STEEL, BLACK_METAL, WHITE_METAL]);
     let (face, feet) = (x - 0.032 * u, 0.02 * u);
     let back = face - 0.03 * u;
     let sill = feet + 0.03 * u;
@@ -119,10 +119,10 @@ fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
     b.block("head", [-x, -y, lintel], [back, y, h], body);
     b.block("sill", [back, -y, feet], [face, y, sill], body);
     glass_door(b, at, ([back, -y, sill], [face, y, lintel]), (body, BLACK_GLASS), 0.03 * u);
-    let trim = b.one(&[BLACK_GLASS, body]);
+    let trim = b.choose(&[BLACK_GLASS, body]);
     b.block("controls", [back, -y, lintel], [face, y, h], trim);
     let (z, r) = (f32::midpoint(lintel, h), ((h - lintel) * 0.26).min(y * 0.12).min(0.03 * u));
-    let light = b.one(&[LED, COOL_BULB, SIGNAL_AMBER]);
+    let light = b.choose(&[LED, COOL_BULB, SIGNAL_AMBER]);
     let w = y * b.vary(0.22, 0.34);
     display(b, face, (-w, z - r * 0.8), (w, z + r * 0.8), light);
     let count = b.rng.count(1, 2);
@@ -135,7 +135,7 @@ fn oven_box(b: &mut Build<'_>, u: f32, racks: usize, at: Swing) {
 pub(super) fn pizza_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.448, 0.224]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, STEEL]);
+    let body = b.choose(&[STEEL, BLACK_METAL, RED_METAL, STEEL]);
     let (feet, face) = (0.04 * u, x - 0.035 * u);
     let back = face - 0.025 * u;
     for cx in [-x * 0.8, x * 0.7] {
@@ -192,7 +192,7 @@ pub(super) fn pizza_oven(b: &mut Build<'_>) {
 pub(super) fn microwave(b: &mut Build<'_>) {
     let u = fit(b, [0.288, 0.352, 0.224]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[b.style.appliance, STEEL, BLACK_METAL]);
+    let body = b.choose(&[b.style.appliance, STEEL, BLACK_METAL]);
     let (feet, face) = (0.012 * u, x - 0.03 * u);
     let back = face - 0.025 * u;
     let split = y - y * b.vary(0.42, 0.52);
@@ -208,7 +208,7 @@ pub(super) fn microwave(b: &mut Build<'_>) {
     b.inside("compartment_1", [cx, cy, hollow.0[2] + disc], (half, half), h - 2.0 * wall - feet - disc - 0.004 * u);
     b.block("electronics", [-x, split, feet], [back, y, h], body);
     glass_door(b, Swing::Right, ([back, -y, feet], [face, split, h]), (body, BLACK_GLASS), 0.028 * u);
-    let panel_mat = b.one(&[BLACK_GLASS, body]);
+    let panel_mat = b.choose(&[BLACK_GLASS, body]);
     b.block("controls", [back, split, feet], [face, y, h], panel_mat);
     keypad(b, face, (split, feet), (y, h), u);
     b.top("top", [(back - x) / 2.0, 0.0, h], ((back + x) / 2.0 - 0.01 * u, y - 0.01 * u));
@@ -217,7 +217,7 @@ pub(super) fn microwave(b: &mut Build<'_>) {
 /// Controls of a microwave: a display over keys, or two knobs.
 fn keypad(b: &mut Build<'_>, face: f32, low: (f32, f32), high: (f32, f32), u: f32) {
     let (w, tall) = (high.0 - low.0, high.1 - low.1);
-    let light = b.one(&[LED, COOL_BULB]);
+    let light = b.choose(&[LED, COOL_BULB]);
     display(b, face, (low.0 + w * 0.12, high.1 - tall * 0.22), (high.0 - w * 0.12, high.1 - tall * 0.08), light);
     if b.rng.chance(0.5) {
         let r = (w * 0.28).min(tall * 0.14);
@@ -239,7 +239,7 @@ fn keypad(b: &mut Build<'_>, face: f32, low: (f32, f32), high: (f32, f32), u: f3
 pub(super) fn toaster_oven(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.304, 0.176]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, b.style.appliance]);
+    let body = b.choose(&[STEEL, BLACK_METAL, RED_METAL, b.style.appliance]);
     let (feet, face) = (0.015 * u, x - 0.028 * u);
     let back = face - 0.015 * u;
     let split = y * b.vary(0.48, 0.6);
@@ -261,7 +261,7 @@ pub(super) fn toaster_oven(b: &mut Build<'_>) {
 pub(super) fn extractor(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.448, 0.24]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, STEEL, BLACK_METAL, b.style.appliance]);
+    let body = b.choose(&[STEEL, STEEL, BLACK_METAL, b.style.appliance]);
     let brim = (0.05 * u).min(h * 0.3);
     let design = if h < 0.4 { 2 } else { b.rng.below(2) };
     // All designs have filters and lights on the underside.
@@ -299,7 +299,7 @@ pub(super) fn extractor(b: &mut Build<'_>) {
             b.block("chimney", [-x, -flue_y, brim + rise], [-x + 2.0 * flue_x, flue_y, h], body);
         }
         1 => {
-            let glass = b.one(&[GLASS, BLACK_GLASS]);
+            let glass = b.choose(&[GLASS, BLACK_GLASS]);
             b.block("body", [-x, -y * 0.7, brim], [x * 0.3, y * 0.7, brim + h * 0.14], body);
             let t = 0.012 * u;
             let outline = [(x * 0.3, 0.0), (x, 0.0), (x, t), (x * 0.3, h * 0.14)];
@@ -319,7 +319,7 @@ pub(super) fn frustum(
     name: &str,
     (below, z0): (([f32; 2], [f32; 2]), f32),
     (above, z1): (([f32; 2], [f32; 2]), f32),
-    mat: Mat,
+    mat: MaterialId,
 ) {
     let corners =
         |(l, h): ([f32; 2], [f32; 2]), z: f32| [[l[0], l[1], z], [h[0], l[1], z], [h[0], h[1], z], [l[0], h[1], z]];
@@ -328,7 +328,7 @@ pub(super) fn frustum(
 }
 
 /// The cavity of an oven with racks, open in front.
-fn baking(b: &mut Build<'_>, name: &str, (low, high): (P, P), wall: f32, racks: usize, mat: Mat) {
+fn baking(b: &mut Build<'_>, name: &str, (low, high): (P, P), wall: f32, racks: usize, mat: MaterialId) {
     case(b, low, high, wall, mat);
     let hollow =
         ([low[0] + wall, low[1] + wall, low[2] + wall], [high[0] - wall * 0.4, high[1] - wall, high[2] - wall]);
@@ -336,7 +336,7 @@ fn baking(b: &mut Build<'_>, name: &str, (low, high): (P, P), wall: f32, racks: 
 }
 
 /// A framed pane that opens, with a handle bar.
-pub(super) fn glass_door(b: &mut Build<'_>, at: Swing, (low, high): (P, P), mats: (Mat, Mat), grip: f32) {
+pub(super) fn glass_door(b: &mut Build<'_>, at: Swing, (low, high): (P, P), mats: (MaterialId, MaterialId), grip: f32) {
     let t = high[0] - low[0];
     let (low, high) = gapped(low, high, t * 0.06);
     let (width, tall) = (high[1] - low[1], high[2] - low[2]);
@@ -383,7 +383,7 @@ fn mark(b: &mut Build<'_>, at: P, radius: f32) {
 
 /// The top of a stove within `low..high`: a plate with burners.
 fn cooktop(b: &mut Build<'_>, fire: Fire, (low, high): (P, P), u: f32) {
-    let plate = if fire == Fire::Gas { b.one(&[STEEL, BLACK_METAL, BLACK_GLASS]) } else { BLACK_GLASS };
+    let plate = if fire == Fire::Gas { b.choose(&[STEEL, BLACK_METAL, BLACK_GLASS]) } else { BLACK_GLASS };
     let (x, y) = ((high[0] - low[0]) / 2.0, (high[1] - low[1]) / 2.0);
     let (cx, h) = (f32::midpoint(low[0], high[0]), high[2]);
     let rise = match fire {

@@ -12,11 +12,11 @@ use vc_graph::asset::JointKind;
 pub(super) fn hot_plate(b: &mut Build<'_>) {
     let u = fit(b, [0.176, 0.192, 0.048]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_METAL, BLACK_METAL, STEEL]);
+    let body = b.choose(&[WHITE_METAL, BLACK_METAL, STEEL]);
     let (feet, top) = (h * 0.18, h * 0.78);
     foot_row(b, (x * 0.8, y * 0.85), 0.012 * u, feet);
     let face = x - 0.015 * u;
-    b.soft("body", [-x, -y, feet], [face, y, top], 0.008 * u, body);
+    b.rounded_block("body", [-x, -y, feet], [face, y, top], 0.008 * u, body);
     let count = if y > x * 1.3 { 2 } else { 1 };
     let step = 2.0 * y / count as f32;
     for i in 0..count {
@@ -36,7 +36,7 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.176]);
     let (x, y, h) = half_dims(b);
     let round = x < 0.17 && b.rng.chance(0.5);
-    let body = if round { b.one(&[BLACK_PLASTIC, WHITE_PLASTIC]) } else { STEEL };
+    let body = if round { b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC]) } else { STEEL };
     let (feet, face, rim) = (0.015 * u, x - 0.05 * u, h * 0.74);
     foot_row(b, (x * 0.6, y * 0.7), 0.015 * u, feet);
     let (wall, back) = (0.008 * u, -x + 0.06 * u);
@@ -83,20 +83,20 @@ pub(super) fn deep_fryer(b: &mut Build<'_>) {
 pub(super) fn air_fryer(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.208, 0.224]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SAGE]);
+    let body = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SAGE]);
     let face = x - 0.065 * u;
     let (bottom, head, wall) = (h * 0.05, h * b.vary(0.55, 0.62), y * 0.1);
-    b.soft("base", [-x, -y, 0.0], [face, y, bottom + wall], wall * 0.5, body);
+    b.rounded_block("base", [-x, -y, 0.0], [face, y, bottom + wall], wall * 0.5, body);
     b.block("back", [-x, -y * 0.96, bottom], [-x + wall, y * 0.96, head + 0.002 * u], body);
     for side in [-1.0, 1.0] {
         let (a, z) = (side * y * 0.98, side * (y - wall));
         b.block("side", [-x + wall, a.min(z), bottom + wall * 0.8], [face, a.max(z), head + 0.002 * u], body);
     }
     let radius = b.vary(0.02, 0.07) * u;
-    b.soft("head", [-x, -y, head], [face, y, h], radius, body);
+    b.rounded_block("head", [-x, -y, head], [face, y, h], radius, body);
     // The edge of the head is round, so its support is further in.
     b.block("neck", [-x + 0.02 * u, -y * 0.9, head - 0.004 * u], [face - 0.003, y * 0.9, head + 0.01 * u], body);
-    let trim = b.one(&[STEEL, BLACK_GLASS, BROWN_PLASTIC]);
+    let trim = b.choose(&[STEEL, BLACK_GLASS, BROWN_PLASTIC]);
     let round = b.rng.chance(0.5);
     let z = f32::midpoint(head, h);
     if round {
@@ -109,9 +109,15 @@ pub(super) fn air_fryer(b: &mut Build<'_>) {
     b.jointed(JointKind::Slide, low, [1.0, 0.0, 0.0], (0.0, (face + x) * 0.7), |b| {
         basket(b, "drawer_1", low, high, 0.005 * u, BLACK_METAL);
         let plate = ([face, -y * 0.96, bottom + wall], [face + 0.012 * u, y * 0.96, head - 0.004 * u]);
-        b.soft("front", plate.0, plate.1, 0.006 * u, body);
+        b.rounded_block("front", plate.0, plate.1, 0.006 * u, body);
         let z = f32::midpoint(low[2], high[2]);
-        b.soft("grip", [face + 0.01 * u, -y * 0.14, z - 0.022 * u], [x, y * 0.14, z + 0.022 * u], 0.01 * u, trim);
+        b.rounded_block(
+            "grip",
+            [face + 0.01 * u, -y * 0.14, z - 0.022 * u],
+            [x, y * 0.14, z + 0.022 * u],
+            0.01 * u,
+            trim,
+        );
     });
 }
 
@@ -125,7 +131,7 @@ pub(super) fn griddle(b: &mut Build<'_>) {
         b.cylinder("foot", [x * sx, y * sy, 0.0], 0.022 * u, feet, BLACK_PLASTIC);
     }
     b.block("body", [-x, -y, feet], [face, y, plate - 0.02 * u], STEEL);
-    let iron = b.one(&[IRON, STEEL]);
+    let iron = b.choose(&[IRON, STEEL]);
     b.block("plate", [-x + guard, -y + guard, plate - 0.02 * u], [face - 0.05 * u, y - guard, plate], iron);
     b.block("back_guard", [-x, -y, plate - 0.02 * u], [-x + guard, y, h], STEEL);
     let slope =
@@ -173,18 +179,18 @@ pub(super) fn griddle(b: &mut Build<'_>) {
 /// Two ribbed plates that close like a book.
 pub(super) fn electric_grill(b: &mut Build<'_>) {
     let u = fit(b, [0.208, 0.224, 0.08]);
-    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL]);
+    let body = b.choose(&[STEEL, BLACK_METAL, RED_METAL]);
     clamshell(b, u, body, false);
 }
 
 /// Two plates with a grid that close like a book, square or round.
 pub(super) fn waffle_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.16, 0.072]);
-    let body = b.one(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC, RED_METAL]);
+    let body = b.choose(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC, RED_METAL]);
     clamshell(b, u, body, true);
 }
 
-fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
+fn clamshell(b: &mut Build<'_>, u: f32, body: MaterialId, waffle: bool) {
     let (x, y, h) = half_dims(b);
     let (feet, seam, front) = (h * 0.1, h * 0.5, x - 0.05 * u);
     let round = waffle && b.rng.chance(0.5);
@@ -198,7 +204,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
     if round {
         b.lathe("base", [cx, 0.0, feet], &[(r * 0.9, 0.0), (r, (seam - feet) * 0.4), (r, seam - feet - plate)], body);
     } else {
-        b.soft("base", [-x, -y, feet], [front, y, seam - plate], 0.02 * u, body);
+        b.rounded_block("base", [-x, -y, feet], [front, y, seam - plate], 0.02 * u, body);
     }
     let low = [cx - half.0, -half.1, seam - plate - 0.002 * u];
     b.block("plate", low, [cx + half.0, half.1, seam - plate * 0.8], BLACK_METAL);
@@ -220,7 +226,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
         [rear.max(-x + 0.018 * u), y * 0.5, seam + 0.004 * u],
         BLACK_PLASTIC,
     );
-    let grip = b.one(&[STEEL, BLACK_PLASTIC]);
+    let grip = b.choose(&[STEEL, BLACK_PLASTIC]);
     lid(b, [-x, 0.0, seam], 1.6, |b| {
         if round {
             b.lathe(
@@ -230,11 +236,17 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
                 body,
             );
         } else {
-            b.soft("lid", [-x, -y, seam + 0.001 * u], [front, y, h], 0.02 * u, body);
+            b.rounded_block("lid", [-x, -y, seam + 0.001 * u], [front, y, h], 0.02 * u, body);
         }
         let z = f32::midpoint(seam, h);
         if waffle {
-            b.soft("grip", [edge - 0.01 * u, -y * 0.2, z - 0.008 * u], [x, y * 0.2, z + 0.008 * u], 0.006 * u, grip);
+            b.rounded_block(
+                "grip",
+                [edge - 0.01 * u, -y * 0.2, z - 0.008 * u],
+                [x, y * 0.2, z + 0.008 * u],
+                0.006 * u,
+                grip,
+            );
         } else {
             let points = [
                 [front - 0.01 * u, -y * 0.8, z],
@@ -264,7 +276,7 @@ fn clamshell(b: &mut Build<'_>, u: f32, body: Mat, waffle: bool) {
 pub(super) fn rice_cooker(b: &mut Build<'_>) {
     let u = fit(b, [0.176, 0.176, 0.16]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL, RED_METAL]);
+    let body = b.choose(&[WHITE_PLASTIC, STEEL, BLACK_METAL, RED_METAL]);
     let r = y.min(x);
     let cx = x - r;
     let (foot, rim, wall) = (h * 0.05, h * 0.74, 0.01 * u);
@@ -282,7 +294,7 @@ pub(super) fn rice_cooker(b: &mut Build<'_>) {
     round_floor(b, "compartment_1", [cx, 0.0, foot + wall], wide * 0.84 - wall, tall - wall * 1.2);
     b.block("hinge", [cx - wide - 0.012 * u, -r * 0.3, rim * 0.6], [cx - wide + 0.01 * u, r * 0.3, rim], body);
     if x - r > 0.02 {
-        b.soft("cord_box", [-x, -r * 0.35, foot], [cx - wide + 0.01 * u, r * 0.35, rim * 0.8], 0.01 * u, body);
+        b.rounded_block("cord_box", [-x, -r * 0.35, foot], [cx - wide + 0.01 * u, r * 0.35, rim * 0.8], 0.01 * u, body);
     }
     let glass = b.rng.chance(0.4);
     let trim = if glass { GLASS } else { body };
@@ -304,7 +316,7 @@ pub(super) fn rice_cooker(b: &mut Build<'_>) {
     switch_plate(b, [cx + wide * 0.985, foot + tall * 0.35], (r * 0.3, tall * 0.2), u);
     for side in [-1.0, 1.0] {
         let cy = side * (wide + 0.002 * u);
-        b.soft(
+        b.rounded_block(
             "ear",
             [cx - r * 0.2, cy - 0.009 * u, rim * 0.78],
             [cx + r * 0.2, cy + 0.009 * u, rim * 0.85],
@@ -336,7 +348,7 @@ fn switch_plate(b: &mut Build<'_>, at: [f32; 2], half: (f32, f32), u: f32) {
 pub(super) fn slow_cooker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.24, 0.176]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, CREAM]);
+    let body = b.choose(&[STEEL, BLACK_METAL, RED_METAL, CREAM]);
     let (feet, rim, wall) = (h * 0.05, h * 0.72, 0.014 * u);
     let (depth, side) = (x - 0.015 * u, y - 0.04 * u);
     foot_row(b, (depth * 0.6, side * 0.7), 0.014 * u, feet);
@@ -345,7 +357,13 @@ pub(super) fn slow_cooker(b: &mut Build<'_>) {
     b.inside("compartment_1", [0.0, 0.0, feet + wall * 1.5], (depth * 0.6, side * 0.62), rim - feet - wall * 2.0);
     for s in [-1.0_f32, 1.0] {
         let (a, z) = (s * (side - 0.004 * u), s * y);
-        b.soft("ear", [-x * 0.3, a.min(z), rim * 0.76], [x * 0.3, a.max(z), rim * 0.84], 0.008 * u, BLACK_PLASTIC);
+        b.rounded_block(
+            "ear",
+            [-x * 0.3, a.min(z), rim * 0.76],
+            [x * 0.3, a.max(z), rim * 0.84],
+            0.008 * u,
+            BLACK_PLASTIC,
+        );
     }
     knob(b, [depth - 0.002 * u, 0.0, h * 0.22], h * 0.08, 0.014 * u, (BLACK_PLASTIC, WHITE));
     lid(b, [-depth, 0.0, rim + 0.002 * u], 1.2, |b| {
@@ -372,13 +390,13 @@ fn twelve(half: (f32, f32)) -> Vec<(f32, f32)> {
 }
 
 /// A flat-bottomed shell with twelve sides.
-fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f32), wall: f32, mat: Mat) {
+fn oval_shell(b: &mut Build<'_>, name: &str, half: (f32, f32), (z0, z1): (f32, f32), wall: f32, mat: MaterialId) {
     let (outer, inner) = (twelve(half), twelve((half.0 - wall, half.1 - wall)));
     loft_levels(b, name, &[(outer.clone(), z0), (outer, z1), (inner.clone(), z1), (inner, z0 + wall)], mat);
 }
 
 /// A low dome over an oval.
-fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: Mat) {
+fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: MaterialId) {
     let level = |k: f32, z: f32| twelve((half.0 * k, half.1 * k)).into_iter().map(move |c| [c.0, c.1, z]);
     let points: Vec<P> = level(1.0, z0).chain(level(0.6, z1)).collect();
     b.hull("lid", &points, mat);
@@ -388,11 +406,11 @@ fn oval_lid(b: &mut Build<'_>, half: (f32, f32), (z0, z1): (f32, f32), mat: Mat)
 pub(super) fn bread_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.24, 0.224]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, STEEL, BLACK_METAL]);
+    let body = b.choose(&[WHITE_PLASTIC, STEEL, BLACK_METAL]);
     let (feet, rim, wall) = (h * 0.04, h * 0.84, 0.014 * u);
     foot_row(b, (x * 0.75, y * 0.8), 0.012 * u, feet);
     let split = y * 0.3;
-    b.soft("body", [-x, split, feet], [x, y, rim], 0.012 * u, body);
+    b.rounded_block("body", [-x, split, feet], [x, y, rim], 0.012 * u, body);
     pit(b, "body", [-x, -y, feet], [x, split + 0.004 * u, rim], wall, body);
     let low = [-x * 0.6, -y + wall * 3.0, feet + wall];
     basket(b, "compartment_1", low, [x * 0.6, split - wall * 2.0, rim - 0.03 * u], 0.003 * u, GREY_PLASTIC);
@@ -405,7 +423,7 @@ pub(super) fn bread_maker(b: &mut Build<'_>) {
     );
     b.block("display", [x * 0.3, split + (y - split) * 0.3, rim], [x * 0.6, y * 0.82, panel_top + 0.002 * u], LED);
     lid(b, [-x, 0.0, rim + 0.003 * u], 1.4, |b| {
-        b.soft("lid", [-x, -y, rim + 0.003 * u], [x, split, h], ((h - rim) * 0.4).min(0.008 * u), body);
+        b.rounded_block("lid", [-x, -y, rim + 0.003 * u], [x, split, h], ((h - rim) * 0.4).min(0.008 * u), body);
         b.block("window", [-x * 0.4, -y * 0.6, h - 0.003 * u], [x * 0.4, -y * 0.05, h], BROWN_GLASS);
     });
 }
@@ -466,7 +484,7 @@ pub(super) fn bain_marie(b: &mut Build<'_>) {
 pub(super) fn plate_warmer(b: &mut Build<'_>) {
     let u = fit(b, [0.4, 0.352, 0.112]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, STEEL, BLACK_GLASS]);
+    let body = b.choose(&[STEEL, STEEL, BLACK_GLASS]);
     let (face, t) = (x - 0.032, 0.02 * u);
     let feet = if h > 0.4 { 0.08 * u } else { 0.0 };
     if feet > 0.0 {

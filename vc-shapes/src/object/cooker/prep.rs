@@ -6,8 +6,8 @@ use crate::material::*;
 use crate::solid::{Axis, Build, P, cup_profile, fit, floor_of, half_dims, pit, plate_with_hole, round_floor};
 
 /// The enamel colour of kitchen machines.
-fn machine_mat(b: &mut Build<'_>) -> Mat {
-    b.one(&[WHITE_METAL, RED_METAL, BLACK_METAL, STEEL, CREAM, BLUE_METAL, GREEN_METAL])
+fn machine_mat(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[WHITE_METAL, RED_METAL, BLACK_METAL, STEEL, CREAM, BLUE_METAL, GREEN_METAL])
 }
 
 /// A jug with a lid and a handle on a motor with a dial.
@@ -55,7 +55,7 @@ fn jug(b: &mut Build<'_>, base: P, (low, high): (f32, f32), tall: f32, wall: f32
 pub(super) fn hand_blender(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, RED_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, RED_PLASTIC]);
     let (bell, stem) = (h * b.vary(0.08, 0.13), h * b.vary(0.26, 0.4));
     b.lathe(
         "bell",
@@ -87,10 +87,10 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
     let u = fit(b, [0.272, 0.176, 0.256]);
     let (x, y, h) = half_dims(b);
     let large = h > 0.45;
-    let body = if large { b.one(&[STEEL, WHITE_METAL, SILVER_METAL]) } else { machine_mat(b) };
+    let body = if large { b.choose(&[STEEL, WHITE_METAL, SILVER_METAL]) } else { machine_mat(b) };
     let foot = h * 0.1;
     let column = -x * 0.45;
-    b.soft("foot", [-x, -y * 0.8, 0.0], [x * 0.92, y * 0.8, foot], 0.02 * u, body);
+    b.rounded_block("foot", [-x, -y * 0.8, 0.0], [x * 0.92, y * 0.8, foot], 0.02 * u, body);
     b.taper(
         "column",
         [(-x + column) / 2.0, 0.0, foot - 0.005 * u],
@@ -119,7 +119,7 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
     let (low, anchor) = (h * 0.66, [-x * 0.97, 0.0, h * 0.66]);
     let head = y * if large { 0.62 } else { 0.52 };
     lid(b, anchor, 0.7, |b| {
-        b.soft("head", [-x, -head, low], [x - 0.003 * u, head, h], (h - low) * 0.42, body);
+        b.rounded_block("head", [-x, -head, low], [x - 0.003 * u, head, h], (h - low) * 0.42, body);
         b.cylinder("hub", [cx, 0.0, low - h * 0.05], r * 0.26, h * 0.06, STEEL);
         b.lathe(
             "whisk",
@@ -152,15 +152,15 @@ pub(super) fn stand_mixer(b: &mut Build<'_>) {
 /// A motor with a loop for a handle and two beaters; it stands on its end.
 pub(super) fn hand_mixer(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC]);
     let (low, middle) = (h * 0.45, h * 0.74);
-    b.soft("body", [-x, -y, low], [x, y, middle], y * 0.5, body);
+    b.rounded_block("body", [-x, -y, low], [x, y, middle], y * 0.5, body);
     let r = (y * 0.32).min(h * 0.06);
     let edge = r * 1.45;
     let points =
         [[-x * 0.7, 0.0, middle - r], [-x * 0.7, 0.0, h - edge], [x * 0.3, 0.0, h - edge], [x * 0.7, 0.0, middle - r]];
     b.pipe("handle", &points, r, body);
-    b.soft("switch", [x * 0.05, -r * 0.7, h - r * 1.2], [x * 0.3, r * 0.7, h], r * 0.3, GREY_PLASTIC);
+    b.rounded_block("switch", [x * 0.05, -r * 0.7, h - r * 1.2], [x * 0.3, r * 0.7, h], r * 0.3, GREY_PLASTIC);
     for side in [-1.0, 1.0] {
         let cy = side * y * 0.5;
         b.cylinder("shaft", [x * 0.55, cy, low * 0.4], y * 0.07, low * 0.62, STEEL);
@@ -189,7 +189,7 @@ pub(super) fn food_processor(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let body = machine_mat(b);
     let (base, top, wall) = (h * 0.34, h * 0.72, 0.004 * u);
-    b.soft("base", [-x, -y * 0.94, 0.0], [x - 0.013 * u, y * 0.94, base], 0.025 * u, body);
+    b.rounded_block("base", [-x, -y * 0.94, 0.0], [x - 0.013 * u, y * 0.94, base], 0.025 * u, body);
     knob(b, [x - 0.014 * u, 0.0, base * 0.5], base * 0.2, 0.012 * u, (STEEL, BLACK));
     let r = x.min(y) * 0.8;
     b.lathe("drum", [0.0, 0.0, base - 0.001 * u], &cup_profile(r * 0.96, r, top - base, wall), CLEAR_PLASTIC);
@@ -215,7 +215,7 @@ pub(super) fn food_processor(b: &mut Build<'_>) {
 pub(super) fn juicer(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.144, 0.24]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL]);
+    let body = b.choose(&[STEEL, BLACK_METAL, RED_METAL]);
     let r = y.min(x * 0.6) * 0.9;
     let cx = -x + r;
     let (base, top) = (h * 0.42, h * 0.7);
@@ -246,7 +246,7 @@ pub(super) fn juicer(b: &mut Build<'_>) {
 pub(super) fn citrus_juicer(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.128, 0.144]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, STEEL, ORANGE_PLASTIC, BLACK_METAL]);
+    let body = b.choose(&[WHITE_PLASTIC, STEEL, ORANGE_PLASTIC, BLACK_METAL]);
     let r = x.min(y) * 0.84;
     let (base, rim) = (h * 0.46, h * 0.66);
     b.lathe("base", [0.0; 3], &[(r * 0.95, 0.0), (r * 0.8, base)], body);
@@ -296,13 +296,19 @@ pub(super) fn citrus_juicer(b: &mut Build<'_>) {
 pub(super) fn meat_slicer(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.272, 0.192]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, ALUMINIUM, WHITE_METAL, RED_METAL]);
+    let body = b.choose(&[STEEL, ALUMINIUM, WHITE_METAL, RED_METAL]);
     let (feet, deck) = (h * 0.07, h * 0.3);
     b.at([-x * 0.15, -y * 0.2, 0.0], 0.0, |b| foot_row(b, (x * 0.65, y * 0.6), 0.018 * u, feet * 1.1));
-    b.soft("base", [-x, -y, feet], [x * 0.7, y * 0.6, deck], 0.02 * u, body);
+    b.rounded_block("base", [-x, -y, feet], [x * 0.7, y * 0.6, deck], 0.02 * u, body);
     let r = ((h - deck) * 0.5).min(x * 0.6);
     let (z, blade) = (deck + (h - deck) * 0.46, y * 0.02);
-    b.soft("motor", [-x * 0.75, blade + 0.012 * u, deck - 0.01 * u], [x * 0.1, y * 0.58, z + r * 0.5], 0.03 * u, body);
+    b.rounded_block(
+        "motor",
+        [-x * 0.75, blade + 0.012 * u, deck - 0.01 * u],
+        [x * 0.1, y * 0.58, z + r * 0.5],
+        0.03 * u,
+        body,
+    );
     b.lathe_along(
         "blade",
         [-x * 0.2, blade - 0.003 * u, z],
@@ -346,11 +352,11 @@ pub(super) fn meat_slicer(b: &mut Build<'_>) {
 pub(super) fn meat_grinder(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.128, 0.24]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, WHITE_METAL, RED_METAL, BLACK_METAL]);
+    let body = b.choose(&[STEEL, WHITE_METAL, RED_METAL, BLACK_METAL]);
     let middle = h * 0.56;
     let r = y * 0.36;
     b.at([-x * 0.4, 0.0, 0.0], 0.0, |b| foot_row(b, (x * 0.45, y * 0.65), 0.015 * u, h * 0.045));
-    b.soft("motor", [-x, -y * 0.9, h * 0.04], [x * 0.2, y * 0.9, middle + r], 0.03 * u, body);
+    b.rounded_block("motor", [-x, -y * 0.9, h * 0.04], [x * 0.2, y * 0.9, middle + r], 0.03 * u, body);
     b.rod("tube", [x * 0.18, 0.0, middle], [x * 0.9, 0.0, middle], r, STEEL);
     b.rod("ring", [x * 0.82, 0.0, middle], [x, 0.0, middle], r * 1.2, STEEL);
     b.rod("plate", [x - 0.002 * u, 0.0, middle], [x + 0.0008 * u, 0.0, middle], r * 0.95, BLACK_METAL);
@@ -371,7 +377,7 @@ pub(super) fn meat_grinder(b: &mut Build<'_>) {
 pub(super) fn ice_cream_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.176, 0.176]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, STEEL, PINK_PLASTIC, SKY]);
+    let body = b.choose(&[WHITE_PLASTIC, STEEL, PINK_PLASTIC, SKY]);
     let (rim, wall) = (h * 0.72, 0.02 * u);
     let r = y.min(x) * 0.84;
     let cx = x - y.min(x);
@@ -396,7 +402,13 @@ pub(super) fn ice_cream_maker(b: &mut Build<'_>) {
             &[(r, 0.0), (r * 0.97, h * 0.04), (r * 0.5, h * 0.07)],
             CLEAR_PLASTIC,
         );
-        b.soft("motor", [cx - r * 0.5, -r * 0.35, rim + h * 0.06], [cx + r * 0.5, r * 0.35, h], 0.015 * u, body);
+        b.rounded_block(
+            "motor",
+            [cx - r * 0.5, -r * 0.35, rim + h * 0.06],
+            [cx + r * 0.5, r * 0.35, h],
+            0.015 * u,
+            body,
+        );
     });
 }
 
@@ -404,13 +416,13 @@ pub(super) fn ice_cream_maker(b: &mut Build<'_>) {
 pub(super) fn vacuum_sealer(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.288, 0.064]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC]);
+    let body = b.choose(&[STEEL, BLACK_PLASTIC, WHITE_PLASTIC]);
     let seam = h * 0.55;
     foot_row(b, (x * 0.75, y * 0.9), 0.01 * u, h * 0.06);
-    b.soft("base", [-x, -y, h * 0.05], [x, y, seam], 0.012 * u, body);
+    b.rounded_block("base", [-x, -y, h * 0.05], [x, y, seam], 0.012 * u, body);
     b.block("seal", [x * 0.2, -y * 0.9, seam - 0.002 * u], [x * 0.5, y * 0.9, seam + 0.001 * u], RUBBER);
     lid(b, [-x, 0.0, seam + 0.002 * u], 1.1, |b| {
-        b.soft("lid", [-x, -y, seam + 0.002 * u], [x, y, h - 0.004 * u], 0.012 * u, body);
+        b.rounded_block("lid", [-x, -y, seam + 0.002 * u], [x, y, h - 0.004 * u], 0.012 * u, body);
         b.block("panel", [-x * 0.7, -y * 0.5, h - 0.006 * u], [-x * 0.2, y * 0.5, h - 0.003 * u], BLACK_PLASTIC);
         for i in 0..3 {
             let cy = y * 0.25 * (i as f32 - 1.0);
@@ -425,13 +437,13 @@ pub(super) fn vacuum_sealer(b: &mut Build<'_>) {
 pub(super) fn kitchen_scale(b: &mut Build<'_>) {
     let u = fit(b, [0.144, 0.112, 0.016]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREEN_PLASTIC]);
+    let body = b.choose(&[STEEL, WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, GREEN_PLASTIC]);
     let thin = (h * 0.4).min(0.008 * u);
     let top = h - thin;
     foot_row(b, (x * 0.75, y * 0.75), 0.008 * u, h * 0.15);
-    b.soft("body", [-x, -y, h * 0.12], [x, y, top], 0.01 * u, body);
+    b.rounded_block("body", [-x, -y, h * 0.12], [x, y, top], 0.01 * u, body);
     let cx = -x * 0.22;
-    let plate = b.one(&[GLASS, STEEL, BLACK_GLASS]);
+    let plate = b.choose(&[GLASS, STEEL, BLACK_GLASS]);
     if b.rng.chance(0.5) {
         let r = (x * 0.72).min(y * 0.92);
         b.cylinder("plate", [cx, 0.0, top - 0.001 * u], r, thin + 0.001 * u, plate);
@@ -451,13 +463,13 @@ pub(super) fn kitchen_scale(b: &mut Build<'_>) {
 pub(super) fn water_dispenser(b: &mut Build<'_>) {
     let u = fit(b, [0.24, 0.224, 0.72]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BLACK_METAL]);
+    let body = b.choose(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BLACK_METAL]);
     let top = h * 0.72;
     let (low, high) = (top * 0.66, top * 0.88);
     let niche = x * 0.3;
     b.block("case", [-x, -y, 0.0], [x, y, low], body);
     b.block("case", [-x, -y, low], [niche, y, high], body);
-    b.soft("head", [-x, -y, high - 0.001 * u], [x, y, top], 0.015 * u, body);
+    b.rounded_block("head", [-x, -y, high - 0.001 * u], [x, y, top], 0.015 * u, body);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y, side * y * 0.86);
         b.block("cheek", [niche, a.min(c), low], [x * 0.98, a.max(c), high], body);
@@ -499,7 +511,7 @@ pub(super) fn garbage_disposal(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.128, 0.24]);
     let (x, y, h) = half_dims(b);
     let r = x.min(y) * 0.88;
-    let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, SILVER_METAL]);
+    let body = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, SILVER_METAL]);
     let profile =
         [(r * 0.8, 0.0), (r, h * 0.1), (r, h * 0.45), (r * 0.85, h * 0.52), (r * 0.9, h * 0.72), (r * 0.5, h * 0.82)];
     b.lathe("drum", [0.0; 3], &profile, body);

@@ -33,7 +33,7 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
         let edge = if i == 0 { y1 - step * 0.1 } else { y0 + step * 0.1 };
         crate::object::joinery::handle(b, look.handle, [front, edge, under - 0.14 * u], 0.14 * u, true, look.metal);
     }
-    let steel = b.one(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
+    let steel = b.choose(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
     let depth = b.vary(0.15, 0.19).min(h * 0.25);
     let wide = (y - 0.05 * u).min(b.vary(0.36, 0.46));
     let shift = if y - wide > 0.1 { b.vary(-1.0, 1.0) * (y - wide - 0.05) } else { 0.0 };
@@ -53,7 +53,7 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
 
 /// One bowl, one and a half, or a bowl and a draining board, within `low..high`; their rim lies on
 /// the worktop up to `top`.
-fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge: f32, mat: Mat) {
+fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge: f32, mat: MaterialId) {
     let wide = high[1] - low[1];
     let design = if wide < 0.55 { 0 } else { b.rng.below(3) };
     let split = low[1] + wide * if design == 2 { 0.56 } else { 0.66 };
@@ -95,7 +95,7 @@ fn basins(b: &mut Build<'_>, (low, high): (P, P), (top, depth): (f32, f32), edge
 }
 
 /// A bowl hanging under `high[2]` with its drain.
-fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, mat: Mat) {
+fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, mat: MaterialId) {
     let from = [low[0], low[1], high[2] - depth];
     let to = [high[0], high[1], high[2] - 0.002];
     pit(b, name, from, to, t, mat);
@@ -108,7 +108,7 @@ fn bowl(b: &mut Build<'_>, name: &str, (low, high): (P, P), depth: f32, t: f32, 
 /// A steel bowl with a rim for a worktop cut-out.
 fn inset(b: &mut Build<'_>, u: f32) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
+    let mat = b.choose(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
     let (rim, edge) = (0.004 * u, 0.012 * u);
     let (low, high) = ([-x + 0.1 * u, -y + 0.03 * u, h], [x - 0.03 * u, y - 0.03 * u, h]);
     let hole = ((low[0] - edge, low[1] - edge), (high[0] + edge, high[1] + edge));
@@ -153,7 +153,7 @@ pub(super) fn utility_sink(b: &mut Build<'_>) {
 /// A tub on four legs with a ledge behind, sometimes with a splashback.
 fn standing(b: &mut Build<'_>, u: f32, deep: f32) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, STEEL, PORCELAIN]);
+    let mat = b.choose(&[WHITE_PLASTIC, STEEL, PORCELAIN]);
     let splash = if b.rng.chance(0.4) { (h * 0.1).min(0.1) } else { 0.0 };
     let (rim, t, ledge) = (h - splash, 0.012 * u, 0.09 * u);
     if splash > 0.0 {

@@ -12,8 +12,8 @@ pub(super) fn kettle(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.192, 0.192]);
     let (x, y, h) = half_dims(b);
     let x = x.min(y * 0.86);
-    let body = b.one(&[STEEL, STEEL, WHITE_PLASTIC, BLACK_METAL, RED_METAL, GLASS]);
-    let trim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
+    let body = b.choose(&[STEEL, STEEL, WHITE_PLASTIC, BLACK_METAL, RED_METAL, GLASS]);
+    let trim = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
     let foot = h * 0.09;
     let centre = [0.0, y * 0.12];
     let at = |z: f32| [centre[0], centre[1], z];
@@ -46,7 +46,7 @@ pub(super) fn kettle(b: &mut Build<'_>) {
     b.hull("spout", &spout, if body == GLASS { trim } else { body });
     let reach = -y + 0.018 * u;
     let r = 0.011 * u;
-    let grip = b.one(&[0.12, 0.3]);
+    let grip = b.choose(&[0.12, 0.3]);
     let points = [
         [0.0, centre[1] - top * 0.92, foot + tall * 0.94],
         [0.0, reach, foot + tall * 0.9],
@@ -75,8 +75,8 @@ pub(super) fn kettle(b: &mut Build<'_>) {
 pub(super) fn toaster(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.24, 0.16]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, STEEL, RED_METAL, WHITE_METAL, BLUE_METAL, BLACK_METAL, CREAM]);
-    let trim = b.one(&[BLACK_PLASTIC, body]);
+    let body = b.choose(&[STEEL, STEEL, RED_METAL, WHITE_METAL, BLUE_METAL, BLACK_METAL, CREAM]);
+    let trim = b.choose(&[BLACK_PLASTIC, body]);
     let (feet, cap) = (0.012 * u, y * b.vary(0.1, 0.22));
     foot_row(b, (x * 0.7, y * 0.75), 0.012 * u, feet);
     let end = y - 0.03 * u;
@@ -93,12 +93,18 @@ pub(super) fn toaster(b: &mut Build<'_>) {
         floor_of(b, &format!("slot_{}", i + 1), [a, from + 0.008 * u, bottom], [z, to - 0.008 * u, h]);
     }
     let radius = if b.rng.chance(0.6) { h * 0.22 } else { 0.01 * u };
-    b.soft("end", [-x, -y, feet], [x, from + 0.004 * u, h], radius, trim);
-    b.soft("end", [-x, to - 0.004 * u, feet], [x, end, h], radius, trim);
+    b.rounded_block("end", [-x, -y, feet], [x, from + 0.004 * u, h], radius, trim);
+    b.rounded_block("end", [-x, to - 0.004 * u, feet], [x, end, h], radius, trim);
     let travel = h * 0.4;
     b.block("groove", [-0.004 * u, end - 0.001 * u, h * 0.3], [0.004 * u, end + 0.001 * u, h * 0.85], SCREEN);
     b.jointed(JointKind::Slide, [0.0; 3], [0.0, 0.0, -1.0], (0.0, travel), |b| {
-        b.soft("lever", [-0.016 * u, end + 0.001 * u, h * 0.76], [0.016 * u, y, h * 0.83], 0.004 * u, BLACK_PLASTIC);
+        b.rounded_block(
+            "lever",
+            [-0.016 * u, end + 0.001 * u, h * 0.76],
+            [0.016 * u, y, h * 0.83],
+            0.004 * u,
+            BLACK_PLASTIC,
+        );
     });
     b.rod("dial", [-x * 0.5, end - 0.001 * u, h * 0.3], [-x * 0.5, end + 0.012 * u, h * 0.3], h * 0.08, STEEL);
 }
@@ -107,12 +113,12 @@ pub(super) fn toaster(b: &mut Build<'_>) {
 pub(super) fn coffee_maker(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.144, 0.24]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, STEEL, RED_PLASTIC, BLACK_METAL]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, STEEL, RED_PLASTIC, BLACK_METAL]);
     let base = h * 0.1;
     let back = -x + x * b.vary(0.65, 0.8);
     let head = h * b.vary(0.66, 0.72);
     let deck = b.rng.below(2) == 0;
-    b.soft("base", [-x, -y, 0.0], [x, y, base], 0.012 * u, body);
+    b.rounded_block("base", [-x, -y, 0.0], [x, y, base], 0.012 * u, body);
     b.block("column", [-x, -y * 0.98, base * 0.5], [back, y * 0.98, head + 0.002 * u], body);
     let wall = 0.012 * u;
     pit(b, "head", [-x, -y, head], [x * 0.96, y, h - wall], wall, body);
@@ -183,15 +189,15 @@ pub(super) fn coffee_maker(b: &mut Build<'_>) {
 pub(super) fn espresso_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.192, 0.24]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, STEEL, CHROME, RED_METAL, BLACK_METAL, CREAM]);
+    let body = b.choose(&[STEEL, STEEL, CHROME, RED_METAL, BLACK_METAL, CREAM]);
     let (feet, base) = (0.02 * u, h * 0.22);
     foot_row(b, (x * 0.8, y * 0.8), 0.018 * u, feet);
     let back = -x * 0.1;
     let head = h * 0.66;
-    b.soft("base", [-x, -y, feet], [x, y, base], 0.01 * u, body);
+    b.rounded_block("base", [-x, -y, feet], [x, y, base], 0.01 * u, body);
     b.block("column", [-x, -y * 0.98, base - 0.005 * u], [back, y * 0.98, head + 0.005 * u], body);
     let top = h - 0.025 * u;
-    b.soft("head", [-x, -y, head], [x * 0.72, y, top], 0.015 * u, body);
+    b.rounded_block("head", [-x, -y, head], [x * 0.72, y, top], 0.015 * u, body);
     for i in 0..7 {
         let cx = back + (x - back) * (0.1 + 0.12 * i as f32);
         b.block("grid", [cx, -y * 0.9, base - 0.002 * u], [cx + x * 0.05, y * 0.9, base + 0.004 * u], STEEL);
@@ -248,12 +254,12 @@ pub(super) fn espresso_machine(b: &mut Build<'_>) {
 pub(super) fn coffee_grinder(b: &mut Build<'_>) {
     let u = fit(b, [0.08, 0.08, 0.144]);
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[STEEL, BLACK_METAL, RED_METAL, WHITE_METAL, BLACK_PLASTIC]);
+    let body = b.choose(&[STEEL, BLACK_METAL, RED_METAL, WHITE_METAL, BLACK_PLASTIC]);
     let r = x.min(y);
     let (cut, wall) = (h * b.vary(0.58, 0.66), 0.003 * u);
     if h > 0.24 {
-        b.soft("foot", [-x, -y, 0.0], [x, y, h * 0.07], 0.008 * u, body);
-        b.soft("body", [-x * 0.95, -y * 0.85, h * 0.06], [x * 0.2, y * 0.85, cut], 0.012 * u, body);
+        b.rounded_block("foot", [-x, -y, 0.0], [x, y, h * 0.07], 0.008 * u, body);
+        b.rounded_block("body", [-x * 0.95, -y * 0.85, h * 0.06], [x * 0.2, y * 0.85, cut], 0.012 * u, body);
         b.block("chute", [x * 0.18, -y * 0.25, cut - h * 0.16], [x * 0.62, y * 0.25, cut - h * 0.05], BLACK_PLASTIC);
         b.lathe("cup", [x * 0.58, 0.0, h * 0.068], &cup_profile(r * 0.36, r * 0.4, h * 0.2, wall), CLEAR_PLASTIC);
     } else {

@@ -140,7 +140,7 @@ pub(in crate::object) fn bathroom_counter(b: &mut Build<'_>) {
     b.block("rail", [-x + 0.012 * u, -inside, under - 0.1 * u], [-x + 0.02 * u, inside, under], mat);
 }
 
-fn rim_y(b: &mut Build<'_>, low: P, high: P, w: f32, mat: Mat) {
+fn rim_y(b: &mut Build<'_>, low: P, high: P, w: f32, mat: MaterialId) {
     plate_with_hole(b, "frame", Axis::Y, (low, high), ((low[0] + w, low[2] + w), (high[0] - w, high[2] - w)), mat);
 }
 

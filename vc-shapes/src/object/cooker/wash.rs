@@ -17,7 +17,7 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
     let (x, y, _) = half_dims(b);
     let h = under_worktop(b, u);
     let built_in = b.rng.chance(0.4);
-    let body = if built_in { b.style.front } else { b.one(&[b.style.appliance, STEEL]) };
+    let body = if built_in { b.style.front } else { b.choose(&[b.style.appliance, STEEL]) };
     let (feet, face, door) = (0.1 * u, x - RUN * u, 0.03 * u);
     let (back, wall) = (face - door, 0.02 * u);
     b.block("plinth", [-x + 0.02 * u, -y, 0.0], [back - 0.04 * u, y, feet], if built_in { body } else { BLACK_METAL });
@@ -178,7 +178,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     if !in_run(b) {
         b.top("top", [-0.02 * u, 0.0, h], (x - 0.05 * u, y - 0.01 * u));
     }
-    let body = b.one(&[WHITE_METAL, WHITE_METAL, b.style.appliance, SILVER_METAL]);
+    let body = b.choose(&[WHITE_METAL, WHITE_METAL, b.style.appliance, SILVER_METAL]);
     let (feet, face, wall) = (0.015 * u, x - 0.05 * u, 0.015 * u);
     foot_row(b, (x * 0.75, y * 0.85), 0.02 * u, feet);
     let strip = h - b.vary(0.11, 0.13) * u;
@@ -189,7 +189,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     let side = radius * 0.86;
     let front = ([plate, -y, feet], [face, y, strip]);
     plate_with_hole(b, "front", Axis::X, front, ((-side, middle - side), (side, middle + side)), body);
-    let bezel = b.one(&[CHROME, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
+    let bezel = b.choose(&[CHROME, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     collar(
         b,
         "bezel",
@@ -214,7 +214,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     b.inside("compartment_1", floor, (depth * 0.42, drum * 0.58), drum * 1.4);
     drum_door(b, [face + 0.009 * u, 0.0, middle], radius, bezel, u);
     // Controls above.
-    let head = b.one(&[body, body, BLACK_GLASS]);
+    let head = b.choose(&[body, body, BLACK_GLASS]);
     b.block("back_panel", [-x, -y, strip], [-x + wall, y, h - wall], body);
     b.block("top", [-x, -y, h - wall], [face, y, h], body);
     let drawer_end = -y * 0.35;
@@ -236,7 +236,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     let z = f32::midpoint(strip, h - wall);
     let dial = y * b.vary(-0.1, 0.05);
     knob(b, [face, dial, z], (h - strip) * 0.3, 0.025 * u, (bezel, BLACK));
-    let light = b.one(&[LED, COOL_BULB, SIGNAL_AMBER]);
+    let light = b.choose(&[LED, COOL_BULB, SIGNAL_AMBER]);
     display(b, face, (y * 0.32, z - 0.02 * u), (y * 0.62, z + 0.02 * u), light);
     for i in 0..3 {
         let cy = y * (0.7 + 0.09 * i as f32);
@@ -245,7 +245,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
 }
 
 /// A round door of glass in a ring, hinged at the lower Y.
-fn drum_door(b: &mut Build<'_>, at: P, radius: f32, rim: Mat, u: f32) {
+fn drum_door(b: &mut Build<'_>, at: P, radius: f32, rim: MaterialId, u: f32) {
     let [x, y, z] = at;
     let r = radius * 1.12;
     let t = 0.03 * u;

@@ -11,7 +11,7 @@ use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, lo
 pub(super) fn carton(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let plain = b.class == "box" && b.rng.chance(0.35);
-    let card = if plain { b.one(&[WHITE_PAPER, BLUE_CARD, BLACK_CARD, GREEN_CARD]) } else { CARDBOARD };
+    let card = if plain { b.choose(&[WHITE_PAPER, BLUE_CARD, BLACK_CARD, GREEN_CARD]) } else { CARDBOARD };
     let t = (x * 0.02).clamp(0.001, 0.005);
     if plain {
         return lidded(b, card, t);
@@ -36,7 +36,7 @@ pub(super) fn carton(b: &mut Build<'_>) {
             );
         });
     }
-    let ink = b.one(&[BLACK_CARD, RED_CARD, BLUE_CARD]);
+    let ink = b.choose(&[BLACK_CARD, RED_CARD, BLUE_CARD]);
     let side = |y0: f32, y1: f32, z0: f32, z1: f32| ([x - t * 0.5, y * y0, h * z0], [x + 0.0006, y * y1, h * z1]);
     blocks(b, "print", &[side(-0.8, -0.45, 0.15, 0.35), side(0.3, 0.8, 0.3, 0.36), side(0.3, 0.7, 0.2, 0.26)], ink);
     if b.rng.chance(0.6) {
@@ -45,7 +45,7 @@ pub(super) fn carton(b: &mut Build<'_>) {
 }
 
 /// A box with a hinged lid.
-fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
+fn lidded(b: &mut Build<'_>, mat: MaterialId, t: f32) {
     let (x, y, h) = half_dims(b);
     let rim = h * b.vary(0.72, 0.85);
     walled_tray(b, (x - 1.2 * t, y - 1.2 * t), (0.0, rim), t, mat);
@@ -66,8 +66,8 @@ fn lidded(b: &mut Build<'_>, mat: Mat, t: f32) {
 /// A plastic box with a lid, clips at the sides and a grip rim.
 pub(super) fn storage(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[CLEAR_PLASTIC, CLEAR_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]);
-    let lid = b.one(&[BLUE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC]);
+    let body = b.choose(&[CLEAR_PLASTIC, CLEAR_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]);
+    let lid = b.choose(&[BLUE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC]);
     let t = (x * 0.02).clamp(0.001, 0.004);
     let rim = h * 0.9;
     let (dx, dy, draft) = (x * 0.97, y * 0.94, 0.93);
@@ -77,8 +77,8 @@ pub(super) fn storage(b: &mut Build<'_>) {
     let edge = oval(Axis::Z, [0.0, 0.0, rim - t * 2.0], (dx, dy), 2, 32);
     hoop(b, "rim", &edge, t * 1.2, body);
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.9, |b| {
-        b.soft("lid", [-x, -y * 0.96, rim], [x, y * 0.96, h - t], (h - rim) * 0.3, lid);
-        b.soft("lid", [-x * 0.85, -y * 0.82, rim + t], [x * 0.85, y * 0.82, h], (h - rim) * 0.2, lid);
+        b.rounded_block("lid", [-x, -y * 0.96, rim], [x, y * 0.96, h - t], (h - rim) * 0.3, lid);
+        b.rounded_block("lid", [-x * 0.85, -y * 0.82, rim + t], [x * 0.85, y * 0.82, h], (h - rim) * 0.2, lid);
         for side in [-1.0_f32, 1.0] {
             let (a, c) = (side * y * 0.955, side * y);
             b.block("clip", [-x * 0.3, a.min(c), rim - h * 0.12], [x * 0.3, a.max(c), rim + t], lid);
@@ -89,7 +89,7 @@ pub(super) fn storage(b: &mut Build<'_>) {
 /// A present: wrapped box, ribbon around it and a bow on its lid.
 pub(super) fn gift(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (paper, ribbon) = b.one(&[
+    let (paper, ribbon) = b.choose(&[
         (RED_CARD, GOLD),
         (BLUE_CARD, SILVER_METAL),
         (GREEN_CARD, RED_FABRIC),
@@ -135,8 +135,8 @@ pub(super) fn basket(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let laundry = b.class == "laundry_basket";
     let mat = match laundry && b.rng.chance(0.5) {
-        true => b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]),
-        false => b.one(&[WICKER, WICKER, JUTE, BAMBOO, GREY_OAK]),
+        true => b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]),
+        false => b.choose(&[WICKER, WICKER, JUTE, BAMBOO, GREY_OAK]),
     };
     let handles = !laundry && b.rng.chance(0.5);
     let r = (h * 0.035).min(x * 0.05);
@@ -161,11 +161,11 @@ pub(super) fn basket(b: &mut Build<'_>) {
     }
     // Collision geometry with a wall as thick as the weave.
     let wall = |out: f32| [ring(r * 0.2, out), ring(rim, out), ring(rim, -r * 0.7), ring(r, -r * 0.7)];
-    b.seen(|b| {
+    b.visual_only(|b| {
         weave.put(b, "weave", mat);
         loft(b, "wall", &wall(-r * 0.2), mat);
     });
-    b.felt(|b| loft(b, "wall", &wall(r * 0.8), mat));
+    b.collision_only(|b| loft(b, "wall", &wall(r * 0.8), mat));
     let floor = (x * draft - 2.0 * r, y * draft - 2.0 * r);
     let fit = [0.66, 0.78, 0.86][square];
     b.inside("compartment", [0.0, 0.0, r], (floor.0 * fit, floor.1 * fit), rim - r);
@@ -176,7 +176,7 @@ pub(super) fn basket(b: &mut Build<'_>) {
             let curve = arc(Axis::Y, [0.0, end, rim], (x * 0.3, h - rim - r * 0.7), (0.0, PI), 10);
             shell.tube(&curve, r * 0.7);
         }
-        let accent = b.one(&[mat, BROWN_LEATHER, JUTE]);
+        let accent = b.choose(&[mat, BROWN_LEATHER, JUTE]);
         shell.put(b, "handle", accent);
     } else if laundry {
         // Hinged at the upper edge of its back, so that an open lid stays clear of the wall behind.
@@ -198,9 +198,9 @@ pub(super) fn crate_box(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let plastic = b.rng.chance(0.35);
     let mat = if plastic {
-        b.one(&[RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC])
+        b.choose(&[RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC])
     } else {
-        b.one(&[PINE, OAK, GREY_OAK, BIRCH])
+        b.choose(&[PINE, OAK, GREY_OAK, BIRCH])
     };
     let t = (x * 0.05).clamp(0.003, 0.012);
     let rows = b.rng.count(2, 4);
@@ -236,7 +236,7 @@ pub(super) fn crate_box(b: &mut Build<'_>) {
 /// A jewelry box: a drawer below, a hinged lid with a mirror above.
 pub(super) fn jewelry(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let wood = b.one(&[WALNUT, CHERRY, WHITE_LEATHER, ROSE_FABRIC, b.style.wood, BLACK_LEATHER]);
+    let wood = b.choose(&[WALNUT, CHERRY, WHITE_LEATHER, ROSE_FABRIC, b.style.wood, BLACK_LEATHER]);
     let (t, foot) = ((h * 0.05).min(0.006), h * 0.05);
     let (split, rim) = (h * 0.42, h * 0.74);
     let knob = (x * 0.08).min(0.008);
@@ -275,7 +275,13 @@ pub(super) fn jewelry(b: &mut Build<'_>) {
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.7, |b| {
         let flat = rim + (h - rim) * 0.4;
         b.block("lid", [-x, -y, rim + h * 0.002], [front, y, flat], wood);
-        b.soft("lid", [-x * 0.97, -y * 0.98, flat - t * 0.5], [front * 0.97, y * 0.98, h], (h - rim) * 0.4, wood);
+        b.rounded_block(
+            "lid",
+            [-x * 0.97, -y * 0.98, flat - t * 0.5],
+            [front * 0.97, y * 0.98, h],
+            (h - rim) * 0.4,
+            wood,
+        );
         b.block(
             "mirror",
             [-x * 0.7, -y * 0.75, rim - (h * 0.015).min(0.001)],

@@ -7,7 +7,7 @@ use vc_graph::portable::Portable;
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, oval, spline};
 
-const WAXES: [Mat; 7] = [WAX, WHITE_PLASTIC, RED_GLAZE, WAX, PINK_PLASTIC, SAGE, NAVY];
+const WAXES: [MaterialId; 7] = [WAX, WHITE_PLASTIC, RED_GLAZE, WAX, PINK_PLASTIC, SAGE, NAVY];
 
 /// A wick on top of wax.
 fn wick(b: &mut Build<'_>, at: P, high: f32) {
@@ -18,7 +18,7 @@ fn wick(b: &mut Build<'_>, at: P, high: f32) {
 pub(super) fn candle(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let wax = b.one(&WAXES);
+    let wax = b.choose(&WAXES);
     let string = (h * 0.12).min(0.012);
     let top = h - string;
     match b.rng.below(4) {
@@ -34,7 +34,7 @@ pub(super) fn candle(b: &mut Build<'_>) {
             drips(b, r, top, wax);
         }
         1 => {
-            let glass = b.one(&[GLASS, FROSTED_GLASS, BROWN_GLASS, BLUE_GLASS]);
+            let glass = b.choose(&[GLASS, FROSTED_GLASS, BROWN_GLASS, BLUE_GLASS]);
             let t = r * 0.06;
             b.lathe(
                 "glass",
@@ -53,7 +53,7 @@ pub(super) fn candle(b: &mut Build<'_>) {
             );
         }
         2 => {
-            let tin = b.one(&[BRASS, BLACK_METAL, STONEWARE, PORCELAIN, b.style.metal]);
+            let tin = b.choose(&[BRASS, BLACK_METAL, STONEWARE, PORCELAIN, b.style.metal]);
             let foot = b.vary(0.7, 1.0);
             b.lathe(
                 "bowl",
@@ -81,7 +81,7 @@ pub(super) fn candle(b: &mut Build<'_>) {
 }
 
 /// Wax drips.
-fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
+fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: MaterialId) {
     let count = b.rng.count(0, 4);
     let mut shell = MeshBuilder::default();
     for _ in 0..count {
@@ -96,7 +96,7 @@ fn drips(b: &mut Build<'_>, r: f32, top: f32, wax: Mat) {
 pub(super) fn tealight(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let wax = b.one(&WAXES);
+    let wax = b.choose(&WAXES);
     let tin = h * 0.85;
     b.lathe(
         "tin",
@@ -111,7 +111,7 @@ pub(super) fn tealight(b: &mut Build<'_>) {
 /// A candle holder with candles: a turned stick, a plate with a grip, or a branched one.
 pub(super) fn candlestick(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let metal = b.one(&[b.style.metal, BRASS, IRON, SILVER_METAL, b.style.wood, PORCELAIN]);
+    let metal = b.choose(&[b.style.metal, BRASS, IRON, SILVER_METAL, b.style.wood, PORCELAIN]);
     if y > 1.5 * x || y > 0.09 && h > 0.15 && b.rng.chance(0.6) {
         return branched(b, metal);
     }
@@ -139,15 +139,15 @@ pub(super) fn candlestick(b: &mut Build<'_>) {
 
 /// A slim candle with its wick, from a point upwards.
 fn taper(b: &mut Build<'_>, at: P, r: f32, high: f32) {
-    let wax = b.one(&WAXES);
+    let wax = b.choose(&WAXES);
     b.lathe("candle", at, &[(r, 0.0), (r * 0.8, high * 0.9), (r * 0.3, high * 0.93)], wax);
     b.rod("wick", [at[0], at[1], at[2] + high * 0.92], [at[0], at[1], at[2] + high], r * 0.15, BLACK_FABRIC);
 }
 
 /// Three or five arms in a row.
-fn branched(b: &mut Build<'_>, metal: Mat) {
+fn branched(b: &mut Build<'_>, metal: MaterialId) {
     let (x, y, h) = half_dims(b);
-    let (arms, level) = (b.one(&[3, 5]), h * 0.55);
+    let (arms, level) = (b.choose(&[3, 5]), h * 0.55);
     let r = (y * 0.12).min(x).min(0.014);
     let foot = x.min(y * 0.6);
     b.lathe(

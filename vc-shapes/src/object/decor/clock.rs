@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, ngon, oval, tube};
 
 /// A dial facing +X: plate, marks and hands, protruding by `depth`.
-pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (Mat, Mat)) {
+pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats: (MaterialId, MaterialId)) {
     let (plate, ink) = mats;
     b.prism("dial", Axis::X, at, &ngon((r, r), 32), depth * 0.35, plate);
     let mut marks = MeshBuilder::default();
@@ -31,8 +31,8 @@ pub(in crate::object) fn dial(b: &mut Build<'_>, at: P, r: f32, depth: f32, mats
 }
 
 /// The materials of a clock's dial and hands.
-fn faces(b: &mut Build<'_>) -> (Mat, Mat) {
-    b.one(&[
+fn faces(b: &mut Build<'_>) -> (MaterialId, MaterialId) {
+    b.choose(&[
         (WHITE_PAPER, BLACK_PLASTIC),
         (CREAM_PAPER, BLACK_PLASTIC),
         (BLACK_PLASTIC, WHITE_PLASTIC),
@@ -46,18 +46,18 @@ fn faces(b: &mut Build<'_>) -> (Mat, Mat) {
 pub(super) fn wall(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = y.min(h / 2.0);
-    let rim = b.one(&[b.style.wood, b.style.metal, BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, BRASS]);
+    let rim = b.choose(&[b.style.wood, b.style.metal, BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, BRASS]);
     let mats = faces(b);
     let at = [0.0, 0.0, h / 2.0];
     let depth = 2.0 * x;
     match b.rng.below(4) {
         0 => {
-            b.soft("case", [-x, -y, 0.0], [x * 0.3, y, h], x, rim);
+            b.rounded_block("case", [-x, -y, 0.0], [x * 0.3, y, h], x, rim);
             dial(b, [x * 0.25, 0.0, h / 2.0], r * 0.9, depth * 0.3, mats);
         }
         1 => {
             let mut rays = MeshBuilder::default();
-            let count = b.one(&[12, 16, 20]);
+            let count = b.choose(&[12, 16, 20]);
             for i in 0..count {
                 let (s, c) = (TAU * i as f32 / count as f32).sine_cosine();
                 let long = if i % 2 == 0 { 0.985 } else { 0.8 };
@@ -80,7 +80,7 @@ pub(super) fn wall(b: &mut Build<'_>) {
 /// A clock on a shelf: a house with a dial, a cube, a mantel arch or a glass bell.
 pub(super) fn clock(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[b.style.wood, WALNUT, BRASS, WHITE, BLACK, MARBLE]);
+    let case = b.choose(&[b.style.wood, WALNUT, BRASS, WHITE, BLACK, MARBLE]);
     let mats = faces(b);
     let depth = (x * 0.2).min(0.012);
     let front = x - depth;
@@ -111,7 +111,7 @@ pub(super) fn alarm(b: &mut Build<'_>) {
         return digital(b);
     }
     let mats = faces(b);
-    let case = b.one(&[RED_METAL, BLUE_METAL, BRASS, BLACK_METAL, GREEN_METAL, CHROME, WHITE_PLASTIC, PINK_PLASTIC]);
+    let case = b.choose(&[RED_METAL, BLUE_METAL, BRASS, BLACK_METAL, GREEN_METAL, CHROME, WHITE_PLASTIC, PINK_PLASTIC]);
     let r = y.min(h * 0.38);
     let bells = b.rng.chance(0.6);
     let r = if bells { r } else { y.min(h * 0.47) };
@@ -175,7 +175,7 @@ const DIGITS: [[bool; 7]; 10] = {
 };
 
 /// A time in glowing digits, facing +X, in a rectangle of half width and height.
-pub(in crate::object) fn digits(b: &mut Build<'_>, at: P, (w, h): (f32, f32), depth: f32, mat: Mat) {
+pub(in crate::object) fn digits(b: &mut Build<'_>, at: P, (w, h): (f32, f32), depth: f32, mat: MaterialId) {
     let time = [b.rng.below(3), b.rng.below(4), b.rng.below(6), b.rng.below(10)];
     let dw = w * 0.17;
     let bar = (h * 0.1).min(dw * 0.3);
@@ -206,14 +206,14 @@ pub(in crate::object) fn digits(b: &mut Build<'_>, at: P, (w, h): (f32, f32), de
 /// A clock radio: a slanted box with digits and buttons.
 fn digital(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, b.style.wood]);
+    let case = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, b.style.wood]);
     let relief = (x * 0.06).min(0.003);
     let key = (h * 0.08).min(0.006);
     let (front, top) = (x - relief, h - key);
-    b.soft("case", [-x, -y, 0.0], [front, y, top], h * 0.12, case);
+    b.rounded_block("case", [-x, -y, 0.0], [front, y, top], h * 0.12, case);
     let half = (y * 0.8, top * 0.32);
     b.block("screen", [front - 0.002, -y * 0.9, top * 0.1], [front + relief * 0.4, y * 0.9, top * 0.9], SCREEN);
-    let glow = b.one(&[SIGNAL_RED, LED, COOL_BULB, SIGNAL_AMBER]);
+    let glow = b.choose(&[SIGNAL_RED, LED, COOL_BULB, SIGNAL_AMBER]);
     digits(b, [front, 0.0, top / 2.0], half, relief, glow);
     let list = [-0.7, -0.4, 0.1, 0.5].map(|s| ([-x * 0.4, y * s, top - key * 0.5], [x * 0.2, y * (s + 0.2), h]));
     blocks(b, "button", &list, GREY_PLASTIC);

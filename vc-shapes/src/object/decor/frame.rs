@@ -33,7 +33,7 @@ fn framed(b: &mut Build<'_>, at: P, t: f32, w: f32, h: f32) {
     let digital = b.class == "digital_photo_frame";
     let painting = b.class == "painting";
     let wood =
-        if digital { BLACK_PLASTIC } else { b.one(&[b.style.wood, b.style.metal, BLACK, WHITE, GOLD, WALNUT, OAK]) };
+        if digital { BLACK_PLASTIC } else { b.choose(&[b.style.wood, b.style.metal, BLACK, WHITE, GOLD, WALNUT, OAK]) };
     let bar = w.min(h) * if digital { 0.08 } else { b.vary(0.04, 0.13) };
     let (back, face) = (at[0] - t / 2.0, at[0] + t / 2.0);
     let plain = painting && b.rng.chance(0.3);
@@ -59,7 +59,7 @@ fn framed(b: &mut Build<'_>, at: P, t: f32, w: f32, h: f32) {
         [plane, y - bar * 0.9, z1 - bar * 0.9],
         if digital { SCREEN } else { WHITE_PAPER },
     );
-    let mount = if digital || painting { 0.0 } else { b.one(&[0.0, 0.1, 0.2]) };
+    let mount = if digital || painting { 0.0 } else { b.choose(&[0.0, 0.1, 0.2]) };
     let half = ((y - bar) * (1.0 - mount), (h / 2.0 - bar) * (1.0 - mount));
     let inks = match b.class {
         "digital_photo_frame" => Inks::screen(),
@@ -71,13 +71,13 @@ fn framed(b: &mut Build<'_>, at: P, t: f32, w: f32, h: f32) {
 }
 
 /// A bead along the inner edge of a frame.
-fn moulding(b: &mut Build<'_>, (y, z0, z1): (f32, f32, f32), (face, deep): (f32, f32), bar: f32, wood: Mat) {
+fn moulding(b: &mut Build<'_>, (y, z0, z1): (f32, f32, f32), (face, deep): (f32, f32), bar: f32, wood: MaterialId) {
     if b.rng.chance(0.5) {
         return;
     }
     let bead = (bar * 0.2).min(deep * 0.3);
     let (x0, x1) = (face - bead, face - bead * 0.25);
-    let gold = if wood == GOLD { BRASS } else { b.one(&[GOLD, wood, SILVER_METAL]) };
+    let gold = if wood == GOLD { BRASS } else { b.choose(&[GOLD, wood, SILVER_METAL]) };
     let list = [
         ([x0, -y, z0 - 1e-4], [x1, y, z0 + bead]),
         ([x0, -y, z1 - bead], [x1, y, z1 + 1e-4]),
@@ -96,7 +96,7 @@ pub(super) fn print(b: &mut Build<'_>) {
         }
         let plane = -t / 2.0 + t * 0.3;
         b.block("paper", [-t / 2.0, -w / 2.0, 0.0], [plane, w / 2.0, h], WHITE_PAPER);
-        let border = b.one(&[0.86, 0.94, 0.998]);
+        let border = b.choose(&[0.86, 0.94, 0.998]);
         let half = (w / 2.0 * border, h / 2.0 * border);
         let inks = match b.class {
             "picture" => Inks::photo(),
@@ -110,8 +110,8 @@ pub(super) fn print(b: &mut Build<'_>) {
 pub(super) fn tapestry(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let (cloth, ink) = (
-            b.one(&[WOOL, LINEN, RUST_FABRIC, NAVY_FABRIC, b.style.accent]),
-            b.one(&[RED_FABRIC, MUSTARD_FABRIC, TEAL_FABRIC, BROWN_FABRIC]),
+            b.choose(&[WOOL, LINEN, RUST_FABRIC, NAVY_FABRIC, b.style.accent]),
+            b.choose(&[RED_FABRIC, MUSTARD_FABRIC, TEAL_FABRIC, BROWN_FABRIC]),
         );
         let r = t * 0.45;
         let (low, high) = (h * 0.12, h - r);

@@ -8,17 +8,17 @@ use super::clock::{dial, digits};
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, ngon, oval};
 
-const GEMS: [Mat; 5] = [CLEAR_PLASTIC, RED_GLAZE, BLUE_GLAZE, GREEN_GLAZE, PORCELAIN];
+const GEMS: [MaterialId; 5] = [CLEAR_PLASTIC, RED_GLAZE, BLUE_GLAZE, GREEN_GLAZE, PORCELAIN];
 
-fn precious(b: &mut Build<'_>) -> Mat {
-    b.one(&[GOLD, GOLD, SILVER_METAL, CHROME])
+fn precious(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[GOLD, GOLD, SILVER_METAL, CHROME])
 }
 
 /// A finger ring lying flat, with a stone.
 pub(super) fn ring(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let metal = precious(b);
-    let stone = b.one(&GEMS);
+    let stone = b.choose(&GEMS);
     let t = (x * 0.12).min(h / 2.0);
     let gem = (x * 0.25).min(h / 2.0);
     let back = x - gem;
@@ -50,7 +50,7 @@ pub(super) fn necklace(b: &mut Build<'_>) {
         shell.put(b, "pearl", PORCELAIN);
     } else {
         hoop(b, "chain", &line, chain, metal);
-        let stone = b.one(&GEMS);
+        let stone = b.choose(&GEMS);
         let mut shell = MeshBuilder::default();
         shell.egg([x - r * 2.0, 0.0, r], [r * 1.8, r * 1.4, r]);
         shell.put(b, "pendant", stone);
@@ -61,7 +61,7 @@ pub(super) fn necklace(b: &mut Build<'_>) {
 pub(super) fn earrings(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let metal = precious(b);
-    let stone = b.one(&GEMS);
+    let stone = b.choose(&GEMS);
     let hoops = b.rng.chance(0.5);
     for side in [-1.0_f32, 1.0] {
         let r = (y * 0.45).min(x);
@@ -91,7 +91,7 @@ pub(super) fn bracelet(b: &mut Build<'_>) {
             [(r, h * 0.1), (r, h * 0.9), (r * 0.97, h), (r * 0.9, h), (r * 0.9, 0.0), (r * 0.97, 0.0), (r, h * 0.1)];
         return b.lathe("bangle", [0.0; 3], &ring, metal);
     }
-    let (first, second) = (b.one(&GEMS), precious(b));
+    let (first, second) = (b.choose(&GEMS), precious(b));
     let count = ((x - t) * 3.1 / t) as usize;
     let line = oval(Axis::Z, [0.0, 0.0, t], (x - t, y - t), 0, count.clamp(10, 24));
     let mut beads = [MeshBuilder::default(), MeshBuilder::default()];
@@ -107,11 +107,11 @@ pub(super) fn bracelet(b: &mut Build<'_>) {
 pub(super) fn watch(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let smart = b.class == "smart_watch";
-    let strap = b.one(&[BROWN_LEATHER, BLACK_LEATHER, STEEL, NAVY_FABRIC, RUBBER, TAN_LEATHER]);
+    let strap = b.choose(&[BROWN_LEATHER, BLACK_LEATHER, STEEL, NAVY_FABRIC, RUBBER, TAN_LEATHER]);
     // If it were solid metal, a smart watch would be too heavy for its strap.
-    let cases: &[Mat] =
+    let cases: &[MaterialId] =
         if smart { &[BLACK_PLASTIC, GREY_PLASTIC, ANTHRACITE] } else { &[STEEL, GOLD, BLACK_METAL, SILVER_METAL] };
-    let case = b.one(cases);
+    let case = b.choose(cases);
     let wide = if smart { y } else { y.min(h * 0.6) };
     let t = x * 0.1;
     let loop_ = |s: f32| oval(Axis::Y, [-t, 0.0, h / 2.0], ((x - t) * s, h / 2.0 * s), 0, 24);
@@ -133,7 +133,7 @@ pub(super) fn watch(b: &mut Build<'_>) {
     // Steel, so that the clasp balances the case.
     b.block("clasp", [-x, -half * 0.7, h / 2.0 - 3.0 * t], [1.4 * t - x, half * 0.7, h / 2.0 + 3.0 * t], STEEL);
     if smart {
-        b.soft("case", [back, -r, h / 2.0 - r], [front - t * 0.8, r, h / 2.0 + r], r * 0.3, case);
+        b.rounded_block("case", [back, -r, h / 2.0 - r], [front - t * 0.8, r, h / 2.0 + r], r * 0.3, case);
         b.block(
             "screen",
             [front - t, -r * 0.8, h / 2.0 - r * 0.8],
@@ -145,7 +145,7 @@ pub(super) fn watch(b: &mut Build<'_>) {
     }
     let outline = ngon((r, r), 28);
     b.prism("case", Axis::X, [back, 0.0, h / 2.0], &outline, 2.3 * t, case);
-    let face = b.one(&[
+    let face = b.choose(&[
         (WHITE_PAPER, BLACK_PLASTIC),
         (BLACK_PLASTIC, WHITE_PLASTIC),
         (NAVY, SILVER_METAL),

@@ -12,7 +12,7 @@ pub(super) fn wall(b: &mut Build<'_>) {
 
 /// A framed pane with the centre of its base at the origin.
 fn pane(b: &mut Build<'_>, t: f32, w: f32, h: f32) {
-    let frame = b.one(&[b.style.wood, b.style.metal, GOLD, WHITE, BLACK, WALNUT]);
+    let frame = b.choose(&[b.style.wood, b.style.metal, GOLD, WHITE, BLACK, WALNUT]);
     let bar = w.min(h) * b.vary(0.02, 0.08);
     let (y, back, face) = (w / 2.0, -t / 2.0, t / 2.0);
     let plane = back + t * 0.6;
@@ -65,7 +65,7 @@ pub(super) fn standing(b: &mut Build<'_>) {
         return pane(b, 2.0 * x, 2.0 * y, h);
     }
     let post = (y * 0.06).min(0.018);
-    let frame = b.one(&[b.style.wood, b.style.metal, BLACK, WHITE]);
+    let frame = b.choose(&[b.style.wood, b.style.metal, BLACK, WHITE]);
     for side in [-1.0_f32, 1.0] {
         let at = side * (y - post);
         b.block("post", [-post, at - post, post], [post, at + post, h * 0.72], frame);
@@ -82,7 +82,7 @@ pub(super) fn standing(b: &mut Build<'_>) {
 /// A hand mirror, or a small mirror on a foot.
 pub(super) fn hand(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
-        let frame = b.one(&[b.style.metal, GOLD, CHROME, PINK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, b.style.wood]);
+        let frame = b.choose(&[b.style.metal, GOLD, CHROME, PINK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, b.style.wood]);
         let r = (w / 2.0).min(h * 0.35);
         let rim = (t * 0.4).min(r * 0.08);
         let centre = [0.0, 0.0, h - r];

@@ -12,11 +12,11 @@ use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, lo
 /// standing figure or an abstract loop.
 pub(super) fn sculpture(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[MARBLE, BRASS, IRON, PLASTER, BLACK_GLAZE, POTTERY, WALNUT, COPPER, GRANITE]);
+    let mat = b.choose(&[MARBLE, BRASS, IRON, PLASTER, BLACK_GLAZE, POTTERY, WALNUT, COPPER, GRANITE]);
     let kind = b.rng.below(6);
     let least = if matches!(kind, 0 | 4) { h - 3.2 * x.min(y) } else { 0.0 };
     let plinth = (h * b.vary(0.06, 0.14)).max(least);
-    let stone = b.one(&[BLACK_GRANITE, MARBLE, b.style.wood, WENGE]);
+    let stone = b.choose(&[BLACK_GRANITE, MARBLE, b.style.wood, WENGE]);
     b.block("plinth", [-x, -y, 0.0], [x, y, plinth], stone);
     let r = x.min(y);
     let at = |t: f32| plinth + (h - plinth) * t;
@@ -54,7 +54,7 @@ pub(super) fn sculpture(b: &mut Build<'_>) {
                 let s = r * (0.95 - 0.14 * i as f32) * b.vary(0.85, 1.0);
                 let mut stone = MeshBuilder::default();
                 stone.egg([r * b.vary(-0.06, 0.06), 0.0, z + tall * 0.5], [s, s * 0.9, tall * 0.54]);
-                let mat = if i % 2 == 0 { mat } else { b.one(&[ROCK, GRANITE, mat]) };
+                let mat = if i % 2 == 0 { mat } else { b.choose(&[ROCK, GRANITE, mat]) };
                 stone.put(b, "stone", mat);
                 z += tall;
             }
@@ -79,7 +79,7 @@ pub(super) fn sculpture(b: &mut Build<'_>) {
 }
 
 /// Head, neck and shoulders.
-fn bust(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
+fn bust(b: &mut Build<'_>, r: f32, low: f32, mat: MaterialId) {
     let h = b.size.z;
     let tall = h - low;
     let ring =
@@ -105,7 +105,7 @@ fn bust(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
 }
 
 /// A slim standing person.
-fn figure(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
+fn figure(b: &mut Build<'_>, r: f32, low: f32, mat: MaterialId) {
     let tall = b.size.z - low;
     let at = |x: f32, y: f32, z: f32| [r * x, r * y, low + tall * z];
     let mut shell = MeshBuilder::default();
@@ -128,7 +128,7 @@ fn figure(b: &mut Build<'_>, r: f32, low: f32, mat: Mat) {
 /// A small figure: a cat, a bird, a person, an elephant of glass.
 pub(super) fn figurine(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let glaze = b.one(&[PORCELAIN, BLUE_GLAZE, GREEN_GLAZE, BRASS, BLACK_GLAZE, WALNUT, GLASS, RED_GLAZE]);
+    let glaze = b.choose(&[PORCELAIN, BLUE_GLAZE, GREEN_GLAZE, BRASS, BLACK_GLAZE, WALNUT, GLASS, RED_GLAZE]);
     let r = x.min(y);
     match b.rng.below(3) {
         0 => {
@@ -166,7 +166,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
         let wide = r * 0.06;
         leaves[i % 2].tapered(&[from, mix(from, to, 0.4), to], |t| wide * (0.5 + 1.6 * t - 2.05 * t * t).max(0.05));
     }
-    let (first, second) = b.one(&[(DARK_LEAF, LEAF), (LEAF, LIGHT_LEAF), (DARK_LEAF, AUTUMN_LEAF)]);
+    let (first, second) = b.choose(&[(DARK_LEAF, LEAF), (LEAF, LIGHT_LEAF), (DARK_LEAF, AUTUMN_LEAF)]);
     let [a, c] = leaves;
     a.put(b, "leaf", first);
     c.put(b, "leaf", second);
@@ -176,7 +176,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
         let size = r * 0.05;
         berries.egg([x * 0.4, r * 0.78 * c, mid + r * 0.78 * s], [size, size, size]);
     }
-    let berry = b.one(&[RED_SKIN, PETAL_WHITE, GOLD, PURPLE_SKIN]);
+    let berry = b.choose(&[RED_SKIN, PETAL_WHITE, GOLD, PURPLE_SKIN]);
     berries.put(b, "berry", berry);
     if b.rng.chance(0.6) {
         bow(b, [x * 0.5, 0.0, mid - r * 0.72], r * 0.3);
@@ -185,7 +185,7 @@ pub(super) fn wreath(b: &mut Build<'_>) {
 
 /// A ribbon tied in a bow, facing +X.
 fn bow(b: &mut Build<'_>, at: P, size: f32) {
-    let ribbon = b.one(&[RED_FABRIC, GOLD, WHITE_COTTON, GREEN_FABRIC]);
+    let ribbon = b.choose(&[RED_FABRIC, GOLD, WHITE_COTTON, GREEN_FABRIC]);
     let mut shell = MeshBuilder::default();
     for side in [-1.0, 1.0] {
         let point = |y: f32, z: f32| [at[0], at[1] + side * size * y, at[2] + size * z];
@@ -230,7 +230,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
             ring(z1, (half_width(z1) * 0.35).max(r * 0.01), 0.1),
         ]);
     }
-    let green = b.one(&[DARK_LEAF, DARK_LEAF, LEAF, SAGE]);
+    let green = b.choose(&[DARK_LEAF, DARK_LEAF, LEAF, SAGE]);
     needles.put(b, "needles", green);
     let mut balls = [MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default()];
     for i in 0..27 {
@@ -240,7 +240,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
         let reach = (half_width(z) * 0.93 - size).max(r * 0.03);
         balls[i % 3].egg([reach * c, reach * s, z], [size, size, size]);
     }
-    let colours = b.one(&[[RED_GLAZE, GOLD], [SILVER_METAL, BLUE_GLAZE], [GOLD, WHITE_METAL]]);
+    let colours = b.choose(&[[RED_GLAZE, GOLD], [SILVER_METAL, BLUE_GLAZE], [GOLD, WHITE_METAL]]);
     let [first, second, lights] = balls;
     first.put(b, "bauble", colours[0]);
     second.put(b, "bauble", colours[1]);
@@ -257,7 +257,7 @@ pub(super) fn christmas_tree(b: &mut Build<'_>) {
 /// A bookend: an angle with a letter, a ball or a horse's head.
 pub(super) fn bookend(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[IRON, MARBLE, b.style.wood, BRASS, BLACK_GRANITE]);
+    let mat = b.choose(&[IRON, MARBLE, b.style.wood, BRASS, BLACK_GRANITE]);
     let t = (y * 0.12).min(0.012);
     b.block("foot", [-x * 0.98, -y, 0.0], [x * 0.98, y - t * 0.3, t * 0.6], mat);
     b.block("back", [-x, y - t, t * 0.5], [x, y, h], mat);
@@ -285,7 +285,7 @@ pub(super) fn bookend(b: &mut Build<'_>) {
 /// A piggy bank with a slot in its back.
 pub(super) fn piggy_bank(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let skin = b.one(&[PINK_PLASTIC, PORCELAIN, BLUE_GLAZE, PINK_PLASTIC]);
+    let skin = b.choose(&[PINK_PLASTIC, PORCELAIN, BLUE_GLAZE, PINK_PLASTIC]);
     b.at([0.0; 3], if y > x { std::f32::consts::FRAC_PI_2 } else { 0.0 }, |b| {
         let (l, w) = (x.max(y), x.min(y));
         let leg = h * 0.2;
@@ -346,7 +346,7 @@ pub(super) fn piggy_bank(b: &mut Build<'_>) {
 /// A fish tank: glass, water, gravel, plants and a lit lid.
 pub(super) fn aquarium(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let frame = b.one(&[BLACK_PLASTIC, b.style.wood, SILVER_METAL]);
+    let frame = b.choose(&[BLACK_PLASTIC, b.style.wood, SILVER_METAL]);
     let (t, lid) = ((x * 0.04).min(0.008), h * 0.08);
     let rim = h - lid;
     b.block("base", [-x, -y, 0.0], [x, y, h * 0.04], frame);
@@ -379,7 +379,7 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
     rocks.egg([-ix * 0.4, -iy * 0.4, gravel + h * 0.09], [ix * 0.25, iy * 0.12, h * 0.16]);
     rocks.put(b, "rock", ROCK);
     b.inside("basin", [ix * 0.45, 0.0, gravel], (ix * 0.45, iy * 0.9), (rim * 0.9 - gravel).max(0.0));
-    b.soft("lid", [-x, -y, rim], [x, y, h], lid * 0.2, frame);
+    b.rounded_block("lid", [-x, -y, rim], [x, y, h], lid * 0.2, frame);
     b.block("lamp", [-x * 0.3, -iy * 0.9, rim - t], [x * 0.3, iy * 0.9, rim + t * 0.5], COOL_BULB);
 }
 
@@ -387,7 +387,7 @@ pub(super) fn aquarium(b: &mut Build<'_>) {
 pub(super) fn diffuser(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let body = b.one(&[b.style.wood, PORCELAIN, BAMBOO, BLACK_PLASTIC, STONEWARE]);
+    let body = b.choose(&[b.style.wood, PORCELAIN, BAMBOO, BLACK_PLASTIC, STONEWARE]);
     let split = h * 0.35;
     b.lathe("base", [0.0; 3], &[(r * 0.8, 0.0), (r * 0.97, split * 0.4), (r, split)], body);
     b.lathe("light", [0.0, 0.0, split - h * 0.005], &[(r * 0.97, 0.0), (r * 0.97, h * 0.03)], WARM_BULB);
@@ -413,7 +413,7 @@ pub(super) fn diffuser(b: &mut Build<'_>) {
 pub(super) fn ashtray(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let mat = b.one(&[GLASS, BROWN_GLASS, STEEL, BLACK_GLAZE, STONEWARE]);
+    let mat = b.choose(&[GLASS, BROWN_GLASS, STEEL, BLACK_GLAZE, STONEWARE]);
     b.lathe("bowl", [0.0; 3], &[(r * 0.85, 0.0), (r, h * 0.75), (r * 0.8, h * 0.75), (r * 0.7, h * 0.25)], mat);
     let mut rests = MeshBuilder::default();
     for i in 0..3 {
@@ -432,11 +432,11 @@ pub(super) fn ashtray(b: &mut Build<'_>) {
 /// A globe with continents, tilted in a half ring.
 pub(super) fn globe(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let stand = b.one(&[b.style.wood, BRASS, BLACK_PLASTIC, b.style.metal]);
+    let stand = b.choose(&[b.style.wood, BRASS, BLACK_PLASTIC, b.style.metal]);
     let r = (x.min(y) * 0.92).min(h * 0.38);
     let at = [0.0, 0.0, h - r * 1.1];
-    let sea = b.one(&[BLUE, SKY, WALL_OCHRE]);
-    let land = if sea == WALL_OCHRE { BROWN_SKIN } else { b.one(&[GREEN, SAGE, MUSTARD]) };
+    let sea = b.choose(&[BLUE, SKY, WALL_OCHRE]);
+    let land = if sea == WALL_OCHRE { BROWN_SKIN } else { b.choose(&[GREEN, SAGE, MUSTARD]) };
     b.ball("sea", at, r * 0.98, sea);
     let mut shell = MeshBuilder::default();
     for (centre, wide, tall) in

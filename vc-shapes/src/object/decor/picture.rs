@@ -14,18 +14,18 @@ pub(in crate::object) struct Canvas {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::object) struct Inks {
     /// Background, land, accent, and dark parts.
-    sky: Mat,
-    land: Mat,
-    sun: Mat,
-    dark: Mat,
+    sky: MaterialId,
+    land: MaterialId,
+    sun: MaterialId,
+    dark: MaterialId,
     /// The colours of faces, one of which is drawn, and of every second flower.
-    faces: [Mat; 3],
-    flower: Mat,
+    faces: [MaterialId; 3],
+    flower: MaterialId,
 }
 
 /// The colours of faces and flowers in pictures that are not on screens.
-const FACES: [Mat; 3] = [SKIN, BROWN_SKIN, EGGSHELL];
-const FLOWER: Mat = PETAL_PINK;
+const FACES: [MaterialId; 3] = [SKIN, BROWN_SKIN, EGGSHELL];
+const FLOWER: MaterialId = PETAL_PINK;
 
 impl Inks {
     /// A picture on a screen, visible while the screen is on. All of it is dark when the screen is
@@ -38,10 +38,10 @@ impl Inks {
     /// Oil on canvas.
     pub(in crate::object) fn painted(b: &mut Build<'_>) -> Self {
         Self {
-            sky: b.one(&[SKY, CREAM, DUSTY_ROSE, MUSTARD, LIGHT_GREY, WALL_OCHRE, WHITE]),
-            land: b.one(&[SAGE, FOREST, GREEN, TERRACOTTA, NAVY, BLUE]),
-            sun: b.one(&[YELLOW, ORANGE, RED, WHITE, MUSTARD]),
-            dark: b.one(&[NAVY, BLACK, ANTHRACITE, FOREST, TERRACOTTA]),
+            sky: b.choose(&[SKY, CREAM, DUSTY_ROSE, MUSTARD, LIGHT_GREY, WALL_OCHRE, WHITE]),
+            land: b.choose(&[SAGE, FOREST, GREEN, TERRACOTTA, NAVY, BLUE]),
+            sun: b.choose(&[YELLOW, ORANGE, RED, WHITE, MUSTARD]),
+            dark: b.choose(&[NAVY, BLACK, ANTHRACITE, FOREST, TERRACOTTA]),
             faces: FACES,
             flower: FLOWER,
         }
@@ -50,10 +50,10 @@ impl Inks {
     /// Ink on paper.
     pub(in crate::object) fn printed(b: &mut Build<'_>) -> Self {
         Self {
-            sky: b.one(&[WHITE_PAPER, CREAM_PAPER, PINK_CARD, YELLOW_CARD, SKY]),
-            land: b.one(&[GREEN_CARD, BLUE_CARD, TEAL_CARD, ORANGE_CARD]),
-            sun: b.one(&[YELLOW_CARD, ORANGE_CARD, RED_CARD, WHITE_PAPER]),
-            dark: b.one(&[BLACK_CARD, PURPLE_CARD, BLUE_CARD, RED_CARD]),
+            sky: b.choose(&[WHITE_PAPER, CREAM_PAPER, PINK_CARD, YELLOW_CARD, SKY]),
+            land: b.choose(&[GREEN_CARD, BLUE_CARD, TEAL_CARD, ORANGE_CARD]),
+            sun: b.choose(&[YELLOW_CARD, ORANGE_CARD, RED_CARD, WHITE_PAPER]),
+            dark: b.choose(&[BLACK_CARD, PURPLE_CARD, BLUE_CARD, RED_CARD]),
             faces: FACES,
             flower: FLOWER,
         }
@@ -73,7 +73,7 @@ struct Brush<'a, 'b> {
 }
 
 impl Brush<'_, '_> {
-    fn fill(&mut self, layer: usize, outline: &[(f32, f32)], mat: Mat) {
+    fn fill(&mut self, layer: usize, outline: &[(f32, f32)], mat: MaterialId) {
         let shrink = 1.0 - 0.006 * layer as f32;
         let (w, h) = (self.canvas.half.0 * shrink, self.canvas.half.1 * shrink);
         let outline: Vec<(f32, f32)> =
@@ -83,12 +83,12 @@ impl Brush<'_, '_> {
         self.b.prism("picture", Axis::X, base, &outline, step * 1.3, mat);
     }
 
-    fn bar(&mut self, layer: usize, (u0, u1): (f32, f32), (v0, v1): (f32, f32), mat: Mat) {
+    fn bar(&mut self, layer: usize, (u0, u1): (f32, f32), (v0, v1): (f32, f32), mat: MaterialId) {
         self.fill(layer, &[(u0, v0), (u1, v0), (u1, v1), (u0, v1)], mat);
     }
 
     /// A disc; its radius is relative to the shorter half side.
-    fn disc(&mut self, layer: usize, (u, v): (f32, f32), radius: f32, mat: Mat) {
+    fn disc(&mut self, layer: usize, (u, v): (f32, f32), radius: f32, mat: MaterialId) {
         let (w, h) = self.canvas.half;
         let r = radius * w.min(h);
         let points: Vec<(f32, f32)> = ngon((r / w, r / h), 16).into_iter().map(|(a, c)| (u + a, v + c)).collect();
@@ -96,7 +96,7 @@ impl Brush<'_, '_> {
     }
 
     /// A ridge from side to side, filled down to the lower edge.
-    fn ridge(&mut self, layer: usize, (low, high): (f32, f32), peaks: usize, mat: Mat) {
+    fn ridge(&mut self, layer: usize, (low, high): (f32, f32), peaks: usize, mat: MaterialId) {
         let mut outline = vec![(1.0, -1.0), (-1.0, -1.0)];
         for i in 0..=peaks * 2 {
             let u = -1.0 + i as f32 / peaks as f32;
@@ -156,7 +156,7 @@ fn fields(p: &mut Brush<'_, '_>, inks: Inks) {
 }
 
 fn portrait(p: &mut Brush<'_, '_>, inks: Inks) {
-    let skin = p.b.one(&inks.faces);
+    let skin = p.b.choose(&inks.faces);
     p.fill(1, &[(-0.75, -1.0), (0.75, -1.0), (0.6, -0.5), (0.25, -0.3), (-0.25, -0.3), (-0.6, -0.5)], inks.land);
     p.disc(1, (0.0, 0.22), 0.46, inks.dark);
     p.disc(2, (0.0, 0.12), 0.38, skin);

@@ -5,7 +5,7 @@ use vc_graph::portable::Portable;
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, half_dims, hoop, loft, mix, oval, spline};
 
-const GLAZES: [Mat; 13] = [
+const GLAZES: [MaterialId; 13] = [
     PORCELAIN,
     BLUE_GLAZE,
     GREEN_GLAZE,
@@ -37,8 +37,8 @@ const OUTLINES: [&[(f32, f32)]; 8] = [
 pub(super) fn vase(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let mat = b.one(&GLAZES);
-    let outline = b.one(&OUTLINES);
+    let mat = b.choose(&GLAZES);
+    let outline = b.choose(&OUTLINES);
     let swell = b.vary(0.85, 1.1);
     let handles = b.rng.chance(0.2);
     let share = if handles { 0.85 } else { 1.0 };
@@ -79,8 +79,8 @@ fn radius_at(wall: &[(f32, f32)], z: f32) -> f32 {
 }
 
 /// A vase with flat sides, open at the top.
-fn faceted(b: &mut Build<'_>, wall: &[(f32, f32)], t: f32, mat: Mat) {
-    let n = b.one(&[4, 6, 8]);
+fn faceted(b: &mut Build<'_>, wall: &[(f32, f32)], t: f32, mat: MaterialId) {
+    let n = b.choose(&[4, 6, 8]);
     let twist = b.vary(0.0, 0.25);
     let ring = |&(s, z): &(f32, f32), i: usize| -> Vec<P> {
         let turn = twist * i as f32;
@@ -96,12 +96,12 @@ fn faceted(b: &mut Build<'_>, wall: &[(f32, f32)], t: f32, mat: Mat) {
 }
 
 /// Rings around the body, in a second glaze.
-fn trim(b: &mut Build<'_>, wall: &[(f32, f32)], mat: Mat) {
+fn trim(b: &mut Build<'_>, wall: &[(f32, f32)], mat: MaterialId) {
     if b.rng.chance(0.5) {
         return;
     }
     let h = b.size.z;
-    let glaze = b.one(&[GOLD, WHITE_METAL, BLUE_GLAZE, BLACK_GLAZE, RED_GLAZE]);
+    let glaze = b.choose(&[GOLD, WHITE_METAL, BLUE_GLAZE, BLACK_GLAZE, RED_GLAZE]);
     if glaze == mat {
         return;
     }
@@ -115,7 +115,7 @@ fn trim(b: &mut Build<'_>, wall: &[(f32, f32)], mat: Mat) {
 }
 
 /// A handle at both sides.
-fn ears(b: &mut Build<'_>, wall: &[(f32, f32)], belly: f32, mat: Mat) {
+fn ears(b: &mut Build<'_>, wall: &[(f32, f32)], belly: f32, mat: MaterialId) {
     let (_, y, h) = half_dims(b);
     let top = f32::midpoint(belly, h).max(h * 0.7);
     let thick = y * 0.06;
@@ -134,12 +134,12 @@ fn ears(b: &mut Build<'_>, wall: &[(f32, f32)], belly: f32, mat: Mat) {
 /// A table centrepiece: a bowl of balls or fruit, or a tray with candles and twigs.
 pub(super) fn centerpiece(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[b.style.wood, BRASS, PORCELAIN, BLACK_GLAZE, GLASS]);
+    let mat = b.choose(&[b.style.wood, BRASS, PORCELAIN, BLACK_GLAZE, GLASS]);
     let low = h * 0.35;
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s, y * s), 1, 24);
     let t = 0.06;
     loft(b, "bowl", &[ring(0.0, 0.5), ring(low, 1.0), ring(low, 1.0 - t), ring(low * 0.2, 0.5 - t)], mat);
-    let fill = b.one(&[LEAF, PETAL_PINK, RED_SKIN, ORANGE_SKIN, GREEN_SKIN, GOLD]);
+    let fill = b.choose(&[LEAF, PETAL_PINK, RED_SKIN, ORANGE_SKIN, GREEN_SKIN, GOLD]);
     let mut balls = MeshBuilder::default();
     for i in 0..9 {
         let a = i as f32 * 2.4;
@@ -157,6 +157,6 @@ pub(super) fn centerpiece(b: &mut Build<'_>) {
         let over = [tip[0] * 0.75, tip[1] * 0.75, tip[2]];
         leaves.leaf(&[from, over, tip], |t| x.min(y) * 0.12 * (1.0 - (2.0 * t - 0.9).abs()).max(0.02), 0.3);
     }
-    let green = b.one(&[LEAF, DARK_LEAF, LIGHT_LEAF]);
+    let green = b.choose(&[LEAF, DARK_LEAF, LIGHT_LEAF]);
     leaves.put(b, "leaf", green);
 }

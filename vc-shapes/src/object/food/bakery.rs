@@ -28,8 +28,11 @@ pub(super) fn loaf(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let cake = b.class == "pound_cake";
-    let crust =
-        if cake { b.one(&[CRUST, YELLOW_SKIN, CHOCOLATE]) } else { b.one(&[CRUST, CRUST, BROWN_SKIN, COOKED_MEAT]) };
+    let crust = if cake {
+        b.choose(&[CRUST, YELLOW_SKIN, CHOCOLATE])
+    } else {
+        b.choose(&[CRUST, CRUST, BROWN_SKIN, COOKED_MEAT])
+    };
     let crumb = if crust == CHOCOLATE { CHOCOLATE } else { CRUMB };
     if cake || b.rng.chance(0.5) {
         let sliced = b.rng.chance(0.5);
@@ -94,7 +97,14 @@ pub(super) fn loaf(b: &mut Build<'_>) {
 }
 
 /// Half an elliptical body along Y with a flat bottom, as of bread baked on a sheet.
-fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f32, profile: &[(f32, f32)], mat: Mat) {
+fn domed(
+    b: &mut Build<'_>,
+    name: &str,
+    (low, high): ([f32; 2], [f32; 2]),
+    h: f32,
+    profile: &[(f32, f32)],
+    mat: MaterialId,
+) {
     let (mx, hx) = (f32::midpoint(low[0], high[0]), (high[0] - low[0]) / 2.0);
     let ring = |&(r, k): &(f32, f32)| {
         let point = |i: usize| {
@@ -108,7 +118,7 @@ fn domed(b: &mut Build<'_>, name: &str, (low, high): ([f32; 2], [f32; 2]), h: f3
 }
 
 /// Slanted scores in a crust.
-fn scores(b: &mut Build<'_>, count: usize, (hx, hy): (f32, f32), z: f32, mat: Mat) {
+fn scores(b: &mut Build<'_>, count: usize, (hx, hy): (f32, f32), z: f32, mat: MaterialId) {
     for i in 0..count {
         let at = hy * 1.3 * ((i as f32 + 0.5) / count as f32 - 0.5);
         let w = (hy * 0.28 / count as f32).min(hx * 0.2);
@@ -132,7 +142,7 @@ fn scores(b: &mut Build<'_>, count: usize, (hx, hy): (f32, f32), z: f32, mat: Ma
 pub(super) fn roll(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let crust = b.one(&[CRUST, CRUST, BROWN_SKIN]);
+    let crust = b.choose(&[CRUST, CRUST, BROWN_SKIN]);
     let profile: &[(f32, f32)] = if b.class == "baguette" {
         &[(0.0, 0.0), (0.5, 0.02), (0.85, 0.1), (1.0, 0.3), (1.0, 0.7), (0.85, 0.9), (0.5, 0.98), (0.0, 1.0)]
     } else {
@@ -167,7 +177,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
 }
 
 /// A thick ring: bagels and donuts, the latter glazed and sprinkled.
-pub(super) fn ring_bread(b: &mut Build<'_>, dough: Mat) {
+pub(super) fn ring_bread(b: &mut Build<'_>, dough: MaterialId) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let thick = (r * 0.36).min(z * 0.7);
@@ -188,7 +198,7 @@ pub(super) fn ring_bread(b: &mut Build<'_>, dough: Mat) {
     if b.class != "donut" {
         return;
     }
-    let glaze = b.one(&[CHOCOLATE, PETAL_PINK, PETAL_WHITE, CHOCOLATE]);
+    let glaze = b.choose(&[CHOCOLATE, PETAL_PINK, PETAL_WHITE, CHOCOLATE]);
     let mut top: Vec<_> = (0..=8)
         .map(|i| {
             let (s, c) = (TAU * (0.06 + 0.38 * i as f32 / 8.0)).sine_cosine();
@@ -231,7 +241,7 @@ pub(super) fn bread_slice(b: &mut Build<'_>) {
 /// A croissant: a bent, stepped roll, thick in the centre.
 pub(super) fn croissant(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[CRUST, CRUST, MUSTARD]);
+    let mat = b.choose(&[CRUST, CRUST, MUSTARD]);
     let r = (z / 2.0).min(x * 0.36);
     let steps = 7;
     for i in 0..steps {
@@ -256,7 +266,7 @@ pub(super) fn stack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let pancake = b.class == "pancake";
-    let mat = if pancake { CRUST } else { b.one(&[CRUMB, PALE_FLESH]) };
+    let mat = if pancake { CRUST } else { b.choose(&[CRUMB, PALE_FLESH]) };
     let count = ((z / if pancake { 0.012 } else { 0.005 }).round() as usize).clamp(1, 5);
     let room = z * if pancake && count > 2 { 0.85 } else { 0.94 };
     let t = room / count as f32;
@@ -275,7 +285,7 @@ pub(super) fn stack(b: &mut Build<'_>) {
         }
     }
     if pancake && room < z {
-        b.soft("butter", [-hx * 0.2, -hx * 0.2, room * 0.98], [hx * 0.2, hx * 0.2, z], z * 0.04, YELLOW_SKIN);
+        b.rounded_block("butter", [-hx * 0.2, -hx * 0.2, room * 0.98], [hx * 0.2, hx * 0.2, z], z * 0.04, YELLOW_SKIN);
     }
 }
 

@@ -32,7 +32,7 @@ fn plate(b: &mut Build<'_>, z: f32) -> f32 {
 }
 
 /// A deep bowl that fills the footprint up to height `h`, with content whose surface is at `fill`.
-fn bowl(b: &mut Build<'_>, h: f32, fill: f32, content: Mat) {
+fn bowl(b: &mut Build<'_>, h: f32, fill: f32, content: MaterialId) {
     let (x, y, _) = dims(b);
     let mat = b.style.crockery;
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -59,9 +59,9 @@ fn bowl(b: &mut Build<'_>, h: f32, fill: f32, content: Mat) {
 pub(super) fn bowlful(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let (content, bits): (Mat, &[Mat]) = match b.class {
-        "soup" => (b.one(&[TOMATO, MUSTARD, LIGHT_LEAF, ORANGE_SKIN]), &[LEAF, ORANGE_SKIN, CREAM_FOOD]),
-        "stew" => (b.one(&[COOKED_MEAT, TOMATO]), &[COOKED_MEAT, ORANGE_SKIN, PALE_FLESH, LEAF]),
+    let (content, bits): (MaterialId, &[MaterialId]) = match b.class {
+        "soup" => (b.choose(&[TOMATO, MUSTARD, LIGHT_LEAF, ORANGE_SKIN]), &[LEAF, ORANGE_SKIN, CREAM_FOOD]),
+        "stew" => (b.choose(&[COOKED_MEAT, TOMATO]), &[COOKED_MEAT, ORANGE_SKIN, PALE_FLESH, LEAF]),
         "salad" => (LIGHT_LEAF, &[RED_SKIN, LEAF, LIGHT_LEAF, PETAL_WHITE]),
         _ => (PALE_FLESH, &[PALE_FLESH, HAY]),
     };
@@ -111,7 +111,7 @@ pub(super) fn bowlful(b: &mut Build<'_>) {
 }
 
 /// A bent strand of pasta around `centre`, below `top`.
-fn strand(b: &mut Build<'_>, centre: P, r: f32, (turn, top): (f32, f32), mat: Mat) {
+fn strand(b: &mut Build<'_>, centre: P, r: f32, (turn, top): (f32, f32), mat: MaterialId) {
     let w = r * 0.14;
     let points: Vec<P> = (0..7)
         .map(|k| {
@@ -128,11 +128,11 @@ pub(super) fn meal(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let floor = plate(b, z * 0.42);
     let room = z - floor;
-    let main = b.one(&[COOKED_MEAT, CRUST, ORANGE_SKIN]);
+    let main = b.choose(&[COOKED_MEAT, CRUST, ORANGE_SKIN]);
     lump(b, "main", [hx * 0.22, -hy * 0.12, floor + room * 0.32], [hx * 0.38, hy * 0.42, room * 0.33], 0.08, main);
-    let side = b.one(&[RICE, PALE_FLESH, CREAM_FOOD]);
+    let side = b.choose(&[RICE, PALE_FLESH, CREAM_FOOD]);
     lump(b, "side", [-hx * 0.3, -hy * 0.25, floor + room * 0.5], [hx * 0.3, hy * 0.32, room * 0.5], 0.1, side);
-    let green = b.one(&[LEAF, ORANGE_SKIN, LIGHT_LEAF]);
+    let green = b.choose(&[LEAF, ORANGE_SKIN, LIGHT_LEAF]);
     for i in 0..9 {
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = (i as f32 / 9.0).sqrt();
@@ -153,7 +153,8 @@ pub(super) fn pizza(b: &mut Build<'_>) {
     turn(b, "crust", [0.0; 3], (r, z * 0.8), &[(0.94, 0.0), (1.0, 0.4), (0.98, 0.9), (0.93, 1.0), (0.89, 0.6)], CRUST);
     b.cylinder("sauce", [0.0, 0.0, z * 0.3], r * 0.9, z * 0.22, TOMATO);
     lump(b, "cheese", [0.0, 0.0, z * 0.48], [r * 0.86, r * 0.86, z * 0.14], 0.03, CHEESE);
-    let (topping, green) = b.one(&[(RED_SKIN, LEAF), (COOKED_MEAT, LEAF), (PALE_FLESH, DARK_LEAF), (RED_SKIN, BLACK)]);
+    let (topping, green) =
+        b.choose(&[(RED_SKIN, LEAF), (COOKED_MEAT, LEAF), (PALE_FLESH, DARK_LEAF), (RED_SKIN, BLACK)]);
     for i in 0..11 {
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = 0.76 * ((i as f32 + 0.4) / 11.0).sqrt();
@@ -218,9 +219,10 @@ pub(super) fn sandwich(b: &mut Build<'_>) {
 pub(super) fn hamburger(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let layer = |b: &mut Build<'_>, name: &str, (low, high): (f32, f32), k: f32, profile: &[(f32, f32)], mat: Mat| {
-        spun(b, name, ([-hx * k, -hy * k, z * low], [hx * k, hy * k, z * high]), profile, false, mat);
-    };
+    let layer =
+        |b: &mut Build<'_>, name: &str, (low, high): (f32, f32), k: f32, profile: &[(f32, f32)], mat: MaterialId| {
+            spun(b, name, ([-hx * k, -hy * k, z * low], [hx * k, hy * k, z * high]), profile, false, mat);
+        };
     let puck: &[(f32, f32)] = &[(0.9, 0.0), (1.0, 0.3), (1.0, 0.7), (0.9, 1.0)];
     layer(b, "bun", (0.0, 0.25), 0.95, puck, CRUST);
     layer(b, "patty", (0.24, 0.42), 1.0, puck, COOKED_MEAT);
@@ -278,7 +280,7 @@ pub(super) fn hot_dog(b: &mut Build<'_>) {
         [0.0, 0.0, 1.0],
         COOKED_MEAT,
     );
-    let sauce = b.one(&[YELLOW_SKIN, TOMATO]);
+    let sauce = b.choose(&[YELLOW_SKIN, TOMATO]);
     let w = r * 0.16;
     let points: Vec<P> = (0..13)
         .map(|k| [r * 0.4 * if k % 2 == 0 { 1.0 } else { -1.0 }, hy * 0.85 * (k as f32 / 6.0 - 1.0), z - w])
@@ -290,7 +292,7 @@ pub(super) fn hot_dog(b: &mut Build<'_>) {
 pub(super) fn sushi(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let board = b.one(&[b.style.wood, BAMBOO, SLATE_TILE, BLACK]);
+    let board = b.choose(&[b.style.wood, BAMBOO, SLATE_TILE, BLACK]);
     let low = z * 0.25;
     b.block("board", [-hx, -hy, z * 0.1], [hx, hy, low], board);
     for side in [-0.7, 0.7] {
@@ -310,7 +312,7 @@ pub(super) fn sushi(b: &mut Build<'_>) {
             [ORANGE_SKIN, GREEN_SKIN, RED_SKIN][i % 3],
         );
         lump(b, "rice", [-hx * 0.4, at, low + room * 0.33], [hx * 0.42, r * 0.85, room * 0.34], 0.02, RICE);
-        b.soft(
+        b.rounded_block(
             "fish",
             [-hx * 0.86, at - r * 0.8, low + room * 0.55],
             [hx * 0.05, at + r * 0.8, low + room * 0.8],
@@ -324,7 +326,7 @@ pub(super) fn sushi(b: &mut Build<'_>) {
 pub(super) fn lasagna(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let dish = b.one(&[PORCELAIN, RED_GLAZE, BLUE_GLAZE, b.style.crockery]);
+    let dish = b.choose(&[PORCELAIN, RED_GLAZE, BLUE_GLAZE, b.style.crockery]);
     tub(
         b,
         "dish",
@@ -333,7 +335,7 @@ pub(super) fn lasagna(b: &mut Build<'_>) {
         z * 0.07,
         dish,
     );
-    b.soft("lasagna", [-hx * 0.89, -hy * 0.91, z * 0.05], [hx * 0.89, hy * 0.91, z * 0.86], z * 0.1, CHEESE);
+    b.rounded_block("lasagna", [-hx * 0.89, -hy * 0.91, z * 0.05], [hx * 0.89, hy * 0.91, z * 0.86], z * 0.1, CHEESE);
     for i in 0..12 {
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let k = 0.8 * ((i as f32 + 0.4) / 12.0).sqrt();
@@ -385,19 +387,22 @@ pub(super) fn french_fries(b: &mut Build<'_>) {
 pub(super) fn drink(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let (cup, liquid): (Mat, Mat) = match b.class {
+    let (cup, liquid): (MaterialId, MaterialId) = match b.class {
         "water" => (GLASS, WATER),
-        "coffee" => (b.one(&[b.style.crockery, PORCELAIN, WHITE_PAPER]), CHOCOLATE),
-        "tea" => (b.one(&[b.style.crockery, GLASS, PORCELAIN]), b.one(&[BROWN_GLASS, MUSTARD])),
-        "hot_chocolate" => (b.one(&[b.style.crockery, RED_GLAZE, STONEWARE]), BROWN_SKIN),
-        _ => (GLASS, b.one(&[PETAL_PINK, GREEN_SKIN, PURPLE_SKIN, ORANGE_SKIN])),
+        "coffee" => (b.choose(&[b.style.crockery, PORCELAIN, WHITE_PAPER]), CHOCOLATE),
+        "tea" => (b.choose(&[b.style.crockery, GLASS, PORCELAIN]), b.choose(&[BROWN_GLASS, MUSTARD])),
+        "hot_chocolate" => (b.choose(&[b.style.crockery, RED_GLAZE, STONEWARE]), BROWN_SKIN),
+        _ => (GLASS, b.choose(&[PETAL_PINK, GREEN_SKIN, PURPLE_SKIN, ORANGE_SKIN])),
     };
     let straw = b.class == "smoothie";
     let h = if straw { z * 0.8 } else { z };
     let eared = matches!(b.class, "coffee" | "tea" | "hot_chocolate") && cup != WHITE_PAPER;
     let r = if eared { r * 0.8 } else { r };
     let shape: [(f32, f32); 4] = if eared {
-        b.one(&[[(0.65, 0.0), (0.8, 0.2), (0.95, 0.6), (1.0, 1.0)], [(0.9, 0.0), (1.0, 0.08), (1.0, 0.5), (1.0, 1.0)]])
+        b.choose(&[
+            [(0.65, 0.0), (0.8, 0.2), (0.95, 0.6), (1.0, 1.0)],
+            [(0.9, 0.0), (1.0, 0.08), (1.0, 0.5), (1.0, 1.0)],
+        ])
     } else {
         [(0.78, 0.0), (0.82, 0.1), (0.92, 0.6), (1.0, 1.0)]
     };
@@ -451,7 +456,7 @@ pub(super) fn drink(b: &mut Build<'_>) {
 pub(super) fn ice(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let round = z * b.vary(0.15, 0.25);
-    b.soft("ice", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z], round, FROSTED_GLASS);
+    b.rounded_block("ice", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z], round, FROSTED_GLASS);
 }
 
 /// An upright tea bag with its string and label.
@@ -467,6 +472,6 @@ pub(super) fn tea_bag(b: &mut Build<'_>) {
     );
     let t = (hx * 0.2).min(hy * 0.02);
     b.rod("string", [0.0, 0.0, z * 0.78], [0.0, hy * 0.3, z * 0.97], t, WHITE_PAPER);
-    let tag = b.one(&[RED_CARD, GREEN_CARD, YELLOW_CARD]);
+    let tag = b.choose(&[RED_CARD, GREEN_CARD, YELLOW_CARD]);
     b.block("tag", [-hx * 0.3, hy * 0.1, z * 0.84], [hx * 0.3, hy * 0.5, z], tag);
 }

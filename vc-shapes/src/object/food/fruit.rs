@@ -149,7 +149,7 @@ enum Top {
 }
 
 /// The outline, colours and end piece of a body, and whether it lies along Y.
-fn sort(class: &str) -> (Profile, &'static [Mat], bool, Top) {
+fn sort(class: &str) -> (Profile, &'static [MaterialId], bool, Top) {
     match class {
         "apple" => (APPLE, &[RED_SKIN, RED_SKIN, GREEN_SKIN, YELLOW_SKIN], false, Top::Stalk),
         "orange" => (BALL, &[ORANGE_SKIN], false, Top::Dot),
@@ -189,7 +189,7 @@ fn sort(class: &str) -> (Profile, &'static [Mat], bool, Top) {
 pub(super) fn single(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (profile, skins, lying, top) = sort(b.class);
-    let skin = b.one(skins);
+    let skin = b.choose(skins);
     let share = match (b.class, top) {
         ("pineapple", _) => b.vary(0.55, 0.65),
         ("carrot", _) => b.vary(0.75, 0.95),
@@ -223,7 +223,7 @@ pub(super) fn single(b: &mut Build<'_>) {
 }
 
 /// Builds the end piece of a fruit at `end`.
-fn crown(b: &mut Build<'_>, top: Top, end: P, lying: bool, skin: Mat) {
+fn crown(b: &mut Build<'_>, top: Top, end: P, lying: bool, skin: MaterialId) {
     let (x, y, z) = dims(b);
     let r = x.min(if lying { z } else { y }) / 2.0;
     match top {
@@ -298,7 +298,7 @@ fn tuft(b: &mut Build<'_>, end: P, lying: bool, r: f32) {
     let (_, y, z) = dims(b);
     let length = if lying { y / 2.0 - end[1] } else { z - end[2] };
     let count = if b.class == "pineapple" { 14 } else { 5 };
-    let mat = b.one(&[LEAF, DARK_LEAF]);
+    let mat = b.choose(&[LEAF, DARK_LEAF]);
     for i in 0..count {
         let (s, c) = (2.4 * i as f32).sine_cosine();
         let spread = r * 0.85 * (i as f32 / count as f32).sqrt();
@@ -384,7 +384,7 @@ fn cloves(b: &mut Build<'_>, (hx, hy): (f32, f32), high: f32) {
 /// Lumpy potatoes and ginger.
 pub(super) fn root(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let skin = b.one(&[BROWN_SKIN, CRUST, HAY]);
+    let skin = b.choose(&[BROWN_SKIN, CRUST, HAY]);
     if b.class == "potato" {
         return boulder(b, "potato", ([0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0]), 0.1, (20, 12), skin);
     }
@@ -396,7 +396,7 @@ pub(super) fn root(b: &mut Build<'_>) {
 /// A single banana or several of a bunch, bent and lying on their side.
 pub(super) fn banana(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let skin = b.one(&[YELLOW_SKIN, YELLOW_SKIN, PETAL_YELLOW, GREEN_SKIN]);
+    let skin = b.choose(&[YELLOW_SKIN, YELLOW_SKIN, PETAL_YELLOW, GREEN_SKIN]);
     let r = (z / 2.0).min(x * 0.24);
     let count = ((x / (r * 2.6)).floor() as usize).clamp(1, 4);
     let pitch = (x - r * 3.1) / count.max(2) as f32 * if count > 1 { 1.0 } else { 0.0 };
@@ -427,12 +427,12 @@ pub(super) fn banana(b: &mut Build<'_>) {
 /// Grapes and other berries: heaped balls, on stalks or in the shape of a bowl.
 pub(super) fn cluster(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let (mat, taper): (&[Mat], bool) = match b.class {
+    let (mat, taper): (&[MaterialId], bool) = match b.class {
         "grapes" => (&[PURPLE_SKIN, GREEN_SKIN, LIGHT_LEAF], true),
         "blueberries" => (&[PURPLE_SKIN, NAVY], false),
         _ => (&[RED_SKIN], false),
     };
-    let mat = b.one(mat);
+    let mat = b.choose(mat);
     let cherries = b.class == "cherries";
     let count = if cherries { 9 } else { 15 };
     let (wide, room) = (x.min(y) / 2.0, (x * y / count as f32).sqrt());
@@ -472,7 +472,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
 }
 
 /// A small ball with few faces.
-pub(in crate::object) fn berry(b: &mut Build<'_>, centre: P, r: f32, mat: Mat) {
+pub(in crate::object) fn berry(b: &mut Build<'_>, centre: P, r: f32, mat: MaterialId) {
     let profile: Vec<_> = [(0.0, -1.0), (0.62, -0.78), (0.95, -0.3), (0.95, 0.3), (0.62, 0.78), (0.0, 1.0)]
         .iter()
         .map(|p| (p.0 * r, p.1 * r))

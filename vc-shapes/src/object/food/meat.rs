@@ -8,7 +8,7 @@ use crate::solid::{
 };
 
 /// An irregular slab: an outline with rounded edges.
-fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: P, mat: Mat) {
+fn slab(b: &mut Build<'_>, name: &str, outline: &[(f32, f32)], centre: P, half: P, mat: MaterialId) {
     let ring = |k: f32, z: f32| {
         outline
             .iter()
@@ -43,7 +43,7 @@ pub(super) fn steak(b: &mut Build<'_>) {
         CUT.iter().map(|p| (p.0 * b.rng.between(0.94, 1.0), p.1 * b.rng.between(0.95, 1.0))).collect();
     match b.class {
         "cutlets" => {
-            let crumb = b.one(&[CRUST, HAY, ORANGE_SKIN]);
+            let crumb = b.choose(&[CRUST, HAY, ORANGE_SKIN]);
             slab(b, "cutlet", &outline, [0.0, 0.0, hz], [hx, hy, hz], crumb);
             for i in 0..10 {
                 let (s, c) = (2.4 * i as f32).sine_cosine();
@@ -97,7 +97,7 @@ pub(super) fn steak(b: &mut Build<'_>) {
 pub(super) fn roast(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy, hz) = (x / 2.0, y / 2.0, z / 2.0);
-    let (meat, cut) = b.one(&[(COOKED_MEAT, MEAT), (MEAT, MEAT), (CHOCOLATE, MEAT)]);
+    let (meat, cut) = b.choose(&[(COOKED_MEAT, MEAT), (MEAT, MEAT), (CHOCOLATE, MEAT)]);
     let profile = [
         (0.0, 0.0),
         (0.75, 0.01),
@@ -129,7 +129,7 @@ pub(super) fn roast(b: &mut Build<'_>) {
 pub(super) fn bird(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[CRUST, COOKED_MEAT, SKIN]);
+    let mat = b.choose(&[CRUST, COOKED_MEAT, SKIN]);
     if z < 0.07 && b.class == "chicken" {
         return leg_pieces(b, mat);
     }
@@ -175,7 +175,7 @@ pub(super) fn bird(b: &mut Build<'_>) {
 }
 
 /// Drumsticks side by side.
-fn leg_pieces(b: &mut Build<'_>, mat: Mat) {
+fn leg_pieces(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, z) = dims(b);
     let r = (z / 2.0).min(x * 0.24);
     let count = ((x / (1.9 * r)).ceil() as usize).clamp(2, 6);
@@ -244,7 +244,7 @@ pub(super) fn slices(b: &mut Build<'_>) {
                 let (row, k) = (i / 5, i % 5);
                 let at = -hy + w * (k as f32 + 0.5) + w * 0.5 * row as f32 + w * 0.25;
                 let low = t * 1.04 * row as f32;
-                b.soft(
+                b.rounded_block(
                     "finger",
                     [-hx * 0.98, at - w * 0.44, low],
                     [hx * (0.98 - 0.04 * (k % 2) as f32), at + w * 0.44, low + t],
@@ -260,8 +260,11 @@ pub(super) fn slices(b: &mut Build<'_>) {
 pub(super) fn sausage(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let salami = b.class == "salami";
-    let mat =
-        if salami { b.one(&[RED_SKIN, PALE_FLESH, COOKED_MEAT]) } else { b.one(&[COOKED_MEAT, CRUST, MEAT, SKIN]) };
+    let mat = if salami {
+        b.choose(&[RED_SKIN, PALE_FLESH, COOKED_MEAT])
+    } else {
+        b.choose(&[COOKED_MEAT, CRUST, MEAT, SKIN])
+    };
     let full = (z / 2.0).min(x * 0.5);
     // Strings wrap around a salami.
     let r = if salami { full * 0.97 } else { full };
@@ -304,9 +307,9 @@ pub(super) fn sausage(b: &mut Build<'_>) {
 pub(super) fn mince(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let tray = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC]);
+    let tray = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC]);
     tub(b, "tray", &[(0.0, hx * 0.85, hy * 0.88), (z * 0.75, hx, hy)], 0.25, z * 0.05, tray);
-    b.soft("mince", [-hx * 0.84, -hy * 0.87, z * 0.03], [hx * 0.84, hy * 0.87, z * 0.75], z * 0.2, MEAT);
+    b.rounded_block("mince", [-hx * 0.84, -hy * 0.87, z * 0.03], [hx * 0.84, hy * 0.87, z * 0.75], z * 0.2, MEAT);
     for i in 0..9 {
         let at = hx * 0.75 * (i as f32 / 4.0 - 1.0);
         let r = hx * 0.09;
@@ -325,7 +328,7 @@ pub(super) fn mince(b: &mut Build<'_>) {
 /// A ball of meat.
 pub(super) fn meatball(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[COOKED_MEAT, COOKED_MEAT, CHOCOLATE]);
+    let mat = b.choose(&[COOKED_MEAT, COOKED_MEAT, CHOCOLATE]);
     boulder(b, "meatball", ([0.0, 0.0, z / 2.0], [x / 2.0, y / 2.0, z / 2.0]), 0.05, (20, 12), mat);
 }
 
@@ -359,7 +362,7 @@ pub(super) fn fish(b: &mut Build<'_>) {
         }
         return;
     }
-    let skin = b.one(&[FISH_SKIN, FISH_SKIN, SILVER_METAL, GREY]);
+    let skin = b.choose(&[FISH_SKIN, FISH_SKIN, SILVER_METAL, GREY]);
     let body =
         [(0.0, 0.0), (0.3, 0.02), (0.62, 0.12), (0.8, 0.28), (0.82, 0.45), (0.62, 0.7), (0.25, 0.92), (0.15, 1.0)];
     let tail = hy * 0.62;
@@ -403,10 +406,10 @@ pub(super) fn fish(b: &mut Build<'_>) {
 /// Shrimps in a heap: bent bodies with tails.
 pub(super) fn shrimp(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[PETAL_PINK, ORANGE_SKIN, TERRACOTTA]);
+    let mat = b.choose(&[PETAL_PINK, ORANGE_SKIN, TERRACOTTA]);
     let r = (z * 0.3).min(x * 0.13);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let under = b.one(&[LEAF, LIGHT_LEAF]);
+    let under = b.choose(&[LEAF, LIGHT_LEAF]);
     slab(b, "leaf", CUT, [0.0, 0.0, z * 0.06], [hx * 0.95, hy * 0.95, z * 0.06], under);
     for i in 0..7 {
         let (s, c) = (2.4 * i as f32).sine_cosine();
@@ -428,7 +431,7 @@ pub(super) fn shrimp(b: &mut Build<'_>) {
 /// A block of tofu in its dish.
 pub(super) fn tofu(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    b.soft("tofu", [-x * 0.49, -y / 2.0, 0.0], [x * 0.49, y / 2.0, z * 0.98], z * 0.08, CREAM_FOOD);
+    b.rounded_block("tofu", [-x * 0.49, -y / 2.0, 0.0], [x * 0.49, y / 2.0, z * 0.98], z * 0.08, CREAM_FOOD);
     let cut = b.vary(0.1, 0.3);
     b.block("cut", [-x * 0.5, y * cut, z * 0.2], [x * 0.5, y * cut + y * 0.008, z], PALE_FLESH);
 }
@@ -437,8 +440,8 @@ pub(super) fn tofu(b: &mut Build<'_>) {
 pub(super) fn cheese(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let paste = b.one(&[CHEESE, CHEESE, YELLOW_SKIN, CREAM_FOOD, ORANGE_SKIN]);
-    let rind = b.one(&[MUSTARD, RED_SKIN, CREAM_FOOD, BROWN_SKIN, BLACK]);
+    let paste = b.choose(&[CHEESE, CHEESE, YELLOW_SKIN, CREAM_FOOD, ORANGE_SKIN]);
+    let rind = b.choose(&[MUSTARD, RED_SKIN, CREAM_FOOD, BROWN_SKIN, BLACK]);
     match b.rng.below(3) {
         0 => {
             b.prism(
@@ -478,7 +481,7 @@ pub(super) fn cheese(b: &mut Build<'_>) {
             b.prism("paste", Axis::Z, [hx * 0.015, 0.0, z * 0.04], &inner, z * 0.96, paste);
         }
         _ => {
-            b.soft("paste", [-hx, -hy, 0.0], [hx, hy * 0.62, z], z * 0.06, paste);
+            b.rounded_block("paste", [-hx, -hy, 0.0], [hx, hy * 0.62, z], z * 0.06, paste);
             let count = 3;
             for i in 0..count {
                 let at = hy * (0.68 + 0.125 * i as f32);

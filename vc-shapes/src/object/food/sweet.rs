@@ -14,8 +14,8 @@ pub(super) fn cake(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let (icing, crumb) =
-        b.one(&[(CREAM_FOOD, CRUMB), (CHOCOLATE, CHOCOLATE), (PETAL_PINK, CRUMB), (CREAM_FOOD, CHOCOLATE)]);
-    let trim = b.one(&[CREAM_FOOD, CHOCOLATE, PETAL_PINK]);
+        b.choose(&[(CREAM_FOOD, CRUMB), (CHOCOLATE, CHOCOLATE), (PETAL_PINK, CRUMB), (CREAM_FOOD, CHOCOLATE)]);
+    let trim = b.choose(&[CREAM_FOOD, CHOCOLATE, PETAL_PINK]);
     let candles = b.rng.chance(0.35);
     let h = z * if candles { 0.62 } else { 0.82 };
     let whole = b.rng.chance(0.6);
@@ -74,7 +74,7 @@ pub(super) fn cake(b: &mut Build<'_>) {
 pub(super) fn muffin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let paper = b.one(&[WHITE_PAPER, CARDBOARD, PINK_CARD, BLUE_CARD, CREAM_PAPER]);
+    let paper = b.choose(&[WHITE_PAPER, CARDBOARD, PINK_CARD, BLUE_CARD, CREAM_PAPER]);
     let low = z * b.vary(0.42, 0.56);
     let pleats = 20;
     let ring = |z: f32, k: f32| -> Vec<P> {
@@ -88,7 +88,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
     };
     loft_columns(b, "paper", &[ring(0.0, 0.68), ring(low, 0.9)], paper);
     if b.class == "muffin" {
-        let dough = b.one(&[CRUST, CHOCOLATE, MUSTARD]);
+        let dough = b.choose(&[CRUST, CHOCOLATE, MUSTARD]);
         spun(
             b,
             "dome",
@@ -97,7 +97,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             false,
             dough,
         );
-        let bits = if dough == CHOCOLATE { CRUMB } else { b.one(&[CHOCOLATE, PURPLE_SKIN]) };
+        let bits = if dough == CHOCOLATE { CRUMB } else { b.choose(&[CHOCOLATE, PURPLE_SKIN]) };
         let count = b.rng.count(4, 10);
         for i in 0..count {
             let (s, c) = (2.4 * i as f32).sine_cosine();
@@ -114,7 +114,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
             );
         }
     } else {
-        let cream = b.one(&[CREAM_FOOD, PETAL_PINK, CHOCOLATE, PETAL_WHITE]);
+        let cream = b.choose(&[CREAM_FOOD, PETAL_PINK, CHOCOLATE, PETAL_WHITE]);
         let swirl: Vec<_> = [
             (0.9, 0.0),
             (0.98, 0.1),
@@ -138,7 +138,7 @@ pub(super) fn muffin(b: &mut Build<'_>) {
 pub(super) fn pie(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let filling = b.one(&[RED_SKIN, PURPLE_SKIN, ORANGE_SKIN, MUSTARD]);
+    let filling = b.choose(&[RED_SKIN, PURPLE_SKIN, ORANGE_SKIN, MUSTARD]);
     let outside: Vec<_> = [(0.8, 0.0), (0.93, 0.85), (0.97, 0.9)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
     b.lathe("crust", [0.0; 3], &vessel_profile(&outside, r * 0.05), CRUST);
     turn(b, "filling", [0.0, 0.0, z * 0.1], (r, z * 0.68), &[(0.77, 0.0), (0.87, 1.0)], filling);
@@ -162,7 +162,7 @@ fn lattice(b: &mut Build<'_>, r: f32, z: f32) {
 }
 
 /// A domed crust with slits that show the filling.
-fn closed_crust(b: &mut Build<'_>, r: f32, z: f32, filling: Mat) {
+fn closed_crust(b: &mut Build<'_>, r: f32, z: f32, filling: MaterialId) {
     turn(
         b,
         "cover",
@@ -183,7 +183,7 @@ fn closed_crust(b: &mut Build<'_>, r: f32, z: f32, filling: Mat) {
 pub(super) fn cookie(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let dough = b.one(&[CRUST, CHOCOLATE, MUSTARD]);
+    let dough = b.choose(&[CRUST, CHOCOLATE, MUSTARD]);
     let bits = if dough == CHOCOLATE { PALE_FLESH } else { CHOCOLATE };
     if b.rng.chance(0.7) {
         lump(b, "cookie", [0.0, 0.0, z * 0.45], [hx, hy, z * 0.45], 0.02, dough);
@@ -216,7 +216,7 @@ pub(super) fn cookie(b: &mut Build<'_>) {
 pub(super) fn waffle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let round = b.one(&[1.0, 0.25]);
+    let round = b.choose(&[1.0, 0.25]);
     b.prism("plate", Axis::Z, [0.0; 3], &rounded_by_share((hx, hy), round), z * 0.55, CRUST);
     for i in 0..6 {
         let k = i as f32 / 2.5 - 1.0;
@@ -236,7 +236,7 @@ pub(super) fn waffle(b: &mut Build<'_>) {
 pub(super) fn lollipop(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let (mat, other) = b.one(&[
+    let (mat, other) = b.choose(&[
         (RED_SKIN, PETAL_WHITE),
         (ORANGE_SKIN, PETAL_YELLOW),
         (PETAL_PINK, PETAL_WHITE),
@@ -252,7 +252,7 @@ pub(super) fn lollipop(b: &mut Build<'_>) {
 pub(super) fn ice_cream(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let cup = b.one(&[GLASS, b.style.crockery, PINK_CARD, WHITE_PAPER]);
+    let cup = b.choose(&[GLASS, b.style.crockery, PINK_CARD, WHITE_PAPER]);
     let low = z * 0.5;
     let t = hx * 0.05;
     let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), 1.0);
@@ -303,7 +303,7 @@ pub(super) fn pudding(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let (body, sauce) =
-        b.one(&[(CREAM_FOOD, RED_SKIN), (MUSTARD, CHOCOLATE), (CHOCOLATE, CREAM_FOOD), (PETAL_PINK, RED_SKIN)]);
+        b.choose(&[(CREAM_FOOD, RED_SKIN), (MUSTARD, CHOCOLATE), (CHOCOLATE, CREAM_FOOD), (PETAL_PINK, RED_SKIN)]);
     let plate = b.style.crockery;
     turn(b, "plate", [0.0; 3], (r, z * 0.12), &[(0.7, 0.0), (1.0, 0.8), (1.0, 1.0), (0.75, 0.6)], plate);
     turn(

@@ -12,7 +12,7 @@ use crate::solid::{Build, P, dims, lump, planar_tube, spun, sweep, turn};
 pub(super) fn florets(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let white = b.class == "cauliflower";
-    let (flower, stem) = if white { (CREAM_FOOD, LIGHT_LEAF) } else { (b.one(&[DARK_LEAF, LEAF]), LIGHT_LEAF) };
+    let (flower, stem) = if white { (CREAM_FOOD, LIGHT_LEAF) } else { (b.choose(&[DARK_LEAF, LEAF]), LIGHT_LEAF) };
     let (hx, hy) = (x / 2.0, y / 2.0);
     let low = if white { z * 0.25 } else { z * 0.45 };
     turn(b, "stem", [0.0; 3], (hx.min(hy) * 0.4, low * 1.5), &[(0.8, 0.0), (0.85, 0.4), (1.4, 1.0)], stem);
@@ -31,7 +31,7 @@ pub(super) fn florets(b: &mut Build<'_>) {
 }
 
 /// Leaves around a head, growing upwards and outwards from its base.
-fn leaves(b: &mut Build<'_>, (hx, hy): (f32, f32), (low, high): (f32, f32), count: usize, mat: Mat) {
+fn leaves(b: &mut Build<'_>, (hx, hy): (f32, f32), (low, high): (f32, f32), count: usize, mat: MaterialId) {
     for i in 0..count {
         let angle = TAU * i as f32 / count as f32 + b.vary(-0.1, 0.1);
         let half = TAU / count as f32 * 0.52;
@@ -60,9 +60,9 @@ pub(super) fn head(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let lettuce = b.class == "lettuce";
     let (core, leaf) = if lettuce {
-        (LIGHT_LEAF, b.one(&[LIGHT_LEAF, LEAF, GREEN_SKIN]))
+        (LIGHT_LEAF, b.choose(&[LIGHT_LEAF, LEAF, GREEN_SKIN]))
     } else {
-        (b.one(&[LIGHT_LEAF, PURPLE_SKIN]), LEAF)
+        (b.choose(&[LIGHT_LEAF, PURPLE_SKIN]), LEAF)
     };
     let leaf = if core == PURPLE_SKIN { PURPLE_SKIN } else { leaf };
     let (hx, hy) = (x / 2.0, y / 2.0);
@@ -129,7 +129,13 @@ pub(super) fn greens(b: &mut Build<'_>) {
         }
     }
     if bunch {
-        b.soft("band", [-hx * 0.62, -hy * 0.35, z * 0.1], [hx * 0.62, -hy * 0.28, z * 0.75], z * 0.25, RED_RUBBER);
+        b.rounded_block(
+            "band",
+            [-hx * 0.62, -hy * 0.35, z * 0.1],
+            [hx * 0.62, -hy * 0.28, z * 0.75],
+            z * 0.25,
+            RED_RUBBER,
+        );
     }
 }
 
@@ -228,7 +234,7 @@ pub(super) fn pods(b: &mut Build<'_>) {
 /// A mushroom: a cap on a stem.
 pub(super) fn mushroom(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let cap = b.one(&[PETAL_WHITE, BROWN_SKIN, PALE_FLESH]);
+    let cap = b.choose(&[PETAL_WHITE, BROWN_SKIN, PALE_FLESH]);
     let low = z * b.vary(0.35, 0.5);
     let stem = x.min(y) * b.vary(0.16, 0.22);
     turn(b, "stem", [0.0; 3], (stem, low + z * 0.1), &[(1.0, 0.0), (0.85, 0.4), (0.9, 1.0)], PALE_FLESH);
@@ -278,7 +284,7 @@ pub(super) fn corn(b: &mut Build<'_>) {
 pub(super) fn pumpkin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy, h) = (x / 2.0, y / 2.0, z * 0.85);
-    let mat = b.one(&[ORANGE_SKIN, ORANGE_SKIN, MUSTARD, DARK_LEAF]);
+    let mat = b.choose(&[ORANGE_SKIN, ORANGE_SKIN, MUSTARD, DARK_LEAF]);
     let ribs = b.rng.count(8, 10);
     for i in 0..ribs {
         let (s, c) = (TAU * i as f32 / ribs as f32).sine_cosine();
@@ -301,7 +307,7 @@ pub(super) fn pumpkin(b: &mut Build<'_>) {
 /// A chili: a bent cone with a green cap.
 pub(super) fn chili(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[RED_SKIN, GREEN_SKIN, RED_SKIN, ORANGE_SKIN]);
+    let mat = b.choose(&[RED_SKIN, GREEN_SKIN, RED_SKIN, ORANGE_SKIN]);
     let r = (z / 2.0).min(x * 0.4);
     let bow = (x / 2.0 - r).max(0.0);
     let at = |k: f32, r: f32| ([bow * (2.0 * (2.0 * k - 1.0).raised(2) - 1.0), y * (0.5 - k), z / 2.0], r, r);

@@ -15,7 +15,7 @@ fn turn(i: usize, count: usize) -> (f32, f32) {
 pub(super) fn fan(b: &mut Build<'_>) {
     let u = fit(b, [0.192, 0.24, 0.272]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, COPPER]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, STEEL, COPPER]);
     if h > 0.7 && b.rng.chance(0.3) {
         return tower(b, u, mat);
     }
@@ -64,7 +64,7 @@ fn cage(b: &mut Build<'_>, (back, front): (f32, f32), z: f32, r: f32, u: f32) {
 }
 
 /// A slim column with slots.
-fn tower(b: &mut Build<'_>, u: f32, mat: Mat) {
+fn tower(b: &mut Build<'_>, u: f32, mat: MaterialId) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
     b.lathe("foot", [0.0; 3], &[(r, 0.0), (r * 0.96, 0.015 * u), (r * 0.4, 0.03 * u)], mat);
@@ -83,8 +83,8 @@ pub(super) fn ceiling_fan(b: &mut Build<'_>) {
     let u = fit(b, [0.64, 0.64, 0.224]);
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let metal = b.one(&[b.style.metal, WHITE_METAL, BRASS]);
-    let wood = b.one(&[b.style.wood, WHITE, b.style.wood]);
+    let metal = b.choose(&[b.style.metal, WHITE_METAL, BRASS]);
+    let wood = b.choose(&[b.style.wood, WHITE, b.style.wood]);
     let (low, motor) = (h * 0.3, h * 0.3);
     b.lathe("rose", [0.0, 0.0, h * 0.86], &[(0.03 * u, 0.0), (0.07 * u, h * 0.14)], metal);
     b.cylinder("rod", [0.0, 0.0, low + motor * 0.9], 0.012 * u, h * 0.87 - low - motor * 0.9, metal);
@@ -124,15 +124,15 @@ pub(super) fn extractor_fan(b: &mut Build<'_>) {
     let r = y.min(z);
     b.rod("duct", [-x, 0.0, z], [x * 0.4, 0.0, z], r * 0.75, GREY_PLASTIC);
     if b.rng.chance(0.5) {
-        b.soft("plate", [x * 0.3, -y, 0.0], [x * 0.8, y, h], 0.008 * u, WHITE_PLASTIC);
+        b.rounded_block("plate", [x * 0.3, -y, 0.0], [x * 0.8, y, h], 0.008 * u, WHITE_PLASTIC);
         for i in 0..6 {
             let cz = z + r * 0.24 * (i as f32 - 2.5);
             b.block("slat", [x * 0.78, -y * 0.75, cz - r * 0.06], [x, y * 0.75, cz + r * 0.06], WHITE_PLASTIC);
         }
         b.block("dark", [x * 0.7, -y * 0.75, z - r * 0.7], [x * 0.82, y * 0.75, z + r * 0.7], BLACK_PLASTIC);
     } else {
-        b.soft("plate", [x * 0.3, -y, 0.0], [x * 0.7, y, h], 0.008 * u, WHITE_PLASTIC);
-        b.soft("cover", [x * 0.8, -y * 0.85, h * 0.075], [x, y * 0.85, h * 0.925], 0.006 * u, WHITE_PLASTIC);
+        b.rounded_block("plate", [x * 0.3, -y, 0.0], [x * 0.7, y, h], 0.008 * u, WHITE_PLASTIC);
+        b.rounded_block("cover", [x * 0.8, -y * 0.85, h * 0.075], [x, y * 0.85, h * 0.925], 0.006 * u, WHITE_PLASTIC);
         b.rod("post", [x * 0.6, 0.0, z], [x * 0.85, 0.0, z], r * 0.3, GREY_PLASTIC);
     }
 }
@@ -140,7 +140,7 @@ pub(super) fn extractor_fan(b: &mut Build<'_>) {
 /// A long case on the wall with a flap for the air flow.
 pub(super) fn air_conditioner(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let top = h - 0.002;
     let outline = [(-x, 0.0), (x * 0.5, 0.0), (x, h * 0.28), (x, h * 0.86), (x * 0.8, top), (-x, top)];
     b.prism("case", crate::solid::Axis::Y, [0.0, -y, 0.0], &outline, 2.0 * y, mat);
@@ -171,7 +171,7 @@ pub(super) fn air_conditioner(b: &mut Build<'_>) {
 pub(super) fn air_purifier(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.16, 0.272]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     if (x - y).abs() < x * 0.35 && b.rng.chance(0.6) {
         let r = x.min(y);
         b.lathe(
@@ -186,7 +186,7 @@ pub(super) fn air_purifier(b: &mut Build<'_>) {
         }
         collar(b, "ring", ([0.0, 0.0, h * 0.958], [0.0, 0.0, h * 0.965]), (r * 0.3, r * 0.4), LED);
     } else {
-        b.soft("case", [-x, -y, 0.0], [x, y, h], 0.03 * u, mat);
+        b.rounded_block("case", [-x, -y, 0.0], [x, y, h], 0.03 * u, mat);
         for i in 0..14 {
             let z = h * (0.12 + 0.042 * i as f32);
             b.block("slot", [x - 0.002 * u, -y * 0.75, z], [x, y * 0.75, z + h * 0.016], BLACK_PLASTIC);
@@ -201,7 +201,7 @@ pub(super) fn humidifier(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.16]);
     let (x, y, h) = half_dims(b);
     let r = (x - 0.006 * u).min(y);
-    let mat = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]);
     let base = h * 0.28;
     b.lathe("base", [0.0; 3], &[(r * 0.9, 0.0), (r, base * 0.4), (r * 0.96, base)], WHITE_PLASTIC);
     let tall = h * 0.86 - base;
@@ -239,13 +239,13 @@ pub(super) fn humidifier(b: &mut Build<'_>) {
 pub(super) fn dehumidifier(b: &mut Build<'_>) {
     let u = fit(b, [0.16, 0.208, 0.352]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC]);
     let (foot, split) = (0.03 * u, h * 0.38);
     for (sx, sy) in [(0.7, 0.75), (-0.7, 0.75), (-0.7, -0.75), (0.7, -0.75)] {
         b.ball("castor", [x * sx, y * sy, foot * 0.6], foot * 0.6, BLACK_PLASTIC);
     }
     let face = x - 0.012 * u;
-    b.soft("head", [-x, -y, split], [face, y, h - 0.0015], 0.02 * u, mat);
+    b.rounded_block("head", [-x, -y, split], [face, y, h - 0.0015], 0.02 * u, mat);
     let wall = 0.012 * u;
     case(b, [-x, -y, foot], [face, y, split + 0.005 * u], wall, mat);
     for i in 0..8 {

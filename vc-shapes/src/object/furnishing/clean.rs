@@ -5,8 +5,8 @@ use crate::object::cooker::fitting::*;
 use crate::solid::{Axis, Build, P, collar, fit, half_dims};
 
 /// Bright plastics of cleaners.
-fn case_mat(b: &mut Build<'_>) -> Mat {
-    b.one(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, PURPLE_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC])
+fn case_mat(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, PURPLE_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC])
 }
 
 /// A canister with wheels and a hose, or an upright with a handle.
@@ -18,8 +18,8 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
         return upright(b, u, mat);
     }
     let top = h * 0.72;
-    b.soft("body", [-x * 0.9, -y * 0.82, h * 0.12], [x * 0.8, y * 0.82, top], h * 0.2, mat);
-    b.soft("hood", [-x * 0.5, -y * 0.6, top * 0.8], [x * 0.7, y * 0.6, top * 1.08], h * 0.1, GREY_PLASTIC);
+    b.rounded_block("body", [-x * 0.9, -y * 0.82, h * 0.12], [x * 0.8, y * 0.82, top], h * 0.2, mat);
+    b.rounded_block("hood", [-x * 0.5, -y * 0.6, top * 0.8], [x * 0.7, y * 0.6, top * 1.08], h * 0.1, GREY_PLASTIC);
     let r = (h * 0.3).min(x * 0.6);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y * 0.78, side * y);
@@ -54,10 +54,10 @@ pub(super) fn vacuum_cleaner(b: &mut Build<'_>) {
 }
 
 /// An upright vacuum cleaner: a wide foot, a clear plastic bin, a handle.
-fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
+fn upright(b: &mut Build<'_>, u: f32, mat: MaterialId) {
     let (x, y, h) = half_dims(b);
     let foot = h * 0.09;
-    b.soft("foot", [x * 0.1, -y, 0.0], [x, y, foot], foot * 0.4, mat);
+    b.rounded_block("foot", [x * 0.1, -y, 0.0], [x, y, foot], foot * 0.4, mat);
     let wheel = (foot * 0.8).min(x * 0.45);
     b.rod("wheel", [-x * 0.5, -y * 0.5, wheel], [-x * 0.5, y * 0.5, wheel], wheel, BLACK_PLASTIC);
     let hold = y * 0.1;
@@ -94,7 +94,7 @@ fn upright(b: &mut Build<'_>, u: f32, mat: Mat) {
 pub(super) fn robot_vacuum(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let top = h * 0.84;
     b.lathe(
         "body",
@@ -133,7 +133,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
     let mat = case_mat(b);
     if h < 0.6 {
         let r = (h * 0.2).min(x * 0.48);
-        b.soft("body", [-x, -y * 0.85, r * 0.6], [x * 0.8, y * 0.85, h * 0.75], 0.05 * u, mat);
+        b.rounded_block("body", [-x, -y * 0.85, r * 0.6], [x * 0.8, y * 0.85, h * 0.75], 0.05 * u, mat);
         for side in [-1.0_f32, 1.0] {
             let (a, c) = (side * y * 0.8, side * y);
             b.rod("wheel", [-x * 0.5, a, r], [-x * 0.5, c, r], r, BLACK_PLASTIC);
@@ -165,11 +165,17 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
         foot,
         GREY_FABRIC,
     );
-    b.soft("plate", [-x * 0.8, -y * 0.8, foot - 0.002 * u], [x * 0.8, y * 0.8, foot * 1.9], 0.01 * u, mat);
+    b.rounded_block("plate", [-x * 0.8, -y * 0.8, foot - 0.002 * u], [x * 0.8, y * 0.8, foot * 1.9], 0.01 * u, mat);
     let lean = -x * 0.5;
     b.bar("neck", [0.0, 0.0, foot * 1.6], [lean, 0.0, h * 0.2], 0.018 * u, mat);
-    b.soft("tank", [lean - x * 0.3, -y * 0.4, h * 0.18], [lean + x * 0.5, y * 0.4, h * 0.46], 0.03 * u, mat);
-    b.soft("water", [lean + x * 0.3, -y * 0.3, h * 0.2], [lean + x * 0.65, y * 0.3, h * 0.36], 0.02 * u, BLUE_GLASS);
+    b.rounded_block("tank", [lean - x * 0.3, -y * 0.4, h * 0.18], [lean + x * 0.5, y * 0.4, h * 0.46], 0.03 * u, mat);
+    b.rounded_block(
+        "water",
+        [lean + x * 0.3, -y * 0.3, h * 0.2],
+        [lean + x * 0.65, y * 0.3, h * 0.36],
+        0.02 * u,
+        BLUE_GLASS,
+    );
     b.bar("pole", [lean, 0.0, h * 0.44], [lean, 0.0, h * 0.86], 0.013 * u, STEEL);
     b.pipe(
         "handle",
@@ -189,7 +195,7 @@ pub(super) fn steam_cleaner(b: &mut Build<'_>) {
 pub(super) fn iron(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.088, 0.104]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[BLUE_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
+    let mat = b.choose(&[BLUE_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
     let sole = [
         (-1.0, -0.85),
         (-0.95, -0.95),
@@ -225,26 +231,38 @@ pub(super) fn iron(b: &mut Build<'_>) {
     b.pipe("handle", &points, r, mat);
     b.block("back", [-x, -y * 0.5, h * 0.06], [-x * 0.8, y * 0.5, h * 0.45], mat);
     b.cylinder("dial", [-x * 0.1, 0.0, h * 0.4], y * 0.45, h * 0.06, GREY_PLASTIC);
-    b.soft("button", [x * 0.3, -r * 0.4, h - r * 1.3], [x * 0.4, r * 0.4, h], 0.003 * u, GREY_PLASTIC);
+    b.rounded_block("button", [x * 0.3, -r * 0.4, h - r * 1.3], [x * 0.4, r * 0.4, h], 0.003 * u, GREY_PLASTIC);
 }
 
 /// A handset with a head of holes, or a stand with a pole and a tank.
 pub(super) fn garment_steamer(b: &mut Build<'_>) {
     let u = fit(b, [0.08, 0.08, 0.192]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
     if h < 0.6 {
         let r = x.min(y) * 0.8;
         b.lathe("grip", [0.0; 3], &[(r * 0.8, 0.0), (r * 0.9, h * 0.08), (r * 0.5, h * 0.3), (r * 0.48, h * 0.6)], mat);
-        b.soft("head", [-x, -y, h * 0.58], [x * 0.8, y, h], r * 0.35, mat);
-        b.soft("plate", [x * 0.7, -y * 0.8, h * 0.64], [x, y * 0.8, h * 0.96], r * 0.1, STEEL);
-        b.soft("trigger", [r * 0.4, -r * 0.2, h * 0.42], [(r * 0.7).min(x), r * 0.2, h * 0.54], r * 0.1, GREY_PLASTIC);
+        b.rounded_block("head", [-x, -y, h * 0.58], [x * 0.8, y, h], r * 0.35, mat);
+        b.rounded_block("plate", [x * 0.7, -y * 0.8, h * 0.64], [x, y * 0.8, h * 0.96], r * 0.1, STEEL);
+        b.rounded_block(
+            "trigger",
+            [r * 0.4, -r * 0.2, h * 0.42],
+            [(r * 0.7).min(x), r * 0.2, h * 0.54],
+            r * 0.1,
+            GREY_PLASTIC,
+        );
         return;
     }
     let base = h * 0.2;
     let (body, wheel) = (x.min(y) / x, (h * 0.03).min(x * 0.3));
-    b.soft("base", [-x, -y, h * 0.02], [x, y, base], 0.04 * u * body.max(0.3), mat);
-    b.soft("tank", [-x * 0.8, -y * 0.7, base - 0.005 * u], [x * 0.1, y * 0.7, base * 1.5], 0.02 * u, BLUE_GLASS);
+    b.rounded_block("base", [-x, -y, h * 0.02], [x, y, base], 0.04 * u * body.max(0.3), mat);
+    b.rounded_block(
+        "tank",
+        [-x * 0.8, -y * 0.7, base - 0.005 * u],
+        [x * 0.1, y * 0.7, base * 1.5],
+        0.02 * u,
+        BLUE_GLASS,
+    );
     for cy in [-y * 0.8, y * 0.8] {
         b.rod("wheel", [-x * 0.6, cy - 0.01 * u, wheel], [-x * 0.6, cy + 0.01 * u, wheel], wheel, BLACK_PLASTIC);
         b.rod("wheel", [x * 0.6, cy - 0.01 * u, wheel], [x * 0.6, cy + 0.01 * u, wheel], wheel, BLACK_PLASTIC);
@@ -252,7 +270,7 @@ pub(super) fn garment_steamer(b: &mut Build<'_>) {
     b.bar("pole", [x * 0.4, 0.0, base], [x * 0.4, 0.0, h - 0.03 * u], 0.011 * u, STEEL);
     let w = y - 0.016 * u;
     b.pipe("hanger", &[[x * 0.4, -w, h * 0.9], [x * 0.4, 0.0, h - 0.012 * u], [x * 0.4, w, h * 0.9]], 0.009 * u, mat);
-    b.soft("head", [x * 0.45, -y * 0.35, h * 0.82], [x * 0.8, y * 0.35, h * 0.9], 0.015 * u, mat);
+    b.rounded_block("head", [x * 0.45, -y * 0.35, h * 0.82], [x * 0.8, y * 0.35, h * 0.9], 0.015 * u, mat);
     b.pipe(
         "hose",
         &[
@@ -270,15 +288,15 @@ pub(super) fn garment_steamer(b: &mut Build<'_>) {
 pub(super) fn sewing_machine(b: &mut Build<'_>) {
     let u = fit(b, [0.128, 0.304, 0.224]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_METAL, BLACK_METAL, SAGE, SKY, PINK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_METAL, BLACK_METAL, SAGE, SKY, PINK_PLASTIC]);
     let bed = h * 0.24;
     let inner = y - y * 0.5;
     let round = 0.015 * u;
     let wheel = y * 0.06;
-    b.soft("bed", [-x, -y, 0.0], [x, y - wheel, bed], round, mat);
-    b.soft("column", [-x * 0.85, inner, bed - round], [x * 0.7, y - wheel, h], round, mat);
-    b.soft("arm", [-x * 0.75, -y * 0.8, h * 0.62], [x * 0.6, inner + round * 2.0, h - 0.006 * u], round, mat);
-    b.soft("head", [-x * 0.75, -y * 0.85, h * 0.5], [x * 0.65, -y * 0.5, h - 0.008 * u], round, mat);
+    b.rounded_block("bed", [-x, -y, 0.0], [x, y - wheel, bed], round, mat);
+    b.rounded_block("column", [-x * 0.85, inner, bed - round], [x * 0.7, y - wheel, h], round, mat);
+    b.rounded_block("arm", [-x * 0.75, -y * 0.8, h * 0.62], [x * 0.6, inner + round * 2.0, h - 0.006 * u], round, mat);
+    b.rounded_block("head", [-x * 0.75, -y * 0.85, h * 0.5], [x * 0.65, -y * 0.5, h - 0.008 * u], round, mat);
     let needle = -y * 0.68;
     b.cylinder("needle", [0.0, needle, bed + 0.004 * u], 0.0015 * u, h * 0.3, STEEL);
     b.cylinder("bar", [0.0, needle, h * 0.4], 0.005 * u, h * 0.14, STEEL);

@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, case, fit, floor_of, half_dims, plate_with_borde
 pub(super) fn radiator(b: &mut Build<'_>) {
     let u = fit(b, [0.056, 0.4, 0.352]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_METAL, WHITE_METAL, WHITE_METAL, SILVER_METAL, BLACK_METAL]);
+    let mat = b.choose(&[WHITE_METAL, WHITE_METAL, WHITE_METAL, SILVER_METAL, BLACK_METAL]);
     let foot = 0.06 * u;
     let side = y - 0.035 * u;
     let pipe = [0.0075 * u, -side];
@@ -37,7 +37,7 @@ pub(super) fn radiator(b: &mut Build<'_>) {
         }
         _ => {
             let back = -x + 0.02 * u;
-            b.soft("panel", [back, -side, foot], [x, side, h - 0.01 * u], 0.012 * u, mat);
+            b.rounded_block("panel", [back, -side, foot], [x, side, h - 0.01 * u], 0.012 * u, mat);
             for z in [0.2, 0.4, 0.6, 0.8] {
                 b.block(
                     "groove",
@@ -56,13 +56,13 @@ pub(super) fn radiator(b: &mut Build<'_>) {
 }
 
 /// The cover on a panel radiator.
-fn top_grille(b: &mut Build<'_>, (back, front): (f32, f32), side: f32, u: f32, mat: Mat) {
+fn top_grille(b: &mut Build<'_>, (back, front): (f32, f32), side: f32, u: f32, mat: MaterialId) {
     let h = b.size.z;
     b.block("cover", [back, -side, h - 0.0125 * u], [front - 0.001 * u, side, h], mat);
 }
 
 /// Rounded sections side by side.
-fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32, mat: Mat) {
+fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32, mat: MaterialId) {
     let (x, h) = (b.size.x / 2.0, b.size.z);
     let count = (side / 0.028).clamp(5.0, 20.0) as usize;
     let step = 2.0 * side / count as f32;
@@ -89,7 +89,7 @@ fn columns(b: &mut Build<'_>, side: f32, foot: f32, u: f32, mat: Mat) {
 pub(super) fn heater(b: &mut Build<'_>) {
     let u = fit(b, [0.096, 0.176, 0.192]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_METAL, BLACK_METAL, SILVER_METAL]);
+    let mat = b.choose(&[WHITE_METAL, BLACK_METAL, SILVER_METAL]);
     let foot = h * 0.1;
     match b.rng.below(3) {
         0 => {
@@ -98,7 +98,7 @@ pub(super) fn heater(b: &mut Build<'_>) {
             let step = (end + y) / count as f32;
             for i in 0..count {
                 let cy = -y + step * i as f32;
-                b.soft(
+                b.rounded_block(
                     "rib",
                     [-x * 0.9, cy + step * 0.14, foot],
                     [x * 0.9, cy + step * 0.86, h - 0.01 * u],
@@ -108,7 +108,7 @@ pub(super) fn heater(b: &mut Build<'_>) {
             }
             b.rod("tube", [0.0, -y + step * 0.2, h * 0.8], [0.0, end, h * 0.8], x * 0.15, mat);
             b.rod("tube", [0.0, -y + step * 0.2, h * 0.25], [0.0, end, h * 0.25], x * 0.15, mat);
-            b.soft("controls", [-x * 0.95, end - 0.01 * u, foot], [x * 0.95, y, h], 0.015 * u, mat);
+            b.rounded_block("controls", [-x * 0.95, end - 0.01 * u, foot], [x * 0.95, y, h], 0.015 * u, mat);
             for cy in [-y * 0.7, y * 0.6] {
                 b.block("axle", [-x, cy - 0.012 * u, foot * 0.5], [x, cy + 0.012 * u, foot + 0.01 * u], BLACK_PLASTIC);
                 for side in [-1.0, 1.0] {
@@ -122,7 +122,7 @@ pub(super) fn heater(b: &mut Build<'_>) {
             }
         }
         1 => {
-            b.soft("case", [-x, -y, foot * 0.5], [x * 0.9, y, h], 0.02 * u, mat);
+            b.rounded_block("case", [-x, -y, foot * 0.5], [x * 0.9, y, h], 0.02 * u, mat);
             for side in [-0.7, 0.7] {
                 b.block("foot", [-x, y * side - 0.02 * u, 0.0], [x, y * side + 0.02 * u, foot * 0.6], BLACK_PLASTIC);
             }
@@ -161,11 +161,11 @@ pub(super) fn heater(b: &mut Build<'_>) {
 pub(super) fn boiler(b: &mut Build<'_>) {
     let u = fit(b, [0.224, 0.32, 0.512]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
+    let mat = b.choose(&[WHITE_METAL, WHITE_METAL, SILVER_METAL]);
     let low = 0.12 * u;
     let board = low + (h - low) * 0.16;
-    b.soft("case", [-x, -y, board], [x, y, h - 0.08 * u], 0.02 * u, mat);
-    b.soft("controls", [-x, -y, low], [x - 0.026 * u, y, board + 0.004 * u], 0.015 * u, GREY_PLASTIC);
+    b.rounded_block("case", [-x, -y, board], [x, y, h - 0.08 * u], 0.02 * u, mat);
+    b.rounded_block("controls", [-x, -y, low], [x - 0.026 * u, y, board + 0.004 * u], 0.015 * u, GREY_PLASTIC);
     b.cylinder("flue", [-x * 0.2, 0.0, h - 0.09 * u], 0.05 * u, 0.09 * u, WHITE_METAL);
     let z = f32::midpoint(low, board);
     display(b, x - 0.0265 * u, (-y * 0.15, z - 0.02 * u), (y * 0.15, z + 0.02 * u), LED);
@@ -230,7 +230,7 @@ pub(super) fn fireplace(b: &mut Build<'_>) {
     if y < 0.36 || b.rng.chance(0.25) {
         return iron_stove(b, u);
     }
-    let stone = b.one(&[MARBLE, BRICK, SANDSTONE, PLASTER, GRANITE, b.style.wood]);
+    let stone = b.choose(&[MARBLE, BRICK, SANDSTONE, PLASTER, GRANITE, b.style.wood]);
     let (hearth, shelf) = (0.06 * u, 0.06 * u);
     let front = x - 0.06 * u;
     let (side, lintel) = (y * b.vary(0.6, 0.68), h * b.vary(0.62, 0.7));
@@ -240,7 +240,7 @@ pub(super) fn fireplace(b: &mut Build<'_>) {
         b.block("pillar", [-x, a.min(c), hearth], [front, a.max(c), lintel], stone);
     }
     b.block("lintel", [-x, -y * 0.96, lintel], [front, y * 0.96, h - shelf], stone);
-    b.soft("mantel", [-x, -y, h - shelf], [x, y, h], 0.012 * u, stone);
+    b.rounded_block("mantel", [-x, -y, h - shelf], [x, y, h], 0.012 * u, stone);
     b.top("mantel", [0.0, 0.0, h], (x - 0.02 * u, y - 0.02 * u));
     let back = -x + 0.05 * u;
     b.block("back", [-x, -side, hearth], [back, side, lintel], BRICK);
@@ -292,7 +292,7 @@ fn glass_front(b: &mut Build<'_>, (x0, x1): (f32, f32), low: (f32, f32), high: (
 /// An iron stove on feet with a flue behind.
 fn iron_stove(b: &mut Build<'_>, u: f32) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[IRON, BLACK_METAL, GREEN_METAL]);
+    let mat = b.choose(&[IRON, BLACK_METAL, GREEN_METAL]);
     let (foot, wall, top) = (h * 0.12, 0.03 * u, h * b.vary(0.66, 0.76));
     let front = x - 0.06 * u;
     for (cx, cy) in [(-x * 0.7, -y * 0.75), (-x * 0.7, y * 0.75), (front * 0.7, -y * 0.75), (front * 0.7, y * 0.75)] {
@@ -300,7 +300,7 @@ fn iron_stove(b: &mut Build<'_>, u: f32) {
     }
     let lintel = top - 0.04 * u;
     case(b, [-x * 0.9, -y * 0.92, foot], [front - 0.03 * u, y * 0.92, lintel], wall, mat);
-    b.soft("plate", [-x, -y, lintel], [x - 0.02 * u, y, top], 0.012 * u, mat);
+    b.rounded_block("plate", [-x, -y, lintel], [x - 0.02 * u, y, top], 0.012 * u, mat);
     let flue = (x * 0.3).min(0.075 * u);
     b.cylinder("flue", [-x * 0.55, 0.0, top - 0.002 * u], flue, h - top + 0.002 * u, mat);
     b.ledge("plate", [x * 0.3, 0.0, top], (x * 0.45, y * 0.85), h * 0.4);

@@ -9,7 +9,7 @@ use crate::solid::{Build, collar, half_dims};
 /// A round dial or a square plate with a figure.
 pub(super) fn thermostat(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, STEEL]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, STEEL]);
     let z = h / 2.0;
     if b.rng.chance(0.5) {
         let r = y.min(z);
@@ -23,7 +23,7 @@ pub(super) fn thermostat(b: &mut Build<'_>) {
         b.rod("glass", [x * 0.4, 0.0, z], [x - 0.0025, 0.0, z], r * 0.7, BLACK_GLASS);
         display(b, x - 0.0025, (-r * 0.4, z - r * 0.2), (r * 0.4, z + r * 0.2), COOL_BULB);
     } else {
-        b.soft("case", [-x, -y, 0.0], [x - 0.0025, y, h], x * 0.5, mat);
+        b.rounded_block("case", [-x, -y, 0.0], [x - 0.0025, y, h], x * 0.5, mat);
         display(b, x - 0.0025, (-y * 0.6, z), (y * 0.6, h * 0.85), LED);
         let r = (h * 0.14).min(y * 0.5);
         b.lathe_along(
@@ -60,13 +60,13 @@ pub(super) fn smoke_detector(b: &mut Build<'_>) {
 /// A push button on a plate, or one with a camera.
 pub(super) fn doorbell(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, BRASS, STEEL]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, BRASS, STEEL]);
     let round = x * 0.6;
-    b.soft("plate", [-x, -y, 0.0], [x * 0.5, y, h], round, mat);
+    b.rounded_block("plate", [-x, -y, 0.0], [x * 0.5, y, h], round, mat);
     let r = y * b.vary(0.4, 0.55);
     let low = h * 0.3;
     collar(b, "ring", ([x * 0.45, 0.0, low], [x * 0.8, 0.0, low]), (r * 0.82, (r * 1.05).min(low)), CHROME);
-    let button = b.one(&[WHITE_PLASTIC, LED]);
+    let button = b.choose(&[WHITE_PLASTIC, LED]);
     b.rod("button", [x * 0.4, 0.0, low], [x, 0.0, low], r * 0.8, button);
     if b.rng.chance(0.5) {
         b.rod("camera", [x * 0.4, 0.0, h * 0.75], [x * 0.7, 0.0, h * 0.75], r * 0.7, BLACK_GLASS);
@@ -79,14 +79,14 @@ pub(super) fn doorbell(b: &mut Build<'_>) {
 /// A handset on a plate, or a plate with a picture and buttons.
 pub(super) fn intercom(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]);
     let face = -x + x * 0.7;
-    b.soft("plate", [-x, -y, 0.0], [face, y, h], x * 0.2, mat);
+    b.rounded_block("plate", [-x, -y, 0.0], [face, y, h], x * 0.2, mat);
     if b.rng.chance(0.5) {
         let hand = (-y * 0.9, -y * 0.25);
-        b.soft("handset", [face + x * 0.1, hand.0, h * 0.06], [x * 0.8, hand.1, h * 0.94], x * 0.3, mat);
+        b.rounded_block("handset", [face + x * 0.1, hand.0, h * 0.06], [x * 0.8, hand.1, h * 0.94], x * 0.3, mat);
         for z in [h * 0.08, h * 0.72] {
-            b.soft("ear", [face - 0.001, hand.0 * 1.05, z], [x, hand.1 * 0.95, z + h * 0.2], x * 0.3, mat);
+            b.rounded_block("ear", [face - 0.001, hand.0 * 1.05, z], [x, hand.1 * 0.95, z + h * 0.2], x * 0.3, mat);
         }
     } else {
         b.block("screen", [face - 0.001, -y * 0.85, h * 0.45], [face + x * 0.1, y * 0.85, h * 0.94], SCREEN);

@@ -14,7 +14,7 @@ pub(super) fn dartboard(b: &mut Build<'_>) {
     let r = hy.min(h / 2.0);
     let deep = 2.0 * hx;
     let front = -hx + deep * 0.86;
-    let rim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, BLUE_PLASTIC]);
+    let rim = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, BLUE_PLASTIC]);
     let field = r * b.vary(0.72, 0.78);
     let ring = |x: f32| [x, 0.0, h / 2.0];
     b.rod("rim", ring(-hx), ring(front), r, rim);
@@ -55,8 +55,8 @@ pub(super) fn dartboard(b: &mut Build<'_>) {
 /// Several darts side by side.
 pub(super) fn darts(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
-    let barrel = b.one(&[STEEL, BRASS, BLACK_METAL]);
-    let flight = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, YELLOW_PLASTIC]);
+    let barrel = b.choose(&[STEEL, BRASS, BLACK_METAL]);
+    let flight = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, YELLOW_PLASTIC]);
     let half = hx.min(h / 2.0) * 0.99;
     let count = ((hx / half) as usize).clamp(1, 3);
     let grooves = b.rng.count(2, 4);
@@ -87,8 +87,8 @@ pub(super) fn darts(b: &mut Build<'_>) {
 
 /// A wall rack for six cues: a back, a shelf and clips.
 pub(super) fn cue_rack(b: &mut Build<'_>) {
-    let wood = b.one(&[MAHOGANY, WALNUT, OAK, CHERRY, BLACK]);
-    let clip = b.one(&[BRASS, CHROME, BLACK_METAL]);
+    let wood = b.choose(&[MAHOGANY, WALNUT, OAK, CHERRY, BLACK]);
+    let clip = b.choose(&[BRASS, CHROME, BLACK_METAL]);
     let broad = b.rng.chance(0.5);
     if broad {
         b.slab("back", [-1.0, -0.98, 0.03], [-0.9, 0.98, 1.0], wood);
@@ -118,8 +118,8 @@ pub(super) fn cue_rack(b: &mut Build<'_>) {
 pub(super) fn cue(b: &mut Build<'_>) {
     solid::longwise(b, |b, x, y, h| {
         let r = x.min(y) / 2.0;
-        let butt = b.one(&[WENGE, MAHOGANY, BLACK, WALNUT]);
-        let wrap = b.one(&[BLACK_LEATHER, WHITE_COTTON, RUBBER, GREEN_FABRIC]);
+        let butt = b.choose(&[WENGE, MAHOGANY, BLACK, WALNUT]);
+        let wrap = b.choose(&[BLACK_LEATHER, WHITE_COTTON, RUBBER, GREEN_FABRIC]);
         let (joint, grip) = (h * b.vary(0.48, 0.56), h * b.vary(0.09, 0.14));
         b.lathe("bumper", [0.0; 3], &[(r * 0.8, 0.0), (r * 0.95, h * 0.005), (r * 0.95, h * 0.012)], RUBBER);
         b.lathe("butt", [0.0, 0.0, h * 0.01], &[(r, 0.0), (r * 0.9, h * 0.07), (r * 0.72, joint - h * 0.01)], butt);
@@ -139,7 +139,7 @@ pub(super) fn cue(b: &mut Build<'_>) {
 /// Fifteen billiard balls in a triangle.
 pub(super) fn balls(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
-    let frame = b.one(&[MAHOGANY, WALNUT, BLACK_PLASTIC, OAK]);
+    let frame = b.choose(&[MAHOGANY, WALNUT, BLACK_PLASTIC, OAK]);
     let r = (h / 2.0).min(hx.min(hy) / 6.4);
     let step = r * 3f32.sqrt();
     let colours = [
@@ -186,7 +186,7 @@ pub(super) fn balls(b: &mut Build<'_>) {
 pub(super) fn mallet(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
     let r = hx.min(hy);
-    let mat = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
+    let mat = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
     let (knob, rim) = (r * b.vary(0.36, 0.46), h * b.vary(0.28, 0.4));
     b.lathe("sole", [0.0; 3], &[(r * 0.9, 0.0), (r * 0.9, h * 0.05)], GREY_FABRIC);
     let dip = [

@@ -7,11 +7,11 @@ use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, oval_outline};
 /// A box with a lid and a printed picture.
 pub(super) fn boxed(b: &mut Build<'_>) {
     let lid = match b.class {
-        "monopoly" => b.one(&[RED_CARD, WHITE_PAPER]),
-        "scrabble" => b.one(&[GREEN_CARD, RED_CARD, TEAL_CARD]),
-        _ => b.one(CARDS),
+        "monopoly" => b.choose(&[RED_CARD, WHITE_PAPER]),
+        "scrabble" => b.choose(&[GREEN_CARD, RED_CARD, TEAL_CARD]),
+        _ => b.choose(CARDS),
     };
-    let tray = b.one(&[WHITE_PAPER, BLACK_CARD, CARDBOARD]);
+    let tray = b.choose(&[WHITE_PAPER, BLACK_CARD, CARDBOARD]);
     let seam = b.vary(0.1, 0.35);
     b.slab("tray", [-0.985, -0.985, 0.0], [0.985, 0.985, 0.6], tray);
     b.slab("lid", [-1.0, -1.0, seam], [1.0, 1.0, 0.965], lid);
@@ -28,24 +28,24 @@ pub(super) fn boxed(b: &mut Build<'_>) {
 }
 
 /// A colour that differs from the lid's.
-fn loop_free(b: &mut Build<'_>, lid: Mat) -> Mat {
-    let print = b.one(&[YELLOW_CARD, WHITE_PAPER, ORANGE_CARD, BLUE_CARD]);
+fn loop_free(b: &mut Build<'_>, lid: MaterialId) -> MaterialId {
+    let print = b.choose(&[YELLOW_CARD, WHITE_PAPER, ORANGE_CARD, BLUE_CARD]);
     if print == lid { BLACK_CARD } else { print }
 }
 
 /// A flat shape on the lid at layer `level` from 0 to 2.
-fn flat(b: &mut Build<'_>, low: (f32, f32), high: (f32, f32), level: usize, mat: Mat) {
+fn flat(b: &mut Build<'_>, low: (f32, f32), high: (f32, f32), level: usize, mat: MaterialId) {
     b.slab("print", [low.0, low.1, 0.95], [high.0, high.1, 0.984 + 0.0155 * level as f32], mat);
 }
 
 /// A title band and shapes.
-fn emblem(b: &mut Build<'_>, mat: Mat) {
+fn emblem(b: &mut Build<'_>, mat: MaterialId) {
     let title = b.vary(0.1, 0.4);
     flat(b, (title, -0.85), (title + 0.35, 0.85), 0, mat);
     flat(b, (title + 0.1, -0.7), (title + 0.25, 0.7), 1, BLACK_CARD);
     let count = b.rng.count(3, 6);
     for i in 0..count {
-        let colour = b.one(CARDS);
+        let colour = b.choose(CARDS);
         let (x, y) = (-0.45 + 0.2 * (i % 2) as f32, -0.7 + 1.4 * i as f32 / (count - 1) as f32);
         let size = b.vary(0.1, 0.13);
         b.plan("print", (0.95, 0.992), &oval_outline((x, y), (size * 1.3, size), 10), colour);
@@ -53,7 +53,7 @@ fn emblem(b: &mut Build<'_>, mat: Mat) {
 }
 
 /// The cross of a ludo board.
-fn cross(b: &mut Build<'_>, mat: Mat) {
+fn cross(b: &mut Build<'_>, mat: MaterialId) {
     flat(b, (-0.9, -0.9), (0.9, 0.9), 0, if mat == WHITE_PAPER { CREAM_PAPER } else { WHITE_PAPER });
     for ((x, y), colour) in CORNERS.into_iter().zip([RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]) {
         flat(b, (0.58 * x - 0.26, 0.58 * y - 0.26), (0.58 * x + 0.26, 0.58 * y + 0.26), 1, colour);
@@ -66,7 +66,7 @@ fn grid(b: &mut Build<'_>, count: usize) {
     let step = 1.7 / count as f32;
     for (i, j) in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {
         let (x, y) = (-0.85 + step * i as f32, -0.85 + step * j as f32);
-        let colour = b.one(CARDS);
+        let colour = b.choose(CARDS);
         flat(b, (x + step * 0.08, y + step * 0.08), (x + step * 0.92, y + step * 0.92), 0, WHITE_PAPER);
         flat(b, (x + step * 0.25, y + step * 0.25), (x + step * 0.75, y + step * 0.75), 1, colour);
     }
@@ -74,7 +74,8 @@ fn grid(b: &mut Build<'_>, count: usize) {
 
 /// A picture of hills.
 fn landscape(b: &mut Build<'_>) {
-    let (sky, hill) = (b.one(&[BLUE_CARD, TEAL_CARD, ORANGE_CARD]), b.one(&[GREEN_CARD, PURPLE_CARD, YELLOW_CARD]));
+    let (sky, hill) =
+        (b.choose(&[BLUE_CARD, TEAL_CARD, ORANGE_CARD]), b.choose(&[GREEN_CARD, PURPLE_CARD, YELLOW_CARD]));
     flat(b, (-0.85, -0.9), (0.85, 0.9), 0, sky);
     let (left, right) = (b.vary(0.0, 0.5), b.vary(-0.2, 0.3));
     b.plan(
@@ -101,13 +102,13 @@ fn letters(b: &mut Build<'_>) {
 
 /// A board of light and dark squares; a draughts board has its pieces on it.
 pub(super) fn chequered(b: &mut Build<'_>) {
-    let (light, dark) = b.one(&[(MAPLE, WALNUT), (BIRCH, MAHOGANY), (CREAM, BLACK), (BEECH, WENGE)]);
+    let (light, dark) = b.choose(&[(MAPLE, WALNUT), (BIRCH, MAHOGANY), (CREAM, BLACK), (BEECH, WENGE)]);
     let draughts = b.class == "checkers";
     let (hx, hy, h) = solid::half_dims(b);
     let top = if draughts { (h * 0.6).min(h - 0.004).max(h * 0.5) } else { h };
     let edge = b.vary(0.07, 0.13);
     let frame = if b.rng.chance(0.5) { dark } else { light };
-    b.soft("board", [-hx, -hy, 0.0], [hx, hy, top - 0.0012], h * 0.1, frame);
+    b.rounded_block("board", [-hx, -hy, 0.0], [hx, hy, top - 0.0012], h * 0.1, frame);
     let (fx, fy) = (hx * (1.0 - edge), hy * (1.0 - edge));
     b.block("field", [-fx, -fy, top * 0.5], [fx, fy, top - 0.0006], if frame == light { dark } else { light });
     let mut squares = MeshBuilder::default();
@@ -144,7 +145,7 @@ fn pieces(b: &mut Build<'_>, (fx, fy): (f32, f32), (low, high): (f32, f32)) {
 
 /// A board with nineteen lines in each direction, on feet if thick.
 pub(super) fn go(b: &mut Build<'_>) {
-    let wood = b.one(&[BAMBOO, BEECH, OAK, PINE]);
+    let wood = b.choose(&[BAMBOO, BEECH, OAK, PINE]);
     let (hx, hy, h) = solid::half_dims(b);
     let feet = if h > 0.07 { h * 0.35 } else { 0.0 };
     for (x, y) in CORNERS.into_iter().filter(|_| feet > 0.0) {
@@ -152,7 +153,7 @@ pub(super) fn go(b: &mut Build<'_>) {
         let at = [x * (hx - r * 1.3), y * (hy - r * 1.3), 0.0];
         b.lathe("foot", at, &[(r * 0.5, 0.0), (r, feet * 0.5), (r * 0.7, feet + 0.002)], wood);
     }
-    b.soft("board", [-hx, -hy, feet], [hx, hy, h - 0.0006], 0.003, wood);
+    b.rounded_block("board", [-hx, -hy, feet], [hx, hy, h - 0.0006], 0.003, wood);
     let (fx, fy) = (hx * 0.92, hy * 0.92);
     let mut lines = MeshBuilder::default();
     let thin = 0.0007;
@@ -171,8 +172,8 @@ pub(super) fn go(b: &mut Build<'_>) {
 
 /// A folding case with long triangles inside.
 pub(super) fn backgammon(b: &mut Build<'_>) {
-    let case = b.one(&[BROWN_LEATHER, BLACK_LEATHER, WALNUT, MAHOGANY, TAN_LEATHER]);
-    let felt = b.one(&[GREEN_FABRIC, BEIGE_FABRIC, NAVY_FABRIC]);
+    let case = b.choose(&[BROWN_LEATHER, BLACK_LEATHER, WALNUT, MAHOGANY, TAN_LEATHER]);
+    let felt = b.choose(&[GREEN_FABRIC, BEIGE_FABRIC, NAVY_FABRIC]);
     let (hx, hy, h) = solid::half_dims(b);
     let (hx, t, mid) = (hx - 0.002, h * 0.12, h / 2.0);
     half(b, (hx, hy), (0.0, mid - 0.0005), t, case);
@@ -207,7 +208,7 @@ pub(super) fn backgammon(b: &mut Build<'_>) {
 }
 
 /// A tray between its floor and its rim; the walls are as thick as the floor.
-fn half(b: &mut Build<'_>, (hx, hy): (f32, f32), (floor, rim): (f32, f32), t: f32, mat: Mat) {
+fn half(b: &mut Build<'_>, (hx, hy): (f32, f32), (floor, rim): (f32, f32), t: f32, mat: MaterialId) {
     let thick = t.abs();
     let inner = floor + t;
     let mut put = |name: &str, low: P, high: P| {

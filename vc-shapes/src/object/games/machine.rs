@@ -14,7 +14,7 @@ fn scene(b: &mut Build<'_>, low: P, high: P, half: f32) {
         let (x, z) = (low[0] + (high[0] - low[0]) * t, low[2] + (high[2] - low[2]) * t);
         (x + out, z + out * 0.3)
     };
-    let mut band = |name: &str, y: (f32, f32), t: (f32, f32), out: f32, mat: Mat| {
+    let mut band = |name: &str, y: (f32, f32), t: (f32, f32), out: f32, mat: MaterialId| {
         let outline = [lift(t.0, -0.02), lift(t.1, -0.02), lift(t.1, out), lift(t.0, out)];
         b.profile(name, y, &outline, mat);
     };
@@ -29,9 +29,9 @@ fn scene(b: &mut Build<'_>, low: P, high: P, half: f32) {
 
 /// An arcade cabinet with side panels, a slanted screen, a lit sign, a stick and buttons.
 pub(super) fn arcade(b: &mut Build<'_>) {
-    let side = b.one(&[BLACK, NAVY, RED, BLUE, ANTHRACITE, YELLOW]);
-    let art = b.one(PAINTS);
-    let body = b.one(&[BLACK, ANTHRACITE]);
+    let side = b.choose(&[BLACK, NAVY, RED, BLUE, ANTHRACITE, YELLOW]);
+    let art = b.choose(PAINTS);
+    let body = b.choose(&[BLACK, ANTHRACITE]);
     let desk = b.vary(0.48, 0.53);
     let neck = b.vary(0.1, 0.3);
     let head = b.vary(0.45, 0.7);
@@ -69,7 +69,7 @@ pub(super) fn arcade(b: &mut Build<'_>) {
     ];
     b.profile("body", (-0.935, 0.935), &inner, body);
     scene(b, [neck + 0.12, 0.0, desk + 0.075], [neck - 0.04, 0.0, 0.805], 0.88);
-    let sign = b.one(&[PICTURE_SUN, PICTURE_SKY, SIGNAL_AMBER]);
+    let sign = b.choose(&[PICTURE_SUN, PICTURE_SKY, SIGNAL_AMBER]);
     b.slab("sign", [head - 0.1, -0.92, 0.905], [head - 0.03, 0.92, 0.985], sign);
     b.slab("title", [head - 0.1, -0.6, 0.93], [head - 0.015, 0.6, 0.96], art);
     b.slab("coin_door", [front - 0.05, -0.4, 0.12], [front + 0.02, 0.4, 0.34], GREY);
@@ -96,9 +96,9 @@ fn controls(b: &mut Build<'_>, at: [f32; 2], apart: f32, first: usize) {
 
 /// A pinball machine: a sloping playfield on legs and a lit head.
 pub(super) fn pinball(b: &mut Build<'_>) {
-    let case = b.one(&[BLACK, NAVY, RED, BLUE, WALNUT]);
-    let metal = b.one(&[CHROME, BRASS, BLACK_METAL]);
-    let field = b.one(&[PICTURE_DARK, PICTURE_LAND, PICTURE_SKY]);
+    let case = b.choose(&[BLACK, NAVY, RED, BLUE, WALNUT]);
+    let metal = b.choose(&[CHROME, BRASS, BLACK_METAL]);
+    let field = b.choose(&[PICTURE_DARK, PICTURE_LAND, PICTURE_SKY]);
     let (front, back) = (b.vary(0.49, 0.52), b.vary(0.56, 0.6));
     b.profile("case", (-0.92, 0.92), &[(-0.95, 0.4), (0.96, 0.36), (0.96, front - 0.02), (-0.95, back - 0.02)], case);
     for s in SIDES {
@@ -141,7 +141,7 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     b.slab("head", [-1.0, -1.0, back + 0.03], [-0.58, 1.0, 1.0], case);
     b.slab("glass", [-0.62, -0.92, back + 0.11], [-0.57, 0.92, 0.97], PICTURE_DARK);
     b.slab("sky", [-0.6, -0.86, 0.8], [-0.564, 0.86, 0.95], PICTURE_SUN);
-    let hero = b.one(&[SIGNAL_RED, SIGNAL_GREEN, PICTURE_SKY]);
+    let hero = b.choose(&[SIGNAL_RED, SIGNAL_GREEN, PICTURE_SKY]);
     b.facing("hero", (-0.6, -0.558), &[(-0.4, back + 0.14), (0.4, back + 0.14), (0.15, 0.9), (-0.1, 0.93)], hero);
     b.slab("score", [-0.62, -0.7, back + 0.045], [-0.566, 0.7, back + 0.095], SCREEN);
     b.slab("digits", [-0.6, -0.5, back + 0.057], [-0.56, 0.5, back + 0.083], SIGNAL_AMBER);
@@ -149,12 +149,12 @@ pub(super) fn pinball(b: &mut Build<'_>) {
 
 /// A claw machine: a glass case of prizes under a crane.
 pub(super) fn claw(b: &mut Build<'_>) {
-    let case = b.one(&[RED, BLUE, YELLOW, DUSTY_ROSE, ORANGE]);
-    let trim = b.one(&[CHROME, WHITE_METAL, BRASS]);
+    let case = b.choose(&[RED, BLUE, YELLOW, DUSTY_ROSE, ORANGE]);
+    let trim = b.choose(&[CHROME, WHITE_METAL, BRASS]);
     let desk = b.vary(0.38, 0.44);
     b.slab("base", [-0.9, -0.98, 0.0], [0.9, 0.98, desk], case);
     b.slab("head", [-0.9, -0.98, 0.86], [0.9, 0.98, 1.0], case);
-    let sign = b.one(&[PICTURE_SUN, PICTURE_SKY, SIGNAL_AMBER]);
+    let sign = b.choose(&[PICTURE_SUN, PICTURE_SKY, SIGNAL_AMBER]);
     b.slab("sign", [0.85, -0.85, 0.885], [0.93, 0.85, 0.975], sign);
     b.slab("back", [-0.89, -0.95, desk - 0.01], [-0.86, 0.95, 0.87], case);
     for (x, y) in CORNERS {
@@ -198,9 +198,9 @@ pub(super) fn claw(b: &mut Build<'_>) {
 
 /// A jukebox: a round-topped case with glowing tubes and a grille.
 pub(super) fn jukebox(b: &mut Build<'_>) {
-    let wood = b.one(&[WALNUT, CHERRY, MAHOGANY, OAK]);
-    let glow = b.one(&[WARM_BULB, SIGNAL_AMBER, PICTURE_SUN, SIGNAL_RED]);
-    let second = b.one(&[SIGNAL_GREEN, PICTURE_SKY, SIGNAL_RED]);
+    let wood = b.choose(&[WALNUT, CHERRY, MAHOGANY, OAK]);
+    let glow = b.choose(&[WARM_BULB, SIGNAL_AMBER, PICTURE_SUN, SIGNAL_RED]);
+    let second = b.choose(&[SIGNAL_GREEN, PICTURE_SKY, SIGNAL_RED]);
     let spring = b.vary(0.55, 0.68);
     let arch = |half: f32, foot: f32, rise: f32| -> Vec<(f32, f32)> {
         let mut line = vec![(half, foot)];

@@ -12,11 +12,11 @@ use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P};
 pub(super) fn tiles(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
     let mahjong = b.class == "mahjong";
-    let wood = b.one(&[WALNUT, BEECH, MAHOGANY, OAK, BLACK_LEATHER]);
+    let wood = b.choose(&[WALNUT, BEECH, MAHOGANY, OAK, BLACK_LEATHER]);
     let (body, mark) = if mahjong {
-        (WHITE_PLASTIC, b.one(&[GREEN_PLASTIC, BLUE_PLASTIC, BAMBOO]))
+        (WHITE_PLASTIC, b.choose(&[GREEN_PLASTIC, BLUE_PLASTIC, BAMBOO]))
     } else {
-        b.one(&[(WHITE_PLASTIC, BLACK_PLASTIC), (BLACK_PLASTIC, WHITE_PLASTIC), (BIRCH, BLACK_PLASTIC)])
+        b.choose(&[(WHITE_PLASTIC, BLACK_PLASTIC), (BLACK_PLASTIC, WHITE_PLASTIC), (BIRCH, BLACK_PLASTIC)])
     };
     let t = (hx.min(hy) * 0.08).min(h * 0.2);
     let rim = h * 0.8;
@@ -58,7 +58,7 @@ pub(super) fn tiles(b: &mut Build<'_>) {
 /// Eighteen layers of three blocks, some pulled out.
 pub(super) fn tower(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
-    let woods = [b.one(TOY_WOODS), b.one(&[BEECH, OAK]), b.one(&[PINE, ASH])];
+    let woods = [b.choose(TOY_WOODS), b.choose(&[BEECH, OAK]), b.choose(&[PINE, ASH])];
     let mut shells = [MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default()];
     let layers = 18;
     let tall = h / layers as f32;
@@ -84,10 +84,10 @@ pub(super) fn tower(b: &mut Build<'_>) {
 pub(super) fn cube(b: &mut Build<'_>) {
     let s = b.size.min() / 2.0;
     let colours = [WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC];
-    let core = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
+    let core = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let mixed = b.vary(0.0, 1.0);
     let skin = s * 0.985;
-    b.soft("core", [-skin, -skin, s - skin], [skin, skin, s + skin], s * 0.04, core);
+    b.rounded_block("core", [-skin, -skin, s - skin], [skin, skin, s + skin], s * 0.04, core);
     let mut shells: [MeshBuilder; 6] = std::array::from_fn(|_| MeshBuilder::default());
     let third = s * 0.655;
     for face in 0..6_usize {
@@ -113,8 +113,8 @@ pub(super) fn cube(b: &mut Build<'_>) {
 
 /// A pack of cards in its box.
 pub(super) fn deck(b: &mut Build<'_>) {
-    let mat = b.one(&[RED_CARD, BLUE_CARD, BLACK_CARD, GREEN_CARD]);
-    let print = b.one(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]);
+    let mat = b.choose(&[RED_CARD, BLUE_CARD, BLACK_CARD, GREEN_CARD]);
+    let print = b.choose(&[WHITE_PAPER, YELLOW_CARD, CREAM_PAPER]);
     let step = (0.0008 / b.size.x).min(0.06) * 2.0;
     b.slab("box", [-0.94, -1.0, 0.0], [1.0 - 2.0 * step, 1.0, 0.985], mat);
     let high = b.vary(0.72, 0.8);
@@ -176,7 +176,7 @@ fn solid_cube(asset: &mut Asset, half: f32) {
 /// One die, or two side by side.
 pub(super) fn dice(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
-    let (body, mark) = b.one(&[
+    let (body, mark) = b.choose(&[
         (WHITE_PLASTIC, BLACK_PLASTIC),
         (RED_PLASTIC, WHITE_PLASTIC),
         (BLACK_PLASTIC, WHITE_PLASTIC),
@@ -189,7 +189,7 @@ pub(super) fn dice(b: &mut Build<'_>) {
     for apart in SIDES.iter().take(count) {
         let y = if count == 2 { (hy - s) * apart } else { 0.0 };
         let c = s * 0.93;
-        b.soft("die", [-c, y - c, s - c], [c, y + c, s + c], round, body);
+        b.rounded_block("die", [-c, y - c, s - c], [c, y + c, s + c], round, body);
         // The collision shape rests on a face, not on the paint of the pips.
         solid_cube(b.asset(), s);
         let turn = b.rng.below(3);
@@ -227,11 +227,11 @@ fn spots(number: usize) -> &'static [(f32, f32)] {
 
 /// Chips lying in the rows of a case.
 pub(super) fn chips(b: &mut Build<'_>) {
-    let case = b.one(&[SILVER_METAL, BLACK_LEATHER, WALNUT, BLACK_PLASTIC]);
+    let case = b.choose(&[SILVER_METAL, BLACK_LEATHER, WALNUT, BLACK_PLASTIC]);
     let (hx, hy, h) = solid::half_dims(b);
     let rows = b.rng.count(4, 6);
     let r = ((hx * 0.94) / rows as f32).min(h * 0.48);
-    b.soft("case", [-hx, -hy, 0.0], [hx, hy, h - r], h * 0.06, case);
+    b.rounded_block("case", [-hx, -hy, 0.0], [hx, hy, h - r], h * 0.06, case);
     b.block("tray", [-hx * 0.96, -hy * 0.96, h * 0.1], [hx * 0.96, hy * 0.96, h - r * 0.9], BLACK_FABRIC);
     let colours = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC];
     let segments = b.rng.count(4, 6);

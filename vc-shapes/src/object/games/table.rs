@@ -7,11 +7,11 @@ use crate::material::*;
 use crate::solid;
 use crate::solid::{Axis, Build, CORNERS, P, arc_outline, oval_outline};
 
-const FELTS: &[Mat] = &[GREEN_FABRIC, GREEN_FABRIC, BLUE_FABRIC, RED_FABRIC, TEAL_FABRIC, NAVY_FABRIC];
-const FINE_WOODS: &[Mat] = &[MAHOGANY, WALNUT, CHERRY, OAK, WENGE];
+const FELTS: &[MaterialId] = &[GREEN_FABRIC, GREEN_FABRIC, BLUE_FABRIC, RED_FABRIC, TEAL_FABRIC, NAVY_FABRIC];
+const FINE_WOODS: &[MaterialId] = &[MAHOGANY, WALNUT, CHERRY, OAK, WENGE];
 
 /// Four legs or two broad panels under a table, up to a fraction of its height.
-fn stand(b: &mut Build<'_>, inset: (f32, f32), high: f32, mat: Mat) {
+fn stand(b: &mut Build<'_>, inset: (f32, f32), high: f32, mat: MaterialId) {
     let (x, y) = inset;
     match b.rng.below(3) {
         0 => {
@@ -43,10 +43,10 @@ fn stand(b: &mut Build<'_>, inset: (f32, f32), high: f32, mat: Mat) {
 
 /// An air hockey table: a white bed between low rails, with goals at its ends.
 pub(super) fn air_hockey(b: &mut Build<'_>) {
-    let case = b.one(&[BLACK, BLUE, RED, ANTHRACITE, NAVY]);
-    let rail = b.one(&[BLACK_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC]);
-    let bed = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, SKY]);
-    let line = b.one(&[RED_PLASTIC, BLUE_PLASTIC]);
+    let case = b.choose(&[BLACK, BLUE, RED, ANTHRACITE, NAVY]);
+    let rail = b.choose(&[BLACK_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC]);
+    let bed = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, SKY]);
+    let line = b.choose(&[RED_PLASTIC, BLUE_PLASTIC]);
     let goal = b.vary(0.26, 0.36);
     let low = b.vary(0.45, 0.58);
     stand(b, (0.72, 0.74), low + 0.02, case);
@@ -71,7 +71,7 @@ pub(super) fn air_hockey(b: &mut Build<'_>) {
 }
 
 /// Centre line, circles and goal lines on the bed.
-fn lines(b: &mut Build<'_>, mat: Mat, goal: f32) {
+fn lines(b: &mut Build<'_>, mat: MaterialId, goal: f32) {
     b.slab("line", [-0.94, -0.004, 0.89], [0.94, 0.004, 0.9015], mat);
     let ring = |b: &mut Build<'_>, y: f32, r: f32| {
         let [cx, cy, cz] = b.p([0.0, y, 0.8]);
@@ -93,9 +93,9 @@ fn lines(b: &mut Build<'_>, mat: Mat, goal: f32) {
 
 /// A table football: rods with players above a green field.
 pub(super) fn foosball(b: &mut Build<'_>) {
-    let wood = b.one(&[BLACK, WALNUT, OAK, ANTHRACITE, MAHOGANY, BLUE]);
-    let edge = b.one(&[OAK, WALNUT, STEEL, BLACK]);
-    let teams = b.one(&[(RED_PLASTIC, BLUE_PLASTIC), (YELLOW_PLASTIC, BLACK_PLASTIC), (WHITE_PLASTIC, RED_PLASTIC)]);
+    let wood = b.choose(&[BLACK, WALNUT, OAK, ANTHRACITE, MAHOGANY, BLUE]);
+    let edge = b.choose(&[OAK, WALNUT, STEEL, BLACK]);
+    let teams = b.choose(&[(RED_PLASTIC, BLUE_PLASTIC), (YELLOW_PLASTIC, BLACK_PLASTIC), (WHITE_PLASTIC, RED_PLASTIC)]);
     let low = b.vary(0.5, 0.6);
     let w = 0.7;
     stand(b, (w * 0.85, 0.84), low + 0.03, wood);
@@ -120,7 +120,7 @@ pub(super) fn foosball(b: &mut Build<'_>) {
 }
 
 /// A rod across the table with its handle and players.
-fn rod(b: &mut Build<'_>, y: f32, hand: f32, count: usize, mat: Mat) {
+fn rod(b: &mut Build<'_>, y: f32, hand: f32, count: usize, mat: MaterialId) {
     let z = 0.925;
     b.pole("rod", [-0.86 * hand, y, z], [0.9 * hand, y, z], 0.008, CHROME);
     b.pole("grip", [0.8 * hand, y, z], [hand, y, z], 0.016, RUBBER);
@@ -141,8 +141,8 @@ fn rod(b: &mut Build<'_>, y: f32, hand: f32, count: usize, mat: Mat) {
 
 /// A billiard table: felt between cushions, six pockets, turned or square legs.
 pub(super) fn pool(b: &mut Build<'_>) {
-    let (wood, felt) = (b.one(FINE_WOODS), b.one(FELTS));
-    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, BRASS]);
+    let (wood, felt) = (b.choose(FINE_WOODS), b.choose(FELTS));
+    let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, BRASS]);
     let (hx, hy, h) = solid::half_dims(b);
     let r = 0.042 * 2.0 * hx.min(hy);
     let rim = r * 1.45;
@@ -177,7 +177,7 @@ pub(super) fn pool(b: &mut Build<'_>) {
 }
 
 /// The bed of a billiard table with openings for its pockets.
-fn slate(b: &mut Build<'_>, (px, py, r): (f32, f32, f32), (low, high): (f32, f32), felt: Mat) {
+fn slate(b: &mut Build<'_>, (px, py, r): (f32, f32, f32), (low, high): (f32, f32), felt: MaterialId) {
     let (bx, by) = (px + 0.3 * r, py + 0.3 * r);
     let half = [
         (bx, -py + 1.8 * r),
@@ -193,7 +193,7 @@ fn slate(b: &mut Build<'_>, (px, py, r): (f32, f32, f32), (low, high): (f32, f32
 }
 
 /// A cushion along Y, from the rail at one X to its nose at another.
-fn wedge(b: &mut Build<'_>, x: f32, nose: f32, (y0, y1): (f32, f32), (z0, z1): (f32, f32), felt: Mat) {
+fn wedge(b: &mut Build<'_>, x: f32, nose: f32, (y0, y1): (f32, f32), (z0, z1): (f32, f32), felt: MaterialId) {
     let short = (x - nose).abs();
     let (a, c) = (y0 + short, y1 - short);
     let deep = z0 + (z1 - z0) * 0.55;
@@ -214,7 +214,7 @@ fn wedge(b: &mut Build<'_>, x: f32, nose: f32, (y0, y1): (f32, f32), (z0, z1): (
 }
 
 /// A pocket: a cup under a leather rim.
-fn pocket(b: &mut Build<'_>, at: [f32; 2], r: f32, top: f32, mat: Mat) {
+fn pocket(b: &mut Build<'_>, at: [f32; 2], r: f32, top: f32, mat: MaterialId) {
     let tall = (r * 3.0).min(top * 0.4);
     let base = top - tall;
     let profile = [
@@ -231,8 +231,8 @@ fn pocket(b: &mut Build<'_>, at: [f32; 2], r: f32, top: f32, mat: Mat) {
 
 /// A table tennis table: two halves with lines, a net, legs on wheels.
 pub(super) fn ping_pong(b: &mut Build<'_>) {
-    let top = b.one(&[BLUE, FOREST, GREEN, NAVY, ANTHRACITE]);
-    let metal = b.one(&[BLACK_METAL, SILVER_METAL, BLUE_METAL]);
+    let top = b.choose(&[BLUE, FOREST, GREEN, NAVY, ANTHRACITE]);
+    let metal = b.choose(&[BLACK_METAL, SILVER_METAL, BLUE_METAL]);
     let leg = b.vary(0.25, 0.8);
     let (low, high) = (0.795, 0.833);
     for side in SIDES {
@@ -266,8 +266,8 @@ pub(super) fn ping_pong(b: &mut Build<'_>) {
 
 /// A poker table: long and oval, with felt, a padded rail and cup holders.
 pub(super) fn poker(b: &mut Build<'_>) {
-    let (felt, wood) = (b.one(FELTS), b.one(FINE_WOODS));
-    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
+    let (felt, wood) = (b.choose(FELTS), b.choose(FINE_WOODS));
+    let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
     let (hx, hy, h) = solid::half_dims(b);
     let pad = 0.05 * hx;
     let bow = (hx / hy).min(1.0);

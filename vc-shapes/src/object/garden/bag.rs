@@ -9,14 +9,14 @@ use crate::solid::{Axis, Build, P, at_least, polygon, star};
 pub(super) fn bag(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.05, 0.11]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mats, labels): (&[Mat], &[Mat]) = match b.class {
+    let (mats, labels): (&[MaterialId], &[MaterialId]) = match b.class {
         "charcoal_bag" => (&[BROWN_SKIN, CARDBOARD, BLACK_PLASTIC, RED_CARD], &[RED, YELLOW, BLACK, ORANGE]),
         "potting_soil" => {
             (&[GREEN_PLASTIC, BROWN_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC], &[YELLOW, LIGHT_LEAF, WHITE, ORANGE])
         }
         _ => (&[WHITE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC], &[GREEN, RED, BLUE, ORANGE]),
     };
-    let (mat, label, second) = (b.one(mats), b.one(labels), b.one(labels));
+    let (mat, label, second) = (b.choose(mats), b.choose(labels), b.choose(labels));
     if b.class == "fertilizer" && b.rng.chance(0.4) {
         return bottle(b, (x.min(y), h), mat, label);
     }
@@ -60,7 +60,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
 }
 
 /// A bottle with a screw cap and a label.
-fn bottle(b: &mut Build<'_>, (r, h): (f32, f32), mat: Mat, label: Mat) {
+fn bottle(b: &mut Build<'_>, (r, h): (f32, f32), mat: MaterialId, label: MaterialId) {
     let body = r - 0.0008;
     b.lathe(
         "bottle",
@@ -78,8 +78,8 @@ fn bottle(b: &mut Build<'_>, (r, h): (f32, f32), mat: Mat, label: Mat) {
 pub(super) fn seed_packet(b: &mut Build<'_>) {
     at_least(b, [0.001, 0.03, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, GREEN_CARD, YELLOW_CARD]);
-    let petal = b.one(&[PETAL_RED, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE, RED_SKIN, ORANGE_SKIN]);
+    let paper = b.choose(&[WHITE_PAPER, CREAM_PAPER, GREEN_CARD, YELLOW_CARD]);
+    let petal = b.choose(&[PETAL_RED, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE, RED_SKIN, ORANGE_SKIN]);
     let flap = h * b.vary(0.08, 0.15);
     b.block("packet", [-x * 0.7, -y, 0.0], [0.0, y, h - flap * 0.3], paper);
     let lid = [(-y, h - flap), (-y * 0.8, h), (y * 0.8, h), (y, h - flap)];

@@ -11,7 +11,7 @@ pub(super) fn bird_bath(b: &mut Build<'_>) {
     let r = b.size.x.min(b.size.y) / 2.0;
     let guest = if b.rng.chance(0.3) { 0.03_f32.min(r * 0.2) } else { 0.0 };
     let h = b.size.z - guest * 0.8;
-    let mat = b.one(&[CONCRETE, SANDSTONE, GRANITE, POTTERY, BLUE_GLAZE, COPPER, MARBLE]);
+    let mat = b.choose(&[CONCRETE, SANDSTONE, GRANITE, POTTERY, BLUE_GLAZE, COPPER, MARBLE]);
     let deep = (h * 0.16).min(r * 0.45);
     let (base, waist) = (r * b.vary(0.55, 0.75), r * b.vary(0.18, 0.35));
     let low = h - deep;
@@ -30,7 +30,7 @@ pub(super) fn bird_bath(b: &mut Build<'_>) {
 }
 
 /// A bowl with water standing on a point; its surface is a surface inside.
-fn basin(b: &mut Build<'_>, at: P, (r, deep): (f32, f32), full: f32, mat: Mat) {
+fn basin(b: &mut Build<'_>, at: P, (r, deep): (f32, f32), full: f32, mat: MaterialId) {
     let t = (deep * 0.22).clamp(0.006, 0.04);
     let profile = [
         (r * 0.35, 0.0),
@@ -60,7 +60,7 @@ fn bird(b: &mut Build<'_>, at: P, size: f32) {
 pub(super) fn bird_feeder(b: &mut Build<'_>) {
     at_least(b, [0.07, 0.07, 0.11]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (wood, roof) = (b.one(&[PINE, OAK, TEAK, GREY_OAK, SAGE]), b.one(&[RED, ASPHALT, GREEN, POTTERY, PINE]));
+    let (wood, roof) = (b.choose(&[PINE, OAK, TEAK, GREY_OAK, SAGE]), b.choose(&[RED, ASPHALT, GREEN, POTTERY, PINE]));
     let low = if h > 0.6 { h - (2.2 * x.max(y)).min(h * 0.45) } else { 0.0 };
     if low > 0.0 {
         let post = 0.022_f32.min(x * 0.25);
@@ -110,8 +110,8 @@ pub(super) fn bird_house(b: &mut Build<'_>) {
     at_least(b, [0.07, 0.06, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, roof) = (
-        b.one(&[PINE, OAK, BIRCH, SKY, SAGE, RED, YELLOW, GREY_OAK]),
-        b.one(&[RED, ASPHALT, FOREST, PINE, WHITE, RUST]),
+        b.choose(&[PINE, OAK, BIRCH, SKY, SAGE, RED, YELLOW, GREY_OAK]),
+        b.choose(&[RED, ASPHALT, FOREST, PINE, WHITE, RUST]),
     );
     let t = 0.01;
     let gable = b.rng.chance(0.5);

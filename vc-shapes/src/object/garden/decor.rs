@@ -9,9 +9,9 @@ use crate::solid::{Axis, Build, P, at_least, polar, polygon, star, torus_profile
 pub(super) fn lantern(b: &mut Build<'_>) {
     at_least(b, [0.05, 0.05, 0.08]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let metal = b.one(&[IRON, BLACK_METAL, BRASS, COPPER, WHITE_METAL, RUST, GREY_OAK]);
+    let metal = b.choose(&[IRON, BLACK_METAL, BRASS, COPPER, WHITE_METAL, RUST, GREY_OAK]);
     let (low, eaves) = (h * 0.07, h * b.vary(0.58, 0.66));
-    let sides = b.one(&[4, 4, 6]);
+    let sides = b.choose(&[4, 4, 6]);
     let turn = PI / sides as f32;
     b.prism("base", Axis::Z, [0.0; 3], &fitted(sides, r, turn), low, metal);
     for (px, py) in fitted(sides, r * 0.88, turn) {
@@ -45,7 +45,7 @@ fn fitted(sides: usize, half: f32, turn: f32) -> Vec<(f32, f32)> {
 pub(super) fn solar_light(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.03, 0.1]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let metal = b.one(&[STEEL, BLACK_PLASTIC, COPPER, WHITE_METAL]);
+    let metal = b.choose(&[STEEL, BLACK_PLASTIC, COPPER, WHITE_METAL]);
     let head = (r * b.vary(1.4, 2.2)).min(h * 0.4);
     let low = h - head;
     let spike = h * 0.2;
@@ -64,7 +64,7 @@ pub(super) fn solar_light(b: &mut Build<'_>) {
 pub(super) fn wind_chime(b: &mut Build<'_>) {
     at_least(b, [0.04, 0.04, 0.2]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let (metal, wood) = (b.one(&[ALUMINIUM, BRASS, COPPER, BAMBOO]), b.one(&[BEECH, WALNUT, BAMBOO, TEAK]));
+    let (metal, wood) = (b.choose(&[ALUMINIUM, BRASS, COPPER, BAMBOO]), b.choose(&[BEECH, WALNUT, BAMBOO, TEAK]));
     let disc = h * b.vary(0.78, 0.83);
     b.cylinder("disc", [0.0, 0.0, disc], r, 0.012_f32.min(h * 0.04), wood);
     let tubes = b.rng.count(4, 8);
@@ -155,7 +155,7 @@ const LETTERS: [&[(f32, f32)]; 4] = [
 pub(super) fn weather_vane(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.12, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[IRON, COPPER, RUST, BLACK_METAL, BRASS]);
+    let metal = b.choose(&[IRON, COPPER, RUST, BLACK_METAL, BRASS]);
     let r = x.min(y);
     let figure = (r * 1.1).min(h * 0.45);
     let arms = h - figure - h * 0.12;
@@ -200,7 +200,7 @@ pub(super) fn weather_vane(b: &mut Build<'_>) {
 }
 
 /// The outline of a cock, a ship or a shooting star, standing at a height.
-fn cock(b: &mut Build<'_>, z: f32, (tall, thin): (f32, f32), metal: Mat) {
+fn cock(b: &mut Build<'_>, z: f32, (tall, thin): (f32, f32), metal: MaterialId) {
     let cockerel = [
         (-0.08, 0.0),
         (0.08, 0.0),

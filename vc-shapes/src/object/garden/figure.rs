@@ -9,10 +9,10 @@ pub(super) fn gnome(b: &mut Build<'_>) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     // The head is limited by the available width.
     let k = h.min(r * 6.5);
-    let (coat, cap) = (b.one(&[BLUE, GREEN, RED, MUSTARD, FOREST]), b.one(&[RED, RED, GREEN, BLUE]));
+    let (coat, cap) = (b.choose(&[BLUE, GREEN, RED, MUSTARD, FOREST]), b.choose(&[RED, RED, GREEN, BLUE]));
     let (waist, neck) = (h * b.vary(0.16, 0.2), h * b.vary(0.46, 0.5));
     for side in [-1.0, 1.0] {
-        b.soft(
+        b.rounded_block(
             "boot",
             [-r * 0.35, side * r * 0.4 - r * 0.3, 0.0],
             [r * 0.95, side * r * 0.4 + r * 0.3, h * 0.09],
@@ -91,7 +91,7 @@ pub(super) fn gnome(b: &mut Build<'_>) {
 pub(super) fn statue(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (r, mat) = (x.min(y), b.one(&[MARBLE, SANDSTONE, CONCRETE, COPPER, GRANITE, PLASTER]));
+    let (r, mat) = (x.min(y), b.choose(&[MARBLE, SANDSTONE, CONCRETE, COPPER, GRANITE, PLASTER]));
     let foot = h * b.vary(0.12, 0.4);
     b.block("plinth", [-r, -r, 0.0], [r, r, foot * 0.2], mat);
     b.block("plinth", [-r * 0.85, -r * 0.85, foot * 0.2], [r * 0.85, r * 0.85, foot * 0.85], mat);
@@ -218,8 +218,8 @@ pub(super) fn statue(b: &mut Build<'_>) {
 pub(super) fn scarecrow(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.4, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let coat = b.one(&[RED_FABRIC, BLUE_FABRIC, BROWN_FABRIC, GREEN_FABRIC, DENIM]);
-    let (hat, legs) = (b.one(&[HAY, BLACK_FABRIC, BROWN_FABRIC]), b.one(&[DENIM, BROWN_FABRIC, JUTE]));
+    let coat = b.choose(&[RED_FABRIC, BLUE_FABRIC, BROWN_FABRIC, GREEN_FABRIC, DENIM]);
+    let (hat, legs) = (b.choose(&[HAY, BLACK_FABRIC, BROWN_FABRIC]), b.choose(&[DENIM, BROWN_FABRIC, JUTE]));
     b.cylinder("pole", [0.0; 3], 0.02_f32.min(x * 0.4), h * 0.78, PINE);
     let arms = h * b.vary(0.66, 0.71);
     b.rod("cross", [0.0, -y + 0.03, arms], [0.0, y - 0.03, arms], 0.016_f32.min(x * 0.3), PINE);
@@ -262,7 +262,7 @@ pub(super) fn scarecrow(b: &mut Build<'_>) {
             ),
             legs,
         );
-        let patch = b.one(&[MUSTARD_FABRIC, RED_FABRIC, GREEN_FABRIC]);
+        let patch = b.choose(&[MUSTARD_FABRIC, RED_FABRIC, GREEN_FABRIC]);
         b.block(
             "patch",
             [x * 0.4, side * wide * 0.35 - 0.03, h * 0.5 + 0.05 * side],

@@ -12,7 +12,7 @@ pub(super) fn campfire(b: &mut Build<'_>) {
     at_least(b, [0.3, 0.3, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stones = b.rng.count(7, 12);
-    let mat = b.one(&[ROCK, GRANITE, GRAVEL, SANDSTONE]);
+    let mat = b.choose(&[ROCK, GRANITE, GRAVEL, SANDSTONE]);
     let size = (x.min(y) * 2.4 / stones as f32).min(x.min(y) * 0.28);
     let (ax, ay) = (x - size * 0.8, y - size * 0.8);
     let oval = |share: f32, z: f32| polygon(20, share, 0.0).into_iter().map(move |(px, py)| [px * ax, py * ay, z]);
@@ -27,10 +27,10 @@ pub(super) fn campfire(b: &mut Build<'_>) {
     }
     // The first stone is flat, so that a pan can be put down.
     let flat = (h * 0.3).min(size);
-    b.soft("hearth_stone", [x - 2.0 * size, -size, 0.0], [x, size, flat], size * 0.2, mat);
+    b.rounded_block("hearth_stone", [x - 2.0 * size, -size, 0.0], [x, size, flat], size * 0.2, mat);
     b.top("hearth_stone", [x - size, 0.0, flat], (size * 0.75, size * 0.75));
     let logs = b.rng.count(4, 8);
-    let wood = b.one(&[BARK, WALNUT, OAK]);
+    let wood = b.choose(&[BARK, WALNUT, OAK]);
     let reach = x.min(y) - 2.1 * size;
     let r = reach * b.vary(0.1, 0.16);
     let stacked = b.rng.chance(0.4);
@@ -83,7 +83,7 @@ fn flames(b: &mut Build<'_>, reach: f32, top: f32) {
 pub(super) fn fire_pit(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.12]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[RUST, IRON, CONCRETE, BLACK_METAL, BRICK]);
+    let mat = b.choose(&[RUST, IRON, CONCRETE, BLACK_METAL, BRICK]);
     let rim = r * b.vary(0.18, 0.26);
     let inner = r - rim;
     let (deep, low) = (h * b.vary(0.45, 0.6), 0.012);
@@ -126,7 +126,7 @@ pub(super) fn fire_pit(b: &mut Build<'_>) {
 pub(super) fn firewood(b: &mut Build<'_>) {
     at_least(b, [0.04, 0.1, 0.04]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (bark, wood) = (b.one(&[BARK, PALE_BARK, WALNUT]), b.one(&[PINE, BEECH, OAK]));
+    let (bark, wood) = (b.choose(&[BARK, PALE_BARK, WALNUT]), b.choose(&[PINE, BEECH, OAK]));
     match b.rng.below(3) {
         0 => {
             let r = x.min(h / 2.0);
@@ -168,7 +168,7 @@ pub(super) fn firewood(b: &mut Build<'_>) {
 pub(super) fn firewood_rack(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.3, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let frame = b.one(&[IRON, RUST, PINE, OAK, ANTHRACITE]);
+    let frame = b.choose(&[IRON, RUST, PINE, OAK, ANTHRACITE]);
     let roofed = h > 1.0 && b.rng.chance(0.6);
     let top = if roofed { h - 0.1 } else { h };
     let (post, low) = (0.025_f32.min(x * 0.2), 0.08_f32.min(h * 0.1));
@@ -210,7 +210,7 @@ pub(super) fn firewood_rack(b: &mut Build<'_>) {
                 break;
             }
             let reach = (x - 0.015) * b.vary(0.85, 1.0);
-            let wood = b.one(&[PINE, BEECH, BARK, OAK]);
+            let wood = b.choose(&[PINE, BEECH, BARK, OAK]);
             b.rod("log", [-reach, cy, z], [reach, cy, z], r * 0.98, wood);
         }
     }
@@ -227,7 +227,7 @@ pub(super) fn firewood_rack(b: &mut Build<'_>) {
 pub(super) fn gas_tank(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.18]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[GREY, RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
+    let mat = b.choose(&[GREY, RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
     let neck = h * b.vary(0.72, 0.78);
     let belly = neck * b.vary(0.72, 0.82);
     b.lathe(
@@ -276,7 +276,7 @@ pub(super) fn gas_tank(b: &mut Build<'_>) {
 pub(super) fn patio_heater(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.9]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[STEEL, ANTHRACITE, BLACK_METAL, COPPER, SILVER_METAL]);
+    let mat = b.choose(&[STEEL, ANTHRACITE, BLACK_METAL, COPPER, SILVER_METAL]);
     let foot = r * b.vary(0.5, 0.62);
     let tank = h * b.vary(0.3, 0.38);
     b.lathe(

@@ -11,7 +11,7 @@ use crate::solid::{Axis, Build, P, at_least, blob, limb, polar, tapered_tub};
 pub(super) fn fountain(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.3]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[SANDSTONE, MARBLE, GRANITE, CONCRETE, POTTERY]);
+    let mat = b.choose(&[SANDSTONE, MARBLE, GRANITE, CONCRETE, POTTERY]);
     let rim = (h * b.vary(0.16, 0.28)).min(r * 0.6);
     let t = r * b.vary(0.08, 0.13);
     let sides = b.rng.below(3);
@@ -101,7 +101,7 @@ pub(super) fn pond(b: &mut Build<'_>) {
     at_least(b, [0.6, 0.75, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stones = b.rng.count(18, 30);
-    let stone = b.one(&[ROCK, GRANITE, SANDSTONE, GRAVEL]);
+    let stone = b.choose(&[ROCK, GRANITE, SANDSTONE, GRAVEL]);
     let rim = x.min(y) * b.vary(0.12, 0.18);
     let (bank, level) = (h * 0.35, h * 0.45);
     let waves = (b.vary(0.0, TAU), b.vary(0.03, 0.12));

@@ -16,7 +16,7 @@ fn trough(
     (r, t): (f32, f32),
     (y0, y1): (f32, f32),
     upper: bool,
-    mat: Mat,
+    mat: MaterialId,
 ) {
     let sign = if upper { 1.0 } else { -1.0 };
     let arc = |r: f32| {
@@ -39,7 +39,7 @@ pub(super) fn barbecue(b: &mut Build<'_>) {
 
 fn kettle(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let enamel = b.one(&[BLACK_METAL, BLACK_METAL, RED_METAL, GREEN_METAL, ANTHRACITE, BLUE_METAL]);
+    let enamel = b.choose(&[BLACK_METAL, BLACK_METAL, RED_METAL, GREEN_METAL, ANTHRACITE, BLUE_METAL]);
     let shelf = (2.0 * y - 0.45).clamp(0.08, 0.4);
     let r = (x - 0.05).min(y - shelf / 2.0).min(h * 0.32);
     let cy = y - r;
@@ -104,7 +104,7 @@ fn kettle(b: &mut Build<'_>) {
 
 fn barrel_grill(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let enamel = b.one(&[BLACK_METAL, IRON, RUST, ANTHRACITE]);
+    let enamel = b.choose(&[BLACK_METAL, IRON, RUST, ANTHRACITE]);
     let r = ((x - 0.07) * 0.95).min(h * 0.25);
     let shelf = (2.0 * y * b.vary(0.22, 0.32)).max(0.1);
     let (y0, y1) = (-y + shelf, y - 0.02);
@@ -121,7 +121,7 @@ fn barrel_grill(b: &mut Build<'_>) {
 }
 
 /// A barrel with a lid and a grate on four legs, one pair with wheels.
-fn barrel(b: &mut Build<'_>, [cx, rim]: [f32; 2], r: f32, (y0, y1): (f32, f32), mat: Mat) {
+fn barrel(b: &mut Build<'_>, [cx, rim]: [f32; 2], r: f32, (y0, y1): (f32, f32), mat: MaterialId) {
     let t = 0.008;
     trough(b, "drum", [cx, rim], (r, t), (y0, y1), false, mat);
     b.block("grate", [cx - r + 0.012, y0 + t, rim - 0.012], [cx + r - 0.012, y1 - t, rim - 0.006], STEEL);
@@ -164,7 +164,7 @@ fn barrel(b: &mut Build<'_>, [cx, rim]: [f32; 2], r: f32, (y0, y1): (f32, f32), 
 pub(super) fn gas_grill(b: &mut Build<'_>) {
     at_least(b, [0.28, 0.55, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[BLACK_METAL, STEEL, ANTHRACITE, SILVER_METAL, RED_METAL]);
+    let mat = b.choose(&[BLACK_METAL, STEEL, ANTHRACITE, SILVER_METAL, RED_METAL]);
     let body = y * b.vary(0.48, 0.58);
     let (back, front) = (-x + 0.02, x - 0.06);
     let r = (front - back) / 2.0;
@@ -255,7 +255,7 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
 pub(super) fn smoker(b: &mut Build<'_>) {
     at_least(b, [0.22, 0.22, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[IRON, BLACK_METAL, RUST, ANTHRACITE]);
+    let mat = b.choose(&[IRON, BLACK_METAL, RUST, ANTHRACITE]);
     if 2.0 * y > 0.9 {
         let r = (x - 0.06).min(h * 0.22);
         let (rim, cx) = (h * 0.72, -x + r + 0.01);
@@ -314,7 +314,7 @@ pub(super) fn smoker(b: &mut Build<'_>) {
 pub(super) fn grill_tongs(b: &mut Build<'_>) {
     at_least(b, [0.012, 0.014, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (steel, grip) = (b.one(&[STEEL, BLACK_METAL]), b.one(&[BLACK_PLASTIC, BEECH, RED_PLASTIC, STEEL]));
+    let (steel, grip) = (b.choose(&[STEEL, BLACK_METAL]), b.choose(&[BLACK_PLASTIC, BEECH, RED_PLASTIC, STEEL]));
     let wide = x * 0.6;
     for side in [-1.0, 1.0] {
         let at = |share: f32, z: f32, t: f32| {

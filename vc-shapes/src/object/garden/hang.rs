@@ -12,8 +12,8 @@ use crate::solid::{Axis, Build, P, at_least, limb, spaced};
 pub(super) fn hammock(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.38, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (cloth, second) = (b.one(CLOTHS), b.one(CLOTHS));
-    let wood = b.one(&[PINE, TEAK, OAK, IRON]);
+    let (cloth, second) = (b.choose(CLOTHS), b.choose(CLOTHS));
+    let wood = b.choose(&[PINE, TEAK, OAK, IRON]);
     let beam = (h * 0.08).clamp(0.015, 0.04);
     let (hook, tip) = (h - beam, x - beam * 1.2);
     // A stand: two feet, a bowed beam in segments.
@@ -56,7 +56,7 @@ pub(super) fn hammock(b: &mut Build<'_>) {
 pub(super) fn porch_swing(b: &mut Build<'_>) {
     at_least(b, [0.55, 0.8, 0.75]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (metal, cloth) = (b.one(METALS), b.one(CLOTHS));
+    let (metal, cloth) = (b.choose(METALS), b.choose(CLOTHS));
     let r = 0.022;
     let top = h - 0.14;
     for s in [-1.0, 1.0] {
@@ -77,7 +77,13 @@ pub(super) fn porch_swing(b: &mut Build<'_>) {
     let pad = 0.08_f32.min(h * 0.06);
     b.jointed(vc_graph::asset::JointKind::Hinge, [0.0, 0.0, top], [0.0, 1.0, 0.0], (-0.12, 0.12), |b| {
         b.block("seat", [-deep, -half, seat - pad - 0.03], [deep, half, seat - pad], metal);
-        b.soft("cushion", [-deep + 0.01, -half + 0.01, seat - pad + 0.001], [deep, half - 0.01, seat], 0.03, cloth);
+        b.rounded_block(
+            "cushion",
+            [-deep + 0.01, -half + 0.01, seat - pad + 0.001],
+            [deep, half - 0.01, seat],
+            0.03,
+            cloth,
+        );
         let lean = deep * 0.5;
         let outline = [
             (-deep, seat - pad),
@@ -103,7 +109,7 @@ pub(super) fn hanging_chair(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
     let (metal, wicker, cloth) =
-        (b.one(METALS), b.one(&[WICKER, GREY_PLASTIC, WHITE_PLASTIC, ANTHRACITE]), b.one(CLOTHS));
+        (b.choose(METALS), b.choose(&[WICKER, GREY_PLASTIC, WHITE_PLASTIC, ANTHRACITE]), b.choose(CLOTHS));
     let tube = 0.025;
     b.lathe("foot", [0.0; 3], &[(r, 0.0), (r, 0.03), (r - 0.06, 0.03), (r - 0.06, 0.0), (r, 0.0)], metal);
     b.block("foot", [-r + 0.02, -0.03, 0.002], [r - 0.02, 0.03, 0.026], metal);
@@ -149,7 +155,7 @@ pub(super) fn hanging_chair(b: &mut Build<'_>) {
         cloth,
     );
     b.rod("post", [cx, 0.0, low - 0.004], [cx, 0.0, seat - half * 0.3], 0.02, wicker);
-    b.soft(
+    b.rounded_block(
         "cushion",
         [cx - wide * 0.72, -wide * 0.4, seat - 0.02],
         [cx - wide * 0.45, wide * 0.4, seat + half * 0.75],

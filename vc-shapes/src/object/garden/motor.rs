@@ -11,7 +11,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
     at_least(b, [0.6, 0.21, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (paint, r) =
-        (b.one(&[RED_METAL, GREEN_METAL, ORANGE, YELLOW_METAL, BLACK_PLASTIC, BLUE_METAL]), h * b.vary(0.085, 0.11));
+        (b.choose(&[RED_METAL, GREEN_METAL, ORANGE, YELLOW_METAL, BLACK_PLASTIC, BLUE_METAL]), h * b.vary(0.085, 0.11));
     let deck = x * b.vary(0.5, 0.58);
     let (rear, fore) = (x - 2.0 * deck + r, x - r - 0.01);
     let rim = Rim::plain(b);
@@ -28,7 +28,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
     b.taper("deck", [middle, 0.0, low], (half + r * 0.5, y * 0.8), (half, y * 0.7), top - low, paint);
     let motor = top + h * b.vary(0.1, 0.16);
     if b.rng.chance(0.5) {
-        b.soft(
+        b.rounded_block(
             "motor",
             [middle - half * 0.45, -y * 0.45, top - 0.02],
             [middle + half * 0.6, y * 0.45, motor],
@@ -49,7 +49,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
             RED_PLASTIC,
         );
     }
-    let cloth = b.one(&[BLACK_FABRIC, GREY_FABRIC, GREEN_PLASTIC]);
+    let cloth = b.choose(&[BLACK_FABRIC, GREY_FABRIC, GREEN_PLASTIC]);
     let bag = [
         [rear - r * 0.9, 0.55, r * 1.1],
         [rear - r * 0.9, 0.5, motor],
@@ -96,7 +96,7 @@ pub(super) fn lawnmower(b: &mut Build<'_>) {
 pub(super) fn ride_on_mower(b: &mut Build<'_>) {
     at_least(b, [0.85, 0.45, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(&[GREEN_METAL, RED_METAL, ORANGE, YELLOW_METAL, BLUE_METAL]);
+    let paint = b.choose(&[GREEN_METAL, RED_METAL, ORANGE, YELLOW_METAL, BLUE_METAL]);
     let (big, small) = (h * b.vary(0.24, 0.27), h * b.vary(0.17, 0.19));
     let (rear, fore) = (-x + big + 0.02, x - small - 0.03);
     let rim = Rim::plain(b);
@@ -158,14 +158,20 @@ pub(super) fn ride_on_mower(b: &mut Build<'_>) {
     b.block("base", [rear - big * 0.7, -half * 0.75, belt * 0.7], [rear + big * 0.8, half * 0.75, big * 2.14], paint);
     let seat = (big * 2.14 + 0.02).max(h * 0.55);
     b.block("post", [rear - 0.06, -0.1, big * 2.1], [rear + 0.1, 0.1, seat - 0.02], IRON);
-    b.soft(
+    b.rounded_block(
         "seat",
         [rear - big * 0.3, -half * 0.75, seat - 0.03],
         [rear + big * 0.85, half * 0.75, seat + 0.05],
         0.04,
         BLACK_LEATHER,
     );
-    b.soft("back", [rear - big * 0.55, -half * 0.7, seat], [rear - big * 0.2, half * 0.7, h], 0.05, BLACK_LEATHER);
+    b.rounded_block(
+        "back",
+        [rear - big * 0.55, -half * 0.7, seat],
+        [rear - big * 0.2, half * 0.7, h],
+        0.05,
+        BLACK_LEATHER,
+    );
     let hub = [dash - 0.12, 0.0, h * 0.82];
     let hold = ((h * 0.18 - 0.02) / 0.6).clamp(0.03, 0.15);
     let room = (big * 0.7).min(hub[0] - hold - 0.02 - rear).max(0.04);
@@ -197,8 +203,10 @@ pub(super) fn ride_on_mower(b: &mut Build<'_>) {
 pub(super) fn robot_mower(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.18, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (paint, r) =
-        (b.one(&[GREY_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]), h * b.vary(0.36, 0.42));
+    let (paint, r) = (
+        b.choose(&[GREY_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]),
+        h * b.vary(0.36, 0.42),
+    );
     let rim = Rim::plain(b);
     let rear = -x + r + x * 0.15;
     for (name, side) in [("wheel_l", 1.0), ("wheel_r", -1.0)] {
@@ -230,10 +238,10 @@ pub(super) fn robot_mower(b: &mut Build<'_>) {
 pub(super) fn hedge_trimmer(b: &mut Build<'_>) {
     at_least(b, [0.07, 0.09, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
+    let paint = b.choose(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
     let body = h * b.vary(0.36, 0.42);
     let thin = (y * 0.12).min(0.016);
-    b.soft("motor", [-x * 0.75, -y * 0.45, h * 0.16], [x * 0.75, y * 0.45, body], 0.03, paint);
+    b.rounded_block("motor", [-x * 0.75, -y * 0.45, h * 0.16], [x * 0.75, y * 0.45, body], 0.03, paint);
     b.pipe(
         "rear_grip",
         &[
@@ -272,7 +280,7 @@ pub(super) fn hedge_trimmer(b: &mut Build<'_>) {
 pub(super) fn grass_trimmer(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.11, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
+    let paint = b.choose(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
     let r = x.min(y);
     let cut: Vec<(f32, f32)> = (0..=10)
         .map(|i| FRAC_PI_2 * (1.0 + 0.2 * i as f32))
@@ -285,7 +293,7 @@ pub(super) fn grass_trimmer(b: &mut Build<'_>) {
     let (top, thin) = (h * b.vary(0.8, 0.86), 0.012);
     let back = -x * 0.35;
     b.bar("shaft", [0.0, 0.0, 0.06], [back, 0.0, top], thin, ALUMINIUM);
-    b.soft("motor", [back - x * 0.45, -y * 0.4, top - 0.03], [back + x * 0.45, y * 0.4, h], 0.03, paint);
+    b.rounded_block("motor", [back - x * 0.45, -y * 0.4, top - 0.03], [back + x * 0.45, y * 0.4, h], 0.03, paint);
     let z = h * b.vary(0.5, 0.62);
     let at = back * z / top;
     let loop_r = (y * 0.8).min(0.11);
@@ -309,7 +317,7 @@ pub(super) fn grass_trimmer(b: &mut Build<'_>) {
 pub(super) fn leaf_blower(b: &mut Build<'_>) {
     at_least(b, [0.07, 0.09, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
+    let paint = b.choose(&[ORANGE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
     let body = h * b.vary(0.6, 0.66);
     let tube = x.min(y) * b.vary(0.32, 0.42);
     let at = x - tube * 1.35;
@@ -328,7 +336,13 @@ pub(super) fn leaf_blower(b: &mut Build<'_>) {
         ((h - body) * 0.28).min(x * 0.4),
         BLACK_PLASTIC,
     );
-    b.soft("motor", [at - x * 0.3, -y * 0.5, body], [at + tube * 0.7, y * 0.4, body + (h - body) * 0.75], 0.02, paint);
+    b.rounded_block(
+        "motor",
+        [at - x * 0.3, -y * 0.5, body],
+        [at + tube * 0.7, y * 0.4, body + (h - body) * 0.75],
+        0.02,
+        paint,
+    );
     let thin = (tube * 0.4).min(0.016);
     b.pipe(
         "handle",
@@ -347,10 +361,10 @@ pub(super) fn leaf_blower(b: &mut Build<'_>) {
 pub(super) fn chainsaw(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.3, 0.11]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(&[ORANGE, RED_METAL, YELLOW_METAL, GREEN_METAL]);
+    let paint = b.choose(&[ORANGE, RED_METAL, YELLOW_METAL, GREEN_METAL]);
     let split = -y + 2.0 * y * b.vary(0.46, 0.52);
     let back = -y + 2.0 * y * 0.2;
-    b.soft("motor", [-x * 0.85, back, 0.0], [x * 0.6, split, h * 0.72], 0.03, paint);
+    b.rounded_block("motor", [-x * 0.85, back, 0.0], [x * 0.6, split, h * 0.72], 0.03, paint);
     b.block("cover", [x * 0.58, back + 0.03, h * 0.08], [x * 0.85, split + 0.02, h * 0.5], BLACK_PLASTIC);
     let (z, half) = (h * 0.33, h * b.vary(0.13, 0.17));
     let bar = [

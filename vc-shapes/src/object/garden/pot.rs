@@ -5,14 +5,14 @@ use std::f32::consts::TAU;
 use crate::material::*;
 use crate::solid::{Build, at_least, blob, polar, spaced, tapered_tub};
 
-const POTS: &[Mat] =
+const POTS: &[MaterialId] =
     &[POTTERY, POTTERY, BLUE_GLAZE, GREEN_GLAZE, STONEWARE, CONCRETE, WHITE_PLASTIC, BLACK_GLAZE, BROWN_PLASTIC];
 
 /// A plant pot, round or square, with or without a saucer; contains only soil.
 pub(super) fn flower_pot(b: &mut Build<'_>) {
     at_least(b, [0.05, 0.05, 0.05]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(POTS);
+    let mat = b.choose(POTS);
     let t = (r * 0.09).clamp(0.003, 0.012);
     let saucer = b.rng.chance(0.4);
     let low = if saucer { t } else { 0.0 };
@@ -79,7 +79,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
     at_least(b, [0.09, 0.2, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let boards = h > 0.3 && b.rng.chance(0.6);
-    let mat = b.one(if boards {
+    let mat = b.choose(if boards {
         &[PINE, OAK, TEAK, GREY_OAK, WALNUT]
     } else {
         &[CONCRETE, POTTERY, RUST, WHITE_PLASTIC, ANTHRACITE, GREEN_PLASTIC, GALVANISED]
@@ -139,7 +139,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
 pub(super) fn hanging_basket(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.1]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[WICKER, IRON, POTTERY, JUTE, GREEN_PLASTIC]);
+    let mat = b.choose(&[WICKER, IRON, POTTERY, JUTE, GREEN_PLASTIC]);
     let deep = (h * 0.42).min(r * 1.1);
     let t = 0.006;
     let profile = [
@@ -160,7 +160,8 @@ pub(super) fn hanging_basket(b: &mut Build<'_>) {
         b.rod("chain", [px, py, deep - 0.005], [0.0, 0.0, ring], 0.002, IRON);
     }
     b.bar("hook", [0.0, 0.0, ring - 0.01], [0.0, 0.0, h - 0.006], 0.005, IRON);
-    let (petal, count) = (b.one(&[PETAL_RED, PETAL_WHITE, PETAL_PINK, PETAL_BLUE, PETAL_YELLOW]), b.rng.count(6, 10));
+    let (petal, count) =
+        (b.choose(&[PETAL_RED, PETAL_WHITE, PETAL_PINK, PETAL_BLUE, PETAL_YELLOW]), b.rng.count(6, 10));
     for i in 0..count {
         let angle = TAU * (i as f32 + 0.3) / count as f32;
         let ((px, py), size) = (polar(angle, r * 0.86), r * 0.13);

@@ -10,8 +10,8 @@ use crate::solid::{Axis, Build, at_least, spaced};
 pub(super) fn carport(b: &mut Build<'_>) {
     at_least(b, [2.4, 1.4, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[PINE, OAK, GREY_OAK, ANTHRACITE, WHITE_METAL, GALVANISED]);
-    let roof = b.one(&[ROOF_TILE, ANTHRACITE, ASPHALT, CLEAR_PLASTIC, GALVANISED]);
+    let mat = b.choose(&[PINE, OAK, GREY_OAK, ANTHRACITE, WHITE_METAL, GALVANISED]);
+    let roof = b.choose(&[ROOF_TILE, ANTHRACITE, ASPHALT, CLEAR_PLASTIC, GALVANISED]);
     let post = b.vary(0.05, 0.08);
     let design = b.rng.below(3);
     let eaves = h - 0.1 - if design == 0 { 0.0 } else { h * 0.12 };
@@ -58,8 +58,8 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
     at_least(b, [1.2, 1.2, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cloth = b.rng.chance(0.4);
-    let mat = b.one(if cloth { &[WHITE_METAL, ANTHRACITE, GALVANISED] } else { &[PINE, OAK, TEAK, WHITE] });
-    let roof = b.one(if cloth {
+    let mat = b.choose(if cloth { &[WHITE_METAL, ANTHRACITE, GALVANISED] } else { &[PINE, OAK, TEAK, WHITE] });
+    let roof = b.choose(if cloth {
         &[WHITE_COTTON, GREEN_FABRIC, BEIGE_FABRIC, NAVY_FABRIC]
     } else {
         &[ROOF_TILE, ASPHALT, PINE, ANTHRACITE]
@@ -116,16 +116,16 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
 pub(super) fn awning(b: &mut Build<'_>) {
     at_least(b, [0.1, 1.0, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let cloth = b.one(&[RED_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, GREY_FABRIC]);
-    let second = b.one(&[WHITE_COTTON, cloth, WHITE_COTTON, BEIGE_FABRIC]);
-    let (case, deep) = (b.one(&[WHITE_METAL, ANTHRACITE, SILVER_METAL]), 0.16_f32.min(2.0 * x * 0.8));
+    let cloth = b.choose(&[RED_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, GREY_FABRIC]);
+    let second = b.choose(&[WHITE_COTTON, cloth, WHITE_COTTON, BEIGE_FABRIC]);
+    let (case, deep) = (b.choose(&[WHITE_METAL, ANTHRACITE, SILVER_METAL]), 0.16_f32.min(2.0 * x * 0.8));
     let box_z = h - deep.min(h * 0.7);
-    b.soft("case", [-x, -y, box_z], [-x + deep, y, h], 0.03, case);
+    b.rounded_block("case", [-x, -y, box_z], [-x + deep, y, h], 0.03, case);
     let (from, low) = (-x + deep, 0.0);
     let reach = 2.0 * x - deep;
     if reach < 0.25 {
         b.slide([1.0, 0.0, 0.0], 0.02, |b| {
-            b.soft(
+            b.rounded_block(
                 "bar",
                 [from - 0.01, -y + 0.02, box_z + 0.01],
                 [x, y - 0.02, box_z + 0.06_f32.min(h - box_z - 0.01)],
@@ -170,8 +170,8 @@ pub(super) fn awning(b: &mut Build<'_>) {
 pub(super) fn clothesline(b: &mut Build<'_>) {
     at_least(b, [0.8, 0.8, 0.8]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[ALUMINIUM, GALVANISED, GREEN_METAL, PINE]);
-    let cord = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
+    let metal = b.choose(&[ALUMINIUM, GALVANISED, GREEN_METAL, PINE]);
+    let cord = b.choose(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
     let thin = 0.004;
     if b.rng.chance(0.6) {
         b.lathe("pole", [0.0; 3], &[(0.035, 0.0), (0.035, 0.2), (0.024, 0.22), (0.024, h)], metal);

@@ -5,11 +5,11 @@ use vc_graph::portable::Portable;
 use crate::material::*;
 use crate::solid::{Axis, Build, P, at_least, plate, spaced};
 
-pub(super) const WOODS: &[Mat] = &[TEAK, OAK, PINE, GREY_OAK, WALNUT, WHITE];
+pub(super) const WOODS: &[MaterialId] = &[TEAK, OAK, PINE, GREY_OAK, WALNUT, WHITE];
 
-pub(super) const METALS: &[Mat] = &[WHITE_METAL, IRON, ANTHRACITE, GREEN_METAL, GALVANISED];
+pub(super) const METALS: &[MaterialId] = &[WHITE_METAL, IRON, ANTHRACITE, GREEN_METAL, GALVANISED];
 
-pub(super) const CLOTHS: &[Mat] =
+pub(super) const CLOTHS: &[MaterialId] =
     &[NAVY_FABRIC, BEIGE_FABRIC, GREEN_FABRIC, GREY_FABRIC, RED_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, TEAL_FABRIC];
 
 /// A garden chair: wooden slats, a metal frame with cloth, wicker or plastic.
@@ -18,10 +18,10 @@ pub(super) fn chair(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let design = b.rng.below(4);
     let mat = match design {
-        0 => b.one(WOODS),
-        1 => b.one(METALS),
-        2 => b.one(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WICKER]),
-        _ => b.one(&[WHITE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, BROWN_PLASTIC]),
+        0 => b.choose(WOODS),
+        1 => b.choose(METALS),
+        2 => b.choose(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WICKER]),
+        _ => b.choose(&[WHITE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, BROWN_PLASTIC]),
     };
     let seat = (h * 0.48).min(0.44);
     let leg = if design == 1 { 0.022 } else { 0.04 };
@@ -48,7 +48,7 @@ pub(super) fn chair(b: &mut Build<'_>) {
             let z = arm;
             let share = (z - seat) / (h - seat);
             let from = back + (-x - back) * share;
-            b.soft(
+            b.rounded_block(
                 "arm",
                 [from + leg * 0.3, (s * (y - leg * 1.25)).min(y0), z - 0.025],
                 [x, (s * (y - leg * 1.25)).max(y0), z],
@@ -68,7 +68,7 @@ pub(super) fn chair(b: &mut Build<'_>) {
             b.block("apron", [front - leg + 0.005, -inner, seat - 0.07], [front - 0.008, inner, seat - 0.017], mat);
         }
         1 => {
-            let cloth = b.one(CLOTHS);
+            let cloth = b.choose(CLOTHS);
             b.block("seat", [back + 0.02, -inner - 0.004, seat - 0.012], [front - 0.005, inner + 0.004, seat], cloth);
             b.rod(
                 "rail",
@@ -78,7 +78,7 @@ pub(super) fn chair(b: &mut Build<'_>) {
                 mat,
             );
         }
-        _ => b.soft(
+        _ => b.rounded_block(
             "seat",
             [back - 0.01, -inner - 0.003, seat - 0.035],
             [front - 0.002, inner + 0.003, seat],
@@ -98,8 +98,8 @@ pub(super) fn chair(b: &mut Build<'_>) {
 
 /// The filling of a chair's back between its two uprights; `at` gives a position for each share of
 /// the height.
-fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (design, h): (usize, f32), mat: Mat) {
-    let board = |b: &mut Build<'_>, name: &str, (s0, s1): (f32, f32), (y0, y1): (f32, f32), t: f32, mat: Mat| {
+fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (design, h): (usize, f32), mat: MaterialId) {
+    let board = |b: &mut Build<'_>, name: &str, (s0, s1): (f32, f32), (y0, y1): (f32, f32), t: f32, mat: MaterialId| {
         let ([x0, z0], [x1, z1]) = (at(s0), at(s1));
         let quad = [[x0 + t / 2.0, y0, z0], [x0 + t / 2.0, y1, z0], [x1 + t / 2.0, y1, z1], [x1 + t / 2.0, y0, z1]];
         plate(b, name, quad, t, mat);
@@ -116,7 +116,7 @@ fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (desig
             }
         }
         1 => {
-            let cloth = b.one(CLOTHS);
+            let cloth = b.choose(CLOTHS);
             board(b, "back", (0.12, 0.95), (-wide, wide), 0.01, cloth);
             board(b, "rail", (0.955, 0.985), (-wide, wide), 0.02, mat);
         }
@@ -135,8 +135,8 @@ fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (desig
 pub(super) fn deck_chair(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.27, 0.37]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (wood, cloth) = (b.one(&[BEECH, TEAK, PINE, WHITE]), b.one(CLOTHS));
-    let stripe = b.one(&[WHITE_COTTON, BEIGE_FABRIC, cloth]);
+    let (wood, cloth) = (b.choose(&[BEECH, TEAK, PINE, WHITE]), b.choose(CLOTHS));
+    let stripe = b.choose(&[WHITE_COTTON, BEIGE_FABRIC, cloth]);
     let w = 0.015;
     let (rear, front) = ([-x + 0.03, h - 0.02], [x - 0.03, h * b.vary(0.36, 0.44)]);
     let (toe, heel) = ([x * 0.72, 0.018], [-x * 0.7, 0.018]);
@@ -196,7 +196,7 @@ fn crossing([a, c]: [[f32; 2]; 2], [p, q]: [[f32; 2]; 2]) -> [f32; 2] {
 pub(super) fn lounger(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.28, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (frame, cloth) = (b.one(&[TEAK, PINE, WHITE_PLASTIC, ANTHRACITE, WICKER, ALUMINIUM]), b.one(CLOTHS));
+    let (frame, cloth) = (b.choose(&[TEAK, PINE, WHITE_PLASTIC, ANTHRACITE, WICKER, ALUMINIUM]), b.choose(CLOTHS));
     let deck = h * b.vary(0.6, 0.72);
     let knee = -x * b.vary(0.25, 0.4);
     let (rise, t) = (h - deck, 0.03_f32.min(h * 0.12));
@@ -254,7 +254,7 @@ pub(super) fn lounger(b: &mut Build<'_>) {
         }
     });
     if cushion > 0.0 {
-        b.soft("cushion", [knee + 0.005, -y + 0.02, level], [x - 0.02, y - 0.02, deck], 0.02, cloth);
+        b.rounded_block("cushion", [knee + 0.005, -y + 0.02, level], [x - 0.02, y - 0.02, deck], 0.02, cloth);
     }
     b.top("seat", [f32::midpoint(knee, x), 0.0, deck], ((x - knee) / 2.0 - 0.05, y - 0.06));
 }
@@ -263,7 +263,7 @@ pub(super) fn lounger(b: &mut Build<'_>) {
 pub(super) fn adirondack(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.36, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[TEAK, PINE, WHITE, RED, BLUE, GREEN, YELLOW, GREY_OAK]);
+    let mat = b.choose(&[TEAK, PINE, WHITE, RED, BLUE, GREEN, YELLOW, GREY_OAK]);
     let (front, rear) = (h * b.vary(0.36, 0.4), h * b.vary(0.24, 0.28));
     let (nose, knee) = (x - 0.07, -x * 0.25);
     let t = 0.02;
@@ -293,7 +293,7 @@ pub(super) fn adirondack(b: &mut Build<'_>) {
             mat,
         );
         let (from, to) = (s * (inner - 0.02), s * y);
-        b.soft("arm", [-x * 0.62, from.min(to), arm - t], [x, from.max(to), arm], 0.008, mat);
+        b.rounded_block("arm", [-x * 0.62, from.min(to), arm - t], [x, from.max(to), arm], 0.008, mat);
         b.block(
             "post",
             [-x * 0.6, (cy - 0.013).min(cy + 0.013), rear * 0.5],
@@ -348,11 +348,11 @@ pub(super) fn sofa(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wicker = b.rng.chance(0.5);
     let frame = if wicker {
-        b.one(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WHITEWASHED])
+        b.choose(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WHITEWASHED])
     } else {
-        b.one(&[TEAK, OAK, ANTHRACITE, WHITE_METAL, GREY_OAK])
+        b.choose(&[TEAK, OAK, ANTHRACITE, WHITE_METAL, GREY_OAK])
     };
-    let cloth = b.one(&[BEIGE_FABRIC, GREY_FABRIC, WHITE_COTTON, NAVY_FABRIC, GREEN_FABRIC, LINEN]);
+    let cloth = b.choose(&[BEIGE_FABRIC, GREY_FABRIC, WHITE_COTTON, NAVY_FABRIC, GREEN_FABRIC, LINEN]);
     let seat = (h * 0.56).min(0.44);
     let pad = (seat * 0.3).min(0.14);
     let arm = seat + (h - seat) * b.vary(0.4, 0.7);
@@ -390,7 +390,7 @@ pub(super) fn sofa(b: &mut Build<'_>) {
     let seats = ((2.0 * inner / 0.62) as usize).clamp(1, 4);
     let half = inner / seats as f32;
     for cy in spaced(seats, -inner + half, inner - half) {
-        b.soft(
+        b.rounded_block(
             "cushion",
             [-x + deep, cy - half + 0.004, seat - pad + 0.001],
             [x - 0.005, cy + half - 0.004, seat],

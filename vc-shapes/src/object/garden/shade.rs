@@ -10,10 +10,10 @@ use crate::solid::{Build, P, at_least, mix, polygon};
 pub(super) fn parasol(b: &mut Build<'_>) {
     at_least(b, [0.8, 0.8, 1.0]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let (cloth, second) = (b.one(CLOTHS), b.one(CLOTHS));
+    let (cloth, second) = (b.choose(CLOTHS), b.choose(CLOTHS));
     let second = if b.rng.chance(0.5) { cloth } else { second };
-    let pole = b.one(&[PINE, WHITE_METAL, ALUMINIUM, ANTHRACITE, TEAK]);
-    let ribs = b.one(&[6, 8, 8, 4]);
+    let pole = b.choose(&[PINE, WHITE_METAL, ALUMINIUM, ANTHRACITE, TEAK]);
+    let ribs = b.choose(&[6, 8, 8, 4]);
     let rise = r * b.vary(0.22, 0.4);
     let eaves = h - rise - 0.06;
     b.cylinder("foot", [0.0; 3], 0.2_f32.min(r * 0.3), 0.03, CONCRETE);
@@ -55,7 +55,7 @@ pub(super) fn parasol(b: &mut Build<'_>) {
 pub(super) fn parasol_base(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.15, 0.06]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[CONCRETE, GRANITE, BLACK_PLASTIC, IRON, WHITE_PLASTIC, GREEN_PLASTIC]);
+    let mat = b.choose(&[CONCRETE, GRANITE, BLACK_PLASTIC, IRON, WHITE_PLASTIC, GREEN_PLASTIC]);
     let low = (h * b.vary(0.2, 0.4)).min(0.12);
     match b.rng.below(3) {
         0 => b.lathe(

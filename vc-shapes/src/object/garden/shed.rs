@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::object::joinery::{Handle, handle};
 use crate::solid::{Axis, Build, at_least, spaced};
 
-pub(super) const WOODS: &[Mat] = &[PINE, OAK, TEAK, GREY_OAK, FOREST, RED, SKY, SAGE, ANTHRACITE, WALNUT];
+pub(super) const WOODS: &[MaterialId] = &[PINE, OAK, TEAK, GREY_OAK, FOREST, RED, SKY, SAGE, ANTHRACITE, WALNUT];
 
 /// The walls of a house whose gable is at the front: half depth, half width, floor, eaves, ridge,
 /// thickness.
@@ -25,7 +25,7 @@ pub(super) struct House {
 impl House {
     /// Two sides, the back gable, and the front around an opening that spans `from..to` and is
     /// `high` above the floor.
-    pub(super) fn walls(self, b: &mut Build<'_>, (from, to, high): (f32, f32, f32), mat: Mat) {
+    pub(super) fn walls(self, b: &mut Build<'_>, (from, to, high): (f32, f32, f32), mat: MaterialId) {
         let Self { x, y, low, eaves, ridge, t } = self;
         for side in [-1.0, 1.0] {
             let cy = side * (y - t / 2.0);
@@ -49,7 +49,7 @@ impl House {
 
     /// Two slopes that overhang the walls by `out` within half widths `wide`, with their upper side
     /// at `top`.
-    pub(super) fn roof(self, b: &mut Build<'_>, (deep, wide, top): (f32, f32, f32), mat: Mat) {
+    pub(super) fn roof(self, b: &mut Build<'_>, (deep, wide, top): (f32, f32, f32), mat: MaterialId) {
         let Self { y, eaves, ridge, .. } = self;
         let fall = (ridge - eaves) / y;
         let thick = top - ridge;
@@ -65,8 +65,8 @@ impl House {
 pub(super) fn garden_shed(b: &mut Build<'_>) {
     at_least(b, [0.75, 0.9, 0.95]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, trim) = (b.one(WOODS), b.one(&[WHITE, PINE, OAK, ANTHRACITE]));
-    let roof = b.one(&[ASPHALT, ROOF_TILE, ANTHRACITE, GREEN_METAL, GALVANISED]);
+    let (mat, trim) = (b.choose(WOODS), b.choose(&[WHITE, PINE, OAK, ANTHRACITE]));
+    let roof = b.choose(&[ASPHALT, ROOF_TILE, ANTHRACITE, GREEN_METAL, GALVANISED]);
     let (out, t, low) = (b.vary(0.04, 0.12), 0.03, 0.06);
     let eaves = h * b.vary(0.74, 0.84);
     let house = House { x: x - out, y: y - out, low, eaves, ridge: h - 0.03, t };
@@ -121,7 +121,7 @@ pub(super) fn garden_shed(b: &mut Build<'_>) {
 }
 
 /// Cover strips on the long walls, and corner posts.
-fn planks(b: &mut Build<'_>, house: House, mat: Mat) {
+fn planks(b: &mut Build<'_>, house: House, mat: MaterialId) {
     let strips = b.rng.count(4, 8);
     for side in [-1.0, 1.0] {
         let cy = side * house.y;
@@ -136,11 +136,11 @@ pub(super) fn greenhouse(b: &mut Build<'_>) {
     at_least(b, [0.6, 0.65, 0.9]);
     // The door's handle protrudes in front.
     let (x, y, h) = (b.size.x / 2.0 - 0.011, b.size.y / 2.0, b.size.z);
-    let frame = b.one(&[ALUMINIUM, GREEN_METAL, WHITE_METAL, ANTHRACITE, PINE]);
-    let glass = b.one(&[GLASS, GLASS, CLEAR_PLASTIC]);
+    let frame = b.choose(&[ALUMINIUM, GREEN_METAL, WHITE_METAL, ANTHRACITE, PINE]);
+    let glass = b.choose(&[GLASS, GLASS, CLEAR_PLASTIC]);
     let (eaves, r) = (h * b.vary(0.62, 0.75), 0.02);
     let base = h * b.vary(0.03, 0.15);
-    let stone = b.one(&[BRICK, CONCRETE, frame]);
+    let stone = b.choose(&[BRICK, CONCRETE, frame]);
     b.block("floor", [-x + 0.02, -y + 0.02, 0.0], [x - 0.02, y - 0.02, 0.02], GRAVEL);
     let half = (y * 0.55).min(0.42);
     for side in [-1.0, 1.0] {
@@ -217,7 +217,7 @@ pub(super) fn greenhouse(b: &mut Build<'_>) {
 pub(super) fn kennel(b: &mut Build<'_>) {
     at_least(b, [0.35, 0.3, 0.32]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, roof) = (b.one(WOODS), b.one(&[RED, ASPHALT, ROOF_TILE, FOREST, ANTHRACITE]));
+    let (mat, roof) = (b.choose(WOODS), b.choose(&[RED, ASPHALT, ROOF_TILE, FOREST, ANTHRACITE]));
     let (out, t, low) = (0.05, 0.018, 0.04);
     let eaves = h * b.vary(0.6, 0.7);
     let house = House { x: x - out, y: y - out, low, eaves, ridge: h - 0.025, t };
@@ -257,7 +257,7 @@ pub(super) fn kennel(b: &mut Build<'_>) {
 pub(super) fn rabbit_hutch(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.45, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, roof) = (b.one(WOODS), b.one(&[ASPHALT, GREEN_METAL, ROOF_TILE, ANTHRACITE]));
+    let (mat, roof) = (b.choose(WOODS), b.choose(&[ASPHALT, GREEN_METAL, ROOF_TILE, ANTHRACITE]));
     let (floor, t) = (h * b.vary(0.28, 0.4), 0.018);
     let (back, front) = (-x + 0.03, x - 0.05);
     let (rear, fore) = (h - 0.09, h - 0.05);

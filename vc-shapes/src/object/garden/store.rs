@@ -9,7 +9,7 @@ use crate::solid::{Build, at_least, polar, spaced, tapered_tub};
 pub(super) fn storage_box(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.4, 0.22]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[GREY_PLASTIC, BROWN_PLASTIC, BLACK_PLASTIC, WICKER, TEAK, PINE, GREY_OAK]);
+    let mat = b.choose(&[GREY_PLASTIC, BROWN_PLASTIC, BLACK_PLASTIC, WICKER, TEAK, PINE, GREY_OAK]);
     let (lid, t) = (h * b.vary(0.06, 0.12), 0.02);
     let rim = h - lid;
     let lean = b.vary(0.92, 0.97);
@@ -19,7 +19,7 @@ pub(super) fn storage_box(b: &mut Build<'_>) {
         b.block("rib", [x * 0.9, cy - 0.02, 0.03], [x - 0.004, cy + 0.02, rim - 0.03], mat);
     }
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], FRAC_PI_2, |b| {
-        b.soft("lid", [-x, -y, rim], [x, y, h], 0.015, mat);
+        b.rounded_block("lid", [-x, -y, rim], [x, y, h], 0.015, mat);
         b.top("lid", [0.0, 0.0, h], (x - 0.03, y - 0.03));
     });
     for side in [-1.0, 1.0] {
@@ -38,7 +38,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
     at_least(b, [0.3, 0.3, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     if b.rng.chance(0.5) {
-        let mat = b.one(&[PINE, OAK, GREY_OAK, TEAK]);
+        let mat = b.choose(&[PINE, OAK, GREY_OAK, TEAK]);
         let post = 0.025;
         for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
             let (cx, cy) = (sx * (x - post - 0.015), sy * (y - post - 0.015));
@@ -71,7 +71,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
         b.block("compost", [-x + 0.02, -y + 0.02, 0.0], [x - 0.02, y - 0.02, soil], SOIL);
         b.inside("compartment", [0.0, 0.0, soil], (x - 0.09, y - 0.09), h - 0.05 - soil);
     } else {
-        let mat = b.one(&[GREEN_PLASTIC, BLACK_PLASTIC, FOREST, BROWN_PLASTIC]);
+        let mat = b.choose(&[GREEN_PLASTIC, BLACK_PLASTIC, FOREST, BROWN_PLASTIC]);
         let lid = h * b.vary(0.08, 0.14);
         let rim = h - lid;
         let small = b.vary(0.68, 0.82);
@@ -96,7 +96,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
                 lid - 0.02,
                 mat,
             );
-            b.soft("knob", [-0.04, -0.06, h - 0.022], [0.04, 0.06, h], 0.01, mat);
+            b.rounded_block("knob", [-0.04, -0.06, h - 0.022], [0.04, 0.06, h], 0.01, mat);
         });
         b.block("hatch", [x * 0.9, -y * 0.45, 0.03], [x, y * 0.45, rim * 0.1], GREY_PLASTIC);
         b.inside("compartment", [0.0, 0.0, 0.012], (x * small - 0.02, y * small - 0.02), rim - 0.03);
@@ -107,7 +107,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
 pub(super) fn rain_barrel(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.2, 0.35]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0 - 0.03, b.size.z);
-    let mat = b.one(&[GREEN_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC, OAK, BROWN_PLASTIC, POTTERY]);
+    let mat = b.choose(&[GREEN_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC, OAK, BROWN_PLASTIC, POTTERY]);
     let (stand, lid) = (if b.rng.chance(0.5) { h * 0.15 } else { 0.0 }, 0.025);
     let rim = h - lid;
     let waist = b.vary(0.8, 0.95);

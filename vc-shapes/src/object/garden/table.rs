@@ -12,13 +12,13 @@ pub(super) fn table(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.33]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let bistro = b.class == "bistro_table" || (y < 0.5 && b.rng.chance(0.4));
-    let (wood, metal) = (b.one(WOODS), b.one(METALS));
+    let (wood, metal) = (b.choose(WOODS), b.choose(METALS));
     let round = if bistro { b.rng.chance(0.75) } else { (x - y).abs() < 0.12 && b.rng.chance(0.6) };
     let t = b.vary(0.018, 0.03);
     let r = x.min(y);
     let top = b.rng.below(3);
     if round {
-        let mat = b.one(&[wood, metal, FROSTED_GLASS, GRANITE]);
+        let mat = b.choose(&[wood, metal, FROSTED_GLASS, GRANITE]);
         b.lathe("top", [0.0, 0.0, h - t], &[(r - 0.005, 0.0), (r, t * 0.3), (r, t), (0.0, t)], mat);
         b.top("top", [0.0, 0.0, h], (r * 0.69, r * 0.69));
     } else {
@@ -42,7 +42,7 @@ pub(super) fn table(b: &mut Build<'_>) {
                 b.block("rim", [-x, -y, h - t - 0.015], [x, y, h - 0.004], metal);
                 b.block("glass", [-x + 0.025, -y + 0.025, h - 0.009], [x - 0.025, y - 0.025, h], FROSTED_GLASS);
             }
-            _ => b.soft("top", [-x, -y, h - t], [x, y, h], 0.008, wood),
+            _ => b.rounded_block("top", [-x, -y, h - t], [x, y, h], 0.008, wood),
         }
         b.top("top", [0.0, 0.0, h], (x - 0.03, y - 0.03));
     }
@@ -70,7 +70,7 @@ pub(super) fn table(b: &mut Build<'_>) {
 }
 
 /// A column on three or four feet, or on a disc.
-fn foot(b: &mut Build<'_>, r: f32, top: f32, metal: Mat) {
+fn foot(b: &mut Build<'_>, r: f32, top: f32, metal: MaterialId) {
     b.cylinder("column", [0.0, 0.0, 0.012], 0.025, top - 0.012, metal);
     b.cylinder("plate", [0.0, 0.0, top - 0.012], r * 0.45, 0.012, metal);
     match b.rng.below(3) {
@@ -95,7 +95,7 @@ fn foot(b: &mut Build<'_>, r: f32, top: f32, metal: Mat) {
 pub(super) fn picnic_table(b: &mut Build<'_>) {
     at_least(b, [0.7, 0.75, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[PINE, OAK, TEAK, GREY_OAK, GREEN_PLASTIC, BROWN_PLASTIC]);
+    let mat = b.choose(&[PINE, OAK, TEAK, GREY_OAK, GREEN_PLASTIC, BROWN_PLASTIC]);
     let t = 0.035;
     let (top, seat) = (x * b.vary(0.46, 0.52), (h * 0.6).min(0.46));
     let bench = x * b.vary(0.15, 0.19);

@@ -23,8 +23,8 @@ pub(super) fn lying_tool(b: &mut Build<'_>) {
 pub(super) fn hand_tool(b: &mut Build<'_>) {
     at_least(b, [0.014, 0.03, 0.13]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let steel = b.one(&[STEEL, IRON, GALVANISED, RUST, GREEN_METAL]);
-    let wood = b.one(&[ASH, BEECH, PINE, YELLOW, BLACK_PLASTIC]);
+    let steel = b.choose(&[STEEL, IRON, GALVANISED, RUST, GREEN_METAL]);
+    let wood = b.choose(&[ASH, BEECH, PINE, YELLOW, BLACK_PLASTIC]);
     let r = (h * 0.013).clamp(0.008, 0.017).min(x * 0.8);
     match b.class {
         "axe" => axe(b, (x, y, h), (steel, wood)),
@@ -70,7 +70,7 @@ pub(super) fn hand_tool(b: &mut Build<'_>) {
 }
 
 /// A shaft with a grip across its end, or a plain one.
-fn handled(b: &mut Build<'_>, (x, y, h): (f32, f32, f32), head: f32, r: f32, wood: Mat) {
+fn handled(b: &mut Build<'_>, (x, y, h): (f32, f32, f32), head: f32, r: f32, wood: MaterialId) {
     let grip = b.class != "trowel" && b.rng.chance(0.6);
     let top = if grip { h - 0.12_f32.min(h * 0.12) } else { h };
     shaft(b, 0.0, head * 0.9, top, r, wood);
@@ -83,7 +83,7 @@ fn handled(b: &mut Build<'_>, (x, y, h): (f32, f32, f32), head: f32, r: f32, woo
     }
 }
 
-fn shaft(b: &mut Build<'_>, x: f32, low: f32, top: f32, r: f32, wood: Mat) {
+fn shaft(b: &mut Build<'_>, x: f32, low: f32, top: f32, r: f32, wood: MaterialId) {
     b.lathe(
         "shaft",
         [x, 0.0, low],
@@ -93,7 +93,7 @@ fn shaft(b: &mut Build<'_>, x: f32, low: f32, top: f32, r: f32, wood: Mat) {
 }
 
 /// A dished blade in three strips: pointed, or square for a spade.
-fn blade(b: &mut Build<'_>, (x, y): (f32, f32), head: f32, square: bool, steel: Mat) {
+fn blade(b: &mut Build<'_>, (x, y): (f32, f32), head: f32, square: bool, steel: MaterialId) {
     let t = (x * 0.12).min(0.004);
     let point = if square { b.vary(0.0, 0.06) } else { b.vary(0.2, 0.4) };
     let at = |u: f32, v: f32| {
@@ -118,7 +118,7 @@ fn blade(b: &mut Build<'_>, (x, y): (f32, f32), head: f32, square: bool, steel: 
     }
 }
 
-fn axe(b: &mut Build<'_>, (x, y, h): (f32, f32, f32), (steel, wood): (Mat, Mat)) {
+fn axe(b: &mut Build<'_>, (x, y, h): (f32, f32, f32), (steel, wood): (MaterialId, MaterialId)) {
     let head = h * b.vary(0.14, 0.2);
     let (grip, middle) = (x * 0.65, h - head / 2.0);
     let back = -y + y * b.vary(0.2, 0.35);
@@ -149,13 +149,13 @@ fn axe(b: &mut Build<'_>, (x, y, h): (f32, f32, f32), (steel, wood): (Mat, Mat))
     b.hull("head", &bit, steel);
 }
 
-fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (Mat, Mat)) {
+fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (MaterialId, MaterialId)) {
     if b.rng.chance(0.5) {
         // A leaf rake: tines fan out and bend at their tips.
         let tines = b.rng.count(11, 19);
         let (root, bend) = (h * 0.28, 0.03_f32.min(x));
         shaft(b, -x + r, root * 0.9, h, r, wood);
-        let mat = b.one(&[steel, BAMBOO, GREEN_PLASTIC, ORANGE_PLASTIC]);
+        let mat = b.choose(&[steel, BAMBOO, GREEN_PLASTIC, ORANGE_PLASTIC]);
         for cy in spaced(tines, -y + 0.004, y - 0.004) {
             let low = bend * 0.6 + (1.0 - (cy / y).raised(2)) * 0.001;
             b.hull("tine", &limb([-x + r, cy * 0.05, root], [x * 0.2, cy, low], 0.003, 0.003), mat);
@@ -179,7 +179,7 @@ fn rake(b: &mut Build<'_>, (x, y, h, r): (f32, f32, f32, f32), (steel, wood): (M
 pub(super) fn pruning_shears(b: &mut Build<'_>) {
     at_least(b, [0.008, 0.02, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let grip = b.one(&[RED_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC]);
+    let grip = b.choose(&[RED_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC, BLACK_PLASTIC]);
     let pivot = h * b.vary(0.6, 0.66);
     let open = b.vary(0.75, 1.0);
     for side in [-1.0, 1.0] {
@@ -211,8 +211,8 @@ pub(super) fn gloves(b: &mut Build<'_>) {
     at_least(b, [0.01, 0.05, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (palm, cuff) = (
-        b.one(&[GREEN_FABRIC, TAN_LEATHER, RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC]),
-        b.one(&[BEIGE_FABRIC, WHITE_COTTON, GREY_FABRIC, BLACK_FABRIC]),
+        b.choose(&[GREEN_FABRIC, TAN_LEATHER, RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC]),
+        b.choose(&[BEIGE_FABRIC, WHITE_COTTON, GREY_FABRIC, BLACK_FABRIC]),
     );
     let spread = b.vary(0.16, 0.22);
     for (from, side, share) in [(-x, 1.0, 1.0), (0.0008, -1.0, 0.96)] {
@@ -236,7 +236,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
         );
         for (i, top) in [0.93, 1.0, 0.97, 0.88].into_iter().enumerate() {
             let cy = -side * y * 0.14 + wide * (i as f32 - 1.5) * 0.48;
-            b.soft(
+            b.rounded_block(
                 "finger",
                 [from + 0.0003, cy - y * spread, h * 0.55],
                 [from + t - 0.0003, cy + y * spread * 0.9, h * top * share],
@@ -266,7 +266,7 @@ pub(super) fn gloves(b: &mut Build<'_>) {
 pub(super) fn ladder(b: &mut Build<'_>) {
     at_least(b, [0.035, 0.17, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[ALUMINIUM, ALUMINIUM, PINE, OAK, ORANGE]);
+    let mat = b.choose(&[ALUMINIUM, ALUMINIUM, PINE, OAK, ORANGE]);
     let double = x > 0.055 && b.rng.chance(0.6);
     let deep = if double { x * 0.5 } else { x };
     for (i, cx) in if double { vec![-x + deep, x - deep] } else { vec![0.0] }.into_iter().enumerate() {
@@ -296,7 +296,7 @@ pub(super) fn ladder(b: &mut Build<'_>) {
 pub(super) fn step_ladder(b: &mut Build<'_>) {
     at_least(b, [0.06, 0.2, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[ALUMINIUM, ALUMINIUM, PINE, WHITE_METAL, ORANGE]);
+    let mat = b.choose(&[ALUMINIUM, ALUMINIUM, PINE, WHITE_METAL, ORANGE]);
     let top = (x * 0.5).min(0.12).max(x * 0.12);
     let rail = h * if x > 0.25 { b.vary(0.7, 0.85) } else { 0.93 };
     let apex = -x * 0.15;
@@ -321,7 +321,7 @@ pub(super) fn step_ladder(b: &mut Build<'_>) {
             b.rod("brace", [bx, -y + 0.04, z], [bx, y - 0.04, z], 0.008, mat);
         }
     }
-    b.soft(
+    b.rounded_block(
         "platform",
         [(apex - top).max(-x), -y, rail - 0.01],
         [(apex + top).min(x), y, rail + 0.022_f32.min(h - rail)],
@@ -347,8 +347,8 @@ pub(super) fn step_ladder(b: &mut Build<'_>) {
 pub(super) fn wheelbarrow(b: &mut Build<'_>) {
     at_least(b, [0.55, 0.27, 0.27]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[GREEN_METAL, GALVANISED, RED_METAL, BLUE_METAL, BLACK_PLASTIC, YELLOW_METAL]);
-    let frame = b.one(&[IRON, GALVANISED, PINE, RED_METAL]);
+    let mat = b.choose(&[GREEN_METAL, GALVANISED, RED_METAL, BLUE_METAL, BLACK_PLASTIC, YELLOW_METAL]);
+    let frame = b.choose(&[IRON, GALVANISED, PINE, RED_METAL]);
     let r = h * b.vary(0.23, 0.27);
     let axle = x - r;
     let rim = Rim::plain(b);

@@ -11,7 +11,7 @@ use crate::solid::{Build, P, at_least, limb, polar, spaced};
 pub(super) fn watering_can(b: &mut Build<'_>) {
     at_least(b, [0.07, 0.17, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[GREEN_PLASTIC, GALVANISED, BLUE_PLASTIC, RED_METAL, COPPER, YELLOW_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[GREEN_PLASTIC, GALVANISED, BLUE_PLASTIC, RED_METAL, COPPER, YELLOW_PLASTIC, GREY_PLASTIC]);
     let r = x.min(y * 0.5);
     let body = h * b.vary(0.62, 0.75);
     let cy = -y + r + y * b.vary(0.02, 0.2);
@@ -97,7 +97,7 @@ pub(super) fn watering_can(b: &mut Build<'_>) {
 pub(super) fn garden_hose(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.17, 0.06]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let rings = b.rng.count(1, 2);
     let layers = if rings == 1 { b.rng.count(4, 6) } else { b.rng.count(3, 4) };
     let tube = (h * 0.97 / (2.0 * layers as f32)).min(0.016);
@@ -136,8 +136,8 @@ pub(super) fn hose_reel(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.2, 0.22]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (frame, hose) = (
-        b.one(&[GREY_PLASTIC, ANTHRACITE, GREEN_METAL, GALVANISED]),
-        b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]),
+        b.choose(&[GREY_PLASTIC, ANTHRACITE, GREEN_METAL, GALVANISED]),
+        b.choose(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]),
     );
     let r = (x * 0.88).min(h * 0.36);
     let axle = (r + 0.04).max(h * 0.36);
@@ -179,8 +179,8 @@ pub(super) fn sprinkler(b: &mut Build<'_>) {
     at_least(b, [0.06, 0.07, 0.035]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (
-        b.one(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]),
-        b.one(&[BLACK_PLASTIC, GREY_PLASTIC, BRASS]),
+        b.choose(&[GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC]),
+        b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, BRASS]),
     );
     if y > 0.14 {
         let (bow, end) = ((h * 0.09).max(0.005), y - 0.0125);

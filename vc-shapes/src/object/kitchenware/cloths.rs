@@ -10,18 +10,18 @@ pub(super) fn folded(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let apron = b.class == "apron";
     let cloth = match b.class {
-        "table_cloth" | "table_runner" => b.one(&[b.style.linen, WHITE_COTTON, LINEN, b.style.accent]),
-        "apron" => b.one(&[DENIM, BLACK_FABRIC, GREEN_FABRIC, LINEN, RED_FABRIC]),
-        _ => b.one(&[WHITE_COTTON, BLUE_FABRIC, LINEN, GREEN_FABRIC, b.style.towel]),
+        "table_cloth" | "table_runner" => b.choose(&[b.style.linen, WHITE_COTTON, LINEN, b.style.accent]),
+        "apron" => b.choose(&[DENIM, BLACK_FABRIC, GREEN_FABRIC, LINEN, RED_FABRIC]),
+        _ => b.choose(&[WHITE_COTTON, BLUE_FABRIC, LINEN, GREEN_FABRIC, b.style.towel]),
     };
-    let stripe = b.one(&[b.style.accent, RED_FABRIC, NAVY_FABRIC, GREEN_FABRIC]);
+    let stripe = b.choose(&[b.style.accent, RED_FABRIC, NAVY_FABRIC, GREEN_FABRIC]);
     let layers = ((z / 0.008).round() as usize).clamp(2, 4);
     let pitch = z * 0.96 / layers as f32;
     for i in 0..layers {
         let (low, high) = (pitch * i as f32, pitch * (i as f32 + 1.04));
         let back = -hx + x * 0.02 * ((i * 7) % 3) as f32;
         let side = hy - y * 0.015 * ((i * 5) % 3) as f32;
-        b.soft(
+        b.rounded_block(
             "fold",
             [back, -side, low],
             [hx - x * 0.01 * (i % 2) as f32, side, high.min(z * 0.97)],
@@ -36,7 +36,13 @@ pub(super) fn folded(b: &mut Build<'_>) {
         b.block("stripe", [-hx * 0.9, at - hy * 0.05, top - pitch * 0.2], [hx * 0.93, at + hy * 0.05, z], stripe);
     }
     if apron {
-        b.soft("pocket", [-hx * 0.5, -hy * 0.4, top - pitch * 0.2], [hx * 0.2, hy * 0.4, z], pitch * 0.1, stripe);
+        b.rounded_block(
+            "pocket",
+            [-hx * 0.5, -hy * 0.4, top - pitch * 0.2],
+            [hx * 0.2, hy * 0.4, z],
+            pitch * 0.1,
+            stripe,
+        );
     }
     if matches!(b.class, "table_cloth" | "table_runner") {
         b.top("top", [0.0, -hy * 0.2, z], (hx * 0.85, hy * 0.55));
@@ -47,8 +53,8 @@ pub(super) fn folded(b: &mut Build<'_>) {
 pub(super) fn oven_mitts(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (cloth, cuff) = (
-        b.one(&[b.style.accent, RED_FABRIC, NAVY_FABRIC, GREY_FABRIC, b.style.towel]),
-        b.one(&[WHITE_COTTON, BLACK_FABRIC, LINEN]),
+        b.choose(&[b.style.accent, RED_FABRIC, NAVY_FABRIC, GREY_FABRIC, b.style.towel]),
+        b.choose(&[WHITE_COTTON, BLACK_FABRIC, LINEN]),
     );
     let hy = y / 2.0;
     let outline = [
@@ -91,10 +97,10 @@ pub(super) fn oven_mitts(b: &mut Build<'_>) {
 /// A stack of conical paper filters.
 pub(super) fn coffee_filter(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, CARDBOARD]);
+    let paper = b.choose(&[WHITE_PAPER, CREAM_PAPER, CARDBOARD]);
     let hy = y / 2.0;
     if x > 0.05 {
-        b.soft("box", [-x / 2.0, -hy, 0.0], [x / 2.0 - 0.002, hy, z * 0.7], 0.001, GREEN_CARD);
+        b.rounded_block("box", [-x / 2.0, -hy, 0.0], [x / 2.0 - 0.002, hy, z * 0.7], 0.001, GREEN_CARD);
         panel(b, x / 2.0 - 0.002, (0.0, hy * 0.8), (z * 0.1, z * 0.6), (WHITE_PAPER, RED_CARD));
     }
     let outline = [
@@ -124,9 +130,9 @@ pub(super) fn roll_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0 - 0.0015, y / 2.0);
     let (card, print, sheet) = match b.class {
-        "aluminum_foil" => (b.one(&[BLUE_CARD, RED_CARD, BLACK_CARD]), WHITE_PAPER, ALUMINIUM),
-        "plastic_wrap" => (b.one(&[GREEN_CARD, YELLOW_CARD, TEAL_CARD]), WHITE_PAPER, CLEAR_PLASTIC),
-        _ => (b.one(&[CARDBOARD, ORANGE_CARD, GREEN_CARD]), BLACK_CARD, CREAM_PAPER),
+        "aluminum_foil" => (b.choose(&[BLUE_CARD, RED_CARD, BLACK_CARD]), WHITE_PAPER, ALUMINIUM),
+        "plastic_wrap" => (b.choose(&[GREEN_CARD, YELLOW_CARD, TEAL_CARD]), WHITE_PAPER, CLEAR_PLASTIC),
+        _ => (b.choose(&[CARDBOARD, ORANGE_CARD, GREEN_CARD]), BLACK_CARD, CREAM_PAPER),
     };
     b.block("box", [-hx, -hy * 0.992, 0.0], [hx, hy * 0.992, z * 0.9], card);
     b.block("lid", [-hx - 0.0007, -hy * 0.999, z * 0.62], [hx * 0.9, hy * 0.999, z * 0.97], card);

@@ -7,7 +7,7 @@ use crate::material::*;
 use crate::solid::{Build, arch, dims, ear, flat_ring, planar_tube, sweep, turn, vessel};
 
 /// Glazes and paints of mugs.
-const COLOURS: [Mat; 9] =
+const COLOURS: [MaterialId; 9] =
     [PORCELAIN, STONEWARE, BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, YELLOW_GLAZE, BLACK_GLAZE, WHITE_METAL, BLUE_METAL];
 
 /// Cups, mugs and small jugs: a body with a handle.
@@ -18,7 +18,7 @@ pub(super) fn cup(b: &mut Build<'_>) {
     let t = (r * 0.09).clamp(1e-4, 0.0045);
     let mug = b.class == "mug";
     let mat = b.style.crockery;
-    let mat = if mug && b.rng.chance(0.6) { b.one(&COLOURS) } else { mat };
+    let mat = if mug && b.rng.chance(0.6) { b.choose(&COLOURS) } else { mat };
     let shape: &[(f32, f32)] = match (b.class, b.rng.below(3)) {
         ("mug", 0) => &[(0.92, 0.0), (1.0, 0.06), (1.0, 0.5), (1.0, 1.0)],
         ("mug", 1) => &[(0.75, 0.0), (0.8, 0.03), (0.95, 0.6), (1.0, 1.0)],
@@ -37,14 +37,14 @@ pub(super) fn cup(b: &mut Build<'_>) {
     if b.class == "milk_jug" {
         spout(b, (shape[4].0 * r, h), r * 0.3, mat);
     } else if shape[3].0 == 1.0 && shape[1].0 == 1.0 && b.rng.chance(0.6) {
-        let band = b.one(&COLOURS);
+        let band = b.choose(&COLOURS);
         let (z, wide) = (b.vary(0.2, 0.5) * h, b.vary(0.1, 0.35) * h);
         flat_ring(b, "band", (z, z + wide), (r * 0.97, r + 0.0006), band);
     }
 }
 
 /// A lip on the -Y side of a vessel's rim.
-fn spout(b: &mut Build<'_>, (r, h): (f32, f32), reach: f32, mat: Mat) {
+fn spout(b: &mut Build<'_>, (r, h): (f32, f32), reach: f32, mat: MaterialId) {
     let (y, h) = (-r * 0.9, h * 0.992);
     let points = [
         [r * 0.4, y, h],
@@ -62,7 +62,7 @@ pub(super) fn tumbler(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0;
     let t = (r * 0.07).clamp(1e-4, 0.0035);
-    let mat = b.one(&[GLASS, GLASS, GLASS, BLUE_GLASS, GREEN_GLASS]);
+    let mat = b.choose(&[GLASS, GLASS, GLASS, BLUE_GLASS, GREEN_GLASS]);
     let shape: &[(f32, f32)] = match b.rng.below(4) {
         0 => &[(0.8, 0.0), (0.84, 0.03), (0.95, 0.7), (1.0, 1.0)],
         1 => &[(0.97, 0.0), (1.0, 0.03), (1.0, 0.5), (1.0, 1.0)],
@@ -122,7 +122,13 @@ pub(super) fn beer_glass(b: &mut Build<'_>) {
         let angle = std::f32::consts::TAU * i as f32 / 8.0;
         b.at([0.0; 3], angle, |b| {
             let middle = r * 0.9;
-            b.soft("facet", [middle - t * 0.4, -r * 0.2, h * 0.15], [r * 0.985, r * 0.2, h * 0.7], t * 0.3, GLASS);
+            b.rounded_block(
+                "facet",
+                [middle - t * 0.4, -r * 0.2, h * 0.15],
+                [r * 0.985, r * 0.2, h * 0.7],
+                t * 0.3,
+                GLASS,
+            );
         });
     }
     ear(b, (r * 0.9, y - r), (h * 0.15, h * 0.85), r * 0.14, GLASS);
@@ -133,7 +139,7 @@ pub(super) fn jug(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = (x / 2.0).min(y * 0.38);
     let t = (r * 0.06).min(0.005);
-    let mat = b.one(&[GLASS, GLASS, b.style.crockery, STEEL, BLUE_GLAZE, WHITE_PLASTIC]);
+    let mat = b.choose(&[GLASS, GLASS, b.style.crockery, STEEL, BLUE_GLAZE, WHITE_PLASTIC]);
     let shape: &[(f32, f32)] = match b.rng.below(3) {
         0 => &[(0.7, 0.0), (0.95, 0.15), (1.0, 0.35), (0.68, 0.75), (0.72, 0.9), (0.85, 1.0)],
         1 => &[(0.92, 0.0), (1.0, 0.04), (0.95, 0.4), (0.88, 0.8), (0.88, 0.92), (0.92, 1.0)],
@@ -159,7 +165,7 @@ pub(super) fn carafe(b: &mut Build<'_>) {
     vessel(b, "carafe", (r, h), shape, (r * 0.05).min(0.003), GLASS);
     if stopper {
         let (neck, plug) = (shape[4].0 * r * 0.85, h * 0.06);
-        let cork = b.one(&[CORK, BLACK_PLASTIC]);
+        let cork = b.choose(&[CORK, BLACK_PLASTIC]);
         b.slide([0.0, 0.0, 1.0], z * 0.3, |b| {
             b.cylinder("plug", [0.0, 0.0, h - plug], neck * 0.9, plug, cork);
             let knob = [(1.0, 0.0), (1.0, 0.15), (0.6, 0.25), (0.95, 0.7), (0.5, 1.0)];
@@ -174,7 +180,7 @@ pub(super) fn teapot(b: &mut Build<'_>) {
     let r = (x / 2.0).min(y * 0.33);
     let h = z * 0.78;
     let t = (r * 0.06).min(0.004);
-    let mat = b.one(&[b.style.crockery, PORCELAIN, BLUE_GLAZE, BLACK_METAL, GREEN_GLAZE, POTTERY, STEEL]);
+    let mat = b.choose(&[b.style.crockery, PORCELAIN, BLUE_GLAZE, BLACK_METAL, GREEN_GLAZE, POTTERY, STEEL]);
     let shape: &[(f32, f32)] = match b.rng.below(3) {
         0 => &[(0.55, 0.0), (0.9, 0.2), (1.0, 0.5), (0.85, 0.8), (0.45, 1.0)],
         1 => &[(0.85, 0.0), (0.98, 0.1), (0.95, 0.5), (0.8, 0.9), (0.5, 1.0)],
@@ -195,7 +201,7 @@ pub(super) fn teapot(b: &mut Build<'_>) {
 }
 
 /// A removable lid with a knob, from the rim at `z.0` up to `top`.
-fn lid(b: &mut Build<'_>, r: f32, rim: f32, top: f32, mat: Mat) {
+fn lid(b: &mut Build<'_>, r: f32, rim: f32, top: f32, mat: MaterialId) {
     let rise = (top - rim) * 0.45;
     b.slide([0.0, 0.0, 1.0], top * 0.4, |b| {
         turn(b, "lid", [0.0, 0.0, rim + 0.0003], (r, rise), &[(1.0, 0.0), (1.0, 0.15), (0.7, 0.7), (0.1, 1.0)], mat);
@@ -207,7 +213,7 @@ fn lid(b: &mut Build<'_>, r: f32, rim: f32, top: f32, mat: Mat) {
 pub(super) fn french_press(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.38);
-    let (metal, dark) = (b.one(&[CHROME, STEEL, COPPER, BLACK_METAL]), b.one(&[BLACK_PLASTIC, b.style.wood]));
+    let (metal, dark) = (b.choose(&[CHROME, STEEL, COPPER, BLACK_METAL]), b.choose(&[BLACK_PLASTIC, b.style.wood]));
     let h = z * 0.72;
     let g = r * 0.94;
     vessel(b, "beaker", (g, h), &[(0.98, 0.0), (1.0, 0.02), (1.0, 0.5), (1.0, 1.0)], (r * 0.05).min(0.0025), GLASS);
@@ -231,15 +237,17 @@ pub(super) fn flask(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let (body, cap) = match b.class {
-        "thermos" => (b.one(&[STEEL, RED_METAL, BLUE_METAL, GREEN_METAL, BLACK_METAL]), b.one(&[STEEL, BLACK_PLASTIC])),
-        "baby_bottle" => (CLEAR_PLASTIC, b.one(&[BLUE_PLASTIC, PINK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC])),
+        "thermos" => {
+            (b.choose(&[STEEL, RED_METAL, BLUE_METAL, GREEN_METAL, BLACK_METAL]), b.choose(&[STEEL, BLACK_PLASTIC]))
+        }
+        "baby_bottle" => (CLEAR_PLASTIC, b.choose(&[BLUE_PLASTIC, PINK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC])),
         "cocktail_shaker" => {
-            let m = b.one(&[STEEL, CHROME, COPPER, BRASS]);
+            let m = b.choose(&[STEEL, CHROME, COPPER, BRASS]);
             (m, m)
         }
         _ => (
-            b.one(&[STEEL, CLEAR_PLASTIC, BLUE_PLASTIC, GREEN_METAL, RED_METAL, PINK_PLASTIC, BLACK_METAL]),
-            b.one(&[BLACK_PLASTIC, STEEL, WHITE_PLASTIC, BAMBOO]),
+            b.choose(&[STEEL, CLEAR_PLASTIC, BLUE_PLASTIC, GREEN_METAL, RED_METAL, PINK_PLASTIC, BLACK_METAL]),
+            b.choose(&[BLACK_PLASTIC, STEEL, WHITE_PLASTIC, BAMBOO]),
         ),
     };
     let neck = if b.class == "thermos" { 0.85 } else { b.vary(0.55, 0.8) };
@@ -295,7 +303,7 @@ pub(super) fn flask(b: &mut Build<'_>) {
 pub(super) fn coffee_pot(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.32);
-    let mat = b.one(&[ALUMINIUM, ALUMINIUM, STEEL, RED_METAL, b.style.crockery]);
+    let mat = b.choose(&[ALUMINIUM, ALUMINIUM, STEEL, RED_METAL, b.style.crockery]);
     let spare = y - 2.0 * r;
     let (waist, h) = (0.45 * z, z * 0.82);
     let ring = |k: f32, z: f32| {

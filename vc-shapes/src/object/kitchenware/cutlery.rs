@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, dims, level_oval, loft_columns, sweep, turn};
 const ACROSS: [f32; 3] = [1.0, 0.0, 0.0];
 
 /// The bowl of a spoon: an oval hollow with its rim at `z + depth`.
-pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth: f32, t: f32, mat: Mat) {
+pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth: f32, t: f32, mat: MaterialId) {
     let at = |rise: f32, k: f32, thin: f32| {
         level_oval(
             [centre[0], centre[1], centre[2] + depth * rise + thin],
@@ -29,7 +29,14 @@ pub(super) fn scoop(b: &mut Build<'_>, centre: [f32; 3], half: (f32, f32), depth
 }
 
 /// The handle of cutlery: from its tail at -Y, which rests there, over a rise to the head.
-fn shaft(b: &mut Build<'_>, (tail, head): (f32, f32), (top, end): (f32, f32), half: (f32, f32), flare: f32, mat: Mat) {
+fn shaft(
+    b: &mut Build<'_>,
+    (tail, head): (f32, f32),
+    (top, end): (f32, f32),
+    half: (f32, f32),
+    flare: f32,
+    mat: MaterialId,
+) {
     let (w, t) = half;
     let at = |k: f32, z: f32| [0.0, tail + (head - tail) * k, z];
     let path = [
@@ -44,8 +51,8 @@ fn shaft(b: &mut Build<'_>, (tail, head): (f32, f32), (top, end): (f32, f32), ha
     sweep(b, "handle", &path, ACROSS, mat);
 }
 
-fn metal(b: &mut Build<'_>) -> Mat {
-    b.one(&[STEEL, STEEL, STEEL, CHROME, GOLD, BLACK_METAL])
+fn metal(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[STEEL, STEEL, STEEL, CHROME, GOLD, BLACK_METAL])
 }
 
 /// A table fork with three or four tines.
@@ -64,7 +71,7 @@ pub(super) fn fork(b: &mut Build<'_>) {
         ([0.0, root, t * 1.2], x / 2.0, t),
     ];
     sweep(b, "head", &path, ACROSS, mat);
-    let tines = b.one(&[4, 4, 3]);
+    let tines = b.choose(&[4, 4, 3]);
     let (pitch, w) = (x / tines as f32, x / tines as f32 * 0.28);
     for i in 0..tines {
         let at = -x / 2.0 + pitch * (i as f32 + 0.5);
@@ -119,9 +126,9 @@ pub(super) fn knife(b: &mut Build<'_>) {
     let t = (z * 0.16).min(0.0022);
     let plain = matches!(b.class, "knife" | "butter_knife");
     let grip = if plain {
-        b.one(&[STEEL, STEEL, CHROME, BLACK_PLASTIC])
+        b.choose(&[STEEL, STEEL, CHROME, BLACK_PLASTIC])
     } else {
-        b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WALNUT, WENGE, RED_PLASTIC, STEEL])
+        b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, WALNUT, WENGE, RED_PLASTIC, STEEL])
     };
     let blade: Vec<_> = outline.iter().map(|p| (p.0 * wide, p.1 * y * share)).collect();
     b.prism("blade", Axis::Z, [0.0, root, z * 0.5 - t * 0.5], &blade, t, STEEL);
@@ -169,7 +176,7 @@ pub(super) fn knife(b: &mut Build<'_>) {
 /// Chopsticks: two sticks side by side.
 pub(super) fn chopsticks(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[BAMBOO, WENGE, RED, BLACK, CHERRY]);
+    let mat = b.choose(&[BAMBOO, WENGE, RED, BLACK, CHERRY]);
     let thick = z.min(x * 0.4) / 2.0;
     for side in [-1.0, 1.0] {
         let at = |k: f32, r: f32| ([side * (x / 2.0 - thick), y * k, thick], r, r);
@@ -192,8 +199,8 @@ pub(super) fn drinking_straw(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(z) / 2.0;
     let (mat, stripe) = (
-        b.one(&[WHITE_PAPER, WHITE_PLASTIC, STEEL, BAMBOO]),
-        b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC]),
+        b.choose(&[WHITE_PAPER, WHITE_PLASTIC, STEEL, BAMBOO]),
+        b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC]),
     );
     let profile = [(0.82, 0.0), (0.82, 1.0), (0.56, 1.0), (0.56, 0.0), (0.82, 0.0)];
     let from = [0.0, -y / 2.0, r];
@@ -214,7 +221,7 @@ pub(super) fn drinking_straw(b: &mut Build<'_>) {
 pub(super) fn toothpick(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[CLEAR_PLASTIC, b.style.wood, BAMBOO, WHITE_PLASTIC]);
+    let mat = b.choose(&[CLEAR_PLASTIC, b.style.wood, BAMBOO, WHITE_PLASTIC]);
     let outside = [(r * 0.92, 0.0), (r, z * 0.05), (r, z * 0.75)];
     b.lathe("box", [0.0; 3], &crate::solid::vessel_profile(&outside, r * 0.1), mat);
     for i in 0..9 {

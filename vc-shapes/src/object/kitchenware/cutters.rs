@@ -13,7 +13,7 @@ use crate::solid::{
 /// Graters: four-sided boxes, or flat ones with a grip.
 pub(super) fn grater(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
+    let handle = b.choose(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
     if b.class == "zester" {
         let t = z * 0.2;
         b.block("blade", [-x / 2.0, -y * 0.08, z * 0.5], [x / 2.0, y / 2.0, z * 0.5 + t], STEEL);
@@ -79,9 +79,9 @@ pub(super) fn grater(b: &mut Build<'_>) {
 pub(super) fn mandoline(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, STEEL]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, STEEL]);
     let t = (z * 0.2).min(0.012);
-    let slab = |b: &mut Build<'_>, name: &str, x: f32, (y0, y1): (f32, f32), lift: f32, thick: f32, mat: Mat| {
+    let slab = |b: &mut Build<'_>, name: &str, x: f32, (y0, y1): (f32, f32), lift: f32, thick: f32, mat: MaterialId| {
         // The rails protrude at the top and at the bottom.
         let high = if name == "rail" { z } else { z * 0.96 };
         let height = |y: f32| (high - thick - lift) * (y / hy + 1.0) / 2.0 + lift;
@@ -149,7 +149,7 @@ pub(super) fn peeler(b: &mut Build<'_>) {
 /// Tools with two levers: can openers, garlic presses and scissors.
 pub(super) fn levers(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
+    let handle = b.choose(&[BLACK_PLASTIC, RED_PLASTIC, STEEL, GREEN_PLASTIC]);
     let (hx, mid) = (x / 2.0, z / 2.0);
     let head = y * if b.class == "garlic_press" { 0.26 } else { 0.18 };
     let thick = (z * 0.25).min(x * 0.12);
@@ -170,7 +170,7 @@ pub(super) fn levers(b: &mut Build<'_>) {
         b.block("head", [-hx * 0.45, head - y * 0.06, mid - z * 0.12], [hx * 0.45, y / 2.0, mid + z * 0.12], STEEL);
         b.cylinder("wheel", [-hx * 0.1, y * 0.36, mid], hx * 0.35, z * 0.3, STEEL);
         b.cylinder("axle", [0.0, y * 0.28, 0.0], hx * 0.15, z * 0.85, STEEL);
-        b.soft("key", [-hx * 0.95, y * 0.24, z * 0.8], [hx * 0.95, y * 0.32, z], z * 0.1, handle);
+        b.rounded_block("key", [-hx * 0.95, y * 0.24, z * 0.8], [hx * 0.95, y * 0.32, z], z * 0.1, handle);
     } else {
         b.taper("press", [0.0, y * 0.36, 0.0], (hx * 0.7, y * 0.12), (hx * 0.8, y * 0.13), z * 0.8, STEEL);
         b.cylinder("plunger", [0.0, y * 0.36, z * 0.7], hx * 0.45, z * 0.3, STEEL);
@@ -178,7 +178,7 @@ pub(super) fn levers(b: &mut Build<'_>) {
     }
 }
 
-fn scissors(b: &mut Build<'_>, handle: Mat) {
+fn scissors(b: &mut Build<'_>, handle: MaterialId) {
     let (x, y, z) = dims(b);
     let (hx, t) = (x / 2.0, z * 0.22);
     let pivot = y * 0.02;
@@ -219,8 +219,8 @@ fn scissors(b: &mut Build<'_>, handle: Mat) {
 /// A bottle opener: a bar with a claw for crown caps.
 pub(super) fn bottle_opener(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[STEEL, CHROME, BRASS, BLACK_METAL]);
-    let handle = b.one(&[mat, b.style.wood, BLACK_PLASTIC, RED_PLASTIC]);
+    let mat = b.choose(&[STEEL, CHROME, BRASS, BLACK_METAL]);
+    let handle = b.choose(&[mat, b.style.wood, BLACK_PLASTIC, RED_PLASTIC]);
     let t = (z * 0.3).min(x * 0.12);
     let (hx, mid) = (x / 2.0, z / 2.0);
     let mut ring = level_oval([0.0, y / 2.0 - hx, mid], (hx - t, hx - t));
@@ -233,7 +233,7 @@ pub(super) fn bottle_opener(b: &mut Build<'_>) {
 /// A corkscrew: a spiral on a cross grip.
 pub(super) fn corkscrew(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let handle = b.one(&[b.style.wood, BLACK_PLASTIC, WALNUT, CHROME]);
+    let handle = b.choose(&[b.style.wood, BLACK_PLASTIC, WALNUT, CHROME]);
     let mid = z / 2.0;
     let r = (z * 0.3).min(x * 0.2);
     let w = r * 0.25;
@@ -298,7 +298,7 @@ pub(super) fn pizza_cutter(b: &mut Build<'_>) {
 /// A cookie cutter: a strip of metal bent to a star, a heart, a man or a ring.
 pub(super) fn cookie_cutter(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[STEEL, ALUMINIUM, COPPER, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
+    let mat = b.choose(&[STEEL, ALUMINIUM, COPPER, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
     let kind = b.rng.below(4);
     let n = 40;
     let radius = |angle: f32| match kind {
@@ -325,8 +325,8 @@ pub(super) fn cookie_cutter(b: &mut Build<'_>) {
 pub(super) fn cutting_board(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[b.style.wood, BAMBOO, BEECH, MAPLE, WHITE_PLASTIC, GREEN_PLASTIC, SLATE_TILE]);
-    let round = b.one(&[0.1, 0.2, 0.4]);
+    let mat = b.choose(&[b.style.wood, BAMBOO, BEECH, MAPLE, WHITE_PLASTIC, GREEN_PLASTIC, SLATE_TILE]);
+    let round = b.choose(&[0.1, 0.2, 0.4]);
     let handled = b.rng.chance(0.4);
     let end = if handled { hy - y * 0.2 } else { hy };
     let shift = end - hy;
@@ -362,15 +362,15 @@ pub(super) fn cutting_board(b: &mut Build<'_>) {
 /// A knife sharpener with slots, or a honing steel with a grip.
 pub(super) fn knife_sharpener(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let handle = b.one(&[BLACK_PLASTIC, RED_PLASTIC, b.style.wood]);
+    let handle = b.choose(&[BLACK_PLASTIC, RED_PLASTIC, b.style.wood]);
     if y > 0.26 {
         let r = x.min(z) / 2.0;
         b.rod("steel", [0.0, -y * 0.12, r], [0.0, y / 2.0, r], r * 0.35, STEEL);
         b.rod("guard", [0.0, -y * 0.13, r], [0.0, -y * 0.11, r], r, STEEL);
         return grip(b, [0.0, -y / 2.0, r], [0.0, -y * 0.12, r], (r * 0.85, r * 0.85), handle);
     }
-    b.soft("base", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z * 0.3], z * 0.1, handle);
-    b.soft("head", [-x * 0.45, 0.0, z * 0.2], [x * 0.45, y * 0.45, z], z * 0.15, STEEL);
+    b.rounded_block("base", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z * 0.3], z * 0.1, handle);
+    b.rounded_block("head", [-x * 0.45, 0.0, z * 0.2], [x * 0.45, y * 0.45, z], z * 0.15, STEEL);
     for i in 0..3 {
         let at = y * (0.09 + 0.13 * i as f32);
         b.block("slot", [-x * 0.46, at - y * 0.012, z * 0.55], [x * 0.46, at + y * 0.012, z * 0.98], BLACK_PLASTIC);

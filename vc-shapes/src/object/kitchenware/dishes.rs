@@ -33,7 +33,7 @@ pub(super) fn plate(b: &mut Build<'_>) {
     let outside: Vec<_> = outside.into_iter().map(|p| (p.0 * (r - rim), p.1 * (h - rim))).collect();
     b.lathe("plate", [0.0; 3], &vessel_profile(&outside, t), mat);
     if painted {
-        let colour = b.one(&[BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, YELLOW_GLAZE, BLACK_GLAZE]);
+        let colour = b.choose(&[BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, YELLOW_GLAZE, BLACK_GLAZE]);
         flat_ring(b, "ring", (h * 0.88, h), (r * 0.955, r), colour);
     }
     if saucer {
@@ -62,9 +62,9 @@ pub(super) fn bowl(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0 - 0.0006;
     let mat = match b.class {
-        "mixing_bowl" => b.one(&[STEEL, WHITE_PLASTIC, GREEN_PLASTIC, PORCELAIN, GLASS]),
-        "salad_bowl" => b.one(&[b.style.wood, GLASS, b.style.crockery, BAMBOO, STEEL]),
-        "ramekin" => b.one(&[PORCELAIN, PORCELAIN, STONEWARE, RED_GLAZE, BLUE_GLAZE]),
+        "mixing_bowl" => b.choose(&[STEEL, WHITE_PLASTIC, GREEN_PLASTIC, PORCELAIN, GLASS]),
+        "salad_bowl" => b.choose(&[b.style.wood, GLASS, b.style.crockery, BAMBOO, STEEL]),
+        "ramekin" => b.choose(&[PORCELAIN, PORCELAIN, STONEWARE, RED_GLAZE, BLUE_GLAZE]),
         _ => b.style.crockery,
     };
     let t = (r * 0.05).min(h * 0.08).clamp(1e-4, 0.006);
@@ -78,12 +78,12 @@ pub(super) fn bowl(b: &mut Build<'_>) {
         vessel(b, "bowl", (r, h), &outside, t, mat);
         return;
     }
-    let shape = b.one(&BOWLS);
+    let shape = b.choose(&BOWLS);
     let rimmed = b.rng.chance(0.5);
     let body = if rimmed { h - (h * 0.03).min(0.0008) } else { h };
     vessel(b, "bowl", (r, body), shape, t, mat);
     if rimmed {
-        let colour = b.one(&[mat, BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, STONEWARE]);
+        let colour = b.choose(&[mat, BLUE_GLAZE, GREEN_GLAZE, RED_GLAZE, STONEWARE]);
         flat_ring(b, "rim", (h * 0.93, h), (r - t * 1.3, r + 0.0005), colour);
     }
 }
@@ -118,7 +118,7 @@ pub(super) fn fruit_bowl(b: &mut Build<'_>) {
         b.top("top", [0.0, 0.0, wire], (gx * 0.34, gy * 0.34));
         return;
     }
-    let mat = b.one(&[b.style.wood, b.style.crockery, BAMBOO, STEEL, GLASS]);
+    let mat = b.choose(&[b.style.wood, b.style.crockery, BAMBOO, STEEL, GLASS]);
     let sides =
         [(0.0, hx * 0.5, hy * 0.5), (h * 0.2, hx * 0.75, hy * 0.75), (h * 0.6, hx * 0.94, hy * 0.94), (h, hx, hy)];
     tub(b, "bowl", &sides, 1.0, t, mat);
@@ -132,8 +132,8 @@ pub(super) fn tray(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let platter = b.class == "serving_platter";
     let mat =
-        if platter { b.style.crockery } else { b.one(&[b.style.wood, b.style.cabinet, BAMBOO, STEEL, BLACK_METAL]) };
-    let round = if platter { b.one(&[1.0, 0.9, 0.3]) } else { b.one(&[0.1, 0.35, 0.15]) };
+        if platter { b.style.crockery } else { b.choose(&[b.style.wood, b.style.cabinet, BAMBOO, STEEL, BLACK_METAL]) };
+    let round = if platter { b.choose(&[1.0, 0.9, 0.3]) } else { b.choose(&[0.1, 0.35, 0.15]) };
     let t = (h * 0.2).min(0.006);
     let grips = !platter && h > 0.03 && b.rng.chance(0.6);
     let rim = if grips { h * 0.6 } else { h };
@@ -189,8 +189,8 @@ pub(super) fn butter_dish(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let t = (z * 0.06).min(0.004);
-    let mat = b.one(&[PORCELAIN, b.style.crockery, GLASS, STEEL]);
-    let cover = b.one(&[mat, b.style.wood, GLASS]);
+    let mat = b.choose(&[PORCELAIN, b.style.crockery, GLASS, STEEL]);
+    let cover = b.choose(&[mat, b.style.wood, GLASS]);
     let (base, top) = (z * 0.2, z * 0.8);
     tub(b, "dish", &[(0.0, hx * 0.85, hy * 0.88), (base, hx, hy)], 0.3, t, mat);
     b.slide([0.0, 0.0, 1.0], z, |b| {
@@ -216,7 +216,7 @@ pub(super) fn sugar_bowl(b: &mut Build<'_>) {
     let mat = b.style.crockery;
     let t = (r * 0.08).min(0.004);
     let h = z * 0.7;
-    let shape = b.one(&[
+    let shape = b.choose(&[
         [(0.6, 0.0), (0.95, 0.3), (1.0, 0.6), (0.85, 1.0)],
         [(0.8, 0.0), (0.85, 0.1), (0.95, 0.5), (1.0, 1.0)],
         [(0.9, 0.0), (1.0, 0.08), (1.0, 0.5), (1.0, 1.0)],
@@ -239,7 +239,7 @@ pub(super) fn sugar_bowl(b: &mut Build<'_>) {
 pub(super) fn egg_cup(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[b.style.crockery, PORCELAIN, YELLOW_GLAZE, b.style.wood, STEEL]);
+    let mat = b.choose(&[b.style.crockery, PORCELAIN, YELLOW_GLAZE, b.style.wood, STEEL]);
     let foot = b.vary(0.7, 0.9);
     let profile = [
         (foot, 0.0),
@@ -261,7 +261,7 @@ pub(super) fn egg_cup(b: &mut Build<'_>) {
 pub(super) fn cake_stand(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[b.style.crockery, PORCELAIN, GLASS, b.style.wood, MARBLE]);
+    let mat = b.choose(&[b.style.crockery, PORCELAIN, GLASS, b.style.wood, MARBLE]);
     let (foot, waist) = (b.vary(0.4, 0.6), b.vary(0.08, 0.16));
     let plate = (0.015 / z).min(0.15);
     let profile = [

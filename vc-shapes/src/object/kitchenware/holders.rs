@@ -13,13 +13,13 @@ use crate::solid::{
 /// A slanted wooden block with knives in it.
 pub(super) fn knife_block(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[b.style.wood, BEECH, WALNUT, BLACK_PLASTIC]);
+    let mat = b.choose(&[b.style.wood, BEECH, WALNUT, BLACK_PLASTIC]);
     let (hx, h) = (x / 2.0, z * 0.72);
     // Knives lean back; the block's opening faces forward and up.
     let outline = [(-hx, 0.0), (hx * 0.5, 0.0), (hx * 0.9, h * 0.55), (-hx * 0.4, h), (-hx, h * 0.4)];
     let hy = y / 2.0;
     b.prism("block", Axis::Y, [0.0, -hy, 0.0], &outline, y, mat);
-    let handle = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WALNUT, STEEL]);
+    let handle = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, WALNUT, STEEL]);
     let count = ((y / 0.03) as usize).clamp(3, 6);
     for row in 0..2 {
         // The left half of the back row is free.
@@ -53,15 +53,15 @@ pub(super) fn knife_block(b: &mut Build<'_>) {
 pub(super) fn utensil_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[b.style.crockery, STEEL, b.style.wood, WHITE_METAL, BLUE_GLAZE, BLACK_METAL]);
-    let shape: [(f32, f32); 4] = b.one(&[
+    let mat = b.choose(&[b.style.crockery, STEEL, b.style.wood, WHITE_METAL, BLUE_GLAZE, BLACK_METAL]);
+    let shape: [(f32, f32); 4] = b.choose(&[
         [(0.96, 0.0), (1.0, 0.04), (1.0, 0.5), (1.0, 1.0)],
         [(0.8, 0.0), (0.82, 0.03), (0.95, 0.7), (1.0, 1.0)],
         [(0.8, 0.0), (1.0, 0.3), (0.95, 0.7), (0.98, 1.0)],
     ]);
     let r = r - 0.0006;
     vessel(b, "crock", (r, z - (z * 0.02).min(0.001)), &shape, (r * 0.07).min(0.005), mat);
-    let band = b.one(&[mat, STEEL, b.style.wood]);
+    let band = b.choose(&[mat, STEEL, b.style.wood]);
     flat_ring(b, "rim", (z * 0.94, z), (r * 0.9, r + 0.0005), band);
 }
 
@@ -69,7 +69,7 @@ pub(super) fn utensil_holder(b: &mut Build<'_>) {
 pub(super) fn cutlery_tray(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BAMBOO, BEECH, BLACK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BAMBOO, BEECH, BLACK_PLASTIC]);
     let t = (x * 0.015).min(z * 0.15).min(0.008);
     tub(b, "tray", &[(0.0, hx, hy), (z, hx, hy)], 0.08, t, mat);
     // One compartment across the front, the others side by side behind it.
@@ -99,8 +99,8 @@ pub(super) fn cutlery_tray(b: &mut Build<'_>) {
 pub(super) fn dish_rack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[STEEL, CHROME, BLACK_METAL, WHITE_METAL]);
-    let under = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, STEEL]);
+    let mat = b.choose(&[STEEL, CHROME, BLACK_METAL, WHITE_METAL]);
+    let under = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, STEEL]);
     let w = (z * 0.02).min(0.0025);
     let base = (z * 0.12).min(0.02);
     tub(b, "tray", &[(0.0, hx * 0.92, hy * 0.95), (base, hx, hy)], 0.15, base * 0.15, under);
@@ -136,8 +136,8 @@ pub(super) fn dish_rack(b: &mut Build<'_>) {
 pub(super) fn spice_rack(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[b.style.wood, b.style.cabinet, BAMBOO, BLACK_METAL]);
-    let rail = b.one(&[mat, STEEL, BRASS]);
+    let mat = b.choose(&[b.style.wood, b.style.cabinet, BAMBOO, BLACK_METAL]);
+    let rail = b.choose(&[mat, STEEL, BRASS]);
     let t = (z * 0.05).min(0.012).min(x * 0.12);
     let tiers = ((z / 0.14).round() as usize).clamp(1, 3);
     for side in [-1.0, 1.0] {
@@ -171,9 +171,9 @@ pub(super) fn spice_rack(b: &mut Build<'_>) {
 pub(super) fn napkin_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[b.style.wood, STEEL, BLACK_METAL, CHROME]);
+    let mat = b.choose(&[b.style.wood, STEEL, BLACK_METAL, CHROME]);
     let t = (x * 0.06).min(0.006);
-    b.soft("base", [-hx, -hy, 0.0], [hx, hy, t], t * 0.4, mat);
+    b.rounded_block("base", [-hx, -hy, 0.0], [hx, hy, t], t * 0.4, mat);
     let arched = b.rng.chance(0.5);
     for side in [-1.0, 1.0] {
         let at = side * (hx * 0.8 - t / 2.0) - t / 2.0;
@@ -190,7 +190,7 @@ pub(super) fn napkin_holder(b: &mut Build<'_>) {
         };
         b.prism("plate", Axis::X, [at, 0.0, t * 0.9], &outline, t, mat);
     }
-    let napkin = b.one(&[WHITE_PAPER, CREAM_PAPER, RED_CARD, TEAL_CARD]);
+    let napkin = b.choose(&[WHITE_PAPER, CREAM_PAPER, RED_CARD, TEAL_CARD]);
     let inner = hx * 0.8 - t;
     b.block("napkins", [-inner, -hy * 0.9, t], [inner * 0.2, hy * 0.9, z * 0.85], napkin);
     b.inside("slot", [inner * 0.6, 0.0, t], ((inner * 0.35).max(1e-4), hy * 0.85), z - t);
@@ -200,8 +200,8 @@ pub(super) fn napkin_holder(b: &mut Build<'_>) {
 pub(super) fn paper_towel_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[STEEL, b.style.wood, BLACK_METAL, CHROME, MARBLE]);
-    let rod = b.one(&[STEEL, mat, BLACK_METAL]);
+    let mat = b.choose(&[STEEL, b.style.wood, BLACK_METAL, CHROME, MARBLE]);
+    let rod = b.choose(&[STEEL, mat, BLACK_METAL]);
     let base = (z * 0.05).min(0.015);
     turn(b, "base", [0.0; 3], (r, base), &[(0.98, 0.0), (1.0, 0.3), (1.0, 0.8), (0.95, 1.0)], mat);
     b.cylinder("rod", [0.0, 0.0, base * 0.9], r * 0.09, z * 0.93 - base * 0.9, rod);
@@ -215,12 +215,12 @@ pub(super) fn food_container(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let lunch = b.class == "lunch_box";
     let body = if lunch {
-        b.one(&[BLUE_PLASTIC, PINK_PLASTIC, GREEN_PLASTIC, STEEL, BAMBOO, WHITE_PLASTIC])
+        b.choose(&[BLUE_PLASTIC, PINK_PLASTIC, GREEN_PLASTIC, STEEL, BAMBOO, WHITE_PLASTIC])
     } else {
-        b.one(&[CLEAR_PLASTIC, GLASS, WHITE_PLASTIC, CLEAR_PLASTIC])
+        b.choose(&[CLEAR_PLASTIC, GLASS, WHITE_PLASTIC, CLEAR_PLASTIC])
     };
-    let cap = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, ORANGE_PLASTIC, WHITE_PLASTIC]);
-    let round = b.one(&[0.25, 0.4, 0.15]);
+    let cap = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, ORANGE_PLASTIC, WHITE_PLASTIC]);
+    let round = b.choose(&[0.25, 0.4, 0.15]);
     let t = (hx * 0.04).min(z * 0.06).min(0.002);
     let h = z * 0.86;
     tub(
@@ -267,25 +267,25 @@ pub(super) fn jar(b: &mut Build<'_>) {
     let cookie = b.class == "cookie_jar";
     let canister = b.class == "canister";
     let body = match (cookie, canister) {
-        (true, _) => b.one(&[b.style.crockery, GLASS, BLUE_GLAZE, YELLOW_GLAZE, WHITE_METAL]),
-        (_, true) => b.one(&[STEEL, WHITE_METAL, RED_METAL, b.style.crockery, BLACK_METAL, GREEN_METAL]),
+        (true, _) => b.choose(&[b.style.crockery, GLASS, BLUE_GLAZE, YELLOW_GLAZE, WHITE_METAL]),
+        (_, true) => b.choose(&[STEEL, WHITE_METAL, RED_METAL, b.style.crockery, BLACK_METAL, GREEN_METAL]),
         _ => GLASS,
     };
     let cap = if cookie || canister {
-        b.one(&[body, b.style.wood, CORK, STEEL])
+        b.choose(&[body, b.style.wood, CORK, STEEL])
     } else {
-        b.one(&[STEEL, b.style.wood, CORK, GLASS, BRASS, RED_METAL])
+        b.choose(&[STEEL, b.style.wood, CORK, GLASS, BRASS, RED_METAL])
     };
     let h = z * b.vary(0.82, 0.88);
     let shape: [(f32, f32); 5] = if canister {
         [(0.97, 0.0), (1.0, 0.02), (1.0, 0.5), (1.0, 0.98), (0.98, 1.0)]
     } else if cookie {
-        b.one(&[
+        b.choose(&[
             [(0.7, 0.0), (0.95, 0.25), (1.0, 0.55), (0.9, 0.9), (0.88, 1.0)],
             [(0.95, 0.0), (1.0, 0.05), (1.0, 0.8), (0.85, 0.95), (0.85, 1.0)],
         ])
     } else {
-        b.one(&[
+        b.choose(&[
             [(0.93, 0.0), (1.0, 0.04), (1.0, 0.8), (0.84, 0.92), (0.84, 1.0)],
             [(0.85, 0.0), (1.0, 0.2), (0.98, 0.7), (0.8, 0.9), (0.8, 1.0)],
             [(0.95, 0.0), (1.0, 0.03), (1.0, 0.5), (0.98, 0.97), (0.97, 1.0)],
@@ -296,7 +296,7 @@ pub(super) fn jar(b: &mut Build<'_>) {
     let rim = (shape[4].0 * r * 1.05).min(r);
     if canister && b.rng.chance(0.6) {
         let k: f32 = 0.5;
-        let card = b.one(&[WHITE_PAPER, CREAM_PAPER, BLACK_CARD]);
+        let card = b.choose(&[WHITE_PAPER, CREAM_PAPER, BLACK_CARD]);
         super::super::pack::label::wrap(b, r, (h * 0.3, h * (0.3 + k * 0.7)), (card, BLACK_PLASTIC));
     }
     b.slide([0.0, 0.0, 1.0], z, |b| {
@@ -330,7 +330,7 @@ pub(super) fn biscuit_tin(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let round = if (x / y - 1.0).abs() < 0.2 { 1.0 } else { 0.2 };
     let (mat, cap) =
-        (b.one(&[BLUE_METAL, RED_METAL, GREEN_METAL, GOLD]), b.one(&[BLUE_METAL, RED_METAL, GOLD, WHITE_METAL]));
+        (b.choose(&[BLUE_METAL, RED_METAL, GREEN_METAL, GOLD]), b.choose(&[BLUE_METAL, RED_METAL, GOLD, WHITE_METAL]));
     let t = (z * 0.03).min(0.0015);
     let h = z * 0.9;
     tub(b, "tin", &[(0.0, hx * 0.97, hy * 0.97), (h, hx * 0.97, hy * 0.97)], round, t, mat);
@@ -356,8 +356,8 @@ pub(super) fn bread_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let (mat, front) = (
-        b.one(&[b.style.wood, BAMBOO, STEEL, WHITE_METAL, b.style.cabinet]),
-        b.one(&[b.style.wood, STEEL, BLACK_METAL, WHITE_METAL]),
+        b.choose(&[b.style.wood, BAMBOO, STEEL, WHITE_METAL, b.style.cabinet]),
+        b.choose(&[b.style.wood, STEEL, BLACK_METAL, WHITE_METAL]),
     );
     let t = (z * 0.05).min(0.01);
     let knob = (x * 0.06).min(0.018);
@@ -387,8 +387,8 @@ pub(super) fn bread_box(b: &mut Build<'_>) {
 pub(super) fn bread_basket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[WICKER, JUTE, BAMBOO, WICKER]);
-    let round = b.one(&[1.0, 0.5, 0.99]);
+    let mat = b.choose(&[WICKER, JUTE, BAMBOO, WICKER]);
+    let round = b.choose(&[1.0, 0.5, 0.99]);
     let t = (x * 0.02).min(z * 0.1);
     let rows = 6;
     let mut sides = vec![(0.0, hx * 0.78, hy * 0.8)];
@@ -398,8 +398,8 @@ pub(super) fn bread_basket(b: &mut Build<'_>) {
         sides.extend([(low, hx * k + t * 0.5, hy * k + t * 0.5), (high, hx * k - t * 0.3, hy * k - t * 0.3)]);
     }
     sides.push((z, hx, hy));
-    b.seen(|b| tub(b, "basket", &sides, round, t, mat));
-    b.felt(|b| tub(b, "basket", &[sides[0], (z, hx, hy)], round, t, mat));
+    b.visual_only(|b| tub(b, "basket", &sides, round, t, mat));
+    b.collision_only(|b| tub(b, "basket", &[sides[0], (z, hx, hy)], round, t, mat));
     let linen = b.style.linen;
     let cloth = |b: &mut Build<'_>, k: f32| {
         let at = |z: f32, grow: f32| rounded_ring(z, (hx * k * grow, hy * k * grow), round);
@@ -414,7 +414,7 @@ pub(super) fn ice_box(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let (body, cap) =
-        (b.one(&[BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC]), b.one(&[WHITE_PLASTIC, LIGHT_GREY]));
+        (b.choose(&[BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC]), b.choose(&[WHITE_PLASTIC, LIGHT_GREY]));
     let t = (x * 0.09).min(0.03);
     let h = z * 0.8;
     tub(b, "box", &[(0.0, hx * 0.9, hy * 0.88), (h, hx * 0.97, hy * 0.92)], 0.2, t, body);
@@ -427,7 +427,7 @@ pub(super) fn ice_box(b: &mut Build<'_>) {
     let w = (hy * 0.03).min(0.01);
     for side in [-1.0_f32, 1.0] {
         let (y0, y1) = (side * (hy * 0.88), side * (hy - w * 0.1));
-        b.soft("pivot", [-hx * 0.12, y0.min(y1), h * 0.62], [hx * 0.12, y0.max(y1), h * 0.8], w, cap);
+        b.rounded_block("pivot", [-hx * 0.12, y0.min(y1), h * 0.62], [hx * 0.12, y0.max(y1), h * 0.8], w, cap);
         b.bar("grip", [-hx * 0.4, side * (hy - w), h * 0.7], [hx * 0.4, side * (hy - w), h * 0.7], w, cap);
     }
 }
@@ -438,12 +438,12 @@ pub(super) fn mat(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let placemat = b.class == "placemat";
     let colour = if placemat {
-        b.one(&[b.style.accent, b.style.linen, JUTE, BAMBOO, BLACK_LEATHER, CORK])
+        b.choose(&[b.style.accent, b.style.linen, JUTE, BAMBOO, BLACK_LEATHER, CORK])
     } else {
-        b.one(&[CORK, b.style.wood, SLATE_TILE, b.style.accent, MARBLE, BLACK_LEATHER])
+        b.choose(&[CORK, b.style.wood, SLATE_TILE, b.style.accent, MARBLE, BLACK_LEATHER])
     };
-    let edge = b.one(&[colour, b.style.accent, WENGE]);
-    let round = if placemat { b.one(&[0.05, 0.3, 1.0]) } else { b.one(&[1.0, 1.0, 0.1, 0.3]) };
+    let edge = b.choose(&[colour, b.style.accent, WENGE]);
+    let round = if placemat { b.choose(&[0.05, 0.3, 1.0]) } else { b.choose(&[1.0, 1.0, 0.1, 0.3]) };
     let striped = placemat && round < 0.2;
     let low = z * if striped { 0.6 } else { 0.75 };
     b.prism("mat", Axis::Z, [0.0; 3], &rounded_by_share((hx, hy), round), low, edge);
@@ -468,7 +468,7 @@ pub(super) fn mat(b: &mut Build<'_>) {
 pub(super) fn trivet(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let colour = b.one(&[IRON, b.style.wood, BAMBOO, STEEL, BLACK_METAL]);
+    let colour = b.choose(&[IRON, b.style.wood, BAMBOO, STEEL, BLACK_METAL]);
     match b.rng.below(3) {
         0 => {
             turn(b, "disc", [0.0; 3], (r, z), &[(0.97, 0.0), (1.0, 0.2), (1.0, 0.8), (0.97, 1.0)], CORK);
@@ -503,7 +503,7 @@ pub(super) fn trivet(b: &mut Build<'_>) {
 }
 
 /// A wire handle over a bucket, rising from two points of its rim.
-pub(in crate::object) fn bail(b: &mut Build<'_>, r: f32, (z, top): (f32, f32), w: f32, mat: Mat) {
+pub(in crate::object) fn bail(b: &mut Build<'_>, r: f32, (z, top): (f32, f32), w: f32, mat: MaterialId) {
     let path = arch([0.0, 0.0, z], [0.0, r, 0.0], [0.0, 0.0, (top - z - w).max(w)]);
     planar_tube(b, "bail", &path, w, [1.0, 0.0, 0.0], mat);
 }

@@ -9,14 +9,22 @@ use crate::material::*;
 use crate::solid::{Build, arch, dims, flat_ring, planar_tube, sweep, tub, turn, vessel, vessel_profile};
 
 /// A grip loop at the Y side of a round wall, horizontal at height `z`.
-fn loop_grip(b: &mut Build<'_>, side: f32, (wall, reach): (f32, f32), z: f32, width: f32, radius: f32, mat: Mat) {
+fn loop_grip(
+    b: &mut Build<'_>,
+    side: f32,
+    (wall, reach): (f32, f32),
+    z: f32,
+    width: f32,
+    radius: f32,
+    mat: MaterialId,
+) {
     let r = radius.min((reach - wall) * 0.3).max(2e-4);
     let path = arch([0.0, side * wall, z], [width, 0.0, 0.0], [0.0, side * (reach - wall - r).max(1e-4), 0.0]);
     planar_tube(b, "handle", &path, r, [0.0, 0.0, 1.0], mat);
 }
 
 /// A long handle along Y, flatter than wide and thicker at the grip.
-fn long_grip(b: &mut Build<'_>, from: (f32, f32), to: (f32, f32), half: (f32, f32), mat: Mat) {
+fn long_grip(b: &mut Build<'_>, from: (f32, f32), to: (f32, f32), half: (f32, f32), mat: MaterialId) {
     let at = |k: f32, lift: f32| [0.0, from.0 + (to.0 - from.0) * k, from.1 + (to.1 - from.1) * lift];
     let path = [
         (at(0.0, 0.0), half.0 * 0.6, half.1 * 0.6),
@@ -29,7 +37,7 @@ fn long_grip(b: &mut Build<'_>, from: (f32, f32), to: (f32, f32), half: (f32, f3
 }
 
 /// A removable lid on a rim.
-fn lid(b: &mut Build<'_>, r: f32, (rim, top): (f32, f32), mats: (Mat, Mat)) {
+fn lid(b: &mut Build<'_>, r: f32, (rim, top): (f32, f32), mats: (MaterialId, MaterialId)) {
     let rise = (top - rim) * 0.45;
     b.slide([0.0, 0.0, 1.0], top * 0.6, |b| {
         turn(
@@ -51,12 +59,12 @@ pub(super) fn pot(b: &mut Build<'_>) {
     let long = matches!(b.class, "pressure_cooker" | "saute_pan");
     let cast = b.class == "dutch_oven";
     let mat = match b.class {
-        "dutch_oven" => b.one(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, BLACK_METAL]),
-        "pressure_cooker" | "stockpot" => b.one(&[STEEL, STEEL, ALUMINIUM]),
-        _ => b.one(&[STEEL, STEEL, STEEL, BLACK_METAL, RED_METAL, COPPER, WHITE_METAL]),
+        "dutch_oven" => b.choose(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, BLACK_METAL]),
+        "pressure_cooker" | "stockpot" => b.choose(&[STEEL, STEEL, ALUMINIUM]),
+        _ => b.choose(&[STEEL, STEEL, STEEL, BLACK_METAL, RED_METAL, COPPER, WHITE_METAL]),
     };
-    let grip = if cast { mat } else { b.one(&[STEEL, BLACK_PLASTIC, mat]) };
-    let cover = if cast { mat } else { b.one(&[mat, STEEL, GLASS]) };
+    let grip = if cast { mat } else { b.choose(&[STEEL, BLACK_PLASTIC, mat]) };
+    let cover = if cast { mat } else { b.choose(&[mat, STEEL, GLASS]) };
     let r = (x / 2.0).min(y * if long { 0.34 } else { 0.43 });
     let knob = (z * 0.28).min(0.055);
     let h = z - knob;
@@ -88,11 +96,11 @@ pub(super) fn pot(b: &mut Build<'_>) {
 pub(super) fn pan(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let mat = match b.class {
-        "saucepan" => b.one(&[STEEL, STEEL, COPPER, BLACK_METAL, RED_METAL, WHITE_METAL]),
-        "wok" => b.one(&[IRON, BLACK_METAL, STEEL]),
-        _ => b.one(&[BLACK_METAL, IRON, STEEL, COPPER, RED_METAL, GREEN_METAL]),
+        "saucepan" => b.choose(&[STEEL, STEEL, COPPER, BLACK_METAL, RED_METAL, WHITE_METAL]),
+        "wok" => b.choose(&[IRON, BLACK_METAL, STEEL]),
+        _ => b.choose(&[BLACK_METAL, IRON, STEEL, COPPER, RED_METAL, GREEN_METAL]),
     };
-    let grip = b.one(&[BLACK_PLASTIC, STEEL, IRON, b.style.wood]);
+    let grip = b.choose(&[BLACK_PLASTIC, STEEL, IRON, b.style.wood]);
     let r = (x / 2.0).min(y * if b.class == "saucepan" { 0.34 } else { 0.36 });
     let saucepan = b.class == "saucepan";
     let h = if saucepan { z * 0.95 } else { z * b.vary(0.62, 0.72) };
@@ -133,7 +141,7 @@ pub(super) fn pan(b: &mut Build<'_>) {
 pub(super) fn grill_pan(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let hx = (x / 2.0).min(y * 0.34);
-    let mat = b.one(&[IRON, BLACK_METAL]);
+    let mat = b.choose(&[IRON, BLACK_METAL]);
     let (t, h) = ((z * 0.1).min(0.004), z * 0.75);
     tub(b, "pan", &[(0.0, hx * 0.9, hx * 0.9), (h, hx, hx)], 0.2, t, mat);
     let rib = (h * 0.15).min(0.004);
@@ -143,7 +151,7 @@ pub(super) fn grill_pan(b: &mut Build<'_>) {
     }
     b.top("top", [0.0, 0.0, t + rib], (hx * 0.72, hx * 0.72));
     let thick = (z * 0.12).min(hx * 0.07).min(0.008);
-    let grip = b.one(&[mat, BLACK_PLASTIC, b.style.wood]);
+    let grip = b.choose(&[mat, BLACK_PLASTIC, b.style.wood]);
     long_grip(b, (hx * 0.96, h * 0.75), ((y - hx).min(hx * 3.4), z - thick), (thick * 1.6, thick), grip);
 }
 
@@ -151,16 +159,16 @@ pub(super) fn grill_pan(b: &mut Build<'_>) {
 pub(super) fn tin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let (mat, round, foot): (Mat, f32, f32) = match b.class {
+    let (mat, round, foot): (MaterialId, f32, f32) = match b.class {
         "casserole_dish" => (
-            b.one(&[PORCELAIN, GLASS, RED_GLAZE, BLUE_GLAZE, STONEWARE, b.style.crockery]),
-            b.one(&[0.3, 1.0, 0.6]),
+            b.choose(&[PORCELAIN, GLASS, RED_GLAZE, BLUE_GLAZE, STONEWARE, b.style.crockery]),
+            b.choose(&[0.3, 1.0, 0.6]),
             0.9,
         ),
-        "loaf_tin" => (b.one(&[BLACK_METAL, ALUMINIUM, STEEL]), 0.15, 0.86),
+        "loaf_tin" => (b.choose(&[BLACK_METAL, ALUMINIUM, STEEL]), 0.15, 0.86),
         "gastronorm_pan" => (STEEL, 0.25, 0.92),
-        "oven_tray" => (b.one(&[BLACK_METAL, ALUMINIUM, STEEL]), 0.08, 0.96),
-        _ => (b.one(&[STEEL, BLACK_METAL, ALUMINIUM, BLUE_METAL]), 0.2, 0.92),
+        "oven_tray" => (b.choose(&[BLACK_METAL, ALUMINIUM, STEEL]), 0.08, 0.96),
+        _ => (b.choose(&[STEEL, BLACK_METAL, ALUMINIUM, BLUE_METAL]), 0.2, 0.92),
     };
     let t = (z * 0.12).min(if b.class == "casserole_dish" { 0.006 } else { 0.0025 });
     let grips = matches!(b.class, "casserole_dish" | "roasting_pan");
@@ -191,7 +199,7 @@ pub(super) fn tin(b: &mut Build<'_>) {
         }
     }
     if lidded {
-        let cover = b.one(&[mat, GLASS]);
+        let cover = b.choose(&[mat, GLASS]);
         b.slide([0.0, 0.0, 1.0], z, |b| {
             let at = |z: f32, k: f32| crate::solid::rounded_ring(z, (wx * k, wy * k), round);
             let rings = [at(h + 0.0004, 0.99), at(h + z * 0.05, 0.99), at(h + z * 0.13, 0.75)];
@@ -206,7 +214,7 @@ pub(super) fn round_tin(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = x.min(y) / 2.0;
     if b.class == "pie_dish" {
-        let mat = b.one(&[PORCELAIN, RED_GLAZE, BLUE_GLAZE, b.style.crockery, ALUMINIUM, GLASS]);
+        let mat = b.choose(&[PORCELAIN, RED_GLAZE, BLUE_GLAZE, b.style.crockery, ALUMINIUM, GLASS]);
         let t = (h * 0.12).min(0.004);
         vessel(b, "dish", (r * 0.97, h), &[(0.78, 0.0), (0.82, 0.05), (0.97, 0.92), (1.0, 1.0)], t, mat);
         // The wavy rim of a tart dish.
@@ -229,7 +237,7 @@ pub(super) fn round_tin(b: &mut Build<'_>) {
         }
         return;
     }
-    let mat = b.one(&[BLACK_METAL, ALUMINIUM, STEEL, RED_METAL]);
+    let mat = b.choose(&[BLACK_METAL, ALUMINIUM, STEEL, RED_METAL]);
     let t = (r * 0.015).min(0.002);
     vessel(b, "tin", (r * 0.94, h), &[(0.99, 0.0), (0.99, 0.5), (0.99, 0.96), (1.0, 1.0)], t, mat);
     flat_ring(b, "base", (0.0, (h * 0.06).min(0.003)), (r * 0.5, r), mat);
@@ -241,7 +249,7 @@ pub(super) fn round_tin(b: &mut Build<'_>) {
 pub(super) fn muffin_tin(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[BLACK_METAL, ALUMINIUM, STEEL]);
+    let mat = b.choose(&[BLACK_METAL, ALUMINIUM, STEEL]);
     let rows = if x / y > 0.85 { 3 } else { 2 };
     let columns = ((y / x * rows as f32).round() as usize).clamp(2, 5);
     let (px, py) = (x * 0.94 / rows as f32, y * 0.94 / columns as f32);
@@ -313,7 +321,7 @@ pub(super) fn cooling_rack(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let w = (h * 0.12).min(0.0022);
     let (hx, hy) = (x / 2.0 - w, y / 2.0 - w);
-    let mat = b.one(&[STEEL, CHROME, BLACK_METAL, COPPER]);
+    let mat = b.choose(&[STEEL, CHROME, BLACK_METAL, COPPER]);
     let top = h - w;
     for side in [-1.0, 1.0] {
         b.rod("frame", [side * hx, -hy - w, top], [side * hx, hy + w, top], w, mat);
@@ -338,9 +346,11 @@ pub(super) fn mortar_and_pestle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let h = z * b.vary(0.5, 0.6);
-    let mat = b.one(&[GRANITE, MARBLE, PORCELAIN, b.style.wood, BLACK_GRANITE]);
-    let shape =
-        b.one(&[[(0.6, 0.0), (0.62, 0.12), (0.9, 0.4), (1.0, 1.0)], [(0.8, 0.0), (0.9, 0.2), (0.98, 0.6), (1.0, 1.0)]]);
+    let mat = b.choose(&[GRANITE, MARBLE, PORCELAIN, b.style.wood, BLACK_GRANITE]);
+    let shape = b.choose(&[
+        [(0.6, 0.0), (0.62, 0.12), (0.9, 0.4), (1.0, 1.0)],
+        [(0.8, 0.0), (0.9, 0.2), (0.98, 0.6), (1.0, 1.0)],
+    ]);
     let outside: Vec<_> = shape.iter().map(|p| (p.0 * r, p.1 * h)).collect();
     b.lathe("mortar", [0.0; 3], &vessel_profile(&outside, r * 0.16), mat);
     let (thick, lean) = (r * 0.13, r * 0.5);

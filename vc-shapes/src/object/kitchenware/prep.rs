@@ -14,7 +14,7 @@ use crate::solid::{
 /// A piping bag: a cone of cloth standing on its nozzle.
 pub(super) fn piping_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[WHITE_COTTON, CLEAR_PLASTIC, BLUE_FABRIC]);
+    let mat = b.choose(&[WHITE_COTTON, CLEAR_PLASTIC, BLUE_FABRIC]);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let cone = [
         rounded_ring(z * 0.12, (hx * 0.25, hx * 0.25), 1.0),
@@ -30,8 +30,10 @@ pub(super) fn piping_bag(b: &mut Build<'_>) {
 pub(super) fn measuring_cup(b: &mut Build<'_>) {
     let (x, y, h) = dims(b);
     let r = (x / 2.0).min(y * 0.4);
-    let (mat, ink) =
-        (b.one(&[GLASS, CLEAR_PLASTIC, STEEL, WHITE_PLASTIC]), b.one(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC]));
+    let (mat, ink) = (
+        b.choose(&[GLASS, CLEAR_PLASTIC, STEEL, WHITE_PLASTIC]),
+        b.choose(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC]),
+    );
     vessel(
         b,
         "cup",
@@ -59,7 +61,7 @@ pub(super) fn measuring_cup(b: &mut Build<'_>) {
 /// A small scoop, or a set of them on a ring.
 pub(super) fn measuring_spoon(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[STEEL, WHITE_PLASTIC, COPPER, RED_PLASTIC, BLUE_PLASTIC]);
+    let mat = b.choose(&[STEEL, WHITE_PLASTIC, COPPER, RED_PLASTIC, BLUE_PLASTIC]);
     let r = x / 2.0;
     let centre = y / 2.0 - r;
     let outside: Vec<_> =
@@ -81,7 +83,7 @@ pub(super) fn measuring_spoon(b: &mut Build<'_>) {
 pub(super) fn colander(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.44);
-    let mat = b.one(&[STEEL, WHITE_METAL, RED_METAL, WHITE_PLASTIC, GREEN_PLASTIC]);
+    let mat = b.choose(&[STEEL, WHITE_METAL, RED_METAL, WHITE_PLASTIC, GREEN_PLASTIC]);
     let (foot, t) = (z * 0.1, (r * 0.02).min(0.002));
     let h = z - foot;
     b.at([0.0, 0.0, foot], 0.0, |b| {
@@ -125,7 +127,7 @@ pub(super) fn sieve(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.35);
     let centre = y / 2.0 - r;
-    let handle = b.one(&[STEEL, BLACK_PLASTIC, BEECH]);
+    let handle = b.choose(&[STEEL, BLACK_PLASTIC, BEECH]);
     let h = z * 0.92;
     let outside: Vec<_> =
         [(0.3, 0.0), (0.7, 0.25), (0.92, 0.6), (0.97, 0.95)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
@@ -157,7 +159,7 @@ pub(super) fn sieve(b: &mut Build<'_>) {
 pub(super) fn funnel(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[STEEL, WHITE_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
+    let mat = b.choose(&[STEEL, WHITE_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
     let (neck, rise) = (b.vary(0.16, 0.24), b.vary(0.4, 0.5));
     let t = (r * 0.03).min(0.002) / r;
     let (n, w) = (neck * 0.6, rise);
@@ -181,8 +183,8 @@ pub(super) fn salad_spinner(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
     let (bowl, cap) = (
-        b.one(&[CLEAR_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]),
-        b.one(&[WHITE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLACK_PLASTIC]),
+        b.choose(&[CLEAR_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]),
+        b.choose(&[WHITE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, BLACK_PLASTIC]),
     );
     let h = z * 0.8;
     vessel(b, "bowl", (r, h), &[(0.7, 0.0), (0.85, 0.1), (0.97, 0.6), (1.0, 1.0)], (r * 0.025).min(0.003), bowl);
@@ -208,7 +210,7 @@ pub(super) fn salad_spinner(b: &mut Build<'_>) {
 /// Timers: an egg, a dial or a box with a display.
 pub(super) fn kitchen_timer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, RED_PLASTIC, STEEL, YELLOW_PLASTIC, BLACK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, RED_PLASTIC, STEEL, YELLOW_PLASTIC, BLACK_PLASTIC]);
     if b.rng.chance(0.4) {
         return dial_timer(b, mat);
     }
@@ -226,7 +228,7 @@ pub(super) fn kitchen_timer(b: &mut Build<'_>) {
         flat_ring(b, "dial", (z * 0.38, z * 0.42), (r * 0.9, r * 1.0), BLACK_PLASTIC);
         return;
     }
-    b.soft("case", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0 - x * 0.05, y / 2.0, z], x * 0.3, mat);
+    b.rounded_block("case", [-x / 2.0, -y / 2.0, 0.0], [x / 2.0 - x * 0.05, y / 2.0, z], x * 0.3, mat);
     let face = x * 0.45;
     b.block("display", [face - x * 0.2, -y * 0.36, z * 0.55], [face + x * 0.02, y * 0.36, z * 0.85], SCREEN);
     for i in 0..3 {
@@ -242,7 +244,7 @@ pub(super) fn kitchen_timer(b: &mut Build<'_>) {
 }
 
 /// A standing round timer: a plate with marks and a grip across its dial.
-fn dial_timer(b: &mut Build<'_>, mat: Mat) {
+fn dial_timer(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, z) = dims(b);
     let (r, hx) = (y.min(z) / 2.0, x / 2.0);
     let at = |px: f32| [px, 0.0, r];
@@ -256,7 +258,13 @@ fn dial_timer(b: &mut Build<'_>, mat: Mat) {
         });
     }
     b.rod("knob", at(hx * 0.3), at(hx * 0.6), dial * 0.55, mat);
-    b.soft("grip", [hx * 0.4, -dial * 0.12, r - dial * 0.5], [hx, dial * 0.12, r + dial * 0.5], dial * 0.1, mat);
+    b.rounded_block(
+        "grip",
+        [hx * 0.4, -dial * 0.12, r - dial * 0.5],
+        [hx, dial * 0.12, r + dial * 0.5],
+        dial * 0.1,
+        mat,
+    );
 }
 
 /// A meat thermometer: a dial on a needle.
@@ -280,7 +288,7 @@ pub(super) fn meat_thermometer(b: &mut Build<'_>) {
 pub(super) fn ice_bucket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = (x / 2.0).min(y * 0.44);
-    let mat = b.one(&[STEEL, CHROME, COPPER, CLEAR_PLASTIC]);
+    let mat = b.choose(&[STEEL, CHROME, COPPER, CLEAR_PLASTIC]);
     let h = z * 0.8;
     vessel(b, "bucket", (r, h), &[(0.78, 0.0), (0.8, 0.03), (0.97, 0.95), (1.0, 1.0)], (r * 0.04).min(0.004), mat);
     for side in [-1.0, 1.0] {
@@ -309,7 +317,7 @@ pub(super) fn ice_bucket(b: &mut Build<'_>) {
 pub(super) fn ice_cube_tray(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, CLEAR_PLASTIC, PINK_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLUE_PLASTIC, CLEAR_PLASTIC, PINK_PLASTIC]);
     let t = (x * 0.02).min(z * 0.1);
     crate::solid::tub(b, "tray", &[(0.0, hx * 0.92, hy * 0.95), (z, hx, hy)], 0.15, t, mat);
     let columns = ((y / x * 2.2).round() as usize).clamp(3, 7);

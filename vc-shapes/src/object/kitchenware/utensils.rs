@@ -11,12 +11,12 @@ use crate::solid::{Axis, Build, P, dims, flat_ring, planar_tube, sweep, vessel_p
 pub(super) const ACROSS: P = [1.0, 0.0, 0.0];
 
 /// Materials of grips.
-pub(super) fn grip_mat(b: &mut Build<'_>) -> Mat {
-    b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, STEEL, BEECH, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC])
+pub(super) fn grip_mat(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, STEEL, BEECH, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC])
 }
 
 /// A grip along Y from its butt at `from` to its end, thickest near the butt.
-pub(super) fn grip(b: &mut Build<'_>, from: P, to: P, half: (f32, f32), mat: Mat) {
+pub(super) fn grip(b: &mut Build<'_>, from: P, to: P, half: (f32, f32), mat: MaterialId) {
     let at = |k: f32| [0, 1, 2].map(|i| from[i] + (to[i] - from[i]) * k);
     let (w, t) = half;
     let path = [
@@ -32,7 +32,7 @@ pub(super) fn grip(b: &mut Build<'_>, from: P, to: P, half: (f32, f32), mat: Mat
 /// A spoon carved from one piece of wood.
 pub(super) fn wooden_spoon(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[BEECH, OAK, BAMBOO, CHERRY, MAPLE]);
+    let mat = b.choose(&[BEECH, OAK, BAMBOO, CHERRY, MAPLE]);
     let length = (x * b.vary(1.3, 1.6)).min(y * 0.35);
     let r = (z * 0.3).min(x * 0.15);
     scoop(b, [0.0, y / 2.0 - length / 2.0, 0.0], (x / 2.0, length / 2.0), z * 0.75, z * 0.2, mat);
@@ -45,9 +45,9 @@ pub(super) fn spatula(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let soft = b.class == "rubber_spatula";
     let mat = if soft {
-        b.one(&[RED_RUBBER, GREY_RUBBER, WHITE_PLASTIC, BLUE_PLASTIC])
+        b.choose(&[RED_RUBBER, GREY_RUBBER, WHITE_PLASTIC, BLUE_PLASTIC])
     } else {
-        b.one(&[BLACK_PLASTIC, STEEL, BEECH])
+        b.choose(&[BLACK_PLASTIC, STEEL, BEECH])
     };
     let handle = grip_mat(b);
     let length = y * b.vary(0.26, 0.34);
@@ -91,7 +91,7 @@ pub(super) fn spatula(b: &mut Build<'_>) {
 /// Ladles and skimmers: a round head, either deep or flat with holes.
 pub(super) fn ladle(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let (mat, handle) = (b.one(&[STEEL, STEEL, BLACK_PLASTIC]), b.one(&[STEEL, BLACK_PLASTIC, BEECH]));
+    let (mat, handle) = (b.choose(&[STEEL, STEEL, BLACK_PLASTIC]), b.choose(&[STEEL, BLACK_PLASTIC, BEECH]));
     let r = x / 2.0;
     let centre = y / 2.0 - r;
     let neck = (z * 0.1).min(0.005);
@@ -125,7 +125,7 @@ pub(super) fn ladle(b: &mut Build<'_>) {
     }
 }
 
-pub(super) fn hoop_at(b: &mut Build<'_>, base: P, z: (f32, f32), r: (f32, f32), mat: Mat) {
+pub(super) fn hoop_at(b: &mut Build<'_>, base: P, z: (f32, f32), r: (f32, f32), mat: MaterialId) {
     b.at(base, 0.0, |b| flat_ring(b, "rim", z, r, mat));
 }
 
@@ -163,7 +163,7 @@ pub(super) fn thin_wire(b: &mut Build<'_>, points: &[P], w: f32, side: P) {
 /// Tongs: two arms joined at one end.
 pub(super) fn kitchen_tongs(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let (mat, tip_mat) = (STEEL, b.one(&[STEEL, RED_RUBBER, BLACK_PLASTIC, GREEN_PLASTIC]));
+    let (mat, tip_mat) = (STEEL, b.choose(&[STEEL, RED_RUBBER, BLACK_PLASTIC, GREEN_PLASTIC]));
     let t = (z * 0.05).min(0.0012);
     let hx = x / 2.0;
     for side in [-1.0, 1.0] {
@@ -225,8 +225,8 @@ pub(super) fn potato_masher(b: &mut Build<'_>) {
 /// A rolling pin with two grips.
 pub(super) fn rolling_pin(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[BEECH, MAPLE, MARBLE, b.style.wood, STEEL]);
-    let handle = b.one(&[BEECH, mat, RED, BLACK_PLASTIC]);
+    let mat = b.choose(&[BEECH, MAPLE, MARBLE, b.style.wood, STEEL]);
+    let handle = b.choose(&[BEECH, mat, RED, BLACK_PLASTIC]);
     let r = x.min(z) / 2.0;
     let roll = y * b.vary(0.56, 0.64);
     let (from, to) = ([0.0, -y / 2.0, r], [0.0, y / 2.0, r]);
@@ -249,10 +249,10 @@ pub(super) fn rolling_pin(b: &mut Build<'_>) {
 /// A flat pastry brush.
 pub(super) fn pastry_brush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let hair = b.one(&[WAX, RED_RUBBER, WHITE_PLASTIC, BLUE_PLASTIC]);
-    let handle = b.one(&[BEECH, BAMBOO, WHITE_PLASTIC, STEEL]);
+    let hair = b.choose(&[WAX, RED_RUBBER, WHITE_PLASTIC, BLUE_PLASTIC]);
+    let handle = b.choose(&[BEECH, BAMBOO, WHITE_PLASTIC, STEEL]);
     let (mid, root) = (z / 2.0, y * 0.22);
-    b.soft("ferrule", [-x / 2.0, y * 0.12, 0.0], [x / 2.0, root + y * 0.02, z], z * 0.2, STEEL);
+    b.rounded_block("ferrule", [-x / 2.0, y * 0.12, 0.0], [x / 2.0, root + y * 0.02, z], z * 0.2, STEEL);
     for i in 0..7 {
         let at = x * 0.42 * (i as f32 / 3.0 - 1.0);
         b.block(

@@ -29,9 +29,9 @@ pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
             ring_of_spokes(b, r * 0.98, h * 0.8, r * 0.02, metal);
         }
         2 => {
-            let frame = b.one(&[WHITE_METAL, BLACK_METAL, metal, b.style.wood]);
-            b.soft("case", [-x, -y, h * 0.35], [x, y, h], h * 0.15, frame);
-            b.soft("light", [-x * 0.92, -y * 0.92, 0.0], [x * 0.92, y * 0.92, h * 0.5], h * 0.12, COOL_BULB);
+            let frame = b.choose(&[WHITE_METAL, BLACK_METAL, metal, b.style.wood]);
+            b.rounded_block("case", [-x, -y, h * 0.35], [x, y, h], h * 0.15, frame);
+            b.rounded_block("light", [-x * 0.92, -y * 0.92, 0.0], [x * 0.92, y * 0.92, h * 0.5], h * 0.12, COOL_BULB);
         }
         3 => {
             b.cylinder("plate", [0.0, 0.0, h - plate], r * 0.5, plate, metal);
@@ -73,7 +73,7 @@ fn turn(i: usize, count: usize) -> (f32, f32) {
 }
 
 /// Three rods from the axis to a shade.
-fn ring_of_spokes(b: &mut Build<'_>, r: f32, z: f32, thick: f32, mat: Mat) {
+fn ring_of_spokes(b: &mut Build<'_>, r: f32, z: f32, thick: f32, mat: MaterialId) {
     for i in 0..3 {
         let (s, c) = turn(i, 3);
         b.rod("spoke", [0.0, 0.0, z], [c * r, s * r, z], thick, mat);
@@ -98,7 +98,7 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
             let mat = if b.rng.chance(0.5) {
                 shade_mat(b)
             } else {
-                b.one(&[BLACK_METAL, WHITE_METAL, COPPER, BRASS, GREEN_METAL, WICKER])
+                b.choose(&[BLACK_METAL, WHITE_METAL, COPPER, BRASS, GREEN_METAL, WICKER])
             };
             shade(b, design, [0.0; 3], (r, tall), mat);
             b.lathe("cap", [0.0, 0.0, tall * 0.86], &[(r * 0.2, 0.0), (r * 0.12, tall * 0.2)], metal);
@@ -109,14 +109,14 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
         }
         2 => {
             let ball = r.min(h * 0.36);
-            let light = b.one(&[WARM_BULB, COOL_BULB]);
+            let light = b.choose(&[WARM_BULB, COOL_BULB]);
             b.ball("globe", [0.0, 0.0, ball], ball, light);
             b.cylinder("cap", [0.0, 0.0, ball * 1.9], ball * 0.3, ball * 0.25, metal);
             cord(b, ball * 2.0);
         }
         3 => {
             // A cage or glass around the bulb.
-            let glass = b.one(&[GLASS, BROWN_GLASS, FROSTED_GLASS]);
+            let glass = b.choose(&[GLASS, BROWN_GLASS, FROSTED_GLASS]);
             shade(b, 5, [0.0; 3], (r, tall), glass);
             bulb(b, [0.0, 0.0, tall * 0.5], lamp, true);
             b.cylinder("cap", [0.0, 0.0, tall * 0.95], r * 0.32, tall * 0.12, metal);
@@ -143,7 +143,7 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
     let u = fit(b, [0.48, 0.48, 0.4]);
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let metal = b.one(&[BRASS, GOLD, IRON, CHROME, b.style.metal]);
+    let metal = b.choose(&[BRASS, GOLD, IRON, CHROME, b.style.metal]);
     let arms = b.rng.count(5, 8);
     let level = h * b.vary(0.22, 0.3);
     let top = h * 0.93;
@@ -214,7 +214,7 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
             let cx = x - r;
             b.pipe("arm", &[[-x + plate, 0.0, base], [cx, 0.0, base], [cx, 0.0, z]], 0.006 * u, metal);
             let mat = shade_mat(b);
-            let design = b.one(&[0, 2, 2, 3]);
+            let design = b.choose(&[0, 2, 2, 3]);
             shade(b, design, [cx, 0.0, h * 0.3], (r, h * 0.7), mat);
             bulb(b, [cx, 0.0, h * 0.58], r * 0.34, false);
             b.rod("arm", [cx, 0.0, z - 0.001 * u], [cx, 0.0, h * 0.58], 0.005 * u, metal);
@@ -257,14 +257,14 @@ pub(super) fn wall_lamp(b: &mut Build<'_>) {
 pub(super) fn spotlight(b: &mut Build<'_>) {
     let u = fit(b, [0.064, 0.064, 0.064]);
     let (x, y, h) = half_dims(b);
-    let metal = b.one(&[WHITE_METAL, BLACK_METAL, STEEL, BRASS]);
+    let metal = b.choose(&[WHITE_METAL, BLACK_METAL, STEEL, BRASS]);
     let rail = h * 0.18;
     let count = ((2.0 * y) / 0.22).floor().clamp(1.0, 5.0) as usize;
     if count == 1 {
         let r = x.min(y) * 0.8;
         b.cylinder("plate", [0.0, 0.0, h - rail], r, rail, metal);
     } else {
-        b.soft("rail", [-x * 0.3, -y, h - rail], [x * 0.3, y, h], rail * 0.3, metal);
+        b.rounded_block("rail", [-x * 0.3, -y, h - rail], [x * 0.3, y, h], rail * 0.3, metal);
     }
     let step = 2.0 * y / count as f32;
     let r = (h * 0.26).min(x * 0.42).min(step * 0.42);
@@ -300,7 +300,13 @@ pub(super) fn mirror_light(b: &mut Build<'_>) {
     let metal = b.style.tap;
     let z = h / 2.0;
     let r = (h * 0.46).min(x * 0.55);
-    b.soft("plate", [-x, -y * 0.3, h * 0.1], [-x + (0.012 * u).min(x * 0.4), y * 0.3, h * 0.9], 0.003 * u, metal);
+    b.rounded_block(
+        "plate",
+        [-x, -y * 0.3, h * 0.1],
+        [-x + (0.012 * u).min(x * 0.4), y * 0.3, h * 0.9],
+        0.003 * u,
+        metal,
+    );
     let cx = x - r;
     if b.rng.chance(0.55) {
         for side in [-1.0, 1.0] {
@@ -310,7 +316,7 @@ pub(super) fn mirror_light(b: &mut Build<'_>) {
         }
         b.rod("light", [cx, -y * 0.95, z], [cx, y * 0.95, z], r * 0.9, COOL_BULB);
     } else {
-        b.soft("bar", [-x, -y, z - h * 0.2], [-x * 0.2, y, z + h * 0.2], h * 0.08, metal);
+        b.rounded_block("bar", [-x, -y, z - h * 0.2], [-x * 0.2, y, z + h * 0.2], h * 0.08, metal);
         let count = b.rng.count(3, 5);
         for i in 0..count {
             let cy = y * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
@@ -324,7 +330,7 @@ pub(super) fn mirror_light(b: &mut Build<'_>) {
 /// A flat light bar with a switch.
 pub(super) fn under_cabinet_light(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case_mat = b.one(&[WHITE_PLASTIC, ALUMINIUM, BLACK_PLASTIC]);
+    let case_mat = b.choose(&[WHITE_PLASTIC, ALUMINIUM, BLACK_PLASTIC]);
     let round = b.rng.chance(0.3) && x > h;
     if round {
         let count = (y / 0.15).clamp(2.0, 6.0) as usize;
@@ -337,7 +343,7 @@ pub(super) fn under_cabinet_light(b: &mut Build<'_>) {
         b.block("cable", [-x * 0.12, -y + r, h * 0.7], [x * 0.12, y - r, h * 0.85], WHITE_PLASTIC);
     } else {
         b.block("case", [-x, -y, h * 0.35], [x, y, h], case_mat);
-        b.soft("light", [-x * 0.85, -y * 0.94, 0.0], [x * 0.85, y * 0.94, h * 0.5], h * 0.1, COOL_BULB);
+        b.rounded_block("light", [-x * 0.85, -y * 0.94, 0.0], [x * 0.85, y * 0.94, h * 0.5], h * 0.1, COOL_BULB);
         b.block("switch", [x * 0.2, y * 0.955, h * 0.25], [x * 0.6, y * 0.985, h * 0.36], SIGNAL_RED);
     }
 }

@@ -27,15 +27,15 @@ pub(super) const GENERATORS: &[Generator] = &[
 ];
 
 /// Cloth, paper or glass of a shade.
-fn shade_mat(b: &mut Build<'_>) -> Mat {
+fn shade_mat(b: &mut Build<'_>) -> MaterialId {
     let accent = b.style.accent;
-    b.one(&[WHITE_COTTON, LINEN, LINEN, BEIGE_FABRIC, accent, CREAM_PAPER])
+    b.choose(&[WHITE_COTTON, LINEN, LINEN, BEIGE_FABRIC, accent, CREAM_PAPER])
 }
 
 /// Metal of a stand.
-fn stand_mat(b: &mut Build<'_>) -> Mat {
+fn stand_mat(b: &mut Build<'_>) -> MaterialId {
     let metal = b.style.metal;
-    b.one(&[metal, metal, BRASS, BLACK_METAL, WHITE_METAL])
+    b.choose(&[metal, metal, BRASS, BLACK_METAL, WHITE_METAL])
 }
 
 /// Outlines of shades: a drum, a cone, an empire, a bell, a dome and a truncated globe.
@@ -50,7 +50,7 @@ const SHADES: [&[(f32, f32)]; 6] = [
 
 /// An open shade with one of the outlines [`SHADES`], standing on `base`, with radius `r` and
 /// height `h`.
-fn shade(b: &mut Build<'_>, design: usize, base: P, (r, h): (f32, f32), mat: Mat) {
+fn shade(b: &mut Build<'_>, design: usize, base: P, (r, h): (f32, f32), mat: MaterialId) {
     let wall = (r * 0.04).min(0.004);
     let outer = SHADES[design % SHADES.len()].iter().map(|p| (p.0 * r, p.1 * h));
     let mut profile: Vec<(f32, f32)> = outer.collect();
@@ -71,7 +71,7 @@ fn shade_at(design: usize, share: f32, r: f32) -> f32 {
 
 /// A bulb of radius `r` centred at `at` with its neck up or down.
 fn bulb(b: &mut Build<'_>, at: P, r: f32, neck_up: bool) {
-    let light = b.one(&[WARM_BULB, WARM_BULB, COOL_BULB]);
+    let light = b.choose(&[WARM_BULB, WARM_BULB, COOL_BULB]);
     b.ball("bulb", at, r, light);
     let z = if neck_up { at[2] + r * 0.7 } else { at[2] - r * 1.7 };
     b.cylinder("socket", [at[0], at[1], z], r * 0.55, r, BLACK_PLASTIC);

@@ -9,7 +9,7 @@ use crate::solid::{Build, P, collar, half_dims};
 pub(super) fn night_light(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let base = b.one(&[WHITE_PLASTIC, BEECH, PINK_PLASTIC, BLUE_PLASTIC]);
+    let base = b.choose(&[WHITE_PLASTIC, BEECH, PINK_PLASTIC, BLUE_PLASTIC]);
     let foot = h * 0.14;
     match b.rng.below(4) {
         0 => {
@@ -28,12 +28,12 @@ pub(super) fn night_light(b: &mut Build<'_>) {
             );
         }
         2 => {
-            b.soft("light", [-x, -y, foot * 0.8], [x, y, h], r * 0.3, WARM_BULB);
+            b.rounded_block("light", [-x, -y, foot * 0.8], [x, y, h], r * 0.3, WARM_BULB);
             b.block("foot", [-x * 0.8, -y * 0.8, 0.0], [x * 0.8, y * 0.8, foot], base);
         }
         _ => {
             let body = h * 0.8;
-            b.soft("body", [-x, -y, 0.0], [x, y, body], r * 0.6, WARM_BULB);
+            b.rounded_block("body", [-x, -y, 0.0], [x, y, body], r * 0.6, WARM_BULB);
             for side in [-1.0, 1.0] {
                 b.taper(
                     "ear",
@@ -52,8 +52,9 @@ pub(super) fn night_light(b: &mut Build<'_>) {
 /// A string of small lights, coiled around a spool or in loose loops.
 pub(super) fn string_lights(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cable = b.one(&[GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]);
-    let lights: &[Mat] = b.one(&[&[WARM_BULB], &[SIGNAL_RED, SIGNAL_AMBER, SIGNAL_GREEN, WARM_BULB], &[COOL_BULB]]);
+    let cable = b.choose(&[GREEN_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]);
+    let lights: &[MaterialId] =
+        b.choose(&[&[WARM_BULB], &[SIGNAL_RED, SIGNAL_AMBER, SIGNAL_GREEN, WARM_BULB], &[COOL_BULB]]);
     let r = (h * 0.07).min(x * 0.12);
     let bead = (r * 2.0).min(h * 0.2);
     let count = 18;
@@ -70,7 +71,7 @@ pub(super) fn string_lights(b: &mut Build<'_>) {
         before = Some(at);
     }
     let plug = [-x, -y * 0.2, 0.0];
-    b.soft("box", plug, [-x * 0.3, y * 0.2, (h * 0.3).min(x)], r * 0.5, cable);
+    b.rounded_block("box", plug, [-x * 0.3, y * 0.2, (h * 0.3).min(x)], r * 0.5, cable);
     b.rod("cable", [-x * 0.5, 0.0, r], [x * 0.4, y * 0.3, r], r * 0.45, cable);
     let ends = [[0.0, y - bead, bead], [0.0, -y + bead, bead], [x - bead, 0.0, h - bead]];
     for end in ends {
@@ -81,7 +82,7 @@ pub(super) fn string_lights(b: &mut Build<'_>) {
 }
 
 /// A bead-sized light with the facets of a gem.
-fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: Mat) {
+fn bead_light(b: &mut Build<'_>, at: P, r: f32, mat: MaterialId) {
     let ring = |z: f32, out: f32, shift: f32| {
         (0..6).map(move |i| {
             let (s, c) = (std::f32::consts::TAU * (i as f32 + shift) / 6.0).sine_cosine();
@@ -108,7 +109,7 @@ pub(super) fn light_bulb(b: &mut Build<'_>) {
         (thread * 0.95, cap),
     ];
     b.lathe("thread", [0.0; 3], &profile, ALUMINIUM);
-    let glass = b.one(&[WARM_BULB, COOL_BULB, WARM_BULB]);
+    let glass = b.choose(&[WARM_BULB, COOL_BULB, WARM_BULB]);
     let tall = h - cap + 0.001;
     match b.rng.below(4) {
         0 => b.lathe(
@@ -160,7 +161,7 @@ pub(super) fn light_bulb(b: &mut Build<'_>) {
 pub(super) fn flashlight(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let mat = b.one(&[BLACK_METAL, ALUMINIUM, RED_METAL, YELLOW_PLASTIC, BLUE_METAL]);
+    let mat = b.choose(&[BLACK_METAL, ALUMINIUM, RED_METAL, YELLOW_PLASTIC, BLUE_METAL]);
     let slim = r * b.vary(0.6, 0.8);
     let head = h * b.vary(0.2, 0.3);
     let body = [
@@ -178,7 +179,7 @@ pub(super) fn flashlight(b: &mut Build<'_>) {
         let z = h * (0.12 + 0.12 * i as f32);
         collar(b, "grip", ([0.0, 0.0, z], [0.0, 0.0, z + h * 0.05]), (slim * 0.9, (slim * 1.06).min(r)), RUBBER);
     }
-    b.soft(
+    b.rounded_block(
         "switch",
         [slim * 0.9, -r * 0.25, h * 0.55],
         [(slim * 1.1).min(x), r * 0.25, h * 0.64],

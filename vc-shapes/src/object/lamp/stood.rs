@@ -11,9 +11,10 @@ pub(super) fn table_lamp(b: &mut Build<'_>) {
     if b.rng.chance(0.15) {
         return mushroom(b, r, h);
     }
-    let (tall, design) = (h * b.vary(0.38, 0.5), b.one(&[0, 1, 2, 2, 3]));
+    let (tall, design) = (h * b.vary(0.38, 0.5), b.choose(&[0, 1, 2, 2, 3]));
     let neck = h - tall;
-    let body = b.one(&[b.style.wood, b.style.crockery, STONEWARE, BLUE_GLAZE, GREEN_GLAZE, BRASS, MARBLE, BLACK_METAL]);
+    let body =
+        b.choose(&[b.style.wood, b.style.crockery, STONEWARE, BLUE_GLAZE, GREEN_GLAZE, BRASS, MARBLE, BLACK_METAL]);
     let wide = r * b.vary(0.45, 0.62);
     match b.rng.below(5) {
         0 => {
@@ -79,7 +80,7 @@ fn topped(b: &mut Build<'_>, design: usize, (r, tall): (f32, f32), neck: f32, h:
 
 /// A glass dome on a thick stem.
 fn mushroom(b: &mut Build<'_>, r: f32, h: f32) {
-    let mat = b.one(&[WHITE_METAL, MUSTARD, TERRACOTTA, BLACK_METAL, b.style.wood]);
+    let mat = b.choose(&[WHITE_METAL, MUSTARD, TERRACOTTA, BLACK_METAL, b.style.wood]);
     b.lathe("stem", [0.0; 3], &[(r * 0.6, 0.0), (r * 0.5, h * 0.05), (r * 0.26, h * 0.3), (r * 0.24, h * 0.66)], mat);
     b.lathe(
         "head",
@@ -90,7 +91,7 @@ fn mushroom(b: &mut Build<'_>, r: f32, h: f32) {
 }
 
 /// Three legs that meet under `top`.
-fn tripod(b: &mut Build<'_>, spread: f32, top: f32, mat: Mat) {
+fn tripod(b: &mut Build<'_>, spread: f32, top: f32, mat: MaterialId) {
     for (c, s) in [(1.0, 0.0), (-0.5, 0.866), (-0.5, -0.866)] {
         let r = spread * 0.07;
         b.bar(
@@ -108,14 +109,14 @@ fn tripod(b: &mut Build<'_>, spread: f32, top: f32, mat: Mat) {
 pub(super) fn desk_lamp(b: &mut Build<'_>) {
     let u = fit(b, [0.112, 0.112, 0.272]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[BLACK_METAL, WHITE_METAL, RED_METAL, STEEL, YELLOW_METAL, BLUE_METAL, b.style.metal]);
+    let mat = b.choose(&[BLACK_METAL, WHITE_METAL, RED_METAL, STEEL, YELLOW_METAL, BLUE_METAL, b.style.metal]);
     let foot_r = (y * 0.92).min(x * 0.6);
     let foot = [-x + foot_r, 0.0];
     let foot_h = 0.03 * u;
     if b.rng.chance(0.6) {
         b.lathe("foot", [foot[0], 0.0, 0.0], &[(foot_r, 0.0), (foot_r, foot_h * 0.6), (foot_r * 0.9, foot_h)], mat);
     } else {
-        b.soft("foot", [-x, -y * 0.9, 0.0], [-x + 2.0 * foot_r, y * 0.9, foot_h], 0.006 * u, mat);
+        b.rounded_block("foot", [-x, -y * 0.9, 0.0], [-x + 2.0 * foot_r, y * 0.9, foot_h], 0.006 * u, mat);
     }
     let r = 0.007 * u;
     match b.rng.below(3) {
@@ -148,7 +149,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
                 r * 1.3,
                 mat,
             );
-            b.soft("head", [-x + 0.04 * u, -0.022 * u, h - 0.02 * u], [x, 0.022 * u, h], 0.006 * u, mat);
+            b.rounded_block("head", [-x + 0.04 * u, -0.022 * u, h - 0.02 * u], [x, 0.022 * u, h], 0.006 * u, mat);
             b.block("light", [-x + x, -0.016 * u, h - 0.022 * u], [x * 0.96, 0.016 * u, h - 0.019 * u], COOL_BULB);
         }
         _ => {
@@ -156,7 +157,7 @@ pub(super) fn desk_lamp(b: &mut Build<'_>) {
             let (low, tall) = (h * 0.72, h * 0.22);
             let stem = -x + foot_r;
             b.cylinder("stem", [stem, 0.0, foot_h * 0.9], r * 1.3, low - foot_h + tall * 0.6, BRASS);
-            let glass = b.one(&[GREEN_METAL, mat, BLUE_METAL]);
+            let glass = b.choose(&[GREEN_METAL, mat, BLUE_METAL]);
             let deep = (x * 0.6).min(y * 0.9);
             let outline = [
                 (-deep, 0.0),
@@ -201,14 +202,14 @@ pub(super) fn floor_lamp(b: &mut Build<'_>) {
             let neck = h - tall;
             b.lathe("foot", [0.0; 3], &[(foot, 0.0), (foot, 0.015 * u), (pole * 2.0, 0.03 * u)], metal);
             b.cylinder("pole", [0.0, 0.0, 0.01 * u], pole, neck - 0.01 * u, metal);
-            let design = b.one(&[0, 1, 2, 3]);
+            let design = b.choose(&[0, 1, 2, 3]);
             topped(b, design, (r, tall), neck, h);
         }
         2 => {
             let tall = h * b.vary(0.17, 0.24);
-            let wood = b.one(&[b.style.wood, b.style.wood, metal]);
+            let wood = b.choose(&[b.style.wood, b.style.wood, metal]);
             tripod(b, r * 0.98, h - tall, wood);
-            let design = b.one(&[0, 2]);
+            let design = b.choose(&[0, 2]);
             topped(b, design, (r * 0.85, tall), h - tall, h);
         }
         3 => {

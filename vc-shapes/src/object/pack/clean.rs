@@ -14,12 +14,13 @@ use crate::solid::{
     sweep, tub, turn, vessel,
 };
 
-const BRIGHT: [Mat; 6] = [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC];
+const BRIGHT: [MaterialId; 6] =
+    [RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC];
 
 /// A stick with a round end, up to the top of a tool.
 fn stick(b: &mut Build<'_>, (x, low): (f32, f32), r: f32) {
     let z = b.size.z;
-    let mat = b.one(&[BEECH, PINE, STEEL, GREEN_METAL, RED_METAL, BLUE_METAL]);
+    let mat = b.choose(&[BEECH, PINE, STEEL, GREEN_METAL, RED_METAL, BLUE_METAL]);
     turn(b, "stick", [x, 0.0, low], (r, z - low), &[(1.0, 0.0), (1.0, 0.985), (0.5, 1.0)], mat);
 }
 
@@ -30,10 +31,10 @@ pub(super) fn broom(b: &mut Build<'_>) {
     let head = (z * 0.13).min(0.16);
     let block = head * 0.72;
     let (mat, bristle) = (
-        b.one(&[BEECH, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]),
-        b.one(&[HAY, BLACK_PLASTIC, RED_PLASTIC, GREY_PLASTIC]),
+        b.choose(&[BEECH, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]),
+        b.choose(&[HAY, BLACK_PLASTIC, RED_PLASTIC, GREY_PLASTIC]),
     );
-    b.soft("head", [-hx * 0.75, -hy * 0.92, block * 0.9], [hx * 0.75, hy * 0.92, head], hx * 0.3, mat);
+    b.rounded_block("head", [-hx * 0.75, -hy * 0.92, block * 0.9], [hx * 0.75, hy * 0.92, head], hx * 0.3, mat);
     let tufts = 9;
     for i in 0..tufts {
         let k = 2.0 * (i as f32 + 0.5) / tufts as f32 - 1.0;
@@ -56,11 +57,11 @@ pub(super) fn broom(b: &mut Build<'_>) {
 pub(super) fn mop(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let (plastic, cloth) = (b.one(&BRIGHT), b.one(&[WHITE_COTTON, BLUE_FABRIC, GREY_FABRIC]));
+    let (plastic, cloth) = (b.choose(&BRIGHT), b.choose(&[WHITE_COTTON, BLUE_FABRIC, GREY_FABRIC]));
     if y > x * 1.8 {
         let t = z * 0.015;
-        b.soft("cloth", [-hx, -hy, 0.0], [hx, hy, t], t * 0.4, cloth);
-        b.soft("plate", [-hx * 0.85, -hy * 0.95, t * 0.9], [hx * 0.85, hy * 0.95, t * 2.0], t * 0.3, plastic);
+        b.rounded_block("cloth", [-hx, -hy, 0.0], [hx, hy, t], t * 0.4, cloth);
+        b.rounded_block("plate", [-hx * 0.85, -hy * 0.95, t * 0.9], [hx * 0.85, hy * 0.95, t * 2.0], t * 0.3, plastic);
         b.taper("joint", [0.0, 0.0, t * 1.9], (hx * 0.4, hx * 0.4), (hx * 0.2, hx * 0.2), z * 0.05, plastic);
         return stick(b, (0.0, z * 0.05), (hx * 0.2).min(0.012));
     }
@@ -95,7 +96,7 @@ pub(super) fn mop(b: &mut Build<'_>) {
 /// A bucket with a lip and a bail; the mop bucket has a wringer.
 pub(super) fn bucket(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC, GALVANISED, YELLOW_PLASTIC]);
+    let mat = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC, GALVANISED, YELLOW_PLASTIC]);
     let h = z * 0.84;
     if b.class == "mop_bucket" {
         return mop_bucket(b, h, mat);
@@ -128,7 +129,7 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     }
 }
 
-fn mop_bucket(b: &mut Build<'_>, h: f32, mat: Mat) {
+fn mop_bucket(b: &mut Build<'_>, h: f32, mat: MaterialId) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let t = (hx * 0.02).min(0.003);
@@ -141,7 +142,7 @@ fn mop_bucket(b: &mut Build<'_>, h: f32, mat: Mat) {
         mat,
     );
     b.inside("inside", [0.0, -hy * 0.2, t], (hx * 0.55, hy * 0.45), h * 0.6);
-    let basket = b.one(&BRIGHT);
+    let basket = b.choose(&BRIGHT);
     let (low, cy) = (h * 0.65, hy * 0.45);
     let ring = |z: f32, k: f32| level_oval([0.0, cy, z], (hx * 0.78 * k, hy * 0.42 * k));
     loft_columns(
@@ -185,10 +186,10 @@ pub(super) fn sponge(b: &mut Build<'_>) {
         return;
     }
     let (foam, pad) = (
-        b.one(&[YELLOW_SKIN, PETAL_PINK, PETAL_BLUE, ORANGE_SKIN, HAY]),
-        b.one(&[GREEN_FABRIC, GREEN_FABRIC, NAVY_FABRIC]),
+        b.choose(&[YELLOW_SKIN, PETAL_PINK, PETAL_BLUE, ORANGE_SKIN, HAY]),
+        b.choose(&[GREEN_FABRIC, GREEN_FABRIC, NAVY_FABRIC]),
     );
-    let waist = b.one(&[1.0, 0.9]);
+    let waist = b.choose(&[1.0, 0.9]);
     let plan: Vec<_> = rounded_by_share((hx, hy), 0.25)
         .into_iter()
         .map(|p| (p.0 * (waist + (1.0 - waist) * (p.1 / hy).abs().raised(2)), p.1))
@@ -212,8 +213,8 @@ pub(super) fn sponge(b: &mut Build<'_>) {
 pub(super) fn duster(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let handle = b.one(&[BEECH, BLACK_PLASTIC, RED_PLASTIC]);
-    let feather = b.one(&[BLUE_FABRIC, GREY_FABRIC, ROSE_FABRIC, FUR, MUSTARD_FABRIC]);
+    let handle = b.choose(&[BEECH, BLACK_PLASTIC, RED_PLASTIC]);
+    let feather = b.choose(&[BLUE_FABRIC, GREY_FABRIC, ROSE_FABRIC, FUR, MUSTARD_FABRIC]);
     let low = z * 0.45;
     turn(
         b,
@@ -254,9 +255,9 @@ pub(super) fn duster(b: &mut Build<'_>) {
 pub(super) fn squeegee(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&BRIGHT);
+    let mat = b.choose(&BRIGHT);
     b.block("rubber", [-hx * 0.12, -hy, 0.0], [hx * 0.12, hy, z * 0.1], RUBBER);
-    b.soft("bar", [-hx * 0.35, -hy * 0.98, z * 0.07], [hx * 0.35, hy * 0.98, z * 0.17], hx * 0.1, mat);
+    b.rounded_block("bar", [-hx * 0.35, -hy * 0.98, z * 0.07], [hx * 0.35, hy * 0.98, z * 0.17], hx * 0.1, mat);
     let r = (hx * 0.45).min(hy * 0.12);
     let path = [
         ([0.0, 0.0, z * 0.14], r * 2.0, r * 0.7),
@@ -271,7 +272,7 @@ pub(super) fn squeegee(b: &mut Build<'_>) {
 }
 
 /// Returns a contrasting colour; black contrasts with all colours in use.
-fn contrast(mat: Mat) -> Mat {
+fn contrast(mat: MaterialId) -> MaterialId {
     if mat == GREY_PLASTIC { BLUE_PLASTIC } else { BLACK_PLASTIC }
 }
 
@@ -279,7 +280,7 @@ fn contrast(mat: Mat) -> Mat {
 pub(super) fn dustpan(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&BRIGHT);
+    let mat = b.choose(&BRIGHT);
     let t = (z * 0.04).min(0.003);
     let back = -hx + x * 0.42;
     b.hull(
@@ -332,7 +333,7 @@ pub(super) fn dustpan(b: &mut Build<'_>) {
 /// An upright roller of sticky paper with a handle.
 pub(super) fn lint_roller(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&BRIGHT);
+    let mat = b.choose(&BRIGHT);
     let r = (x / 2.0).min(z * 0.12);
     let (hy, axis) = (y / 2.0, z - r);
     b.rod("roll", [0.0, -hy, axis], [0.0, hy * 0.86, axis], r, WHITE_PAPER);
@@ -359,12 +360,12 @@ pub(super) fn lint_roller(b: &mut Build<'_>) {
 /// Bin liners on a roll along Y.
 pub(super) fn garbage_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[BLACK_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]);
+    let mat = b.choose(&[BLACK_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]);
     let r = x.min(z) / 2.0 - GROWTH.min(x * 0.02);
     let from = [0.0, -y / 2.0, r];
     let core: Vec<_> = [(r, 0.0), (r, y), (r * 0.25, y), (r * 0.25, 0.0), (r, 0.0)].to_vec();
     b.lathe_along("roll", from, [0.0, y / 2.0, r], &core, mat);
-    let (paper, ink) = (b.one(&[WHITE_PAPER, YELLOW_CARD, GREEN_CARD]), b.one(&[RED_CARD, BLACK_CARD]));
+    let (paper, ink) = (b.choose(&[WHITE_PAPER, YELLOW_CARD, GREEN_CARD]), b.choose(&[RED_CARD, BLACK_CARD]));
     let band = |low: f32, high: f32, out: f32| -> Vec<(f32, f32)> {
         [(r + out, low), (r + out, high), (r * 0.97, high), (r * 0.97, low), (r + out, low)].to_vec()
     };
@@ -383,7 +384,7 @@ pub(super) fn rubber_gloves(b: &mut Build<'_>) {
 /// Two gloves with the fingers down.
 fn gloves(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);
+    let mat = b.choose(&[YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);
     let hy = y / 2.0;
     let t = x * 0.24;
     for (i, flip) in [-1.0_f32, 1.0].into_iter().enumerate() {

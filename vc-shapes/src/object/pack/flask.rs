@@ -17,7 +17,7 @@ pub(super) fn oval_bottle(b: &mut Build<'_>) {
         "lotion_bottle" | "shampoo" | "conditioner" => b.rng.chance(0.4),
         _ => false,
     };
-    let round = b.one(&[1.0, 0.8, 0.5]);
+    let round = b.choose(&[1.0, 0.8, 0.5]);
     let h = z * if pump { 0.72 } else { b.vary(0.84, 0.9) };
     let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), round);
     let inverted = !pump
@@ -76,7 +76,7 @@ pub(super) fn oval_bottle(b: &mut Build<'_>) {
 }
 
 /// A pump on a neck: collar, rod and spout to the front.
-fn pump_head(b: &mut Build<'_>, (neck, h, z): (f32, f32, f32), mat: Mat) {
+fn pump_head(b: &mut Build<'_>, (neck, h, z): (f32, f32, f32), mat: MaterialId) {
     let room = z - h;
     b.cylinder("collar", [0.0, 0.0, h * 0.98], neck * 1.15, room * 0.3, mat);
     b.cylinder("rod", [0.0, 0.0, h], neck * 0.35, room * 0.75, mat);
@@ -98,7 +98,7 @@ pub(super) fn trigger_spray(b: &mut Build<'_>) {
     let g = PANEL.min(x * 0.04);
     let (hx, hy) = (x / 2.0 - g, y / 2.0);
     let h = z * 0.74;
-    let round = b.one(&[0.9, 0.6]);
+    let round = b.choose(&[0.9, 0.6]);
     let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), round);
     let neck = (hx * 0.55).min(hy * 0.35);
     let ring = |z: f32, r: f32| rounded_ring(z, (r, r), 1.0);

@@ -25,17 +25,17 @@ pub(super) fn carton_box(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let lying = z < x * 0.75 && z < y;
     if matches!(b.class, "band_aids" | "painkillers") {
-        look.body = b.one(&[WHITE_PAPER, CREAM_PAPER, YELLOW_CARD]);
-        look.paper = b.one(&[BLUE_CARD, RED_CARD, GREEN_CARD, TEAL_CARD]);
+        look.body = b.choose(&[WHITE_PAPER, CREAM_PAPER, YELLOW_CARD]);
+        look.paper = b.choose(&[BLUE_CARD, RED_CARD, GREEN_CARD, TEAL_CARD]);
         look.ink = WHITE_PAPER;
     }
     let g = PANEL.min(x.min(z) * 0.1);
     if lying {
-        b.soft("box", [-hx, -hy, 0.0], [hx, hy, z - g], (z * 0.08).min(0.0015), look.body);
+        b.rounded_block("box", [-hx, -hy, 0.0], [hx, hy, z - g], (z * 0.08).min(0.0015), look.body);
         on_top(b, |b| panel(b, z - g, (0.0, hy * 0.9), (-hx * 0.85, hx * 0.85), look.label()));
         return;
     }
-    b.soft("box", [-hx + g, -hy, 0.0], [hx - g, hy, z], (x * 0.03).min(0.0015), look.body);
+    b.rounded_block("box", [-hx + g, -hy, 0.0], [hx - g, hy, z], (x * 0.03).min(0.0015), look.body);
     let frame = b.vary(0.8, 0.95);
     let (low, high) = (z * b.vary(0.05, 0.2), z * b.vary(0.75, 0.95));
     panel(b, hx - g, (0.0, hy * frame), (low, high), look.label());
@@ -165,7 +165,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
 }
 
 /// A patch on a bulging front, given by its depth at several heights and its half width.
-fn patch(b: &mut Build<'_>, front: &[(f32, f32)], half: f32, mat: Mat) {
+fn patch(b: &mut Build<'_>, front: &[(f32, f32)], half: f32, mat: MaterialId) {
     let corners = |&(x, z): &(f32, f32)| [[x, -half, z], [x, half, z], [x * 0.5, -half, z], [x * 0.5, half, z]];
     b.hull("print", &front.iter().flat_map(corners).collect::<Vec<P>>(), mat);
 }
@@ -215,19 +215,19 @@ pub(super) fn bar(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let g = (z * 0.1).min(0.0008);
     if matches!(b.class, "chewing_gum") {
-        b.soft(
+        b.rounded_block(
             "pack",
             [-hx + PANEL.min(x * 0.05), -hy, 0.0],
             [hx - PANEL.min(x * 0.05), hy, z * 0.85],
             x * 0.1,
             look.body,
         );
-        b.soft("foil", [-hx * 0.7, -hy * 0.85, z * 0.8], [hx * 0.7, hy * 0.85, z], x * 0.05, SILVER_METAL);
+        b.rounded_block("foil", [-hx * 0.7, -hy * 0.85, z * 0.8], [hx * 0.7, hy * 0.85, z], x * 0.05, SILVER_METAL);
         return panel(b, hx - PANEL.min(x * 0.05), (0.0, hy * 0.85), (z * 0.1, z * 0.75), look.label());
     }
     let open = b.class == "chocolate" && b.rng.chance(0.5);
     let end = if open { hy * 0.2 } else { hy * 0.9 };
-    b.soft("bar", [-hx * 0.97, -hy * 0.9, 0.0], [hx * 0.97, end, z - 2.0 * g], z * 0.3, look.body);
+    b.rounded_block("bar", [-hx * 0.97, -hy * 0.9, 0.0], [hx * 0.97, end, z - 2.0 * g], z * 0.3, look.body);
     if open {
         let (rows, pitch) = (3, (hy * 0.95 - end) / 3.0);
         b.block("slab", [-hx * 0.9, end - hy * 0.05, z * 0.08], [hx * 0.9, hy, z * 0.55], CHOCOLATE);
@@ -270,7 +270,7 @@ pub(super) fn block_pack(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let g = PANEL.min(z * 0.05);
     if b.class == "butter" && b.rng.chance(0.7) {
-        b.soft("block", [-hx, -hy * 0.985, 0.0], [hx, hy * 0.985, z - g], z * 0.08, look.body);
+        b.rounded_block("block", [-hx, -hy * 0.985, 0.0], [hx, hy * 0.985, z - g], z * 0.08, look.body);
         for side in [-1.0_f32, 1.0] {
             let (y0, y1) = if side < 0.0 { (-hy * 1.0, -hy * 0.9) } else { (hy * 0.9, hy) };
             b.hull(
@@ -291,8 +291,8 @@ pub(super) fn block_pack(b: &mut Build<'_>) {
     }
     let h = z * 0.86;
     let (body, lid) = (
-        b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, CREAM_PAPER]),
-        b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]),
+        b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, CREAM_PAPER]),
+        b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]),
     );
     let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), 0.5);
     loft_columns(b, "tub", &[at(0.0, 0.82), at(h, 0.95)], body);
@@ -307,7 +307,7 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let g = PANEL.min(z * 0.05);
     if b.class == "noodles" {
-        b.soft("packet", [-hx, -hy * 0.9, 0.0], [hx, hy * 0.9, z - g], z * 0.35, look.body);
+        b.rounded_block("packet", [-hx, -hy * 0.9, 0.0], [hx, hy * 0.9, z - g], z * 0.35, look.body);
         for side in [-1.0_f32, 1.0] {
             let (y0, y1) = if side < 0.0 { (-hy, -hy * 0.8) } else { (hy * 0.8, hy) };
             b.block("crimp", [-hx * 0.95, y0, z * 0.42], [hx * 0.95, y1, z * 0.5], look.body);
@@ -368,7 +368,7 @@ pub(super) fn takeaway(b: &mut Build<'_>) {
         }
         return;
     }
-    let paper = b.one(&[WHITE_PAPER, CREAM_PAPER, RED_CARD]);
+    let paper = b.choose(&[WHITE_PAPER, CREAM_PAPER, RED_CARD]);
     let h = z * 0.8;
     b.taper("box", [0.0; 3], (hx * 0.72, hy * 0.72), (hx * 0.95, hy * 0.92), h, paper);
     for side in [-1.0, 1.0] {

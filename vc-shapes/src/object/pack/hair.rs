@@ -6,7 +6,7 @@ use crate::solid::{Axis, Build, P, dims, loft_columns, rounded_ring, sweep};
 /// A comb lying flat: a back with coarse and fine teeth.
 pub(super) fn comb(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[BLACK_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BAMBOO]);
+    let mat = b.choose(&[BLACK_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BAMBOO]);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let handled = b.rng.chance(0.4);
     let start = if handled { -hy * 0.2 } else { -hy };
@@ -41,9 +41,9 @@ pub(super) fn brush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let scrub = b.class == "scrubbing_brush";
     let (back, bristle) = if scrub {
-        (b.one(&[BEECH, WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]), b.one(&[HAY, WHITE_PLASTIC, BLACK_PLASTIC]))
+        (b.choose(&[BEECH, WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]), b.choose(&[HAY, WHITE_PLASTIC, BLACK_PLASTIC]))
     } else {
-        (b.one(&[BEECH, BLACK_PLASTIC, PINK_PLASTIC, WALNUT, BAMBOO]), b.one(&[BLACK_PLASTIC, HAY]))
+        (b.choose(&[BEECH, BLACK_PLASTIC, PINK_PLASTIC, WALNUT, BAMBOO]), b.choose(&[BLACK_PLASTIC, HAY]))
     };
     let (hx, hy) = (x / 2.0, y / 2.0);
     let handled = y > x * 2.6;
@@ -86,7 +86,7 @@ pub(super) fn brush(b: &mut Build<'_>) {
 /// A hair dryer lying on its side edge: barrel, nozzle and grip.
 pub(super) fn hair_dryer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, RED_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, RED_PLASTIC]);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let r = hx.min(z * 0.24);
     let axis = z - r;
@@ -117,7 +117,7 @@ pub(super) fn hair_dryer(b: &mut Build<'_>) {
 /// A lying hair straightener: two long jaws with plates.
 pub(super) fn hair_straightener(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC]);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let t = z * 0.36;
     for up in [false, true] {

@@ -4,7 +4,7 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use crate::material::Mat;
+use crate::material::MaterialId;
 use crate::solid::{Axis, Build, flat_ring};
 
 /// The protrusion of a panel, metres.
@@ -20,7 +20,12 @@ pub(in crate::object) const GROWTH: f32 = BAND + PRINT;
 
 /// A band around a round body of radius `r` with bars on its front; it protrudes by less than 2.3
 /// mm.
-pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32), (paper, ink): (Mat, Mat)) {
+pub(in crate::object) fn wrap(
+    b: &mut Build<'_>,
+    r: f32,
+    (low, high): (f32, f32),
+    (paper, ink): (MaterialId, MaterialId),
+) {
     let tall = high - low;
     let band = r + BAND.min(r * 0.05);
     flat_ring(b, "label", (low, high), (r * 0.97, band), paper);
@@ -34,7 +39,7 @@ pub(in crate::object) fn wrap(b: &mut Build<'_>, r: f32, (low, high): (f32, f32)
 }
 
 /// A piece of a ring on the front, `angle` to either side.
-fn patch(b: &mut Build<'_>, (inner, outer): (f32, f32), angle: f32, (low, high): (f32, f32), mat: Mat) {
+fn patch(b: &mut Build<'_>, (inner, outer): (f32, f32), angle: f32, (low, high): (f32, f32), mat: MaterialId) {
     let at = |r: f32, k: usize| {
         let (s, c) = (angle * (k as f32 / 5.0 - 1.0)).sine_cosine();
         (r * c, r * s)
@@ -45,7 +50,13 @@ fn patch(b: &mut Build<'_>, (inner, outer): (f32, f32), angle: f32, (low, high):
 
 /// A panel with bars on a flat front at `x`, from `y.0 - y.1` to `y.0 + y.1`; it protrudes by 1.4
 /// mm.
-pub(in crate::object) fn panel(b: &mut Build<'_>, x: f32, y: (f32, f32), z: (f32, f32), (paper, ink): (Mat, Mat)) {
+pub(in crate::object) fn panel(
+    b: &mut Build<'_>,
+    x: f32,
+    y: (f32, f32),
+    z: (f32, f32),
+    (paper, ink): (MaterialId, MaterialId),
+) {
     let ((mid, half), tall) = (y, z.1 - z.0);
     b.block("label", [x - RAISED, mid - half, z.0], [x + RAISED, mid + half, z.1], paper);
     for (from, to, wide) in [(0.66, 0.86, 0.8), (0.48, 0.56, 0.6), (0.12, 0.36, 0.45)] {

@@ -8,24 +8,25 @@ use crate::solid::Build;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Look {
     /// The skin, or the content if the skin is clear.
-    pub(super) body: Mat,
+    pub(super) body: MaterialId,
     /// The label.
-    pub(super) paper: Mat,
+    pub(super) paper: MaterialId,
     /// The print on the label.
-    pub(super) ink: Mat,
+    pub(super) ink: MaterialId,
     /// The cap or lid.
-    pub(super) cap: Mat,
+    pub(super) cap: MaterialId,
 }
 
 impl Look {
     /// Label and print.
-    pub(super) fn label(self) -> (Mat, Mat) {
+    pub(super) fn label(self) -> (MaterialId, MaterialId) {
         (self.paper, self.ink)
     }
 }
 
-const CARDS: &[Mat] = &[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, ORANGE_CARD, PURPLE_CARD, TEAL_CARD, PINK_CARD];
-const PLASTICS: &[Mat] = &[
+const CARDS: &[MaterialId] =
+    &[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, ORANGE_CARD, PURPLE_CARD, TEAL_CARD, PINK_CARD];
+const PLASTICS: &[MaterialId] = &[
     WHITE_PLASTIC,
     BLUE_PLASTIC,
     GREEN_PLASTIC,
@@ -36,12 +37,12 @@ const PLASTICS: &[Mat] = &[
     RED_PLASTIC,
     BLACK_PLASTIC,
 ];
-const LIGHT: &[Mat] = &[WHITE_PAPER, CREAM_PAPER, WHITE_PAPER];
-const CAPS: &[Mat] = &[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC];
-const TINS: &[Mat] = &[STEEL, ALUMINIUM];
+const LIGHT: &[MaterialId] = &[WHITE_PAPER, CREAM_PAPER, WHITE_PAPER];
+const CAPS: &[MaterialId] = &[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC];
+const TINS: &[MaterialId] = &[STEEL, ALUMINIUM];
 
 /// The usual skins and caps of a class.
-fn usual(class: &str) -> (&'static [Mat], &'static [Mat]) {
+fn usual(class: &str) -> (&'static [MaterialId], &'static [MaterialId]) {
     match class {
         "milk" => (&[WHITE_PAPER, WHITE_PAPER, SKY], &[BLUE_PLASTIC, RED_PLASTIC, GREEN_PLASTIC]),
         "juice" | "orange_juice" => {
@@ -142,11 +143,11 @@ pub(super) fn look(b: &mut Build<'_>) -> Look {
             | "wet_wipes"
             | "dishwasher_tablets"
     );
-    let body = b.one(if plastic { PLASTICS } else { bodies });
-    let cap = b.one(if plastic { PLASTICS } else { caps });
-    let paper = b.one(LIGHT);
-    let paper = if paper == body || b.rng.chance(0.3) { b.one(CARDS) } else { paper };
-    let ink = b.one(CARDS);
+    let body = b.choose(if plastic { PLASTICS } else { bodies });
+    let cap = b.choose(if plastic { PLASTICS } else { caps });
+    let paper = b.choose(LIGHT);
+    let paper = if paper == body || b.rng.chance(0.3) { b.choose(CARDS) } else { paper };
+    let ink = b.choose(CARDS);
     let ink = if ink == paper { WHITE_PAPER } else { ink };
     Look { body, paper, ink, cap }
 }

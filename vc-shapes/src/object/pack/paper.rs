@@ -12,7 +12,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
     let r = x.min(y) / 2.0;
     let kitchen = b.class == "paper_towel";
     let tube_r = if kitchen { r * 0.34 } else { r * 0.38 };
-    let paper = b.one(&[WHITE_PAPER, WHITE_PAPER, CREAM_PAPER]);
+    let paper = b.choose(&[WHITE_PAPER, WHITE_PAPER, CREAM_PAPER]);
     let body = r * 0.985;
     let bulge = [
         (body * 0.985, 0.0),
@@ -38,7 +38,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
         .collect();
     b.prism("end", Axis::Z, [0.0, 0.0, z * 0.01], &flap, z * 0.98, paper);
     if kitchen && b.rng.chance(0.6) {
-        let ink = b.one(&[BLUE_CARD, GREEN_CARD, RED_CARD]);
+        let ink = b.choose(&[BLUE_CARD, GREEN_CARD, RED_CARD]);
         for i in 0..3 {
             let low = z * (0.2 + 0.28 * i as f32);
             flat_ring(b, "print", (low, low + z * 0.02), (body * 0.97, body + (r - body) * 0.6), ink);
@@ -50,7 +50,7 @@ pub(super) fn roll(b: &mut Build<'_>) {
 pub(super) fn cotton_pads(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let sleeve = b.one(&[BLUE_PLASTIC, PINK_PLASTIC, GREEN_PLASTIC]);
+    let sleeve = b.choose(&[BLUE_PLASTIC, PINK_PLASTIC, GREEN_PLASTIC]);
     let count = ((z / 0.012) as usize).clamp(5, 8);
     let mut profile = vec![];
     for i in 0..count {
@@ -74,9 +74,9 @@ pub(super) fn tissue_box(b: &mut Build<'_>) {
     let look = look(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let h = z * 0.75;
-    let skin = b.one(&[look.body, b.style.wood, WHITE_PAPER, look.ink]);
+    let skin = b.choose(&[look.body, b.style.wood, WHITE_PAPER, look.ink]);
     let g = GROWTH.min(x * 0.01);
-    b.soft("box", [-hx, -hy, 0.0], [hx - g, hy, h], 0.0015, skin);
+    b.rounded_block("box", [-hx, -hy, 0.0], [hx - g, hy, h], 0.0015, skin);
     b.prism(
         "slot",
         Axis::Z,
@@ -120,7 +120,7 @@ pub(super) fn wet_wipes(b: &mut Build<'_>) {
         b.block("seam", [-hx * 0.95, y0, z * 0.42], [hx * 0.95, y1, z * 0.48], look.body);
     }
     b.hinge([-hx * 0.5, 0.0, z * 0.88], [0.0, -1.0, 0.0], 1.9, |b| {
-        b.soft("lid", [-hx * 0.5, -hy * 0.45, z * 0.845], [hx * 0.5, hy * 0.45, z], z * 0.05, look.cap);
+        b.rounded_block("lid", [-hx * 0.5, -hy * 0.45, z * 0.845], [hx * 0.5, hy * 0.45, z], z * 0.05, look.cap);
     });
 }
 
@@ -142,7 +142,7 @@ pub(super) fn diaper(b: &mut Build<'_>) {
         ],
         WHITE_COTTON,
     );
-    let ink = b.one(&[BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC]);
+    let ink = b.choose(&[BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC]);
     for side in [-1.0, 1.0] {
         b.block(
             "tape",

@@ -65,14 +65,14 @@ pub(super) fn bottle(b: &mut Build<'_>) {
     let look = look(b);
     let r = body_radius(x, y);
     let outline: Bottle = match b.class {
-        "wine" => b.one(&[WINE, WINE, HOCK]),
+        "wine" => b.choose(&[WINE, WINE, HOCK]),
         "champagne" => SPARKLING,
         "beer" => BEER,
-        "whiskey" | "vodka" | "alcohol" => b.one(&[SPIRIT, SPIRIT, WINE]),
-        "bottled_water" | "soda" | "lemonade" | "iced_tea" | "juice" | "orange_juice" => b.one(&[PET, PET_STRAIGHT]),
+        "whiskey" | "vodka" | "alcohol" => b.choose(&[SPIRIT, SPIRIT, WINE]),
+        "bottled_water" | "soda" | "lemonade" | "iced_tea" | "juice" | "orange_juice" => b.choose(&[PET, PET_STRAIGHT]),
         "cough_syrup" | "mouthwash" => SQUAT,
-        "oil" => b.one(&[PET_STRAIGHT, HOCK, PET]),
-        _ => b.one(&[SAUCE, SAUCE, SQUAT]),
+        "oil" => b.choose(&[PET_STRAIGHT, HOCK, PET]),
+        _ => b.choose(&[SAUCE, SAUCE, SQUAT]),
     };
     let foil = matches!(b.class, "wine" | "champagne");
     let h = if foil { z - 0.0008_f32.min(z * 0.01) } else { z * b.vary(0.91, 0.94) };
@@ -114,7 +114,7 @@ fn radius_at(profile: &[(f32, f32)], z: f32) -> f32 {
 
 /// The material visible through glass; its colour matches the bottle's, which distinguishes the
 /// contents.
-fn content(glass: Mat) -> Option<Mat> {
+fn content(glass: MaterialId) -> Option<MaterialId> {
     match glass {
         GREEN_GLASS => Some(FOREST),
         BROWN_GLASS => Some(BROWN_PLASTIC),
@@ -125,7 +125,7 @@ fn content(glass: Mat) -> Option<Mat> {
 }
 
 /// The foil over a cork and the neck.
-fn foil_cap(b: &mut Build<'_>, (r, h, z): (f32, f32, f32), profile: &[(f32, f32)], mat: Mat) {
+fn foil_cap(b: &mut Build<'_>, (r, h, z): (f32, f32, f32), profile: &[(f32, f32)], mat: MaterialId) {
     let from = profile.iter().position(|p| p.1 > 0.75).unwrap_or(0);
     let grow = r * 0.03;
     let mut outline: Vec<_> = profile[from..].iter().map(|p| (p.0 * r + grow, p.1 * h)).collect();
@@ -138,7 +138,7 @@ fn drink_can(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let look = look(b);
     let r = body_radius(x, y);
-    let skin = if b.class == "beer" { b.one(&[GREEN_METAL, RED_METAL, BLUE_METAL, WHITE_METAL]) } else { look.body };
+    let skin = if b.class == "beer" { b.choose(&[GREEN_METAL, RED_METAL, BLUE_METAL, WHITE_METAL]) } else { look.body };
     turn(b, "can", [0.0; 3], (r, z), &[(0.8, 0.0), (0.82, 0.015), (1.0, 0.08), (1.0, 0.88), (0.86, 0.96)], skin);
     flat_ring(b, "rim", (z * 0.955, z), (r * 0.78, r * 0.87), ALUMINIUM);
     b.cylinder("lid", [0.0, 0.0, z * 0.94], r * 0.8, z * 0.03, ALUMINIUM);
@@ -188,7 +188,7 @@ pub(super) fn jar(b: &mut Build<'_>) {
     let shape: [(f32, f32); 5] = if small || flat {
         [(0.92, 0.0), (0.97, 0.03), (0.97, 0.9), (rim * 0.88, 0.96), (rim * 0.88, 1.0)]
     } else {
-        b.one(&[
+        b.choose(&[
             [(0.88, 0.0), (1.0, 0.08), (1.0, 0.75), (neck, 0.93), (neck, 1.0)],
             [(0.82, 0.0), (1.0, 0.3), (0.98, 0.6), (neck, 0.92), (neck, 1.0)],
             [(0.95, 0.0), (1.0, 0.03), (1.0, 0.85), (neck, 0.95), (neck, 1.0)],
@@ -288,7 +288,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
             wrap(b, r - GROWTH.min(r * 0.1), (z * 0.2, z * 0.8), card.label());
         }
         ("condiment_shaker" | "salt", _) => {
-            let (body, content) = (b.one(&[GLASS, GLASS, PORCELAIN, STEEL]), b.one(&[PETAL_WHITE, BLACK]));
+            let (body, content) = (b.choose(&[GLASS, GLASS, PORCELAIN, STEEL]), b.choose(&[PETAL_WHITE, BLACK]));
             let outside: Vec<_> =
                 [(0.9, 0.0), (1.0, 0.05), (0.85, 0.72), (0.8, 0.78)].iter().map(|p| (p.0 * r, p.1 * z)).collect();
             b.lathe("glass", [0.0; 3], &vessel_profile(&outside, r * 0.1), body);
@@ -307,7 +307,7 @@ pub(super) fn shaker(b: &mut Build<'_>) {
             }
         }
         _ => {
-            let mat = b.one(&[wood, WALNUT, BLACK_PLASTIC, BEECH]);
+            let mat = b.choose(&[wood, WALNUT, BLACK_PLASTIC, BEECH]);
             let mill = [
                 (0.95, 0.0),
                 (1.0, 0.03),

@@ -10,7 +10,7 @@ use crate::solid::{
     sweep, tub, turn, vessel_profile,
 };
 
-const BRIGHT: [Mat; 7] =
+const BRIGHT: [MaterialId; 7] =
     [WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC, ORANGE_PLASTIC, RED_PLASTIC];
 
 /// Bars of soap with an embossed letter; the class `soap` is sometimes a bottle.
@@ -19,9 +19,9 @@ pub(super) fn soap(b: &mut Build<'_>) {
     if z > 0.07 {
         return super::flask::oval_bottle(b);
     }
-    let mat = b.one(&[SOAP, PETAL_PINK, WAX, LIGHT_LEAF, PETAL_WHITE, PETAL_BLUE]);
+    let mat = b.choose(&[SOAP, PETAL_PINK, WAX, LIGHT_LEAF, PETAL_WHITE, PETAL_BLUE]);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let round = b.one(&[1.0, 0.5, 0.3]);
+    let round = b.choose(&[1.0, 0.5, 0.3]);
     let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), round);
     loft_columns(
         b,
@@ -36,7 +36,7 @@ pub(super) fn soap(b: &mut Build<'_>) {
 pub(super) fn soap_dish(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[PORCELAIN, b.style.crockery, BAMBOO, WHITE_PLASTIC, STEEL]);
+    let mat = b.choose(&[PORCELAIN, b.style.crockery, BAMBOO, WHITE_PLASTIC, STEEL]);
     let t = z * 0.12;
     tub(b, "dish", &[(0.0, hx * 0.75, hy * 0.8), (z * 0.6, hx * 0.95, hy * 0.96), (z, hx, hy)], 0.8, t, mat);
     for i in 0..5 {
@@ -50,11 +50,11 @@ pub(super) fn soap_dish(b: &mut Build<'_>) {
 pub(super) fn toothbrush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let electric = b.class == "electric_toothbrush";
-    let (body, tip) = (b.one(&BRIGHT), b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]));
+    let (body, tip) = (b.choose(&BRIGHT), b.choose(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]));
     let (hx, hy) = (x / 2.0, y / 2.0);
     let head = z * if electric { 0.95 } else { 0.88 };
     if electric {
-        let skin = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
+        let skin = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
         turn(
             b,
             "handle",
@@ -73,7 +73,13 @@ pub(super) fn toothbrush(b: &mut Build<'_>) {
         );
         b.rod("head", [-hx * 0.3, 0.0, head], [hx * 0.25, 0.0, head], (z - head).min(hy * 0.5), WHITE_PLASTIC);
         b.rod("bristles", [hx * 0.2, 0.0, head], [hx * 0.95, 0.0, head], (z - head).min(hy * 0.45) * 0.85, tip);
-        b.soft("button", [hx * 0.6, -hy * 0.25, z * 0.4], [hx * 0.99, hy * 0.25, z * 0.46], hx * 0.1, GREY_PLASTIC);
+        b.rounded_block(
+            "button",
+            [hx * 0.6, -hy * 0.25, z * 0.4],
+            [hx * 0.99, hy * 0.25, z * 0.46],
+            hx * 0.1,
+            GREY_PLASTIC,
+        );
         return;
     }
     let (w, t) = (hy * 0.9, hx * 0.45);
@@ -105,9 +111,9 @@ pub(super) fn toothbrush(b: &mut Build<'_>) {
 pub(super) fn toothbrush_holder(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[PORCELAIN, b.style.crockery, STEEL, BAMBOO, FROSTED_GLASS]);
+    let mat = b.choose(&[PORCELAIN, b.style.crockery, STEEL, BAMBOO, FROSTED_GLASS]);
     let t = (hx * 0.08).min(0.004);
-    let round = b.one(&[1.0, 0.4]);
+    let round = b.choose(&[1.0, 0.4]);
     tub(b, "beaker", &[(0.0, hx * 0.9, hy * 0.9), (z * 0.05, hx * 0.95, hy * 0.95), (z, hx, hy)], round, t, mat);
     b.inside("inside", [0.0, 0.0, t], (hx * 0.55, hy * 0.55), z * 0.9);
 }
@@ -116,7 +122,7 @@ pub(super) fn toothbrush_holder(b: &mut Build<'_>) {
 pub(super) fn razor(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[STEEL, BLUE_PLASTIC, PINK_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
+    let mat = b.choose(&[STEEL, BLUE_PLASTIC, PINK_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
     let r = (hy * 0.3).min(hx * 0.55);
     let back = -hx + r;
     if b.rng.chance(0.4) {
@@ -132,7 +138,7 @@ pub(super) fn razor(b: &mut Build<'_>) {
         ([hx * 0.2, 0.0, z * 0.95], r * 0.5, r * 0.5),
     ];
     sweep(b, "handle", &path, [0.0, 1.0, 0.0], mat);
-    b.soft("head", [-hx * 0.2, -hy, z * 0.9], [hx * 0.9, hy, z], z * 0.02, BLACK_PLASTIC);
+    b.rounded_block("head", [-hx * 0.2, -hy, z * 0.9], [hx * 0.9, hy, z], z * 0.02, BLACK_PLASTIC);
     let blades = b.rng.count(2, 5);
     for i in 0..blades {
         let low = z * (0.918 + 0.07 / blades as f32 * i as f32);
@@ -141,7 +147,7 @@ pub(super) fn razor(b: &mut Build<'_>) {
 }
 
 /// A safety razor: one blade between two plates, on a straight handle with rings.
-fn safety_razor(b: &mut Build<'_>, mat: Mat) {
+fn safety_razor(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let r = (hy * 0.24).min(hx * 0.5);
@@ -154,16 +160,16 @@ fn safety_razor(b: &mut Build<'_>, mat: Mat) {
         flat_ring(b, "ring", (low, low + z * 0.02), (r * 0.9, r * 1.15), CHROME);
     }
     turn(b, "neck", [0.0, 0.0, neck * 0.98], (r * 0.5, z * 0.95 - neck * 0.98), &[(1.0, 0.0), (1.0, 1.0)], CHROME);
-    b.soft("plate", [-hx, -hy * 0.96, z * 0.93], [hx, hy * 0.96, z * 0.955], z * 0.008, CHROME);
+    b.rounded_block("plate", [-hx, -hy * 0.96, z * 0.93], [hx, hy * 0.96, z * 0.955], z * 0.008, CHROME);
     b.block("blade", [-hx * 0.97, -hy, z * 0.954], [hx * 0.97, hy, z * 0.962], STEEL);
-    b.soft("plate", [-hx * 0.9, -hy * 0.96, z * 0.961], [hx * 0.9, hy * 0.96, z], z * 0.03, CHROME);
+    b.rounded_block("plate", [-hx * 0.9, -hy * 0.96, z * 0.961], [hx * 0.9, hy * 0.96, z], z * 0.03, CHROME);
 }
 
 /// A standing electric shaver with round or straight foils.
 pub(super) fn electric_shaver(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, NAVY, WHITE_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, NAVY, WHITE_PLASTIC]);
     let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * kx, hy * ky), 0.9);
     loft_columns(
         b,
@@ -187,7 +193,7 @@ pub(super) fn electric_shaver(b: &mut Build<'_>) {
         b.cylinder("foil", [hx * dx, hy * dy, z * 0.92], hx.min(hy) * 0.38, z * 0.05, CHROME);
         b.cylinder("foil", [hx * dx, hy * dy, z * 0.95], hx.min(hy) * 0.2, z * 0.05, BLACK_METAL);
     }
-    b.soft("button", [hx * 0.8, -hy * 0.2, z * 0.36], [hx * 0.98, hy * 0.2, z * 0.48], hx * 0.06, LED);
+    b.rounded_block("button", [hx * 0.8, -hy * 0.2, z * 0.36], [hx * 0.98, hy * 0.2, z * 0.48], hx * 0.06, LED);
 }
 
 /// Perfume and aftershave bottles: a block of glass, a neck and a cap.
@@ -199,9 +205,9 @@ pub(super) fn flacon(b: &mut Build<'_>) {
     let h = z * if nail { 0.5 } else { b.vary(0.6, 0.72) };
     let neck = hx.min(hy) * 0.4;
     let ring = |z: f32, r: f32| rounded_ring(z, (r, r), 1.0);
-    let round = b.one(&[0.1, 0.4, 1.0]);
+    let round = b.choose(&[0.1, 0.4, 1.0]);
     let at = |z: f32, k: f32| rounded_ring(z, (hx * k, hy * k), round);
-    let shoulder = b.one(&[0.95, 0.7, 1.0]);
+    let shoulder = b.choose(&[0.95, 0.7, 1.0]);
     loft_columns(
         b,
         "flacon",
@@ -226,12 +232,14 @@ pub(super) fn flacon(b: &mut Build<'_>) {
 pub(super) fn stick(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let (body, cap) =
-        (b.one(&[BLACK_PLASTIC, GOLD, WHITE_PLASTIC, RED_METAL]), b.one(&[GOLD, BLACK_PLASTIC, CHROME, PINK_PLASTIC]));
+    let (body, cap) = (
+        b.choose(&[BLACK_PLASTIC, GOLD, WHITE_PLASTIC, RED_METAL]),
+        b.choose(&[GOLD, BLACK_PLASTIC, CHROME, PINK_PLASTIC]),
+    );
     if b.class == "lipstick" && b.rng.chance(0.5) {
         b.cylinder("case", [0.0; 3], r, z * 0.5, body);
         b.cylinder("sleeve", [0.0, 0.0, z * 0.49], r * 0.85, z * 0.22, GOLD);
-        let colour = b.one(&[RED_SKIN, PETAL_PINK, PURPLE_SKIN, TERRACOTTA]);
+        let colour = b.choose(&[RED_SKIN, PETAL_PINK, PURPLE_SKIN, TERRACOTTA]);
         let ring = |z: f32, k: f32| level_oval([0.0, 0.0, z], (r * 0.7 * k, r * 0.7 * k));
         let slanted: Vec<P> =
             ring(z, 0.95).into_iter().map(|p| [p[0], p[1], z - (p[0] / r * 0.5 + 0.35).max(0.0) * z * 0.12]).collect();
@@ -246,10 +254,10 @@ pub(super) fn stick(b: &mut Build<'_>) {
 pub(super) fn dental_floss(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let body = b.one(&BRIGHT);
+    let body = b.choose(&BRIGHT);
     let g = GROWTH.min(x * 0.05);
     b.prism("box", Axis::X, [-hx, 0.0, z * 0.4], &rounded_by_share((hy, z * 0.4), 0.6), x - g, WHITE_PLASTIC);
-    b.soft("lid", [-hx * 0.9, -hy * 0.8, z * 0.75], [hx * 0.8, hy * 0.8, z], x * 0.15, body);
+    b.rounded_block("lid", [-hx * 0.9, -hy * 0.8, z * 0.75], [hx * 0.8, hy * 0.8, z], x * 0.15, body);
     panel(b, hx - g, (0.0, hy * 0.6), (z * 0.15, z * 0.65), (body, WHITE_PAPER));
 }
 
@@ -257,7 +265,7 @@ pub(super) fn dental_floss(b: &mut Build<'_>) {
 pub(super) fn nippers(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[STEEL, CHROME, GOLD]);
+    let mat = b.choose(&[STEEL, CHROME, GOLD]);
     if b.class == "tweezers" {
         let t = z * 0.08;
         for up in [-1.0, 1.0] {
@@ -279,8 +287,8 @@ pub(super) fn nippers(b: &mut Build<'_>) {
         return b.block("root", [-hx * 0.9, -hy * 0.97, z * 0.3], [hx * 0.9, -hy * 0.85, z * 0.7], mat);
     }
     let t = z * 0.16;
-    b.soft("lever", [-hx, -hy * 0.985, 0.0], [hx, hy * 0.985, z * 0.05 + t], t * 0.3, mat);
-    b.soft("lever", [-hx, -hy * 0.98, z * 0.35], [hx, hy * 0.985, z * 0.35 + t], t * 0.3, mat);
+    b.rounded_block("lever", [-hx, -hy * 0.985, 0.0], [hx, hy * 0.985, z * 0.05 + t], t * 0.3, mat);
+    b.rounded_block("lever", [-hx, -hy * 0.98, z * 0.35], [hx, hy * 0.985, z * 0.35 + t], t * 0.3, mat);
     let slant = [(-hy * 0.9, z * 0.95), (-hy * 0.9, z), (hy * 0.7, z * 0.55), (hy * 0.7, z * 0.48)];
     b.prism("handle", Axis::X, [-hx * 0.9, 0.0, 0.0], &slant, x * 0.9, mat);
     b.cylinder("pin", [0.0, hy * 0.6, 0.0], hx * 0.3, z * 0.75, mat);
@@ -291,7 +299,7 @@ pub(super) fn nippers(b: &mut Build<'_>) {
 pub(super) fn makeup_bag(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let mat = b.one(&[ROSE_FABRIC, NAVY_FABRIC, BLACK_LEATHER, b.style.accent, TAN_LEATHER, GREEN_FABRIC]);
+    let mat = b.choose(&[ROSE_FABRIC, NAVY_FABRIC, BLACK_LEATHER, b.style.accent, TAN_LEATHER, GREEN_FABRIC]);
     let t = (x * 0.03).min(0.003);
     let h = z * 0.72;
     tub(
@@ -320,7 +328,7 @@ pub(super) fn makeup_bag(b: &mut Build<'_>) {
 pub(super) fn bathroom_scale(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let plate = b.one(&[GLASS, BLACK_GLASS, WHITE_PLASTIC, STEEL, BAMBOO]);
+    let plate = b.choose(&[GLASS, BLACK_GLASS, WHITE_PLASTIC, STEEL, BAMBOO]);
     let low = z * 0.45;
     for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
         b.cylinder("foot", [hx * 0.72 * sx, hy * 0.72 * sy, 0.0], hx * 0.12, low * 1.1, GREY_PLASTIC);
@@ -340,7 +348,7 @@ pub(super) fn bathroom_scale(b: &mut Build<'_>) {
 /// A mesh bath sponge with a loop.
 pub(super) fn loofah(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
-    let mat = b.one(&[TOWEL_ROSE, TOWEL_BLUE, TOWEL_GREEN, HAY, PURPLE_FABRIC]);
+    let mat = b.choose(&[TOWEL_ROSE, TOWEL_BLUE, TOWEL_GREEN, HAY, PURPLE_FABRIC]);
     let r = [x * 0.36, y * 0.36, z * 0.36];
     for i in 0..7 {
         let k = (i as f32 + 0.5) / 7.0 * 2.0 - 1.0;
@@ -356,7 +364,7 @@ pub(super) fn loofah(b: &mut Build<'_>) {
 pub(super) fn thermometer(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
-    let body = b.one(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
     let at = |z: f32, kx: f32, ky: f32| rounded_ring(z, (hx * 0.85 * kx, hy * ky), 0.6);
     loft_columns(
         b,
@@ -380,7 +388,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (hx, hy) = (x / 2.0, y / 2.0);
     let (body, cross) =
-        b.one(&[(RED_PLASTIC, WHITE_PLASTIC), (WHITE_METAL, RED_PLASTIC), (GREEN_PLASTIC, WHITE_PLASTIC)]);
+        b.choose(&[(RED_PLASTIC, WHITE_PLASTIC), (WHITE_METAL, RED_PLASTIC), (GREEN_PLASTIC, WHITE_PLASTIC)]);
     let t = (x * 0.05).min(0.004);
     let (h, face) = (z * 0.88, hx * 0.97);
     // The box stands on its edge; its door is the front half.
@@ -397,7 +405,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
         (h - 2.0 * t - 0.002).max(0.0),
     );
     b.hinge([split, -hy, 0.0], [0.0, 0.0, -1.0], 1.9, |b| {
-        b.soft("door", [split + 0.001_f32.min(x * 0.01), -hy, 0.0], [face, hy, h], t, body);
+        b.rounded_block("door", [split + 0.001_f32.min(x * 0.01), -hy, 0.0], [face, hy, h], t, body);
         let (long, wide) = (z * 0.26, z * 0.09);
         b.block("cross", [face - t, -long, h / 2.0 - wide], [hx, long, h / 2.0 + wide], cross);
         b.block("cross", [face - t, -wide, h / 2.0 - long], [hx - (x * 0.01).min(0.0005), wide, h / 2.0 + long], cross);
@@ -412,7 +420,7 @@ pub(super) fn first_aid_kit(b: &mut Build<'_>) {
 pub(super) fn toilet_brush(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let mat = b.one(&[WHITE_PLASTIC, STEEL, PORCELAIN, BLACK_METAL]);
+    let mat = b.choose(&[WHITE_PLASTIC, STEEL, PORCELAIN, BLACK_METAL]);
     let h = z * b.vary(0.3, 0.45);
     let outside: Vec<_> =
         [(0.95, 0.0), (1.0, 0.03), (0.9, 0.8), (0.85, 1.0)].iter().map(|p| (p.0 * r, p.1 * h)).collect();
@@ -441,7 +449,7 @@ pub(super) fn toilet_brush(b: &mut Build<'_>) {
 pub(super) fn plunger(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let r = x.min(y) / 2.0;
-    let (cup, stick) = (b.one(&[RED_RUBBER, RUBBER]), b.one(&[BEECH, PINE, WHITE_PLASTIC]));
+    let (cup, stick) = (b.choose(&[RED_RUBBER, RUBBER]), b.choose(&[BEECH, PINE, WHITE_PLASTIC]));
     let h = (z * 0.24).min(r * 1.3);
     let outside: Vec<_> =
         [(1.0, 0.0), (0.95, 0.3), (0.7, 0.65), (0.3, 0.8), (0.24, 1.0)].iter().map(|p| (p.0 * r, p.1 * h)).collect();

@@ -13,7 +13,7 @@ fn edging(b: &mut Build<'_>, most: f32) -> (f32, f32) {
         0 => (0.028, b.style.wood),
         1 => (0.1_f32.min(x * 0.3), BRICK),
         2 => (0.006, RUST),
-        _ => (0.05, b.one(&[GRANITE, CONCRETE, SANDSTONE])),
+        _ => (0.05, b.choose(&[GRANITE, CONCRETE, SANDSTONE])),
     };
     let blocks = if t > 0.04 { b.rng.count(3, 9) } else { 1 };
     for side in [-1.0, 1.0] {
@@ -48,7 +48,7 @@ pub(super) fn flower_bed(b: &mut Build<'_>) {
     let columns = ((y / 0.14) as usize).max(2).min(18 / rows);
     let (first, second) = (b.rng.below(5), b.rng.below(5));
     let petals = [PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
-    let leaves = b.one(&[LEAF, DARK_LEAF, LIGHT_LEAF]);
+    let leaves = b.choose(&[LEAF, DARK_LEAF, LIGHT_LEAF]);
     let (rx, ry) = (x / rows as f32, y / columns as f32);
     let tallest = b.rng.below(rows);
     for (i, cx) in spaced(rows, -x + rx, x - rx).enumerate() {
@@ -62,7 +62,7 @@ pub(super) fn flower_bed(b: &mut Build<'_>) {
 }
 
 /// A clump of leaves with two flower heads above.
-fn clump(b: &mut Build<'_>, at: P, half: (f32, f32), top: f32, mats: (Mat, Mat)) {
+fn clump(b: &mut Build<'_>, at: P, half: (f32, f32), top: f32, mats: (MaterialId, MaterialId)) {
     let tall = (top - at[2]).max(0.02);
     let points = blob(b, [at[0], at[1], at[2] + tall * 0.3], [half.0, half.1, tall * 0.35], 16, 0.4);
     b.hull("leaves", &points, mats.0);
@@ -106,7 +106,7 @@ pub(super) fn vegetable_patch(b: &mut Build<'_>) {
 }
 
 /// A leafy head: cabbage or lettuce.
-fn head(b: &mut Build<'_>, at: P, r: f32, tall: f32, mat: Mat) {
+fn head(b: &mut Build<'_>, at: P, r: f32, tall: f32, mat: MaterialId) {
     let points = blob(b, [at[0], at[1], at[2] + tall * 0.25], [r, r, tall * 0.4], 18, 0.35);
     b.hull("leaves", &points, mat);
     let points = blob(b, [at[0], at[1], at[2] + tall * 0.55], [r * 0.6, r * 0.6, tall * 0.45], 20, 0.1);
@@ -114,7 +114,7 @@ fn head(b: &mut Build<'_>, at: P, r: f32, tall: f32, mat: Mat) {
 }
 
 /// A tuft of narrow leaves: carrots, onions.
-fn tuft(b: &mut Build<'_>, at: P, r: f32, tall: f32, mat: Mat) {
+fn tuft(b: &mut Build<'_>, at: P, r: f32, tall: f32, mat: MaterialId) {
     for i in 0..4 {
         let (dx, dy) = polar(1.6 * i as f32 + b.vary(0.0, 0.6), r);
         let tip = [at[0] + dx, at[1] + dy, at[2] + tall * b.vary(0.75, 1.0)];
@@ -157,7 +157,7 @@ pub(super) fn lawn(b: &mut Build<'_>) {
         b.block("grass", [-x + rim, cy - half, 0.0], [x - rim, cy + half, level.max(0.005)], mat);
     }
     if edged {
-        let mat = b.one(&[GRANITE, BRICK, CONCRETE, SANDSTONE]);
+        let mat = b.choose(&[GRANITE, BRICK, CONCRETE, SANDSTONE]);
         for side in [-1.0, 1.0] {
             let (cx, cy) = (side * (x - rim / 2.0), side * (y - rim / 2.0));
             b.block("edge", [cx - rim / 2.0, -y, 0.0], [cx + rim / 2.0, y, high - 0.002], mat);
@@ -230,9 +230,9 @@ pub(super) fn sunflower(b: &mut Build<'_>) {
 /// A stepping stone: round, square, polygonal or a slice of a log.
 pub(super) fn stepping_stone(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let stone = b.one(&[GRANITE, SANDSTONE, CONCRETE, ROCK, GRAVEL, SLATE_TILE]);
+    let stone = b.choose(&[GRANITE, SANDSTONE, CONCRETE, ROCK, GRAVEL, SLATE_TILE]);
     match b.rng.below(4) {
-        0 => b.soft("slab", [-x, -y, 0.0], [x, y, h], 0.008, stone),
+        0 => b.rounded_block("slab", [-x, -y, 0.0], [x, y, h], 0.008, stone),
         1 => {
             let r = x.min(y);
             b.lathe("slab", [0.0; 3], &[(r, 0.0), (r, h * 0.8), (r - h * 0.2, h)], stone);

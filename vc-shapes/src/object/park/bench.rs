@@ -18,12 +18,12 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
         "garden_bench" => &[Frame::Wood, Frame::Wood, Frame::CastIron, Frame::Tube],
         _ => &[Frame::CastIron, Frame::CastIron, Frame::Concrete, Frame::Tube, Frame::Wood],
     };
-    let frame = b.one(frames);
+    let frame = b.choose(frames);
     at_least(b, [0.25, 0.55, 0.37]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z - 0.004);
     let seat = (h * 0.52).min(0.45);
-    let metal = b.one(&[IRON, GREEN_METAL, BLACK_METAL, GALVANISED, ANTHRACITE]);
-    let (wood, slat) = (b.one(&[TEAK, OAK, PINE, GREY_OAK, WALNUT, b.style.wood]), 0.028);
+    let metal = b.choose(&[IRON, GREEN_METAL, BLACK_METAL, GALVANISED, ANTHRACITE]);
+    let (wood, slat) = (b.choose(&[TEAK, OAK, PINE, GREY_OAK, WALNUT, b.style.wood]), 0.028);
     let arms = b.rng.chance(0.6);
     let lean = b.vary(0.25, 0.45) * x;
     // Seat slats fill the depth in front of the leaning back.
@@ -32,7 +32,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
     let pitch = (front - back) / slats as f32;
     for cx in spaced(slats, back + pitch / 2.0, front - pitch / 2.0) {
         let half = pitch / 2.0 - 0.005;
-        b.soft("slat", [cx - half, -y, seat - slat], [cx + half, y, seat], 0.006, wood);
+        b.rounded_block("slat", [cx - half, -y, seat - slat], [cx + half, y, seat], 0.006, wood);
     }
     let back_at = |t: f32| [-x + lean * (1.0 - t), seat + 0.05 + (h - seat - 0.05) * t];
     if frame == Frame::Wood && b.rng.chance(0.6) {
@@ -53,7 +53,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
 }
 
 /// The horizontal boards of the back, one above the other.
-fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: Mat) {
+fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: MaterialId) {
     let slats = b.rng.count(2, 5);
     for i in 0..slats {
         let t = |share: f32| (i as f32 + share) / slats as f32;
@@ -64,11 +64,11 @@ fn level_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, woo
 }
 
 /// The rails of the back with narrow upright slats between.
-fn upright_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: Mat) {
+fn upright_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, wood: MaterialId) {
     let ([x0, z0], [x1, z1]) = (back_at(0.1), back_at(0.93));
     b.block("rail", [x0, -y, z0 - 0.03], [x0 + 0.03, y, z0 + 0.03], wood);
     let top = (z1 + 0.03).min(b.size.z - 0.002);
-    b.soft("rail", [x1 - 0.003, -y, z1 - 0.03], [x1 + 0.03, y, top], 0.008, wood);
+    b.rounded_block("rail", [x1 - 0.003, -y, z1 - 0.03], [x1 + 0.03, y, top], 0.008, wood);
     let count = ((2.0 * y / b.vary(0.07, 0.13)) as usize).clamp(5, 24);
     for cy in spaced(count, -y * 0.94, y * 0.94) {
         let w = 0.02;
@@ -79,7 +79,7 @@ fn upright_slats(b: &mut Build<'_>, back_at: &dyn Fn(f32) -> [f32; 2], y: f32, w
 }
 
 /// Legs below the seat and the post that supports the back.
-fn foot(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f32) -> [f32; 2], mat: Mat) {
+fn foot(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f32) -> [f32; 2], mat: MaterialId) {
     let x = b.size.x / 2.0;
     let ([bx, bz], w) = (back_at(0.95), if frame == Frame::Wood { 0.03 } else { 0.022 });
     let low = back_at(0.0)[0];
@@ -111,14 +111,14 @@ fn foot(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f3
 }
 
 /// An armrest over the seat and the front post that supports it.
-fn arm(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f32) -> [f32; 2], mat: Mat) {
+fn arm(b: &mut Build<'_>, frame: Frame, cy: f32, seat: f32, back_at: &dyn Fn(f32) -> [f32; 2], mat: MaterialId) {
     let x = b.size.x / 2.0;
     let z = (seat + 0.22).min(b.size.z * 0.9);
     let share = (z - seat) / (b.size.z - seat);
     let [bx, _] = back_at(share);
     let w = 0.028;
     if frame == Frame::Wood {
-        b.soft("arm", [bx, cy - w, z - 0.03], [x - 0.005, cy + w, z], 0.01, mat);
+        b.rounded_block("arm", [bx, cy - w, z - 0.03], [x - 0.005, cy + w, z], 0.01, mat);
         b.block("arm", [x - 0.08, cy - w * 0.8, seat - 0.03], [x - 0.03, cy + w * 0.8, z - 0.02], mat);
     } else {
         let r = 0.014;

@@ -7,11 +7,11 @@ use vc_graph::portable::Portable;
 use crate::material::*;
 use crate::solid::{Build, P, Sketch, blob, limb, polar, spaced};
 
-const PETALS: &[Mat] = &[PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
+const PETALS: &[MaterialId] = &[PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
 
 /// A bush: loose, trimmed to a ball or a cone, or in flower.
 pub(super) fn bush(b: &mut Build<'_>) {
-    let leaves = b.one(&[LEAF, DARK_LEAF, LIGHT_LEAF, GRASS, LEAF, AUTUMN_LEAF]);
+    let leaves = b.choose(&[LEAF, DARK_LEAF, LIGHT_LEAF, GRASS, LEAF, AUTUMN_LEAF]);
     let mut sketch = Sketch::default();
     let design = b.rng.below(6);
     match design {
@@ -19,7 +19,7 @@ pub(super) fn bush(b: &mut Build<'_>) {
         _ => loose(b, &mut sketch, leaves),
     }
     if design == 1 || design == 2 {
-        let (mat, last) = (b.one(PETALS), sketch.count());
+        let (mat, last) = (b.choose(PETALS), sketch.count());
         let radius = b.size.min() * b.vary(0.03, 0.05);
         for _ in 0..b.rng.count(12, 30) {
             let mut any = || sketch.point(b.rng.below(last), b.rng.below(64));
@@ -33,7 +33,7 @@ pub(super) fn bush(b: &mut Build<'_>) {
 }
 
 /// Several blobs that lean away from the centre.
-fn loose(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
+fn loose(b: &mut Build<'_>, sketch: &mut Sketch, leaves: MaterialId) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (count, start) = (b.rng.count(4, 11), b.vary(0.0, TAU));
     for i in 0..count {
@@ -49,7 +49,7 @@ fn loose(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
 }
 
 /// A bush trimmed to a ball, an egg, a cone or stacked balls.
-fn trimmed(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
+fn trimmed(b: &mut Build<'_>, sketch: &mut Sketch, leaves: MaterialId) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let stem = h * b.vary(0.03, 0.25);
     sketch.add("stem", limb([0.0; 3], [0.0, 0.0, h * 0.6], 0.03, 0.02), BARK);
@@ -67,7 +67,7 @@ fn trimmed(b: &mut Build<'_>, sketch: &mut Sketch, leaves: Mat) {
 /// A rose bush: thorny stems, few leaves, large flowers.
 pub(super) fn rose_bush(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (petal, leaves) = (b.one(PETALS), b.one(&[LEAF, DARK_LEAF]));
+    let (petal, leaves) = (b.choose(PETALS), b.choose(&[LEAF, DARK_LEAF]));
     let mut sketch = Sketch::default();
     let (count, start) = (b.rng.count(5, 10), b.vary(0.0, TAU));
     let rose = b.size.min() * b.vary(0.07, 0.11);
@@ -89,7 +89,7 @@ pub(super) fn rose_bush(b: &mut Build<'_>) {
 /// A hedge: trimmed square, tapered or rounded, or left to grow.
 pub(super) fn hedge(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let leaves = b.one(&[LEAF, DARK_LEAF, DARK_LEAF, LIGHT_LEAF]);
+    let leaves = b.choose(&[LEAF, DARK_LEAF, DARK_LEAF, LIGHT_LEAF]);
     let section: &[(f32, f32)] = match b.rng.below(4) {
         0 => &[(1.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, 0.0)],
         1 => &[(1.0, 0.0), (0.7, 1.0), (-0.7, 1.0), (-1.0, 0.0)],
@@ -118,7 +118,7 @@ pub(super) fn hedge(b: &mut Build<'_>) {
 /// A rock, or a large one with smaller ones beside it; its top is flat enough to support an object.
 pub(super) fn rock(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[ROCK, ROCK, GRANITE, SANDSTONE, GRAVEL, BLACK_GRANITE]);
+    let mat = b.choose(&[ROCK, ROCK, GRANITE, SANDSTONE, GRAVEL, BLACK_GRANITE]);
     let main = if b.rng.chance(0.3) { b.vary(0.7, 0.82) } else { 1.0 };
     let flat = (x * main * b.vary(0.25, 0.45), y * main * b.vary(0.25, 0.45));
     let (points, dent) = (b.rng.count(14, 40), b.vary(0.1, 0.4));
@@ -150,8 +150,8 @@ pub(super) fn rock(b: &mut Build<'_>) {
 /// A tree stump: flared over roots, or a plain chopping block.
 pub(super) fn stump(b: &mut Build<'_>) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let bark = b.one(&[BARK, BARK, PALE_BARK]);
-    let wood = b.one(&[PINE, OAK, BEECH]);
+    let bark = b.choose(&[BARK, BARK, PALE_BARK]);
+    let wood = b.choose(&[PINE, OAK, BEECH]);
     let rooted = b.rng.chance(0.6);
     let top = if rooted { r * b.vary(0.6, 0.72) } else { r };
     let waist = top * b.vary(0.9, 0.99);

@@ -41,8 +41,8 @@ struct Habit {
     /// Largest dent of a leaf blob, as a fraction of its radius.
     ragged: f32,
     crowns: &'static [Crown],
-    bark: Mat,
-    leaves: &'static [Mat],
+    bark: MaterialId,
+    leaves: &'static [MaterialId],
 }
 
 /// A street or garden tree of any broad-leaved species.
@@ -111,7 +111,7 @@ pub(super) fn fruit(b: &mut Build<'_>) {
     };
     let (trunk, mut sketch) = broadleaf(b, &habit);
     let fruits = [RED_SKIN, YELLOW_SKIN, ORANGE_SKIN, PURPLE_SKIN, GREEN_SKIN, PETAL_PINK, PETAL_WHITE];
-    let (mat, radius) = (b.one(&fruits), b.vary(0.055, 0.085) * (b.size.z / 4.0).clamp(0.6, 1.3));
+    let (mat, radius) = (b.choose(&fruits), b.vary(0.055, 0.085) * (b.size.z / 4.0).clamp(0.6, 1.3));
     let last = sketch.count();
     for _ in 0..b.rng.count(14, 30) {
         let at = outermost(b, &sketch, (trunk.crown, last - 1), trunk.top);
@@ -142,7 +142,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
     let height = b.size.z;
     let clear = height * b.vary(habit.clear.0, habit.clear.1);
     let girth = height * b.vary(habit.girth.0, habit.girth.1);
-    let crown = b.one(habit.crowns);
+    let crown = b.choose(habit.crowns);
     let (reach, tall) = (b.size.x.min(b.size.y) / 2.0, height - clear);
     let lean = polar(b.vary(0.0, TAU), height * b.vary(0.0, 0.04));
     let top = [lean.0, lean.1, clear + tall * 0.55];
@@ -168,7 +168,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
         sketch.add("branch", limb(from, *centre, girth * 0.45, girth * 0.12), habit.bark);
     }
     let first = sketch.count();
-    let leaves = b.one(habit.leaves);
+    let leaves = b.choose(habit.leaves);
     for (centre, radii) in blobs {
         let points = b.rng.count(24, 40);
         let points = blob(b, centre, radii, points, habit.ragged);
@@ -179,7 +179,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
 
 /// A conifer: a spruce of tiers, a pine with plates of needles, or a slim cypress.
 pub(super) fn pine(b: &mut Build<'_>) {
-    let leaves = b.one(&[DARK_LEAF, DARK_LEAF, DARK_LEAF, LEAF]);
+    let leaves = b.choose(&[DARK_LEAF, DARK_LEAF, DARK_LEAF, LEAF]);
     match b.rng.below(5) {
         0 => plates(b, leaves),
         1 => spindle(b, leaves),
@@ -188,7 +188,7 @@ pub(super) fn pine(b: &mut Build<'_>) {
 }
 
 /// Tiers of drooping branches, each smaller than the one below.
-fn tiers(b: &mut Build<'_>, leaves: Mat) {
+fn tiers(b: &mut Build<'_>, leaves: MaterialId) {
     let (height, reach) = (b.size.z, b.size.x.min(b.size.y) / 2.0);
     let (count, clear) = (b.rng.count(4, 9), height * b.vary(0.05, 0.16));
     let mut sketch = Sketch::default();
@@ -214,7 +214,7 @@ fn tiers(b: &mut Build<'_>, leaves: Mat) {
 }
 
 /// A tall bare trunk whose branches end in flat clouds of needles.
-fn plates(b: &mut Build<'_>, leaves: Mat) {
+fn plates(b: &mut Build<'_>, leaves: MaterialId) {
     let (height, reach) = (b.size.z, b.size.x.min(b.size.y) / 2.0);
     let girth = height * b.vary(0.016, 0.026);
     let bend = polar(b.vary(0.0, TAU), reach * b.vary(0.05, 0.35));
@@ -239,7 +239,7 @@ fn plates(b: &mut Build<'_>, leaves: Mat) {
 }
 
 /// A slim flame-shaped crown of dense needles almost from the ground.
-fn spindle(b: &mut Build<'_>, leaves: Mat) {
+fn spindle(b: &mut Build<'_>, leaves: MaterialId) {
     let (height, reach) = (b.size.z, b.size.x.min(b.size.y) / 2.0);
     let mut sketch = Sketch::default();
     sketch.add("trunk", limb([0.0; 3], [0.0, 0.0, height * 0.4], height * 0.02, height * 0.015), BARK);
@@ -270,7 +270,7 @@ pub(super) fn palm(b: &mut Build<'_>) {
         let radius = girth * (1.0 - 0.35 * low);
         sketch.add("trunk", limb(at(low), at(high), radius * 0.86, radius * 1.05), BARK);
     }
-    let leaves = b.one(&[LEAF, DARK_LEAF, GRASS]);
+    let leaves = b.choose(&[LEAF, DARK_LEAF, GRASS]);
     let (count, start, droop) = (b.rng.count(10, 17), b.vary(0.0, TAU), b.vary(0.2, 0.8));
     for i in 0..count {
         let lift = b.vary(0.15, 0.75);
@@ -295,7 +295,7 @@ pub(super) fn palm(b: &mut Build<'_>) {
 }
 
 /// A frond in three ridged strips; `form` is its reach, rise and droop.
-fn frond(b: &mut Build<'_>, sketch: &mut Sketch, root: P, angle: f32, form: (f32, f32, f32), mat: Mat) {
+fn frond(b: &mut Build<'_>, sketch: &mut Sketch, root: P, angle: f32, form: (f32, f32, f32), mat: MaterialId) {
     let (reach, lift, droop) = form;
     let (reach, wide) = (reach * b.vary(0.8, 1.0), reach * b.vary(0.15, 0.24));
     let (cos, sin) = polar(angle + b.vary(-0.15, 0.15), 1.0);

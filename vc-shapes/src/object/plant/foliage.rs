@@ -36,11 +36,11 @@ pub(super) fn plant(b: &mut Build<'_>) {
     let narrow = x.min(y);
     let tall = h / (2.0 * narrow);
     let kind = if b.class == "cactus" {
-        b.one(&[0, 0, 0, 1, 2])
+        b.choose(&[0, 0, 0, 1, 2])
     } else if tall > 1.6 {
         b.rng.count(4, 8)
     } else {
-        b.one(&[3, 4, 6, 9, 10, 11, 8])
+        b.choose(&[3, 4, 6, 9, 10, 11, 8])
     };
     let bowl = matches!(kind, 0 | 2) && tall < 1.3;
     let share = if tall > 1.6 { 0.2 } else { b.vary(0.28, 0.36) };
@@ -63,13 +63,13 @@ pub(super) fn plant(b: &mut Build<'_>) {
     }
 }
 
-fn green(b: &mut Build<'_>) -> Mat {
-    b.one(&[LEAF, LEAF, DARK_LEAF, LIGHT_LEAF])
+fn green(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[LEAF, LEAF, DARK_LEAF, LIGHT_LEAF])
 }
 
 /// A ribbed column or ball with arms or a flower.
 fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
-    let mat = b.one(&[LEAF, DARK_LEAF, SAGE]);
+    let mat = b.choose(&[LEAF, DARK_LEAF, SAGE]);
     let tall = c.high - c.low;
     let r = (pot * 0.55).min(tall * 0.6);
     let ribs = 10;
@@ -98,7 +98,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
         }
     }
     body.put(b, "cactus", mat);
-    let flower = b.one(&[PETAL_PINK, PETAL_YELLOW, PETAL_RED]);
+    let flower = b.choose(&[PETAL_PINK, PETAL_YELLOW, PETAL_RED]);
     let mut petals = MeshBuilder::default();
     for i in 0..6 {
         let (s, k) = (TAU * i as f32 / 6.0).sine_cosine();
@@ -114,7 +114,7 @@ fn cactus(b: &mut Build<'_>, c: Crown, pot: f32) {
 
 /// A rosette of succulent leaves.
 fn succulent(b: &mut Build<'_>, c: Crown) {
-    let mat = b.one(&[SAGE, LIGHT_LEAF, LEAF, GREEN_GLAZE]);
+    let mat = b.choose(&[SAGE, LIGHT_LEAF, LEAF, GREEN_GLAZE]);
     let mut shell = MeshBuilder::default();
     for (ring, count) in [(0, 10), (1, 8), (2, 6), (3, 4)] {
         let level = ring as f32 / 3.0;
@@ -132,7 +132,7 @@ fn succulent(b: &mut Build<'_>, c: Crown) {
 /// A low dome of small round leaves.
 fn cushion(b: &mut Build<'_>, c: Crown) {
     let mat = green(b);
-    let other = b.one(&[LIGHT_LEAF, LEAF, PURPLE_SKIN]);
+    let other = b.choose(&[LIGHT_LEAF, LEAF, PURPLE_SKIN]);
     let mut shells = [MeshBuilder::default(), MeshBuilder::default()];
     let count = 70;
     for i in 0..count {
@@ -154,8 +154,8 @@ fn cushion(b: &mut Build<'_>, c: Crown) {
 
 /// Upright sword-shaped leaves.
 fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
-    let mat = b.one(&[DARK_LEAF, LEAF]);
-    let other = b.one(&[LIGHT_LEAF, LEAF, DARK_LEAF]);
+    let mat = b.choose(&[DARK_LEAF, LEAF]);
+    let other = b.choose(&[LIGHT_LEAF, LEAF, DARK_LEAF]);
     let mut shells = [MeshBuilder::default(), MeshBuilder::default()];
     let count = b.rng.count(9, 14);
     let wide = pot * b.vary(0.16, 0.24);
@@ -175,7 +175,7 @@ fn sword(b: &mut Build<'_>, c: Crown, pot: f32) {
 
 /// A slim trunk with a round head of leaves.
 fn tree(b: &mut Build<'_>, c: Crown) {
-    let bark = b.one(&[BARK, PALE_BARK]);
+    let bark = b.choose(&[BARK, PALE_BARK]);
     let tall = c.high - c.low;
     let fork = b.vary(0.35, 0.5);
     let sway = c.x * b.vary(-0.15, 0.15);
@@ -225,7 +225,7 @@ fn tree(b: &mut Build<'_>, c: Crown) {
 
 /// Large split leaves on long stalks.
 fn big_leaved(b: &mut Build<'_>, c: Crown) {
-    let mat = b.one(&[DARK_LEAF, LEAF]);
+    let mat = b.choose(&[DARK_LEAF, LEAF]);
     let (mut stalks, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let count = b.rng.count(8, 13);
     let slits = b.rng.chance(0.6);
@@ -298,7 +298,7 @@ fn palm(b: &mut Build<'_>, c: Crown) {
 
 /// A rubber tree: thick leaves along upright stems.
 fn rubber_tree(b: &mut Build<'_>, c: Crown) {
-    let mat = b.one(&[DARK_LEAF, DARK_LEAF, PURPLE_SKIN, LEAF]);
+    let mat = b.choose(&[DARK_LEAF, DARK_LEAF, PURPLE_SKIN, LEAF]);
     let (mut stems, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let tall = c.high - c.low;
     let count = b.rng.count(1, 3);
@@ -325,7 +325,7 @@ fn rubber_tree(b: &mut Build<'_>, c: Crown) {
 
 /// Arching fronds in all directions.
 fn fern(b: &mut Build<'_>, c: Crown) {
-    let mat = b.one(&[LEAF, LIGHT_LEAF]);
+    let mat = b.choose(&[LEAF, LIGHT_LEAF]);
     let mut leaves = MeshBuilder::default();
     let count = b.rng.count(22, 32);
     for i in 0..count {
@@ -353,7 +353,7 @@ fn fern(b: &mut Build<'_>, c: Crown) {
 
 /// Vines that hang over the rim.
 fn hanging(b: &mut Build<'_>, c: Crown, pot: f32) {
-    let mat = b.one(&[LEAF, LIGHT_LEAF, DARK_LEAF]);
+    let mat = b.choose(&[LEAF, LIGHT_LEAF, DARK_LEAF]);
     let (mut vines, mut leaves) = (MeshBuilder::default(), MeshBuilder::default());
     let count = b.rng.count(9, 14);
     for i in 0..count {
@@ -388,7 +388,7 @@ fn hanging(b: &mut Build<'_>, c: Crown, pot: f32) {
 
 /// Flowers on stems above leaves.
 fn flowering(b: &mut Build<'_>, c: Crown) {
-    let petal = b.one(&[PETAL_RED, PETAL_WHITE, PETAL_PINK, PETAL_YELLOW, PETAL_BLUE]);
+    let petal = b.choose(&[PETAL_RED, PETAL_WHITE, PETAL_PINK, PETAL_YELLOW, PETAL_BLUE]);
     let (mut leaves, mut stems, mut petals, mut hearts) =
         (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     for i in 0..20 {
@@ -435,8 +435,8 @@ pub(super) fn orchid(b: &mut Build<'_>) {
     let pot_height = (h * 0.26).min(x.min(y) * 1.3);
     let earth = pot(b, x.min(y) * 0.5, pot_height);
     let c = Crown { x, y, low: earth, high: h };
-    let petal = b.one(&[PETAL_WHITE, PETAL_PINK, PETAL_WHITE, PURPLE_PLASTIC, PETAL_YELLOW]);
-    let heart = b.one(&[PETAL_YELLOW, PETAL_RED, PURPLE_SKIN]);
+    let petal = b.choose(&[PETAL_WHITE, PETAL_PINK, PETAL_WHITE, PURPLE_PLASTIC, PETAL_YELLOW]);
+    let heart = b.choose(&[PETAL_YELLOW, PETAL_RED, PURPLE_SKIN]);
     let (mut leaves, mut stems, mut petals, mut hearts) =
         (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     for i in 0..6 {

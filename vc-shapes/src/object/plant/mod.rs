@@ -15,8 +15,18 @@ pub(super) const GENERATORS: &[Generator] = &[
 /// Builds a pot within a radius (round, square, ribbed or a basket) with soil in it and returns the
 /// height of the soil.
 fn pot(b: &mut Build<'_>, r: f32, h: f32) -> f32 {
-    let mat =
-        b.one(&[POTTERY, POTTERY, PORCELAIN, STONEWARE, BLUE_GLAZE, BLACK_GLAZE, GREEN_GLAZE, CONCRETE, WICKER, BRASS]);
+    let mat = b.choose(&[
+        POTTERY,
+        POTTERY,
+        PORCELAIN,
+        STONEWARE,
+        BLUE_GLAZE,
+        BLACK_GLAZE,
+        GREEN_GLAZE,
+        CONCRETE,
+        WICKER,
+        BRASS,
+    ]);
     let (x, y, _) = half_dims(b);
     let r = r.min(x).min(y);
     let t = r * 0.08;

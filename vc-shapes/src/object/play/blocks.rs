@@ -9,8 +9,8 @@ use crate::solid::{Axis, Build, arc_outline, oval_outline};
 /// A small castle of wooden blocks: cubes, arches, pillars, roofs.
 pub(super) fn wooden(b: &mut Build<'_>) {
     let plain = b.rng.chance(0.4);
-    let wood = b.one(TOY_WOODS);
-    let paint = |b: &mut Build<'_>| if plain && b.rng.chance(0.7) { wood } else { b.one(PAINTS) };
+    let wood = b.choose(TOY_WOODS);
+    let paint = |b: &mut Build<'_>| if plain && b.rng.chance(0.7) { wood } else { b.choose(PAINTS) };
     let columns = 4;
     let step = 2.0 / columns as f32;
     let mut tallest = true;
@@ -57,7 +57,7 @@ fn radius(b: &Build<'_>, half: f32) -> f32 {
 }
 
 /// A block with a half circle cut out at the bottom.
-fn arch(b: &mut Build<'_>, (y, half): (f32, f32), x: (f32, f32), h: f32, mat: Mat) {
+fn arch(b: &mut Build<'_>, (y, half): (f32, f32), x: (f32, f32), h: f32, mat: MaterialId) {
     let mut outline = vec![(y + half, 0.0), (y + half, h), (y - half, h), (y - half, 0.0)];
     outline.extend(arc_outline((y, 0.0), (-half * 0.6, h * 0.7), (0.0, std::f32::consts::PI), 9));
     b.facing("arch", x, &outline, mat);
@@ -65,7 +65,7 @@ fn arch(b: &mut Build<'_>, (y, half): (f32, f32), x: (f32, f32), h: f32, mat: Ma
 
 /// Interlocking bricks on a base plate: a small house or tower.
 pub(super) fn bricks(b: &mut Build<'_>) {
-    let base = b.one(&[GREEN_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]);
+    let base = b.choose(&[GREEN_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]);
     let plate = (0.006 / b.size.z).min(0.2);
     b.slab("plate", [-1.0, -1.0, 0.0], [1.0, 1.0, plate], base);
     let courses = 4;
@@ -74,7 +74,7 @@ pub(super) fn bricks(b: &mut Build<'_>) {
         let z = plate + h * course as f32;
         let inset = if course == 3 { 0.22 } else { 0.0 };
         for (i, side) in SIDES.into_iter().enumerate() {
-            let (mat, other) = (b.one(BRIGHT), b.one(BRIGHT));
+            let (mat, other) = (b.choose(BRIGHT), b.choose(BRIGHT));
             let split = b.vary(-0.25, 0.25);
             let y = side * (0.62 - inset);
             let ends = (y - 0.16, y + 0.16);
@@ -86,17 +86,17 @@ pub(super) fn bricks(b: &mut Build<'_>) {
             }
         }
     }
-    let mat = b.one(BRIGHT);
+    let mat = b.choose(BRIGHT);
     brick(b, ((-0.7, -0.45), (-0.4, 0.45)), (plate, plate + h * 2.0), mat);
     let z = plate;
     for (x, y) in [(0.86, -0.85), (0.88, 0.1), (-0.86, 0.8)] {
-        let loose = b.one(BRIGHT);
+        let loose = b.choose(BRIGHT);
         brick(b, ((x - 0.1, y - 0.1), (x + 0.1, y + 0.1)), (z, z + h * 0.7), loose);
     }
 }
 
 /// A brick with studs.
-fn brick(b: &mut Build<'_>, (low, high): ((f32, f32), (f32, f32)), z: (f32, f32), mat: Mat) {
+fn brick(b: &mut Build<'_>, (low, high): ((f32, f32), (f32, f32)), z: (f32, f32), mat: MaterialId) {
     b.slab("brick", [low.0, low.1, z.0], [high.0, high.1, z.1], mat);
     let length = (high.0 - low.0) * b.size.x;
     let count = (length / ((high.1 - low.1) * b.size.y)).round().clamp(1.0, 4.0);
@@ -110,7 +110,7 @@ fn brick(b: &mut Build<'_>, (low, high): ((f32, f32), (f32, f32)), z: (f32, f32)
 
 /// Stacking rings of decreasing size on a post, with a ball on top.
 pub(super) fn rings(b: &mut Build<'_>) {
-    let wood = b.one(TOY_WOODS);
+    let wood = b.choose(TOY_WOODS);
     let r = b.size.x.min(b.size.y) / 2.0;
     b.pole("base", [0.0; 3], [0.0, 0.0, 0.08], r * 0.9, wood);
     b.pole("post", [0.0, 0.0, 0.07], [0.0, 0.0, 0.88], r * 0.14, wood);
@@ -134,7 +134,7 @@ pub(super) fn rings(b: &mut Build<'_>) {
 
 /// A shape sorter: a box with holes of several shapes in its lid, the shapes beside them.
 pub(super) fn sorter(b: &mut Build<'_>) {
-    let (case, lid) = (b.one(&[BEECH, BIRCH, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]), b.one(BRIGHT));
+    let (case, lid) = (b.choose(&[BEECH, BIRCH, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]), b.choose(BRIGHT));
     let t = 0.06;
     b.slab("bottom", [-0.98, -0.98, 0.0], [0.98, 0.98, t], case);
     for s in SIDES {
@@ -171,7 +171,7 @@ pub(super) fn sorter(b: &mut Build<'_>) {
 /// A marble run: a zigzag of sloping channels between posts, with marbles on it.
 pub(super) fn marble_run(b: &mut Build<'_>) {
     let wood = b.rng.chance(0.5);
-    let post = if wood { b.one(TOY_WOODS) } else { b.one(BRIGHT) };
+    let post = if wood { b.choose(TOY_WOODS) } else { b.choose(BRIGHT) };
     let count = 4;
     let r = b.size.x * 0.07;
     b.pad("tray", [-0.95, -1.0, 0.0], [0.95, 1.0, 0.05], 0.004, post);
@@ -204,7 +204,7 @@ pub(super) fn marbles(b: &mut Build<'_>) {
     let marble = (r * 0.24).min(b.size.z * 0.3);
     let (t, rim) = (r * 0.04, b.size.z * 0.55);
     let dish = [(r * 0.6, 0.0), (r * 0.99, rim), (r * 0.95, rim), (r * 0.58, t)];
-    let mat = b.one(&[BEECH, BLUE_GLAZE, CLEAR_PLASTIC]);
+    let mat = b.choose(&[BEECH, BLUE_GLAZE, CLEAR_PLASTIC]);
     b.lathe("dish", [0.0; 3], &dish, mat);
     let glass = [GREEN_GLASS, BLUE_GLASS, BROWN_GLASS, GLASS, RED_GLAZE, YELLOW_GLAZE];
     for i in 0..7 {
@@ -218,7 +218,7 @@ pub(super) fn marbles(b: &mut Build<'_>) {
 
 /// Beads on bars in a frame.
 pub(super) fn abacus(b: &mut Build<'_>) {
-    let wood = b.one(TOY_WOODS);
+    let wood = b.choose(TOY_WOODS);
     let rows = b.rng.count(5, 8);
     for y in SIDES {
         b.slab("post", [-0.3, y * 0.95 - 0.05, 0.04], [0.3, y * 0.95 + 0.05, 0.97], wood);

@@ -9,10 +9,10 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
     let bear = b.class == "teddy_bear";
     let kind = if bear { 0 } else { b.rng.count(1, 5) };
     let fur = match kind {
-        0 => b.one(&[FUR, BROWN_FABRIC, BEIGE_FABRIC, WOOL, RUST_FABRIC]),
-        4 => b.one(&[BLACK_FABRIC, NAVY_FABRIC]),
-        5 => b.one(&[GREEN_FABRIC, TEAL_FABRIC]),
-        _ => b.one(&[GREY_FABRIC, WOOL, ROSE_FABRIC, BEIGE_FABRIC, FUR, MUSTARD_FABRIC]),
+        0 => b.choose(&[FUR, BROWN_FABRIC, BEIGE_FABRIC, WOOL, RUST_FABRIC]),
+        4 => b.choose(&[BLACK_FABRIC, NAVY_FABRIC]),
+        5 => b.choose(&[GREEN_FABRIC, TEAL_FABRIC]),
+        _ => b.choose(&[GREY_FABRIC, WOOL, ROSE_FABRIC, BEIGE_FABRIC, FUR, MUSTARD_FABRIC]),
     };
     let pale = if fur == WOOL { ROSE_FABRIC } else { WOOL };
     let (plump, head) = (b.vary(0.52, 0.66), b.vary(0.48, 0.56));
@@ -34,7 +34,7 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
         }
     }
     if b.rng.chance(0.4) {
-        let bow = b.one(CLOTHS);
+        let bow = b.choose(CLOTHS);
         for y in SIDES {
             b.blob("bow", [0.15, y * 0.2, 0.53], [0.13, 0.2, 0.055], bow);
         }
@@ -43,7 +43,7 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
 }
 
 /// A head that fills the size: bear, rabbit, cat, elephant, penguin, frog.
-fn face(b: &mut Build<'_>, kind: usize, (fur, pale): (Mat, Mat)) {
+fn face(b: &mut Build<'_>, kind: usize, (fur, pale): (MaterialId, MaterialId)) {
     let top = if matches!(kind, 0 | 2 | 5) { 0.9 } else { 1.0 };
     b.blob("head", [-0.2, 0.0, top * 0.5], [0.75, 0.8, top * 0.5], fur);
     for y in SIDES {
@@ -176,7 +176,7 @@ const TRICERATOPS: Beast = Beast {
 };
 
 /// Trunk, neck, head, eyes and four legs.
-fn beast(b: &mut Build<'_>, shape: &Beast, coat: Mat, hoof: Mat) {
+fn beast(b: &mut Build<'_>, shape: &Beast, coat: MaterialId, hoof: MaterialId) {
     let &Beast { legs, trunk: (tail, chest), back, girth, head, skull, neck, leg } = shape;
     let (mid, half) = ((legs + back) / 2.0, (back - legs) / 2.0);
     let ring = |x: f32, share: f32| ([x, 0.0, mid], girth * share, half * share);
@@ -218,7 +218,7 @@ fn beast(b: &mut Build<'_>, shape: &Beast, coat: Mat, hoof: Mat) {
 }
 
 /// Two ears, horns or knobs on a head.
-fn ears(b: &mut Build<'_>, shape: &Beast, half: P, mat: Mat) {
+fn ears(b: &mut Build<'_>, shape: &Beast, half: P, mat: MaterialId) {
     let (head, skull) = (shape.head, shape.skull);
     for y in SIDES {
         let at = [head.0 - skull[0] * 0.45, y * (skull[1] * 0.75), head.1 + skull[2] * 0.75];
@@ -227,7 +227,7 @@ fn ears(b: &mut Build<'_>, shape: &Beast, half: P, mat: Mat) {
 }
 
 /// A thin hanging tail with a tuft.
-fn tail(b: &mut Build<'_>, shape: &Beast, mat: Mat) {
+fn tail(b: &mut Build<'_>, shape: &Beast, mat: MaterialId) {
     let (x, z) = (shape.trunk.0, shape.back - 0.12);
     let end = (x - 0.06).max(-0.98);
     let hang = [([end, 0.0, shape.legs], 0.05, 0.12), ([end, 0.0, shape.legs + 0.1], 0.035, 0.07)];
@@ -245,7 +245,7 @@ pub(super) fn animal(b: &mut Build<'_>) {
             b.blob("patch", [0.15, 0.0, 0.72], [0.2, 0.83, 0.12], BLACK_PLASTIC);
         }
         1 => {
-            let coat = b.one(&[BROWN_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, BEECH]);
+            let coat = b.choose(&[BROWN_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, BEECH]);
             beast(b, &HORSE, coat, BLACK_PLASTIC);
             ears(b, &HORSE, [0.05, 0.12, 0.06], coat);
             tail(b, &HORSE, CHOCOLATE);
@@ -277,7 +277,7 @@ fn mane(shape: &Beast) -> Vec<P> {
     SIDES.iter().flat_map(|y| line.map(|(x, z)| [x, y * 0.1, z])).collect()
 }
 
-fn elephant(b: &mut Build<'_>, skin: Mat) {
+fn elephant(b: &mut Build<'_>, skin: MaterialId) {
     beast(b, &ELEPHANT, skin, LIGHT_GREY);
     let (x, z) = (ELEPHANT.head.0, ELEPHANT.head.1);
     let ring = |x: f32, z: f32, r: f32| ([x, 0.0, z], r, r * 2.0);
@@ -291,8 +291,8 @@ fn elephant(b: &mut Build<'_>, skin: Mat) {
 
 /// A dinosaur: a tyrannosaur on two legs, a long-necked one or a horned one.
 pub(super) fn dinosaur(b: &mut Build<'_>) {
-    let skin = b.one(&[GREEN_PLASTIC, ORANGE_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, PURPLE_PLASTIC, GREY_PLASTIC]);
-    let pale = b.one(&[YELLOW_PLASTIC, CREAM]);
+    let skin = b.choose(&[GREEN_PLASTIC, ORANGE_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, PURPLE_PLASTIC, GREY_PLASTIC]);
+    let pale = b.choose(&[YELLOW_PLASTIC, CREAM]);
     let kind = b.rng.below(3);
     if kind == 0 {
         tyrannosaur(b, skin, pale);
@@ -317,7 +317,7 @@ pub(super) fn dinosaur(b: &mut Build<'_>) {
     }
 }
 
-fn tyrannosaur(b: &mut Build<'_>, skin: Mat, pale: Mat) {
+fn tyrannosaur(b: &mut Build<'_>, skin: MaterialId, pale: MaterialId) {
     let ring = |x: f32, z: f32, y: f32, h: f32| ([x, 0.0, z], y, h);
     let trunk = [
         ([-1.0, 0.0, 0.34], 0.0, 0.0),
@@ -367,7 +367,7 @@ fn limb(from: P, to: P, half: f32) -> Vec<P> {
 pub(super) fn rocking_horse(b: &mut Build<'_>) {
     let wooden = b.rng.chance(0.5);
     let (coat, dark) =
-        if wooden { (b.one(TOY_WOODS), WALNUT) } else { (b.one(&[FUR, BROWN_FABRIC, WOOL]), BROWN_LEATHER) };
+        if wooden { (b.choose(TOY_WOODS), WALNUT) } else { (b.choose(&[FUR, BROWN_FABRIC, WOOL]), BROWN_LEATHER) };
     let runner = if wooden { coat } else { b.style.wood };
     let curve: Vec<_> = (0..9).map(|i| i as f32 / 4.0 - 1.0).map(|x| (x, 0.16 * x * x)).collect();
     for y in SIDES {
@@ -381,7 +381,7 @@ pub(super) fn rocking_horse(b: &mut Build<'_>) {
 }
 
 /// A ride-on horse with saddle, mane and grips.
-fn mount(b: &mut Build<'_>, coat: Mat, dark: Mat) {
+fn mount(b: &mut Build<'_>, coat: MaterialId, dark: MaterialId) {
     const MOUNT: Beast = Beast {
         legs: 0.34,
         trunk: (-0.9, 0.5),
@@ -396,7 +396,7 @@ fn mount(b: &mut Build<'_>, coat: Mat, dark: Mat) {
     ears(b, &MOUNT, [0.06, 0.1, 0.06], coat);
     b.chunk("mane", &mane(&MOUNT), dark);
     tail(b, &MOUNT, dark);
-    let cloth = b.one(CLOTHS);
+    let cloth = b.choose(CLOTHS);
     b.blob("saddle", [-0.3, 0.0, 0.62], [0.36, 0.6, 0.06], cloth);
     let grip = b.size.z * 0.018;
     b.pole("grip", [0.56, -0.75, 0.78], [0.56, 0.75, 0.78], grip, b.style.wood);
@@ -404,8 +404,8 @@ fn mount(b: &mut Build<'_>, coat: Mat, dark: Mat) {
 
 /// A ride-on spring toy with an animal or a flat cut-out of one.
 pub(super) fn spring_rider(b: &mut Build<'_>) {
-    let paint = b.one(PAINTS);
-    let other = b.one(&[YELLOW, WHITE, RED, GREEN]);
+    let paint = b.choose(PAINTS);
+    let other = b.choose(&[YELLOW, WHITE, RED, GREEN]);
     let r = (b.size.y * 0.3).min(b.size.x * 0.2);
     b.slab("plate", [-0.3, -0.6, 0.0], [0.3, 0.6, 0.02], GALVANISED);
     let base = b.p([0.0, 0.0, 0.018]);
@@ -428,7 +428,7 @@ pub(super) fn spring_rider(b: &mut Build<'_>) {
 }
 
 /// The plump body of a duck or fish with a dip for the seat.
-fn mount_flat(b: &mut Build<'_>, paint: Mat, beak: Mat) {
+fn mount_flat(b: &mut Build<'_>, paint: MaterialId, beak: MaterialId) {
     b.blob("body", [-0.15, 0.0, 0.38], [0.83, 0.7, 0.2], paint);
     b.blob("head", [0.5, 0.0, 0.78], [0.36, 0.55, 0.2], paint);
     b.skin("neck", Axis::Z, &[([0.4, 0.0, 0.4], 0.25, 0.45), ([0.46, 0.0, 0.7], 0.22, 0.4)], paint);

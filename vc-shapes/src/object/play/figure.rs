@@ -6,9 +6,9 @@ use crate::solid::{Axis, Build, oval_outline};
 
 /// A standing doll in a dress or in trousers.
 pub(super) fn doll(b: &mut Build<'_>) {
-    let skin = b.one(&[SKIN, BROWN_SKIN, EGGSHELL]);
-    let (cloth, shoe) = (b.one(CLOTHS), b.one(&[BLACK_LEATHER, WHITE_LEATHER, RED_FABRIC]));
-    let hair = b.one(&[CHOCOLATE, BLACK_FABRIC, MUSTARD_FABRIC, RUST_FABRIC]);
+    let skin = b.choose(&[SKIN, BROWN_SKIN, EGGSHELL]);
+    let (cloth, shoe) = (b.choose(CLOTHS), b.choose(&[BLACK_LEATHER, WHITE_LEATHER, RED_FABRIC]));
+    let hair = b.choose(&[CHOCOLATE, BLACK_FABRIC, MUSTARD_FABRIC, RUST_FABRIC]);
     let dress = b.rng.chance(0.6);
     for y in SIDES {
         let leg = if dress { skin } else { DENIM };
@@ -36,7 +36,7 @@ pub(super) fn doll(b: &mut Build<'_>) {
 }
 
 /// A head with hair, eyes and mouth that fills the size.
-fn head(b: &mut Build<'_>, skin: Mat, hair: Mat) {
+fn head(b: &mut Build<'_>, skin: MaterialId, hair: MaterialId) {
     b.blob("head", [0.02, 0.0, 0.48], [0.9, 0.86, 0.48], skin);
     b.blob("hair", [-0.14, 0.0, 0.58], [0.86, 0.97, 0.42], hair);
     for y in SIDES {
@@ -48,8 +48,8 @@ fn head(b: &mut Build<'_>, skin: Mat, hair: Mat) {
 
 /// A glove puppet: a wide gown with head and hands.
 pub(super) fn puppet(b: &mut Build<'_>) {
-    let (cloth, trim) = (b.one(CLOTHS), b.one(CLOTHS));
-    let skin = b.one(&[SKIN, BROWN_SKIN, GREEN_FABRIC, GREY_FABRIC]);
+    let (cloth, trim) = (b.choose(CLOTHS), b.choose(CLOTHS));
+    let skin = b.choose(&[SKIN, BROWN_SKIN, GREEN_FABRIC, GREY_FABRIC]);
     let ring = |z: f32, x: f32, y: f32| ([0.0, 0.0, z], x, y);
     b.skin(
         "gown",
@@ -73,7 +73,7 @@ pub(super) fn puppet(b: &mut Build<'_>) {
 
 /// A hero in boots and cape on a round base.
 pub(super) fn action_figure(b: &mut Build<'_>) {
-    let (suit, trim, cape) = (b.one(BRIGHT), b.one(BRIGHT), b.one(BRIGHT));
+    let (suit, trim, cape) = (b.choose(BRIGHT), b.choose(BRIGHT), b.choose(BRIGHT));
     let ring = |z: f32, x: f32, y: f32| ([0.0, 0.0, z], x, y);
     b.plan("stand", (0.0, 0.025), &oval_outline((0.0, 0.0), (1.0, 0.75), 16), BLACK_PLASTIC);
     for y in SIDES {
@@ -107,7 +107,7 @@ pub(super) fn action_figure(b: &mut Build<'_>) {
 
 /// A robot of boxes with a lamp on its head and a panel on its chest.
 pub(super) fn robot(b: &mut Build<'_>) {
-    let (case, trim) = (b.one(&[GREY_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, STEEL]), b.one(BRIGHT));
+    let (case, trim) = (b.choose(&[GREY_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, STEEL]), b.choose(BRIGHT));
     let r = b.size.z * 0.01;
     for y in SIDES {
         b.pad("foot", [-0.95, y * 0.45 - 0.2, 0.0], [0.95, y * 0.45 + 0.2, 0.08], r, trim);

@@ -10,18 +10,18 @@ use crate::material::*;
 use crate::solid::{Axis, Build, P, heading, skinned};
 
 /// Bright plastics.
-pub(in crate::object) const BRIGHT: &[Mat] =
+pub(in crate::object) const BRIGHT: &[MaterialId] =
     &[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, PURPLE_PLASTIC, PINK_PLASTIC];
 /// Paints of toys and machines.
-pub(in crate::object) const PAINTS: &[Mat] = &[RED, BLUE, GREEN, YELLOW, ORANGE, SKY, DUSTY_ROSE, FOREST, NAVY];
+pub(in crate::object) const PAINTS: &[MaterialId] = &[RED, BLUE, GREEN, YELLOW, ORANGE, SKY, DUSTY_ROSE, FOREST, NAVY];
 /// Printed card.
-pub(in crate::object) const CARDS: &[Mat] =
+pub(in crate::object) const CARDS: &[MaterialId] =
     &[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, ORANGE_CARD, PURPLE_CARD, TEAL_CARD, PINK_CARD];
 /// Bright fabrics.
-pub(in crate::object) const CLOTHS: &[Mat] =
+pub(in crate::object) const CLOTHS: &[MaterialId] =
     &[RED_FABRIC, BLUE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, TEAL_FABRIC, ROSE_FABRIC, PURPLE_FABRIC, NAVY_FABRIC];
 /// Pale woods of toys.
-pub(in crate::object) const TOY_WOODS: &[Mat] = &[BEECH, BIRCH, MAPLE, PINE];
+pub(in crate::object) const TOY_WOODS: &[MaterialId] = &[BEECH, BIRCH, MAPLE, PINE];
 /// The two sides of an axis.
 pub(in crate::object) const SIDES: [f32; 2] = [-1.0, 1.0];
 
@@ -38,36 +38,36 @@ pub(in crate::object) trait Scaled {
     fn held(&self, at: P, reach: Vector3<f32>) -> P;
 
     /// A box.
-    fn slab(&mut self, name: &str, low: P, high: P, mat: Mat);
+    fn slab(&mut self, name: &str, low: P, high: P, mat: MaterialId);
     /// A box with rounded edges.
-    fn pad(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat);
+    fn pad(&mut self, name: &str, low: P, high: P, radius: f32, mat: MaterialId);
     /// A straight cylinder.
-    fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat);
+    fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: MaterialId);
     /// A bent round bar.
-    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: Mat);
+    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: MaterialId);
     /// A convex hull.
-    fn chunk(&mut self, name: &str, points: &[P], mat: Mat);
+    fn chunk(&mut self, name: &str, points: &[P], mat: MaterialId);
     /// An outline in (x, z) extruded along Y.
-    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: Mat);
+    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
     /// An outline in (x, y) extruded along Z.
-    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: Mat);
+    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
     /// An outline in (y, z) extruded along X.
-    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: Mat);
+    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
     /// An ellipsoid whose half widths are fractions as well.
-    fn blob(&mut self, name: &str, centre: P, half: P, mat: Mat);
+    fn blob(&mut self, name: &str, centre: P, half: P, mat: MaterialId);
     /// A smooth surface over rings across an axis; a ring of zero width is a tip.
-    fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: Mat);
+    fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: MaterialId);
     /// A flat bar between two positions, level across; `section` is its width and thickness in
     /// metres.
-    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: Mat) {
+    fn plank(&mut self, name: &str, from: P, to: P, section: (f32, f32), mat: MaterialId) {
         self.layer(name, from, to, section, 0.0, mat);
     }
     /// A plank raised by `lift` metres perpendicular to its face, for a plank that lies on another.
-    fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: Mat);
+    fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: MaterialId);
     /// A wheel or disc: its centre, its radius and width in metres, its axle along an axis.
-    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat);
+    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: MaterialId);
     /// A torus: radii of the ring and of its section in metres.
-    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat);
+    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: MaterialId);
     /// A supporting surface with open space above.
     fn deck(&mut self, name: &str, centre: P, half: (f32, f32));
     /// A surface within walls; the clearance above it is a fraction too.
@@ -90,17 +90,17 @@ impl Scaled for Build<'_> {
         [within(x, -half.x, half.x), within(y, -half.y, half.y), within(z, reach.z, self.size.z - reach.z)]
     }
 
-    fn slab(&mut self, name: &str, low: P, high: P, mat: Mat) {
+    fn slab(&mut self, name: &str, low: P, high: P, mat: MaterialId) {
         let (low, high) = (self.p(low), self.p(high));
         self.block(name, low, high, mat);
     }
 
-    fn pad(&mut self, name: &str, low: P, high: P, radius: f32, mat: Mat) {
+    fn pad(&mut self, name: &str, low: P, high: P, radius: f32, mat: MaterialId) {
         let (low, high) = (self.p(low), self.p(high));
-        self.soft(name, low, high, radius, mat);
+        self.rounded_block(name, low, high, radius, mat);
     }
 
-    fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: Mat) {
+    fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: MaterialId) {
         let radius = radius.min(self.size.min() / 2.0);
         let way = Vector3::from(self.p(to)) - Vector3::from(self.p(from));
         let round = round_reach(way, radius);
@@ -108,35 +108,35 @@ impl Scaled for Build<'_> {
         self.rod(name, from, to, radius, mat);
     }
 
-    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: Mat) {
+    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: MaterialId) {
         let points: Vec<P> = points.iter().map(|&p| self.held(p, Vector3::repeat(radius))).collect();
         self.pipe(name, &points, radius, mat);
     }
 
-    fn chunk(&mut self, name: &str, points: &[P], mat: Mat) {
+    fn chunk(&mut self, name: &str, points: &[P], mat: MaterialId) {
         let points: Vec<P> = points.iter().map(|&p| self.p(p)).collect();
         self.hull(name, &points, mat);
     }
 
-    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: Mat) {
+    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
         let (x, z) = (self.size.x / 2.0, self.size.z);
         let half = self.size.y / 2.0;
         self.prism(name, Axis::Y, [0.0, y.0 * half, 0.0], &stretched(outline, x, z), (y.1 - y.0) * half, mat);
     }
 
-    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: Mat) {
+    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
         let (x, y) = (self.size.x / 2.0, self.size.y / 2.0);
         let tall = self.size.z;
         self.prism(name, Axis::Z, [0.0, 0.0, z.0 * tall], &stretched(outline, x, y), (z.1 - z.0) * tall, mat);
     }
 
-    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: Mat) {
+    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
         let (y, z) = (self.size.y / 2.0, self.size.z);
         let half = self.size.x / 2.0;
         self.prism(name, Axis::X, [x.0 * half, 0.0, 0.0], &stretched(outline, y, z), (x.1 - x.0) * half, mat);
     }
 
-    fn blob(&mut self, name: &str, centre: P, half: P, mat: Mat) {
+    fn blob(&mut self, name: &str, centre: P, half: P, mat: MaterialId) {
         let ring = |sine: f32, cosine: f32| {
             ([centre[0], centre[1], centre[2] + half[2] * sine], half[0] * cosine, half[1] * cosine)
         };
@@ -144,7 +144,7 @@ impl Scaled for Build<'_> {
         self.skin(name, Axis::Z, &rings.map(|(s, c)| ring(s, c)), mat);
     }
 
-    fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: Mat) {
+    fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: MaterialId) {
         let (x, y, z) = (self.size.x / 2.0, self.size.y / 2.0, self.size.z);
         let (a, b) = match axis {
             Axis::X => (Vector3::y() * y, Vector3::z() * z),
@@ -156,7 +156,7 @@ impl Scaled for Build<'_> {
         self.mesh(name, vertices, triangles, mat);
     }
 
-    fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: Mat) {
+    fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: MaterialId) {
         let way = Vector3::from(self.p(to)) - Vector3::from(self.p(from));
         let across = way.cross(&Vector3::z()).try_normalize(1e-6).unwrap_or_else(Vector3::y);
         let up = across.cross(&way).try_normalize(1e-6).unwrap_or_else(Vector3::x);
@@ -168,13 +168,13 @@ impl Scaled for Build<'_> {
         self.hull(name, &ends.map(|v| [v.x, v.y, v.z]).collect::<Vec<P>>(), mat);
     }
 
-    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: Mat) {
+    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: MaterialId) {
         let d = unit(axis) * (section.1 / 2.0);
         let c = Vector3::from(self.held(centre, round_reach(d, section.0) + d.abs()));
         self.rod(name, (c - d).into(), (c + d).into(), section.0, mat);
     }
 
-    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: Mat) {
+    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: MaterialId) {
         let reach = round_reach(unit(axis), radii.0 + radii.1) + unit(axis) * radii.1;
         let c = Vector3::from(self.held(centre, reach));
         let round = |i: usize| (TAU * (i % 8) as f32 / 8.0).sine_cosine();

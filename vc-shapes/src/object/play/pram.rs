@@ -25,7 +25,7 @@ fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool
 
 /// A folding hood: the ribs of a fan around a pivot, from one angle to another, over a half circle
 /// across; `reach` is its half depth and height.
-fn hood(b: &mut Build<'_>, pivot: (f32, f32), reach: (f32, f32), y: (f32, f32), turns: (f32, f32), mat: Mat) {
+fn hood(b: &mut Build<'_>, pivot: (f32, f32), reach: (f32, f32), y: (f32, f32), turns: (f32, f32), mat: MaterialId) {
     let ribs = 4;
     let step = (turns.1 - turns.0) / ribs as f32;
     let middle = (y.0 + y.1) / 2.0;
@@ -63,8 +63,8 @@ fn hood(b: &mut Build<'_>, pivot: (f32, f32), reach: (f32, f32), y: (f32, f32), 
 pub(super) fn stroller(b: &mut Build<'_>) {
     let seats = if b.class == "double_stroller" { 2 } else { 1 };
     let (cloth, trim) =
-        (b.one(&[CHARCOAL_FABRIC, NAVY_FABRIC, GREY_FABRIC, RED_FABRIC, TEAL_FABRIC, BLACK_FABRIC]), b.style.accent);
-    let frame = b.one(&[ALUMINIUM, BLACK_METAL, WHITE_METAL]);
+        (b.choose(&[CHARCOAL_FABRIC, NAVY_FABRIC, GREY_FABRIC, RED_FABRIC, TEAL_FABRIC, BLACK_FABRIC]), b.style.accent);
+    let frame = b.choose(&[ALUMINIUM, BLACK_METAL, WHITE_METAL]);
     let (front, back) = (b.vary(0.08, 0.1), b.vary(0.09, 0.14));
     let tube = 0.012;
     let rear = -1.0 + 2.0 * back / b.size.x + 0.12;
@@ -102,7 +102,7 @@ pub(super) fn stroller(b: &mut Build<'_>) {
 }
 
 /// An open basket of cloth under the seats.
-fn basket(b: &mut Build<'_>, x: (f32, f32), y: f32, z: (f32, f32), mat: Mat) {
+fn basket(b: &mut Build<'_>, x: (f32, f32), y: f32, z: (f32, f32), mat: MaterialId) {
     let t = 0.02;
     b.slab("basket", [x.0, -y, z.0], [x.1, y, z.0 + 0.012], mat);
     for s in SIDES {
@@ -120,7 +120,7 @@ fn basket(b: &mut Build<'_>, x: (f32, f32), y: f32, z: (f32, f32), mat: Mat) {
 }
 
 /// A reclined seat with leg rest, straps, bumper bar and hood.
-fn seat(b: &mut Build<'_>, cloth: Mat, trim: Mat, frame: Mat) {
+fn seat(b: &mut Build<'_>, cloth: MaterialId, trim: MaterialId, frame: MaterialId) {
     let w = b.size.y * 0.92;
     b.plank("seat", [-0.34, 0.0, 0.43], [0.34, 0.0, 0.47], (w, 0.035), cloth);
     b.plank("backrest", [-0.3, 0.0, 0.43], [-0.66, 0.0, 0.86], (w, 0.035), cloth);
@@ -140,11 +140,11 @@ fn seat(b: &mut Build<'_>, cloth: Mat, trim: Mat, frame: Mat) {
 /// A pram with a carrycot, or a doll's pram: tub, hood, cover, big wheels, handle.
 pub(super) fn pram(b: &mut Build<'_>) {
     let cloth = if b.class == "pram" {
-        b.one(&[NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC, BEIGE_FABRIC, GREEN_FABRIC])
+        b.choose(&[NAVY_FABRIC, BLACK_FABRIC, GREY_FABRIC, BEIGE_FABRIC, GREEN_FABRIC])
     } else {
-        b.one(&[ROSE_FABRIC, PURPLE_FABRIC, RED_FABRIC, TEAL_FABRIC, WICKER])
+        b.choose(&[ROSE_FABRIC, PURPLE_FABRIC, RED_FABRIC, TEAL_FABRIC, WICKER])
     };
-    let (lining, frame) = (WHITE_COTTON, b.one(&[CHROME, WHITE_METAL, BLACK_METAL]));
+    let (lining, frame) = (WHITE_COTTON, b.choose(&[CHROME, WHITE_METAL, BLACK_METAL]));
     let spoked = b.rng.chance(0.6);
     let r = (b.size.z * b.vary(0.16, 0.2)).min(b.size.x * 0.2);
     let (w, tube) = (r * 0.22, r * 0.08);
@@ -177,7 +177,7 @@ pub(super) fn pram(b: &mut Build<'_>) {
 }
 
 /// A tub wider at the top than at the bottom, open at the top.
-fn bassinet(b: &mut Build<'_>, (low, rim): (f32, f32), y: f32, mat: Mat) {
+fn bassinet(b: &mut Build<'_>, (low, rim): (f32, f32), y: f32, mat: MaterialId) {
     b.slab("bottom", [-0.5, -y * 0.85, low], [0.78, y * 0.85, low + 0.03], mat);
     let (inner, outer) = ((-0.52, 0.8, y * 0.86), (-0.72, 0.98, y));
     let wall = |b: &mut Build<'_>, a: [f32; 4]| {

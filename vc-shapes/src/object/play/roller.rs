@@ -6,7 +6,8 @@ use crate::solid::{Axis, Build, CORNERS, arc_outline, band, rounded_between};
 
 /// A self-balancing board: two wheels, two foot plates, lamps.
 pub(super) fn hoverboard(b: &mut Build<'_>) {
-    let (case, trim) = (b.one(&[BLACK_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC]), GREY_RUBBER);
+    let (case, trim) =
+        (b.choose(&[BLACK_PLASTIC, RED_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, PURPLE_PLASTIC]), GREY_RUBBER);
     let r = (b.size.z * 0.46).min(b.size.x * 0.48);
     let z = r / b.size.z;
     for y in SIDES {
@@ -36,8 +37,8 @@ pub(super) fn hoverboard(b: &mut Build<'_>) {
 /// A skateboard, a longboard or a small cruiser.
 pub(super) fn skateboard(b: &mut Build<'_>) {
     let (deck, wheel) = (
-        b.one(&[MAPLE, BLACK, RED, BLUE, GREEN, YELLOW_PLASTIC]),
-        b.one(&[WHITE_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC]),
+        b.choose(&[MAPLE, BLACK, RED, BLUE, GREEN, YELLOW_PLASTIC]),
+        b.choose(&[WHITE_PLASTIC, ORANGE_PLASTIC, GREEN_PLASTIC]),
     );
     let r = (b.size.z * b.vary(0.24, 0.3)).min(0.036);
     let long = b.size.y > 0.85;
@@ -96,7 +97,7 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
 /// A pair of skates, with four wheels in a row or in pairs.
 pub(super) fn skates(b: &mut Build<'_>) {
     let (boot, trim) =
-        (b.one(&[BLACK_LEATHER, WHITE_LEATHER, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]), b.one(BRIGHT));
+        (b.choose(&[BLACK_LEATHER, WHITE_LEATHER, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]), b.choose(BRIGHT));
     let inline = b.rng.chance(0.5);
     for y in SIDES {
         let (low, high) = (y * 0.54 - 0.45, y * 0.54 + 0.45);
@@ -111,7 +112,7 @@ pub(super) fn skates(b: &mut Build<'_>) {
     }
 }
 
-fn chassis(b: &mut Build<'_>, trim: Mat) {
+fn chassis(b: &mut Build<'_>, trim: MaterialId) {
     let r = (b.size.z * 0.11).min(b.size.x * 0.11);
     for i in 0..4 {
         let x = (-1.0 + (2.0 * r / b.size.x) * (1.0 + i as f32 * 2.0)).min(0.8);
@@ -123,7 +124,7 @@ fn chassis(b: &mut Build<'_>, trim: Mat) {
     }
 }
 
-fn trucks(b: &mut Build<'_>, trim: Mat) {
+fn trucks(b: &mut Build<'_>, trim: MaterialId) {
     let r = (b.size.z * 0.1).min(b.size.x * 0.11);
     b.slab("plate", [-0.85, -0.5, 0.24], [0.8, 0.5, 0.3], ALUMINIUM);
     for (x, y) in CORNERS {
@@ -138,7 +139,7 @@ fn trucks(b: &mut Build<'_>, trim: Mat) {
 
 /// A kick scooter with two wheels, or three for small children.
 pub(super) fn kick_scooter(b: &mut Build<'_>) {
-    let (frame, trim) = (b.one(&[ALUMINIUM, BLACK_METAL, BLUE_METAL, RED_METAL]), b.one(BRIGHT));
+    let (frame, trim) = (b.choose(&[ALUMINIUM, BLACK_METAL, BLUE_METAL, RED_METAL]), b.choose(BRIGHT));
     let r = (b.size.z * b.vary(0.08, 0.12)).min(b.size.x * 0.11);
     let (z, edge) = (r / b.size.z, 1.0 - 2.0 * r / b.size.x);
     let three = b.size.z < 0.85 && b.rng.chance(0.7);
@@ -169,8 +170,8 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
 }
 
 /// Saddle and handlebars of a child's cycle with their stems.
-fn cockpit(b: &mut Build<'_>, seat: (f32, f32), bar: (f32, f32), mat: Mat) {
-    let (r, grip) = (0.014, b.one(BRIGHT));
+fn cockpit(b: &mut Build<'_>, seat: (f32, f32), bar: (f32, f32), mat: MaterialId) {
+    let (r, grip) = (0.014, b.choose(BRIGHT));
     let pad = [
         ([seat.0 - 0.2, 0.0, seat.1], 0.38, 0.03),
         ([seat.0, 0.0, seat.1 + 0.01], 0.34, 0.035),
@@ -186,8 +187,8 @@ fn cockpit(b: &mut Build<'_>, seat: (f32, f32), bar: (f32, f32), mat: Mat) {
 /// A tricycle with a saddle, pedals and sometimes a push bar with a basket.
 pub(super) fn tricycle(b: &mut Build<'_>) {
     let (frame, trim) = (
-        b.one(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL]),
-        b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, GREY_PLASTIC]),
+        b.choose(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL]),
+        b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, GREY_PLASTIC]),
     );
     let (big, small) = ((b.size.z * 0.26).min(b.size.x * 0.22), (b.size.z * 0.18).min(b.size.x * 0.15));
     let (fz, bz) = (big / b.size.z, small / b.size.z);
@@ -220,7 +221,7 @@ pub(super) fn tricycle(b: &mut Build<'_>) {
 /// A balance bike: two wheels, a low frame, no pedals.
 pub(super) fn balance_bike(b: &mut Build<'_>) {
     let wooden = b.rng.chance(0.4);
-    let frame = if wooden { b.one(TOY_WOODS) } else { b.one(&[RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL]) };
+    let frame = if wooden { b.choose(TOY_WOODS) } else { b.choose(&[RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL]) };
     let r = (b.size.z * 0.28).min(b.size.x * 0.2);
     let (z, edge) = (r / b.size.z, 1.0 - 2.0 * r / b.size.x);
     for x in [-edge, edge] {

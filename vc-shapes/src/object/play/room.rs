@@ -10,8 +10,8 @@ use crate::solid::{Axis, Build, CORNERS, arc_outline, oval_outline, rounded_betw
 
 /// A furnished dolls' house, open in front or closed by two wings.
 pub(super) fn dollhouse(b: &mut Build<'_>) {
-    let wall = b.one(&[WHITE, CREAM, DUSTY_ROSE, SKY, BIRCH]);
-    let roof = b.one(&[RED, NAVY, TERRACOTTA, SAGE]);
+    let wall = b.choose(&[WHITE, CREAM, DUSTY_ROSE, SKY, BIRCH]);
+    let roof = b.choose(&[RED, NAVY, TERRACOTTA, SAGE]);
     let floors = if b.size.z > 0.85 { 3 } else { 2 };
     let eaves = 0.72;
     let front = 0.86;
@@ -56,7 +56,7 @@ pub(super) fn dollhouse(b: &mut Build<'_>) {
 }
 
 /// A front wing with windows and half of the house door.
-fn shutter(b: &mut Build<'_>, side: f32, z: (f32, f32), floors: usize, wall: Mat) {
+fn shutter(b: &mut Build<'_>, side: f32, z: (f32, f32), floors: usize, wall: MaterialId) {
     let (near, far) = (side * 0.005, side * 0.96);
     b.slab("front", [0.864, near.min(far), z.0], [0.92, near.max(far), z.1], wall);
     let pitch = (z.1 - z.0) / floors as f32;
@@ -76,7 +76,7 @@ fn shutter(b: &mut Build<'_>, side: f32, z: (f32, f32), floors: usize, wall: Mat
 
 /// A bed, a table or a stove of a dolls' house, against its outer wall.
 fn furniture(b: &mut Build<'_>, (y, z): (f32, f32), pitch: f32, kind: usize) {
-    let (h, mat) = (pitch * 0.3, b.one(CLOTHS));
+    let (h, mat) = (pitch * 0.3, b.choose(CLOTHS));
     let (low, high) = (y - 0.1, y + 0.1);
     match kind {
         0 => b.slab("stove", [-0.9, low, z], [-0.5, high, z + h * 1.2], WHITE),
@@ -90,7 +90,7 @@ fn furniture(b: &mut Build<'_>, (y, z): (f32, f32), pitch: f32, kind: usize) {
 
 /// A play kitchen: hob, sink, oven, cupboard and a back panel with a shelf.
 pub(super) fn kitchen(b: &mut Build<'_>) {
-    let (case, front) = (b.one(&[WHITE, BIRCH, CREAM, SAGE, SKY]), b.one(PAINTS));
+    let (case, front) = (b.choose(&[WHITE, BIRCH, CREAM, SAGE, SKY]), b.choose(PAINTS));
     let (top, t) = (0.52, 0.03);
     for y in SIDES {
         b.slab("side", [-0.98, y * 0.96 - 0.03, 0.0], [0.85, y * 0.96 + 0.03, top], case);
@@ -136,7 +136,7 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
 /// A play tent: a teepee of poles and cloth, or a house of cloth.
 pub(super) fn tent(b: &mut Build<'_>) {
     let (cloth, trim) =
-        (b.one(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, GREY_FABRIC]), b.one(CLOTHS));
+        (b.choose(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, GREY_FABRIC]), b.choose(CLOTHS));
     let teepee = b.rng.chance(0.6);
     let r = 0.012;
     let tie = if teepee { 0.84 } else { 0.995 };
@@ -181,7 +181,7 @@ pub(super) fn tent(b: &mut Build<'_>) {
 
 /// The cloth in front of a tent's doorway, hinged at its left edge; `head` is an upper corner of
 /// the front.
-fn curtain(b: &mut Build<'_>, head: [f32; 3], mat: Mat) {
+fn curtain(b: &mut Build<'_>, head: [f32; 3], mat: MaterialId) {
     let out = 0.012 / b.size.x;
     let (low, top) = ([0.95 + out, 0.43, 0.014], [head[0] + out, head[1].abs() * 0.64, head[2]]);
     let high = [0, 1, 2].map(|k| low[k] + (top[k] - low[k]) * 0.88);
@@ -192,7 +192,7 @@ fn curtain(b: &mut Build<'_>, head: [f32; 3], mat: Mat) {
 }
 
 /// A thin cloth spanned by three or four corners.
-fn sheet(b: &mut Build<'_>, corners: &[[f32; 3]], mat: Mat) {
+fn sheet(b: &mut Build<'_>, corners: &[[f32; 3]], mat: MaterialId) {
     let t = (0.004 / b.size.x, 0.004 / b.size.y);
     let inner = corners.iter().map(|p| [p[0] - t.0 * p[0].signum(), p[1] - t.1 * p[1].signum(), p[2] - 0.003]);
     let all: Vec<_> = corners.iter().copied().chain(inner).collect();
@@ -228,12 +228,12 @@ pub(super) fn mat(b: &mut Build<'_>) {
                 );
             }
             for (x, y) in [(-0.1, -0.25), (0.0, 0.3), (-0.82, -0.1), (0.8, 0.75)] {
-                let (roof, half) = (b.one(CLOTHS), b.vary(0.08, 0.13));
+                let (roof, half) = (b.choose(CLOTHS), b.vary(0.08, 0.13));
                 b.slab("house", [x - half, y - half, h * 0.9], [x + half, y + half, 1.0 - 0.3 * (1.0 - h)], roof);
             }
         }
         _ => {
-            let (cloth, trim) = (b.one(CLOTHS), b.one(CLOTHS));
+            let (cloth, trim) = (b.choose(CLOTHS), b.choose(CLOTHS));
             b.plan("mat", (0.0, h), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.2, 0.2)), cloth);
             for (i, r) in [0.75, 0.5, 0.25].into_iter().enumerate() {
                 let z = h + (1.0 - h) * 0.3 * (i + 1) as f32;
@@ -284,7 +284,7 @@ pub(super) fn playpen(b: &mut Build<'_>) {
 
 /// A baby walker: a seat in a ring on castors with a tray of toys in front.
 pub(super) fn walker(b: &mut Build<'_>) {
-    let (frame, cloth) = (b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]), b.one(CLOTHS));
+    let (frame, cloth) = (b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]), b.choose(CLOTHS));
     let r = b.size.x.min(b.size.y) / 2.0;
     (b.size.x, b.size.y) = (2.0 * r, 2.0 * r);
     let castor = (b.size.z * 0.05).min(r * 0.08);
@@ -362,8 +362,8 @@ pub(super) fn bouncer(b: &mut Build<'_>) {
 
 /// An easel with a blackboard on one side and a whiteboard on the other.
 pub(super) fn easel(b: &mut Build<'_>) {
-    let wood = b.one(&[PINE, BEECH, WHITE, BIRCH]);
-    let (t, drawing) = ((0.03 / b.size.y).min(0.2), b.one(CARDS));
+    let wood = b.choose(&[PINE, BEECH, WHITE, BIRCH]);
+    let (t, drawing) = ((0.03 / b.size.y).min(0.2), b.choose(CARDS));
     let lean = |z: f32| 0.96 - 0.88 * z;
     for (x, y) in CORNERS {
         b.plank(

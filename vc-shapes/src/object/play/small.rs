@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, CORNERS, pitched, rounded_between};
 
 /// A free-standing spinning top on its tip: a humming top or a plain one.
 pub(super) fn top(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(PAINTS), b.one(PAINTS));
+    let (paint, trim) = (b.choose(PAINTS), b.choose(PAINTS));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let waist = b.vary(0.35, 0.5);
     let low = [(0.0, 0.0), (r * 0.12, h * 0.06), (r * 0.7, h * (waist - 0.1)), (r, h * waist)];
@@ -23,7 +23,7 @@ pub(super) fn top(b: &mut Build<'_>) {
 
 /// A yo-yo: two discs on an axle with a string and its loop.
 pub(super) fn yo_yo(b: &mut Build<'_>) {
-    let (paint, cap) = (b.one(BRIGHT), b.one(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]));
+    let (paint, cap) = (b.choose(BRIGHT), b.choose(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]));
     let (r, half) = (b.size.y.min(b.size.z) / 2.0, b.size.x / 2.0);
     let middle = [0.0, 0.0, r];
     for x in SIDES {
@@ -36,7 +36,7 @@ pub(super) fn yo_yo(b: &mut Build<'_>) {
 
 /// A rattle: a handle with a ball, rings or a drum full of beads.
 pub(super) fn rattle(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(BRIGHT));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
     let r = b.size.x.min(b.size.y) / 2.0;
     let grip = r * 0.36;
     let (h, head) = (b.size.z, b.size.z - r);
@@ -63,7 +63,7 @@ pub(super) fn rattle(b: &mut Build<'_>) {
 
 /// A rubber duck.
 pub(super) fn duck(b: &mut Build<'_>) {
-    let coat = b.one(&[YELLOW_PLASTIC, YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
+    let coat = b.choose(&[YELLOW_PLASTIC, YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
     b.blob("body", [-0.1, 0.0, 0.28], [0.85, 0.98, 0.28], coat);
     b.pad("base", [-0.5, -0.42, 0.0], [0.35, 0.42, 0.08], 0.002, coat);
     b.chunk("tail", &[[-0.6, 0.4, 0.3], [-0.6, -0.4, 0.3], [-0.7, 0.0, 0.15], [-1.0, 0.0, 0.56]], coat);
@@ -79,7 +79,7 @@ pub(super) fn duck(b: &mut Build<'_>) {
 pub(super) fn dough(b: &mut Build<'_>) {
     let count = (b.size.y / b.size.x).round().clamp(1.0, 3.0);
     let r = (b.size.y / count).min(b.size.x) / 2.0;
-    let (h, tub) = (b.size.z, b.one(&[YELLOW_PLASTIC, WHITE_PLASTIC]));
+    let (h, tub) = (b.size.z, b.choose(&[YELLOW_PLASTIC, WHITE_PLASTIC]));
     for i in 0..count as usize {
         let y = (i as f32 + 0.5) / count * b.size.y - b.size.y / 2.0;
         let mat = BRIGHT[(i + b.rng.below(3)) % BRIGHT.len()];
@@ -91,7 +91,7 @@ pub(super) fn dough(b: &mut Build<'_>) {
 
 /// A toy telephone: a dial telephone with a face, or a mobile phone.
 pub(super) fn phone(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]));
     let flat = b.size.z / b.size.x < 0.45;
     if flat {
         b.pad("case", [-0.98, -0.98, 0.0], [0.98, 0.98, 0.9], b.size.z * 0.4, paint);
@@ -125,7 +125,7 @@ pub(super) fn phone(b: &mut Build<'_>) {
 
 /// A toy teapot with cups on a tray.
 pub(super) fn tea_set(b: &mut Build<'_>) {
-    let (pot, trim) = (b.one(&[PORCELAIN, PINK_PLASTIC, BLUE_PLASTIC, BEECH, WHITE_PLASTIC]), b.one(PAINTS));
+    let (pot, trim) = (b.choose(&[PORCELAIN, PINK_PLASTIC, BLUE_PLASTIC, BEECH, WHITE_PLASTIC]), b.choose(PAINTS));
     let r = (b.size.x * 0.225).min(b.size.y * 0.2);
     let h = b.size.z;
     b.plan("tray", (0.0, 0.05), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.15, 0.15)), trim);
@@ -146,7 +146,7 @@ pub(super) fn tea_set(b: &mut Build<'_>) {
 }
 
 /// A cup on a saucer.
-fn cup(b: &mut Build<'_>, at: [f32; 3], (r, h): (f32, f32), (mat, trim): (Mat, Mat)) {
+fn cup(b: &mut Build<'_>, at: [f32; 3], (r, h): (f32, f32), (mat, trim): (MaterialId, MaterialId)) {
     b.lathe("saucer", at, &[(r * 0.7, 0.0), (r * 1.3, h * 0.16), (r * 0.6, h * 0.1)], trim);
     let bowl = [(r * 0.55, 0.0), (r * 0.9, h * 0.9), (r * 0.8, h * 0.9), (r * 0.45, h * 0.1)];
     b.lathe("cup", [at[0], at[1], at[2] + h * 0.1], &bowl, mat);
@@ -154,7 +154,7 @@ fn cup(b: &mut Build<'_>, at: [f32; 3], (r, h): (f32, f32), (mat, trim): (Mat, M
 
 /// A toy tool box with hammer, saw and spanner.
 pub(super) fn tool_set(b: &mut Build<'_>) {
-    let (case, tool) = (b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, BEECH]), b.one(BRIGHT));
+    let (case, tool) = (b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, BEECH]), b.choose(BRIGHT));
     let tall = 0.5;
     b.slab("bottom", [-0.95, -0.95, 0.0], [0.95, 0.95, 0.06], case);
     for s in SIDES {
@@ -178,7 +178,7 @@ pub(super) fn tool_set(b: &mut Build<'_>) {
 
 /// A water pistol or a long pump gun with a tank.
 pub(super) fn water_gun(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(BRIGHT));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
     let long = b.size.x > b.size.z * 1.6;
     let barrel = (b.size.z * 0.11).min(b.size.y * 0.3);
     let grip = if long { (-0.55, -0.2) } else { (-0.85, -0.25) };
@@ -203,7 +203,7 @@ pub(super) fn water_gun(b: &mut Build<'_>) {
 
 /// A bottle of soap bubbles with its ring.
 pub(super) fn bubble_wand(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(BRIGHT));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let body = (0.45 * h).max(h - r * 6.0).min(h * 0.7);
     b.lathe(
@@ -221,7 +221,7 @@ pub(super) fn bubble_wand(b: &mut Build<'_>) {
 
 /// A diamond kite on its spars, with bows on its tail.
 pub(super) fn kite(b: &mut Build<'_>) {
-    let (a, c) = (b.one(CLOTHS), b.one(CLOTHS));
+    let (a, c) = (b.choose(CLOTHS), b.choose(CLOTHS));
     let (r, cross) = ((b.size.x * 0.15).min(0.004), 0.68);
     let quarter = |y: f32, z: f32| [(0.0, cross), (y * 0.98, cross), (0.0, z)];
     for (y, z, mat) in [(1.0, 0.995, a), (-1.0, 0.995, c), (1.0, 0.18, c), (-1.0, 0.18, a)] {
@@ -239,7 +239,7 @@ pub(super) fn kite(b: &mut Build<'_>) {
 
 /// A bucket for sand with a handle.
 pub(super) fn bucket(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(BRIGHT));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     (b.size.x, b.size.y) = (2.0 * r, 2.0 * r);
     let (foot, lip, t) = (r * b.vary(0.62, 0.72), r * 0.94, 0.003_f32.min(r * 0.1));
@@ -258,7 +258,7 @@ pub(super) fn bucket(b: &mut Build<'_>) {
 
 /// A sand spade standing on its blade, in the leaning pose.
 pub(super) fn shovel(b: &mut Build<'_>) {
-    let (paint, shaft) = (b.one(BRIGHT), b.one(&[BEECH, YELLOW_PLASTIC, RED_PLASTIC]));
+    let (paint, shaft) = (b.choose(BRIGHT), b.choose(&[BEECH, YELLOW_PLASTIC, RED_PLASTIC]));
     let blade = [(-0.7, 0.36), (-0.95, 0.3), (-0.85, 0.1), (0.0, 0.0), (0.85, 0.1), (0.95, 0.3), (0.7, 0.36)];
     b.facing("blade", (-0.3, 0.0), &blade, paint);
     for y in SIDES {

@@ -5,7 +5,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, arc_outline, pitched};
 
 /// Four wheels whose treads touch the floor and whose outer faces touch the sides.
-fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: Mat) {
+fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: MaterialId) {
     let side = 1.0 - width / b.size.y;
     let z = radius / b.size.z;
     for x in [axles.0, axles.1] {
@@ -20,11 +20,11 @@ fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: Ma
 /// A toy car or a remote-controlled one: saloon, racing car, off-roader, bubble car.
 pub(super) fn car(b: &mut Build<'_>) {
     let remote = b.class == "rc_car";
-    let paint = if b.rng.chance(0.25) && !remote { b.one(TOY_WOODS) } else { b.one(BRIGHT) };
+    let paint = if b.rng.chance(0.25) && !remote { b.choose(TOY_WOODS) } else { b.choose(BRIGHT) };
     let share = if remote { 0.3 } else { b.vary(0.19, 0.24) };
     let r = (b.size.z * share).min(b.size.x * 0.16);
     let width = (b.size.y * 0.2).min(r * 1.2);
-    let hub = b.one(&[CHROME, YELLOW_PLASTIC, WHITE_PLASTIC, RED_PLASTIC]);
+    let hub = b.choose(&[CHROME, YELLOW_PLASTIC, WHITE_PLASTIC, RED_PLASTIC]);
     wheels(b, (-0.6, 0.6), r, width, hub);
     let sill = r / b.size.z * 0.8;
     let side = if remote { 1.0 - 2.0 * width / b.size.y } else { 0.92 };
@@ -42,7 +42,7 @@ pub(super) fn car(b: &mut Build<'_>) {
 
 /// A closed body: lower part, glazed cabin between four positions along X, lamps. The bonnet slopes
 /// down by a fraction.
-fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (Mat, f32), cabin: [f32; 4]) {
+fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (MaterialId, f32), cabin: [f32; 4]) {
     let waist = sill + (1.0 - sill) * 0.5;
     let nose = waist - (waist - sill) * fall;
     let body = [
@@ -83,8 +83,8 @@ fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (Mat, f32), cabin:
 }
 
 /// An open racing car with wings and a number.
-fn racer(b: &mut Build<'_>, sill: f32, y: f32, paint: Mat) {
-    let trim = b.one(BRIGHT);
+fn racer(b: &mut Build<'_>, sill: f32, y: f32, paint: MaterialId) {
+    let trim = b.choose(BRIGHT);
     let body = [(-0.9, sill), (0.9, sill), (0.98, sill + 0.1), (0.3, sill + 0.28), (-0.1, 0.62), (-0.9, 0.68)];
     b.profile("body", (-y * 0.6, y * 0.6), &body, paint);
     b.profile("flank", (-y, y), &[(-0.45, sill + 0.02), (0.2, sill + 0.02), (0.1, 0.48), (-0.4, 0.54)], trim);
@@ -99,7 +99,7 @@ fn racer(b: &mut Build<'_>, sill: f32, y: f32, paint: Mat) {
 
 /// A ride-on car in which a child sits inside or astride.
 pub(super) fn ride_on(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC]));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC]));
     let r = (b.size.z * 0.24).min(b.size.x * 0.16);
     wheels(b, (-0.58, 0.58), r, (b.size.y * 0.2).min(r * 0.9), trim);
     let sill = r / b.size.z * 0.7;
@@ -153,9 +153,9 @@ pub(super) fn ride_on(b: &mut Build<'_>) {
 
 /// A toy lorry with a tipping bed.
 pub(super) fn truck(b: &mut Build<'_>) {
-    let (cab, bed) = (b.one(BRIGHT), b.one(&[YELLOW_PLASTIC, GREY_PLASTIC, RED_PLASTIC, GREEN_PLASTIC, BEECH]));
+    let (cab, bed) = (b.choose(BRIGHT), b.choose(&[YELLOW_PLASTIC, GREY_PLASTIC, RED_PLASTIC, GREEN_PLASTIC, BEECH]));
     let r = (b.size.z * 0.17).min(b.size.x * 0.12);
-    let hub = b.one(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]);
+    let hub = b.choose(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]);
     wheels(b, (-0.55, 0.62), r, b.size.y * 0.2, hub);
     let axle = r / b.size.z;
     b.slab("chassis", [-0.9, -0.6, axle * 0.9], [0.97, 0.6, axle * 1.9], BLACK_PLASTIC);
@@ -182,7 +182,8 @@ pub(super) fn truck(b: &mut Build<'_>) {
 
 /// A steam engine, with wagons if the size is long enough.
 pub(super) fn train(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(&[RED, BLUE, GREEN, BLACK, RED_PLASTIC, BLUE_PLASTIC]), b.one(&[YELLOW, GOLD, RED]));
+    let (paint, trim) =
+        (b.choose(&[RED, BLUE, GREEN, BLACK, RED_PLASTIC, BLUE_PLASTIC]), b.choose(&[YELLOW, GOLD, RED]));
     let wagons = ((b.size.x / b.size.y.max(1e-3) - 2.0) / 2.4).floor().clamp(0.0, 3.0);
     let pitch = 2.0 / (wagons + 1.0);
     for i in 0..=(wagons as usize) {
@@ -196,7 +197,7 @@ pub(super) fn train(b: &mut Build<'_>) {
                 b.size.z * 0.04,
                 IRON,
             );
-            let load = b.one(PAINTS);
+            let load = b.choose(PAINTS);
             b.within([low, -1.0, 0.0], [high, 1.0, 1.0], |b| wagon(b, load));
         } else {
             b.within([low, -1.0, 0.0], [high, 1.0, 1.0], |b| engine(b, paint, trim));
@@ -204,7 +205,7 @@ pub(super) fn train(b: &mut Build<'_>) {
     }
 }
 
-fn engine(b: &mut Build<'_>, paint: Mat, trim: Mat) {
+fn engine(b: &mut Build<'_>, paint: MaterialId, trim: MaterialId) {
     bogie(b, paint);
     let r = (b.size.z * 0.24).min(b.size.y * 0.4);
     b.pole("boiler", [-0.3, 0.0, 0.53], [0.86, 0.0, 0.53], r, paint);
@@ -227,14 +228,14 @@ fn engine(b: &mut Build<'_>, paint: Mat, trim: Mat) {
 }
 
 /// A frame on four wheels.
-fn bogie(b: &mut Build<'_>, paint: Mat) {
+fn bogie(b: &mut Build<'_>, paint: MaterialId) {
     b.slab("frame", [-0.93, -0.7, 0.2], [0.88, 0.7, 0.3], paint);
     let r = (b.size.z * 0.15).min(b.size.x * 0.2);
     wheels(b, (-0.55, 0.5), r, b.size.y * 0.12, RED);
 }
 
 /// An open wagon with a load, or a coach with windows.
-fn wagon(b: &mut Build<'_>, paint: Mat) {
+fn wagon(b: &mut Build<'_>, paint: MaterialId) {
     bogie(b, BLACK);
     if b.rng.chance(0.5) {
         b.slab("coach", [-0.95, -0.85, 0.29], [0.95, 0.85, 0.84], paint);
@@ -250,7 +251,7 @@ fn wagon(b: &mut Build<'_>, paint: Mat) {
 
 /// A ring of wooden track with a bridge, signals and, if the height allows it, a train.
 pub(super) fn track(b: &mut Build<'_>) {
-    let wood = b.one(TOY_WOODS);
+    let wood = b.choose(TOY_WOODS);
     let gauge = (b.size.x.min(b.size.y) * 0.08).clamp(0.01, 0.05);
     let (gx, gy) = (2.0 * gauge / b.size.x, 2.0 * gauge / b.size.y);
     let thick = (0.012 / b.size.z).min(0.9);
@@ -286,7 +287,7 @@ pub(super) fn track(b: &mut Build<'_>) {
 
 /// A tunnel over the track, a station and two trees in the centre.
 fn scenery(b: &mut Build<'_>, (gx, gy): (f32, f32), thick: f32) {
-    let paint = b.one(PAINTS);
+    let paint = b.choose(PAINTS);
     let arch = |w: f32, top: f32| arc_outline((1.0 - gx * 0.5, 0.0), (gx * w, top), (0.0, std::f32::consts::PI), 9);
     let mut shell = arch(0.5, 0.9);
     shell.extend(arch(0.42, 0.78).into_iter().rev());
@@ -304,7 +305,7 @@ fn scenery(b: &mut Build<'_>, (gx, gy): (f32, f32), thick: f32) {
 
 /// A toy aeroplane: propeller or jet, with wheels.
 pub(super) fn airplane(b: &mut Build<'_>) {
-    let (paint, trim) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC, BEECH]));
+    let (paint, trim) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC, BEECH]));
     let jet = b.rng.chance(0.4);
     let girth = (b.size.z * 0.4 / b.size.y).min(0.2);
     let ring = |x: f32, z: f32, s: f32| ([x, 0.0, z], girth * s, 0.2 * s);
@@ -347,7 +348,7 @@ pub(super) fn airplane(b: &mut Build<'_>) {
 
 /// A toy boat with a flat keel: a steamer, a sailing boat or a tug.
 pub(super) fn boat(b: &mut Build<'_>) {
-    let (paint, deck) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, BEECH, YELLOW_PLASTIC]));
+    let (paint, deck) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, BEECH, YELLOW_PLASTIC]));
     let sail = b.rng.chance(0.5);
     let rim = if sail { 0.24 } else { 0.42 };
     let side = |x: f32, y: f32, z: f32| [[x, y, z], [x, -y, z]];
@@ -367,7 +368,7 @@ pub(super) fn boat(b: &mut Build<'_>) {
         let r = b.size.z * 0.012;
         b.pole("mast", [0.1, 0.0, rim], [0.1, 0.0, 1.0], r, BEECH);
         b.pole("boom", [0.1, 0.0, rim + 0.08], [-0.85, 0.0, rim + 0.08], r, BEECH);
-        let cloth = b.one(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC, LINEN]);
+        let cloth = b.choose(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC, LINEN]);
         b.profile("sail", (-0.02, 0.02), &[(0.1, rim + 0.1), (-0.85, rim + 0.1), (0.1, 0.97)], cloth);
         b.profile("jib", (-0.02, 0.02), &[(0.1, rim + 0.1), (0.88, rim + 0.01), (0.1, 0.85)], WHITE_COTTON);
         return;

@@ -9,16 +9,16 @@ use crate::material::*;
 use crate::solid::{Axis, Build, CORNERS, band, rolled};
 
 /// The material of a frame (timber or painted tube) and its radius.
-fn framing(b: &mut Build<'_>) -> (Mat, f32) {
+fn framing(b: &mut Build<'_>) -> (MaterialId, f32) {
     if b.rng.chance(0.5) {
-        (b.one(&[PINE, TEAK, OAK]), 0.045)
+        (b.choose(&[PINE, TEAK, OAK]), 0.045)
     } else {
-        (b.one(&[GREEN_METAL, BLUE_METAL, RED_METAL, GALVANISED]), 0.024)
+        (b.choose(&[GREEN_METAL, BLUE_METAL, RED_METAL, GALVANISED]), 0.024)
     }
 }
 
 /// A swing's seat at one height, hanging on two ropes from another height.
-fn hung_seat(b: &mut Build<'_>, y: f32, half: f32, (low, high): (f32, f32), (seat, rope): (Mat, Mat)) {
+fn hung_seat(b: &mut Build<'_>, y: f32, half: f32, (low, high): (f32, f32), (seat, rope): (MaterialId, MaterialId)) {
     let r = if rope == GALVANISED { 0.006 } else { 0.01 };
     let reach = (0.17 / b.size.x).min(0.9);
     let plank = 0.03 / b.size.z;
@@ -31,8 +31,10 @@ fn hung_seat(b: &mut Build<'_>, y: f32, half: f32, (low, high): (f32, f32), (sea
 
 /// A hanging swing: a board, a baby seat, or a round net.
 pub(super) fn swing(b: &mut Build<'_>) {
-    let (seat, rope) =
-        (b.one(&[PINE, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RUBBER]), b.one(&[JUTE, GALVANISED, BLACK_FABRIC]));
+    let (seat, rope) = (
+        b.choose(&[PINE, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RUBBER]),
+        b.choose(&[JUTE, GALVANISED, BLACK_FABRIC]),
+    );
     let baby = b.rng.chance(0.35);
     hung_seat(b, 0.0, 0.98, (0.0, 0.98), (seat, rope));
     for y in SIDES {
@@ -60,14 +62,14 @@ pub(super) fn swing_set(b: &mut Build<'_>) {
         }
         b.plank("brace", [-0.52, y * 0.94, 0.45], [0.52, y * 0.94, 0.45], (r * 1.3, r * 1.3), mat);
     }
-    let rope = b.one(&[JUTE, GALVANISED]);
+    let rope = b.choose(&[JUTE, GALVANISED]);
     let low = 0.42 / b.size.z.max(0.5);
     let half = 0.45 / b.size.y.max(0.5);
     let count = if b.size.y > 3.0 { 3 } else { 2 };
     let pitch = 1.8 * ends / count as f32;
     for i in 0..count {
         let y = (i as f32 - (count as f32 - 1.0) / 2.0) * pitch;
-        let seat = b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, PINE]);
+        let seat = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, PINE]);
         if i == 2 {
             for s in SIDES {
                 b.pole(
@@ -87,7 +89,7 @@ pub(super) fn swing_set(b: &mut Build<'_>) {
 
 /// A tyre hanging flat on three ropes or upright on one.
 pub(super) fn tire_swing(b: &mut Build<'_>) {
-    let rope = b.one(&[JUTE, GALVANISED]);
+    let rope = b.choose(&[JUTE, GALVANISED]);
     let tube = (b.size.x.min(b.size.y) * 0.14).min(0.11);
     let ring = b.size.x.min(b.size.y) / 2.0 - tube;
     if b.rng.chance(0.6) {
@@ -110,7 +112,7 @@ pub(super) fn tire_swing(b: &mut Build<'_>) {
 
 /// A slide that descends to the front: ladder, platform, chute with sides.
 pub(super) fn slide(b: &mut Build<'_>) {
-    let (chute, rail) = (b.one(BRIGHT), b.one(BRIGHT));
+    let (chute, rail) = (b.choose(BRIGHT), b.choose(BRIGHT));
     let plastic = b.size.z < 1.2;
     let top = if plastic { 0.78 } else { 0.74 };
     let wavy = b.rng.chance(0.5);
@@ -157,7 +159,7 @@ pub(super) fn slide(b: &mut Build<'_>) {
 
 /// A sandpit of boards with a lid in two halves and sometimes seats along two sides.
 pub(super) fn sandbox(b: &mut Build<'_>) {
-    let wood = b.one(&[PINE, TEAK, OAK, BLUE]);
+    let wood = b.choose(&[PINE, TEAK, OAK, BLUE]);
     let t = (0.03 / b.size.x).min(0.1);
     let x = (1.0 - t).min(0.96);
     for s in SIDES {
@@ -187,7 +189,7 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
 
 /// A trampoline: mat in a padded ring on legs, with a net on poles around it.
 pub(super) fn trampoline(b: &mut Build<'_>) {
-    let pad = b.one(&[GREEN_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, BLACK_FABRIC]);
+    let pad = b.choose(&[GREEN_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, BLACK_FABRIC]);
     let r = b.size.x.min(b.size.y) / 2.0;
     let h = (b.size.z * 0.36).min(0.9);
     let ring = r * 0.97 - 0.025;
@@ -233,7 +235,7 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
 
 /// A seesaw: a beam on a trestle with two seats and grips.
 pub(super) fn seesaw(b: &mut Build<'_>) {
-    let (paint, seat) = (b.one(&[RED, GREEN, BLUE, PINE, YELLOW]), b.one(BRIGHT));
+    let (paint, seat) = (b.choose(&[RED, GREEN, BLUE, PINE, YELLOW]), b.choose(BRIGHT));
     let pivot = 0.62;
     let near = 0.03 / b.size.y;
     for y in SIDES {
@@ -259,8 +261,8 @@ pub(super) fn seesaw(b: &mut Build<'_>) {
 
 /// A dome of bars, or a cube of bars with a net and holds.
 pub(super) fn climbing_frame(b: &mut Build<'_>) {
-    let mat = b.one(&[GREEN_METAL, BLUE_METAL, RED_METAL, YELLOW_METAL, GALVANISED]);
-    let other = b.one(&[YELLOW_METAL, RED_METAL, BLUE_METAL]);
+    let mat = b.choose(&[GREEN_METAL, BLUE_METAL, RED_METAL, YELLOW_METAL, GALVANISED]);
+    let other = b.choose(&[YELLOW_METAL, RED_METAL, BLUE_METAL]);
     let r = 0.017;
     let half = (1.0 - 2.5 * r / b.size.x, 1.0 - 2.5 * r / b.size.y);
     if b.rng.chance(0.5) {
@@ -314,7 +316,7 @@ pub(super) fn climbing_frame(b: &mut Build<'_>) {
 /// A ladder overhead between two upright ones.
 pub(super) fn monkey_bars(b: &mut Build<'_>) {
     let (mat, r) = framing(b);
-    let rung = b.one(&[GALVANISED, RED_METAL, YELLOW_METAL]);
+    let rung = b.choose(&[GALVANISED, RED_METAL, YELLOW_METAL]);
     let (high, x) = (1.0 - 1.2 * r / b.size.z, 0.6);
     for s in SIDES {
         b.pole("rail", [s * x, -0.99, high], [s * x, 0.99, high], r, mat);
@@ -339,7 +341,7 @@ pub(super) fn monkey_bars(b: &mut Build<'_>) {
 /// A rotating round platform with rails or a wheel in the centre.
 pub(super) fn carousel(b: &mut Build<'_>) {
     let (paint, rail) =
-        (b.one(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL]), b.one(&[STEEL, YELLOW_METAL, RED_METAL]));
+        (b.choose(&[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL]), b.choose(&[STEEL, YELLOW_METAL, RED_METAL]));
     let r = b.size.x.min(b.size.y) / 2.0;
     let h = b.size.z;
     let deck = (h * 0.2).min(0.14);
@@ -389,7 +391,8 @@ pub(super) fn carousel(b: &mut Build<'_>) {
 
 /// A ladder of ropes with wooden rungs, or a knotted rope.
 pub(super) fn rope_ladder(b: &mut Build<'_>) {
-    let (rope, rung) = (b.one(&[JUTE, WHITE_COTTON, BLUE_FABRIC]), b.one(&[PINE, BEECH, RED_PLASTIC, YELLOW_PLASTIC]));
+    let (rope, rung) =
+        (b.choose(&[JUTE, WHITE_COTTON, BLUE_FABRIC]), b.choose(&[PINE, BEECH, RED_PLASTIC, YELLOW_PLASTIC]));
     let r = (b.size.x * 0.2).min(0.016);
     let steps = (b.size.z / 0.3).clamp(3.0, 10.0) as usize;
     for y in SIDES {
@@ -442,7 +445,7 @@ pub(super) fn zip_line(b: &mut Build<'_>) {
 
 /// A crawling tunnel: cloth on hoops.
 pub(super) fn tunnel(b: &mut Build<'_>) {
-    let (a, c) = (b.one(CLOTHS), b.one(CLOTHS));
+    let (a, c) = (b.choose(CLOTHS), b.choose(CLOTHS));
     let r = b.size.y.min(b.size.z) / 2.0;
     let segments = 6;
     let step = 2.0 / segments as f32;
@@ -473,7 +476,7 @@ pub(super) fn tunnel(b: &mut Build<'_>) {
 
 /// Croquet: mallets and balls on a stand, hoops and a peg.
 pub(super) fn croquet(b: &mut Build<'_>) {
-    let wood = b.one(&[BEECH, OAK, CHERRY]);
+    let wood = b.choose(&[BEECH, OAK, CHERRY]);
     let colours = [BLUE, RED, BLACK, YELLOW];
     for y in SIDES {
         b.slab("stand", [-0.95, y * 0.9 - 0.03, 0.0], [0.95, y * 0.9 + 0.03, 0.07], wood);
@@ -504,8 +507,8 @@ pub(super) fn croquet(b: &mut Build<'_>) {
 /// A water table: two basins on legs, a mill and cups.
 pub(super) fn water_table(b: &mut Build<'_>) {
     let (case, leg) = (
-        b.one(&[BLUE_PLASTIC, GREEN_PLASTIC, ORANGE_PLASTIC, YELLOW_PLASTIC, PINE]),
-        b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, PINE]),
+        b.choose(&[BLUE_PLASTIC, GREEN_PLASTIC, ORANGE_PLASTIC, YELLOW_PLASTIC, PINE]),
+        b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, PINE]),
     );
     let tall = b.rng.chance(0.6);
     let rim = if tall { 0.68 } else { 0.96 };

@@ -7,7 +7,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, CORNERS, P, arc_outline, band};
 
 /// A gabled roof over a rectangle, with the ridge along Y.
-fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), mat: Mat) {
+fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), mat: MaterialId) {
     let middle = (x.0 + x.1) / 2.0;
     let t = (0.03 / b.size.z).min(0.05);
     b.profile(
@@ -27,7 +27,8 @@ fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), ma
 
 /// A tower with platform, roof, slide, ladder, and a swing if it is wide.
 pub(super) fn tower(b: &mut Build<'_>) {
-    let (wood, roof, chute) = (b.one(&[PINE, TEAK, OAK]), b.one(&[GREEN, RED, BLUE, TERRACOTTA]), b.one(BRIGHT));
+    let (wood, roof, chute) =
+        (b.choose(&[PINE, TEAK, OAK]), b.choose(&[GREEN, RED, BLUE, TERRACOTTA]), b.choose(BRIGHT));
     let wide = b.size.y > 2.6;
     let left = if wide { -1.0 + 2.4 / b.size.y } else { 0.95 };
     let (floor, eaves) = (0.46, 0.82);
@@ -73,14 +74,14 @@ pub(super) fn tower(b: &mut Build<'_>) {
 }
 
 /// A beam from a tower to a trestle, with a swing.
-fn swing_arm(b: &mut Build<'_>, (y, x): (f32, f32), z: f32, wood: Mat) {
+fn swing_arm(b: &mut Build<'_>, (y, x): (f32, f32), z: f32, wood: MaterialId) {
     b.slab("tie", [-0.95, y - 0.03, z - 0.02], [-0.05, y + 0.03, z + 0.02], wood);
     b.pole("beam", [x, y, z], [x, 0.96, z], 0.05, wood);
     for side in SIDES {
         b.plank("leg", [x + side * 0.4, 0.95, 0.01], [x, 0.94, z], (0.08, 0.08), wood);
     }
     let (middle, half) = ((y + 0.95) / 2.0, 0.42 / b.size.y);
-    let seat = b.one(BRIGHT);
+    let seat = b.choose(BRIGHT);
     b.slab("seat", [x - 0.12, middle - half, 0.17], [x + 0.12, middle + half, 0.185], seat);
     for side in SIDES {
         b.pole("rope", [x, middle + side * half * 0.92, 0.18], [x, middle + side * half * 0.92, z], 0.01, JUTE);
@@ -95,7 +96,7 @@ struct House {
     eaves: f32,
 }
 
-fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
+fn walls(b: &mut Build<'_>, at: &House, wall: MaterialId, trim: MaterialId) {
     let &House { x, y, floor, eaves } = at;
     let t = (0.03 / b.size.x, 0.03 / b.size.y);
     let tall = eaves - floor;
@@ -142,7 +143,7 @@ fn walls(b: &mut Build<'_>, at: &House, wall: Mat, trim: Mat) {
 }
 
 /// Two gables under a roof with the ridge along Y.
-fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: Mat, roof: Mat) {
+fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: MaterialId, roof: MaterialId) {
     let over = |v: f32, by: f32| (v + by).clamp(-1.0, 1.0);
     let (x0, x1) = (over(at.x.0, -0.1), over(at.x.1, 0.1));
     let (low, middle) = (at.eaves + 0.002, (x0 + x1) / 2.0);
@@ -161,11 +162,11 @@ fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: Mat, roof: Mat) {
 pub(super) fn playhouse(b: &mut Build<'_>) {
     let plastic = b.rng.chance(0.4);
     let (wall, trim) = if plastic {
-        (b.one(&[CREAM, SKY, WHITE_PLASTIC]), b.one(BRIGHT))
+        (b.choose(&[CREAM, SKY, WHITE_PLASTIC]), b.choose(BRIGHT))
     } else {
-        (b.one(&[PINE, OAK, SAGE, SKY, DUSTY_ROSE]), WHITE)
+        (b.choose(&[PINE, OAK, SAGE, SKY, DUSTY_ROSE]), WHITE)
     };
-    let roof = if plastic { b.one(BRIGHT) } else { b.one(&[ANTHRACITE, TERRACOTTA, FOREST, NAVY]) };
+    let roof = if plastic { b.choose(BRIGHT) } else { b.choose(&[ANTHRACITE, TERRACOTTA, FOREST, NAVY]) };
     let porch = b.rng.chance(0.5) && b.size.x > 1.4;
     let front = if porch { 0.5 } else { 0.9 };
     let house = House { x: (-0.92, front), y: (-0.92, 0.92), floor: 0.0, eaves: b.vary(0.66, 0.72) };
@@ -200,7 +201,7 @@ pub(super) fn playhouse(b: &mut Build<'_>) {
 
 /// A house on stilts around a trunk, with a ladder and a crown above.
 pub(super) fn tree_house(b: &mut Build<'_>) {
-    let (wall, roof) = (b.one(&[PINE, OAK, TEAK]), b.one(&[FOREST, TERRACOTTA, ANTHRACITE]));
+    let (wall, roof) = (b.choose(&[PINE, OAK, TEAK]), b.choose(&[FOREST, TERRACOTTA, ANTHRACITE]));
     let floor = 0.4;
     let leafy = b.rng.chance(0.6);
     let ridge = if leafy { 0.82 } else { 0.99 };
@@ -226,7 +227,7 @@ pub(super) fn tree_house(b: &mut Build<'_>) {
         b.pole("rung", [0.95, 0.26, z], [0.95, 0.54, z], 0.018, wall);
     }
     if leafy {
-        let leaf = b.one(&[LEAF, DARK_LEAF, LIGHT_LEAF]);
+        let leaf = b.choose(&[LEAF, DARK_LEAF, LIGHT_LEAF]);
         for (x, y, z, s) in
             [(-0.5, 0.0, 0.84, 1.0), (-0.3, 0.45, 0.88, 0.8), (-0.4, -0.5, 0.87, 0.85), (0.2, -0.1, 0.9, 0.7)]
         {
@@ -237,7 +238,7 @@ pub(super) fn tree_house(b: &mut Build<'_>) {
 
 /// An inflatable castle: floor and walls of tubes, four towers, a doorway.
 pub(super) fn castle(b: &mut Build<'_>) {
-    let (a, c, flag) = (b.one(BRIGHT), b.one(BRIGHT), b.one(BRIGHT));
+    let (a, c, flag) = (b.choose(BRIGHT), b.choose(BRIGHT), b.choose(BRIGHT));
     let r = (b.size.x.min(b.size.y) * 0.1).min(b.size.z * 0.16);
     let (ex, ey) = (1.0 - 2.0 * r / b.size.x, 1.0 - 2.0 * r / b.size.y);
     let front = ex - 0.26;
@@ -280,7 +281,7 @@ pub(super) fn castle(b: &mut Build<'_>) {
             b.pole("wall", [-ex, y * ey, z + 0.05], [front, y * ey, z + 0.05], tube, mat);
         }
     }
-    let (gate, flap) = (ey - (r + 0.004) * 2.0 / b.size.y, b.one(&[GREY_FABRIC, BLACK_FABRIC, WHITE_COTTON]));
+    let (gate, flap) = (ey - (r + 0.004) * 2.0 / b.size.y, b.choose(&[GREY_FABRIC, BLACK_FABRIC, WHITE_COTTON]));
     for y in SIDES {
         let anchor = b.p([front + 0.006, y * gate, 0.0]);
         let (near, far) = (y * 0.004, y * gate);
@@ -303,7 +304,7 @@ pub(super) fn castle(b: &mut Build<'_>) {
 
 /// An outdoor kitchen for mud: worktop with two bowls, shelf, back with hooks.
 pub(super) fn mud_kitchen(b: &mut Build<'_>) {
-    let (wood, bowl) = (b.one(&[PINE, TEAK, OAK, GREY_OAK]), b.one(&[STEEL, GALVANISED, BLUE_METAL]));
+    let (wood, bowl) = (b.choose(&[PINE, TEAK, OAK, GREY_OAK]), b.choose(&[STEEL, GALVANISED, BLUE_METAL]));
     let (top, t) = (0.5, 0.03);
     let leg = (0.045 / b.size.x, 0.045 / b.size.y);
     for (x, y) in CORNERS {

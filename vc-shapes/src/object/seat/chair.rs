@@ -4,7 +4,7 @@ use vc_graph::portable::Portable;
 
 use crate::material::*;
 use crate::object::table::frame::{Four, Lean};
-use crate::solid::{Axis, Build, Cut, Row, at_least, curved_sheet, leg, ribbon};
+use crate::solid::{Axis, Build, Cut, SheetRow, at_least, curved_sheet, leg, ribbon};
 
 /// A chair under construction: half depth, half width, height, and further dimensions.
 pub(super) struct Chair {
@@ -17,9 +17,9 @@ pub(super) struct Chair {
     pub(super) rake: f32,
     /// The thickness of legs and posts.
     pub(super) post: f32,
-    pub(super) wood: Mat,
-    pub(super) cloth: Mat,
-    pub(super) metal: Mat,
+    pub(super) wood: MaterialId,
+    pub(super) cloth: MaterialId,
+    pub(super) metal: MaterialId,
 }
 
 impl Chair {
@@ -30,11 +30,11 @@ impl Chair {
         let rake = b.vary(0.1, 0.22) * (h - seat);
         let kids = b.class == "kids_chair";
         let wood = if kids {
-            b.one(&[b.style.wood, WHITE, RED, YELLOW, SKY, GREEN])
+            b.choose(&[b.style.wood, WHITE, RED, YELLOW, SKY, GREEN])
         } else {
-            b.one(&[b.style.wood, b.style.wood, b.style.wood, BLACK, WHITE])
+            b.choose(&[b.style.wood, b.style.wood, b.style.wood, BLACK, WHITE])
         };
-        let cloth = b.one(&[b.style.accent, b.style.upholstery, b.style.accent]);
+        let cloth = b.choose(&[b.style.accent, b.style.upholstery, b.style.accent]);
         let post = (y * b.vary(0.13, 0.18)).max(0.012);
         Self { x, y, h, seat, rake: rake.min(x * 0.4), post, wood, cloth, metal: b.style.metal }
     }
@@ -46,7 +46,7 @@ impl Chair {
     }
 
     /// A board across the back, from one height to another.
-    fn slat(&self, b: &mut Build<'_>, name: &str, z: (f32, f32), y: (f32, f32), mat: Mat) {
+    fn slat(&self, b: &mut Build<'_>, name: &str, z: (f32, f32), y: (f32, f32), mat: MaterialId) {
         let (inset, t) = (self.post * 0.25, self.post * 0.45);
         let front = |z: f32| self.back(z) - inset;
         let outline = [(front(z.0), z.0), (front(z.1), z.1), (front(z.1) - t, z.1), (front(z.0) - t, z.0)];
@@ -85,14 +85,14 @@ pub(super) fn chair(b: &mut Build<'_>) {
         "dining_chair" => &[joined, joined, padded, padded, bucket, cantilever, windsor, moulded],
         _ => &[joined, joined, windsor, moulded, padded, cantilever, tubular, bucket],
     };
-    b.one(designs)(b, &chair);
+    b.choose(designs)(b, &chair);
 }
 
 /// A chair of square timber: the rear legs continue into a back of slats, spindles, a splat or a
 /// cross.
 fn joined(b: &mut Build<'_>, c: &Chair) {
     let (r, under) = (c.post / 2.0, c.seat - 0.022);
-    let foot = r * b.one(&[1.0, 0.65]);
+    let foot = r * b.choose(&[1.0, 0.65]);
     for side in [-1.0, 1.0] {
         let (x, y) = (c.x - 0.006 - r, side * (c.y - 0.004 - r));
         leg(b, "leg", ([x, y, 0.0], foot), ([x, y, under], r), Cut::Square, c.wood);
@@ -100,12 +100,18 @@ fn joined(b: &mut Build<'_>, c: &Chair) {
     c.posts(b);
     let (x0, y) = (c.back(c.seat) - c.post * 0.9, c.y - 0.001);
     if b.rng.chance(0.55) {
-        b.soft("seat", [x0, -y, under - 0.002], [c.x, y, c.seat], 0.008, c.wood);
+        b.rounded_block("seat", [x0, -y, under - 0.002], [c.x, y, c.seat], 0.008, c.wood);
         c.seat_surface(b, c.seat);
     } else {
         b.block("frame", [x0, c.post * 0.1 - y, under - 0.012], [c.x - 0.003, y - c.post * 0.1, under + 0.004], c.wood);
         let inset = c.post + 0.002;
-        b.soft("cushion", [x0 + c.post, inset - y, under], [c.x - 0.004, y - inset, c.seat + 0.012], 0.018, c.cloth);
+        b.rounded_block(
+            "cushion",
+            [x0 + c.post, inset - y, under],
+            [c.x - 0.004, y - inset, c.seat + 0.012],
+            0.018,
+            c.cloth,
+        );
         c.seat_surface(b, c.seat + 0.012);
     }
     let (drop, rail) = (under - (c.seat * 0.13).min(0.06), c.post * 0.35);
@@ -196,7 +202,13 @@ fn arms(b: &mut Build<'_>, c: &Chair) {
     let (r, x1) = (c.post / 2.0, c.x - 0.05);
     for side in [-1.0, 1.0] {
         let y = side * (c.y - r);
-        b.soft("arm", [c.back(z) - c.post * 0.6, y - r, z - c.post * 0.7], [x1 + c.post, y + r, z], 0.008, c.wood);
+        b.rounded_block(
+            "arm",
+            [c.back(z) - c.post * 0.6, y - r, z - c.post * 0.7],
+            [x1 + c.post, y + r, z],
+            0.008,
+            c.wood,
+        );
         b.block("arm_post", [x1 - r, y - r * 0.8, c.seat - 0.01], [x1 + r, y + r * 0.8, z - c.post * 0.5], c.wood);
     }
 }
@@ -208,7 +220,7 @@ fn windsor(b: &mut Build<'_>, c: &Chair) {
     let rear = c.back(c.seat) - c.post;
     let mid = f32::midpoint(rear, c.x);
     let half = (c.x - rear) / 2.0;
-    b.soft("seat", [rear, -c.y, under], [c.x, c.y, c.seat], t * 0.45, c.wood);
+    b.rounded_block("seat", [rear, -c.y, under], [c.x, c.y, c.seat], t * 0.45, c.wood);
     let (from, to) = (c.back(c.seat) + 0.015, c.x - 0.02);
     b.top("seat", [f32::midpoint(from, to), 0.0, c.seat], ((to - from) / 2.0, c.y - 0.03));
     b.at([mid, 0.0, 0.0], 0.0, |b| {
@@ -238,15 +250,15 @@ fn windsor(b: &mut Build<'_>, c: &Chair) {
         let head = [c.post * 0.45 - c.x, k * c.y * 0.92, top + crest * 0.4];
         b.rod("spindle", foot, head, if outer { r * 0.62 } else { r * 0.4 }, c.wood);
     }
-    b.soft("crest", [-c.x, -c.y, top], [c.post * 0.9 - c.x, c.y, c.h], crest * 0.4, c.wood);
+    b.rounded_block("crest", [-c.x, -c.y, top], [c.post * 0.9 - c.x, c.y, c.h], crest * 0.4, c.wood);
 }
 
 /// A moulded shell on splayed wooden legs, wire or tube.
 fn moulded(b: &mut Build<'_>, c: &Chair) {
-    let colour = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC, c.cloth, c.wood]);
+    let colour = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC, c.cloth, c.wood]);
     let (s, w, tall) = (c.seat, c.y, c.h - c.seat);
     let rear = c.back(c.seat) - c.post;
-    let row = |x: f32, z: f32, half: f32, rise: f32| Row { at: (x, z), half: half * w, rise };
+    let row = |x: f32, z: f32, half: f32, rise: f32| SheetRow { at: (x, z), half: half * w, rise };
     let deep = (w * 0.22).min(tall * 0.16);
     // The seat's edges rise to form a pan, the back's are drawn forward; rising parts must stay
     // within the width, so the widest row is that of the seat.
@@ -296,13 +308,13 @@ fn padded(b: &mut Build<'_>, c: &Chair) {
     let lean = Lean { back: -c.x, z: (c.seat - thick * 0.3, c.h), thickness: (c.x * 0.3).min(0.06), tilt };
     let rear = lean.front(c.seat) - 0.02;
     lean.pad(b, "back", (-c.y * 0.97, c.y * 0.97), 0.022, c.cloth);
-    b.soft("seat", [rear - 0.03, -c.y, c.seat - thick], [c.x, c.y, c.seat], 0.025, c.cloth);
+    b.rounded_block("seat", [rear - 0.03, -c.y, c.seat - thick], [c.x, c.y, c.seat], 0.025, c.cloth);
     let (from, to) = (lean.front(c.seat) + 0.012, c.x - 0.02);
     b.top("seat", [f32::midpoint(from, to), 0.0, c.seat], ((to - from) / 2.0, c.y - 0.025));
     let mid = f32::midpoint(-c.x, c.x);
     let inner = f32::midpoint(rear, c.x);
     let splay = b.rng.chance(0.6);
-    let (cut, mat) = (b.one(&[Cut::Square, Cut::Round]), b.one(&[c.wood, c.wood, c.metal]));
+    let (cut, mat) = (b.choose(&[Cut::Square, Cut::Round]), b.choose(&[c.wood, c.wood, c.metal]));
     let under = c.seat - thick + 0.004;
     for (sx, sy) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
         let head = [inner + sx * ((c.x - rear) / 2.0 - r - 0.015), sy * (c.y - r - 0.015), under];
@@ -341,7 +353,7 @@ fn bucket(b: &mut Build<'_>, c: &Chair) {
         ];
         b.prism("arm", Axis::Y, [0.0, y.min(y + side * t), 0.0], &line, t, c.cloth);
     }
-    b.soft("seat", [rear, 0.002 - w + t, s - 0.08_f32.min(s * 0.25)], [c.x, w - t - 0.002, s], 0.02, c.cloth);
+    b.rounded_block("seat", [rear, 0.002 - w + t, s - 0.08_f32.min(s * 0.25)], [c.x, w - t - 0.002, s], 0.02, c.cloth);
     let (from, to) = (lean.front(s) + 0.012, c.x - 0.02);
     b.top("seat", [f32::midpoint(from, to), 0.0, s], ((to - from) / 2.0, w - t - 0.025));
     let mid = f32::midpoint(rear, c.x);
@@ -354,7 +366,7 @@ fn bucket(b: &mut Build<'_>, c: &Chair) {
             radii: (r * 0.6, r),
             cut: Cut::Round,
         };
-        let mat = b.one(&[c.metal, c.wood]);
+        let mat = b.choose(&[c.metal, c.wood]);
         four.build(b, mat);
     });
 }
@@ -362,7 +374,7 @@ fn bucket(b: &mut Build<'_>, c: &Chair) {
 /// A seat and a back on a bent tube that has no rear legs.
 fn cantilever(b: &mut Build<'_>, c: &Chair) {
     let r = (c.post * 0.35).min(0.0125);
-    let steel = b.one(&[CHROME, STEEL, BLACK_METAL]);
+    let steel = b.choose(&[CHROME, STEEL, BLACK_METAL]);
     let rear = c.back(c.seat) - c.post;
     for side in [-1.0, 1.0] {
         let y = side * (c.y - r);
@@ -379,8 +391,8 @@ fn cantilever(b: &mut Build<'_>, c: &Chair) {
     }
     b.bar("tube", [-c.x + r, r - c.y, r], [-c.x + r, c.y - r, r], r, steel);
     let (t, w) = (0.03, c.y - 2.0 * r - 0.001);
-    let pad = b.one(&[c.cloth, BLACK_LEATHER, TAN_LEATHER, WICKER]);
-    b.soft("seat", [rear + 0.02, -w, c.seat - t], [c.x - 0.008, w, c.seat], 0.012, pad);
+    let pad = b.choose(&[c.cloth, BLACK_LEATHER, TAN_LEATHER, WICKER]);
+    b.rounded_block("seat", [rear + 0.02, -w, c.seat - t], [c.x - 0.008, w, c.seat], 0.012, pad);
     let tilt = (c.rake / (c.h - c.seat)).arc_tangent();
     let low = c.seat + (c.h - c.seat) * 0.3;
     Lean { back: -c.x, z: (low, c.h - 0.01), thickness: t * 0.8, tilt }.pad(b, "back", (-w, w), 0.01, pad);
@@ -392,8 +404,8 @@ fn cantilever(b: &mut Build<'_>, c: &Chair) {
 fn tubular(b: &mut Build<'_>, c: &Chair) {
     let (r, w) = ((c.post * 0.35).min(0.011), c.y);
     let rear = c.back(c.seat) - c.post;
-    let steel = b.one(&[CHROME, BLACK_METAL, GREY, c.metal]);
-    let ply = b.one(&[c.wood, BEECH, BIRCH, c.cloth]);
+    let steel = b.choose(&[CHROME, BLACK_METAL, GREY, c.metal]);
+    let ply = b.choose(&[c.wood, BEECH, BIRCH, c.cloth]);
     let under = c.seat - 0.009;
     for side in [-1.0, 1.0] {
         let y = side * (w - r);
@@ -416,7 +428,7 @@ fn tubular(b: &mut Build<'_>, c: &Chair) {
         [(c.x, c.seat - 0.022), (c.x - 0.02, c.seat - 0.006), (c.x - 0.05, c.seat), (rear + 0.03, c.seat - 0.002)];
     ribbon(b, "seat", &seat, t, (-w * 0.96, w * 0.96), ply);
     let tall = c.h - c.seat;
-    let row = |x: f32, z: f32, half: f32| Row { at: (x, z), half: half * w, rise: w * 0.12 };
+    let row = |x: f32, z: f32, half: f32| SheetRow { at: (x, z), half: half * w, rise: w * 0.12 };
     let at = |z: f32| (c.back(z) - c.post * 0.6).max(t + 0.001 - c.x);
     let (z0, z1) = (c.seat + tall * 0.5, c.h - 0.004 - w * 0.12 * (c.rake / tall));
     let rows =

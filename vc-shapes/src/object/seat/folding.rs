@@ -28,12 +28,12 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
         leg(b, "leg", ([front, y, runner(front) + r], r), ([front, y, arm - 0.02], r * 0.9), Cut::Round, c.wood);
         leg(b, "leg", ([rear, y, runner(rear) + r], r), ([rear + 0.02, y, c.seat], r), Cut::Round, c.wood);
         let back = -c.x + c.rake * 0.7;
-        b.soft("arm", [back, y - r, arm - 0.022], [front + 0.04, y + r, arm], 0.009, c.wood);
+        b.rounded_block("arm", [back, y - r, arm - 0.022], [front + 0.04, y + r, arm], 0.009, c.wood);
         leg(b, "post", ([rear, y * 0.96, c.seat - 0.03], r), ([-c.x + r, y * 0.96, c.h], r * 0.9), Cut::Round, c.wood);
     }
     let (z, half) = (c.seat, c.y - 2.0 * r);
     let t = 0.03_f32.min(c.seat * 0.1);
-    b.soft("seat", [rear - 0.03, -c.y + r * 0.6, z - t], [front + 0.02, c.y - r * 0.6, z], 0.01, c.wood);
+    b.rounded_block("seat", [rear - 0.03, -c.y + r * 0.6, z - t], [front + 0.02, c.y - r * 0.6, z], 0.01, c.wood);
     b.rod("rung", [front, -half, z * 0.5], [front, half, z * 0.5], r * 0.6, c.wood);
     b.rod("rung", [rear + 0.01, -half, z * 0.45], [rear + 0.01, half, z * 0.45], r * 0.6, c.wood);
     let x = |h: f32| rear + (r - c.x - rear) * ((h - z) / (c.h - z));
@@ -51,7 +51,13 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
     ];
     b.prism("crest", Axis::Y, [0.0, -half - r, 0.0], &outline, 2.0 * (half + r), c.wood);
     if b.rng.chance(0.6) {
-        b.soft("cushion", [rear + 0.03, -half * 0.92, z], [front - 0.01, half * 0.92, z + 0.045], 0.02, c.cloth);
+        b.rounded_block(
+            "cushion",
+            [rear + 0.03, -half * 0.92, z],
+            [front - 0.01, half * 0.92, z + 0.045],
+            0.02,
+            c.cloth,
+        );
     }
 }
 
@@ -59,8 +65,8 @@ pub(super) fn rocking_chair(b: &mut Build<'_>) {
 pub(super) fn folding_chair(b: &mut Build<'_>) {
     let c = Chair::new(b);
     let metal = b.rng.chance(0.5);
-    let frame = if metal { b.one(&[BLACK_METAL, GALVANISED, WHITE_METAL]) } else { c.wood };
-    let seat = if metal { b.one(&[frame, BLACK_PLASTIC, c.cloth]) } else { c.wood };
+    let frame = if metal { b.choose(&[BLACK_METAL, GALVANISED, WHITE_METAL]) } else { c.wood };
+    let seat = if metal { b.choose(&[frame, BLACK_PLASTIC, c.cloth]) } else { c.wood };
     let r = if metal { 0.01 } else { c.post * 0.36 };
     let cut = if metal { Cut::Round } else { Cut::Square };
     for side in [-1.0, 1.0] {
@@ -82,7 +88,7 @@ pub(super) fn folding_chair(b: &mut Build<'_>) {
     let pass = c.x - r - 2.0 * (c.x - r) * (c.seat / c.h);
     let from = pass - 0.03;
     if metal || b.rng.chance(0.4) {
-        b.soft("seat", [from, -y, c.seat - 0.025], [c.x * 0.95, y, c.seat], 0.01, seat);
+        b.rounded_block("seat", [from, -y, c.seat - 0.025], [c.x * 0.95, y, c.seat], 0.01, seat);
     } else {
         let pitch = (c.x * 0.95 - from) / 5.0;
         for i in 0..5 {
@@ -109,9 +115,9 @@ pub(super) fn folding_chair(b: &mut Build<'_>) {
 pub(super) fn high_chair(b: &mut Build<'_>) {
     at_least(b, [0.26, 0.23, 0.42]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let body = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, b.style.wood, WHITE]);
-    let legs = b.one(&[b.style.wood, WHITE_METAL, BEECH]);
-    let pad = b.one(&[b.style.accent, BLUE_FABRIC, GREEN_FABRIC, ROSE_FABRIC]);
+    let body = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, b.style.wood, WHITE]);
+    let legs = b.choose(&[b.style.wood, WHITE_METAL, BEECH]);
+    let pad = b.choose(&[b.style.accent, BLUE_FABRIC, GREEN_FABRIC, ROSE_FABRIC]);
     let (seat, half, r) = (h * 0.56, y * 0.62, 0.018_f32.min(y * 0.08));
     let (rear, front) = (-x * 0.5, x * 0.2);
     for (sx, sy) in CORNERS {
@@ -119,12 +125,12 @@ pub(super) fn high_chair(b: &mut Build<'_>) {
         let head = [f32::midpoint(rear, front) + sx * (front - rear) * 0.42, sy * (half - r), seat - 0.01];
         leg(b, "leg", (foot, r * 0.8), (head, r), Cut::Round, legs);
     }
-    b.soft("seat", [rear, -half, seat - 0.03], [front + 0.02, half, seat], 0.012, body);
-    b.soft("pad", [rear + 0.03, 0.03 - half, seat - 0.001], [front, half - 0.03, seat + 0.018], 0.008, pad);
+    b.rounded_block("seat", [rear, -half, seat - 0.03], [front + 0.02, half, seat], 0.012, body);
+    b.rounded_block("pad", [rear + 0.03, 0.03 - half, seat - 0.001], [front, half - 0.03, seat + 0.018], 0.008, pad);
     let lean = Lean { back: rear - x * 0.25, z: (seat - 0.02, h), thickness: 0.03, tilt: 0.16 };
     lean.pad(b, "back", (-half, half), 0.014, body);
     lean.posed(b, |b, length, _| {
-        b.soft("pad", [-0.004, 0.03 - half, 0.04], [0.014, half - 0.03, length * 0.9], 0.008, pad);
+        b.rounded_block("pad", [-0.004, 0.03 - half, 0.04], [0.014, half - 0.03, length * 0.9], 0.008, pad);
     });
     let tray = seat + 0.2_f32.min((h - seat) * 0.5);
     let (from, to) = (lean.front(seat) + 0.03, front - 0.01);
@@ -141,7 +147,7 @@ pub(super) fn high_chair(b: &mut Build<'_>) {
         b.prism("side", Axis::Y, [0.0, cy - 0.008, 0.0], &line, 0.016, body);
     }
     let (t0, t1) = (front - 0.03, x);
-    b.soft("tray", [t0, -y, tray], [t1, y, tray + 0.014], 0.006, WHITE_PLASTIC);
+    b.rounded_block("tray", [t0, -y, tray], [t1, y, tray + 0.014], 0.006, WHITE_PLASTIC);
     for (low, high) in [
         ([t0, -y, tray + 0.004], [t1, 0.012 - y, tray + 0.028]),
         ([t0, y - 0.012, tray + 0.004], [t1, y, tray + 0.028]),
@@ -152,7 +158,7 @@ pub(super) fn high_chair(b: &mut Build<'_>) {
     b.top("tray", [f32::midpoint(t0, t1 - 0.012), 0.0, tray + 0.014], ((t1 - t0 - 0.012) / 2.0 - 0.01, y - 0.022));
     let z = seat * 0.55;
     let reach = x * 0.62;
-    b.soft("footrest", [front - 0.02, -half * 0.85, z], [reach, half * 0.85, z + 0.018], 0.006, body);
+    b.rounded_block("footrest", [front - 0.02, -half * 0.85, z], [reach, half * 0.85, z + 0.018], 0.006, body);
     for side in [-1.0, 1.0] {
         let cy = side * half * 0.75;
         b.rod("bracket", [front - 0.01, cy, z + 0.009], [front - 0.01, cy, seat - 0.02], 0.009, legs);

@@ -36,8 +36,8 @@ struct Sofa {
     /// The thickness of the back's frame.
     back: f32,
     tilt: f32,
-    cloth: Mat,
-    wood: Mat,
+    cloth: MaterialId,
+    wood: MaterialId,
     tufted: bool,
     /// Whether the cushion is one piece instead of one for each seat.
     bench: bool,
@@ -47,17 +47,17 @@ impl Sofa {
     fn new(b: &mut Build<'_>) -> Self {
         at_least(b, [0.35, 0.32, 0.32]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-        let arm = b.one(&[Arm::Box, Arm::Box, Arm::Pad, Arm::Pad, Arm::Roll, Arm::Slope, Arm::Frame]);
+        let arm = b.choose(&[Arm::Box, Arm::Box, Arm::Pad, Arm::Pad, Arm::Roll, Arm::Slope, Arm::Frame]);
         let tufted = arm == Arm::Roll && b.rng.chance(0.6);
         let seat = (b.vary(0.4, 0.46)).min(h * 0.55);
-        let lift = b.one(&[0.03_f32, 0.07, 0.12, 0.16]).min(seat * 0.35);
+        let lift = b.choose(&[0.03_f32, 0.07, 0.12, 0.16]).min(seat * 0.35);
         let wide = match arm {
             Arm::Frame => 0.05,
             Arm::Box => b.vary(0.09, 0.2),
             _ => b.vary(0.14, 0.22),
         };
         let high = if tufted { h * 0.92 } else { seat + b.vary(0.35, 0.6) * (h - seat) };
-        let wood = b.one(&[b.style.wood, b.style.wood, b.style.metal, BLACK]);
+        let wood = b.choose(&[b.style.wood, b.style.wood, b.style.metal, BLACK]);
         Self {
             x,
             y,
@@ -115,9 +115,9 @@ impl Sofa {
             b.block("frame", [0.02 - self.x, -y, z], [self.x - 0.012, y, top + 0.002], self.wood);
             return;
         }
-        b.soft("base", [0.002 - self.x, -y, self.lift], [self.x - 0.012, y, top + 0.004], 0.015, self.cloth);
+        b.rounded_block("base", [0.002 - self.x, -y, self.lift], [self.x - 0.012, y, top + 0.004], 0.015, self.cloth);
         let high = if self.tufted { self.h } else { self.seat + (self.h - self.seat) * 0.82 };
-        b.soft(
+        b.rounded_block(
             "back",
             [-self.x, -self.y + 0.014, self.lift + 0.01],
             [self.back - self.x, self.y - 0.014, high],
@@ -141,11 +141,17 @@ impl Sofa {
         let (y0, y1) = ((side * self.y).min(side * (self.y - w)), (side * self.y).max(side * (self.y - w)));
         let (x0, x1, low) = (0.001 - self.x, self.x, self.lift + 0.001);
         match self.arm {
-            Arm::Box => b.soft("arm", [x0, y0, low], [x1, y1, high], 0.018, self.cloth),
-            Arm::Pad => b.soft("arm", [x0, y0, low], [x1, y1, high], w * 0.42, self.cloth),
+            Arm::Box => b.rounded_block("arm", [x0, y0, low], [x1, y1, high], 0.018, self.cloth),
+            Arm::Pad => b.rounded_block("arm", [x0, y0, low], [x1, y1, high], w * 0.42, self.cloth),
             Arm::Roll => {
                 let r = w * 0.5;
-                b.soft("arm", [x0, y0 + r * 0.3, low], [x1 - 0.03, y1 - r * 0.3, high - r * 0.6], 0.02, self.cloth);
+                b.rounded_block(
+                    "arm",
+                    [x0, y0 + r * 0.3, low],
+                    [x1 - 0.03, y1 - r * 0.3, high - r * 0.6],
+                    0.02,
+                    self.cloth,
+                );
                 let y = f32::midpoint(y0, y1);
                 b.rod("roll", [x0, y, high - r], [x1 - 0.008, y, high - r], r, self.cloth);
                 b.rod("button", [x1 - 0.01, y, high - r], [x1, y, high - r], r * 0.55, self.wood);
@@ -169,7 +175,7 @@ impl Sofa {
                 );
                 let top = (high + 0.1).min(self.h * 0.95);
                 leg(b, "leg", ([x0 + r, y, 0.0], r * 0.7), ([x0 + r, y, top], r * 0.7), Cut::Square, self.wood);
-                b.soft("arm", [x0 + r * 0.5, y0, high - 0.03], [x1 - 0.02, y1, high], 0.01, self.wood);
+                b.rounded_block("arm", [x0 + r * 0.5, y0, high - 0.03], [x1 - 0.02, y1, high], 0.01, self.wood);
                 let z = self.seat - self.cushion;
                 b.block("rail", [x0 + r, y - r * 0.4, z - 0.05], [x1 - 2.0 * r, y + r * 0.4, z], self.wood);
                 b.block(
@@ -200,7 +206,13 @@ impl Sofa {
         for i in 0..count {
             let (a, c) = (y.0 + wide * i as f32 + 0.002, y.0 + wide * (i + 1) as f32 - 0.002);
             if !self.bench {
-                b.soft("cushion", [rear, a, low + 0.002], [self.x, c, self.seat], self.cushion * 0.36, self.cloth);
+                b.rounded_block(
+                    "cushion",
+                    [rear, a, low + 0.002],
+                    [self.x, c, self.seat],
+                    self.cushion * 0.36,
+                    self.cloth,
+                );
             }
             let name = if count == 1 { "seat".into() } else { format!("seat_{}", i + 1) };
             let half = ((last - first) / 2.0, wide / 2.0 - 0.035);
@@ -214,7 +226,7 @@ impl Sofa {
             }
         }
         if self.bench {
-            b.soft(
+            b.rounded_block(
                 "cushion",
                 [rear, y.0 + 0.002, low + 0.002],
                 [self.x, y.1 - 0.002, self.seat],
@@ -271,12 +283,18 @@ pub(super) fn sofa_bed(b: &mut Build<'_>) {
         sofa.arm(b, side);
     }
     let high = sofa.seat + (sofa.h - sofa.seat) * 0.82;
-    b.soft("back", [-sofa.x, 0.006 - sofa.y, sofa.lift], [sofa.back - sofa.x, sofa.y - 0.006, high], 0.03, sofa.cloth);
+    b.rounded_block(
+        "back",
+        [-sofa.x, 0.006 - sofa.y, sofa.lift],
+        [sofa.back - sofa.x, sofa.y - 0.006, high],
+        0.03,
+        sofa.cloth,
+    );
     let rear = sofa.back - sofa.x + 0.005;
     let middle = low - 0.1_f32.min(low * 0.35);
     b.block("base", [rear, 0.002 - inner, middle + 0.003], [sofa.x - 0.03, inner - 0.002, low], sofa.cloth);
     b.slide([1.0, 0.0, 0.0], (2.0 * sofa.x - 0.2).clamp(0.1, 0.75), |b| {
-        b.soft(
+        b.rounded_block(
             "bed",
             [rear + 0.02, 0.006 - inner, sofa.lift + 0.005],
             [sofa.x - 0.012, inner - 0.006, middle],
@@ -294,7 +312,7 @@ pub(super) fn corner_sofa(b: &mut Build<'_>) {
     at_least(b, [0.7, 1.0, 0.32]);
     let (full_x, full_y) = (b.size.x / 2.0, b.size.y / 2.0);
     let deep = (full_x * 2.0 * 0.62).min(0.98);
-    let side = b.one(&[-1.0, 1.0]);
+    let side = b.choose(&[-1.0, 1.0]);
     b.size.x = deep;
     let mut sofa = Sofa::new(b);
     if matches!(sofa.arm, Arm::Frame | Arm::Slope) {
@@ -319,8 +337,14 @@ pub(super) fn corner_sofa(b: &mut Build<'_>) {
     let shift = deep / 2.0 - full_x;
     let front = lean.front(sofa.seat) + shift;
     let from = deep - full_x - 0.02;
-    b.soft("base", [from, y0 + 0.001, sofa.lift], [full_x - 0.012, y1 + 0.003, low + 0.003], 0.015, sofa.cloth);
-    b.soft(
+    b.rounded_block(
+        "base",
+        [from, y0 + 0.001, sofa.lift],
+        [full_x - 0.012, y1 + 0.003, low + 0.003],
+        0.015,
+        sofa.cloth,
+    );
+    b.rounded_block(
         "cushion",
         [front - 0.08, y0 + 0.002, low + 0.002],
         [full_x, y1 - 0.002, sofa.seat],
@@ -333,7 +357,7 @@ pub(super) fn corner_sofa(b: &mut Build<'_>) {
     let high = if corner { sofa.seat + (sofa.h - sofa.seat) * 0.82 } else { sofa.arms.1 };
     let (a, c) = (side * sofa.y, side * inner);
     let end = if corner { full_x } else { from + 0.02 };
-    b.soft("arm", [0.001 - full_x, a.min(c), sofa.lift + 0.001], [end, a.max(c), high], 0.02, sofa.cloth);
+    b.rounded_block("arm", [0.001 - full_x, a.min(c), sofa.lift + 0.001], [end, a.max(c), high], 0.02, sofa.cloth);
     let mut pad = 0.0;
     if corner {
         // A second row of back cushions along the side.
@@ -342,7 +366,13 @@ pub(super) fn corner_sofa(b: &mut Build<'_>) {
         let x0 = front + 0.03;
         let half = f32::midpoint(x0, full_x - 0.02);
         for (x0, x1) in [(x0, half - 0.002), (half + 0.002, full_x - 0.02)] {
-            b.soft("back_cushion", [x0, a.min(c), sofa.seat - 0.02], [x1, a.max(c), sofa.h * 0.985], 0.05, sofa.cloth);
+            b.rounded_block(
+                "back_cushion",
+                [x0, a.min(c), sofa.seat - 0.02],
+                [x1, a.max(c), sofa.h * 0.985],
+                0.05,
+                sofa.cloth,
+            );
         }
     }
     let (first, last) = (front + 0.04, full_x - 0.035);
@@ -377,7 +407,7 @@ fn corner_legs(b: &mut Build<'_>, s: &Sofa, full: (f32, f32), deep: f32, end: (f
 pub(super) fn armchair(b: &mut Build<'_>) {
     let mut sofa = Sofa::new(b);
     sofa.bench = false;
-    sofa.cloth = b.one(&[b.style.upholstery, b.style.accent]);
+    sofa.cloth = b.choose(&[b.style.upholstery, b.style.accent]);
     match b.rng.below(6) {
         0 => wing_chair(b, &mut sofa),
         1 => tub_chair(b, &sofa),
@@ -412,7 +442,7 @@ fn wing_chair(b: &mut Build<'_>, s: &mut Sofa) {
         let y = side * (s.y - 0.01 - t / 2.0);
         b.prism("wing", Axis::Y, [0.0, y - t / 2.0, 0.0], &outline, t, s.cloth);
     }
-    b.soft("back", [x0, -s.y + 0.02, s.seat], [x0 + s.back, s.y - 0.02, s.h - 0.003], 0.03, s.cloth);
+    b.rounded_block("back", [x0, -s.y + 0.02, s.seat], [x0 + s.back, s.y - 0.02, s.h - 0.003], 0.03, s.cloth);
 }
 
 /// A rounded shell around one thick cushion.
@@ -456,8 +486,14 @@ fn tub_chair(b: &mut Build<'_>, s: &Sofa) {
     }
     let y = s.y - t - 0.004;
     let rear = -s.x * 0.55;
-    b.soft("base", [rear - 0.1 * s.x, -y * 0.98, low], [s.x * 0.96, y * 0.98, s.seat - s.cushion], 0.02, s.cloth);
-    b.soft("cushion", [rear, -y, s.seat - s.cushion - 0.004], [s.x, y, s.seat], s.cushion * 0.4, s.cloth);
+    b.rounded_block(
+        "base",
+        [rear - 0.1 * s.x, -y * 0.98, low],
+        [s.x * 0.96, y * 0.98, s.seat - s.cushion],
+        0.02,
+        s.cloth,
+    );
+    b.rounded_block("cushion", [rear, -y, s.seat - s.cushion - 0.004], [s.x, y, s.seat], s.cushion * 0.4, s.cloth);
     let tilt = 0.15;
     let lean = Lean { back: t * 0.8 - s.x, z: (s.seat - 0.02, s.h * 0.94), thickness: 0.1_f32.min(s.x * 0.25), tilt };
     lean.pad(b, "back_cushion", (-y * 0.62, y * 0.62), 0.045, s.cloth);
@@ -470,8 +506,8 @@ fn tub_chair(b: &mut Build<'_>, s: &Sofa) {
 /// A fat armchair whose footrest swings up.
 pub(super) fn recliner(b: &mut Build<'_>) {
     let mut s = Sofa::new(b);
-    s.cloth = b.one(&[s.cloth, BROWN_LEATHER, BLACK_LEATHER, GREY_FABRIC]);
-    (s.arm, s.tufted, s.bench, s.lift) = (b.one(&[Arm::Pad, Arm::Box]), false, false, 0.05);
+    s.cloth = b.choose(&[s.cloth, BROWN_LEATHER, BLACK_LEATHER, GREY_FABRIC]);
+    (s.arm, s.tufted, s.bench, s.lift) = (b.choose(&[Arm::Pad, Arm::Box]), false, false, 0.05);
     s.arms = (0.19_f32.min(s.y * 0.32), s.seat + (s.h - s.seat) * 0.34);
     s.tilt = 0.2;
     let front = s.x;
@@ -488,7 +524,7 @@ pub(super) fn recliner(b: &mut Build<'_>) {
         // Stacked cushions: small of the back, shoulders, head.
         lean.posed(b, |b, length, t| {
             for (z0, z1, k) in [(0.0, 0.38, 1.0), (0.36, 0.72, 0.98), (0.7, 1.0, 0.94)] {
-                b.soft(
+                b.rounded_block(
                     "back_cushion",
                     [-t, -inner * k + 0.004, length * z0],
                     [-0.012 * (1.0 - k), inner * k - 0.004, length * z1],
@@ -498,7 +534,13 @@ pub(super) fn recliner(b: &mut Build<'_>) {
             }
         });
         let (first, last) = (lean.front(s.seat) + 0.012, s.x - 0.04);
-        b.soft("cushion", [lean.front(s.seat) - 0.08, 0.003 - inner, low], [s.x, inner - 0.003, s.seat], 0.05, s.cloth);
+        b.rounded_block(
+            "cushion",
+            [lean.front(s.seat) - 0.08, 0.003 - inner, low],
+            [s.x, inner - 0.003, s.seat],
+            0.05,
+            s.cloth,
+        );
         b.top(
             "seat",
             [f32::midpoint(first, last), 0.0, s.seat],
@@ -507,7 +549,13 @@ pub(super) fn recliner(b: &mut Build<'_>) {
         let z = low - 0.01;
         let reach = front + 0.03;
         b.hinge([s.x - 0.008, 0.0, z], [0.0, -1.0, 0.0], 1.45, |b| {
-            b.soft("footrest", [s.x - 0.008, 0.006 - inner, s.lift + 0.02], [reach, inner - 0.006, z], 0.025, s.cloth);
+            b.rounded_block(
+                "footrest",
+                [s.x - 0.008, 0.006 - inner, s.lift + 0.02],
+                [reach, inner - 0.006, z],
+                0.025,
+                s.cloth,
+            );
         });
         let y = s.y - s.arms.0 * 0.5;
         b.rod("lever", [s.x - 0.2, y, s.seat * 0.5], [s.x - 0.2, s.y - 0.001, s.seat * 0.5], 0.012, s.wood);
@@ -518,7 +566,7 @@ pub(super) fn recliner(b: &mut Build<'_>) {
 pub(super) fn chaise_longue(b: &mut Build<'_>) {
     at_least(b, [0.7, 0.3, 0.32]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (cloth, wood) = (b.one(&[b.style.upholstery, b.style.accent]), b.one(&[b.style.wood, b.style.metal]));
+    let (cloth, wood) = (b.choose(&[b.style.upholstery, b.style.accent]), b.choose(&[b.style.wood, b.style.metal]));
     let (seat, lift) = ((h * 0.52).min(0.42), (h * 0.2).min(0.14));
     let four = Four {
         feet: (x - 0.02, y - 0.02),
@@ -529,9 +577,9 @@ pub(super) fn chaise_longue(b: &mut Build<'_>) {
     };
     four.build(b, wood);
     let middle = f32::midpoint(lift, seat);
-    b.soft("base", [-x + 0.004, -y + 0.004, lift], [x - 0.01, y - 0.004, middle + 0.01], 0.018, cloth);
+    b.rounded_block("base", [-x + 0.004, -y + 0.004, lift], [x - 0.01, y - 0.004, middle + 0.01], 0.018, cloth);
     let lean = Lean { back: -x, z: (seat - 0.04, h), thickness: 0.16_f32.min(x * 0.2), tilt: b.vary(0.25, 0.5) };
-    b.soft("cushion", [lean.front(seat) - 0.12, -y, middle], [x, y, seat], 0.05, cloth);
+    b.rounded_block("cushion", [lean.front(seat) - 0.12, -y, middle], [x, y, seat], 0.05, cloth);
     lean.pad(b, "back", (-y * 0.99, y * 0.99), 0.06, cloth);
     let wedge = [
         (-x + 0.006, middle),
@@ -540,13 +588,13 @@ pub(super) fn chaise_longue(b: &mut Build<'_>) {
         (-x + 0.006, h * 0.72),
     ];
     b.prism("support", Axis::Y, [0.0, -y * 0.94, 0.0], &wedge, y * 1.88, cloth);
-    let side = b.one(&[-1.0_f32, 0.0, 1.0]);
+    let side = b.choose(&[-1.0_f32, 0.0, 1.0]);
     let mut room = (-y + 0.05, y - 0.05);
     if side != 0.0 {
         let t = 0.1_f32.min(y * 0.3);
         let (a, c) = (side * (y - 0.001), side * (y - t));
         let arm = seat + (h - seat) * 0.6;
-        b.soft("arm", [-x + 0.05, a.min(c), middle], [x * 0.15, a.max(c), arm], 0.045, cloth);
+        b.rounded_block("arm", [-x + 0.05, a.min(c), middle], [x * 0.15, a.max(c), arm], 0.045, cloth);
         room = if side > 0.0 { (room.0, c - 0.01) } else { (c + 0.01, room.1) };
     } else if b.rng.chance(0.6) {
         let r = 0.07_f32.min(y * 0.2);

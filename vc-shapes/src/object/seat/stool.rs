@@ -18,7 +18,7 @@ fn measures(b: &mut Build<'_>) -> (f32, f32, f32, f32) {
 /// A stool with a round or square seat on three or four legs, or on a column.
 pub(super) fn stool(b: &mut Build<'_>) {
     let (x, y, h, r) = measures(b);
-    let wood = b.one(&[b.style.wood, b.style.wood, b.style.cabinet]);
+    let wood = b.choose(&[b.style.wood, b.style.wood, b.style.cabinet]);
     let cloth = b.style.accent;
     let round = x.max(y) < x.min(y) * 1.12 && b.rng.chance(0.8);
     let soft = b.rng.chance(0.35);
@@ -30,7 +30,7 @@ pub(super) fn stool(b: &mut Build<'_>) {
         disc(b, "seat", [0.0, 0.0, h], radius, t, mat);
         b.top("seat", [0.0, 0.0, h], (side - 0.012, side - 0.012));
     } else {
-        b.soft("seat", [-x, -y, h - t], [x, y, h], if soft { 0.02 } else { 0.006 }, mat);
+        b.rounded_block("seat", [-x, -y, h - t], [x, y, h], if soft { 0.02 } else { 0.006 }, mat);
         b.top("seat", [0.0, 0.0, h], (x - 0.022, y - 0.022));
     }
     let (half, under) = (if round { (radius, radius) } else { (x, y) }, h - t + 0.002);
@@ -81,8 +81,8 @@ pub(super) fn bar_stool(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let tall = h > 0.84 || b.rng.chance(0.3);
     let seat = if tall { h * 0.76 } else { h };
-    let cloth = b.one(&[b.style.accent, BLACK_LEATHER, TAN_LEATHER, b.style.wood]);
-    let (wood, metal) = (b.style.wood, b.one(&[b.style.metal, CHROME, BLACK_METAL]));
+    let cloth = b.choose(&[b.style.accent, BLACK_LEATHER, TAN_LEATHER, b.style.wood]);
+    let (wood, metal) = (b.style.wood, b.choose(&[b.style.metal, CHROME, BLACK_METAL]));
     let column = b.rng.chance(0.4);
     let (t, w) = (0.06_f32.min(seat * 0.1), x.min(y));
     let round = !tall && x.max(y) < w * 1.12 && b.rng.chance(0.6);
@@ -91,7 +91,7 @@ pub(super) fn bar_stool(b: &mut Build<'_>) {
         let at = if column { w * 0.9 } else { w };
         disc(b, "seat", [0.0, 0.0, seat], at, t, cloth);
     } else {
-        b.soft("seat", [-x * 0.9, -y * 0.95, seat - t], [x * 0.95, y * 0.95, seat], t * 0.45, cloth);
+        b.rounded_block("seat", [-x * 0.9, -y * 0.95, seat - t], [x * 0.95, y * 0.95, seat], t * 0.45, cloth);
     }
     b.top("seat", [if tall { 0.02 } else { 0.0 }, 0.0, seat], (side * 0.75, side * 0.85));
     if tall {
@@ -117,7 +117,7 @@ pub(super) fn bar_stool(b: &mut Build<'_>) {
         b.rod("spoke", [-w * 0.66, 0.0, z], [w * 0.66, 0.0, z], 0.008, metal);
         return;
     }
-    let mat = b.one(&[wood, wood, metal]);
+    let mat = b.choose(&[wood, wood, metal]);
     let r = if mat == metal { 0.012 } else { w * 0.1 };
     let feet = if round { (w * 0.9, w * 0.9) } else { (x * 0.98, y * 0.98) };
     let four = Four { feet, heads: (side * 0.75, side * 0.75), height: under, radii: (r * 0.7, r), cut: Cut::Round };
@@ -130,13 +130,13 @@ pub(super) fn bar_stool(b: &mut Build<'_>) {
 /// One or two treads for climbing up to a shelf.
 pub(super) fn step_stool(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
-    let wood = b.one(&[b.style.wood, WHITE, BEECH]);
+    let wood = b.choose(&[b.style.wood, WHITE, BEECH]);
     let t = 0.02_f32.min(h * 0.08);
     if h < 0.28 {
         let plastic = b.rng.chance(0.5);
-        let mat = if plastic { b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]) } else { wood };
+        let mat = if plastic { b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]) } else { wood };
         let top = (x * 0.86, y * 0.9);
-        b.soft("tread", [-top.0, -top.1, h - t], [top.0, top.1, h], 0.006, mat);
+        b.rounded_block("tread", [-top.0, -top.1, h - t], [top.0, top.1, h], 0.006, mat);
         b.top("tread", [0.0, 0.0, h], (top.0 - 0.01, top.1 - 0.01));
         for side in [-1.0, 1.0] {
             let (a, c) = (side * y, side * top.1 * 0.97);
@@ -159,8 +159,8 @@ pub(super) fn step_stool(b: &mut Build<'_>) {
         let y0 = (side * (y - 0.012)).min(side * (y - 0.012 - t));
         b.prism("cheek", Axis::Y, [0.0, y0, 0.0], &outline, t, wood);
     }
-    b.soft("tread", [-x, -y, h - t], [middle + 0.01, y, h], 0.005, wood);
-    b.soft("tread", [middle - 0.02, -y, step - t], [x, y, step], 0.005, wood);
+    b.rounded_block("tread", [-x, -y, h - t], [middle + 0.01, y, h], 0.005, wood);
+    b.rounded_block("tread", [middle - 0.02, -y, step - t], [x, y, step], 0.005, wood);
     b.block("back", [-x + 0.004, 0.012 + t - y, h * 0.5], [-x + 0.004 + t, y - 0.012 - t, h - t], wood);
     b.top("tread_2", [f32::midpoint(-x, middle), 0.0, h], ((x + middle) / 2.0 - 0.008, y - 0.01));
     b.top("tread_1", [f32::midpoint(middle + 0.01, x), 0.0, step], ((x - middle - 0.01) / 2.0 - 0.008, y - 0.01));
@@ -175,8 +175,8 @@ pub(super) fn bench(b: &mut Build<'_>) {
     let t = if padded { h * 0.2 } else { h * 0.08 };
     let under = h - t + 0.002;
     if padded {
-        let cloth = b.one(&[b.style.upholstery, b.style.accent]);
-        b.soft("seat", [-x, -y, h - t], [x, y, h], 0.03, cloth);
+        let cloth = b.choose(&[b.style.upholstery, b.style.accent]);
+        b.rounded_block("seat", [-x, -y, h - t], [x, y, h], 0.03, cloth);
         let buttons = (y / 0.16) as usize;
         for i in 0..buttons {
             let cy = y * (2.0 * (i as f32 + 0.5) / buttons as f32 - 1.0);
@@ -194,7 +194,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
             b.block("batten", [-x * 0.95, cy - 0.02, h - t - 0.025], [x * 0.85, cy + 0.02, h - t + 0.001], wood);
         }
     } else {
-        b.soft("seat", [-x, -y, h - t], [x, y, h], 0.006, wood);
+        b.rounded_block("seat", [-x, -y, h - t], [x, y, h], 0.006, wood);
     }
     b.top("seat", [0.0, 0.0, h], (x - 0.015, y - 0.02));
     let metal = b.style.metal;
@@ -249,7 +249,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
     }
 }
 
-fn aprons(b: &mut Build<'_>, half: (f32, f32), under: f32, wood: Mat) {
+fn aprons(b: &mut Build<'_>, half: (f32, f32), under: f32, wood: MaterialId) {
     let drop = under * 0.84;
     for side in [-1.0_f32, 1.0] {
         let (cx, cy) = (side * half.0, side * half.1);
@@ -261,15 +261,15 @@ fn aprons(b: &mut Build<'_>, half: (f32, f32), under: f32, wood: Mat) {
 /// A hall bench: a chest with a padded lid, or open compartments below a cushion.
 pub(super) fn storage_bench(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
-    let body = b.one(&[b.style.cabinet, b.style.wood]);
-    let cloth = b.one(&[b.style.accent, b.style.upholstery]);
+    let body = b.choose(&[b.style.cabinet, b.style.wood]);
+    let cloth = b.choose(&[b.style.accent, b.style.upholstery]);
     if b.rng.chance(0.55) {
         chest(b, &Chest { body, lid: cloth, padded: true, feet: b.style.wood });
         return;
     }
     let pad = 0.05_f32.min(h * 0.15);
     let count = (y / 0.2).clamp(1.0, 4.0) as usize;
-    let cell = b.one(&[Cell::Drawers(1), Cell::Drawers(1), Cell::Doors(Look::Flat, 1)]);
+    let cell = b.choose(&[Cell::Drawers(1), Cell::Drawers(1), Cell::Doors(Look::Flat, 1)]);
     let handle = Handle::Knob;
     let grip = handle.depth();
     let case = Case {
@@ -283,17 +283,17 @@ pub(super) fn storage_bench(b: &mut Build<'_>) {
         metal: b.style.metal,
     };
     case.build(b);
-    b.soft("cushion", [-x + 0.003, -y + 0.003, h - pad], [x - grip - 0.003, y - 0.003, h], 0.02, cloth);
+    b.rounded_block("cushion", [-x + 0.003, -y + 0.003, h - pad], [x - grip - 0.003, y - 0.003, h], 0.02, cloth);
     b.top("seat", [-grip / 2.0, 0.0, h], (x - grip / 2.0 - 0.025, y - 0.025));
 }
 
 /// A padded bench at a piano, its legs straight or turned.
 pub(super) fn piano_bench(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
-    let wood = b.one(&[BLACK, WHITE, b.style.wood, MAHOGANY, WALNUT]);
+    let wood = b.choose(&[BLACK, WHITE, b.style.wood, MAHOGANY, WALNUT]);
     let (pad, box_, r) = (h * 0.11, h * 0.16, (x * 0.14).min(0.026));
-    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC]);
-    b.soft("seat", [0.012 - x, 0.012 - y, h - pad], [x - 0.012, y - 0.012, h], 0.022, leather);
+    let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC]);
+    b.rounded_block("seat", [0.012 - x, 0.012 - y, h - pad], [x - 0.012, y - 0.012, h], 0.022, leather);
     b.top("seat", [0.0, 0.0, h], (x - 0.04, y - 0.04));
     b.block("frame", [-x, -y, h - pad - box_ * 0.55], [x, y, h - pad + 0.006], wood);
     let under = h - pad - box_ * 0.5;
@@ -318,7 +318,7 @@ pub(super) fn piano_bench(b: &mut Build<'_>) {
 /// A padded footstool: square on legs, a drum, or a knitted pouf.
 pub(super) fn ottoman(b: &mut Build<'_>) {
     let (x, y, h, r) = measures(b);
-    let cloth = b.one(&[b.style.upholstery, b.style.accent]);
+    let cloth = b.choose(&[b.style.upholstery, b.style.accent]);
     let radius = x.min(y);
     let round = x.max(y) < radius * 1.1 && b.rng.chance(0.8);
     if round && b.rng.chance(0.5) {
@@ -338,7 +338,7 @@ pub(super) fn ottoman(b: &mut Build<'_>) {
         b.top("seat", [0.0, 0.0, h], (radius * 0.5, radius * 0.5));
         return;
     }
-    let wood = b.one(&[b.style.wood, b.style.metal]);
+    let wood = b.choose(&[b.style.wood, b.style.metal]);
     let lift = b.vary(0.0, 0.35) * h;
     let lift = if lift < 0.06 { 0.012 } else { lift };
     let (foot, inset) = (r * 0.7, if round { radius * 0.3 } else { 0.02 });
@@ -354,15 +354,15 @@ pub(super) fn ottoman(b: &mut Build<'_>) {
         return;
     }
     let middle = lift + (h - lift) * 0.45;
-    b.soft("body", [-x + 0.006, -y + 0.006, lift], [x - 0.006, y - 0.006, middle + 0.01], 0.015, cloth);
-    b.soft("cushion", [-x, -y, middle], [x, y, h], 0.04, cloth);
+    b.rounded_block("body", [-x + 0.006, -y + 0.006, lift], [x - 0.006, y - 0.006, middle + 0.01], 0.015, cloth);
+    b.rounded_block("cushion", [-x, -y, middle], [x, y, h], 0.04, cloth);
     b.top("seat", [0.0, 0.0, h], (x - 0.04, y - 0.04));
 }
 
 /// A slumping bag: wide at the bottom, with a hollow to sit in, gathered at the top.
 pub(super) fn bean_bag(b: &mut Build<'_>) {
     let (x, y, h, _) = measures(b);
-    let cloth = b.one(&[b.style.accent, b.style.upholstery, DENIM, RED_FABRIC, GREY_FABRIC]);
+    let cloth = b.choose(&[b.style.accent, b.style.upholstery, DENIM, RED_FABRIC, GREY_FABRIC]);
     let r = x.min(y);
     if x.max(y) < r * 1.1 && b.rng.chance(0.7) {
         let k = |w: f32, z: f32| (r * w, h * z);
@@ -381,8 +381,14 @@ pub(super) fn bean_bag(b: &mut Build<'_>) {
         return;
     }
     let seat = h * 0.5;
-    b.soft("bag", [-x, -y, 0.0], [x, y, seat], seat * 0.49, cloth);
-    b.soft("back", [-x * 0.98, -y * 0.86, seat * 0.3], [-x * 0.1, y * 0.86, h], (h * 0.3).min(x * 0.42), cloth);
+    b.rounded_block("bag", [-x, -y, 0.0], [x, y, seat], seat * 0.49, cloth);
+    b.rounded_block(
+        "back",
+        [-x * 0.98, -y * 0.86, seat * 0.3],
+        [-x * 0.1, y * 0.86, h],
+        (h * 0.3).min(x * 0.42),
+        cloth,
+    );
     let line = [(x * 0.2, seat * 1.02), (-x * 0.05, seat * 1.08)];
     ribbon(b, "seam", &line, 0.02, (-y * 0.5, y * 0.5), cloth);
 }

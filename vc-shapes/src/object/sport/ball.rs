@@ -15,7 +15,7 @@ fn fit(b: &Build<'_>) -> (f32, P) {
 }
 
 /// A zone of the ball's surface between two angles from an axis.
-fn mark(b: &mut Build<'_>, name: &str, towards: P, angles: (f32, f32), lift: f32, mat: Mat) {
+fn mark(b: &mut Build<'_>, name: &str, towards: P, angles: (f32, f32), lift: f32, mat: MaterialId) {
     let (r, c) = fit(b);
     zone(b, name, (c, r * lift), towards, angles, mat);
 }
@@ -25,13 +25,13 @@ pub(super) fn plain(b: &mut Build<'_>) {
     let (r, c) = fit(b);
     match b.class {
         "table_tennis_ball" => {
-            let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, ORANGE_PLASTIC]);
+            let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, ORANGE_PLASTIC]);
             b.ball("ball", c, r, mat);
         }
         "medicine_ball" => {
             let (mat, line) = (
-                b.one(&[BROWN_LEATHER, BLACK_LEATHER, RUBBER, TAN_LEATHER]),
-                b.one(&[RED_RUBBER, GREY_RUBBER, YELLOW_PLASTIC]),
+                b.choose(&[BROWN_LEATHER, BLACK_LEATHER, RUBBER, TAN_LEATHER]),
+                b.choose(&[RED_RUBBER, GREY_RUBBER, YELLOW_PLASTIC]),
             );
             b.ball("ball", c, r * 0.992, mat);
             for turn in [0.0, 1.047, 2.094] {
@@ -41,7 +41,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
             mark(b, "label", [0.0, 0.0, 1.0], (0.0, 0.4), 1.0, line);
         }
         "exercise_ball" => {
-            let mat = b.one(BRIGHT);
+            let mat = b.choose(BRIGHT);
             b.ball("ball", c, r * 0.994, mat);
             let rib = b.vary(0.14, 0.24);
             for i in 1..(PI / rib) as usize {
@@ -52,7 +52,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
             }
         }
         _ => {
-            let (mat, other) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+            let (mat, other) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
             b.ball("ball", c, r * 0.95, mat);
             let towards = [0.5, 0.3, 0.8];
             let (stripe, cap) = (b.vary(0.16, 0.42), b.vary(0.22, 0.42));
@@ -72,7 +72,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
 /// A basketball: orange with dark seams.
 pub(super) fn basketball(b: &mut Build<'_>) {
     let (r, c) = fit(b);
-    let skin = b.one(&[ORANGE_PLASTIC, TERRACOTTA, RUST_FABRIC]);
+    let skin = b.choose(&[ORANGE_PLASTIC, TERRACOTTA, RUST_FABRIC]);
     b.ball("ball", c, r * 0.993, skin);
     for towards in [[1.0, 0.0, 0.3], [0.0, 1.0, 0.0]] {
         mark(b, "seam", towards, (PI / 2.0 - 0.025, PI / 2.0 + 0.025), 1.0, BLACK_PLASTIC);
@@ -85,7 +85,7 @@ pub(super) fn basketball(b: &mut Build<'_>) {
 /// A football of twelve dark patches on white.
 pub(super) fn football(b: &mut Build<'_>) {
     let (r, c) = fit(b);
-    let (skin, patch) = (WHITE_PLASTIC, b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC, RED_PLASTIC]));
+    let (skin, patch) = (WHITE_PLASTIC, b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC, RED_PLASTIC]));
     b.ball("ball", c, r * 0.992, skin);
     let golden = 1.618;
     for (u, v) in CORNERS {
@@ -125,8 +125,10 @@ pub(super) fn american_football(b: &mut Build<'_>) {
 /// A volleyball with panels in three directions.
 pub(super) fn volleyball(b: &mut Build<'_>) {
     let (r, c) = fit(b);
-    let (skin, other) =
-        (b.one(&[WHITE_LEATHER, YELLOW_PLASTIC]), b.one(&[BLUE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]));
+    let (skin, other) = (
+        b.choose(&[WHITE_LEATHER, YELLOW_PLASTIC]),
+        b.choose(&[BLUE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC, GREEN_PLASTIC]),
+    );
     b.ball("ball", c, r * 0.99, skin);
     for (i, towards) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
         for sign in SIDES {
@@ -180,8 +182,8 @@ pub(super) fn golf(b: &mut Build<'_>) {
 pub(super) fn bowling(b: &mut Build<'_>) {
     let (r, c) = fit(b);
     let (skin, swirl) = (
-        b.one(&[BLACK_GLAZE, BLUE_GLAZE, RED_GLAZE, GREEN_GLAZE, PURPLE_PLASTIC]),
-        b.one(&[BLUE_GLAZE, YELLOW_GLAZE, GREY_PLASTIC]),
+        b.choose(&[BLACK_GLAZE, BLUE_GLAZE, RED_GLAZE, GREEN_GLAZE, PURPLE_PLASTIC]),
+        b.choose(&[BLUE_GLAZE, YELLOW_GLAZE, GREY_PLASTIC]),
     );
     b.ball("ball", c, r * 0.99, skin);
     for (x, y, size) in [(0.3, 0.12, 0.09), (0.3, -0.12, 0.09), (-0.05, 0.0, 0.11)] {

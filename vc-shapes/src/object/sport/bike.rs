@@ -5,7 +5,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, P, oval_outline, pitched, spare};
 
 /// A seat post with a saddle.
-fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: Mat) {
+fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: MaterialId) {
     b.pole("post", foot, seat, 0.02, CHROME);
     let ring = |x: f32, y: f32, z: f32| ([seat[0] + x, 0.0, seat[2] + z], y, 0.022);
     let shape = [
@@ -19,7 +19,7 @@ fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: Mat) {
 }
 
 /// Two cranks with pedals on an axle.
-pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: Mat) {
+pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: MaterialId) {
     b.disc("crank_wheel", Axis::Y, at, (reach * 0.55, b.size.y * 0.34), mat);
     b.pole("axle", [at[0], -0.44, at[2]], [at[0], 0.44, at[2]], 0.012, STEEL);
     for y in SIDES {
@@ -36,11 +36,11 @@ pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: Mat) {
 }
 
 /// A display that leans towards the user.
-pub(super) fn display(b: &mut Build<'_>, at: P, half: (f32, f32), lean: f32, case: Mat) {
+pub(super) fn display(b: &mut Build<'_>, at: P, half: (f32, f32), lean: f32, case: MaterialId) {
     let (w, h) = half;
     let place = b.p(at);
     b.posed(pitched(place, lean), |b| {
-        b.soft("console", [-0.014, -w, -h], [0.02, w, h], 0.012, case);
+        b.rounded_block("console", [-0.014, -w, -h], [0.02, w, h], 0.012, case);
         b.block("screen", [-0.017, -w * 0.85, -h * 0.4], [-0.01, w * 0.85, h * 0.85], PICTURE_DARK);
         b.block("reading", [-0.019, -w * 0.7, h * 0.1], [-0.012, w * 0.1, h * 0.6], LED);
         for i in 0..3 {
@@ -51,7 +51,7 @@ pub(super) fn display(b: &mut Build<'_>, at: P, half: (f32, f32), lean: f32, cas
 }
 
 /// Feet across the floor at both ends.
-pub(super) fn feet(b: &mut Build<'_>, at: (f32, f32), mat: Mat) {
+pub(super) fn feet(b: &mut Build<'_>, at: (f32, f32), mat: MaterialId) {
     let r = b.size.z * 0.03;
     let z = r / b.size.z;
     for x in [at.0, at.1] {
@@ -63,7 +63,7 @@ pub(super) fn feet(b: &mut Build<'_>, at: (f32, f32), mat: Mat) {
 }
 
 /// Handlebars with grips; their arms point to the front.
-fn bars(b: &mut Build<'_>, at: P, mat: Mat) {
+fn bars(b: &mut Build<'_>, at: P, mat: MaterialId) {
     let r = 0.013;
     for y in SIDES {
         let bend = [
@@ -82,8 +82,8 @@ fn bars(b: &mut Build<'_>, at: P, mat: Mat) {
 pub(super) fn upright(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
     let (case, trim) = (
-        b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]),
-        b.one(&[RED_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]),
+        b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]),
+        b.choose(&[RED_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC]),
     );
     feet(b, (-0.84, 0.84), BLACK_METAL);
     b.plank("frame", [-0.86, 0.0, 0.05], [0.86, 0.0, 0.05], (0.07, 0.05), case);
@@ -103,8 +103,10 @@ pub(super) fn upright(b: &mut Build<'_>) {
 /// A spin bike: an open flywheel in front and racing handlebars.
 pub(super) fn spin(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.02);
-    let (frame, wheel) =
-        (b.one(&[BLACK_METAL, WHITE_METAL, RED_METAL, YELLOW_METAL, SILVER_METAL]), b.one(&[CHROME, RED_METAL, STEEL]));
+    let (frame, wheel) = (
+        b.choose(&[BLACK_METAL, WHITE_METAL, RED_METAL, YELLOW_METAL, SILVER_METAL]),
+        b.choose(&[CHROME, RED_METAL, STEEL]),
+    );
     feet(b, (-0.82, 0.8), frame);
     let r = (b.size.z * 0.2).min(b.size.x * 0.22);
     let at = [0.98 - 2.0 * r / b.size.x - 0.02, 0.0, r / b.size.z + 0.06];
@@ -137,8 +139,10 @@ pub(super) fn spin(b: &mut Build<'_>) {
 /// A recumbent bike: a chair behind the pedals with handles beside it.
 pub(super) fn recumbent(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
-    let (case, trim) =
-        (b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]), b.one(&[BLACK_PLASTIC, RED_PLASTIC, BLUE_PLASTIC]));
+    let (case, trim) = (
+        b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC]),
+        b.choose(&[BLACK_PLASTIC, RED_PLASTIC, BLUE_PLASTIC]),
+    );
     feet(b, (-0.88, 0.88), BLACK_METAL);
     b.plank("frame", [-0.9, 0.0, 0.07], [0.9, 0.0, 0.07], (0.1, 0.07), case);
     b.profile(

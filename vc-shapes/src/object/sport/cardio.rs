@@ -9,8 +9,8 @@ use crate::solid::{Axis, Build, oval_outline, rounded_between, spare};
 pub(super) fn treadmill(b: &mut Build<'_>) {
     let pad = b.class == "walking_pad";
     let (case, trim) = (
-        b.one(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, ALUMINIUM]),
-        b.one(&[RED_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC]),
+        b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, ALUMINIUM]),
+        b.choose(&[RED_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC]),
     );
     if !pad {
         spare(b, 0.0, 0.0, 0.02);
@@ -58,7 +58,8 @@ pub(super) fn treadmill(b: &mut Build<'_>) {
 /// A rowing machine: a rail with a sliding seat, footplates, and a flywheel or water tank.
 pub(super) fn rower(b: &mut Build<'_>) {
     let water = b.rng.chance(0.4);
-    let frame = if water { b.one(&[OAK, WALNUT, CHERRY]) } else { b.one(&[BLACK_METAL, SILVER_METAL, GREY_PLASTIC]) };
+    let frame =
+        if water { b.choose(&[OAK, WALNUT, CHERRY]) } else { b.choose(&[BLACK_METAL, SILVER_METAL, GREY_PLASTIC]) };
     feet(b, (-0.93, 0.8), if water { frame } else { BLACK_METAL });
     let rail = 0.34;
     for y in SIDES {
@@ -114,7 +115,7 @@ pub(super) fn rower(b: &mut Build<'_>) {
 pub(super) fn elliptical(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
     let (case, trim) =
-        (b.one(&[GREY_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]), b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]));
+        (b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]), b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]));
     feet(b, (-0.9, 0.9), BLACK_METAL);
     b.plank("frame", [-0.9, 0.0, 0.045], [0.9, 0.0, 0.045], (0.08, 0.05), BLACK_METAL);
     let ahead = b.rng.chance(0.5);
@@ -171,8 +172,10 @@ pub(super) fn elliptical(b: &mut Build<'_>) {
 /// A stair climber: endless steps between side walls, with rails and console.
 pub(super) fn stairs(b: &mut Build<'_>) {
     spare(b, 0.0, 0.0, 0.01);
-    let (case, trim) =
-        (b.one(&[GREY_PLASTIC, BLACK_PLASTIC, SILVER_METAL]), b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]));
+    let (case, trim) = (
+        b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, SILVER_METAL]),
+        b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]),
+    );
     for y in SIDES {
         let side = [(-0.85, 0.0), (0.95, 0.0), (0.98, 0.5), (0.8, 0.56), (-0.8, 0.14)];
         b.profile("side", (y * 0.87 - 0.1, y * 0.87 + 0.1), &side, case);
@@ -193,7 +196,7 @@ pub(super) fn stairs(b: &mut Build<'_>) {
 
 /// A ski ergometer: a tall board with a fan on top and two pull handles.
 pub(super) fn ski(b: &mut Build<'_>) {
-    let frame = b.one(&[BLACK_METAL, SILVER_METAL, WHITE_METAL]);
+    let frame = b.choose(&[BLACK_METAL, SILVER_METAL, WHITE_METAL]);
     let ahead = 1.0 - (0.3 / b.size.x).min(1.2);
     b.slab("platform", [-0.98, -0.9, 0.0], [ahead, 0.9, 0.03], BLACK_PLASTIC);
     b.slab("tread", [-0.9, -0.8, 0.02], [ahead - 0.1, 0.8, 0.035], GREY_RUBBER);
@@ -217,7 +220,7 @@ pub(super) fn ski(b: &mut Build<'_>) {
 /// A vibration plate, flat or with a column and handles.
 pub(super) fn vibration_plate(b: &mut Build<'_>) {
     let (case, trim) =
-        (b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]), b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]));
+        (b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]), b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]));
     let tall = b.size.z > 0.5;
     let deck = (0.14 / b.size.z).min(0.92);
     let high = if tall { deck } else { 0.93 };

@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, P};
 
 /// A net of cords over a quadrilateral with `cells` along and across; the frame it hangs from runs
 /// along the sides.
-fn netting(b: &mut Build<'_>, corners: [P; 4], cells: (usize, usize), half: f32, mat: Mat) {
+fn netting(b: &mut Build<'_>, corners: [P; 4], cells: (usize, usize), half: f32, mat: MaterialId) {
     let mix = |a: P, c: P, t: f32| [0, 1, 2].map(|k| a[k] + (c[k] - a[k]) * t);
     let [a, c, d, e] = corners;
     for i in 1..cells.0 {
@@ -24,7 +24,7 @@ fn netting(b: &mut Build<'_>, corners: [P; 4], cells: (usize, usize), half: f32,
 /// A basketball backboard with hoop and net on a mast with a filled base.
 pub(super) fn basketball_hoop(b: &mut Build<'_>) {
     let (mast, board) =
-        (b.one(&[BLACK_METAL, GALVANISED, BLUE_METAL]), b.one(&[CLEAR_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]));
+        (b.choose(&[BLACK_METAL, GALVANISED, BLUE_METAL]), b.choose(&[CLEAR_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]));
     let line = if board == WHITE_PLASTIC { RED_PLASTIC } else { WHITE_PLASTIC };
     let r = (b.size.x * 0.17).min(0.2286).min(b.size.y * 0.3);
     let ring = 0.99 - 2.0 * (r + 0.01) / b.size.x;
@@ -89,7 +89,7 @@ pub(super) fn basketball_hoop(b: &mut Build<'_>) {
 /// A goal with posts, crossbar and a net behind.
 pub(super) fn goal(b: &mut Build<'_>) {
     let (post, net) =
-        (b.one(&[WHITE_METAL, WHITE_METAL, RED_METAL, YELLOW_METAL]), b.one(&[WHITE_COTTON, BLACK_FABRIC]));
+        (b.choose(&[WHITE_METAL, WHITE_METAL, RED_METAL, YELLOW_METAL]), b.choose(&[WHITE_COTTON, BLACK_FABRIC]));
     let r = (b.size.z * 0.03).min(0.05);
     let (y, top) = (1.0 - 2.2 * r / b.size.y, 1.0 - r / b.size.z);
     let (x, back) = (1.0 - 2.2 * r / b.size.x, -0.97);
@@ -144,7 +144,7 @@ pub(super) fn goal(b: &mut Build<'_>) {
 pub(super) fn net(b: &mut Build<'_>) {
     let high = b.class == "volleyball_net";
     let (post, net) =
-        (b.one(&[GALVANISED, BLUE_METAL, YELLOW_METAL, BLACK_METAL]), b.one(&[BLACK_FABRIC, GREEN_FABRIC]));
+        (b.choose(&[GALVANISED, BLUE_METAL, YELLOW_METAL, BLACK_METAL]), b.choose(&[BLACK_FABRIC, GREEN_FABRIC]));
     let r = (b.size.x * 0.4).min(0.03);
     let y = 1.0 - 2.2 * r / b.size.y;
     let low = if high { 0.58 } else { 0.5 };

@@ -13,7 +13,7 @@ pub(super) fn dumbbell(b: &mut Build<'_>) {
     let r = b.size.x.min(b.size.z) / 2.0;
     let half = b.size.y / 2.0;
     let head = (half * 0.42).max(half - 0.075);
-    let mat = b.one(&[RUBBER, BLACK_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC, PURPLE_PLASTIC]);
+    let mat = b.choose(&[RUBBER, BLACK_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC, PURPLE_PLASTIC]);
     let design = b.rng.below(3);
     let z = if design == 0 { r * 0.866 } else { r };
     for y in SIDES {
@@ -45,7 +45,7 @@ pub(super) fn dumbbell(b: &mut Build<'_>) {
 
 /// A kettlebell: a ball with a flat base and a thick handle.
 pub(super) fn kettlebell(b: &mut Build<'_>) {
-    let mat = b.one(&[IRON, RUBBER, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
+    let mat = b.choose(&[IRON, RUBBER, RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let ball = r.min(h * 0.36);
     let middle = ball * 0.92;
@@ -87,8 +87,8 @@ pub(super) fn barbell(b: &mut Build<'_>) {
 pub(super) fn weight_plate(b: &mut Build<'_>) {
     let (r, half) = (b.size.y.min(b.size.z) / 2.0, b.size.x / 2.0);
     let (mat, ring) = (
-        b.one(&[RUBBER, IRON, RED_RUBBER, BLUE_PLASTIC, YELLOW_PLASTIC, GREEN_PLASTIC]),
-        b.one(&[WHITE_PLASTIC, STEEL, GREY_PLASTIC]),
+        b.choose(&[RUBBER, IRON, RED_RUBBER, BLUE_PLASTIC, YELLOW_PLASTIC, GREEN_PLASTIC]),
+        b.choose(&[WHITE_PLASTIC, STEEL, GREY_PLASTIC]),
     );
     let bore = (r * 0.2).min(0.026);
     let profile = [
@@ -119,8 +119,8 @@ pub(super) fn weight_plate(b: &mut Build<'_>) {
 
 /// An exercise mat, spread out or with one end still curled.
 pub(super) fn yoga_mat(b: &mut Build<'_>) {
-    let mat = b.one(&[PURPLE_PLASTIC, TEAL_FABRIC, BLUE_FABRIC, PINK_PLASTIC, GREY_FABRIC, GREEN_FABRIC]);
-    let line = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, CORK]);
+    let mat = b.choose(&[PURPLE_PLASTIC, TEAL_FABRIC, BLUE_FABRIC, PINK_PLASTIC, GREY_FABRIC, GREEN_FABRIC]);
+    let line = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, CORK]);
     let h = (b.size.z * 0.8).max(b.size.z - 0.0015);
     let share = h / b.size.z;
     b.plan("mat", (0.0, share), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.02, 0.06)), mat);
@@ -133,7 +133,7 @@ pub(super) fn yoga_mat(b: &mut Build<'_>) {
 
 /// A yoga block of foam or cork with rounded edges.
 pub(super) fn yoga_block(b: &mut Build<'_>) {
-    let mat = b.one(&[CORK, PURPLE_PLASTIC, TEAL_FABRIC, GREY_FABRIC, ROSE_FABRIC, BLUE_FABRIC]);
+    let mat = b.choose(&[CORK, PURPLE_PLASTIC, TEAL_FABRIC, GREY_FABRIC, ROSE_FABRIC, BLUE_FABRIC]);
     let round = b.size.z * b.vary(0.06, 0.2);
     b.pad("block", [-1.0, -1.0, 0.0], [1.0, 1.0, 0.985], round, mat);
     b.slab("label", [-0.4, -0.3, 0.97], [0.4, 0.3, 1.0], b.style.accent);
@@ -142,7 +142,7 @@ pub(super) fn yoga_block(b: &mut Build<'_>) {
 /// A foam roller, ribbed or smooth, hollow at its ends.
 pub(super) fn foam_roller(b: &mut Build<'_>) {
     let (r, half) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
-    let (mat, core) = (b.one(BRIGHT), BLACK_PLASTIC);
+    let (mat, core) = (b.choose(BRIGHT), BLACK_PLASTIC);
     let (ribbed, hole) = (b.rng.chance(0.6), r * 0.62);
     let body = if ribbed { r * 0.9 } else { r };
     let wall = [(hole, -half), (body, -half), (body, half), (hole, half), (hole, -half)];
@@ -175,7 +175,7 @@ pub(super) fn foam_roller(b: &mut Build<'_>) {
 
 /// A hanging resistance band: a loop of rubber, or a tube with two handles.
 pub(super) fn resistance_band(b: &mut Build<'_>) {
-    let mat = b.one(BRIGHT);
+    let mat = b.choose(BRIGHT);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let flat = b.rng.chance(0.5);
     let t = (y * 0.12).min(0.006);
@@ -207,8 +207,8 @@ pub(super) fn resistance_band(b: &mut Build<'_>) {
 /// A coiled skipping rope with its two handles on top.
 pub(super) fn skipping_rope(b: &mut Build<'_>) {
     let (rope, grip) = (
-        b.one(&[BLACK_PLASTIC, RED_PLASTIC, WHITE_COTTON, JUTE, BLUE_PLASTIC]),
-        b.one(&[BEECH, BLACK_PLASTIC, RED, BLUE]),
+        b.choose(&[BLACK_PLASTIC, RED_PLASTIC, WHITE_COTTON, JUTE, BLUE_PLASTIC]),
+        b.choose(&[BEECH, BLACK_PLASTIC, RED, BLUE]),
     );
     let r = (b.size.z * 0.13).min(b.size.x * 0.06);
     let ring = b.size.x / 2.0 - r;
@@ -226,7 +226,7 @@ pub(super) fn skipping_rope(b: &mut Build<'_>) {
 
 /// A hand gripper: a spring between two grips.
 pub(super) fn hand_gripper(b: &mut Build<'_>) {
-    let (mat, r) = (b.one(BRIGHT), b.size.x / 2.0);
+    let (mat, r) = (b.choose(BRIGHT), b.size.x / 2.0);
     let ring = r * 0.9;
     b.hoop("spring", Axis::X, [0.0, 0.0, 1.0 - ring * 1.3 / b.size.z], (ring, ring * 0.28), STEEL);
     b.hoop("spring", Axis::X, [0.4, 0.0, 1.0 - ring * 1.3 / b.size.z], (ring, ring * 0.28), STEEL);
@@ -246,7 +246,7 @@ pub(super) fn hand_gripper(b: &mut Build<'_>) {
 
 /// An ab wheel: one or two wheels on an axle with grips.
 pub(super) fn ab_wheel(b: &mut Build<'_>) {
-    let (mat, r) = (b.one(BRIGHT), b.size.x.min(b.size.z) / 2.0);
+    let (mat, r) = (b.choose(BRIGHT), b.size.x.min(b.size.z) / 2.0);
     let half = b.size.y / 2.0;
     let grip = (r * 0.2).min(0.018);
     let double = b.rng.chance(0.5);
@@ -264,7 +264,7 @@ pub(super) fn ab_wheel(b: &mut Build<'_>) {
 
 /// A pair of push-up bars: handles on feet.
 pub(super) fn push_up_bars(b: &mut Build<'_>) {
-    let (mat, r) = (b.one(&[BLACK_PLASTIC, STEEL, RED_PLASTIC]), (b.size.z * 0.12).min(0.017));
+    let (mat, r) = (b.choose(&[BLACK_PLASTIC, STEEL, RED_PLASTIC]), (b.size.z * 0.12).min(0.017));
     for x in SIDES.map(|s| s * 0.5) {
         b.pole("grip", [x, -0.72, 1.0 - r / b.size.z], [x, 0.72, 1.0 - r / b.size.z], r, RUBBER);
         for y in SIDES {
@@ -276,7 +276,7 @@ pub(super) fn push_up_bars(b: &mut Build<'_>) {
 
 /// A stopwatch lying on its back with its knob to the front.
 pub(super) fn stopwatch(b: &mut Build<'_>) {
-    let case = b.one(&[CHROME, BLACK_PLASTIC, YELLOW_PLASTIC]);
+    let case = b.choose(&[CHROME, BLACK_PLASTIC, YELLOW_PLASTIC]);
     let r = b.size.y.min(b.size.z * 0.84) / 2.0;
     let half = b.size.x / 2.0;
     let body = [(r * 0.9, -half), (r, -half * 0.4), (r, half * 0.4), (r * 0.9, half * 0.7)];
@@ -295,7 +295,7 @@ pub(super) fn stopwatch(b: &mut Build<'_>) {
 
 /// A flying disc with its rim down.
 pub(super) fn frisbee(b: &mut Build<'_>) {
-    let (mat, print) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]));
+    let (mat, print) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let t = h * 0.14;
     let shape = [

@@ -10,7 +10,7 @@ use crate::solid::{Axis, Build, CORNERS, rounded_between};
 
 /// A pull-up bar for a doorway or on wall brackets.
 pub(super) fn pull_up_bar(b: &mut Build<'_>) {
-    let mat = b.one(&[CHROME, BLACK_METAL, STEEL]);
+    let mat = b.choose(&[CHROME, BLACK_METAL, STEEL]);
     if b.size.z < 0.15 {
         let r = (b.size.x.min(b.size.z) / 2.0).min(0.018);
         b.pole("bar", [0.0, -0.97, 0.5], [0.0, 0.97, 0.5], r * 0.85, mat);
@@ -38,7 +38,7 @@ pub(super) fn pull_up_bar(b: &mut Build<'_>) {
 
 /// A dip station, with a back pad and a bar on top if it is tall.
 pub(super) fn dip_station(b: &mut Build<'_>) {
-    let mat = b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL]);
+    let mat = b.choose(&[BLACK_METAL, SILVER_METAL, RED_METAL]);
     let tall = b.size.z > 1.5;
     let bar = if tall { 1.2 / b.size.z } else { 0.96 };
     let t = 0.05;
@@ -72,7 +72,8 @@ pub(super) fn dip_station(b: &mut Build<'_>) {
 
 /// A heavy punching bag on chains, or a standing one on a base.
 pub(super) fn punching_bag(b: &mut Build<'_>) {
-    let (hide, trim) = (b.one(&[BLACK_LEATHER, RED, BROWN_LEATHER, BLUE]), b.one(&[WHITE_LEATHER, RED, BLACK_LEATHER]));
+    let (hide, trim) =
+        (b.choose(&[BLACK_LEATHER, RED, BROWN_LEATHER, BLUE]), b.choose(&[WHITE_LEATHER, RED, BLACK_LEATHER]));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let standing = h > 1.35 && b.rng.chance(0.6);
     let (low, high, wide) = if standing { (0.32, 1.0, 0.72) } else { (0.0, 0.72, 0.97) };
@@ -105,7 +106,7 @@ pub(super) fn punching_bag(b: &mut Build<'_>) {
 
 /// A speed bag under a round board with its bracket.
 pub(super) fn speed_bag(b: &mut Build<'_>) {
-    let (hide, wood) = (b.one(&[RED, BLACK_LEATHER, BROWN_LEATHER]), b.style.wood);
+    let (hide, wood) = (b.choose(&[RED, BLACK_LEATHER, BROWN_LEATHER]), b.style.wood);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     b.lathe(
         "board",
@@ -134,7 +135,7 @@ pub(super) fn speed_bag(b: &mut Build<'_>) {
 
 /// Wall bars: rungs between posts against the wall, the top rung further out.
 pub(super) fn wall_bars(b: &mut Build<'_>) {
-    let wood = b.one(&[BEECH, PINE, OAK]);
+    let wood = b.choose(&[BEECH, PINE, OAK]);
     let wide = b.size.y > 1.4;
     let posts: &[f32] = if wide { &[-1.0, 0.0, 1.0] } else { &[-1.0, 1.0] };
     for &y in posts {
@@ -157,7 +158,7 @@ pub(super) fn wall_bars(b: &mut Build<'_>) {
 
 /// A climbing panel with coloured holds: upright or, if the size is deep, overhanging.
 pub(super) fn climbing_wall(b: &mut Build<'_>) {
-    let board = b.one(&[BIRCH, LIGHT_GREY, SKY, CREAM]);
+    let board = b.choose(&[BIRCH, LIGHT_GREY, SKY, CREAM]);
     let thick = b.size.x > 0.25;
     let lean = if thick { 0.35 } else { -0.55 };
     let back = if thick { -0.75 } else { -0.6 };
@@ -173,7 +174,7 @@ pub(super) fn climbing_wall(b: &mut Build<'_>) {
         let (dy, dz, size) = (b.vary(-0.3, 0.3), b.vary(-0.04, 0.04), b.vary(0.6, 1.0));
         let y = -1.0 + 2.0 * (j as f32 + 0.5 + dy) / columns as f32;
         let z = 0.1 + 0.15 * i as f32 + dz;
-        let mat = b.one(BRIGHT);
+        let mat = b.choose(BRIGHT);
         let half = [deep, hold * size * 2.6 / b.size.y, hold * size * 0.9 / b.size.z];
         b.blob("hold", [face(z) + 0.4 * deep, y.clamp(-0.9, 0.9), z], half, mat);
     }
@@ -182,11 +183,11 @@ pub(super) fn climbing_wall(b: &mut Build<'_>) {
 
 /// A balance beam on feet, or low on the floor.
 pub(super) fn balance_beam(b: &mut Build<'_>) {
-    let top = b.one(&[TAN_LEATHER, BLUE_FABRIC, BEIGE_FABRIC, PURPLE_FABRIC]);
+    let top = b.choose(&[TAN_LEATHER, BLUE_FABRIC, BEIGE_FABRIC, PURPLE_FABRIC]);
     let (thick, wide) = ((0.13 / b.size.z).min(0.8), (0.05 / (b.size.x / 2.0)).clamp(0.3, 0.62));
     b.pad("beam", [-wide, -1.0, 1.0 - thick], [wide, 1.0, 1.0], 0.015, top);
     b.deck("beam", [0.0, 0.0, 1.0], (wide * 0.85, 0.97));
-    let steel = b.one(&[GALVANISED, BLACK_METAL, BLUE_METAL]);
+    let steel = b.choose(&[GALVANISED, BLACK_METAL, BLUE_METAL]);
     for y in SIDES.map(|s| s * 0.78) {
         let reach = 0.025 / b.size.y;
         b.slab("foot", [-0.99, y - reach * 1.5, 0.0], [0.99, y + reach * 1.5, (0.05 / b.size.z).min(0.15)], steel);
@@ -203,7 +204,7 @@ pub(super) fn balance_beam(b: &mut Build<'_>) {
 
 /// A pair of gymnastic rings on straps.
 pub(super) fn rings(b: &mut Build<'_>) {
-    let (ring, strap) = (b.one(&[BEECH, BIRCH, BLACK_PLASTIC]), b.one(&[BLACK_FABRIC, RED_FABRIC, BLUE_FABRIC]));
+    let (ring, strap) = (b.choose(&[BEECH, BIRCH, BLACK_PLASTIC]), b.choose(&[BLACK_FABRIC, RED_FABRIC, BLUE_FABRIC]));
     let r = (b.size.x * 0.48).min(0.015);
     let wheel = (b.size.y * 0.18).min(0.105);
     let y = 1.0 - 2.0 * wheel / b.size.y;
@@ -224,7 +225,7 @@ pub(super) fn rings(b: &mut Build<'_>) {
 
 /// A vaulting horse: a padded body on legs, with or without two pommels.
 pub(super) fn pommel_horse(b: &mut Build<'_>) {
-    let (hide, leg) = (b.one(&[TAN_LEATHER, BROWN_LEATHER, BLUE_FABRIC]), b.one(&[BLACK_METAL, GALVANISED, OAK]));
+    let (hide, leg) = (b.choose(&[TAN_LEATHER, BROWN_LEATHER, BLUE_FABRIC]), b.choose(&[BLACK_METAL, GALVANISED, OAK]));
     let pommels = b.rng.chance(0.6);
     let top = if pommels { 0.88 } else { 0.99 };
     let ring = |y: f32, s: f32| ([0.0, y, top - 0.13], 0.72 * s, 0.125 * s);
@@ -252,7 +253,7 @@ pub(super) fn pommel_horse(b: &mut Build<'_>) {
 /// A wooden or padded plyo box with a number on its front.
 pub(super) fn plyo_box(b: &mut Build<'_>) {
     let soft = b.rng.chance(0.4);
-    let mat = if soft { b.one(&[RED, BLACK_LEATHER, BLUE, YELLOW]) } else { b.one(&[BIRCH, PINE, OAK]) };
+    let mat = if soft { b.choose(&[RED, BLACK_LEATHER, BLUE, YELLOW]) } else { b.choose(&[BIRCH, PINE, OAK]) };
     if soft {
         b.pad("box", [-0.98, -1.0, 0.0], [0.98, 1.0, 1.0], 0.03, mat);
     } else {
@@ -275,7 +276,7 @@ pub(super) fn plyo_box(b: &mut Build<'_>) {
 
 /// An aerobic step: a ribbed top on risers.
 pub(super) fn aerobic_step(b: &mut Build<'_>) {
-    let (mat, riser) = (b.one(&[GREY_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC, BLUE_PLASTIC]), b.one(BRIGHT));
+    let (mat, riser) = (b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC, BLUE_PLASTIC]), b.choose(BRIGHT));
     let thick = (0.08 / b.size.z).min(0.6);
     let outline = rounded_between((-1.0, -1.0), (1.0, 1.0), (0.3, 0.12));
     b.plan("step", (1.0 - thick, 0.97), &outline, mat);
@@ -300,7 +301,7 @@ pub(super) fn aerobic_step(b: &mut Build<'_>) {
 
 /// A small trampoline on legs, sometimes with a bar to hold.
 pub(super) fn rebounder(b: &mut Build<'_>) {
-    let (pad, bar) = (b.one(&[BLACK_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, RED_FABRIC]), b.size.z > 0.6);
+    let (pad, bar) = (b.choose(&[BLACK_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, RED_FABRIC]), b.size.z > 0.6);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, (b.size.z * 0.98).min(0.26));
     let tube = 0.014;
     b.hoop("frame", Axis::Z, [0.0, 0.0, (h - 0.03) / b.size.z], (r * 0.97 - tube, tube), BLACK_METAL);
@@ -333,8 +334,8 @@ pub(super) fn rebounder(b: &mut Build<'_>) {
 /// A sectioned gymnastics mat, spread out or folded, or one thick crash mat.
 pub(super) fn gym_mat(b: &mut Build<'_>) {
     let (mat, other) = (
-        b.one(&[BLUE_FABRIC, RED_FABRIC, GREEN_FABRIC, BLACK_LEATHER, NAVY_FABRIC]),
-        b.one(&[GREY_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC]),
+        b.choose(&[BLUE_FABRIC, RED_FABRIC, GREEN_FABRIC, BLACK_LEATHER, NAVY_FABRIC]),
+        b.choose(&[GREY_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC]),
     );
     let parts = if b.size.z > 0.15 { 1 } else { 4 };
     let pitch = 2.0 / parts as f32;
@@ -364,7 +365,7 @@ pub(super) fn gym_mat(b: &mut Build<'_>) {
 
 /// A strip of artificial turf with a slope, a hole, a flag and lines.
 pub(super) fn putting_green(b: &mut Build<'_>) {
-    let edge = b.one(&[BLACK_PLASTIC, OAK, PINE]);
+    let edge = b.choose(&[BLACK_PLASTIC, OAK, PINE]);
     let mat = 0.2;
     let half = (0.006 / b.size.x).min(0.1);
     b.slab("turf", [-0.99, -0.95, 0.0], [0.6, 0.95, mat], GRASS);

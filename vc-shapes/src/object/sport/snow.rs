@@ -6,7 +6,7 @@ use crate::solid::{Axis, Build, band};
 
 /// A pair of ice skates.
 pub(super) fn skates(b: &mut Build<'_>) {
-    let boot = b.one(&[WHITE_LEATHER, BLACK_LEATHER, BROWN_LEATHER]);
+    let boot = b.choose(&[WHITE_LEATHER, BLACK_LEATHER, BROWN_LEATHER]);
     for y in SIDES {
         let at = y * 0.54;
         b.within([-1.0, at - 0.44, 0.0], [1.0, at + 0.44, 1.0], |b| {
@@ -26,7 +26,7 @@ pub(super) fn skates(b: &mut Build<'_>) {
 
 /// A pair of upright skis with bindings, and two poles.
 pub(super) fn skis(b: &mut Build<'_>) {
-    let (deck, trim) = (b.one(PAINTS), b.one(&[WHITE, BLACK, YELLOW]));
+    let (deck, trim) = (b.choose(PAINTS), b.choose(&[WHITE, BLACK, YELLOW]));
     let t = 0.1;
     for y in SIDES {
         let (low, high) = (y * 0.44 - 0.3, y * 0.44 + 0.3);
@@ -74,7 +74,7 @@ pub(super) fn skis(b: &mut Build<'_>) {
 /// A snowboard with bindings or a surfboard with fins, upright.
 pub(super) fn board(b: &mut Build<'_>) {
     let surf = b.class == "surfboard";
-    let (deck, trim) = (b.one(&[WHITE, RED, BLUE, YELLOW, SKY, ORANGE, BLACK]), b.one(PAINTS));
+    let (deck, trim) = (b.choose(&[WHITE, RED, BLUE, YELLOW, SKY, ORANGE, BLACK]), b.choose(PAINTS));
     let side: &[(f32, f32)] = if surf {
         &[(0.45, 0.0), (0.8, 0.14), (0.98, 0.4), (0.97, 0.6), (0.7, 0.85), (0.3, 0.97), (0.0, 1.0)]
     } else {
@@ -118,7 +118,7 @@ pub(super) fn board(b: &mut Build<'_>) {
 /// A wooden sledge on runners, or a plastic one with brakes.
 pub(super) fn sled(b: &mut Build<'_>) {
     if b.rng.chance(0.5) {
-        let (mat, brake) = (b.one(BRIGHT), b.one(BRIGHT));
+        let (mat, brake) = (b.choose(BRIGHT), b.choose(BRIGHT));
         let side = [
             (-1.0, 0.06),
             (-0.9, 0.0),
@@ -146,7 +146,7 @@ pub(super) fn sled(b: &mut Build<'_>) {
         b.deck("seat", [-0.35, 0.0, 0.42], (0.4, 0.7));
         return;
     }
-    let wood = b.one(&[ASH, BEECH, PINE]);
+    let wood = b.choose(&[ASH, BEECH, PINE]);
     for y in SIDES {
         let edge = (y * 0.8 - 0.06, y * 0.8 + 0.06);
         let curve = [(-0.95, 0.012), (0.55, 0.012), (0.8, 0.1), (0.95, 0.35), (0.99, 0.7)];

@@ -10,7 +10,7 @@ use crate::solid::{Axis, Build, P, oval_outline, seam};
 pub(super) fn racket(b: &mut Build<'_>) {
     let light = b.class == "badminton_racket" || (b.class == "racket" && b.rng.chance(0.5));
     let (frame, grip) =
-        (b.one(&[BLACK, RED, BLUE, WHITE, ORANGE, GREEN]), b.one(&[BLACK_LEATHER, WHITE_LEATHER, BLUE_FABRIC]));
+        (b.choose(&[BLACK, RED, BLUE, WHITE, ORANGE, GREEN]), b.choose(&[BLACK_LEATHER, WHITE_LEATHER, BLUE_FABRIC]));
     let r = b.size.x / 2.0;
     let rim = (r * 0.8).min(if light { 0.0045 } else { 0.009 });
     let head = if light { 0.36 } else { 0.47 };
@@ -62,7 +62,7 @@ impl Lines for Build<'_> {
 
 /// A table tennis bat, red on one side and black on the other.
 pub(super) fn paddle(b: &mut Build<'_>) {
-    let wood = b.one(&[BEECH, MAPLE, BIRCH]);
+    let wood = b.choose(&[BEECH, MAPLE, BIRCH]);
     let blade = oval_outline((0.0, 0.67), (1.0, 0.33), 24);
     b.facing("blade", (-0.25, 0.25), &blade, wood);
     let rubber: Vec<_> =
@@ -111,7 +111,7 @@ fn quill((s, c): (f32, f32), r: f32, cork: f32, h: f32) -> Vec<P> {
 /// A baseball bat standing on its knob.
 pub(super) fn bat(b: &mut Build<'_>) {
     let (mat, grip) =
-        (b.one(&[ASH, MAPLE, BLACK, ALUMINIUM, CHERRY]), b.one(&[BLACK_LEATHER, WHITE_LEATHER, RED_FABRIC]));
+        (b.choose(&[ASH, MAPLE, BLACK, ALUMINIUM, CHERRY]), b.choose(&[BLACK_LEATHER, WHITE_LEATHER, RED_FABRIC]));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let thin = r * 0.4;
     let shape = [
@@ -157,7 +157,8 @@ pub(super) fn golf_club(b: &mut Build<'_>) {
 
 /// A golf bag: a tube with dividers, pockets, a strap and clubs.
 pub(super) fn golf_bag(b: &mut Build<'_>) {
-    let (cloth, trim) = (b.one(&[BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, WHITE_LEATHER, GREEN_FABRIC]), b.style.accent);
+    let (cloth, trim) =
+        (b.choose(&[BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, WHITE_LEATHER, GREEN_FABRIC]), b.style.accent);
     let rim = 0.72;
     let r = (b.size.y * 0.42).min(b.size.x * 0.36);
     let at = [-b.size.x / 2.0 + r + 0.01, 0.0, 0.0];
@@ -214,7 +215,7 @@ pub(super) fn golf_bag(b: &mut Build<'_>) {
 
 /// An ice hockey stick standing on its blade.
 pub(super) fn hockey_stick(b: &mut Build<'_>) {
-    let mat = b.one(&[ASH, BLACK, RED, BLUE]);
+    let mat = b.choose(&[ASH, BLACK, RED, BLUE]);
     let w = (b.size.x * 0.35).min(0.012);
     let blade = 0.075 / b.size.z.max(0.3);
     b.plank("shaft", [0.0, -0.6, blade * 0.5], [0.0, -0.9, 1.0 - 0.012 / b.size.z], (w, 0.026), mat);

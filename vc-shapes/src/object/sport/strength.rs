@@ -8,12 +8,12 @@ use crate::solid::{Axis, Build, CORNERS, P};
 const TUBE: f32 = 0.06;
 
 /// A square tube between two positions.
-fn beam(b: &mut Build<'_>, from: P, to: P, mat: Mat) {
+fn beam(b: &mut Build<'_>, from: P, to: P, mat: MaterialId) {
     b.plank("frame", from, to, (TUBE, TUBE), mat);
 }
 
 /// A stack of weights on two guide rods within a cage; `x` and `y` are the extents of the cage.
-fn stack(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), top: f32, frame: Mat) {
+fn stack(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), top: f32, frame: MaterialId) {
     let (mx, my) = ((x.0 + x.1) / 2.0, (y.0 + y.1) / 2.0);
     b.slab("stack_base", [x.0, y.0, 0.0], [x.1, y.1, 0.05], frame);
     b.slab("stack_top", [x.0, y.0, top - 0.04], [x.1, y.1, top], frame);
@@ -48,7 +48,7 @@ fn stack(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), top: f32, frame: Mat) 
 }
 
 /// A seat and a backrest on a post.
-fn chair(b: &mut Build<'_>, x: f32, seat: f32, back: f32, (frame, hide): (Mat, Mat)) {
+fn chair(b: &mut Build<'_>, x: f32, seat: f32, back: f32, (frame, hide): (MaterialId, MaterialId)) {
     let w = (0.36 / b.size.y).min(0.4);
     beam(b, [x, 0.0, 0.02], [x, 0.0, seat - 0.03], frame);
     b.pad("seat", [x - 0.22, -w, seat - 0.045], [x + 0.3, w, seat], 0.02, hide);
@@ -62,8 +62,8 @@ fn chair(b: &mut Build<'_>, x: f32, seat: f32, back: f32, (frame, hide): (Mat, M
 /// A seat with its weight stack and a moving part: arms, a leg roll or a high bar.
 pub(super) fn station(b: &mut Build<'_>) {
     let (frame, hide) = (
-        b.one(&[BLACK_METAL, WHITE_METAL, SILVER_METAL, RED_METAL]),
-        b.one(&[BLACK_LEATHER, BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC]),
+        b.choose(&[BLACK_METAL, WHITE_METAL, SILVER_METAL, RED_METAL]),
+        b.choose(&[BLACK_LEATHER, BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC]),
     );
     let seat = 0.47 / b.size.z.max(1.0);
     let tall = b.size.z > 1.95;
@@ -118,7 +118,7 @@ pub(super) fn station(b: &mut Build<'_>) {
 }
 
 /// Two arms that reach forward beside the seat, with upright grips.
-fn press_arms(b: &mut Build<'_>, frame: Mat, z: f32) {
+fn press_arms(b: &mut Build<'_>, frame: MaterialId, z: f32) {
     // As wide as the stack, whose sides support the arms.
     let wide = (0.4 / b.size.y).min(0.5);
     for y in SIDES {
@@ -132,7 +132,7 @@ fn press_arms(b: &mut Build<'_>, frame: Mat, z: f32) {
 
 /// A leg press: a sledge with plates on a slope, and a foot plate above a low seat.
 pub(super) fn leg_press(b: &mut Build<'_>) {
-    let (frame, hide) = (b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL, YELLOW_METAL]), BLACK_LEATHER);
+    let (frame, hide) = (b.choose(&[BLACK_METAL, SILVER_METAL, RED_METAL, YELLOW_METAL]), BLACK_LEATHER);
     let w = 0.4;
     for y in SIDES {
         beam(b, [-0.95, y * w, 0.04], [0.95, y * w, 0.04], frame);
@@ -166,7 +166,7 @@ pub(super) fn leg_press(b: &mut Build<'_>) {
 
 /// A cable machine: two towers with weights joined by a high beam, or one tower; cables with grips.
 pub(super) fn cables(b: &mut Build<'_>) {
-    let frame = b.one(&[BLACK_METAL, WHITE_METAL, SILVER_METAL, RED_METAL]);
+    let frame = b.choose(&[BLACK_METAL, WHITE_METAL, SILVER_METAL, RED_METAL]);
     let half = (0.45 / b.size.y).min(0.3);
     for y in SIDES {
         let (low, high) = ((y * 0.99).min(y * (0.99 - half)), (y * 0.99).max(y * (0.99 - half)));
@@ -193,7 +193,7 @@ pub(super) fn cables(b: &mut Build<'_>) {
 
 /// A Smith machine: a bar that runs in two guides, with plates and a bench below.
 pub(super) fn smith(b: &mut Build<'_>) {
-    let frame = b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL]);
+    let frame = b.choose(&[BLACK_METAL, SILVER_METAL, RED_METAL]);
     let y = (1.2 / b.size.y).min(0.6);
     let z = b.vary(0.5, 0.62);
     cage(b, y, frame);
@@ -210,7 +210,7 @@ pub(super) fn smith(b: &mut Build<'_>) {
 }
 
 /// Four uprights with beams at the bottom and at the top.
-fn cage(b: &mut Build<'_>, y: f32, frame: Mat) {
+fn cage(b: &mut Build<'_>, y: f32, frame: MaterialId) {
     let x = 1.0 - 2.0 * TUBE / b.size.x;
     let top = 1.0 - TUBE / b.size.z;
     for (i, j) in CORNERS {
@@ -242,7 +242,7 @@ fn loaded_bar(b: &mut Build<'_>, at: P, half: f32) {
 }
 
 /// A flat bench that fills the size.
-fn flat_bench(b: &mut Build<'_>, frame: Mat) {
+fn flat_bench(b: &mut Build<'_>, frame: MaterialId) {
     b.pad("pad", [-0.98, -0.9, 0.82], [0.98, 0.9, 1.0], 0.03, BLACK_LEATHER);
     for x in [-0.75, 0.75] {
         b.slab("leg", [x - 0.06, -0.2, 0.06], [x + 0.06, 0.2, 0.83], frame);
@@ -254,8 +254,8 @@ fn flat_bench(b: &mut Build<'_>, frame: Mat) {
 /// A weight bench: flat, inclined, with uprights and a bar, or a sit-up board.
 pub(super) fn bench(b: &mut Build<'_>) {
     let (frame, hide) = (
-        b.one(&[BLACK_METAL, SILVER_METAL, RED_METAL, WHITE_METAL]),
-        b.one(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC]),
+        b.choose(&[BLACK_METAL, SILVER_METAL, RED_METAL, WHITE_METAL]),
+        b.choose(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC]),
     );
     if b.class == "sit_up_bench" {
         return sit_up(b, frame, hide);
@@ -291,7 +291,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
 }
 
 /// A sloping board with foam rolls for the feet.
-fn sit_up(b: &mut Build<'_>, frame: Mat, hide: Mat) {
+fn sit_up(b: &mut Build<'_>, frame: MaterialId, hide: MaterialId) {
     b.layer("pad", [-0.88, 0.0, 0.258], [0.45, 0.0, 0.619], (b.size.y * 0.62, 0.05), 0.052, hide);
     beam(b, [-0.8, 0.0, 0.28], [0.6, 0.0, 0.66], frame);
     for (x, z) in [(-0.8, 0.3), (0.5, 0.62)] {
@@ -309,7 +309,7 @@ fn sit_up(b: &mut Build<'_>, frame: Mat, hide: Mat) {
 
 /// A squat stand or a power cage with hooks, pins and a bar.
 pub(super) fn rack(b: &mut Build<'_>) {
-    let frame = b.one(&[BLACK_METAL, RED_METAL, BLUE_METAL, YELLOW_METAL, SILVER_METAL]);
+    let frame = b.choose(&[BLACK_METAL, RED_METAL, BLUE_METAL, YELLOW_METAL, SILVER_METAL]);
     let y = (1.12 / b.size.y).min(0.8);
     let full = b.class == "power_rack";
     let bar = if full { b.vary(0.55, 0.66) } else { b.vary(0.72, 0.9) };
@@ -353,7 +353,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
 
 /// Two or three sloping shelves with dumbbells in most positions.
 pub(super) fn dumbbell_rack(b: &mut Build<'_>) {
-    let frame = b.one(&[BLACK_METAL, SILVER_METAL, WHITE_METAL]);
+    let frame = b.choose(&[BLACK_METAL, SILVER_METAL, WHITE_METAL]);
     let tiers = if b.size.z > 0.8 { 3 } else { 2 };
     for y in SIDES {
         let side = (y * 0.97 - 0.03, y * 0.97 + 0.03);

@@ -5,7 +5,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, arc_outline};
 
 /// A boot standing on a sole at height `sole`, toe to the front.
-pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: Mat, trim: Mat) {
+pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: MaterialId, trim: MaterialId) {
     let ring = |x: f32, y: f32, low: f32, high: f32| ([x, 0.0, (low + high) / 2.0], y, (high - low) / 2.0);
     let foot = [
         ([-0.98, 0.0, sole + 0.12], 0.0, 0.0),
@@ -28,7 +28,8 @@ pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: Mat, trim: Mat)
 
 /// A leather mitt standing on its wrist, palm to the front.
 pub(super) fn baseball_glove(b: &mut Build<'_>) {
-    let (hide, lace) = (b.one(&[TAN_LEATHER, BROWN_LEATHER, BLACK_LEATHER]), b.one(&[WHITE_LEATHER, BROWN_LEATHER]));
+    let (hide, lace) =
+        (b.choose(&[TAN_LEATHER, BROWN_LEATHER, BLACK_LEATHER]), b.choose(&[WHITE_LEATHER, BROWN_LEATHER]));
     b.blob("palm", [-0.2, 0.0, 0.38], [0.75, 0.78, 0.36], hide);
     b.blob("pocket", [0.42, 0.05, 0.42], [0.3, 0.45, 0.2], lace);
     b.slab("wrist", [-0.7, -0.5, 0.0], [0.3, 0.5, 0.14], hide);
@@ -57,7 +58,7 @@ pub(super) fn baseball_glove(b: &mut Build<'_>) {
 
 /// A pair of ankle weights with straps across.
 pub(super) fn ankle_weights(b: &mut Build<'_>) {
-    let (cloth, strap) = (b.one(CLOTHS), BLACK_FABRIC);
+    let (cloth, strap) = (b.choose(CLOTHS), BLACK_FABRIC);
     for y in SIDES {
         let (low, high) = (y * 0.52 - 0.44, y * 0.52 + 0.44);
         for i in 0..5 {
@@ -72,7 +73,8 @@ pub(super) fn ankle_weights(b: &mut Build<'_>) {
 
 /// A pair of boxing gloves side by side.
 pub(super) fn boxing_gloves(b: &mut Build<'_>) {
-    let (hide, cuff) = (b.one(&[RED, BLACK_LEATHER, BLUE, WHITE_LEATHER]), b.one(&[WHITE_LEATHER, BLACK_LEATHER]));
+    let (hide, cuff) =
+        (b.choose(&[RED, BLACK_LEATHER, BLUE, WHITE_LEATHER]), b.choose(&[WHITE_LEATHER, BLACK_LEATHER]));
     for y in SIDES {
         let at = y * 0.52;
         b.blob("fist", [0.1, at, 0.72], [0.88, 0.42, 0.28], hide);
@@ -93,8 +95,8 @@ pub(super) fn boxing_gloves(b: &mut Build<'_>) {
 /// A helmet: an elongated one with vents, or a round skater's one; straps at the bottom.
 pub(super) fn helmet(b: &mut Build<'_>) {
     let (shell, trim) = (
-        b.one(&[RED_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC]),
-        b.one(&[BLACK_PLASTIC, GREY_PLASTIC]),
+        b.choose(&[RED_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC, PINK_PLASTIC]),
+        b.choose(&[BLACK_PLASTIC, GREY_PLASTIC]),
     );
     let round = b.rng.chance(0.35);
     let base = 0.2;
@@ -151,7 +153,7 @@ pub(super) fn helmet(b: &mut Build<'_>) {
 
 /// A pair of knee pads with caps to the front.
 pub(super) fn knee_pads(b: &mut Build<'_>) {
-    let (cap, cloth) = (b.one(BRIGHT), BLACK_FABRIC);
+    let (cap, cloth) = (b.choose(BRIGHT), BLACK_FABRIC);
     for y in SIDES {
         let at = y * 0.52;
         let ring = |z: f32, s: f32| ([-0.3, at, z], 0.68 * s, 0.46 * s);
@@ -165,7 +167,7 @@ pub(super) fn knee_pads(b: &mut Build<'_>) {
 
 /// A holdall with two handles, pockets at its ends and a lid with a zip.
 pub(super) fn bag(b: &mut Build<'_>) {
-    let (cloth, trim) = (b.one(&[BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, GREY_FABRIC, OLIVE_FABRIC]), b.style.accent);
+    let (cloth, trim) = (b.choose(&[BLACK_FABRIC, NAVY_FABRIC, RED_FABRIC, GREY_FABRIC, OLIVE_FABRIC]), b.style.accent);
     let body = 0.72;
     let t = 0.05;
     b.pad("bottom", [-0.94, -0.98, 0.0], [0.94, 0.98, 0.06], 0.01, BLACK_FABRIC);

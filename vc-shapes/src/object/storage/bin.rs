@@ -6,13 +6,13 @@ use crate::solid::{Axis, Build, CORNERS, at_least, disc, rounded_by_radius};
 
 /// A blanket chest: plain, banded with metal, or with a padded lid.
 pub(super) fn trunk(b: &mut Build<'_>) {
-    let body = b.one(&[b.style.wood, b.style.cabinet, BROWN_LEATHER, b.style.wood]);
+    let body = b.choose(&[b.style.wood, b.style.cabinet, BROWN_LEATHER, b.style.wood]);
     let padded = b.rng.chance(0.25);
     let lid = if padded { b.style.accent } else { body };
     chest(b, &Chest { body, lid, padded, feet: b.style.wood });
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     if !padded && b.rng.chance(0.6) {
-        let metal = b.one(&[BRASS, IRON, b.style.metal]);
+        let metal = b.choose(&[BRASS, IRON, b.style.metal]);
         for side in [-1.0, 1.0] {
             let cy = side * y * 0.6;
             b.block("band", [x - 0.012, cy - 0.02, 0.021], [x - 0.006, cy + 0.02, h - 0.034], metal);
@@ -23,8 +23,8 @@ pub(super) fn trunk(b: &mut Build<'_>) {
 
 /// A colourful children's chest.
 pub(super) fn toy_box(b: &mut Build<'_>) {
-    let body = b.one(&[WHITE, b.style.wood, SKY, DUSTY_ROSE, YELLOW, SAGE, BIRCH]);
-    let lid = b.one(&[body, RED, BLUE, GREEN, b.style.wood, MUSTARD]);
+    let body = b.choose(&[WHITE, b.style.wood, SKY, DUSTY_ROSE, YELLOW, SAGE, BIRCH]);
+    let lid = b.choose(&[body, RED, BLUE, GREEN, b.style.wood, MUSTARD]);
     chest(b, &Chest { body, lid, padded: false, feet: lid });
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     // Coloured shapes on the front.
@@ -38,7 +38,7 @@ pub(super) fn toy_box(b: &mut Build<'_>) {
 }
 
 /// A round vessel with a wall and a bottom, and the surface inside.
-fn vessel(b: &mut Build<'_>, at: f32, radii: (f32, f32), height: f32, wall: f32, mat: Mat) {
+fn vessel(b: &mut Build<'_>, at: f32, radii: (f32, f32), height: f32, wall: f32, mat: MaterialId) {
     let (r0, r1) = radii;
     let profile = [(r0, 0.0), (r1, height), (r1 - wall, height), (r0 - wall, wall * 1.5)];
     b.lathe("bin", [0.0, 0.0, at], &profile, mat);
@@ -50,7 +50,7 @@ fn vessel(b: &mut Build<'_>, at: f32, radii: (f32, f32), height: f32, wall: f32,
 pub(super) fn hamper(b: &mut Build<'_>) {
     at_least(b, [0.16, 0.16, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[WICKER, WHITE_PLASTIC, BAMBOO, LINEN, GREY_FABRIC]);
+    let mat = b.choose(&[WICKER, WHITE_PLASTIC, BAMBOO, LINEN, GREY_FABRIC]);
     let lid = 0.025;
     let r = x.min(y);
     let round = x.max(y) < r * 1.1 && b.rng.chance(0.7);
@@ -90,7 +90,7 @@ pub(super) fn hamper(b: &mut Build<'_>) {
         if round {
             disc(b, "lid", [0.0, 0.0, h], r, lid - 0.002, mat);
         } else {
-            b.soft("lid", [-x, -y, h - lid + 0.002], [x, y, h], 0.01, mat);
+            b.rounded_block("lid", [-x, -y, h - lid + 0.002], [x, y, h], 0.01, mat);
         }
     });
 }
@@ -100,8 +100,8 @@ pub(super) fn hamper(b: &mut Build<'_>) {
 pub(super) fn trash_can(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.12, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[STEEL, STEEL, WHITE_METAL, BLACK_METAL, GREY_PLASTIC, RED_METAL]);
-    let trim = b.one(&[BLACK_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[STEEL, STEEL, WHITE_METAL, BLACK_METAL, GREY_PLASTIC, RED_METAL]);
+    let trim = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC]);
     let pedal = b.rng.chance(0.7);
     let reach = if pedal { 0.03 } else { 0.0 };
     let r = (x - reach / 2.0).min(y);
@@ -127,11 +127,11 @@ pub(super) fn trash_can(b: &mut Build<'_>) {
         b.block("base", [x0 + 0.001, 0.001 - y, 0.0], [x1 - 0.001, y - 0.001, base], trim);
         bin(b, [x0 + 0.004, 0.004 - y, base - 0.002], [x1 - 0.004, y - 0.004, top], 0.005, "inside", mat);
         b.hinge([x0, 0.0, h], [0.0, -1.0, 0.0], 1.4, |b| {
-            b.soft("lid", [x0, -y, top + 0.002], [x1, y, h], 0.014, trim);
+            b.rounded_block("lid", [x0, -y, top + 0.002], [x1, y, h], 0.014, trim);
         });
     }
     if pedal {
-        b.soft("pedal", [cx, -0.04, 0.008], [x, 0.04, 0.02], 0.004, b.style.metal);
+        b.rounded_block("pedal", [cx, -0.04, 0.008], [x, 0.04, 0.02], 0.004, b.style.metal);
     }
 }
 
@@ -140,7 +140,7 @@ pub(super) fn wastebasket(b: &mut Build<'_>) {
     at_least(b, [0.11, 0.11, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
-    let mat = b.one(&[BLACK_METAL, WICKER, WHITE_PLASTIC, b.style.metal, GREY_PLASTIC, b.style.accent]);
+    let mat = b.choose(&[BLACK_METAL, WICKER, WHITE_PLASTIC, b.style.metal, GREY_PLASTIC, b.style.accent]);
     if x.max(y) > r * 1.1 || b.rng.chance(0.3) {
         bin(b, [-x, -y, 0.0], [x, y, h], 0.006, "inside", mat);
         return;
@@ -161,7 +161,7 @@ pub(super) fn recycling_bin(b: &mut Build<'_>) {
     at_least(b, [0.14, 0.15, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let count = (y / 0.12).clamp(1.0, 3.0) as usize;
-    let body = b.one(&[GREY_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]);
+    let body = b.choose(&[GREY_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC]);
     let colours = [BLUE_PLASTIC, YELLOW_PLASTIC, GREEN_PLASTIC];
     let (wide, lid) = (2.0 * y / count as f32, 0.05_f32.min(h * 0.15));
     let first = b.rng.below(3);
@@ -185,7 +185,7 @@ pub(super) fn recycling_bin(b: &mut Build<'_>) {
             colour,
         );
         b.hinge([-x, 0.0, h], [0.0, -1.0, 0.0], 1.4, |b| {
-            b.soft("lid", [-x, y0, top + 0.002], [x, y1, h], 0.012, colour);
+            b.rounded_block("lid", [-x, y0, top + 0.002], [x, y1, h], 0.012, colour);
             b.block("grip", [x - 0.03, middle - 0.04, h - 0.003], [x - 0.01, middle + 0.04, h - 0.0005], body);
         });
     }
@@ -196,9 +196,9 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
-    let metal = b.one(&[BLACK_METAL, BRASS, b.style.metal, COPPER]);
+    let metal = b.choose(&[BLACK_METAL, BRASS, b.style.metal, COPPER]);
     if x.max(y) < r * 1.12 && b.rng.chance(0.75) {
-        let mat = b.one(&[BLUE_GLAZE, PORCELAIN, metal, WICKER, GREEN_GLAZE]);
+        let mat = b.choose(&[BLUE_GLAZE, PORCELAIN, metal, WICKER, GREEN_GLAZE]);
         let foot = r * b.vary(0.85, 0.97);
         vessel(b, 0.0, (foot, r * 0.985), h, 0.008, mat);
         b.lathe(
@@ -230,8 +230,10 @@ pub(super) fn umbrella_stand(b: &mut Build<'_>) {
 pub(super) fn litter_box(b: &mut Build<'_>) {
     at_least(b, [0.18, 0.2, 0.065]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, hood) =
-        (b.one(&[GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]), b.one(&[WHITE_PLASTIC, GREY_PLASTIC, PINK_PLASTIC]));
+    let (mat, hood) = (
+        b.choose(&[GREY_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]),
+        b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, PINK_PLASTIC]),
+    );
     let covered = h > 0.28;
     let tray = if covered { h * 0.36 } else { h };
     let t = 0.008;
@@ -261,7 +263,7 @@ pub(super) fn litter_box(b: &mut Build<'_>) {
             b.block("hood", [x0 - t, a.min(c), z0], [x0, a.max(c), h - t], hood);
         }
         b.block("hood", [x0 - t, -y0 * 0.5, h - 0.06_f32.min(h * 0.2)], [x0, y0 * 0.5, h - t], hood);
-        b.soft("hood", [-x0, -y0, h - t - 0.001], [x0, y0, h - 0.001], 0.003, hood);
+        b.rounded_block("hood", [-x0, -y0, h - t - 0.001], [x0, y0, h - 0.001], 0.003, hood);
         b.hinge([x0 - t / 2.0, 0.0, h - 0.06_f32.min(h * 0.2)], [0.0, -1.0, 0.0], 1.2, |b| {
             let (w, top) = (y0 * 0.49, h - 0.062_f32.min(h * 0.205));
             b.block("flap", [x0 - t * 0.7, -w, tray + 0.006], [x0 - t * 0.3, w, top], CLEAR_PLASTIC);
@@ -276,8 +278,8 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.25, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (cloth, inner) = (
-        b.one(&[b.style.accent, GREY_FABRIC, BROWN_FABRIC, DENIM, WICKER]),
-        b.one(&[WOOL, WHITE_COTTON, BEIGE_FABRIC]),
+        b.choose(&[b.style.accent, GREY_FABRIC, BROWN_FABRIC, DENIM, WICKER]),
+        b.choose(&[WOOL, WHITE_COTTON, BEIGE_FABRIC]),
     );
     let w = (x * 0.3).min(0.13).min(h * 0.7);
     let r = x.min(y);
@@ -298,13 +300,13 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
     }
     let radius = w * 0.48;
     b.prism("base", Axis::Z, [0.0; 3], &rounded_by_radius((x * 0.97, y * 0.97), w), 0.02, cloth);
-    b.soft("rim", [-x, -y, 0.004], [w - x, y, h], radius, cloth);
+    b.rounded_block("rim", [-x, -y, 0.004], [w - x, y, h], radius, cloth);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y, side * (y - w));
-        b.soft("rim", [-x, a.min(c), 0.005], [x, a.max(c), h * 0.97], radius, cloth);
+        b.rounded_block("rim", [-x, a.min(c), 0.005], [x, a.max(c), h * 0.97], radius, cloth);
     }
-    b.soft("rim", [x - w, w * 0.5 - y, 0.006], [x, y - w * 0.5, h * 0.62], radius, cloth);
-    b.soft("cushion", [w * 0.8 - x, w * 0.8 - y, 0.018], [x - w * 0.8, y - w * 0.8, cushion], 0.03, inner);
+    b.rounded_block("rim", [x - w, w * 0.5 - y, 0.006], [x, y - w * 0.5, h * 0.62], radius, cloth);
+    b.rounded_block("cushion", [w * 0.8 - x, w * 0.8 - y, 0.018], [x - w * 0.8, y - w * 0.8, cushion], 0.03, inner);
     b.top("cushion", [0.0, 0.0, cushion], (x - w - 0.02, y - w - 0.02));
 }
 
@@ -312,9 +314,9 @@ pub(super) fn pet_bed(b: &mut Build<'_>) {
 pub(super) fn scratching_post(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.17, 0.28]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let cloth = b.one(&[BEIGE_FABRIC, GREY_FABRIC, WOOL, BROWN_FABRIC]);
+    let cloth = b.choose(&[BEIGE_FABRIC, GREY_FABRIC, WOOL, BROWN_FABRIC]);
     let (t, r) = (0.03, 0.045_f32.min(x * 0.22));
-    b.soft("base", [-x, -y, 0.0], [x, y, t], 0.008, cloth);
+    b.rounded_block("base", [-x, -y, 0.0], [x, y, t], 0.008, cloth);
     let rope = |b: &mut Build<'_>, at: [f32; 2], z: (f32, f32)| {
         b.cylinder("post", [at[0], at[1], z.0 - 0.002], r, z.1 - z.0 + 0.004, JUTE);
     };
@@ -334,11 +336,11 @@ pub(super) fn scratching_post(b: &mut Build<'_>) {
         rope(b, spots[i], (from, to));
     }
     let (bx, by) = (x * 0.98, y * 0.98);
-    b.soft("perch_1", [-bx, -by * 0.25, levels[0] - t], [bx, by, levels[0]], 0.01, cloth);
+    b.rounded_block("perch_1", [-bx, -by * 0.25, levels[0] - t], [bx, by, levels[0]], 0.01, cloth);
     b.top("perch_1", [-bx * 0.45, by * 0.45, levels[0]], (bx * 0.3, by * 0.45));
-    b.soft("perch_2", [-bx * 0.08, -by * 0.1, levels[1] - t], [bx, by, levels[1]], 0.01, cloth);
+    b.rounded_block("perch_2", [-bx * 0.08, -by * 0.1, levels[1] - t], [bx, by, levels[1]], 0.01, cloth);
     b.top("perch_2", [bx * 0.45, by * 0.45, levels[1]], (bx * 0.5, by * 0.5));
     let (cx, cy, w) = (spots[0][0], spots[0][1], (x * 0.45).min(y * 0.45));
-    b.soft("perch_3", [cx - w, cy - w, h - t], [cx + w, cy + w, h], 0.012, cloth);
+    b.rounded_block("perch_3", [cx - w, cy - w, h - t], [cx + w, cy + w, h], 0.012, cloth);
     b.top("perch_3", [cx, cy, h], (w - 0.02, w - 0.02));
 }

@@ -11,9 +11,9 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     at_least(b, [0.01, 0.5, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let count = if y > 0.8 { 4 } else { 3 };
-    let wood = b.one(&[b.style.wood, BLACK, WHITE, b.style.wood]);
-    let filling = b.one(&[Some(CREAM_PAPER), Some(WICKER), Some(b.style.linen), None]);
-    let look = b.one(&[Look::Louvred, Look::Reeded, Look::Framed]);
+    let wood = b.choose(&[b.style.wood, BLACK, WHITE, b.style.wood]);
+    let filling = b.choose(&[Some(CREAM_PAPER), Some(WICKER), Some(b.style.linen), None]);
+    let look = b.choose(&[Look::Louvred, Look::Reeded, Look::Framed]);
     let t = (2.0 * x).min(0.024);
     let run = 2.0 * y / count as f32;
     // The corners of a leaf stay within the depth, of which its thickness takes some.
@@ -51,7 +51,7 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
 
 /// The sheet of a board within its frame, which takes a share of the depth; returns the X of the
 /// sheet's face.
-fn framed(b: &mut Build<'_>, rim: Mat, sheet: Mat, w: f32, share: f32) -> f32 {
+fn framed(b: &mut Build<'_>, rim: MaterialId, sheet: MaterialId, w: f32, share: f32) -> f32 {
     at_least(b, [0.01, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let deep = 2.0 * x * share;
@@ -76,15 +76,15 @@ pub(super) fn whiteboard(b: &mut Build<'_>) {
     for i in 0..lines {
         let (z, from) = (h * (0.85 - 0.13 * i as f32), -y * b.vary(0.5, 0.8));
         let to = from + y * b.vary(0.5, 1.2);
-        let ink = b.one(&[BLUE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
+        let ink = b.choose(&[BLUE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
         b.block("writing", [face - 0.001, from, z - 0.006], [face + 0.001, to.min(y * 0.9), z + 0.006], ink);
     }
 }
 
 /// A cork board with notes pinned to it.
 pub(super) fn bulletin_board(b: &mut Build<'_>) {
-    let rim = b.one(&[b.style.wood, ALUMINIUM, WHITE, BLACK]);
-    let sheet = b.one(&[CORK, CORK, GREY_FABRIC, b.style.accent]);
+    let rim = b.choose(&[b.style.wood, ALUMINIUM, WHITE, BLACK]);
+    let sheet = b.choose(&[CORK, CORK, GREY_FABRIC, b.style.accent]);
     let face = framed(b, rim, sheet, 0.022, 1.0);
     let (y, h) = (b.size.y / 2.0, b.size.z);
     let (rows, across) = (2, (y / 0.12).clamp(2.0, 5.0) as usize);
@@ -96,8 +96,8 @@ pub(super) fn bulletin_board(b: &mut Build<'_>) {
         let cy = 0.04 - y + dy * (i as f32 + b.vary(0.42, 0.58));
         let cz = 0.04 + dz * (k as f32 + b.vary(0.42, 0.58));
         let (w, t) = (dy * b.vary(0.22, 0.38), dz * b.vary(0.22, 0.38));
-        let note = b.one(&[WHITE_PAPER, YELLOW_CARD, PINK_CARD, TEAL_CARD, CREAM_PAPER]);
-        let pin = b.one(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
+        let note = b.choose(&[WHITE_PAPER, YELLOW_CARD, PINK_CARD, TEAL_CARD, CREAM_PAPER]);
+        let pin = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]);
         b.block("note", [face - 0.001, cy - w, cz - t], [face + 0.0012, cy + w, cz + t], note);
         b.rod("pin", [face, cy, cz + t * 0.75], [face + 0.005, cy, cz + t * 0.75], 0.005, pin);
     }
@@ -107,7 +107,7 @@ pub(super) fn bulletin_board(b: &mut Build<'_>) {
 pub(super) fn pegboard(b: &mut Build<'_>) {
     at_least(b, [0.01, 0.3, 0.25]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let sheet = b.one(&[WHITE, b.style.wood, BIRCH, GREY, BLACK]);
+    let sheet = b.choose(&[WHITE, b.style.wood, BIRCH, GREY, BLACK]);
     let t = (x * 0.7).min(0.012).min(2.0 * x - 0.014);
     let face = t - x;
     b.block("board", [-x, -y, 0.0], [face, y, h], sheet);

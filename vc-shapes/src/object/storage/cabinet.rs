@@ -8,13 +8,13 @@ use crate::solid::{Build, at_least};
 
 /// Gives a piece the home's style: body, fronts, handles, stand and top.
 fn dressed(b: &mut Build<'_>, columns: Vec<Column>) -> Piece {
-    let body = b.one(&[b.style.wood, b.style.cabinet, b.style.cabinet]);
+    let body = b.choose(&[b.style.wood, b.style.cabinet, b.style.cabinet]);
     let mut piece = Piece::new(columns, body);
-    piece.front = b.one(&[body, body, b.style.cabinet, b.style.wood]);
+    piece.front = b.choose(&[body, body, b.style.cabinet, b.style.wood]);
     piece.handle = Handle::any(b);
-    piece.stand = b.one(&[Stand::Plinth, Stand::Legs, Stand::Splayed, Stand::Tube]);
-    piece.overhang = b.one(&[0.0, 0.012, 0.018]);
-    piece.lid = b.one(&[body, body, b.style.wood, MARBLE]);
+    piece.stand = b.choose(&[Stand::Plinth, Stand::Legs, Stand::Splayed, Stand::Tube]);
+    piece.overhang = b.choose(&[0.0, 0.012, 0.018]);
+    piece.lid = b.choose(&[body, body, b.style.wood, MARBLE]);
     piece
 }
 
@@ -34,7 +34,7 @@ fn spaces(tall: f32) -> usize {
 /// A sideboard of doors, drawers and open spaces.
 pub(super) fn sideboard(b: &mut Build<'_>) {
     at_least(b, [0.18, 0.5, 0.32]);
-    let look = b.one(&[Look::Flat, Look::Flat, Look::Framed, Look::Reeded, Look::Louvred, Look::Glass]);
+    let look = b.choose(&[Look::Flat, Look::Flat, Look::Framed, Look::Reeded, Look::Louvred, Look::Glass]);
     let count = (b.size.y / 0.5).round().clamp(2.0, 5.0) as usize;
     let mut columns: Vec<Column> = match b.rng.below(4) {
         0 => (0..count).map(|_| doors(look, 2)).collect(),
@@ -75,7 +75,7 @@ pub(super) fn tv_stand(b: &mut Build<'_>) {
 pub(super) fn cabinet(b: &mut Build<'_>) {
     at_least(b, [0.16, 0.28, 0.36]);
     let tall = b.size.z;
-    let look = b.one(&[Look::Flat, Look::Framed, Look::Framed, Look::Reeded, Look::Louvred]);
+    let look = b.choose(&[Look::Flat, Look::Framed, Look::Framed, Look::Reeded, Look::Louvred]);
     let columns: Vec<Column> = match b.rng.below(if tall > 1.3 { 5 } else { 3 }) {
         0 => vec![doors(look, spaces(tall))],
         1 => vec![(1.0, vec![(0.74, Cell::Doors(look, spaces(tall * 0.74))), (0.26, Cell::Drawers(1))])],
@@ -85,7 +85,7 @@ pub(super) fn cabinet(b: &mut Build<'_>) {
     };
     let mut piece = dressed(b, columns);
     if b.class == "laundry_cabinet" {
-        (piece.body, piece.front, piece.stand) = (WHITE, b.one(&[WHITE, b.style.front]), Stand::Plinth);
+        (piece.body, piece.front, piece.stand) = (WHITE, b.choose(&[WHITE, b.style.front]), Stand::Plinth);
     }
     piece.build(b);
 }
@@ -95,13 +95,13 @@ pub(super) fn display(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.33, 0.5]);
     let tall = b.size.z;
     let look = Look::any(b);
-    let lower = b.one(&[Cell::Doors(look, 1), Cell::Drawers(2), Cell::Doors(look, 2), Cell::Doors(Look::Glass, 2)]);
+    let lower = b.choose(&[Cell::Doors(look, 1), Cell::Drawers(2), Cell::Doors(look, 2), Cell::Doors(Look::Glass, 2)]);
     let share = b.vary(0.28, 0.42);
     let stack = vec![(share, lower), (1.0 - share, Cell::Doors(Look::Glass, spaces(tall * (1.0 - share))))];
     let columns = if b.size.y > 1.25 { 2 } else { 1 };
     let mut piece = dressed(b, vec![(1.0, stack); columns]);
     piece.front = piece.body;
-    piece.overhang = b.one(&[0.0, 0.02, 0.025]);
+    piece.overhang = b.choose(&[0.0, 0.02, 0.025]);
     piece.lid = piece.body;
     if piece.stand == Stand::Tube {
         piece.stand = Stand::Plinth;
@@ -128,8 +128,8 @@ pub(super) fn dresser(b: &mut Build<'_>) {
     };
     let mut piece = dressed(b, columns);
     if kids {
-        piece.body = b.one(&[WHITE, b.style.wood, CREAM]);
-        piece.front = b.one(&[WHITE, SKY, DUSTY_ROSE, SAGE, YELLOW, b.style.accent]);
+        piece.body = b.choose(&[WHITE, b.style.wood, CREAM]);
+        piece.front = b.choose(&[WHITE, SKY, DUSTY_ROSE, SAGE, YELLOW, b.style.accent]);
         (piece.handle, piece.lid) = (Handle::Knob, piece.body);
     }
     piece.build(b);
@@ -139,7 +139,7 @@ pub(super) fn dresser(b: &mut Build<'_>) {
 pub(super) fn tall_cabinet(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.2, 0.6]);
     let (tall, wide) = (b.size.z, b.size.y);
-    let look = b.one(&[Look::Flat, Look::Framed, Look::Framed, Look::Louvred]);
+    let look = b.choose(&[Look::Flat, Look::Framed, Look::Framed, Look::Louvred]);
     let columns: Vec<Column> = match b.class {
         "utility_cabinet" if wide > 0.5 => {
             vec![(0.8, vec![(1.0, Cell::Hang(look))]), (1.0, vec![(1.0, Cell::Doors(look, spaces(tall)))])]
@@ -157,9 +157,9 @@ pub(super) fn tall_cabinet(b: &mut Build<'_>) {
         },
     };
     let mut piece = dressed(b, columns);
-    piece.stand = b.one(&[Stand::Plinth, Stand::Plinth, Stand::Legs]);
+    piece.stand = b.choose(&[Stand::Plinth, Stand::Plinth, Stand::Legs]);
     piece.carries = false;
-    (piece.overhang, piece.lid) = (b.one(&[0.0, 0.015]), piece.body);
+    (piece.overhang, piece.lid) = (b.choose(&[0.0, 0.015]), piece.body);
     if b.class == "pantry_cabinet" {
         (piece.body, piece.front, piece.lid) = (b.style.front, b.style.front, b.style.front);
     }
@@ -180,7 +180,7 @@ pub(super) fn shoe_cabinet(b: &mut Build<'_>) {
     let mut piece = dressed(b, columns);
     piece.overhang = piece.overhang.min(b.size.x * 0.05);
     if b.size.x < 0.24 {
-        piece.stand = b.one(&[Stand::None, Stand::Plinth]);
+        piece.stand = b.choose(&[Stand::None, Stand::Plinth]);
     }
     piece.build(b);
 }
@@ -195,13 +195,13 @@ pub(super) fn office_drawers(b: &mut Build<'_>) {
         _ => vec![(1.0, Cell::Drawers(rows))],
     };
     let body = if filing {
-        b.one(&[LIGHT_GREY, GREY, WHITE, BLACK, BLUE, b.style.cabinet])
+        b.choose(&[LIGHT_GREY, GREY, WHITE, BLACK, BLUE, b.style.cabinet])
     } else {
-        b.one(&[WHITE, b.style.wood, LIGHT_GREY, b.style.cabinet])
+        b.choose(&[WHITE, b.style.wood, LIGHT_GREY, b.style.cabinet])
     };
     let mut piece = Piece::new(vec![(1.0, stack)], body);
-    piece.handle = b.one(&[Handle::Bar, Handle::Bar, Handle::Knob]);
-    piece.front = b.one(&[body, body, WHITE]);
+    piece.handle = b.choose(&[Handle::Bar, Handle::Bar, Handle::Knob]);
+    piece.front = b.choose(&[body, body, WHITE]);
     let wheels = !filing && b.rng.chance(0.6);
     piece.stand = if wheels { Stand::None } else { Stand::Plinth };
     let (x, y) = (b.size.x / 2.0 - 0.06, b.size.y / 2.0 - 0.05);
@@ -217,7 +217,7 @@ pub(super) fn office_drawers(b: &mut Build<'_>) {
 /// A mechanic's tool chest of shallow drawers on castors, with a rim around its top.
 pub(super) fn tool_cabinet(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.3, 0.42]);
-    let body = b.one(&[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, YELLOW_METAL]);
+    let body = b.choose(&[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, YELLOW_METAL]);
     let rows = b.rng.count(4, 6);
     let columns: Vec<Column> = match b.rng.below(3) {
         0 => vec![drawers(rows)],
@@ -225,7 +225,7 @@ pub(super) fn tool_cabinet(b: &mut Build<'_>) {
         _ => vec![(1.0, vec![(0.35, Cell::Drawers(1)), (0.65, Cell::Drawers(rows))])],
     };
     let mut piece = Piece::new(columns, body);
-    (piece.handle, piece.stand, piece.front) = (Handle::Bar, Stand::None, b.one(&[body, body, GREY]));
+    (piece.handle, piece.stand, piece.front) = (Handle::Bar, Stand::None, b.choose(&[body, body, GREY]));
     piece.carries = false;
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (rim, lift) = (0.03, 0.12);
@@ -251,7 +251,7 @@ pub(super) fn tool_cabinet(b: &mut Build<'_>) {
 /// A narrow locker of steel: vents in its doors, a shelf and a rod.
 pub(super) fn locker(b: &mut Build<'_>) {
     at_least(b, [0.18, 0.15, 0.6]);
-    let body = b.one(&[LIGHT_GREY, BLUE, GREY, GREEN, RED, YELLOW]);
+    let body = b.choose(&[LIGHT_GREY, BLUE, GREY, GREEN, RED, YELLOW]);
     let two = b.rng.chance(0.35);
     let cell = Cell::Hang(Look::Vented);
     let stack = if two { vec![(0.5, cell), (0.5, cell)] } else { vec![(1.0, cell)] };
@@ -264,7 +264,7 @@ pub(super) fn locker(b: &mut Build<'_>) {
 pub(super) fn safe(b: &mut Build<'_>) {
     at_least(b, [0.125, 0.15, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let body = b.one(&[GREY, BLACK, ANTHRACITE, FOREST]);
+    let body = b.choose(&[GREY, BLACK, ANTHRACITE, FOREST]);
     let (t, thick, grip) = (0.02_f32.min(h * 0.1), 0.03, 0.04);
     let front = x - grip;
     let (low, high) = ([-x, -y, 0.0], [front, y, h]);

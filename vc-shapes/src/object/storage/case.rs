@@ -3,7 +3,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use crate::material::{BLACK, GLASS, MIRROR, Mat};
+use crate::material::{BLACK, GLASS, MIRROR, MaterialId};
 use crate::object::joinery::{BOARD, GAP, Handle, Side, drawer, handle};
 use crate::object::table::frame::Four;
 use crate::solid::{Axis, Build, Cut, P};
@@ -53,7 +53,7 @@ pub(in crate::object) enum Look {
 impl Look {
     /// Draws a design of solid fronts.
     pub(in crate::object) fn any(b: &mut Build<'_>) -> Self {
-        b.one(&[Self::Flat, Self::Flat, Self::Framed, Self::Framed, Self::Reeded])
+        b.choose(&[Self::Flat, Self::Flat, Self::Framed, Self::Framed, Self::Reeded])
     }
 }
 
@@ -72,13 +72,13 @@ pub(in crate::object) struct Case {
     /// The handles of doors and drawers.
     pub(in crate::object) handle: Handle,
     /// The material of boards.
-    pub(in crate::object) body: Mat,
+    pub(in crate::object) body: MaterialId,
     /// The material of fronts.
-    pub(in crate::object) front: Mat,
+    pub(in crate::object) front: MaterialId,
     /// The material of the upper board.
-    pub(in crate::object) lid: Mat,
+    pub(in crate::object) lid: MaterialId,
     /// The material of handles.
-    pub(in crate::object) metal: Mat,
+    pub(in crate::object) metal: MaterialId,
 }
 
 /// Counters for each kind of surface, used in their names.
@@ -264,7 +264,7 @@ pub(in crate::object) fn leaf(
     (low, high): (P, P),
     side: Side,
     (look, kind): (Look, Handle),
-    mats: (Mat, Mat),
+    mats: (MaterialId, MaterialId),
 ) {
     let g = GAP / 2.0;
     let (low, high) = ([low[0], low[1] + g, low[2] + g], [high[0], high[1] - g, high[2] - g]);
@@ -285,7 +285,7 @@ pub(in crate::object) fn leaf(
 }
 
 /// A front between two corners, facing X.
-pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, look: Look, mat: Mat) {
+pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, look: Look, mat: MaterialId) {
     let (wide, tall, thick) = (high[1] - low[1], high[2] - low[2], high[0] - low[0]);
     let w = 0.055_f32.min(wide.min(tall) * 0.22);
     let inner = |x0: f32, x1: f32| ([x0, low[1] + w, low[2] + w], [x1, high[1] - w, high[2] - w]);
@@ -348,7 +348,7 @@ pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, l
 }
 
 /// Four boards around a rectangle, `w` wide.
-pub(in crate::object) fn frame(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: Mat) {
+pub(in crate::object) fn frame(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: MaterialId) {
     b.block(name, low, [high[0], low[1] + w, high[2]], mat);
     b.block(name, [low[0], high[1] - w, low[2]], high, mat);
     b.block(name, [low[0], low[1] + w, low[2]], [high[0], high[1] - w, low[2] + w], mat);
@@ -382,7 +382,7 @@ impl Stand {
     }
 
     /// Builds the stand under a rectangle.
-    pub(in crate::object) fn build(self, b: &mut Build<'_>, low: P, high: P, mat: Mat, metal: Mat) {
+    pub(in crate::object) fn build(self, b: &mut Build<'_>, low: P, high: P, mat: MaterialId, metal: MaterialId) {
         let (x, y, h) = ((high[0] - low[0]) / 2.0, (high[1] - low[1]) / 2.0, low[2]);
         let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), 0.0];
         let thick = 0.018_f32.min(x * 0.2);
@@ -418,11 +418,11 @@ pub(in crate::object) struct Piece {
     /// The stand.
     pub(in crate::object) stand: Stand,
     /// The material of boards.
-    pub(in crate::object) body: Mat,
+    pub(in crate::object) body: MaterialId,
     /// The material of fronts.
-    pub(in crate::object) front: Mat,
+    pub(in crate::object) front: MaterialId,
     /// The material of the top.
-    pub(in crate::object) lid: Mat,
+    pub(in crate::object) lid: MaterialId,
     /// How far the top protrudes over sides and fronts.
     pub(in crate::object) overhang: f32,
     /// Whether the top is a surface for objects.
@@ -431,7 +431,7 @@ pub(in crate::object) struct Piece {
 
 impl Piece {
     /// A piece of one material that stands on a plinth.
-    pub(in crate::object) fn new(columns: Vec<Column>, body: Mat) -> Self {
+    pub(in crate::object) fn new(columns: Vec<Column>, body: MaterialId) -> Self {
         Self {
             columns,
             handle: Handle::None,
@@ -461,7 +461,7 @@ impl Piece {
         let (low, high) = ([-x, -y + o, lift], [front, y - o, h - slab]);
         self.stand.build(b, low, [front - if closed { BOARD } else { 0.0 }, high[1], high[2]], self.body, metal);
         if o > 0.0 {
-            b.soft("lid", [-x, -y, h - slab], [front + o, y, h], 0.005, self.lid);
+            b.rounded_block("lid", [-x, -y, h - slab], [front + o, y, h], 0.005, self.lid);
         }
         let Self { columns, handle, body, front: face, lid, .. } = self;
         let lid = if o > 0.0 { body } else { lid };

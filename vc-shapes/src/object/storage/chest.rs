@@ -7,17 +7,17 @@ use crate::solid::{Build, CORNERS, at_least};
 /// The design of a chest.
 pub(in crate::object) struct Chest {
     /// The material of the box.
-    pub(in crate::object) body: Mat,
+    pub(in crate::object) body: MaterialId,
     /// The material of the lid.
-    pub(in crate::object) lid: Mat,
+    pub(in crate::object) lid: MaterialId,
     /// Whether the lid is a seat cushion.
     pub(in crate::object) padded: bool,
     /// The material of the feet.
-    pub(in crate::object) feet: Mat,
+    pub(in crate::object) feet: MaterialId,
 }
 
 /// Four walls and a bottom between two corners.
-pub(in crate::object) fn walls(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, mat: Mat) {
+pub(in crate::object) fn walls(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, mat: MaterialId) {
     let floor = low[2] + t;
     b.block("bottom", low, [high[0], high[1], floor], mat);
     b.block("wall", [low[0], low[1], floor], [high[0], low[1] + t, high[2]], mat);
@@ -27,7 +27,7 @@ pub(in crate::object) fn walls(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3],
 }
 
 /// Walls and bottom, and the surface inside.
-pub(in crate::object) fn bin(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, name: &str, mat: Mat) {
+pub(in crate::object) fn bin(b: &mut Build<'_>, low: [f32; 3], high: [f32; 3], t: f32, name: &str, mat: MaterialId) {
     let floor = low[2] + t;
     walls(b, low, high, t, mat);
     let half = |i: usize| ((high[i] - low[i]) / 2.0 - t - 0.003).max(0.001);
@@ -50,9 +50,9 @@ pub(in crate::object) fn chest(b: &mut Build<'_>, chest: &Chest) {
     // The lid turns about its upper edge; about the lower one it would swing behind the chest.
     b.hinge([-x, 0.0, h], [0.0, -1.0, 0.0], 1.35, |b| {
         if chest.padded {
-            b.soft("lid", [-x, -y, h - lid], [x, y, h], 0.02, chest.lid);
+            b.rounded_block("lid", [-x, -y, h - lid], [x, y, h], 0.02, chest.lid);
         } else {
-            b.soft("lid", [-x, -y, h - lid], [x, y, h], 0.006, chest.lid);
+            b.rounded_block("lid", [-x, -y, h - lid], [x, y, h], 0.006, chest.lid);
         }
         b.top("lid", [0.0, 0.0, h], (x - 0.03, y - 0.03));
     });

@@ -11,7 +11,7 @@ use crate::object::table::frame::baluster;
 use crate::solid::{Axis, Build, Cut, P, at_least, leg};
 
 /// A bent hook that protrudes from `x` with its tip turned up, and its surface.
-fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: Mat) {
+fn peg(b: &mut Build<'_>, index: usize, at: P, reach: f32, drop: f32, mat: MaterialId) {
     let [x, y, z] = at;
     let r = (reach * 0.09).clamp(0.003, 0.006);
     b.pipe(
@@ -28,7 +28,7 @@ pub(super) fn coat_rack(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.17, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wooden = b.rng.chance(0.55);
-    let mat = if wooden { b.style.wood } else { b.one(&[BLACK_METAL, BRASS, WHITE_METAL, b.style.metal]) };
+    let mat = if wooden { b.style.wood } else { b.choose(&[BLACK_METAL, BRASS, WHITE_METAL, b.style.metal]) };
     let (reach, r) = (x.min(y), if wooden { 0.02 } else { 0.013 });
     let feet: &[(f32, f32)] = if b.rng.chance(0.5) {
         &[(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
@@ -79,13 +79,13 @@ pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.2, 0.04]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wood, metal) =
-        (b.one(&[b.style.wood, b.style.cabinet, WHITE]), b.one(&[b.style.metal, BRASS, BLACK_METAL, CHROME]));
+        (b.choose(&[b.style.wood, b.style.cabinet, WHITE]), b.choose(&[b.style.metal, BRASS, BLACK_METAL, CHROME]));
     let t = 0.018_f32.min(x * 0.5);
     let (x0, shelf) = (t - x, h > 0.16 && b.rng.chance(0.6));
     // Without a hat shelf there is a narrow ledge.
     let (board, deep) = if shelf { (t, x) } else { (t.min(h * 0.15), x * 0.1) };
     let plate = h - board;
-    b.soft("board", [-x, -y, 0.0], [x0, y, plate], 0.004, wood);
+    b.rounded_block("board", [-x, -y, 0.0], [x0, y, plate], 0.004, wood);
     b.block("shelf", [-x, -y, plate], [deep, y, h], wood);
     b.top("shelf", [(deep - x) / 2.0, 0.0, h], ((deep + x) / 2.0 - 0.004, y - 0.01));
     if shelf {
@@ -117,10 +117,10 @@ pub(super) fn wall_hook_rack(b: &mut Build<'_>) {
 pub(super) fn hall_stand(b: &mut Build<'_>) {
     at_least(b, [0.16, 0.32, 0.7]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let body = b.one(&[b.style.cabinet, b.style.wood, WHITE]);
+    let body = b.choose(&[b.style.cabinet, b.style.wood, WHITE]);
     let (seat, t, back) = (0.45_f32.min(h * 0.3), BOARD, 0.02);
     let pad = 0.045;
-    let cell = b.one(&[Cell::Open(1), Cell::Open(2), Cell::Drawers(1)]);
+    let cell = b.choose(&[Cell::Open(1), Cell::Open(2), Cell::Drawers(1)]);
     let handle = Handle::Knob;
     let grip = if matches!(cell, Cell::Open(_)) { 0.0 } else { handle.depth() };
     let case = Case {
@@ -135,7 +135,7 @@ pub(super) fn hall_stand(b: &mut Build<'_>) {
     };
     case.build(b);
     let from = back - x;
-    b.soft(
+    b.rounded_block(
         "cushion",
         [from + 0.004, 0.006 - y, seat - pad],
         [x - grip - 0.004, y - 0.006, seat],
@@ -180,14 +180,15 @@ pub(super) fn hall_stand(b: &mut Build<'_>) {
 pub(super) fn key_holder(b: &mut Build<'_>) {
     at_least(b, [0.015, 0.09, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (wood, metal) = (b.one(&[b.style.wood, b.style.cabinet, b.style.wood]), b.one(&[BRASS, BLACK_METAL, STEEL]));
+    let (wood, metal) =
+        (b.choose(&[b.style.wood, b.style.cabinet, b.style.wood]), b.choose(&[BRASS, BLACK_METAL, STEEL]));
     let t = 0.01_f32.min(x * 0.5);
     let x0 = t - x;
     if b.rng.chance(0.5) && h > 0.14 {
         let outline = [(-y, 0.0), (y, 0.0), (y, h * 0.72), (0.0, h), (-y, h * 0.72)];
         b.prism("board", Axis::X, [-x, 0.0, 0.0], &outline, t, wood);
     } else {
-        b.soft("board", [-x, -y, 0.0], [x0, y, h], 0.003, wood);
+        b.rounded_block("board", [-x, -y, 0.0], [x0, y, h], 0.003, wood);
     }
     let (z, lip) = (h * 0.45, (h * 0.14).min(0.025));
     b.block("ledge", [x0 - 0.001, 0.006 - y, z], [x, y - 0.006, z + 0.006], wood);

@@ -27,8 +27,8 @@ struct Rack {
     levels: usize,
     post: f32,
     deck: Deck,
-    frame: Mat,
-    board: Mat,
+    frame: MaterialId,
+    board: MaterialId,
 }
 
 impl Rack {
@@ -122,13 +122,13 @@ pub(super) fn storage_shelf(b: &mut Build<'_>) {
         1 => (Deck::Slats, PINE, PINE, 0.02, Cut::Square),
         2 if !garage => (Deck::Sheet, GREY_PLASTIC, GREY_PLASTIC, 0.025, Cut::Round),
         _ => {
-            let frame = b.one(&[GALVANISED, BLUE_METAL, BLACK_METAL, GREY]);
-            let (deck, board) = b.one(&[(Deck::Board, PINE), (Deck::Sheet, GALVANISED), (Deck::Board, GREY_OAK)]);
+            let frame = b.choose(&[GALVANISED, BLUE_METAL, BLACK_METAL, GREY]);
+            let (deck, board) = b.choose(&[(Deck::Board, PINE), (Deck::Sheet, GALVANISED), (Deck::Board, GREY_OAK)]);
             (deck, frame, board, 0.018, Cut::Square)
         }
     };
     let levels = ((h / b.vary(0.4, 0.5)).round() as usize).clamp(2, 6);
-    let top = h - b.one(&[0.004, 0.02]);
+    let top = h - b.choose(&[0.004, 0.02]);
     let rack = Rack { x, y, z: (0.12, top), levels, post, deck, frame, board };
     rack.posts(b, 0.0, h, cut);
     rack.decks(b);
@@ -143,7 +143,7 @@ pub(super) fn storage_shelf(b: &mut Build<'_>) {
 pub(super) fn kitchen_rack(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.3, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (deck, frame, board) = b.one(&[
+    let (deck, frame, board) = b.choose(&[
         (Deck::Wire, CHROME, CHROME),
         (Deck::Wire, BLACK_METAL, BLACK_METAL),
         (Deck::Sheet, STEEL, STEEL),

@@ -10,7 +10,7 @@ use crate::solid::{Axis, Build, CORNERS, Cut, at_least, disc, leg};
 pub(super) fn pot_rack(b: &mut Build<'_>) {
     at_least(b, [0.14, 0.3, 0.07]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[BLACK_METAL, STEEL, COPPER, BRASS]);
+    let metal = b.choose(&[BLACK_METAL, STEEL, COPPER, BRASS]);
     let (hang, t) = (0.07_f32.min(h * 0.35), 0.008);
     let z = hang + t;
     for side in [-1.0_f32, 1.0] {
@@ -53,7 +53,7 @@ pub(super) fn pot_rack(b: &mut Build<'_>) {
 pub(super) fn wine_rack(b: &mut Build<'_>) {
     at_least(b, [0.11, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let wood = b.one(&[b.style.wood, b.style.wood, PINE, BLACK_METAL]);
+    let wood = b.choose(&[b.style.wood, b.style.wood, PINE, BLACK_METAL]);
     let (t, cell) = (0.012, 0.105);
     let across = ((2.0 * y - t) / cell).clamp(1.0, 12.0) as usize;
     let up = ((h - t) / cell).clamp(1.0, 18.0) as usize;
@@ -102,7 +102,7 @@ pub(super) fn wine_rack(b: &mut Build<'_>) {
 pub(super) fn magazine_rack(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.15, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (wood, cloth) = (b.style.wood, b.one(&[b.style.accent, TAN_LEATHER, BLACK_LEATHER, b.style.wood]));
+    let (wood, cloth) = (b.style.wood, b.choose(&[b.style.accent, TAN_LEATHER, BLACK_LEATHER, b.style.wood]));
     let t = 0.012;
     let low = h * 0.14;
     for side in [-1.0_f32, 1.0] {
@@ -141,9 +141,9 @@ pub(super) fn shoe_rack(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let tubes = b.rng.chance(0.4);
     let frame = if tubes {
-        b.one(&[CHROME, BLACK_METAL, WHITE_METAL])
+        b.choose(&[CHROME, BLACK_METAL, WHITE_METAL])
     } else {
-        b.one(&[b.style.wood, BAMBOO, b.style.cabinet])
+        b.choose(&[b.style.wood, BAMBOO, b.style.cabinet])
     };
     let levels = ((h / 0.2).round() as usize).clamp(2, 4);
     let (first, last) = (0.09, h - if tubes { 0.06 } else { 0.004 });
@@ -194,7 +194,7 @@ pub(super) fn shoe_rack(b: &mut Build<'_>) {
 pub(super) fn drying_rack(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.5, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[WHITE_METAL, SILVER_METAL, STEEL]);
+    let metal = b.choose(&[WHITE_METAL, SILVER_METAL, STEEL]);
     let (r, top) = (0.009, h - 0.01);
     let wing = y * 0.42;
     let body = y - wing;
@@ -233,7 +233,7 @@ pub(super) fn clothes_rail(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wooden = b.rng.chance(0.4);
     let (mat, r) =
-        if wooden { (b.style.wood, 0.016) } else { (b.one(&[BLACK_METAL, CHROME, WHITE_METAL, BRASS]), 0.012) };
+        if wooden { (b.style.wood, 0.016) } else { (b.choose(&[BLACK_METAL, CHROME, WHITE_METAL, BRASS]), 0.012) };
     let (wheels, z) = (!wooden && b.rng.chance(0.5), h - if wooden { 0.05 } else { 0.014 });
     let lift = if wheels { 0.065 } else { 0.0 };
     // Wooden poles cross below the rod, which lies between them.
@@ -286,7 +286,7 @@ pub(super) fn clothes_rail(b: &mut Build<'_>) {
 pub(super) fn plant_stand(b: &mut Build<'_>) {
     at_least(b, [0.12, 0.12, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (wood, metal) = (b.style.wood, b.one(&[b.style.metal, BLACK_METAL, BRASS]));
+    let (wood, metal) = (b.style.wood, b.choose(&[b.style.metal, BLACK_METAL, BRASS]));
     let t = 0.018;
     if y > x * 1.12 || x > y * 1.12 || b.rng.chance(0.2) {
         // Steps between two side frames.
@@ -309,7 +309,7 @@ pub(super) fn plant_stand(b: &mut Build<'_>) {
         return;
     }
     let r = x.min(y);
-    let (mat, leg_mat) = if b.rng.chance(0.5) { (wood, wood) } else { (b.one(&[wood, metal]), metal) };
+    let (mat, leg_mat) = if b.rng.chance(0.5) { (wood, wood) } else { (b.choose(&[wood, metal]), metal) };
     let leg_r = if leg_mat == wood { 0.013 } else { 0.006 };
     let splay = b.vary(0.7, 0.95);
     disc(b, "top", [0.0, 0.0, h], r * 0.96, t, mat);

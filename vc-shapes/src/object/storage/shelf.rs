@@ -12,8 +12,8 @@ fn spaces(b: &mut Build<'_>, tall: f32) -> usize {
 }
 
 /// The material of a bookcase.
-fn body(b: &mut Build<'_>) -> Mat {
-    b.one(&[b.style.wood, b.style.wood, b.style.cabinet, WHITE])
+fn body(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[b.style.wood, b.style.wood, b.style.cabinet, WHITE])
 }
 
 /// A bookcase: a plain case, one with a cornice, one with unequal columns, a ladder or an open
@@ -41,7 +41,7 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
             let foot = foot(b);
             let mut piece = Piece::new(vec![(1.0, stack(foot, count)); columns], mat);
             piece.handle = grip(b);
-            piece.stand = b.one(&[Stand::Plinth, Stand::Plinth, Stand::None, Stand::Legs, Stand::Splayed]);
+            piece.stand = b.choose(&[Stand::Plinth, Stand::Plinth, Stand::None, Stand::Legs, Stand::Splayed]);
             if design < 5 {
                 piece.overhang = b.vary(0.012, 0.02);
             }
@@ -52,8 +52,8 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
 
 /// The closed part at the foot of a bookcase, and its height relative to a compartment.
 fn foot(b: &mut Build<'_>) -> (f32, Cell) {
-    let look = b.one(&[Look::Flat, Look::Framed, Look::Framed]);
-    b.one(&[(0.6, Cell::Drawers(1)), (1.0, Cell::Drawers(2)), (1.1, Cell::Doors(look, 1))])
+    let look = b.choose(&[Look::Flat, Look::Framed, Look::Framed]);
+    b.choose(&[(0.6, Cell::Drawers(1)), (1.0, Cell::Drawers(2)), (1.1, Cell::Doors(look, 1))])
 }
 
 /// Open compartments over a foot, `count` in total.
@@ -63,11 +63,11 @@ fn stack(foot: (f32, Cell), count: usize) -> Vec<(f32, Cell)> {
 }
 
 fn grip(b: &mut Build<'_>) -> Handle {
-    b.one(&[Handle::Knob, Handle::Bar, Handle::None])
+    b.choose(&[Handle::Knob, Handle::Bar, Handle::None])
 }
 
 /// Two drawers that fill a space between shelves.
-fn drawers(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
+fn drawers(b: &mut Build<'_>, low: P, high: P, mat: MaterialId) {
     let columns = vec![(1.0, vec![(1.0, Cell::Drawers(2))])];
     let metal = b.style.metal;
     Case { low, high, columns, handle: Handle::None, body: mat, front: mat, lid: mat, metal }.build(b);
@@ -79,8 +79,8 @@ pub(super) fn low_bookcase(b: &mut Build<'_>) {
     let columns = (b.size.y / b.vary(0.45, 0.75)).round().clamp(1.0, 3.0) as usize;
     let (count, mat) = (spaces(b, b.size.z - 0.08), body(b));
     let mut piece = Piece::new(vec![(1.0, vec![(1.0, Cell::Open(count))]); columns], mat);
-    piece.stand = b.one(&[Stand::Plinth, Stand::Legs, Stand::Splayed, Stand::None, Stand::Tube]);
-    piece.overhang = b.one(&[0.0, 0.015]);
+    piece.stand = b.choose(&[Stand::Plinth, Stand::Legs, Stand::Splayed, Stand::None, Stand::Tube]);
+    piece.overhang = b.choose(&[0.0, 0.015]);
     if b.rng.chance(0.3) {
         piece.lid = b.style.wood;
     }
@@ -92,16 +92,16 @@ pub(super) fn cube_shelf(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.3, 0.3]);
     let across = (b.size.y / 0.38).round().clamp(1.0, 6.0) as usize;
     let up = (b.size.z / 0.38).round().clamp(1.0, 6.0) as usize;
-    let filled = b.one(&[0.0, 0.0, 0.2]);
+    let filled = b.choose(&[0.0, 0.0, 0.2]);
     let columns: Vec<Column> = (0..across)
         .map(|_| {
             let cell = |b: &mut Build<'_>| if b.rng.chance(filled) { Cell::Drawers(1) } else { Cell::Open(1) };
             (1.0, (0..up).map(|_| (1.0, cell(b))).collect())
         })
         .collect();
-    let mat = b.one(&[WHITE, b.style.wood, b.style.cabinet, BLACK]);
+    let mat = b.choose(&[WHITE, b.style.wood, b.style.cabinet, BLACK]);
     let mut piece = Piece::new(columns, mat);
-    (piece.stand, piece.front) = (Stand::None, b.one(&[mat, b.style.accent, b.style.wood]));
+    (piece.stand, piece.front) = (Stand::None, b.choose(&[mat, b.style.accent, b.style.wood]));
     piece.build(b);
 }
 
@@ -150,7 +150,7 @@ pub(super) fn corner_bookcase(b: &mut Build<'_>) {
 /// Boards between two ladders of metal tube, open on all sides.
 fn etagere(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (metal, wood) = (b.one(&[b.style.metal, BLACK_METAL, BRASS]), b.style.wood);
+    let (metal, wood) = (b.choose(&[b.style.metal, BLACK_METAL, BRASS]), b.style.wood);
     let t = 0.02_f32.min(x * 0.15);
     Four::upright((x, y), h, (t / 2.0, t / 2.0), Cut::Square).build(b, metal);
     for side in [-1.0_f32, 1.0] {
@@ -166,7 +166,7 @@ fn etagere(b: &mut Build<'_>) {
 
 /// Shelves from one height to another, the uppermost open above; `keep` is the part of them that
 /// posts occupy.
-fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, keep: (f32, f32)) {
+fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: MaterialId, keep: (f32, f32)) {
     let count = spaces(b, z.1 - z.0).max(2);
     let pitch = (z.1 - z.0) / count as f32;
     let thick = 0.022;
@@ -191,7 +191,7 @@ fn boards(b: &mut Build<'_>, half: (f32, f32), z: (f32, f32), mat: Mat, keep: (f
 /// A leaning ladder with shelves that deepen downwards.
 fn ladder(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let wood = b.one(&[b.style.wood, b.style.cabinet]);
+    let wood = b.choose(&[b.style.wood, b.style.cabinet]);
     let (t, r) = (0.024, 0.016_f32.min(x * 0.1));
     let front = |z: f32| x - r - (2.0 * x - 0.14).max(x * 0.3) * (z / h);
     for side in [-1.0, 1.0] {
@@ -234,7 +234,7 @@ pub(super) fn open_shelf(b: &mut Build<'_>) {
             let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
             let wood = body(b);
             let r = 0.016_f32.min(x * 0.12);
-            let cut = b.one(&[Cut::Round, Cut::Square]);
+            let cut = b.choose(&[Cut::Round, Cut::Square]);
             for (sx, sy) in CORNERS {
                 let at = |z: f32| [sx * (x - r - 0.004), sy * (y - r - 0.004), z];
                 leg(b, "post", (at(0.0), r), (at(h - 0.01), r), cut, wood);
@@ -252,7 +252,7 @@ pub(super) fn wall_shelf(b: &mut Build<'_>) {
     let (mat, metal) = (body(b), b.style.metal);
     let t = h.min(0.035);
     if h < 0.08 {
-        b.soft("shelf", [-x, -y, h - t], [x, y, h], 0.004, mat);
+        b.rounded_block("shelf", [-x, -y, h - t], [x, y, h], 0.004, mat);
         b.top("top", [0.0, 0.0, h], (x - 0.006, y - 0.01));
         if h > t + 0.01 {
             b.block("cleat", [-x, -y * 0.9, 0.0], [-x + 0.02, y * 0.9, h - t + 0.001], mat);
@@ -263,7 +263,7 @@ pub(super) fn wall_shelf(b: &mut Build<'_>) {
     match b.rng.below(3) {
         0 => {
             // On triangular brackets.
-            b.soft("shelf", [-x, -y, h - t], [x, y, h], 0.004, mat);
+            b.rounded_block("shelf", [-x, -y, h - t], [x, y, h], 0.004, mat);
             b.top("top", [0.0, 0.0, h], (x - 0.006, y - 0.01));
             for side in [-1.0, 1.0] {
                 let cy = side * y * 0.7;

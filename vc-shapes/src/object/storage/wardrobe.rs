@@ -15,7 +15,7 @@ pub(super) fn wardrobe(b: &mut Build<'_>) {
     }
     // One column for each pair of doors, each about half a metre wide.
     let doors = (b.size.y / 0.5).round().clamp(1.0, 6.0) as usize;
-    let look = b.one(&[Look::Flat, Look::Flat, Look::Framed, Look::Framed, Look::Louvred, Look::Reeded]);
+    let look = b.choose(&[Look::Flat, Look::Flat, Look::Framed, Look::Framed, Look::Louvred, Look::Reeded]);
     let mirror = b.rng.chance(0.25);
     let below = b.rng.chance(0.4);
     let columns: Vec<Column> = (0..doors.div_ceil(2))
@@ -27,16 +27,16 @@ pub(super) fn wardrobe(b: &mut Build<'_>) {
             (leaves as f32, stack)
         })
         .collect();
-    let body = b.one(&[b.style.cabinet, b.style.wood, WHITE, b.style.cabinet]);
+    let body = b.choose(&[b.style.cabinet, b.style.wood, WHITE, b.style.cabinet]);
     let mut piece = Piece::new(columns, body);
-    piece.front = b.one(&[body, body, b.style.cabinet]);
-    piece.handle = b.one(&[Handle::Bar, Handle::Bar, Handle::Knob]);
+    piece.front = b.choose(&[body, body, b.style.cabinet]);
+    piece.handle = b.choose(&[Handle::Bar, Handle::Bar, Handle::Knob]);
     piece.carries = false;
     if closet {
         (piece.stand, piece.body) = (Stand::None, WHITE);
     } else {
-        piece.stand = b.one(&[Stand::Plinth, Stand::Plinth, Stand::Legs]);
-        piece.overhang = b.one(&[0.0, 0.0, 0.02]);
+        piece.stand = b.choose(&[Stand::Plinth, Stand::Plinth, Stand::Legs]);
+        piece.overhang = b.choose(&[0.0, 0.0, 0.02]);
     }
     piece.build(b);
 }
@@ -44,8 +44,8 @@ pub(super) fn wardrobe(b: &mut Build<'_>) {
 /// A wardrobe behind two or three panels that slide in front of each other.
 fn slider(b: &mut Build<'_>, closet: bool) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let body = if closet { WHITE } else { b.one(&[b.style.cabinet, b.style.wood, WHITE]) };
-    let (front, metal) = (b.one(&[body, WHITE, b.style.cabinet]), b.one(&[ALUMINIUM, b.style.metal]));
+    let body = if closet { WHITE } else { b.choose(&[b.style.cabinet, b.style.wood, WHITE]) };
+    let (front, metal) = (b.choose(&[body, WHITE, b.style.cabinet]), b.choose(&[ALUMINIUM, b.style.metal]));
     let lift = if closet { 0.0 } else { 0.05 };
     let track = 0.06;
     let inner = x - track;
@@ -60,7 +60,7 @@ fn slider(b: &mut Build<'_>, closet: bool) {
     b.block("track", [inner - 0.002, 0.001 - y, z1 + 0.004], [x, y - 0.001, h - 0.001], metal);
     let wide = 2.0 * y / count as f32;
     let mirrored = b.rng.below(count + 2);
-    let look = b.one(&[Look::Flat, Look::Framed, Look::Flat]);
+    let look = b.choose(&[Look::Flat, Look::Framed, Look::Flat]);
     for i in 0..count {
         // Panels alternate between the two rails; each slides over its neighbour.
         let rail = if i % 2 == 0 { x - 0.026 } else { inner + 0.006 };
@@ -84,8 +84,8 @@ fn slider(b: &mut Build<'_>, closet: bool) {
 pub(super) fn closet_drawer(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.2, 0.075]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let handle = b.one(&[Handle::Bar, Handle::Knob, Handle::None]);
-    let body = b.one(&[WHITE, b.style.cabinet, b.style.wood]);
+    let handle = b.choose(&[Handle::Bar, Handle::Knob, Handle::None]);
+    let body = b.choose(&[WHITE, b.style.cabinet, b.style.wood]);
     let (front, t) = (x - handle.depth(), BOARD * 0.8);
     for side in [-1.0_f32, 1.0] {
         let (a, c) = (side * y, side * (y - t));

@@ -11,8 +11,8 @@ use crate::solid::{Axis, Build, P, at_least, polar, spaced, tapered_tub};
 pub(super) fn wheelie_bin(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.22, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC]);
-    let lid = b.one(&[body, body, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC]);
+    let lid = b.choose(&[body, body, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC]);
     let (domed, rim) = (b.vary(0.03, 0.08), h * b.vary(0.86, 0.9));
     let wheel = (h * b.vary(0.09, 0.12)).min(x * 0.4);
     let (back, front) = (-x + 0.06, x - 0.015);
@@ -65,7 +65,7 @@ pub(super) fn wheelie_bin(b: &mut Build<'_>) {
 /// A litter bin of streets and parks.
 pub(super) fn street_bin(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.17, 0.4]);
-    let mat = b.one(&[ANTHRACITE, GREEN_METAL, GALVANISED, BLACK_METAL, RED_METAL, BLUE_METAL, RUST]);
+    let mat = b.choose(&[ANTHRACITE, GREEN_METAL, GALVANISED, BLACK_METAL, RED_METAL, BLUE_METAL, RUST]);
     match b.rng.below(4) {
         0 => drum(b, mat),
         1 => roofed(b, mat),
@@ -75,7 +75,7 @@ pub(super) fn street_bin(b: &mut Build<'_>) {
 }
 
 /// An upright can with a collar, open at the top, sometimes with a roof on posts.
-fn drum(b: &mut Build<'_>, mat: Mat) {
+fn drum(b: &mut Build<'_>, mat: MaterialId) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let roof = b.rng.chance(0.5);
     let rim = if roof { h * 0.72 } else { h };
@@ -91,7 +91,7 @@ fn drum(b: &mut Build<'_>, mat: Mat) {
         (foot - wall, 0.03),
     ];
     b.lathe("can", [0.0; 3], &profile, mat);
-    let band = b.one(&[YELLOW_METAL, STEEL, mat]);
+    let band = b.choose(&[YELLOW_METAL, STEEL, mat]);
     let at = (foot + waist) / 2.0 + 0.003;
     b.lathe(
         "band",
@@ -111,12 +111,12 @@ fn drum(b: &mut Build<'_>, mat: Mat) {
 }
 
 /// A box with a hood that is open at the front.
-fn roofed(b: &mut Build<'_>, mat: Mat) {
+fn roofed(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (rim, foot) = (h * b.vary(0.62, 0.72), h * b.vary(0.03, 0.1));
     tapered_tub(b, "body", [0.0, 0.0, foot], (x - 0.01, y - 0.01), (x - 0.004, y - 0.004), rim - foot, 0.008, mat);
     b.block("foot", [-x * 0.7, -y * 0.7, 0.0], [x * 0.7, y * 0.7, foot + 0.004], IRON);
-    let roof = b.one(&[mat, STEEL, BLACK_METAL]);
+    let roof = b.choose(&[mat, STEEL, BLACK_METAL]);
     for side in [-1.0, 1.0] {
         let cy = side * (y - 0.012);
         b.block("cheek", [-x + 0.01, cy - 0.005, rim - 0.01], [x * 0.6, cy + 0.005, h * 0.9], mat);
@@ -134,9 +134,9 @@ fn roofed(b: &mut Build<'_>, mat: Mat) {
 }
 
 /// A can behind upright laths.
-fn slatted(b: &mut Build<'_>, mat: Mat) {
+fn slatted(b: &mut Build<'_>, mat: MaterialId) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let wood = b.one(&[TEAK, OAK, PINE, WALNUT]);
+    let wood = b.choose(&[TEAK, OAK, PINE, WALNUT]);
     let inner = r - 0.03;
     b.lathe(
         "can",
@@ -167,7 +167,7 @@ fn slatted(b: &mut Build<'_>, mat: Mat) {
 }
 
 /// A bin that hangs on a post.
-fn hung(b: &mut Build<'_>, mat: Mat) {
+fn hung(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let post = 0.03;
     b.cylinder("post", [-x + post, 0.0, 0.0], post, h, GALVANISED);
@@ -188,7 +188,7 @@ fn hung(b: &mut Build<'_>, mat: Mat) {
 pub(super) fn mailbox(b: &mut Build<'_>) {
     at_least(b, [0.06, 0.125, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[
+    let mat = b.choose(&[
         RED_METAL,
         WHITE_METAL,
         BLACK_METAL,
@@ -203,7 +203,7 @@ pub(super) fn mailbox(b: &mut Build<'_>) {
         letter_box(b, [-x, -y, 0.0], [x, y, h], mat);
         return;
     }
-    let wood = b.one(&[PINE, OAK, WHITE, IRON, GALVANISED]);
+    let wood = b.choose(&[PINE, OAK, WHITE, IRON, GALVANISED]);
     if x > 0.16 && b.rng.chance(0.75) {
         tunnel(b, mat, wood);
     } else {
@@ -216,7 +216,7 @@ pub(super) fn mailbox(b: &mut Build<'_>) {
 }
 
 /// A box with a slot, a front door and a sloping roof.
-fn letter_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
+fn letter_box(b: &mut Build<'_>, low: P, high: P, mat: MaterialId) {
     let t = 0.006;
     let roof = ((high[2] - low[2]) * b.vary(0.06, 0.2)).min(0.1);
     let top = high[2] - roof;
@@ -247,7 +247,7 @@ fn letter_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
 }
 
 /// The rounded rural mailbox on a post, with a flag and a front flap.
-fn tunnel(b: &mut Build<'_>, mat: Mat, wood: Mat) {
+fn tunnel(b: &mut Build<'_>, mat: MaterialId, wood: MaterialId) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let half = (y * 0.8).min(0.14).min(h * 0.2);
     let tall = half * 2.3;

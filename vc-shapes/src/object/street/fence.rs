@@ -19,15 +19,15 @@ enum Fill {
     Bamboo,
 }
 
-const WOODS: &[Mat] = &[PINE, OAK, TEAK, GREY_OAK, WHITE, CREAM, WALNUT, FOREST, ANTHRACITE];
-const METALS: &[Mat] = &[IRON, GREEN_METAL, BLACK_METAL, GALVANISED, ANTHRACITE, WHITE_METAL];
+const WOODS: &[MaterialId] = &[PINE, OAK, TEAK, GREY_OAK, WHITE, CREAM, WALNUT, FOREST, ANTHRACITE];
+const METALS: &[MaterialId] = &[IRON, GREEN_METAL, BLACK_METAL, GALVANISED, ANTHRACITE, WHITE_METAL];
 
 impl Fill {
-    fn mat(self, b: &mut Build<'_>) -> Mat {
+    fn mat(self, b: &mut Build<'_>) -> MaterialId {
         match self {
-            Self::Railings | Self::Mesh => b.one(METALS),
+            Self::Railings | Self::Mesh => b.choose(METALS),
             Self::Bamboo => BAMBOO,
-            _ => b.one(WOODS),
+            _ => b.choose(WOODS),
         }
     }
 }
@@ -54,7 +54,7 @@ pub(super) fn fence(b: &mut Build<'_>) {
         Fill::Slats,
         Fill::Bamboo,
     ];
-    let fill = b.one(&fills);
+    let fill = b.choose(&fills);
     let (mat, d, y, h) = (fill.mat(b), b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let bays = ((2.0 * y / b.vary(1.5, 2.4)) as usize).clamp(1, 5);
     let post = d.min(0.05);
@@ -80,7 +80,7 @@ pub(super) fn fence(b: &mut Build<'_>) {
 /// A gate between two posts; the leaf is hinged.
 pub(super) fn gate(b: &mut Build<'_>) {
     at_least(b, [0.02, 0.4, 0.4]);
-    let fill = b.one(&[Fill::Pickets, Fill::Pickets, Fill::Boards, Fill::Railings, Fill::Mesh, Fill::Slats]);
+    let fill = b.choose(&[Fill::Pickets, Fill::Pickets, Fill::Boards, Fill::Railings, Fill::Mesh, Fill::Slats]);
     let (mat, d, y, h) = (fill.mat(b), b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let post = d.min(0.045);
     for side in [-1.0, 1.0] {
@@ -127,7 +127,7 @@ impl Form {
 }
 
 /// Fills a bay with at most `most` pieces.
-fn filling(b: &mut Build<'_>, fill: Fill, bay: Bay, d: f32, form: &Form, (mat, most): (Mat, usize)) {
+fn filling(b: &mut Build<'_>, fill: Fill, bay: Bay, d: f32, form: &Form, (mat, most): (MaterialId, usize)) {
     let (y0, y1, tall) = (bay.y - bay.half - 0.02, bay.y + bay.half + 0.02, bay.high - bay.low);
     let rail = |b: &mut Build<'_>, share: f32, half: f32| {
         let z = bay.low + tall * share;

@@ -11,8 +11,8 @@ use crate::solid::{Axis, Build, P, at_least, polar, polygon, spaced};
 pub(super) fn hydrant(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.15, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[RED_METAL, RED_METAL, YELLOW_METAL, BLUE_METAL, GREEN_METAL]);
-    let cap = b.one(&[mat, SILVER_METAL, WHITE_METAL, YELLOW_METAL]);
+    let mat = b.choose(&[RED_METAL, RED_METAL, YELLOW_METAL, BLUE_METAL, GREEN_METAL]);
+    let cap = b.choose(&[mat, SILVER_METAL, WHITE_METAL, YELLOW_METAL]);
     let out = x.min(y);
     let r = out * b.vary(0.55, 0.65);
     let bonnet = h * b.vary(0.7, 0.78);
@@ -51,7 +51,7 @@ pub(super) fn hydrant(b: &mut Build<'_>) {
 }
 
 /// A capped outlet that points along `way`.
-fn outlet(b: &mut Build<'_>, way: P, z: f32, (from, to, r): (f32, f32, f32), (mat, cap): (Mat, Mat)) {
+fn outlet(b: &mut Build<'_>, way: P, z: f32, (from, to, r): (f32, f32, f32), (mat, cap): (MaterialId, MaterialId)) {
     let at = |d: f32| [way[0] * d, way[1] * d, z];
     let span = to - from * 0.7;
     b.lathe_along(
@@ -75,7 +75,7 @@ pub(super) fn cone(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let foot = h * b.vary(0.04, 0.07);
-    let base = b.one(&[ORANGE_PLASTIC, RUBBER, ORANGE_PLASTIC]);
+    let base = b.choose(&[ORANGE_PLASTIC, RUBBER, ORANGE_PLASTIC]);
     let bevel = x.min(y) * b.vary(0.1, 0.3);
     let corner: Vec<(f32, f32)> = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
         .into_iter()
@@ -108,7 +108,7 @@ pub(super) fn bollard(b: &mut Build<'_>) {
     let band = h * b.vary(0.7, 0.85);
     match b.rng.below(5) {
         0 => {
-            let iron = b.one(&[IRON, ANTHRACITE, GREEN_METAL]);
+            let iron = b.choose(&[IRON, ANTHRACITE, GREEN_METAL]);
             let waist = r * b.vary(0.55, 0.7);
             let profile = [
                 (r, 0.0),
@@ -124,7 +124,7 @@ pub(super) fn bollard(b: &mut Build<'_>) {
             b.lathe("post", [0.0; 3], &profile, iron);
         }
         1 => {
-            let steel = b.one(&[STEEL, GALVANISED, ANTHRACITE]);
+            let steel = b.choose(&[STEEL, GALVANISED, ANTHRACITE]);
             b.lathe(
                 "post",
                 [0.0; 3],
@@ -138,13 +138,13 @@ pub(super) fn bollard(b: &mut Build<'_>) {
             b.taper("cap", [0.0, 0.0, h * 0.9], (r * 0.75, r * 0.75), (r * 0.1, r * 0.1), h * 0.1, CONCRETE);
         }
         3 => {
-            let wood = b.one(&[OAK, PINE, TEAK]);
+            let wood = b.choose(&[OAK, PINE, TEAK]);
             b.block("post", [-r, -r, 0.0], [r, r, h * 0.93], wood);
             b.taper("cap", [0.0, 0.0, h * 0.93], (r, r), (r * 0.5, r * 0.5), h * 0.07, wood);
             b.block("reflector", [r * 0.9, -r * 0.5, band * 0.9], [r + 0.001, r * 0.5, band], RED_PLASTIC);
         }
         _ => {
-            let (main, second) = (b.one(&[WHITE, YELLOW, RED]), b.one(&[RED, BLACK]));
+            let (main, second) = (b.choose(&[WHITE, YELLOW, RED]), b.choose(&[RED, BLACK]));
             b.cylinder("post", [0.0; 3], r * 0.9, h - r * 0.9, main);
             for i in 0..3 {
                 b.cylinder("band", [0.0, 0.0, h * (0.15 + 0.27 * i as f32)], r * 0.92, h * 0.12, second);
@@ -159,7 +159,7 @@ pub(super) fn bollard(b: &mut Build<'_>) {
 pub(super) fn parking_meter(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[ANTHRACITE, SILVER_METAL, BLUE_METAL, GREEN_METAL, GALVANISED]);
+    let mat = b.choose(&[ANTHRACITE, SILVER_METAL, BLUE_METAL, GREEN_METAL, GALVANISED]);
     if b.rng.chance(0.5) {
         let (low, r) = (h * 0.72, (y * 0.7).min(0.13));
         b.lathe(
@@ -186,7 +186,7 @@ pub(super) fn parking_meter(b: &mut Build<'_>) {
         }
     } else {
         b.block("foot", [-x, -y, 0.0], [x, y, 0.03], CONCRETE);
-        b.soft("case", [-x * 0.9, -y * 0.9, 0.025], [x * 0.9, y * 0.9, h * 0.9], 0.03, mat);
+        b.rounded_block("case", [-x * 0.9, -y * 0.9, 0.025], [x * 0.9, y * 0.9, h * 0.9], 0.03, mat);
         b.taper("roof", [0.0, 0.0, h * 0.895], (x, y), (x * 0.4, y * 0.6), h * 0.05, b.style.metal);
         b.block("solar", [-x * 0.35, -y * 0.55, h * 0.94], [x * 0.35, y * 0.55, h], BLACK_GLASS);
         face(b, x * 0.9, [0.0, h * 0.62, h * 0.22, y * 0.65], x * 0.1);
@@ -225,14 +225,14 @@ fn face(b: &mut Build<'_>, x: f32, [cy, low, tall, half]: [f32; 4], deep: f32) {
 pub(super) fn charging_station(b: &mut Build<'_>) {
     at_least(b, [0.08, 0.1, 0.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let mat = b.one(&[WHITE_METAL, ANTHRACITE, SILVER_METAL, BLACK_METAL, GREEN_METAL]);
+    let mat = b.choose(&[WHITE_METAL, ANTHRACITE, SILVER_METAL, BLACK_METAL, GREEN_METAL]);
     let front = -x + 2.0 * x * b.vary(0.55, 0.7);
     let low = if h > 0.8 { 0.0 } else { h * 0.12 };
     let (deep, wide) = (x - front, y * 0.8);
     if low == 0.0 {
         b.block("foot", [-x, -y, 0.0], [front + 0.01, y, 0.04], CONCRETE);
     }
-    b.soft("case", [-x, -wide, low], [front, wide, h], 0.02_f32.min(x * 0.3), mat);
+    b.rounded_block("case", [-x, -wide, low], [front, wide, h], 0.02_f32.min(x * 0.3), mat);
     let (z, tall) = (low + (h - low) * 0.6, (h - low) * 0.3);
     b.block("screen", [front - 0.004, -wide * 0.6, z + tall * 0.45], [front + 0.004, wide * 0.6, z + tall], SCREEN);
     b.block("light", [front - 0.004, -wide * 0.9, z + tall * 0.3], [front + 0.003, wide * 0.9, z + tall * 0.36], LED);
@@ -256,7 +256,7 @@ pub(super) fn manhole_cover(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.02]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let rim = r * b.vary(0.82, 0.9);
-    let iron = b.one(&[IRON, IRON, RUST, GALVANISED]);
+    let iron = b.choose(&[IRON, IRON, RUST, GALVANISED]);
     let frame = [(r, 0.0), (r, h - 0.004), (rim + 0.005, h - 0.003), (rim + 0.005, 0.0), (r, 0.0)];
     b.lathe("frame", [0.0; 3], &frame, iron);
     b.cylinder("cover", [0.0; 3], rim, h - 0.005, iron);
@@ -288,7 +288,7 @@ pub(super) fn manhole_cover(b: &mut Build<'_>) {
 pub(super) fn curb(b: &mut Build<'_>) {
     at_least(b, [0.06, 0.3, 0.05]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let stone = b.one(&[CONCRETE, GRANITE, GRAVEL, SANDSTONE]);
+    let stone = b.choose(&[CONCRETE, GRANITE, GRAVEL, SANDSTONE]);
     let bevel = (x * 0.5).min(h * 0.4) * b.vary(0.2, 1.0);
     let mut section = vec![(-x, 0.0), (x, 0.0)];
     match b.rng.below(3) {
@@ -302,7 +302,7 @@ pub(super) fn curb(b: &mut Build<'_>) {
     let painted = b.rng.chance(0.25);
     for (i, cy) in spaced(stones, -y + half, y - half).enumerate() {
         let gap = if i + 1 < stones { 0.004 } else { 0.0 };
-        let mat = if painted && i % 2 == 0 { b.one(&[YELLOW, RED]) } else { stone };
+        let mat = if painted && i % 2 == 0 { b.choose(&[YELLOW, RED]) } else { stone };
         b.prism("stone", Axis::Y, [0.0, cy - half, 0.0], &section, 2.0 * half - gap, mat);
     }
     b.top("top", [-bevel / 2.0, 0.0, h], (x - bevel / 2.0 - 0.005, y - 0.01));
@@ -312,7 +312,7 @@ pub(super) fn curb(b: &mut Build<'_>) {
 pub(super) fn dog_chain(b: &mut Build<'_>) {
     at_least(b, [0.025, 0.05, 0.015]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let steel = b.one(&[STEEL, GALVANISED, IRON]);
+    let steel = b.choose(&[STEEL, GALVANISED, IRON]);
     let wire = (h * 0.09).min(0.004);
     let link = (x * 0.34).min(y * 0.22);
     // The chain lies in an oval between the upright hand loop and the hook.

@@ -8,12 +8,12 @@ use vc_graph::portable::Portable;
 /// A street lamp: an arm over the road, or a lantern, globe or disc on the post.
 pub(super) fn street_lamp(b: &mut Build<'_>) {
     at_least(b, [0.08, 0.08, 1.5]);
-    let metal = b.one(&[ANTHRACITE, IRON, GREEN_METAL, GALVANISED, BLACK_METAL]);
+    let metal = b.choose(&[ANTHRACITE, IRON, GREEN_METAL, GALVANISED, BLACK_METAL]);
     if b.size.x > 0.75 { arm_lamp(b, metal) } else { post_lamp(b, metal) }
 }
 
 /// A tapering mast up to height `top`, with a thicker foot.
-fn mast(b: &mut Build<'_>, at: f32, radius: f32, top: f32, metal: Mat) {
+fn mast(b: &mut Build<'_>, at: f32, radius: f32, top: f32, metal: MaterialId) {
     let foot = top * b.vary(0.1, 0.2);
     let profile = match b.rng.below(3) {
         0 => vec![(radius, 0.0), (radius, foot), (radius * 0.7, foot * 1.05), (radius * 0.45, top)],
@@ -31,11 +31,11 @@ fn mast(b: &mut Build<'_>, at: f32, radius: f32, top: f32, metal: Mat) {
     b.lathe("mast", [at, 0.0, 0.0], &profile, metal);
 }
 
-fn arm_lamp(b: &mut Build<'_>, metal: Mat) {
+fn arm_lamp(b: &mut Build<'_>, metal: MaterialId) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let radius = (0.05 + h * 0.008).min(y);
     let base = -x + radius;
-    let (arm, bulb) = (radius * 0.45, b.one(&[WARM_BULB, COOL_BULB]));
+    let (arm, bulb) = (radius * 0.45, b.choose(&[WARM_BULB, COOL_BULB]));
     let head = (x * b.vary(0.35, 0.55)).clamp(0.12, 0.4);
     let wide = y.min(head * 0.5);
     let tip = x - 2.0 * head;
@@ -80,7 +80,7 @@ fn arm_lamp(b: &mut Build<'_>, metal: Mat) {
             );
         }
         1 => {
-            b.soft("head", [x - 2.0 * head, -wide, level - 0.035], [x, wide, level + arm], 0.015, metal);
+            b.rounded_block("head", [x - 2.0 * head, -wide, level - 0.035], [x, wide, level + arm], 0.015, metal);
             b.block(
                 "lamp",
                 [x - 1.7 * head, -wide * 0.75, level - 0.042],
@@ -107,9 +107,9 @@ fn arm_lamp(b: &mut Build<'_>, metal: Mat) {
     }
 }
 
-fn post_lamp(b: &mut Build<'_>, metal: Mat) {
+fn post_lamp(b: &mut Build<'_>, metal: MaterialId) {
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let bulb = b.one(&[WARM_BULB, COOL_BULB]);
+    let bulb = b.choose(&[WARM_BULB, COOL_BULB]);
     let foot = r.min(0.04 + h * 0.014);
     let design = b.rng.below(4);
     let tall = (r * b.vary(2.2, 3.0)).max(0.2).min(h * 0.2);

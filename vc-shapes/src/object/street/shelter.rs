@@ -10,7 +10,7 @@ use vc_graph::portable::Portable;
 pub(super) fn bus_stop(b: &mut Build<'_>) {
     at_least(b, [0.6, 1.25, 1.15]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[ANTHRACITE, GALVANISED, GREEN_METAL, SILVER_METAL]);
+    let metal = b.choose(&[ANTHRACITE, GALVANISED, GREEN_METAL, SILVER_METAL]);
     let (roof, post) = (b.vary(0.06, 0.14), 0.035);
     let under = h - roof;
     if b.rng.chance(0.5) {
@@ -50,8 +50,14 @@ pub(super) fn bus_stop(b: &mut Build<'_>) {
         poster(b, [0.0; 3], (wide.max(0.1), under * 0.38), 0.02);
     });
     let (seat, reach) = (0.45, y * b.vary(0.35, 0.6));
-    let wood = b.one(&[b.style.wood, STEEL, GALVANISED, TEAK]);
-    b.soft("seat", [back + post - 0.004, -reach, seat - 0.04], [back + 0.45_f32.min(x * 0.7), reach, seat], 0.01, wood);
+    let wood = b.choose(&[b.style.wood, STEEL, GALVANISED, TEAK]);
+    b.rounded_block(
+        "seat",
+        [back + post - 0.004, -reach, seat - 0.04],
+        [back + 0.45_f32.min(x * 0.7), reach, seat],
+        0.01,
+        wood,
+    );
     for cy in [-reach * 0.8, reach * 0.8] {
         b.block(
             "leg",
@@ -85,7 +91,7 @@ pub(super) fn bus_stop(b: &mut Build<'_>) {
 pub(super) fn bicycle_rack(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.4, 0.12]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[GALVANISED, STEEL, ANTHRACITE, GREEN_METAL, IRON]);
+    let metal = b.choose(&[GALVANISED, STEEL, ANTHRACITE, GREEN_METAL, IRON]);
     let r = (x * 0.08).clamp(0.008, 0.025);
     let count = ((2.0 * y / b.vary(0.45, 0.75)) as usize).clamp(2, 6);
     let hoops = h > 0.5 || b.rng.chance(0.4);
@@ -122,7 +128,7 @@ pub(super) fn phone_booth(b: &mut Build<'_>) {
     at_least(b, [0.42, 0.42, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let classic = b.rng.chance(0.6);
-    let mat = b.one(if classic {
+    let mat = b.choose(if classic {
         &[RED_METAL, RED_METAL, GREEN_METAL, BLACK_METAL]
     } else {
         &[SILVER_METAL, BLUE_METAL, ANTHRACITE, YELLOW_METAL]
@@ -169,7 +175,7 @@ pub(super) fn phone_booth(b: &mut Build<'_>) {
         b.block("roof", [-x * 0.95, -y * 0.95, top + roof * 0.44], [x * 0.95, y * 0.95, h], mat);
     }
     let (face, z) = (solid + 0.014, h * 0.52);
-    b.soft("phone", [face, -0.12, z], [face + 0.1, 0.12, z + 0.32], 0.015, BLACK_PLASTIC);
+    b.rounded_block("phone", [face, -0.12, z], [face + 0.1, 0.12, z + 0.32], 0.015, BLACK_PLASTIC);
     b.bar("handset", [face + 0.12, -0.16, z + 0.1], [face + 0.12, -0.16, z + 0.26], 0.025, BLACK_PLASTIC);
     b.block("cradle", [face + 0.05, -0.17, z + 0.16], [face + 0.12, -0.11, z + 0.2], BLACK_PLASTIC);
     let half = ((front - face - 0.2) / 2.0, edge - 0.03);

@@ -78,15 +78,22 @@ struct Plate {
     corners: usize,
     turn: f32,
     stretch: (f32, f32),
-    rim: Mat,
-    face: Mat,
-    ink: Mat,
+    rim: MaterialId,
+    face: MaterialId,
+    ink: MaterialId,
     drawings: &'static [Drawing],
     /// Scale and offset that fit the drawing into the shape.
     inset: (f32, f32),
 }
 
-const fn face(corners: usize, turn: f32, rim: Mat, face: Mat, ink: Mat, drawings: &'static [Drawing]) -> Plate {
+const fn face(
+    corners: usize,
+    turn: f32,
+    rim: MaterialId,
+    face: MaterialId,
+    ink: MaterialId,
+    drawings: &'static [Drawing],
+) -> Plate {
     Plate { corners, turn, stretch: (1.0, 1.0), rim, face, ink, drawings, inset: (0.7, 0.0) }
 }
 
@@ -116,7 +123,7 @@ pub(super) fn traffic_sign(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.2, 0.8]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let post = (x * 0.55).min(0.04);
-    let metal = b.one(&[GALVANISED, GALVANISED, GREY, ANTHRACITE]);
+    let metal = b.choose(&[GALVANISED, GALVANISED, GREY, ANTHRACITE]);
     let base = -x + post;
     b.cylinder("post", [base, 0.0, 0.0], post, h - 0.03, metal);
     b.cylinder("foot", [base, 0.0, 0.0], post * 1.0001 + 0.001, 0.1, metal);
@@ -156,14 +163,14 @@ fn plate(b: &mut Build<'_>, kind: &Plate, half: f32, at: P, thick: f32) {
     b.prism("plate", Axis::X, at, &outline(1.0), thick * 0.5, kind.rim);
     let share = if kind.corners == 3 || kind.rim == RED { 0.8 } else { 0.93 };
     b.prism("face", Axis::X, [at[0] + thick * 0.45, at[1], at[2]], &outline(share), thick * 0.25, kind.face);
-    let drawing = b.one(kind.drawings);
+    let drawing = b.choose(kind.drawings);
     let size = (half * kind.inset.0 * kind.stretch.0.min(1.0), half * kind.inset.0 * kind.stretch.1.min(1.0));
     let centre = [at[0] + thick * 0.7, at[1], at[2] + kind.inset.1 * half];
     draw(b, drawing, centre, size, thick * 0.3, kind.ink);
 }
 
 /// A drawing made of raised bars.
-fn draw(b: &mut Build<'_>, drawing: Drawing, at: P, size: (f32, f32), thick: f32, ink: Mat) {
+fn draw(b: &mut Build<'_>, drawing: Drawing, at: P, size: (f32, f32), thick: f32, ink: MaterialId) {
     for (i, [l, lo, r, hi]) in drawing.iter().enumerate() {
         // Neighbouring bars differ in thickness because they may overlap.
         let deep = thick * (0.75 + 0.08 * (i % 4) as f32);
@@ -179,8 +186,8 @@ pub(super) fn traffic_light(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.15, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let mast = (x * 0.3).min(0.07);
-    let metal = b.one(&[GALVANISED, ANTHRACITE, GREEN_METAL, YELLOW_METAL]);
-    let case = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREEN_METAL, YELLOW_METAL]);
+    let metal = b.choose(&[GALVANISED, ANTHRACITE, GREEN_METAL, YELLOW_METAL]);
+    let case = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, GREEN_METAL, YELLOW_METAL]);
     let back = -x + mast;
     b.lathe(
         "mast",
@@ -195,7 +202,7 @@ pub(super) fn traffic_light(b: &mut Build<'_>) {
         head(b, [back + mast * 0.5, 0.0, low], ((x - back - mast * 0.5) * 0.9, y * 0.8), tall * 0.55, 2, case);
     }
     let z = (h * 0.35).min(1.1);
-    b.soft(
+    b.rounded_block(
         "button",
         [back + mast * 0.5, -0.05, z - 0.08],
         [(back + mast + 0.05).min(x), 0.05, z + 0.08],
@@ -205,10 +212,10 @@ pub(super) fn traffic_light(b: &mut Build<'_>) {
 }
 
 /// A signal head standing on a point at its back: depth, half width, height.
-fn head(b: &mut Build<'_>, at: P, (deep, half): (f32, f32), tall: f32, lamps: usize, case: Mat) {
+fn head(b: &mut Build<'_>, at: P, (deep, half): (f32, f32), tall: f32, lamps: usize, case: MaterialId) {
     let body = deep * 0.5;
     let half = half.min(tall / lamps as f32 * 0.62);
-    b.soft("case", [at[0], -half, at[2]], [at[0] + body, half, at[2] + tall], 0.02, case);
+    b.rounded_block("case", [at[0], -half, at[2]], [at[0] + body, half, at[2] + tall], 0.02, case);
     let pitch = tall / lamps as f32;
     let r = (pitch * 0.38).min(half * 0.72);
     let mats = if lamps == 3 { vec![SIGNAL_GREEN, SIGNAL_AMBER, SIGNAL_RED] } else { vec![SIGNAL_GREEN, SIGNAL_RED] };
@@ -231,7 +238,7 @@ pub(super) fn billboard(b: &mut Build<'_>) {
     at_least(b, [0.07, 0.8, 1.0]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let panel = (2.0 * y * b.vary(0.4, 0.75)).min(h * 0.68);
-    let (low, frame) = (h - panel, b.one(&[ANTHRACITE, IRON, GALVANISED, WHITE_METAL]));
+    let (low, frame) = (h - panel, b.choose(&[ANTHRACITE, IRON, GALVANISED, WHITE_METAL]));
     let legs = b.rng.count(1, 3);
     let reach = if legs == 1 { 0.0 } else { y * b.vary(0.55, 0.8) };
     let r = x * if legs == 1 { 0.8 } else { 0.4 };
@@ -256,9 +263,9 @@ pub(super) fn billboard(b: &mut Build<'_>) {
 
 /// A picture of simple areas, centred at a point of a plane, with half width and half height.
 pub(super) fn poster(b: &mut Build<'_>, at: P, half: (f32, f32), thick: f32) {
-    let sky = b.one(&[SKY, MUSTARD, DUSTY_ROSE, NAVY, CREAM, TERRACOTTA]);
-    let land = b.one(&[FOREST, SAGE, RED, BLUE, BLACK, WHITE]);
-    let ink = b.one(&[WHITE, YELLOW, BLACK, RED]);
+    let sky = b.choose(&[SKY, MUSTARD, DUSTY_ROSE, NAVY, CREAM, TERRACOTTA]);
+    let land = b.choose(&[FOREST, SAGE, RED, BLUE, BLACK, WHITE]);
+    let ink = b.choose(&[WHITE, YELLOW, BLACK, RED]);
     let step = thick / 4.0;
     let [x, y, z] = at;
     b.block("poster", [x - 0.002, y - half.0, z - half.1], [x + step, y + half.0, z + half.1], sky);

@@ -21,8 +21,8 @@ struct Leaf<'a> {
     columns: usize,
     /// The width of the frame around panels.
     border: f32,
-    infill: Mat,
-    mat: Mat,
+    infill: MaterialId,
+    mat: MaterialId,
 }
 
 /// A door inside a home.
@@ -30,7 +30,7 @@ pub(super) fn door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.02, 0.3, 0.8]);
     let mat = b.style.joinery;
-    let (infill, rows): (Mat, &[f32]) = match b.rng.below(8) {
+    let (infill, rows): (MaterialId, &[f32]) = match b.rng.below(8) {
         0 | 1 => (mat, &[]),
         2 => (mat, &[1.0]),
         3 => (mat, &[0.8, 1.0]),
@@ -50,8 +50,8 @@ pub(super) fn door(b: &mut Build<'_>) {
 pub(super) fn main_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.025, 0.4, 0.9]);
-    let mat = b.one(&[b.style.wood, FOREST, NAVY, RED, ANTHRACITE, WALNUT, WHITE]);
-    let rows: &[f32] = b.one(&[&[1.0, 1.0, 0.6], &[1.0, 1.4], &[0.7, 0.7, 0.7, 0.7], &[]]);
+    let mat = b.choose(&[b.style.wood, FOREST, NAVY, RED, ANTHRACITE, WALNUT, WHITE]);
+    let rows: &[f32] = b.choose(&[&[1.0, 1.0, 0.6], &[1.0, 1.4], &[0.7, 0.7, 0.7, 0.7], &[]]);
     let columns = if rows.is_empty() { 1 } else { b.rng.count(1, 2) };
     let border = b.vary(0.11, 0.14) * u;
     let post = 0.05 * u;
@@ -88,13 +88,13 @@ pub(super) fn main_door(b: &mut Build<'_>) {
 pub(super) fn balcony_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.03, 0.4, 0.9]);
-    let mat = b.one(&[WHITE_PLASTIC, b.style.joinery, ANTHRACITE]);
+    let mat = b.choose(&[WHITE_PLASTIC, b.style.joinery, ANTHRACITE]);
     let post = 0.05 * u;
     frame(b, post, mat, u);
     let (x, y, h) = half_dims(b);
     let sill = if y < 0.55 { 0.003 } else { 0.02 };
     b.block("sill", [-x, -y + post, 0.0], [x, y - post, sill * u], mat);
-    let rows: &[f32] = b.one(&[&[1.0], &[1.0], &[0.45, 1.3], &[0.6, 1.0, 1.0]]);
+    let rows: &[f32] = b.choose(&[&[1.0], &[1.0], &[0.45, 1.3], &[0.6, 1.0, 1.0]]);
     let (border, metal) = (0.085 * u, b.style.metal);
     let leaf = Leaf { rows, columns: 1, border, infill: GLASS, mat };
     if y < 0.55 {
@@ -118,11 +118,11 @@ pub(super) fn sliding_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.02, 0.4, 0.9]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[b.style.joinery, b.style.wood, b.style.wood]);
-    let iron = b.one(&[IRON, b.style.metal]);
+    let mat = b.choose(&[b.style.joinery, b.style.wood, b.style.wood]);
+    let iron = b.choose(&[IRON, b.style.metal]);
     let lining = 0.025 * u;
     frame_of(b, lining, mat, PROUD);
-    let (infill, rows): (Mat, &[f32]) = b.one(&[
+    let (infill, rows): (MaterialId, &[f32]) = b.choose(&[
         (mat, &[1.0, 1.0][..]),
         (GLASS, &[1.0, 1.0, 1.0]),
         (mat, &[]),
@@ -170,7 +170,7 @@ pub(super) fn sliding_door(b: &mut Build<'_>) {
 pub(super) fn garage_door(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.02, 1.0, 0.8]);
-    let mat = b.one(&[WHITE_METAL, SILVER_METAL, BROWN_PLASTIC, ANTHRACITE]);
+    let mat = b.choose(&[WHITE_METAL, SILVER_METAL, BROWN_PLASTIC, ANTHRACITE]);
     let post = 0.06 * u;
     frame_of(b, post, mat, PROUD);
     let (x, y, h) = half_dims(b);
@@ -229,7 +229,7 @@ pub(super) fn doorknob(b: &mut Build<'_>) {
 }
 
 /// Lining, trims on both sides of the wall and a stop behind the leaf.
-fn frame(b: &mut Build<'_>, post: f32, mat: Mat, u: f32) {
+fn frame(b: &mut Build<'_>, post: f32, mat: MaterialId, u: f32) {
     frame_of(b, post, mat, PROUD * u);
     let (x, y, h) = half_dims(b);
     let (front, t) = (x - 0.062_f32.min(x * 1.85), 0.012 * u);
@@ -243,7 +243,7 @@ fn frame(b: &mut Build<'_>, post: f32, mat: Mat, u: f32) {
 }
 
 /// The lining of the opening, `post` thick, and the trims.
-fn frame_of(b: &mut Build<'_>, post: f32, mat: Mat, proud: f32) {
+fn frame_of(b: &mut Build<'_>, post: f32, mat: MaterialId, proud: f32) {
     let (x, y, h) = half_dims(b);
     let over = OVERLAP * (proud / PROUD);
     for cy in [(-y, -y + post), (y - post, y)] {
@@ -266,7 +266,7 @@ fn leaf_box((x, y, h): (f32, f32, f32), post: f32, t: f32) -> (P, P) {
 }
 
 /// A leaf with handles, hinged at one side. `post` and thickness are given together.
-fn hinged(b: &mut Build<'_>, leaf: &Leaf<'_>, (post, thick): (f32, f32), at: Swing, (metal, u): (Mat, f32)) {
+fn hinged(b: &mut Build<'_>, leaf: &Leaf<'_>, (post, thick): (f32, f32), at: Swing, (metal, u): (MaterialId, f32)) {
     let (x, y, h) = half_dims(b);
     let (low, high) = leaf_box((x, y, h), post, thick.min(x * 1.8));
     swing(b, at, low, high, 1.65, |b| {
@@ -307,7 +307,7 @@ fn leaf_of(b: &mut Build<'_>, leaf: &Leaf<'_>, low: P, high: P) {
 }
 
 /// A lever on either side of a leaf, pointing along Y in the direction `way`.
-fn levers(b: &mut Build<'_>, (back, front): (f32, f32), (y, way): (f32, f32), z: f32, (metal, u): (Mat, f32)) {
+fn levers(b: &mut Build<'_>, (back, front): (f32, f32), (y, way): (f32, f32), z: f32, (metal, u): (MaterialId, f32)) {
     let plate = b.rng.chance(0.5);
     for (x, out) in [(front, 1.0), (back, -1.0)] {
         let at = |d: f32| x + out * d * u;

@@ -48,21 +48,21 @@ pub(super) fn powersocket(b: &mut Build<'_>) {
     }
 }
 
-fn plate_mat(b: &mut Build<'_>) -> Mat {
-    b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, STEEL, GREY_PLASTIC])
+fn plate_mat(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, BLACK_PLASTIC, STEEL, GREY_PLASTIC])
 }
 
 /// The square plate of switches and sockets.
-fn plate(b: &mut Build<'_>, mat: Mat) {
+fn plate(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, h) = half_dims(b);
-    b.soft("plate", [-x, -y, 0.0], [x * 0.2, y, h], x * 0.5, mat);
+    b.rounded_block("plate", [-x, -y, 0.0], [x * 0.2, y, h], x * 0.5, mat);
 }
 
 /// Breakers in rows behind a door.
 pub(super) fn fuse_box(b: &mut Build<'_>) {
     let u = fit(b, [0.04, 0.12, 0.15]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_METAL, GREY_PLASTIC, SILVER_METAL]);
+    let mat = b.choose(&[WHITE_METAL, GREY_PLASTIC, SILVER_METAL]);
     let (wall, face) = (0.012 * u, x - 0.012 * u);
     case(b, [-x, -y, 0.0], [face - 0.01 * u, y, h], wall, mat);
     let plate = 0.0;
@@ -89,7 +89,7 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
     }
     let (low, high) = gapped([face - 0.01 * u, -y, 0.0], [face, y, h], 0.002 * u);
     let clear = b.rng.chance(0.4);
-    let at = b.one(&[Swing::Left, Swing::Right]);
+    let at = b.choose(&[Swing::Left, Swing::Right]);
     let edge = if at == Swing::Left { low[1] + 0.03 * u } else { high[1] - 0.03 * u };
     swing(b, at, low, high, 1.9, |b| {
         if clear {
@@ -110,7 +110,7 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
                 YELLOW_PLASTIC,
             );
         }
-        b.soft(
+        b.rounded_block(
             "latch",
             [high[0] - 0.002, edge - 0.01 * u, h * 0.46],
             [x, edge + 0.01 * u, h * 0.54],
@@ -124,13 +124,16 @@ pub(super) fn fuse_box(b: &mut Build<'_>) {
 pub(super) fn slab(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let step = b.class == "doorstep";
-    let mat =
-        if step { b.one(&[GRANITE, SANDSTONE, CONCRETE, b.style.wood]) } else { b.one(&[MARBLE, WHITE, b.style.wood]) };
+    let mat = if step {
+        b.choose(&[GRANITE, SANDSTONE, CONCRETE, b.style.wood])
+    } else {
+        b.choose(&[MARBLE, WHITE, b.style.wood])
+    };
     if step && h > 0.06 {
         b.block("base", [-x, -y + 0.01, 0.0], [x * 0.9, y - 0.01, h * 0.75], CONCRETE);
-        b.soft("tread", [-x, -y, h * 0.75 - 0.001], [x, y, h], h * 0.08, mat);
+        b.rounded_block("tread", [-x, -y, h * 0.75 - 0.001], [x, y, h], h * 0.08, mat);
     } else {
-        b.soft("board", [-x, -y, 0.0], [x, y, h], h * 0.3, mat);
+        b.rounded_block("board", [-x, -y, 0.0], [x, y, h], h * 0.3, mat);
     }
     b.top("top", [0.0, 0.0, h], (x * 0.9, y * 0.96));
 }
@@ -139,7 +142,7 @@ pub(super) fn slab(b: &mut Build<'_>) {
 pub(super) fn column(b: &mut Build<'_>) {
     let u = fit(b, [0.1, 0.1, 1.0]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[PLASTER, CONCRETE, MARBLE, SANDSTONE, BRICK, b.style.wood]);
+    let mat = b.choose(&[PLASTER, CONCRETE, MARBLE, SANDSTONE, BRICK, b.style.wood]);
     let r = x.min(y);
     let block = (0.12 * u).min(r);
     match b.rng.below(3) {
@@ -169,10 +172,10 @@ pub(super) fn column(b: &mut Build<'_>) {
 pub(super) fn railing(b: &mut Build<'_>) {
     let u = fit(b, [0.025, 0.7, 0.45]);
     let (x, y, h) = half_dims(b);
-    let metal = b.one(&[b.style.metal, STEEL, IRON, WHITE_METAL]);
-    let hand = b.one(&[b.style.wood, metal]);
+    let metal = b.choose(&[b.style.metal, STEEL, IRON, WHITE_METAL]);
+    let hand = b.choose(&[b.style.wood, metal]);
     let (rail, post) = (0.045 * u, (0.02 * u).min(x * 0.9));
-    b.soft("handrail", [-x, -y, h - rail], [x, y, h], rail * 0.4, hand);
+    b.rounded_block("handrail", [-x, -y, h - rail], [x, y, h], rail * 0.4, hand);
     let bays = (y * 2.0 / 1.2).ceil().clamp(1.0, 6.0) as usize;
     let step = 2.0 * (y - post) / bays as f32;
     for i in 0..=bays {
@@ -193,7 +196,7 @@ pub(super) fn railing(b: &mut Build<'_>) {
             }
         }
         1 => {
-            let (t, pane) = (post * 0.3, b.one(&[GLASS, FROSTED_GLASS]));
+            let (t, pane) = (post * 0.3, b.choose(&[GLASS, FROSTED_GLASS]));
             for i in 0..bays {
                 let cy = -y + post + step * i as f32;
                 b.block("pane", [-t, cy + post * 0.8, low], [t, cy + step - post * 0.8, h - rail * 1.6], pane);
@@ -212,7 +215,7 @@ pub(super) fn railing(b: &mut Build<'_>) {
 pub(super) fn stairs(b: &mut Build<'_>) {
     let u = fit(b, [1.0, 0.4, 1.0]);
     let (x, y, h) = half_dims(b);
-    let wood = b.one(&[b.style.wood, b.style.floor, CONCRETE]);
+    let wood = b.choose(&[b.style.wood, b.style.floor, CONCRETE]);
     let steps = (h / 0.18).round().clamp(2.0, 20.0) as usize;
     let (rise, run) = (h / steps as f32, 2.0 * x / steps as f32);
     let open = b.rng.chance(0.5);
@@ -246,7 +249,7 @@ pub(super) fn stairs(b: &mut Build<'_>) {
 pub(super) fn ventilation_grille(b: &mut Build<'_>) {
     let u = fit(b, [0.005, 0.05, 0.05]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BROWN_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_METAL, STEEL, BROWN_PLASTIC]);
     let w = (y.min(h / 2.0) * 0.2).min(0.02 * u);
     plate_with_border(b, "frame", [-x, -y, 0.0], [x, y, h], w, mat);
     b.block("dark", [-x, -y + w, w], [-x * 0.8, y - w, h - w], BLACK_PLASTIC);

@@ -13,10 +13,10 @@ pub(super) fn window(b: &mut Build<'_>) {
     b.anchored();
     let u = fit(b, [0.03, 0.3, 0.4]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, WHITE_PLASTIC, b.style.joinery, ANTHRACITE]);
+    let mat = b.choose(&[WHITE_PLASTIC, WHITE_PLASTIC, b.style.joinery, ANTHRACITE]);
     let depth = 0.035_f32.min(x);
     let border = 0.05 * u;
-    let bars = b.one(&[(0, 0), (0, 0), (0, 0), (1, 0), (1, 1)]);
+    let bars = b.choose(&[(0, 0), (0, 0), (0, 0), (1, 0), (1, 1)]);
     plate_with_border(b, "frame", [-depth, -y, 0.0], [depth, y, h], border, mat);
     // The stone ledge outside and the board inside.
     if x - depth > 0.005 {
@@ -24,7 +24,7 @@ pub(super) fn window(b: &mut Build<'_>) {
     }
     let reach = x + b.vary(0.05, 0.095);
     let board = 0.024 * u;
-    let sill = b.one(&[b.style.joinery, MARBLE, b.style.wood, WHITE]);
+    let sill = b.choose(&[b.style.joinery, MARBLE, b.style.wood, WHITE]);
     b.block("sill", [depth, -y, 0.0], [reach, y, board], sill);
     // Lines the opening up to the frame, so that no outer wall is visible inside.
     if x - depth > 0.005 {
@@ -67,7 +67,7 @@ pub(super) fn window(b: &mut Build<'_>) {
 }
 
 /// A pane in its frame, with glazing bars and a handle at the free edge.
-fn sash(b: &mut Build<'_>, (low, high): (P, P), (at, bars): (Swing, (usize, usize)), mat: Mat, u: f32) {
+fn sash(b: &mut Build<'_>, (low, high): (P, P), (at, bars): (Swing, (usize, usize)), mat: MaterialId, u: f32) {
     let w = 0.055 * u;
     plate_with_border(b, "sash", low, high, w, mat);
     let middle = f32::midpoint(low[0], high[0]);
@@ -103,7 +103,7 @@ fn sash(b: &mut Build<'_>, (low, high): (P, P), (at, bars): (Swing, (usize, usiz
 pub(super) fn roof_window(b: &mut Build<'_>) {
     let u = fit(b, [0.05, 0.25, 0.3]);
     let (x, y, h) = half_dims(b);
-    let (wood, skin) = (b.one(&[PINE, WHITE]), ANTHRACITE);
+    let (wood, skin) = (b.choose(&[PINE, WHITE]), ANTHRACITE);
     let border = 0.05 * u;
     plate_with_border(b, "frame", [-x, -y, 0.0], [x * 0.6, y, h], border, wood);
     plate_with_border(b, "flashing", [x * 0.2, -y + 0.001, 0.001], [x * 0.7, y - 0.001, h - 0.001], border * 0.5, skin);
@@ -160,19 +160,32 @@ pub(super) fn curtain(b: &mut Build<'_>) {
         _ => {
             // Tied: wide at the top, gathered at the band, falling to a narrower hem.
             let band = h * b.vary(0.38, 0.46);
-            let (side, slim) = (b.one(&[-1.0, 1.0]), y * 0.36);
+            let (side, slim) = (b.choose(&[-1.0, 1.0]), y * 0.36);
             let middle = side * (y - slim);
             tied(b, (y, x, 0.0), (slim, x * 0.8, middle), (band, h), count, cloth);
             tied(b, (slim * 1.0, x, middle), (slim, x * 0.8, middle), (band, 0.0), count, cloth);
             let from = [-x, (middle - slim - 0.002).max(-y), band - 0.03 * u];
-            b.soft("tie", from, [x, (middle + slim + 0.002).min(y), band + 0.03 * u], 0.012 * u, b.style.accent);
+            b.rounded_block(
+                "tie",
+                from,
+                [x, (middle + slim + 0.002).min(y), band + 0.03 * u],
+                0.012 * u,
+                b.style.accent,
+            );
         }
     }
 }
 
 /// Cloth that narrows from a wide edge at `z.1` to a narrow one at `z.0`, each given by half width,
 /// depth and centre.
-fn tied(b: &mut Build<'_>, wide: (f32, f32, f32), slim: (f32, f32, f32), (z0, z1): (f32, f32), count: usize, mat: Mat) {
+fn tied(
+    b: &mut Build<'_>,
+    wide: (f32, f32, f32),
+    slim: (f32, f32, f32),
+    (z0, z1): (f32, f32),
+    count: usize,
+    mat: MaterialId,
+) {
     let t = 0.003_f32.min(wide.1 * 0.3);
     let outlines = [(slim, z0), (wide, z1)].map(|((y, deep, middle), z)| (pleated(y, deep, t, count), middle, z));
     let n = outlines[0].0.len() as u32;
@@ -205,7 +218,7 @@ fn tied(b: &mut Build<'_>, wide: (f32, f32, f32), slim: (f32, f32, f32), (z0, z1
 pub(super) fn curtain_rod(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.4, 0.015]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[b.style.metal, b.style.wood, IRON, WHITE_METAL]);
+    let mat = b.choose(&[b.style.metal, b.style.wood, IRON, WHITE_METAL]);
     let r = (h * 0.3).min(x * 0.5);
     let (cx, z) = (x - h.min(2.0 * x) / 2.0, h / 2.0);
     let knob = h.min(2.0 * x) / 2.0;
@@ -238,7 +251,7 @@ pub(super) fn blinds(b: &mut Build<'_>) {
     let top = h - box_high;
     match b.rng.below(3) {
         0 => {
-            let mat = b.one(&[WHITE_METAL, ALUMINIUM, b.style.wood, b.style.joinery]);
+            let mat = b.choose(&[WHITE_METAL, ALUMINIUM, b.style.wood, b.style.joinery]);
             b.block("headrail", [-x, -y, top], [x, y, h], mat);
             let deep = x * 0.9;
             let count = (top / (deep * 1.7)).clamp(6.0, 34.0) as usize;
@@ -285,7 +298,7 @@ pub(super) fn blinds(b: &mut Build<'_>) {
 pub(super) fn roller_shutter(b: &mut Build<'_>) {
     let u = fit(b, [0.02, 0.3, 0.4]);
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, ALUMINIUM, BROWN_PLASTIC]);
+    let mat = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, ALUMINIUM, BROWN_PLASTIC]);
     let head = (h * 0.14).min(0.2);
     // Hollow, so that the slats go up into it.
     let wall = x * 0.15;

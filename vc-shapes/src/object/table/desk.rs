@@ -8,8 +8,8 @@ use crate::object::storage::case::{Case, Cell, Column, Look, Piece, Stand, Tally
 use crate::solid::{Build, Cut, P, at_least};
 
 /// Drawers side by side below a top, in a shallow case.
-pub(super) fn drawers_below(b: &mut Build<'_>, half: (f32, f32), top: (f32, f32), body: Mat) {
-    let handle = b.one(&[Handle::Knob, Handle::Bar]);
+pub(super) fn drawers_below(b: &mut Build<'_>, half: (f32, f32), top: (f32, f32), body: MaterialId) {
+    let handle = b.choose(&[Handle::Knob, Handle::Bar]);
     let count = (half.1 / 0.3).clamp(1.0, 3.0) as usize;
     let high = top.0 - top.1;
     let deep = 0.13_f32.min(high * 0.4);
@@ -33,13 +33,13 @@ pub(super) fn desk(b: &mut Build<'_>) {
     if table.outline == Outline::Oval {
         table.outline = Outline::Rect;
     }
-    table.top = b.one(&[table.wood, table.wood, WHITE, b.style.cabinet]);
+    table.top = b.choose(&[table.wood, table.wood, WHITE, b.style.cabinet]);
     table.top(b);
     let half = (table.x - 0.02, table.y - 0.02);
     match b.rng.below(6) {
         0 => pedestals(b, &table, &[-1.0, 1.0]),
         1 | 2 => {
-            let side = b.one(&[-1.0, 1.0]);
+            let side = b.choose(&[-1.0, 1.0]);
             pedestals(b, &table, &[side]);
         }
         3 => {
@@ -49,7 +49,7 @@ pub(super) fn desk(b: &mut Build<'_>) {
             Four::upright((half.0 - 0.03, half.1), height, (r * 0.6, r), Cut::Square).build(b, table.wood);
         }
         _ => {
-            let base = b.one(&[Base::Legs, Base::Loops, Base::Splayed, Base::Trestle, Base::Slabs]);
+            let base = b.choose(&[Base::Legs, Base::Loops, Base::Splayed, Base::Trestle, Base::Slabs]);
             table.base(b, base);
             if matches!(base, Base::Legs | Base::Loops) && b.rng.chance(0.5) {
                 let (x, under) = (-half.0 * 0.8, table.h - table.thickness);
@@ -110,13 +110,13 @@ pub(super) fn standing_desk(b: &mut Build<'_>) {
     at_least(b, [0.27, 0.45, 0.3]);
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded]);
     table.outline = if table.outline == Outline::Oval { Outline::Rounded } else { table.outline };
-    table.top = b.one(&[b.style.wood, WHITE, BLACK]);
-    let metal = b.one(&[WHITE_METAL, BLACK_METAL, SILVER_METAL]);
+    table.top = b.choose(&[b.style.wood, WHITE, BLACK]);
+    let metal = b.choose(&[WHITE_METAL, BLACK_METAL, SILVER_METAL]);
     let (x, y, under) = (table.x, table.y * 0.68, table.h - table.thickness);
     let lower = under * 0.55;
     for side in [-1.0, 1.0] {
         let cy = side * y;
-        b.soft("foot", [-x * 0.9, cy - 0.035, 0.0], [x * 0.9, cy + 0.035, 0.03], 0.01, metal);
+        b.rounded_block("foot", [-x * 0.9, cy - 0.035, 0.0], [x * 0.9, cy + 0.035, 0.03], 0.01, metal);
         b.block("column", [-0.045, cy - 0.03, 0.03], [0.045, cy + 0.03, lower], metal);
     }
     // The motor lifts everything above the lower columns.
@@ -129,7 +129,7 @@ pub(super) fn standing_desk(b: &mut Build<'_>) {
         }
         b.block("beam", [-0.03, 0.025 - y, under - 0.04], [0.03, y - 0.025, under - 0.001], metal);
         let (px, py) = (table.x * 0.9, table.y * 0.7);
-        b.soft("switch", [px - 0.07, py, under - 0.018], [px, py + 0.1, under - 0.001], 0.004, BLACK_PLASTIC);
+        b.rounded_block("switch", [px - 0.07, py, under - 0.018], [px, py + 0.1, under - 0.001], 0.004, BLACK_PLASTIC);
         b.block("button", [px - 0.002, py + 0.02, under - 0.014], [px + 0.002, py + 0.04, under - 0.006], LED);
     });
 }
@@ -140,7 +140,7 @@ pub(super) fn dressing_table(b: &mut Build<'_>) {
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded]);
     table.outline = Outline::Rect;
     table.wood = b.style.cabinet;
-    table.top = b.one(&[table.wood, b.style.wood, WHITE]);
+    table.top = b.choose(&[table.wood, b.style.wood, WHITE]);
     table.top(b);
     let half = (table.x - 0.015, table.y - 0.015);
     if b.rng.chance(0.5) {
@@ -160,7 +160,7 @@ pub(super) fn changing_table(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let rail = 0.09_f32.min(h * 0.12);
     let deck = h - rail;
-    let body = b.one(&[b.style.cabinet, b.style.wood, WHITE]);
+    let body = b.choose(&[b.style.cabinet, b.style.wood, WHITE]);
     let columns: Vec<Column> = match b.rng.below(3) {
         0 => vec![(1.0, vec![(1.0, Cell::Drawers(3))])],
         1 => vec![(1.0, vec![(0.62, Cell::Open(2)), (0.38, Cell::Drawers(1))])],
@@ -168,20 +168,20 @@ pub(super) fn changing_table(b: &mut Build<'_>) {
     };
     let mut piece = Piece::new(columns, body);
     (piece.carries, piece.handle) = (false, Handle::Knob);
-    piece.stand = b.one(&[Stand::Plinth, Stand::Legs]);
+    piece.stand = b.choose(&[Stand::Plinth, Stand::Legs]);
     b.size.z = deck;
     piece.build(b);
     let front = x - Handle::Knob.depth();
     frame_around(b, [-x, -y, deck], [front, y, h], body);
-    let pad = b.one(&[WHITE_COTTON, SKY, b.style.accent]);
+    let pad = b.choose(&[WHITE_COTTON, SKY, b.style.accent]);
     let (px, py, t) = ((front + x) / 2.0 - 0.025, y - 0.025, rail * 0.45);
     let cx = f32::midpoint(-x, front);
-    b.soft("pad", [cx - px, -py, deck + 0.001], [cx + px, py, deck + t], 0.02, pad);
+    b.rounded_block("pad", [cx - px, -py, deck + 0.001], [cx + px, py, deck + t], 0.02, pad);
     b.top("pad", [cx, 0.0, deck + t], (px - 0.02, py - 0.02));
 }
 
 /// Low boards around a rectangle, standing on it.
-fn frame_around(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
+fn frame_around(b: &mut Build<'_>, low: P, high: P, mat: MaterialId) {
     b.block("rail", low, [high[0], low[1] + BOARD, high[2]], mat);
     b.block("rail", [low[0], high[1] - BOARD, low[2]], high, mat);
     b.block("rail", [low[0], low[1] + BOARD, low[2]], [low[0] + BOARD, high[1] - BOARD, high[2]], mat);
@@ -203,12 +203,12 @@ pub(super) fn nightstand(b: &mut Build<'_>) {
         }
         _ => vec![(1.0, Cell::Drawers(if b.size.z > 0.55 { 3 } else { 2 }))],
     };
-    let body = b.one(&[b.style.wood, b.style.cabinet, b.style.wood]);
+    let body = b.choose(&[b.style.wood, b.style.cabinet, b.style.wood]);
     let mut piece = Piece::new(vec![(1.0, cells)], body);
-    piece.front = b.one(&[body, body, b.style.cabinet]);
+    piece.front = b.choose(&[body, body, b.style.cabinet]);
     piece.handle = Handle::any(b);
-    piece.stand = b.one(&[Stand::Plinth, Stand::Legs, Stand::Splayed, Stand::Splayed, Stand::Tube]);
-    piece.overhang = b.one(&[0.0, 0.012]);
+    piece.stand = b.choose(&[Stand::Plinth, Stand::Legs, Stand::Splayed, Stand::Splayed, Stand::Tube]);
+    piece.overhang = b.choose(&[0.0, 0.012]);
     piece.build(b);
 }
 
@@ -216,7 +216,7 @@ pub(super) fn nightstand(b: &mut Build<'_>) {
 fn light_nightstand(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let wood = b.style.wood;
-    b.soft("top", [-x, -y, h - 0.02], [x, y, h], 0.005, wood);
+    b.rounded_block("top", [-x, -y, h - 0.02], [x, y, h], 0.005, wood);
     b.top("top", [0.0, 0.0, h], (x - 0.01, y - 0.01));
     let half = (x - 0.01, y - 0.01);
     drawers_below(b, half, (h, 0.02), wood);

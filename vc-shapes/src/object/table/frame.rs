@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Vector3};
 use vc_graph::portable::Portable;
 
-use crate::material::Mat;
+use crate::material::MaterialId;
 use crate::solid::{Build, CORNERS, Cut, P, leg};
 
 /// The directions of a five-armed base.
@@ -32,7 +32,7 @@ impl Four {
     }
 
     /// Builds the legs.
-    pub(in crate::object) fn build(&self, b: &mut Build<'_>, mat: Mat) {
+    pub(in crate::object) fn build(&self, b: &mut Build<'_>, mat: MaterialId) {
         let (r0, r1) = self.radii;
         for (sx, sy) in CORNERS {
             let foot = [sx * (self.feet.0 - r0), sy * (self.feet.1 - r0), 0.0];
@@ -49,7 +49,15 @@ impl Four {
     }
 
     /// A rod between two legs at a height.
-    pub(in crate::object) fn rung(&self, b: &mut Build<'_>, from: usize, to: usize, z: f32, radius: f32, mat: Mat) {
+    pub(in crate::object) fn rung(
+        &self,
+        b: &mut Build<'_>,
+        from: usize,
+        to: usize,
+        z: f32,
+        radius: f32,
+        mat: MaterialId,
+    ) {
         b.rod("rung", self.middle(CORNERS[from], z), self.middle(CORNERS[to], z), radius, mat);
     }
 }
@@ -78,8 +86,10 @@ impl Lean {
     }
 
     /// Builds one with rounded edges from `y.0` to `y.1`.
-    pub(in crate::object) fn pad(&self, b: &mut Build<'_>, name: &str, y: (f32, f32), radius: f32, mat: Mat) {
-        self.posed(b, |b, length, thickness| b.soft(name, [-thickness, y.0, 0.0], [0.0, y.1, length], radius, mat));
+    pub(in crate::object) fn pad(&self, b: &mut Build<'_>, name: &str, y: (f32, f32), radius: f32, mat: MaterialId) {
+        self.posed(b, |b, length, thickness| {
+            b.rounded_block(name, [-thickness, y.0, 0.0], [0.0, y.1, length], radius, mat)
+        });
     }
 
     /// Builds in its frame: Z along it, X forward from its front.
@@ -91,7 +101,7 @@ impl Lean {
 }
 
 /// A turned leg with beads and a vase shape, with radius `r` at its widest.
-pub(in crate::object) fn baluster(b: &mut Build<'_>, name: &str, base: P, r: f32, height: f32, mat: Mat) {
+pub(in crate::object) fn baluster(b: &mut Build<'_>, name: &str, base: P, r: f32, height: f32, mat: MaterialId) {
     const PROFILE: [(f32, f32); 13] = [
         (0.55, 0.0),
         (0.7, 0.04),

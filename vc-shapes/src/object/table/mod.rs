@@ -73,9 +73,9 @@ struct Table {
     h: f32,
     thickness: f32,
     outline: Outline,
-    wood: Mat,
-    top: Mat,
-    metal: Mat,
+    wood: MaterialId,
+    top: MaterialId,
+    metal: MaterialId,
 }
 
 impl Table {
@@ -85,7 +85,7 @@ impl Table {
         at_least(b, [0.13, 0.17, 0.13]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let square = x.max(y) < x.min(y) * 1.2;
-        let outline = if square && b.rng.chance(0.55) { Outline::Oval } else { b.one(outlines) };
+        let outline = if square && b.rng.chance(0.55) { Outline::Oval } else { b.choose(outlines) };
         let wood = if b.rng.chance(0.8) { b.style.wood } else { b.style.cabinet };
         let thickness = b.vary(0.022, 0.045).min(h * 0.08);
         Self { x, y, h, thickness, outline, wood, top: wood, metal: b.style.metal }
@@ -119,7 +119,7 @@ impl Table {
         let base = [0.0, 0.0, self.h - t];
         let outline = match self.outline {
             Outline::Rect => {
-                b.soft("top", [-self.x, -self.y, base[2]], [self.x, self.y, self.h], 0.005, self.top);
+                b.rounded_block("top", [-self.x, -self.y, base[2]], [self.x, self.y, self.h], 0.005, self.top);
                 Vec::new()
             }
             Outline::Oval if (self.x - self.y).abs() < 1e-3 => {
@@ -167,8 +167,8 @@ impl Table {
         match base {
             Base::Legs => {
                 let r = b.vary(0.8, 1.15) * girth;
-                let cut = b.one(&[Cut::Square, Cut::Square, Cut::Round]);
-                let foot = b.one(&[1.0, 0.6]) * r;
+                let cut = b.choose(&[Cut::Square, Cut::Square, Cut::Round]);
+                let foot = b.choose(&[1.0, 0.6]) * r;
                 Four::upright(half, under, (foot, r), cut).build(b, self.wood);
                 self.aprons(b, half, 2.0 * r);
             }
@@ -329,8 +329,8 @@ const LONG: &[Outline] =
 /// A base that suits an outline: bases with end panels need straight ends.
 fn suited(b: &mut Build<'_>, table: &Table, straight: &[Base], curved: &[Base]) -> Base {
     match table.outline {
-        Outline::Rect | Outline::Rounded => b.one(straight),
-        _ => b.one(curved),
+        Outline::Rect | Outline::Rounded => b.choose(straight),
+        _ => b.choose(curved),
     }
 }
 
@@ -353,9 +353,9 @@ fn dining_table(b: &mut Build<'_>) {
     let round = table.outline == Outline::Oval && table.y < table.x * 1.5;
     let base = if round && b.rng.chance(0.3) { Base::Tulip } else { suited(b, &table, &straight, &curved) };
     if base == Base::Tulip {
-        (table.wood, table.top) = (WHITE, b.one(&[WHITE, MARBLE]));
+        (table.wood, table.top) = (WHITE, b.choose(&[WHITE, MARBLE]));
     } else if b.rng.chance(0.15) {
-        table.top = b.one(&[WHITE, MARBLE, CONCRETE, BLACK_GRANITE]);
+        table.top = b.choose(&[WHITE, MARBLE, CONCRETE, BLACK_GRANITE]);
     }
     table.top(b);
     table.base(b, base);
@@ -410,13 +410,13 @@ fn coffee_table(b: &mut Build<'_>) {
 fn side_table(b: &mut Build<'_>) {
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded, Outline::Octagon]);
     if b.rng.chance(0.2) {
-        table.top = b.one(&[MARBLE, GLASS, BRASS]);
+        table.top = b.choose(&[MARBLE, GLASS, BRASS]);
     }
     let straight = [Base::Legs, Base::Splayed, Base::Loops, Base::Slabs, Base::Turned, Base::Hairpin];
     let curved = [Base::Splayed, Base::Column, Base::Tulip, Base::Drum, Base::Hairpin, Base::Splayed];
     let base = suited(b, &table, &straight, &curved);
     if base == Base::Tulip {
-        (table.wood, table.top) = (WHITE, b.one(&[WHITE, MARBLE]));
+        (table.wood, table.top) = (WHITE, b.choose(&[WHITE, MARBLE]));
     }
     table.thickness = table.thickness.min(0.028);
     table.top(b);
@@ -432,7 +432,7 @@ fn high_table(b: &mut Build<'_>) {
     let straight = [Base::Legs, Base::Legs, Base::Loops, Base::Trestle, Base::Slabs, Base::Splayed];
     let base = suited(b, &table, &straight, &[Base::Column, Base::Column, Base::Splayed]);
     if b.rng.chance(0.25) {
-        table.top = b.one(&[WHITE, BLACK, MARBLE]);
+        table.top = b.choose(&[WHITE, BLACK, MARBLE]);
     }
     table.top(b);
     table.base(b, base);
@@ -451,7 +451,7 @@ fn console_table(b: &mut Build<'_>) {
     let straight = [Base::Legs, Base::Legs, Base::Turned, Base::Loops, Base::Splayed, Base::Crossed, Base::Hairpin];
     let base = suited(b, &table, &straight, &[Base::Splayed, Base::Hairpin, Base::Loops]);
     if b.rng.chance(0.25) {
-        table.top = b.one(&[MARBLE, GLASS]);
+        table.top = b.choose(&[MARBLE, GLASS]);
     }
     let drawers = matches!(base, Base::Legs | Base::Turned) && b.rng.chance(0.5);
     if drawers {
@@ -473,7 +473,7 @@ fn console_table(b: &mut Build<'_>) {
 /// A children's play table in bright colours.
 fn kids_table(b: &mut Build<'_>) {
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded, Outline::Pill]);
-    table.top = b.one(&[WHITE, SKY, YELLOW, table.wood, RED, GREEN]);
+    table.top = b.choose(&[WHITE, SKY, YELLOW, table.wood, RED, GREEN]);
     let base = suited(b, &table, &[Base::Legs, Base::Splayed, Base::Legs], &[Base::Splayed]);
     table.top(b);
     table.base(b, base);

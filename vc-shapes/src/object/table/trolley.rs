@@ -11,10 +11,10 @@ use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, leg, rounded_by_radiu
 pub(super) fn folding_table(b: &mut Build<'_>) {
     let mut table = Table::new(b, &[Outline::Rect, Outline::Rounded]);
     table.outline = Outline::Rounded;
-    table.top = b.one(&[WHITE_PLASTIC, b.style.wood, GREY_PLASTIC, BLACK]);
+    table.top = b.choose(&[WHITE_PLASTIC, b.style.wood, GREY_PLASTIC, BLACK]);
     table.top(b);
     let (x, y, under) = (table.x - 0.06, table.y * 0.82, table.h - table.thickness);
-    let (metal, r) = (b.one(&[GALVANISED, BLACK_METAL, WHITE_METAL]), 0.012);
+    let (metal, r) = (b.choose(&[GALVANISED, BLACK_METAL, WHITE_METAL]), 0.012);
     for side in [-1.0, 1.0] {
         let (cy, z) = (side * y, under - 0.02);
         let foot = side * (y + 0.03);
@@ -47,8 +47,8 @@ pub(in crate::object) fn castor(b: &mut Build<'_>, at: P, radius: f32) {
 pub(super) fn serving_trolley(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.25, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let metal = b.one(&[b.style.metal, BRASS, STEEL, BLACK_METAL]);
-    let tray = b.one(&[b.style.wood, GLASS, STEEL, b.style.wood]);
+    let metal = b.choose(&[b.style.metal, BRASS, STEEL, BLACK_METAL]);
+    let tray = b.choose(&[b.style.wood, GLASS, STEEL, b.style.wood]);
     let (levels, wheel, r) = (b.rng.count(2, 3), 0.035, 0.012);
     let (px, py) = (x - 0.03, y - 0.07_f32.min(y * 0.2));
     let round = b.rng.chance(0.5);
@@ -93,10 +93,10 @@ pub(super) fn prep_table(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let splash = if b.rng.chance(0.5) { 0.1_f32.min(h * 0.15) } else { 0.0 };
     let deck = h - splash;
-    let top = b.one(&[STEEL, STEEL, STEEL, BEECH]);
+    let top = b.choose(&[STEEL, STEEL, STEEL, BEECH]);
     let lip = if top == STEEL { 0.04 } else { 0.045 };
     let feet = 0.02_f32.min(x * 0.1);
-    b.soft("top", [-x, -y, deck - lip], [x, y, deck], 0.006, top);
+    b.rounded_block("top", [-x, -y, deck - lip], [x, y, deck], 0.006, top);
     if splash > 0.0 {
         b.block("splashback", [-x, -y, deck - 0.002], [-x + 0.015, y, h], STEEL);
     }
@@ -126,8 +126,8 @@ pub(super) fn prep_table(b: &mut Build<'_>) {
 pub(super) fn workbench(b: &mut Build<'_>) {
     at_least(b, [0.27, 0.5, 0.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let wood = b.one(&[BEECH, PINE, OAK]);
-    let frame = b.one(&[wood, wood, BLUE_METAL, RED_METAL, BLACK_METAL]);
+    let wood = b.choose(&[BEECH, PINE, OAK]);
+    let frame = b.choose(&[wood, wood, BLUE_METAL, RED_METAL, BLACK_METAL]);
     let vice = b.rng.chance(0.6);
     let front = if vice { x - 0.09_f32.min(x * 0.2) } else { x };
     let (t, r) = (b.vary(0.045, 0.07), b.vary(0.035, 0.05).min(x * 0.15));
@@ -183,7 +183,7 @@ fn front_vice(b: &mut Build<'_>, front: f32, end: f32, at: (f32, f32)) {
 pub(in crate::object) fn ironing_board(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.5, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let cover = b.one(&[BLUE_FABRIC, GREY_FABRIC, b.style.accent, b.style.linen]);
+    let cover = b.choose(&[BLUE_FABRIC, GREY_FABRIC, b.style.accent, b.style.linen]);
     let t = 0.03;
     let mut outline = rounded_by_radius((x, y), 0.05);
     // The end at the higher Y tapers to a blunt point.
@@ -193,7 +193,7 @@ pub(in crate::object) fn ironing_board(b: &mut Build<'_>) {
     }
     b.prism("top", Axis::Z, [0.0, 0.0, h - t], &outline, t, cover);
     b.top("top", [0.0, -y * 0.3, h], (x - 0.03, y * 0.6));
-    let (metal, r, under) = (b.one(&[WHITE_METAL, SILVER_METAL, BLACK_METAL]), 0.011, h - t);
+    let (metal, r, under) = (b.choose(&[WHITE_METAL, SILVER_METAL, BLACK_METAL]), 0.011, h - t);
     let wide = x * 0.8;
     for (sx, from, to) in [(wide, -y * 0.62, y * 0.55), (-wide, -y * 0.62, y * 0.55)] {
         leg(b, "leg", ([sx, from, 0.0], r), ([sx * 0.35, to, under], r), Cut::Round, metal);

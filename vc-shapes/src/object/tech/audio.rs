@@ -8,7 +8,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, loft, ngon, oval, spline, tube};
 
 /// A driver in a front at `x`: a rim, a cone and a dust cap.
-fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
+fn driver(b: &mut Build<'_>, at: P, r: f32, cone: MaterialId) {
     let to = [at[0] + 1.0, at[1], at[2]];
     let d = (r * 0.12).min(0.006);
     b.lathe_along(
@@ -31,13 +31,13 @@ fn driver(b: &mut Build<'_>, at: P, r: f32, cone: Mat) {
 /// A loudspeaker for shelf or floor, or a subwoofer.
 pub(super) fn speaker(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK, WALNUT, b.style.wood, WHITE, OAK, BLACK_PLASTIC]);
-    let cone = b.one(&[RUBBER, YELLOW, GREY, RUBBER]);
+    let body = b.choose(&[BLACK, WALNUT, b.style.wood, WHITE, OAK, BLACK_PLASTIC]);
+    let cone = b.choose(&[RUBBER, YELLOW, GREY, RUBBER]);
     let out = (y * 0.1).min(0.007);
     let (front, foot) = (x - out, if b.class == "speaker" { 0.0 } else { (h * 0.03).min(0.03) });
     let round = b.vary(0.002, 0.012);
     let wide = if foot > 0.0 { y * 0.94 } else { y };
-    b.soft("case", [-x, -wide, foot], [front - out * 0.4, wide, h], round, body);
+    b.rounded_block("case", [-x, -wide, foot], [front - out * 0.4, wide, h], round, body);
     b.block(
         "front",
         [front - out * 0.6, -wide * 0.97, foot + h * 0.01],
@@ -80,10 +80,10 @@ pub(super) fn speaker(b: &mut Build<'_>) {
 /// A sound bar behind cloth, with keys on top.
 pub(super) fn soundbar(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
-    let cloth = b.one(&[CHARCOAL_FABRIC, BLACK_FABRIC, GREY_FABRIC]);
-    b.soft("body", [-x, -y, 0.0], [x * 0.9, y, h * 0.97], h * 0.25, body);
-    b.soft("cloth", [x * 0.3, -y * 0.985, h * 0.06], [x, y * 0.985, h * 0.9], h * 0.2, cloth);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
+    let cloth = b.choose(&[CHARCOAL_FABRIC, BLACK_FABRIC, GREY_FABRIC]);
+    b.rounded_block("body", [-x, -y, 0.0], [x * 0.9, y, h * 0.97], h * 0.25, body);
+    b.rounded_block("cloth", [x * 0.3, -y * 0.985, h * 0.06], [x, y * 0.985, h * 0.9], h * 0.2, cloth);
     let keys: Vec<(P, P)> = (0..4)
         .map(|i| y * (-0.06 + 0.035 * i as f32))
         .map(|a| ([-x * 0.3, a, h * 0.9], [0.0, a + y * 0.022, h]))
@@ -95,7 +95,7 @@ pub(super) fn soundbar(b: &mut Build<'_>) {
 /// A portable or smart speaker: a lying or standing drum, a puck, a block.
 pub(super) fn portable(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cloth = b.one(&[CHARCOAL_FABRIC, RED_FABRIC, BLUE_FABRIC, GREY_FABRIC, TEAL_FABRIC, MUSTARD_FABRIC]);
+    let cloth = b.choose(&[CHARCOAL_FABRIC, RED_FABRIC, BLUE_FABRIC, GREY_FABRIC, TEAL_FABRIC, MUSTARD_FABRIC]);
     let r = x.min(y);
     if y > 1.4 * x {
         let ring = |t: f32, s: f32| oval(Axis::Y, [0.0, y * t, h / 2.0], (x * s, h / 2.0 * s), 1, 20);
@@ -110,7 +110,7 @@ pub(super) fn portable(b: &mut Build<'_>) {
     }
     let low = h < 1.1 * r;
     let bulge = if low { 0.9 } else { b.vary(0.85, 1.0) };
-    let glow = b.one(&[PICTURE_SKY, LED, COOL_BULB]);
+    let glow = b.choose(&[PICTURE_SKY, LED, COOL_BULB]);
     b.lathe("base", [0.0; 3], &[(r * bulge * 0.9, 0.0), (r * bulge, h * 0.05), (r * bulge, h * 0.08)], RUBBER);
     b.lathe(
         "body",
@@ -128,11 +128,11 @@ pub(super) fn portable(b: &mut Build<'_>) {
 /// A guitar amplifier: cloth front, knobs, corners and a handle.
 pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let skin = b.one(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC, WHITE_LEATHER]);
-    let cloth = b.one(&[BEIGE_FABRIC, GREY_FABRIC, BLACK_FABRIC, BROWN_FABRIC]);
+    let skin = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, RED_FABRIC, WHITE_LEATHER]);
+    let cloth = b.choose(&[BEIGE_FABRIC, GREY_FABRIC, BLACK_FABRIC, BROWN_FABRIC]);
     let (grip, knob) = (h * 0.08, (x * 0.08).min(0.014));
     let (top, front) = (h - grip, x - knob);
-    b.soft("case", [-x, -y, 0.0], [front, y, top], x * 0.06, skin);
+    b.rounded_block("case", [-x, -y, 0.0], [front, y, top], x * 0.06, skin);
     b.block("cloth", [front - 0.002, -y * 0.9, top * 0.06], [front + 0.0012, y * 0.9, top * 0.72], cloth);
     let edge = [
         [front + 0.001, -y * 0.9, top * 0.06],
@@ -171,8 +171,8 @@ pub(super) fn guitar_amplifier(b: &mut Build<'_>) {
 /// Headphones: band, two cups with pads, and sometimes a microphone.
 pub(super) fn headset(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let shell = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, SILVER_METAL, RED_PLASTIC, NAVY]);
-    let pad = b.one(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC]);
+    let shell = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, SILVER_METAL, RED_PLASTIC, NAVY]);
+    let pad = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, GREY_FABRIC]);
     let cup = (x * 0.95).min(h * 0.25);
     let band = (x * 0.2).min(y * 0.08);
     let reach = y - band * 1.2;
@@ -216,7 +216,7 @@ pub(super) fn headset(b: &mut Build<'_>) {
 /// Ear buds: two in a case, or on a cable.
 pub(super) fn earphone(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, NAVY]);
+    let body = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, NAVY]);
     let mut buds = MeshBuilder::default();
     let r = (h * 0.32).min(y * 0.2).min(x * 0.4);
     for side in [-1.0, 1.0] {
@@ -229,7 +229,13 @@ pub(super) fn earphone(b: &mut Build<'_>) {
     }
     buds.put(b, "bud", body);
     if b.rng.chance(0.5) {
-        b.soft("case", [-x, r * 1.2 - y, 0.0], [(x - r * 2.4).max(-x * 0.3), y - r * 1.2, h], (h * 0.45).min(r), body);
+        b.rounded_block(
+            "case",
+            [-x, r * 1.2 - y, 0.0],
+            [(x - r * 2.4).max(-x * 0.3), y - r * 1.2, h],
+            (h * 0.45).min(r),
+            body,
+        );
     } else {
         let wire = r * 0.14;
         let line: Vec<P> = (0..=36)
@@ -252,7 +258,7 @@ pub(super) fn earphone(b: &mut Build<'_>) {
 pub(super) fn microphone(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let body = b.one(&[BLACK_METAL, SILVER_METAL, GREY_PLASTIC, RED_METAL]);
+    let body = b.choose(&[BLACK_METAL, SILVER_METAL, GREY_PLASTIC, RED_METAL]);
     if b.rng.chance(0.5) {
         let ball = h * 0.2;
         let size = r.min(ball);

@@ -12,13 +12,13 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, oval, s
 pub(super) fn camera(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let (body, trim) = match b.class {
-        "instant_camera" => b.one(&[
+        "instant_camera" => b.choose(&[
             (WHITE_PLASTIC, BLACK_PLASTIC),
             (PINK_PLASTIC, WHITE_PLASTIC),
             (SKY, WHITE_PLASTIC),
             (YELLOW_PLASTIC, BLACK_PLASTIC),
         ]),
-        "camera" => b.one(&[
+        "camera" => b.choose(&[
             (SILVER_METAL, BLACK_LEATHER),
             (BLACK_PLASTIC, BLACK_LEATHER),
             (RED_METAL, BLACK_PLASTIC),
@@ -36,7 +36,7 @@ pub(super) fn camera(b: &mut Build<'_>) {
         _ => x * b.vary(0.5, 0.8),
     };
     let front = x - barrel;
-    b.soft("body", [-x, -y, 0.0], [front, y, top], x.min(top) * 0.12, body);
+    b.rounded_block("body", [-x, -y, 0.0], [front, y, top], x.min(top) * 0.12, body);
     let mid = if b.class == "action_camera" { y * 0.4 } else { y * b.vary(-0.05, 0.15) };
     let r = (top * if b.class == "action_camera" { 0.28 } else { 0.42 }).min((y - mid.abs()) * 0.9);
     b.block("skin", [-x * 0.9, -y * 0.96, top * 0.15], [front + 0.0006, y * 0.96, top * 0.78], trim);
@@ -56,7 +56,7 @@ pub(super) fn camera(b: &mut Build<'_>) {
             hump * 0.95,
             BLACK_PLASTIC,
         );
-        b.soft(
+        b.rounded_block(
             "grip",
             [-x * 0.94, -y * 0.96, top * 0.03],
             [(front + x * 0.25).min(x), -y * 0.55, top * 0.97],
@@ -92,19 +92,25 @@ pub(super) fn camera(b: &mut Build<'_>) {
 /// A camcorder: a barrel with a lens, a grip strap and a screen.
 pub(super) fn video_camera(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, SILVER_METAL, GREY_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, SILVER_METAL, GREY_PLASTIC]);
     let wide = y * 0.75;
     let r = wide.min(h * 0.36);
-    b.soft("body", [-x, -wide, h * 0.08], [x * 0.55, wide, h * 0.86], h * 0.2, body);
+    b.rounded_block("body", [-x, -wide, h * 0.08], [x * 0.55, wide, h * 0.86], h * 0.2, body);
     lens(b, [x * 0.45, 0.0, h * 0.5], [x, 0.0, h * 0.5], r, BLACK_PLASTIC);
-    b.soft("finder", [-x, -wide * 0.4, h * 0.8], [-x * 0.4, wide * 0.4, h], h * 0.05, BLACK_PLASTIC);
-    b.soft("base", [-x * 0.7, -wide * 0.7, 0.0], [x * 0.4, wide * 0.7, h * 0.12], h * 0.03, BLACK_PLASTIC);
+    b.rounded_block("finder", [-x, -wide * 0.4, h * 0.8], [-x * 0.4, wide * 0.4, h], h * 0.05, BLACK_PLASTIC);
+    b.rounded_block("base", [-x * 0.7, -wide * 0.7, 0.0], [x * 0.4, wide * 0.7, h * 0.12], h * 0.03, BLACK_PLASTIC);
     let strap = [[-x * 0.7, -wide * 0.9, h * 0.45], [-x * 0.2, -y * 0.9, h * 0.45], [x * 0.3, -wide * 0.9, h * 0.45]];
     let mut shell = MeshBuilder::default();
     shell.tube(&spline(&strap, 4), (y - wide) * 0.3);
     shell.put(b, "strap", BLACK_FABRIC);
     b.hinge([x * 0.4, wide, 0.0], [0.0, 0.0, -1.0], 1.6, |b| {
-        b.soft("display", [-x * 0.5, wide + (y - wide) * 0.04, h * 0.25], [x * 0.4, y, h * 0.75], h * 0.03, body);
+        b.rounded_block(
+            "display",
+            [-x * 0.5, wide + (y - wide) * 0.04, h * 0.25],
+            [x * 0.4, y, h * 0.75],
+            h * 0.03,
+            body,
+        );
     });
     b.rod("microphone", [x * 0.1, 0.0, h * 0.9], [x * 0.6, 0.0, h * 0.9], h * 0.07, RUBBER);
     b.rod("light", [x * 0.5, wide * 0.6, h * 0.75], [x * 0.57, wide * 0.6, h * 0.75], h * 0.03, SIGNAL_RED);
@@ -134,16 +140,16 @@ pub(super) fn security(b: &mut Build<'_>) {
     tube(b, "arm", &spline(&arm, 3), r * 0.25, WHITE_PLASTIC);
     b.rod("body", [-x * 0.6, 0.0, h - r], [x * 0.8, 0.0, h - r], r * 0.9, WHITE_PLASTIC);
     lens(b, [x * 0.6, 0.0, h - r], [x * 0.95, 0.0, h - r], r * 0.8, BLACK_PLASTIC);
-    b.soft("hood", [-x * 0.6, -y, h - r * 0.35], [x, y, h], r * 0.2, WHITE_PLASTIC);
+    b.rounded_block("hood", [-x * 0.6, -y, h - r * 0.35], [x, y, h], r * 0.2, WHITE_PLASTIC);
 }
 
 /// A webcam on its clip.
 pub(super) fn webcam(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC]);
     let low = h * 0.4;
     let (round, wide) = (b.vary(0.1, 0.3), y * b.vary(0.9, 1.0));
-    b.soft("body", [-x * 0.6, -wide, low], [x * 0.75, wide, h], h * round, body);
+    b.rounded_block("body", [-x * 0.6, -wide, low], [x * 0.75, wide, h], h * round, body);
     lens(b, [x * 0.6, 0.0, (low + h) / 2.0], [x, 0.0, (low + h) / 2.0], (h - low) * 0.34, BLACK_PLASTIC);
     b.block("neck", [-x * 0.2, -y * 0.15, low * 0.5], [x * 0.2, y * 0.15, low * 1.2], body);
     b.block("clip", [-x * 0.97, -y * 0.44, 0.0], [x * 0.8, y * 0.44, low * 0.3], body);
@@ -155,7 +161,7 @@ pub(super) fn webcam(b: &mut Build<'_>) {
 /// A folded tripod, standing on its three feet.
 pub(super) fn tripod(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let metal = b.one(&[BLACK_METAL, SILVER_METAL, ALUMINIUM]);
+    let metal = b.choose(&[BLACK_METAL, SILVER_METAL, ALUMINIUM]);
     let r = x.min(y);
     let (leg, crown) = (r * 0.2, h * 0.78);
     let spread = r * b.vary(0.7, 0.8);
@@ -224,10 +230,10 @@ pub(super) fn softbox(b: &mut Build<'_>) {
 /// A drone: body, four arms with rotors, a camera below.
 pub(super) fn drone(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, RED_PLASTIC]);
     let r = x.min(y) * b.vary(0.36, 0.44);
     let (deep, high) = (h * 0.3, h * 0.75);
-    b.soft("body", [-x * 0.55, -y * 0.24, deep], [x * 0.55, y * 0.24, h * 0.85], h * 0.2, body);
+    b.rounded_block("body", [-x * 0.55, -y * 0.24, deep], [x * 0.55, y * 0.24, h * 0.85], h * 0.2, body);
     let (mut arms, mut blades, mut feet) = (MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default());
     let guards = b.rng.chance(0.4);
     for (sx, sy) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {

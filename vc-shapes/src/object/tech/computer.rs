@@ -12,10 +12,10 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, oval};
 /// A laptop, closed: keys and touch pad on the base, a screen in the lid.
 pub(super) fn laptop(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[SILVER_METAL, ANTHRACITE, BLACK_PLASTIC, ALUMINIUM, WHITE_PLASTIC, NAVY]);
+    let body = b.choose(&[SILVER_METAL, ANTHRACITE, BLACK_PLASTIC, ALUMINIUM, WHITE_PLASTIC, NAVY]);
     let keys = if body == BLACK_PLASTIC || body == ANTHRACITE { ANTHRACITE } else { BLACK_PLASTIC };
     let (gap, base) = ((h * 0.17).min(0.003), h * 0.54);
-    b.soft("base", [-x, -y, 0.0], [x, y, base], h * 0.2, body);
+    b.rounded_block("base", [-x, -y, 0.0], [x, y, base], h * 0.2, body);
     let (x0, px, py) = (-x * 0.78, x * 0.9 / 5.0, y * 1.72 / 12.0);
     let key = |i: f32, j: f32| {
         let (a, c) = (x0 + px * i, -y * 0.86 + py * j);
@@ -26,7 +26,7 @@ pub(super) fn laptop(b: &mut Build<'_>) {
     b.block("touch_pad", [x * 0.28, -pad, base - gap], [x * 0.88, pad, base + gap * 0.15], GREY_PLASTIC);
     let lid = base + gap;
     b.hinge([-x, 0.0, base], [0.0, -1.0, 0.0], 2.0, |b| {
-        b.soft("lid", [-x, -y, lid], [x, y, h], h * 0.12, body);
+        b.rounded_block("lid", [-x, -y, lid], [x, y, h], h * 0.12, body);
         b.block("bezel", [-x * 0.97, -y * 0.98, lid - gap * 0.15], [x * 0.97, y * 0.98, lid + gap * 0.5], SCREEN);
         let under = Isometry3::new(Vector3::new(0.0, 0.0, lid - gap * 0.15), Vector3::y() * FRAC_PI_2);
         let canvas = Canvas { half: (y * 0.94, x * 0.9), step: gap * 0.13 };
@@ -55,13 +55,13 @@ pub(super) fn laptop(b: &mut Build<'_>) {
 pub(super) fn tower(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let (gaming, server) = (b.class == "gaming_computer", b.class == "server");
-    let body = if gaming { b.one(&[BLACK_METAL, WHITE_METAL, ANTHRACITE]) } else { case(b) };
+    let body = if gaming { b.choose(&[BLACK_METAL, WHITE_METAL, ANTHRACITE]) } else { case(b) };
     let foot = h * 0.03;
     let relief = (x * 0.02).min(0.004);
     let front = x - relief;
     let side = if gaming { y * 0.86 } else { y };
     b.block("case", [-x, -y, foot], [front * 0.9, side, h * 0.995], body);
-    b.soft(
+    b.rounded_block(
         "front",
         [front * 0.9 - 0.001, -y * 0.995, foot],
         [front, y * 0.995, h],
@@ -97,7 +97,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
         blocks(b, "panel", &[at(-0.9, 0.9, 0.9, 0.96)], SCREEN);
         return;
     }
-    let glow = b.one(&[PICTURE_SKY, SIGNAL_RED, LED, PICTURE_SUN, COOL_BULB]);
+    let glow = b.choose(&[PICTURE_SKY, SIGNAL_RED, LED, PICTURE_SUN, COOL_BULB]);
     if gaming {
         fans(b, (front, foot), relief, glow);
         window(b, side, foot, glow);
@@ -124,7 +124,7 @@ pub(super) fn tower(b: &mut Build<'_>) {
 }
 
 /// Rings of light in the front.
-fn fans(b: &mut Build<'_>, (front, foot): (f32, f32), relief: f32, glow: Mat) {
+fn fans(b: &mut Build<'_>, (front, foot): (f32, f32), relief: f32, glow: MaterialId) {
     let (_, y, h) = half_dims(b);
     let r = (y * 0.75).min((h - foot) * 0.1);
     for i in 0..3 {
@@ -135,7 +135,7 @@ fn fans(b: &mut Build<'_>, (front, foot): (f32, f32), relief: f32, glow: Mat) {
 }
 
 /// The interior visible through the glass side.
-fn window(b: &mut Build<'_>, side: f32, foot: f32, glow: Mat) {
+fn window(b: &mut Build<'_>, side: f32, foot: f32, glow: MaterialId) {
     let (x, y, h) = half_dims(b);
     let deep = y - side;
     let at = |x0: f32, x1: f32, z0: f32, z1: f32, d: f32| {

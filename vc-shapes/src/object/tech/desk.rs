@@ -11,7 +11,7 @@ pub(super) fn keyboard(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let body = case(b);
     let dark = body == BLACK_PLASTIC;
-    let keys = if dark { ANTHRACITE } else { b.one(&[WHITE_PLASTIC, LIGHT_GREY, BLACK_PLASTIC]) };
+    let keys = if dark { ANTHRACITE } else { b.choose(&[WHITE_PLASTIC, LIGHT_GREY, BLACK_PLASTIC]) };
     let (front, back, key) = (h * 0.4, h * 0.72, h * 0.26);
     let slope = [(-x, 0.0), (x, 0.0), (x, front), (-x, back)];
     b.prism("body", Axis::Y, [0.0, -y, 0.0], &slope, 2.0 * y, body);
@@ -44,7 +44,7 @@ pub(super) fn keyboard(b: &mut Build<'_>) {
             ([l[0], l[1] - y0 + start + py * wide * j, l[2]], [h[0], h[1] - y0 + start + py * wide * j, h[2]])
         }));
     }
-    let colour = b.one(&[RED_PLASTIC, keys, keys, ORANGE_PLASTIC]);
+    let colour = b.choose(&[RED_PLASTIC, keys, keys, ORANGE_PLASTIC]);
     let escape = list.remove(0);
     blocks(b, "keys", &list, keys);
     blocks(b, "keys", &[escape], colour);
@@ -56,7 +56,7 @@ pub(super) fn keyboard(b: &mut Build<'_>) {
 /// A mouse: a hump with two buttons and a wheel, with or without a cable.
 pub(super) fn mouse(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, RED_PLASTIC, ANTHRACITE]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, RED_PLASTIC, ANTHRACITE]);
     let trim = if body == BLACK_PLASTIC { GREY_PLASTIC } else { BLACK_PLASTIC };
     let (peak, wide) = (b.vary(-0.2, 0.25), b.vary(0.8, 0.92));
     let wheel = h * 0.05;
@@ -87,7 +87,7 @@ pub(super) fn mouse(b: &mut Build<'_>) {
         trim,
     );
     if b.rng.chance(0.4) {
-        let glow = b.one(&[SIGNAL_RED, PICTURE_SKY, LED]);
+        let glow = b.choose(&[SIGNAL_RED, PICTURE_SKY, LED]);
         b.prism(
             "logo",
             Axis::Z,
@@ -104,7 +104,7 @@ pub(super) fn graphic_tablet(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let pen = (h * 0.25).min(x * 0.04);
     let top = h - 2.0 * pen;
-    b.soft("body", [-x, -y, 0.0], [x, y, top], top * 0.4, BLACK_PLASTIC);
+    b.rounded_block("body", [-x, -y, 0.0], [x, y, top], top * 0.4, BLACK_PLASTIC);
     b.block("surface", [-x * 0.9, -y * 0.72, top * 0.5], [x * 0.9, y * 0.92, top + h * 0.05], GREY_PLASTIC);
     let keys: Vec<(P, P)> = (0..6)
         .map(|i| x * (-0.75 + 0.25 * i as f32))
@@ -130,9 +130,9 @@ pub(super) fn graphic_tablet(b: &mut Build<'_>) {
 /// A memory stick with its plug.
 pub(super) fn usb_stick(b: &mut Build<'_>) {
     lengthwise(b, |b, x, y, h| {
-        let body = b.one(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, SILVER_METAL, GREEN_PLASTIC]);
+        let body = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC, SILVER_METAL, GREEN_PLASTIC]);
         let split = y * b.vary(0.35, 0.5);
-        b.soft("body", [-x, -y, 0.0], [x, split, h], h * 0.3, body);
+        b.rounded_block("body", [-x, -y, 0.0], [x, split, h], h * 0.3, body);
         b.block("plug", [-x * 0.7, split - y * 0.1, h * 0.2], [x * 0.7, y, h * 0.8], STEEL);
         blocks(
             b,
@@ -147,10 +147,10 @@ pub(super) fn usb_stick(b: &mut Build<'_>) {
 /// A charger: a block with two pins and a lead.
 pub(super) fn charger(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC]);
     let pins = y * 0.35;
     let split = y - pins;
-    b.soft("block", [-x, -y * 0.97, 0.0], [x, split, h], x.min(h) * 0.25, body);
+    b.rounded_block("block", [-x, -y * 0.97, 0.0], [x, split, h], x.min(h) * 0.25, body);
     for s in [-0.35, 0.35] {
         b.rod("pin", [x * s, split - y * 0.05, h / 2.0], [x * s, y, h / 2.0], (x * 0.1).min(h * 0.1), STEEL);
     }
@@ -161,7 +161,7 @@ pub(super) fn charger(b: &mut Build<'_>) {
 /// A coiled cable with its plugs.
 pub(super) fn cable(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let colour = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, RED_FABRIC]);
+    let colour = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, RED_FABRIC]);
     let r = (h * 0.14).min(x * 0.08);
     let turns = 3.0;
     let line: Vec<P> = (0..=48)
@@ -175,7 +175,13 @@ pub(super) fn cable(b: &mut Build<'_>) {
         .collect();
     tube(b, "cable", &line, r, colour);
     let plug = (x * 0.14).min(h * 0.3);
-    b.soft("plug", [-plug + x * 0.2, -y * 0.35, 0.0], [plug + x * 0.2, y * 0.05, plug * 1.2], plug * 0.3, colour);
+    b.rounded_block(
+        "plug",
+        [-plug + x * 0.2, -y * 0.35, 0.0],
+        [plug + x * 0.2, y * 0.05, plug * 1.2],
+        plug * 0.3,
+        colour,
+    );
     b.block("plug", [-plug * 0.6 + x * 0.2, y * 0.03, plug * 0.3], [plug * 0.6 + x * 0.2, y * 0.25, plug * 0.9], STEEL);
     let tie = oval(Axis::X, [0.0, -y + r * 2.6, h / 2.0], (r * 2.1, h / 2.0 - r * 0.4), 0, 12);
     crate::solid::hoop(b, "tie", &tie, r * 0.4, BLACK_FABRIC);

@@ -9,7 +9,7 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, facing, half_dims, hoop,
 /// A gamepad: two grips, sticks, a directional pad and buttons.
 pub(super) fn controller(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, PURPLE_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, PURPLE_PLASTIC]);
     let dark = if body == BLACK_PLASTIC { GREY_PLASTIC } else { BLACK_PLASTIC };
     let stick = h * 0.2;
     let top = h - stick;
@@ -70,7 +70,7 @@ pub(super) fn controller(b: &mut Build<'_>) {
 pub(super) fn handheld(b: &mut Build<'_>) {
     facing(b, |b, t, w, h| {
         let (x, y) = (t / 2.0, w / 2.0);
-        let (left, right) = b.one(&[
+        let (left, right) = b.choose(&[
             (RED_PLASTIC, BLUE_PLASTIC),
             (BLACK_PLASTIC, BLACK_PLASTIC),
             (WHITE_PLASTIC, WHITE_PLASTIC),
@@ -78,9 +78,9 @@ pub(super) fn handheld(b: &mut Build<'_>) {
         ]);
         let face = x - t * 0.3;
         let wing = y * 0.3;
-        b.soft("body", [-x, -y + wing, 0.0], [face, y - wing, h], t * 0.1, BLACK_PLASTIC);
-        b.soft("grip", [-x, -y, 0.0], [face - t * 0.01, -y + wing + 0.0008, h], t * 0.3, left);
-        b.soft("grip", [-x, y - wing - 0.0008, 0.0], [face - t * 0.01, y, h], t * 0.3, right);
+        b.rounded_block("body", [-x, -y + wing, 0.0], [face, y - wing, h], t * 0.1, BLACK_PLASTIC);
+        b.rounded_block("grip", [-x, -y, 0.0], [face - t * 0.01, -y + wing + 0.0008, h], t * 0.3, left);
+        b.rounded_block("grip", [-x, y - wing - 0.0008, 0.0], [face - t * 0.01, y, h], t * 0.3, right);
         motif(
             b,
             Canvas { half: ((y - wing) * 0.93, h * 0.42), step: (t * 0.04).min(0.0008) },
@@ -113,7 +113,7 @@ pub(super) fn handheld(b: &mut Build<'_>) {
 /// A flight stick on its base, with a throttle and buttons.
 pub(super) fn joystick(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (body, trim) = b.one(&[
+    let (body, trim) = b.choose(&[
         (BLACK_PLASTIC, RED_PLASTIC),
         (GREY_PLASTIC, ORANGE_PLASTIC),
         (BLACK_PLASTIC, BLUE_PLASTIC),
@@ -168,9 +168,9 @@ pub(super) fn joystick(b: &mut Build<'_>) {
 /// A racing wheel clamped to a desk's edge.
 pub(super) fn racing_wheel(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let trim = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
+    let trim = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREY_PLASTIC]);
     let base = h * 0.42;
-    b.soft("base", [-x, -y * 0.55, 0.0], [x * 0.35, y * 0.55, base], h * 0.05, BLACK_PLASTIC);
+    b.rounded_block("base", [-x, -y * 0.55, 0.0], [x * 0.35, y * 0.55, base], h * 0.05, BLACK_PLASTIC);
     let thick = (y * 0.09).min(x * 0.14);
     let r = (y.min(h / 2.0)) - thick;
     let at = [x - thick, 0.0, h - r - thick];
@@ -204,12 +204,18 @@ pub(super) fn racing_wheel(b: &mut Build<'_>) {
 /// A headset for virtual reality: visor, face cushion, strap.
 pub(super) fn virtual_headset(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let deep = x.min(0.11_f32.max(x * 0.6));
     let (back, tall) = (x - deep, h * 0.62);
-    b.soft("visor", [back + deep * 0.25, -y * 0.96, 0.0], [x, y * 0.96, tall], (tall * 0.3).min(deep * 0.2), body);
+    b.rounded_block(
+        "visor",
+        [back + deep * 0.25, -y * 0.96, 0.0],
+        [x, y * 0.96, tall],
+        (tall * 0.3).min(deep * 0.2),
+        body,
+    );
     b.block("plate", [x - deep * 0.1, -y * 0.6, tall * 0.25], [x + 0.0006, y * 0.6, tall * 0.75], BLACK_GLASS);
-    b.soft(
+    b.rounded_block(
         "cushion",
         [back, -y * 0.85, tall * 0.01],
         [back + deep * 0.35, y * 0.85, tall * 0.95],

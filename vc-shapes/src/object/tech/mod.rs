@@ -93,12 +93,12 @@ pub(super) const GENERATORS: &[Generator] = &[
 ];
 
 /// A case of dark or light plastic.
-fn case(b: &mut Build<'_>) -> Mat {
-    b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SILVER_METAL])
+fn case(b: &mut Build<'_>) -> MaterialId {
+    b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, SILVER_METAL])
 }
 
 /// A lens facing along an axis: a stepped barrel with glass in it.
-fn lens(b: &mut Build<'_>, from: P, to: P, r: f32, barrel: Mat) {
+fn lens(b: &mut Build<'_>, from: P, to: P, r: f32, barrel: MaterialId) {
     let long = nalgebra::distance(&nalgebra::Point3::from(from), &nalgebra::Point3::from(to));
     let steps = [
         (r, 0.0),

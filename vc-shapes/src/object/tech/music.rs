@@ -11,15 +11,15 @@ pub(super) fn radio(b: &mut Build<'_>) {
     let body = if wooden {
         b.style.wood
     } else {
-        b.one(&[RED_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, SILVER_METAL, SAGE, SKY])
+        b.choose(&[RED_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, SILVER_METAL, SAGE, SKY])
     };
     if h < 0.05 {
         return portable_player(b, body);
     }
     let (grip, out) = (h * 0.16, (x * 0.16).min(0.014));
     let (top, front) = (h - grip, x - out);
-    b.soft("case", [-x, -y, 0.0], [front, y, top], top * 0.15, body);
-    let cloth = b.one(&[BEIGE_FABRIC, BLACK_FABRIC, GREY_FABRIC]);
+    b.rounded_block("case", [-x, -y, 0.0], [front, y, top], top * 0.15, body);
+    let cloth = b.choose(&[BEIGE_FABRIC, BLACK_FABRIC, GREY_FABRIC]);
     let boombox = b.class == "cd_player";
     let r = (top * 0.36).min(y * 0.3);
     let sides: &[f32] = if boombox { &[-1.0, 1.0] } else { &[-1.0] };
@@ -68,7 +68,7 @@ pub(super) fn radio(b: &mut Build<'_>) {
 }
 
 /// A flat disc player.
-fn portable_player(b: &mut Build<'_>, body: Mat) {
+fn portable_player(b: &mut Build<'_>, body: MaterialId) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
     b.lathe("base", [0.0; 3], &[(r * 0.94, 0.0), (r, h * 0.2), (r, h * 0.6)], BLACK_PLASTIC);
@@ -86,7 +86,7 @@ fn portable_player(b: &mut Build<'_>, body: Mat) {
 /// A record player: platter, record, arm, and a clear hinged lid.
 pub(super) fn turntable(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[b.style.wood, WALNUT, BLACK, WHITE]);
+    let body = b.choose(&[b.style.wood, WALNUT, BLACK, WHITE]);
     let foot = h * 0.1;
     let base = h * 0.5;
     let mut feet = MeshBuilder::default();
@@ -94,13 +94,13 @@ pub(super) fn turntable(b: &mut Build<'_>) {
         feet.loft(&[0.0, foot * 1.1].map(|z| oval(Axis::Z, [x * sx, y * sy, z], (x * 0.09, x * 0.09), 0, 12)));
     }
     feet.put(b, "foot", RUBBER);
-    b.soft("plinth", [-x, -y, foot], [x, y, base], h * 0.03, body);
+    b.rounded_block("plinth", [-x, -y, foot], [x, y, base], h * 0.03, body);
     let r = (x * 0.86).min(y * 0.72);
     let at = [0.0, -y + r * 1.12, base];
     b.cylinder("platter", [at[0], at[1], base - 0.001], r, h * 0.08, SILVER_METAL);
     let disc = base + h * 0.08;
     b.cylinder("record", [at[0], at[1], disc - 0.001], r * 0.97, h * 0.02 + 0.001, BLACK_PLASTIC);
-    let label = b.one(&[RED_CARD, BLUE_CARD, YELLOW_CARD, ORANGE_CARD]);
+    let label = b.choose(&[RED_CARD, BLUE_CARD, YELLOW_CARD, ORANGE_CARD]);
     b.cylinder("label", [at[0], at[1], disc], r * 0.33, h * 0.03, label);
     b.cylinder("spindle", [at[0], at[1], disc], r * 0.03, h * 0.09, STEEL);
     let pivot = [-x * 0.6, y * 0.72, base];
@@ -138,7 +138,7 @@ pub(super) fn mixer(b: &mut Build<'_>) {
     let end = x * 0.985;
     let outline = [(-end, h * 0.03), (end, h * 0.03), (end, low), (-end, high)];
     b.prism("body", Axis::Y, [0.0, -y * 0.96, 0.0], &outline, 1.92 * y, ANTHRACITE);
-    let wood = b.one(&[WALNUT, BLACK_PLASTIC, OAK]);
+    let wood = b.choose(&[WALNUT, BLACK_PLASTIC, OAK]);
     for s in [-1.0_f32, 1.0] {
         let (a, c) = (s * y * 0.955, s * y);
         b.prism(
@@ -170,7 +170,7 @@ pub(super) fn mixer(b: &mut Build<'_>) {
     }
     faders.put(b, "fader", WHITE_PLASTIC);
     knobs.put(b, "knob", GREY_PLASTIC);
-    let colour = b.one(&[RED_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);
+    let colour = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC]);
     caps.put(b, "knob", colour);
 }
 
@@ -182,15 +182,15 @@ pub(super) fn sleeve(b: &mut Build<'_>) {
         let face = x - step * 4.0;
         let record = b.class == "vinyl_record";
         let shell = if record {
-            b.one(&[BLACK_CARD, WHITE_PAPER, RED_CARD])
+            b.choose(&[BLACK_CARD, WHITE_PAPER, RED_CARD])
         } else {
-            b.one(&[BLACK_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC])
+            b.choose(&[BLACK_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC])
         };
         b.block("case", [-x, -y, 0.0], [face, y, h], shell);
         let share = if record { 0.995 } else { 0.94 };
         let inks = Inks::printed(b);
         motif(b, Canvas { half: (y * share, h / 2.0 * share), step }, [face, 0.0, h / 2.0], inks);
-        let ink = b.one(&[WHITE_PAPER, BLACK_CARD, YELLOW_CARD]);
+        let ink = b.choose(&[WHITE_PAPER, BLACK_CARD, YELLOW_CARD]);
         blocks(b, "title", &[([face, -y * 0.77, h * 0.86], [x, y * 0.3, h * 0.92])], ink);
         if record {
             b.rod(
@@ -212,7 +212,7 @@ pub(super) fn disc(b: &mut Build<'_>) {
     let hole = r * 0.13;
     let thick = (h - low) * 0.7;
     b.lathe("disc", [0.0, 0.0, low], &[(r, 0.0), (r, thick), (hole, thick), (hole, 0.0), (r, 0.0)], CHROME);
-    let label = b.one(&[RED_CARD, BLUE_CARD, WHITE_PAPER, TEAL_CARD]);
+    let label = b.choose(&[RED_CARD, BLUE_CARD, WHITE_PAPER, TEAL_CARD]);
     b.lathe(
         "label",
         [0.0, 0.0, low + thick * 0.5],

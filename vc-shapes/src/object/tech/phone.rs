@@ -11,11 +11,11 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, facing, half_dims, loft,
 pub(super) fn slab(b: &mut Build<'_>) {
     let lies = b.size.z < b.size.x.min(b.size.y);
     facing(b, |b, t, w, h| {
-        let body = b.one(&[BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC, NAVY, DUSTY_ROSE, ANTHRACITE]);
+        let body = b.choose(&[BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC, NAVY, DUSTY_ROSE, ANTHRACITE]);
         let (x, y) = (t / 2.0, w / 2.0);
         let step = (t * 0.08).min(0.001);
         let face = x - step * 3.0;
-        b.soft("body", [-x * 0.9, -y, 0.0], [face, y, h], t * 0.3, body);
+        b.rounded_block("body", [-x * 0.9, -y, 0.0], [face, y, h], t * 0.3, body);
         let (low, edge) = match b.class {
             "cellphone" => (h * 0.02, w * 0.03),
             "mp3_player" => (h * 0.5, w * 0.1),
@@ -49,7 +49,13 @@ pub(super) fn slab(b: &mut Build<'_>) {
             crate::solid::hoop(b, "wheel", &wheel, step.min(w * 0.05), GREY_PLASTIC);
         } else if !lies {
             let (y0, z0, size) = (y - w * 0.22, h - w * 0.24, w * 0.14);
-            b.soft("camera", [-x, y0 - size * 0.5, z0], [-x * 0.8, y0 + size, z0 + size], t * 0.1, BLACK_GLASS);
+            b.rounded_block(
+                "camera",
+                [-x, y0 - size * 0.5, z0],
+                [-x * 0.8, y0 + size, z0 + size],
+                t * 0.1,
+                BLACK_GLASS,
+            );
         }
         b.block("button", [-x * 0.3, y - 0.001, h * 0.6], [x * 0.2, y + 0.0008, h * 0.75], STEEL);
     });
@@ -62,7 +68,7 @@ fn dial_keys(x: (f32, f32), y: (f32, f32), z: (f32, f32)) -> Vec<(P, P)> {
 }
 
 /// A telephone receiver along Y: a grip with two cups.
-fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
+fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: MaterialId) {
     let mut shell = MeshBuilder::default();
     let ear = half.min(b.size.x * 0.8);
     let line = [
@@ -82,7 +88,7 @@ fn receiver(b: &mut Build<'_>, at: P, half: f32, thick: f32, mat: Mat) {
 /// A telephone: with a receiver and keys or a dial, or a handset in its cradle.
 pub(super) fn desk_phone(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, RED_PLASTIC, GREY_PLASTIC, GREEN_PLASTIC]);
     if y < 0.05 || h > 1.8 * y {
         return cradle(b, body);
     }
@@ -128,17 +134,17 @@ pub(super) fn desk_phone(b: &mut Build<'_>) {
 }
 
 /// A cordless handset standing in its cradle.
-fn cradle(b: &mut Build<'_>, body: Mat) {
+fn cradle(b: &mut Build<'_>, body: MaterialId) {
     let (x, y, h) = half_dims(b);
     let foot = h * 0.22;
-    b.soft("cradle", [-x, -y, 0.0], [x, y, foot], foot * 0.3, body);
+    b.rounded_block("cradle", [-x, -y, 0.0], [x, y, foot], foot * 0.3, body);
     let (t, w) = (x * 0.32, y * 0.6);
     b.at([-x * 0.1, 0.0, foot * 0.5], 0.0, |b| upright(b, (t, w, h - foot * 0.5), body));
 }
 
 /// A handset with a display and keys, the centre of its base at the origin.
-fn upright(b: &mut Build<'_>, (t, w, h): (f32, f32, f32), body: Mat) {
-    b.soft("handset", [-t, -w, 0.0], [t * 0.9, w, h], t * 0.5, body);
+fn upright(b: &mut Build<'_>, (t, w, h): (f32, f32, f32), body: MaterialId) {
+    b.rounded_block("handset", [-t, -w, 0.0], [t * 0.9, w, h], t * 0.5, body);
     let face = t * 0.9;
     b.block("display", [face - t * 0.2, -w * 0.7, h * 0.6], [face + t * 0.08, w * 0.7, h * 0.85], SAGE);
     let keys = grid((4, 3), |i, j| {
@@ -152,11 +158,11 @@ fn upright(b: &mut Build<'_>, (t, w, h): (f32, f32, f32), body: Mat) {
 /// A two-way radio or a baby monitor: a handset with an antenna.
 pub(super) fn handset(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, YELLOW_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let tall = h * b.vary(0.62, 0.72);
     let r = (y * 0.14).min(x * 0.4);
     if b.class == "baby_monitor" {
-        b.soft("foot", [-x, -y, 0.0], [x, y, h * 0.1], h * 0.03, body);
+        b.rounded_block("foot", [-x, -y, 0.0], [x, y, h * 0.1], h * 0.03, body);
     }
     let (t, w) = if b.class == "baby_monitor" { (x * 0.6, y * 0.9) } else { (x, y) };
     upright(b, (t, w, tall), body);
@@ -173,9 +179,9 @@ pub(super) fn handset(b: &mut Build<'_>) {
 /// A wall telephone: receiver on its hook, keys, a curly cord.
 pub(super) fn wall_phone(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
     let front = x * 0.2;
-    b.soft("body", [-x, -y, h * 0.12], [front, y, h], x * 0.3, body);
+    b.rounded_block("body", [-x, -y, h * 0.12], [front, y, h], x * 0.3, body);
     let wide = y * 0.3;
     let line = [
         [front, -y + wide, h * 0.2],
@@ -210,7 +216,7 @@ pub(super) fn wall_phone(b: &mut Build<'_>) {
 /// A lying remote control: rows of keys, some of them coloured.
 pub(super) fn remote(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, SILVER_METAL]);
+    let body = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC, WHITE_PLASTIC, SILVER_METAL]);
     let key = h * 0.14;
     let top = h - key;
     let waist = b.vary(0.75, 1.0);

@@ -8,7 +8,7 @@ use crate::solid::{Build, P, blocks, half_dims, tube};
 /// sometimes a scanner on top.
 pub(super) fn printer(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (body, trim) = b.one(&[
+    let (body, trim) = b.choose(&[
         (WHITE_PLASTIC, GREY_PLASTIC),
         (BLACK_PLASTIC, GREY_PLASTIC),
         (LIGHT_GREY, BLACK_PLASTIC),
@@ -29,7 +29,7 @@ pub(super) fn printer(b: &mut Build<'_>) {
         ([-x + t * 0.9, -y + t * 0.9, low], [front, y - t * 0.9, low + t]),
     ];
     blocks(b, "case", &walls, body);
-    b.soft("works", [-x, -y, high - 0.001], [front, y, top], x * 0.06, body);
+    b.rounded_block("works", [-x, -y, high - 0.001], [front, y, top], x * 0.06, body);
     b.block("dark", [-x * 0.2, -y + t * 0.9, low + t * 0.9], [x * 0.1, y - t * 0.9, high * 0.99], SCREEN);
     b.inside(
         "compartment",
@@ -63,8 +63,8 @@ pub(super) fn printer(b: &mut Build<'_>) {
     blocks(b, "light", &[([front - 0.003, y * 0.6, z], [front + out * 0.3, y * 0.66, z + panel * 0.3])], LED);
     if scanner {
         b.hinge([-x, 0.0, top], [0.0, -1.0, 0.0], 1.4, |b| {
-            b.soft("lid", [-x, -y, top + h * 0.002], [front, y, top + (h - top) * 0.6], (h - top) * 0.2, body);
-            b.soft(
+            b.rounded_block("lid", [-x, -y, top + h * 0.002], [front, y, top + (h - top) * 0.6], (h - top) * 0.2, body);
+            b.rounded_block(
                 "feeder",
                 [-x * 0.9, -y * 0.8, top + (h - top) * 0.55],
                 [x * 0.1, y * 0.3, h],
@@ -81,12 +81,12 @@ pub(super) fn printer(b: &mut Build<'_>) {
 /// A label printer with a strip coming out of it.
 pub(super) fn label_printer(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[GREY_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
+    let body = b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let front = x * 0.85;
     let seam = h * 0.55;
-    b.soft("body", [-x, -y, 0.0], [front, y, seam], h * 0.1, body);
+    b.rounded_block("body", [-x, -y, 0.0], [front, y, seam], h * 0.1, body);
     b.hinge([-x, 0.0, seam], [0.0, -1.0, 0.0], 1.4, |b| {
-        b.soft("lid", [-x, -y, seam + h * 0.002], [front, y, h * 0.97], h * 0.15, body);
+        b.rounded_block("lid", [-x, -y, seam + h * 0.002], [front, y, h * 0.97], h * 0.15, body);
         b.block("window", [-x * 0.4, -y * 0.5, h * 0.9], [x * 0.3, y * 0.5, h], SCREEN);
     });
     b.block("label", [front - x * 0.1, -y * 0.5, h * 0.4], [x, y * 0.5, h * 0.4 + (h * 0.02).min(0.001)], WHITE_PAPER);
@@ -99,10 +99,10 @@ pub(super) fn label_printer(b: &mut Build<'_>) {
 /// A 3D printer: an open frame, a bed, a head on rails, a spool.
 pub(super) fn three_d_printer(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let frame = b.one(&[BLACK_METAL, ALUMINIUM, ORANGE_PLASTIC]);
+    let frame = b.choose(&[BLACK_METAL, ALUMINIUM, ORANGE_PLASTIC]);
     let t = (x * 0.1).min(0.022);
     let base = h * 0.14;
-    b.soft("base", [-x, -y, 0.0], [x * 0.995, y, base], t * 0.4, BLACK_PLASTIC);
+    b.rounded_block("base", [-x, -y, 0.0], [x * 0.995, y, base], t * 0.4, BLACK_PLASTIC);
     let top = h - t;
     let post = |sy: f32| {
         ([-x * 0.2 - t * 0.5, sy * (y - t) - t * 0.5, base - 0.002], [-x * 0.2 + t * 0.5, sy * (y - t) + t * 0.5, top])
@@ -123,7 +123,7 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
     let rail = base + (top - base) * b.vary(0.45, 0.7);
     b.rod("rail", [-x * 0.2, -y + t, rail], [-x * 0.2, y - t, rail], t * 0.35, STEEL);
     let at = y * b.vary(-0.3, 0.3);
-    b.soft(
+    b.rounded_block(
         "head",
         [-x * 0.2, at - t * 1.3, rail - t * 1.6],
         [-x * 0.2 + t * 2.6, at + t * 1.3, rail + t],
@@ -136,7 +136,7 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
         &[(t * 0.08, 0.0), (t * 0.4, t * 0.4), (t * 0.4, t * 0.7)],
         BRASS,
     );
-    let colour = b.one(&[ORANGE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
+    let colour = b.choose(&[ORANGE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC, BLUE_PLASTIC]);
     let r = (y * 0.35).min((top - rail) * 0.6).min(x * 0.5);
     let reel = [-x * 0.62, 0.0, top - r];
     b.rod("reel", [reel[0] - t, 0.0, reel[2]], [reel[0] + t, 0.0, reel[2]], r, colour);
@@ -156,12 +156,12 @@ pub(super) fn three_d_printer(b: &mut Build<'_>) {
 /// A flat-bed scanner with its lid.
 pub(super) fn scanner(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
+    let body = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let seam = h * 0.62;
-    b.soft("body", [-x, -y, 0.0], [x, y, seam], h * 0.15, body);
+    b.rounded_block("body", [-x, -y, 0.0], [x, y, seam], h * 0.15, body);
     b.block("glass", [-x * 0.85, -y * 0.85, seam - 0.003], [x * 0.75, y * 0.85, seam + 0.0003], BLACK_GLASS);
     b.hinge([-x, 0.0, seam], [0.0, -1.0, 0.0], 1.5, |b| {
-        b.soft("lid", [-x, -y * 0.98, seam + h * 0.01], [x * 0.88, y * 0.98, h * 0.97], h * 0.15, body);
+        b.rounded_block("lid", [-x, -y * 0.98, seam + h * 0.01], [x * 0.88, y * 0.98, h * 0.97], h * 0.15, body);
         b.block("mark", [x * 0.5, -y * 0.2, h * 0.9], [x * 0.62, y * 0.2, h], SILVER_METAL);
     });
     let keys: Vec<(P, P)> = (0..4)

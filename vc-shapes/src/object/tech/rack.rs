@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, lengthwise};
 /// A rack component: feet, a front with a display, knobs or a disc tray.
 pub(super) fn rack(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[BLACK_METAL, SILVER_METAL, BLACK_METAL, GREY_PLASTIC]);
+    let body = b.choose(&[BLACK_METAL, SILVER_METAL, BLACK_METAL, GREY_PLASTIC]);
     let dark = if body == SILVER_METAL { BLACK_PLASTIC } else { GREY_PLASTIC };
     let foot = (h * 0.1).min(0.01);
     let out = (x * 0.08).min(0.018);
@@ -31,7 +31,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
     }
     feet.put(b, "foot", RUBBER);
     b.top("top", [-out * 0.7, 0.0, h], (x - out, y * 0.95));
-    let glow = b.one(&[PICTURE_SKY, LED, SIGNAL_RED, COOL_BULB]);
+    let glow = b.choose(&[PICTURE_SKY, LED, SIGNAL_RED, COOL_BULB]);
     let window = ([front - out * 0.3, -y * 0.2, z(0.45)], [front + 0.0006, y * 0.3, z(0.85)]);
     match b.class {
         "audio_amplifier" | "stereo" => {
@@ -89,7 +89,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
 type Slot = Option<((f32, f32), (f32, f32))>;
 
 /// A front panel with or without a slot.
-fn panel(b: &mut Build<'_>, (low, high): (P, P), slot: Slot, mat: Mat) {
+fn panel(b: &mut Build<'_>, (low, high): (P, P), slot: Slot, mat: MaterialId) {
     let Some(((y0, y1), (z0, z1))) = slot else { return b.block("front", low, high, mat) };
     let list = [
         (low, [high[0], high[1], z0]),
@@ -101,7 +101,7 @@ fn panel(b: &mut Build<'_>, (low, high): (P, P), slot: Slot, mat: Mat) {
 }
 
 /// A tray for discs that slides out of the slot in the front.
-fn tray(b: &mut Build<'_>, (front, out): (f32, f32), slot: Slot, mat: Mat) {
+fn tray(b: &mut Build<'_>, (front, out): (f32, f32), slot: Slot, mat: MaterialId) {
     let Some(((y0, y1), (z0, z1))) = slot else { return };
     let deep = b.size.x * 0.45;
     let (gap, drop) = ((y1 - y0) * 0.01, (z1 - z0) * 0.03);
@@ -115,7 +115,7 @@ fn tray(b: &mut Build<'_>, (front, out): (f32, f32), slot: Slot, mat: Mat) {
 /// A lying game console with curved plates around a dark core.
 fn swept(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let plate = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]);
+    let plate = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]);
     b.block("core", [-x * 0.94, -y * 0.97, h * 0.12], [x * 0.96, y * 0.97, h * 0.88], SCREEN);
     for (z, flip) in [(h, -1.0_f32), (0.0, 1.0)] {
         let bend = |t: f32| z + flip * h * (0.2 - 0.2 * t);
@@ -137,9 +137,9 @@ pub(super) fn small(b: &mut Build<'_>) {
     lengthwise(b, |b, x, y, h| {
         let body = case(b);
         let relief = (x * 0.03).min(0.0015);
-        b.soft("case", [-x, -y, 0.0], [x - relief, y, h - relief], h * 0.25, body);
+        b.rounded_block("case", [-x, -y, 0.0], [x - relief, y, h - relief], h * 0.25, body);
         let front = x - relief;
-        let (dark, glow) = (if body == BLACK_PLASTIC { SCREEN } else { BLACK_PLASTIC }, b.one(&[LED, PICTURE_SKY]));
+        let (dark, glow) = (if body == BLACK_PLASTIC { SCREEN } else { BLACK_PLASTIC }, b.choose(&[LED, PICTURE_SKY]));
         let count = match b.class {
             "network_switch" => ((y * 2.0 / 0.022) as usize).clamp(4, 10),
             "docking_station" => 5,
@@ -172,11 +172,11 @@ pub(super) fn small(b: &mut Build<'_>) {
 /// A router: a flat or upright box with antennas and lights.
 pub(super) fn router(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let body = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC]);
+    let body = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC]);
     let trim = if body == WHITE_PLASTIC { LIGHT_GREY } else { GREY_PLASTIC };
     let tall = if h > 0.09 { (h * 0.28).min(0.045) } else { h };
     let relief = (x * 0.02).min(0.001);
-    b.soft("case", [-x * 0.94, -y, 0.0], [x - relief, y, tall], tall * 0.3, body);
+    b.rounded_block("case", [-x * 0.94, -y, 0.0], [x - relief, y, tall], tall * 0.3, body);
     let lights: Vec<(P, P)> = (0..5)
         .map(|i| y * (-0.4 + 0.2 * i as f32))
         .map(|a| ([x - relief * 3.0, a, tall * 0.4], [x, a + y * 0.06, tall * 0.55]))

@@ -9,12 +9,12 @@ use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims};
 pub(super) fn screen(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let monitor = b.class == "monitor";
-    let rim = b.one(&[BLACK_PLASTIC, BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC]);
-    let metal = b.one(&[BLACK_METAL, SILVER_METAL, STEEL]);
+    let rim = b.choose(&[BLACK_PLASTIC, BLACK_PLASTIC, SILVER_METAL, WHITE_PLASTIC]);
+    let metal = b.choose(&[BLACK_METAL, SILVER_METAL, STEEL]);
     let thick = (x * 0.35).min(if monitor { 0.03 } else { 0.045 });
     let low = if monitor { h * b.vary(0.22, 0.32) } else { h * b.vary(0.06, 0.12) };
     let (back, front) = (-thick * 0.35, thick * 0.65);
-    b.soft("panel", [back, -y, low], [front, y, h], thick * 0.2, rim);
+    b.rounded_block("panel", [back, -y, low], [front, y, h], thick * 0.2, rim);
     let bezel = y * b.vary(0.008, 0.025);
     let chin = bezel * b.vary(1.0, 3.0);
     let face = front + 0.0003;
@@ -22,7 +22,7 @@ pub(super) fn screen(b: &mut Build<'_>) {
     let half = (y - bezel * 1.3, (h - low - chin - bezel) / 2.0 * 0.985);
     let at = [face, 0.0, low + chin + (h - low - chin - bezel) / 2.0];
     motif(b, Canvas { half, step: 0.001 }, at, Inks::screen());
-    b.soft(
+    b.rounded_block(
         "back",
         [(-x * 0.5).max(back - thick), -y * 0.6, low + (h - low) * 0.15],
         [back + 0.002, y * 0.6, low + (h - low) * 0.75],
@@ -33,7 +33,7 @@ pub(super) fn screen(b: &mut Build<'_>) {
     b.block("light", [front - 0.001, -y * 0.03, low + chin * 0.3], [face + h * 0.002, y * 0.03, low + chin * 0.5], LED);
 }
 
-fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {
+fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: MaterialId) {
     let (x, y, h) = half_dims(b);
     let monitor = b.class == "monitor";
     let flat = (h * 0.02).min(0.012).min(low * 0.4);
@@ -70,7 +70,7 @@ fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {
         }
         _ => {
             let wide = y * b.vary(0.32, 0.5);
-            b.soft("foot", [-x, -wide, 0.0], [x, wide, flat], flat * 0.4, metal);
+            b.rounded_block("foot", [-x, -wide, 0.0], [x, wide, flat], flat * 0.4, metal);
             let neck = y * b.vary(0.06, 0.14);
             let top = if monitor { low + (h - low) * 0.5 } else { low + (h - low) * 0.2 };
             b.block("neck", [back - (x + back).min(0.03) * 0.8, -neck, flat * 0.5], [back + 0.003, neck, top], metal);
@@ -81,10 +81,10 @@ fn stand(b: &mut Build<'_>, low: f32, back: f32, metal: Mat) {
 /// A projector: lens, vents, knobs, small feet.
 pub(super) fn projector(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
+    let case = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, GREY_PLASTIC]);
     let (foot, out) = (h * 0.08, x * 0.12);
     let front = x - out;
-    b.soft("case", [-x, -y, foot], [front, y, h], h * 0.14, case);
+    b.rounded_block("case", [-x, -y, foot], [front, y, h], h * 0.14, case);
     let r = (h * 0.33).min(y * 0.3);
     lens(
         b,
@@ -113,7 +113,7 @@ pub(super) fn projector(b: &mut Build<'_>) {
 /// A projection screen pulled out of its case, on a stand or for hanging.
 pub(super) fn projector_screen(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[WHITE_METAL, BLACK_METAL]);
+    let case = b.choose(&[WHITE_METAL, BLACK_METAL]);
     let r = x.min(h * 0.04);
     b.rod("case", [0.0, -y, h - r], [0.0, y, h - r], r, case);
     let low = h * 0.04;

@@ -4,7 +4,7 @@ use vc_graph::portable::Portable;
 
 use super::{Fold, folded};
 use crate::material::*;
-use crate::solid::{Build, MeshBuilder, P, blocks, half_dims, puff, sheet};
+use crate::solid::{self, Build, MeshBuilder, P, blocks, half_dims, sheet};
 
 /// Folded and stacked sheets or pillow cases.
 pub(super) fn sheets(b: &mut Build<'_>) {
@@ -12,8 +12,11 @@ pub(super) fn sheets(b: &mut Build<'_>) {
     let count = if b.class == "sheets" { b.rng.count(1, 3) } else { b.rng.count(1, 2) };
     let mut z = 0.0;
     for i in 0..count {
-        let cloth =
-            if i == 0 { b.style.linen } else { b.one(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREY_FABRIC]) };
+        let cloth = if i == 0 {
+            b.style.linen
+        } else {
+            b.choose(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREY_FABRIC])
+        };
         let high = h * (i + 1) as f32 / count as f32;
         let inset = b.vary(0.0, 0.06) * i as f32;
         let (dx, dy) = (x * (1.0 - inset), y * (1.0 - inset));
@@ -30,7 +33,7 @@ pub(super) fn pillow(b: &mut Build<'_>) {
     let pinch = b.vary(0.02, 0.06);
     let seam = b.rng.chance(0.4);
     let border = if seam { 0.94 } else { 1.0 };
-    puff(b, "pillow", [0.0, 0.0, h / 2.0], [x * border, y * border, h / 2.0], pinch, cloth);
+    solid::cushion(b, "pillow", [0.0, 0.0, h / 2.0], [x * border, y * border, h / 2.0], pinch, cloth);
     if seam {
         let flat = (h * 0.03).min(0.004);
         b.block("border", [-x, -y, h / 2.0 - flat], [x, y, h / 2.0 + flat], cloth);
@@ -39,9 +42,9 @@ pub(super) fn pillow(b: &mut Build<'_>) {
 }
 
 /// A fold at the open end of the pillow case.
-fn dent(b: &mut Build<'_>, cloth: Mat) {
+fn dent(b: &mut Build<'_>, cloth: MaterialId) {
     let (x, y, h) = half_dims(b);
-    let side = b.one(&[-1.0_f32, 1.0]);
+    let side = b.choose(&[-1.0_f32, 1.0]);
     let mut shell = MeshBuilder::default();
     patch(&mut shell, [x, y, h / 2.0], 0.03, (-0.9, 0.9), (side * 0.72, side * 0.78));
     shell.put(b, "hem", cloth);
@@ -64,11 +67,11 @@ fn patch(shell: &mut MeshBuilder, half: P, pinch: f32, (u0, u1): (f32, f32), (v0
 pub(super) fn cushion(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let cloths = [b.style.accent, b.style.upholstery, LINEN, MUSTARD_FABRIC, TEAL_FABRIC, ROSE_FABRIC, NAVY_FABRIC];
-    let cloth = b.one(&cloths);
-    let other = b.one(&[WHITE_COTTON, LINEN, CHARCOAL_FABRIC, RUST_FABRIC, GREEN_FABRIC, b.style.accent]);
+    let cloth = b.choose(&cloths);
+    let other = b.choose(&[WHITE_COTTON, LINEN, CHARCOAL_FABRIC, RUST_FABRIC, GREEN_FABRIC, b.style.accent]);
     let pinch = b.vary(0.04, 0.1);
     let half = [x, y, h / 2.0];
-    puff(b, "cushion", [0.0, 0.0, h / 2.0], [x, y, h / 2.0 - 0.001], pinch, cloth);
+    solid::cushion(b, "cushion", [0.0, 0.0, h / 2.0], [x, y, h / 2.0 - 0.001], pinch, cloth);
     let mut shell = MeshBuilder::default();
     match b.rng.below(5) {
         0 => {
@@ -102,7 +105,7 @@ pub(super) fn cushion(b: &mut Build<'_>) {
 }
 
 /// A tassel at every corner.
-fn tassels(b: &mut Build<'_>, mat: Mat) {
+fn tassels(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, h) = half_dims(b);
     let r = x.min(h) * 0.05;
     let mut shell = MeshBuilder::default();
@@ -116,7 +119,7 @@ fn tassels(b: &mut Build<'_>, mat: Mat) {
 pub(super) fn duvet(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let cloth = b.style.linen;
-    let lining = b.one(&[WHITE_COTTON, LINEN, GREY_FABRIC, b.style.accent]);
+    let lining = b.choose(&[WHITE_COTTON, LINEN, GREY_FABRIC, b.style.accent]);
     if h > 0.5 * x.min(y) {
         let layers = b.rng.count(2, 3);
         folded(b, "duvet", Fold { low: [-x, -y, 0.0], high: [x, y, h], layers, soft: 1.0 }, cloth);
@@ -135,7 +138,7 @@ pub(super) fn duvet(b: &mut Build<'_>) {
 }
 
 /// A soft slab over the whole rectangle, quilted or wavy, up to the fraction `share` of the height.
-fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
+fn spread(b: &mut Build<'_>, share: f32, cloth: MaterialId) {
     let (x, y, h) = half_dims(b);
     let h = h * share;
     let (a, c) = (b.vary(0.0, 6.0), b.vary(0.0, 6.0));
@@ -161,8 +164,9 @@ fn spread(b: &mut Build<'_>, share: f32, cloth: Mat) {
 /// A blanket: spread out if the size is flat, otherwise folded; with fringes or stripes.
 pub(super) fn blanket(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let cloth = b.one(&[b.style.accent, b.style.accent, WOOL, GREY_FABRIC, MUSTARD_FABRIC, RUST_FABRIC, NAVY_FABRIC]);
-    let other = b.one(&[WOOL, WHITE_COTTON, CHARCOAL_FABRIC, BROWN_FABRIC]);
+    let cloth =
+        b.choose(&[b.style.accent, b.style.accent, WOOL, GREY_FABRIC, MUSTARD_FABRIC, RUST_FABRIC, NAVY_FABRIC]);
+    let other = b.choose(&[WOOL, WHITE_COTTON, CHARCOAL_FABRIC, BROWN_FABRIC]);
     if h < 0.12 * x.min(y) {
         spread(b, 0.98, cloth);
         let list: Vec<(P, P)> =

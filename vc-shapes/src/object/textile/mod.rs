@@ -39,7 +39,7 @@ pub(super) struct Fold {
 }
 
 /// Cloth folded into layers, rounded at the front of each layer where it folds.
-pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: Mat) {
+pub(super) fn folded(b: &mut Build<'_>, name: &str, fold: Fold, mat: MaterialId) {
     let Fold { low, high, layers, soft } = fold;
     let mut shell = MeshBuilder::default();
     let thick = (high[2] - low[2]) / layers.max(1) as f32;
@@ -71,9 +71,9 @@ fn towel(b: &mut Build<'_>) {
     let cloth = if b.rng.chance(0.7) {
         b.style.towel
     } else {
-        b.one(&[TOWEL_WHITE, TOWEL_BLUE, TOWEL_GREEN, TOWEL_ROSE, GREY_FABRIC])
+        b.choose(&[TOWEL_WHITE, TOWEL_BLUE, TOWEL_GREEN, TOWEL_ROSE, GREY_FABRIC])
     };
-    let border = b.one(&[WHITE_COTTON, GREY_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, TEAL_FABRIC]);
+    let border = b.choose(&[WHITE_COTTON, GREY_FABRIC, BEIGE_FABRIC, NAVY_FABRIC, TEAL_FABRIC]);
     if h > 2.0 * x.max(y) {
         return hung(b, cloth, border);
     }
@@ -93,7 +93,7 @@ fn towel(b: &mut Build<'_>) {
 }
 
 /// A towel over a rail that runs along Y through its top.
-fn hung(b: &mut Build<'_>, cloth: Mat, border: Mat) {
+fn hung(b: &mut Build<'_>, cloth: MaterialId, border: MaterialId) {
     let (x, y, h) = half_dims(b);
     let back = h * b.vary(0.0, 0.3);
     let (outer, inner) = (x * 0.96, x * 0.4);
@@ -132,7 +132,7 @@ fn rolled_towel(b: &mut Build<'_>) {
     let end = core.iter().map(|p| [p[0], y * 0.98, p[2]]).collect();
     loft(b, "towel", &[core, end], cloth);
     if b.rng.chance(0.5) {
-        let band = b.one(&[JUTE, NAVY_FABRIC, WHITE_COTTON, RUST_FABRIC]);
+        let band = b.choose(&[JUTE, NAVY_FABRIC, WHITE_COTTON, RUST_FABRIC]);
         let ring = |y: f32| solid::oval(Axis::Y, [0.0, y, h / 2.0], (x, h / 2.0), 0, 20);
         loft(b, "band", &[ring(-y * 0.08), ring(y * 0.08)], band);
     }

@@ -9,10 +9,10 @@ pub(super) fn rug(b: &mut Build<'_>) {
     let ground = if b.rng.chance(0.6) {
         b.style.rug
     } else {
-        b.one(&[WOOL, JUTE, RED_FABRIC, NAVY_FABRIC, TEAL_FABRIC, CHARCOAL_FABRIC])
+        b.choose(&[WOOL, JUTE, RED_FABRIC, NAVY_FABRIC, TEAL_FABRIC, CHARCOAL_FABRIC])
     };
     let inks = [WOOL, BEIGE_FABRIC, MUSTARD_FABRIC, RUST_FABRIC, NAVY_FABRIC, GREY_FABRIC, ROSE_FABRIC, OLIVE_FABRIC];
-    let (first, second) = (b.one(&inks), b.one(&inks));
+    let (first, second) = (b.choose(&inks), b.choose(&inks));
     if x.min(y) / x.max(y) > 0.72 && b.rng.chance(0.6) {
         return round(b, [ground, first, second]);
     }
@@ -34,7 +34,7 @@ pub(super) fn rug(b: &mut Build<'_>) {
 }
 
 /// Adds fringes at both short ends; returns the remaining half extents.
-fn fringes(b: &mut Build<'_>, mat: Mat) -> (f32, f32) {
+fn fringes(b: &mut Build<'_>, mat: MaterialId) -> (f32, f32) {
     let (x, y, h) = half_dims(b);
     if b.rng.chance(0.45) {
         return (x, y);
@@ -68,10 +68,10 @@ struct Pile {
 }
 
 impl Pile {
-    fn new(b: &mut Build<'_>, (x, y): (f32, f32), mat: Mat) -> Self {
+    fn new(b: &mut Build<'_>, (x, y): (f32, f32), mat: MaterialId) -> Self {
         let top = b.size.z;
         let ground = top - (top * 0.3).min(0.0012);
-        b.soft("pile", [-x, -y, 0.0], [x, y, ground], ground * 0.4, mat);
+        b.rounded_block("pile", [-x, -y, 0.0], [x, y, ground], ground * 0.4, mat);
         Self { x, y, ground, top }
     }
 
@@ -80,7 +80,7 @@ impl Pile {
     }
 
     /// A frame whose outer edge is at a fraction of the narrower half width.
-    fn frame(&self, b: &mut Build<'_>, outer: f32, inner: f32, mat: Mat) {
+    fn frame(&self, b: &mut Build<'_>, outer: f32, inner: f32, mat: MaterialId) {
         let narrow = self.x.min(self.y);
         let (o, i) = (narrow * (1.0 - outer), narrow * (1.0 - inner));
         let (x0, y0, x1, y1) = (self.x - o, self.y - o, self.x - i, self.y - i);
@@ -94,7 +94,7 @@ impl Pile {
     }
 
     /// Bands across the longer side.
-    fn stripes(&self, b: &mut Build<'_>, first: Mat, second: Mat) {
+    fn stripes(&self, b: &mut Build<'_>, first: MaterialId, second: MaterialId) {
         let count = b.rng.count(4, 9);
         let along_y = self.y >= self.x;
         let long = self.x.max(self.y);
@@ -118,12 +118,12 @@ impl Pile {
     }
 
     /// Diamonds in a row with smaller diamonds inside.
-    fn medallions(&self, b: &mut Build<'_>, outer: Mat, inner: Mat) {
+    fn medallions(&self, b: &mut Build<'_>, outer: MaterialId, inner: MaterialId) {
         let count = b.rng.count(1, 3);
         let (x, y) = (self.x * 0.66, self.y * 0.66);
         let long_y = self.y >= self.x;
         let (rx, ry) = if long_y { (x, y / count as f32) } else { (x / count as f32, y) };
-        let corners = b.one(&[4, 8, 12]);
+        let corners = b.choose(&[4, 8, 12]);
         for i in 0..count {
             let step = 2.0 * i as f32 + 1.0 - count as f32;
             let at = if long_y { [0.0, step * ry] } else { [step * rx, 0.0] };
@@ -148,7 +148,7 @@ impl Pile {
     }
 
     /// A field of squares.
-    fn checks(&self, b: &mut Build<'_>, mat: Mat) {
+    fn checks(&self, b: &mut Build<'_>, mat: MaterialId) {
         let pitch = self.x.min(self.y) / b.vary(2.0, 4.0);
         let (nx, ny) = ((1.8 * self.x / pitch) as usize, (1.8 * self.y / pitch) as usize);
         let (nx, ny) = (nx.clamp(1, 9), ny.clamp(1, 9));
@@ -170,7 +170,7 @@ impl Pile {
 }
 
 /// A round or oval rug of rings.
-fn round(b: &mut Build<'_>, mats: [Mat; 3]) {
+fn round(b: &mut Build<'_>, mats: [MaterialId; 3]) {
     let (x, y, h) = half_dims(b);
     let rings = b.rng.count(2, 4);
     for i in 0..rings {
@@ -192,14 +192,14 @@ fn round(b: &mut Build<'_>, mats: [Mat; 3]) {
 pub(super) fn mat(b: &mut Build<'_>) {
     let (x, y, _) = half_dims(b);
     let ground = match b.class {
-        "doormat" => b.one(&[JUTE, CHARCOAL_FABRIC, BROWN_FABRIC, JUTE]),
-        "bath_mat" => b.one(&[b.style.towel, b.style.towel, TOWEL_WHITE, GREY_FABRIC]),
-        _ => b.one(&[b.style.rug, JUTE, GREY_FABRIC, BLUE_FABRIC]),
+        "doormat" => b.choose(&[JUTE, CHARCOAL_FABRIC, BROWN_FABRIC, JUTE]),
+        "bath_mat" => b.choose(&[b.style.towel, b.style.towel, TOWEL_WHITE, GREY_FABRIC]),
+        _ => b.choose(&[b.style.rug, JUTE, GREY_FABRIC, BLUE_FABRIC]),
     };
     let ink = if b.class == "bath_mat" {
         ground
     } else {
-        b.one(&[BLACK_FABRIC, BROWN_FABRIC, RED_FABRIC, NAVY_FABRIC, WOOL])
+        b.choose(&[BLACK_FABRIC, BROWN_FABRIC, RED_FABRIC, NAVY_FABRIC, WOOL])
     };
     let pile = Pile::new(b, (x, y), ground);
     match b.rng.below(4) {
@@ -217,7 +217,7 @@ pub(super) fn mat(b: &mut Build<'_>) {
 
 impl Pile {
     /// Narrow ribs from side to side.
-    fn ribs(&self, b: &mut Build<'_>, mat: Mat) {
+    fn ribs(&self, b: &mut Build<'_>, mat: MaterialId) {
         let count = b.rng.count(6, 14);
         let pitch = 1.84 * self.x / count as f32;
         let list: Vec<(P, P)> = (0..count)
@@ -230,7 +230,7 @@ impl Pile {
     }
 
     /// A word of greeting, readable from the front.
-    fn letters(&self, b: &mut Build<'_>, mat: Mat) {
+    fn letters(&self, b: &mut Build<'_>, mat: MaterialId) {
         let hello = [["#.#", "###", "#.#"], ["###", "##.", "###"], ["#..", "#..", "###"], ["#..", "#..", "###"]];
         let letters: Vec<_> = hello.into_iter().chain([["###", "#.#", "###"]]).collect();
         let cell = (self.y * 1.3 / (letters.len() * 4) as f32).min(self.x * 0.3);
@@ -248,7 +248,7 @@ impl Pile {
     }
 
     /// Round knobs over the whole mat.
-    fn pebbles(&self, b: &mut Build<'_>, mat: Mat) {
+    fn pebbles(&self, b: &mut Build<'_>, mat: MaterialId) {
         let mut shell = MeshBuilder::default();
         let (nx, ny) = (5, 8);
         let (px, py) = (1.8 * self.x / nx as f32, 1.8 * self.y / ny as f32);

@@ -5,22 +5,23 @@ use vc_graph::portable::Portable;
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, loft, longwise, oval, spline};
 
-const GRIPS: [Mat; 6] = [RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC];
+const GRIPS: [MaterialId; 6] =
+    [RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, ORANGE_PLASTIC, BLACK_PLASTIC, GREEN_PLASTIC];
 
 /// A hammer: claw, mallet or sledge, with the head on top.
 pub(super) fn hammer(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);
         let head = l * b.vary(0.1, 0.13);
-        let grip = b.one(&[OAK, BEECH, RED_RUBBER, RUBBER, BLUE_PLASTIC]);
+        let grip = b.choose(&[OAK, BEECH, RED_RUBBER, RUBBER, BLUE_PLASTIC]);
         let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, l * z], (x * 0.8 * s, (y * 0.28 * s).min(x * s)), 0, 12);
         let mut shaft = MeshBuilder::default();
         shaft.loft(&[ring(0.0, 0.95), ring(0.03, 1.0), ring(0.3, 0.9), ring(0.5, 0.62), ring(0.97, 0.6)]);
         shaft.put(b, "handle", grip);
         let low = l - head;
         if b.rng.chance(0.3) {
-            let mallet = b.one(&[RUBBER, OAK, RED_RUBBER]);
-            return b.soft("head", [-x, -y, l - head * 1.4], [x, y, l], x * 0.3, mallet);
+            let mallet = b.choose(&[RUBBER, OAK, RED_RUBBER]);
+            return b.rounded_block("head", [-x, -y, l - head * 1.4], [x, y, l], x * 0.3, mallet);
         }
         b.block("head", [-x * 0.75, -y * 0.35, low], [x * 0.75, y * 0.35, l], IRON);
         b.rod("face", [0.0, y * 0.3, low + head * 0.5], [0.0, y, low + head * 0.5], (head * 0.45).min(x), STEEL);
@@ -42,7 +43,7 @@ pub(super) fn hammer(b: &mut Build<'_>) {
 pub(super) fn screwdriver(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let r = t.min(w) / 2.0;
-        let grip = b.one(&GRIPS);
+        let grip = b.choose(&GRIPS);
         let split = l * b.vary(0.38, 0.48);
         let turned = [
             (r * 0.6, 0.0),
@@ -63,7 +64,7 @@ pub(super) fn screwdriver(b: &mut Build<'_>) {
 pub(super) fn wrench(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);
-        let mat = b.one(&[STEEL, CHROME, IRON]);
+        let mat = b.choose(&[STEEL, CHROME, IRON]);
         let r = y;
         let jaw: Vec<(f32, f32)> = vec![
             (-y * 0.35, l - r * 2.0),
@@ -98,7 +99,7 @@ pub(super) fn wrench(b: &mut Build<'_>) {
 pub(super) fn pliers(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);
-        let grip = b.one(&GRIPS);
+        let grip = b.choose(&GRIPS);
         let pivot = l * 0.68;
         let nose = b.vary(0.12, 0.45);
         let mut grips = MeshBuilder::default();
@@ -129,12 +130,18 @@ pub(super) fn pliers(b: &mut Build<'_>) {
 /// A drill standing on its battery with its chuck to the left.
 pub(super) fn drill(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let colour = b.one(&[YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, ORANGE_PLASTIC]);
+    let colour = b.choose(&[YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, RED_PLASTIC, ORANGE_PLASTIC]);
     let foot = h * 0.2;
     let r = x.min(h * 0.16);
     let axis = h - r;
     let grip = -y * 0.35;
-    b.soft("battery", [-x * 0.9, grip - y * 0.4, 0.0], [x * 0.9, grip + y * 0.45, foot], foot * 0.2, BLACK_PLASTIC);
+    b.rounded_block(
+        "battery",
+        [-x * 0.9, grip - y * 0.4, 0.0],
+        [x * 0.9, grip + y * 0.45, foot],
+        foot * 0.2,
+        BLACK_PLASTIC,
+    );
     let ring =
         |z: f32, s: f32, shift: f32| oval(Axis::Z, [0.0, grip + shift * y, z], (x * 0.55 * s, y * 0.22 * s), 1, 14);
     loft(
@@ -176,7 +183,7 @@ pub(super) fn drill(b: &mut Build<'_>) {
 /// A hand saw: a long blade with teeth and a closed grip.
 pub(super) fn saw(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let wood = b.one(&[BEECH, OAK, RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]);
+    let wood = b.choose(&[BEECH, OAK, RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]);
     let grip = -y + y * 0.5;
     let teeth = 26;
     let mut blade = vec![(grip - y * 0.05, h * 0.92), (y, h * 0.4), (y, h * 0.12)];
@@ -205,7 +212,7 @@ pub(super) fn saw(b: &mut Build<'_>) {
 /// A utility knife with a sliding blade.
 pub(super) fn knife(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let grip = b.one(&GRIPS);
+    let grip = b.choose(&GRIPS);
     let body = [
         (-y, h * 0.15),
         (-y * 0.9, 0.0),
@@ -228,7 +235,7 @@ pub(super) fn knife(b: &mut Build<'_>) {
 pub(super) fn nail(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let r = t.min(w) / 2.0;
-        let metal = b.one(&[STEEL, GALVANISED, BRASS]);
+        let metal = b.choose(&[STEEL, GALVANISED, BRASS]);
         if b.class == "nail" {
             return b.lathe(
                 "nail",

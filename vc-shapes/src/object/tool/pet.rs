@@ -24,8 +24,8 @@ enum Ears {
 }
 
 /// Colours of the coat, and of chest, paws and muzzle.
-fn coats(b: &mut Build<'_>) -> (Mat, Mat) {
-    b.one(&[
+fn coats(b: &mut Build<'_>) -> (MaterialId, MaterialId) {
+    b.choose(&[
         (FUR, WHITE_COTTON),
         (BLACK_FABRIC, WHITE_COTTON),
         (GREY_FABRIC, WHITE_COTTON),
@@ -55,24 +55,24 @@ pub(super) fn cat(b: &mut Build<'_>) {
 /// A dog: standing, sitting or lying, with pointed or hanging ears.
 pub(super) fn dog(b: &mut Build<'_>) {
     let (coat, trim) = coats(b);
-    let ears = b.one(&[Ears::Pointed, Ears::Hanging, Ears::Hanging]);
+    let ears = b.choose(&[Ears::Pointed, Ears::Hanging, Ears::Hanging]);
     if b.rng.chance(0.25) {
         return sitting(b, coat, trim);
     }
-    let tail = b.one(&[[(-0.85, 0.75), (-0.96, 0.9), (-0.98, 1.0)], [(-0.9, 0.6), (-0.97, 0.45), (-0.98, 0.3)]]);
+    let tail = b.choose(&[[(-0.85, 0.75), (-0.96, 0.9), (-0.98, 1.0)], [(-0.9, 0.6), (-0.97, 0.45), (-0.98, 0.3)]]);
     let (belly, muzzle) = (b.vary(0.36, 0.48), b.vary(0.1, 0.15));
     let beast = Beast { belly, back: 0.76, leg: b.vary(0.2, 0.26), head: (0.2, 0.34), muzzle, ears, tail };
     standing(b, &beast, (coat, trim));
     if b.rng.chance(0.5) {
         let (x, y, h) = half_dims(b);
         let ring = oval(Axis::X, [x * 0.46, 0.0, h * 0.7], (y * 0.62, h * 0.17), 0, 16);
-        let collar = b.one(&[RED_FABRIC, BLUE_FABRIC, BROWN_LEATHER]);
+        let collar = b.choose(&[RED_FABRIC, BLUE_FABRIC, BROWN_LEATHER]);
         crate::solid::hoop(b, "collar", &ring, y * 0.07, collar);
     }
 }
 
 /// A standing animal on four legs.
-fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
+fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (MaterialId, MaterialId)) {
     let (x, y, h) = half_dims(b);
     let Beast { belly, back, leg, head, muzzle, .. } = *beast;
     let (mid, deep) = (f32::midpoint(belly, back), (back - belly) / 2.0);
@@ -112,7 +112,7 @@ fn standing(b: &mut Build<'_>, beast: &Beast, (coat, trim): (Mat, Mat)) {
 }
 
 /// A head: skull, muzzle, nose, eyes and ears.
-fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (Mat, Mat), ears: Ears) {
+fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (MaterialId, MaterialId), ears: Ears) {
     let on = |u: f32, v: f32, w: f32| [at[0] + size[0] * u, at[1] + size[1] * v, at[2] + size[2] * w];
     let mut skull = MeshBuilder::default();
     skull.egg(at, size);
@@ -139,7 +139,7 @@ fn face(b: &mut Build<'_>, at: P, size: P, nose: f32, (coat, trim): (Mat, Mat), 
 }
 
 /// A sitting cat or dog that fills the size.
-pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
+pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: MaterialId, trim: MaterialId) {
     let (x, y, h) = half_dims(b);
     let deep = x.min(h * 0.45);
     let ring =
@@ -174,7 +174,7 @@ pub(in crate::object) fn sitting(b: &mut Build<'_>, coat: Mat, trim: Mat) {
 }
 
 /// An animal lying on its belly with its paws forward.
-fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
+fn lying(b: &mut Build<'_>, coat: MaterialId, trim: MaterialId) {
     let (x, y, h) = half_dims(b);
     let high = h.min(x * 0.8);
     let back = high * 0.56;
@@ -213,7 +213,7 @@ fn lying(b: &mut Build<'_>, coat: Mat, trim: Mat) {
 /// A goldfish with flowing fins.
 pub(super) fn goldfish(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let scales = b.one(&[ORANGE_SKIN, ORANGE_PLASTIC, RED_SKIN, PETAL_WHITE]);
+    let scales = b.choose(&[ORANGE_SKIN, ORANGE_PLASTIC, RED_SKIN, PETAL_WHITE]);
     let mid = h * 0.48;
     let ring = |t: f32, s: f32| oval(Axis::X, [x * t, 0.0, mid], (y * s, h * 0.36 * s), 0, 12);
     let rings = [
@@ -254,8 +254,12 @@ pub(super) fn goldfish(b: &mut Build<'_>) {
 /// A hamster or guinea pig: a ball of fur.
 pub(super) fn hamster(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (coat, trim) =
-        b.one(&[(FUR, WHITE_COTTON), (WHITE_COTTON, WOOL), (GREY_FABRIC, WHITE_COTTON), (RUST_FABRIC, WHITE_COTTON)]);
+    let (coat, trim) = b.choose(&[
+        (FUR, WHITE_COTTON),
+        (WHITE_COTTON, WOOL),
+        (GREY_FABRIC, WHITE_COTTON),
+        (RUST_FABRIC, WHITE_COTTON),
+    ]);
     let ring = |t: f32, w: f32, z: f32| oval(Axis::X, [x * t, 0.0, h * 0.46 * z], (y * w, h * 0.44 * w), 0, 14);
     loft(
         b,
@@ -279,7 +283,7 @@ pub(super) fn hamster(b: &mut Build<'_>) {
 
 /// A standing parrot: bright wings, hooked beak, long tail.
 pub(super) fn parrot(b: &mut Build<'_>) {
-    let plumage = b.one(&[
+    let plumage = b.choose(&[
         (GREEN_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC),
         (RED_PLASTIC, BLUE_PLASTIC, BLACK_PLASTIC),
         (BLUE_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC),
@@ -291,7 +295,12 @@ pub(super) fn parrot(b: &mut Build<'_>) {
 }
 
 /// A standing bird of height `high`: body, wings and beak.
-pub(in crate::object) fn bird(b: &mut Build<'_>, at: P, high: f32, (body, wing, beak): (Mat, Mat, Mat)) {
+pub(in crate::object) fn bird(
+    b: &mut Build<'_>,
+    at: P,
+    high: f32,
+    (body, wing, beak): (MaterialId, MaterialId, MaterialId),
+) {
     let (x, y, _) = half_dims(b);
     let (x, y) = (x.min(high * 0.5), y.min(high * 0.35));
     let on = |u: f32, v: f32, w: f32| [at[0] + x * u, at[1] + y * v, at[2] + high * w];

@@ -9,8 +9,8 @@ use crate::solid::{Axis, Build, MeshBuilder, P, arc, blocks, half_dims, hoop, lo
 /// A wire cage on a tray with a door, a perch and a cup; a bird cage is domed.
 pub(super) fn cage(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let wire = b.one(&[WHITE_METAL, IRON, BRASS, SILVER_METAL]);
-    let tray = b.one(&[BLUE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, PINK_PLASTIC]);
+    let wire = b.choose(&[WHITE_METAL, IRON, BRASS, SILVER_METAL]);
+    let tray = b.choose(&[BLUE_PLASTIC, GREY_PLASTIC, BLACK_PLASTIC, PINK_PLASTIC]);
     let (tall, r) = (h * 0.13, 0.0016_f32.min(x * 0.01));
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s, y * s), 2, 24);
     loft(b, "tray", &[ring(0.0, 0.94), ring(tall, 1.0), ring(tall, 0.97), ring(h * 0.015, 0.91)], tray);
@@ -75,7 +75,7 @@ pub(super) fn cage(b: &mut Build<'_>) {
 pub(super) fn bowl(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let mat = b.one(&[STEEL, RED_PLASTIC, BLUE_PLASTIC, PORCELAIN, STONEWARE, GREEN_PLASTIC]);
+    let mat = b.choose(&[STEEL, RED_PLASTIC, BLUE_PLASTIC, PORCELAIN, STONEWARE, GREEN_PLASTIC]);
     let slope = b.vary(0.72, 0.86);
     let foot = if b.rng.chance(0.5) { (r * 0.97, r * slope) } else { (r * slope, r) };
     let inner = foot.1.min(r * 0.9) * 0.92;
@@ -85,7 +85,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
         &[(foot.0, 0.0), (foot.1, h), (inner, h), (inner * 0.85, h * 0.3), (inner * 0.7, h * 0.2)],
         mat,
     );
-    let fill = b.one(&[WATER, COOKED_MEAT, BROWN_SKIN]);
+    let fill = b.choose(&[WATER, COOKED_MEAT, BROWN_SKIN]);
     if b.rng.chance(0.6) {
         b.cylinder("food", [0.0, 0.0, h * 0.201], inner * 0.82, h * 0.4, fill);
     }
@@ -97,7 +97,7 @@ pub(super) fn bowl(b: &mut Build<'_>) {
 /// A pet carrier: two shells, a wire door in front, a handle on top.
 pub(super) fn carrier(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (lower, upper) = b.one(&[
+    let (lower, upper) = b.choose(&[
         (GREY_PLASTIC, BLUE_PLASTIC),
         (BLACK_PLASTIC, GREY_PLASTIC),
         (WHITE_PLASTIC, RED_PLASTIC),
@@ -149,7 +149,7 @@ pub(super) fn carrier(b: &mut Build<'_>) {
 /// A leash: a coiled strap with a snap hook, or a reel with a grip.
 pub(super) fn leash(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let strap = b.one(&[RED_FABRIC, BLACK_FABRIC, BROWN_LEATHER, BLUE_FABRIC]);
+    let strap = b.choose(&[RED_FABRIC, BLACK_FABRIC, BROWN_LEATHER, BLUE_FABRIC]);
     let r = (h / 4.0).min(x * 0.25).min(y * 0.2);
     let turns = ((h - 2.0 * r) / (2.0 * r)).clamp(2.0, 7.0).round();
     let count = turns as usize * 16;

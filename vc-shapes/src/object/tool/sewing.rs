@@ -5,7 +5,7 @@ use vc_graph::portable::Portable;
 use crate::material::*;
 use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, longwise, oval, tube, walled_tray};
 
-const THREADS: [Mat; 7] =
+const THREADS: [MaterialId; 7] =
     [RED_FABRIC, BLUE_FABRIC, MUSTARD_FABRIC, WHITE_COTTON, GREEN_FABRIC, PURPLE_FABRIC, ROSE_FABRIC];
 
 /// A needle with an eye.
@@ -22,7 +22,7 @@ pub(super) fn needle(b: &mut Build<'_>) {
 pub(super) fn thread(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let (colour, reel) = (b.one(&THREADS), b.one(&[BEECH, WHITE_PLASTIC, PINE]));
+    let (colour, reel) = (b.choose(&THREADS), b.choose(&[BEECH, WHITE_PLASTIC, PINE]));
     let spool = [
         (r, 0.0),
         (r, h * 0.06),
@@ -49,7 +49,7 @@ pub(super) fn thread(b: &mut Build<'_>) {
 pub(super) fn button(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let mat = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BRASS]);
+    let mat = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, RED_PLASTIC, BROWN_PLASTIC, BLUE_PLASTIC, BRASS]);
     b.lathe(
         "button",
         [0.0; 3],
@@ -64,7 +64,7 @@ pub(super) fn button(b: &mut Build<'_>) {
 /// A sewing box with a hinged lid, a pin cushion on it and reels inside.
 pub(super) fn kit(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[b.style.wood, ROSE_FABRIC, TEAL_FABRIC, PINK_PLASTIC, WICKER]);
+    let case = b.choose(&[b.style.wood, ROSE_FABRIC, TEAL_FABRIC, PINK_PLASTIC, WICKER]);
     let t = (x * 0.05).min(0.006);
     let rim = h * 0.68;
     walled_tray(b, (x, y), (0.0, rim), t, case);
@@ -77,7 +77,7 @@ pub(super) fn kit(b: &mut Build<'_>) {
         b.cylinder("reel", [x * px, y * 0.65, t * 0.9], r, rim * 0.6, colour);
     }
     b.hinge([-x, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
-        b.soft("lid", [-x, -y, rim + h * 0.002], [x, y, h * 0.88], (h - rim) * 0.2, case);
+        b.rounded_block("lid", [-x, -y, rim + h * 0.002], [x, y, h * 0.88], (h - rim) * 0.2, case);
         let mut cushion = MeshBuilder::default();
         cushion.egg([0.0, 0.0, h * 0.87], [x * 0.55, y * 0.45, h * 0.13]);
         cushion.put(b, "cushion", RED_FABRIC);
@@ -87,7 +87,7 @@ pub(super) fn kit(b: &mut Build<'_>) {
 /// A ball of wool, wound in all directions, with a loose end.
 pub(super) fn yarn(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let colour = b.one(&THREADS);
+    let colour = b.choose(&THREADS);
     let r = x.min(y).min(h / 2.0);
     let at = [0.0, 0.0, r];
     b.ball("ball", at, r * 0.93, colour);
@@ -115,7 +115,7 @@ pub(super) fn yarn(b: &mut Build<'_>) {
 /// A tape measure in its case, with the end of the tape visible.
 pub(super) fn tape_measure(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let case = b.one(&[YELLOW_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
+    let case = b.choose(&[YELLOW_PLASTIC, RED_PLASTIC, BLACK_PLASTIC, ORANGE_PLASTIC]);
     let tongue = y * 0.12;
     let wide = y - tongue / 2.0;
     b.at([0.0, -tongue / 2.0, 0.0], 0.0, |b| {
@@ -140,7 +140,7 @@ pub(super) fn tape_measure(b: &mut Build<'_>) {
 /// A clothes peg: two legs and a spring.
 pub(super) fn clothespin(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let mat = b.one(&[PINE, BEECH, BLUE_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
+    let mat = b.choose(&[PINE, BEECH, BLUE_PLASTIC, RED_PLASTIC, YELLOW_PLASTIC]);
     for side in [-1.0_f32, 1.0] {
         let leg = [
             (side * 0.02 * y, h),

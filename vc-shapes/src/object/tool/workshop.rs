@@ -12,7 +12,7 @@ use crate::solid::{
 /// A toolbox: a hinged lid with a handle over a compartment, and a drawer below.
 pub(super) fn toolbox(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let (body, lid) = b.one(&[
+    let (body, lid) = b.choose(&[
         (RED_METAL, RED_METAL),
         (BLUE_METAL, BLUE_METAL),
         (BLACK_PLASTIC, YELLOW_PLASTIC),
@@ -59,7 +59,7 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
             );
         });
         b.hinge([-half, 0.0, rim], [0.0, -1.0, 0.0], 1.8, |b| {
-            b.soft("lid", [-half, -y, rim + h * 0.002], [half, y, top], (top - rim) * 0.35, lid);
+            b.rounded_block("lid", [-half, -y, rim + h * 0.002], [half, y, top], (top - rim) * 0.35, lid);
             for side in [-0.6, 0.6] {
                 b.block(
                     "latch",
@@ -80,8 +80,8 @@ pub(super) fn toolbox(b: &mut Build<'_>) {
 pub(super) fn paint_can(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = x.min(y);
-    let paint = b.one(&[RED, BLUE, WHITE, SAGE, MUSTARD, TERRACOTTA, NAVY]);
-    let label = b.one(&[WHITE_PAPER, CREAM_PAPER, BLUE_CARD]);
+    let paint = b.choose(&[RED, BLUE, WHITE, SAGE, MUSTARD, TERRACOTTA, NAVY]);
+    let label = b.choose(&[WHITE_PAPER, CREAM_PAPER, BLUE_CARD]);
     let ear = r * 0.06;
     let r = r - ear;
     let can = [
@@ -119,7 +119,7 @@ pub(super) fn risen(t: f32, turns: f32) -> f32 {
 pub(super) fn rope(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
     let r = (h / 5.0).min(x * 0.12).max(h * 0.08);
-    let mat = b.one(&[JUTE, WHITE_COTTON, BLUE_FABRIC, ORANGE_PLASTIC]);
+    let mat = b.choose(&[JUTE, WHITE_COTTON, BLUE_FABRIC, ORANGE_PLASTIC]);
     let turns = ((h - 2.0 * r) / (1.6 * r)).clamp(1.0, 5.0).round();
     let coil: Vec<P> = (0..=(turns as usize * 20))
         .map(|i| {
@@ -161,7 +161,7 @@ pub(super) fn extinguisher(b: &mut Build<'_>) {
 /// A lighter, small or long-necked.
 pub(super) fn lighter(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let colour = b.one(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]);
+    let colour = b.choose(&[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]);
     let ring = |z: f32, s: f32| oval(Axis::Z, [0.0, 0.0, z], (x * s, y * s), 1, 16);
     let mut body = MeshBuilder::default();
     let (split, neck) = if h > 0.13 { (h * 0.45, 0.3) } else { (h * 0.78, 0.92) };
@@ -174,7 +174,7 @@ pub(super) fn lighter(b: &mut Build<'_>) {
 /// A matchbox with striking sides; its tray slides out.
 pub(super) fn matches(b: &mut Build<'_>) {
     let (x, y, h) = half_dims(b);
-    let card = b.one(&[RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]);
+    let card = b.choose(&[RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]);
     let (t, e) = (h * 0.06, h * 0.03);
     let list = [
         ([-x + e, -y, 0.0], [x - e, y, t]),
@@ -214,13 +214,13 @@ pub(super) fn matches(b: &mut Build<'_>) {
 /// A power strip or extension lead: sockets in a row, a switch, a cord.
 pub(super) fn power_strip(b: &mut Build<'_>) {
     lengthwise(b, |b, x, y, h| {
-        let case = b.one(&[WHITE_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]);
+        let case = b.choose(&[WHITE_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC]);
         let dark = if case == BLACK_PLASTIC { GREY_PLASTIC } else { LIGHT_GREY };
         let cord = (x * 0.1).min(0.005);
         let tail = (y * 0.25).min(0.05);
         let (w, end) = (x.min(h * 0.8), y - tail);
         let relief = (h * 0.05).min(0.002);
-        b.soft("case", [-w, -y, 0.0], [w, end, h - relief], h * 0.2, case);
+        b.rounded_block("case", [-w, -y, 0.0], [w, end, h - relief], h * 0.2, case);
         let count = (((y + end) / 0.055) as usize).clamp(2, 7);
         let pitch = (y + end) * 0.9 / (count + 1) as f32;
         let r = (pitch * 0.42).min(w * 0.75);
@@ -252,7 +252,7 @@ pub(super) fn power_strip(b: &mut Build<'_>) {
 pub(super) fn battery(b: &mut Build<'_>) {
     longwise(b, |b, t, w, l| {
         let (x, y) = (t / 2.0, w / 2.0);
-        let (wrap, end) = b.one(&[
+        let (wrap, end) = b.choose(&[
             (BLACK_PLASTIC, COPPER),
             (RED_PLASTIC, BLACK_PLASTIC),
             (YELLOW_PLASTIC, BLACK_PLASTIC),

@@ -27,7 +27,7 @@ impl Lines {
         ((y * full).max(y * 0.03), keel, rim)
     }
 
-    fn build(&self, b: &mut Build<'_>, (x, y, h): (f32, f32, f32), mat: Mat) {
+    fn build(&self, b: &mut Build<'_>, (x, y, h): (f32, f32, f32), mat: MaterialId) {
         let (mut outer, mut inner) = (Vec::new(), Vec::new());
         for s in [-1.0_f32, -0.8, -0.5, -0.2, 0.1, 0.35, 0.58, 0.78, 0.92, 1.0] {
             let (half, keel, rim) = self.at(s, y, h);
@@ -61,7 +61,7 @@ impl Lines {
     }
 }
 
-const PAINTS: &[Mat] = &[WHITE, NAVY, RED, FOREST, SKY, YELLOW, CREAM, TEAK];
+const PAINTS: &[MaterialId] = &[WHITE, NAVY, RED, FOREST, SKY, YELLOW, CREAM, TEAK];
 
 /// A rowing boat: floorboards, thwarts and a pair of oars.
 pub(super) fn rowing_boat(b: &mut Build<'_>) {
@@ -75,9 +75,9 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
         rocker: 0.3,
         skin: 0.02,
     };
-    let mat = b.one(PAINTS);
+    let mat = b.choose(PAINTS);
     lines.build(b, (x, y, h), mat);
-    let wood = b.one(&[PINE, OAK, TEAK, MAHOGANY]);
+    let wood = b.choose(&[PINE, OAK, TEAK, MAHOGANY]);
     let floor = h * 0.2;
     let wide = lines.across(0.35, floor, (y, h)).min(lines.across(-0.6, floor, (y, h))) - 0.01;
     b.block("floor", [-x * 0.6, -wide, floor - 0.02], [x * 0.35, wide, floor], wood);
@@ -101,7 +101,7 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
 }
 
 /// Oars laid along the thwarts, and their rowlocks.
-fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: Mat) {
+fn oars(b: &mut Build<'_>, lines: &Lines, (x, y, h): (f32, f32, f32), wood: MaterialId) {
     let level = h * (1.0 - lines.sheer) * 0.68 + 0.022;
     for side in [-1.0, 1.0] {
         let lane = |s: f32| side * lines.across(s, level, (y, h)) * 0.8;
@@ -139,7 +139,7 @@ pub(super) fn kayak(b: &mut Build<'_>) {
         rocker: 0.5,
         skin: 0.012,
     };
-    let mat = b.one(&[RED_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC]);
+    let mat = b.choose(&[RED_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, WHITE_PLASTIC]);
     lines.build(b, (x, y, h * 0.93), mat);
     let pit = if x > 1.8 && b.rng.chance(0.5) { (-0.45, 0.35) } else { (-0.28, 0.2) };
     let top = h * 0.93;
@@ -197,7 +197,7 @@ pub(super) fn motorboat(b: &mut Build<'_>) {
         skin: 0.04,
     };
     let rim = h * b.vary(0.62, 0.72);
-    let mat = b.one(&[WHITE_METAL, NAVY, RED_METAL, CREAM, SKY]);
+    let mat = b.choose(&[WHITE_METAL, NAVY, RED_METAL, CREAM, SKY]);
     b.at([tail / 2.0, 0.0, 0.0], 0.0, |b| {
         lines.build(b, (x, y - 0.01, rim), mat);
         let size = (y - 0.01, rim);
@@ -243,19 +243,19 @@ pub(super) fn motorboat(b: &mut Build<'_>) {
             &[(0.16, 0.0), (0.16, 0.025), (0.0, 0.025)],
             BLACK_LEATHER,
         );
-        let leather = b.one(&[WHITE_LEATHER, TAN_LEATHER, BLACK_LEATHER]);
+        let leather = b.choose(&[WHITE_LEATHER, TAN_LEATHER, BLACK_LEATHER]);
         let deep = x * 0.16;
         for side in [-1.0, 1.0] {
             let cy = side * wide * 0.52;
             let sx = -x * 0.18;
-            b.soft(
+            b.rounded_block(
                 "seat",
                 [sx, cy - wide * 0.3, floor - 0.005],
                 [sx + deep, cy + wide * 0.3, floor + rim * 0.3],
                 0.04,
                 leather,
             );
-            b.soft(
+            b.rounded_block(
                 "back",
                 [sx - 0.08, cy - wide * 0.3, floor],
                 [sx + 0.04, cy + wide * 0.3, floor + rim * 0.75],
@@ -271,7 +271,7 @@ pub(super) fn motorboat(b: &mut Build<'_>) {
 }
 
 /// A bench across the stern; its cushion is the lid of a storage chest.
-fn storage_bench(b: &mut Build<'_>, (x0, x1): (f32, f32), (half, low, high): (f32, f32, f32), leather: Mat) {
+fn storage_bench(b: &mut Build<'_>, (x0, x1): (f32, f32), (half, low, high): (f32, f32, f32), leather: MaterialId) {
     let t = 0.02;
     for (from, to) in [
         ([x0, -half], [x0 + t, half]),
@@ -282,7 +282,7 @@ fn storage_bench(b: &mut Build<'_>, (x0, x1): (f32, f32), (half, low, high): (f3
         b.block("chest", [from[0], from[1], low - 0.005], [to[0], to[1], high - 0.05], WHITE_PLASTIC);
     }
     b.hinge([x0, 0.0, high - 0.05], [0.0, -1.0, 0.0], 1.3, |b| {
-        b.soft("bench", [x0, -half, high - 0.05], [x1, half, high], 0.02, leather);
+        b.rounded_block("bench", [x0, -half, high - 0.05], [x1, half, high], 0.02, leather);
         b.top("bench", [(x0 + x1) / 2.0, 0.0, high], ((x1 - x0) / 2.0 * 0.9, half * 0.9));
     });
     let centre = [(x0 + x1) / 2.0, 0.0, low];
@@ -292,9 +292,9 @@ fn storage_bench(b: &mut Build<'_>, (x0, x1): (f32, f32), (half, low, high): (f3
 fn outboard(b: &mut Build<'_>, tail: f32, x: f32, rim: f32) {
     let stern = tail / 2.0 - x;
     let end = stern - tail;
-    let mat = b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
+    let mat = b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC]);
     let half = 0.17_f32.min(b.size.y * 0.12);
-    b.soft("motor", [end, -half, rim * 0.72], [stern - tail * 0.2, half, rim * 1.12], 0.05, mat);
+    b.rounded_block("motor", [end, -half, rim * 0.72], [stern - tail * 0.2, half, rim * 1.12], 0.05, mat);
     b.block("bracket", [stern - tail * 0.25, -half * 0.6, rim * 0.55], [stern + 0.06, half * 0.6, rim * 0.85], IRON);
     b.prism(
         "leg",

@@ -14,8 +14,8 @@ use crate::solid::{Axis, Build, at_least, spaced};
 pub(super) fn bus(b: &mut Build<'_>) {
     at_least(b, [4.0, 1.2, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(PAINTS);
-    let second = b.one(&[WHITE_METAL, paint, YELLOW_METAL, ANTHRACITE]);
+    let paint = b.choose(PAINTS);
+    let second = b.choose(&[WHITE_METAL, paint, YELLOW_METAL, ANTHRACITE]);
     let wheel = h * b.vary(0.145, 0.16);
     let (low, floor) = (h * 0.1, h * b.vary(0.17, 0.24));
     let (sill, head) = (floor + (h - floor) * b.vary(0.26, 0.34), h * b.vary(0.86, 0.9));
@@ -88,7 +88,7 @@ pub(super) fn bus(b: &mut Build<'_>) {
     b.block("windscreen", [x - 0.07, -side_half + 0.02, sill - 0.005], [x - 0.05, side_half - 0.02, head], GLASS);
     b.block("destination", [x - 0.09, -y * 0.7, head - 0.01], [x - 0.012, y * 0.7, h - 0.08], SCREEN);
     b.block("destination", [x - 0.03, -y * 0.5, head + 0.02], [x - 0.008, y * 0.4, h - 0.12], SIGNAL_AMBER);
-    b.soft("roof", [-x + 0.005, -side_half, head], [x - 0.02, side_half, h - 0.02], 0.05, second);
+    b.rounded_block("roof", [-x + 0.005, -side_half, head], [x - 0.02, side_half, h - 0.02], 0.05, second);
     b.block("vent", [-x * 0.5, -y * 0.4, h - 0.05], [-x * 0.1, y * 0.4, h], second);
     for side in [-1.0, 1.0] {
         let cy = side * side_half * 0.75;
@@ -104,7 +104,7 @@ pub(super) fn bus(b: &mut Build<'_>) {
         }
     });
     let rows = ((axles[0] - axles[1] - 2.2 * wheel) / 0.85) as usize;
-    let cloth = b.one(&[BLUE_FABRIC, RED_FABRIC, GREEN_FABRIC, GREY_FABRIC]);
+    let cloth = b.choose(&[BLUE_FABRIC, RED_FABRIC, GREEN_FABRIC, GREY_FABRIC]);
     let last = (axles[0] - wheel * 2.2).min(axles[0] - wheel * 1.2 - 0.42);
     for cx in spaced(rows.clamp(2, 7), axles[1] + wheel * 1.4, last) {
         for side in [-1.0, 1.0] {
@@ -131,7 +131,7 @@ pub(super) fn camper_van(b: &mut Build<'_>) {
     at_least(b, [2.7, 1.0, 1.25]);
     let (l, h) = (b.size.x, b.size.z);
     let (x, y) = (l / 2.0, b.size.y / 2.0);
-    let (paint, wheel) = (b.one(&[WHITE_METAL, CREAM, SILVER_METAL, WHITE_METAL]), h * 0.12);
+    let (paint, wheel) = (b.choose(&[WHITE_METAL, CREAM, SILVER_METAL, WHITE_METAL]), h * 0.12);
     let chassis =
         Chassis { front: x, half: y * 0.94, wheel, deck: wheel * 2.2, cab: x - l * b.vary(0.27, 0.32), paint };
     chassis.build(b);
@@ -192,7 +192,7 @@ pub(super) fn camper_van(b: &mut Build<'_>) {
 fn living_box(b: &mut Build<'_>, chassis: &Chassis, nose: f32, y: f32) {
     let (x0, x1, h, t) = (-chassis.front + 0.02, chassis.cab + 0.05, b.size.z - 0.06, 0.04);
     let (low, paint, side) = (chassis.deck - 0.05_f32.min(chassis.wheel * 0.12), chassis.paint, y * 0.97);
-    let stripe = b.one(&[BLUE, RED, GREY, TERRACOTTA, FOREST]);
+    let stripe = b.choose(&[BLUE, RED, GREY, TERRACOTTA, FOREST]);
     let door = (x0 + (x1 - x0) * b.vary(0.5, 0.62), 0.62_f32.min((x1 - x0) * 0.2));
     let alcove = b.vary(0.6, 1.0) * (chassis.front - x1) * 0.55;
     b.block("floor", [x0 + t, -side + t, low], [x1, side - t, low + 0.07], OAK);

@@ -138,7 +138,7 @@ fn shape(class: &str) -> Shape {
     }
 }
 
-const PAINTS: &[Mat] = &[
+const PAINTS: &[MaterialId] = &[
     WHITE_METAL,
     BLACK_METAL,
     SILVER_METAL,
@@ -166,17 +166,17 @@ struct Car {
     side: f32,
     wheel: f32,
     axles: [f32; 2],
-    paint: Mat,
+    paint: MaterialId,
 }
 
 /// A car of any body style.
 pub(super) fn car(b: &mut Build<'_>) {
     at_least(b, [1.6, 0.8, 0.55]);
     let class = match b.class {
-        "car" => b.one(&["hatchback", "sedan", "station_wagon", "hatchback"]),
-        "electric_car" => b.one(&["electric_car", "sedan", "suv"]),
-        "police_car" => b.one(&["sedan", "station_wagon", "suv"]),
-        "taxi" => b.one(&["sedan", "station_wagon", "minivan"]),
+        "car" => b.choose(&["hatchback", "sedan", "station_wagon", "hatchback"]),
+        "electric_car" => b.choose(&["electric_car", "sedan", "suv"]),
+        "police_car" => b.choose(&["sedan", "station_wagon", "suv"]),
+        "taxi" => b.choose(&["sedan", "station_wagon", "minivan"]),
         other => other,
     };
     let mut shape = shape(class);
@@ -188,9 +188,9 @@ pub(super) fn car(b: &mut Build<'_>) {
     }
     shape.belt = shape.belt.map(|s| s + b.vary(-0.015, 0.02));
     let paint = match b.class {
-        "taxi" => b.one(&[YELLOW_METAL, YELLOW_METAL, BLACK_METAL, CREAM]),
+        "taxi" => b.choose(&[YELLOW_METAL, YELLOW_METAL, BLACK_METAL, CREAM]),
         "police_car" | "ambulance" => WHITE_METAL,
-        _ => b.one(PAINTS),
+        _ => b.choose(PAINTS),
     };
     let h = b.size.z;
     let extra: f32 = match b.class {
@@ -388,7 +388,13 @@ fn flank(car: &Car, belt: (f32, f32), roof: (f32, f32), side: f32) -> [P; 4] {
 }
 
 /// A slightly raised dark window on part of a face, given by fractions along and up.
-pub(super) fn pane(b: &mut Build<'_>, name: &str, face: [P; 4], (u0, u1, v0, v1): (f32, f32, f32, f32), mat: Mat) {
+pub(super) fn pane(
+    b: &mut Build<'_>,
+    name: &str,
+    face: [P; 4],
+    (u0, u1, v0, v1): (f32, f32, f32, f32),
+    mat: MaterialId,
+) {
     let at = |u: f32, v: f32| mix(mix(face[0], face[1], u), mix(face[3], face[2], u), v);
     // Twice the height above the face, so that half of it lies below.
     let quad = [at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)];

@@ -10,7 +10,7 @@ use crate::material::*;
 use crate::solid::{Axis, Build, spaced};
 
 /// Paint colours.
-pub(super) const PAINTS: &[Mat] =
+pub(super) const PAINTS: &[MaterialId] =
     &[WHITE_METAL, RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, SILVER_METAL, NAVY, ORANGE];
 
 /// Dimensions of a lorry, metres.
@@ -22,7 +22,7 @@ pub(super) struct Chassis {
     pub(super) deck: f32,
     /// Rear end of the cab.
     pub(super) cab: f32,
-    pub(super) paint: Mat,
+    pub(super) paint: MaterialId,
 }
 
 impl Chassis {
@@ -138,7 +138,13 @@ impl Chassis {
         for z in spaced(bars, low + 0.36, belt - 0.12) {
             b.block("grille", [x1 - 0.01, -half * 0.55, z - 0.025], [x1 + 0.02, half * 0.55, z + 0.025], BLACK_PLASTIC);
         }
-        b.soft("bumper", [x1 - 0.1, -half, low - 0.06], [self.front, half, low + 0.1], 0.03, b.style.appliance);
+        b.rounded_block(
+            "bumper",
+            [x1 - 0.1, -half, low - 0.06],
+            [self.front, half, low + 0.1],
+            0.03,
+            b.style.appliance,
+        );
         b.block("plate", [self.front - 0.01, -0.26, low], [self.front + 0.0, 0.26, low + 0.08], WHITE_PLASTIC);
     }
 }

@@ -6,7 +6,7 @@ use super::wheel::{fender, hub, nuts, spoked};
 use crate::material::*;
 use crate::solid::{Axis, Build, P, at_least, limb, mix, polar, tapered_tub};
 
-const PAINTS: &[Mat] =
+const PAINTS: &[MaterialId] =
     &[RED_METAL, BLUE_METAL, BLACK_METAL, GREEN_METAL, WHITE_METAL, YELLOW_METAL, SILVER_METAL, ORANGE, NAVY, SAGE];
 
 /// A bicycle: a sports or city bicycle, with a motor, or with a box in front.
@@ -15,12 +15,12 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cargo = b.class == "cargo_bike";
     let town = cargo || b.rng.chance(0.5);
-    let frame = b.one(PAINTS);
+    let frame = b.choose(PAINTS);
     let tyre = (b.vary(0.012, 0.028) * h.min(1.2)).min(y * 0.1);
     let r = (h * b.vary(0.3, 0.325)).min(x * 0.38);
     let front_r = if cargo { r * 0.75 } else { r };
     let (rear, fore) = (-x + r, x - front_r);
-    let rim = b.one(&[ALUMINIUM, BLACK_METAL, STEEL]);
+    let rim = b.choose(&[ALUMINIUM, BLACK_METAL, STEEL]);
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, false, rim);
     spoked(b, "wheel_f", [fore, 0.0, front_r], front_r, tyre, false, rim);
     // Points of the frame: bottom bracket, seat, head.
@@ -33,8 +33,9 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     let box_end = fore - front_r * 1.5;
     let head: P =
         if cargo { [(base + r * 1.05).min(box_end - 0.28), 0.0, h * 0.78] } else { [fore - r * 0.62, 0.0, h * 0.84] };
-    let rod =
-        |b: &mut Build<'_>, name: &str, from: P, to: P, share: f32, mat: Mat| b.rod(name, from, to, tube * share, mat);
+    let rod = |b: &mut Build<'_>, name: &str, from: P, to: P, share: f32, mat: MaterialId| {
+        b.rod(name, from, to, tube * share, mat)
+    };
     let cluster = mix(pedal, saddle, if town { 0.62 } else { 0.78 });
     rod(b, "seat_tube", pedal, cluster, 1.0, frame);
     rod(b, "seat_post", cluster, saddle, 0.7, STEEL);
@@ -95,7 +96,7 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
             BLACK_PLASTIC,
         );
         let low = [head[0] - tube, -0.034, bar_z - tube * 1.7 - 0.005];
-        b.soft("display", low, [head[0] + 0.044, 0.034, bar_z + 0.015], 0.005, SCREEN);
+        b.rounded_block("display", low, [head[0] + 0.044, 0.034, bar_z + 0.015], 0.005, SCREEN);
     }
 }
 
@@ -124,7 +125,7 @@ fn handlebar(b: &mut Build<'_>, head: P, (y, z): (f32, f32), tube: f32, town: bo
     let (y, z) = (y - thin * 1.1, z - thin);
     let stem = [head[0] - tube, 0.0, z - tube];
     b.bar("stem", head, stem, thin, STEEL);
-    let grip = b.one(&[RUBBER, BROWN_LEATHER, BLACK_PLASTIC]);
+    let grip = b.choose(&[RUBBER, BROWN_LEATHER, BLACK_PLASTIC]);
     for side in [-1.0, 1.0] {
         let (bend, tip) = if town {
             ([head[0] + 0.05, side * y * 0.55, z], [head[0] - 0.12, side * y, z - 0.02])
@@ -146,7 +147,7 @@ fn handlebar(b: &mut Build<'_>, head: P, (y, z): (f32, f32), tube: f32, town: bo
 }
 
 fn seat(b: &mut Build<'_>, at: P, (long, half): (f32, f32), h: f32) {
-    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
+    let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
     let z = at[2].min(h - 0.01);
     let points = [
         [at[0] - long, half, z - 0.02],
@@ -197,13 +198,13 @@ fn kickstand(b: &mut Build<'_>, top: P, [x, y]: [f32; 2], r: f32) {
 
 /// The box of a cargo bike between the handlebar and the front wheel, and the beam that supports
 /// the box and rises behind the wheel to the fork.
-fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32), r: f32, frame: Mat) {
+fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32), r: f32, frame: MaterialId) {
     let y = b.size.y / 2.0;
     let (low, x0) = (r * 0.55, down[0] + 0.06);
     let x1 = (fore - front_r * 1.5).max(x0 + 0.1);
     let (middle, half) = ((x0 + x1) / 2.0, (x1 - x0) / 2.0);
     let tall = (b.size.z * b.vary(0.32, 0.42)).max(0.1);
-    let mat = b.one(&[BIRCH, OAK, PINE, BLACK_PLASTIC, frame]);
+    let mat = b.choose(&[BIRCH, OAK, PINE, BLACK_PLASTIC, frame]);
     let wide = (y * 0.82, y * 0.95);
     tapered_tub(b, "box", [middle, 0.0, low], (half * 0.85, wide.0), (half, wide.1), tall, 0.015, mat);
     b.inside("compartment", [middle, 0.0, low + 0.015], (half * 0.85 - 0.03, wide.0 - 0.03), tall + 0.2);
@@ -219,12 +220,12 @@ fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32
 pub(super) fn motorcycle(b: &mut Build<'_>) {
     at_least(b, [1.0, 0.38, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(PAINTS);
+    let paint = b.choose(PAINTS);
     let r = (h * b.vary(0.25, 0.275)).min(x * 0.36);
     let tyre = (r * b.vary(0.17, 0.23)).min(y * 0.17);
     let cast = b.rng.chance(0.6);
     let (rear, fore) = (-x + r + 0.02, x - r);
-    let rim = b.one(&[ALUMINIUM, BLACK_METAL, CHROME]);
+    let rim = b.choose(&[ALUMINIUM, BLACK_METAL, CHROME]);
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, cast, rim);
     spoked(b, "wheel_f", [fore, 0.0, r], r, tyre * 0.85, cast, rim);
     let head: P = [fore - r * b.vary(0.7, 0.95), 0.0, h * 0.82];
@@ -245,7 +246,7 @@ pub(super) fn motorcycle(b: &mut Build<'_>) {
     nuts(b, [rear, 0.0, r], (held.1 + 0.001, arm + 0.026 * h), 0.012);
     let (mid0, mid1) = (rear + r * 1.15, fore - r * 1.2);
     let motor = (waist * 0.82).min(waist - deep - 0.005);
-    b.soft("engine", [mid0, -y * 0.4, r * 0.45], [mid1, y * 0.4, motor], 0.04, GALVANISED);
+    b.rounded_block("engine", [mid0, -y * 0.4, r * 0.45], [mid1, y * 0.4, motor], 0.04, GALVANISED);
     for i in 0..4 {
         let z = motor * (0.62 + 0.09 * i as f32);
         b.block("fin", [mid0 + (mid1 - mid0) * 0.35, -y * 0.46, z], [mid1 - 0.02, y * 0.46, z + 0.015], ALUMINIUM);
@@ -314,7 +315,7 @@ pub(super) fn motorcycle(b: &mut Build<'_>) {
 }
 
 /// A seat that is the lid of a small locker.
-fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), deep: f32, paint: Mat) {
+fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), deep: f32, paint: MaterialId) {
     let thick = b.size.z * 0.055;
     let (low, t) = (z - deep, 0.008);
     let middle = (x0 + x1) / 2.0;
@@ -334,9 +335,9 @@ fn locker_seat(b: &mut Build<'_>, (x0, x1): (f32, f32), (z, half): (f32, f32), d
         (((x1 - x0) / 2.0 * 0.85 - 0.025).max(0.01), (half * 0.8 - 0.025).max(0.01)),
         deep - t - 0.006,
     );
-    let leather = b.one(&[BLACK_LEATHER, BROWN_LEATHER, BLACK_LEATHER]);
+    let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, BLACK_LEATHER]);
     b.hinge([x1, 0.0, z + thick], [0.0, 1.0, 0.0], FRAC_PI_2 * 0.9, |b| {
-        b.soft("seat", [x0, -half, z - 0.0035], [x1, half, z + thick], 0.02, leather);
+        b.rounded_block("seat", [x0, -half, z - 0.0035], [x1, half, z + thick], 0.02, leather);
         b.top("seat", [middle, 0.0, z + thick], ((x1 - x0) / 2.0 * 0.8, half * 0.8));
     });
     let inset = (x1 - x0) * 0.06;
@@ -372,7 +373,7 @@ fn bars(b: &mut Build<'_>, head: P, y: f32, h: f32) {
             0.006,
             IRON,
         );
-        b.soft(
+        b.rounded_block(
             "mirror",
             [head[0] - 0.03, side * tip * 0.75 - 0.05, h - 0.06],
             [head[0] - 0.01, side * tip * 0.75 + 0.05, h],
@@ -388,7 +389,7 @@ fn bars(b: &mut Build<'_>, head: P, y: f32, h: f32) {
 pub(super) fn scooter(b: &mut Build<'_>) {
     at_least(b, [0.85, 0.32, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (paint, r) = (b.one(PAINTS), (h * b.vary(0.18, 0.21)).min(x * 0.28));
+    let (paint, r) = (b.choose(PAINTS), (h * b.vary(0.18, 0.21)).min(x * 0.28));
     let tyre = r * 0.24;
     let (rear, fore) = (-x + r + 0.04, x - r);
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ALUMINIUM);
@@ -418,7 +419,7 @@ pub(super) fn scooter(b: &mut Build<'_>) {
         })
         .collect();
     b.hull("shield", &shield, paint);
-    b.soft("footboard", [back - 0.05, -y * 0.62, floor - 0.07], [head[0], y * 0.62, floor], 0.02, GREY_RUBBER);
+    b.rounded_block("footboard", [back - 0.05, -y * 0.62, floor - 0.07], [head[0], y * 0.62, floor], 0.02, GREY_RUBBER);
     let seat_z = h * b.vary(0.6, 0.66);
     let deep = b.size.z * 0.1;
     let under = seat_z - deep - 0.004;
@@ -450,7 +451,7 @@ pub(super) fn scooter(b: &mut Build<'_>) {
     );
     locker_seat(b, (-x + 0.06, back), (seat_z, y * 0.42), deep, paint);
     let lamp = 0.06 * h;
-    b.soft(
+    b.rounded_block(
         "head",
         [head[0] - 0.06, -y * 0.35, head[2] - 0.05],
         [head[0] + 0.09, y * 0.35, head[2] + 0.07],
@@ -475,14 +476,14 @@ pub(super) fn scooter(b: &mut Build<'_>) {
 pub(super) fn electric_scooter(b: &mut Build<'_>) {
     at_least(b, [0.5, 0.2, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.one(&[BLACK_METAL, ANTHRACITE, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
+    let paint = b.choose(&[BLACK_METAL, ANTHRACITE, WHITE_METAL, GREEN_METAL, ORANGE, SILVER_METAL]);
     let r = x * b.vary(0.17, 0.21);
     let tyre = r * 0.24;
     let (rear, fore) = (-x + r, x - r);
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ANTHRACITE);
     spoked(b, "wheel_f", [fore, 0.0, r], r, tyre, true, ANTHRACITE);
     let (deck, wide) = (r * 1.05, (y * 0.42).min(0.09));
-    b.soft("deck", [rear + r * 1.2, -wide, deck - r * 0.5], [fore - r * 1.3, wide, deck], 0.015, paint);
+    b.rounded_block("deck", [rear + r * 1.2, -wide, deck - r * 0.5], [fore - r * 1.3, wide, deck], 0.015, paint);
     b.block(
         "grip_tape",
         [rear + r * 1.4, -wide * 0.8, deck - 0.004],
@@ -520,7 +521,13 @@ pub(super) fn electric_scooter(b: &mut Build<'_>) {
                 STEEL,
             );
         }
-        b.soft("display", [top[0] - 0.02, -0.03, top[2] - 0.012], [top[0] + 0.035, 0.03, top[2] + 0.02], 0.008, SCREEN);
+        b.rounded_block(
+            "display",
+            [top[0] - 0.02, -0.03, top[2] - 0.012],
+            [top[0] + 0.035, 0.03, top[2] + 0.02],
+            0.008,
+            SCREEN,
+        );
         b.rod("headlight", [top[0] + 0.01, 0.0, top[2] - 0.09], [top[0] + 0.045, 0.0, top[2] - 0.09], 0.02, COOL_BULB);
     });
     let (dx, dz) = polar(2.05, r + 0.02);

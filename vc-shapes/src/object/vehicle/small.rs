@@ -6,7 +6,8 @@ use super::wheel::{Rim, axled, fender};
 use crate::material::*;
 use crate::solid::{Axis, Build, P, at_least, spaced, tapered_tub};
 
-const PAINTS: &[Mat] = &[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, WHITE_METAL, ORANGE, BLACK_METAL, FOREST];
+const PAINTS: &[MaterialId] =
+    &[RED_METAL, BLUE_METAL, GREEN_METAL, YELLOW_METAL, WHITE_METAL, ORANGE, BLACK_METAL, FOREST];
 
 /// Four wheels: positions of the axles, half the track's outer width, wheel radius and width, and
 /// the lateral distance of the body in which the axles end.
@@ -23,7 +24,7 @@ fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width):
 pub(super) fn quad_bike(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.5, 0.55]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (paint, r) = (b.one(PAINTS), (h * b.vary(0.23, 0.26)).min(x * 0.3));
+    let (paint, r) = (b.choose(PAINTS), (h * b.vary(0.23, 0.26)).min(x * 0.3));
     let width = y * b.vary(0.38, 0.46);
     let axles = [x - r - 0.01, -x + r + 0.01];
     four_wheels(b, axles, y, (r, width), y * 0.3);
@@ -35,7 +36,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
             fender(b, at, (r, y * 0.345), (0.45, PI - 0.45), paint);
             let (a, c) = (side * y * 0.28, side * y * 0.9);
             let (low, high) = ([axle - r * 0.5, a.min(c), r * 2.0 + 0.02], [axle + r * 0.5, a.max(c), waist + 0.05]);
-            b.soft("mudguard", low, high, 0.02, paint);
+            b.rounded_block("mudguard", low, high, 0.02, paint);
         }
         let z = waist + 0.12;
         for cy in spaced(4, -y * 0.6, y * 0.6) {
@@ -67,7 +68,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
         (seat - deep - waist - 0.01).max(0.02),
     );
     b.hinge([x1, 0.0, seat], [0.0, 1.0, 0.0], 1.2, |b| {
-        b.soft("seat", [x0, -half, seat - deep + 0.002], [x1, half, seat], 0.04, BLACK_LEATHER);
+        b.rounded_block("seat", [x0, -half, seat - deep + 0.002], [x1, half, seat], 0.04, BLACK_LEATHER);
         b.top("seat", [(x0 + x1) / 2.0, 0.0, seat], ((x1 - x0) / 2.0 * 0.85, half * 0.8));
     });
     let head = [x1 + r * 0.3, 0.0, h - 0.05];
@@ -110,7 +111,7 @@ pub(super) fn quad_bike(b: &mut Build<'_>) {
 pub(super) fn golf_cart(b: &mut Build<'_>) {
     at_least(b, [1.2, 0.6, 0.9]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (paint, r) = (b.one(&[WHITE_METAL, CREAM, GREEN_METAL, RED_METAL, NAVY]), h * b.vary(0.115, 0.13));
+    let (paint, r) = (b.choose(&[WHITE_METAL, CREAM, GREEN_METAL, RED_METAL, NAVY]), h * b.vary(0.115, 0.13));
     let axles = [x - r * 1.6, -x + r * 1.9];
     four_wheels(b, axles, y, (r, y * 0.3), y * 0.6);
     let (floor, seat) = (r * 1.35, h * 0.4);
@@ -131,9 +132,9 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
     b.block("bumper", [x - 0.06, -y * 0.7, floor - 0.06], [x, y * 0.7, floor + 0.04], BLACK_PLASTIC);
     let bench = [axles[1] + r * 1.3, axles[1] + r * 1.3 + x * 0.42];
     b.block("base", [bench[0], -inner, floor - 0.02], [bench[1] - 0.06, inner, seat - 0.1], paint);
-    let leather = b.one(&[WHITE_LEATHER, TAN_LEATHER, BLACK_LEATHER]);
-    b.soft("seat", [bench[0], -inner, seat - 0.105], [bench[1], inner, seat], 0.04, leather);
-    b.soft("back", [bench[0] - 0.09, -inner, seat - 0.04], [bench[0] + 0.02, inner, h * 0.62], 0.04, leather);
+    let leather = b.choose(&[WHITE_LEATHER, TAN_LEATHER, BLACK_LEATHER]);
+    b.rounded_block("seat", [bench[0], -inner, seat - 0.105], [bench[1], inner, seat], 0.04, leather);
+    b.rounded_block("back", [bench[0] - 0.09, -inner, seat - 0.04], [bench[0] + 0.02, inner, h * 0.62], 0.04, leather);
     b.ledge(
         "seat",
         [(bench[0] + bench[1]) / 2.0 + 0.02, 0.0, seat],
@@ -178,7 +179,13 @@ pub(super) fn golf_cart(b: &mut Build<'_>) {
             COOL_BULB,
         );
     }
-    b.soft("roof", [bench[0] - 0.25_f32.min(x * 0.2), -y, roof], [axles[0] - r * 1.2, y, h], 0.025, b.style.appliance);
+    b.rounded_block(
+        "roof",
+        [bench[0] - 0.25_f32.min(x * 0.2), -y, roof],
+        [axles[0] - r * 1.2, y, h],
+        0.025,
+        b.style.appliance,
+    );
     let hub = [bench[1] + 0.14, y * 0.45, h * 0.52];
     b.rod("column", [axles[0] - r * 1.15, hub[1], h * 0.42], hub, 0.015, IRON);
     b.lathe_along(
@@ -199,7 +206,7 @@ pub(super) fn car_trailer(b: &mut Build<'_>) {
     let width = y * 0.2;
     let (x0, x1) = (-x + 0.03, x - x * b.vary(0.5, 0.62));
     let half = y - width - 0.03;
-    let (deck, mat) = (r * 1.25, b.one(&[GALVANISED, ALUMINIUM, PINE, ANTHRACITE, BLUE_METAL]));
+    let (deck, mat) = (r * 1.25, b.choose(&[GALVANISED, ALUMINIUM, PINE, ANTHRACITE, BLUE_METAL]));
     let axle = (x0 + x1) / 2.0 - 0.05;
     let rim = Rim::plain(b);
     for (name, side) in [("wheel_l", 1.0), ("wheel_r", -1.0)] {
@@ -276,7 +283,7 @@ pub(super) fn car_trailer(b: &mut Build<'_>) {
         );
     });
     if covered {
-        let cloth = b.one(&[NAVY_FABRIC, GREY_FABRIC, GREEN_FABRIC, BLUE_FABRIC]);
+        let cloth = b.choose(&[NAVY_FABRIC, GREY_FABRIC, GREEN_FABRIC, BLUE_FABRIC]);
         let lid = 0.02;
         b.block("cover", [x0, -half, h - lid], [x1, half, h], cloth);
         for s in [-1.0, 1.0] {

@@ -11,7 +11,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
     at_least(b, [3.0, 1.1, 1.3]);
     let (l, h) = (b.size.x, b.size.z);
     let cab = b.size.x / 2.0 - (l * b.vary(0.17, 0.25)).clamp(1.0, 2.6);
-    let paint = b.one(PAINTS);
+    let paint = b.choose(PAINTS);
     let chassis = lorry(b, cab, paint);
     let high = match b.rng.below(3) {
         0 => h * b.vary(0.82, 0.98),
@@ -20,7 +20,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
     };
     chassis.cabin(b, high);
     let (low, end, top) = ([-chassis.front, -chassis.half, chassis.deck], chassis.cab - 0.12, h);
-    let mat = b.one(&[WHITE_METAL, SILVER_METAL, chassis.paint, BLUE, GREEN_METAL]);
+    let mat = b.choose(&[WHITE_METAL, SILVER_METAL, chassis.paint, BLUE, GREEN_METAL]);
     if high < h * 0.99 || b.rng.chance(0.4) {
         cargo_box(b, low, [end, chassis.half, top], mat);
     } else if b.rng.chance(0.5) {
@@ -42,7 +42,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
     }
 }
 
-fn lorry(b: &mut Build<'_>, cab: f32, paint: Mat) -> Chassis {
+fn lorry(b: &mut Build<'_>, cab: f32, paint: MaterialId) -> Chassis {
     let (front, half) = (b.size.x / 2.0, b.size.y / 2.0);
     let wheel = (b.size.z * b.vary(0.135, 0.15)).clamp(0.15, 0.55);
     let chassis = Chassis { front, half, wheel, deck: wheel * 2.15, cab, paint };
@@ -51,7 +51,7 @@ fn lorry(b: &mut Build<'_>, cab: f32, paint: Mat) -> Chassis {
 }
 
 /// A hollow box with two doors at the rear.
-fn cargo_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
+fn cargo_box(b: &mut Build<'_>, low: P, high: P, mat: MaterialId) {
     let t = 0.04;
     let (x0, x1, y, z0, z1) = (low[0] + 0.02, high[0], high[1], low[2] + 0.002, high[2]);
     b.block("floor", [x0 + t, -y, z0], [x1, y, z0 + 0.1], b.style.metal);
@@ -79,7 +79,7 @@ fn cargo_box(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
 }
 
 /// An open bed with low side boards; the rear board folds down.
-fn flatbed(b: &mut Build<'_>, low: P, high: P, mat: Mat) {
+fn flatbed(b: &mut Build<'_>, low: P, high: P, mat: MaterialId) {
     let (x0, x1, y, z) = (low[0] + 0.03, high[0], high[1], low[2] + 0.002);
     let side = (high[2] - z) * b.vary(0.18, 0.3);
     b.block("bed", [x0, -y, z], [x1, y, z + 0.1], b.style.wood);
@@ -100,11 +100,11 @@ pub(super) fn garbage_truck(b: &mut Build<'_>) {
     at_least(b, [4.0, 1.2, 1.6]);
     let (l, h) = (b.size.x, b.size.z);
     let cab = l / 2.0 - l * b.vary(0.19, 0.23);
-    let paint = b.one(&[ORANGE, GREEN_METAL, WHITE_METAL, YELLOW_METAL, BLUE_METAL]);
+    let paint = b.choose(&[ORANGE, GREEN_METAL, WHITE_METAL, YELLOW_METAL, BLUE_METAL]);
     let chassis = lorry(b, cab, paint);
     let cab_top = h * b.vary(0.8, 0.92);
     chassis.cabin(b, cab_top);
-    let mat = b.one(&[paint, paint, SILVER_METAL, WHITE_METAL]);
+    let mat = b.choose(&[paint, paint, SILVER_METAL, WHITE_METAL]);
     let (y, z0) = (chassis.half, chassis.deck + 0.002);
     let hopper = -chassis.front + l * b.vary(0.18, 0.23);
     let section: Vec<(f32, f32)> =
@@ -214,7 +214,7 @@ pub(super) fn fire_truck(b: &mut Build<'_>) {
     let front = chassis.cab + (chassis.front - chassis.cab) * 0.35;
     for side in [-1.0, 1.0] {
         let (cy, wide) = (side * chassis.half * 0.6, 0.25_f32.min(chassis.half * 0.35));
-        b.soft(
+        b.rounded_block(
             "beacon",
             [front - 0.15, cy - wide, roof - 0.01],
             [front + 0.15, cy + wide, roof + 0.14_f32.min(h - roof)],

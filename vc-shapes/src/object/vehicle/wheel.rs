@@ -19,19 +19,19 @@ const THICK: f32 = 0.012;
 pub(crate) struct Rim {
     spokes: usize,
     star: f32,
-    mat: Mat,
+    mat: MaterialId,
     tyre: f32,
 }
 
 impl Rim {
     pub(crate) fn any(b: &mut Build<'_>) -> Self {
-        let mat = b.one(&[ALUMINIUM, STEEL, ALUMINIUM, ANTHRACITE, CHROME, BLACK_METAL]);
+        let mat = b.choose(&[ALUMINIUM, STEEL, ALUMINIUM, ANTHRACITE, CHROME, BLACK_METAL]);
         Self { spokes: b.rng.count(4, 10), star: b.vary(0.25, 0.6), mat, tyre: b.vary(0.58, 0.74) }
     }
 
     /// Plain steel discs of commercial vehicles.
     pub(crate) fn plain(b: &mut Build<'_>) -> Self {
-        let mat = b.one(&[SILVER_METAL, WHITE_METAL, GALVANISED, ANTHRACITE]);
+        let mat = b.choose(&[SILVER_METAL, WHITE_METAL, GALVANISED, ANTHRACITE]);
         Self { spokes: b.rng.count(6, 10), star: 0.8, mat, tyre: b.vary(0.55, 0.62) }
     }
 }
@@ -101,7 +101,7 @@ pub(super) fn nuts(b: &mut Build<'_>, [x, _, z]: P, (from, to): (f32, f32), radi
 
 /// A mudguard that follows the tyre from one angle to another (from the front upwards), at the
 /// distance `GAP`.
-pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from, to): (f32, f32), mat: Mat) {
+pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from, to): (f32, f32), mat: MaterialId) {
     let (inner, outer) = (radius + GAP, radius + GAP + THICK);
     let arc = |r: f32| (0..=8).map(move |i| polar(from + (to - from) * i as f32 / 8.0, r)).collect::<Vec<_>>();
     let outline = [arc(inner / (PI / 16.0).cosine()), arc(outer).into_iter().rev().collect()].concat();
@@ -109,7 +109,7 @@ pub(super) fn fender(b: &mut Build<'_>, at: P, (radius, half): (f32, f32), (from
 }
 
 /// A wheel with wire spokes, or cast spokes if `cast`; its axle lies along Y on a hinge.
-pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f32, cast: bool, rim: Mat) {
+pub(super) fn spoked(b: &mut Build<'_>, name: &str, at: P, radius: f32, tyre: f32, cast: bool, rim: MaterialId) {
     turning(b, at, |b| {
         let to = [at[0], at[1] + 1.0, at[2]];
         let section =

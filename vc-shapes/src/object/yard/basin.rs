@@ -14,10 +14,10 @@ pub(super) fn pool(b: &mut Build<'_>) {
     at_least(b, [1.2, 2.0, 0.45]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (wall, lining) = (
-        b.one(&[CONCRETE, PINE, WHITE_METAL, SANDSTONE, TEAK, ANTHRACITE]),
-        b.one(&[BLUE_TILE, WHITE_TILE, SKY, BLUE_TILE]),
+        b.choose(&[CONCRETE, PINE, WHITE_METAL, SANDSTONE, TEAK, ANTHRACITE]),
+        b.choose(&[BLUE_TILE, WHITE_TILE, SKY, BLUE_TILE]),
     );
-    let coping = b.one(&[SANDSTONE, TEAK, GRANITE, WHITE_TILE, CONCRETE]);
+    let coping = b.choose(&[SANDSTONE, TEAK, GRANITE, WHITE_TILE, CONCRETE]);
     let (t, broad) = (0.12, b.vary(0.2, 0.32).min(x * 0.25));
     let ladder = b.rng.chance(0.6);
     let top = h - if ladder { (h * 0.3).min(0.45) } else { 0.0 };
@@ -108,7 +108,7 @@ fn grab_ladder(b: &mut Build<'_>, at: P, (over, below): (f32, f32), back: f32) {
 pub(super) fn kiddie_pool(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.4, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let base = b.one(BRIGHT);
+    let base = b.choose(BRIGHT);
     if (x - y).abs() < 0.25 || b.rng.chance(0.5) {
         let r = x.min(y);
         let rings = b.rng.count(2, 4);
@@ -116,7 +116,7 @@ pub(super) fn kiddie_pool(b: &mut Build<'_>) {
         let level = (s * (1.86 * rings as f32 - 1.1)).max(0.03);
         b.cylinder("floor", [0.0, 0.0, 0.001], r - s, 0.02, base);
         for i in 0..rings {
-            let mat = if i % 2 == 0 { base } else { b.one(BRIGHT) };
+            let mat = if i % 2 == 0 { base } else { b.choose(BRIGHT) };
             b.lathe("ring", [0.0, 0.0, 1.86 * s * i as f32], &torus_profile(r - s, s), mat);
         }
         b.cylinder("water", [0.0, 0.0, 0.01], r - 1.5 * s, level - 0.01, POOL_WATER);
@@ -159,9 +159,9 @@ pub(super) fn jacuzzi(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cover = h * b.vary(0.08, 0.13);
     let rim = h - cover;
-    let shell_mat = b.one(&[WHITE_PLASTIC, SKY, GREY_PLASTIC, CREAM]);
-    let side = b.one(&[TEAK, WALNUT, ANTHRACITE, GREY_OAK, WHITE_PLASTIC]);
-    let leather = b.one(&[BROWN_LEATHER, BLACK_LEATHER, GREY_FABRIC, TAN_LEATHER]);
+    let shell_mat = b.choose(&[WHITE_PLASTIC, SKY, GREY_PLASTIC, CREAM]);
+    let side = b.choose(&[TEAK, WALNUT, ANTHRACITE, GREY_OAK, WHITE_PLASTIC]);
+    let leather = b.choose(&[BROWN_LEATHER, BLACK_LEATHER, GREY_FABRIC, TAN_LEATHER]);
     let floor = rim * 0.2;
     let level = rim * 0.82;
     if b.rng.chance(0.65) {
@@ -190,7 +190,7 @@ pub(super) fn jacuzzi(b: &mut Build<'_>) {
         let (ix, iy) = (x - t - 0.02, y - t - 0.02);
         b.block("water", [-ix - 0.003, -iy - 0.003, floor - 0.01], [ix + 0.003, iy + 0.003, level], POOL_WATER);
         for cy in spaced(3, -iy * 0.7, iy * 0.7) {
-            b.soft(
+            b.rounded_block(
                 "headrest",
                 [-ix - 0.01, cy - iy * 0.18, rim - 0.1],
                 [-ix + 0.05, cy + iy * 0.18, rim - 0.01],
@@ -242,7 +242,7 @@ pub(super) fn pool_cover(b: &mut Build<'_>) {
     at_least(b, [1.0, 1.5, 0.004]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) =
-        (b.one(&[BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, NAVY]), b.one(&[BLACK_PLASTIC, WHITE_PLASTIC, NAVY]));
+        (b.choose(&[BLUE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, NAVY]), b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, NAVY]));
     let flat = h * 0.5;
     let inset = 0.06_f32.min(x * 0.1);
     b.block("sheet", [-x + inset * 0.5, -y + inset * 0.5, 0.0], [x - inset * 0.5, y - inset * 0.5, flat], mat);

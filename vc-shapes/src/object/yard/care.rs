@@ -11,7 +11,8 @@ use crate::solid::{Axis, Build, at_least};
 pub(super) fn pool_skimmer(b: &mut Build<'_>) {
     at_least(b, [0.025, 0.17, 0.5]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, cloth) = (b.one(&[BLUE_PLASTIC, SKY, WHITE_PLASTIC, GREEN_PLASTIC]), b.one(&[BLUE_FABRIC, WHITE_COTTON]));
+    let (mat, cloth) =
+        (b.choose(&[BLUE_PLASTIC, SKY, WHITE_PLASTIC, GREEN_PLASTIC]), b.choose(&[BLUE_FABRIC, WHITE_COTTON]));
     let (tall, r) = ((h * 0.22).min(y * 1.6), 0.008_f32.min(x * 0.4));
     let (low, wide) = (r * 1.2, y - r * 1.2);
     b.pipe(
@@ -50,8 +51,8 @@ pub(super) fn pool_robot(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.17, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (
-        b.one(&[BLUE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, ORANGE_PLASTIC]),
-        b.one(&[BLACK_PLASTIC, GREY_PLASTIC, NAVY]),
+        b.choose(&[BLUE_PLASTIC, WHITE_PLASTIC, GREY_PLASTIC, ORANGE_PLASTIC]),
+        b.choose(&[BLACK_PLASTIC, GREY_PLASTIC, NAVY]),
     );
     let r = (h * 0.24).min(x * 0.35);
     for s in [-1.0, 1.0] {
@@ -97,11 +98,11 @@ pub(super) fn pool_pump(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.15, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, second) = (
-        b.one(&[GREY_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]),
-        b.one(&[SKY, GREY_PLASTIC, WHITE_PLASTIC]),
+        b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, BLUE_PLASTIC, WHITE_PLASTIC]),
+        b.choose(&[SKY, GREY_PLASTIC, WHITE_PLASTIC]),
     );
     let foot = 0.03;
-    b.soft("foot", [-x, -y, 0.0], [x, y, foot], 0.01, BLACK_PLASTIC);
+    b.rounded_block("foot", [-x, -y, 0.0], [x, y, foot], 0.01, BLACK_PLASTIC);
     let r = (y * 0.62).min(x * 0.8).min(h * 0.38);
     let at = y - r - 0.02;
     let valve = h * 0.86;

@@ -11,11 +11,11 @@ use crate::solid::{Axis, Build, at_least, spaced};
 pub(super) fn diving_board(b: &mut Build<'_>) {
     at_least(b, [0.8, 0.18, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (board, stand) = (b.one(&[SKY, WHITE, BLUE, CREAM]), b.one(&[STEEL, WHITE_METAL, CONCRETE, ANTHRACITE]));
+    let (board, stand) = (b.choose(&[SKY, WHITE, BLUE, CREAM]), b.choose(&[STEEL, WHITE_METAL, CONCRETE, ANTHRACITE]));
     let rails = h > 0.7 && b.rng.chance(0.6);
     let top = if rails { h * 0.55 } else { h - 0.002 };
     let t = 0.05;
-    b.soft("board", [-x, -y * 0.92, top - t], [x, y * 0.92, top], 0.012, board);
+    b.rounded_block("board", [-x, -y * 0.92, top - t], [x, y * 0.92, top], 0.012, board);
     b.block("grip", [-x * 0.98, -y * 0.8, top - 0.004], [x * 0.985, y * 0.8, top + 0.002], GREY_RUBBER);
     let (rear, roll) = ((-x * 0.88).max(-x + 0.15), -x * b.vary(0.0, 0.25));
     for (cx, wide) in [(rear, 0.1), (roll, 0.07)] {
@@ -47,7 +47,7 @@ pub(super) fn diving_board(b: &mut Build<'_>) {
 pub(super) fn pool_ladder(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (steel, tread) = (b.one(&[STEEL, WHITE_METAL, CHROME]), b.one(&[WHITE_PLASTIC, GREY_PLASTIC, SKY]));
+    let (steel, tread) = (b.choose(&[STEEL, WHITE_METAL, CHROME]), b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, SKY]));
     let r = 0.02;
     let both = b.rng.chance(0.5);
     let (front, back, top) = (x - r * 1.5, -x + r * 1.5, h - r * 1.5);
@@ -86,7 +86,7 @@ pub(super) fn pool_slide(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.28, 0.6]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y.min(b.size.x * 0.4) / 2.0, b.size.z);
     let (mat, steel) =
-        (b.one(&[SKY, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]), b.one(&[STEEL, WHITE_METAL]));
+        (b.choose(&[SKY, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]), b.choose(&[STEEL, WHITE_METAL]));
     let platform = h * b.vary(0.66, 0.74);
     let (start, wide) = (-x * 0.55, y * 0.85);
     let at = |t: f32| [start + (x - start) * t, platform * (0.12 + 0.88 * (0.5 + 0.5 * (PI * t.power(0.85)).cosine()))];
@@ -146,7 +146,7 @@ pub(super) fn pool_slide(b: &mut Build<'_>) {
 pub(super) fn solar_shower(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.9]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, metal) = (b.one(&[BLACK_PLASTIC, ANTHRACITE, NAVY, SILVER_METAL]), b.one(&[CHROME, STEEL]));
+    let (mat, metal) = (b.choose(&[BLACK_PLASTIC, ANTHRACITE, NAVY, SILVER_METAL]), b.choose(&[CHROME, STEEL]));
     let foot = x.min(y);
     let r = (foot * b.vary(0.32, 0.45)).min(0.08);
     let back = -x + foot;
@@ -155,7 +155,7 @@ pub(super) fn solar_shower(b: &mut Build<'_>) {
     if b.rng.chance(0.5) {
         b.lathe("column", [back, 0.0, 0.01], &[(r, 0.0), (r, bend - 0.02), (r * 0.5, bend + 0.02)], mat);
     } else {
-        b.soft("column", [back - r, -r * 0.9, 0.01], [back + r, r * 0.9, bend + 0.02], r * 0.5, mat);
+        b.rounded_block("column", [back - r, -r * 0.9, 0.01], [back + r, r * 0.9, bend + 0.02], r * 0.5, mat);
     }
     let tube = (r * 0.3).min(0.014);
     let head = (x * 0.4).min(0.08).min(y);

@@ -12,7 +12,7 @@ use crate::solid::{Build, P, at_least, limb, polar, polygon, spaced, torus_profi
 pub(super) fn pool_float(b: &mut Build<'_>) {
     at_least(b, [0.3, 0.8, 0.06]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]));
+    let (mat, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]));
     let pillow = h * b.vary(0.2, 0.35);
     let flat = h - pillow;
     let across = b.rng.chance(0.5);
@@ -21,7 +21,7 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
     if across {
         let half = y / count as f32;
         for (i, cy) in spaced(count, -y + half * 1.02, y - half * 1.02).enumerate() {
-            b.soft(
+            b.rounded_block(
                 "tube",
                 [-x, cy - half * 1.02, 0.0],
                 [x, cy + half * 1.02, flat - 0.0015 * (i % 2) as f32],
@@ -32,7 +32,7 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
     } else {
         let half = x / count as f32;
         for (i, cx) in spaced(count, -x + half * 1.02, x - half * 1.02).enumerate() {
-            b.soft(
+            b.rounded_block(
                 "tube",
                 [cx - half * 1.02, -y, 0.0],
                 [cx + half * 1.02, y, flat - 0.0015 * (i % 2) as f32],
@@ -41,7 +41,13 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
             );
         }
     }
-    b.soft("pillow", [-x * 0.95, y * 0.66, flat * 0.5], [x * 0.95, y * 0.99, h], (h - flat * 0.5) * 0.45, second);
+    b.rounded_block(
+        "pillow",
+        [-x * 0.95, y * 0.66, flat * 0.5],
+        [x * 0.95, y * 0.99, h],
+        (h - flat * 0.5) * 0.45,
+        second,
+    );
     b.cylinder("valve", [x * 0.8, y * 0.9, h - 0.006], 0.01, 0.006, WHITE_PLASTIC);
 }
 
@@ -49,7 +55,7 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
 pub(super) fn swim_ring(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.07]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let (mat, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+    let (mat, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let animal = h > 0.17 && b.rng.chance(0.5);
     let s = (if animal { h * 0.32 } else { h / 2.0 }).min(r * b.vary(0.27, 0.33));
     b.lathe("ring", [0.0; 3], &torus_profile(r - s, s), mat);
@@ -78,7 +84,7 @@ pub(super) fn swim_ring(b: &mut Build<'_>) {
 }
 
 /// Sleeves in a second colour around a ring that lies flat.
-fn bands(b: &mut Build<'_>, radius: f32, section: f32, mat: Mat) {
+fn bands(b: &mut Build<'_>, radius: f32, section: f32, mat: MaterialId) {
     let count = b.rng.count(4, 8);
     let share = PI / count as f32 * 0.5;
     for i in 0..count {
@@ -106,7 +112,7 @@ pub(super) fn buoy(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = y.min(h / 2.0);
     let (mat, second) =
-        (b.one(&[ORANGE_PLASTIC, WHITE_PLASTIC, RED_PLASTIC]), b.one(&[WHITE_PLASTIC, RED_PLASTIC, NAVY]));
+        (b.choose(&[ORANGE_PLASTIC, WHITE_PLASTIC, RED_PLASTIC]), b.choose(&[WHITE_PLASTIC, RED_PLASTIC, NAVY]));
     let second = if second == mat { SILVER_METAL } else { second };
     let rope = 0.006;
     let (s, out) = (x * 0.94, r - 2.2 * rope);
@@ -146,7 +152,7 @@ pub(super) fn buoy(b: &mut Build<'_>) {
 pub(super) fn pool_noodle(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.4, 0.03]);
     let (r, y) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
-    let mat = b.one(BRIGHT);
+    let mat = b.choose(BRIGHT);
     let hole = r * b.vary(0.25, 0.4);
     b.lathe_along(
         "noodle",
@@ -161,9 +167,9 @@ pub(super) fn pool_noodle(b: &mut Build<'_>) {
 pub(super) fn beach_ball(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.1]);
     let r = b.size.min() / 2.0;
-    let segments = b.one(&[6, 8]);
-    let (first, second) = (b.one(BRIGHT), b.one(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
-    let third = b.one(BRIGHT);
+    let segments = b.choose(&[6, 8]);
+    let (first, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+    let third = b.choose(BRIGHT);
     let cap = 0.18;
     for i in 0..segments {
         let mut points: Vec<P> = Vec::new();

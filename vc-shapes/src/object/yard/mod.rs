@@ -35,5 +35,5 @@ pub(super) const GENERATORS: &[Generator] = &[
     outdoor("life_jacket", 6, worn::life_jacket),
 ];
 
-const BRIGHT: &[Mat] =
+const BRIGHT: &[MaterialId] =
     &[RED_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, ORANGE_PLASTIC, PINK_PLASTIC, PURPLE_PLASTIC];

@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, P, at_least, limb, spaced};
 pub(super) fn diving_mask(b: &mut Build<'_>) {
     at_least(b, [0.025, 0.075, 0.02]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, strap) = (b.one(BRIGHT), b.one(&[BLACK_PLASTIC, GREY_RUBBER]));
+    let (mat, strap) = (b.choose(BRIGHT), b.choose(&[BLACK_PLASTIC, GREY_RUBBER]));
     let glass = BLUE_GLASS;
     let snorkel = h > 0.16;
     let tall = if h > 0.07 { h.min(0.11) } else { h };
@@ -86,7 +86,7 @@ pub(super) fn diving_mask(b: &mut Build<'_>) {
 pub(super) fn swim_fins(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.08, 0.03]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, rubber) = (b.one(BRIGHT), b.one(&[BLACK_PLASTIC, GREY_RUBBER, RUBBER]));
+    let (mat, rubber) = (b.choose(BRIGHT), b.choose(&[BLACK_PLASTIC, GREY_RUBBER, RUBBER]));
     let half = y * 0.49;
     let shoe = -x + 2.0 * x * b.vary(0.38, 0.46);
     for s in [-1.0, 1.0] {
@@ -140,8 +140,8 @@ pub(super) fn life_jacket(b: &mut Build<'_>) {
     at_least(b, [0.05, 0.17, 0.2]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let (mat, strap) = (
-        b.one(&[ORANGE_PLASTIC, RED_FABRIC, YELLOW_PLASTIC, BLUE_FABRIC]),
-        b.one(&[BLACK_FABRIC, GREY_FABRIC, NAVY_FABRIC]),
+        b.choose(&[ORANGE_PLASTIC, RED_FABRIC, YELLOW_PLASTIC, BLUE_FABRIC]),
+        b.choose(&[BLACK_FABRIC, GREY_FABRIC, NAVY_FABRIC]),
     );
     let (chest, shoulder) = (h * b.vary(0.62, 0.7), y * 0.7);
     let t = x * 0.62;
@@ -158,7 +158,7 @@ pub(super) fn life_jacket(b: &mut Build<'_>) {
             (s * gap, chest * 0.8),
         ];
         b.prism("front", Axis::X, [x - t - 0.006, 0.0, 0.0], &outline, t, mat);
-        b.soft(
+        b.rounded_block(
             "shoulder",
             [-x * 0.8, (s * shoulder * 0.45).min(s * shoulder * 0.9), h * 0.88],
             [x - 0.012, (s * shoulder * 0.45).max(s * shoulder * 0.9), h * 0.99],
@@ -177,7 +177,7 @@ pub(super) fn life_jacket(b: &mut Build<'_>) {
         (-y * 0.98, chest * 0.75),
     ];
     b.prism("back", Axis::X, [-x, 0.0, 0.0], &back, t * 0.8, mat);
-    b.soft("collar", [-x, -shoulder * 0.6, h * 0.86], [-x * 0.3, shoulder * 0.6, h], h * 0.05, mat);
+    b.rounded_block("collar", [-x, -shoulder * 0.6, h * 0.86], [-x * 0.3, shoulder * 0.6, h], h * 0.05, mat);
     let straps = b.rng.count(2, 3);
     for z in spaced(straps, h * 0.14, chest * 0.66) {
         b.block("strap", [-x * 0.9, -y + 0.0005, z - 0.012], [x - 0.004, y - 0.0005, z + 0.012], strap);

@@ -13,16 +13,16 @@ pub(super) fn cockpit(b: &mut Build<'_>, car: &Car) {
     let floor = car.low + 0.06;
     let [cowl, roof0, ..] = car.shape.stations;
     b.block("floor", [x0, -inner, car.low + 0.02], [x1, inner, floor], CHARCOAL_FABRIC);
-    let seat = b.one(&[TAN_LEATHER, BLACK_LEATHER, WHITE_LEATHER, BROWN_LEATHER]);
+    let seat = b.choose(&[TAN_LEATHER, BLACK_LEATHER, WHITE_LEATHER, BROWN_LEATHER]);
     let belt = car.belt(0.5);
     let (deep, tall) = ((x1 - x0) * 0.22, (belt - floor) * 0.42);
     for (row, share) in [(0, 0.52), (1, 0.08)] {
         let sx = x0 + (x1 - x0) * share;
         for cy in [-inner * 0.5, inner * 0.5] {
             let w = inner * 0.42;
-            b.soft("seat", [sx, cy - w, floor - 0.005], [sx + deep, cy + w, floor + tall], 0.05, seat);
+            b.rounded_block("seat", [sx, cy - w, floor - 0.005], [sx + deep, cy + w, floor + tall], 0.05, seat);
             let back = if row == 0 { belt + 0.1_f32.min(car.roof * 0.1) } else { belt };
-            b.soft("seat", [sx - deep * 0.3, cy - w, floor], [sx + deep * 0.15, cy + w, back], 0.05, seat);
+            b.rounded_block("seat", [sx - deep * 0.3, cy - w, floor], [sx + deep * 0.15, cy + w, back], 0.05, seat);
         }
     }
     let dash = x1 - (x1 - x0) * 0.1;

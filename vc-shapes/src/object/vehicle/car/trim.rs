@@ -71,7 +71,7 @@ fn mirror(b: &mut Build<'_>, car: &Car, side: f32) {
     let (x, y) = (car.x(share), side * b.size.y / 2.0);
     let (near, far) = (y.min(side * car.half * 0.985), y.max(side * car.half * 0.985));
     let (a, c) = if side > 0.0 { (near - 0.005, y) } else { (y, far + 0.005) };
-    b.soft("mirror", [x - 0.05, a.min(c), z - 0.02], [x + 0.05, a.max(c), z + 0.1], 0.025, car.paint);
+    b.rounded_block("mirror", [x - 0.05, a.min(c), z - 0.02], [x + 0.05, a.max(c), z + 0.1], 0.025, car.paint);
     b.block(
         "mirror",
         [x - 0.02, side * car.half * 0.9 - 0.05, z - 0.03],
@@ -89,7 +89,7 @@ fn doors(b: &mut Build<'_>, car: &Car, side: f32) {
         _ if car.shape.panes > 1 => &[0.32, 0.53, 0.7],
         _ => &[0.36, 0.64],
     };
-    let block = |b: &mut Build<'_>, name: &str, low: [f32; 2], high: [f32; 2], out: f32, mat: Mat| {
+    let block = |b: &mut Build<'_>, name: &str, low: [f32; 2], high: [f32; 2], out: f32, mat: MaterialId| {
         b.block(
             name,
             [low[0], y.min(y + side * out) - 0.004, low[1]],
@@ -116,7 +116,7 @@ fn doors(b: &mut Build<'_>, car: &Car, side: f32) {
 pub(super) fn livery(b: &mut Build<'_>, car: &Car) {
     let roof = car.x((car.shape.stations[1] + car.shape.stations[2].min(0.7)) / 2.0);
     let top = b.size.z;
-    let stripe = |b: &mut Build<'_>, z0: f32, z1: f32, mat: Mat| {
+    let stripe = |b: &mut Build<'_>, z0: f32, z1: f32, mat: MaterialId| {
         for side in [-1.0, 1.0] {
             let y = side * car.half;
             let (from, to) = (car.axles[1] + car.wheel * 1.25, car.axles[0] - car.wheel * 1.25);
@@ -134,12 +134,12 @@ pub(super) fn livery(b: &mut Build<'_>, car: &Car) {
                 top - car.roof + 0.005,
                 WARM_BULB,
             );
-            let stripes = b.one(&[BLACK, WHITE, car.paint]);
+            let stripes = b.choose(&[BLACK, WHITE, car.paint]);
             stripe(b, waist, waist + 0.06, stripes);
         }
         "police_car" => {
             beacons(b, car, roof, top);
-            let colour = b.one(&[BLUE, NAVY, GREEN, BLACK]);
+            let colour = b.choose(&[BLUE, NAVY, GREEN, BLACK]);
             stripe(b, waist - 0.06, waist + 0.1, colour);
             stripe_text(b, car, waist);
         }
@@ -165,7 +165,7 @@ fn beacons(b: &mut Build<'_>, car: &Car, x: f32, top: f32) {
     let half = car.half * 0.6;
     b.block("bar", [x - 0.1, -half, car.roof - 0.005], [x + 0.1, half, car.roof + 0.02], BLACK_PLASTIC);
     for (from, to, mat) in [(-0.98, -0.3, BLUE_PLASTIC), (-0.3, 0.3, WHITE_PLASTIC), (0.3, 0.98, BLUE_PLASTIC)] {
-        b.soft("beacon", [x - 0.09, half * from, car.roof + 0.015], [x + 0.09, half * to, top], 0.02, mat);
+        b.rounded_block("beacon", [x - 0.09, half * from, car.roof + 0.015], [x + 0.09, half * to, top], 0.02, mat);
     }
 }
 

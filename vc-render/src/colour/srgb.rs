@@ -1,0 +1,49 @@
+//! Encoding of linear colours in sRGB, and back.
+
+use std::sync::LazyLock;
+
+use crate::math::three;
+
+/// Steps of the table from linear to sRGB.
+pub(super) const STEPS: usize = 4096;
+
+pub(super) static TABLE: LazyLock<Box<[u8; STEPS]>> = LazyLock::new(|| {
+    use vc_graph::portable::Portable;
+    let encode = |i: usize| {
+        let v = i as f32 / (STEPS - 1) as f32;
+        // sRGB's transfer function (IEC 61966-2-1).
+        let v = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
+        (v * 255.0 + 0.5) as u8
+    };
+    Box::new(std::array::from_fn(encode))
+});
+
+/// The table from sRGB back to linear.
+static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
+    use vc_graph::portable::Portable;
+    let decode = |i: usize| {
+        let v = i as f32 / 255.0;
+        if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).power(2.4) }
+    };
+    (0..256).map(decode).collect()
+});
+
+/// Luminance of a linear colour (Rec. 709).
+#[inline(always)]
+pub(crate) fn luminance([r, g, b]: [f32; 3]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+/// Encodes a linear colour in sRGB.
+#[inline(always)]
+pub(crate) fn encoded(colour: [f32; 3]) -> [u8; 3] {
+    let table: &[u8; STEPS] = &TABLE;
+    three(|c| table[((colour[c] * (STEPS - 1) as f32) as usize).min(STEPS - 1)])
+}
+
+/// Decodes an sRGB colour to linear.
+#[inline(always)]
+pub(crate) fn decoded(colour: [u8; 3]) -> [f32; 3] {
+    let table = &*LINEAR;
+    three(|c| table[usize::from(colour[c])])
+}
