@@ -5,7 +5,7 @@
 //! millionth of their size count as inside: points of one face stay in one face.
 //!
 //! The farthest point is always added next, so the hull after a number of corners is nearly as accurate as one
-//! with so many corners can be. A rough hull is such an intermediate hull that begins with some required
+//! with so many corners can be. An approximate hull is such an intermediate hull that begins with some required
 //! points: points within its tolerance, or beyond its number of corners, are left out.
 //!
 //! `vc_graph` makes the surface of [`Shape::Hull`](vc_graph::asset::Shape) by an exact predicate instead: there
@@ -64,9 +64,9 @@ struct Hull {
     reach: f64,
 }
 
-/// The tolerance of a rough hull.
+/// The tolerance of an approximate hull.
 #[derive(Debug, Clone, Copy)]
-pub struct Rough<'a> {
+pub struct HullTolerance<'a> {
     /// The points that are added first, by index.
     pub first: &'a [u32],
     /// The largest distance of points outside the hull, metres.
@@ -87,17 +87,17 @@ pub fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
 
 /// As [`triangles`], for a hull that approximates that of the points; `None` also if the points to begin with have
 /// no volume.
-pub fn rough(points: &[Point3<f32>], rough: &Rough<'_>) -> Option<Vec<[u32; 3]>> {
-    if rough.first.iter().any(|&point| point as usize >= points.len()) {
+pub fn approximate(points: &[Point3<f32>], tolerance: &HullTolerance<'_>) -> Option<Vec<[u32; 3]>> {
+    if tolerance.first.iter().any(|&point| point as usize >= points.len()) {
         return None;
     }
     let mut hull = Hull::new(points);
-    hull.begin(rough.first)?;
+    hull.begin(tolerance.first)?;
     let corners = hull.grow_to(usize::MAX)?;
-    hull.reach = hull.reach.max(f64::from(rough.by));
-    if corners < rough.corners {
+    hull.reach = hull.reach.max(f64::from(tolerance.by));
+    if corners < tolerance.corners {
         (0..points.len() as u32).for_each(|point| hull.give(point, 0));
-        hull.grow_to(rough.corners - corners)?;
+        hull.grow_to(tolerance.corners - corners)?;
     }
     Some(hull.triangles())
 }

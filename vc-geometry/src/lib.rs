@@ -68,7 +68,7 @@ use vc_graph::asset::{Material, Part};
 use vc_graph::{Asset, Node, NodeId, NodeKind, ObjectRole, SceneGraph};
 
 use block::Block;
-pub use opening::{Opening, openings};
+pub use opening::{WallOpening, openings};
 
 /// Density of things of which only the box is known, kilograms per cubic metre.
 const DENSITY: f32 = 150.0;
@@ -103,7 +103,7 @@ pub fn shapes(graph: &SceneGraph) -> BTreeMap<NodeId, Asset> {
     bare.filter_map(|n| Some((n.id(), shape(graph, n, &Block::of(n)?, &openings)))).collect()
 }
 
-fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -> Asset {
+fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[WallOpening]) -> Asset {
     let mut asset = Asset { name: node.class().clone(), ..Asset::default() };
     match node.role() {
         ObjectRole::Wall => asset.parts = wall::parts(graph, node, block, openings),

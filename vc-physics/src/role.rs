@@ -6,7 +6,7 @@ use vc_graph::asset::Hold;
 use vc_graph::class::Class;
 use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph};
 
-use crate::settings::{Fixing, Settings, UnsupportedThings};
+use crate::settings::{FixedThings, Settings, UnsupportedThings};
 use crate::shapes::Form;
 
 /// The largest distance of a hook from the bounding box of the thing that hangs on it, metres.
@@ -73,9 +73,11 @@ impl<'a> Roles<'a> {
         // For an unknown class only the mass can decide.
         let moves = !known || carried || node.affords(Property::Movable) || node.affords(Property::Drivable);
         match self.settings.fixing {
-            Fixing::Structure => false,
-            Fixing::Immovable => !moves,
-            Fixing::Heavy => !moves || (!carried && mass > self.settings.heavy && !node.affords(Property::Drivable)),
+            FixedThings::Structure => false,
+            FixedThings::Immovable => !moves,
+            FixedThings::Heavy => {
+                !moves || (!carried && mass > self.settings.heavy && !node.affords(Property::Drivable))
+            }
         }
     }
 }

@@ -6,12 +6,10 @@ use serde::{Deserialize, Serialize};
 use vc_graph::hash::Digester;
 use vc_graph::{Digest, NodeId, SceneGraph};
 
-use crate::agent::Agent;
 use crate::engine::Engine;
-use crate::shapes::Shapes;
-use crate::vehicle::Vehicle;
-use crate::water::Water;
-use crate::world::{PhysicsWorld, Places, State, Thing};
+use crate::shapes::ShapeCache;
+use crate::state::{Agent, Places, Thing, ThingState, Vehicle, Water};
+use crate::world::PhysicsWorld;
 use crate::{Settings, SnapshotError};
 
 /// The first bytes of a snapshot.
@@ -26,7 +24,7 @@ const HEAD: usize = 20;
 struct Content {
     settings: Settings,
     engine: Engine,
-    things: Vec<(NodeId, State)>,
+    things: Vec<(NodeId, ThingState)>,
     agents: BTreeMap<NodeId, Agent>,
     vehicles: BTreeMap<NodeId, Vehicle>,
     waters: Vec<Water>,
@@ -37,6 +35,7 @@ struct Content {
     skipped: Vec<NodeId>,
 }
 
+/// # Snapshots
 impl PhysicsWorld {
     /// The world as bytes, for [`restore`](Self::restore), about 3 KiB per body. A copy in memory by `clone` is
     /// several times cheaper.
@@ -74,14 +73,25 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`SnapshotError`] if the bytes are no snapshot, are damaged, or belong to another scene.
-    pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &Shapes) -> Result<Self, SnapshotError> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_physics::{PhysicsWorld, ShapeCache};
+    /// let mut copy = PhysicsWorld::restore(&world.save()?, &home.graph, &ShapeCache::new())?;
+    /// copy.run(10);
+    /// world.run(10);
+    /// assert_eq!(copy.digest(), world.digest());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &ShapeCache) -> Result<Self, SnapshotError> {
         let content = decoded(bytes)?;
         let things = shapes.session(graph.assets(), |session| {
-            let form = |(id, state): (NodeId, State)| {
+            let form = |(id, state): (NodeId, ThingState)| {
                 let node = graph.node(id).ok_or(SnapshotError::OtherScene(id))?;
                 let form = session.form(graph, node);
                 let form = form.filter(|f| f.links.len() == state.moving.len() + 1);
-                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, places: Places::of(node), state })
+                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, places: Places::new(node), state })
             };
             content.things.into_iter().map(form).collect::<Result<Vec<Thing>, SnapshotError>>()
         })?;

@@ -5,7 +5,7 @@ use vc_graph::{Edge, Relation};
 use crate::body::{Body, Posture};
 use crate::explanation::TraceOutcome;
 use crate::facts::Facts;
-use crate::near::Side;
+use crate::near::NearSide;
 use crate::pair::Pair;
 use crate::sight;
 use crate::support::Supports;
@@ -118,7 +118,7 @@ impl<'w> Reader<'w> {
         let to = |pair: &Pair| ids[pair.other as usize];
         pairs.iter().filter(|p| p.gap <= TOUCH_GAP).for_each(|p| add(Relation::Touching, to(p)));
         pairs.iter().filter(|p| p.distance.is_finite()).for_each(|p| add(Relation::Near, to(p)));
-        for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
+        for side in [NearSide::Front, NearSide::Back, NearSide::Left, NearSide::Right] {
             pairs.iter().filter(|p| p.side == Some(side)).for_each(|p| add(side.relation(), to(p)));
         }
     }

@@ -68,6 +68,7 @@ fn short(value: f32) -> String {
 
 /// All flaws that keep a scene from being read; never empty.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct InputError {
     /// All flaws, by node.
     pub flaws: Vec<InputFlaw>,

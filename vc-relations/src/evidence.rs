@@ -7,7 +7,7 @@ use vc_graph::{Edge, NodeId};
 
 /// A contact between two things, as reported by a physics engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct ContactEvidence {
     /// The two things.
     pub between: (NodeId, NodeId),
     /// Impulse (or force) on the second thing, in world axes, newton seconds; only the ratios between contacts
@@ -39,7 +39,7 @@ pub struct Attachment {
 pub struct Evidence {
     /// Contacts of a physics engine, sleeping ones included. A thing that has contacts here rests on those that
     /// push it up, regardless of the traces.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<ContactEvidence>,
     /// Attachments by joints.
     pub attachments: Vec<Attachment>,
     /// Positions of joints within assets, by node and joint number (in the order in which the asset's parts
@@ -63,7 +63,7 @@ impl Evidence {
 
     /// Adds a contact.
     #[must_use]
-    pub fn contact(mut self, contact: Contact) -> Self {
+    pub fn contact(mut self, contact: ContactEvidence) -> Self {
         self.contacts.push(contact);
         self
     }

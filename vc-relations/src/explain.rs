@@ -6,12 +6,12 @@ use vc_graph::{Aabb, Edge, NodeId};
 use crate::body::Body;
 use crate::box_trace::{self, BoxTrace};
 use crate::edges::Reader;
-use crate::explanation::{Explanation, Hit, Hook, Seat, TraceOutcome, Traced, Within};
+use crate::explanation::{BoxTraceHit, Containment, Explanation, Hit, Hook, Seat, TraceOutcome};
 use crate::pair::{self, Contact, Hooked};
 use crate::relations::Relations;
 use crate::rule::RelationRule;
 use crate::sight;
-use crate::support::Ground;
+use crate::support::SupportKind;
 use crate::threshold::{HOOK_REACH, ROOM_MARGIN, SUPPORT_NORMAL, SUPPORT_SINK, UNDER_REACH};
 
 impl Relations {
@@ -69,7 +69,7 @@ impl Relations {
     fn beside(&self, (i, a): (usize, &Body), (j, b): (usize, &Body), why: &mut Explanation) {
         let pair = self.world.pair(i, j);
         let finite = |v: Option<f32>| v.filter(|v| v.is_finite());
-        why.within = b.cavities_with(a).into_iter().map(|(centre, corners)| Within { centre, corners }).collect();
+        why.within = b.cavities_with(a).into_iter().map(|(centre, corners)| Containment { centre, corners }).collect();
         why.gap = finite(pair.map(|p| p.gap));
         why.distance = finite(pair.map(|p| p.distance));
         why.side = pair.and_then(|p| p.side);
@@ -81,9 +81,9 @@ impl Relations {
         }
     }
 
-    fn traces(&self, index: usize) -> Vec<Traced> {
+    fn traces(&self, index: usize) -> Vec<BoxTraceHit> {
         let hit = |trace| box_trace::trace(&self.world, index, trace).map(|(other, way)| (self.world.ids[other], way));
-        BoxTrace::ALL.map(|trace| Traced { trace, hit: hit(trace) }).to_vec()
+        BoxTrace::ALL.map(|trace| BoxTraceHit { trace, hit: hit(trace) }).to_vec()
     }
 
     fn down(&self, index: usize, body: &Body) -> Vec<Hit> {
@@ -166,7 +166,7 @@ impl Relations {
             let (g, h) = (rank(g), rank(h));
             g.0.cmp(&h.0).then(g.1.total_cmp(&h.1))
         })?;
-        let hangs = self.supports(a.id).iter().any(|s| s.by == b.id && s.ground == Ground::Hook);
+        let hangs = self.supports(a.id).iter().any(|s| s.by == b.id && s.ground == SupportKind::Hook);
         let verdict = match best.distance {
             _ if hangs => TraceOutcome::Counts,
             _ if a.traits.fixed => TraceOutcome::Unfit,

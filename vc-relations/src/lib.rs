@@ -54,7 +54,7 @@
 //! |---|---|
 //! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::of), [`has`](Relations::has); [`update`](Relations::update) after moves |
 //! | [`Evidence`] | contacts, joints, positions of drawers and doors, held things |
-//! | [`Support`], [`Near`], [`Side`] | the figures behind on and near |
+//! | [`Support`], [`Near`], [`NearSide`] | the figures behind on and near |
 //! | [`Proximity`] | named degrees of nearness: touching distance, arm's reach, near, behind a wall, far |
 //! | [`Explanation`] | why a relation holds or does not: which trace hit which thing, and where; depth in rooms, angle off the front, distances from seat and hook |
 //! | [`RelationRule`] | the rule that decides |
@@ -117,10 +117,10 @@ mod write;
 
 pub use box_trace::BoxTrace;
 pub use error::{InputError, InputFlaw, check_sizes};
-pub use evidence::{Attachment, Contact, Evidence};
-pub use explanation::{Explanation, Hit, Hook, Seat, Sight, TraceOutcome, Traced, Within};
-pub use near::Side;
+pub use evidence::{Attachment, ContactEvidence, Evidence};
+pub use explanation::{BoxTraceHit, Containment, Explanation, Hit, Hook, Seat, Sight, TraceOutcome};
+pub use near::NearSide;
 pub use proximity::Proximity;
 pub use relations::{Near, Relations, relations};
 pub use rule::RelationRule;
-pub use support::{Ground, Support};
+pub use support::{Support, SupportKind};

@@ -9,7 +9,7 @@ use crate::edges::Reader;
 use crate::error::{InputError, check_assets, check_evidence, check_nodes, check_scene};
 use crate::evidence::Evidence;
 use crate::facts::{Facts, hands_of};
-use crate::near::Side;
+use crate::near::NearSide;
 use crate::rule::RelationRule;
 use crate::support::{Support, Supports};
 use crate::world::{Met, World};
@@ -17,13 +17,14 @@ use crate::{box_trace, virtual_home};
 
 /// A thing near another.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Near {
     /// The nearby thing.
     pub to: NodeId,
     /// Distance between the two boxes, metres; zero if they overlap.
     pub distance: f32,
     /// The side of the queried thing at which it is; none if above, below or around.
-    pub side: Option<Side>,
+    pub side: Option<NearSide>,
 }
 
 /// All relations of a scene, read from its poses and shapes.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use vc_geometry::tree::Tree;
+use vc_geometry::tree::BoxTree;
 use vc_graph::{Aabb, NodeId, ObjectRole, Relation, SceneGraph};
 
 use crate::body::Body;
@@ -14,7 +14,7 @@ use crate::threshold::{BESIDE_DOOR, DOOR_SQUARE, ROOM_MARGIN, STOREY};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rooms {
     boxes: Vec<(Solid, NodeId)>,
-    tree: Tree,
+    tree: BoxTree,
     /// The room of each floor.
     floors: BTreeMap<NodeId, NodeId>,
 }
@@ -39,7 +39,7 @@ impl Rooms {
             }
         }
         let reach = |b: &(Solid, NodeId)| b.0.region().grown(ROOM_MARGIN, ROOM_MARGIN);
-        let tree = Tree::new(&boxes.iter().map(reach).collect::<Vec<_>>());
+        let tree = BoxTree::new(&boxes.iter().map(reach).collect::<Vec<_>>());
         Self { boxes, tree, floors: of_rooms }
     }
 

@@ -1,6 +1,6 @@
 //! Walls between things.
 
-use vc_geometry::tree::Tree;
+use vc_geometry::tree::BoxTree;
 use vc_graph::Aabb;
 
 use crate::body::Body;
@@ -10,14 +10,14 @@ use crate::solid::Solid;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Walls {
     pieces: Vec<Solid>,
-    tree: Tree,
+    tree: BoxTree,
 }
 
 impl Walls {
     pub(crate) fn new<'b>(bodies: impl Iterator<Item = &'b Body>) -> Self {
         let building = bodies.filter(|b| b.traits.structure);
         let pieces: Vec<Solid> = building.flat_map(|b| &b.solids).copied().collect();
-        let tree = Tree::new(&pieces.iter().map(Solid::region).collect::<Vec<_>>());
+        let tree = BoxTree::new(&pieces.iter().map(Solid::region).collect::<Vec<_>>());
         Self { pieces, tree }
     }
 

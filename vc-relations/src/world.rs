@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use vc_geometry::cache::AssetCache;
-use vc_geometry::tree::{Meetings, Tree};
+use vc_geometry::tree::{BoxTree, OverlappingPairs};
 use vc_graph::{Aabb, AssetId, AssetLibrary, Node, NodeId, NodeKind, ObjectRole, Property, Relation, SceneGraph};
 
 use crate::body::Body;
@@ -27,7 +27,7 @@ pub(crate) struct World {
     pub(crate) bodies: Vec<Option<Arc<Body>>>,
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
-    pub(crate) tree: Tree,
+    pub(crate) tree: BoxTree,
     pub(crate) targets: Targets,
     pub(crate) walls: Walls,
     forms: Forms,
@@ -89,7 +89,7 @@ impl World {
             self.bodies.push(body);
         }
         self.walls = Walls::new(self.bodies.iter().flatten().map(Arc::as_ref));
-        self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
+        self.tree = BoxTree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.targets = Targets::new(&self.bodies);
         self.measure_all();
     }
@@ -129,7 +129,7 @@ impl World {
         pairs.iter_mut().for_each(Vec::clear);
         pairs.resize_with(self.bodies.len(), || Vec::with_capacity(16));
         let zones: Vec<Aabb> = self.bodies.iter().map(|b| zone(b, 0.5)).collect();
-        let meetings = Meetings::new(&zones);
+        let meetings = OverlappingPairs::new(&zones);
         let mut walls = Among::new(&self.walls);
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a.as_deref() else { continue };

@@ -9,20 +9,20 @@ use crate::order::sorted;
 ///
 /// ```
 /// use nalgebra::Point3;
-/// use vc_geometry::tree::Meetings;
+/// use vc_geometry::tree::OverlappingPairs;
 /// use vc_graph::Aabb;
 /// let cube = |x: f32| Aabb::around(&Point3::new(x, 0.0, 0.0), &Point3::new(x + 1.0, 1.0, 1.0));
-/// let meetings = Meetings::new(&[cube(0.0), cube(5.0), cube(0.5), cube(1.0)]);
+/// let meetings = OverlappingPairs::new(&[cube(0.0), cube(5.0), cube(0.5), cube(1.0)]);
 /// assert_eq!((meetings.of(0), meetings.of(1), meetings.of(2)), (&[2, 3][..], &[][..], &[3][..]));
 /// ```
 #[derive(Debug)]
-pub struct Meetings {
+pub struct OverlappingPairs {
     /// End of each box's part of the list.
     ends: Vec<u32>,
     others: Vec<u32>,
 }
 
-impl Meetings {
+impl OverlappingPairs {
     /// Compares each box with those that begin before it ends along the axis on which the scene is longest:
     /// sort and sweep (Baraff 1992). For boxes spread over a plane, these are about the square root of all.
     pub fn new(boxes: &[Aabb]) -> Self {

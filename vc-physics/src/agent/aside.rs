@@ -1,15 +1,13 @@
 //! Doors and drawers that give way to who steps up.
 
-use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
-use rapier3d::math::Pose as EnginePose;
-use rapier3d::parry::query;
+use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
-use super::Agent;
-use super::seat::upright;
+use super::room::standing_capsule;
+use crate::state::{Agent, Thing};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, convert, group};
+use crate::{AgentError, group};
 
 /// How far open a part stays that gives way, as a fraction of its way.
 const AJAR: f32 = 0.1;
@@ -19,6 +17,7 @@ const LOOKS: u8 = 18;
 /// Moving parts by node and number, and how far open each would be, 0 to 1.
 pub type PartsToMoveAside = Vec<(NodeId, usize, f32)>;
 
+/// # Doors and drawers that give way
 impl PhysicsWorld {
     /// What would have to give way so that an agent could stand with its feet at a pose: moving
     /// parts that stand open, by node and part, and how far open each would be then, a tenth of
@@ -39,23 +38,8 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn doors_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
+    pub fn doors_to_move_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
         self.parts_moved(agent, feet, true)
-    }
-
-    /// Whether a thing at a pose would be clear of a body that stands with its feet somewhere.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`](crate::PhysicsError::NoBody).
-    pub fn stands_beside(&self, agent: NodeId, feet: &Pose, id: NodeId, pose: &Pose) -> Result<bool, AgentError> {
-        let (shape, at) = upright(&self.agent(agent)?.plan, feet);
-        let mut solid = self.thing(id)?.form.links.iter().filter_map(|link| link.solid.as_ref());
-        let meets = |part: &(SharedShape, EnginePose)| {
-            let between = at.inv_mul(&(convert::pose(pose) * part.1));
-            let contact = query::contact(&EnginePose::IDENTITY, &shape, &between, &*part.0, 0.0);
-            contact.ok().flatten().is_some()
-        };
-        Ok(!solid.any(meets))
     }
 
     fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsToMoveAside>, AgentError> {
@@ -73,7 +57,7 @@ impl PhysicsWorld {
 
     /// Whether a part is the leaf of a door between rooms and not locked.
     fn is_shut_by_hand(&self, id: NodeId, part: usize) -> bool {
-        let free = |thing: &crate::world::Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
+        let free = |thing: &Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
         self.thing(id).is_ok_and(|thing| thing.state.door && free(thing))
     }
 
@@ -85,7 +69,7 @@ impl PhysicsWorld {
 
     /// Nodes and links that a body would overlap with its feet at a pose.
     fn met_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
-        let (shape, at) = upright(&body.plan, feet);
+        let (shape, at) = standing_capsule(&body.plan, feet);
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(body.body);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let mut met: Vec<(NodeId, usize)> =

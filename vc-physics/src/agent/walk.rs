@@ -7,20 +7,14 @@ use rapier3d::math::Vector;
 use rapier3d::parry::query::ShapeCastOptions;
 use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
-use serde::{Deserialize, Serialize};
 use vc_graph::NodeId;
 
-use super::{Agent, Posture, facing};
-use crate::nav::avoid::{self, Walker};
+use super::avoid::{self, Walker};
+use crate::convert::facing;
+use crate::state::{Agent, BodyPlan, Motion, Posture};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError, convert, group};
 
-/// Distance at which a waypoint counts as reached, metres.
-const THERE: f32 = 0.03;
-/// Number of steps without progress after which a walk is given up.
-const PATIENCE: u32 = 90;
-/// The smallest motion that counts as progress, metres per step.
-const PROGRESS: f32 = 0.001;
 /// The largest force with which a walker pushes things aside, newtons.
 const PUSH: f32 = 150.0;
 /// Number of steps between ground checks of an agent that stands still.
@@ -37,7 +31,8 @@ const JUMP: f32 = 0.4;
 
 /// The state of a walk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Walk {
+#[non_exhaustive]
+pub enum WalkState {
     /// The agent stands still, or has arrived.
     Still,
     /// The agent is on its way.
@@ -46,54 +41,7 @@ pub enum Walk {
     Stuck,
 }
 
-/// The motion of an agent's legs.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) enum Motion {
-    #[default]
-    Still,
-    /// At a velocity over the floor.
-    Going([f32; 2]),
-    /// Along points, the next one first, at a speed.
-    Along {
-        points: Vec<[f32; 2]>,
-        next: usize,
-        speed: f32,
-        idle: u32,
-    },
-    Stuck,
-}
-
-impl Motion {
-    /// The velocity that the motion asks for.
-    fn wish(&self, at: Point2<f32>, dt: f32) -> Vector2<f32> {
-        match self {
-            Self::Still | Self::Stuck => Vector2::zeros(),
-            Self::Going(v) => Vector2::new(v[0], v[1]),
-            Self::Along { points, next, speed, .. } => {
-                let Some(to) = points.get(*next) else { return Vector2::zeros() };
-                let way = Point2::from(*to) - at;
-                let last = *next + 1 == points.len();
-                let fast = if last { speed.min(way.norm() / dt) } else { *speed };
-                way.try_normalize(1e-6).map_or_else(Vector2::zeros, |d| d * fast)
-            }
-        }
-    }
-
-    /// Continues after a step to a point: on to the next waypoint, or the end.
-    fn advance(&mut self, at: Point2<f32>, moved: f32) {
-        let Self::Along { points, next, idle, .. } = self else { return };
-        while points.get(*next).is_some_and(|p| (Point2::from(*p) - at).norm() <= THERE) {
-            *next += 1;
-        }
-        *idle = if moved < PROGRESS { *idle + 1 } else { 0 };
-        if *next >= points.len() {
-            *self = Self::Still;
-        } else if *idle > PATIENCE {
-            *self = Self::Stuck;
-        }
-    }
-}
-
+/// # Walking
 impl PhysicsWorld {
     /// Lets an agent move at a velocity over the floor, metres per second, until told otherwise, no faster than
     /// its running speed. Zero stops it.
@@ -101,6 +49,15 @@ impl PhysicsWorld {
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`],
     /// [`PhysicsError::NotFinite`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.go(home.person, nalgebra::Vector2::new(0.0, -1.0))?;
+    /// world.run(60);
+    /// assert!(world.pose(home.person).is_some_and(|feet| feet.translation.y < -0.9));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn go(&mut self, id: NodeId, velocity: Vector2<f32>) -> Result<(), AgentError> {
         if !velocity.iter().all(|v| v.is_finite()) {
             return Err(PhysicsError::NotFinite("the velocity", id).into());
@@ -115,6 +72,16 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.run(30);
+    /// world.jump(home.person)?;
+    /// world.run(17);
+    /// assert!(world.pose(home.person).is_some_and(|feet| feet.translation.z > 0.3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn jump(&mut self, id: NodeId) -> Result<(), AgentError> {
         let speed = (2.0 * self.settings.gravity.max(0.0) * JUMP).sqrt();
         let agent = self.standing(id)?;
@@ -128,6 +95,19 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::go`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Point2;
+    /// use vc_physics::WalkState;
+    /// world.follow(home.person, &[Point2::new(0.0, -1.0), Point2::new(-0.5, -1.0)], false)?;
+    /// while world.walk(home.person)? == WalkState::Walking {
+    ///     world.step();
+    /// }
+    /// assert!(world.pose(home.person).is_some_and(|feet| (feet.translation.x - -0.5).abs() < 0.05));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn follow(&mut self, id: NodeId, path: &[Point2<f32>], run: bool) -> Result<(), AgentError> {
         if path.iter().any(|p| !p.x.is_finite() || !p.y.is_finite()) {
             return Err(PhysicsError::NotFinite("the path", id).into());
@@ -143,6 +123,15 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::go`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.face(home.person, nalgebra::Point3::new(0.0, 1.5, 0.0))?;
+    /// let front = world.pose(home.person).ok_or("no body")?.rotation * nalgebra::Vector3::x();
+    /// assert!(front.y > 0.999);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn face(&mut self, id: NodeId, point: nalgebra::Point3<f32>) -> Result<(), AgentError> {
         if !convert::is_finite(&point.coords) {
             return Err(PhysicsError::NotFinite("the point", id).into());
@@ -158,11 +147,11 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn walk(&self, id: NodeId) -> Result<Walk, AgentError> {
+    pub fn walk(&self, id: NodeId) -> Result<WalkState, AgentError> {
         Ok(match self.agent(id)?.walk {
-            Motion::Still => Walk::Still,
-            Motion::Stuck => Walk::Stuck,
-            Motion::Going(_) | Motion::Along { .. } => Walk::Walking,
+            Motion::Still => WalkState::Still,
+            Motion::Stuck => WalkState::Stuck,
+            Motion::Going(_) | Motion::Along { .. } => WalkState::Walking,
         })
     }
 
@@ -293,12 +282,12 @@ impl PhysicsWorld {
 }
 
 /// The shape of a standing body.
-fn upright(plan: &super::BodyPlan) -> Capsule {
+fn upright(plan: &BodyPlan) -> Capsule {
     Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius)
 }
 
 /// The controller for an agent's legs, which keep to the ground unless they jump.
-fn legs(plan: &super::BodyPlan, jumping: bool) -> KinematicCharacterController {
+fn legs(plan: &BodyPlan, jumping: bool) -> KinematicCharacterController {
     KinematicCharacterController {
         up: Vector::Z,
         offset: CharacterLength::Absolute(0.01),

@@ -7,7 +7,8 @@ use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
 use super::motion::fraction;
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
 /// Number of positions that are tested on the way, including the end.
@@ -17,6 +18,7 @@ const HALF: f32 = 0.5;
 /// Smaller overlaps count as touching only, metres.
 const SKIN: f32 = 0.001;
 
+/// # Opening at once
 impl PhysicsWorld {
     /// Opens or closes every part of a node at once, with the contents of drawers, where neither loose things
     /// nor agents are in the way; returns whether it did. The parts then end where [`drive`](Self::drive) takes
@@ -30,32 +32,40 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::drive`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// assert!(world.set_openness(home.cabinet, 1.0)?);
+    /// assert!(world.openness(home.cabinet).is_some_and(|open| open > 0.99));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set_openness(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
-        self.leap_open_past(id, open, &[])
+        self.set_openness_ignoring(id, open, &[])
     }
 
     /// As [`Self::set_openness`], ignoring some nodes as obstacles: an agent that opens a door gives way to it.
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub fn leap_open_past(&mut self, id: NodeId, open: f32, past: &[NodeId]) -> Result<bool, PhysicsError> {
+    pub fn set_openness_ignoring(&mut self, id: NodeId, open: f32, past: &[NodeId]) -> Result<bool, PhysicsError> {
         let form = self.thing(id)?.form.clone();
         let slides = |part: &usize| form.links[part + 1].joint.is_some_and(|j| j.kind == JointKind::Slide);
         let parts = 0..self.thing(id)?.state.moving.len();
         parts.clone().try_for_each(|part| self.target(id, part, open).map(drop))?;
         let (drawers, doors): (Vec<usize>, Vec<usize>) = parts.partition(slides);
         if open == 0.0 {
-            return Ok(self.leap_each(id, drawers, open, past)? && self.leap_each(id, doors, open, past)?);
+            return Ok(self.open_each(id, drawers, open, past)? && self.open_each(id, doors, open, past)?);
         }
-        if !self.leap_each(id, doors, open, past)? {
+        if !self.open_each(id, doors, open, past)? {
             return Ok(false);
         }
         // A drawer that stays closed does not matter if another part is open.
-        Ok(self.leap_each(id, drawers, open, past)? || self.openness(id).is_some_and(|o| o >= HALF))
+        Ok(self.open_each(id, drawers, open, past)? || self.openness(id).is_some_and(|o| o >= HALF))
     }
 
     /// Opens or closes some parts as far as they go, the freest first; returns whether all of them moved.
-    fn leap_each(
+    fn open_each(
         &mut self,
         id: NodeId,
         mut parts: Vec<usize>,
@@ -113,7 +123,15 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub fn in_the_way(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.teleport(home.person, vc_graph::Pose::translation(-1.0, 0.0, 0.0))?;
+    /// assert_eq!(world.blockers(home.cabinet, 1.0)?, [home.person]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn blockers(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
         let mut met = Vec::new();
         for part in 0..self.thing(id)?.state.moving.len() {
             let (from, target) = self.way(id, part, open)?;

@@ -6,7 +6,7 @@ use crate::shared;
 
 use nalgebra::Point3;
 use vc_graph::{Edge, Relation};
-use vc_relations::{BoxTrace, Evidence, Explanation, Hit, RelationRule, Relations, Side, TraceOutcome};
+use vc_relations::{BoxTrace, Evidence, Explanation, Hit, NearSide, RelationRule, Relations, TraceOutcome};
 
 fn explain(rule: RelationRule, lines: &[&str], from: &str, to: &str) -> (shared::Named, Explanation) {
     let scene = shared::scene(lines.iter().copied());
@@ -203,11 +203,15 @@ fn other_rules_are_explained_by_what_they_ask() {
     assert_eq!(why.holds, [Relation::Near, Relation::NearFront]);
     assert_eq!(why.traces.iter().map(|t| t.trace).collect::<Vec<_>>(), BoxTrace::ALL);
     let hit = |trace| why.traces.iter().find(|t| t.trace == trace).unwrap().hit;
-    let (what, far) = hit(BoxTrace::Side(Side::Front)).unwrap();
+    let (what, far) = hit(BoxTrace::Side(NearSide::Front)).unwrap();
     assert!(what == scene.id("b") && (far - 0.2).abs() < 1e-5);
     let (what, far) = hit(BoxTrace::Down).unwrap();
     assert!(what == scene.id("f") && (far - 0.01).abs() < 1e-5);
-    assert!([BoxTrace::Up, BoxTrace::Side(Side::Back), BoxTrace::Side(Side::Left)].iter().all(|t| hit(*t).is_none()));
+    assert!(
+        [BoxTrace::Up, BoxTrace::Side(NearSide::Back), BoxTrace::Side(NearSide::Left)]
+            .iter()
+            .all(|t| hit(*t).is_none())
+    );
     for rule in [RelationRule::BoxTrace, RelationRule::VirtualHome] {
         let (_, why) = explain(rule, &lines, "a", "b");
         assert!(why.down.is_empty() && why.up.is_empty() && why.supports.is_empty() && why.sight.is_none());

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneGraph, Seed, State, Stream};
-use vc_relations::{Attachment, Contact, Evidence, RelationRule, Relations};
+use vc_relations::{Attachment, ContactEvidence, Evidence, RelationRule, Relations};
 
 /// In addition to the rooms of objects: people, and things to look at, sit on, hang on and pull.
 const MORE: [&str; 11] = [
@@ -140,7 +140,7 @@ impl Life {
             }
             3 => {
                 let impulse = Vector3::new(rng.between(-1.0, 1.0), 0.0, rng.between(-1.0, 1.0));
-                evidence.contacts.push(Contact { between: (one, other), impulse });
+                evidence.contacts.push(ContactEvidence { between: (one, other), impulse });
             }
             _ => evidence.attachments.push(Attachment { child: one, parent: other }),
         }
@@ -281,8 +281,8 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     let (none, up) = (NodeId(99), Vector3::new(0.0, 0.0, 9.0));
     let mut evidence = Evidence::default()
         .attached(Attachment { child: cup, parent: none })
-        .contact(Contact { between: (none, cup), impulse: up })
-        .contact(Contact { between: (table, cup), impulse: up / 9.0 })
+        .contact(ContactEvidence { between: (none, cup), impulse: up })
+        .contact(ContactEvidence { between: (table, cup), impulse: up / 9.0 })
         .holding(Edge::new(none, Relation::HoldsRight, cup))
         .holding(Edge::new(me, Relation::HoldsRight, none));
     let mut relations = Relations::new(&scene.graph, RelationRule::Contacts, evidence.clone()).unwrap();

@@ -1,5 +1,8 @@
 //! The physics engine's sets, in one struct that can be cloned and serialised.
 
+mod contact_completion;
+mod contact_reduction;
+
 use std::sync::OnceLock;
 
 use nalgebra::Vector3;
@@ -14,7 +17,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use vc_graph::portable::Portable;
 
-use crate::{contact_reduction, convert};
+use crate::convert;
 
 /// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
 /// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
@@ -50,7 +53,7 @@ pub(crate) struct Engine {
     pub(crate) joints: ImpulseJointSet,
     islands: IslandManager,
     broad: BroadPhaseBvh,
-    #[serde(deserialize_with = "with_footings")]
+    #[serde(deserialize_with = "with_dispatcher")]
     pub(crate) narrow: NarrowPhase,
     // Unused, but required by the engine's interface.
     multibodies: MultibodyJointSet,
@@ -313,7 +316,7 @@ impl Engine {
 }
 
 /// The query dispatcher is not serialised with the contacts.
-fn with_footings<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
+fn with_dispatcher<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
     let mut narrow = NarrowPhase::deserialize(from)?;
     narrow.set_query_dispatcher(contact_reduction::dispatcher());
     Ok(narrow)
@@ -332,7 +335,7 @@ fn parameters(dt: f32) -> IntegrationParameters {
         contact_softness: damped(SpringCoefficients::contact_defaults()),
         static_contact_softness: damped(SpringCoefficients::contact_static_defaults()),
         // The engine's clustering would keep four points of all points in a plane, whether or not they carry
-        // the load; `footing` checks this.
+        // the load; `contact_reduction` checks this.
         contact_clustering: false,
         ..IntegrationParameters::default()
     }

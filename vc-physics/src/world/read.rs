@@ -5,11 +5,22 @@ use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
 use vc_graph::{Aabb, NodeId, Pose};
 
 use super::PhysicsWorld;
+use crate::shapes::Link;
+use crate::state::Thing;
 use crate::{BodyRole, Settings, convert};
 
+/// # State
 impl PhysicsWorld {
     /// Where a node is: its base, as in the scene graph; an agent's feet. `None`
     /// without a body.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let cup = world.pose(home.cup).ok_or("no body")?;
+    /// assert_eq!(cup.translation.vector, nalgebra::Vector3::new(1.0, 0.0, 0.741));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn pose(&self, id: NodeId) -> Option<Pose> {
         match self.thing(id) {
             Ok(thing) => self.engine.pose(thing.state.base),
@@ -26,12 +37,31 @@ impl PhysicsWorld {
 
     /// Poses of all nodes that have bodies, in the order of their numbers. Costs
     /// some nanoseconds each.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// for (id, pose) in world.poses() {
+    ///     assert!(pose.translation.z > -0.01, "{id} is below the floor");
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn poses(&self) -> Vec<(NodeId, Pose)> {
         self.nodes().into_iter().filter_map(|id| Some((id, self.pose(id)?))).collect()
     }
 
     /// Where a moving part is, in the world's frame: its asset's origin, moved as the
     /// part has moved. Part numbers are those of [`moving_parts`](Self::moving_parts).
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.put_open(home.cabinet, 0, 1.0)?;
+    /// let drawer = world.part_pose(home.cabinet, 0).ok_or("no such part")?;
+    /// assert!((drawer.translation.x - -1.2).abs() < 1e-4); // The cabinet is at -1.5, and the drawer slides out 0.3 m.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn part_pose(&self, id: NodeId, part: usize) -> Option<Pose> {
         let thing = self.thing(id).ok()?;
         let joint = thing.form.links.get(part + 1)?.joint?;
@@ -39,6 +69,15 @@ impl PhysicsWorld {
     }
 
     /// How a node takes part; `None` without a body.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_physics::BodyRole;
+    /// assert_eq!(world.role(home.floor), Some(BodyRole::Fixed));
+    /// assert_eq!(world.role(home.cup), Some(BodyRole::Loose));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn role(&self, id: NodeId) -> Option<BodyRole> {
         self.thing(id).ok().map(|t| t.state.role)
     }
@@ -53,11 +92,19 @@ impl PhysicsWorld {
     }
 
     /// How fast a node turns, radians a second around each axis of the world.
-    pub fn spin(&self, id: NodeId) -> Option<Vector3<f32>> {
+    pub fn angular_velocity(&self, id: NodeId) -> Option<Vector3<f32>> {
         self.body(id).map(|b| convert::vector3(b.angvel()))
     }
 
     /// Mass of a node, its moving parts with it, kilograms.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// // A cup weighs at most 0.3 kg by the class table.
+    /// assert_eq!(world.mass(home.cup), Some(0.3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn mass(&self, id: NodeId) -> Option<f32> {
         self.thing(id).ok().map(|t| t.form.mass() * t.state.mass_factor)
     }
@@ -65,16 +112,41 @@ impl PhysicsWorld {
     /// Mass of a node as its asset is modelled, by parts and densities, kilograms. It
     /// differs from [`mass`](Self::mass) where no member of the class has such a mass
     /// and [`Settings::class_masses`] is on.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// // A solid cylinder of wood, 600 kg a cubic metre.
+    /// let modelled = std::f32::consts::PI * 0.04 * 0.04 * 0.1 * 600.0;
+    /// assert!(world.modelled_mass(home.cup).is_some_and(|mass| (mass - modelled).abs() < 1e-3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn modelled_mass(&self, id: NodeId) -> Option<f32> {
         self.thing(id).ok().map(|t| t.form.mass())
     }
 
     /// Centre of mass of a node's base, in the world's frame, metres.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let centre = world.centre_of_mass(home.cup).ok_or("no body")?;
+    /// assert!((centre.z - 0.791).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn centre_of_mass(&self, id: NodeId) -> Option<Point3<f32>> {
         self.body(id).map(|b| convert::point3(b.center_of_mass()))
     }
 
     /// The box around a node's shapes as they are now, moving parts with them.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let table = world.aabb(home.table).ok_or("no body")?;
+    /// assert!((table.max.z - 0.74).abs() < 1e-4 && (table.max.y - 0.7).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn aabb(&self, id: NodeId) -> Option<Aabb> {
         let thing = self.thing(id).ok()?;
         let mut around = self.box_around(thing.bodies())?;
@@ -85,18 +157,16 @@ impl PhysicsWorld {
 
     /// The box around a node's shapes in the node's own frame, moving parts where its asset has them: its lowest and
     /// its highest corner, metres. An agent has none.
-    pub fn own_box(&self, id: NodeId) -> Option<(Point3<f32>, Point3<f32>)> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let (low, high) = world.local_bounds(home.cup).ok_or("no body")?;
+    /// assert!((high.z - low.z - 0.1).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn local_bounds(&self, id: NodeId) -> Option<(Point3<f32>, Point3<f32>)> {
         self.thing(id).ok().map(|t| t.form.extent)
-    }
-
-    /// The point of a node's shapes, moving parts with them, that is nearest to a point; the point itself where a
-    /// shape is around it. `None` without a body, and for agents.
-    pub fn nearest_point(&self, id: NodeId, to: Point3<f32>) -> Option<Point3<f32>> {
-        let bodies = self.thing(id).ok()?.bodies().filter_map(|b| self.engine.bodies.get(b));
-        let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
-        let points = colliders.map(|c| c.shape().project_point(c.position(), convert::point(to), true).point);
-        let points = points.map(convert::point3);
-        points.min_by(|a, b| (a - to).norm_squared().total_cmp(&(b - to).norm_squared()))
     }
 
     /// The box around some bodies.
@@ -110,6 +180,15 @@ impl PhysicsWorld {
 
     /// Whether a node's body sleeps: it lies still until something disturbs it. What
     /// is fixed always does.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// assert!(!world.is_asleep(home.cup));
+    /// world.settle(300);
+    /// assert!(world.is_asleep(home.cup));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn is_asleep(&self, id: NodeId) -> bool {
         self.body(id).is_none_or(|b| b.is_sleeping() || b.is_fixed())
     }
@@ -125,6 +204,14 @@ impl PhysicsWorld {
     }
 
     /// Time that has passed, seconds.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.run(60);
+    /// assert!((world.time() - 1.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn time(&self) -> f64 {
         self.ticks as f64 * f64::from(self.settings.dt)
     }
@@ -143,7 +230,7 @@ impl PhysicsWorld {
 
     /// Number of bodies, and of convex pieces they collide with.
     pub fn size(&self) -> (usize, usize) {
-        let pieces = |t: &super::Thing| t.form.links.iter().map(crate::shapes::Link::pieces).sum::<usize>();
+        let pieces = |t: &Thing| t.form.links.iter().map(Link::pieces).sum::<usize>();
         (self.engine.bodies.len(), self.things.iter().map(pieces).sum())
     }
 }

@@ -1,0 +1,59 @@
+//! Still water.
+
+use nalgebra::Point3;
+use serde::{Deserialize, Serialize};
+use vc_graph::hash::Digester;
+use vc_graph::{Aabb, NodeId, Pose};
+
+use crate::{PhysicsError, convert};
+
+/// The largest depth of a body's centre below the bottom of the water, metres: the engine lets bodies on the
+/// bottom sink in by some millimetres.
+const BELOW: f32 = 0.05;
+
+/// Still water in an upright box that may be rotated around the vertical; its surface is level.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Water {
+    /// Middle of its bottom.
+    #[serde(with = "crate::serial::pose")]
+    at: Pose,
+    /// Half its lengths along X and Y, and its depth, metres.
+    size: [f32; 3],
+    /// The container that holds it.
+    pub(crate) container: Option<NodeId>,
+}
+
+impl Water {
+    pub(crate) fn new(at: Pose, size: [f32; 3], container: Option<NodeId>) -> Result<Self, PhysicsError> {
+        let sound = convert::is_sound(&at) && size.iter().all(|s| s.is_finite() && *s > 0.0);
+        let water = Self { at, size, container };
+        if sound { Ok(water) } else { Err(PhysicsError::BadWater("its box is empty or not finite")) }
+    }
+
+    pub(crate) fn holds(&self, p: &Point3<f32>) -> bool {
+        let p = self.at.inverse_transform_point(p);
+        (0..2).all(|i| p[i].abs() <= self.size[i]) && p.z >= -BELOW
+    }
+
+    /// Height of its surface, metres.
+    pub(crate) fn level(&self) -> f32 {
+        self.at.translation.z + self.size[2]
+    }
+
+    /// The box around it along the world's axes.
+    pub(crate) fn aabb(&self) -> Aabb {
+        let [x, y, depth] = self.size;
+        let sides = [(-x, -y), (-x, y), (x, -y), (x, y)];
+        let corners = sides.iter().flat_map(|&(x, y)| [0.0, depth].map(|z| self.at * Point3::new(x, y, z)));
+        let empty = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
+        let (min, max) = corners.fold(empty, |(low, high), p| (low.inf(&p), high.sup(&p)));
+        Aabb { min, max }
+    }
+
+    /// Adds the data that determine its forces to a hash.
+    pub(crate) fn feed(&self, hash: &mut Digester) {
+        hash.reals(self.at.translation.vector.iter().copied());
+        hash.reals(self.at.rotation.coords.iter().copied());
+        hash.reals(self.size);
+    }
+}
