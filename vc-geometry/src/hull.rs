@@ -77,6 +77,14 @@ pub struct HullTolerance<'a> {
 
 /// The triangles of the hull by index, counter-clockwise seen from outside; `None` if the points have no volume, or
 /// rounding left no closed surface.
+///
+/// ```
+/// use nalgebra::Point3;
+/// let tetrahedron = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.1; 3]].map(Point3::from);
+/// assert_eq!(vc_geometry::hull::triangles(&tetrahedron).map(|all| all.len()), Some(4));
+/// let flat = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+/// assert!(vc_geometry::hull::triangles(&flat).is_none());
+/// ```
 pub fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
     let mut hull = Hull::new(points);
     let all: Vec<u32> = (0..points.len() as u32).collect();
@@ -87,6 +95,22 @@ pub fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
 
 /// As [`triangles`], for a hull that approximates that of the points; `None` also if the points to begin with have
 /// no volume.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use vc_geometry::hull::{HullTolerance, approximate, triangles};
+/// // Points on a sphere.
+/// let point = |i: i32| {
+///     let (z, turn) = (i as f32 / 100.0 - 1.0, 2.4 * i as f32);
+///     let radius = (1.0 - z * z).max(0.0).sqrt();
+///     Point3::new(radius * turn.cos(), radius * turn.sin(), z)
+/// };
+/// let ball: Vec<_> = (0..=200).map(point).collect();
+/// let tolerance = HullTolerance { first: &[0, 50, 100, 150, 200], by: 0.05, corners: 1000 };
+/// let few = approximate(&ball, &tolerance).ok_or("flat")?;
+/// assert!(few.len() < triangles(&ball).ok_or("flat")?.len() / 2);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn approximate(points: &[Point3<f32>], tolerance: &HullTolerance<'_>) -> Option<Vec<[u32; 3]>> {
     if tolerance.first.iter().any(|&point| point as usize >= points.len()) {
         return None;

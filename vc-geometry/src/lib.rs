@@ -90,6 +90,14 @@ pub fn material() -> Material {
 }
 
 /// Whether only a box is known of a node: it is an object with a box and a pose and without an asset.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// let mut scene = SceneBuilder::new("hall");
+/// let bench = scene.add(Draft::new("bench").bounds(Bounds::standing([1.2, 0.4, 0.45].into())).at(Pose::identity()))?;
+/// assert!(scene.graph().node(bench).is_some_and(vc_geometry::is_bare));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn is_bare(node: &Node) -> bool {
     let spec = node.spec();
     node.kind() == NodeKind::Object && spec.asset.is_none() && spec.bounds.is_some() && node.pose().is_some()

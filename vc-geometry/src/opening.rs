@@ -27,6 +27,16 @@ pub struct WallOpening {
 ///
 /// A door's box may be around a leaf that stands open, and may end at its handle. So a doorway is at
 /// least two metres high, and leads the way in which the frame, or the wall, at the same place is thin.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// let mut scene = SceneBuilder::new("hall");
+/// let door = Draft::new("door").bounds(Bounds::standing([0.1, 0.9, 2.1].into())).at(Pose::identity());
+/// let door = scene.add(door)?;
+/// let openings = vc_geometry::openings(&scene.build());
+/// assert_eq!((openings[0].door, openings[0].across, openings[0].is_doorway), (door, 0, true));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn openings(graph: &SceneGraph) -> Vec<WallOpening> {
     graph.nodes().filter(|n| n.role().is_opening()).filter_map(|n| opening(graph, n)).collect()
 }

@@ -19,6 +19,11 @@ pub fn greater(a: f32, b: f32) -> f32 {
 }
 
 /// Sorts items by a number, and by their index where it is equal; integer keys compare faster.
+///
+/// ```
+/// let distances = [(2.5, 0), (-1.0, 1), (2.5, 2)];
+/// assert_eq!(vc_geometry::order::sorted(distances.into_iter()), [1, 0, 2]);
+/// ```
 pub fn sorted(keys: impl Iterator<Item = (f32, u32)>) -> Vec<u32> {
     let key = |(value, item): (f32, u32)| {
         let bits = value.to_bits();

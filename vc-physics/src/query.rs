@@ -11,8 +11,8 @@ use crate::{PhysicsError, convert, group};
 
 /// # Spatial queries
 impl PhysicsWorld {
-    /// Nodes of which some part is within a distance of a point, nearest first, with
-    /// the distance; walls and floors with them.
+    /// The nodes with some part within a distance of a point, with their distances, nearest first; walls and floors
+    /// included. Metres.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -40,8 +40,8 @@ impl PhysicsWorld {
         found
     }
 
-    /// The first node that a ray from one point to another meets, and where; those in
-    /// `past` do not stop it.
+    /// The first node that a ray from one point to another hits, and the point of the hit, metres. Nodes in `past` are
+    /// transparent.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();

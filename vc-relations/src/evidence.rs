@@ -6,6 +6,17 @@ use nalgebra::Vector3;
 use vc_graph::{Edge, NodeId};
 
 /// A contact between two things, as reported by a physics engine.
+///
+/// ```
+/// # let home = vc_testkit::kitchen::kitchen();
+///
+/// use vc_relations::{ContactEvidence, Evidence, Relations, SupportKind};
+/// let up = nalgebra::Vector3::new(0.0, 0.0, 0.05); // Newton seconds, on the cup.
+/// let evidence = Evidence::default().contact(ContactEvidence { between: (home.table, home.cup), impulse: up });
+/// let relations = Relations::new(&home.graph, Default::default(), evidence)?;
+/// assert_eq!(relations.supports(home.cup)[0].ground, SupportKind::Contact);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactEvidence {
     /// The two things.
@@ -76,6 +87,15 @@ impl Evidence {
     }
 
     /// Sets everything that moves with somebody's hands.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    ///
+    /// let evidence = vc_relations::Evidence::default().carrying([home.cup]);
+    /// let relations = vc_relations::Relations::new(&home.graph, Default::default(), evidence)?;
+    /// assert!(relations.supports(home.cup).is_empty()); // It is in a hand.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn carrying(self, carried: impl IntoIterator<Item = NodeId>) -> Self {
         Self { carried: Some(carried.into_iter().collect()), ..self }

@@ -21,6 +21,16 @@ impl Relations {
     ///
     /// Hits, supports, seats, hooks and sights are those of the repaired rule, and empty under another rule;
     /// [`RelationRule::BoxTrace`] has its six traces instead.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    ///
+    /// let why = relations.explain(home.cup, home.table).ok_or("no such nodes")?;
+    /// assert!(why.holds.contains(&vc_graph::Relation::On));
+    /// assert_eq!(why.down[0].what, home.table); // The trace down from the cup hits the table.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn explain(&self, from: NodeId, to: NodeId) -> Option<Explanation> {
         let (i, j) = (self.world.index(from)?, self.world.index(to)?);
         let (a, b) = (self.world.bodies[i].as_deref()?, self.world.bodies[j].as_deref());

@@ -66,6 +66,15 @@ impl Relations {
     ///
     /// # Errors
     /// [`InputError`] with every number that is not finite, too large, or not a valid size or rotation.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// use vc_relations::{Evidence, RelationRule, Relations};
+    /// let relations = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default())?;
+    ///
+    /// assert!(relations.supports(home.cup).iter().any(|support| support.by == home.table));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(graph: &SceneGraph, rule: RelationRule, evidence: Evidence) -> Result<Self, InputError> {
         check_evidence(graph, &evidence)?;
         let mut relations =
@@ -126,6 +135,17 @@ impl Relations {
     ///
     /// # Errors
     /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    ///
+    /// # let mut relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// // The physics engine says that the drawer is open by 0.3 m.
+    /// let open = vc_relations::Evidence::default().positioned(home.cabinet, 0, 0.3);
+    /// relations.set_evidence(&home.graph, open.clone())?;
+    /// assert_eq!(relations.evidence(), &open);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set_evidence(&mut self, graph: &SceneGraph, evidence: Evidence) -> Result<(), InputError> {
         self.update_with(graph, &[], evidence).map(drop)
     }
@@ -163,6 +183,20 @@ impl Relations {
     ///
     /// # Errors
     /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    ///
+    /// use vc_graph::{Edge, Pose, Relation};
+    /// # let mut graph = home.graph.clone();
+    /// # let mut relations = vc_relations::Relations::new(&graph, Default::default(), Default::default())?;
+    /// let mut edit = graph.edit();
+    /// edit.set_pose(home.cup, Some(Pose::translation(0.0, -1.0, 0.001)))?;
+    /// edit.commit();
+    /// relations.update(&graph, &[home.cup])?;
+    /// assert!(relations.has(Edge::new(home.cup, Relation::On, home.floor)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn update(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Result<Vec<NodeId>, InputError> {
         check_nodes(graph, changed)?;
         let mut changed = changed.to_vec();
@@ -234,6 +268,16 @@ impl Relations {
     }
 
     /// All relations, sorted by start, kind and end; symmetric ones occur in both directions.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    ///
+    /// use vc_graph::Relation;
+    /// let on: Vec<_> = relations.edges().into_iter().filter(|edge| edge.relation == Relation::On).collect();
+    /// assert!(on.iter().any(|edge| (edge.from, edge.to) == (home.cup, home.table)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn edges(&self) -> Vec<Edge> {
         if self.rule != RelationRule::Contacts {
             return self.fixed.to_vec();
@@ -247,6 +291,17 @@ impl Relations {
     }
 
     /// All relations that start at a node, sorted.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    ///
+    /// use vc_graph::{Edge, Relation};
+    /// let edges = relations.of(home.cup);
+    /// assert!(edges.contains(&Edge::new(home.cup, Relation::On, home.table)));
+    /// assert!(edges.contains(&Edge::new(home.cup, Relation::InRoom, home.room)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn of(&self, id: NodeId) -> Vec<Edge> {
         let mut edges = Vec::new();
         if self.rule != RelationRule::Contacts {
@@ -278,6 +333,16 @@ impl Relations {
     }
 
     /// Whether a relation holds.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    ///
+    /// use vc_graph::{Edge, Relation};
+    /// assert!(relations.has(Edge::new(home.cup, Relation::On, home.table)));
+    /// assert!(!relations.has(Edge::new(home.cup, Relation::Inside, home.cabinet)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn has(&self, edge: Edge) -> bool {
         self.of(edge.from).binary_search(&edge).is_ok()
     }
@@ -289,12 +354,32 @@ impl Relations {
 
     /// The supports of a thing and how they are known, also if the relation is inside, sitting or lying; empty
     /// for things that fall and for unknown nodes. By the repaired rule, whichever is selected.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    ///
+    /// let supports = relations.supports(home.cup);
+    /// assert_eq!((supports.len(), supports[0].by, supports[0].ground), (1, home.table, vc_relations::SupportKind::Trace));
+    /// assert!((supports[0].gap - 0.001).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn supports(&self, id: NodeId) -> Vec<Support> {
         let supports = Supports::new(&self.world, &self.facts);
         self.world.index(id).map_or_else(Vec::new, |index| supports.of(index))
     }
 
     /// The things near a thing, by number. By the repaired rule, whichever is selected.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    ///
+    /// let near = relations.near(home.person);
+    /// let table = near.iter().find(|near| near.to == home.table).ok_or("too far")?;
+    /// assert_eq!(table.side, Some(vc_relations::NearSide::Front));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn near(&self, id: NodeId) -> Vec<Near> {
         let pairs = self.world.index(id).map_or(&[][..], |index| &self.world.pairs[index]);
         let near = pairs.iter().filter(|p| p.distance.is_finite());

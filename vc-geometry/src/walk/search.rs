@@ -77,6 +77,15 @@ struct Search<'a> {
 /// is none. Both points have to be in free cells.
 ///
 /// Costs some ten microseconds in a home: each gate is met a few times.
+///
+/// ```
+/// use vc_geometry::grid::BitGrid;
+/// use vc_geometry::walk::{Bands, shortest};
+/// let mut free = BitGrid::new(20, 10);
+/// free.fill((0, 9), (0, 10), true);
+/// free.fill((11, 20), (0, 10), true);
+/// assert!(shortest(&Bands::new(&free), (2.0, 2.0), (15.0, 2.0)).is_none()); // There is no way across.
+/// ```
 pub fn shortest(bands: &Bands, start: CellPoint, goal: CellPoint) -> Option<(Vec<CellPoint>, f64)> {
     let band = |p: CellPoint| bands.at(p.0.max(0.0) as usize, p.1.max(0.0) as usize);
     let (start_band, goal_band) = (band(start)?, band(goal)?);

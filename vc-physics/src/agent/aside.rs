@@ -1,4 +1,4 @@
-//! Doors and drawers that give way to who steps up.
+//! Doors and drawers that give way to an agent that steps up.
 
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::pipeline::QueryFilter;
@@ -9,23 +9,21 @@ use crate::state::{Agent, Thing};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, group};
 
-/// How far open a part stays that gives way, as a fraction of its way.
+/// The opening at which a part that gives way stays at least, as a fraction of its range.
 const AJAR: f32 = 0.1;
-/// Positions that are looked at, from there to wide open.
+/// Number of positions that are tested, from there to wide open.
 const LOOKS: u8 = 18;
 
-/// Moving parts by node and number, and how far open each would be, 0 to 1.
+/// Moving parts by node and number, and the opening that each would have, 0 to 1.
 pub type PartsToMoveAside = Vec<(NodeId, usize, f32)>;
 
 /// # Doors and drawers that give way
 impl PhysicsWorld {
-    /// What would have to give way so that an agent could stand with its feet at a pose: moving
-    /// parts that stand open, by node and part, and how far open each would be then, a tenth of
-    /// its way at least. Nothing where the agent stands free; `None` if anything else is in the
-    /// way, or a part finds no such position.
+    /// The open moving parts that would have to give way so that an agent could stand with its feet at a pose, by
+    /// node and part, with the opening that each would have then, at least a tenth of its range. Empty if the agent
+    /// stands free already; `None` if anything else is in the way, or a part has no such position.
     ///
-    /// [`put_open`](Self::put_open) moves them. Costs some microseconds, and some for each
-    /// position of a part.
+    /// [`put_open`](Self::put_open) moves them. Costs some microseconds, and as much for each tested position.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
@@ -50,7 +48,7 @@ impl PhysicsWorld {
             Some((id, part, self.part_aside(body, feet, id, part, if opens { 0.0 } else { AJAR })?))
         };
         let met = self.met_at(body, feet);
-        // What lies in a drawer goes along with it.
+        // The contents of a drawer move with it.
         let load: Vec<NodeId> = met.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
         Ok(met.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
     }
@@ -61,7 +59,7 @@ impl PhysicsWorld {
         self.thing(id).is_ok_and(|thing| thing.state.door && free(thing))
     }
 
-    /// What lies on or in a moving part.
+    /// The things on or in a moving part.
     fn load_of_link(&self, id: NodeId, link: usize) -> Vec<NodeId> {
         let moving = self.thing(id).ok().and_then(|t| t.state.moving.get(link.checked_sub(1)?)?.body);
         moving.map_or_else(Vec::new, |body| self.load_of(body))
@@ -79,8 +77,8 @@ impl PhysicsWorld {
         met
     }
 
-    /// How far open a part would be that is out of a body's way, nearest to how far it is.
-    /// It gives way if it stands open so far already.
+    /// The opening nearest to the present one at which a part is out of a body's way; `None` if the part is less
+    /// open than `least`.
     fn part_aside(&self, body: &Agent, feet: &Pose, id: NodeId, part: usize, least: f32) -> Option<f32> {
         let now = self.moving_parts(id).get(part).map(|p| p.open).filter(|open| *open >= least)?;
         let look = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(LOOKS);

@@ -1,4 +1,4 @@
-//! Two hands: taking, carrying, putting down.
+//! Two hands: grabbing, carrying, putting down.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, Pose};
@@ -7,22 +7,22 @@ use crate::state::{Agent, Hand, Held, Loaded};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError, convert};
 
-/// Least distance of what is held from the body, metres.
+/// Smallest distance of a held thing from the body, metres.
 const BEFORE: f32 = 0.02;
-/// How far below the eyes the top of what is held is at least, as a part of how far its far side is ahead: one looks
-/// over it.
+/// Smallest distance of a held thing's top below the eyes, as a share of the distance of its far side: the agent
+/// looks over it.
 const BELOW: f32 = 0.5;
-/// How far above the floor what is held is at least, metres.
+/// Smallest height of a held thing above the floor, metres.
 const OFF: f32 = 0.05;
 
 /// # Hands
 impl PhysicsWorld {
-    /// What a hand holds.
+    /// The thing in a hand.
     pub fn held(&self, agent: NodeId, hand: Hand) -> Option<NodeId> {
         self.agents.get(&agent)?.hands[hand as usize].as_ref().map(|h| h.id)
     }
 
-    /// Who holds a thing, and in which hand.
+    /// The agent that holds a thing, and its hand.
     pub fn holder(&self, id: NodeId) -> Option<(NodeId, Hand)> {
         let all = self.agents.keys().flat_map(|&a| Hand::BOTH.map(|h| (a, h)));
         all.into_iter().find(|&(a, h)| self.held(a, h) == Some(id))
@@ -34,8 +34,8 @@ impl PhysicsWorld {
         held.any(|h| h.id == id && !h.load.is_empty())
     }
 
-    /// Takes a thing into a hand, with what lies on it or in it. From now on it
-    /// follows the hand and touches nothing.
+    /// Takes a thing into a hand, together with the things on it and in it. From then on it follows the hand and
+    /// collides with nothing.
     ///
     /// # Errors
     /// [`AgentError::HandFull`], [`AgentError::OutOfReach`],
@@ -56,8 +56,8 @@ impl PhysicsWorld {
         self.grab_where(agent, hand, id, |_| true)
     }
 
-    /// As [`Self::grab`]; of what lies on the thing, only that comes along which a condition
-    /// admits. The rest is left behind, and falls if nothing else carries it.
+    /// As [`Self::grab`]; among the things on it, only those that satisfy a condition come along. The others are left
+    /// behind, and fall if nothing else carries them.
     ///
     /// # Errors
     /// As [`Self::grab`].
@@ -87,7 +87,7 @@ impl PhysicsWorld {
         self.take(agent, hand, id, &all)
     }
 
-    /// Takes a thing from any distance, with exactly the things of a load: what rests on it besides is left behind.
+    /// Takes a thing from any distance, with exactly the things of a load; other things on it are left behind.
     pub(crate) fn take(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
         self.check_may_take(agent, hand, id)?;
         let (body, thing) = (self.agent(agent)?, self.thing(id)?);
@@ -133,14 +133,14 @@ impl PhysicsWorld {
         self.thing(id).map_or_else(|_| Vec::new(), |thing| self.load_of(thing.state.base))
     }
 
-    /// Where a hand holds what it holds: its pose against the agent's feet, or its seat.
+    /// The pose of the thing in a hand, relative to the agent's feet or its seat.
     pub fn grip(&self, agent: NodeId, hand: Hand) -> Option<Pose> {
         let body = self.agents.get(&agent)?;
         body.hands[hand as usize].as_ref().map(|h| body.lap() * h.grip)
     }
 
-    /// Holds what a hand holds elsewhere against the agent's feet: before the mouth, over a pan.
-    /// It is there at once, with what lies on it, and touches nothing.
+    /// Changes the pose of the thing in a hand relative to the agent's feet: before the mouth, over a pan. The thing is
+    /// there at once, with its load, and collides with nothing.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::HandEmpty`], [`PhysicsError::NotFinite`].
@@ -155,9 +155,8 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Puts down at a pose what a hand holds, at rest; look for one with
-    /// [`free_spot`](Self::free_spot). The pose has to be free, and within reach of
-    /// the shoulder.
+    /// Puts the thing in a hand down at a pose, at rest; [`free_spot`](Self::free_spot) finds one. The pose has to be
+    /// free, and within reach of the shoulder.
     ///
     /// # Errors
     /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`],
@@ -188,9 +187,9 @@ impl PhysicsWorld {
         self.free_hand(agent, hand, Some(pose))
     }
 
-    /// Puts what a hand holds back to where it was in another moment of this world, which need not be free: it is held
-    /// there as a part of the thing that it was on or in, or of the part of that which carried it. Look for the pose
-    /// with [`former_spot`](Self::former_spot).
+    /// Puts the thing in a hand back to its pose in another moment of this world, which need not be free: the thing is
+    /// pinned there to its former support or container, or to the moving part that carried it.
+    /// [`former_spot`](Self::former_spot) finds the pose.
     ///
     /// # Errors
     /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`], [`PhysicsError::NoBody`].
@@ -213,8 +212,8 @@ impl PhysicsWorld {
         Ok(id)
     }
 
-    /// Lets go of what a hand holds: it falls from where it is, or from the nearest
-    /// free place before the agent.
+    /// Lets go of the thing in a hand: it falls from its present pose, or from the nearest free one before the
+    /// agent.
     ///
     /// # Errors
     /// [`AgentError::HandEmpty`]; [`PhysicsError::Overlap`] where there is no room to
@@ -244,13 +243,13 @@ impl PhysicsWorld {
         Err(PhysicsError::Overlap { id, other: blocked.unwrap_or(agent) }.into())
     }
 
-    /// Opens a hand; what it held is at a pose, at rest, with its load.
+    /// Opens a hand; the thing in it is then at a pose, at rest, with its load.
     fn free_hand(&mut self, agent: NodeId, hand: Hand, pose: Option<Pose>) -> Result<NodeId, AgentError> {
         let held = self.agent_mut(agent)?.hands[hand as usize].take().ok_or(AgentError::HandEmpty(agent))?;
         let pose = pose.or_else(|| self.pose(held.id)).unwrap_or_else(Pose::identity);
         let load = held.load.iter().map(|l| (l.id, pose * l.at, l.pinned));
         for (id, at, pinned) in std::iter::once((held.id, pose, false)).chain(load) {
-            // What was taken out of the world meanwhile is not put down.
+            // A thing that was removed from the world meanwhile is not put down.
             if self.set_role(id, BodyRole::Loose).is_ok() {
                 self.place(id, at)?;
                 if pinned {
@@ -261,7 +260,7 @@ impl PhysicsWorld {
         Ok(held.id)
     }
 
-    /// Makes sure that no hand holds a thing, and that it is in nobody's load.
+    /// Makes sure that no hand holds a thing, and that it is in no hand's load.
     pub(crate) fn let_go_of(&mut self, id: NodeId) {
         if let Some((agent, hand)) = self.holder(id) {
             let _ = self.free_hand(agent, hand, None);
@@ -272,8 +271,8 @@ impl PhysicsWorld {
     }
 }
 
-/// Where a thing is held: upright as it was, turned with the agent, its middle in the
-/// hand; large things as much farther ahead as keeps them out of the body, tall ones lower.
+/// The pose in which a thing is held: upright as it was, turned with the agent, its middle in the hand; large things
+/// are farther ahead, clear of the body, and tall ones lower.
 fn grip(agent: &Agent, hand: Hand, pose: &Pose, (low, high): (Point3<f32>, Point3<f32>)) -> Pose {
     let turn = agent.feet.rotation.inverse() * pose.rotation;
     let (middle, half) = (nalgebra::center(&low, &high), (high - low) / 2.0);

@@ -35,7 +35,7 @@ impl PhysicsWorld {
             }
             for (hand, relation) in [(Hand::Right, Relation::HoldsRight), (Hand::Left, Relation::HoldsLeft)] {
                 for held in graph.related(id, relation).collect::<Vec<_>>() {
-                    // What cannot be held (it has no body, or the hand is full) stays.
+                    // A thing that cannot be held (it has no body, or the hand is full) stays.
                     let load = self.load_on(held);
                     let _ = self.take(id, hand, held, &load);
                 }
@@ -100,12 +100,12 @@ impl PhysicsWorld {
         self.agents.keys().copied()
     }
 
-    /// How an agent is built.
+    /// The build of an agent's body.
     pub fn body_plan(&self, id: NodeId) -> Option<&BodyPlan> {
         self.agents.get(&id).map(|a| &a.plan)
     }
 
-    /// What an agent's body does.
+    /// The posture of an agent's body.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -117,9 +117,8 @@ impl PhysicsWorld {
         self.agents.get(&id).map(|a| a.posture)
     }
 
-    /// Puts an agent somewhere at once, standing, its feet at a pose of which only
-    /// the turn around the vertical counts; where something as low as a rug lies, it stands on
-    /// that. The things in its hands come along. An agent with nothing below its feet falls, and is among the
+    /// Moves an agent at once; it then stands with its feet at a pose, of which only the rotation around the vertical
+    /// counts. If something as low as a rug lies there, the agent stands on it. The things in its hands come along. An agent with nothing below its feet falls, and is among the
     /// [stopped](Self::stopped) in the end.
     ///
     /// # Errors
@@ -147,8 +146,8 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Brings an agent's body, and what it holds, to where the agent is: at once, or
-    /// in the course of the next step.
+    /// Moves an agent's body and the things in its hands to the agent's pose: at once, or in the course of the next
+    /// step.
     fn embody(&mut self, id: NodeId, at_once: bool) {
         let Some(agent) = self.agents.get(&id) else { return };
         let (body, feet) = (agent.body, convert::pose(&agent.feet));

@@ -7,19 +7,19 @@ use crate::state::{ADULT, BodyPlan, Posture};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError};
 
-/// How low a shoulder comes when one bends, as a share of the height.
+/// Height of the shoulders of a body that bends down, as a share of its height.
 const BENT: f32 = 0.3;
 
-/// How high the shoulders come when it stands on its toes, metres above where they are.
+/// The rise of the shoulders of a body on its toes, metres.
 const TIPTOE: f32 = 0.08;
 
-/// Parts of the way one can lean that are tried.
+/// Shares of the largest lean that are tried.
 const LEANS: [f32; 4] = [1.0, 0.7, 0.35, 0.0];
 
 /// # Reach and sight
 impl PhysicsWorld {
-    /// How far a thing is from an agent's shoulder, to its nearest point, metres. An
-    /// agent bends down for what is low, leans towards what is far, and stands on its toes.
+    /// The distance from an agent's shoulder to the nearest point of a thing, metres. A standing agent bends down for
+    /// low things, leans towards far ones, and stands on its toes for high ones.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
@@ -41,8 +41,8 @@ impl PhysicsWorld {
         Ok(self.distance_to(id, arm)?)
     }
 
-    /// How far from an agent's shoulder a thing would be put down at a pose by an agent with its
-    /// feet somewhere: to the middle of the thing, less half its size, metres.
+    /// The distance from an agent's shoulder to a thing that it would put down at a pose with its own feet at another
+    /// pose: to the middle of the thing, less half the thing's size, metres.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
@@ -57,15 +57,15 @@ impl PhysicsWorld {
         Ok((middle - arm).norm() - (high - low).norm() / 2.0)
     }
 
-    /// Where the shoulder of a body is that reaches for a thing.
+    /// The shoulder of a body that reaches for a thing.
     pub(crate) fn arm(&self, plan: &BodyPlan, feet: Point3<f32>, id: NodeId) -> Result<Point3<f32>, PhysicsError> {
         let middle = self.aabb(id).ok_or(PhysicsError::NoBody(id))?.centre();
         Ok(leaning(plan, feet, middle))
     }
 
-    /// What an agent's hands can get at from where it is: the nodes people can carry
-    /// within reach of its shoulder, nearest first, with the distance. Whether a door
-    /// is in between is not looked at; see [`can_see`](Self::can_see).
+    /// The things within reach of an agent's hands from its present pose, with their distances from the shoulder,
+    /// nearest first; only things that people carry. A closed door in between is not considered; see
+    /// [`can_see`](Self::can_see).
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
@@ -80,7 +80,7 @@ impl PhysicsWorld {
     pub fn in_reach(&self, agent: NodeId) -> Result<Vec<(NodeId, f32)>, AgentError> {
         let body = self.agent(agent)?;
         let feet = Point3::from(body.feet.translation.vector);
-        // Whatever it bends for is within this of its middle.
+        // Everything that it bends for is within this distance of its middle.
         let middle = feet + Vector3::z() * (0.5 * body.plan.height);
         let near = self.within(middle, body.plan.stretch() + 0.5 * body.plan.height);
         let carried =
@@ -96,8 +96,8 @@ impl PhysicsWorld {
         Ok(found)
     }
 
-    /// Whether an agent's eyes see a thing: a ray to its middle or to a corner of its
-    /// box, a little in, meets nothing else first. Ways to look are not considered.
+    /// Whether a thing is visible from an agent's eyes: a ray to its middle, or to a corner of a slightly smaller box,
+    /// hits nothing else first. The direction of the gaze is not considered.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`].
@@ -124,16 +124,16 @@ impl PhysicsWorld {
     }
 }
 
-/// Where the shoulder of a standing body is that reaches for a point: leant towards it and
-/// bent down as far as that brings it nearer.
+/// The shoulder of a standing body that reaches for a point: leant towards the point and bent down as far as that
+/// brings it nearer.
 fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
     let shoulders = LEANS.map(|share| leant(plan, feet, to, share * ADULT.lean));
     let nearer = |a: Point3<f32>, b: Point3<f32>| if (b - to).norm() < (a - to).norm() { b } else { a };
     shoulders.into_iter().fold(shoulders[0], nearer)
 }
 
-/// Where the shoulder is that comes forward so far: as high as what it reaches for, but no lower
-/// than one can bend and no higher than a leaning body comes.
+/// The shoulder of a body that leans forward by a distance, metres: at the height of the target, but no lower than a
+/// body bends and no higher than a leaning body comes.
 fn leant(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>, most: f32) -> Point3<f32> {
     let way = (to - feet).xy();
     let forward = way.norm().min(most);

@@ -67,7 +67,8 @@ impl Floor {
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// let map = vc_physics::Floor::new(&world, vc_physics::FloorOptions::default()).occupancy();
-    /// assert!(map.is_free(nalgebra::Point2::new(0.0, 0.0)));
+    /// let (column, row) = map.cell_of(nalgebra::Point2::new(0.0, 0.0)).ok_or("outside")?;
+    /// assert!(map.is_free(column, row));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn occupancy(&self) -> Occupancy {

@@ -6,9 +6,9 @@ use crate::PhysicsError;
 use crate::world::PhysicsWorld;
 
 impl PhysicsWorld {
-    /// Where a thing was in another moment of this world, brought along with the thing that it was on or in, or with the
-    /// part of that which carried it. `None` if anything overlaps it there that did not overlap it then, or one of
-    /// them was not there.
+    /// The pose that a thing had in another moment of this world, moved along with its support or container since, or
+    /// with the moving part of it that carried the thing. `None` if the thing would overlap anything there that it did
+    /// not overlap then, or if one of the two had no body.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
@@ -21,7 +21,7 @@ impl PhysicsWorld {
         Ok((!more).then_some(spot))
     }
 
-    /// Which link of a thing another one rests on; none of those that move is zero.
+    /// The link of a thing on which another one rests; zero is the base.
     pub(crate) fn link_below(&self, id: NodeId, at: NodeId) -> usize {
         let pinned = self.thing(id).ok().and_then(|thing| thing.state.rides);
         let part = pinned.or_else(|| self.rides(id)).filter(|(below, _)| *below == at);

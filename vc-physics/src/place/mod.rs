@@ -22,13 +22,12 @@ use crate::world::PhysicsWorld;
 
 pub use surface::SupportSurface;
 
-/// Gap that is left between a thing and what it is put on, metres: it is at rest
-/// after a millimetre's fall.
+/// Gap that is left between a thing and its support, metres: the thing is at rest after a millimetre's fall.
 const GAP: f32 = 0.001;
-/// Room that is left around a thing where it is put, metres: rims of plates do not touch.
+/// Clearance around a thing that is put down, metres: rims of plates do not touch.
 const AROUND: f32 = 0.005;
 
-/// In which order the spots of a surface are tried.
+/// The order in which the spots of a surface are tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SpotOrder {
@@ -42,12 +41,10 @@ pub enum SpotOrder {
 
 /// # Free spots
 impl PhysicsWorld {
-    /// A pose at which a node stands free on a surface: within its edges, below what
-    /// is above, clear of everything, turned by `yaw` against the surface. `None` if
-    /// no spot is free.
+    /// A pose at which a node stands free on a surface: within the surface's edges and clearance, clear of
+    /// everything, turned by `yaw` radians against the surface. `None` if no spot is free.
     ///
-    /// Spots are tried on a raster of four centimetres or coarser; each costs some
-    /// microseconds.
+    /// Spots are tried on a grid of four centimetres or coarser; each costs some microseconds.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchSurface`],
@@ -76,8 +73,7 @@ impl PhysicsWorld {
         Ok(spots(thing.form.extent, &shelf, &turn, (0.0, 0.0), PITCH, order).into_iter().find(free))
     }
 
-    /// As [`Self::free_spot`], for a box of half lengths that no node has yet: the pose of its
-    /// middle.
+    /// As [`Self::free_spot`], for a box with half lengths in metres instead of a node: the pose of its middle.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchSurface`],
@@ -107,10 +103,10 @@ impl PhysicsWorld {
         Ok(spots.into_iter().find(|spot| self.is_free(half, spot)))
     }
 
-    /// As [`Self::free_spot`], on whichever surface of a node has one: those inside
-    /// if `inside`, otherwise those on top. What does not stand in a container is laid on its
-    /// side; what is wider than a surface is put in the middle of it and reaches over its edges. Where there is
-    /// no room left for the box around it, it is put [close](Self::packed_spot_at) to what is there.
+    /// As [`Self::free_spot`], on the first surface of a node that has a free spot: an inner one if `inside`,
+    /// otherwise one on top. A thing that does not stand in a container is laid on its side; a thing that is wider
+    /// than a surface is put on the middle of it and reaches over its edges. If no spot is left for the box around
+    /// the thing, it is put [close](Self::packed_spot_at) to the things that are there.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -155,8 +151,7 @@ impl PhysicsWorld {
         if apart.is_some() { Ok(apart) } else { self.packed_spot_where(id, at, inside, order, &admits) }
     }
 
-    /// As [`Self::free_spot_at`], a little above what is in a container, upon which the thing is
-    /// let down.
+    /// As [`Self::free_spot_at`], a little above the contents of a container: the thing is let down onto them.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].

@@ -10,14 +10,13 @@ use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
-/// How much smaller a thing is taken than it is when it is looked for overlaps,
-/// metres: what stands in contact does not overlap.
+/// The depth of an overlap that counts as contact only, metres.
 const SKIN: f32 = 0.001;
 
 /// # Overlaps
 impl PhysicsWorld {
-    /// Things a node would overlap if it were at a pose; itself, what it carries and
-    /// what is carried do not count. Touching is not overlapping.
+    /// The things that a node would overlap at a pose; the node itself, its load and carried things do not count.
+    /// Touching is not overlapping.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].

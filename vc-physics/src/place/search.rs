@@ -24,15 +24,15 @@ impl PhysicsWorld {
     ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
         let mut shelves = self.surfaces_that(below, hold);
-        // What is put on a stove goes to a burner that is free, not beside what is on another.
+        // A thing that is put on a stove goes to a free burner, not beside a thing on another one.
         shelves.sort_by_cached_key(|shelf| is_burner(shelf) && !self.is_bare(shelf));
         let mut spots = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
         Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order, admits)))
     }
 
-    /// The first free spot on a surface for what is put there in a way: one where the box around
-    /// it is free too, if there is one, as a plate does not stand under another's rim. On top of
-    /// things that box has to be free at least of what is loose.
+    /// The first free spot on a surface for a thing that is put there in a given way: a spot where the box around
+    /// the thing is free too, if there is one, as a plate does not stand under another's rim. On top of things, that
+    /// box has to be free at least of loose things.
     fn spot_among(
         &self,
         thing: &Thing,
@@ -60,7 +60,7 @@ impl PhysicsWorld {
         shelf.hold == Hold::On && id != shelf.id && self.role(id) == Some(BodyRole::Loose)
     }
 
-    /// The first spot that counts as free and is admitted.
+    /// The first spot that is free and admitted.
     fn first_spot(
         &self,
         thing: &Thing,
@@ -74,11 +74,11 @@ impl PhysicsWorld {
         if !way.is_for(thing.form.extent, shelf) {
             return None;
         }
-        // What reaches over the edges is balanced, and what is put on a burner is put on its middle.
+        // A thing that reaches over the edges is balanced, and a burner takes things on its middle.
         let order = if *over > 0.0 || is_burner(shelf) { SpotOrder::Middle } else { order };
         let (low, high) = thing.form.extent;
         let turns = self.turns_of(thing, way);
-        // What is heaped higher than the rim is not in it.
+        // A thing that is heaped higher than the rim is not inside.
         let rim = self.aabb(shelf.id).map_or(f32::INFINITY, |b| b.max.z - shelf.pose.translation.z);
         let within = |height: &&f32| **height == 0.0 || **height < rim;
         heights.iter().filter(within).find_map(|&height| {
@@ -95,7 +95,7 @@ impl PhysicsWorld {
         })
     }
 
-    /// The turns by which a thing may be put down in a way; what carries something is not tipped.
+    /// The turns by which a thing may be put down in a given way; a laden thing is not tipped.
     pub(super) fn turns_of(&self, thing: &Thing, way: &Way) -> Vec<UnitQuaternion<f32>> {
         let (low, high) = thing.form.extent;
         let laden = self.is_laden(thing);

@@ -10,10 +10,10 @@ use crate::PhysicsError;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
-/// How far above a surface the bottom of a thing is that is on it, metres.
+/// The largest height above a surface of the bottom of a thing that is on it, metres.
 const LOW: f32 = 0.02;
 
-/// A place that holds things, in the world's frame as it is now.
+/// A surface of a node that holds things, in the world's frame in the present state.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct SupportSurface {
@@ -23,7 +23,7 @@ pub struct SupportSurface {
     pub surface: usize,
     /// How it holds things.
     pub hold: Hold,
-    /// Middle of what carries; X and Y along its sides.
+    /// Its middle; X and Y along its sides.
     pub pose: Pose,
     /// Half lengths along its X and Y, metres.
     pub half: (f32, f32),
@@ -33,7 +33,7 @@ pub struct SupportSurface {
 
 /// # Surfaces that hold things
 impl PhysicsWorld {
-    /// The surfaces of a node as they are now: those of a drawer move with it.
+    /// The surfaces of a node in the present state: those of a drawer move with it.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -56,8 +56,8 @@ impl PhysicsWorld {
         Some(SupportSurface { id: thing.id, surface, hold: of.hold, pose, half: of.half, clearance: of.clearance })
     }
 
-    /// Whether a thing is on one of another's surfaces, not on what is there, or inside: the middle
-    /// of its box is over it or plainly in it, and inside half of its corners too.
+    /// Whether a thing is on one of another's surfaces (and not on things there), or inside the other: the middle
+    /// of its box is over the surface or clearly in the space above it, and half of its corners are inside too.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();

@@ -11,8 +11,8 @@ use super::hand::{Hand, Held};
 use super::motion::Motion;
 use crate::convert::facing;
 
-/// Where hands hold things: how far ahead of the body and to its side, metres, and how high, as a part of the height:
-/// before the chest, so that the eyes have it in view.
+/// Position of the hands that hold things: ahead of the body and to its side, metres, and height as a share of the
+/// body's height. They are before the chest, in view of the eyes.
 const AHEAD: f32 = 0.3;
 const ASIDE: f32 = 0.2;
 const CHEST: f32 = 0.74;
@@ -22,21 +22,21 @@ const CHEST: f32 = 0.74;
 pub(crate) struct Agent {
     pub(crate) plan: BodyPlan,
     pub(crate) body: RigidBodyHandle,
-    /// Where its feet are, and which way it looks; a seated one's seat.
+    /// The pose of its feet, X being its front; for a seated agent, of its place on the seat.
     #[serde(with = "crate::serial::pose")]
     pub(crate) feet: Pose,
-    /// Where it was when it was added.
+    /// Its pose when it was added.
     #[serde(with = "crate::serial::pose")]
     pub(crate) written: Pose,
     pub(crate) posture: Posture,
-    /// Where one who sits or lies stood before.
+    /// The pose of the feet before it sat or lay down.
     #[serde(with = "crate::serial::pose")]
     pub(crate) stood: Pose,
     pub(crate) hands: [Option<Held>; 2],
     pub(crate) walk: Motion,
     /// Velocity over the floor in the last step, metres a second.
     pub(crate) velocity: [f32; 2],
-    /// Falling speed, metres a second, and whether it stands on something.
+    /// Falling speed, metres a second; `grounded` tells whether it stands on something.
     pub(crate) fall: f32,
     pub(crate) grounded: bool,
     /// Height of the floor it last stood on, metres.
@@ -48,7 +48,7 @@ impl Agent {
         self.feet
     }
 
-    /// Whether it stands where it was added, but for the way down to the floor.
+    /// Whether it stands where it was added, apart from the descent to the floor.
     pub(crate) fn has_only_landed(&self) -> bool {
         let way = self.feet.translation.vector - self.written.translation.vector;
         let turn = self.feet.rotation.angle_to(&upright(&self.written).rotation);
@@ -76,7 +76,7 @@ impl Agent {
         hash.word(self.posture.seat().map_or(0, |(id, place)| (u64::from(id.0) << 32) | (u64::from(place) + 1)));
     }
 
-    /// Everything carried, and where it is now.
+    /// All carried things with their poses.
     pub(crate) fn holdings(&self) -> Vec<(NodeId, Pose)> {
         let held = self.hands.iter().flatten();
         let each = |held: &Held| {
@@ -87,8 +87,8 @@ impl Agent {
         held.flat_map(each).collect()
     }
 
-    /// Where hands that hold things go when the agent sits or lies, against where they are when it
-    /// stands: before its chest still.
+    /// The displacement of the hands of an agent that sits or lies, relative to a standing one: they stay before its
+    /// chest.
     pub(crate) fn lap(&self) -> Pose {
         match self.posture {
             Posture::Standing => Pose::identity(),
@@ -97,12 +97,12 @@ impl Agent {
         }
     }
 
-    /// Where a hand is against the feet: before the chest.
+    /// Position of a hand relative to the feet: before the chest.
     pub(crate) fn hand(&self, hand: Hand) -> Point3<f32> {
         Point3::new(self.plan.radius + AHEAD, ASIDE * hand.side(), CHEST * self.plan.height)
     }
 
-    /// Whether two bodies are in one place: an agent is so with itself.
+    /// Whether two bodies are in one place; an agent and itself are.
     pub(crate) fn is_with(&self, other: &Self) -> bool {
         let between = self.feet.translation.vector - other.feet.translation.vector;
         let high = if between.z > 0.0 { other.plan.height } else { self.plan.height };

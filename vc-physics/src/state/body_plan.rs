@@ -7,10 +7,10 @@ use vc_graph::{Anthropometry, NodeId};
 
 use crate::group;
 
-/// The person as which agents are built.
+/// The person whose measures agents have.
 pub(crate) const ADULT: Anthropometry = Anthropometry::ADULT;
 
-/// How an agent is built and what it can do.
+/// The build of an agent and its physical limits.
 ///
 /// ```
 /// use vc_physics::BodyPlan;
@@ -23,7 +23,7 @@ pub struct BodyPlan {
     pub height: f32,
     /// Radius of the capsule, metres.
     pub radius: f32,
-    /// From the shoulder to the middle of the hand, arm stretched, metres.
+    /// Distance from the shoulder to the middle of the hand, arm stretched, metres.
     pub reach: f32,
     /// Highest step it climbs, metres.
     pub step: f32,
@@ -57,7 +57,7 @@ impl Default for BodyPlan {
 }
 
 impl BodyPlan {
-    /// How far from the middle of its feet a standing body reaches, along the floor, metres.
+    /// Horizontal reach of a standing body from the middle of its feet, metres.
     pub fn stretch(&self) -> f32 {
         self.reach + ADULT.lean
     }
@@ -72,8 +72,7 @@ impl BodyPlan {
         ADULT.eye * self.height
     }
 
-    /// The capsule of a body in a posture, where it is from the feet or the seat, and what it
-    /// collides with.
+    /// The capsule of a body in a posture, its pose relative to the feet or the seat, and its collision groups.
     pub(crate) fn body(&self, posture: Posture) -> (SharedShape, EnginePose, InteractionGroups) {
         let (half, middle) = (self.height / 2.0 - self.radius, self.height / 2.0);
         let above = |z: f32| EnginePose::from_translation(Vector::new(0.0, 0.0, z));
@@ -95,7 +94,7 @@ impl BodyPlan {
     }
 }
 
-/// What an agent's body does.
+/// The posture of an agent's body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Posture {
     /// It stands or walks.
@@ -107,7 +106,7 @@ pub enum Posture {
 }
 
 impl Posture {
-    /// The word for it.
+    /// The posture as a word.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Standing => "standing",

@@ -16,7 +16,7 @@ impl Hand {
     /// Both, the right one first.
     pub const BOTH: [Self; 2] = [Self::Right, Self::Left];
 
-    /// The relation of a holder to what this hand holds.
+    /// The relation of an agent to the thing in this hand.
     ///
     /// ```
     /// use vc_physics::Hand;
@@ -37,14 +37,14 @@ impl Hand {
     }
 }
 
-/// What a hand holds.
+/// A thing in a hand.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Held {
     pub(crate) id: NodeId,
-    /// Where it is against the agent's feet while it stands.
+    /// Its pose relative to the feet of the agent while that stands.
     #[serde(with = "crate::serial::pose")]
     pub(crate) grip: Pose,
-    /// What lies on it or in it, and where against it.
+    /// The things on it and in it, with their poses relative to it.
     pub(crate) load: Vec<Loaded>,
 }
 
@@ -53,6 +53,6 @@ pub(crate) struct Loaded {
     pub(crate) id: NodeId,
     #[serde(with = "crate::serial::pose")]
     pub(crate) at: Pose,
-    /// Whether it was pinned there, and is so again when the whole is put down.
+    /// Whether it was pinned there; if so, it is pinned again when the whole is put down.
     pub(crate) pinned: bool,
 }

@@ -11,8 +11,7 @@ use crate::{BodyRole, Settings, convert};
 
 /// # State
 impl PhysicsWorld {
-    /// Where a node is: its base, as in the scene graph; an agent's feet. `None`
-    /// without a body.
+    /// The pose of a node's base, as in the scene graph, or of an agent's feet. `None` without a body.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -35,8 +34,7 @@ impl PhysicsWorld {
         all
     }
 
-    /// Poses of all nodes that have bodies, in the order of their numbers. Costs
-    /// some nanoseconds each.
+    /// The poses of all nodes that have bodies, in the order of their numbers. Costs some nanoseconds each.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -51,8 +49,7 @@ impl PhysicsWorld {
         self.nodes().into_iter().filter_map(|id| Some((id, self.pose(id)?))).collect()
     }
 
-    /// Where a moving part is, in the world's frame: its asset's origin, moved as the
-    /// part has moved. Part numbers are those of [`moving_parts`](Self::moving_parts).
+    /// The pose of a moving part in the world's frame: that of its asset's origin, moved as the part has moved. Part numbers are those of [`moving_parts`](Self::moving_parts).
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -68,7 +65,7 @@ impl PhysicsWorld {
         Some(self.engine.pose(thing.state.base)? * joint.motion(self.part_position(thing, part)?))
     }
 
-    /// How a node takes part; `None` without a body.
+    /// The role of a node's body; `None` without a body.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -91,7 +88,7 @@ impl PhysicsWorld {
         self.body(id).map(|b| convert::vector3(b.linvel()))
     }
 
-    /// How fast a node turns, radians a second around each axis of the world.
+    /// Angular velocity of a node, radians a second around each axis of the world.
     pub fn angular_velocity(&self, id: NodeId) -> Option<Vector3<f32>> {
         self.body(id).map(|b| convert::vector3(b.angvel()))
     }
@@ -178,8 +175,7 @@ impl PhysicsWorld {
         Some(Aabb { min: convert::point3(joint.mins), max: convert::point3(joint.maxs) })
     }
 
-    /// Whether a node's body sleeps: it lies still until something disturbs it. What
-    /// is fixed always does.
+    /// Whether a node's body sleeps: it lies still until something disturbs it. Fixed bodies always do.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
