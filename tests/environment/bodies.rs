@@ -102,7 +102,7 @@ fn contacts_of_bodies_tell_relations_what_rests_where() {
     let relations = Relations::new(&graph, RelationRule::Contacts, told(&world)).unwrap();
     for (id, expected) in [(plank, vec![left, right]), (ladder, vec![floor])] {
         let supports = relations.supports(id);
-        assert!(supports.iter().all(|s| s.ground == SupportKind::Contact), "{supports:?}");
+        assert!(supports.iter().all(|s| s.kind == SupportKind::Contact), "{supports:?}");
         let mut by: Vec<NodeId> = supports.iter().map(|s| s.by).collect();
         let mut physical = world.supports(id);
         by.sort_unstable();

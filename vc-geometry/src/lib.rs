@@ -108,7 +108,7 @@ pub fn is_bare(node: &Node) -> bool {
 pub fn shapes(graph: &SceneGraph) -> BTreeMap<NodeId, Asset> {
     let openings = openings(graph);
     let bare = graph.nodes().filter(|n| is_bare(n));
-    bare.filter_map(|n| Some((n.id(), shape(graph, n, &Block::of(n)?, &openings)))).collect()
+    bare.filter_map(|n| Some((n.id(), shape(graph, n, &Block::new(n)?, &openings)))).collect()
 }
 
 fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[WallOpening]) -> Asset {

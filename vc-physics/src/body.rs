@@ -49,7 +49,7 @@ impl PhysicsWorld {
         if self.thing(id)?.state.role == BodyRole::Fixed {
             self.find_bottom();
         }
-        match self.fills.get(&id) {
+        match self.waters.levels.get(&id) {
             Some(&level) => self.fill(id, level),
             None => Ok(()),
         }

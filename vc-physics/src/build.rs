@@ -11,7 +11,7 @@ use crate::engine::Engine;
 use crate::ground::Storeys;
 use crate::role::Roles;
 use crate::shapes::{Session, ShapeCache};
-use crate::state::{Places, Thing, ThingState};
+use crate::state::{Places, Thing, ThingState, Waters};
 use crate::world::{PhysicsWorld, rooms};
 use crate::{BodyRole, PhysicsError, Settings, convert, group, joints, rolling};
 
@@ -66,8 +66,7 @@ impl PhysicsWorld {
             things: Vec::with_capacity(graph.len()),
             agents: BTreeMap::new(),
             vehicles: BTreeMap::new(),
-            waters: Vec::new(),
-            fills: BTreeMap::new(),
+            waters: Waters::default(),
             driven: Vec::new(),
             rooms: rooms(graph),
             bottom: f32::NEG_INFINITY,
@@ -146,7 +145,7 @@ impl PhysicsWorld {
         let Some(form) = session.form(graph, node).filter(|f| f.is_of_this_world()) else { return false };
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
-        let Some(role) = rules.roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
+        let Some(role) = rules.roles.role(node, class, &form, form.mass() * mass_factor) else { return false };
         let below = || rules.storeys.ground_below(node, &form, &pose);
         let ground = if role == BodyRole::Fixed { below() } else { 0.0 };
         let deepened = if ground > 0.0 { form.links[0].deepened(ground) } else { None };
@@ -207,6 +206,6 @@ struct Rules<'a> {
 
 impl<'a> Rules<'a> {
     fn new(graph: &'a SceneGraph, settings: Settings) -> Self {
-        Self { roles: Roles::new(graph, settings), storeys: Storeys::of(graph) }
+        Self { roles: Roles::new(graph, settings), storeys: Storeys::new(graph) }
     }
 }

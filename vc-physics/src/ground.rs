@@ -32,7 +32,7 @@ const ABYSS: f32 = 2.0;
 pub(crate) struct Storeys(Vec<Aabb>);
 
 impl Storeys {
-    pub(crate) fn of(graph: &SceneGraph) -> Self {
+    pub(crate) fn new(graph: &SceneGraph) -> Self {
         let rooms = graph.rooms().iter().copied();
         let floors = graph.of_role(ObjectRole::Floor);
         Self(rooms.filter_map(|id| graph.node(id)).chain(floors).filter_map(Node::aabb).collect())
@@ -84,7 +84,7 @@ impl PhysicsWorld {
     }
 
     /// Stops things that have fallen below all fixed things: their middles, as an origin may be far from its box.
-    pub(crate) fn stop_what_fell(&mut self, awake: &[RigidBodyHandle]) {
+    pub(crate) fn stop_fallen(&mut self, awake: &[RigidBodyHandle]) {
         let deep = self.bottom - ABYSS;
         let fell = |body: &RigidBodyHandle| {
             let body = self.engine.bodies.get(*body).filter(|b| b.is_dynamic() && b.center_of_mass().z < deep)?;

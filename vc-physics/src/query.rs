@@ -101,7 +101,7 @@ impl PhysicsWorld {
         };
         let clear = |to: Point3<f32>| match self.ray(eye, to, past) {
             None => true,
-            Some((met, _)) => met == id,
+            Some((hit, _)) => hit == id,
         };
         Ok(std::iter::once(centre).chain((0..8).map(corner)).any(clear))
     }

@@ -101,7 +101,7 @@ impl PhysicsWorld {
         for &id in moved {
             let (Some(node), thing) = (graph.node(id), self.thing(id)?) else { continue };
             let class = graph.classes().get(node.class());
-            let role = roles.of(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
+            let role = roles.role(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
             if let Some(role) = role.filter(|r| *r != thing.state.role && thing.state.role != BodyRole::Stopped) {
                 self.set_role(id, role)?;
             }

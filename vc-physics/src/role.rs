@@ -43,7 +43,7 @@ impl<'a> Roles<'a> {
 
     /// The role of a node; `mass` is that of its asset, kilograms. `None` for rooms and agents, whose bodies
     /// are not made from assets.
-    pub(crate) fn of(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<BodyRole> {
+    pub(crate) fn role(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<BodyRole> {
         if node.kind() != NodeKind::Object {
             return None;
         }

@@ -8,7 +8,7 @@ use vc_graph::{Digest, NodeId, SceneGraph};
 
 use crate::engine::Engine;
 use crate::shapes::ShapeCache;
-use crate::state::{Agent, Places, Thing, ThingState, Vehicle, Water};
+use crate::state::{Agent, Places, Thing, ThingState, Vehicle, Waters};
 use crate::world::PhysicsWorld;
 use crate::{Settings, SnapshotError};
 
@@ -27,8 +27,7 @@ struct Content {
     things: Vec<(NodeId, ThingState)>,
     agents: BTreeMap<NodeId, Agent>,
     vehicles: BTreeMap<NodeId, Vehicle>,
-    waters: Vec<Water>,
-    fills: BTreeMap<NodeId, f32>,
+    waters: Waters,
     driven: Vec<(NodeId, usize)>,
     ticks: u64,
     stopped: Vec<NodeId>,
@@ -51,7 +50,6 @@ impl PhysicsWorld {
             agents: copy.agents,
             vehicles: copy.vehicles,
             waters: copy.waters,
-            fills: copy.fills,
             driven: copy.driven,
             ticks: copy.ticks,
             stopped: copy.stopped,
@@ -102,7 +100,6 @@ impl PhysicsWorld {
             agents: content.agents,
             vehicles: content.vehicles,
             waters: content.waters,
-            fills: content.fills,
             driven: content.driven,
             rooms: crate::world::rooms(graph),
             bottom: f32::NEG_INFINITY,
@@ -136,11 +133,7 @@ impl PhysicsWorld {
             }
         }
         self.agents.iter().for_each(|(id, agent)| agent.feed(*id, &mut hash));
-        self.fills.iter().for_each(|(id, fill)| {
-            hash.word(u64::from(id.0));
-            hash.reals([*fill]);
-        });
-        self.waters.iter().for_each(|water| water.feed(&mut hash));
+        self.waters.feed(&mut hash);
         self.vehicles.iter().for_each(|(id, vehicle)| vehicle.feed(*id, &mut hash));
         hash.digest()
     }

@@ -24,7 +24,7 @@ impl PhysicsWorld {
         self.engine.keep(&fixed);
         self.tend_motors();
         self.watch();
-        self.note_sleepers(&awake);
+        self.record_sleepers(&awake);
         self.ticks += 1;
     }
 

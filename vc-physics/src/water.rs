@@ -56,7 +56,7 @@ impl PhysicsWorld {
 
     /// The boxes around water along the world's axes, in the order in which it was added.
     pub fn waters(&self) -> Vec<Aabb> {
-        self.waters.iter().map(Water::aabb).collect()
+        self.waters.all.iter().map(Water::aabb).collect()
     }
 
     /// Fills a container to a level, 0 to 1. Things float in a fixed container with space inside (a bath, a
@@ -80,7 +80,7 @@ impl PhysicsWorld {
         let level = level.clamp(0.0, 1.0);
         let basin = (thing.state.role == BodyRole::Fixed).then(|| self.basin(thing, level)).flatten();
         self.drain(id);
-        self.fills.insert(id, level);
+        self.waters.levels.insert(id, level);
         if let Some((at, size)) = basin.filter(|_| level > 0.0) {
             self.pour(Water::new(at, size, Some(id))?);
         }
@@ -89,16 +89,14 @@ impl PhysicsWorld {
 
     /// Removes the water from a container.
     pub(crate) fn drain(&mut self, id: NodeId) {
-        self.fills.remove(&id);
-        if self.waters.iter().any(|w| w.container == Some(id)) {
-            self.waters.retain(|w| w.container != Some(id));
+        if self.waters.drain(id) {
             self.engine.bodies.iter_mut().for_each(|(_, body)| let_go(body));
         }
     }
 
     /// The fill level of a container, 0 to 1; 0 if nobody has filled it.
     pub fn level(&self, id: NodeId) -> f32 {
-        self.fills.get(&id).copied().unwrap_or(0.0)
+        self.waters.level(id)
     }
 
     /// The capacity of a container, cubic metres: the space above its inner surfaces, or six tenths of its
@@ -135,12 +133,12 @@ impl PhysicsWorld {
                 }
             }
         }
-        self.waters.push(water);
+        self.waters.all.push(water);
     }
 
     /// Applies forces to awake bodies in water.
     pub(crate) fn push_floating(&mut self) {
-        if self.waters.is_empty() {
+        if self.waters.all.is_empty() {
             return;
         }
         let (dt, gravity) = (self.engine.dt(), self.settings.gravity);
@@ -150,7 +148,7 @@ impl PhysicsWorld {
             let_go(body);
             let (id, link) = crate::group::marked(body.user_data);
             let (centre, pose) = (convert::point3(body.center_of_mass()), convert::isometry(body.position()));
-            let Some(water) = self.waters.iter().find(|w| w.holds(&centre)) else { continue };
+            let Some(water) = self.waters.around(&centre) else { continue };
             let Ok(thing) = self.thing(id) else { continue };
             let Some(link) = thing.form.links.get(link) else { continue };
             let below = submerged(link.mesh(), &pose, water.level());

@@ -63,7 +63,7 @@ pub(crate) fn trace(world: &World, index: usize, trace: BoxTrace) -> Option<(usi
     let end = Aabb { min: start.min + along * limit, max: start.max + along * limit };
     let region = start.joined(&end);
     let mut best: Option<(f32, usize)> = None;
-    world.tree.each(&region, |other| {
+    world.tree.for_each(&region, |other| {
         let Some(target) = world.bodies[other].as_deref().filter(|_| other != index) else { return };
         let farthest = best.map_or(limit, |b| b.0);
         if let Some(way) = nearest(&body.whole, target, &along, farthest, &region)

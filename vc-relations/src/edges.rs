@@ -22,8 +22,8 @@ impl<'w> Reader<'w> {
     }
 
     /// For reading all bodies.
-    pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
-        Self { supports: Supports::of_all(world, facts) }
+    pub(crate) fn for_all(world: &'w World, facts: &'w Facts) -> Self {
+        Self { supports: Supports::for_all(world, facts) }
     }
 
     fn world(&self) -> &'w World {
@@ -132,7 +132,7 @@ impl<'w> Reader<'w> {
         let mut faced = Vec::new();
         world.targets.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_deref() else { return };
-            if other != index && sight::verdict(body, target, &world.walls) == TraceOutcome::Counts {
+            if other != index && sight::outcome(body, target, &world.walls) == TraceOutcome::Counts {
                 faced.push(world.ids[other]);
             }
         });

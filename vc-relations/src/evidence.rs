@@ -14,7 +14,7 @@ use vc_graph::{Edge, NodeId};
 /// let up = nalgebra::Vector3::new(0.0, 0.0, 0.05); // Newton seconds, on the cup.
 /// let evidence = Evidence::default().contact(ContactEvidence { between: (home.table, home.cup), impulse: up });
 /// let relations = Relations::new(&home.graph, Default::default(), evidence)?;
-/// assert_eq!(relations.supports(home.cup)[0].ground, SupportKind::Contact);
+/// assert_eq!(relations.supports(home.cup)[0].kind, SupportKind::Contact);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,9 +91,10 @@ impl Evidence {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     ///
-    /// let evidence = vc_relations::Evidence::default().carrying([home.cup]);
+    /// let evidence = vc_relations::Evidence::default().carrying([home.table]);
     /// let relations = vc_relations::Relations::new(&home.graph, Default::default(), evidence)?;
-    /// assert!(relations.supports(home.cup).is_empty()); // It is in a hand.
+    /// // Hands carry the table. The cup is not said to be carried, so it does not rest on the table.
+    /// assert!(relations.supports(home.cup).iter().all(|support| support.by != home.table));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

@@ -47,7 +47,7 @@ pub enum TraceOutcome {
 #[non_exhaustive]
 pub struct Hit {
     /// The thing that it hit.
-    pub what: NodeId,
+    pub node: NodeId,
     /// Index of the traced thing's convex piece (none if the centre of its box was traced), and of the piece
     /// that was hit.
     pub pieces: (Option<usize>, usize),
@@ -59,7 +59,7 @@ pub struct Hit {
     /// Normal of the contact, towards the traced thing.
     pub normal: Vector3<f32>,
     /// Its outcome.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// The extent to which a thing is within one of another's hollows.
@@ -82,7 +82,7 @@ pub struct Sight {
     /// Distance between the centres, metres.
     pub distance: f32,
     /// Whether the thing is faced, or why not.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// A seat or bed for an agent.
@@ -93,7 +93,7 @@ pub struct Seat {
     /// not under the centre.
     pub share: Option<f32>,
     /// Whether the agent sits or lies there, or why not.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// The hook of another thing on which a thing hangs, or comes nearest to hanging.
@@ -105,7 +105,7 @@ pub struct Hook {
     /// Distance from the box of the thing that might hang on it, metres.
     pub distance: f32,
     /// Whether the thing hangs there, or why not.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// One of the thesis's six traces, and its first hit.
@@ -163,8 +163,8 @@ pub struct Explanation {
     pub walled: bool,
 }
 
-fn because(verdict: TraceOutcome) -> &'static str {
-    match verdict {
+fn because(outcome: TraceOutcome) -> &'static str {
+    match outcome {
         TraceOutcome::Counts => "counts",
         TraceOutcome::TooFar => "too far",
         TraceOutcome::TooDeep => "too deep to rest on",
@@ -181,8 +181,8 @@ fn because(verdict: TraceOutcome) -> &'static str {
     }
 }
 
-fn how(ground: SupportKind) -> &'static str {
-    match ground {
+fn how(kind: SupportKind) -> &'static str {
+    match kind {
         SupportKind::Joint => "a joint holds it",
         SupportKind::Contact => "a contact pushes it up",
         SupportKind::Trace => "by the trace down",
@@ -242,12 +242,12 @@ impl Explanation {
         }
         for (way, hits) in [("down", &self.down), ("up", &self.up)] {
             for hit in hits {
-                let (what, at) = (hit.what, hit.at);
+                let (what, at) = (hit.node, hit.at);
                 write!(f, "  trace {way} meets {what} after {:.1} cm ", cm(hit.distance))?;
-                writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.verdict))?;
+                writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.outcome))?;
             }
         }
-        self.supports.iter().try_for_each(|s| writeln!(f, "  it rests on {}: {}", s.by, how(s.ground)))
+        self.supports.iter().try_for_each(|s| writeln!(f, "  it rests on {}: {}", s.by, how(s.kind)))
     }
 
     fn tell_people(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -255,17 +255,17 @@ impl Explanation {
             let by = if edge.relation == Relation::WornBy { edge.to } else { edge.from };
             writeln!(f, "  {by} holds or wears it: it rests on nothing")?;
         }
-        if let Some(seat) = self.seat.filter(|s| s.verdict != TraceOutcome::Unfit) {
+        if let Some(seat) = self.seat.filter(|s| s.outcome != TraceOutcome::Unfit) {
             let share =
                 seat.share.map_or("not under the middle".to_owned(), |s| format!("at {:.0}% of the height", s * 100.0));
-            writeln!(f, "  as a seat or bed, {share}: {}", because(seat.verdict))?;
+            writeln!(f, "  as a seat or bed, {share}: {}", because(seat.outcome))?;
         }
         if let Some(hook) = self.hook {
-            writeln!(f, "  a hook is {:.1} cm from its box: {}", cm(hook.distance), because(hook.verdict))?;
+            writeln!(f, "  a hook is {:.1} cm from its box: {}", cm(hook.distance), because(hook.outcome))?;
         }
-        if let Some(sight) = self.sight.filter(|s| s.verdict != TraceOutcome::Unfit) {
+        if let Some(sight) = self.sight.filter(|s| s.outcome != TraceOutcome::Unfit) {
             let (angle, far) = (sight.angle.to_degrees(), sight.distance);
-            writeln!(f, "  looked at {angle:.0} degrees off the front, {far:.2} m away: {}", because(sight.verdict))?;
+            writeln!(f, "  looked at {angle:.0} degrees off the front, {far:.2} m away: {}", because(sight.outcome))?;
         }
         Ok(())
     }

@@ -52,7 +52,7 @@
 //!
 //! | type | purpose |
 //! |---|---|
-//! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::of), [`has`](Relations::has); [`update`](Relations::update) after moves |
+//! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::edges_of), [`has`](Relations::has); [`update`](Relations::update) after moves |
 //! | [`Evidence`] | contacts, joints, positions of drawers and doors, held things |
 //! | [`Support`], [`Near`], [`NearSide`] | the figures behind on and near |
 //! | [`Proximity`] | named degrees of nearness: touching distance, arm's reach, near, behind a wall, far |

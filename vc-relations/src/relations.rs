@@ -12,7 +12,7 @@ use crate::facts::{Facts, hands_of};
 use crate::near::NearSide;
 use crate::rule::RelationRule;
 use crate::support::{Support, Supports};
-use crate::world::{Met, World};
+use crate::world::{Affected, World};
 use crate::{box_trace, virtual_home};
 
 /// A thing near another.
@@ -120,7 +120,7 @@ impl Relations {
         if !self.world.knows(graph.assets()) {
             check_assets(graph.assets())?;
         }
-        self.facts = Facts::of(graph, &self.evidence);
+        self.facts = Facts::from_scene(graph, &self.evidence);
         self.world.rebuild(graph, &self.evidence);
         self.fixed = Arc::new(match self.rule {
             RelationRule::Contacts => Vec::new(),
@@ -163,7 +163,7 @@ impl Relations {
     ) -> Result<Vec<NodeId>, InputError> {
         check_evidence(graph, &evidence)?;
         let old = std::mem::replace(&mut self.evidence, evidence);
-        self.facts = Facts::of(graph, &self.evidence);
+        self.facts = Facts::from_scene(graph, &self.evidence);
         let turned = |(key, position): (&(NodeId, u32), &f32), other: &Evidence| {
             (other.positions.get(key) != Some(position)).then_some(key.0)
         };
@@ -203,28 +203,28 @@ impl Relations {
         changed.sort_unstable();
         changed.dedup();
         if self.rule == RelationRule::Contacts
-            && let Some(met) = self.update_each(graph, &changed)
+            && let Some(affected) = self.update_each(graph, &changed)
         {
-            return Ok(met);
+            return Ok(affected);
         }
         self.rebuild(graph)?;
         Ok(self.world.ids.clone())
     }
 
     fn update_each(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Option<Vec<NodeId>> {
-        let mut met = Met::default();
+        let mut affected = Affected::default();
         for &id in changed {
             let index = self.world.index(id)?;
             let before = self.world.bodies[index].as_deref().map(|b| b.region);
-            self.world.update(graph, id, &self.evidence, &mut met)?;
-            met.bound.push(index as u32);
-            met.beside.extend(self.watchers(index, before));
+            self.world.update(graph, id, &self.evidence, &mut affected)?;
+            affected.bound.push(index as u32);
+            affected.beside.extend(self.watchers(index, before));
             let hands = self.look_at_hands(graph, id);
-            met.bound.extend(
+            affected.bound.extend(
                 hands.iter().flat_map(|e| [e.from, e.to]).filter_map(|end| self.world.index(end)).map(|i| i as u32),
             );
         }
-        Some(self.world.spread(met, &self.facts))
+        Some(self.world.spread(affected, &self.facts))
     }
 
     /// Reads again the edges of holding and wearing at a node and at the other ends of these, as a thing it
@@ -257,7 +257,7 @@ impl Relations {
         }
         let reach = crate::threshold::FACING_REACH;
         for region in now.map(|b| b.region).into_iter().chain(before) {
-            self.world.tree.each(&region.grown(reach, reach), |other| {
+            self.world.tree.for_each(&region.grown(reach, reach), |other| {
                 let traits = self.world.bodies[other].as_deref().map(|b| b.traits);
                 if traits.is_some_and(|t| t.agent || t.sittable) {
                     watchers.push(other as u32);
@@ -282,7 +282,7 @@ impl Relations {
         if self.rule != RelationRule::Contacts {
             return self.fixed.to_vec();
         }
-        let reader = Reader::of_all(&self.world, &self.facts);
+        let reader = Reader::for_all(&self.world, &self.facts);
         let mut edges = Vec::with_capacity(32 * self.world.ids.len());
         for index in 0..self.world.ids.len() {
             reader.edges(index, &mut edges);
@@ -297,12 +297,12 @@ impl Relations {
     /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
     ///
     /// use vc_graph::{Edge, Relation};
-    /// let edges = relations.of(home.cup);
+    /// let edges = relations.edges_of(home.cup);
     /// assert!(edges.contains(&Edge::new(home.cup, Relation::On, home.table)));
     /// assert!(edges.contains(&Edge::new(home.cup, Relation::InRoom, home.room)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(&self, id: NodeId) -> Vec<Edge> {
+    pub fn edges_of(&self, id: NodeId) -> Vec<Edge> {
         let mut edges = Vec::new();
         if self.rule != RelationRule::Contacts {
             let from = self.fixed.partition_point(|e| e.from < id);
@@ -315,12 +315,12 @@ impl Relations {
 
     /// All relations that start at some nodes, as given by [`Self::of`]. If these are most of a scene, all
     /// supports are found in one pass.
-    pub(crate) fn of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
+    pub(crate) fn edges_of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
         if self.rule != RelationRule::Contacts {
-            return nodes.iter().map(|&id| (id, self.of(id))).collect();
+            return nodes.iter().map(|&id| (id, self.edges_of(id))).collect();
         }
         let most = 2 * nodes.len() > self.world.ids.len();
-        let of = if most { Reader::of_all } else { Reader::new };
+        let of = if most { Reader::for_all } else { Reader::new };
         let reader = of(&self.world, &self.facts);
         let edges = |id: NodeId| {
             let mut edges = Vec::new();
@@ -344,12 +344,12 @@ impl Relations {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn has(&self, edge: Edge) -> bool {
-        self.of(edge.from).binary_search(&edge).is_ok()
+        self.edges_of(edge.from).binary_search(&edge).is_ok()
     }
 
     /// The relations that hold from one node to another.
     pub fn between(&self, from: NodeId, to: NodeId) -> Vec<Relation> {
-        self.of(from).into_iter().filter(|e| e.to == to).map(|e| e.relation).collect()
+        self.edges_of(from).into_iter().filter(|e| e.to == to).map(|e| e.relation).collect()
     }
 
     /// The supports of a thing and how they are known, also if the relation is inside, sitting or lying; empty
@@ -360,7 +360,7 @@ impl Relations {
     /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
     ///
     /// let supports = relations.supports(home.cup);
-    /// assert_eq!((supports.len(), supports[0].by, supports[0].ground), (1, home.table, vc_relations::SupportKind::Trace));
+    /// assert_eq!((supports.len(), supports[0].by, supports[0].kind), (1, home.table, vc_relations::SupportKind::Trace));
     /// assert!((supports[0].gap - 0.001).abs() < 1e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

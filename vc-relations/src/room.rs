@@ -45,7 +45,7 @@ impl Rooms {
 
     /// The room of a thing: the one that contains its reference point. A floor belongs to its own room, as the
     /// centre of an L-shaped one can be in the next.
-    pub(crate) fn of(&self, body: &Body) -> Option<NodeId> {
+    pub(crate) fn room_of(&self, body: &Body) -> Option<NodeId> {
         self.floors.get(&body.id).copied().or_else(|| self.at(&body.midst()))
     }
 
@@ -58,7 +58,7 @@ impl Rooms {
     /// one within the thickness of a wall.
     pub(crate) fn at(&self, point: &Vector3<f32>) -> Option<NodeId> {
         let mut best: Option<(f32, NodeId)> = None;
-        self.tree.each(&Aabb { min: (*point).into(), max: (*point).into() }, |index| {
+        self.tree.for_each(&Aabb { min: (*point).into(), max: (*point).into() }, |index| {
             let (over, room) = &self.boxes[index];
             let (depth, room) = (depth(over, point), *room);
             if best.is_none_or(|(d, r)| depth > d || (depth == d && room < r)) {

@@ -37,7 +37,7 @@ pub struct Support {
     /// The supporting thing.
     pub by: NodeId,
     /// How the support is known.
-    pub ground: SupportKind,
+    pub kind: SupportKind,
     /// Its share of the upward impulse if contacts are known, otherwise an equal share.
     pub share: f32,
     /// Gap between the two, metres; negative if one has sunk into the other. Zero for joints and contacts.
@@ -84,7 +84,7 @@ impl<'w> Supports<'w> {
     }
 
     /// For all bodies, whose supports are found once.
-    pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
+    pub(crate) fn for_all(world: &'w World, facts: &'w Facts) -> Self {
         let mut supports = Self::new(world, facts);
         let mut known = Known::default();
         for index in 0..world.bodies.len() {
@@ -122,7 +122,7 @@ impl<'w> Supports<'w> {
         let parents: Vec<NodeId> = attached.copied().filter(is_there).collect();
         if !parents.is_empty() {
             let share = 1.0 / parents.len() as f32;
-            let support = |&by| Support { by, ground: SupportKind::Joint, share, gap: 0.0 };
+            let support = |&by| Support { by, kind: SupportKind::Joint, share, gap: 0.0 };
             return self.put(index, parents.iter().map(support), out);
         }
         if body.traits.fixed {
@@ -133,7 +133,7 @@ impl<'w> Supports<'w> {
             let up = || pushes.iter().filter(|(by, v)| **v > 0.0 && is_there(by));
             let sum: f32 = up().map(|p| p.1).sum();
             let carries = up().filter(|(_, v)| **v >= IMPULSE_SHARE * sum);
-            let support = |(&by, v): (_, &f32)| Support { by, ground: SupportKind::Contact, share: v / sum, gap: 0.0 };
+            let support = |(&by, v): (_, &f32)| Support { by, kind: SupportKind::Contact, share: v / sum, gap: 0.0 };
             self.put(index, carries.map(support), out);
         }
         if out.len() == start {
@@ -226,9 +226,9 @@ impl<'w> Supports<'w> {
             && self.world.pair(between.index, deeper.index).is_some_and(|p| p.rest.is_finite())
     }
 
-    fn found(&self, index: usize, pair: &Pair, ground: SupportKind, gap: f32) -> Candidate {
+    fn found(&self, index: usize, pair: &Pair, kind: SupportKind, gap: f32) -> Candidate {
         let other = pair.other as usize;
-        self.candidate(index, other, Support { by: self.world.ids[other], ground, share: 1.0, gap })
+        self.candidate(index, other, Support { by: self.world.ids[other], kind, share: 1.0, gap })
     }
 
     /// The support of a hanging thing: a hook, otherwise its container, otherwise the wall or ceiling,

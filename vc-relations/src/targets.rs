@@ -34,7 +34,7 @@ impl Targets {
 
     /// Calls `found` with every target that overlaps a region, in unspecified order.
     pub(crate) fn each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
-        self.tree.each(region, |place| found(self.items[place] as usize));
+        self.tree.for_each(region, |place| found(self.items[place] as usize));
     }
 }
 

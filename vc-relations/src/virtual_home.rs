@@ -53,7 +53,7 @@ pub(crate) fn edges(graph: &SceneGraph) -> Vec<Edge> {
     let mut edges = Vec::new();
     let tree = BoxTree::new(&things.iter().map(|i| i.aabb).collect::<Vec<_>>());
     for (i, a) in things.iter().enumerate() {
-        tree.each(&a.aabb.grown(VH_CLOSE, VH_CLOSE), |j| {
+        tree.for_each(&a.aabb.grown(VH_CLOSE, VH_CLOSE), |j| {
             if i != j {
                 pair(a, &things[j], &mut edges);
             }

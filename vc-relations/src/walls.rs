@@ -35,7 +35,7 @@ impl Walls {
         let (from, to) = (a.whole.centre, b.whole.centre);
         let (way, region) = (to - from, Aabb::around(&from.into(), &to.into()));
         let mut crossed = false;
-        self.tree.each(&region, |wall| {
+        self.tree.for_each(&region, |wall| {
             let wall = &self.pieces[wall];
             crossed |= wall.meets(&region, 0.0) && wall.is_crossed(&from, &way);
         });
@@ -62,7 +62,7 @@ impl<'w> Among<'w> {
         let ways = apart.map(middle).reduce(|all, b| all.joined(&b));
         self.near.clear();
         if let Some(ways) = ways {
-            self.walls.tree.each(&ways.joined(&middle(a)), |wall| self.near.push(wall as u32));
+            self.walls.tree.for_each(&ways.joined(&middle(a)), |wall| self.near.push(wall as u32));
         }
     }
 

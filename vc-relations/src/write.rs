@@ -60,7 +60,7 @@ impl Relations {
         let mut edit = graph.edit();
         let there = |id: &NodeId| graph_has(edit.graph(), *id);
         let there: Vec<NodeId> = nodes.iter().copied().filter(there).collect();
-        let mut own = self.of_each(&there);
+        let mut own = self.edges_of_each(&there);
         for (id, edges) in &mut own {
             if let Some(places) = known(edit.graph(), *id) {
                 edges.retain(|e| !rests(e) && e.relation != Relation::InRoom);

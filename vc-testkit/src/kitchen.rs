@@ -38,15 +38,16 @@ pub fn kitchen() -> Kitchen {
     let size = Bounds { frame: BoundsFrame::World, ..Bounds::standing(Vector3::new(4.0, 4.0, 2.6)) };
     let room = scene.add(Draft::new("kitchen").at(Pose::identity()).bounds(size)).unwrap();
     let mut put = |class: &str, asset, x: f32, y: f32, z: f32| {
-        let draft = Draft { asset, ..Draft::new(class).at(Pose::translation(x, y, z)) };
+        let draft = Draft { asset: Some(asset), ..Draft::new(class).at(Pose::translation(x, y, z)) };
         scene.add_in(room, draft).unwrap()
     };
-    let floor = put("floor", Some(floor), 0.0, 0.0, 0.0);
-    let table = put("kitchen_table", Some(table), 1.0, 0.0, 0.0);
-    let cup = put("cup", Some(cup), 1.0, 0.0, 0.741);
-    let cabinet = put("kitchen_cabinet", Some(cabinet), -1.5, 0.0, 0.0);
-    let chair = put("kitchen_chair", Some(chair), 0.0, 1.5, 0.0);
-    let person = put("character", None, 0.0, 0.0, 0.0);
+    let floor = put("floor", floor, 0.0, 0.0, 0.0);
+    let table = put("kitchen_table", table, 1.0, 0.0, 0.0);
+    let cup = put("cup", cup, 1.0, 0.0, 0.741);
+    let cabinet = put("kitchen_cabinet", cabinet, -1.5, 0.0, 0.0);
+    let chair = put("kitchen_chair", chair, 0.0, 1.5, 0.0);
+    let body = Draft::new("character").at(Pose::identity()).bounds(Bounds::standing(Vector3::new(0.4, 0.5, 1.7)));
+    let person = scene.add_in(room, body).unwrap();
     scene.assets(Arc::new(library));
     Kitchen { graph: scene.build(), room, floor, table, cup, cabinet, chair, person }
 }

@@ -24,7 +24,7 @@ pub use sweep::OverlappingPairs;
 /// let mut tree = BoxTree::new(&(0..100).map(|i| cube(2.0 * i as f32)).collect::<Vec<_>>());
 /// tree.set(50, cube(0.5));
 /// let mut met = Vec::new();
-/// tree.each(&cube(0.2), |item| met.push(item));
+/// tree.for_each(&cube(0.2), |item| met.push(item));
 /// met.sort_unstable();
 /// assert_eq!(met, [0, 50]);
 /// ```
@@ -64,7 +64,7 @@ impl BoxTree {
 
     /// Calls `found` with every box that overlaps or touches a region, in unspecified order.
     #[inline]
-    pub fn each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
+    pub fn for_each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
         if !self.items.is_empty() {
             self.descend(self.levels.len() - 1, 0, &Probe::new(region), &mut found);
         }

@@ -12,7 +12,7 @@ use crate::{AgentError, group};
 /// The opening at which a part that gives way stays at least, as a fraction of its range.
 const AJAR: f32 = 0.1;
 /// Number of positions that are tested, from there to wide open.
-const LOOKS: u8 = 18;
+const POSITIONS: u8 = 18;
 
 /// Moving parts by node and number, and the opening that each would have, 0 to 1.
 pub type PartsToMoveAside = Vec<(NodeId, usize, f32)>;
@@ -47,10 +47,10 @@ impl PhysicsWorld {
             let opens = opens && self.is_shut_by_hand(id, part);
             Some((id, part, self.part_aside(body, feet, id, part, if opens { 0.0 } else { AJAR })?))
         };
-        let met = self.met_at(body, feet);
+        let overlapped = self.overlapped_at(body, feet);
         // The contents of a drawer move with it.
-        let load: Vec<NodeId> = met.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
-        Ok(met.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
+        let load: Vec<NodeId> = overlapped.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
+        Ok(overlapped.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
     }
 
     /// Whether a part is the leaf of a door between rooms and not locked.
@@ -66,27 +66,28 @@ impl PhysicsWorld {
     }
 
     /// Nodes and links that a body would overlap with its feet at a pose.
-    fn met_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
+    fn overlapped_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
         let (shape, at) = standing_capsule(&body.plan, feet);
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(body.body);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
-        let mut met: Vec<(NodeId, usize)> =
+        let mut overlapped: Vec<(NodeId, usize)> =
             queries.intersect_shape(at, &shape).map(|(_, c)| group::marked(c.user_data)).collect();
-        met.sort_unstable();
-        met.dedup();
-        met
+        overlapped.sort_unstable();
+        overlapped.dedup();
+        overlapped
     }
 
     /// The opening nearest to the present one at which a part is out of a body's way; `None` if the part is less
     /// open than `least`.
     fn part_aside(&self, body: &Agent, feet: &Pose, id: NodeId, part: usize, least: f32) -> Option<f32> {
         let now = self.moving_parts(id).get(part).map(|p| p.open).filter(|open| *open >= least)?;
-        let look = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(LOOKS);
-        let mut looks: Vec<f32> = (0..=LOOKS).map(look).collect();
-        looks.sort_by(|a, b| (a - now).abs().total_cmp(&(b - now).abs()));
+        let position = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(POSITIONS);
+        let mut positions: Vec<f32> = (0..=POSITIONS).map(position).collect();
+        positions.sort_by(|a, b| (a - now).abs().total_cmp(&(b - now).abs()));
         let clear = |open: &f32| {
-            self.meets_part(body, feet, id, part, *open).is_ok_and(|met| !met) && self.is_free_way(id, part, *open)
+            self.meets_part(body, feet, id, part, *open).is_ok_and(|overlapped| !overlapped)
+                && self.is_free_way(id, part, *open)
         };
-        looks.into_iter().find(clear)
+        positions.into_iter().find(clear)
     }
 }

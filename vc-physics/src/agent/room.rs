@@ -78,8 +78,8 @@ impl PhysicsWorld {
         let Some((solid, pose)) = self.part_at(id, part, open)? else { return Ok(false) };
         let (shape, at) = standing_capsule(&body.plan, feet);
         let between = at.inv_mul(&pose);
-        let met = rapier3d::parry::query::intersection_test(&EnginePose::IDENTITY, &shape, &between, &*solid);
-        Ok(met.is_ok_and(|met| met.intersecting))
+        let result = rapier3d::parry::query::intersection_test(&EnginePose::IDENTITY, &shape, &between, &*solid);
+        Ok(result.is_ok_and(|result| result.intersecting))
     }
 
     /// Whether an agent's capsule is free at a spot, a little above the floor.

@@ -142,8 +142,8 @@ impl PhysicsWorld {
             let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|c| self.engine.colliders.get(*c));
             let meets = |c: &Collider| {
                 let between = at.inv_mul(c.position());
-                let met = parry::query::intersection_test(&EnginePose::IDENTITY, &*shape, &between, c.shape());
-                met.is_ok_and(|met| met.intersecting)
+                let result = parry::query::intersection_test(&EnginePose::IDENTITY, &*shape, &between, c.shape());
+                result.is_ok_and(|result| result.intersecting)
             };
             colliders.into_iter().any(meets)
         };

@@ -108,7 +108,7 @@ impl Engine {
 
     /// Does one step; returns the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
-        self.look_ahead();
+        self.predict_contacts();
         (self.started, self.early) = (true, OnceLock::new());
         self.scratch.pipeline.step(
             convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
@@ -162,7 +162,7 @@ impl Engine {
     /// slow if it moves less in a step than the general prediction distance. Bodies that turn slowly get no
     /// gyroscopic moment, bodies that are too fast are stopped, and continuous collision detection is on only
     /// in steps with a body for which prediction may not suffice.
-    fn look_ahead(&mut self) {
+    fn predict_contacts(&mut self) {
         let slow = (PREDICTION / self.parameters.dt).raised(2);
         let ahead = |body: &RigidBody| if body.linvel().length_squared() > slow { AHEAD } else { 0.0 };
         let turns = |body: &RigidBody| body.angvel().length_squared() > TURNING * TURNING;

@@ -38,7 +38,7 @@ impl Cover {
         Self { id, outlines, gate: Vec::new(), poses: Vec::new(), role: None, locked: false }
     }
 
-    fn of(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> Self {
+    fn new(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> Self {
         let poses = poses(world, thing);
         let locked = thing.state.moving.iter().any(|m| m.locked);
         let mut cover =
@@ -167,7 +167,7 @@ fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Ou
 
 /// The covered areas of all nodes.
 pub(crate) fn covers(world: &PhysicsWorld, plan: &FloorOptions) -> Vec<Cover> {
-    world.things.iter().map(|t| Cover::of(world, t, plan)).collect()
+    world.things.iter().map(|t| Cover::new(world, t, plan)).collect()
 }
 
 /// Updates the covers; returns whether any outline changed. The covers depend only on the bodies' poses, not on
@@ -180,7 +180,7 @@ pub(crate) fn update(covers: &mut Vec<Cover>, world: &PhysicsWorld, plan: &Floor
     let mut changed = false;
     for (cover, thing) in covers.iter_mut().zip(&world.things) {
         if !cover.is_current(world, thing) {
-            let new = Cover::of(world, thing, plan);
+            let new = Cover::new(world, thing, plan);
             changed |= new.outlines != cover.outlines || new.gate != cover.gate;
             *cover = new;
         }

@@ -106,17 +106,17 @@ impl PhysicsWorld {
     /// Whether a thing at a spot is no more than one step of [`ACROSS`] above another, and above nothing else.
     fn is_just_over(&self, thing: &Thing, spot: &Pose, at: NodeId) -> bool {
         let lower = Pose::translation(0.0, 0.0, -ACROSS[0]) * spot;
-        let mut met = false;
+        let mut touched = false;
         let only = self.for_overlaps(thing, &lower, &mut |id| {
-            met |= id == at;
+            touched |= id == at;
             id == at
         });
-        met && only
+        touched && only
     }
 
     /// Whether there is something on or in a thing that would fall off it or run out.
     fn is_laden(&self, thing: &Thing) -> bool {
-        let full = self.fills.get(&thing.id).is_some_and(|level| *level > 0.0);
+        let full = self.waters.level(thing.id) > 0.0;
         full || self.is_held_with_load(thing.id) || !self.load_of(thing.state.base).is_empty()
     }
 }

@@ -34,7 +34,7 @@ impl PhysicsWorld {
             return;
         }
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        self.stop_what_fell(&awake);
+        self.stop_fallen(&awake);
         for handle in awake {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
             let (pose, (id, link)) = (*body.position(), group::marked(body.user_data));

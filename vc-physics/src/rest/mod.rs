@@ -30,7 +30,7 @@ impl PhysicsWorld {
                 rigid.sleep();
             }
         }
-        self.note_sleepers(&all);
+        self.record_sleepers(&all);
     }
 
     /// Puts things to sleep at poses at which they are known to be at rest, and lets agents stand at them, to the

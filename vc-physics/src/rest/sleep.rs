@@ -99,7 +99,7 @@ impl PhysicsWorld {
     }
 
     /// Records the poses of bodies that have fallen asleep.
-    pub(crate) fn note_sleepers(&mut self, were_awake: &[RigidBodyHandle]) {
+    pub(crate) fn record_sleepers(&mut self, were_awake: &[RigidBodyHandle]) {
         for &handle in were_awake {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic() && b.is_sleeping()) else {
                 continue;

@@ -71,8 +71,8 @@ impl Link {
             _ => hollow::pieces(part, by, surfaces),
         };
         let round = solid.iter().any(|p| is_round(&p.shape));
-        let felt = if joins { without_trim(solid) } else { solid.to_vec() };
-        let pieces = felt.iter().flat_map(pieces).collect();
+        let colliding = if joins { without_trim(solid) } else { solid.to_vec() };
+        let pieces = colliding.iter().flat_map(pieces).collect();
         let pieces = if joins { merge::merged(pieces, surfaces) } else { pieces };
         let (mass, friction, restitution) = sum.finish(&pieces);
         Self {
@@ -106,7 +106,7 @@ impl Link {
 
     /// The footprints of its pieces while the asset stands upright, computed on demand.
     pub(crate) fn footprints(&self) -> &[Footprint] {
-        self.footprints.get_or_init(|| footprint::of(&self.pieces))
+        self.footprints.get_or_init(|| footprint::footprints(&self.pieces))
     }
 
     /// Its shape extended downwards by a distance in metres, and the pose of the shape in the asset's frame.
@@ -178,7 +178,7 @@ impl Sum {
         let material = library.material(part.material);
         let (density, friction, restitution) =
             material.map_or((BOX_DENSITY, FRICTION, 0.0), |m| (m.density, m.friction, m.restitution));
-        let own = Moments::of(&part.shape).moved(&part.pose).stretched(by) * f64::from(density);
+        let own = Moments::from_shape(&part.shape).moved(&part.pose).stretched(by) * f64::from(density);
         if own.is_sound() {
             self.friction += friction * own.mass();
             self.restitution += restitution.min(1.0) * own.mass();
@@ -191,6 +191,6 @@ impl Sum {
         if mass::is_sound(&total) {
             return (total, self.friction / total.mass(), self.restitution / total.mass());
         }
-        ((Moments::of_pieces(pieces) * f64::from(BOX_DENSITY)).properties(), FRICTION, 0.0)
+        ((Moments::from_pieces(pieces) * f64::from(BOX_DENSITY)).properties(), FRICTION, 0.0)
     }
 }

@@ -23,4 +23,4 @@ pub(crate) use thing::{Moving, Places, Thing, ThingState};
 pub(crate) use vehicle::Vehicle;
 pub use vehicle::{VehicleControls, VehiclePlan, WheelPlan};
 pub(crate) use watch::{ABOUT, Spot};
-pub(crate) use water::Water;
+pub(crate) use water::{Water, Waters};

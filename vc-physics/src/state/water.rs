@@ -1,4 +1,6 @@
-//! Still water.
+//! Still water: boxes of it, and the fill levels of containers.
+
+use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
@@ -55,5 +57,43 @@ impl Water {
         hash.reals(self.at.translation.vector.iter().copied());
         hash.reals(self.at.rotation.coords.iter().copied());
         hash.reals(self.size);
+    }
+}
+
+/// All water of a world.
+#[derive(Clone, Default, Serialize, Deserialize)]
+pub(crate) struct Waters {
+    /// In the order in which it was added.
+    pub(crate) all: Vec<Water>,
+    /// The fill levels of containers, 0 to 1.
+    pub(crate) levels: BTreeMap<NodeId, f32>,
+}
+
+impl Waters {
+    /// The fill level of a container, 0 to 1; 0 if nobody has filled it.
+    pub(crate) fn level(&self, container: NodeId) -> f32 {
+        self.levels.get(&container).copied().unwrap_or(0.0)
+    }
+
+    /// The water around a point.
+    pub(crate) fn around(&self, point: &Point3<f32>) -> Option<&Water> {
+        self.all.iter().find(|water| water.holds(point))
+    }
+
+    /// Removes the water from a container; returns whether bodies may have been in it.
+    pub(crate) fn drain(&mut self, container: NodeId) -> bool {
+        self.levels.remove(&container);
+        let before = self.all.len();
+        self.all.retain(|water| water.container != Some(container));
+        self.all.len() < before
+    }
+
+    /// Adds the levels, and the data that determine forces, to a hash.
+    pub(crate) fn feed(&self, hash: &mut Digester) {
+        for (id, level) in &self.levels {
+            hash.word(u64::from(id.0));
+            hash.reals([*level]);
+        }
+        self.all.iter().for_each(|water| water.feed(hash));
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use vc_graph::{Aabb, NodeId, SceneGraph};
 
 use crate::engine::Engine;
-use crate::state::{Agent, Thing, Vehicle, Water};
+use crate::state::{Agent, Thing, Vehicle, Waters};
 use crate::{AgentError, PhysicsError, Settings};
 
 /// The bodies of a scene's nodes, and their time.
@@ -24,9 +24,7 @@ pub struct PhysicsWorld {
     pub(crate) things: Vec<Thing>,
     pub(crate) agents: BTreeMap<NodeId, Agent>,
     pub(crate) vehicles: BTreeMap<NodeId, Vehicle>,
-    pub(crate) waters: Vec<Water>,
-    /// The fill levels of containers, 0 to 1.
-    pub(crate) fills: BTreeMap<NodeId, f32>,
+    pub(crate) waters: Waters,
     /// Moving parts with an active motor, in the order in which they were started.
     pub(crate) driven: Vec<(NodeId, usize)>,
     /// Rooms and their bounding boxes.

@@ -183,7 +183,7 @@ proptest! {
                 Ok(mut relations) => {
                     prop_assert_eq!(bad, 0);
                     relations.update(&graph, &[NodeId(1), NodeId(99)]).unwrap();
-                    prop_assert!(relations.of(NodeId(99)).is_empty());
+                    prop_assert!(relations.edges_of(NodeId(99)).is_empty());
                     prop_assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
                 }
                 Err(error) => prop_assert!(bad > 0 && error.flaws.len() >= bad, "{error}"),

@@ -186,7 +186,7 @@ fn compare(updated: &Relations, fresh: &Relations, life: &mut Life) -> Result<()
     prop_assert!(apart.is_empty(), "after {:?}: {apart:?}", life.changed);
     for node in life.graph.nodes() {
         let id = node.id();
-        prop_assert!(updated.of(id).iter().eq(ours.iter().filter(|e| e.from == id)), "{}", node.label());
+        prop_assert!(updated.edges_of(id).iter().eq(ours.iter().filter(|e| e.from == id)), "{}", node.label());
         let (a, b) = (updated.supports(id), fresh.supports(id));
         prop_assert!(a == b, "{}: {a:?}, anew {b:?}", node.label());
         let (a, b) = (updated.near(id), fresh.near(id));
@@ -288,7 +288,9 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     let mut relations = Relations::new(&scene.graph, RelationRule::Contacts, evidence.clone()).unwrap();
     let supports = relations.supports(cup);
     assert!(supports.len() == 1 && supports[0].by == table && (supports[0].share - 1.0).abs() < 1e-6, "{supports:?}");
-    assert!(relations.of(me).iter().all(|e| e.to != none) && relations.explain(cup, table).unwrap().held.is_empty());
+    assert!(
+        relations.edges_of(me).iter().all(|e| e.to != none) && relations.explain(cup, table).unwrap().held.is_empty()
+    );
     // The holder of a thing may disappear, too.
     evidence = Evidence::default().holding(Edge::new(me, Relation::HoldsRight, cup));
     relations.set_evidence(&scene.graph, evidence).unwrap();
