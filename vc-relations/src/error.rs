@@ -113,7 +113,6 @@ pub(crate) fn check_scene(graph: &SceneGraph) -> Result<(), InputError> {
 ///
 /// ```
 /// # let home = vc_testkit::kitchen::kitchen();
-///
 /// assert_eq!(vc_relations::check_sizes(&home.graph), Ok(()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -9,7 +9,6 @@ use vc_graph::{Edge, NodeId};
 ///
 /// ```
 /// # let home = vc_testkit::kitchen::kitchen();
-///
 /// use vc_relations::{ContactEvidence, Evidence, Relations, SupportKind};
 /// let up = nalgebra::Vector3::new(0.0, 0.0, 0.05); // Newton seconds, on the cup.
 /// let evidence = Evidence::default().contact(ContactEvidence { between: (home.table, home.cup), impulse: up });
@@ -90,7 +89,6 @@ impl Evidence {
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
-    ///
     /// let evidence = vc_relations::Evidence::default().carrying([home.table]);
     /// let relations = vc_relations::Relations::new(&home.graph, Default::default(), evidence)?;
     /// // Hands carry the table. The cup is not said to be carried, so it does not rest on the table.

@@ -25,7 +25,6 @@ impl Relations {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
-    ///
     /// let why = relations.explain(home.cup, home.table).ok_or("no such nodes")?;
     /// assert!(why.holds.contains(&vc_graph::Relation::On));
     /// assert_eq!(why.down[0].node, home.table); // The trace down from the cup hits the table.

@@ -110,6 +110,7 @@ mod solid;
 mod support;
 mod targets;
 pub mod threshold;
+mod update;
 mod virtual_home;
 mod walls;
 mod world;

@@ -14,7 +14,6 @@ use crate::threshold::{ARMS_REACH, NEAR_REACH, TOUCHING_DISTANCE};
 /// ```
 /// # let home = vc_testkit::kitchen::kitchen();
 /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
-///
 /// use vc_relations::Proximity;
 /// assert!(relations.proximity(home.cup, home.table) < relations.proximity(home.cup, home.cabinet));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

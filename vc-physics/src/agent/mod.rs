@@ -7,6 +7,7 @@ mod hands;
 mod reach;
 mod room;
 mod seat;
+mod stride;
 mod walk;
 
 use rapier3d::dynamics::RigidBodyBuilder;

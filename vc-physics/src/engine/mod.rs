@@ -2,12 +2,13 @@
 
 mod contact_completion;
 mod contact_reduction;
+mod prediction;
 
 use std::sync::OnceLock;
 
 use nalgebra::Vector3;
 use rapier3d::dynamics::{
-    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBody, RigidBodyBuilder,
+    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBodyBuilder,
     RigidBodyHandle, RigidBodySet, SoftBodySet, SpringCoefficients,
 };
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
@@ -15,26 +16,12 @@ use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use vc_graph::portable::Portable;
-
 use crate::convert;
 
 /// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
 /// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
 /// for ever.
 const PREDICTION: f32 = 0.005;
-/// The contact prediction distance of a fast body, metres, if it moves that far in one step.
-const AHEAD: f32 = 0.25;
-/// Bodies faster than this use continuous collision detection, metres per second.
-const FAST: f32 = 2.5;
-/// So do bodies that turn faster, radians per second.
-const WHIRLING: f32 = 15.0;
-/// The speed beyond which a body is taken as lost, metres or radians per second: the engine's distance
-/// computations fail long before the range of floats ends.
-const WILD: f32 = 1e4;
-/// Below this angular speed a body's gyroscopic moment is ignored. The moment grows with the square of the
-/// speed and is computed in every substep. Radians per second.
-const TURNING: f32 = 1.0;
 /// The relative motion of two bodies after which their contact points are computed anew, metres.
 const RECYCLED: f32 = 0.01;
 /// Number of solver substeps per step. With two, stacks lean; the engine's default of four costs a fifth more.
@@ -156,42 +143,6 @@ impl Engine {
             rigid.activation_mut().time_until_sleep = STILL;
         }
         handle
-    }
-
-    /// Enables contact prediction for fast bodies and disables it for slow ones, since it costs time. A body is
-    /// slow if it moves less in a step than the general prediction distance. Bodies that turn slowly get no
-    /// gyroscopic moment, bodies that are too fast are stopped, and continuous collision detection is on only
-    /// in steps with a body for which prediction may not suffice.
-    fn predict_contacts(&mut self) {
-        let slow = (PREDICTION / self.parameters.dt).raised(2);
-        let ahead = |body: &RigidBody| if body.linvel().length_squared() > slow { AHEAD } else { 0.0 };
-        let turns = |body: &RigidBody| body.angvel().length_squared() > TURNING * TURNING;
-        let (mut differing, mut wild, mut swept) = (Vec::new(), Vec::new(), false);
-        for handle in self.islands.active_bodies() {
-            let Some(body) = self.bodies.get(handle) else { continue };
-            let (speed, spin) = (body.linvel().length_squared(), body.angvel().length_squared());
-            let place = body.position().translation;
-            if speed > WILD * WILD || spin > WILD * WILD || place.abs().max_element() > convert::FARTHEST {
-                wild.push(handle);
-            }
-            swept |= speed > FAST * FAST || spin > WHIRLING * WHIRLING;
-            if body.soft_ccd_prediction() != ahead(body) || body.gyroscopic_forces_enabled() != turns(body) {
-                differing.push(handle);
-            }
-        }
-        for handle in differing {
-            if let Some(body) = self.bodies.get_mut(handle) {
-                body.set_soft_ccd_prediction(ahead(body));
-                body.enable_gyroscopic_forces(turns(body));
-            }
-        }
-        for handle in wild {
-            if let Some(body) = self.bodies.get_mut(handle) {
-                // The engine stops bodies with NaN and reports them.
-                body.set_linvel(rapier3d::math::Vector::splat(f32::NAN), false);
-            }
-        }
-        self.parameters.max_ccd_substeps = usize::from(swept);
     }
 
     /// The bodies that are awake.
