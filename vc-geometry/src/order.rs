@@ -12,7 +12,7 @@ pub fn lesser(a: f32, b: f32) -> f32 {
     if b < a { b } else { a }
 }
 
-/// The larger of two numbers; see [`less`].
+/// The larger of two numbers; see [`lesser`].
 #[inline]
 pub fn greater(a: f32, b: f32) -> f32 {
     if b > a { b } else { a }

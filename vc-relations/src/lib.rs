@@ -44,15 +44,15 @@
 //! | held, worn | the graph or the evidence says so; it then rests on nothing |
 //!
 //! A trace starts at a part's middle plane and is a little narrower than the part, so that a few millimetres of
-//! overlap or gap do not matter, neither below nor at the sides. Every threshold is in [`threshold`], with its
-//! unit and reason. At most one of on, inside, sitting and lying holds between two nodes; a thing is inside all
+//! overlap or gap do not matter, neither below nor at the sides. The thresholds of the rules are in [`threshold`],
+//! with their units and reasons. At most one of on, inside, sitting and lying holds between two nodes; a thing is inside all
 //! containers around it; and nothing rests on itself through others.
 //!
 //! # Main types
 //!
 //! | type | purpose |
 //! |---|---|
-//! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::edges_of), [`has`](Relations::has); [`update`](Relations::update) after moves |
+//! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`edges_of`](Relations::edges_of), [`has`](Relations::has); [`update`](Relations::update) after moves |
 //! | [`Evidence`] | contacts, joints, positions of drawers and doors, held things |
 //! | [`Support`], [`Near`], [`NearSide`] | the figures behind on and near |
 //! | [`Proximity`] | named degrees of nearness: touching distance, arm's reach, near, behind a wall, far |

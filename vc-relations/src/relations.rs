@@ -174,7 +174,7 @@ impl Relations {
         edges
     }
 
-    /// All relations that start at some nodes, as given by [`Self::of`]. If these are most of a scene, all
+    /// All relations that start at some nodes, as given by [`Self::edges_of`]. If these are most of a scene, all
     /// supports are found in one pass.
     pub(crate) fn edges_of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
         if self.rule != RelationRule::Contacts {
