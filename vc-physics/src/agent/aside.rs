@@ -31,8 +31,8 @@ impl PhysicsWorld {
         self.parts_moved(agent, feet, false)
     }
 
-    /// As [`parts_to_move_aside`](Self::parts_to_move_aside); doors between rooms that are shut but not locked give way too, and
-    /// stand open then.
+    /// As [`parts_to_move_aside`](Self::parts_to_move_aside); doors between rooms that are shut but not locked give
+    /// way too, and stand open then.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].

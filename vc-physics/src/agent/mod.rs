@@ -119,8 +119,8 @@ impl PhysicsWorld {
     }
 
     /// Moves an agent at once; it then stands with its feet at a pose, of which only the rotation around the vertical
-    /// counts. If something as low as a rug lies there, the agent stands on it. The things in its hands come along. An agent with nothing below its feet falls, and is among the
-    /// [stopped](Self::stopped) in the end.
+    /// counts. If something as low as a rug lies there, the agent stands on it. The things in its hands come along. An
+    /// agent with nothing below its feet falls, and is among the [stopped](Self::stopped) in the end.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].

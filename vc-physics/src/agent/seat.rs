@@ -155,8 +155,8 @@ impl PhysicsWorld {
         self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
     }
 
-    /// Sets where an agent that sits or lies [stood](Self::stood_before) before, and at which height it gets up: it may sit
-    /// from the start.
+    /// Sets where an agent that sits or lies [stood before](Self::stood_before), and at which height it gets up: it may
+    /// sit from the start.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].

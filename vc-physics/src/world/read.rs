@@ -49,7 +49,8 @@ impl PhysicsWorld {
         self.nodes().into_iter().filter_map(|id| Some((id, self.pose(id)?))).collect()
     }
 
-    /// The pose of a moving part in the world's frame: that of its asset's origin, moved as the part has moved. Part numbers are those of [`moving_parts`](Self::moving_parts).
+    /// The pose of a moving part in the world's frame: that of its asset's origin, moved as the part has moved. Part
+    /// numbers are those of [`moving_parts`](Self::moving_parts).
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
