@@ -207,7 +207,7 @@ fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<Relati
     };
     let floors = |graph: &SceneGraph| {
         let floors = graph.of_role(ObjectRole::Floor);
-        floors.map(|id| graph.related(id, Relation::InRoom).collect()).collect::<Vec<Vec<NodeId>>>()
+        floors.map(|n| graph.related(n.id(), Relation::InRoom).collect()).collect::<Vec<Vec<NodeId>>>()
     };
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
     let mut relations = Relations::new(graph, RelationRule::Contacts, observe::evidence(world))?;
