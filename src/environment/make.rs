@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{AssetId, Draft, History, NodeId, NodeKind, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph};
+use vc_graph::{AssetId, Draft, History, NodeId, NodeKind, Pose, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
 use vc_relations::{RelationRule, Relations};
 
@@ -197,29 +197,22 @@ impl Environment {
     }
 }
 
-/// Reads all relations and writes them into the graph, until the rooms of the building's parts no longer change, so
-/// that whoever reads them from the graph later finds the same rooms. Rooms extend over their floors: only a floor that
-/// gets another room makes a second reading necessary, which costs as much as the first.
+/// Reads all relations and writes them into the graph. A floor that gets its room by that makes the room larger:
+/// then they are read again, so that who reads them from the graph later finds the same rooms.
 fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<Relations, MakeError> {
     let rooms = |graph: &SceneGraph| {
         let parts = graph.nodes().filter(|n| n.is_building());
         parts.map(|n| graph.room_of(n.id())).collect::<Vec<Option<NodeId>>>()
     };
-    let floors = |graph: &SceneGraph| {
-        let floors = graph.of_role(ObjectRole::Floor);
-        floors.map(|n| graph.related(n.id(), Relation::InRoom).collect()).collect::<Vec<Vec<NodeId>>>()
-    };
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
     let mut relations = Relations::new(graph, RelationRule::Contacts, observe::evidence(world))?;
     for _ in 0..READINGS {
-        let (before, floors_before) = (rooms(graph), floors(graph));
+        let before = rooms(graph);
         relations.write(graph, &all)?;
         if rooms(graph) == before {
             break;
         }
-        if floors(graph) != floors_before {
-            relations.rebuild(graph)?;
-        }
+        relations.rebuild(graph)?;
     }
     Ok(relations)
 }
