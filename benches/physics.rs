@@ -16,7 +16,7 @@ use cpu::Cpu;
 use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use nalgebra::{Point2, Vector3};
 use virtualcity::graph::{NodeId, Pose, SceneGraph, Seed};
-use virtualcity::physics::{Doors, Floor, FloorOptions, PhysicsWorld, Shapes};
+use virtualcity::physics::{DoorHandling, Floor, FloorOptions, PhysicsWorld, ShapeCache};
 
 const SIZES: [u32; 3] = [100, 500, 2000];
 
@@ -27,7 +27,7 @@ fn at(name: &str, objects: u32) -> BenchmarkId {
 fn worlds(c: &mut Criterion<Cpu>) {
     for objects in SIZES {
         let graph = scene::read(objects);
-        let shapes = Shapes::new();
+        let shapes = ShapeCache::new();
         let build = || PhysicsWorld::build(&graph, &shapes, scene::settings()).unwrap();
         let fresh = build();
         let mut group = c.benchmark_group("physics");
@@ -41,7 +41,7 @@ fn worlds(c: &mut Criterion<Cpu>) {
             });
         });
         group.bench_function(at("build, no shapes known", objects), |b| {
-            b.iter_with_large_drop(|| PhysicsWorld::build(&graph, &Shapes::new(), scene::settings()).unwrap());
+            b.iter_with_large_drop(|| PhysicsWorld::build(&graph, &ShapeCache::new(), scene::settings()).unwrap());
         });
         group.bench_function(at("settle", objects), |b| {
             b.iter_batched(|| fresh.clone(), |mut w| (w.settle(300), w), BatchSize::LargeInput);
@@ -71,8 +71,8 @@ fn worlds(c: &mut Criterion<Cpu>) {
                 world
             });
         });
-        let plan = FloorOptions { doors: Doors::AsTheyAre, ..FloorOptions::default() };
-        group.bench_function(at("floor", objects), |b| b.iter_with_large_drop(|| Floor::of(&settled, plan)));
+        let plan = FloorOptions { doors: DoorHandling::AsTheyAre, ..FloorOptions::default() };
+        group.bench_function(at("floor", objects), |b| b.iter_with_large_drop(|| Floor::new(&settled, plan)));
         group.finish();
     }
 }
@@ -89,7 +89,7 @@ fn active(group: &mut Group<'_>, settled: &PhysicsWorld, things: &[NodeId], obje
                     if step % 10 == 0 {
                         for &id in things {
                             let up = world.velocity(id).unwrap() + Vector3::z() * 0.4;
-                            let spin = world.spin(id).unwrap();
+                            let spin = world.angular_velocity(id).unwrap();
                             world.set_velocity(id, up, spin).unwrap();
                         }
                     }
@@ -120,7 +120,7 @@ fn memory(_: &mut Criterion<Cpu>) {
     let mut kept = Vec::new();
     for objects in SIZES {
         let graph = scene::read(objects);
-        let mut world = PhysicsWorld::build(&graph, &Shapes::new(), scene::settings()).unwrap();
+        let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), scene::settings()).unwrap();
         world.settle(300);
         eprintln!(
             "{objects} objects: {:?} bodies and pieces, {:.2} MiB a world",
@@ -149,7 +149,7 @@ fn growth(world: &PhysicsWorld, kept: &mut Vec<PhysicsWorld>) -> f64 {
 fn apartments(c: &mut Criterion<Cpu>) {
     use virtualcity::physics::Settings;
     use virtualcity::procgen::Apartment;
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let scenes: Vec<SceneGraph> = (1..6).map(|seed| Apartment::from_seed(Seed(seed)).unwrap().scene()).collect();
     let build = |graph: &SceneGraph| PhysicsWorld::build(graph, &shapes, Settings::default()).unwrap();
     let worlds: Vec<PhysicsWorld> = scenes.iter().map(build).collect();
@@ -162,14 +162,14 @@ fn apartments(c: &mut Criterion<Cpu>) {
         b.iter_batched(|| worlds[0].clone(), |mut w| (w.settle(300), w), BatchSize::LargeInput);
     });
     group.bench_function("step, all asleep", |b| b.iter(|| settled.step()));
-    group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::of(&worlds[0], FloorOptions::default())));
+    group.bench_function("floor", |b| b.iter_with_large_drop(|| Floor::new(&worlds[0], FloorOptions::default())));
     // The outlines of the shapes on the floor are computed once for all worlds with the same shapes; here, each
     // time.
     group.bench_function("floor, no shapes known", |b| {
-        let fresh = || PhysicsWorld::build(&scenes[0], &Shapes::new(), Settings::default()).unwrap();
-        b.iter_batched(fresh, |world| (Floor::of(&world, FloorOptions::default()), world), BatchSize::LargeInput);
+        let fresh = || PhysicsWorld::build(&scenes[0], &ShapeCache::new(), Settings::default()).unwrap();
+        b.iter_batched(fresh, |world| (Floor::new(&world, FloorOptions::default()), world), BatchSize::LargeInput);
     });
-    let floors: Vec<Floor> = worlds.iter().map(|w| Floor::of(w, FloorOptions::default())).collect();
+    let floors: Vec<Floor> = worlds.iter().map(|w| Floor::new(w, FloorOptions::default())).collect();
     let queries: Vec<(&Floor, Point2<f32>, Point2<f32>)> = floors.iter().flat_map(|f| pairs(f, 200)).collect();
     report_ways(&queries);
     let mut next = queries.iter().cycle();
@@ -209,7 +209,7 @@ fn report_ways(queries: &[(&Floor, Point2<f32>, Point2<f32>)]) {
     times.sort_by(f64::total_cmp);
     let mut lengths: Vec<f32> = queries.iter().filter_map(|(f, a, b)| Some(f.route(*a, *b)?.length)).collect();
     lengths.sort_by(f32::total_cmp);
-    let bands: Vec<usize> = queries.iter().step_by(200).map(|q| q.0.bands()).collect();
+    let bands: Vec<usize> = queries.iter().step_by(200).map(|q| q.0.rectangles()).collect();
     eprintln!(
         "ways: median {:.1} us, 95% {:.1} us, length median {:.1} m, {} of {} exist, bands {bands:?}",
         times[times.len() / 2],

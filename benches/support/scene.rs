@@ -15,7 +15,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 use virtualcity::graph::asset::{Joint, JointKind, Material, Part, Shape};
 use virtualcity::graph::{Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph};
-use virtualcity::physics::{Fixing, Settings};
+use virtualcity::physics::{FixedThings, Settings};
 
 #[derive(Deserialize, Serialize)]
 struct File {
@@ -80,7 +80,7 @@ pub(crate) fn read(objects: u32) -> SceneGraph {
 /// The peers' settings: only the building is fixed, doors swing freely, and masses follow from the shapes.
 pub(crate) fn settings() -> Settings {
     Settings {
-        fixing: Fixing::Structure,
+        fixing: FixedThings::Structure,
         latches: false,
         hinge_friction: 0.0,
         class_masses: false,

@@ -21,7 +21,7 @@ use clap::Parser;
 use indicatif::ProgressBar;
 use support::{Complaint, say};
 use virtualcity::graph::{NodeId, SceneGraph};
-use virtualcity::physics::{PhysicsWorld, Settings, Settling, Shapes};
+use virtualcity::physics::{PhysicsWorld, Settings, Settling, ShapeCache};
 
 use stage::Cast;
 
@@ -43,7 +43,7 @@ fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     virtualcity::files::create_folder(&options.out)?;
     let (graph, cast) = stage::build(options.seed, options.things).map_err(Complaint::new)?;
-    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
+    let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), Settings::default()).map_err(Complaint::new)?;
     play::prepare(&mut world, &cast).map_err(Complaint::new)?;
     let file = |name: &str| options.out.join(name);
     draw(&file("start.png"), &draw::picture(&graph, &world, &[]))?;

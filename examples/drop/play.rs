@@ -3,7 +3,8 @@
 use nalgebra::{Point2, Point3};
 use virtualcity::graph::Aabb;
 use virtualcity::physics::{
-    AgentError, BodyPlan, Controls, Floor, FloorOptions, Hand, Order, PhysicsError, PhysicsWorld, VehiclePlan, Walk,
+    AgentError, BodyPlan, Floor, FloorOptions, Hand, PhysicsError, PhysicsWorld, SpotOrder, VehicleControls,
+    VehiclePlan, WalkState,
 };
 
 use crate::stage::{Cast, WATER};
@@ -28,14 +29,14 @@ pub(crate) fn act(world: &mut PhysicsWorld, cast: &Cast, step: u32) -> Result<()
     match step {
         60 => world.drive(cast.chest, 0, 1.0)?,
         120 => world.drive(cast.door, 0, 0.9)?,
-        180 => world.steer(cast.car, Controls { throttle: 0.35, ..Controls::default() })?,
+        180 => world.steer(cast.car, VehicleControls { throttle: 0.35, ..VehicleControls::default() })?,
         300 => go_to_the_mug(world, cast)?,
         _ => {}
     }
     if step > 180 && world.pose(cast.car).is_some_and(|p| p.translation.x > BRAKE) {
-        world.steer(cast.car, Controls { brake: 1.0, ..Controls::default() })?;
+        world.steer(cast.car, VehicleControls { brake: 1.0, ..VehicleControls::default() })?;
     }
-    if step > 300 && world.walk(cast.person)? != Walk::Walking {
+    if step > 300 && world.walk(cast.person)? != WalkState::Walking {
         clear_away(world, cast)?;
     }
     Ok(())
@@ -51,8 +52,8 @@ fn at(world: &PhysicsWorld, cast: &Cast) -> Point2<f32> {
 }
 
 fn go_to_the_mug(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
-    let floor = Floor::of(world, FloorOptions::default());
-    let stand = floor.stand(world, &BodyPlan::default(), at(world, cast), cast.mug)?;
+    let floor = Floor::new(world, FloorOptions::default());
+    let stand = floor.standing_pose(world, &BodyPlan::default(), at(world, cast), cast.mug)?;
     stand.map_or(Ok(()), |stand| world.follow(cast.person, &stand.route.points, false))
 }
 
@@ -63,8 +64,8 @@ fn clear_away(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
         let in_reach = world.in_reach(cast.person)?.iter().any(|(id, _)| *id == cast.mug);
         if in_reach && !on_the_shelf {
             world.grab(cast.person, Hand::Right, cast.mug)?;
-            let floor = Floor::of(world, FloorOptions::default());
-            if let Some(stand) = floor.stand(world, &BodyPlan::default(), at(world, cast), cast.shelf)? {
+            let floor = Floor::new(world, FloorOptions::default());
+            if let Some(stand) = floor.standing_pose(world, &BodyPlan::default(), at(world, cast), cast.shelf)? {
                 world.follow(cast.person, &stand.route.points, false)?;
             }
         }
@@ -72,7 +73,7 @@ fn clear_away(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
     }
     for surface in [3, 2, 1, 0] {
         let near = world.pose(cast.person).map_or_else(Point3::origin, |p| p.translation.vector.into());
-        let spot = world.free_spot(cast.mug, cast.shelf, surface, 0.0, Order::Near(near))?;
+        let spot = world.free_spot(cast.mug, cast.shelf, surface, 0.0, SpotOrder::Near(near))?;
         if spot.is_some_and(|spot| world.put(cast.person, Hand::Right, spot).is_ok()) {
             return Ok(());
         }

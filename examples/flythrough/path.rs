@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3};
 use virtualcity::graph::{NodeId, SceneGraph, State};
-use virtualcity::physics::{Doors, Floor, FloorOptions, PhysicsWorld, Route, Settings, Shapes};
+use virtualcity::physics::{DoorHandling, Floor, FloorOptions, PhysicsWorld, Route, Settings, ShapeCache};
 use virtualcity::render::Camera;
 
 use crate::support::Complaint;
@@ -20,18 +20,18 @@ const RADII: [f32; 2] = [0.3, 0.15];
 
 /// The path through the rooms; doors on it are opened, and it goes around their leaves.
 pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
-    let mut world = PhysicsWorld::build(scene, &Shapes::new(), Settings::default()).map_err(Complaint::new)?;
+    let mut world = PhysicsWorld::build(scene, &ShapeCache::new(), Settings::default()).map_err(Complaint::new)?;
     let wanted = FloorOptions { radius: RADII[0], ..FloorOptions::default() };
     let first =
-        Tour::longest(scene, &Floor::of(&world, wanted)).ok_or_else(|| Complaint::new("no room has free floor"))?;
+        Tour::longest(scene, &Floor::new(&world, wanted)).ok_or_else(|| Complaint::new("no room has free floor"))?;
     let mut edit = scene.edit();
     for door in &first.doors {
         edit.enter_state(*door, State::Open).map_err(Complaint::new)?;
         world.put_all_open(*door, 1.0).map_err(Complaint::new)?;
     }
     edit.commit();
-    let around = RADII.map(|radius| FloorOptions { radius, doors: Doors::AsTheyAre, ..FloorOptions::default() });
-    let tours = around.iter().filter_map(|plan| Tour::longest(scene, &Floor::of(&world, *plan)));
+    let around = RADII.map(|radius| FloorOptions { radius, doors: DoorHandling::AsTheyAre, ..FloorOptions::default() });
+    let tours = around.iter().filter_map(|plan| Tour::longest(scene, &Floor::new(&world, *plan)));
     // A tour that reaches fewer rooms because a leaf is in its way is no better than one through the leaf.
     let best = tours.chain([first]).reduce(|a, b| if b.rooms > a.rooms { b } else { a });
     let Tour { points, rooms, .. } = best.ok_or_else(|| Complaint::new("no room has free floor"))?;

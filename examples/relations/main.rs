@@ -66,7 +66,7 @@ fn is_placement(relation: Relation) -> bool {
 fn list(graph: &SceneGraph, relations: &Relations, all: bool) {
     say!("{} nodes, {} relations", graph.len(), relations.edges().len());
     for node in graph.nodes() {
-        let edges = relations.of(node.id());
+        let edges = relations.edges_of(node.id());
         let shown = edges.iter().filter(|e| all || is_placement(e.relation));
         let words: Vec<String> = shown.map(|e| format!("{} {}", e.relation.as_str(), graph.label(e.to))).collect();
         if !words.is_empty() {
@@ -80,7 +80,7 @@ fn compare(graph: &SceneGraph, relations: &Relations) -> Result<(), Complaint> {
     let plain = Relations::new(graph, RelationRule::BoxTrace, Evidence::default()).map_err(Complaint::new)?;
     let placed = |r: &Relations, id| -> Vec<Edge> {
         let counts = |e: &Edge| matches!(e.relation, Relation::On | Relation::Inside | Relation::Under);
-        r.of(id).into_iter().filter(counts).collect()
+        r.edges_of(id).into_iter().filter(counts).collect()
     };
     say!("\nWhat the plain box traces say instead:");
     for node in graph.nodes() {

@@ -113,7 +113,7 @@ fn faces_of(graph: &SceneGraph, node: &Node, why: &Explanation, view: &View) -> 
 /// Draws a ray and its hit. The names are listed below each other, no higher than `free`.
 fn arrow(svg: &mut String, graph: &SceneGraph, hit: &Hit, view: &View, up: bool, free: &mut f32) {
     let start = if up { hit.at - Vector3::z() * hit.distance } else { Point3::new(hit.at.x, hit.at.y, view.middle.z) };
-    let colour = match hit.verdict {
+    let colour = match hit.outcome {
         TraceOutcome::Counts => "#1a8f3c",
         TraceOutcome::Carried | TraceOutcome::Content => "#8a6fb0",
         _ => "#c23b3b",
@@ -128,7 +128,7 @@ fn arrow(svg: &mut String, graph: &SceneGraph, hit: &Hit, view: &View, up: bool,
     line((x1, y1), (x2, y2), 2.0);
     line((x2, y2), (x3, y3), 0.7);
     let _ = writeln!(svg, "<circle cx='{x2:.1}' cy='{y2:.1}' r='4' fill='{colour}'/>");
-    let (label, x, y) = (graph.label(hit.what), x3 + 4.0, y3 + 4.0);
+    let (label, x, y) = (graph.label(hit.node), x3 + 4.0, y3 + 4.0);
     let _ = writeln!(svg, "<text x='{x:.1}' y='{y:.1}' font-size='13' fill='{colour}'>{label}</text>");
 }
 

@@ -27,7 +27,7 @@ impl Environment {
     /// Lets an agent act, at once.
     ///
     /// 1. `rule::step` on a copy of the graph: what the transition rule says, or why not.
-    /// 2. Bodies do each of its effects: `Floor::stand` and a walk, `World::grab_all`,
+    /// 2. Bodies do each of its effects: `Floor::standing_pose` and a walk, `World::grab_with_load`,
     ///    `World::free_spot_at` and `World::put`, `World::drive`, `World::sit` ...
     /// 3. `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`: what was disturbed comes to rest.
     /// 4. `Relations::update_with` and `Relations::write`: what has moved is observed again.

@@ -235,7 +235,7 @@ impl Environment {
         next.floor.update(&next.world);
         let to = to.into();
         let point = next.standing(agent, to)?;
-        let feet = nalgebra::Translation3::new(point.x, point.y, next.floor.plan().level);
+        let feet = nalgebra::Translation3::new(point.x, point.y, next.floor.options().level);
         next.make_way(agent, &point)?;
         let turn = match to {
             Spot::Room(room) => outlook::into_room(&next.world, &next.graph, room, (agent, feet.vector.into())),
@@ -379,8 +379,8 @@ impl Environment {
     }
 
     fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
-        let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
-        self.floor.is_free(*at) && self.world.stands_free(agent, &feet).is_ok_and(|free| free)
+        let feet = Pose::translation(at.x, at.y, self.floor.options().level);
+        self.floor.is_free(*at) && self.world.can_stand(agent, &feet).is_ok_and(|free| free)
     }
 }
 

@@ -3,7 +3,7 @@
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Change, ChangeSet, Node, NodeId, NodeKind, Place, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_physics::{BodyRole, Floor, Order, PhysicsWorld, Posture};
+use vc_physics::{BodyRole, Floor, PhysicsWorld, Posture, SpotOrder};
 
 use super::make::{RINGS, Spaced, around};
 use super::settle::come_to_rest;
@@ -24,7 +24,7 @@ const FAR: f32 = 3.0;
 pub(super) fn calm(world: &mut PhysicsWorld, builder: &mut SceneBuilder) -> Result<Vec<Unplaced>, MakeError> {
     // Steps would take long to part things that are in one place, and would throw them far.
     let mut astray = world.outside();
-    astray.extend(world.crowded());
+    astray.extend(world.coinciding());
     astray.extend(far_off(world, builder.graph()));
     let mut left_out = put_back(world, builder, astray)?;
     come_to_rest(world);
@@ -85,7 +85,7 @@ fn put_back(
     }
     let (mut lost, mut full) = (Vec::new(), Full::default());
     for (id, pose) in wanted {
-        let near = Order::Near(Point3::from(pose.translation.vector));
+        let near = SpotOrder::Near(Point3::from(pose.translation.vector));
         let (place, size) = (builder.graph().place(id), world.aabb(id).map(|b| b.max - b.min));
         let found = if full.is_for(place, size) { None } else { spot(world, builder.graph(), id, near)? };
         match found {
@@ -107,7 +107,7 @@ fn put_back(
 }
 
 /// A free spot for a thing where a scene says it is.
-fn spot(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId, order: Order) -> Result<Option<Pose>, MakeError> {
+fn spot(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId, order: SpotOrder) -> Result<Option<Pose>, MakeError> {
     let there = |place: &Place| world.aabb(place.at).is_some();
     let Some(place) = graph.place(id).filter(there) else { return Ok(None) };
     Ok(world.free_spot_at(id, place.at, place.relation == Relation::Inside, order)?)
@@ -127,7 +127,7 @@ fn fallen(world: &PhysicsWorld, graph: &SceneGraph) -> Vec<NodeId> {
 /// Puts each fallen thing to a free spot at its place in the scene, if there is one.
 fn restore(world: &mut PhysicsWorld, graph: &SceneGraph, fallen: &[NodeId]) -> Result<(), MakeError> {
     for &id in fallen {
-        if let Some(spot) = spot(world, graph, id, Order::Middle)? {
+        if let Some(spot) = spot(world, graph, id, SpotOrder::Middle)? {
             world.place(id, spot)?;
         }
     }
@@ -169,10 +169,10 @@ pub(super) fn stand_on_floor(world: &mut PhysicsWorld, graph: &SceneGraph, floor
         let standing = world.posture(agent) == Some(Posture::Standing);
         let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
         let own = Point2::from(feet.translation.vector.xy());
-        let on_floor = !world.is_beside_floors(agent);
+        let on_floor = !world.is_off_floor(agent);
         let together = taken.has_within(&own, TOGETHER);
         // Others in the same place are no furniture.
-        if on_floor && !together && !world.is_stuck_in(agent) {
+        if on_floor && !together && !world.is_stuck(agent) {
             taken.take(own);
             continue;
         }
@@ -187,7 +187,7 @@ pub(super) fn stand_on_floor(world: &mut PhysicsWorld, graph: &SceneGraph, floor
         let reached = free().find(|p| floor.route(base, *p).is_some());
         let Some(spot) = reached.or_else(|| free().next()) else { continue };
         taken.take(spot);
-        let to = Pose::from_parts([spot.x, spot.y, floor.plan().level].into(), feet.rotation);
+        let to = Pose::from_parts([spot.x, spot.y, floor.options().level].into(), feet.rotation);
         if world.teleport(agent, to).is_ok() {
             moved.push(agent);
         }

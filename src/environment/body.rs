@@ -14,7 +14,7 @@ impl Environment {
         let pose = world.pose(agent)?;
         let attitude = match world.posture(agent)? {
             Posture::Standing => BodyPosture::Standing,
-            Posture::Sitting(..) => BodyPosture::Sitting(pose.translation.z - self.floor().plan().level),
+            Posture::Sitting(..) => BodyPosture::Sitting(pose.translation.z - self.floor().options().level),
             Posture::Lying(..) => BodyPosture::Lying,
         };
         let mut doing = self.doing(agent);
@@ -52,7 +52,7 @@ fn grip(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<Poi
 
 /// A point at the outer side of a thing, or before a wide one, in the body's frame.
 fn beside(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
-    let (low, high) = world.own_box(id)?;
+    let (low, high) = world.local_bounds(id)?;
     let side = if hand == Hand::Right { -1.0 } else { 1.0 };
     let own = feet.inverse() * world.pose(id)?;
     let (centre, half) = (own * nalgebra::center(&low, &high), (high - low) / 2.0);

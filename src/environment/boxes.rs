@@ -203,7 +203,7 @@ pub(super) fn step_aside(
         let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
         let at = feet.translation.vector.xy().into();
         if let Some(spot) = floor.nearest(at, ASIDE) {
-            let level = nalgebra::Translation3::new(spot.x, spot.y, floor.plan().level);
+            let level = nalgebra::Translation3::new(spot.x, spot.y, floor.options().level);
             world.teleport(agent, Pose::from_parts(level, feet.rotation))?;
         }
     }

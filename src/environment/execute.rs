@@ -194,7 +194,7 @@ impl Execution<'_> {
         let before = self.world.pose(id);
         // A standing agent gives way to a part that swings past it.
         let past = if self.stands() { std::slice::from_ref(&self.agent) } else { &[] };
-        let pushes = self.care.pushes || !self.world.leap_open_past(id, open, past)?;
+        let pushes = self.care.pushes || !self.world.set_openness_ignoring(id, open, past)?;
         if pushes {
             self.push_open(id, open)?;
         }
@@ -202,13 +202,13 @@ impl Execution<'_> {
         let now = self.world.openness(id).unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
         // The part may have stopped where the agent stands.
-        let squeezed = now < 1.0 && self.stands() && !self.world.stands_free(self.agent, &self.feet())?;
+        let squeezed = now < 1.0 && self.stands() && !self.world.can_stand(self.agent, &self.feet())?;
         if arrived && !squeezed { self.keeps_balance(id, before) } else { Err(self.stuck(id, open, now)?) }
     }
 
     /// The error for a thing that is stuck at its present opening.
     fn stuck(&self, id: NodeId, open: f32, now: f32) -> Result<PhysicalRefusal, PhysicalRefusal> {
-        let by = self.world.in_the_way(id, open)?.into_iter().map(|by| self.before.label(by)).collect();
+        let by = self.world.blockers(id, open)?.into_iter().map(|by| self.before.label(by)).collect();
         Ok(PhysicalRefusal::Stuck { thing: self.before.label(id), open: 100.0 * now, by })
     }
 
@@ -293,12 +293,12 @@ impl Execution<'_> {
     /// Gets up to a spot from which the floor is reached on which the agent stood before; else to where it stood.
     fn get_up(&mut self) -> Done {
         self.floor.update(self.world);
-        let stood = self.world.stood(self.agent).unwrap_or_else(|| self.feet());
+        let stood = self.world.stood_before(self.agent).unwrap_or_else(|| self.feet());
         let at = |feet: &Pose| Point2::from(feet.translation.vector.xy());
         let back = |feet: &Pose| self.floor.route(at(feet), at(&stood)).is_some();
         let exit = self.world.exit_where(self.agent, back);
         let feet = match exit {
-            Err(AgentError::NoExit(_)) if self.world.stands_free(self.agent, &stood)? => stood,
+            Err(AgentError::NoExit(_)) if self.world.can_stand(self.agent, &stood)? => stood,
             exit => exit?,
         };
         self.world.teleport(self.agent, feet)?;

@@ -11,7 +11,7 @@ impl Environment {
     /// and, if the thing is inside a closed container, the container too. A lamp under the ceiling is switched
     /// at the wall, so it need only be near.
     ///
-    /// Uses `Floor::stand_where` from the agent's position. Costs a copy of the bodies, a millisecond.
+    /// Uses `Floor::standing_pose_where` from the agent's position. Costs a copy of the bodies, a millisecond.
     pub fn can_get_at(&self, agent: NodeId, id: NodeId) -> bool {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         floor.update(&world);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use vc_graph::{AssetId, Draft, History, NodeId, NodeKind, Pose, SceneBuilder, SceneGraph};
-use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, Shapes};
+use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
 use vc_relations::{RelationRule, Relations};
 
 use super::reset::undress;
@@ -31,7 +31,7 @@ const ASTRAY: f32 = 2.5;
 struct Made {
     world: PhysicsWorld,
     floor: Floor,
-    shapes: Shapes,
+    shapes: ShapeCache,
     left_out: Vec<Unplaced>,
     /// Things that stay where the scene has them, and whether that was an environment's.
     staying: Vec<NodeId>,
@@ -79,7 +79,7 @@ impl Environment {
     /// are added until there are so many. Things of which only a box is known get a shape of their
     /// class in that box ([`vc_geometry::shapes`]), and stay where the scene has them.
     ///
-    /// `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::of`, `PhysicsWorld::add_agent`, then relations are
+    /// `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::new`, `PhysicsWorld::add_agent`, then relations are
     /// read (`Relations::new`) and written into the graph (`Relations::write`).
     ///
     /// ```
@@ -117,7 +117,7 @@ impl Environment {
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
         }
-        let (mut graph, shapes) = (graph, Shapes::new());
+        let (mut graph, shapes) = (graph, ShapeCache::new());
         let mut world = PhysicsWorld::build(&graph, &shapes, Settings::default())?;
         let mut told = seats::take(&mut world, &mut graph)?;
         let mut builder = SceneBuilder::of(graph);
@@ -127,7 +127,7 @@ impl Environment {
         if boxes::hold_moved(&mut world, builder.graph(), &staying, at_rest)? {
             come_to_rest(&mut world);
         }
-        let floor = Floor::of(&world, FloorOptions::default());
+        let floor = Floor::new(&world, FloorOptions::default());
         if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
@@ -246,7 +246,7 @@ fn standing_places(
                     if suits(*room, &spot, &taken) {
                         taken.take(spot);
                         here += 1;
-                        found.push((*room, Pose::translation(spot.x, spot.y, floor.plan().level)));
+                        found.push((*room, Pose::translation(spot.x, spot.y, floor.options().level)));
                     }
                 }
             }

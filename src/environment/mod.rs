@@ -33,7 +33,7 @@ use std::sync::Arc;
 use nalgebra::{Point2, Point3};
 use vc_graph::hash::Digester;
 use vc_graph::{Action, ChangeSet, Digest, History, NodeId, Observation, SceneGraph, Scope};
-use vc_physics::{Floor, PhysicsWorld, Posture, Shapes};
+use vc_physics::{Floor, PhysicsWorld, Posture, ShapeCache};
 use vc_relations::Relations;
 
 pub use alter::{AlterError, Spot};
@@ -60,11 +60,11 @@ const WAIST: f32 = 0.9;
 ///
 /// | endpoint | what it is made of |
 /// |---|---|
-/// | [`make`](Self::make) | `Apartment::from_seed`, `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::of`, `PhysicsWorld::add_agent`, `Relations::new`, `Relations::write` |
+/// | [`make`](Self::make) | `Apartment::from_seed`, `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::new`, `PhysicsWorld::add_agent`, `Relations::new`, `Relations::write` |
 /// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::stand`, `PhysicsWorld::grab_all`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::put`, `PhysicsWorld::drive` ..., then `Relations::update_with` |
+/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::standing_pose`, `PhysicsWorld::grab_with_load`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::put`, `PhysicsWorld::drive` ..., then `Relations::update_with` |
 ///
 /// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
 /// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),
@@ -110,7 +110,7 @@ struct Start {
     world: PhysicsWorld,
     relations: Relations,
     floor: Floor,
-    shapes: Shapes,
+    shapes: ShapeCache,
     left_out: Vec<Unplaced>,
     elsewhere: Vec<Displaced>,
     /// Places that the scene gives to things and geometry does not: they hold while these have not moved.
@@ -122,7 +122,7 @@ struct Start {
 impl Start {
     /// Floors stay where they are.
     fn room_at(&self, point: Point2<f32>) -> Option<NodeId> {
-        let level = self.floor.plan().level;
+        let level = self.floor.options().level;
         self.relations.room_at(&Point3::new(point.x, point.y, level + WAIST))
     }
 }

@@ -61,6 +61,6 @@ pub(super) fn look_again(
     let kept = |graph: &SceneGraph, id: NodeId| {
         boxes::still_at(start, graph, world, id).or_else(|| boxes::unmoved_at(graph, world, id, &moved))
     };
-    let edges = relations.write_but(graph, &met, kept).map_err(|e| unreadable(&e))?;
+    let edges = relations.write_except(graph, &met, kept).map_err(|e| unreadable(&e))?;
     Ok((met, poses.then(edges)))
 }

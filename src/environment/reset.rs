@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneGraph, State};
-use vc_physics::{BodyRole, Floor, Order, PhysicsError, PhysicsWorld};
+use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld, SpotOrder};
 use vc_relations::Relations;
 
 use super::settle::come_to_rest;
@@ -273,7 +273,7 @@ impl Environment {
             relations.set_evidence(graph, evidence)?;
             graph.nodes().map(vc_graph::Node::id).collect()
         };
-        relations.write_but(graph, &met, |graph, id| {
+        relations.write_except(graph, &met, |graph, id| {
             let scene = boxes::still_at(&self.start, graph, world, id);
             let unmoved = || boxes::unmoved_at(graph, world, id, &moved);
             scene.or_else(unmoved).or_else(|| boxes::fixed_at(graph, world, id, &moved))
@@ -481,7 +481,7 @@ pub(super) fn settle_place(
     if world.aabb(place.at).is_none() {
         return Ok(Err(UnplacedReason::NoSupport(graph.label(place.at))));
     }
-    let order = if posed { Order::Near(Point3::from(pose.translation.vector)) } else { Order::Middle };
+    let order = if posed { SpotOrder::Near(Point3::from(pose.translation.vector)) } else { SpotOrder::Middle };
     let inside = place.relation == Relation::Inside;
     // Furniture on a floor stands in no door's way where that can be.
     let is_furniture = !inside && graph.node(id).is_some_and(|n| !n.affords(Property::Graspable));

@@ -103,8 +103,8 @@ pub(super) fn move_agents(
     for agent in graph.agents().to_vec() {
         let Some(place) = place(known, graph, agent) else { continue };
         let room = graph.room_of(place.at).filter(|_| place.relation == Relation::InRoom);
-        let feet = |p: &Point2<f32>| Pose::translation(p.x, p.y, floor.plan().level);
-        let stands = |p: &Point2<f32>| floor.is_free(*p) && world.stands_free(agent, &feet(p)).is_ok_and(|free| free);
+        let feet = |p: &Point2<f32>| Pose::translation(p.x, p.y, floor.options().level);
+        let stands = |p: &Point2<f32>| floor.is_free(*p) && world.can_stand(agent, &feet(p)).is_ok_and(|free| free);
         let free = |room: NodeId| move |p: &Point2<f32>| start.room_at(*p) == Some(room) && stands(p);
         let spot = room.and_then(|room| Some((room, feet(&alter::spot_in(graph, floor, room, free(room))?))));
         let Some((room, feet)) = spot else {

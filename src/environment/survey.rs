@@ -101,10 +101,10 @@ impl Environment {
     /// The doors that have to give way so that an agent can stand at a point of the floor that is free but for doors,
     /// and how far each would then be open; empty if the agent stands free there. `None` if it cannot stand there.
     pub(super) fn gives_way(&self, agent: NodeId, at: &Point2<f32>) -> Option<PartsToMoveAside> {
-        let feet = Pose::translation(at.x, at.y, self.floor.plan().level);
-        if self.world.stands_free(agent, &feet).ok()? {
+        let feet = Pose::translation(at.x, at.y, self.floor.options().level);
+        if self.world.can_stand(agent, &feet).ok()? {
             return Some(PartsToMoveAside::new());
         }
-        self.world.doors_aside(agent, &feet).ok().flatten()
+        self.world.doors_to_move_aside(agent, &feet).ok().flatten()
     }
 }

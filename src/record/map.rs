@@ -25,7 +25,7 @@ pub(super) fn of(home: &Environment, ways: &[Vec<Point2<f32>>]) -> Result<Pictur
     let frame = home.render(Viewpoint::Overhead, Modality::Rgb, SIZE.0, SIZE.1)?;
     let camera = home.camera(Viewpoint::Overhead, SIZE.0, SIZE.1)?;
     let mut picture = picture::rgb(&frame);
-    let level = home.floor().plan().level;
+    let level = home.floor().options().level;
     for (way, colours) in ways.iter().zip(WAYS.iter().cycle()) {
         let count = way.len().max(1) as f32;
         for (i, pair) in way.windows(2).enumerate() {

@@ -7,16 +7,16 @@ mod dropped;
 
 use nalgebra::{Point2, UnitQuaternion, Vector3};
 use virtualcity::graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph, Seed};
-use virtualcity::physics::{Doors, Floor, FloorOptions, PhysicsWorld, Settings, Shapes};
+use virtualcity::physics::{DoorHandling, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
 use virtualcity::procgen::Apartment;
-use virtualcity::relations::{Contact, Evidence, Ground, RelationRule, Relations};
+use virtualcity::relations::{ContactEvidence, Evidence, RelationRule, Relations, SupportKind};
 
 fn home(seed: u64) -> Option<SceneGraph> {
     Apartment::from_seed(Seed(seed)).ok().map(|home| home.scene())
 }
 
 fn build(graph: &SceneGraph) -> PhysicsWorld {
-    PhysicsWorld::build(graph, &Shapes::new(), Settings::default()).unwrap()
+    PhysicsWorld::build(graph, &ShapeCache::new(), Settings::default()).unwrap()
 }
 
 /// A generated home comes to rest within ten seconds except for a few objects, and hardly one in ten thousand
@@ -50,7 +50,7 @@ fn inside(graph: &SceneGraph, floor: &Floor, room: NodeId) -> Option<Point2<f32>
 fn every_room_can_be_walked_to() {
     for graph in (1..6).filter_map(home) {
         let world = build(&graph);
-        let open = Floor::of(&world, FloorOptions::default());
+        let open = Floor::new(&world, FloorOptions::default());
         let places: Vec<Point2<f32>> = graph.rooms().iter().filter_map(|r| inside(&graph, &open, *r)).collect();
         assert_eq!(places.len(), graph.rooms().len(), "a room without floor in {}", graph.name());
         for (i, a) in places.iter().enumerate() {
@@ -59,7 +59,7 @@ fn every_room_can_be_walked_to() {
             }
         }
         // With closed doors fewer routes exist.
-        let shut = Floor::of(&world, FloorOptions { doors: Doors::AsTheyAre, ..FloorOptions::default() });
+        let shut = Floor::new(&world, FloorOptions { doors: DoorHandling::AsTheyAre, ..FloorOptions::default() });
         let ways = |floor: &Floor| places.iter().filter(|p| floor.route(places[0], **p).is_some()).count();
         assert!(ways(&shut) < ways(&open), "{}", graph.name());
     }
@@ -69,7 +69,8 @@ fn every_room_can_be_walked_to() {
 /// impulse on the second of the two bodies.
 fn told(world: &PhysicsWorld) -> Evidence {
     let contacts = world.contacts().into_iter();
-    let contact = |c: virtualcity::physics::Contact| Contact { between: (c.a, c.b), impulse: c.normal * c.impulse };
+    let contact =
+        |c: virtualcity::physics::Contact| ContactEvidence { between: (c.a, c.b), impulse: c.normal * c.impulse };
     Evidence { contacts: contacts.map(contact).collect(), ..Evidence::default() }
 }
 
@@ -101,7 +102,7 @@ fn contacts_of_bodies_tell_relations_what_rests_where() {
     let relations = Relations::new(&graph, RelationRule::Contacts, told(&world)).unwrap();
     for (id, expected) in [(plank, vec![left, right]), (ladder, vec![floor])] {
         let supports = relations.supports(id);
-        assert!(supports.iter().all(|s| s.ground == Ground::Contact), "{supports:?}");
+        assert!(supports.iter().all(|s| s.kind == SupportKind::Contact), "{supports:?}");
         let mut by: Vec<NodeId> = supports.iter().map(|s| s.by).collect();
         let mut physical = world.supports(id);
         by.sort_unstable();

@@ -256,8 +256,8 @@ fn public_types_can_be_sent_and_shared() {
     }
     check!(graph::SceneGraph, graph::SceneBuilder, graph::Simulator, graph::Action, graph::Goal, graph::ClassTable);
     check!(graph::AssetLibrary, graph::Observation, graph::ChangeSet, graph::Refusal, graph::EditError, graph::Stream);
-    check!(geometry::Opening, relations::Relations, relations::Explanation, relations::InputError);
-    check!(physics::PhysicsWorld, physics::Shapes, physics::Floor, physics::Occupancy, physics::PhysicsError);
+    check!(geometry::WallOpening, relations::Relations, relations::Explanation, relations::InputError);
+    check!(physics::PhysicsWorld, physics::ShapeCache, physics::Floor, physics::Occupancy, physics::PhysicsError);
     check!(render::Renderer, render::Snapshot, render::Lighting, render::Frame, render::Camera, render::RenderError);
     check!(render::ReferencePicture, render::RayCaster, render::BoxLabel, render::Mask<'static>, render::Shot<'static>);
     check!(procgen::Apartment, procgen::Layout, procgen::Specification, procgen::Style, procgen::SpecificationError);

@@ -31,7 +31,7 @@ pub(crate) struct Block {
 
 impl Block {
     /// `None` if the node has no box or pose, or leans.
-    pub(crate) fn of(node: &Node) -> Option<Self> {
+    pub(crate) fn new(node: &Node) -> Option<Self> {
         let (bounds, pose) = (node.spec().bounds?, *node.pose()?);
         let up = pose.rotation * Vector3::z();
         if up.z < 0.0 || up.xy().norm() > UPRIGHT {

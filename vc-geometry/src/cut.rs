@@ -108,6 +108,17 @@ impl Surface {
     }
 
     /// The parts of polygons behind and in front of a plane (Sutherland and Hodgman, 1974).
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_geometry::cut::{Plane, Surface};
+    /// // A square of two triangles, cut at X = 0.25.
+    /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
+    /// let (mut surface, square) = Surface::new(corners.to_vec(), &[[0, 1, 2], [0, 2, 3]]);
+    /// let [left, right] = surface.divided(&square, Plane::across(0, 0.25));
+    /// assert!(surface.corners(&left).iter().all(|p| p.x <= 0.25));
+    /// assert!(surface.corners(&right).iter().all(|p| p.x >= 0.25));
+    /// ```
     pub fn divided(&mut self, polygons: &Polygons, plane: Plane) -> [Polygons; 2] {
         let Self { points, heights } = self;
         heights.clear();

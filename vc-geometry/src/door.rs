@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind, Part};
 
 use crate::block::{Block, part};
-use crate::opening::Opening;
+use crate::opening::WallOpening;
 
 /// Thickness of a leaf, metres, and the gap around it.
 const LEAF: f32 = 0.04;
@@ -32,7 +32,7 @@ pub(crate) fn frame(block: &Block) -> Vec<Part> {
 }
 
 /// A leaf on a hinge in the middle of its opening, and a lintel above that stays.
-pub(crate) fn leaf(block: &Block, opening: &Opening) -> Vec<Part> {
+pub(crate) fn leaf(block: &Block, opening: &WallOpening) -> Vec<Part> {
     let (low, high) = block.local(&opening.clear);
     let own = block.pose.rotation.inverse() * Vector3::ith(opening.across, 1.0);
     let across = usize::from(own.y.abs() > own.x.abs());

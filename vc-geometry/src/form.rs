@@ -44,7 +44,7 @@ fn row(line: &'static str) -> Option<Row> {
 }
 
 /// The form and level of a node's class, or of the first in the table that it is a kind of.
-pub(crate) fn of(graph: &SceneGraph, node: &Node) -> Option<(Form, Option<f32>)> {
+pub(crate) fn form_of(graph: &SceneGraph, node: &Node) -> Option<(Form, Option<f32>)> {
     TABLE.iter().find(|row| is_a(graph, node, row.class)).map(|row| (row.form, row.level))
 }
 

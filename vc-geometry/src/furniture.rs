@@ -30,7 +30,7 @@ const HEADROOM: f32 = 0.05;
 /// Builds the form that a node's class and its load ask for.
 pub(crate) fn build(graph: &SceneGraph, node: &Node, block: &Block, asset: &mut Asset) {
     let loads = level::loads(graph, node, block);
-    let (form, level) = form::of(graph, node).unwrap_or_else(|| (by_affordance(node, &loads), None));
+    let (form, level) = form::form_of(graph, node).unwrap_or_else(|| (by_affordance(node, &loads), None));
     let carries = node.affords(Property::Surface) || loads.iter().any(|l| !l.inside);
     let top = || level::top(&loads, block.high.z - SUNK.min(block.size().z / 2.0)).unwrap_or(block.high.z);
     match form {

@@ -5,7 +5,7 @@
 //! millionth of their size count as inside: points of one face stay in one face.
 //!
 //! The farthest point is always added next, so the hull after a number of corners is nearly as accurate as one
-//! with so many corners can be. A rough hull is such an intermediate hull that begins with some required
+//! with so many corners can be. An approximate hull is such an intermediate hull that begins with some required
 //! points: points within its tolerance, or beyond its number of corners, are left out.
 //!
 //! `vc_graph` makes the surface of [`Shape::Hull`](vc_graph::asset::Shape) by an exact predicate instead: there
@@ -64,9 +64,9 @@ struct Hull {
     reach: f64,
 }
 
-/// The tolerance of a rough hull.
+/// The tolerance of an approximate hull.
 #[derive(Debug, Clone, Copy)]
-pub struct Rough<'a> {
+pub struct HullTolerance<'a> {
     /// The points that are added first, by index.
     pub first: &'a [u32],
     /// The largest distance of points outside the hull, metres.
@@ -77,6 +77,14 @@ pub struct Rough<'a> {
 
 /// The triangles of the hull by index, counter-clockwise seen from outside; `None` if the points have no volume, or
 /// rounding left no closed surface.
+///
+/// ```
+/// use nalgebra::Point3;
+/// let tetrahedron = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.1; 3]].map(Point3::from);
+/// assert_eq!(vc_geometry::hull::triangles(&tetrahedron).map(|all| all.len()), Some(4));
+/// let flat = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+/// assert!(vc_geometry::hull::triangles(&flat).is_none());
+/// ```
 pub fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
     let mut hull = Hull::new(points);
     let all: Vec<u32> = (0..points.len() as u32).collect();
@@ -87,17 +95,33 @@ pub fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
 
 /// As [`triangles`], for a hull that approximates that of the points; `None` also if the points to begin with have
 /// no volume.
-pub fn rough(points: &[Point3<f32>], rough: &Rough<'_>) -> Option<Vec<[u32; 3]>> {
-    if rough.first.iter().any(|&point| point as usize >= points.len()) {
+///
+/// ```
+/// use nalgebra::Point3;
+/// use vc_geometry::hull::{HullTolerance, approximate, triangles};
+/// // Points on a sphere.
+/// let point = |i: i32| {
+///     let (z, turn) = (i as f32 / 100.0 - 1.0, 2.4 * i as f32);
+///     let radius = (1.0 - z * z).max(0.0).sqrt();
+///     Point3::new(radius * turn.cos(), radius * turn.sin(), z)
+/// };
+/// let ball: Vec<_> = (0..=200).map(point).collect();
+/// let tolerance = HullTolerance { first: &[0, 50, 100, 150, 200], by: 0.05, corners: 1000 };
+/// let few = approximate(&ball, &tolerance).ok_or("flat")?;
+/// assert!(few.len() < triangles(&ball).ok_or("flat")?.len() / 2);
+/// # Ok::<(), &str>(())
+/// ```
+pub fn approximate(points: &[Point3<f32>], tolerance: &HullTolerance<'_>) -> Option<Vec<[u32; 3]>> {
+    if tolerance.first.iter().any(|&point| point as usize >= points.len()) {
         return None;
     }
     let mut hull = Hull::new(points);
-    hull.begin(rough.first)?;
+    hull.begin(tolerance.first)?;
     let corners = hull.grow_to(usize::MAX)?;
-    hull.reach = hull.reach.max(f64::from(rough.by));
-    if corners < rough.corners {
+    hull.reach = hull.reach.max(f64::from(tolerance.by));
+    if corners < tolerance.corners {
         (0..points.len() as u32).for_each(|point| hull.give(point, 0));
-        hull.grow_to(rough.corners - corners)?;
+        hull.grow_to(tolerance.corners - corners)?;
     }
     Some(hull.triangles())
 }

@@ -68,7 +68,7 @@ use vc_graph::asset::{Material, Part};
 use vc_graph::{Asset, Node, NodeId, NodeKind, ObjectRole, SceneGraph};
 
 use block::Block;
-pub use opening::{Opening, openings};
+pub use opening::{WallOpening, openings};
 
 /// Density of things of which only the box is known, kilograms per cubic metre.
 const DENSITY: f32 = 150.0;
@@ -79,6 +79,14 @@ pub fn material() -> Material {
 }
 
 /// Whether only a box is known of a node: it is an object with a box and a pose and without an asset.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// let mut scene = SceneBuilder::new("hall");
+/// let bench = scene.add(Draft::new("bench").bounds(Bounds::standing([1.2, 0.4, 0.45].into())).at(Pose::identity()))?;
+/// assert!(scene.graph().node(bench).is_some_and(vc_geometry::is_bare));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn is_bare(node: &Node) -> bool {
     let spec = node.spec();
     node.kind() == NodeKind::Object && spec.asset.is_none() && spec.bounds.is_some() && node.pose().is_some()
@@ -89,10 +97,10 @@ pub fn is_bare(node: &Node) -> bool {
 pub fn shapes(graph: &SceneGraph) -> BTreeMap<NodeId, Asset> {
     let openings = openings(graph);
     let bare = graph.nodes().filter(|n| is_bare(n));
-    bare.filter_map(|n| Some((n.id(), shape(graph, n, &Block::of(n)?, &openings)))).collect()
+    bare.filter_map(|n| Some((n.id(), shape(graph, n, &Block::new(n)?, &openings)))).collect()
 }
 
-fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -> Asset {
+fn shape(graph: &SceneGraph, node: &Node, block: &Block, openings: &[WallOpening]) -> Asset {
     let mut asset = Asset { name: node.class().clone(), ..Asset::default() };
     match node.role() {
         ObjectRole::Wall => asset.parts = wall::parts(graph, node, block, openings),

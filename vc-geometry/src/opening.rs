@@ -9,7 +9,8 @@ const SQUARE: f32 = 0.5;
 
 /// An opening in the walls.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Opening {
+#[non_exhaustive]
+pub struct WallOpening {
     /// The door, frame or window in it.
     pub door: NodeId,
     /// The space that is clear, or filled by that node, metres.
@@ -26,18 +27,28 @@ pub struct Opening {
 ///
 /// A door's box may be around a leaf that stands open, and may end at its handle. So a doorway is at
 /// least two metres high, and leads the way in which the frame, or the wall, at the same place is thin.
-pub fn openings(graph: &SceneGraph) -> Vec<Opening> {
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// let mut scene = SceneBuilder::new("hall");
+/// let door = Draft::new("door").bounds(Bounds::standing([0.1, 0.9, 2.1].into())).at(Pose::identity());
+/// let door = scene.add(door)?;
+/// let openings = vc_geometry::openings(&scene.build());
+/// assert_eq!((openings[0].door, openings[0].across, openings[0].is_doorway), (door, 0, true));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn openings(graph: &SceneGraph) -> Vec<WallOpening> {
     graph.nodes().filter(|n| n.role().is_opening()).filter_map(|n| opening(graph, n)).collect()
 }
 
-fn opening(graph: &SceneGraph, node: &Node) -> Option<Opening> {
+fn opening(graph: &SceneGraph, node: &Node) -> Option<WallOpening> {
     let is_doorway = node.role() != ObjectRole::Window;
     let mut clear = node.aabb()?;
     if is_doorway {
         clear.max.z = clear.max.z.max(clear.min.z + DOORWAY);
     }
     let rooms = graph.related(node.id(), Relation::Between).collect();
-    Some(Opening { door: node.id(), clear, across: across(graph, node, &clear), rooms, is_doorway })
+    Some(WallOpening { door: node.id(), clear, across: across(graph, node, &clear), rooms, is_doorway })
 }
 
 /// The axis across an opening: that along which its own box is thin, or the frame's or wall's it is in.

@@ -19,6 +19,12 @@ pub type Outline = Vec<Point2<f32>>;
 /// begins with the least X, and the least Y there; points between its corners are left out.
 ///
 /// Costs about `n log n` for `n` points.
+///
+/// ```
+/// use nalgebra::Point2;
+/// let points = [(0.0, 0.0), (1.0, 0.0), (0.4, 0.2), (0.0, 1.0)].map(|(x, y)| Point2::new(x, y));
+/// assert_eq!(vc_geometry::outline::hull(points), [points[0], points[1], points[3]]);
+/// ```
 pub fn hull(points: impl IntoIterator<Item = Point2<f32>>) -> Outline {
     let mut all: Outline = points.into_iter().collect();
     all.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -42,6 +48,13 @@ pub fn hull(points: impl IntoIterator<Item = Point2<f32>>) -> Outline {
 }
 
 /// Twice the area of a triangle; positive if its corners turn left, that is counter-clockwise.
+///
+/// ```
+/// use nalgebra::Point2;
+/// let (a, b, c) = (Point2::new(0.0, 0.0), Point2::new(2.0, 0.0), Point2::new(0.0, 1.0));
+/// assert_eq!(vc_geometry::outline::turn(&a, &b, &c), 2.0);
+/// assert_eq!(vc_geometry::outline::turn(&a, &c, &b), -2.0);
+/// ```
 pub fn turn(a: &Point2<f32>, b: &Point2<f32>, c: &Point2<f32>) -> f32 {
     (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
 }
@@ -52,12 +65,28 @@ pub fn rectangle(low: &Point2<f32>, high: &Point2<f32>) -> Outline {
 }
 
 /// Whether one convex outline contains another. Costs each corner's test against each side.
+///
+/// ```
+/// use nalgebra::Point2;
+/// use vc_geometry::outline::{contains, rectangle};
+/// let table = rectangle(&Point2::new(0.0, 0.0), &Point2::new(2.0, 1.0));
+/// let plate = rectangle(&Point2::new(0.2, 0.2), &Point2::new(0.4, 0.4));
+/// assert!(contains(&table, &plate) && !contains(&plate, &table));
+/// ```
 pub fn contains(outer: &[Point2<f32>], inner: &[Point2<f32>]) -> bool {
     let edges = || outer.iter().zip(outer.iter().cycle().skip(1));
     outer.len() > 2 && inner.iter().all(|p| edges().all(|(a, b)| turn(a, b, p) >= -1e-7))
 }
 
 /// Whether a segment touches a convex outline.
+///
+/// ```
+/// use nalgebra::Point2;
+/// use vc_geometry::outline::{crosses, rectangle};
+/// let wall = rectangle(&Point2::new(1.0, 0.0), &Point2::new(1.1, 4.0));
+/// assert!(crosses(&wall, &Point2::new(0.0, 2.0), &Point2::new(2.0, 2.0)));
+/// assert!(!crosses(&wall, &Point2::new(0.0, 5.0), &Point2::new(2.0, 5.0)));
+/// ```
 pub fn crosses(outline: &[Point2<f32>], from: &Point2<f32>, to: &Point2<f32>) -> bool {
     let next = outline.iter().cycle().skip(1);
     let edges = outline.iter().zip(next);

@@ -44,6 +44,13 @@ impl Slab {
 
 /// Cuts the inside of an outline (a closed polygon, even-odd rule) at the level of every corner. Costs the
 /// square of the number of corners.
+///
+/// ```
+/// let gable = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 4.0), (0.0, 2.0)];
+/// let slabs = vc_geometry::profile::slabs(&gable);
+/// assert_eq!(slabs.iter().map(|slab| (slab.bottom, slab.top)).collect::<Vec<_>>(), [(0.0, 2.0), (2.0, 4.0)]);
+/// assert_eq!(slabs[1].high, (2.0, 2.0)); // The ridge.
+/// ```
 pub fn slabs(outline: &[(f32, f32)]) -> Vec<Slab> {
     let mut levels: Vec<f32> = outline.iter().map(|p| p.1).collect();
     levels.sort_by(f32::total_cmp);
@@ -74,6 +81,11 @@ fn crossings(outline: &[(f32, f32)], level: f32, bottom: f32, top: f32) -> Vec<(
 
 /// An outline without the corners that change it by less than a tolerance (Ramer 1972, Douglas and Peucker
 /// 1973), and without repeated points.
+///
+/// ```
+/// let wavy = [(0.0, 0.0), (1.0, 0.01), (2.0, -0.01), (3.0, 0.0), (3.0, 2.0)];
+/// assert_eq!(vc_geometry::profile::simplified(&wavy, 0.1), [(0.0, 0.0), (3.0, 0.0), (3.0, 2.0)]);
+/// ```
 pub fn simplified(outline: &[(f32, f32)], tolerance: f32) -> Vec<(f32, f32)> {
     let mut keep = vec![false; outline.len()];
     if let Some(last) = outline.len().checked_sub(1) {

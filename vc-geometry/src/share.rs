@@ -121,7 +121,7 @@ mod tests {
         let scene = scene.build();
         let pieces = |id| {
             let node = scene.node(id)?;
-            let block = Block::of(node)?;
+            let block = Block::new(node)?;
             Some(own_pieces(&scene, node, &block, (block.low, block.high)))
         };
         let areas = |id| pieces(id).map(|all| all.iter().map(|(low, high)| (high - low).xy().product()).sum::<f32>());

@@ -5,7 +5,7 @@ use vc_graph::asset::Part;
 use vc_graph::{Node, ObjectRole, Relation, SceneGraph};
 
 use crate::block::{Block, Piece, cut, part};
-use crate::opening::Opening;
+use crate::opening::WallOpening;
 
 /// Thickness of the sides of a wall around a corner, metres.
 const THICK: f32 = 0.06;
@@ -14,7 +14,7 @@ const CORNER: f32 = 0.5;
 /// How far from a side one looks whether there is floor, metres.
 const BESIDE: f32 = 0.15;
 /// The pieces of a wall.
-pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block, openings: &[Opening]) -> Vec<Part> {
+pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block, openings: &[WallOpening]) -> Vec<Part> {
     let size = block.size();
     let is_corner = size.x.min(size.y) > CORNER;
     let mut pieces = if is_corner { sides(graph, node, block) } else { vec![(block.low, block.high)] };
@@ -27,7 +27,7 @@ pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block, openings: &[
 
 /// The hole that an opening cuts, somewhat deeper than the opening: a door's frame may be thinner than its
 /// wall, and the walls of the two rooms may stand somewhat beside it.
-fn through((mut low, mut high): Piece, opening: &Opening, block: &Block) -> Piece {
+fn through((mut low, mut high): Piece, opening: &WallOpening, block: &Block) -> Piece {
     let across = block.pose.rotation.inverse() * Vector3::ith(opening.across, 1.0);
     let axis = usize::from(across.y.abs() > across.x.abs());
     if opening.is_doorway {

@@ -9,11 +9,13 @@ use rapier3d::math::Pose as EnginePose;
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert, group};
 
 /// Two bodies that touch, or are about to.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Contact {
     /// The node with the smaller number.
     pub a: NodeId,
@@ -76,6 +78,7 @@ impl Sum {
     }
 }
 
+/// # Contacts and loads
 impl PhysicsWorld {
     /// All contacts of the last step, sorted by node numbers; contacts between parts of one node are left out.
     pub fn contacts(&self) -> Vec<Contact> {
@@ -83,6 +86,16 @@ impl PhysicsWorld {
     }
 
     /// The contacts of a node.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// let contacts = world.contacts_of(home.cup);
+    /// assert_eq!((contacts[0].a, contacts[0].b), (home.table, home.cup));
+    /// assert!(contacts[0].normal.z > 0.99); // The table pushes the cup up.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn contacts_of(&self, id: NodeId) -> Vec<Contact> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
         self.gather(thing.bodies().flat_map(|body| self.pairs_of(body)))
@@ -136,6 +149,14 @@ impl PhysicsWorld {
 
     /// The supports of a node: the nodes that push it from below, the one that carries most first. As of the
     /// last step; a sleeping body keeps its supports.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// assert_eq!(world.supports(home.cup), [home.table]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn supports(&self, id: NodeId) -> Vec<NodeId> {
         let below = |c: &Contact| {
             let (other, up) = if c.a == id { (c.b, -c.normal.z) } else { (c.a, c.normal.z) };

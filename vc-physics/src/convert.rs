@@ -1,6 +1,6 @@
 //! Conversions between nalgebra, which callers use, and the engine's own vectors and poses.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::math::{Pose as EnginePose, Vector};
 use vc_graph::Pose;
 
@@ -42,4 +42,16 @@ pub(crate) fn is_sound(pose: &Pose) -> bool {
 /// Whether every component of a vector is finite.
 pub(crate) fn is_finite(v: &Vector3<f32>) -> bool {
     v.iter().all(|c| c.is_finite())
+}
+
+/// The turn around the vertical whose X points in a direction.
+pub(crate) fn facing(x: f32, y: f32) -> UnitQuaternion<f32> {
+    let length = (x * x + y * y).sqrt();
+    if length.is_nan() || length <= 1e-9 {
+        return UnitQuaternion::identity();
+    }
+    // Half-angle formulas; no angle is needed.
+    let cos = x / length;
+    let (w, z) = (((1.0 + cos) / 2.0).max(0.0).sqrt(), ((1.0 - cos) / 2.0).max(0.0).sqrt());
+    UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, 0.0, 0.0, if y < 0.0 { -z } else { z }))
 }

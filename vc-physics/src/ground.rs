@@ -8,9 +8,9 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{Aabb, Node, NodeId, ObjectRole, Pose, SceneGraph};
 
-use crate::agent::Agent;
 use crate::shapes::Form;
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::{Agent, Thing};
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert, group};
 
 /// Depth of the ground below a thin floor if nothing is there, metres: more than twice the distance that
@@ -32,7 +32,7 @@ const ABYSS: f32 = 2.0;
 pub(crate) struct Storeys(Vec<Aabb>);
 
 impl Storeys {
-    pub(crate) fn of(graph: &SceneGraph) -> Self {
+    pub(crate) fn new(graph: &SceneGraph) -> Self {
         let rooms = graph.rooms().iter().copied();
         let floors = graph.of_role(ObjectRole::Floor);
         Self(rooms.filter_map(|id| graph.node(id)).chain(floors).filter_map(Node::aabb).collect())
@@ -84,7 +84,7 @@ impl PhysicsWorld {
     }
 
     /// Stops things that have fallen below all fixed things: their middles, as an origin may be far from its box.
-    pub(crate) fn stop_what_fell(&mut self, awake: &[RigidBodyHandle]) {
+    pub(crate) fn stop_fallen(&mut self, awake: &[RigidBodyHandle]) {
         let deep = self.bottom - ABYSS;
         let fell = |body: &RigidBodyHandle| {
             let body = self.engine.bodies.get(*body).filter(|b| b.is_dynamic() && b.center_of_mass().z < deep)?;
@@ -105,14 +105,6 @@ impl PhysicsWorld {
     pub(crate) fn is_in_abyss(&self, agent: &Agent) -> bool {
         let bottom = if self.bottom.is_finite() { self.bottom } else { agent.floor };
         agent.feet.translation.z < bottom - ABYSS
-    }
-
-    /// Whether an agent stands beside all floors, where there is no ground below.
-    pub fn is_beside_floors(&self, agent: NodeId) -> bool {
-        self.agents.get(&agent).is_some_and(|a| {
-            let standing = a.posture == crate::Posture::Standing;
-            standing && self.is_over_nothing(&(a.feet * Point3::new(0.0, 0.0, a.plan.height / 2.0)), a.body)
-        })
     }
 
     /// Whether there is nothing solid anywhere below a point.

@@ -3,12 +3,14 @@
 use vc_graph::{Node, NodeId, NodeKind, Pose, SceneGraph};
 
 use crate::role::Roles;
-use crate::shapes::Shapes;
-use crate::world::{PhysicsWorld, Thing};
+use crate::shapes::ShapeCache;
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
 
 /// The result of a reset.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Reset {
     /// Whether the world was built anew because too much differs.
     pub built: bool,
@@ -25,6 +27,7 @@ pub struct Reset {
 /// The largest difference of two equal poses, metres and quaternion units.
 const SAME: f32 = 1e-5;
 
+/// # Reset
 impl PhysicsWorld {
     /// A world for a scene that differs little from the one this world was built from: a copy of this world in
     /// which only the differing things are changed. Keep a settled world for each scene and reset from it.
@@ -38,7 +41,19 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`PhysicsWorld::build`].
-    pub fn reset(&self, graph: &SceneGraph, shapes: &Shapes) -> Result<(Self, Reset), PhysicsError> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// let start = world.clone();
+    /// world.place(home.cup, vc_graph::Pose::translation(0.0, 1.0, 1.0))?;
+    /// let (fresh, report) = start.reset(&home.graph, &vc_physics::ShapeCache::new())?;
+    /// assert!(!report.built && report.moved.is_empty());
+    /// assert_eq!(fresh.digest(), start.digest());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn reset(&self, graph: &SceneGraph, shapes: &ShapeCache) -> Result<(Self, Reset), PhysicsError> {
         let Some(mut plan) = self.plan(graph) else {
             let world = Self::build(graph, shapes, self.settings)?;
             return Ok((world, Reset { built: true, ..Reset::default() }));
@@ -86,7 +101,7 @@ impl PhysicsWorld {
         for &id in moved {
             let (Some(node), thing) = (graph.node(id), self.thing(id)?) else { continue };
             let class = graph.classes().get(node.class());
-            let role = roles.of(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
+            let role = roles.role(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
             if let Some(role) = role.filter(|r| *r != thing.state.role && thing.state.role != BodyRole::Stopped) {
                 self.set_role(id, role)?;
             }

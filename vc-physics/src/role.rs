@@ -6,7 +6,7 @@ use vc_graph::asset::Hold;
 use vc_graph::class::Class;
 use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph};
 
-use crate::settings::{Fixing, Settings, UnsupportedThings};
+use crate::settings::{FixedThings, Settings, UnsupportedThings};
 use crate::shapes::Form;
 
 /// The largest distance of a hook from the bounding box of the thing that hangs on it, metres.
@@ -43,7 +43,7 @@ impl<'a> Roles<'a> {
 
     /// The role of a node; `mass` is that of its asset, kilograms. `None` for rooms and agents, whose bodies
     /// are not made from assets.
-    pub(crate) fn of(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<BodyRole> {
+    pub(crate) fn role(&self, node: &Node, class: Option<&Class>, form: &Form, mass: f32) -> Option<BodyRole> {
         if node.kind() != NodeKind::Object {
             return None;
         }
@@ -73,9 +73,11 @@ impl<'a> Roles<'a> {
         // For an unknown class only the mass can decide.
         let moves = !known || carried || node.affords(Property::Movable) || node.affords(Property::Drivable);
         match self.settings.fixing {
-            Fixing::Structure => false,
-            Fixing::Immovable => !moves,
-            Fixing::Heavy => !moves || (!carried && mass > self.settings.heavy && !node.affords(Property::Drivable)),
+            FixedThings::Structure => false,
+            FixedThings::Immovable => !moves,
+            FixedThings::Heavy => {
+                !moves || (!carried && mass > self.settings.heavy && !node.affords(Property::Drivable))
+            }
         }
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 /// Which objects are fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
-pub enum Fixing {
+pub enum FixedThings {
     /// The building, things that people neither carry nor move, and furniture of more than [`Settings::heavy`]
     /// kilograms.
     #[default]
@@ -42,7 +42,7 @@ pub struct Settings {
     /// Acceleration of free fall, metres per second squared, downwards.
     pub gravity: f32,
     /// Which objects are fixed.
-    pub fixing: Fixing,
+    pub fixing: FixedThings,
     /// The mass from which on furniture is heavy, kilograms.
     pub heavy: f32,
     /// Whether things without a support hang or fall.
@@ -68,7 +68,7 @@ impl Default for Settings {
             dt: 1.0 / 60.0,
             substeps: 1,
             gravity: 9.81,
-            fixing: Fixing::Heavy,
+            fixing: FixedThings::Heavy,
             heavy: 30.0,
             unplaced: UnsupportedThings::Hangs,
             hinge_friction: 0.05,

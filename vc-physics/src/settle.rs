@@ -3,7 +3,8 @@
 use rapier3d::math::Vector;
 use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
 
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert};
 
 /// The largest distance of a thing that counts as not moved, metres.
@@ -19,7 +20,8 @@ const DOORSTEP: f32 = 0.3;
 
 /// A thing that has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moved {
+#[non_exhaustive]
+pub struct Displacement {
     /// The thing.
     pub id: NodeId,
     /// The distance of its origin from the former position, metres.
@@ -32,13 +34,14 @@ pub struct Moved {
 
 /// The report about settling a scene.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Settling {
     /// Number of steps.
     pub steps: u32,
     /// Whether everything sleeps.
     pub at_rest: bool,
     /// Things that moved by more than 2 cm or 0.1 rad.
-    pub moved: Vec<Moved>,
+    pub moved: Vec<Displacement>,
     /// Things whose centre of mass is more than 5 cm lower than before.
     pub fell: Vec<NodeId>,
     /// Things that no longer rest on their support, or no longer are in their container, by the graph from
@@ -60,11 +63,20 @@ impl Settling {
     }
 }
 
+/// # Settling
 impl PhysicsWorld {
     /// Steps until everything sleeps, at most `limit` times, and reports the changes.
     ///
     /// Bodies fall asleep a quarter of a second after they have come to rest, so a scene that is awake takes at
     /// least some twenty steps.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let report = world.settle(300);
+    /// assert!(report.at_rest && report.is_sound());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn settle(&mut self, limit: u32) -> Settling {
         let before: Vec<(NodeId, Pose, Vector)> = self.loose().filter_map(|t| self.whereabouts(t)).collect();
         let known = self.stopped.len();
@@ -73,7 +85,7 @@ impl PhysicsWorld {
             self.step();
             steps += 1;
         }
-        let moved: Vec<Moved> = before.iter().filter_map(|b| self.change(b)).collect();
+        let moved: Vec<Displacement> = before.iter().filter_map(|b| self.change(b)).collect();
         Settling {
             steps,
             at_rest: self.engine.is_at_rest(),
@@ -100,11 +112,11 @@ impl PhysicsWorld {
         Some((thing.id, convert::isometry(body.position()), body.center_of_mass()))
     }
 
-    fn change(&self, (id, before, centre): &(NodeId, Pose, Vector)) -> Option<Moved> {
+    fn change(&self, (id, before, centre): &(NodeId, Pose, Vector)) -> Option<Displacement> {
         let (_, now, lower) = self.whereabouts(self.thing(*id).ok()?)?;
         let distance = (now.translation.vector - before.translation.vector).norm();
         let angle = now.rotation.angle_to(&before.rotation);
-        Some(Moved { id: *id, distance, angle, drop: centre.z - lower.z })
+        Some(Displacement { id: *id, distance, angle, drop: centre.z - lower.z })
     }
 
     /// The place that the graph gave a thing, if the thing has left it.
@@ -125,6 +137,14 @@ impl PhysicsWorld {
     /// Loose and stopped things that are outside every room, below the lowest floor, or in the ground below a
     /// floor; without rooms, those outside the bounding box of everything fixed. Hanging things are listed only
     /// if they are below all rooms.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.place(home.cup, vc_graph::Pose::translation(9.0, 0.0, 1.0))?;
+    /// assert_eq!(world.outside(), [home.cup]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn outside(&self) -> Vec<NodeId> {
         self.beyond(self.things.iter())
     }
@@ -132,11 +152,6 @@ impl PhysicsWorld {
     /// The nodes among some that are [outside](Self::outside).
     pub fn outside_among(&self, nodes: &[NodeId]) -> Vec<NodeId> {
         self.beyond(nodes.iter().filter_map(|id| self.thing(*id).ok()))
-    }
-
-    /// Whether a node is [outside](Self::outside).
-    pub fn is_outside(&self, id: NodeId) -> bool {
-        !self.outside_among(&[id]).is_empty()
     }
 
     fn beyond<'a>(&self, things: impl Iterator<Item = &'a Thing>) -> Vec<NodeId> {

@@ -6,12 +6,10 @@ use serde::{Deserialize, Serialize};
 use vc_graph::hash::Digester;
 use vc_graph::{Digest, NodeId, SceneGraph};
 
-use crate::agent::Agent;
 use crate::engine::Engine;
-use crate::shapes::Shapes;
-use crate::vehicle::Vehicle;
-use crate::water::Water;
-use crate::world::{PhysicsWorld, Places, State, Thing};
+use crate::shapes::ShapeCache;
+use crate::state::{Agent, Places, Thing, ThingState, Vehicle, Waters};
+use crate::world::PhysicsWorld;
 use crate::{Settings, SnapshotError};
 
 /// The first bytes of a snapshot.
@@ -26,17 +24,17 @@ const HEAD: usize = 20;
 struct Content {
     settings: Settings,
     engine: Engine,
-    things: Vec<(NodeId, State)>,
+    things: Vec<(NodeId, ThingState)>,
     agents: BTreeMap<NodeId, Agent>,
     vehicles: BTreeMap<NodeId, Vehicle>,
-    waters: Vec<Water>,
-    fills: BTreeMap<NodeId, f32>,
+    waters: Waters,
     driven: Vec<(NodeId, usize)>,
     ticks: u64,
     stopped: Vec<NodeId>,
     skipped: Vec<NodeId>,
 }
 
+/// # Snapshots
 impl PhysicsWorld {
     /// The world as bytes, for [`restore`](Self::restore), about 3 KiB per body. A copy in memory by `clone` is
     /// several times cheaper.
@@ -52,7 +50,6 @@ impl PhysicsWorld {
             agents: copy.agents,
             vehicles: copy.vehicles,
             waters: copy.waters,
-            fills: copy.fills,
             driven: copy.driven,
             ticks: copy.ticks,
             stopped: copy.stopped,
@@ -74,14 +71,25 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`SnapshotError`] if the bytes are no snapshot, are damaged, or belong to another scene.
-    pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &Shapes) -> Result<Self, SnapshotError> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_physics::{PhysicsWorld, ShapeCache};
+    /// let mut copy = PhysicsWorld::restore(&world.save()?, &home.graph, &ShapeCache::new())?;
+    /// copy.run(10);
+    /// world.run(10);
+    /// assert_eq!(copy.digest(), world.digest());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &ShapeCache) -> Result<Self, SnapshotError> {
         let content = decoded(bytes)?;
         let things = shapes.session(graph.assets(), |session| {
-            let form = |(id, state): (NodeId, State)| {
+            let form = |(id, state): (NodeId, ThingState)| {
                 let node = graph.node(id).ok_or(SnapshotError::OtherScene(id))?;
                 let form = session.form(graph, node);
                 let form = form.filter(|f| f.links.len() == state.moving.len() + 1);
-                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, places: Places::of(node), state })
+                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, places: Places::new(node), state })
             };
             content.things.into_iter().map(form).collect::<Result<Vec<Thing>, SnapshotError>>()
         })?;
@@ -92,7 +100,6 @@ impl PhysicsWorld {
             agents: content.agents,
             vehicles: content.vehicles,
             waters: content.waters,
-            fills: content.fills,
             driven: content.driven,
             rooms: crate::world::rooms(graph),
             bottom: f32::NEG_INFINITY,
@@ -126,11 +133,7 @@ impl PhysicsWorld {
             }
         }
         self.agents.iter().for_each(|(id, agent)| agent.feed(*id, &mut hash));
-        self.fills.iter().for_each(|(id, fill)| {
-            hash.word(u64::from(id.0));
-            hash.reals([*fill]);
-        });
-        self.waters.iter().for_each(|water| water.feed(&mut hash));
+        self.waters.feed(&mut hash);
         self.vehicles.iter().for_each(|(id, vehicle)| vehicle.feed(*id, &mut hash));
         hash.digest()
     }

@@ -6,14 +6,13 @@
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::RigidBody;
-use serde::{Deserialize, Serialize};
 use vc_graph::asset::{Hold, Surface};
-use vc_graph::hash::Digester;
 use vc_graph::portable::Portable;
 use vc_graph::{Aabb, NodeId, Pose};
 
-use crate::agent::facing;
-use crate::world::{PhysicsWorld, Thing};
+use crate::convert::facing;
+use crate::state::{Thing, Water};
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
 
 /// Density of water, kilograms per cubic metre.
@@ -31,62 +30,23 @@ const RESTLESS: f32 = 0.01;
 /// Added mass as a share of the displaced water: that of a sphere.
 const ADDED: f32 = 0.5;
 
-/// The largest depth of a body's centre below the bottom of the water, metres: the engine lets bodies on the
-/// bottom sink in by some millimetres.
-const BELOW: f32 = 0.05;
-
-/// Still water in an upright box that may be rotated around the vertical; its surface is level.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Water {
-    /// Middle of its bottom.
-    #[serde(with = "crate::serial::pose")]
-    at: Pose,
-    /// Half its lengths along X and Y, and its depth, metres.
-    size: [f32; 3],
-    /// The container that holds it.
-    container: Option<NodeId>,
-}
-
-impl Water {
-    fn new(at: Pose, size: [f32; 3], container: Option<NodeId>) -> Result<Self, PhysicsError> {
-        let sound = convert::is_sound(&at) && size.iter().all(|s| s.is_finite() && *s > 0.0);
-        let water = Self { at, size, container };
-        if sound { Ok(water) } else { Err(PhysicsError::BadWater("its box is empty or not finite")) }
-    }
-
-    fn holds(&self, p: &Point3<f32>) -> bool {
-        let p = self.at.inverse_transform_point(p);
-        (0..2).all(|i| p[i].abs() <= self.size[i]) && p.z >= -BELOW
-    }
-
-    /// Height of its surface, metres.
-    fn level(&self) -> f32 {
-        self.at.translation.z + self.size[2]
-    }
-
-    /// The box around it along the world's axes.
-    fn aabb(&self) -> Aabb {
-        let [x, y, depth] = self.size;
-        let sides = [(-x, -y), (-x, y), (x, -y), (x, y)];
-        let corners = sides.iter().flat_map(|&(x, y)| [0.0, depth].map(|z| self.at * Point3::new(x, y, z)));
-        let empty = (Point3::from([f32::INFINITY; 3]), Point3::from([f32::NEG_INFINITY; 3]));
-        let (min, max) = corners.fold(empty, |(low, high), p| (low.inf(&p), high.sup(&p)));
-        Aabb { min, max }
-    }
-
-    /// Adds the data that determine its forces to a hash.
-    pub(crate) fn feed(&self, hash: &mut Digester) {
-        hash.reals(self.at.translation.vector.iter().copied());
-        hash.reals(self.at.rotation.coords.iter().copied());
-        hash.reals(self.size);
-    }
-}
-
+/// # Water
 impl PhysicsWorld {
     /// Adds still water that fills a box: a pool, a pond, a sea.
     ///
     /// # Errors
     /// [`PhysicsError::BadWater`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let pool = vc_graph::Aabb { min: [-1.0, -2.0, 0.0].into(), max: [1.0, -1.0, 0.5].into() };
+    /// world.add_water(&pool)?;
+    /// world.place(home.cup, vc_graph::Pose::translation(0.0, -1.5, 0.2))?;
+    /// world.run(300);
+    /// assert!(world.aabb(home.cup).is_some_and(|cup| cup.max.z > 0.5)); // Wood floats.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn add_water(&mut self, filled: &Aabb) -> Result<(), PhysicsError> {
         let (size, centre) = (filled.max - filled.min, filled.centre());
         let at = Pose::translation(centre.x, centre.y, filled.min.z);
@@ -96,7 +56,7 @@ impl PhysicsWorld {
 
     /// The boxes around water along the world's axes, in the order in which it was added.
     pub fn waters(&self) -> Vec<Aabb> {
-        self.waters.iter().map(Water::aabb).collect()
+        self.waters.all.iter().map(Water::aabb).collect()
     }
 
     /// Fills a container to a level, 0 to 1. Things float in a fixed container with space inside (a bath, a
@@ -104,6 +64,14 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.fill(home.cup, 0.8)?;
+    /// assert_eq!(world.level(home.cup), 0.8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn fill(&mut self, id: NodeId, level: f32) -> Result<(), PhysicsError> {
         let thing = self.thing(id)?;
         if !level.is_finite() {
@@ -112,7 +80,7 @@ impl PhysicsWorld {
         let level = level.clamp(0.0, 1.0);
         let basin = (thing.state.role == BodyRole::Fixed).then(|| self.basin(thing, level)).flatten();
         self.drain(id);
-        self.fills.insert(id, level);
+        self.waters.levels.insert(id, level);
         if let Some((at, size)) = basin.filter(|_| level > 0.0) {
             self.pour(Water::new(at, size, Some(id))?);
         }
@@ -121,16 +89,14 @@ impl PhysicsWorld {
 
     /// Removes the water from a container.
     pub(crate) fn drain(&mut self, id: NodeId) {
-        self.fills.remove(&id);
-        if self.waters.iter().any(|w| w.container == Some(id)) {
-            self.waters.retain(|w| w.container != Some(id));
+        if self.waters.drain(id) {
             self.engine.bodies.iter_mut().for_each(|(_, body)| let_go(body));
         }
     }
 
     /// The fill level of a container, 0 to 1; 0 if nobody has filled it.
     pub fn level(&self, id: NodeId) -> f32 {
-        self.fills.get(&id).copied().unwrap_or(0.0)
+        self.waters.level(id)
     }
 
     /// The capacity of a container, cubic metres: the space above its inner surfaces, or six tenths of its
@@ -167,12 +133,12 @@ impl PhysicsWorld {
                 }
             }
         }
-        self.waters.push(water);
+        self.waters.all.push(water);
     }
 
     /// Applies forces to awake bodies in water.
     pub(crate) fn push_floating(&mut self) {
-        if self.waters.is_empty() {
+        if self.waters.all.is_empty() {
             return;
         }
         let (dt, gravity) = (self.engine.dt(), self.settings.gravity);
@@ -182,7 +148,7 @@ impl PhysicsWorld {
             let_go(body);
             let (id, link) = crate::group::marked(body.user_data);
             let (centre, pose) = (convert::point3(body.center_of_mass()), convert::isometry(body.position()));
-            let Some(water) = self.waters.iter().find(|w| w.holds(&centre)) else { continue };
+            let Some(water) = self.waters.around(&centre) else { continue };
             let Ok(thing) = self.thing(id) else { continue };
             let Some(link) = thing.form.links.get(link) else { continue };
             let below = submerged(link.mesh(), &pose, water.level());

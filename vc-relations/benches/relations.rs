@@ -71,7 +71,7 @@ fn moved(c: &mut Criterion<Cpu>) {
                         let start = ThreadTime::now();
                         black_box(relations.update(&graph, &batch).unwrap());
                         for &id in &batch {
-                            black_box(relations.of(id));
+                            black_box(relations.edges_of(id));
                         }
                         spent += start.elapsed();
                     }

@@ -39,7 +39,7 @@ pub(crate) struct Traits {
 }
 
 impl Traits {
-    fn of(node: &Node) -> Self {
+    fn new(node: &Node) -> Self {
         let role = node.role();
         let boxed = node.spec().asset.is_none();
         let carries = [Property::Surface, Property::Sittable, Property::Lieable].into_iter().any(|p| node.affords(p));
@@ -98,7 +98,7 @@ impl Body {
         let whole = Piece { centre, axes: Matrix3::identity(), half, round: Round::No, link: None };
         let mut body = Self {
             id: node.id(),
-            traits: Traits::of(node),
+            traits: Traits::new(node),
             posture: posture(node),
             solids: Vec::with_capacity(form.pieces.len()),
             whole: put(&whole, &turn, &frame.translation.vector, &scale),

@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 use vc_graph::{Aabb, Edge, NodeId, Relation};
 
 use crate::body::Body;
-use crate::near::Side;
+use crate::near::NearSide;
 use crate::solid::{Solid, sweep};
 use crate::threshold::{NEAR_REACH, UNDER_REACH};
 use crate::world::World;
@@ -24,7 +24,7 @@ use crate::world::World;
 #[serde(rename_all = "snake_case")]
 pub enum BoxTrace {
     /// Towards a side of the object.
-    Side(Side),
+    Side(NearSide),
     /// Up in the world, however the object is turned.
     Up,
     /// Down in the world, however the object is turned.
@@ -34,10 +34,10 @@ pub enum BoxTrace {
 impl BoxTrace {
     /// All six traces.
     pub const ALL: [Self; 6] = [
-        Self::Side(Side::Front),
-        Self::Side(Side::Back),
-        Self::Side(Side::Left),
-        Self::Side(Side::Right),
+        Self::Side(NearSide::Front),
+        Self::Side(NearSide::Back),
+        Self::Side(NearSide::Left),
+        Self::Side(NearSide::Right),
         Self::Up,
         Self::Down,
     ];
@@ -45,10 +45,10 @@ impl BoxTrace {
     fn way(self, body: &Body) -> (Vector3<f32>, f32) {
         let axis = |i: usize| -> Vector3<f32> { body.heading.column(i).into() };
         match self {
-            Self::Side(Side::Front) => (axis(0), NEAR_REACH),
-            Self::Side(Side::Back) => (-axis(0), NEAR_REACH),
-            Self::Side(Side::Left) => (axis(1), NEAR_REACH),
-            Self::Side(Side::Right) => (-axis(1), NEAR_REACH),
+            Self::Side(NearSide::Front) => (axis(0), NEAR_REACH),
+            Self::Side(NearSide::Back) => (-axis(0), NEAR_REACH),
+            Self::Side(NearSide::Left) => (axis(1), NEAR_REACH),
+            Self::Side(NearSide::Right) => (-axis(1), NEAR_REACH),
             Self::Up => (Vector3::z(), UNDER_REACH),
             Self::Down => (-Vector3::z(), UNDER_REACH),
         }
@@ -63,7 +63,7 @@ pub(crate) fn trace(world: &World, index: usize, trace: BoxTrace) -> Option<(usi
     let end = Aabb { min: start.min + along * limit, max: start.max + along * limit };
     let region = start.joined(&end);
     let mut best: Option<(f32, usize)> = None;
-    world.tree.each(&region, |other| {
+    world.tree.for_each(&region, |other| {
         let Some(target) = world.bodies[other].as_deref().filter(|_| other != index) else { return };
         let farthest = best.map_or(limit, |b| b.0);
         if let Some(way) = nearest(&body.whole, target, &along, farthest, &region)
@@ -92,7 +92,7 @@ pub(crate) fn edges(world: &World) -> Vec<Edge> {
         down.into_iter().for_each(|by| add(Relation::On, by));
         up.into_iter().for_each(|by| add(if up == down { Relation::Inside } else { Relation::Under }, by));
         body.room.into_iter().for_each(|room| add(Relation::InRoom, room));
-        for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
+        for side in [NearSide::Front, NearSide::Back, NearSide::Left, NearSide::Right] {
             if let Some(to) = id(trace(world, index, BoxTrace::Side(side))) {
                 let near = [Edge::new(body.id, Relation::Near, to), Edge::new(to, Relation::Near, body.id)];
                 edges.extend(near);

@@ -2,10 +2,9 @@
 //! faithful approximation.
 
 use nalgebra::{Matrix3, Point3, Vector3};
-use vc_geometry::order::{less, more};
+use vc_geometry::order::{greater, lesser};
 use vc_graph::portable::Portable;
 
-use crate::hollow;
 use crate::solid::Round;
 use crate::threshold::{AXIS_HOLE, COLUMNS, FULL_MESH, SLICES, STAVES, THIN_SLICE};
 
@@ -48,7 +47,7 @@ fn slices(levels: impl Iterator<Item = f32>) -> Vec<(f32, f32)> {
     let Some((&low, &high)) = levels.first().zip(levels.last()) else { return Vec::new() };
     let least = (high - low) * THIN_SLICE;
     levels.dedup_by(|b, a| *b - *a < least);
-    hollow::thin_out(&mut levels, SLICES + 1);
+    thin_out(&mut levels, SLICES + 1);
     levels.windows(2).map(|w| (w[0], w[1])).collect()
 }
 
@@ -126,8 +125,8 @@ fn crossings_of_columns(
         // The column centres within its bounds, and a little more to allow for rounding.
         let range = |axis: usize| {
             let [a, b, c] = triangle.map(|p| (p[axis] - low[axis]) * per[axis]);
-            let first = (less(less(a, b), c) + (0.5 - BESIDE)).max(0.0) as usize;
-            first..((more(more(a, b), c) + (0.5 + BESIDE)) as usize).min(COLUMNS)
+            let first = (lesser(lesser(a, b), c) + (0.5 - BESIDE)).max(0.0) as usize;
+            first..((greater(greater(a, b), c) + (0.5 + BESIDE)) as usize).min(COLUMNS)
         };
         let columns = range(0);
         if columns.is_empty() {
@@ -150,4 +149,13 @@ fn height_over([a, b, c]: &[Point3<f32>; 3], x: f32, y: f32) -> Option<f32> {
     let sum = u + v + w;
     let within = (u >= 0.0) == (v >= 0.0) && (v >= 0.0) == (w >= 0.0) && sum.abs() > 0.0;
     within.then(|| (u * a.z + v * b.z + w * c.z) / sum)
+}
+
+/// Removes planes where they are densest until at most `most` are left; both ends stay.
+pub(crate) fn thin_out(planes: &mut Vec<f32>, most: usize) {
+    while planes.len() > most.max(2) {
+        let width = |i: &usize| planes[i + 1] - planes[i - 1];
+        let densest = (1..planes.len() - 1).min_by(|i, j| width(i).total_cmp(&width(j)));
+        planes.remove(densest.unwrap_or(1));
+    }
 }

@@ -1,7 +1,7 @@
 //! Distance between two oriented boxes.
 
 use nalgebra::Vector3;
-use vc_geometry::order::less;
+use vc_geometry::order::lesser;
 
 use crate::solid::Solid;
 
@@ -19,9 +19,9 @@ pub(crate) fn distance(a: &Solid, b: &Solid) -> f32 {
 /// boxes are apart along some axis.
 fn features(a: &Solid, b: &Solid, apart: f32) -> f32 {
     let corner = |of: &Solid, to: &Solid| {
-        of.corners(1.0).iter().map(|c| (to.nearest(c) - c).norm_squared()).fold(f32::INFINITY, less)
+        of.corners(1.0).iter().map(|c| (to.nearest(c) - c).norm_squared()).fold(f32::INFINITY, lesser)
     };
-    let mut least = less(corner(a, b), corner(b, a));
+    let mut least = lesser(corner(a, b), corner(b, a));
     if least.sqrt() <= apart + ROUNDING {
         return least.sqrt();
     }
@@ -31,7 +31,7 @@ fn features(a: &Solid, b: &Solid, apart: f32) -> f32 {
         let across = if across.dot(&way) < 0.0 { -across } else { across };
         if across.norm_squared() > PARALLEL {
             each_outermost(a, i, &across, |e| {
-                each_outermost(b, j, &-across, |f| least = less(least, between_squared(e, f)));
+                each_outermost(b, j, &-across, |f| least = lesser(least, between_squared(e, f)));
             });
         }
     }

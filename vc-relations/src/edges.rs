@@ -5,7 +5,7 @@ use vc_graph::{Edge, Relation};
 use crate::body::{Body, Posture};
 use crate::explanation::TraceOutcome;
 use crate::facts::Facts;
-use crate::near::Side;
+use crate::near::NearSide;
 use crate::pair::Pair;
 use crate::sight;
 use crate::support::Supports;
@@ -22,8 +22,8 @@ impl<'w> Reader<'w> {
     }
 
     /// For reading all bodies.
-    pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
-        Self { supports: Supports::of_all(world, facts) }
+    pub(crate) fn for_all(world: &'w World, facts: &'w Facts) -> Self {
+        Self { supports: Supports::for_all(world, facts) }
     }
 
     fn world(&self) -> &'w World {
@@ -118,7 +118,7 @@ impl<'w> Reader<'w> {
         let to = |pair: &Pair| ids[pair.other as usize];
         pairs.iter().filter(|p| p.gap <= TOUCH_GAP).for_each(|p| add(Relation::Touching, to(p)));
         pairs.iter().filter(|p| p.distance.is_finite()).for_each(|p| add(Relation::Near, to(p)));
-        for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
+        for side in [NearSide::Front, NearSide::Back, NearSide::Left, NearSide::Right] {
             pairs.iter().filter(|p| p.side == Some(side)).for_each(|p| add(side.relation(), to(p)));
         }
     }
@@ -132,7 +132,7 @@ impl<'w> Reader<'w> {
         let mut faced = Vec::new();
         world.targets.each(&body.region.grown(FACING_REACH, FACING_REACH), |other| {
             let Some(target) = world.bodies[other].as_deref() else { return };
-            if other != index && sight::verdict(body, target, &world.walls) == TraceOutcome::Counts {
+            if other != index && sight::outcome(body, target, &world.walls) == TraceOutcome::Counts {
                 faced.push(world.ids[other]);
             }
         });

@@ -67,7 +67,17 @@ fn short(value: f32) -> String {
 }
 
 /// All flaws that keep a scene from being read; never empty.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
+/// let mut scene = SceneBuilder::new("hall");
+/// let huge = Bounds::standing([1e9, 1.0, 1.0].into());
+/// scene.add(Draft::new("table").bounds(huge).at(Pose::identity()))?;
+/// assert_eq!(vc_relations::relations(&scene.build()).map_err(|error| error.flaws.len()), Err(1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct InputError {
     /// All flaws, by node.
     pub flaws: Vec<InputFlaw>,
@@ -100,6 +110,12 @@ pub(crate) fn check_scene(graph: &SceneGraph) -> Result<(), InputError> {
 ///
 /// # Errors
 /// Every size that no box can have.
+///
+/// ```
+/// # let home = vc_testkit::kitchen::kitchen();
+/// assert_eq!(vc_relations::check_sizes(&home.graph), Ok(()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn check_sizes(graph: &SceneGraph) -> Result<(), InputError> {
     let mut flaws = Vec::new();
     graph.nodes().for_each(|node| check_size(node, &mut flaws));

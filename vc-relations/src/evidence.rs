@@ -6,8 +6,18 @@ use nalgebra::Vector3;
 use vc_graph::{Edge, NodeId};
 
 /// A contact between two things, as reported by a physics engine.
+///
+/// ```
+/// # let home = vc_testkit::kitchen::kitchen();
+/// use vc_relations::{ContactEvidence, Evidence, Relations, SupportKind};
+/// let up = nalgebra::Vector3::new(0.0, 0.0, 0.05); // Newton seconds, on the cup.
+/// let evidence = Evidence::default().contact(ContactEvidence { between: (home.table, home.cup), impulse: up });
+/// let relations = Relations::new(&home.graph, Default::default(), evidence)?;
+/// assert_eq!(relations.supports(home.cup)[0].kind, SupportKind::Contact);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct ContactEvidence {
     /// The two things.
     pub between: (NodeId, NodeId),
     /// Impulse (or force) on the second thing, in world axes, newton seconds; only the ratios between contacts
@@ -39,7 +49,7 @@ pub struct Attachment {
 pub struct Evidence {
     /// Contacts of a physics engine, sleeping ones included. A thing that has contacts here rests on those that
     /// push it up, regardless of the traces.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<ContactEvidence>,
     /// Attachments by joints.
     pub attachments: Vec<Attachment>,
     /// Positions of joints within assets, by node and joint number (in the order in which the asset's parts
@@ -63,7 +73,7 @@ impl Evidence {
 
     /// Adds a contact.
     #[must_use]
-    pub fn contact(mut self, contact: Contact) -> Self {
+    pub fn contact(mut self, contact: ContactEvidence) -> Self {
         self.contacts.push(contact);
         self
     }
@@ -76,6 +86,15 @@ impl Evidence {
     }
 
     /// Sets everything that moves with somebody's hands.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// let evidence = vc_relations::Evidence::default().carrying([home.table]);
+    /// let relations = vc_relations::Relations::new(&home.graph, Default::default(), evidence)?;
+    /// // Hands carry the table. The cup is not said to be carried, so it does not rest on the table.
+    /// assert!(relations.supports(home.cup).iter().all(|support| support.by != home.table));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn carrying(self, carried: impl IntoIterator<Item = NodeId>) -> Self {
         Self { carried: Some(carried.into_iter().collect()), ..self }

@@ -6,12 +6,12 @@ use vc_graph::{Aabb, Edge, NodeId};
 use crate::body::Body;
 use crate::box_trace::{self, BoxTrace};
 use crate::edges::Reader;
-use crate::explanation::{Explanation, Hit, Hook, Seat, TraceOutcome, Traced, Within};
+use crate::explanation::{BoxTraceHit, Containment, Explanation, Hit, Hook, Seat, TraceOutcome};
 use crate::pair::{self, Contact, Hooked};
 use crate::relations::Relations;
 use crate::rule::RelationRule;
 use crate::sight;
-use crate::support::Ground;
+use crate::support::SupportKind;
 use crate::threshold::{HOOK_REACH, ROOM_MARGIN, SUPPORT_NORMAL, SUPPORT_SINK, UNDER_REACH};
 
 impl Relations {
@@ -21,6 +21,15 @@ impl Relations {
     ///
     /// Hits, supports, seats, hooks and sights are those of the repaired rule, and empty under another rule;
     /// [`RelationRule::BoxTrace`] has its six traces instead.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// let why = relations.explain(home.cup, home.table).ok_or("no such nodes")?;
+    /// assert!(why.holds.contains(&vc_graph::Relation::On));
+    /// assert_eq!(why.down[0].node, home.table); // The trace down from the cup hits the table.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn explain(&self, from: NodeId, to: NodeId) -> Option<Explanation> {
         let (i, j) = (self.world.index(from)?, self.world.index(to)?);
         let (a, b) = (self.world.bodies[i].as_deref()?, self.world.bodies[j].as_deref());
@@ -69,7 +78,7 @@ impl Relations {
     fn beside(&self, (i, a): (usize, &Body), (j, b): (usize, &Body), why: &mut Explanation) {
         let pair = self.world.pair(i, j);
         let finite = |v: Option<f32>| v.filter(|v| v.is_finite());
-        why.within = b.cavities_with(a).into_iter().map(|(centre, corners)| Within { centre, corners }).collect();
+        why.within = b.cavities_with(a).into_iter().map(|(centre, corners)| Containment { centre, corners }).collect();
         why.gap = finite(pair.map(|p| p.gap));
         why.distance = finite(pair.map(|p| p.distance));
         why.side = pair.and_then(|p| p.side);
@@ -81,9 +90,9 @@ impl Relations {
         }
     }
 
-    fn traces(&self, index: usize) -> Vec<Traced> {
+    fn traces(&self, index: usize) -> Vec<BoxTraceHit> {
         let hit = |trace| box_trace::trace(&self.world, index, trace).map(|(other, way)| (self.world.ids[other], way));
-        BoxTrace::ALL.map(|trace| Traced { trace, hit: hit(trace) }).to_vec()
+        BoxTrace::ALL.map(|trace| BoxTraceHit { trace, hit: hit(trace) }).to_vec()
     }
 
     fn down(&self, index: usize, body: &Body) -> Vec<Hit> {
@@ -100,7 +109,7 @@ impl Relations {
             });
             let Some(contact) = best else { continue };
             let inner = pair::holds(body, other) || pair::is_within(other, body);
-            let verdict = match contact {
+            let outcome = match contact {
                 _ if supports.iter().any(|s| s.by == other.id) => TraceOutcome::Counts,
                 _ if inner => TraceOutcome::Content,
                 c if c.normal.z < SUPPORT_NORMAL => TraceOutcome::TooSteep,
@@ -111,9 +120,9 @@ impl Relations {
             let (s, t) = (&body.solids[contact.parts.0], &other.solids[contact.parts.1]);
             let at = over_both(&s.region(), &t.region(), s.low.z - contact.down);
             let (pieces, normal) = ((Some(contact.parts.0), contact.parts.1), contact.normal);
-            hits.push(Hit { what: other.id, pieces, distance: contact.down, at, normal, verdict });
+            hits.push(Hit { node: other.id, pieces, distance: contact.down, at, normal, outcome });
         }
-        hits.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.what.cmp(&b.what)));
+        hits.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.node.cmp(&b.node)));
         hits
     }
 
@@ -126,17 +135,17 @@ impl Relations {
         above.sort_by(|a, b| a.0.0.total_cmp(&b.0.0).then(a.1.cmp(&b.1)));
         let (middle, mut open) = (pair::middle_of(body).region(), true);
         let judge = |((over, piece), other): ((f32, usize), usize)| {
-            let verdict = match under {
+            let outcome = match under {
                 Some(u) if u == other => TraceOutcome::Counts,
                 _ if reader.is_carried(other, index) => TraceOutcome::Carried,
                 _ if open => TraceOutcome::Shade,
                 _ => TraceOutcome::Shaded,
             };
-            open &= verdict == TraceOutcome::Carried;
+            open &= outcome == TraceOutcome::Carried;
             let solid = self.world.bodies[other].as_deref()?.solids.get(piece)?;
             let at = over_both(&middle, &solid.region(), body.whole.centre.z + over);
-            let (what, normal) = (self.world.ids[other], -Vector3::z());
-            Some(Hit { what, pieces: (None, piece), distance: over, at, normal, verdict })
+            let (node, normal) = (self.world.ids[other], -Vector3::z());
+            Some(Hit { node, pieces: (None, piece), distance: over, at, normal, outcome })
         };
         above.into_iter().filter_map(judge).collect()
     }
@@ -149,7 +158,7 @@ impl Relations {
         let share = pair::seat_share(a, b);
         let pair = self.world.pair(i, j);
         let (lies, rests) = (a.lies(), pair.is_some_and(|p| p.rest.is_finite()));
-        let verdict = match share {
+        let outcome = match share {
             _ if taken.is_some_and(|t| t.1 == j) => TraceOutcome::Counts,
             _ if !(if lies { b.traits.lieable } else { b.traits.sittable }) => TraceOutcome::Unfit,
             _ if pair.is_some_and(|p| p.seated) || (rests && taken.is_some()) => TraceOutcome::Outranked,
@@ -157,7 +166,7 @@ impl Relations {
             Some(_) => TraceOutcome::WrongHeight,
             None => TraceOutcome::Aside,
         };
-        Some(Seat { share, verdict })
+        Some(Seat { share, outcome })
     }
 
     fn hook(&self, a: &Body, b: &Body) -> Option<Hook> {
@@ -166,15 +175,15 @@ impl Relations {
             let (g, h) = (rank(g), rank(h));
             g.0.cmp(&h.0).then(g.1.total_cmp(&h.1))
         })?;
-        let hangs = self.supports(a.id).iter().any(|s| s.by == b.id && s.ground == Ground::Hook);
-        let verdict = match best.distance {
+        let hangs = self.supports(a.id).iter().any(|s| s.by == b.id && s.kind == SupportKind::Hook);
+        let outcome = match best.distance {
             _ if hangs => TraceOutcome::Counts,
             _ if a.traits.fixed => TraceOutcome::Unfit,
             far if far > HOOK_REACH => TraceOutcome::TooFar,
             _ if !best.is_high => TraceOutcome::WrongHeight,
             _ => TraceOutcome::Outranked,
         };
-        Some(Hook { at: best.at.into(), distance: best.distance, verdict })
+        Some(Hook { at: best.at.into(), distance: best.distance, outcome })
     }
 }
 

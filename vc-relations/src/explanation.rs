@@ -6,8 +6,8 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{Edge, NodeId, Relation};
 
 use crate::box_trace::BoxTrace;
-use crate::near::Side;
-use crate::support::{Ground, Support};
+use crate::near::NearSide;
+use crate::support::{Support, SupportKind};
 use crate::threshold::{CORNERS_WITHIN, NEAR_REACH, TOUCH_GAP};
 
 /// The outcome for a hit, a sight, a seat or a hook.
@@ -44,9 +44,10 @@ pub enum TraceOutcome {
 
 /// A hit of a vertical trace.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Hit {
     /// The thing that it hit.
-    pub what: NodeId,
+    pub node: NodeId,
     /// Index of the traced thing's convex piece (none if the centre of its box was traced), and of the piece
     /// that was hit.
     pub pieces: (Option<usize>, usize),
@@ -58,12 +59,13 @@ pub struct Hit {
     /// Normal of the contact, towards the traced thing.
     pub normal: Vector3<f32>,
     /// Its outcome.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// The extent to which a thing is within one of another's hollows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Within {
+#[non_exhaustive]
+pub struct Containment {
     /// Whether its centre is in the hollow, or above its rim by no more than content may be.
     pub centre: bool,
     /// Number of its eight corners that are in the hollow; four are needed.
@@ -72,6 +74,7 @@ pub struct Within {
 
 /// Position of one thing relative to another's front, in plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Sight {
     /// Angle between the front and the direction to the other thing, radians; half a turn if the front points
     /// straight up or down.
@@ -79,33 +82,36 @@ pub struct Sight {
     /// Distance between the centres, metres.
     pub distance: f32,
     /// Whether the thing is faced, or why not.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// A seat or bed for an agent.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Seat {
     /// Height of its top under the agent's centre, as a share of the agent's height from below; none if it is
     /// not under the centre.
     pub share: Option<f32>,
     /// Whether the agent sits or lies there, or why not.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// The hook of another thing on which a thing hangs, or comes nearest to hanging.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Hook {
     /// Its position, metres.
     pub at: Point3<f32>,
     /// Distance from the box of the thing that might hang on it, metres.
     pub distance: f32,
     /// Whether the thing hangs there, or why not.
-    pub verdict: TraceOutcome,
+    pub outcome: TraceOutcome,
 }
 
 /// One of the thesis's six traces, and its first hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Traced {
+#[non_exhaustive]
+pub struct BoxTraceHit {
     /// The direction of the trace.
     pub trace: BoxTrace,
     /// The thing it hit and the distance, metres; zero if they overlapped at the start.
@@ -115,6 +121,7 @@ pub struct Traced {
 /// Everything that decides the relations from one thing to another. Facts used only by the repaired rule are
 /// empty under another rule.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Explanation {
     /// The thing in question.
     pub from: NodeId,
@@ -123,7 +130,7 @@ pub struct Explanation {
     /// The relations that hold from the first to the second.
     pub holds: Vec<Relation>,
     /// By the thesis's rule, its six traces.
-    pub traces: Vec<Traced>,
+    pub traces: Vec<BoxTraceHit>,
     /// Hits of the traces down from the thing's pieces, nearest first: for each other thing the best contact.
     /// By the repaired rule.
     pub down: Vec<Hit>,
@@ -145,19 +152,19 @@ pub struct Explanation {
     /// For a door, the points at which rooms are searched on its two sides, metres, and the rooms found.
     pub sides: Vec<(Point3<f32>, Option<NodeId>)>,
     /// The extent to which it is within each hollow of the other thing.
-    pub within: Vec<Within>,
+    pub within: Vec<Containment>,
     /// Gap between the nearest parts, metres; none beyond the distance at which things hang.
     pub gap: Option<f32>,
     /// Distance between the boxes, metres; none beyond reach or behind a wall.
     pub distance: Option<f32>,
     /// The side of the thing at which the other is.
-    pub side: Option<Side>,
+    pub side: Option<NearSide>,
     /// Whether part of the building stands between them.
     pub walled: bool,
 }
 
-fn because(verdict: TraceOutcome) -> &'static str {
-    match verdict {
+fn because(outcome: TraceOutcome) -> &'static str {
+    match outcome {
         TraceOutcome::Counts => "counts",
         TraceOutcome::TooFar => "too far",
         TraceOutcome::TooDeep => "too deep to rest on",
@@ -174,14 +181,14 @@ fn because(verdict: TraceOutcome) -> &'static str {
     }
 }
 
-fn how(ground: Ground) -> &'static str {
-    match ground {
-        Ground::Joint => "a joint holds it",
-        Ground::Contact => "a contact pushes it up",
-        Ground::Trace => "by the trace down",
-        Ground::Hook => "it hangs on a hook",
-        Ground::Container => "it is inside, and nothing is found below",
-        Ground::Hanging => "nothing is below, and they touch",
+fn how(kind: SupportKind) -> &'static str {
+    match kind {
+        SupportKind::Joint => "a joint holds it",
+        SupportKind::Contact => "a contact pushes it up",
+        SupportKind::Trace => "by the trace down",
+        SupportKind::Hook => "it hangs on a hook",
+        SupportKind::Container => "it is inside, and nothing is found below",
+        SupportKind::Hanging => "nothing is below, and they touch",
     }
 }
 
@@ -192,10 +199,10 @@ fn cm(metres: f32) -> f32 {
 
 fn way(trace: BoxTrace) -> &'static str {
     match trace {
-        BoxTrace::Side(Side::Front) => "to the front",
-        BoxTrace::Side(Side::Back) => "to the back",
-        BoxTrace::Side(Side::Left) => "to the left",
-        BoxTrace::Side(Side::Right) => "to the right",
+        BoxTrace::Side(NearSide::Front) => "to the front",
+        BoxTrace::Side(NearSide::Back) => "to the back",
+        BoxTrace::Side(NearSide::Left) => "to the left",
+        BoxTrace::Side(NearSide::Right) => "to the right",
         BoxTrace::Up => "up",
         BoxTrace::Down => "down",
     }
@@ -235,12 +242,12 @@ impl Explanation {
         }
         for (way, hits) in [("down", &self.down), ("up", &self.up)] {
             for hit in hits {
-                let (what, at) = (hit.what, hit.at);
+                let (what, at) = (hit.node, hit.at);
                 write!(f, "  trace {way} meets {what} after {:.1} cm ", cm(hit.distance))?;
-                writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.verdict))?;
+                writeln!(f, "at {:.2} {:.2} {:.2}: {}", at.x, at.y, at.z, because(hit.outcome))?;
             }
         }
-        self.supports.iter().try_for_each(|s| writeln!(f, "  it rests on {}: {}", s.by, how(s.ground)))
+        self.supports.iter().try_for_each(|s| writeln!(f, "  it rests on {}: {}", s.by, how(s.kind)))
     }
 
     fn tell_people(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -248,17 +255,17 @@ impl Explanation {
             let by = if edge.relation == Relation::WornBy { edge.to } else { edge.from };
             writeln!(f, "  {by} holds or wears it: it rests on nothing")?;
         }
-        if let Some(seat) = self.seat.filter(|s| s.verdict != TraceOutcome::Unfit) {
+        if let Some(seat) = self.seat.filter(|s| s.outcome != TraceOutcome::Unfit) {
             let share =
                 seat.share.map_or("not under the middle".to_owned(), |s| format!("at {:.0}% of the height", s * 100.0));
-            writeln!(f, "  as a seat or bed, {share}: {}", because(seat.verdict))?;
+            writeln!(f, "  as a seat or bed, {share}: {}", because(seat.outcome))?;
         }
         if let Some(hook) = self.hook {
-            writeln!(f, "  a hook is {:.1} cm from its box: {}", cm(hook.distance), because(hook.verdict))?;
+            writeln!(f, "  a hook is {:.1} cm from its box: {}", cm(hook.distance), because(hook.outcome))?;
         }
-        if let Some(sight) = self.sight.filter(|s| s.verdict != TraceOutcome::Unfit) {
+        if let Some(sight) = self.sight.filter(|s| s.outcome != TraceOutcome::Unfit) {
             let (angle, far) = (sight.angle.to_degrees(), sight.distance);
-            writeln!(f, "  looked at {angle:.0} degrees off the front, {far:.2} m away: {}", because(sight.verdict))?;
+            writeln!(f, "  looked at {angle:.0} degrees off the front, {far:.2} m away: {}", because(sight.outcome))?;
         }
         Ok(())
     }

@@ -23,7 +23,7 @@ pub(crate) struct Facts {
 
 impl Facts {
     /// Collects the evidence, and the graph's edges of holding and wearing.
-    pub(crate) fn of(graph: &SceneGraph, evidence: &Evidence) -> Self {
+    pub(crate) fn from_scene(graph: &SceneGraph, evidence: &Evidence) -> Self {
         let mut facts = Self::new(evidence);
         graph.agents().iter().flat_map(|&agent| hands_of(graph, agent)).for_each(|edge| facts.hold(edge));
         facts

@@ -7,7 +7,7 @@ use vc_graph::Asset;
 use vc_graph::asset::{Hold, Joint, Part, Shape, Surface};
 
 use crate::carve;
-use crate::hollow::{self, Cells};
+use crate::hollow::{self, Cavity, Space};
 use crate::solid::{Round, Solid};
 use crate::threshold::{HOLLOW_LEAST, ROOF_LEAST};
 
@@ -25,46 +25,6 @@ pub(crate) struct Piece {
 impl Piece {
     fn solid(&self) -> Solid {
         Solid::new(self.centre, self.axes, self.half, self.round)
-    }
-}
-
-/// A space in an asset that can hold things.
-#[derive(Debug, Clone)]
-pub(crate) struct Cavity {
-    pub(crate) space: Space,
-    /// Whether it is open above.
-    pub(crate) open: bool,
-    pub(crate) link: Option<u32>,
-}
-
-#[derive(Debug, Clone)]
-pub(crate) enum Space {
-    /// A box with the asset's axes.
-    Box { centre: Vector3<f32>, half: Vector3<f32> },
-    /// The cells of a grid that have a label.
-    Cells(std::sync::Arc<Cells>, u16),
-}
-
-impl Cavity {
-    /// Whether a point of the asset's frame is in the cavity. If the cavity is open, the point may also be up
-    /// to `above` metres above its rim.
-    pub(crate) fn contains(&self, point: &Vector3<f32>, above: f32) -> bool {
-        let above = if self.open { above } else { 0.0 };
-        match &self.space {
-            Space::Box { centre, half } => {
-                let off = point - centre;
-                off.x.abs() <= half.x && off.y.abs() <= half.y && off.z >= -half.z && off.z <= half.z + above
-            }
-            Space::Cells(cells, label) => cells.contains(point, *label, above),
-        }
-    }
-
-    /// Whether a content's corner may be at a point: in the cavity, or in the walls around it.
-    pub(crate) fn admits(&self, point: &Vector3<f32>) -> bool {
-        match &self.space {
-            Space::Box { .. } => self.contains(point, 0.0),
-            Space::Cells(cells, label) => cells.admits(point, *label),
-        }
     }
 }
 
@@ -107,7 +67,10 @@ impl Form {
     /// Its cavities: those that the asset states, otherwise those found between its parts. The search runs on
     /// first use and costs some ten microseconds.
     pub(crate) fn cavities(&self) -> &[Cavity] {
-        self.cavities.get_or_init(|| hollow::find(self))
+        self.cavities.get_or_init(|| {
+            let solids: Vec<Solid> = self.pieces.iter().map(Piece::solid).collect();
+            hollow::find(&solids, &self.low, &self.high)
+        })
     }
 
     /// Whether a point of the asset's frame may be in some cavity or above its rim; if false, it is beside or

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::form::{Cavity, Form, Space};
+use crate::carve::thin_out;
 use crate::solid::{Round, Solid, gap};
 use crate::threshold::{
     GRID_EVENLY, GRID_FILL, GRID_PLANES, GRID_THINNEST, HOLLOW_DEPTH, HOLLOW_VOLUME, THROUGH_SHARE,
@@ -12,6 +12,46 @@ use crate::threshold::{
 
 /// Label of a cell that contains part of the asset.
 const SOLID: u16 = u16::MAX;
+
+/// A space in an asset that can hold things.
+#[derive(Debug, Clone)]
+pub(crate) struct Cavity {
+    pub(crate) space: Space,
+    /// Whether it is open above.
+    pub(crate) open: bool,
+    pub(crate) link: Option<u32>,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) enum Space {
+    /// A box with the asset's axes.
+    Box { centre: Vector3<f32>, half: Vector3<f32> },
+    /// The cells of a grid that have a label.
+    Cells(Arc<Cells>, u16),
+}
+
+impl Cavity {
+    /// Whether a point of the asset's frame is in the cavity. If the cavity is open, the point may also be up
+    /// to `above` metres above its rim.
+    pub(crate) fn contains(&self, point: &Vector3<f32>, above: f32) -> bool {
+        let above = if self.open { above } else { 0.0 };
+        match &self.space {
+            Space::Box { centre, half } => {
+                let off = point - centre;
+                off.x.abs() <= half.x && off.y.abs() <= half.y && off.z >= -half.z && off.z <= half.z + above
+            }
+            Space::Cells(cells, label) => cells.contains(point, *label, above),
+        }
+    }
+
+    /// Whether a content's corner may be at a point: in the cavity, or in the walls around it.
+    pub(crate) fn admits(&self, point: &Vector3<f32>) -> bool {
+        match &self.space {
+            Space::Box { .. } => self.contains(point, 0.0),
+            Space::Cells(cells, label) => cells.admits(point, *label),
+        }
+    }
+}
 
 /// A grid over an asset with planes where its parts begin and end, so that it is exact for box-shaped parts.
 /// Each cell is free (zero), solid, or in a hollow.
@@ -60,8 +100,8 @@ impl Cells {
         here.is_some_and(|l| l == label || l == SOLID)
     }
 
-    fn over(form: &Form, solids: &[Solid]) -> Option<Self> {
-        let planes = std::array::from_fn(|axis| planes(form, solids, axis));
+    fn over(low: &Vector3<f32>, high: &Vector3<f32>, solids: &[Solid]) -> Option<Self> {
+        let planes = std::array::from_fn(|axis| planes((low[axis], high[axis]), solids, axis));
         let sound = planes.iter().all(|p| p.len() >= 4);
         let cells = planes.iter().map(|p| p.len().saturating_sub(1)).product();
         sound.then(|| Self { planes, labels: vec![0; cells] })
@@ -183,8 +223,7 @@ impl Cells {
 }
 
 /// Planes where parts begin and end along an axis, and some planes in between.
-fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
-    let (low, high) = (form.low[axis], form.high[axis]);
+fn planes((low, high): (f32, f32), solids: &[Solid], axis: usize) -> Vec<f32> {
     let even = (0..=GRID_EVENLY).map(|i| low + (high - low) * i as f32 / GRID_EVENLY as f32);
     let faces = solids.iter().flat_map(|s| [s.low[axis], s.high[axis]]);
     let mut planes: Vec<f32> = faces.collect();
@@ -200,23 +239,13 @@ fn planes(form: &Form, solids: &[Solid], axis: usize) -> Vec<f32> {
     planes
 }
 
-/// Removes planes where they are densest until at most `most` are left; both ends stay.
-pub(crate) fn thin_out(planes: &mut Vec<f32>, most: usize) {
-    while planes.len() > most.max(2) {
-        let width = |i: &usize| planes[i + 1] - planes[i - 1];
-        let densest = (1..planes.len() - 1).min_by(|i, j| width(i).total_cmp(&width(j)));
-        planes.remove(densest.unwrap_or(1));
-    }
-}
-
-/// Finds the hollows of an asset. These are free cells with something below and either four walls, or three
-/// walls and a roof (a shelf is open in front). Then, of the remaining cells, those with a floor, a roof and
+/// Finds the hollows of an asset between the corners `low` and `high` of the box around its solids. These are free
+/// cells with something below and either four walls, or three walls and a roof (a shelf is open in front). Then, of the remaining cells, those with a floor, a roof and
 /// two opposite walls, if they span most of the asset (a bookcase without a back, but not the strip between two
 /// legs above a table's lower board). There is nothing below the space under a table, and no roof above a sofa.
 /// Costs some hundred microseconds.
-pub(crate) fn find(form: &Form) -> Vec<Cavity> {
-    let solids: Vec<Solid> = form.pieces.iter().map(|p| Solid::new(p.centre, p.axes, p.half, p.round)).collect();
-    let Some(mut cells) = Cells::over(form, &solids) else { return Vec::new() };
+pub(crate) fn find(solids: &[Solid], low: &Vector3<f32>, high: &Vector3<f32>) -> Vec<Cavity> {
+    let Some(mut cells) = Cells::over(low, high, solids) else { return Vec::new() };
     solids.iter().for_each(|s| cells.fill(s));
     let walls = cells.walls();
     let mut found = Vec::new();

@@ -44,17 +44,17 @@
 //! | held, worn | the graph or the evidence says so; it then rests on nothing |
 //!
 //! A trace starts at a part's middle plane and is a little narrower than the part, so that a few millimetres of
-//! overlap or gap do not matter, neither below nor at the sides. Every threshold is in [`threshold`], with its
-//! unit and reason. At most one of on, inside, sitting and lying holds between two nodes; a thing is inside all
+//! overlap or gap do not matter, neither below nor at the sides. The thresholds of the rules are in [`threshold`],
+//! with their units and reasons. At most one of on, inside, sitting and lying holds between two nodes; a thing is inside all
 //! containers around it; and nothing rests on itself through others.
 //!
 //! # Main types
 //!
 //! | type | purpose |
 //! |---|---|
-//! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`of`](Relations::of), [`has`](Relations::has); [`update`](Relations::update) after moves |
+//! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`edges_of`](Relations::edges_of), [`has`](Relations::has); [`update`](Relations::update) after moves |
 //! | [`Evidence`] | contacts, joints, positions of drawers and doors, held things |
-//! | [`Support`], [`Near`], [`Side`] | the figures behind on and near |
+//! | [`Support`], [`Near`], [`NearSide`] | the figures behind on and near |
 //! | [`Proximity`] | named degrees of nearness: touching distance, arm's reach, near, behind a wall, far |
 //! | [`Explanation`] | why a relation holds or does not: which trace hit which thing, and where; depth in rooms, angle off the front, distances from seat and hook |
 //! | [`RelationRule`] | the rule that decides |
@@ -110,6 +110,7 @@ mod solid;
 mod support;
 mod targets;
 pub mod threshold;
+mod update;
 mod virtual_home;
 mod walls;
 mod world;
@@ -117,10 +118,10 @@ mod write;
 
 pub use box_trace::BoxTrace;
 pub use error::{InputError, InputFlaw, check_sizes};
-pub use evidence::{Attachment, Contact, Evidence};
-pub use explanation::{Explanation, Hit, Hook, Seat, Sight, TraceOutcome, Traced, Within};
-pub use near::Side;
+pub use evidence::{Attachment, ContactEvidence, Evidence};
+pub use explanation::{BoxTraceHit, Containment, Explanation, Hit, Hook, Seat, Sight, TraceOutcome};
+pub use near::NearSide;
 pub use proximity::Proximity;
 pub use relations::{Near, Relations, relations};
 pub use rule::RelationRule;
-pub use support::{Ground, Support};
+pub use support::{Support, SupportKind};

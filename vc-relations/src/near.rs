@@ -1,7 +1,7 @@
 //! Distance between two boxes, and the sides of each other at which they are.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
-use vc_geometry::order::{less, more};
+use vc_geometry::order::{greater, lesser};
 use vc_graph::Relation;
 
 use crate::body::Body;
@@ -12,7 +12,7 @@ use crate::threshold::{NEAR_REACH, SIDE_SHARE, TRACE_START};
 /// A side of a thing, by its own axes: X is front, Y is left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Side {
+pub enum NearSide {
     /// Towards its +X.
     Front,
     /// Towards its -X.
@@ -23,7 +23,7 @@ pub enum Side {
     Right,
 }
 
-impl Side {
+impl NearSide {
     /// The relation of being near at this side.
     pub(crate) fn relation(self) -> Relation {
         match self {
@@ -40,16 +40,16 @@ pub(crate) struct Beside {
     /// Metres.
     pub(crate) distance: f32,
     /// The side of the first at which the second is, and the side of the second at which the first is.
-    pub(crate) sides: [Option<Side>; 2],
+    pub(crate) sides: [Option<NearSide>; 2],
 }
 
 /// Measures the boxes of two bodies; `None` if they are too far apart.
 pub(crate) fn beside(a: &Body, b: &Body) -> Option<Beside> {
-    let rise = more(a.whole.low.z - b.whole.high.z, b.whole.low.z - a.whole.high.z);
+    let rise = greater(a.whole.low.z - b.whole.high.z, b.whole.low.z - a.whole.high.z);
     let plan = (a.whole.upright && b.whole.upright).then(|| Plan::new(&a.whole, &b.whole));
     let distance = match &plan {
         Some(plan) => {
-            let up = more(rise, 0.0);
+            let up = greater(rise, 0.0);
             (up * up + plan.distance_squared(&a.whole, &b.whole)).sqrt()
         }
         None => distance(&a.whole, &b.whole),
@@ -83,20 +83,20 @@ impl Seen {
 
     /// The side at which the other is: the one along which they are farthest apart; if they overlap, the one
     /// towards which its centre is displaced. None if it is above or below rather than beside.
-    fn side(&self, rise: f32) -> Option<Side> {
+    fn side(&self, rise: f32) -> Option<NearSide> {
         let gaps = self.gaps();
-        let apart = more(gaps.x, gaps.y);
-        if rise > more(apart, -TRACE_START) {
+        let apart = greater(gaps.x, gaps.y);
+        if rise > greater(apart, -TRACE_START) {
             return None;
         }
-        let share = |i: usize| self.at[i].abs() / more(self.reach[i], 1e-6);
+        let share = |i: usize| self.at[i].abs() / greater(self.reach[i], 1e-6);
         let along_x = if apart > 0.0 { gaps.x >= gaps.y } else { share(0) >= share(1) };
         let axis = usize::from(!along_x);
         let side = match (along_x, self.at[axis] >= 0.0) {
-            (true, true) => Side::Front,
-            (true, false) => Side::Back,
-            (false, true) => Side::Left,
-            (false, false) => Side::Right,
+            (true, true) => NearSide::Front,
+            (true, false) => NearSide::Back,
+            (false, true) => NearSide::Left,
+            (false, false) => NearSide::Right,
         };
         (share(axis) >= SIDE_SHARE).then_some(side)
     }
@@ -123,7 +123,7 @@ impl Plan {
 
     /// Squared distance between the two footprints.
     fn distance_squared(&self, a: &Solid, b: &Solid) -> f32 {
-        let [first, second] = self.seen.map(|s| s.gaps().map(|gap| more(gap, 0.0)));
+        let [first, second] = self.seen.map(|s| s.gaps().map(|gap| greater(gap, 0.0)));
         let cosine = self.turn[(0, 0)].abs();
         if !(1e-4..=0.999_999).contains(&cosine) {
             return first.norm_squared();
@@ -133,14 +133,14 @@ impl Plan {
         }
         // For rotated rectangles the distance is that of a corner of one from the other.
         let back = self.turn.transpose();
-        less(corner_distance(&self.seen[0], &self.turn, b, a), corner_distance(&self.seen[1], &back, a, b))
+        lesser(corner_distance(&self.seen[0], &self.turn, b, a), corner_distance(&self.seen[1], &back, a, b))
     }
 }
 
 /// Squared least distance of a footprint's corners from the footprint that `seen` refers to.
 fn corner_distance(seen: &Seen, turn: &Matrix2<f32>, corners_of: &Solid, from: &Solid) -> f32 {
     let (x, y) = (turn.column(0) * corners_of.half.x, turn.column(1) * corners_of.half.y);
-    let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).map(|gap| more(gap, 0.0)).norm_squared();
+    let outside = |p: Vector2<f32>| (p.abs() - from.half.xy()).map(|gap| greater(gap, 0.0)).norm_squared();
     let squared = [x + y, x - y, -x + y, -x - y].map(|c| outside(seen.at + c));
-    squared.into_iter().fold(f32::INFINITY, less)
+    squared.into_iter().fold(f32::INFINITY, lesser)
 }

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use vc_graph::Aabb;
 
 use crate::body::{Body, Posture};
-use crate::near::{self, Side};
+use crate::near::{self, NearSide};
 use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
     BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, RIM_MARGIN, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
@@ -29,7 +29,7 @@ pub(crate) struct Pair {
     /// Distance of the other above the centre of this body, metres.
     pub(crate) over: f32,
     /// The side of this body at which the other is.
-    pub(crate) side: Option<Side>,
+    pub(crate) side: Option<NearSide>,
     /// Whether the other is below this body.
     pub(crate) is_below: bool,
     pub(crate) inside: bool,

@@ -10,6 +10,14 @@ use crate::threshold::{ARMS_REACH, NEAR_REACH, TOUCHING_DISTANCE};
 ///
 /// The relation [`Near`](vc_graph::Relation::Near) holds for the first three, and for [`Proximity::BehindWall`]
 /// if both are in one room.
+///
+/// ```
+/// # let home = vc_testkit::kitchen::kitchen();
+/// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+/// use vc_relations::Proximity;
+/// assert!(relations.proximity(home.cup, home.table) < relations.proximity(home.cup, home.cabinet));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]

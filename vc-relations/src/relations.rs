@@ -1,4 +1,4 @@
-//! The relations of a scene, and their incremental update.
+//! The relations of a scene.
 
 use std::sync::Arc;
 
@@ -6,24 +6,25 @@ use nalgebra::Point3;
 use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 
 use crate::edges::Reader;
-use crate::error::{InputError, check_assets, check_evidence, check_nodes, check_scene};
+use crate::error::{InputError, check_assets, check_evidence, check_scene};
 use crate::evidence::Evidence;
-use crate::facts::{Facts, hands_of};
-use crate::near::Side;
+use crate::facts::Facts;
+use crate::near::NearSide;
 use crate::rule::RelationRule;
 use crate::support::{Support, Supports};
-use crate::world::{Met, World};
+use crate::world::World;
 use crate::{box_trace, virtual_home};
 
 /// A thing near another.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Near {
     /// The nearby thing.
     pub to: NodeId,
     /// Distance between the two boxes, metres; zero if they overlap.
     pub distance: f32,
     /// The side of the queried thing at which it is; none if above, below or around.
-    pub side: Option<Side>,
+    pub side: Option<NearSide>,
 }
 
 /// All relations of a scene, read from its poses and shapes.
@@ -51,7 +52,7 @@ pub struct Near {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Relations {
-    rule: RelationRule,
+    pub(crate) rule: RelationRule,
     pub(crate) world: World,
     pub(crate) evidence: Evidence,
     pub(crate) facts: Facts,
@@ -65,6 +66,15 @@ impl Relations {
     ///
     /// # Errors
     /// [`InputError`] with every number that is not finite, too large, or not a valid size or rotation.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// use vc_relations::{Evidence, RelationRule, Relations};
+    /// let relations = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default())?;
+    ///
+    /// assert!(relations.supports(home.cup).iter().any(|support| support.by == home.table));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(graph: &SceneGraph, rule: RelationRule, evidence: Evidence) -> Result<Self, InputError> {
         check_evidence(graph, &evidence)?;
         let mut relations =
@@ -110,7 +120,7 @@ impl Relations {
         if !self.world.knows(graph.assets()) {
             check_assets(graph.assets())?;
         }
-        self.facts = Facts::of(graph, &self.evidence);
+        self.facts = Facts::from_scene(graph, &self.evidence);
         self.world.rebuild(graph, &self.evidence);
         self.fixed = Arc::new(match self.rule {
             RelationRule::Contacts => Vec::new(),
@@ -120,124 +130,21 @@ impl Relations {
         Ok(())
     }
 
-    /// Replaces the evidence: contacts, joints and held things. Nodes whose joint positions have changed are
-    /// read again.
-    ///
-    /// # Errors
-    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
-    pub fn set_evidence(&mut self, graph: &SceneGraph, evidence: Evidence) -> Result<(), InputError> {
-        self.update_with(graph, &[], evidence).map(drop)
-    }
-
-    /// [`Self::set_evidence`] and [`Self::update`] in one step, which reads a door that has turned only once.
-    /// Returns all nodes whose relations may have changed, by number.
-    ///
-    /// # Errors
-    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
-    pub fn update_with(
-        &mut self,
-        graph: &SceneGraph,
-        changed: &[NodeId],
-        evidence: Evidence,
-    ) -> Result<Vec<NodeId>, InputError> {
-        check_evidence(graph, &evidence)?;
-        let old = std::mem::replace(&mut self.evidence, evidence);
-        self.facts = Facts::of(graph, &self.evidence);
-        let turned = |(key, position): (&(NodeId, u32), &f32), other: &Evidence| {
-            (other.positions.get(key) != Some(position)).then_some(key.0)
-        };
-        let mut changed = changed.to_vec();
-        changed.extend(old.positions.iter().filter_map(|p| turned(p, &self.evidence)));
-        changed.extend(self.evidence.positions.iter().filter_map(|p| turned(p, &old)));
-        self.update(graph, &changed)
-    }
-
-    /// Reads nodes again that have moved, been added or removed, or changed their state or the things they
-    /// hold, and returns all nodes whose relations may have changed, by number. If a thing changes hands,
-    /// either the thing or its former and present holders must be given.
-    ///
-    /// The result is that of [`Self::rebuild`], bit for bit. A moved object with the usual number of neighbours
-    /// costs about ten microseconds. Changes of rooms, parts of the building and new nodes cost a rebuild, as
-    /// does any change under a rule other than [`RelationRule::Contacts`].
-    ///
-    /// # Errors
-    /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then.
-    pub fn update(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Result<Vec<NodeId>, InputError> {
-        check_nodes(graph, changed)?;
-        let mut changed = changed.to_vec();
-        changed.sort_unstable();
-        changed.dedup();
-        if self.rule == RelationRule::Contacts
-            && let Some(met) = self.update_each(graph, &changed)
-        {
-            return Ok(met);
-        }
-        self.rebuild(graph)?;
-        Ok(self.world.ids.clone())
-    }
-
-    fn update_each(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Option<Vec<NodeId>> {
-        let mut met = Met::default();
-        for &id in changed {
-            let index = self.world.index(id)?;
-            let before = self.world.bodies[index].as_deref().map(|b| b.region);
-            self.world.update(graph, id, &self.evidence, &mut met)?;
-            met.bound.push(index as u32);
-            met.beside.extend(self.watchers(index, before));
-            let hands = self.look_at_hands(graph, id);
-            met.bound.extend(
-                hands.iter().flat_map(|e| [e.from, e.to]).filter_map(|end| self.world.index(end)).map(|i| i as u32),
-            );
-        }
-        Some(self.world.spread(met, &self.facts))
-    }
-
-    /// Reads again the edges of holding and wearing at a node and at the other ends of these, as a thing it
-    /// took may have been in another's hand. Returns all these edges, old and new: the supports of both ends
-    /// may have changed.
-    fn look_at_hands(&mut self, graph: &SceneGraph, id: NodeId) -> Vec<Edge> {
-        let mut edges = self.look_at_hand(graph, id);
-        for end in 0..edges.len() {
-            let other = if edges[end].from == id { edges[end].to } else { edges[end].from };
-            edges.extend(self.look_at_hand(graph, other));
-        }
-        edges
-    }
-
-    fn look_at_hand(&mut self, graph: &SceneGraph, id: NodeId) -> Vec<Edge> {
-        let mut edges = self.facts.forget(id);
-        let said = self.evidence.held.iter().copied().filter(|e| e.from == id || e.to == id);
-        let now: Vec<Edge> = graph.node(id).into_iter().flat_map(|_| hands_of(graph, id)).chain(said).collect();
-        now.iter().for_each(|edge| self.facts.hold(*edge));
-        edges.extend(now);
-        edges
-    }
-
-    /// The bodies that may face a body, at its old and new places.
-    fn watchers(&self, index: usize, before: Option<vc_graph::Aabb>) -> Vec<u32> {
-        let now = self.world.bodies[index].as_deref();
-        let mut watchers = Vec::new();
-        if now.is_some_and(|b| !b.traits.lookable) {
-            return watchers;
-        }
-        let reach = crate::threshold::FACING_REACH;
-        for region in now.map(|b| b.region).into_iter().chain(before) {
-            self.world.tree.each(&region.grown(reach, reach), |other| {
-                let traits = self.world.bodies[other].as_deref().map(|b| b.traits);
-                if traits.is_some_and(|t| t.agent || t.sittable) {
-                    watchers.push(other as u32);
-                }
-            });
-        }
-        watchers
-    }
-
     /// All relations, sorted by start, kind and end; symmetric ones occur in both directions.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// use vc_graph::Relation;
+    /// let on: Vec<_> = relations.edges().into_iter().filter(|edge| edge.relation == Relation::On).collect();
+    /// assert!(on.iter().any(|edge| (edge.from, edge.to) == (home.cup, home.table)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn edges(&self) -> Vec<Edge> {
         if self.rule != RelationRule::Contacts {
             return self.fixed.to_vec();
         }
-        let reader = Reader::of_all(&self.world, &self.facts);
+        let reader = Reader::for_all(&self.world, &self.facts);
         let mut edges = Vec::with_capacity(32 * self.world.ids.len());
         for index in 0..self.world.ids.len() {
             reader.edges(index, &mut edges);
@@ -246,7 +153,17 @@ impl Relations {
     }
 
     /// All relations that start at a node, sorted.
-    pub fn of(&self, id: NodeId) -> Vec<Edge> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// use vc_graph::{Edge, Relation};
+    /// let edges = relations.edges_of(home.cup);
+    /// assert!(edges.contains(&Edge::new(home.cup, Relation::On, home.table)));
+    /// assert!(edges.contains(&Edge::new(home.cup, Relation::InRoom, home.room)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn edges_of(&self, id: NodeId) -> Vec<Edge> {
         let mut edges = Vec::new();
         if self.rule != RelationRule::Contacts {
             let from = self.fixed.partition_point(|e| e.from < id);
@@ -257,14 +174,14 @@ impl Relations {
         edges
     }
 
-    /// All relations that start at some nodes, as given by [`Self::of`]. If these are most of a scene, all
+    /// All relations that start at some nodes, as given by [`Self::edges_of`]. If these are most of a scene, all
     /// supports are found in one pass.
-    pub(crate) fn of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
+    pub(crate) fn edges_of_each(&self, nodes: &[NodeId]) -> Vec<(NodeId, Vec<Edge>)> {
         if self.rule != RelationRule::Contacts {
-            return nodes.iter().map(|&id| (id, self.of(id))).collect();
+            return nodes.iter().map(|&id| (id, self.edges_of(id))).collect();
         }
         let most = 2 * nodes.len() > self.world.ids.len();
-        let of = if most { Reader::of_all } else { Reader::new };
+        let of = if most { Reader::for_all } else { Reader::new };
         let reader = of(&self.world, &self.facts);
         let edges = |id: NodeId| {
             let mut edges = Vec::new();
@@ -277,23 +194,50 @@ impl Relations {
     }
 
     /// Whether a relation holds.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// use vc_graph::{Edge, Relation};
+    /// assert!(relations.has(Edge::new(home.cup, Relation::On, home.table)));
+    /// assert!(!relations.has(Edge::new(home.cup, Relation::Inside, home.cabinet)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn has(&self, edge: Edge) -> bool {
-        self.of(edge.from).binary_search(&edge).is_ok()
+        self.edges_of(edge.from).binary_search(&edge).is_ok()
     }
 
     /// The relations that hold from one node to another.
     pub fn between(&self, from: NodeId, to: NodeId) -> Vec<Relation> {
-        self.of(from).into_iter().filter(|e| e.to == to).map(|e| e.relation).collect()
+        self.edges_of(from).into_iter().filter(|e| e.to == to).map(|e| e.relation).collect()
     }
 
     /// The supports of a thing and how they are known, also if the relation is inside, sitting or lying; empty
     /// for things that fall and for unknown nodes. By the repaired rule, whichever is selected.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// let supports = relations.supports(home.cup);
+    /// assert_eq!((supports.len(), supports[0].by, supports[0].kind), (1, home.table, vc_relations::SupportKind::Trace));
+    /// assert!((supports[0].gap - 0.001).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn supports(&self, id: NodeId) -> Vec<Support> {
         let supports = Supports::new(&self.world, &self.facts);
         self.world.index(id).map_or_else(Vec::new, |index| supports.of(index))
     }
 
     /// The things near a thing, by number. By the repaired rule, whichever is selected.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let relations = vc_relations::Relations::new(&home.graph, Default::default(), Default::default())?;
+    /// let near = relations.near(home.person);
+    /// let table = near.iter().find(|near| near.to == home.table).ok_or("too far")?;
+    /// assert_eq!(table.side, Some(vc_relations::NearSide::Front));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn near(&self, id: NodeId) -> Vec<Near> {
         let pairs = self.world.index(id).map_or(&[][..], |index| &self.world.pairs[index]);
         let near = pairs.iter().filter(|p| p.distance.is_finite());

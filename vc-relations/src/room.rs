@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Vector3};
-use vc_geometry::tree::Tree;
+use vc_geometry::tree::BoxTree;
 use vc_graph::{Aabb, NodeId, ObjectRole, Relation, SceneGraph};
 
 use crate::body::Body;
@@ -14,7 +14,7 @@ use crate::threshold::{BESIDE_DOOR, DOOR_SQUARE, ROOM_MARGIN, STOREY};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rooms {
     boxes: Vec<(Solid, NodeId)>,
-    tree: Tree,
+    tree: BoxTree,
     /// The room of each floor.
     floors: BTreeMap<NodeId, NodeId>,
 }
@@ -39,13 +39,13 @@ impl Rooms {
             }
         }
         let reach = |b: &(Solid, NodeId)| b.0.region().grown(ROOM_MARGIN, ROOM_MARGIN);
-        let tree = Tree::new(&boxes.iter().map(reach).collect::<Vec<_>>());
+        let tree = BoxTree::new(&boxes.iter().map(reach).collect::<Vec<_>>());
         Self { boxes, tree, floors: of_rooms }
     }
 
     /// The room of a thing: the one that contains its reference point. A floor belongs to its own room, as the
     /// centre of an L-shaped one can be in the next.
-    pub(crate) fn of(&self, body: &Body) -> Option<NodeId> {
+    pub(crate) fn room_of(&self, body: &Body) -> Option<NodeId> {
         self.floors.get(&body.id).copied().or_else(|| self.at(&body.midst()))
     }
 
@@ -58,7 +58,7 @@ impl Rooms {
     /// one within the thickness of a wall.
     pub(crate) fn at(&self, point: &Vector3<f32>) -> Option<NodeId> {
         let mut best: Option<(f32, NodeId)> = None;
-        self.tree.each(&Aabb { min: (*point).into(), max: (*point).into() }, |index| {
+        self.tree.for_each(&Aabb { min: (*point).into(), max: (*point).into() }, |index| {
             let (over, room) = &self.boxes[index];
             let (depth, room) = (depth(over, point), *room);
             if best.is_none_or(|(d, r)| depth > d || (depth == d && room < r)) {

@@ -13,7 +13,7 @@ pub(crate) fn can_face(body: &Body) -> bool {
 }
 
 /// Whether a body faces another, or why it does not.
-pub(crate) fn verdict(body: &Body, target: &Body, walls: &Walls) -> TraceOutcome {
+pub(crate) fn outcome(body: &Body, target: &Body, walls: &Walls) -> TraceOutcome {
     let front = Front::new(body, target);
     if !can_face(body) || !target.traits.lookable {
         TraceOutcome::Unfit
@@ -31,7 +31,7 @@ pub(crate) fn verdict(body: &Body, target: &Body, walls: &Walls) -> TraceOutcome
 /// The verdict with its figures.
 pub(crate) fn sight(body: &Body, target: &Body, walls: &Walls) -> Sight {
     let front = Front::new(body, target);
-    Sight { angle: front.angle(), distance: front.far, verdict: verdict(body, target, walls) }
+    Sight { angle: front.angle(), distance: front.far, outcome: outcome(body, target, walls) }
 }
 
 /// The direction to another thing and a body's front, in plan.

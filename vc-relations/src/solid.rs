@@ -1,7 +1,7 @@
 //! Convex solids in the world, and separating-axis tests between two of them.
 
 use nalgebra::{Matrix3, Vector3};
-use vc_geometry::order::{less, more};
+use vc_geometry::order::{greater, lesser};
 use vc_graph::Aabb;
 
 use crate::threshold::{BALL_SPOT, TRACE_SHRINK, UPRIGHT};
@@ -105,7 +105,7 @@ impl Solid {
     /// The point of its box nearest to a point.
     pub(crate) fn nearest(&self, point: &Vector3<f32>) -> Vector3<f32> {
         let own = self.axes.tr_mul(&(point - self.centre));
-        self.centre + self.axes * own.zip_map(&self.half, |at, half| less(more(at, -half), half))
+        self.centre + self.axes * own.zip_map(&self.half, |at, half| lesser(greater(at, -half), half))
     }
 
     /// Whether a segment from a point crosses its box, by the parameters at which it enters and leaves each
@@ -117,8 +117,8 @@ impl Solid {
             let (at, way, half) = (at[axis], way[axis], self.half[axis]);
             if way.abs() > 1e-9 {
                 let (one, other) = ((-half - at) / way, (half - at) / way);
-                enters = more(enters, less(one, other));
-                leaves = less(leaves, more(one, other));
+                enters = greater(enters, lesser(one, other));
+                leaves = lesser(leaves, greater(one, other));
             } else if at.abs() > half {
                 return false;
             }
@@ -227,7 +227,7 @@ fn level_gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     };
     let mut most = f32::NEG_INFINITY;
     let mut visit = |axis: Vector3<f32>| {
-        most = more(most, (way.x * axis.x + way.y * axis.y).abs() - reach(a, &axis) - reach(b, &axis));
+        most = greater(most, (way.x * axis.x + way.y * axis.y).abs() - reach(a, &axis) - reach(b, &axis));
         most <= enough
     };
     let faces = |s: &Solid, i: usize| s.axes.column(i).into();
@@ -245,11 +245,11 @@ pub(crate) fn gap(a: &Solid, b: &Solid, enough: f32) -> f32 {
     let way = b.centre - a.centre;
     if a.is_prism() && b.is_prism() {
         let rise = a.rise(b);
-        return if rise > enough { rise } else { more(rise, level_gap(a, b, enough)) };
+        return if rise > enough { rise } else { greater(rise, level_gap(a, b, enough)) };
     }
     let mut most = f32::NEG_INFINITY;
     each_axis(a, b, |axis| {
-        most = more(most, way.dot(&axis).abs() - a.reach(&axis) - b.reach(&axis));
+        most = greater(most, way.dot(&axis).abs() - a.reach(&axis) - b.reach(&axis));
         most <= enough
     });
     most
@@ -281,7 +281,7 @@ pub(crate) fn sweep(a: &Solid, b: &Solid, along: &Vector3<f32>, limit: f32) -> O
         }
         let (distance, speed, axis) = if speed < 0.0 { (-distance, -speed, -axis) } else { (distance, speed, axis) };
         let enters = (distance - reach) / speed;
-        leaves = less(leaves, (distance + reach) / speed);
+        leaves = lesser(leaves, (distance + reach) / speed);
         if enters > strike.way {
             strike = Strike { way: enters, normal: -axis };
         }

@@ -15,7 +15,7 @@ use crate::world::World;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Ground {
+pub enum SupportKind {
     /// A joint holds it.
     Joint,
     /// A contact pushes it up.
@@ -32,11 +32,12 @@ pub enum Ground {
 
 /// A thing on which another rests.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Support {
     /// The supporting thing.
     pub by: NodeId,
     /// How the support is known.
-    pub ground: Ground,
+    pub kind: SupportKind,
     /// Its share of the upward impulse if contacts are known, otherwise an equal share.
     pub share: f32,
     /// Gap between the two, metres; negative if one has sunk into the other. Zero for joints and contacts.
@@ -83,7 +84,7 @@ impl<'w> Supports<'w> {
     }
 
     /// For all bodies, whose supports are found once.
-    pub(crate) fn of_all(world: &'w World, facts: &'w Facts) -> Self {
+    pub(crate) fn for_all(world: &'w World, facts: &'w Facts) -> Self {
         let mut supports = Self::new(world, facts);
         let mut known = Known::default();
         for index in 0..world.bodies.len() {
@@ -121,7 +122,7 @@ impl<'w> Supports<'w> {
         let parents: Vec<NodeId> = attached.copied().filter(is_there).collect();
         if !parents.is_empty() {
             let share = 1.0 / parents.len() as f32;
-            let support = |&by| Support { by, ground: Ground::Joint, share, gap: 0.0 };
+            let support = |&by| Support { by, kind: SupportKind::Joint, share, gap: 0.0 };
             return self.put(index, parents.iter().map(support), out);
         }
         if body.traits.fixed {
@@ -132,7 +133,7 @@ impl<'w> Supports<'w> {
             let up = || pushes.iter().filter(|(by, v)| **v > 0.0 && is_there(by));
             let sum: f32 = up().map(|p| p.1).sum();
             let carries = up().filter(|(_, v)| **v >= IMPULSE_SHARE * sum);
-            let support = |(&by, v): (_, &f32)| Support { by, ground: Ground::Contact, share: v / sum, gap: 0.0 };
+            let support = |(&by, v): (_, &f32)| Support { by, kind: SupportKind::Contact, share: v / sum, gap: 0.0 };
             self.put(index, carries.map(support), out);
         }
         if out.len() == start {
@@ -160,7 +161,7 @@ impl<'w> Supports<'w> {
         }
         let start = out.len();
         let tied = pairs().filter(|p| p.rest.abs() <= best + SUPPORT_TIE);
-        out.extend(tied.map(|p| self.found(index, p, Ground::Trace, p.rest)));
+        out.extend(tied.map(|p| self.found(index, p, SupportKind::Trace, p.rest)));
         if out.len() > start + 1 {
             let uncovered = self.uncovered(&out[start..]);
             out.truncate(start);
@@ -225,9 +226,9 @@ impl<'w> Supports<'w> {
             && self.world.pair(between.index, deeper.index).is_some_and(|p| p.rest.is_finite())
     }
 
-    fn found(&self, index: usize, pair: &Pair, ground: Ground, gap: f32) -> Candidate {
+    fn found(&self, index: usize, pair: &Pair, kind: SupportKind, gap: f32) -> Candidate {
         let other = pair.other as usize;
-        self.candidate(index, other, Support { by: self.world.ids[other], ground, share: 1.0, gap })
+        self.candidate(index, other, Support { by: self.world.ids[other], kind, share: 1.0, gap })
     }
 
     /// The support of a hanging thing: a hook, otherwise its container, otherwise the wall or ceiling,
@@ -241,7 +242,7 @@ impl<'w> Supports<'w> {
             a.0.cmp(&b.0).then(a.1.gap.total_cmp(&b.1.gap)).then(a.1.other.cmp(&b.1.other))
         };
         let Some((rank, pair)) = ranked.min_by(order) else { return };
-        let ground = [Ground::Hook, Ground::Container, Ground::Hanging][usize::from(rank.min(2))];
+        let ground = [SupportKind::Hook, SupportKind::Container, SupportKind::Hanging][usize::from(rank.min(2))];
         let gap = if pair.gap.is_finite() { pair.gap } else { 0.0 };
         out.push(self.found(index, pair, ground, gap));
     }

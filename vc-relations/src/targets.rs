@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use vc_geometry::tree::Tree;
+use vc_geometry::tree::BoxTree;
 use vc_graph::Aabb;
 
 use crate::body::Body;
@@ -12,14 +12,14 @@ use crate::body::Body;
 pub(crate) struct Targets {
     /// Their numbers, sorted.
     items: Vec<u32>,
-    tree: Tree,
+    tree: BoxTree,
 }
 
 impl Targets {
     pub(crate) fn new(bodies: &[Option<Arc<Body>>]) -> Self {
         let (items, regions): (Vec<u32>, Vec<Aabb>) =
             (0..).zip(bodies).filter_map(|(item, body)| Some((item, region(body)?))).unzip();
-        Self { items, tree: Tree::new(&regions) }
+        Self { items, tree: BoxTree::new(&regions) }
     }
 
     /// Updates a body that has moved, come or gone. `None` if it was not a target before and is one now.
@@ -34,7 +34,7 @@ impl Targets {
 
     /// Calls `found` with every target that overlaps a region, in unspecified order.
     pub(crate) fn each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
-        self.tree.each(region, |place| found(self.items[place] as usize));
+        self.tree.for_each(region, |place| found(self.items[place] as usize));
     }
 }
 

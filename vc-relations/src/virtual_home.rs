@@ -15,7 +15,7 @@
 //! their scores are not held-out ones.
 
 use nalgebra::Point3;
-use vc_geometry::tree::Tree;
+use vc_geometry::tree::BoxTree;
 use vc_graph::{Aabb, Edge, Node, NodeId, NodeKind, ObjectRole, Relation, SceneGraph};
 
 use crate::threshold::{VH_CAST, VH_CLOSE, VH_FAR, VH_FOOTPRINT, VH_ROUNDING};
@@ -51,9 +51,9 @@ pub(crate) fn edges(graph: &SceneGraph) -> Vec<Edge> {
     let (rooms, things): (Vec<Item<'_>>, Vec<Item<'_>>) =
         items.into_iter().partition(|i| i.node.kind() == NodeKind::Room);
     let mut edges = Vec::new();
-    let tree = Tree::new(&things.iter().map(|i| i.aabb).collect::<Vec<_>>());
+    let tree = BoxTree::new(&things.iter().map(|i| i.aabb).collect::<Vec<_>>());
     for (i, a) in things.iter().enumerate() {
-        tree.each(&a.aabb.grown(VH_CLOSE, VH_CLOSE), |j| {
+        tree.for_each(&a.aabb.grown(VH_CLOSE, VH_CLOSE), |j| {
             if i != j {
                 pair(a, &things[j], &mut edges);
             }

@@ -1,6 +1,6 @@
 //! Walls between things.
 
-use vc_geometry::tree::Tree;
+use vc_geometry::tree::BoxTree;
 use vc_graph::Aabb;
 
 use crate::body::Body;
@@ -10,14 +10,14 @@ use crate::solid::Solid;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Walls {
     pieces: Vec<Solid>,
-    tree: Tree,
+    tree: BoxTree,
 }
 
 impl Walls {
     pub(crate) fn new<'b>(bodies: impl Iterator<Item = &'b Body>) -> Self {
         let building = bodies.filter(|b| b.traits.structure);
         let pieces: Vec<Solid> = building.flat_map(|b| &b.solids).copied().collect();
-        let tree = Tree::new(&pieces.iter().map(Solid::region).collect::<Vec<_>>());
+        let tree = BoxTree::new(&pieces.iter().map(Solid::region).collect::<Vec<_>>());
         Self { pieces, tree }
     }
 
@@ -35,7 +35,7 @@ impl Walls {
         let (from, to) = (a.whole.centre, b.whole.centre);
         let (way, region) = (to - from, Aabb::around(&from.into(), &to.into()));
         let mut crossed = false;
-        self.tree.each(&region, |wall| {
+        self.tree.for_each(&region, |wall| {
             let wall = &self.pieces[wall];
             crossed |= wall.meets(&region, 0.0) && wall.is_crossed(&from, &way);
         });
@@ -62,7 +62,7 @@ impl<'w> Among<'w> {
         let ways = apart.map(middle).reduce(|all, b| all.joined(&b));
         self.near.clear();
         if let Some(ways) = ways {
-            self.walls.tree.each(&ways.joined(&middle(a)), |wall| self.near.push(wall as u32));
+            self.walls.tree.for_each(&ways.joined(&middle(a)), |wall| self.near.push(wall as u32));
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use vc_geometry::cache::AssetCache;
-use vc_geometry::tree::{Meetings, Tree};
+use vc_geometry::tree::{BoxTree, OverlappingPairs};
 use vc_graph::{Aabb, AssetId, AssetLibrary, Node, NodeId, NodeKind, ObjectRole, Property, Relation, SceneGraph};
 
 use crate::body::Body;
@@ -27,7 +27,7 @@ pub(crate) struct World {
     pub(crate) bodies: Vec<Option<Arc<Body>>>,
     pub(crate) pairs: Vec<Vec<Pair>>,
     pub(crate) rooms: Rooms,
-    pub(crate) tree: Tree,
+    pub(crate) tree: BoxTree,
     pub(crate) targets: Targets,
     pub(crate) walls: Walls,
     forms: Forms,
@@ -35,7 +35,7 @@ pub(crate) struct World {
 
 /// The bodies whose relations may have changed with another's.
 #[derive(Debug, Default)]
-pub(crate) struct Met {
+pub(crate) struct Affected {
     /// Those whose supports may have changed, and with them those of others.
     pub(crate) bound: Vec<u32>,
     /// Those that are or were only near it, or only see it.
@@ -50,7 +50,7 @@ struct Forms {
 }
 
 impl Forms {
-    fn of(&self, node: &Node) -> Option<Arc<Form>> {
+    fn form_of(&self, node: &Node) -> Option<Arc<Form>> {
         if let Some(id) = node.spec().asset {
             let asset = self.library.get(id)?;
             let form = self.known.get(&self.library, id, |_| Form::new(asset));
@@ -89,7 +89,7 @@ impl World {
             self.bodies.push(body);
         }
         self.walls = Walls::new(self.bodies.iter().flatten().map(Arc::as_ref));
-        self.tree = Tree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
+        self.tree = BoxTree::new(&self.bodies.iter().map(region).collect::<Vec<_>>());
         self.targets = Targets::new(&self.bodies);
         self.measure_all();
     }
@@ -100,7 +100,7 @@ impl World {
         for id in floors.chain(graph.rooms().iter().copied()) {
             let Some(node) = graph.node(id) else { continue };
             let wanted = matches!(node.role(), ObjectRole::Room | ObjectRole::Floor);
-            if wanted && let Some(form) = self.forms.of(node) {
+            if wanted && let Some(form) = self.forms.form_of(node) {
                 bodies.extend(Body::new(node, form, Vec::new()).map(|b| (id, b)));
             }
         }
@@ -111,11 +111,11 @@ impl World {
         if node.kind() == NodeKind::Room {
             return None;
         }
-        let form = self.forms.of(node)?;
+        let form = self.forms.form_of(node)?;
         let position = |link| evidence.positions.get(&(node.id(), link)).copied();
         let positions = (0..form.joints.len() as u32).map(|link| position(link).unwrap_or(0.0)).collect();
         let mut body = Body::new(node, form, positions)?;
-        body.room = self.rooms.of(&body);
+        body.room = self.rooms.room_of(&body);
         Some(Arc::new(body))
     }
 
@@ -129,12 +129,12 @@ impl World {
         pairs.iter_mut().for_each(Vec::clear);
         pairs.resize_with(self.bodies.len(), || Vec::with_capacity(16));
         let zones: Vec<Aabb> = self.bodies.iter().map(|b| zone(b, 0.5)).collect();
-        let meetings = Meetings::new(&zones);
+        let overlaps = OverlappingPairs::new(&zones);
         let mut walls = Among::new(&self.walls);
         for (i, a) in self.bodies.iter().enumerate() {
             let Some(a) = a.as_deref() else { continue };
             let others =
-                || meetings.of(i).iter().filter_map(|&j| Some((j as usize, self.bodies[j as usize].as_deref()?)));
+                || overlaps.partners(i).iter().filter_map(|&j| Some((j as usize, self.bodies[j as usize].as_deref()?)));
             walls.gather(a, others().map(|(_, b)| b));
             // In this order every list comes out sorted.
             for (j, b) in others() {
@@ -150,7 +150,13 @@ impl World {
     /// Reads one node again and measures its pairs. Adds the bodies it had pairs with before and has now; `None` if
     /// the scene must be rebuilt, as for a room or part of the building, an unknown node, or one that was not
     /// lookable before.
-    pub(crate) fn update(&mut self, graph: &SceneGraph, id: NodeId, evidence: &Evidence, met: &mut Met) -> Option<()> {
+    pub(crate) fn update(
+        &mut self,
+        graph: &SceneGraph,
+        id: NodeId,
+        evidence: &Evidence,
+        affected: &mut Affected,
+    ) -> Option<()> {
         let index = self.index(id)?;
         let node = graph.node(id);
         let body = node.and_then(|n| self.body(n, evidence));
@@ -163,7 +169,7 @@ impl World {
         if node.is_none() {
             self.gone.insert(id);
         }
-        self.meet(index, met);
+        self.meet(index, affected);
         for pair in std::mem::take(&mut self.pairs[index]) {
             let theirs = &mut self.pairs[pair.other as usize];
             if let Ok(at) = theirs.binary_search_by_key(&(index as u32), |p| p.other) {
@@ -173,16 +179,16 @@ impl World {
         self.tree.set(index, region(&body));
         self.bodies[index] = body;
         self.pairs[index] = self.measure_one(index);
-        self.meet(index, met);
+        self.meet(index, affected);
         Some(())
     }
 
     /// Adds the bodies with which a body has pairs.
-    fn meet(&self, index: usize, met: &mut Met) {
+    fn meet(&self, index: usize, affected: &mut Affected) {
         for pair in &self.pairs[index] {
             let back = self.pair(pair.other as usize, index);
             let bound = pair.is_bound() || back.is_some_and(Pair::is_bound);
-            let list = if bound { &mut met.bound } else { &mut met.beside };
+            let list = if bound { &mut affected.bound } else { &mut affected.beside };
             list.push(pair.other);
         }
     }
@@ -190,9 +196,9 @@ impl World {
     /// Measures the pairs of one body; the opposite directions are put into the others' lists.
     fn measure_one(&mut self, index: usize) -> Vec<Pair> {
         let Some(a) = self.bodies[index].as_deref() else { return Vec::new() };
-        let mut met = Vec::new();
-        self.tree.each(&zone(&self.bodies[index], 1.0), |j| met.push(j));
-        let others = || met.iter().filter(|&&j| j != index).filter_map(|&j| Some((j, self.bodies[j].as_deref()?)));
+        let mut affected = Vec::new();
+        self.tree.for_each(&zone(&self.bodies[index], 1.0), |j| affected.push(j));
+        let others = || affected.iter().filter(|&&j| j != index).filter_map(|&j| Some((j, self.bodies[j].as_deref()?)));
         let mut walls = Among::new(&self.walls);
         walls.gather(a, others().map(|(_, b)| b));
         let (mut own, mut theirs) = (Vec::new(), Vec::new());
@@ -220,7 +226,7 @@ impl World {
         let mut column = body.region;
         column.min.z -= UNDER_REACH;
         let mut found = Vec::new();
-        self.tree.each(&column, |other| {
+        self.tree.for_each(&column, |other| {
             if other != index {
                 found.push(other);
             }
@@ -232,12 +238,12 @@ impl World {
     /// Extends the bound bodies by those that touch them or may rest on them by joint or contact, directly or
     /// through others, but not through the building, and by those below any of these, as their supports and the
     /// things they are under depend on each other. Returns the nodes with those beside, by number.
-    pub(crate) fn spread(&self, met: Met, facts: &Facts) -> Vec<NodeId> {
-        let Met { bound: mut met, beside } = met;
+    pub(crate) fn spread(&self, affected: Affected, facts: &Facts) -> Vec<NodeId> {
+        let Affected { bound: mut affected, beside } = affected;
         let mut known = vec![false; self.bodies.len()];
-        met.retain(|&m| !std::mem::replace(&mut known[m as usize], true));
+        affected.retain(|&m| !std::mem::replace(&mut known[m as usize], true));
         let mut next = 0;
-        while let Some(&index) = met.get(next) {
+        while let Some(&index) = affected.get(next) {
             next += 1;
             if self.bodies[index as usize].as_deref().is_some_and(|b| b.traits.structure) {
                 continue;
@@ -246,21 +252,21 @@ impl World {
             let carried = facts.carried(self.ids[index as usize]).filter_map(|id| self.index(id));
             for other in touching.map(|p| p.other).chain(carried.map(|i| i as u32)) {
                 if !std::mem::replace(&mut known[other as usize], true) {
-                    met.push(other);
+                    affected.push(other);
                 }
             }
         }
-        for above in 0..met.len() {
-            let index = met[above] as usize;
+        for above in 0..affected.len() {
+            let index = affected[above] as usize;
             for pair in self.pairs[index].iter().filter(|p| p.is_below) {
                 if !std::mem::replace(&mut known[pair.other as usize], true) {
-                    met.push(pair.other);
+                    affected.push(pair.other);
                 }
             }
         }
-        met.extend(beside.into_iter().filter(|&m| !std::mem::replace(&mut known[m as usize], true)));
-        met.sort_unstable();
-        met.into_iter().map(|m| self.ids[m as usize]).collect()
+        affected.extend(beside.into_iter().filter(|&m| !std::mem::replace(&mut known[m as usize], true)));
+        affected.sort_unstable();
+        affected.into_iter().map(|m| self.ids[m as usize]).collect()
     }
 
     /// The pair of one body with another.

@@ -42,7 +42,7 @@ impl Relations {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn write(&self, graph: &mut SceneGraph, nodes: &[NodeId]) -> Result<ChangeSet, EditError> {
-        self.write_but(graph, nodes, |_, _| None)
+        self.write_except(graph, nodes, |_, _| None)
     }
 
     /// Like [`Self::write`], for callers that know the places of some things regardless of geometry: `known` is
@@ -51,7 +51,7 @@ impl Relations {
     ///
     /// # Errors
     /// Those of [`Self::write`].
-    pub fn write_but(
+    pub fn write_except(
         &self,
         graph: &mut SceneGraph,
         nodes: &[NodeId],
@@ -60,7 +60,7 @@ impl Relations {
         let mut edit = graph.edit();
         let there = |id: &NodeId| graph_has(edit.graph(), *id);
         let there: Vec<NodeId> = nodes.iter().copied().filter(there).collect();
-        let mut own = self.of_each(&there);
+        let mut own = self.edges_of_each(&there);
         for (id, edges) in &mut own {
             if let Some(places) = known(edit.graph(), *id) {
                 edges.retain(|e| !rests(e) && e.relation != Relation::InRoom);

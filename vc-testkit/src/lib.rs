@@ -8,6 +8,7 @@ pub mod edits;
 pub mod flat;
 pub mod goals;
 pub mod golden;
+pub mod kitchen;
 pub mod scenes;
 
 use std::io::Write;

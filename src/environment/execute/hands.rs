@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Edge, EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
-use vc_physics::{BodyRole, Hand, Order};
+use vc_physics::{BodyRole, Hand, SpotOrder};
 
 use super::{Done, Execution, UPRIGHT};
 use crate::environment::PhysicalRefusal;
@@ -32,7 +32,7 @@ impl Execution<'_> {
         if self.world.pose(id).is_none() {
             return self.undress(hand, id);
         }
-        self.world.grab_all(self.agent, hand, id, &load_of(self.before, id))?;
+        self.world.grab_with_load(self.agent, hand, id, &load_of(self.before, id))?;
         self.course.push(BodyMotion::Take(hand, id));
         Ok(())
     }
@@ -69,7 +69,7 @@ impl Execution<'_> {
         }
         self.turn_to(&spot);
         if self.spot_as_begun(id, place)? == Some(spot) {
-            self.world.put_as(&self.start.world, (self.agent, hand), spot, place.at)?;
+            self.world.put_back(&self.start.world, (self.agent, hand), spot, place.at)?;
             self.course.push(BodyMotion::Put(Put { hand, id, pose: spot, balanced: true, tight: Some(place.at) }));
             return Ok(());
         }
@@ -92,7 +92,7 @@ impl Execution<'_> {
             return Ok(());
         }
         self.clear_away(id, around)?;
-        if let Some(middle) = self.spot_in_order(id, place, Order::Middle)? {
+        if let Some(middle) = self.spot_in_order(id, place, SpotOrder::Middle)? {
             self.world.place(id, middle)?;
             self.revise(middle, false);
             if self.comes_to_rest(id, place, middle, around) {
@@ -213,11 +213,11 @@ impl Execution<'_> {
     /// Where a thing was at its place at the start, if nothing has come there since.
     fn spot_as_begun(&self, id: NodeId, place: Place) -> Result<Option<Pose>, PhysicalRefusal> {
         let was_there = self.start.graph.places(id).any(|p| p == place);
-        Ok(if was_there { self.world.spot_as(&self.start.world, id, place.at)? } else { None })
+        Ok(if was_there { self.world.former_spot(&self.start.world, id, place.at)? } else { None })
     }
 
-    fn near_hands(&self) -> Order {
-        Order::Near(self.feet() * Point3::new(AHEAD, 0.0, 1.0))
+    fn near_hands(&self) -> SpotOrder {
+        SpotOrder::Near(self.feet() * Point3::new(AHEAD, 0.0, 1.0))
     }
 
     fn free_spot(&self, id: NodeId, place: Place) -> Result<Option<Pose>, PhysicalRefusal> {
@@ -225,7 +225,7 @@ impl Execution<'_> {
     }
 
     /// The first free spot at a place where the thing shuts nobody in.
-    fn spot_in_order(&self, id: NodeId, place: Place, order: Order) -> Result<Option<Pose>, PhysicalRefusal> {
+    fn spot_in_order(&self, id: NodeId, place: Place, order: SpotOrder) -> Result<Option<Pose>, PhysicalRefusal> {
         let inside = place.relation == Relation::Inside;
         let admits = |spot: &Pose| inside || self.shuts_nobody_in(id, spot);
         Ok(self.world.free_spot_where(id, place.at, inside, order, admits)?)
@@ -233,7 +233,7 @@ impl Execution<'_> {
 
     /// Whether all agents, with a thing at a pose, still reach the floor that they reach now.
     fn shuts_nobody_in(&self, id: NodeId, pose: &Pose) -> bool {
-        let stood = |agent| self.world.stood(agent).or_else(|| self.world.pose(agent));
+        let stood = |agent| self.world.stood_before(agent).or_else(|| self.world.pose(agent));
         let feet = self.world.agents().filter_map(stood).map(|feet| feet.translation.vector.xy().into());
         let feet: Vec<Point2<f32>> = feet.collect();
         self.floor.stays_open(self.world, id, pose, &feet).unwrap_or(true)
@@ -274,10 +274,10 @@ impl Execution<'_> {
             // Out of the way of those that come before it.
             self.world.place(*thing, Pose::translation(10.0 * index as f32, 0.0, AWAY))?;
         }
-        let (inside, order, mut moved) = (place.relation == Relation::Inside, Order::Near(to), Vec::new());
+        let (inside, order, mut moved) = (place.relation == Relation::Inside, SpotOrder::Near(to), Vec::new());
         for &thing in things {
             let spot = if close {
-                self.world.close_spot_at(thing, place.at, inside, order)?
+                self.world.packed_spot_at(thing, place.at, inside, order)?
             } else {
                 self.world.free_spot_at(thing, place.at, inside, order)?
             };
@@ -342,7 +342,7 @@ impl Execution<'_> {
         let room = self.before.room_of(self.agent);
         let here = |spot: &Pose| self.start.room_at(spot.translation.vector.xy().into()) == room;
         for ahead in [AHEAD, 0.0, -AHEAD] {
-            let order = Order::Near(self.feet() * Point3::new(ahead, 0.0, 0.0));
+            let order = SpotOrder::Near(self.feet() * Point3::new(ahead, 0.0, 0.0));
             let spot = self.spot_in_order(id, place, order)?;
             if let Some(spot) = spot.filter(|spot| here(spot) && self.puts_from(&self.feet(), id, spot)) {
                 return Ok(Some(spot));

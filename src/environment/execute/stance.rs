@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3, Vector2};
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, NodeKind, Pose, Property};
-use vc_physics::{PhysicsWorld, Stand};
+use vc_physics::{PhysicsWorld, StandingPose};
 
 use super::{Done, Execution, towards};
 use crate::environment::PhysicalRefusal;
@@ -24,11 +24,11 @@ impl Execution<'_> {
     pub(super) fn reach(&mut self, id: NodeId) -> Done {
         let body = self.body_of(id)?;
         let reach = self.plan().reach;
-        if self.world.reach_to(self.agent, body)? <= reach {
+        if self.world.reach_distance(self.agent, body)? <= reach {
             return self.face(body);
         }
         if !self.stands() {
-            let distance = self.world.reach_to(self.agent, body)?;
+            let distance = self.world.reach_distance(self.agent, body)?;
             return Err(vc_physics::AgentError::OutOfReach { agent: self.agent, id: body, distance, reach }.into());
         }
         self.floor.update(self.world);
@@ -42,7 +42,7 @@ impl Execution<'_> {
         if self.is_overhead(body) || self.has_cord(body) {
             return matches!(self.stand_before(id), Ok(Some(_)));
         }
-        let here = self.world.reach_to(self.agent, body).is_ok_and(|far| far <= self.plan().reach);
+        let here = self.world.reach_distance(self.agent, body).is_ok_and(|far| far <= self.plan().reach);
         here || matches!(self.stand_at(body, self.before.room_of(body)), Ok(Some(_)))
     }
 
@@ -54,7 +54,11 @@ impl Execution<'_> {
 
     /// A spot in a room from which the agent reaches a thing: where it sees it too, if
     /// there is one.
-    pub(super) fn stand_at(&mut self, id: NodeId, room: Option<NodeId>) -> Result<Option<Stand>, PhysicalRefusal> {
+    pub(super) fn stand_at(
+        &mut self,
+        id: NodeId,
+        room: Option<NodeId>,
+    ) -> Result<Option<StandingPose>, PhysicalRefusal> {
         self.at_need_nudging(|execution| {
             let found = execution.stand_where(id, room, |feet| execution.sees(feet, id))?;
             if found.is_some() { Ok(found) } else { execution.stand_where(id, room, |_| true) }
@@ -87,10 +91,10 @@ impl Execution<'_> {
         id: NodeId,
         room: Option<NodeId>,
         admits: impl Fn(&Pose) -> bool,
-    ) -> Result<Option<Stand>, PhysicalRefusal> {
+    ) -> Result<Option<StandingPose>, PhysicalRefusal> {
         let from = self.feet().translation.vector.xy().into();
         let good = |feet: &Pose| self.is_good(feet, room) && admits(feet);
-        Ok(self.floor.stand_where(self.world, &self.plan(), from, id, good)?)
+        Ok(self.floor.standing_pose_where(self.world, &self.plan(), from, id, good)?)
     }
 
     /// Whether the agent may stand somewhere: in a room, where nobody else is, and free, or by
@@ -103,7 +107,7 @@ impl Execution<'_> {
             around.iter().all(|offset| at(offset).is_none_or(|r| r == room)) && at(&around[0]) == Some(room)
         };
         let free = || match self.nudges {
-            false => self.world.stands_free(self.agent, feet).unwrap_or(false),
+            false => self.world.can_stand(self.agent, feet).unwrap_or(false),
             true => self.world.parts_to_move_aside(self.agent, feet).is_ok_and(|parts| parts.is_some()),
         };
         room.is_none_or(inner) && self.is_unclaimed(&spot) && free()
@@ -116,8 +120,8 @@ impl Execution<'_> {
     }
 
     /// Walks to a spot at once; what stands open in its way there gives way.
-    pub(super) fn walk(&mut self, stand: Stand) -> Done {
-        let Stand { feet, mut route } = stand;
+    pub(super) fn walk(&mut self, stand: StandingPose) -> Done {
+        let StandingPose { feet, mut route } = stand;
         // A way begins on the free floor, somebody perhaps a step beside it.
         let from = Point2::from(self.feet().translation.vector.xy());
         if route.points.first().is_some_and(|first| (first - from).norm() > 0.01) {
@@ -146,7 +150,7 @@ impl Execution<'_> {
 
     /// Before a thing: within reach of it and not only of its open door, else near it; else the
     /// same for what it is on or in, as long as that is near the thing itself.
-    pub(super) fn stand_before(&self, id: NodeId) -> Result<Option<Stand>, PhysicalRefusal> {
+    pub(super) fn stand_before(&self, id: NodeId) -> Result<Option<StandingPose>, PhysicalRefusal> {
         for at in std::iter::once(id).chain(self.before.support_chain(id)) {
             for far in [self.plan().stretch(), NEAR] {
                 let reach = self.stand_within(id, at, far)?;
@@ -164,7 +168,7 @@ impl Execution<'_> {
 
     /// Within reach of one thing, so near to another: where it is seen too, if there is such a
     /// spot.
-    fn stand_within(&self, id: NodeId, at: NodeId, far: f32) -> Result<Option<Stand>, PhysicalRefusal> {
+    fn stand_within(&self, id: NodeId, at: NodeId, far: f32) -> Result<Option<StandingPose>, PhysicalRefusal> {
         if self.world.aabb(at).is_none() {
             return Ok(None);
         }
@@ -181,18 +185,18 @@ impl Execution<'_> {
     }
 
     /// As near as possible to the middle of a room.
-    pub(super) fn stand_in(&self, room: NodeId) -> Option<Stand> {
+    pub(super) fn stand_in(&self, room: NodeId) -> Option<StandingPose> {
         let from: Point2<f32> = self.feet().translation.vector.xy().into();
         let aabb = self.before.node(room)?.aabb()?;
         if self.before.room_of(self.agent) == Some(room) {
             let route = self.floor.route(from, from)?;
-            return Some(Stand { feet: self.feet(), route });
+            return Some(StandingPose { feet: self.feet(), route });
         }
         self.nearest_stand(Some(room), aabb.centre(), f32::INFINITY, |_| true)
     }
 
     /// Near a thing that is out of reach of the hands, as near as one gets.
-    fn stand_beside(&self, id: NodeId, admits: impl Fn(&Pose) -> bool) -> Option<Stand> {
+    fn stand_beside(&self, id: NodeId, admits: impl Fn(&Pose) -> bool) -> Option<StandingPose> {
         let node = self.before.node(id)?;
         let centre = node.aabb().map_or_else(|| node.position(), |b| Some(b.centre()))?;
         self.nearest_stand(self.before.room_of(id), centre, f32::INFINITY, |feet| {
@@ -207,7 +211,7 @@ impl Execution<'_> {
         to: Point3<f32>,
         within: f32,
         admits: impl Fn(&Pose) -> bool,
-    ) -> Option<Stand> {
+    ) -> Option<StandingPose> {
         let from: Point2<f32> = self.feet().translation.vector.xy().into();
         let middle = to.xy();
         let step = |i: i32| i as f32 * 0.15;
@@ -217,7 +221,7 @@ impl Execution<'_> {
         let mut spots: Vec<Point2<f32>> = all.chain([from]).filter(near).collect();
         let far = |p: &Point2<f32>| (p - middle).norm_squared();
         spots.sort_by(|a, b| far(a).total_cmp(&far(b)));
-        let level = self.floor.plan().level;
+        let level = self.floor.options().level;
         let good = spots.into_iter().filter(|p| {
             let feet = Pose::translation(p.x, p.y, level);
             admits(&feet) && self.is_good(&feet, room)
@@ -227,8 +231,8 @@ impl Execution<'_> {
         let back = route.points.iter().rev().map(|p| spot - p).find(|w| w.norm() > 1e-3);
         let front = if way.norm() > 0.2 { Some(way) } else { back };
         let turn = front.map_or(self.feet().rotation, towards);
-        let at = nalgebra::Translation3::new(spot.x, spot.y, self.floor.plan().level);
-        Some(Stand { feet: Pose::from_parts(at, turn), route })
+        let at = nalgebra::Translation3::new(spot.x, spot.y, self.floor.options().level);
+        Some(StandingPose { feet: Pose::from_parts(at, turn), route })
     }
 
     /// Turns to a thing where the agent stands.
@@ -249,8 +253,8 @@ impl Execution<'_> {
     /// Whether a thing can be put at a pose by an agent with its feet somewhere: within reach, and not where its
     /// own body is.
     pub(super) fn puts_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
-        self.world.reach_to_put(self.agent, feet, id, spot).is_ok_and(|far| far <= self.plan().reach)
-            && (!self.stands() || self.world.stands_beside(self.agent, feet, id, spot).unwrap_or(false))
+        self.world.put_distance(self.agent, feet, id, spot).is_ok_and(|far| far <= self.plan().reach)
+            && (!self.stands() || self.world.is_clear_of_body(self.agent, feet, id, spot).unwrap_or(false))
     }
 
     /// Walks to where a spot on or in a thing can be reached, else as near to it as one gets.
@@ -268,7 +272,7 @@ impl Execution<'_> {
         room: Option<NodeId>,
         id: NodeId,
         spot: &Pose,
-    ) -> Result<Option<Stand>, PhysicalRefusal> {
+    ) -> Result<Option<StandingPose>, PhysicalRefusal> {
         let target = Point3::from(spot.translation.vector);
         self.at_need_nudging(|execution| {
             Ok(execution.nearest_stand(room, target, NEAR, |feet| execution.puts_from(feet, id, spot)))
@@ -287,11 +291,11 @@ impl Execution<'_> {
     /// container stands where it sees into it, if there is such a spot.
     pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
         let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
-        let clear_here = self.world.stands_clear(self.agent, &self.feet(), id, &swing)?;
-        let free = |feet: &Pose, at: &[f32]| self.world.stands_clear(self.agent, feet, id, at).unwrap_or(false);
+        let clear_here = self.world.can_stand_with_open(self.agent, &self.feet(), id, &swing)?;
+        let free = |feet: &Pose, at: &[f32]| self.world.can_stand_with_open(self.agent, feet, id, at).unwrap_or(false);
         let clear = |feet: &Pose| free(feet, &swing);
         self.floor.update(self.world);
-        let stays = self.world.reach_to(self.agent, id)? <= self.plan().reach && clear_here;
+        let stays = self.world.reach_distance(self.agent, id)? <= self.plan().reach && clear_here;
         let opened = if open > 0.5 { self.opened(id)? } else { None };
         let shows = |feet: &Pose| opened.as_ref().is_none_or(|opened| self.shows_inside(opened, feet, id));
         if stays && shows(&self.feet()) {

@@ -43,7 +43,7 @@ impl Player {
         if before < REACHING && self.time >= REACHING {
             self.handling.out = show.world.pose(id).map(|pose| feet.inverse() * pose);
             let Environment { world, graph, .. } = &mut *show;
-            drop(world.grab_all(agent, hand, id, &load_of(graph, id)));
+            drop(world.grab_with_load(agent, hand, id, &load_of(graph, id)));
             self.handling.rest = world.grip(agent, hand);
             self.come_true(show);
         }
@@ -67,7 +67,7 @@ impl Player {
             match put.tight {
                 Some(at) => {
                     let start = show.start.clone();
-                    drop(show.world.put_as(&start.world, (agent, put.hand), put.pose, at));
+                    drop(show.world.put_back(&start.world, (agent, put.hand), put.pose, at));
                 }
                 None => drop(show.world.put(agent, put.hand, put.pose)),
             }

@@ -35,7 +35,7 @@ fn rebuilt(home: &Environment) -> SceneGraph {
     let places = |graph: &SceneGraph, id: NodeId| graph.places(id).collect::<Vec<Place>>();
     let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
     let kept = |graph: &SceneGraph, id| Some(places(graph, id)).filter(|all| is_open(id) && all.iter().all(rests));
-    relations.write_but(&mut graph, &all, |graph, id| kept(graph, id).filter(|all| !all.is_empty())).unwrap();
+    relations.write_except(&mut graph, &all, |graph, id| kept(graph, id).filter(|all| !all.is_empty())).unwrap();
     graph
 }
 
@@ -136,7 +136,7 @@ fn doors_swing_past_who_opens_them() {
         act(&mut copy, me, Verb::Open, &[fridge]);
         assert!(copy.world().openness(fridge) > Some(0.9));
         assert!(copy.graph().relating(Relation::Inside, fridge).eq(within));
-        assert_eq!(copy.world().stands_free(me, &copy.world().pose(me).unwrap()), Ok(true));
+        assert_eq!(copy.world().can_stand(me, &copy.world().pose(me).unwrap()), Ok(true));
     }
 }
 

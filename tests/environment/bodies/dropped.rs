@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use virtualcity::graph::{Bounds, ClassTable, Draft, NodeId, Pose, Property, SceneBuilder, Seed};
-use virtualcity::physics::{PhysicsWorld, Settings, Shapes};
+use virtualcity::physics::{PhysicsWorld, Settings, ShapeCache};
 use virtualcity::procgen::material;
 use virtualcity::procgen::object::{Generator, generator, generators};
 
@@ -52,7 +52,7 @@ fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (PhysicsWorld, Ve
         things.push(scene.add(draft).unwrap());
     }
     scene.assets(Arc::new(library));
-    (PhysicsWorld::build(&scene.build(), &Shapes::new(), Settings::default()).unwrap(), things)
+    (PhysicsWorld::build(&scene.build(), &ShapeCache::new(), Settings::default()).unwrap(), things)
 }
 
 /// The numbers of instances that are still awake, and of those below the floor.

@@ -21,8 +21,8 @@ use std::ops::Range;
 pub struct BitGrid {
     /// Number of words in a row.
     pub(super) words: usize,
-    width: usize,
-    height: usize,
+    pub(super) width: usize,
+    pub(super) height: usize,
     pub(super) rows: Vec<u64>,
 }
 
@@ -70,6 +70,12 @@ impl BitGrid {
     }
 
     /// Sets or clears a rectangle, clipped to the grid.
+    ///
+    /// ```
+    /// let mut walls = vc_geometry::grid::BitGrid::new(20, 10);
+    /// walls.fill((-5, 3), (8, 50), true);
+    /// assert_eq!(walls.count(), 3 * 2); // Clipped to the grid.
+    /// ```
     pub fn fill(&mut self, x: (i32, i32), y: (i32, i32), value: bool) {
         let Some((words, rows)) = self.cut(x, y) else { return };
         for (word, mask) in words {
@@ -81,6 +87,12 @@ impl BitGrid {
     }
 
     /// Sets or clears the columns `from..to` of a row, clipped to the grid.
+    ///
+    /// ```
+    /// let mut row = vc_geometry::grid::BitGrid::new(100, 1);
+    /// row.fill_row(0, 60, 70, true);
+    /// assert!(row.get(60, 0) && row.get(69, 0) && !row.get(70, 0));
+    /// ```
     pub fn fill_row(&mut self, row: usize, from: usize, to: usize, value: bool) {
         let to = to.min(self.width);
         if from >= to || row >= self.height {
@@ -123,6 +135,12 @@ impl BitGrid {
     }
 
     /// Whether any bit of a rectangle is set.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(10, 10);
+    /// free.set(4, 7);
+    /// assert!(free.any((0, 5), (7, 8)) && !free.any((5, 10), (0, 10)));
+    /// ```
     pub fn any(&self, x: (i32, i32), y: (i32, i32)) -> bool {
         self.first(x, y).is_some()
     }
@@ -133,6 +151,13 @@ impl BitGrid {
     }
 
     /// Runs of set bits in a row: the first column of each, and one past its last.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(10, 1);
+    /// free.fill((1, 3), (0, 1), true);
+    /// free.fill((5, 9), (0, 1), true);
+    /// assert_eq!(free.runs(0).collect::<Vec<_>>(), [(1, 3), (5, 9)]);
+    /// ```
     pub fn runs(&self, row: usize) -> impl Iterator<Item = (u32, u32)> + '_ {
         let inside = row < self.height;
         let words = if inside { &self.rows[row * self.words..(row + 1) * self.words] } else { &[] };
@@ -146,60 +171,24 @@ impl BitGrid {
     }
 
     /// The cells whose bits are set, row by row: column and row.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(10, 10);
+    /// free.fill((2, 4), (3, 4), true);
+    /// assert_eq!(free.cells().collect::<Vec<_>>(), [(2, 3), (3, 3)]);
+    /// ```
     pub fn cells(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         (0..self.height)
             .flat_map(|y| self.runs(y).flat_map(move |(from, to)| (from as usize..to as usize).map(move |x| (x, y))))
     }
 
-    /// The bits that are the lower-left corner of a square of set bits with the given side.
-    pub fn squares(&self, side: usize) -> Self {
-        let mut out = self.clone();
-        for row in out.rows.chunks_mut(self.words) {
-            for _ in 1..side {
-                for i in 0..row.len() {
-                    let next = row.get(i + 1).copied().unwrap_or(0);
-                    row[i] &= row[i] >> 1 | next << 63;
-                }
-            }
-        }
-        for at in 0..out.rows.len() {
-            let above = |k: usize| out.rows.get(at + k * self.words).copied().unwrap_or(0);
-            out.rows[at] = (1..side).fold(out.rows[at], |bits, k| bits & above(k));
-        }
-        out
-    }
-
-    /// The union of the squares whose lower-left corners are set: the inverse of [`BitGrid::squares`].
-    pub fn covered(&self, side: usize) -> Self {
-        let mut out = self.clone();
-        for row in out.rows.chunks_mut(self.words) {
-            for _ in 1..side {
-                for i in (0..row.len()).rev() {
-                    let before = if i > 0 { row[i - 1] } else { 0 };
-                    row[i] |= row[i] << 1 | before >> 63;
-                }
-            }
-        }
-        for at in (0..out.rows.len()).rev() {
-            let below = |k: usize| at.checked_sub(k * self.words).map_or(0, |at| out.rows[at]);
-            out.rows[at] = (1..side).fold(out.rows[at], |bits, k| bits | below(k));
-        }
-        out.trim();
-        out
-    }
-
-    /// Whether every set bit is also set in another grid of the same size.
-    pub fn is_within(&self, other: &Self) -> bool {
-        self.rows.iter().zip(&other.rows).all(|(a, b)| a & !b == 0)
-    }
-
-    /// The intersection with another grid of the same size.
-    pub fn and(&self, other: &Self) -> Self {
-        let rows = self.rows.iter().zip(&other.rows).map(|(a, b)| a & b).collect();
-        Self { rows, ..*self }
-    }
-
     /// The first set bit of a rectangle.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(10, 10);
+    /// free.fill((3, 5), (6, 8), true);
+    /// assert_eq!(free.first((4, 10), (0, 10)), Some((4, 6)));
+    /// ```
     pub fn first(&self, x: (i32, i32), y: (i32, i32)) -> Option<(usize, usize)> {
         let (words, mut rows) = self.cut(x, y)?;
         rows.find_map(|row| {
@@ -208,13 +197,6 @@ impl BitGrid {
                 (bits != 0).then(|| (word * 64 + bits.trailing_zeros() as usize, row))
             })
         })
-    }
-
-    /// The complement.
-    pub fn inverted(&self) -> Self {
-        let mut out = Self { rows: self.rows.iter().map(|w| !w).collect(), ..*self };
-        out.trim();
-        out
     }
 
     /// Clears what an operation on words has set beyond the last column.
@@ -249,6 +231,11 @@ pub(super) fn span(from: usize, to: usize) -> u64 {
 
 /// The largest integer not greater than a number, as the cell that contains a coordinate. Avoids the function
 /// call that rounding costs on baseline x86-64.
+///
+/// ```
+/// use vc_geometry::grid::{ceiling, floor};
+/// assert_eq!((floor(2.5), floor(-2.5), ceiling(2.5), ceiling(-2.5)), (2, -3, 3, -2));
+/// ```
 #[inline]
 pub fn floor(v: f32) -> i32 {
     let whole = v as i32;

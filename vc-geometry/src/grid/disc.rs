@@ -22,6 +22,14 @@ impl Disc {
 
     /// The cells whose centres are at most `radius` cells from the centre of the middle cell; the middle cell
     /// alone if the radius is below one or no number.
+    ///
+    /// ```
+    /// use vc_geometry::grid::{BitGrid, Disc};
+    /// let mut reach = BitGrid::new(11, 11);
+    /// reach.set(5, 5);
+    /// assert_eq!(reach.dilated(&Disc::within(1.0)).count(), 5);
+    /// assert_eq!(reach.dilated(&Disc::within(1.5)).count(), 9);
+    /// ```
     pub fn within(radius: f32) -> Self {
         let inside = |row: usize, column: usize| (row * row + column * column) as f32 <= radius * radius;
         let most = radius.clamp(0.0, 1e4) as usize;
@@ -49,6 +57,14 @@ impl BitGrid {
     }
 
     /// Clears all bits within a disc of a rectangle.
+    ///
+    /// ```
+    /// use vc_geometry::grid::{BitGrid, Disc};
+    /// let mut free = BitGrid::new(11, 1);
+    /// free.fill((0, 11), (0, 1), true);
+    /// free.clear_near((5, 6), (0, 1), &Disc::touching(2));
+    /// assert_eq!(free.runs(0).collect::<Vec<_>>(), [(0, 3), (8, 11)]);
+    /// ```
     pub fn clear_near(&mut self, x: (i32, i32), y: (i32, i32), disc: &Disc) {
         disc.around(x, y).for_each(|(x, y)| self.fill(x, y, false));
     }

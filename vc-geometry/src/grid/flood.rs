@@ -8,6 +8,13 @@ impl BitGrid {
     ///
     /// Spreads from row to row, whole runs of a row at once, alternately up and down the grid: costs a few
     /// operations for each word of the rows reached, times the number of turns of the region's longest way.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(20, 10);
+    /// free.fill((0, 20), (0, 10), true);
+    /// free.fill((10, 11), (0, 10), false); // A wall without a door.
+    /// assert_eq!(free.flood(2, 2).count(), 10 * 10);
+    /// ```
     pub fn flood(&self, x: usize, y: usize) -> Self {
         let mut seen = self.empty();
         if !self.get(x, y) {
@@ -49,6 +56,13 @@ impl BitGrid {
     /// The largest connected part; of parts of one size the one that begins first, row by row.
     ///
     /// Joins the runs of neighbouring rows (union-find; Tarjan 1975), nearly linear in their number.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(20, 10);
+    /// free.fill((0, 6), (0, 10), true);
+    /// free.fill((8, 20), (0, 10), true);
+    /// assert_eq!(free.largest().count(), 12 * 10);
+    /// ```
     pub fn largest(&self) -> Self {
         let runs: Vec<(usize, u32, u32)> =
             (0..self.height()).flat_map(|y| self.runs(y).map(move |(from, to)| (y, from, to))).collect();
@@ -82,6 +96,15 @@ impl BitGrid {
 
     /// Whether the set bits within a distance of a rectangle are connected there, in columns and rows: then a
     /// walker whose path crossed the rectangle can walk around it.
+    ///
+    /// ```
+    /// let mut free = vc_geometry::grid::BitGrid::new(20, 20);
+    /// free.fill((0, 20), (0, 20), true);
+    /// free.fill((9, 11), (9, 11), false);
+    /// assert!(free.is_whole_around((9, 11), (9, 11), 3)); // One can walk around a post.
+    /// free.fill((0, 20), (9, 11), false);
+    /// assert!(!free.is_whole_around((9, 11), (9, 11), 3)); // A wall cuts the floor in two.
+    /// ```
     pub fn is_whole_around(&self, x: (i32, i32), y: (i32, i32), far: usize) -> bool {
         let far = far as i32;
         let grown = |(low, high): (i32, i32)| (low.saturating_sub(far), high.saturating_add(far));

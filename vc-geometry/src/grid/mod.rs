@@ -24,6 +24,7 @@ mod bits;
 mod disc;
 mod flood;
 mod raster;
+mod sets;
 mod spans;
 
 pub use bits::{BitGrid, ceiling, floor};

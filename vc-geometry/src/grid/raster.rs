@@ -105,6 +105,14 @@ impl Raster {
     }
 
     /// The cell that contains a point: column and row.
+    ///
+    /// ```
+    /// use nalgebra::Point2;
+    /// let floor = vc_geometry::grid::Raster::over(Point2::new(1.0, 1.0), Point2::new(3.0, 2.0), 0.1).ok_or("empty")?;
+    /// assert_eq!(floor.cell_of(&Point2::new(1.25, 1.05)), Some((2, 0)));
+    /// assert_eq!(floor.cell_of(&Point2::new(0.5, 1.05)), None);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn cell_of(&self, p: &Point2<f32>) -> Option<(usize, usize)> {
         let (x, y) = self.in_cells(p);
         let inside = x >= 0.0 && y >= 0.0 && x < self.cells.width() as f64 && y < self.cells.height() as f64;
@@ -118,6 +126,16 @@ impl Raster {
 
     /// The centre of the nearest set cell within a distance, metres; the point itself if its own cell is set. Costs
     /// some operations for each cell within the distance.
+    ///
+    /// ```
+    /// use nalgebra::Point2;
+    /// let corner = |x: f32, y: f32| Point2::new(x, y);
+    /// let mut floor = vc_geometry::grid::Raster::over(corner(0.0, 0.0), corner(2.0, 1.0), 0.1).ok_or("empty")?;
+    /// floor.paint(&[corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)], 0.0, true);
+    /// let nearest = floor.nearest(&corner(1.5, 0.55), 1.0).ok_or("none")?;
+    /// assert!((nearest - corner(0.95, 0.55)).norm() < 1e-4);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn nearest(&self, p: &Point2<f32>, within: f32) -> Option<Point2<f32>> {
         if self.holds(p) {
             return Some(*p);

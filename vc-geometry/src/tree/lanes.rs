@@ -3,7 +3,7 @@
 use vc_graph::Aabb;
 use wide::f32x8;
 
-use crate::order::{less, more};
+use crate::order::{greater, lesser};
 
 /// Number of boxes compared together.
 pub(super) const LANES: usize = 8;
@@ -52,8 +52,8 @@ impl Group {
     pub(super) fn whole(&self) -> Aabb {
         let mut whole = Aabb::EMPTY;
         for axis in 0..3 {
-            whole.min[axis] = self.low[axis].as_array().iter().copied().fold(f32::INFINITY, less);
-            whole.max[axis] = self.high[axis].as_array().iter().copied().fold(f32::NEG_INFINITY, more);
+            whole.min[axis] = self.low[axis].as_array().iter().copied().fold(f32::INFINITY, lesser);
+            whole.max[axis] = self.high[axis].as_array().iter().copied().fold(f32::NEG_INFINITY, greater);
         }
         whole
     }

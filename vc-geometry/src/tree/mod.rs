@@ -10,7 +10,7 @@ use vc_graph::Aabb;
 
 use crate::order::sorted;
 use lanes::{Group, LANES, Probe, grouped};
-pub use sweep::Meetings;
+pub use sweep::OverlappingPairs;
 
 /// A tree over boxes in which every node has eight children, except the last one of a level. A box that moves
 /// keeps its place, and the nodes above it are measured again, so that answers stay exact and only the speed
@@ -18,18 +18,18 @@ pub use sweep::Meetings;
 ///
 /// ```
 /// use nalgebra::Point3;
-/// use vc_geometry::tree::Tree;
+/// use vc_geometry::tree::BoxTree;
 /// use vc_graph::Aabb;
 /// let cube = |x: f32| Aabb::around(&Point3::new(x, 0.0, 0.0), &Point3::new(x + 1.0, 1.0, 1.0));
-/// let mut tree = Tree::new(&(0..100).map(|i| cube(2.0 * i as f32)).collect::<Vec<_>>());
+/// let mut tree = BoxTree::new(&(0..100).map(|i| cube(2.0 * i as f32)).collect::<Vec<_>>());
 /// tree.set(50, cube(0.5));
 /// let mut met = Vec::new();
-/// tree.each(&cube(0.2), |item| met.push(item));
+/// tree.for_each(&cube(0.2), |item| met.push(item));
 /// met.sort_unstable();
 /// assert_eq!(met, [0, 50]);
 /// ```
 #[derive(Debug, Clone, Default)]
-pub struct Tree {
+pub struct BoxTree {
     /// Groups of the boxes themselves, then groups of the groups' boxes, up to a single group.
     levels: Vec<Vec<Group>>,
     /// Number of the box at each place of the lowest level.
@@ -38,7 +38,7 @@ pub struct Tree {
     places: Vec<u32>,
 }
 
-impl Tree {
+impl BoxTree {
     /// The tree of some boxes; a box's number is its index. Takes time as for sorting them.
     pub fn new(boxes: &[Aabb]) -> Self {
         let items = in_tiles(boxes);
@@ -64,7 +64,7 @@ impl Tree {
 
     /// Calls `found` with every box that overlaps or touches a region, in unspecified order.
     #[inline]
-    pub fn each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
+    pub fn for_each(&self, region: &Aabb, mut found: impl FnMut(usize)) {
         if !self.items.is_empty() {
             self.descend(self.levels.len() - 1, 0, &Probe::new(region), &mut found);
         }

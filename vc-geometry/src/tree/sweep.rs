@@ -9,20 +9,20 @@ use crate::order::sorted;
 ///
 /// ```
 /// use nalgebra::Point3;
-/// use vc_geometry::tree::Meetings;
+/// use vc_geometry::tree::OverlappingPairs;
 /// use vc_graph::Aabb;
 /// let cube = |x: f32| Aabb::around(&Point3::new(x, 0.0, 0.0), &Point3::new(x + 1.0, 1.0, 1.0));
-/// let meetings = Meetings::new(&[cube(0.0), cube(5.0), cube(0.5), cube(1.0)]);
-/// assert_eq!((meetings.of(0), meetings.of(1), meetings.of(2)), (&[2, 3][..], &[][..], &[3][..]));
+/// let overlaps = OverlappingPairs::new(&[cube(0.0), cube(5.0), cube(0.5), cube(1.0)]);
+/// assert_eq!((overlaps.partners(0), overlaps.partners(1), overlaps.partners(2)), (&[2, 3][..], &[][..], &[3][..]));
 /// ```
 #[derive(Debug)]
-pub struct Meetings {
+pub struct OverlappingPairs {
     /// End of each box's part of the list.
     ends: Vec<u32>,
     others: Vec<u32>,
 }
 
-impl Meetings {
+impl OverlappingPairs {
     /// Compares each box with those that begin before it ends along the axis on which the scene is longest:
     /// sort and sweep (Baraff 1992). For boxes spread over a plane, these are about the square root of all.
     pub fn new(boxes: &[Aabb]) -> Self {
@@ -48,12 +48,12 @@ impl Meetings {
             others[*end as usize] = other;
             *end += 1;
         }
-        let mut meetings = Self { ends, others };
+        let mut overlaps = Self { ends, others };
         for one in 0..count {
-            let range = meetings.range(one);
-            meetings.others[range].sort_unstable();
+            let range = overlaps.range(one);
+            overlaps.others[range].sort_unstable();
         }
-        meetings
+        overlaps
     }
 
     fn range(&self, one: usize) -> std::ops::Range<usize> {
@@ -62,7 +62,7 @@ impl Meetings {
     }
 
     /// The boxes after one that overlap it, sorted.
-    pub fn of(&self, one: usize) -> &[u32] {
+    pub fn partners(&self, one: usize) -> &[u32] {
         &self.others[self.range(one)]
     }
 }

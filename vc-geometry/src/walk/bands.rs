@@ -26,6 +26,15 @@ pub(super) struct Gate {
 }
 
 /// The free cells of a grid as bands, and their gates: the mesh on which [`shortest`](super::shortest) searches.
+///
+/// ```
+/// use vc_geometry::grid::BitGrid;
+/// let mut free = BitGrid::new(20, 10);
+/// free.fill((0, 20), (0, 10), true);
+/// assert_eq!(vc_geometry::walk::Bands::new(&free).len(), 1);
+/// free.fill((8, 12), (4, 6), false); // A post: below it, above it, and to both sides.
+/// assert_eq!(vc_geometry::walk::Bands::new(&free).len(), 4);
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bands {
     pub(super) all: Vec<Band>,

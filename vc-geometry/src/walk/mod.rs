@@ -16,4 +16,4 @@ mod bands;
 mod search;
 
 pub use bands::Bands;
-pub use search::{At, shortest};
+pub use search::{CellPoint, shortest};

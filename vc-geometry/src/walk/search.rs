@@ -11,12 +11,12 @@ use std::collections::BinaryHeap;
 use super::bands::Bands;
 
 /// A point in units of cells.
-pub type At = (f64, f64);
+pub type CellPoint = (f64, f64);
 
 /// A part of a horizontal line that is visible from a root.
 #[derive(Clone, Copy)]
 struct Node {
-    root: At,
+    root: CellPoint,
     /// Length of the path to the root.
     cost: f64,
     y: f64,
@@ -65,7 +65,7 @@ const TINY: f64 = 1e-9;
 
 struct Search<'a> {
     bands: &'a Bands,
-    goal: At,
+    goal: CellPoint,
     goal_band: u32,
     nodes: Vec<Node>,
     open: BinaryHeap<Open>,
@@ -77,8 +77,17 @@ struct Search<'a> {
 /// is none. Both points have to be in free cells.
 ///
 /// Costs some ten microseconds in a home: each gate is met a few times.
-pub fn shortest(bands: &Bands, start: At, goal: At) -> Option<(Vec<At>, f64)> {
-    let band = |p: At| bands.at(p.0.max(0.0) as usize, p.1.max(0.0) as usize);
+///
+/// ```
+/// use vc_geometry::grid::BitGrid;
+/// use vc_geometry::walk::{Bands, shortest};
+/// let mut free = BitGrid::new(20, 10);
+/// free.fill((0, 9), (0, 10), true);
+/// free.fill((11, 20), (0, 10), true);
+/// assert!(shortest(&Bands::new(&free), (2.0, 2.0), (15.0, 2.0)).is_none()); // There is no way across.
+/// ```
+pub fn shortest(bands: &Bands, start: CellPoint, goal: CellPoint) -> Option<(Vec<CellPoint>, f64)> {
+    let band = |p: CellPoint| bands.at(p.0.max(0.0) as usize, p.1.max(0.0) as usize);
     let (start_band, goal_band) = (band(start)?, band(goal)?);
     if start_band == goal_band {
         return Some((vec![start, goal], distance(start, goal)));
@@ -96,7 +105,7 @@ pub fn shortest(bands: &Bands, start: At, goal: At) -> Option<(Vec<At>, f64)> {
 }
 
 impl Search<'_> {
-    fn begin(&mut self, start: At, band: u32) {
+    fn begin(&mut self, start: CellPoint, band: u32) {
         for up in [false, true] {
             for gate in self.bands.gates(band, up) {
                 let node = Node {
@@ -157,7 +166,7 @@ impl Search<'_> {
         let (left, right) = (self.corner_at(node, true), self.corner_at(node, false));
         for gate in self.bands.gates(node.into, node.up) {
             let (from, to) = (f64::from(gate.from), f64::from(gate.to));
-            let next = |l: f64, r: f64, root: At, cost: f64, corner: u32| Node {
+            let next = |l: f64, r: f64, root: CellPoint, cost: f64, corner: u32| Node {
                 root,
                 cost,
                 y: far,
@@ -197,7 +206,7 @@ impl Search<'_> {
 
     /// The end of an interval as a turning corner: there one of the two adjacent bands ends, and the other does
     /// not.
-    fn corner_at(&self, node: &Node, left: bool) -> Option<(At, u32)> {
+    fn corner_at(&self, node: &Node, left: bool) -> Option<(CellPoint, u32)> {
         let (from, into) = (&self.bands.all[node.from as usize], &self.bands.all[node.into as usize]);
         let (a, b, end) = if left { (from.x0, into.x0, node.left) } else { (from.x1, into.x1, node.right) };
         let shorter = if left { a > b } else { a < b };
@@ -235,7 +244,7 @@ impl Search<'_> {
     }
 
     /// The corners of the path that ends with a node.
-    fn way(&self, last: u32, start: At) -> Vec<At> {
+    fn way(&self, last: u32, start: CellPoint) -> Vec<CellPoint> {
         let mut corners = vec![self.goal];
         let mut index = last;
         if let (Some(turn), _) = through(&self.nodes[last as usize], self.goal) {
@@ -260,7 +269,7 @@ impl Search<'_> {
     }
 
     /// Where the path from a node's root to the next root turns at the interval.
-    fn bend(&self, node: &Node, next: &Node) -> Option<At> {
+    fn bend(&self, node: &Node, next: &Node) -> Option<CellPoint> {
         let back = next.up != node.up;
         back.then_some((if next.root.0 <= node.left { node.left } else { node.right }, node.y))
     }
@@ -273,7 +282,7 @@ fn corner(band: u32, left: bool, up: bool) -> u32 {
 
 /// A lower bound on the path from a node's root through its interval to the goal. A goal on the root's side is
 /// mirrored at the line.
-fn estimate(node: &Node, goal: At) -> f64 {
+fn estimate(node: &Node, goal: CellPoint) -> f64 {
     let behind = if node.up { goal.1 < node.y } else { goal.1 > node.y };
     let target = if behind { (goal.0, 2.0 * node.y - goal.1) } else { goal };
     through(node, target).1
@@ -281,7 +290,7 @@ fn estimate(node: &Node, goal: At) -> f64 {
 
 /// The path from a node's root through its interval to a point beyond: its turning point, if any, and its
 /// length.
-fn through(node: &Node, to: At) -> (Option<At>, f64) {
+fn through(node: &Node, to: CellPoint) -> (Option<CellPoint>, f64) {
     let rise = to.1 - node.root.1;
     let x = if rise.abs() < TINY { to.0 } else { node.root.0 + (to.0 - node.root.0) * ((node.y - node.root.1) / rise) };
     if node.left <= x && x <= node.right {
@@ -291,7 +300,7 @@ fn through(node: &Node, to: At) -> (Option<At>, f64) {
     (Some(turn), distance(node.root, turn) + distance(turn, to))
 }
 
-fn distance(a: At, b: At) -> f64 {
+fn distance(a: CellPoint, b: CellPoint) -> f64 {
     let (x, y) = (a.0 - b.0, a.1 - b.1);
     (x * x + y * y).sqrt()
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
-use vc_geometry::hull::{Rough, rough, triangles};
+use vc_geometry::hull::{HullTolerance, approximate, triangles};
 use vc_graph::asset::Shape;
 use vc_graph::portable::Portable;
 
@@ -47,14 +47,14 @@ fn a_rough_hull_is_as_true_as_asked_for() {
     let first = [0, 40, 90, 140, 200, 299];
     let mut fewest = points.len();
     for by in [0.004, 0.008, 0.016] {
-        let triangles = rough(&points, &Rough { first: &first, by, corners: usize::MAX }).unwrap();
+        let triangles = approximate(&points, &HullTolerance { first: &first, by, corners: usize::MAX }).unwrap();
         let (_, outside) = judged(&points, &triangles);
         assert!(outside <= f64::from(by) + 1e-6 && outside > 0.0, "{by}: {outside}");
         assert!(first.iter().all(|i| triangles.as_flattened().contains(i)));
         assert!(corners(&triangles) < fewest, "{by}");
         fewest = corners(&triangles);
     }
-    let triangles = rough(&points, &Rough { first: &first, by: 0.0, corners: 40 }).unwrap();
+    let triangles = approximate(&points, &HullTolerance { first: &first, by: 0.0, corners: 40 }).unwrap();
     let (volume, outside) = judged(&points, &triangles);
     assert!(corners(&triangles) == 40 && volume > 0.025 && outside < 0.03, "{volume} {outside}");
 }
@@ -99,7 +99,7 @@ proptest! {
 
 #[test]
 fn points_to_begin_with_that_do_not_exist_give_no_hull() {
-    assert!(rough(&round(), &Rough { first: &[0, 1, 2, 9999], by: 0.0, corners: 40 }).is_none());
+    assert!(approximate(&round(), &HullTolerance { first: &[0, 1, 2, 9999], by: 0.0, corners: 40 }).is_none());
     let mut odd = round();
     odd[7].x = f32::NAN;
     let _ = triangles(&odd);

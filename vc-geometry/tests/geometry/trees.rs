@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use proptest::prelude::*;
 use vc_geometry::order::sorted;
-use vc_geometry::tree::{Meetings, Tree};
+use vc_geometry::tree::{BoxTree, OverlappingPairs};
 use vc_graph::Aabb;
 
 /// A box on a coarse raster, so that many touch; some are empty.
@@ -25,7 +25,7 @@ proptest! {
         moves in prop::collection::vec((0_usize..90, cuboid()), 0..20),
         probe in cuboid(),
     ) {
-        let mut tree = Tree::new(&boxes);
+        let mut tree = BoxTree::new(&boxes);
         for (item, to) in moves {
             tree.set(item, to);
             if let Some(own) = boxes.get_mut(item) {
@@ -33,7 +33,7 @@ proptest! {
             }
         }
         let mut met = Vec::new();
-        tree.each(&probe, |item| met.push(item));
+        tree.for_each(&probe, |item| met.push(item));
         met.sort_unstable();
         let obvious: Vec<usize> = (0..boxes.len()).filter(|i| boxes[*i].meets(&probe)).collect();
         prop_assert_eq!(met, obvious);
@@ -41,10 +41,10 @@ proptest! {
 
     #[test]
     fn a_sweep_finds_every_pair(boxes in prop::collection::vec(cuboid(), 0..60)) {
-        let meetings = Meetings::new(&boxes);
+        let pairs = OverlappingPairs::new(&boxes);
         for one in 0..boxes.len() {
             let later = (one + 1..boxes.len()).filter(|other| boxes[one].meets(&boxes[*other]));
-            prop_assert_eq!(meetings.of(one), &later.map(|other| other as u32).collect::<Vec<_>>()[..]);
+            prop_assert_eq!(pairs.partners(one), &later.map(|other| other as u32).collect::<Vec<_>>()[..]);
         }
     }
 

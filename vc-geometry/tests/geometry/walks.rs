@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use vc_geometry::grid::BitGrid;
-use vc_geometry::walk::{At, Bands, shortest};
+use vc_geometry::walk::{Bands, CellPoint, shortest};
 use vc_graph::Seed;
 
 const SIDE: usize = 14;
@@ -32,7 +32,7 @@ fn is_pinched(free: &BitGrid, (x, y): (usize, usize)) -> bool {
 }
 
 /// Whether a segment stays on free cells: its middle between any two lines of the grid is in or beside one.
-fn is_open(free: &BitGrid, from: At, to: At) -> bool {
+fn is_open(free: &BitGrid, from: CellPoint, to: CellPoint) -> bool {
     let at = |t: f64| (from.0 + (to.0 - from.0) * t, from.1 + (to.1 - from.1) * t);
     let lines =
         |a: f64, b: f64| (0..=SIDE).map(move |line| (line as f64 - a) / (b - a)).filter(|t| *t > 0.0 && *t < 1.0);
@@ -53,9 +53,9 @@ fn is_open(free: &BitGrid, from: At, to: At) -> bool {
 }
 
 /// The length of the shortest way over the corners of all cells, by Dijkstra's algorithm.
-fn obvious(free: &BitGrid, start: At, goal: At) -> Option<f64> {
+fn obvious(free: &BitGrid, start: CellPoint, goal: CellPoint) -> Option<f64> {
     let corners = (0..=SIDE).flat_map(|y| (0..=SIDE).map(move |x| (x as f64, y as f64)));
-    let all: Vec<At> = [start, goal].into_iter().chain(corners).collect();
+    let all: Vec<CellPoint> = [start, goal].into_iter().chain(corners).collect();
     let mut length = vec![f64::INFINITY; all.len()];
     let mut done = vec![false; all.len()];
     length[0] = 0.0;

@@ -1,32 +1,29 @@
-//! Doors and drawers that give way to who steps up.
+//! Doors and drawers that give way to an agent that steps up.
 
-use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
-use rapier3d::math::Pose as EnginePose;
-use rapier3d::parry::query;
+use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
-use super::Agent;
-use super::seat::upright;
+use super::room::standing_capsule;
+use crate::state::{Agent, Thing};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, convert, group};
+use crate::{AgentError, group};
 
-/// How far open a part stays that gives way, as a fraction of its way.
+/// The opening at which a part that gives way stays at least, as a fraction of its range.
 const AJAR: f32 = 0.1;
-/// Positions that are looked at, from there to wide open.
-const LOOKS: u8 = 18;
+/// Number of positions that are tested, from there to wide open.
+const POSITIONS: u8 = 18;
 
-/// Moving parts by node and number, and how far open each would be, 0 to 1.
+/// Moving parts by node and number, and the opening that each would have, 0 to 1.
 pub type PartsToMoveAside = Vec<(NodeId, usize, f32)>;
 
+/// # Doors and drawers that give way
 impl PhysicsWorld {
-    /// What would have to give way so that an agent could stand with its feet at a pose: moving
-    /// parts that stand open, by node and part, and how far open each would be then, a tenth of
-    /// its way at least. Nothing where the agent stands free; `None` if anything else is in the
-    /// way, or a part finds no such position.
+    /// The open moving parts that would have to give way so that an agent could stand with its feet at a pose, by
+    /// node and part, with the opening that each would have then, at least a tenth of its range. Empty if the agent
+    /// stands free already; `None` if anything else is in the way, or a part has no such position.
     ///
-    /// [`put_open`](Self::put_open) moves them. Costs some microseconds, and some for each
-    /// position of a part.
+    /// [`put_open`](Self::put_open) moves them. Costs some microseconds, and as much for each tested position.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
@@ -34,28 +31,13 @@ impl PhysicsWorld {
         self.parts_moved(agent, feet, false)
     }
 
-    /// As [`parts_to_move_aside`](Self::parts_to_move_aside); doors between rooms that are shut but not locked give way too, and
-    /// stand open then.
+    /// As [`parts_to_move_aside`](Self::parts_to_move_aside); doors between rooms that are shut but not locked give
+    /// way too, and stand open then.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn doors_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
+    pub fn doors_to_move_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
         self.parts_moved(agent, feet, true)
-    }
-
-    /// Whether a thing at a pose would be clear of a body that stands with its feet somewhere.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`](crate::PhysicsError::NoBody).
-    pub fn stands_beside(&self, agent: NodeId, feet: &Pose, id: NodeId, pose: &Pose) -> Result<bool, AgentError> {
-        let (shape, at) = upright(&self.agent(agent)?.plan, feet);
-        let mut solid = self.thing(id)?.form.links.iter().filter_map(|link| link.solid.as_ref());
-        let meets = |part: &(SharedShape, EnginePose)| {
-            let between = at.inv_mul(&(convert::pose(pose) * part.1));
-            let contact = query::contact(&EnginePose::IDENTITY, &shape, &between, &*part.0, 0.0);
-            contact.ok().flatten().is_some()
-        };
-        Ok(!solid.any(meets))
     }
 
     fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsToMoveAside>, AgentError> {
@@ -65,46 +47,47 @@ impl PhysicsWorld {
             let opens = opens && self.is_shut_by_hand(id, part);
             Some((id, part, self.part_aside(body, feet, id, part, if opens { 0.0 } else { AJAR })?))
         };
-        let met = self.met_at(body, feet);
-        // What lies in a drawer goes along with it.
-        let load: Vec<NodeId> = met.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
-        Ok(met.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
+        let overlapped = self.overlapped_at(body, feet);
+        // The contents of a drawer move with it.
+        let load: Vec<NodeId> = overlapped.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
+        Ok(overlapped.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
     }
 
     /// Whether a part is the leaf of a door between rooms and not locked.
     fn is_shut_by_hand(&self, id: NodeId, part: usize) -> bool {
-        let free = |thing: &crate::world::Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
+        let free = |thing: &Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
         self.thing(id).is_ok_and(|thing| thing.state.door && free(thing))
     }
 
-    /// What lies on or in a moving part.
+    /// The things on or in a moving part.
     fn load_of_link(&self, id: NodeId, link: usize) -> Vec<NodeId> {
         let moving = self.thing(id).ok().and_then(|t| t.state.moving.get(link.checked_sub(1)?)?.body);
         moving.map_or_else(Vec::new, |body| self.load_of(body))
     }
 
     /// Nodes and links that a body would overlap with its feet at a pose.
-    fn met_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
-        let (shape, at) = upright(&body.plan, feet);
+    fn overlapped_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
+        let (shape, at) = standing_capsule(&body.plan, feet);
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(body.body);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
-        let mut met: Vec<(NodeId, usize)> =
+        let mut overlapped: Vec<(NodeId, usize)> =
             queries.intersect_shape(at, &shape).map(|(_, c)| group::marked(c.user_data)).collect();
-        met.sort_unstable();
-        met.dedup();
-        met
+        overlapped.sort_unstable();
+        overlapped.dedup();
+        overlapped
     }
 
-    /// How far open a part would be that is out of a body's way, nearest to how far it is.
-    /// It gives way if it stands open so far already.
+    /// The opening nearest to the present one at which a part is out of a body's way; `None` if the part is less
+    /// open than `least`.
     fn part_aside(&self, body: &Agent, feet: &Pose, id: NodeId, part: usize, least: f32) -> Option<f32> {
         let now = self.moving_parts(id).get(part).map(|p| p.open).filter(|open| *open >= least)?;
-        let look = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(LOOKS);
-        let mut looks: Vec<f32> = (0..=LOOKS).map(look).collect();
-        looks.sort_by(|a, b| (a - now).abs().total_cmp(&(b - now).abs()));
+        let position = |i: u8| AJAR + (1.0 - AJAR) * f32::from(i) / f32::from(POSITIONS);
+        let mut positions: Vec<f32> = (0..=POSITIONS).map(position).collect();
+        positions.sort_by(|a, b| (a - now).abs().total_cmp(&(b - now).abs()));
         let clear = |open: &f32| {
-            self.meets_part(body, feet, id, part, *open).is_ok_and(|met| !met) && self.is_free_way(id, part, *open)
+            self.meets_part(body, feet, id, part, *open).is_ok_and(|overlapped| !overlapped)
+                && self.is_free_way(id, part, *open)
         };
-        looks.into_iter().find(clear)
+        positions.into_iter().find(clear)
     }
 }

@@ -1,18 +1,17 @@
-//! Sitting down, lying down, and getting up.
+//! Seats and beds: places for people on a thing, sitting and lying down.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
-use rapier3d::geometry::{Collider, ColliderHandle};
+use rapier3d::geometry::Collider;
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::parry;
-use rapier3d::parry::shape::Capsule;
-use rapier3d::pipeline::QueryFilter;
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
-use super::{Agent, Posture};
-use crate::world::{PhysicsWorld, Thing};
-use crate::{AgentError, BodyRole, PhysicsError, convert, group};
+use crate::convert::facing;
+use crate::state::{Motion, Posture, Thing, upright};
+use crate::world::PhysicsWorld;
+use crate::{AgentError, BodyRole, PhysicsError, convert};
 
 /// The largest distance to the body's future position from which an agent can sit or lie down, metres: one
 /// step.
@@ -29,18 +28,21 @@ const SEATS: std::ops::Range<f32> = 0.2..0.95;
 const LIGHT: f32 = 2.0;
 /// The largest height of such a thing above the seat, metres: that of a folded duvet.
 const FLAT: f32 = 0.25;
-/// Distances from the place at which an agent may get up, metres, and their step.
-const EXITS: (f32, f32) = (0.45, 1.75);
-const EXIT_STEP: f32 = 0.05;
-/// How much of its radius is the middle of a body.
-const SLIM: f32 = 0.5;
-/// Number of directions to each side in which exits are searched.
-const EXIT_TURNS: usize = 12;
 
+/// # Seats and beds
 impl PhysicsWorld {
     /// Places to sit on a node, in the world's frame, metres: the middle of each seat, with X towards its
     /// front. Their number is that of the node's slots, at least one. They are distributed over the asset's
     /// level surfaces at the height of seats, or side by side on its box.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let seats = world.seats(home.chair);
+    /// assert_eq!(seats.len(), 1);
+    /// assert!((seats[0].translation.z - 0.45).abs() < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn seats(&self, id: NodeId) -> Vec<Pose> {
         self.thing(id).map(|t| self.places_on(t, false)).unwrap_or_default()
     }
@@ -66,6 +68,16 @@ impl PhysicsWorld {
     /// [`AgentError::Posture`] if the agent does not stand, [`AgentError::NoSeat`], [`AgentError::OutOfReach`],
     /// [`AgentError::SeatTaken`] by other agents, [`AgentError::SeatCovered`] by things, [`AgentError::Held`]
     /// if somebody carries the node.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_physics::Posture;
+    /// world.teleport(home.person, vc_graph::Pose::translation(0.6, 1.5, 0.0))?;
+    /// world.sit(home.person, home.chair)?;
+    /// assert_eq!(world.posture(home.person), Some(Posture::Sitting(home.chair, 0)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
         let places = self.seats(on);
         self.settle_down(agent, on, &places, Posture::Sitting)
@@ -111,9 +123,9 @@ impl PhysicsWorld {
             return Err(covered(first).map_or(AgentError::SeatTaken(on), |by| AgentError::SeatCovered { seat: on, by }));
         };
         let body = self.agent_mut(agent)?;
-        (body.stood, body.feet) = (body.feet, super::upright(&places[place as usize]));
+        (body.stood, body.feet) = (body.feet, upright(&places[place as usize]));
         body.posture = posture(on, place);
-        body.walk = super::walk::Motion::Still;
+        body.walk = Motion::Still;
         self.embody(agent, true);
         Ok(())
     }
@@ -122,7 +134,7 @@ impl PhysicsWorld {
     fn covers(&self, agent: NodeId, seat: NodeId, place: &Pose, posture: Posture) -> Option<NodeId> {
         let (body, seat) = (self.agent(agent).ok()?, self.thing(seat).ok()?);
         let (shape, at, _) = body.plan.body(posture);
-        let at = convert::pose(&super::upright(place)) * at;
+        let at = convert::pose(&upright(place)) * at;
         let stands = |id: &NodeId| self.aabb(*id).is_some_and(|b| b.max.z > place.translation.z + FLAT);
         let heavy = |id: &NodeId| self.mass(*id).is_some_and(|mass| mass > LIGHT);
         let meets = |id: &NodeId| {
@@ -130,160 +142,32 @@ impl PhysicsWorld {
             let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|c| self.engine.colliders.get(*c));
             let meets = |c: &Collider| {
                 let between = at.inv_mul(c.position());
-                let met = parry::query::intersection_test(&EnginePose::IDENTITY, &*shape, &between, c.shape());
-                met.is_ok_and(|met| met.intersecting)
+                let result = parry::query::intersection_test(&EnginePose::IDENTITY, &*shape, &between, c.shape());
+                result.is_ok_and(|result| result.intersecting)
             };
             colliders.into_iter().any(meets)
         };
         self.load_of(seat.state.base).into_iter().find(|id| stands(id) && heavy(id) && meets(id))
     }
 
-    /// Gets an agent up from where it sits or lies, to the nearest free place around the seat, places in front
-    /// first.
-    ///
-    /// # Errors
-    /// [`AgentError::Posture`] if the agent stands, [`AgentError::NoExit`].
-    pub fn stand_up(&mut self, agent: NodeId) -> Result<(), AgentError> {
-        let exit = self.exit_where(agent, |_| true)?;
-        self.teleport(agent, exit)
-    }
-
-    /// The nearest free place beside the seat of an agent that a condition admits, to which it can get up: that
-    /// from there a way leads on, as [`Floor::route`](crate::Floor::route) says.
-    ///
-    /// # Errors
-    /// As [`Self::stand_up`].
-    pub fn exit_where(&self, agent: NodeId, admits: impl Fn(&Pose) -> bool) -> Result<Pose, AgentError> {
-        let body = self.agent(agent)?;
-        let Some((seat, _)) = body.posture.seat() else {
-            return Err(AgentError::Posture { agent, posture: Posture::Standing.as_str() });
-        };
-        let good = |spot: &Pose| self.is_exit(body, seat, spot) && admits(spot);
-        self.exits(body).find(good).ok_or(AgentError::NoExit(seat))
-    }
-
     /// Where an agent that sits or lies stood before.
-    pub fn stood(&self, agent: NodeId) -> Option<Pose> {
+    pub fn stood_before(&self, agent: NodeId) -> Option<Pose> {
         self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
     }
 
-    /// Sets where an agent that sits or lies [stood](Self::stood) before, and at which height it gets up: it may sit
-    /// from the start.
+    /// Sets where an agent that sits or lies [stood before](Self::stood_before), and at which height it gets up: it may
+    /// sit from the start.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].
-    pub fn set_stood(&mut self, agent: NodeId, feet: Pose) -> Result<(), AgentError> {
+    pub fn set_stood_before(&mut self, agent: NodeId, feet: Pose) -> Result<(), AgentError> {
         if !convert::is_sound(&feet) {
             return Err(PhysicsError::NotFinite("the pose", agent).into());
         }
         let body = self.agent_mut(agent)?;
-        (body.stood, body.floor) = (super::upright(&feet), feet.translation.z);
+        (body.stood, body.floor) = (upright(&feet), feet.translation.z);
         Ok(())
     }
-
-    /// Whether an agent stands in a thing: the thing meets its middle, and not only its sides.
-    pub fn is_stuck_in(&self, agent: NodeId) -> bool {
-        self.agents.get(&agent).filter(|a| a.posture == Posture::Standing).is_some_and(|a| {
-            let slim = super::BodyPlan { radius: SLIM * a.plan.radius, ..a.plan };
-            !self.has_room(&slim, &a.feet, |c| !self.agents.contains_key(&group::marked(c.user_data).0))
-        })
-    }
-
-    /// Spots around a seat: near before far, in front of the seat first.
-    fn exits(&self, body: &Agent) -> impl Iterator<Item = Pose> + use<> {
-        let (place, floor) = (body.feet, body.floor);
-        let steps = ((EXITS.1 - EXITS.0) / EXIT_STEP).round() as usize;
-        let turn = |step: usize| std::f32::consts::PI * step as f32 / EXIT_TURNS as f32;
-        let turns = (0..=EXIT_TURNS).flat_map(move |step| [turn(step), -turn(step)]);
-        (0..=steps).map(|i| EXITS.0 + EXIT_STEP * i as f32).flat_map(move |far| {
-            turns.clone().map(move |angle: f32| {
-                let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
-                let mut spot = place * Pose::from_parts((turn * Vector3::x() * far).into(), turn);
-                spot.translation.z = floor;
-                spot
-            })
-        })
-    }
-
-    /// Whether an agent can get up to a spot: the body fits, there is a floor, and no wall is between.
-    fn is_exit(&self, body: &Agent, seat: NodeId, spot: &Pose) -> bool {
-        let at = Point3::from(spot.translation.vector);
-        let ground = self.ray(at + Vector3::z() * 0.3, at - Vector3::z() * 0.3, &[]);
-        let (from, to) = (body.shoulder(), at + Vector3::z() * (body.shoulder().z - at.z).max(0.5));
-        let past: Vec<NodeId> = self.agents.keys().copied().chain([seat]).collect();
-        ground.is_some() && self.ray(from, to, &past).is_none() && self.fits(body, spot)
-    }
-
-    /// Whether an agent would stand free with its feet at a pose, so that its body overlaps nothing a little
-    /// above the floor.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    pub fn stands_free(&self, agent: NodeId, feet: &Pose) -> Result<bool, AgentError> {
-        Ok(self.fits(self.agent(agent)?, feet))
-    }
-
-    /// Whether an agent would stand free with its feet at a pose while the moving parts of a node are open by
-    /// each of some fractions of their range (0 closed, 1 open).
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`]; otherwise as [`PhysicsWorld::drive`].
-    pub fn stands_clear(&self, agent: NodeId, feet: &Pose, id: NodeId, open: &[f32]) -> Result<bool, AgentError> {
-        let body = self.agent(agent)?;
-        for part in 0..self.thing(id)?.state.moving.len() {
-            for &open in open {
-                if self.meets_part(body, feet, id, part, open)? {
-                    return Ok(false);
-                }
-            }
-        }
-        Ok(self.fits_but(body, feet, Some(id)))
-    }
-
-    /// Whether a body with its feet at a pose would overlap a part of a node that is open by a fraction.
-    pub(super) fn meets_part(
-        &self,
-        body: &Agent,
-        feet: &Pose,
-        id: NodeId,
-        part: usize,
-        open: f32,
-    ) -> Result<bool, PhysicsError> {
-        let Some((solid, pose)) = self.part_at(id, part, open)? else { return Ok(false) };
-        let (shape, at) = upright(&body.plan, feet);
-        let between = at.inv_mul(&pose);
-        let met = rapier3d::parry::query::intersection_test(&EnginePose::IDENTITY, &shape, &between, &*solid);
-        Ok(met.is_ok_and(|met| met.intersecting))
-    }
-
-    /// Whether an agent's capsule is free at a spot, a little above the floor.
-    pub(crate) fn fits(&self, body: &Agent, spot: &Pose) -> bool {
-        self.fits_but(body, spot, None)
-    }
-
-    /// As `fits`, ignoring the moving parts of one node.
-    fn fits_but(&self, body: &Agent, spot: &Pose, but: Option<NodeId>) -> bool {
-        self.has_room(&body.plan, spot, |c| {
-            let (id, link) = group::marked(c.user_data);
-            c.parent() != Some(body.body) && (link == 0 || Some(id) != but)
-        })
-    }
-
-    /// Whether nothing that counts is where a body would stand.
-    fn has_room(&self, plan: &super::BodyPlan, spot: &Pose, counts: impl Fn(&Collider) -> bool) -> bool {
-        let (shape, at) = upright(plan, spot);
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && counts(c);
-        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
-        queries.intersect_shape(at, &shape).next().is_none()
-    }
-}
-
-/// The capsule of a standing agent, a little above the floor, and its pose.
-pub(super) fn upright(plan: &super::BodyPlan, feet: &Pose) -> (Capsule, EnginePose) {
-    let lift = 0.02;
-    let half = (plan.height / 2.0 - plan.radius - lift).max(0.01);
-    let at = convert::pose(&(feet * Pose::translation(0.0, 0.0, plan.height / 2.0 + lift)));
-    (Capsule::new_z(half, plan.radius), at)
 }
 
 /// A level on which people sit or lie side by side, in the asset's frame.
@@ -304,7 +188,7 @@ impl Level {
     fn place(&self, index: u32, count: u32) -> Pose {
         let aside = self.room(count) * (2 * index + 1) as f32 - self.room(1);
         let (x, y) = if self.across { (aside, 0.0) } else { (0.0, aside) };
-        let turn = if self.across { super::facing(0.0, 1.0) } else { UnitQuaternion::identity() };
+        let turn = if self.across { facing(0.0, 1.0) } else { UnitQuaternion::identity() };
         Pose::from_parts((self.centre.coords + Vector3::new(x, y, 0.0)).into(), turn)
     }
 }

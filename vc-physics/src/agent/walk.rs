@@ -1,43 +1,24 @@
-//! Walking: the engine's character controller, paths, and avoidance of other walkers.
+//! Walking: velocities, paths, and avoidance of other walkers.
 
-use nalgebra::{Point2, Point3, Vector2, Vector3};
-use rapier3d::control::{CharacterAutostep, CharacterCollision, CharacterLength, KinematicCharacterController};
-use rapier3d::geometry::{Collider, ColliderHandle};
-use rapier3d::math::Vector;
-use rapier3d::parry::query::ShapeCastOptions;
-use rapier3d::parry::shape::Capsule;
-use rapier3d::pipeline::QueryFilter;
-use serde::{Deserialize, Serialize};
+use nalgebra::{Point2, Vector2};
 use vc_graph::NodeId;
 
-use super::{Agent, Posture, facing};
-use crate::nav::avoid::{self, Walker};
+use super::avoid::{self, Walker};
+use crate::convert::facing;
+use crate::state::{Agent, Motion, Posture};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, PhysicsError, convert, group};
+use crate::{AgentError, PhysicsError, convert};
 
-/// Distance at which a waypoint counts as reached, metres.
-const THERE: f32 = 0.03;
-/// Number of steps without progress after which a walk is given up.
-const PATIENCE: u32 = 90;
-/// The smallest motion that counts as progress, metres per step.
-const PROGRESS: f32 = 0.001;
-/// The largest force with which a walker pushes things aside, newtons.
-const PUSH: f32 = 150.0;
 /// Number of steps between ground checks of an agent that stands still.
 const GLANCE: u64 = 8;
-
-/// The largest depth by which the feet of a placed agent are lifted onto a thing on the floor, metres.
-/// Otherwise the agent would throw up a rug with everything on it.
-const SUNK: f32 = 0.05;
-/// Penetration depth that does not count as being in the ground, metres.
-const TOUCH: f32 = 1e-3;
 
 /// Height of a standing jump, metres (the mean of adults in vertical jump tests).
 const JUMP: f32 = 0.4;
 
 /// The state of a walk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Walk {
+#[non_exhaustive]
+pub enum WalkState {
     /// The agent stands still, or has arrived.
     Still,
     /// The agent is on its way.
@@ -46,54 +27,7 @@ pub enum Walk {
     Stuck,
 }
 
-/// The motion of an agent's legs.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) enum Motion {
-    #[default]
-    Still,
-    /// At a velocity over the floor.
-    Going([f32; 2]),
-    /// Along points, the next one first, at a speed.
-    Along {
-        points: Vec<[f32; 2]>,
-        next: usize,
-        speed: f32,
-        idle: u32,
-    },
-    Stuck,
-}
-
-impl Motion {
-    /// The velocity that the motion asks for.
-    fn wish(&self, at: Point2<f32>, dt: f32) -> Vector2<f32> {
-        match self {
-            Self::Still | Self::Stuck => Vector2::zeros(),
-            Self::Going(v) => Vector2::new(v[0], v[1]),
-            Self::Along { points, next, speed, .. } => {
-                let Some(to) = points.get(*next) else { return Vector2::zeros() };
-                let way = Point2::from(*to) - at;
-                let last = *next + 1 == points.len();
-                let fast = if last { speed.min(way.norm() / dt) } else { *speed };
-                way.try_normalize(1e-6).map_or_else(Vector2::zeros, |d| d * fast)
-            }
-        }
-    }
-
-    /// Continues after a step to a point: on to the next waypoint, or the end.
-    fn advance(&mut self, at: Point2<f32>, moved: f32) {
-        let Self::Along { points, next, idle, .. } = self else { return };
-        while points.get(*next).is_some_and(|p| (Point2::from(*p) - at).norm() <= THERE) {
-            *next += 1;
-        }
-        *idle = if moved < PROGRESS { *idle + 1 } else { 0 };
-        if *next >= points.len() {
-            *self = Self::Still;
-        } else if *idle > PATIENCE {
-            *self = Self::Stuck;
-        }
-    }
-}
-
+/// # Walking
 impl PhysicsWorld {
     /// Lets an agent move at a velocity over the floor, metres per second, until told otherwise, no faster than
     /// its running speed. Zero stops it.
@@ -101,6 +35,15 @@ impl PhysicsWorld {
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`],
     /// [`PhysicsError::NotFinite`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.go(home.person, nalgebra::Vector2::new(0.0, -1.0))?;
+    /// world.run(60);
+    /// assert!(world.pose(home.person).is_some_and(|feet| feet.translation.y < -0.9));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn go(&mut self, id: NodeId, velocity: Vector2<f32>) -> Result<(), AgentError> {
         if !velocity.iter().all(|v| v.is_finite()) {
             return Err(PhysicsError::NotFinite("the velocity", id).into());
@@ -115,6 +58,16 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.run(30);
+    /// world.jump(home.person)?;
+    /// world.run(17);
+    /// assert!(world.pose(home.person).is_some_and(|feet| feet.translation.z > 0.3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn jump(&mut self, id: NodeId) -> Result<(), AgentError> {
         let speed = (2.0 * self.settings.gravity.max(0.0) * JUMP).sqrt();
         let agent = self.standing(id)?;
@@ -128,6 +81,19 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::go`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Point2;
+    /// use vc_physics::WalkState;
+    /// world.follow(home.person, &[Point2::new(0.0, -1.0), Point2::new(-0.5, -1.0)], false)?;
+    /// while world.walk(home.person)? == WalkState::Walking {
+    ///     world.step();
+    /// }
+    /// assert!(world.pose(home.person).is_some_and(|feet| (feet.translation.x - -0.5).abs() < 0.05));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn follow(&mut self, id: NodeId, path: &[Point2<f32>], run: bool) -> Result<(), AgentError> {
         if path.iter().any(|p| !p.x.is_finite() || !p.y.is_finite()) {
             return Err(PhysicsError::NotFinite("the path", id).into());
@@ -143,6 +109,15 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::go`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.face(home.person, nalgebra::Point3::new(0.0, 1.5, 0.0))?;
+    /// let front = world.pose(home.person).ok_or("no body")?.rotation * nalgebra::Vector3::x();
+    /// assert!(front.y > 0.999);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn face(&mut self, id: NodeId, point: nalgebra::Point3<f32>) -> Result<(), AgentError> {
         if !convert::is_finite(&point.coords) {
             return Err(PhysicsError::NotFinite("the point", id).into());
@@ -158,11 +133,11 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
-    pub fn walk(&self, id: NodeId) -> Result<Walk, AgentError> {
+    pub fn walk(&self, id: NodeId) -> Result<WalkState, AgentError> {
         Ok(match self.agent(id)?.walk {
-            Motion::Still => Walk::Still,
-            Motion::Stuck => Walk::Stuck,
-            Motion::Going(_) | Motion::Along { .. } => Walk::Walking,
+            Motion::Still => WalkState::Still,
+            Motion::Stuck => WalkState::Stuck,
+            Motion::Going(_) | Motion::Along { .. } => WalkState::Walking,
         })
     }
 
@@ -206,111 +181,5 @@ impl PhysicsWorld {
         let walkers: Vec<Walker> = standing.iter().map(|(_, a)| walker(a)).collect();
         let all = standing.iter().zip(avoid::velocities(&walkers, dt));
         all.map(|((id, _), v)| (**id, v)).collect()
-    }
-
-    /// Moves one agent for one step, as far as it gets.
-    fn stride(&mut self, id: NodeId, wish: Vector2<f32>) {
-        let dt = self.settings.dt;
-        let Some(agent) = self.agents.get(&id) else { return };
-        let fall = if agent.grounded { 0.0 } else { agent.fall + self.settings.gravity * dt };
-        let desired = Vector::new(wish.x * dt, wish.y * dt, -fall * dt);
-        let (mut moved, mut grounded, hits) = self.slide(agent, desired);
-        // A standing agent never steps, and a jumping agent never falls, to where there is no ground. An agent
-        // that is placed there does fall, until the fall ends.
-        let over_nothing = |way: Vector3<f32>| self.is_over_nothing(&(agent.feet * Point3::from(way)), agent.body);
-        let ends = self.is_in_abyss(agent);
-        let stays = || ends || agent.grounded || !over_nothing(Vector3::zeros());
-        if !grounded && fall >= 0.0 && over_nothing(moved) && stays() {
-            (moved, grounded) = (Vector3::zeros(), true);
-        }
-        if ends && !self.stopped.contains(&id) {
-            self.stopped.push(id);
-        }
-        hits.iter().for_each(|hit| self.push_aside(id, hit, wish));
-        // An agent that moves up has left the ground, however near it is.
-        let grounded = grounded && fall >= 0.0;
-        let Some(agent) = self.agents.get_mut(&id) else { return };
-        agent.feet.translation.vector += moved;
-        (agent.grounded, agent.fall) = (grounded, if grounded { 0.0 } else { fall });
-        agent.velocity = [moved.x / dt, moved.y / dt];
-        if grounded && !ends {
-            agent.floor = agent.feet.translation.z;
-        }
-        if wish.norm() > 0.05 {
-            agent.feet.rotation = facing(wish.x, wish.y);
-        }
-        let at = agent.feet.translation.vector.xy().into();
-        agent.walk.advance(at, moved.xy().norm());
-    }
-
-    /// How far an agent gets, whether it then stands on something, and what it hit.
-    fn slide(&self, agent: &Agent, desired: Vector) -> (Vector3<f32>, bool, Vec<CharacterCollision>) {
-        // Agents in one place, such as scripted walkers, separate as they move and do not climb each other.
-        let own = |c: &Collider| self.agents.get(&group::marked(c.user_data).0).is_some_and(|a| a.is_with(agent));
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !own(c);
-        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
-        let plan = &agent.plan;
-        let middle = agent.feet * vc_graph::Pose::translation(0.0, 0.0, plan.height / 2.0);
-        let mut hits = Vec::new();
-        let legs = legs(plan, desired.z > 0.0);
-        let moved =
-            legs.move_shape(self.settings.dt, &queries, &upright(plan), &convert::pose(&middle), desired, |hit| {
-                hits.push(hit)
-            });
-        (convert::vector3(moved.translation), moved.grounded, hits)
-    }
-
-    /// Lifts an agent that was placed inside something low onto it, but not onto people.
-    pub(super) fn step_up(&mut self, id: NodeId) {
-        let Some(agent) = self.agents.get(&id) else { return };
-        let is_person = |c: &Collider| self.agents.contains_key(&group::marked(c.user_data).0);
-        let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && !is_person(c);
-        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
-        let above = agent.feet * vc_graph::Pose::translation(0.0, 0.0, agent.plan.height / 2.0 + SUNK);
-        let options = ShapeCastOptions { max_time_of_impact: SUNK, ..ShapeCastOptions::default() };
-        let ground = queries.cast_shape(&convert::pose(&above), -Vector::Z, &upright(&agent.plan), options);
-        // Anything that overlaps the raised body at once is not ground.
-        let depth = ground.map(|(_, hit)| hit.time_of_impact).filter(|gap| *gap > 0.0).map(|gap| SUNK - gap);
-        let Some(agent) = self.agents.get_mut(&id) else { return };
-        agent.feet.translation.z += depth.filter(|depth| *depth > TOUCH).unwrap_or(0.0);
-        agent.floor = agent.feet.translation.z;
-    }
-
-    /// Pushes a loose thing that a walker has run into.
-    fn push_aside(&mut self, id: NodeId, hit: &CharacterCollision, wish: Vector2<f32>) {
-        let Some(limit) = self.agents.get(&id).map(|a| a.plan.pushes) else { return };
-        let Some(body) = self.engine.colliders.get(hit.handle).and_then(|c| c.parent()) else { return };
-        let dt = self.settings.dt;
-        let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic() && b.mass() <= limit) else {
-            return;
-        };
-        let Some(way) = wish.try_normalize(1e-3) else { return };
-        let way = Vector::new(way.x, way.y, 0.0);
-        let missing = wish.norm() - rigid.linvel().dot(way);
-        let impulse = (rigid.mass() * missing).clamp(0.0, PUSH * dt);
-        rigid.apply_impulse(way * impulse, true);
-    }
-}
-
-/// The shape of a standing body.
-fn upright(plan: &super::BodyPlan) -> Capsule {
-    Capsule::new_z(plan.height / 2.0 - plan.radius, plan.radius)
-}
-
-/// The controller for an agent's legs, which keep to the ground unless they jump.
-fn legs(plan: &super::BodyPlan, jumping: bool) -> KinematicCharacterController {
-    KinematicCharacterController {
-        up: Vector::Z,
-        offset: CharacterLength::Absolute(0.01),
-        slide: true,
-        autostep: (!jumping).then_some(CharacterAutostep {
-            max_height: CharacterLength::Absolute(plan.step),
-            min_width: CharacterLength::Absolute(0.1),
-            include_dynamic_bodies: false,
-        }),
-        max_slope_climb_angle: plan.slope,
-        min_slope_slide_angle: plan.slope,
-        snap_to_ground: (!jumping).then_some(CharacterLength::Absolute(plan.step)),
-        ..KinematicCharacterController::default()
     }
 }

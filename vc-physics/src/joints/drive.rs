@@ -9,7 +9,8 @@ use vc_graph::asset::JointKind;
 use super::make::{axis, friction, idle};
 use super::motion::{closed, opened};
 use crate::shapes::Link;
-use crate::world::{Moving, PhysicsWorld};
+use crate::state::Moving;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert, group};
 
 /// Speed of the motor per unit of remaining distance, per second: like an arm, it slows down before it arrives.
@@ -27,6 +28,7 @@ const SLOW: f32 = 0.02;
 /// Largest distance from the target of a part that has arrived, as a fraction of the range.
 const ARRIVED: f32 = 0.005;
 
+/// # Motors
 impl PhysicsWorld {
     /// Starts a part's motor, which takes the part to a fraction of its range (0 closed, 1 open) in about a
     /// second, as an arm would, if nothing is in the way. A part without a motor is moved at once.
@@ -34,6 +36,15 @@ impl PhysicsWorld {
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchPart`],
     /// [`PhysicsError::Locked`], [`PhysicsError::NotFinite`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.drive(home.cabinet, 0, 1.0)?;
+    /// world.run(120);
+    /// assert!(world.openness(home.cabinet).is_some_and(|open| open > 0.98));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn drive(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
         let target = self.target(id, part, open)?;
         self.pinned_on((id, part + 1)).into_iter().try_for_each(|rider| self.wake(rider))?;
@@ -64,6 +75,14 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::drive`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.put_open(home.cabinet, 0, 0.5)?;
+    /// assert!((world.moving_parts(home.cabinet)[0].position - 0.15).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn put_open(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
         let target = self.target(id, part, open)?;
         let index = self.index(id)?;
@@ -119,6 +138,15 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NoSuchPart`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.lock(home.cabinet, 0, true)?;
+    /// let refused = world.drive(home.cabinet, 0, 1.0);
+    /// assert_eq!(refused, Err(vc_physics::PhysicsError::Locked(home.cabinet)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn lock(&mut self, id: NodeId, part: usize, locked: bool) -> Result<(), PhysicsError> {
         self.check_part(id, part)?;
         let index = self.index(id)?;
@@ -127,11 +155,6 @@ impl PhysicsWorld {
         self.driven.retain(|d| *d != (id, part));
         self.settle_part(index, part);
         Ok(())
-    }
-
-    /// Whether a node has a part that is locked.
-    pub fn is_locked(&self, id: NodeId) -> bool {
-        self.thing(id).is_ok_and(|t| t.state.moving.iter().any(|m| m.locked))
     }
 
     fn check_part(&self, id: NodeId, part: usize) -> Result<&Moving, PhysicsError> {

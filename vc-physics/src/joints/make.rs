@@ -8,7 +8,7 @@ use vc_graph::asset::{Joint, JointKind};
 use super::motion::{closed, opened};
 use crate::engine::Engine;
 use crate::shapes::Link;
-use crate::world::{Moving, Thing, collider};
+use crate::state::{Moving, Thing};
 use crate::{BodyRole, Settings, convert, group};
 
 /// The mass from which on a base carries jointed bodies, kilograms.
@@ -52,7 +52,7 @@ fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, set
         .user_data(group::mark(thing.id, index));
     let body = engine.add_body(builder);
     if let Some((shape, at)) = &link.solid {
-        let collider = collider(link, shape, at, thing.state.mass_factor).collision_groups(group::leaf());
+        let collider = link.collider(shape, at, thing.state.mass_factor).collision_groups(group::leaf());
         engine.add_collider(collider.user_data(group::mark(thing.id, index)).build(), body);
     }
     let mut data = engine_joint(&joint);
@@ -66,7 +66,7 @@ fn weld(engine: &mut Engine, thing: &Thing, index: usize, position: f32) {
     let link = &thing.form.links[index];
     let (Some((shape, at)), Some(joint)) = (&link.solid, link.joint) else { return };
     let moved = convert::pose(&joint.motion(position)) * *at;
-    let collider = collider(link, shape, at, thing.state.mass_factor).position(moved);
+    let collider = link.collider(shape, at, thing.state.mass_factor).position(moved);
     let collider = collider.collision_groups(group::base(thing.state.role));
     engine.add_collider(collider.user_data(group::mark(thing.id, index)).build(), thing.state.base);
 }

@@ -13,7 +13,8 @@ mod openness;
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 
 pub(crate) use make::add;
 
@@ -22,6 +23,7 @@ pub(crate) const SHUT: f32 = 0.02;
 
 /// A moving part, as data.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct MovingPart {
     /// Its name: that of the asset's first part on this joint.
     pub name: std::sync::Arc<str>,
@@ -39,8 +41,17 @@ pub struct MovingPart {
     pub has_motor: bool,
 }
 
+/// # Doors, lids and drawers
 impl PhysicsWorld {
     /// The moving parts of a node, in the asset's order; empty if it has none.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let parts = world.moving_parts(home.cabinet);
+    /// assert_eq!((parts.len(), &*parts[0].name, parts[0].limits), (1, "drawer", (0.0, 0.3)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn moving_parts(&self, id: NodeId) -> Vec<MovingPart> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
         (0..thing.state.moving.len()).filter_map(|part| self.moving_part(thing, part)).collect()
@@ -88,6 +99,15 @@ impl PhysicsWorld {
 
     /// The state of a node's moving parts in the graph's terms: open, closed, or `None` if it has no moving
     /// parts.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_graph::State;
+    /// assert_eq!(world.open_state(home.cabinet), Some(State::Closed));
+    /// assert_eq!(world.open_state(home.table), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn open_state(&self, id: NodeId) -> Option<vc_graph::State> {
         let open = self.openness(id)? > SHUT;
         Some(if open { vc_graph::State::Open } else { vc_graph::State::Closed })

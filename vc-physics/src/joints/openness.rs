@@ -7,16 +7,18 @@ use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
 use super::motion::fraction;
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
 /// Number of positions that are tested on the way, including the end.
-const LOOKS: usize = 8;
+const POSITIONS: usize = 8;
 /// Smallest share of its range that a part opens if it cannot open completely.
 const HALF: f32 = 0.5;
 /// Smaller overlaps count as touching only, metres.
 const SKIN: f32 = 0.001;
 
+/// # Opening at once
 impl PhysicsWorld {
     /// Opens or closes every part of a node at once, with the contents of drawers, where neither loose things
     /// nor agents are in the way; returns whether it did. The parts then end where [`drive`](Self::drive) takes
@@ -30,32 +32,40 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::drive`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// assert!(world.set_openness(home.cabinet, 1.0)?);
+    /// assert!(world.openness(home.cabinet).is_some_and(|open| open > 0.99));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set_openness(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
-        self.leap_open_past(id, open, &[])
+        self.set_openness_ignoring(id, open, &[])
     }
 
     /// As [`Self::set_openness`], ignoring some nodes as obstacles: an agent that opens a door gives way to it.
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub fn leap_open_past(&mut self, id: NodeId, open: f32, past: &[NodeId]) -> Result<bool, PhysicsError> {
+    pub fn set_openness_ignoring(&mut self, id: NodeId, open: f32, past: &[NodeId]) -> Result<bool, PhysicsError> {
         let form = self.thing(id)?.form.clone();
         let slides = |part: &usize| form.links[part + 1].joint.is_some_and(|j| j.kind == JointKind::Slide);
         let parts = 0..self.thing(id)?.state.moving.len();
         parts.clone().try_for_each(|part| self.target(id, part, open).map(drop))?;
         let (drawers, doors): (Vec<usize>, Vec<usize>) = parts.partition(slides);
         if open == 0.0 {
-            return Ok(self.leap_each(id, drawers, open, past)? && self.leap_each(id, doors, open, past)?);
+            return Ok(self.open_each(id, drawers, open, past)? && self.open_each(id, doors, open, past)?);
         }
-        if !self.leap_each(id, doors, open, past)? {
+        if !self.open_each(id, doors, open, past)? {
             return Ok(false);
         }
         // A drawer that stays closed does not matter if another part is open.
-        Ok(self.leap_each(id, drawers, open, past)? || self.openness(id).is_some_and(|o| o >= HALF))
+        Ok(self.open_each(id, drawers, open, past)? || self.openness(id).is_some_and(|o| o >= HALF))
     }
 
     /// Opens or closes some parts as far as they go, the freest first; returns whether all of them moved.
-    fn leap_each(
+    fn open_each(
         &mut self,
         id: NodeId,
         mut parts: Vec<usize>,
@@ -85,7 +95,7 @@ impl PhysicsWorld {
         let mut best: Option<(usize, f32)> = None;
         for (at, &part) in parts.iter().enumerate() {
             let (from, target) = self.way(id, part, open)?;
-            let share = self.free_share(self.turn(id, part, from, target, past));
+            let share = self.free_share(self.sweep(id, part, from, target, past));
             if best.is_none_or(|(_, most)| share > most) {
                 best = Some((at, share));
             }
@@ -99,7 +109,7 @@ impl PhysicsWorld {
     /// Whether a part meets no obstacle on its way to a fraction of its range.
     pub(crate) fn is_free_way(&self, id: NodeId, part: usize, open: f32) -> bool {
         self.way(id, part, open)
-            .is_ok_and(|(from, target)| self.free_share(self.turn(id, part, from, target, &[])) == 1.0)
+            .is_ok_and(|(from, target)| self.free_share(self.sweep(id, part, from, target, &[])) == 1.0)
     }
 
     /// The present position of a part, and its position at a fraction of its range.
@@ -113,54 +123,62 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub fn in_the_way(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
-        let mut met = Vec::new();
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.teleport(home.person, vc_graph::Pose::translation(-1.0, 0.0, 0.0))?;
+    /// assert_eq!(world.blockers(home.cabinet, 1.0)?, [home.person]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn blockers(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
+        let mut hits = Vec::new();
         for part in 0..self.thing(id)?.state.moving.len() {
             let (from, target) = self.way(id, part, open)?;
-            let Some(turn) = self.turn(id, part, from, target, &[]) else { continue };
-            let first = (1..=LOOKS).map(|look| self.met_on_turn(&turn, look)).find(|met| !met.is_empty());
-            met.extend(first.unwrap_or_default());
+            let Some(sweep) = self.sweep(id, part, from, target, &[]) else { continue };
+            let first = (1..=POSITIONS).map(|step| self.obstacles(&sweep, step)).find(|hits| !hits.is_empty());
+            hits.extend(first.unwrap_or_default());
         }
-        met.sort_unstable();
-        met.dedup();
-        Ok(met)
+        hits.sort_unstable();
+        hits.dedup();
+        Ok(hits)
     }
 
     /// The share of its way up to which a part meets no obstacle, and its load has room.
-    fn free_share(&self, turn: Option<Turn<'_>>) -> f32 {
-        let Some(turn) = turn else { return 1.0 };
-        let free = (1..=LOOKS).take_while(|&look| self.met_by_part(&turn, look).next().is_none()).count();
-        let has_room = |look: &usize| self.met_by_load(&turn, *look).next().is_none();
+    fn free_share(&self, sweep: Option<Sweep<'_>>) -> f32 {
+        let Some(sweep) = sweep else { return 1.0 };
+        let free = (1..=POSITIONS).take_while(|&step| self.obstacles_of_part(&sweep, step).next().is_none()).count();
+        let has_room = |step: &usize| self.obstacles_of_load(&sweep, *step).next().is_none();
         (1..=free).rev().find(has_room).map_or(0.0, share)
     }
 
     /// The motion of a part from one position to another; `None` if it is there already, or has no joint.
-    fn turn(&self, id: NodeId, part: usize, from: f32, target: f32, past: &[NodeId]) -> Option<Turn<'_>> {
+    fn sweep(&self, id: NodeId, part: usize, from: f32, target: f32, past: &[NodeId]) -> Option<Sweep<'_>> {
         let thing = self.thing(id).ok()?;
         let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
         let (joint, base) = (link.joint.filter(|_| from != target)?, self.engine.pose(thing.state.base)?);
         let load = moving.body.map_or_else(Vec::new, |body| self.load_of(body));
-        Some(Turn { thing, part, joint, base, load, past: past.to_vec(), way: (from, target) })
+        Some(Sweep { thing, part, joint, base, load, past: past.to_vec(), way: (from, target) })
     }
 
     /// The obstacles of a part and its load at a tested position.
-    fn met_on_turn(&self, turn: &Turn<'_>, look: usize) -> Vec<NodeId> {
-        self.met_by_part(turn, look).chain(self.met_by_load(turn, look)).collect()
+    fn obstacles(&self, sweep: &Sweep<'_>, step: usize) -> Vec<NodeId> {
+        self.obstacles_of_part(sweep, step).chain(self.obstacles_of_load(sweep, step)).collect()
     }
 
     /// The obstacles of a part at a tested position.
-    fn met_by_part(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
-        let thing = turn.thing;
-        let solid = thing.form.links[turn.part + 1].solid.as_ref();
+    fn obstacles_of_part(&self, sweep: &Sweep<'_>, step: usize) -> impl Iterator<Item = NodeId> {
+        let thing = sweep.thing;
+        let solid = thing.form.links[sweep.part + 1].solid.as_ref();
         // A lid that moves with its box has the collision groups of the box.
-        let moving = thing.state.moving[turn.part];
+        let moving = thing.state.moving[sweep.part];
         let own = moving.body.map_or_else(|| group::base(thing.state.role), |_| group::leaf());
         let other = |_: ColliderHandle, c: &Collider| {
             let node = group::marked(c.user_data).0;
-            group::is_solid(c) && turn.meets(node)
+            group::is_solid(c) && sweep.meets(node)
         };
-        let met = solid.map(|(shape, local)| {
-            let at = convert::pose(&turn.at(look)) * *local;
+        let hits = solid.map(|(shape, local)| {
+            let at = convert::pose(&sweep.at(step)) * *local;
             let filter = QueryFilter::default().exclude_sensors().groups(own).predicate(&other);
             let queries = self.engine.queries(filter);
             let deep = |collider: &Collider| {
@@ -169,26 +187,26 @@ impl PhysicsWorld {
                     rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
                 !depth.is_ok_and(|c| c.is_none_or(|c| c.dist > -SKIN))
             };
-            let met = queries.intersect_shape(at, &**shape).filter(|(_, c)| deep(c));
-            met.map(|(_, c)| group::marked(c.user_data).0).collect::<Vec<NodeId>>()
+            let hits = queries.intersect_shape(at, &**shape).filter(|(_, c)| deep(c));
+            hits.map(|(_, c)| group::marked(c.user_data).0).collect::<Vec<NodeId>>()
         });
-        met.into_iter().flatten()
+        hits.into_iter().flatten()
     }
 
     /// The obstacles of a part's load at a tested position.
-    fn met_by_load(&self, turn: &Turn<'_>, look: usize) -> impl Iterator<Item = NodeId> {
-        let motion = turn.at(look) * turn.at(0).inverse();
-        let met = |id: &NodeId| {
+    fn obstacles_of_load(&self, sweep: &Sweep<'_>, step: usize) -> impl Iterator<Item = NodeId> {
+        let motion = sweep.at(step) * sweep.at(0).inverse();
+        let hits = |id: &NodeId| {
             let all = self.pose(*id).and_then(|pose| self.overlaps(*id, &(motion * pose)).ok());
             // A thing for which the query fails has no room: it counts as its own obstacle.
-            all.map_or_else(|| vec![*id], |all| all.into_iter().filter(|m| turn.meets(*m)).collect())
+            all.map_or_else(|| vec![*id], |all| all.into_iter().filter(|m| sweep.meets(*m)).collect())
         };
-        turn.load.iter().flat_map(met).collect::<Vec<NodeId>>().into_iter()
+        sweep.load.iter().flat_map(hits).collect::<Vec<NodeId>>().into_iter()
     }
 }
 
 /// The motion of a part.
-struct Turn<'w> {
+struct Sweep<'w> {
     thing: &'w Thing,
     part: usize,
     joint: Joint,
@@ -200,19 +218,19 @@ struct Turn<'w> {
     way: (f32, f32),
 }
 
-impl Turn<'_> {
+impl Sweep<'_> {
     /// Whether a node counts as an obstacle.
     fn meets(&self, id: NodeId) -> bool {
         id != self.thing.id && !self.load.contains(&id) && !self.past.contains(&id)
     }
 
     /// The pose of the part at a tested position.
-    fn at(&self, look: usize) -> Pose {
+    fn at(&self, step: usize) -> Pose {
         let (from, target) = self.way;
-        self.base * self.joint.motion(from + (target - from) * share(look))
+        self.base * self.joint.motion(from + (target - from) * share(step))
     }
 }
 
-fn share(look: usize) -> f32 {
-    look as f32 / LOOKS as f32
+fn share(step: usize) -> f32 {
+    step as f32 / POSITIONS as f32
 }

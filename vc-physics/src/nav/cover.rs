@@ -4,10 +4,11 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_geometry::outline::{Outline, contains, hull, rectangle};
 use vc_graph::{NodeId, Pose};
 
-use super::{Doors, FloorOptions};
+use super::{DoorHandling, FloorOptions};
 use crate::BodyRole;
 use crate::shapes::{Footprint, Link, levels};
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 
 /// Motion up to which a door counts as closed, metres.
 const SAME: f32 = 0.005;
@@ -37,7 +38,7 @@ impl Cover {
         Self { id, outlines, gate: Vec::new(), poses: Vec::new(), role: None, locked: false }
     }
 
-    fn of(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> Self {
+    fn new(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> Self {
         let poses = poses(world, thing);
         let locked = thing.state.moving.iter().any(|m| m.locked);
         let mut cover =
@@ -51,7 +52,7 @@ impl Cover {
         };
         for (link, pose) in cover.poses.iter().enumerate() {
             let (door, open) = (thing.state.door && link > 0, !near(pose, &base));
-            let aside = plan.doors == Doors::Opened && !locked && (door || open);
+            let aside = plan.doors == DoorHandling::Opened && !locked && (door || open);
             if door || aside {
                 cover.gate.extend(outlines(link, if door { &base } else { pose }));
             }
@@ -115,7 +116,7 @@ fn is_covered(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> bool 
 fn goes_along(world: &PhysicsWorld, thing: &Thing, point: &Point2<f32>, plan: &FloorOptions) -> bool {
     let locked = thing.state.moving.iter().any(|m| m.locked);
     let poses = poses(world, thing);
-    let Some(base) = poses.first().filter(|_| plan.doors == Doors::Opened && !locked) else { return false };
+    let Some(base) = poses.first().filter(|_| plan.doors == DoorHandling::Opened && !locked) else { return false };
     let mut open = poses.iter().enumerate().skip(1).filter(|(_, pose)| !near(pose, base));
     let over = |outline: &Outline| contains(outline, std::slice::from_ref(point));
     let in_the_way = |low, high| is_in_the_way(plan, low, high);
@@ -166,7 +167,7 @@ fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Ou
 
 /// The covered areas of all nodes.
 pub(crate) fn covers(world: &PhysicsWorld, plan: &FloorOptions) -> Vec<Cover> {
-    world.things.iter().map(|t| Cover::of(world, t, plan)).collect()
+    world.things.iter().map(|t| Cover::new(world, t, plan)).collect()
 }
 
 /// Updates the covers; returns whether any outline changed. The covers depend only on the bodies' poses, not on
@@ -179,7 +180,7 @@ pub(crate) fn update(covers: &mut Vec<Cover>, world: &PhysicsWorld, plan: &Floor
     let mut changed = false;
     for (cover, thing) in covers.iter_mut().zip(&world.things) {
         if !cover.is_current(world, thing) {
-            let new = Cover::of(world, thing, plan);
+            let new = Cover::new(world, thing, plan);
             changed |= new.outlines != cover.outlines || new.gate != cover.gate;
             *cover = new;
         }

@@ -1,6 +1,5 @@
 //! Navigation on the floor.
 
-pub(crate) mod avoid;
 mod cover;
 mod occupancy;
 mod open;
@@ -16,12 +15,12 @@ use crate::world::PhysicsWorld;
 use cover::Cover;
 
 pub use occupancy::Occupancy;
-pub use stand::Stand;
+pub use stand::StandingPose;
 
 /// The treatment of doors between rooms, and of open doors and drawers of furniture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
-pub enum Doors {
+pub enum DoorHandling {
     /// Walkers open doors between rooms, and close open doors and drawers of furniture: only locked ones are
     /// obstacles.
     #[default]
@@ -44,13 +43,13 @@ pub struct FloorOptions {
     /// Side of a grid cell, metres.
     pub cell: f32,
     /// The treatment of doors.
-    pub doors: Doors,
+    pub doors: DoorHandling,
 }
 
 impl Default for FloorOptions {
     fn default() -> Self {
         let Anthropometry { walked_over: step, headroom: height, clearance: radius, .. } = Anthropometry::ADULT;
-        Self { level: 0.0, step, height, radius, cell: 0.05, doors: Doors::default() }
+        Self { level: 0.0, step, height, radius, cell: 0.05, doors: DoorHandling::default() }
     }
 }
 
@@ -81,7 +80,7 @@ pub struct Route {
 /// let rectangle = |x0, y0, x1, y1| vec![corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)];
 /// let room = rectangle(0.0, 0.0, 4.0, 3.0);
 /// let wall = rectangle(1.9, 0.0, 2.1, 2.0);
-/// let floor = Floor::of_outlines(&[room], &[wall], FloorOptions::default());
+/// let floor = Floor::from_outlines(&[room], &[wall], FloorOptions::default());
 /// let route = floor.route(corner(1.0, 0.5), corner(3.0, 0.5)).ok_or("no way")?;
 /// assert!(route.points.len() > 3 && route.length > 4.0);
 /// # Ok::<(), &str>(())
@@ -100,20 +99,30 @@ const SNAP: f32 = 0.6;
 
 impl Floor {
     /// The floor of a world in its present state.
-    pub fn of(world: &PhysicsWorld, plan: FloorOptions) -> Self {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Point2;
+    /// use vc_physics::{Floor, FloorOptions};
+    /// let floor = Floor::new(&world, FloorOptions::default());
+    /// assert!(floor.is_free(Point2::new(0.0, 0.0)) && !floor.is_free(Point2::new(1.0, 0.0)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(world: &PhysicsWorld, plan: FloorOptions) -> Self {
         let covers = cover::covers(world, &plan);
         let ground = cover::ground(world, &plan);
-        Self::new(plan, covers, ground)
+        Self::from_covers(plan, covers, ground)
     }
 
     /// A floor from convex outlines, corners counter-clockwise, metres: the ground and the obstacles.
-    pub fn of_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], plan: FloorOptions) -> Self {
+    pub fn from_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], plan: FloorOptions) -> Self {
         let finite = |o: &&Vec<Point2<f32>>| o.iter().all(|p| p.x.abs() < 1e5 && p.y.abs() < 1e5);
         let cover = Cover::fixed(obstacles.iter().filter(finite).cloned().collect());
-        Self::new(plan, vec![cover], ground.iter().filter(finite).cloned().collect())
+        Self::from_covers(plan, vec![cover], ground.iter().filter(finite).cloned().collect())
     }
 
-    fn new(plan: FloorOptions, covers: Vec<Cover>, ground: Vec<Outline>) -> Self {
+    fn from_covers(plan: FloorOptions, covers: Vec<Cover>, ground: Vec<Outline>) -> Self {
         let corners = || ground.iter().flatten();
         let low = corners().copied().reduce(|a, b| a.inf(&b));
         let high = corners().copied().reduce(|a, b| a.sup(&b));
@@ -126,6 +135,17 @@ impl Floor {
     /// Updates the floor to the things that have moved since: doors, chairs, things on the floor. Returns
     /// whether any had moved. Costs about a microsecond for ten bodies if none has moved, otherwise little less
     /// than making the floor anew.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Point2;
+    /// let mut floor = vc_physics::Floor::new(&world, vc_physics::FloorOptions::default());
+    /// world.place(home.chair, vc_graph::Pose::translation(0.0, -1.5, 0.0))?;
+    /// assert!(floor.update(&world));
+    /// assert!(floor.is_free(Point2::new(0.0, 1.3)) && !floor.is_free(Point2::new(0.0, -1.5)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn update(&mut self, world: &PhysicsWorld) -> bool {
         let moved = cover::update(&mut self.covers, world, &self.plan);
         if moved {
@@ -144,8 +164,8 @@ impl Floor {
         self.bands = Bands::new(raster.cells());
     }
 
-    /// The plan from which the floor was made.
-    pub fn plan(&self) -> &FloorOptions {
+    /// The options from which the floor was made.
+    pub fn options(&self) -> &FloorOptions {
         &self.plan
     }
 
@@ -155,6 +175,15 @@ impl Floor {
     }
 
     /// The free point nearest to a point within a distance, metres: the point itself, or the centre of a cell.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let floor = vc_physics::Floor::new(&world, vc_physics::FloorOptions::default());
+    /// let beside = floor.nearest(nalgebra::Point2::new(0.5, 0.0), 0.5).ok_or("no free floor")?;
+    /// assert!(floor.is_free(beside) && beside.x < 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn nearest(&self, point: Point2<f32>, within: f32) -> Option<Point2<f32>> {
         self.raster.as_ref()?.nearest(&point, within)
     }
@@ -165,7 +194,7 @@ impl Floor {
     }
 
     /// Number of rectangles the free floor consists of.
-    pub fn bands(&self) -> usize {
+    pub fn rectangles(&self) -> usize {
         self.bands.len()
     }
 

@@ -17,7 +17,7 @@ use super::Floor;
 /// let corner = |x: f32, y: f32| Point2::new(x, y);
 /// let rectangle = |x0, y0, x1, y1| vec![corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)];
 /// let table = rectangle(1.5, 1.0, 2.5, 2.0);
-/// let floor = Floor::of_outlines(&[rectangle(0.0, 0.0, 4.0, 3.0)], &[table], FloorOptions::default());
+/// let floor = Floor::from_outlines(&[rectangle(0.0, 0.0, 4.0, 3.0)], &[table], FloorOptions::default());
 /// let grid = floor.occupancy();
 /// assert_eq!((grid.origin, grid.free.len()), ([0.0, 0.0], grid.columns * grid.rows));
 /// let (column, row) = grid.cell_of(corner(2.0, 1.5)).ok_or("outside")?;
@@ -62,6 +62,15 @@ impl Occupancy {
 
 impl Floor {
     /// The floor's cells as plain data, free or not. Takes time linear in their number.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let map = vc_physics::Floor::new(&world, vc_physics::FloorOptions::default()).occupancy();
+    /// let (column, row) = map.cell_of(nalgebra::Point2::new(0.0, 0.0)).ok_or("outside")?;
+    /// assert!(map.is_free(column, row));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn occupancy(&self) -> Occupancy {
         let cell = self.plan.cell;
         let none = Occupancy { origin: [0.0; 2], cell, columns: 0, rows: 0, free: Vec::new() };

@@ -4,7 +4,8 @@ use nalgebra::{Point2, Point3};
 use vc_graph::{NodeId, Pose};
 
 use super::{Floor, Route};
-use crate::agent::{BodyPlan, facing};
+use crate::convert::facing;
+use crate::state::BodyPlan;
 use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError};
 
@@ -15,7 +16,7 @@ const PITCH: f32 = 0.1;
 
 /// A standing position.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Stand {
+pub struct StandingPose {
     /// The pose of the feet; X points to the thing to be reached.
     pub feet: Pose,
     /// The path there.
@@ -30,29 +31,41 @@ impl Floor {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
-    pub fn stand(
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Point2;
+    /// use vc_physics::{BodyPlan, Floor, FloorOptions};
+    /// let floor = Floor::new(&world, FloorOptions::default());
+    /// let stand = floor.standing_pose(&world, &BodyPlan::default(), Point2::new(0.0, -1.0), home.cup)?;
+    /// let stand = stand.ok_or("the cup is out of reach")?;
+    /// assert!((stand.feet.rotation * nalgebra::Vector3::x()).x > 0.5); // The feet point to the cup.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn standing_pose(
         &self,
         world: &PhysicsWorld,
         plan: &BodyPlan,
         from: Point2<f32>,
         id: NodeId,
-    ) -> Result<Option<Stand>, PhysicsError> {
-        self.stand_where(world, plan, from, id, |feet| self.sees(world, plan, feet, id))
+    ) -> Result<Option<StandingPose>, PhysicsError> {
+        self.standing_pose_where(world, plan, from, id, |feet| self.sees(world, plan, feet, id))
     }
 
-    /// As [`Self::stand`], at a spot that satisfies a condition, which is tested last; the condition also
+    /// As [`Self::standing_pose`], at a spot that satisfies a condition, which is tested last; the condition also
     /// decides whether the thing has to be visible from there.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
-    pub fn stand_where(
+    pub fn standing_pose_where(
         &self,
         world: &PhysicsWorld,
         plan: &BodyPlan,
         from: Point2<f32>,
         id: NodeId,
         mut admits: impl FnMut(&Pose) -> bool,
-    ) -> Result<Option<Stand>, PhysicsError> {
+    ) -> Result<Option<StandingPose>, PhysicsError> {
         let aabb = world.aabb(id).ok_or(PhysicsError::NoBody(id))?;
         let (low, high) =
             (aabb.min.xy().coords.add_scalar(-plan.stretch()), aabb.max.xy().coords.add_scalar(plan.stretch()));
@@ -77,8 +90,10 @@ impl Floor {
             }
         }
         let centre = aabb.centre();
-        let stand =
-            |(points, length, spot)| Stand { feet: self.feet(spot, &centre), route: self.with_doors(points, length) };
+        let stand = |(points, length, spot)| StandingPose {
+            feet: self.feet(spot, &centre),
+            route: self.with_doors(points, length),
+        };
         Ok(best.map(stand))
     }
 
@@ -114,12 +129,24 @@ fn raster(low: Point2<f32>, high: Point2<f32>) -> impl Iterator<Item = Point2<f3
         .flat_map(move |r| (0..=columns).map(move |c| Point2::new(low.x + c as f32 * PITCH, low.y + r as f32 * PITCH)))
 }
 
+/// # Ways
 impl PhysicsWorld {
     /// Lets an agent walk or run the shortest path to a point. Doors on it have to be opened as the agent
     /// reaches them.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`], [`AgentError::NoWay`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_physics::{Floor, FloorOptions, WalkState};
+    /// let floor = Floor::new(&world, FloorOptions::default());
+    /// let route = world.walk_to(home.person, &floor, nalgebra::Point2::new(-0.5, -1.0), false)?;
+    /// assert!((route.length - 1.118).abs() < 0.01);
+    /// assert_eq!(world.walk(home.person)?, WalkState::Walking);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn walk_to(&mut self, agent: NodeId, floor: &Floor, to: Point2<f32>, run: bool) -> Result<Route, AgentError> {
         let from = self.standing(agent)?.feet.translation.vector.xy().into();
         let route = floor.route(from, to).ok_or(AgentError::NoWay { agent })?;
@@ -132,7 +159,7 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::walk_to`].
-    pub fn be_at(&mut self, agent: NodeId, floor: &Floor, to: Point2<f32>) -> Result<Route, AgentError> {
+    pub fn arrive_at(&mut self, agent: NodeId, floor: &Floor, to: Point2<f32>) -> Result<Route, AgentError> {
         let body = self.standing(agent)?;
         let (from, turn) = (body.feet.translation.vector.xy().into(), body.feet.rotation);
         let route = floor.route(from, to).ok_or(AgentError::NoWay { agent })?;

@@ -9,8 +9,9 @@ use vc_graph::{NodeId, Pose};
 
 use super::raster::spots;
 use super::way::{INTO, WITHIN, Way};
-use super::{GAP, Order, Shelf};
-use crate::world::{PhysicsWorld, Thing};
+use super::{GAP, SpotOrder, SupportSurface};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
 /// Distance of the spots that are tried, metres.
@@ -34,38 +35,38 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
-    pub fn close_spot_at(
+    pub fn packed_spot_at(
         &self,
         id: NodeId,
         at: NodeId,
         inside: bool,
-        order: Order,
+        order: SpotOrder,
     ) -> Result<Option<Pose>, PhysicsError> {
-        self.close_spot_where(id, at, inside, order, &|_| true)
+        self.packed_spot_where(id, at, inside, order, &|_| true)
     }
 
     /// The same at a spot that satisfies a condition, which is tested last.
-    pub(super) fn close_spot_where(
+    pub(super) fn packed_spot_where(
         &self,
         id: NodeId,
         at: NodeId,
         inside: bool,
-        order: Order,
+        order: SpotOrder,
         admits: &dyn Fn(&Pose) -> bool,
     ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
         let (hold, ways) = if inside { (Hold::Inside, &INTO[..]) } else { (Hold::On, &ONTO[..]) };
-        let shelves = self.shelves_that(below, hold);
+        let shelves = self.surfaces_that(below, hold);
         let mut all = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
-        Ok(all.find_map(|(way, shelf)| self.close_spot_among(thing, shelf, way, order, admits)))
+        Ok(all.find_map(|(way, shelf)| self.packed_spot_among(thing, shelf, way, order, admits)))
     }
 
-    fn close_spot_among(
+    fn packed_spot_among(
         &self,
         thing: &Thing,
-        shelf: &Shelf,
+        shelf: &SupportSurface,
         way: &Way,
-        order: Order,
+        order: SpotOrder,
         admits: &dyn Fn(&Pose) -> bool,
     ) -> Option<Pose> {
         let whole = self.whole_top(shelf);
@@ -85,7 +86,7 @@ impl PhysicsWorld {
     }
 
     /// A top as far as the box of its thing reaches; a surface inside is what it is.
-    fn whole_top(&self, shelf: &Shelf) -> Shelf {
+    fn whole_top(&self, shelf: &SupportSurface) -> SupportSurface {
         let mut whole = shelf.clone();
         let base = self.thing(shelf.id).ok().and_then(|thing| Some((thing, self.engine.pose(thing.state.base)?)));
         if let Some((thing, base)) = base.filter(|_| shelf.hold == Hold::On) {

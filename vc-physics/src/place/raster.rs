@@ -5,7 +5,7 @@ use vc_graph::Pose;
 use vc_graph::asset::Hold;
 use vc_graph::portable::Portable;
 
-use super::{GAP, Order, Shelf};
+use super::{GAP, SpotOrder, SupportSurface};
 
 /// Distance of the spots that are tried on a surface, metres.
 pub(super) const PITCH: f32 = 0.04;
@@ -16,7 +16,7 @@ const MOST: usize = 24;
 const BURNER: f32 = 0.13;
 
 /// Whether a surface is so small that what is put on it goes to its middle.
-pub(super) fn is_burner(shelf: &Shelf) -> bool {
+pub(super) fn is_burner(shelf: &SupportSurface) -> bool {
     shelf.half.0.min(shelf.half.1) < BURNER && shelf.hold == Hold::On
 }
 
@@ -24,11 +24,11 @@ pub(super) fn is_burner(shelf: &Shelf) -> bool {
 /// first: so far above it, with a part of its half width over the edges, and so far apart or farther.
 pub(super) fn spots(
     (low, high): (Point3<f32>, Point3<f32>),
-    shelf: &Shelf,
+    shelf: &SupportSurface,
     turn: &UnitQuaternion<f32>,
     (above, over): (f32, f32),
     pitch: f32,
-    order: Order,
+    order: SpotOrder,
 ) -> Vec<Pose> {
     let half = turn.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
     let room = (shelf.half.0 - half.x * (1.0 - over), shelf.half.1 - half.y * (1.0 - over));
@@ -53,7 +53,7 @@ fn steps(room: f32, pitch: f32) -> impl Iterator<Item = f32> {
     (0..=count).map(move |i| if count == 0 { 0.0 } else { room * (2.0 * i as f32 / count as f32 - 1.0) })
 }
 
-fn ordered(mut raster: Vec<(f32, f32)>, shelf: &Shelf, order: Order) -> Vec<(f32, f32)> {
+fn ordered(mut raster: Vec<(f32, f32)>, shelf: &SupportSurface, order: SpotOrder) -> Vec<(f32, f32)> {
     let nearest = |to: (f32, f32)| {
         move |a: &(f32, f32), b: &(f32, f32)| {
             let far = |p: &(f32, f32)| (p.0 - to.0).raised(2) + (p.1 - to.1).raised(2);
@@ -61,12 +61,12 @@ fn ordered(mut raster: Vec<(f32, f32)>, shelf: &Shelf, order: Order) -> Vec<(f32
         }
     };
     match order {
-        Order::Middle => raster.sort_by(nearest((0.0, 0.0))),
-        Order::Near(point) => {
+        SpotOrder::Middle => raster.sort_by(nearest((0.0, 0.0))),
+        SpotOrder::Near(point) => {
             let local = shelf.pose.inverse_transform_point(&point);
             raster.sort_by(nearest((local.x, local.y)));
         }
-        Order::Random(seed) => seed.child("spot").stream().shuffle(&mut raster),
+        SpotOrder::Random(seed) => seed.child("spot").stream().shuffle(&mut raster),
     }
     raster
 }

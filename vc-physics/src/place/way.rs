@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::Hold;
 
-use super::Shelf;
+use super::SupportSurface;
 
 /// Heights above the bottom of a container at which things are let down on what is in it,
 /// metres.
@@ -59,7 +59,7 @@ impl Way {
     /// Whether a thing of an extent may be put so: over the edge of a board in a container goes only what is wider than
     /// the board, far over an edge otherwise also what lies on something no larger than a seat, and leaning only
     /// what is as slender as a tube of toothpaste.
-    pub(super) fn is_for(&self, (low, high): (Point3<f32>, Point3<f32>), shelf: &Shelf) -> bool {
+    pub(super) fn is_for(&self, (low, high): (Point3<f32>, Point3<f32>), shelf: &SupportSurface) -> bool {
         let sides = high - low;
         let (wide, long) = (sides.x.min(sides.y) / 2.0, sides.x.max(sides.y) / 2.0);
         let (width, length) = (shelf.half.0.min(shelf.half.1), shelf.half.0.max(shelf.half.1));

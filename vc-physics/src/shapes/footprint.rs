@@ -94,7 +94,7 @@ fn cylinder(piece: &Piece) -> Option<Outline> {
 }
 
 /// The footprints of pieces. Costs the square of their number.
-pub(super) fn of(pieces: &[Piece]) -> Vec<Footprint> {
+pub(super) fn footprints(pieces: &[Piece]) -> Vec<Footprint> {
     let mut all: Vec<Footprint> = pieces.iter().map(Footprint::of).collect();
     for i in 0..all.len() {
         // If two cover each other, the first one counts.

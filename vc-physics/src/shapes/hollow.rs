@@ -10,7 +10,7 @@ use vc_geometry::cut::{self, Plane, Polygons};
 use vc_graph::Aabb;
 use vc_graph::asset::{Hold, Part, Shape, Surface};
 
-use super::form;
+use super::part;
 use super::piece::Piece;
 use crate::convert;
 
@@ -27,14 +27,14 @@ pub(super) fn space(surface: &Surface) -> Option<Aabb> {
 
 /// The pieces of a part in the frame of the scaled asset, leaving the space above the asset's surfaces free.
 pub(super) fn pieces(part: &Part, by: &Vector3<f32>, surfaces: &[Surface]) -> Vec<Piece> {
-    let whole = form::placed(part, by);
+    let whole = part::placed(part, by);
     let (Shape::Mesh { vertices, triangles, .. }, [hull]) = (&part.shape, &whole[..]) else { return whole };
     let spaces: Vec<Aabb> = surfaces.iter().filter_map(space).collect();
     if !spaces.iter().any(|s| fills(hull, s)) {
         return whole;
     }
     let mut cut = Vec::new();
-    let (mut whole, polygons) = form::surface(part, vertices, triangles, by);
+    let (mut whole, polygons) = part::surface(part, vertices, triangles, by);
     split(&mut whole, polygons, hull.clone(), &spaces, &mut cut);
     cut
 }

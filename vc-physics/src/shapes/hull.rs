@@ -8,7 +8,7 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Vector;
 use rapier3d::parry::transformation::try_convex_hull;
-use vc_geometry::hull::{self, Rough};
+use vc_geometry::hull::{self, HullTolerance};
 
 use crate::convert;
 
@@ -36,7 +36,7 @@ const ROUNDING: f32 = 1e-6;
 pub(super) fn hull(points: &[Point3<f32>], up: &Vector3<f32>, thick: f32) -> Option<SharedShape> {
     let mut all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
     let first = footed(&mut all, convert::vector(*up));
-    let rough = Rough { first: &first, by: (ROUGH * thick).clamp(FINE, TRUE), corners: CORNERS };
+    let rough = HullTolerance { first: &first, by: (ROUGH * thick).clamp(FINE, TRUE), corners: CORNERS };
     let points: Vec<Point3<f32>> = all.into_iter().map(convert::point3).collect();
     let (corners, triangles) = mesh(&points, Some(&rough))?;
     bevelled(corners, &triangles)
@@ -124,8 +124,8 @@ pub(super) fn triangles(points: &[Point3<f32>]) -> Option<Vec<[u32; 3]>> {
 
 /// The corners and the triangles of the hull of points, from the engine's own algorithm if ours finds no
 /// volume.
-fn mesh(points: &[Point3<f32>], rough: Option<&Rough<'_>>) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
-    let triangles = rough.map_or_else(|| hull::triangles(points), |rough| hull::rough(points, rough));
+fn mesh(points: &[Point3<f32>], rough: Option<&HullTolerance<'_>>) -> Option<(Vec<Vector>, Vec<[u32; 3]>)> {
+    let triangles = rough.map_or_else(|| hull::triangles(points), |rough| hull::approximate(points, rough));
     let Some(mut triangles) = triangles else {
         let all: Vec<Vector> = points.iter().map(|p| convert::point(*p)).collect();
         return try_convex_hull(&all).ok();

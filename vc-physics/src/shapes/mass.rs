@@ -52,7 +52,7 @@ impl std::ops::Mul<f64> for Moments {
 
 impl Moments {
     /// The moments of a solid shape, per unit of density; those of its pieces if it encloses nothing.
-    pub(crate) fn of(shape: &Shape) -> Self {
+    pub(crate) fn from_shape(shape: &Shape) -> Self {
         if !shape.measures_are_positive() {
             return Self::default();
         }
@@ -72,11 +72,11 @@ impl Moments {
             }
             _ => Self::default(),
         };
-        if own.is_sound() { own } else { Self::of_pieces(&pieces(shape, &Vector3::z())) }
+        if own.is_sound() { own } else { Self::from_pieces(&pieces(shape, &Vector3::z())) }
     }
 
     /// The moments of convex pieces, per unit of density.
-    pub(crate) fn of_pieces(pieces: &[Piece]) -> Self {
+    pub(crate) fn from_pieces(pieces: &[Piece]) -> Self {
         let mut sum = Self::default();
         for piece in pieces {
             let (vertices, triangles) = scale::mesh(piece);
@@ -261,20 +261,21 @@ mod tests {
     #[test]
     fn one_box_is_as_heavy_in_every_way_it_is_described() {
         let half = Vector3::new(0.2, 0.3, 0.4);
-        let solid = Moments::of(&Shape::Box { half }).moved(&Pose::translation(0.0, 0.0, 0.4));
+        let solid = Moments::from_shape(&Shape::Box { half }).moved(&Pose::translation(0.0, 0.0, 0.4));
         let outline = vec![(-0.2, -0.3), (0.2, -0.3), (0.2, 0.3), (-0.2, 0.3)];
-        same(&solid, &Moments::of(&Shape::Extrusion { outline, height: 0.8 }), 1e-6);
+        same(&solid, &Moments::from_shape(&Shape::Extrusion { outline, height: 0.8 }), 1e-6);
         let points: Vec<Point3<f32>> =
             (0..8).map(|i| Point3::new([-0.2, 0.2][i & 1], [-0.3, 0.3][i >> 1 & 1], [0.0, 0.8][i >> 2])).collect();
-        same(&solid, &Moments::of(&Shape::Hull { points }), 1e-6);
-        let stretched = Moments::of(&Shape::Box { half: Vector3::repeat(0.1) }).stretched(&Vector3::new(2.0, 3.0, 4.0));
+        same(&solid, &Moments::from_shape(&Shape::Hull { points }), 1e-6);
+        let stretched =
+            Moments::from_shape(&Shape::Box { half: Vector3::repeat(0.1) }).stretched(&Vector3::new(2.0, 3.0, 4.0));
         same(&solid, &stretched.moved(&Pose::translation(0.0, 0.0, 0.4)), 1e-6);
     }
 
     #[test]
     fn what_is_turned_is_as_heavy_as_known() {
         let (r, h) = (0.3_f64, 0.5_f64);
-        let rod = Moments::of(&Shape::Cylinder { radius: 0.3, half_height: 0.5 });
+        let rod = Moments::from_shape(&Shape::Cylinder { radius: 0.3, half_height: 0.5 });
         assert!((rod.mass - PI * r * r * 2.0 * h).abs() < 1e-6);
         let inertia = rod.properties().principal_inertia() / rod.mass();
         let mut all = inertia.to_array().map(f64::from);
@@ -283,11 +284,11 @@ mod tests {
         assert!((all[0] - known[0]).abs() < 1e-5 && (all[1] - known[1]).abs() < 1e-5, "{all:?} {known:?}");
         // A pipe is a rod without its core, in whichever direction its profile runs.
         let ring = vec![(0.3, -0.5), (0.3, 0.5), (0.2, 0.5), (0.2, -0.5), (0.3, -0.5)];
-        let mut whole = Moments::of(&Shape::Lathe { profile: ring.iter().rev().copied().collect() });
-        same(&whole, &Moments::of(&Shape::Lathe { profile: ring }), 1e-9);
-        whole += Moments::of(&Shape::Cylinder { radius: 0.2, half_height: 0.5 });
+        let mut whole = Moments::from_shape(&Shape::Lathe { profile: ring.iter().rev().copied().collect() });
+        same(&whole, &Moments::from_shape(&Shape::Lathe { profile: ring }), 1e-9);
+        whole += Moments::from_shape(&Shape::Cylinder { radius: 0.2, half_height: 0.5 });
         same(&rod, &whole, 1e-6);
-        let ball = Moments::of(&Shape::Sphere { radius: 0.2 });
+        let ball = Moments::from_shape(&Shape::Sphere { radius: 0.2 });
         assert!((ball.mass - 4.0 / 3.0 * PI * 0.008).abs() < 1e-6);
         assert!((f64::from(ball.properties().principal_inertia().x) / ball.mass - 0.016).abs() < 1e-5);
     }

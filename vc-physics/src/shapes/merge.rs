@@ -6,7 +6,7 @@
 //! holds things, so that shelves stay open.
 
 use nalgebra::Vector3;
-use vc_geometry::order::{less, more};
+use vc_geometry::order::{greater, lesser};
 use vc_graph::Aabb;
 use vc_graph::asset::Surface;
 
@@ -91,7 +91,7 @@ impl Boxes {
         let side = |axis: usize| {
             let (low, high) = (self.low[axis][with], self.high[axis][with]);
             let ends = self.low[axis].iter().zip(&self.high[axis]);
-            ends.map(move |(l, h)| (more(*h, high) - less(*l, low)).max(THIN))
+            ends.map(move |(l, h)| (greater(*h, high) - lesser(*l, low)).max(THIN))
         };
         for (((waste, x), y), z) in wastes.iter_mut().zip(side(0)).zip(side(1)).zip(side(2)) {
             *waste = x * y * z - (*waste + own);

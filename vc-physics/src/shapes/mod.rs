@@ -4,8 +4,10 @@ mod footprint;
 mod form;
 mod hollow;
 mod hull;
+mod link;
 mod mass;
 mod merge;
+mod part;
 mod piece;
 mod scale;
 
@@ -16,9 +18,9 @@ use vc_geometry::cache::AssetCache;
 use vc_graph::{AssetId, AssetLibrary, Node, Property, Relation, SceneGraph};
 
 pub(crate) use footprint::{Footprint, levels};
+pub(crate) use form::Form;
 use form::Kind;
-pub(crate) use form::{Form, Link};
-pub(crate) use mass::scaled;
+pub(crate) use link::Link;
 
 /// A cache of shapes made from assets.
 ///
@@ -35,18 +37,18 @@ pub(crate) use mass::scaled;
 /// triangles becomes a hull), so that doorways stay open. Mass and inertia always come from the parts and their
 /// materials.
 #[derive(Default)]
-pub struct Shapes(AssetCache<Key, Form>);
+pub struct ShapeCache(AssetCache<Key, Form>);
 
 /// Asset, scale, and kind of form.
 type Key = (AssetId, [u32; 3], Kind);
 
-impl std::fmt::Debug for Shapes {
+impl std::fmt::Debug for ShapeCache {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Shapes({} assets)", self.len())
+        write!(f, "ShapeCache({} assets)", self.len())
     }
 }
 
-impl Shapes {
+impl ShapeCache {
     /// An empty cache.
     pub fn new() -> Self {
         Self::default()
@@ -91,12 +93,12 @@ impl Session<'_> {
             if let Some(form) = self.forms.get(&key) {
                 return Some(form.clone());
             }
-            let form = Arc::new(Form::of_asset(asset, self.library, &spec.scale, kind));
+            let form = Arc::new(Form::from_asset(asset, self.library, &spec.scale, kind));
             self.forms.insert(key, form.clone());
             return Some(form);
         }
         let bounds = spec.bounds?;
         let hollow = graph.relating(Relation::Inside, node.id()).next().is_some();
-        Some(Arc::new(Form::of_box(&bounds, node.pose()?, hollow)))
+        Some(Arc::new(Form::from_box(&bounds, node.pose()?, hollow)))
     }
 }

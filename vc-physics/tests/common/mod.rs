@@ -9,7 +9,7 @@ use vc_graph::asset::{Hold, Joint, JointKind, Material, Part, Shape, Surface};
 use vc_graph::{
     Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, NodeId, Pose, SceneBuilder, SceneGraph, State,
 };
-use vc_physics::{PhysicsWorld, Settings, Shapes};
+use vc_physics::{PhysicsWorld, Settings, ShapeCache};
 
 /// A scene in the making.
 pub(crate) struct Scene {
@@ -173,7 +173,7 @@ impl Scene {
     }
 
     pub(crate) fn world_with(self, settings: Settings) -> PhysicsWorld {
-        PhysicsWorld::build(&self.graph(), &Shapes::new(), settings).unwrap()
+        PhysicsWorld::build(&self.graph(), &ShapeCache::new(), settings).unwrap()
     }
 }
 

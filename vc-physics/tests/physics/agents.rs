@@ -8,7 +8,8 @@ use common::{Scene, at, block, part, plain, turned};
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::{Asset, Bounds, Draft, NodeId, Pose, Relation};
 use vc_physics::{
-    AgentError, BodyPlan, BodyRole, Floor, FloorOptions, Hand, Order, PhysicsError, PhysicsWorld, Posture, Shapes, Walk,
+    AgentError, BodyPlan, BodyRole, Floor, FloorOptions, Hand, PhysicsError, PhysicsWorld, Posture, ShapeCache,
+    SpotOrder, WalkState,
 };
 
 fn position(world: &PhysicsWorld, id: NodeId) -> Vector3<f32> {
@@ -27,7 +28,7 @@ fn walking_at_speed_and_stopping() {
     world.run(60 * 4);
     let end = position(&world, me);
     assert!((end - Vector3::new(3.0, 2.0, 0.0)).norm() < 0.06, "{end:?}");
-    assert_eq!(world.walk(me).unwrap(), Walk::Still);
+    assert_eq!(world.walk(me).unwrap(), WalkState::Still);
     // It faces the direction in which it walked.
     assert!((world.pose(me).unwrap().rotation * Vector3::x()).y > 0.99);
     world.go(me, Vector2::new(-100.0, 0.0)).unwrap();
@@ -196,7 +197,7 @@ fn taking_carrying_and_putting_down() {
     // Back to the table, and down.
     world.follow(me, &[Point2::new(-2.0, 0.0), Point2::new(0.05, 0.0)], false).unwrap();
     world.run(300);
-    let near = Order::Near(Point3::new(0.4, 0.0, 0.75));
+    let near = SpotOrder::Near(Point3::new(0.4, 0.0, 0.75));
     let spot = world.free_spot(tray, table, 0, 0.0, near).unwrap().unwrap();
     assert!(matches!(
         world.put(me, Hand::Right, at(0.7, 0.0, 0.72)),
@@ -226,7 +227,7 @@ fn what_is_held_pushes_nothing() {
     world.follow(me, &[Point2::new(0.2, 1.5)], false).unwrap();
     let before: Vec<_> = cubes.iter().map(|c| world.pose(*c)).collect();
     world.run(300);
-    assert_eq!(world.walk(me).unwrap(), Walk::Still);
+    assert_eq!(world.walk(me).unwrap(), WalkState::Still);
     assert_eq!(cubes.iter().map(|c| world.pose(*c)).collect::<Vec<_>>(), before);
 }
 
@@ -263,7 +264,7 @@ fn held_in_the_graph() {
     edit.commit();
     let graph = scene.graph();
     assert!(graph.related(me, Relation::HoldsRight).any(|id| id == toy));
-    let world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
+    let world = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
     assert_eq!(world.holder(toy), Some((me, Hand::Right)));
     assert!(position(&world, toy).x < 1.0);
 }
@@ -423,7 +424,7 @@ fn people_walk_past_each_other() {
     }
     assert!(least > 0.39, "they came as near as {least} m");
     for (person, (x, y)) in people.iter().zip(corners) {
-        assert_eq!(world.walk(*person).unwrap(), Walk::Still);
+        assert_eq!(world.walk(*person).unwrap(), WalkState::Still);
         let p = position(&world, *person);
         assert!((p.xy() - Vector2::new(-x, -y)).norm() < 0.1, "{p:?}");
     }
@@ -440,15 +441,15 @@ fn walking_and_being_there_end_the_same() {
     let mut walking = scene.world();
     walking.settle(100);
     let mut jumping = walking.clone();
-    let floor = Floor::of(&walking, FloorOptions::default());
-    let stand = floor.stand(&walking, &BodyPlan::default(), Point2::new(-2.0, 0.0), toy).unwrap().unwrap();
+    let floor = Floor::new(&walking, FloorOptions::default());
+    let stand = floor.standing_pose(&walking, &BodyPlan::default(), Point2::new(-2.0, 0.0), toy).unwrap().unwrap();
     let goal = stand.route.points.last().copied().unwrap();
     let route = walking.walk_to(me, &floor, goal, true).unwrap();
     assert!(route.length > 2.9);
-    while walking.walk(me).unwrap() == Walk::Walking {
+    while walking.walk(me).unwrap() == WalkState::Walking {
         walking.step();
     }
-    jumping.be_at(me, &floor, goal).unwrap();
+    jumping.arrive_at(me, &floor, goal).unwrap();
     jumping.step();
     let (a, b): (Pose, Pose) = (walking.pose(me).unwrap(), jumping.pose(me).unwrap());
     assert!((a.translation.vector - b.translation.vector).norm() < 0.05, "{a} {b}");
@@ -473,7 +474,8 @@ fn beside_a_door() -> (PhysicsWorld, NodeId, NodeId) {
 #[test]
 fn clear_of_a_door_that_swings() {
     let (mut world, me, door) = beside_a_door();
-    let clear = |world: &PhysicsWorld, x: f32, y: f32, open: &[f32]| world.stands_clear(me, &at(x, y, 0.0), door, open);
+    let clear =
+        |world: &PhysicsWorld, x: f32, y: f32, open: &[f32]| world.can_stand_with_open(me, &at(x, y, 0.0), door, open);
     // In the door's way, but at neither its start nor its end.
     assert_eq!(clear(&world, 0.5, 0.0, &[0.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.0, &[0.5]), Ok(false));
@@ -484,12 +486,15 @@ fn clear_of_a_door_that_swings() {
     assert_eq!(clear(&world, -0.5, 0.0, &[0.0]), Ok(false));
     // The door counts at the queried position, not at its present one.
     world.put_all_open(door, 1.0).unwrap();
-    assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
+    assert_eq!(world.can_stand(me, &at(0.5, 0.4, 0.0)), Ok(false));
     assert_eq!(clear(&world, 0.5, 0.4, &[0.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.4, &[1.0]), Ok(false));
     let nobody = NodeId(77);
-    assert_eq!(world.stands_clear(nobody, &at(0.5, 0.0, 0.0), door, &[0.0]), Err(AgentError::NoSuchAgent(nobody)));
-    assert!(world.stands_clear(me, &at(0.5, 0.0, 0.0), nobody, &[0.0]).is_err());
+    assert_eq!(
+        world.can_stand_with_open(nobody, &at(0.5, 0.0, 0.0), door, &[0.0]),
+        Err(AgentError::NoSuchAgent(nobody))
+    );
+    assert!(world.can_stand_with_open(me, &at(0.5, 0.0, 0.0), nobody, &[0.0]).is_err());
 }
 
 #[test]
@@ -515,11 +520,11 @@ fn open_doors_give_way() {
     let (mut world, me, door) = beside_a_door();
     assert_eq!(world.parts_to_move_aside(me, &at(0.5, 0.4, 0.0)), Ok(Some(Vec::new())));
     world.put_all_open(door, 1.0).unwrap();
-    assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(false));
+    assert_eq!(world.can_stand(me, &at(0.5, 0.4, 0.0)), Ok(false));
     let aside = world.parts_to_move_aside(me, &at(0.5, 0.4, 0.0)).unwrap().unwrap();
     assert!(matches!(aside[..], [(id, 0, open)] if id == door && open > 0.05 && open < 1.0), "{aside:?}");
     aside.iter().try_for_each(|(id, part, open)| world.put_open(*id, *part, *open)).unwrap();
-    assert_eq!(world.stands_free(me, &at(0.5, 0.4, 0.0)), Ok(true));
+    assert_eq!(world.can_stand(me, &at(0.5, 0.4, 0.0)), Ok(true));
     assert_eq!(world.parts_to_move_aside(me, &at(-0.5, 0.0, 0.0)), Ok(None));
     // A closed door does not open to let anybody in.
     world.put_all_open(door, 0.0).unwrap();

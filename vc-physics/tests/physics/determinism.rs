@@ -7,7 +7,9 @@ use crate::common;
 use common::{Scene, at, plain, turned};
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Aabb, Bounds, Draft, NodeId, SceneGraph, Seed};
-use vc_physics::{BodyRole, Controls, Hand, PhysicsWorld, Posture, Settings, Shapes, SnapshotError, VehiclePlan};
+use vc_physics::{
+    BodyRole, Hand, PhysicsWorld, Posture, Settings, ShapeCache, SnapshotError, VehicleControls, VehiclePlan,
+};
 
 /// The agents and things that are moved in the scene.
 #[derive(Clone, Copy)]
@@ -50,7 +52,7 @@ fn act(world: &mut PhysicsWorld, step: u32, things: &[NodeId], others: Others) {
     match step {
         2 => world.add_vehicle(car, &VehiclePlan::car(80.0, 0.6, 0.3, 0.08, 0.0)).unwrap(),
         5 => world.add_water(&Aabb { min: [-4.0, 1.0, 0.0].into(), max: [4.0, 4.0, 0.15].into() }).unwrap(),
-        15 => world.steer(car, Controls { throttle: 0.4, steering: 0.3, ..Controls::default() }).unwrap(),
+        15 => world.steer(car, VehicleControls { throttle: 0.4, steering: 0.3, ..VehicleControls::default() }).unwrap(),
         40 => world.sit(sitter, stool).unwrap(),
         120 => world.stand_up(sitter).unwrap(),
         10 => world.drive(chest, 0, 1.0).unwrap(),
@@ -82,7 +84,7 @@ impl Takes for PhysicsWorld {
 #[test]
 fn clone_restore_and_rebuild_are_the_same_world() {
     let (graph, things, others) = graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let build = || PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let (mut original, mut rebuilt) = (build(), build());
     let mut copies: Vec<(&str, PhysicsWorld)> = Vec::new();
@@ -91,7 +93,7 @@ fn clone_restore_and_rebuild_are_the_same_world() {
         if step == 0 || step == 70 {
             copies.push(("clone", original.clone()));
             let bytes = original.save().unwrap();
-            let restored = PhysicsWorld::restore(&bytes, &graph, &Shapes::new()).unwrap();
+            let restored = PhysicsWorld::restore(&bytes, &graph, &ShapeCache::new()).unwrap();
             assert_eq!(restored.save().unwrap(), bytes, "a snapshot of the snapshot is the same");
             copies.push(("restored", restored));
         }
@@ -126,19 +128,19 @@ fn a_restored_world_is_the_saved_one_after_any_edits() {
             .collect();
         nodes.extend((0..12).map(|_| scene.cube(0.05, at(rng.between(-2.0, 11.0), 0.0, rng.between(0.5, 2.0)))));
         let graph = scene.graph();
-        let mut world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
+        let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
         for _ in 0..10 {
             world.run(rng.count(1, 30) as u32);
             let id = nodes[rng.below(nodes.len())];
             if world.pose(id).is_none() {
-                world.insert(&graph, id, &Shapes::new()).unwrap();
+                world.insert(&graph, id, &ShapeCache::new()).unwrap();
             } else if rng.chance(0.5) {
                 world.remove(id).unwrap();
             } else {
                 world.place(id, at(rng.between(-2.0, 11.0), 0.0, rng.between(-12.0, 2.0))).unwrap();
             }
         }
-        let mut restored = PhysicsWorld::restore(&world.save().unwrap(), &graph, &Shapes::new()).unwrap();
+        let mut restored = PhysicsWorld::restore(&world.save().unwrap(), &graph, &ShapeCache::new()).unwrap();
         for _ in 0..40 {
             world.run(6);
             restored.run(6);
@@ -152,7 +154,7 @@ fn a_restored_world_is_the_saved_one_after_any_edits() {
 #[test]
 fn any_number_of_threads() {
     let (graph, things, others) = graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let run = || {
         let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
         (0..150).for_each(|step| act(&mut world, step, &things, others));
@@ -169,14 +171,14 @@ fn any_number_of_threads() {
 fn worlds_can_be_sent_and_shared() {
     fn check<T: Send + Sync>() {}
     check::<PhysicsWorld>();
-    check::<Shapes>();
+    check::<ShapeCache>();
     check::<vc_physics::Floor>();
 }
 
 #[test]
 fn damaged_snapshots_are_refused() {
     let (graph, ..) = graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let bytes = world.save().unwrap();
     let restore = |bytes: &[u8]| PhysicsWorld::restore(bytes, &graph, &shapes).err();
@@ -206,7 +208,7 @@ fn reset_moves_what_differs() {
     let chest = scene.add("kitchen_cabinet", chest, at(2.0, 0.0, 0.0));
     let cubes: Vec<_> = (0..40).map(|i| scene.cube(0.05, at(-2.0 + 0.12 * i as f32, -2.0, 0.052))).collect();
     let graph = scene.graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let mut template = PhysicsWorld::build(&graph, &shapes, Settings::default()).unwrap();
     template.settle(200);
     let (same, plan) = template.reset(&graph, &shapes).unwrap();
@@ -252,7 +254,7 @@ fn a_reset_brings_agents_back() {
     let stool = scene.solid("stool", common::block([0.2, 0.2, 0.22]), scene.wood);
     let stool = scene.add("stool", stool, at(1.0, 0.0, 0.22));
     let (walker, sitter) = (scene.agent(at(-2.0, 0.0, 0.01)), scene.agent(at(0.3, 0.0, 0.01)));
-    let (graph, shapes) = (scene.graph(), Shapes::new());
+    let (graph, shapes) = (scene.graph(), ShapeCache::new());
     let mut template = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     template.settle(100);
     let fresh = template.poses();
@@ -286,7 +288,7 @@ fn a_reset_takes_things_off_hooks() {
     let mut edit = scene.builder.edit();
     edit.place(coat, vc_graph::Place { relation: vc_graph::Relation::On, at: rack }).unwrap();
     edit.commit();
-    let (graph, shapes) = (scene.graph(), Shapes::new());
+    let (graph, shapes) = (scene.graph(), ShapeCache::new());
     let mut template = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     template.settle(100);
     assert_eq!(template.role(coat), Some(BodyRole::Hung));
@@ -309,7 +311,7 @@ fn a_reset_takes_things_off_hooks() {
 #[test]
 fn resets_are_deterministic() {
     let (graph, things, _) = graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let mut template = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     template.settle(400);
     let mut other = graph.clone();

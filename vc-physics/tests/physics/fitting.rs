@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, SceneGraph};
-use vc_physics::{Hand, Order, PhysicsWorld, Shapes};
+use vc_physics::{Hand, PhysicsWorld, ShapeCache, SpotOrder};
 
 /// A box without a lid, 0.5 m by 0.4 m by 0.3 m inside.
 fn chest(scene: &mut Scene) -> NodeId {
@@ -42,18 +42,18 @@ fn what_is_too_tall_is_laid_down() {
     let long = scene.solid("long", block([0.3, 0.3, 0.3]), scene.wood);
     let long = scene.add("toy", long, at(-1.0, 0.0, 0.3));
     let mut world = scene.world();
-    let spot = world.free_spot_at(tall, chest, true, Order::Middle).unwrap().unwrap();
+    let spot = world.free_spot_at(tall, chest, true, SpotOrder::Middle).unwrap().unwrap();
     assert!(world.overlaps(tall, &spot).unwrap().is_empty());
     world.place(tall, spot).unwrap();
     let report = world.settle(300);
     assert!(report.at_rest && within(&world, tall, chest), "{report:?}");
-    assert_eq!(world.free_spot_at(long, chest, true, Order::Middle).unwrap(), None);
+    assert_eq!(world.free_spot_at(long, chest, true, SpotOrder::Middle).unwrap(), None);
     // On top of things nothing is laid down: it stands there or not at all.
     let mut scene = Scene::default();
     let table = scene.table(at(0.0, 0.0, 0.0));
     let cube = scene.cube(0.05, at(2.0, 0.0, 1.0));
     let world = scene.world();
-    let spot = world.free_spot_at(cube, table, false, Order::Middle).unwrap().unwrap();
+    let spot = world.free_spot_at(cube, table, false, SpotOrder::Middle).unwrap().unwrap();
     assert!(spot.rotation.angle() < 1e-6);
 }
 
@@ -72,7 +72,8 @@ fn burners_are_taken_one_after_the_other() {
     let mut world = scene.world();
     let mut middles = Vec::new();
     for &thing in &things {
-        let spot = world.free_spot_at(thing, stove, false, Order::Near(Point3::new(0.0, -1.0, 0.9))).unwrap().unwrap();
+        let spot =
+            world.free_spot_at(thing, stove, false, SpotOrder::Near(Point3::new(0.0, -1.0, 0.9))).unwrap().unwrap();
         world.place(thing, spot).unwrap();
         world.settle(60);
         middles.push(spot.translation.vector.xy());
@@ -93,10 +94,10 @@ fn what_carries_something_is_not_tipped() {
     let on_it = scene.cube(0.04, at(1.0, 0.0, 0.441));
     let mut world = scene.world();
     world.settle(120);
-    assert_eq!(world.free_spot_at(tall, chest, true, Order::Middle).unwrap(), None);
+    assert_eq!(world.free_spot_at(tall, chest, true, SpotOrder::Middle).unwrap(), None);
     world.place(on_it, at(-1.0, 0.0, 0.041)).unwrap();
     world.settle(120);
-    assert!(world.free_spot_at(tall, chest, true, Order::Middle).unwrap().is_some());
+    assert!(world.free_spot_at(tall, chest, true, SpotOrder::Middle).unwrap().is_some());
 }
 
 /// Seventeen cubes are more than stand on the bottom of the chest, four by three of them.
@@ -110,8 +111,8 @@ fn things_are_heaped_in_containers_up_to_the_rim() {
     world.settle(60);
     let mut put = 0;
     for &cube in &cubes {
-        let flat = world.free_spot_at(cube, chest, true, Order::Middle).unwrap();
-        let Some(spot) = flat.or_else(|| world.heaped_spot_in(cube, chest, Order::Middle).unwrap()) else { break };
+        let flat = world.free_spot_at(cube, chest, true, SpotOrder::Middle).unwrap();
+        let Some(spot) = flat.or_else(|| world.heaped_spot_in(cube, chest, SpotOrder::Middle).unwrap()) else { break };
         world.place(cube, spot).unwrap();
         world.settle(120);
         assert!(within(&world, cube, chest), "the {put}. is not in the chest");
@@ -141,15 +142,16 @@ fn a_round_table_is_used_up_to_its_edge() {
     world.place(plates[0], at(0.0, 0.0, 0.763)).unwrap();
     world.settle(60);
     for &plate in &plates[1..] {
-        let spot = world.free_spot_at(plate, table, false, Order::Near(Point3::new(0.0, -1.0, 0.75))).unwrap().unwrap();
+        let spot =
+            world.free_spot_at(plate, table, false, SpotOrder::Near(Point3::new(0.0, -1.0, 0.75))).unwrap().unwrap();
         world.place(plate, spot).unwrap();
         let report = world.settle(120);
         assert!(report.at_rest && world.supports(plate) == [table], "{report:?}");
     }
     for (x, y) in [(0.5, 0.0), (0.5, 0.5)] {
-        let near = Order::Near(Point3::new(x, y, 0.75));
+        let near = SpotOrder::Near(Point3::new(x, y, 0.75));
         (0..5).for_each(|i| world.place(plates[i], at(2.0 + 0.4 * i as f32, 0.0, 0.012)).unwrap());
-        let spot = world.close_spot_at(plates[0], table, false, near).unwrap().unwrap();
+        let spot = world.packed_spot_at(plates[0], table, false, near).unwrap().unwrap();
         world.place(plates[0], spot).unwrap();
         world.settle(120);
         let far = world.pose(plates[0]).unwrap().translation.vector.xy().norm();
@@ -171,9 +173,9 @@ fn shirt() -> (SceneGraph, NodeId, NodeId, NodeId) {
 #[test]
 fn cloth_is_folded_up_in_the_hand() {
     let (mut graph, chest, shirt, me) = shirt();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
-    assert_eq!(world.free_spot_at(shirt, chest, true, Order::Middle).unwrap(), None);
+    assert_eq!(world.free_spot_at(shirt, chest, true, SpotOrder::Middle).unwrap(), None);
     world.grab(me, Hand::Right, shirt).unwrap();
     let (mass, by) = (world.mass(shirt).unwrap(), world.folded_size(shirt).unwrap().unwrap());
     let mut edit = graph.edit();
@@ -186,7 +188,7 @@ fn cloth_is_folded_up_in_the_hand() {
     let size = world.aabb(shirt).map(|b| b.max - b.min).unwrap();
     assert!((mass / size.product() - 115.0).abs() < 1.0, "{mass} kg in {size:?}");
     assert!(world.folded_size(shirt).unwrap().is_none(), "it gets no smaller");
-    let spot = world.free_spot_at(shirt, chest, true, Order::Near(Point3::origin())).unwrap().unwrap();
+    let spot = world.free_spot_at(shirt, chest, true, SpotOrder::Near(Point3::origin())).unwrap().unwrap();
     world.put(me, Hand::Right, spot).unwrap();
     let report = world.settle(300);
     assert!(report.at_rest && within(&world, shirt, chest), "{report:?}");
@@ -202,7 +204,7 @@ fn what_has_moving_parts_is_not_reshaped() {
     let asset = scene.chest_asset();
     let chest = scene.add("dresser", asset, at(0.0, 0.0, 0.0));
     let mut graph = scene.graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
     let mut edit = graph.edit();
     edit.set_scale(chest, Vector3::repeat(0.5)).unwrap();
@@ -225,7 +227,7 @@ fn what_does_not_come_along_is_left_behind() {
     let mut world = scene.world();
     world.settle(200);
     let before = world.pose(other).unwrap().translation.vector;
-    world.grab_with(me, Hand::Right, tray, |id| id == one).unwrap();
+    world.grab_where(me, Hand::Right, tray, |id| id == one).unwrap();
     world.settle(200);
     let after = world.pose(other).unwrap().translation.vector;
     assert!((before - after).xy().norm() < 0.05 && (0.015..0.025).contains(&(before - after).z), "{after:?}");
@@ -249,7 +251,7 @@ fn what_is_deeper_than_a_seat_reaches_over_it_little() {
     let pillow = scene.solid("pillow", block([0.3, 0.26, 0.06]), w);
     let pillow = scene.add("pillow", pillow, at(2.0, 0.0, 0.06));
     let mut world = scene.world();
-    let spot = world.free_spot_at(pillow, sofa, false, Order::Middle).unwrap().unwrap();
+    let spot = world.free_spot_at(pillow, sofa, false, SpotOrder::Middle).unwrap().unwrap();
     world.place(pillow, spot).unwrap();
     let over = world.aabb(pillow).unwrap().max.x - 0.25;
     assert!(over < 0.22, "{over} m over the edge");

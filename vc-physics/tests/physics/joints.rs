@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{Asset, NodeId, Pose, State};
-use vc_physics::{PhysicsError, PhysicsWorld, Settings, Shapes};
+use vc_physics::{PhysicsError, PhysicsWorld, Settings, ShapeCache};
 
 #[test]
 fn doors_and_drawers_follow_the_graph_and_back() {
@@ -18,7 +18,7 @@ fn doors_and_drawers_follow_the_graph_and_back() {
     let (shut, ajar) = (scene.add("door", door, at(0.0, 0.0, 0.0)), scene.add("door", door, at(2.0, 0.0, 0.0)));
     let mut graph = scene.graph();
     common::open(&mut graph, ajar);
-    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
     assert_eq!((world.openness(shut), world.openness(ajar)), (Some(0.0), Some(1.0)));
     assert_eq!(world.open_state(shut), Some(State::Closed));
     assert_eq!(world.open_state(ajar), Some(State::Open));
@@ -82,7 +82,7 @@ fn a_drawer_takes_its_content_along() {
         assert!(world.settle(400).at_rest);
         let moved = world.pose(spoon).unwrap().translation.vector - before.vector;
         assert!((moved.x - 0.3).abs() < 0.03 && moved.z.abs() < 0.005, "{at_once} {pinned}: {moved:?}");
-        let shelf = &world.shelves(chest)[1];
+        let shelf = &world.support_surfaces(chest)[1];
         assert!((shelf.pose.translation.x - 0.31).abs() < 0.003, "{shelf:?}");
     }
 }

@@ -8,7 +8,7 @@ use common::{Scene, at, block, material, part, plain, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::Asset;
 use vc_graph::asset::{Joint, JointKind, Shape};
-use vc_physics::{Controls, Fixing, PhysicsWorld, Settings, VehiclePlan};
+use vc_physics::{FixedThings, PhysicsWorld, Settings, VehicleControls, VehiclePlan};
 
 #[test]
 fn free_fall() {
@@ -295,12 +295,12 @@ fn stopping_distance_of_a_car() {
     world.run(120);
     let height = world.pose(car).unwrap().translation.z;
     assert!(height.abs() < 0.05, "it stands on its springs: {height}");
-    world.steer(car, Controls { throttle: 1.0, ..Controls::default() }).unwrap();
+    world.steer(car, VehicleControls { throttle: 1.0, ..VehicleControls::default() }).unwrap();
     while world.speed(car).unwrap() < 15.0 {
         world.step();
         assert!(world.time() < 20.0, "{:?}", world.speed(car));
     }
-    world.steer(car, Controls { brake: 1.0, ..Controls::default() }).unwrap();
+    world.steer(car, VehicleControls { brake: 1.0, ..VehicleControls::default() }).unwrap();
     let (v, from) = (world.speed(car).unwrap(), world.pose(car).unwrap().translation.x);
     while world.speed(car).unwrap() > 0.05 && world.time() < 40.0 {
         world.step();
@@ -356,13 +356,13 @@ fn a_car_turns_and_climbs_a_ramp() {
     world.add_vehicle(car, &VehiclePlan::car(1300.0, 2.6, 1.5, 0.32, 0.32)).unwrap();
     world.run(60);
     let before = world.clone();
-    world.steer(car, Controls { throttle: 0.6, ..Controls::default() }).unwrap();
+    world.steer(car, VehicleControls { throttle: 0.6, ..VehicleControls::default() }).unwrap();
     world.run(240);
     let p = world.pose(car).unwrap().translation;
     assert!(p.x > 8.0 && p.z > 0.3 && p.y.abs() < 0.3, "{p}");
     // With X forward, left is positive Y.
     let mut left = before;
-    left.steer(car, Controls { throttle: 0.3, steering: 0.5, ..Controls::default() }).unwrap();
+    left.steer(car, VehicleControls { throttle: 0.3, steering: 0.5, ..VehicleControls::default() }).unwrap();
     left.run(120);
     assert!(left.pose(car).unwrap().translation.y > 0.3, "{:?}", left.pose(car));
     assert_eq!(left.wheels(car).len(), 4);
@@ -384,7 +384,7 @@ fn shapes_stand_upright() {
         let name = format!("{shape:?}");
         let asset = scene.solid("thing", shape.clone(), scene.wood);
         let id = scene.add("toy", asset, at(0.0, 0.0, height + 0.05));
-        let mut world = scene.world_with(Settings { fixing: Fixing::Structure, ..plain() });
+        let mut world = scene.world_with(Settings { fixing: FixedThings::Structure, ..plain() });
         world.run(20);
         let (low, high) = shape.extent();
         let aabb = world.aabb(id).unwrap();

@@ -7,7 +7,7 @@ use crate::common;
 use common::{Scene, at};
 use nalgebra::{Point2, Vector2};
 use vc_graph::{NodeId, Seed};
-use vc_physics::{BodyPlan, Doors, Floor, FloorOptions};
+use vc_physics::{BodyPlan, DoorHandling, Floor, FloorOptions};
 
 type Outline = Vec<Point2<f32>>;
 
@@ -120,7 +120,7 @@ fn ways_are_within_two_percent_of_the_shortest() {
     let (mut compared, mut worst, mut only_one, mut tight) = (0, 0.0_f32, 0, 0);
     for seed in 0..100 {
         let (ground, obstacles) = random_floor(seed);
-        let floor = Floor::of_outlines(&ground, &obstacles, plan);
+        let floor = Floor::from_outlines(&ground, &obstacles, plan);
         let mut rng = Seed(seed).child("ends").stream();
         let mut point = || loop {
             let p = Point2::new(rng.between(0.0, 8.0), rng.between(0.0, 6.0));
@@ -170,7 +170,7 @@ fn ways_are_the_shortest_over_the_cells() {
     let plan = FloorOptions { radius: 0.2, cell: 0.2, ..FloorOptions::default() };
     for seed in 0..60 {
         let (ground, obstacles) = random_floor(1000 + seed);
-        let floor = Floor::of_outlines(&ground, &obstacles, plan);
+        let floor = Floor::from_outlines(&ground, &obstacles, plan);
         let mut rng = Seed(seed).child("cells").stream();
         let mut point = || {
             (0..200).find_map(|_| {
@@ -214,7 +214,7 @@ fn cells_are_free_whose_middles_keep_clear() {
             around(centre, half, rng.count(1, 17), angle, rng.chance(0.2))
         };
         let obstacles = [one(), one()];
-        let floor = Floor::of_outlines(std::slice::from_ref(&ground), &obstacles, plan);
+        let floor = Floor::from_outlines(std::slice::from_ref(&ground), &obstacles, plan);
         for (row, column) in (0..15).flat_map(|r| (0..20).map(move |c| (r, c))) {
             let whole = |i: i32, of: i32, length: f32| (i as f32 / of as f32 * length / plan.cell).floor() + 0.5;
             let p = Point2::new(whole(column, 20, 4.0), whole(row, 15, 3.0)) * plan.cell;
@@ -311,9 +311,9 @@ fn doors_block_and_open() {
     let (scene, doors) = rooms();
     let mut world = scene.world();
     let (left, right) = (Point2::new(-4.0, -1.0), Point2::new(4.0, 1.0));
-    let as_they_are = FloorOptions { doors: Doors::AsTheyAre, ..FloorOptions::default() };
-    let mut floor = Floor::of(&world, as_they_are);
-    let mut any = Floor::of(&world, FloorOptions::default());
+    let as_they_are = FloorOptions { doors: DoorHandling::AsTheyAre, ..FloorOptions::default() };
+    let mut floor = Floor::new(&world, as_they_are);
+    let mut any = Floor::new(&world, FloorOptions::default());
     assert_eq!(floor.route(left, right), None, "they are shut");
     let route = any.route(left, right).unwrap();
     assert_eq!(route.doors, doors, "they can be opened");
@@ -343,9 +343,9 @@ fn open_drawers_are_shut_in_passing() {
     world.put_open(chest, 0, 1.0).unwrap();
     let (a, b) = (Point2::new(4.5, -1.5), Point2::new(4.5, 1.5));
     let straight = FloorOptions { radius: 0.15, ..FloorOptions::default() };
-    let route = Floor::of(&world, straight).route(a, b).unwrap();
+    let route = Floor::new(&world, straight).route(a, b).unwrap();
     assert!(route.length < 3.01 && route.doors == [chest], "{route:?}");
-    let as_it_is = Floor::of(&world, FloorOptions { doors: Doors::AsTheyAre, ..straight });
+    let as_it_is = Floor::new(&world, FloorOptions { doors: DoorHandling::AsTheyAre, ..straight });
     assert!(as_it_is.route(a, b).is_some_and(|r| r.length > 3.2 && r.doors.is_empty()));
 }
 
@@ -354,7 +354,7 @@ fn chairs_in_the_way() {
     let (mut scene, _) = rooms();
     let crate_ = scene.cube(0.45, at(4.5, 0.0, 0.45));
     let mut world = scene.world();
-    let mut floor = Floor::of(&world, FloorOptions::default());
+    let mut floor = Floor::new(&world, FloorOptions::default());
     let (a, b) = (Point2::new(0.0, 0.0), Point2::new(5.5, 0.0));
     let round = floor.route(a, b).unwrap();
     assert!(round.length > 5.6 && round.points.len() > 2);
@@ -372,7 +372,7 @@ fn ways_stay_open_or_do_not() {
     let (mut scene, _) = rooms();
     let crate_ = scene.cube(0.2, at(4.5, 1.5, 2.0));
     let world = scene.world();
-    let floor = Floor::of(&world, FloorOptions::default());
+    let floor = Floor::new(&world, FloorOptions::default());
     let open = |x: f32, y: f32, from: &[Point2<f32>]| floor.stays_open(&world, crate_, &at(x, y, 0.2), from).unwrap();
     let (left, middle) = (Point2::new(-4.0, -1.0), Point2::new(0.0, 0.0));
     assert!(!open(-2.0, 0.0, &[left]) && !open(-1.5, 0.0, &[middle]));
@@ -392,7 +392,7 @@ fn things_on_tables_are_not_in_the_way() {
     edit.place(cup, vc_graph::Place { relation: vc_graph::Relation::On, at: table }).unwrap();
     edit.commit();
     let mut world = scene.world();
-    let mut floor = Floor::of(&world, FloorOptions::default());
+    let mut floor = Floor::new(&world, FloorOptions::default());
     let area = floor.area();
     world.place(cup, at(4.2, 0.1, 0.79)).unwrap();
     floor.update(&world);
@@ -411,11 +411,11 @@ fn places_to_stand() {
     let high = scene.wall([5.7, -0.3, 2.2], [6.0, 0.3, 2.25]);
     let out_of_reach = scene.cube(0.05, at(5.9, 0.0, 3.2));
     let world = scene.world();
-    let floor = Floor::of(&world, FloorOptions::default());
+    let floor = Floor::new(&world, FloorOptions::default());
     let plan = BodyPlan::default();
     let from = Point2::new(0.0, 0.0);
     for id in [near, floor_toy] {
-        let stand = floor.stand(&world, &plan, from, id).unwrap().unwrap();
+        let stand = floor.standing_pose(&world, &plan, from, id).unwrap().unwrap();
         let feet: Point2<f32> = stand.feet.translation.vector.xy().into();
         assert!(floor.is_free(feet));
         let thing = world.pose(id).unwrap().translation.vector.xy();
@@ -424,8 +424,8 @@ fn places_to_stand() {
         assert!(front.dot(&(thing - feet.coords).normalize()) > 0.99, "it faces the thing");
         assert!((stand.route.points.last().unwrap() - feet).norm() < 1e-3);
     }
-    assert_eq!(floor.stand(&world, &plan, from, out_of_reach).unwrap(), None);
-    assert!(floor.stand(&world, &plan, from, NodeId(999)).is_err());
+    assert_eq!(floor.standing_pose(&world, &plan, from, out_of_reach).unwrap(), None);
+    assert!(floor.standing_pose(&world, &plan, from, NodeId(999)).is_err());
     let _ = high;
 }
 
@@ -442,9 +442,9 @@ fn the_nearest_place_to_stand() {
     let me = scene.agent(at(-3.0, 0.2, 0.0));
     let mut world = scene.world();
     world.run(5);
-    let floor = Floor::of(&world, FloorOptions::default());
+    let floor = Floor::new(&world, FloorOptions::default());
     let (plan, from) = (BodyPlan::default(), Point2::new(-3.0, 0.2));
-    let stand = floor.stand(&world, &plan, from, cup).unwrap().unwrap();
+    let stand = floor.standing_pose(&world, &plan, from, cup).unwrap().unwrap();
     let length = |spot: Point2<f32>| floor.route(from, spot).map(|r| r.length);
     // All spots of a fine grid where the agent could stand, tested as for the agent there.
     let mut best = f32::MAX;
@@ -474,13 +474,13 @@ fn odd_floors() {
         (vec![rectangle(0.0, 0.0, 0.0, 0.0)], vec![]),
         (vec![vec![Point2::new(f32::NAN, 0.0), p, p]], vec![]),
     ] {
-        let floor = Floor::of_outlines(&ground, &obstacles, plan);
+        let floor = Floor::from_outlines(&ground, &obstacles, plan);
         assert_eq!(floor.route(p, p), None);
         assert!(!floor.is_free(p) && floor.area() == 0.0);
     }
-    let huge = Floor::of_outlines(&[rectangle(-9000.0, -9000.0, 9000.0, 9000.0)], &[], plan);
+    let huge = Floor::from_outlines(&[rectangle(-9000.0, -9000.0, 9000.0, 9000.0)], &[], plan);
     assert!(huge.route(Point2::new(-8000.0, 0.0), Point2::new(8000.0, 10.0)).is_some());
-    let point_obstacle = Floor::of_outlines(&[rectangle(0.0, 0.0, 2.0, 2.0)], &[vec![p]], plan);
+    let point_obstacle = Floor::from_outlines(&[rectangle(0.0, 0.0, 2.0, 2.0)], &[vec![p]], plan);
     assert!(!point_obstacle.is_free(p) && point_obstacle.is_free(Point2::new(1.0, 1.4)));
     assert_eq!(point_obstacle.route(Point2::new(f32::NAN, 0.0), p), None);
 }

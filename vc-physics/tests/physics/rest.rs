@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, Place, Relation};
-use vc_physics::{BodyRole, PhysicsWorld, Settings, Shapes, UnsupportedThings};
+use vc_physics::{BodyRole, PhysicsWorld, Settings, ShapeCache, UnsupportedThings};
 
 /// A picture without a support hangs, if the graph states the supports of other things.
 #[test]
@@ -22,14 +22,14 @@ fn what_hangs_stays_until_it_is_touched() {
     edit.place(toy, Place { relation: Relation::On, at: floor }).unwrap();
     edit.commit();
     let graph = scene.graph();
-    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
     assert_eq!((world.role(picture), world.role(toy)), (Some(BodyRole::Hung), Some(BodyRole::Loose)));
     assert!(world.settle(200).is_sound());
     assert!(world.pose(picture).unwrap().translation.z == 1.5);
     world.push(picture, Vector3::new(0.1, 0.0, 0.0), Point3::new(0.0, 0.0, 1.5)).unwrap();
     assert_eq!(world.settle(300).fell, [picture]);
     let falls = Settings { unplaced: UnsupportedThings::Falls, ..plain() };
-    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), falls).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), falls).unwrap();
     assert_eq!(world.settle(300).fell, [picture]);
 }
 
@@ -191,7 +191,7 @@ fn let_down_it_rests() {
     let high = scene.cube(0.05, at(2.0, 0.0, 1.0));
     let mut world = scene.world();
     world.settle(300);
-    let spot = world.free_spot_at(low, table, false, vc_physics::Order::Middle).unwrap().unwrap();
+    let spot = world.free_spot_at(low, table, false, vc_physics::SpotOrder::Middle).unwrap().unwrap();
     world.place(low, at(0.0, 0.0, 0.01) * spot).unwrap();
     world.place(high, at(2.0, 0.0, 1.0)).unwrap();
     let by = world.lower(low, 0.02).unwrap();
@@ -283,7 +283,7 @@ fn what_is_pinned_does_not_creep() {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
     let cube = scene.cube(0.1, turned(0.0, 0.0, 1.0, Vector3::new(0.3, 0.5, 0.8), 0.7));
-    let mut world = PhysicsWorld::build(&scene.graph(), &Shapes::new(), plain()).unwrap();
+    let mut world = PhysicsWorld::build(&scene.graph(), &ShapeCache::new(), plain()).unwrap();
     world.run(40);
     world.pin(cube).unwrap();
     let pose = world.pose(cube).unwrap();

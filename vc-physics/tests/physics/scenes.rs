@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Bounds, Draft, Edge, Relation, SceneBuilder};
-use vc_physics::{BodyRole, Fixing, Order, PhysicsWorld, Settings, Shapes};
+use vc_physics::{BodyRole, FixedThings, PhysicsWorld, Settings, ShapeCache, SpotOrder};
 
 #[test]
 fn roles_by_class() {
@@ -20,16 +20,16 @@ fn roles_by_class() {
     let fridge = scene.add("fridge", heavy, at(-2.0, 0.0, 0.3));
     let cup = scene.cube(0.05, at(0.0, 0.0, 0.8));
     let strange = scene.add("gizmo_of_no_class", heavy, at(0.0, 2.0, 0.3));
-    let (graph, shapes) = (scene.graph(), Shapes::new());
+    let (graph, shapes) = (scene.graph(), ShapeCache::new());
     let roles = |fixing| {
         let world = PhysicsWorld::build(&graph, &shapes, Settings { fixing, ..plain() }).unwrap();
         [floor, table, sofa, fridge, cup, strange].map(|id| world.role(id).unwrap())
     };
     use BodyRole::{Fixed, Loose};
     // The mass of the table is 33 kg, that of the blocks 130 kg.
-    assert_eq!(roles(Fixing::Heavy), [Fixed, Fixed, Fixed, Fixed, Loose, Fixed]);
-    assert_eq!(roles(Fixing::Immovable), [Fixed, Loose, Loose, Fixed, Loose, Loose]);
-    assert_eq!(roles(Fixing::Structure), [Fixed, Loose, Loose, Loose, Loose, Loose]);
+    assert_eq!(roles(FixedThings::Heavy), [Fixed, Fixed, Fixed, Fixed, Loose, Fixed]);
+    assert_eq!(roles(FixedThings::Immovable), [Fixed, Loose, Loose, Fixed, Loose, Loose]);
+    assert_eq!(roles(FixedThings::Structure), [Fixed, Loose, Loose, Loose, Loose, Loose]);
 }
 
 #[test]
@@ -38,10 +38,10 @@ fn class_masses() {
     let cup = scene.solid("cup", block([0.04, 0.04, 0.04]), scene.wood);
     let heavy = scene.add("cup", cup, at(0.0, 0.0, 1.0));
     let graph = scene.graph();
-    let modelled = PhysicsWorld::build(&graph, &Shapes::new(), plain()).unwrap();
+    let modelled = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
     assert!((modelled.mass(heavy).unwrap() - 0.3072).abs() < 1e-3);
     // No cup weighs more than 0.3 kg.
-    let real = PhysicsWorld::build(&graph, &Shapes::new(), Settings::default()).unwrap();
+    let real = PhysicsWorld::build(&graph, &ShapeCache::new(), Settings::default()).unwrap();
     assert!((real.mass(heavy).unwrap() - 0.3).abs() < 1e-4);
     assert_eq!(real.modelled_mass(heavy), modelled.mass(heavy));
 }
@@ -68,7 +68,9 @@ fn free_spots() {
     let mut world = scene.world();
     let mut placed = 0;
     for (i, &cube) in cubes.iter().enumerate() {
-        let order = [Order::Middle, Order::Near(Point3::new(0.6, 0.3, 0.8)), Order::Random(vc_graph::Seed(7))][i % 3];
+        let order =
+            [SpotOrder::Middle, SpotOrder::Near(Point3::new(0.6, 0.3, 0.8)), SpotOrder::Random(vc_graph::Seed(7))]
+                [i % 3];
         let Some(spot) = world.free_spot(cube, table, 0, 0.3, order).unwrap() else { break };
         assert!(world.overlaps(cube, &spot).unwrap().is_empty());
         world.place(cube, spot).unwrap();
@@ -76,13 +78,13 @@ fn free_spots() {
     }
     // The table has room for at most 0.8 * 1.4 / 0.1^2 cubes.
     assert!(placed > 30, "{placed}");
-    assert_eq!(world.free_spot(large, table, 0, 0.0, Order::Middle).unwrap(), None);
+    assert_eq!(world.free_spot(large, table, 0, 0.0, SpotOrder::Middle).unwrap(), None);
     let report = world.settle(200);
     assert!(report.at_rest && report.fell.is_empty() && report.overlapping.is_empty(), "{report:?}");
     for cube in &cubes[..placed] {
         assert_eq!(world.supports(*cube)[0], table);
     }
-    assert!(world.free_spot(cubes[0], table, 3, 0.0, Order::Middle).is_err());
+    assert!(world.free_spot(cubes[0], table, 3, 0.0, SpotOrder::Middle).is_err());
     assert!(world.is_free(Vector3::repeat(0.2), &at(0.0, -1.0, 1.0)));
     assert!(!world.is_free(Vector3::repeat(0.2), &at(1.0, 1.0, 0.7)));
 }
@@ -96,9 +98,9 @@ fn free_spots_for_a_footprint() {
     let taken = scene.cube(0.3, at(1.0, 0.6, 1.041));
     let cube = scene.solid("cube", block([0.1; 3]), scene.wood);
     let mut graph = scene.graph();
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
-    let near = Order::Near(Point3::new(1.0, 0.6, 0.8));
+    let near = SpotOrder::Near(Point3::new(1.0, 0.6, 0.8));
     let spot = world.free_spot_for(Vector3::repeat(0.1), table, 0, 0.4, near).unwrap().unwrap();
     assert!((spot.translation.z - 0.841).abs() < 1e-4, "the middle of the box: {spot}");
     let mut edit = graph.edit();
@@ -109,13 +111,13 @@ fn free_spots_for_a_footprint() {
     let report = world.settle(200);
     assert!(report.at_rest && report.fell.is_empty(), "{report:?}");
     assert_eq!((world.supports(new), world.supports(taken)), (vec![table], vec![table]));
-    let too_large = world.free_spot_for(Vector3::new(0.5, 0.5, 0.1), table, 0, 0.0, Order::Middle);
+    let too_large = world.free_spot_for(Vector3::new(0.5, 0.5, 0.1), table, 0, 0.0, SpotOrder::Middle);
     assert_eq!(too_large.unwrap(), None);
     for half in [Vector3::zeros(), Vector3::new(0.1, f32::NAN, 0.1), Vector3::new(-0.1, 0.1, 0.1)] {
-        assert!(world.free_spot_for(half, table, 0, 0.0, Order::Middle).is_err());
+        assert!(world.free_spot_for(half, table, 0, 0.0, SpotOrder::Middle).is_err());
     }
-    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 0, f32::INFINITY, Order::Middle).is_err());
-    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 9, 0.0, Order::Middle).is_err());
+    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 0, f32::INFINITY, SpotOrder::Middle).is_err());
+    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 9, 0.0, SpotOrder::Middle).is_err());
 }
 
 /// A wall keeps its window open, however many parts it has.
@@ -195,10 +197,10 @@ fn free_spots_in_containers_keep_below_their_roof() {
     let tall = scene.solid("tall", block([0.05, 0.05, 0.2]), w);
     let tall = scene.add("toy", tall, at(3.0, 1.0, 0.2));
     let mut world = scene.world();
-    let spot = world.free_spot_at(low, shelf, true, Order::Middle).unwrap().unwrap();
+    let spot = world.free_spot_at(low, shelf, true, SpotOrder::Middle).unwrap().unwrap();
     world.place(low, spot).unwrap();
-    assert_eq!(world.free_spot_at(tall, shelf, true, Order::Middle).unwrap(), None, "it is too tall");
-    let on_top = world.free_spot_at(tall, shelf, false, Order::Middle).unwrap().unwrap();
+    assert_eq!(world.free_spot_at(tall, shelf, true, SpotOrder::Middle).unwrap(), None, "it is too tall");
+    let on_top = world.free_spot_at(tall, shelf, false, SpotOrder::Middle).unwrap().unwrap();
     world.place(tall, on_top).unwrap();
     assert!(world.settle(200).fell.is_empty());
     assert!((world.pose(low).unwrap().translation.z - 0.12).abs() < 0.005);
@@ -267,7 +269,7 @@ fn boxes_only() {
         builder.add_on(cabinet, Draft::new("apple").at(at(0.0, 0.0, 0.801)).bounds(size(0.08, 0.08, 0.08))).unwrap();
     let nowhere = builder.add(Draft::new("fork")).unwrap();
     let graph = builder.build();
-    let mut world = PhysicsWorld::build(&graph, &Shapes::new(), Settings::default()).unwrap();
+    let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), Settings::default()).unwrap();
     assert_eq!(world.skipped(), [nowhere]);
     let report = world.settle(300);
     assert!(report.is_sound(), "{report:?}");
@@ -278,7 +280,7 @@ fn boxes_only() {
 
 #[test]
 fn shapes_are_kept_between_worlds_and_dropped_with_their_library() {
-    let shapes = Shapes::new();
+    let shapes = ShapeCache::new();
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
     scene.table(at(0.0, 0.0, 0.0));

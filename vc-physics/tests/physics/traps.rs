@@ -11,7 +11,7 @@ use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Draft};
-use vc_physics::{PhysicsWorld, Settings, Shapes};
+use vc_physics::{PhysicsWorld, Settings, ShapeCache};
 
 /// Bodies that are inserted asleep sink into their supports: `rest` finds contacts first.
 #[test]
@@ -203,7 +203,7 @@ proptest! {
                 8 => drop(world.add_water(&vc_graph::Aabb { min: v.into(), max: (v * 2.0).into() })),
                 9 => drop(world.sit(agent, id)),
                 10 => drop(world.remove(id)),
-                _ => drop(world.free_spot_for(v, id, 0, a, vc_physics::Order::Near(v.into()))),
+                _ => drop(world.free_spot_for(v, id, 0, a, vc_physics::SpotOrder::Near(v.into()))),
             }
             world.run(2);
         }
@@ -237,7 +237,7 @@ fn no_tunnelling() {
         let can = vc_graph::asset::Shape::Cylinder { radius: 0.035, half_height: 0.06 };
         let can = scene.solid("can", can, scene.wood);
         let mut graph = scene.graph();
-        let shapes = Shapes::new();
+        let shapes = ShapeCache::new();
         let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
         let things: Vec<_> = (0..500)
             .map(|i| {
@@ -291,7 +291,7 @@ fn steps_of_other_lengths() {
     for bad in
         [Settings { dt: 0.0, ..plain() }, Settings { substeps: 0, ..plain() }, Settings { dt: f32::NAN, ..plain() }]
     {
-        assert!(PhysicsWorld::build(&graph, &Shapes::new(), bad).is_err());
+        assert!(PhysicsWorld::build(&graph, &ShapeCache::new(), bad).is_err());
     }
 }
 
@@ -332,11 +332,11 @@ fn what_falls_out_of_the_world_is_stopped() {
     let mut world = scene.world();
     let report = world.settle(600);
     assert_eq!((report.stopped.as_slice(), report.outside.as_slice()), (&[cube][..], &[cube][..]), "{report:?}");
-    assert!(world.pose(cube).unwrap().translation.z > -4.0 && world.is_outside(cube));
+    assert!(world.pose(cube).unwrap().translation.z > -4.0 && world.outside().contains(&cube));
     world.place(cube, at(1.0, 0.0, 0.3)).unwrap();
     assert_eq!(world.role(cube), Some(vc_physics::BodyRole::Loose));
     world.settle(300);
-    assert!(world.stopped().is_empty() && !world.is_outside(cube));
+    assert!(world.stopped().is_empty() && !world.outside().contains(&cube));
     assert!((world.pose(cube).unwrap().translation.z - 0.05).abs() < 0.006);
     // Nobody walks over the edge.
     world.go(agent, nalgebra::Vector2::new(0.0, 1.0)).unwrap();
@@ -363,7 +363,7 @@ fn an_agent_over_nothing_falls() {
         assert!((-4.0..-1.9).contains(&end.z) && world.stopped() == [agent], "{end}");
         world.follow(agent, &[nalgebra::Point2::new(0.0, 0.0)], false).unwrap();
         world.run(240);
-        assert_eq!((feet(&world), world.walk(agent)), (end, Ok(vc_physics::Walk::Stuck)));
+        assert_eq!((feet(&world), world.walk(agent)), (end, Ok(vc_physics::WalkState::Stuck)));
         if floor {
             world.teleport(agent, at(1.0, 0.0, 0.05)).unwrap();
             world.run(60);
@@ -381,6 +381,6 @@ fn what_is_in_one_place_is_told() {
     let beside = scene.cube(0.05, at(0.2, 0.0, 0.06));
     let within = scene.cube(0.01, at(0.03, 0.0, 0.06));
     let world = scene.world();
-    assert_eq!(world.crowded(), heap[1..]);
-    assert!(!world.crowded().contains(&beside) && !world.crowded().contains(&within));
+    assert_eq!(world.coinciding(), heap[1..]);
+    assert!(!world.coinciding().contains(&beside) && !world.coinciding().contains(&within));
 }

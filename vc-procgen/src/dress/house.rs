@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_geometry::Opening;
+use vc_geometry::WallOpening;
 use vc_graph::{
     Aabb, Asset, Bounds, BoundsFrame, ClassTable, Node, NodeId, NodeKind, ObjectRole, Property, SceneGraph,
 };
@@ -21,7 +21,7 @@ pub(super) struct House<'g> {
     /// Straight pieces of wall.
     pub(super) walls: Vec<Aabb>,
     /// Doors, door frames and windows.
-    pub(super) openings: Vec<Opening>,
+    pub(super) openings: Vec<WallOpening>,
     /// The shapes that `vc-geometry` gives to walls, floors, ceilings and counters around corners.
     pub(super) shapes: BTreeMap<NodeId, Asset>,
     /// The objects that are in the way of a walking person.

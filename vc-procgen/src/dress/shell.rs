@@ -1,7 +1,7 @@
 //! The building: floors, ceilings, walls with openings, doors and windows in them.
 
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector2, Vector3};
-use vc_geometry::Opening;
+use vc_geometry::WallOpening;
 use vc_graph::{Aabb, Asset, Bounds, BoundsFrame, Node, NodeId, ObjectRole, Pose, Seed};
 
 use super::compose::{block, moved};
@@ -106,7 +106,7 @@ fn meet(a: &Aabb, b: &Aabb) -> bool {
 }
 
 /// The opening that a door, frame or window fills: as thick as the walls it is in.
-fn hole(house: &House, opening: &Opening) -> Aabb {
+fn hole(house: &House, opening: &WallOpening) -> Aabb {
     let (mut hole, thin) = (opening.clear, opening.across);
     // An open leaf says little about the opening; the frame in the same place has its exact box.
     let framed = house.openings.iter().find(|o| house.is_frame(o.door) && meet(&o.clear, &opening.clear));
@@ -124,7 +124,7 @@ fn hole(house: &House, opening: &Opening) -> Aabb {
 }
 
 /// A strip on the floor in place of a frame whose door has its own.
-fn threshold(node: &Node, opening: &Opening, mat: MaterialId) -> Option<Built> {
+fn threshold(node: &Node, opening: &WallOpening, mat: MaterialId) -> Option<Built> {
     let (bounds, pose) = (node.spec().bounds?, node.pose()?);
     let pose = upright(pose, &bounds);
     if !quarter(&pose.rotation) {
@@ -138,7 +138,7 @@ fn threshold(node: &Node, opening: &Opening, mat: MaterialId) -> Option<Built> {
 }
 
 /// A door, window or empty frame, generated for its opening.
-fn filled(house: &House, opening: &Opening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
+fn filled(house: &House, opening: &WallOpening, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let hole = hole(house, opening);
     let shut = house.is_frame(node.id()) && leads_out(house, &hole, opening.across);
     let generator = house.generators.get(if shut { "main_door" } else { node.class() })?;

@@ -6,7 +6,7 @@ use crate::shared;
 
 use nalgebra::Point3;
 use vc_graph::{Edge, Relation};
-use vc_relations::{BoxTrace, Evidence, Explanation, Hit, RelationRule, Relations, Side, TraceOutcome};
+use vc_relations::{BoxTrace, Evidence, Explanation, Hit, NearSide, RelationRule, Relations, TraceOutcome};
 
 fn explain(rule: RelationRule, lines: &[&str], from: &str, to: &str) -> (shared::Named, Explanation) {
     let scene = shared::scene(lines.iter().copied());
@@ -20,7 +20,7 @@ fn why(lines: &[&str], from: &str, to: &str) -> Explanation {
 }
 
 fn hit_of(why: &Explanation, hits: &[Hit]) -> Hit {
-    *hits.iter().find(|h| h.what == why.to).unwrap_or_else(|| panic!("not met: {why}"))
+    *hits.iter().find(|h| h.node == why.to).unwrap_or_else(|| panic!("not met: {why}"))
 }
 
 #[test]
@@ -29,12 +29,12 @@ fn hits_tell_what_was_met_where() {
         shared::scene(["floor = floor 4 4", "table = table 0.8 1.2 0.75", "cup = mug 0.08 0.1 @ 0.1 0.2 0.752"]);
     let relations = Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     let why = relations.explain(scene.id("cup"), scene.id("table")).unwrap();
-    assert_eq!(why.down[0].what, scene.id("table"));
+    assert_eq!(why.down[0].node, scene.id("table"));
     assert!((why.down[0].distance - 0.002).abs() < 1e-4);
     assert!((why.down[0].at - Point3::new(0.1, 0.2, 0.75)).norm() < 0.02);
-    assert_eq!(why.down[0].verdict, TraceOutcome::Counts);
-    assert_eq!(why.down[1].what, scene.id("floor"));
-    assert_eq!(why.down[1].verdict, TraceOutcome::TooFar);
+    assert_eq!(why.down[0].outcome, TraceOutcome::Counts);
+    assert_eq!(why.down[1].node, scene.id("floor"));
+    assert_eq!(why.down[1].outcome, TraceOutcome::TooFar);
     assert!(why.to_string().contains("by the trace down"));
 }
 
@@ -47,41 +47,41 @@ fn hits_upwards_tell_which_piece_was_met_and_where() {
     assert_eq!(hit.pieces, (None, 4));
     assert!((hit.distance - 0.67).abs() < 1e-4, "{hit:?}");
     assert!((hit.at - Point3::new(0.3825, 0.0, 0.72)).norm() < 1e-4, "{hit:?}");
-    assert_eq!(hit.verdict, TraceOutcome::Counts);
+    assert_eq!(hit.outcome, TraceOutcome::Counts);
     assert!(why.holds.contains(&Relation::Under));
 }
 
 #[test]
 fn every_verdict_on_what_is_below() {
-    let verdict = |lines: &[&str], from: &str, to: &str| {
+    let outcome = |lines: &[&str], from: &str, to: &str| {
         let why = why(lines, from, to);
-        hit_of(&why, &why.down).verdict
+        hit_of(&why, &why.down).outcome
     };
     let saucer = ["t = table 0.8 1.2 0.75", "s = box 0.2 0.2 0.01 @ 0 0 0.75", "c = box 0.1 0.1 0.1 @ 0 0 0.76"];
-    assert_eq!(verdict(&saucer, "c", "s"), TraceOutcome::Counts);
-    assert_eq!(verdict(&saucer, "c", "t"), TraceOutcome::Outranked);
+    assert_eq!(outcome(&saucer, "c", "s"), TraceOutcome::Counts);
+    assert_eq!(outcome(&saucer, "c", "t"), TraceOutcome::Outranked);
     let high = ["f = floor 4 4", "a = box 0.2 0.2 0.2 @ 0 0 0.5"];
-    assert_eq!(verdict(&high, "a", "f"), TraceOutcome::TooFar);
+    assert_eq!(outcome(&high, "a", "f"), TraceOutcome::TooFar);
     let sunk = ["a = box 0.4 0.4 0.4", "b = box 0.3 0.3 0.3 @ 0 0 0.3"];
-    assert_eq!(verdict(&sunk, "b", "a"), TraceOutcome::TooDeep);
+    assert_eq!(outcome(&sunk, "b", "a"), TraceOutcome::TooDeep);
     let steep = ["a = box 1 1 0.1 @ 0 0 0.5 r 0 70 0", "b = box 0.1 0.1 0.1 @ 0 0 1"];
-    assert_eq!(verdict(&steep, "b", "a"), TraceOutcome::TooSteep);
+    assert_eq!(outcome(&steep, "b", "a"), TraceOutcome::TooSteep);
     let shelf = ["s = shelf 0.3 0.8 1.2 3", "b = book 0.2 0.03 0.25 @ 0 0 0.413"];
-    assert_eq!(verdict(&shelf, "s", "b"), TraceOutcome::Content);
+    assert_eq!(outcome(&shelf, "s", "b"), TraceOutcome::Content);
 }
 
 #[test]
 fn every_verdict_on_what_is_above() {
-    let verdict = |lines: &[&str], from: &str, to: &str| {
+    let outcome = |lines: &[&str], from: &str, to: &str| {
         let why = why(lines, from, to);
-        hit_of(&why, &why.up).verdict
+        hit_of(&why, &why.up).outcome
     };
     let room = ["c = ceiling 4 4 @ 0 0 2.5", "t = table 0.8 1.2 0.75", "b = ball 0.1"];
-    assert_eq!(verdict(&room, "b", "t"), TraceOutcome::Counts);
-    assert_eq!(verdict(&room, "b", "c"), TraceOutcome::Shaded);
-    assert_eq!(verdict(&room, "t", "c"), TraceOutcome::Shade);
+    assert_eq!(outcome(&room, "b", "t"), TraceOutcome::Counts);
+    assert_eq!(outcome(&room, "b", "c"), TraceOutcome::Shaded);
+    assert_eq!(outcome(&room, "t", "c"), TraceOutcome::Shade);
     let stack = ["a = box 0.4 0.4 0.3", "b = box 0.3 0.3 0.3 @ 0 0 0.3"];
-    assert_eq!(verdict(&stack, "a", "b"), TraceOutcome::Carried);
+    assert_eq!(outcome(&stack, "a", "b"), TraceOutcome::Carried);
 }
 
 #[test]
@@ -90,24 +90,24 @@ fn every_verdict_on_looking() {
         let mut lines = vec!["me = person 1.7", tv];
         lines.extend(more);
         let why = why(&lines, "me", "tv");
-        assert_eq!(why.holds.contains(&Relation::Facing), why.sight.unwrap().verdict == TraceOutcome::Counts, "{why}");
+        assert_eq!(why.holds.contains(&Relation::Facing), why.sight.unwrap().outcome == TraceOutcome::Counts, "{why}");
         why.sight.unwrap()
     };
     let ahead = sight("tv = tv 0.1 1.2 0.7 @ 3 1.73205 0.5", &[]);
-    assert_eq!(ahead.verdict, TraceOutcome::Counts);
+    assert_eq!(ahead.outcome, TraceOutcome::Counts);
     assert!((ahead.angle.to_degrees() - 30.0).abs() < 1e-3 && (ahead.distance - 12.0_f32.sqrt()).abs() < 1e-4);
     let aside = sight("tv = tv 0.1 1.2 0.7 @ 0 -3 0.5", &[]);
-    assert_eq!(aside.verdict, TraceOutcome::Aside);
+    assert_eq!(aside.outcome, TraceOutcome::Aside);
     assert!((aside.angle.to_degrees() - 90.0).abs() < 1e-3);
     let behind = sight("tv = tv 0.1 1.2 0.7 @ -3 0 0.5", &[]);
-    assert!(behind.verdict == TraceOutcome::Aside && (behind.angle.to_degrees() - 180.0).abs() < 1e-3);
-    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 5.1 0 0.5", &[]).verdict, TraceOutcome::TooFar);
-    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 1 0 6.8", &[]).verdict, TraceOutcome::TooFar);
+    assert!(behind.outcome == TraceOutcome::Aside && (behind.angle.to_degrees() - 180.0).abs() < 1e-3);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 5.1 0 0.5", &[]).outcome, TraceOutcome::TooFar);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 1 0 6.8", &[]).outcome, TraceOutcome::TooFar);
     let wall = ["wall = wall 0.1 4 2.5 @ 1.5 0 0"];
-    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 3 0 0.5", &wall).verdict, TraceOutcome::Walled);
-    assert_eq!(sight("tv = box 0.1 1.2 0.7 @ 3 0 0.5", &[]).verdict, TraceOutcome::Unfit);
+    assert_eq!(sight("tv = tv 0.1 1.2 0.7 @ 3 0 0.5", &wall).outcome, TraceOutcome::Walled);
+    assert_eq!(sight("tv = box 0.1 1.2 0.7 @ 3 0 0.5", &[]).outcome, TraceOutcome::Unfit);
     let back = why(&["me = person 1.7", "tv = tv 0.1 1.2 0.7 @ 3 0 0.5 r 0 0 180"], "tv", "me");
-    assert_eq!(back.sight.unwrap().verdict, TraceOutcome::Unfit);
+    assert_eq!(back.sight.unwrap().outcome, TraceOutcome::Unfit);
 }
 
 #[test]
@@ -115,16 +115,16 @@ fn every_verdict_on_sitting_and_lying() {
     let seat = |lines: &[&str], to: &str| why(lines, "me", to).seat.unwrap();
     let sitting = "me = boxed 0.3 0.45 1.3 @ 0.05 0 0 class character state sitting";
     let on_chair = seat(&["c = chair", sitting], "c");
-    assert_eq!(on_chair.verdict, TraceOutcome::Counts);
+    assert_eq!(on_chair.outcome, TraceOutcome::Counts);
     assert!((on_chair.share.unwrap() - 0.46 / 1.3).abs() < 1e-4, "{on_chair:?}");
-    assert_eq!(seat(&["c = chair @ 0.02 0 0", "d = chair", sitting], "d").verdict, TraceOutcome::Outranked);
-    assert_eq!(seat(&["c = chair @ 0.7 0 0", sitting], "c").verdict, TraceOutcome::Aside);
-    assert_eq!(seat(&["c = chair", "me = person 1.7 @ 0.05 0 0.46"], "c").verdict, TraceOutcome::WrongHeight);
-    assert_eq!(seat(&["b = box 0.4 0.4 0.4", sitting], "b").verdict, TraceOutcome::Unfit);
+    assert_eq!(seat(&["c = chair @ 0.02 0 0", "d = chair", sitting], "d").outcome, TraceOutcome::Outranked);
+    assert_eq!(seat(&["c = chair @ 0.7 0 0", sitting], "c").outcome, TraceOutcome::Aside);
+    assert_eq!(seat(&["c = chair", "me = person 1.7 @ 0.05 0 0.46"], "c").outcome, TraceOutcome::WrongHeight);
+    assert_eq!(seat(&["b = box 0.4 0.4 0.4", sitting], "b").outcome, TraceOutcome::Unfit);
     let lying = "me = boxed 1.7 0.45 0.3 @ 0 0 0.5 class character state lying";
-    assert_eq!(seat(&["b = bed 1.4", lying], "b").verdict, TraceOutcome::Counts);
-    assert_eq!(seat(&["b = bed 1.4 @ 4 0 0", lying], "b").verdict, TraceOutcome::TooFar);
-    assert_eq!(seat(&["c = chair", lying], "c").verdict, TraceOutcome::Unfit);
+    assert_eq!(seat(&["b = bed 1.4", lying], "b").outcome, TraceOutcome::Counts);
+    assert_eq!(seat(&["b = bed 1.4 @ 4 0 0", lying], "b").outcome, TraceOutcome::TooFar);
+    assert_eq!(seat(&["c = chair", lying], "c").outcome, TraceOutcome::Unfit);
     assert_eq!(why(&["c = chair", sitting], "c", "me").seat, None);
 }
 
@@ -138,14 +138,14 @@ fn every_verdict_on_hanging() {
     };
     // A narrow coat, which only one of the hooks touches.
     let hangs = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180 s 1 0.3 1", &[]);
-    assert_eq!((hangs.verdict, hangs.distance), (TraceOutcome::Counts, 0.0));
+    assert_eq!((hangs.outcome, hangs.distance), (TraceOutcome::Counts, 0.0));
     assert!((hangs.at - Point3::new(2.945, 0.1, 1.69)).norm() < 1e-4, "{hangs:?}");
     let far = hook("c = coat @ 1.9 0.1 1.7 r 0 0 180", &[]);
-    assert!(far.verdict == TraceOutcome::TooFar && (far.distance - 0.985).abs() < 1e-4, "{far:?}");
-    assert_eq!(hook("c = coat @ 2.9 0.1 2.5 r 0 0 180", &[]).verdict, TraceOutcome::WrongHeight);
+    assert!(far.outcome == TraceOutcome::TooFar && (far.distance - 0.985).abs() < 1e-4, "{far:?}");
+    assert_eq!(hook("c = coat @ 2.9 0.1 2.5 r 0 0 180", &[]).outcome, TraceOutcome::WrongHeight);
     let stands = hook("c = coat @ 2.9 0.1 1.7 r 0 0 180", &["b = box 0.3 0.6 0.7 @ 2.85 0.1 0"]);
-    assert_eq!(stands.verdict, TraceOutcome::Outranked);
-    assert_eq!(hook("c = door 0.9 2 @ 2.945 0 0", &[]).verdict, TraceOutcome::Unfit);
+    assert_eq!(stands.outcome, TraceOutcome::Outranked);
+    assert_eq!(hook("c = door 0.9 2 @ 2.945 0 0", &[]).outcome, TraceOutcome::Unfit);
     assert_eq!(why(&[hooks, "c = coat"], "h", "c").hook, None);
 }
 
@@ -203,11 +203,15 @@ fn other_rules_are_explained_by_what_they_ask() {
     assert_eq!(why.holds, [Relation::Near, Relation::NearFront]);
     assert_eq!(why.traces.iter().map(|t| t.trace).collect::<Vec<_>>(), BoxTrace::ALL);
     let hit = |trace| why.traces.iter().find(|t| t.trace == trace).unwrap().hit;
-    let (what, far) = hit(BoxTrace::Side(Side::Front)).unwrap();
+    let (what, far) = hit(BoxTrace::Side(NearSide::Front)).unwrap();
     assert!(what == scene.id("b") && (far - 0.2).abs() < 1e-5);
     let (what, far) = hit(BoxTrace::Down).unwrap();
     assert!(what == scene.id("f") && (far - 0.01).abs() < 1e-5);
-    assert!([BoxTrace::Up, BoxTrace::Side(Side::Back), BoxTrace::Side(Side::Left)].iter().all(|t| hit(*t).is_none()));
+    assert!(
+        [BoxTrace::Up, BoxTrace::Side(NearSide::Back), BoxTrace::Side(NearSide::Left)]
+            .iter()
+            .all(|t| hit(*t).is_none())
+    );
     for rule in [RelationRule::BoxTrace, RelationRule::VirtualHome] {
         let (_, why) = explain(rule, &lines, "a", "b");
         assert!(why.down.is_empty() && why.up.is_empty() && why.supports.is_empty() && why.sight.is_none());

@@ -183,7 +183,7 @@ proptest! {
                 Ok(mut relations) => {
                     prop_assert_eq!(bad, 0);
                     relations.update(&graph, &[NodeId(1), NodeId(99)]).unwrap();
-                    prop_assert!(relations.of(NodeId(99)).is_empty());
+                    prop_assert!(relations.edges_of(NodeId(99)).is_empty());
                     prop_assert!(relations.explain(NodeId(1), NodeId(99)).is_none());
                 }
                 Err(error) => prop_assert!(bad > 0 && error.flaws.len() >= bad, "{error}"),
@@ -206,7 +206,7 @@ fn flaws_are_named_and_change_nothing() {
     assert_eq!(error.to_string(), format!("position of {label} is 20000 m, more than 10000 m"));
     assert_eq!(relations.edges(), before);
     let nan = Vector3::new(0.0, 0.0, f32::NAN);
-    let contact = vc_relations::Contact { between: (NodeId(1), NodeId(2)), impulse: nan };
+    let contact = vc_relations::ContactEvidence { between: (NodeId(1), NodeId(2)), impulse: nan };
     let near = vc_graph::Edge::new(NodeId(1), Relation::Near, NodeId(2));
     let evidence = Evidence::default().contact(contact).holding(near).positioned(NodeId(2), 0, f32::INFINITY);
     assert_eq!(relations.set_evidence(&graph, evidence).unwrap_err().flaws.len(), 3);
@@ -219,7 +219,7 @@ fn contacts_decide_before_traces() {
     let [a, b, c] = ["a", "b", "c"].map(|n| scene.id(n));
     let traced = Relations::new(&scene.graph, RelationRule::Contacts, Evidence::default()).unwrap();
     assert_eq!(traced.supports(c).iter().map(|s| s.by).collect::<Vec<_>>(), [a, b]);
-    let contact = |on, up: f32| vc_relations::Contact { between: (on, c), impulse: Vector3::new(0.0, 0.0, up) };
+    let contact = |on, up: f32| vc_relations::ContactEvidence { between: (on, c), impulse: Vector3::new(0.0, 0.0, up) };
     let evidence = Evidence::default().contact(contact(a, 0.95)).contact(contact(b, 0.05));
     let pushed = Relations::new(&scene.graph, RelationRule::Contacts, evidence).unwrap();
     let supports = pushed.supports(c);

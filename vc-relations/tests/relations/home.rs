@@ -18,10 +18,10 @@ fn score(objects: usize, rule: RelationRule) -> (usize, usize, usize, usize, usi
         let right = if rule == RelationRule::Contacts {
             relations.supports(id).iter().map(|s| s.by).eq([on])
         } else {
-            relations.of(id).iter().filter(|e| e.relation == Relation::On).map(|e| e.to).eq([on])
+            relations.edges_of(id).iter().filter(|e| e.relation == Relation::On).map(|e| e.to).eq([on])
         };
         score.0 += usize::from(right);
-        let inside: Vec<Edge> = relations.of(id).into_iter().filter(|e| e.relation == Relation::Inside).collect();
+        let inside: Vec<Edge> = relations.edges_of(id).into_iter().filter(|e| e.relation == Relation::Inside).collect();
         let expected = t.inside.as_ref().map(|c| home.id(c));
         score.2 += usize::from(expected.is_some());
         score.3 += inside.iter().filter(|e| Some(e.to) == expected).count();

@@ -19,7 +19,7 @@ fn score(objects: u32, rule: RelationRule) -> Option<Score> {
     let peers = shared::peers::read(objects)?;
     let relations = Relations::new(&peers.graph, rule, peers.evidence.clone()).unwrap();
     let to = |id, relation| -> Vec<NodeId> {
-        relations.of(id).iter().filter(|e| e.relation == relation).map(|e| e.to).collect()
+        relations.edges_of(id).iter().filter(|e| e.relation == relation).map(|e| e.to).collect()
     };
     let supports = |id| match rule {
         RelationRule::Contacts => relations.supports(id).iter().map(|s| s.by).collect(),

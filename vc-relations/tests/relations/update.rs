@@ -107,7 +107,7 @@ fn nodes_come_and_go() {
     edit.remove(apple).unwrap();
     edit.commit();
     relations.update(&home.graph, &[apple]).unwrap();
-    assert!(relations.of(apple).is_empty());
+    assert!(relations.edges_of(apple).is_empty());
     assert_eq!(
         relations.edges(),
         Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap().edges()

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneGraph, Seed, State, Stream};
-use vc_relations::{Attachment, Contact, Evidence, RelationRule, Relations};
+use vc_relations::{Attachment, ContactEvidence, Evidence, RelationRule, Relations};
 
 /// In addition to the rooms of objects: people, and things to look at, sit on, hang on and pull.
 const MORE: [&str; 11] = [
@@ -140,7 +140,7 @@ impl Life {
             }
             3 => {
                 let impulse = Vector3::new(rng.between(-1.0, 1.0), 0.0, rng.between(-1.0, 1.0));
-                evidence.contacts.push(Contact { between: (one, other), impulse });
+                evidence.contacts.push(ContactEvidence { between: (one, other), impulse });
             }
             _ => evidence.attachments.push(Attachment { child: one, parent: other }),
         }
@@ -186,7 +186,7 @@ fn compare(updated: &Relations, fresh: &Relations, life: &mut Life) -> Result<()
     prop_assert!(apart.is_empty(), "after {:?}: {apart:?}", life.changed);
     for node in life.graph.nodes() {
         let id = node.id();
-        prop_assert!(updated.of(id).iter().eq(ours.iter().filter(|e| e.from == id)), "{}", node.label());
+        prop_assert!(updated.edges_of(id).iter().eq(ours.iter().filter(|e| e.from == id)), "{}", node.label());
         let (a, b) = (updated.supports(id), fresh.supports(id));
         prop_assert!(a == b, "{}: {a:?}, anew {b:?}", node.label());
         let (a, b) = (updated.near(id), fresh.near(id));
@@ -281,14 +281,16 @@ fn what_is_said_of_nodes_that_are_not_there_counts_for_nothing() {
     let (none, up) = (NodeId(99), Vector3::new(0.0, 0.0, 9.0));
     let mut evidence = Evidence::default()
         .attached(Attachment { child: cup, parent: none })
-        .contact(Contact { between: (none, cup), impulse: up })
-        .contact(Contact { between: (table, cup), impulse: up / 9.0 })
+        .contact(ContactEvidence { between: (none, cup), impulse: up })
+        .contact(ContactEvidence { between: (table, cup), impulse: up / 9.0 })
         .holding(Edge::new(none, Relation::HoldsRight, cup))
         .holding(Edge::new(me, Relation::HoldsRight, none));
     let mut relations = Relations::new(&scene.graph, RelationRule::Contacts, evidence.clone()).unwrap();
     let supports = relations.supports(cup);
     assert!(supports.len() == 1 && supports[0].by == table && (supports[0].share - 1.0).abs() < 1e-6, "{supports:?}");
-    assert!(relations.of(me).iter().all(|e| e.to != none) && relations.explain(cup, table).unwrap().held.is_empty());
+    assert!(
+        relations.edges_of(me).iter().all(|e| e.to != none) && relations.explain(cup, table).unwrap().held.is_empty()
+    );
     // The holder of a thing may disappear, too.
     evidence = Evidence::default().holding(Edge::new(me, Relation::HoldsRight, cup));
     relations.set_evidence(&scene.graph, evidence).unwrap();

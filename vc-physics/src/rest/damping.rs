@@ -5,14 +5,13 @@
 //! creep on, as their contact points jump. Therefore things are watched: a thing counts as at rest if it stays
 //! at about the same pose, or is slow for so long that rolling resistance would have stopped it.
 
-use nalgebra::Point3;
 use rapier3d::dynamics::{RigidBody, RigidBodyActivation, RigidBodyHandle};
-use rapier3d::math::{Pose as EnginePose, Vector};
-use serde::{Deserialize, Serialize};
+use rapier3d::math::Vector;
 use vc_graph::NodeId;
 
-use super::{PhysicsWorld, Thing};
 use crate::group;
+use crate::state::{ABOUT, Thing};
+use crate::world::PhysicsWorld;
 
 /// The smallest lever of rolling resistance, however hard a thing is, metres: handbooks of mechanics give 0.2
 /// to 0.5 mm for steel and wood on wood.
@@ -23,84 +22,34 @@ const TIPS: f32 = 0.001;
 /// The spin below which nothing is damped, radians per second.
 const SLOW: f32 = 0.05;
 /// Time between two checks of the poses, seconds.
-const LOOK: f32 = 0.1;
-/// The largest distance of a thing that counts as not moved, metres.
-const ABOUT: f32 = 0.02;
-/// Number of checks after which a trembling thing may sleep.
-const LOOKS: u8 = 4;
+const CHECK: f32 = 0.1;
 /// The largest trembling speed of a thing that stays where it is, metres per second.
 const TREMBLES: f32 = 1.0;
-
-/// Minimal and maximal corner of a thing in its own frame.
-type Extent = (Point3<f32>, Point3<f32>);
-
-/// The pose of a thing.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub(crate) struct Spot(EnginePose);
-
-impl Spot {
-    pub(super) fn of(pose: &EnginePose) -> Self {
-        Self(*pose)
-    }
-
-    /// The largest distance of a corner of a thing from its position at another spot, metres. For a rotation
-    /// about the thing's axis this is at most its diagonal across the axis.
-    pub(super) fn distance(&self, other: &Self, (low, high): Extent) -> f32 {
-        let corner =
-            |i: usize| Vector::from_array(std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] }));
-        let far = |p: Vector| (self.0 * p).distance(other.0 * p);
-        (0..8).map(|i| far(corner(i))).fold(0.0, f32::max)
-    }
-}
-
-/// The spot at which a thing was first seen, if it has not gone far since or has been slow all the time, and
-/// the number of checks since.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub(crate) struct Watch {
-    at: Spot,
-    looks: u8,
-}
-
-impl Watch {
-    /// Updates the watch with a thing's present pose.
-    fn look(&mut self, pose: &EnginePose, extent: Extent, slow: bool) {
-        let now = Spot::of(pose);
-        if now.distance(&self.at, extent) > ABOUT {
-            (self.at, self.looks) = (now, if slow { self.looks } else { 0 });
-        }
-        self.looks = self.looks.saturating_add(1);
-    }
-
-    /// Whether the thing has stayed in place, or been slow, for long enough.
-    fn is_calm(&self) -> bool {
-        self.looks > LOOKS
-    }
-}
 
 impl PhysicsWorld {
     /// Lets things sleep that merely tremble.
     pub(crate) fn watch(&mut self) {
-        let every = (LOOK / self.settings.dt).round().max(1.0) as u64;
+        let every = (CHECK / self.settings.dt).round().max(1.0) as u64;
         if !self.ticks.is_multiple_of(every) {
             return;
         }
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        self.stop_what_fell(&awake);
+        self.stop_fallen(&awake);
         for handle in awake {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic()) else { continue };
             let (pose, (id, link)) = (*body.position(), group::marked(body.user_data));
             let body_limit = body.activation().normalized_linear_threshold;
             let slow = self.thing(id).is_ok_and(|thing| self.would_have_stopped(thing));
             let Some(thing) = self.thing_mut(id).ok().filter(|_| link == 0) else { continue };
-            thing.state.watch.look(&pose, thing.form.extent, slow);
-            let calm = thing.state.watch.is_calm();
-            let limit = if calm { TREMBLES } else { RigidBodyActivation::default_normalized_linear_threshold() };
+            thing.state.watch.update(&pose, thing.form.extent, slow);
+            let still = thing.state.watch.is_still();
+            let limit = if still { TREMBLES } else { RigidBodyActivation::default_normalized_linear_threshold() };
             if body_limit != limit
                 && let Some(body) = self.engine.bodies.get_mut(handle)
             {
                 body.activation_mut().normalized_linear_threshold = limit;
             }
-            if calm && slow && self.rolls(handle) {
+            if still && slow && self.rolls(handle) {
                 self.halt(id);
             }
         }

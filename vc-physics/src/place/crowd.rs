@@ -6,7 +6,8 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::parry::query::intersection_test;
 use vc_graph::NodeId;
 
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert};
 
 /// The largest distance between the middles of two coinciding things: as a fraction of half the smaller one's
@@ -27,7 +28,7 @@ impl PhysicsWorld {
     /// elsewhere first.
     ///
     /// Costs a fraction of a microsecond for each thing, however many coincide.
-    pub fn crowded(&self) -> Vec<NodeId> {
+    pub fn coinciding(&self) -> Vec<NodeId> {
         let mut first: BTreeMap<[i64; 3], Vec<Body<'_>>> = BTreeMap::new();
         let mut crowded = Vec::new();
         for body in self.things.iter().filter(|t| t.state.role == BodyRole::Loose).filter_map(|t| self.body_at(t)) {

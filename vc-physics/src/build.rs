@@ -1,21 +1,21 @@
 //! Building of a world from a scene graph, and insertion and removal of single bodies.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
-use rapier3d::geometry::{ColliderBuilder, SharedShape};
+use rapier3d::geometry::SharedShape;
 use rapier3d::math::Pose as EnginePose;
-use vc_graph::{Aabb, Node, NodeId, NodeKind, ObjectRole, Pose, Property, SceneGraph};
+use vc_graph::{Node, NodeId, NodeKind, ObjectRole, Pose, Property, SceneGraph};
 
-use super::rest::Watch;
-use super::{PhysicsWorld, Places, State, Thing};
 use crate::engine::Engine;
 use crate::ground::Storeys;
 use crate::role::Roles;
-use crate::shapes::{Link, Session, Shapes, scaled};
+use crate::shapes::{Session, ShapeCache};
+use crate::state::{Places, Thing, ThingState, Waters};
+use crate::world::{PhysicsWorld, rooms};
 use crate::{BodyRole, PhysicsError, Settings, convert, group, joints, rolling};
 
+/// # Building
 impl PhysicsWorld {
     /// A world with a body for every object that has a pose and an asset or a box, and for every agent that has
     /// a pose; nodes without are listed in [`skipped`](Self::skipped). Things that are open in the graph are
@@ -30,18 +30,18 @@ impl PhysicsWorld {
     ///
     /// ```
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
-    /// use vc_physics::{Settings, Shapes, PhysicsWorld};
+    /// use vc_physics::{Settings, ShapeCache, PhysicsWorld};
     /// let mut scene = SceneBuilder::new("flat");
     /// let size = |x, y, z| Bounds::standing([x, y, z].into());
     /// scene.add(Draft::new("floor").at(Pose::translation(0.0, 0.0, -0.1)).bounds(size(4.0, 4.0, 0.1)))?;
     /// let apple = scene.add(Draft::new("apple").at(Pose::translation(0.0, 0.0, 1.0)).bounds(size(0.1, 0.1, 0.1)))?;
-    /// let mut world = PhysicsWorld::build(&scene.build(), &Shapes::new(), Settings::default())?;
+    /// let mut world = PhysicsWorld::build(&scene.build(), &ShapeCache::new(), Settings::default())?;
     /// let report = world.settle(200);
     /// assert!(report.at_rest && report.fell == [apple]);
     /// assert!(world.pose(apple).is_some_and(|p| p.translation.z.abs() < 0.005));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn build(graph: &SceneGraph, shapes: &Shapes, settings: Settings) -> Result<Self, PhysicsError> {
+    pub fn build(graph: &SceneGraph, shapes: &ShapeCache, settings: Settings) -> Result<Self, PhysicsError> {
         if let Some(fault) = settings.fault() {
             return Err(PhysicsError::BadSettings(fault));
         }
@@ -66,8 +66,7 @@ impl PhysicsWorld {
             things: Vec::with_capacity(graph.len()),
             agents: BTreeMap::new(),
             vehicles: BTreeMap::new(),
-            waters: Vec::new(),
-            fills: BTreeMap::new(),
+            waters: Waters::default(),
             driven: Vec::new(),
             rooms: rooms(graph),
             bottom: f32::NEG_INFINITY,
@@ -84,7 +83,16 @@ impl PhysicsWorld {
     /// [`PhysicsError::NoSuchNode`], [`PhysicsError::Duplicate`], and
     /// [`PhysicsError::NoBody`] for a node without pose, or without asset and box,
     /// and for rooms and agents.
-    pub fn insert(&mut self, graph: &SceneGraph, id: NodeId, shapes: &Shapes) -> Result<(), PhysicsError> {
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.remove(home.cup)?;
+    /// world.insert(&home.graph, home.cup, &vc_physics::ShapeCache::new())?;
+    /// assert!(world.pose(home.cup).is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn insert(&mut self, graph: &SceneGraph, id: NodeId, shapes: &ShapeCache) -> Result<(), PhysicsError> {
         let node = graph.node(id).ok_or(PhysicsError::NoSuchNode(id))?;
         if self.index(id).is_ok() {
             return Err(PhysicsError::Duplicate(id));
@@ -106,6 +114,14 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.remove(home.cup)?;
+    /// assert_eq!(world.pose(home.cup), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn remove(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         let index = self.index(id)?;
         self.let_go_of(id);
@@ -129,11 +145,11 @@ impl PhysicsWorld {
         let Some(form) = session.form(graph, node).filter(|f| f.is_of_this_world()) else { return false };
         let mass_range = class.and_then(|c| c.mass).filter(|_| self.settings.class_masses);
         let mass_factor = form.mass_factor(mass_range, node.spec().scale.product());
-        let Some(role) = rules.roles.of(node, class, &form, form.mass() * mass_factor) else { return false };
+        let Some(role) = rules.roles.role(node, class, &form, form.mass() * mass_factor) else { return false };
         let below = || rules.storeys.ground_below(node, &form, &pose);
         let ground = if role == BodyRole::Fixed { below() } else { 0.0 };
         let deepened = if ground > 0.0 { form.links[0].deepened(ground) } else { None };
-        let state = State {
+        let state = ThingState {
             role,
             base: RigidBodyHandle::invalid(),
             moving: Vec::new(),
@@ -141,7 +157,7 @@ impl PhysicsWorld {
             asset: node.spec().asset,
             scale: [node.spec().scale.x, node.spec().scale.y, node.spec().scale.z].map(f32::to_bits),
             written: pose,
-            watch: Watch::default(),
+            watch: Default::default(),
             slept: None,
             rides: None,
             rests: graph.place(node.id()),
@@ -151,7 +167,7 @@ impl PhysicsWorld {
             rolling: rolling::resistance(graph.classes(), node.class()),
             ground: deepened.as_ref().map_or(0.0, |_| ground),
         };
-        let mut thing = Thing { id: node.id(), form, places: Places::of(node), state };
+        let mut thing = Thing { id: node.id(), form, places: Places::new(node), state };
         thing.state.base = self.add_base(&thing, deepened, &pose);
         joints::add(&mut self.engine, &mut thing, &self.settings, node.is(vc_graph::State::Open));
         let at = self.things.partition_point(|t| t.id < thing.id);
@@ -170,7 +186,7 @@ impl PhysicsWorld {
         let body = self.engine.add_body(builder);
         if let Some((shape, at)) = instead.as_ref().or(link.solid.as_ref()) {
             let collider =
-                collider(link, shape, at, thing.state.mass_factor).collision_groups(group::base(thing.state.role));
+                link.collider(shape, at, thing.state.mass_factor).collision_groups(group::base(thing.state.role));
             self.engine.add_collider(collider.user_data(group::mark(thing.id, 0)).build(), body);
         }
         body
@@ -190,19 +206,6 @@ struct Rules<'a> {
 
 impl<'a> Rules<'a> {
     fn new(graph: &'a SceneGraph, settings: Settings) -> Self {
-        Self { roles: Roles::new(graph, settings), storeys: Storeys::of(graph) }
+        Self { roles: Roles::new(graph, settings), storeys: Storeys::new(graph) }
     }
-}
-
-/// Rooms and their bounding boxes.
-pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
-    graph.rooms().iter().filter_map(|&id| Some((id, graph.node(id)?.aabb()?))).collect()
-}
-
-/// A collider of a link, with the link's mass. The engine adds the mass properties of colliders and body, and
-/// loses the inertia axes of small things when there is more than one to add.
-pub(crate) fn collider(link: &Link, shape: &SharedShape, at: &EnginePose, mass_factor: f32) -> ColliderBuilder {
-    let mass = scaled(link.mass, link.mass.mass() * mass_factor).transform_by(&at.inverse());
-    let builder = ColliderBuilder::new(shape.clone()).position(*at).mass_properties(mass);
-    builder.friction(link.friction).restitution(link.restitution)
 }

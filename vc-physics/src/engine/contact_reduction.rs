@@ -5,7 +5,7 @@
 //! all others can carry the same loads. The engine's own clusters merge points whenever normals agree, and so
 //! keep points that hover where others carry; this module leaves points as they are unless nothing is lost.
 
-use crate::contact_completion;
+use super::contact_completion;
 use rapier3d::geometry::{ContactData, ContactManifold, ContactManifoldData};
 use rapier3d::math::{Pose, Vector};
 use rapier3d::parry::query::details::NormalConstraints;
@@ -31,12 +31,12 @@ const SAME: f32 = 0.005;
 
 /// The dispatcher for the engine's contact queries: the engine's own, with this reduction.
 pub(crate) fn dispatcher() -> impl PersistentQueryDispatcher<ContactManifoldData, ContactData> {
-    Footing.chain(DefaultQueryDispatcher)
+    Reduction.chain(DefaultQueryDispatcher)
 }
 
-struct Footing;
+struct Reduction;
 
-impl PersistentQueryDispatcher<ContactManifoldData, ContactData> for Footing {
+impl PersistentQueryDispatcher<ContactManifoldData, ContactData> for Reduction {
     fn contact_manifolds(
         &self,
         pos12: &Pose,
@@ -180,7 +180,7 @@ fn warm(manifolds: &mut [ContactManifold], before: &[ContactManifold]) {
 }
 
 /// All queries except those for contacts are left to the engine.
-impl QueryDispatcher for Footing {
+impl QueryDispatcher for Reduction {
     fn intersection_test(&self, _: &Pose, _: &dyn Shape, _: &dyn Shape) -> Result<ShapeIntersection, Unsupported> {
         Err(Unsupported)
     }

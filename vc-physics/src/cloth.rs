@@ -4,9 +4,8 @@ use nalgebra::Vector3;
 use vc_graph::portable::Portable;
 use vc_graph::{NodeId, SceneGraph};
 
-use super::PhysicsWorld;
-use super::build::collider;
-use crate::shapes::Shapes;
+use crate::shapes::ShapeCache;
+use crate::world::PhysicsWorld;
 use crate::{PhysicsError, group};
 
 /// Density of loosely folded cloth, kilograms per cubic metre: that of a full drum of laundry, 7 kg in 60
@@ -15,6 +14,7 @@ const LOOSE: f32 = 115.0;
 /// The sides of a bundle, relative to the longest.
 const FLAT: Vector3<f32> = Vector3::new(1.0, 1.0, 0.5);
 
+/// # Cloth
 impl PhysicsWorld {
     /// The scale along a thing's own axes if it were cloth folded to a flat bundle with the volume that its
     /// mass takes. `None` if it would be no smaller.
@@ -36,7 +36,7 @@ impl PhysicsWorld {
     /// # Errors
     /// [`PhysicsError::NoSuchNode`], [`PhysicsError::NoBody`]; [`PhysicsError::NotFree`] for a node with moving
     /// parts.
-    pub fn reshape(&mut self, graph: &SceneGraph, id: NodeId, shapes: &Shapes) -> Result<(), PhysicsError> {
+    pub fn reshape(&mut self, graph: &SceneGraph, id: NodeId, shapes: &ShapeCache) -> Result<(), PhysicsError> {
         let node = graph.node(id).ok_or(PhysicsError::NoSuchNode(id))?;
         if self.thing(id)?.form.links.len() > 1 {
             return Err(PhysicsError::NotFree(id));
@@ -53,7 +53,7 @@ impl PhysicsWorld {
             (thing.form.clone(), thing.state.role, thing.state.base, thing.state.mass_factor);
         self.engine.strip(base);
         if let Some((shape, at)) = &form.links[0].solid {
-            let collider = collider(&form.links[0], shape, at, factor).collision_groups(group::base(role));
+            let collider = form.links[0].collider(shape, at, factor).collision_groups(group::base(role));
             self.engine.add_collider(collider.user_data(group::mark(id, 0)).build(), base);
         }
         self.engine.refresh(base);

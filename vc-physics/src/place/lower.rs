@@ -20,6 +20,15 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.place(home.cup, vc_graph::Pose::translation(1.0, 0.3, 0.79))?;
+    /// let by = world.lower(home.cup, 0.1)?;
+    /// assert!((by - 0.05).abs() < 2e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn lower(&mut self, id: NodeId, within: f32) -> Result<f32, PhysicsError> {
         let thing = self.thing(id)?;
         let (base, loose) = (self.engine.pose(thing.state.base), thing.state.role == BodyRole::Loose);

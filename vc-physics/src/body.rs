@@ -1,98 +1,28 @@
-//! Time steps, and direct changes of bodies.
+//! Direct changes of single bodies: they are placed, pushed, pinned, and change their role.
 
 use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::{RigidBodyHandle, RigidBodyType};
 use vc_graph::{NodeId, Pose};
 
-use super::PhysicsWorld;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert, group};
 
+/// # Changes of single bodies
 impl PhysicsWorld {
-    /// Lets one step of time pass: agents walk, vehicles drive, water carries, motors turn, bodies fall.
-    ///
-    /// Costs a microsecond or two while everything sleeps.
-    pub fn step(&mut self) {
-        let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        let fixed = self.engine.fixed_among(&awake);
-        self.move_agents();
-        for _ in 0..self.settings.substeps {
-            self.push_vehicles();
-            self.push_floating();
-            self.resist_rolling();
-            let stopped = self.engine.step().to_vec();
-            stopped.into_iter().for_each(|b| self.stop(b));
-        }
-        self.engine.keep(&fixed);
-        self.tend_motors();
-        self.watch();
-        self.note_sleepers(&awake);
-        self.ticks += 1;
-    }
-
-    /// Lets a number of steps pass.
-    pub fn run(&mut self, steps: u32) {
-        (0..steps).for_each(|_| self.step());
-    }
-
-    /// Puts everything to sleep in its present state, for a scene that is known to be at rest: one step passes,
-    /// which finds the contacts, and then nothing moves until it is disturbed. (Bodies inserted asleep would
-    /// have no contacts.)
-    pub fn rest(&mut self) {
-        self.step();
-        let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        for &body in &all {
-            if let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic()) {
-                rigid.sleep();
-            }
-        }
-        self.note_sleepers(&all);
-    }
-
-    /// Puts things to sleep at poses at which they are known to be at rest, and lets agents stand at them, to the
-    /// bit; everything else [rests](Self::rest) where it is.
-    ///
-    /// # Errors
-    /// As [`Self::place`].
-    pub fn rest_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
-        for (id, pose) in poses.iter().filter(|(id, _)| !self.agents.contains_key(id)).collect::<Vec<_>>() {
-            let rides = self.thing(*id)?.state.rides;
-            self.place(*id, *pose)?;
-            self.thing_mut(*id)?.state.rides = rides;
-        }
-        self.rest();
-        for (id, pose) in poses {
-            let body = match self.agents.get_mut(id) {
-                Some(agent) => {
-                    agent.feet = *pose;
-                    agent.body
-                }
-                None => self.thing(*id)?.state.base,
-            };
-            if let Some(rigid) = self.engine.bodies.get_mut(body) {
-                rigid.set_position(convert::pose(pose), false);
-            }
-            self.engine.refresh(body);
-        }
-        Ok(())
-    }
-
-    /// Stops and lists a body that has become non-finite.
-    fn stop(&mut self, body: RigidBodyHandle) {
-        let Some(id) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0) else { return };
-        if let Ok(thing) = self.thing_mut(id) {
-            thing.state.role = BodyRole::Stopped;
-        }
-        if !self.stopped.contains(&id) {
-            self.stopped.push(id);
-        }
-    }
-
     /// Moves a node at once, without velocity; its moving parts and the water in it come along, and a stopped
     /// thing takes part again. Check first whether the spot is free, with [`overlaps`](Self::overlaps).
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`]; [`PhysicsError::NotFinite`]; [`PhysicsError::NotFree`] for things that an
     /// agent carries.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.place(home.cup, vc_graph::Pose::translation(1.0, 0.3, 0.741))?;
+    /// assert!(world.settle(300).fell.is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn place(&mut self, id: NodeId, pose: Pose) -> Result<(), PhysicsError> {
         let thing = self.thing(id)?;
         if !convert::is_sound(&pose) {
@@ -119,7 +49,7 @@ impl PhysicsWorld {
         if self.thing(id)?.state.role == BodyRole::Fixed {
             self.find_bottom();
         }
-        match self.fills.get(&id) {
+        match self.waters.levels.get(&id) {
             Some(&level) => self.fill(id, level),
             None => Ok(()),
         }
@@ -138,6 +68,16 @@ impl PhysicsWorld {
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`],
     /// [`PhysicsError::NotFree`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// let middle = world.centre_of_mass(home.cup).ok_or("no body")?;
+    /// world.push(home.cup, nalgebra::Vector3::new(0.06, 0.0, 0.0), middle)?;
+    /// assert!(world.velocity(home.cup).is_some_and(|v| (v.x - 0.2).abs() < 1e-3)); // 0.06 Ns on 0.3 kg.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn push(&mut self, id: NodeId, impulse: Vector3<f32>, at: Point3<f32>) -> Result<(), PhysicsError> {
         if !convert::is_finite(&impulse) || !convert::is_finite(&at.coords) {
             return Err(PhysicsError::NotFinite("the impulse", id));
@@ -153,6 +93,15 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::push`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Vector3;
+    /// world.set_velocity(home.cup, Vector3::new(0.0, 0.0, 1.0), Vector3::zeros())?;
+    /// assert_eq!(world.velocity(home.cup), Some(Vector3::new(0.0, 0.0, 1.0)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set_velocity(&mut self, id: NodeId, linear: Vector3<f32>, spin: Vector3<f32>) -> Result<(), PhysicsError> {
         if !convert::is_finite(&linear) || !convert::is_finite(&spin) {
             return Err(PhysicsError::NotFinite("the velocity", id));
@@ -182,6 +131,16 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.place(home.cup, vc_graph::Pose::translation(0.0, 0.5, 1.5))?;
+    /// world.pin(home.cup)?;
+    /// world.run(60);
+    /// assert_eq!(world.pose(home.cup).map(|pose| pose.translation.z), Some(1.5));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn pin(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         match self.thing(id)?.state.role {
             BodyRole::Loose => {

@@ -11,9 +11,9 @@ use nalgebra::Point2;
 use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
 use vc_geometry::outline::{Outline, hull, turn};
 
-use super::rest::Spot;
-use super::{PhysicsWorld, Thing};
 use crate::contact::Touch;
+use crate::state::{Spot, Thing};
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert, group};
 
 /// The largest speed of a thing at rest, including its rim, metres per second.
@@ -99,12 +99,12 @@ impl PhysicsWorld {
     }
 
     /// Records the poses of bodies that have fallen asleep.
-    pub(crate) fn note_sleepers(&mut self, were_awake: &[RigidBodyHandle]) {
+    pub(crate) fn record_sleepers(&mut self, were_awake: &[RigidBodyHandle]) {
         for &handle in were_awake {
             let Some(body) = self.engine.bodies.get(handle).filter(|b| b.is_dynamic() && b.is_sleeping()) else {
                 continue;
             };
-            let (spot, (id, link)) = (Spot::of(body.position()), group::marked(body.user_data));
+            let (spot, (id, link)) = (Spot::new(body.position()), group::marked(body.user_data));
             if let Some(thing) = self.thing_mut(id).ok().filter(|_| link == 0) {
                 thing.state.slept = Some(spot);
             }
@@ -115,7 +115,7 @@ impl PhysicsWorld {
     /// is supported as before.
     fn is_where_it_slept(&self, thing: &Thing, rigid: &RigidBody, size: f32) -> bool {
         let still = rigid.linvel().length() + rigid.angvel().length() * size <= STILL;
-        let now = Spot::of(rigid.position());
+        let now = Spot::new(rigid.position());
         still && thing.state.slept.is_some_and(|spot| spot.distance(&now, thing.form.extent) <= SAME)
     }
 

@@ -1,10 +1,14 @@
 //! The physics engine's sets, in one struct that can be cloned and serialised.
 
+mod contact_completion;
+mod contact_reduction;
+mod prediction;
+
 use std::sync::OnceLock;
 
 use nalgebra::Vector3;
 use rapier3d::dynamics::{
-    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBody, RigidBodyBuilder,
+    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBodyBuilder,
     RigidBodyHandle, RigidBodySet, SoftBodySet, SpringCoefficients,
 };
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
@@ -12,26 +16,12 @@ use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use vc_graph::portable::Portable;
-
-use crate::{contact_reduction, convert};
+use crate::convert;
 
 /// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
 /// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
 /// for ever.
 const PREDICTION: f32 = 0.005;
-/// The contact prediction distance of a fast body, metres, if it moves that far in one step.
-const AHEAD: f32 = 0.25;
-/// Bodies faster than this use continuous collision detection, metres per second.
-const FAST: f32 = 2.5;
-/// So do bodies that turn faster, radians per second.
-const WHIRLING: f32 = 15.0;
-/// The speed beyond which a body is taken as lost, metres or radians per second: the engine's distance
-/// computations fail long before the range of floats ends.
-const WILD: f32 = 1e4;
-/// Below this angular speed a body's gyroscopic moment is ignored. The moment grows with the square of the
-/// speed and is computed in every substep. Radians per second.
-const TURNING: f32 = 1.0;
 /// The relative motion of two bodies after which their contact points are computed anew, metres.
 const RECYCLED: f32 = 0.01;
 /// Number of solver substeps per step. With two, stacks lean; the engine's default of four costs a fifth more.
@@ -50,7 +40,7 @@ pub(crate) struct Engine {
     pub(crate) joints: ImpulseJointSet,
     islands: IslandManager,
     broad: BroadPhaseBvh,
-    #[serde(deserialize_with = "with_footings")]
+    #[serde(deserialize_with = "with_dispatcher")]
     pub(crate) narrow: NarrowPhase,
     // Unused, but required by the engine's interface.
     multibodies: MultibodyJointSet,
@@ -105,7 +95,7 @@ impl Engine {
 
     /// Does one step; returns the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
-        self.look_ahead();
+        self.predict_contacts();
         (self.started, self.early) = (true, OnceLock::new());
         self.scratch.pipeline.step(
             convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
@@ -153,42 +143,6 @@ impl Engine {
             rigid.activation_mut().time_until_sleep = STILL;
         }
         handle
-    }
-
-    /// Enables contact prediction for fast bodies and disables it for slow ones, since it costs time. A body is
-    /// slow if it moves less in a step than the general prediction distance. Bodies that turn slowly get no
-    /// gyroscopic moment, bodies that are too fast are stopped, and continuous collision detection is on only
-    /// in steps with a body for which prediction may not suffice.
-    fn look_ahead(&mut self) {
-        let slow = (PREDICTION / self.parameters.dt).raised(2);
-        let ahead = |body: &RigidBody| if body.linvel().length_squared() > slow { AHEAD } else { 0.0 };
-        let turns = |body: &RigidBody| body.angvel().length_squared() > TURNING * TURNING;
-        let (mut differing, mut wild, mut swept) = (Vec::new(), Vec::new(), false);
-        for handle in self.islands.active_bodies() {
-            let Some(body) = self.bodies.get(handle) else { continue };
-            let (speed, spin) = (body.linvel().length_squared(), body.angvel().length_squared());
-            let place = body.position().translation;
-            if speed > WILD * WILD || spin > WILD * WILD || place.abs().max_element() > convert::FARTHEST {
-                wild.push(handle);
-            }
-            swept |= speed > FAST * FAST || spin > WHIRLING * WHIRLING;
-            if body.soft_ccd_prediction() != ahead(body) || body.gyroscopic_forces_enabled() != turns(body) {
-                differing.push(handle);
-            }
-        }
-        for handle in differing {
-            if let Some(body) = self.bodies.get_mut(handle) {
-                body.set_soft_ccd_prediction(ahead(body));
-                body.enable_gyroscopic_forces(turns(body));
-            }
-        }
-        for handle in wild {
-            if let Some(body) = self.bodies.get_mut(handle) {
-                // The engine stops bodies with NaN and reports them.
-                body.set_linvel(rapier3d::math::Vector::splat(f32::NAN), false);
-            }
-        }
-        self.parameters.max_ccd_substeps = usize::from(swept);
     }
 
     /// The bodies that are awake.
@@ -313,7 +267,7 @@ impl Engine {
 }
 
 /// The query dispatcher is not serialised with the contacts.
-fn with_footings<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
+fn with_dispatcher<'de, D: Deserializer<'de>>(from: D) -> Result<NarrowPhase, D::Error> {
     let mut narrow = NarrowPhase::deserialize(from)?;
     narrow.set_query_dispatcher(contact_reduction::dispatcher());
     Ok(narrow)
@@ -332,7 +286,7 @@ fn parameters(dt: f32) -> IntegrationParameters {
         contact_softness: damped(SpringCoefficients::contact_defaults()),
         static_contact_softness: damped(SpringCoefficients::contact_static_defaults()),
         // The engine's clustering would keep four points of all points in a plane, whether or not they carry
-        // the load; `footing` checks this.
+        // the load; `contact_reduction` checks this.
         contact_clustering: false,
         ..IntegrationParameters::default()
     }

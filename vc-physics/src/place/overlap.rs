@@ -1,0 +1,106 @@
+//! Overlaps that a thing or a box would have at a pose.
+
+use nalgebra::Vector3;
+use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
+use rapier3d::math::Pose as EnginePose;
+use rapier3d::pipeline::QueryFilter;
+use vc_graph::{NodeId, Pose};
+
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
+use crate::{PhysicsError, convert, group};
+
+/// The depth of an overlap that counts as contact only, metres.
+const SKIN: f32 = 0.001;
+
+/// # Overlaps
+impl PhysicsWorld {
+    /// The things that a node would overlap at a pose; the node itself, its load and carried things do not count.
+    /// Touching is not overlapping.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_graph::Pose;
+    /// assert_eq!(world.overlaps(home.cup, &Pose::translation(1.0, 0.0, 0.7))?, [home.table]);
+    /// assert!(world.overlaps(home.cup, &Pose::translation(1.0, 0.0, 0.9))?.is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn overlaps(&self, id: NodeId, pose: &Pose) -> Result<Vec<NodeId>, PhysicsError> {
+        let thing = self.thing(id)?;
+        if !convert::is_sound(pose) {
+            return Err(PhysicsError::NotFinite("the pose", id));
+        }
+        let mut found: Vec<NodeId> = Vec::new();
+        self.for_overlaps(thing, pose, &mut |node| {
+            found.push(node);
+            true
+        });
+        found.sort_unstable();
+        found.dedup();
+        Ok(found)
+    }
+
+    /// Calls `found` for each thing that a thing would overlap at a pose, until it returns false; returns whether
+    /// it never did.
+    pub(super) fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
+        let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
+        let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
+        bodies.all(|(shape, at)| self.each_overlap(shape, &at, thing.id, found))
+    }
+
+    /// Calls `found` for each solid thing but one that a shape would overlap, until it returns false; returns
+    /// whether it never did.
+    pub(super) fn each_overlap(
+        &self,
+        shape: &SharedShape,
+        at: &EnginePose,
+        but: NodeId,
+        found: &mut dyn FnMut(NodeId) -> bool,
+    ) -> bool {
+        let other = |_: ColliderHandle, c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
+        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&other));
+        for (_, collider) in queries.intersect_shape(*at, &**shape) {
+            let between = at.inv_mul(collider.position());
+            let depth =
+                rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
+            let overlaps = depth.ok().flatten().is_none_or(|c| c.dist < -SKIN);
+            if overlaps && !found(group::marked(collider.user_data).0) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether a thing would overlap nothing at a pose.
+    pub(super) fn is_clear(&self, thing: &Thing, pose: &Pose) -> bool {
+        self.for_overlaps(thing, pose, &mut |_| false)
+    }
+
+    /// Whether a box of half lengths at a pose overlaps nothing.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_graph::Pose;
+    /// let half = nalgebra::Vector3::new(0.05, 0.05, 0.05);
+    /// assert!(!world.is_free(half, &Pose::translation(1.0, 0.0, 0.8))); // The cup is there.
+    /// assert!(world.is_free(half, &Pose::translation(1.0, 0.3, 0.8)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn is_free(&self, half: Vector3<f32>, pose: &Pose) -> bool {
+        if !is_size(&half) || !convert::is_sound(pose) {
+            return false;
+        }
+        let shape = SharedShape::cuboid(half.x, half.y, half.z);
+        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| false)
+    }
+}
+
+/// Whether half lengths are those of a box.
+pub(super) fn is_size(half: &Vector3<f32>) -> bool {
+    half.iter().all(|h| *h > 0.0 && *h <= convert::LARGEST)
+}

@@ -1,0 +1,125 @@
+//! Surfaces of a world that hold things, and whether a thing is at one.
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::asset::{Hold, Surface};
+use vc_graph::{NodeId, Pose};
+
+use super::way::TURNTABLE;
+use super::{BESIDE, GAP};
+use crate::PhysicsError;
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
+
+/// The largest height above a surface of the bottom of a thing that is on it, metres.
+const LOW: f32 = 0.02;
+
+/// A surface of a node that holds things, in the world's frame in the present state.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SupportSurface {
+    /// The node it belongs to.
+    pub id: NodeId,
+    /// Its position in the asset's list.
+    pub surface: usize,
+    /// How it holds things.
+    pub hold: Hold,
+    /// Its middle; X and Y along its sides.
+    pub pose: Pose,
+    /// Half lengths along its X and Y, metres.
+    pub half: (f32, f32),
+    /// Free height above it, metres, if something is above.
+    pub clearance: Option<f32>,
+}
+
+/// # Surfaces that hold things
+impl PhysicsWorld {
+    /// The surfaces of a node in the present state: those of a drawer move with it.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let top = &world.support_surfaces(home.table)[0];
+    /// assert!((top.pose.translation.z - 0.74).abs() < 1e-5);
+    /// assert_eq!(top.half, (0.4, 0.7));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn support_surfaces(&self, id: NodeId) -> Vec<SupportSurface> {
+        let Ok(thing) = self.thing(id) else { return Vec::new() };
+        (0..thing.form.surfaces.len()).filter_map(|s| self.surface_of(thing, s)).collect()
+    }
+
+    pub(super) fn surface_of(&self, thing: &Thing, surface: usize) -> Option<SupportSurface> {
+        let of: &Surface = thing.form.surfaces.get(surface)?;
+        let moved = of.joint.map_or_else(Pose::identity, |j| self.part_motion(thing, &j));
+        let pose =
+            self.engine.pose(thing.state.base)? * moved * Pose::translation(of.centre.x, of.centre.y, of.centre.z);
+        Some(SupportSurface { id: thing.id, surface, hold: of.hold, pose, half: of.half, clearance: of.clearance })
+    }
+
+    /// Whether a thing is on one of another's surfaces (and not on things there), or inside the other: the middle
+    /// of its box is over the surface or clearly in the space above it, and half of its corners are inside too.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// assert!(world.is_at(home.cup, home.table, false));
+    /// assert!(!world.is_at(home.cup, home.cabinet, false));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn is_at(&self, id: NodeId, at: NodeId, inside: bool) -> bool {
+        let (Some(aabb), Some(pose), Ok(thing)) = (self.aabb(id), self.pose(id), self.thing(id)) else { return false };
+        let (low, high) = thing.form.extent;
+        let middle = pose * nalgebra::center(&low, &high);
+        let margin = if inside { -BESIDE } else { BESIDE };
+        let over = |shelf: &SupportSurface, point: Point3<f32>, margin: f32| {
+            let own = shelf.pose.inverse_transform_point(&point);
+            let across = own.x.abs() <= shelf.half.0 + margin && own.y.abs() <= shelf.half.1 + margin;
+            across.then_some(own.z)
+        };
+        let within = |shelf: &SupportSurface, point: Point3<f32>, margin: f32| {
+            let top = shelf.clearance.unwrap_or(f32::INFINITY);
+            over(shelf, point, margin).is_some_and(|height| (-GAP..=top).contains(&height))
+        };
+        let corner = |i: usize| {
+            let at = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+            pose * Point3::new(at(0), at(1), at(2))
+        };
+        // A thing that is wider than a turntable reaches over its edges.
+        let reaches = |shelf: &SupportSurface| {
+            let over = |half: f32, room: f32| (half - room).clamp(0.0, TURNTABLE.over * half);
+            let half = (aabb.max - aabb.min) / 2.0;
+            over(half.x.min(half.y), shelf.half.0.min(shelf.half.1))
+                .max(over(half.x.max(half.y), shelf.half.0.max(shelf.half.1)))
+        };
+        let holds = |shelf: &SupportSurface| match shelf.hold {
+            Hold::Inside => {
+                let corners = (0..8).filter(|i| within(shelf, corner(*i), reaches(shelf))).count();
+                inside && within(shelf, middle, margin) && corners >= 4
+            }
+            Hold::On => {
+                let above = aabb.min.z - shelf.pose.translation.z;
+                !inside && over(shelf, middle, margin).is_some() && above.abs() <= LOW
+            }
+            Hold::Hook => false,
+        };
+        self.support_surfaces(at).iter().any(holds)
+    }
+
+    pub(super) fn shelf(&self, on: NodeId, surface: usize) -> Result<SupportSurface, PhysicsError> {
+        let below = self.thing(on)?;
+        let count = below.form.surfaces.len();
+        self.surface_of(below, surface).ok_or(PhysicsError::NoSuchSurface { id: on, surface, count })
+    }
+
+    /// The surfaces of a thing that hold things in a way.
+    pub(super) fn surfaces_that(&self, thing: &Thing, hold: Hold) -> Vec<SupportSurface> {
+        let all = (0..thing.form.surfaces.len()).filter_map(|s| self.surface_of(thing, s));
+        all.filter(|s| s.hold == hold).collect()
+    }
+
+    /// Whether nothing stands or lies on a surface.
+    pub(super) fn is_bare(&self, shelf: &SupportSurface) -> bool {
+        let half = Vector3::new(shelf.half.0, shelf.half.1, LOW / 2.0);
+        self.is_free(half, &(shelf.pose * Pose::translation(0.0, 0.0, GAP + half.z)))
+    }
+}

@@ -1,0 +1,63 @@
+//! Rest: things come to rest and fall asleep, or are put to sleep where they are known to be at rest.
+
+mod damping;
+mod sleep;
+
+use rapier3d::dynamics::RigidBodyHandle;
+use vc_graph::{NodeId, Pose};
+
+use crate::world::PhysicsWorld;
+use crate::{PhysicsError, convert};
+
+/// # Rest
+impl PhysicsWorld {
+    /// Puts everything to sleep in its present state, for a scene that is known to be at rest: one step passes,
+    /// which finds the contacts, and then nothing moves until it is disturbed. (Bodies inserted asleep would
+    /// have no contacts.)
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.rest();
+    /// assert_eq!(world.awake(), 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn rest(&mut self) {
+        self.step();
+        let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
+        for &body in &all {
+            if let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic()) {
+                rigid.sleep();
+            }
+        }
+        self.record_sleepers(&all);
+    }
+
+    /// Puts things to sleep at poses at which they are known to be at rest, and lets agents stand at them, to the
+    /// bit; everything else [rests](Self::rest) where it is.
+    ///
+    /// # Errors
+    /// As [`Self::place`].
+    pub fn rest_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
+        for (id, pose) in poses.iter().filter(|(id, _)| !self.agents.contains_key(id)).collect::<Vec<_>>() {
+            let rides = self.thing(*id)?.state.rides;
+            self.place(*id, *pose)?;
+            self.thing_mut(*id)?.state.rides = rides;
+        }
+        self.rest();
+        for (id, pose) in poses {
+            let body = match self.agents.get_mut(id) {
+                Some(agent) => {
+                    agent.feet = *pose;
+                    agent.body
+                }
+                None => self.thing(*id)?.state.base,
+            };
+            if let Some(rigid) = self.engine.bodies.get_mut(body) {
+                rigid.set_position(convert::pose(pose), false);
+            }
+            self.engine.refresh(body);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,54 @@
+//! The passing of time.
+
+use rapier3d::dynamics::RigidBodyHandle;
+
+use crate::world::PhysicsWorld;
+use crate::{BodyRole, group};
+
+/// # Time
+impl PhysicsWorld {
+    /// Lets one step of time pass: agents walk, vehicles drive, water carries, motors turn, bodies fall.
+    ///
+    /// Costs a microsecond or two while everything sleeps.
+    pub fn step(&mut self) {
+        let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
+        let fixed = self.engine.fixed_among(&awake);
+        self.move_agents();
+        for _ in 0..self.settings.substeps {
+            self.push_vehicles();
+            self.push_floating();
+            self.resist_rolling();
+            let stopped = self.engine.step().to_vec();
+            stopped.into_iter().for_each(|b| self.stop(b));
+        }
+        self.engine.keep(&fixed);
+        self.tend_motors();
+        self.watch();
+        self.record_sleepers(&awake);
+        self.ticks += 1;
+    }
+
+    /// Lets a number of steps pass.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.run(30);
+    /// assert_eq!(world.ticks(), 30);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn run(&mut self, steps: u32) {
+        (0..steps).for_each(|_| self.step());
+    }
+
+    /// Stops and lists a body that has become non-finite.
+    fn stop(&mut self, body: RigidBodyHandle) {
+        let Some(id) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data).0) else { return };
+        if let Ok(thing) = self.thing_mut(id) {
+            thing.state.role = BodyRole::Stopped;
+        }
+        if !self.stopped.contains(&id) {
+            self.stopped.push(id);
+        }
+    }
+}
