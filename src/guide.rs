@@ -444,7 +444,7 @@
 //!
 //! let benchmark = Benchmark::v1();
 //! let activity = benchmark.get("put_fridge-01").ok_or("no such task")?;
-//! let open = |scene| Environment::of(scene, 1).map_err(|e| WorldError::Failed(e.to_string()));
+//! let open = |scene| Environment::of(scene, 1).map_err(WorldError::failed);
 //! let suits = |home: &Environment, initial: &_| feasible(activity, home, initial);
 //! let mut made = at_home_that(activity, Seed(3), &generator(), open, suits)?;
 //! let episode = run_episode(&mut PlannerPolicy::best(), &made.initial.task, &mut made.world);

@@ -99,7 +99,7 @@ impl Belief {
 
     /// The belief of an agent that knows only the rooms, neither the furniture nor which things exist: it adds
     /// what it sees, and surfaces and containers become places once seen.
-    pub fn of_unknown_home(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
+    pub fn in_unknown_home(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         (belief.prior, belief.stranger) = (prior, true);
         let carried = graph.carried_with(agent);
@@ -117,7 +117,7 @@ impl Belief {
     }
 
     /// The belief of an agent that knows everything.
-    pub fn of_oracle(graph: &SceneGraph, agent: NodeId) -> Self {
+    pub(crate) fn oracle(graph: &SceneGraph, agent: NodeId) -> Self {
         let mut belief = Self::with(graph, agent, 0);
         belief.known = graph.nodes().map(Node::id).collect();
         belief
@@ -196,7 +196,7 @@ impl Belief {
     }
 
     /// Whether nothing has to be guessed, as for a long-time resident.
-    pub fn knows_all(&self) -> bool {
+    pub(crate) fn knows_all(&self) -> bool {
         self.places.is_empty()
     }
 

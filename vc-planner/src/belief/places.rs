@@ -35,7 +35,7 @@ impl Belief {
         self.places = all(graph);
         self.seen = vec![false; self.places.len()];
         self.rooms = self.places.iter().map(|p| graph.room_of(p.at)).collect();
-        self.kinds = Kinds::of(graph, &self.places);
+        self.kinds = Kinds::new(graph, &self.places);
     }
 
     /// Spreads what is supposed anew where places have become known, or things of the class.

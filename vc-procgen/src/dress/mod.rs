@@ -44,10 +44,9 @@ use std::sync::Arc;
 use nalgebra::{Translation3, Vector3};
 use vc_graph::asset::{AssetError, Merged};
 use vc_graph::{
-    Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, EditError, Node, NodeId, NodeKind, Pose, SceneBuilder,
-    SceneGraph, Seed,
+    Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, EditError, Label, Node, NodeId, NodeKind, Pose,
+    SceneBuilder, SceneGraph, Seed,
 };
-
 use vc_shapes::{Generator, Generators, Style};
 
 use house::House;
@@ -56,9 +55,18 @@ use house::House;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DressError {
-    /// A shape cannot be added to the scene's library.
-    #[error(transparent)]
-    Asset(#[from] AssetError),
+    /// The shape made for a node cannot be added to the scene's library.
+    #[error("{node}: {error}")]
+    Asset {
+        /// The node.
+        node: Label,
+        /// The fault of the shape.
+        #[source]
+        error: AssetError,
+    },
+    /// The materials of the shapes cannot be added to the scene's library.
+    #[error("the materials of the shapes do not fit the scene's library: {0}")]
+    Materials(#[source] AssetError),
     /// The scene cannot be rebuilt.
     #[error(transparent)]
     Edit(#[from] EditError),
@@ -66,6 +74,12 @@ pub enum DressError {
 
 /// The seed that determines a scene's shapes: the number at the end of its name (`apartment_42`), otherwise one
 /// derived from the name and the number of nodes.
+///
+/// ```
+/// use vc_graph::{SceneBuilder, Seed};
+/// use vc_procgen::dress::seed_of;
+/// assert_eq!(seed_of(&SceneBuilder::new("apartment_42").build()), Seed(42));
+/// ```
 pub fn seed_of(graph: &SceneGraph) -> Seed {
     let name = graph.name();
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
@@ -76,6 +90,18 @@ pub fn seed_of(graph: &SceneGraph) -> Seed {
 /// box nor shape if its class has a generator. The same scene and seed give the same bytes.
 ///
 /// Costs some tens of microseconds for each object.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder, Seed};
+/// use vc_procgen::dress::dressed;
+/// let mut scene = SceneBuilder::new("flat");
+/// let room = scene.add(Draft::new("kitchen"))?;
+/// let table = Draft::new("kitchen_table").bounds(Bounds::standing([0.8, 1.2, 0.75].into())).at(Pose::identity());
+/// let table = scene.add_in(room, table)?;
+/// let scene = dressed(&scene.build(), Seed(1))?;
+/// assert!(scene.node(table).is_some_and(|node| node.spec().asset.is_some()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
@@ -88,20 +114,30 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
 pub fn dressed_by(graph: &SceneGraph, generators: &Generators, seed: Seed) -> Result<SceneGraph, DressError> {
-    let house = House::of(graph, generators);
+    let house = House::new(graph, generators);
     let mut wardrobe = Wardrobe::new(graph, generators, seed)?;
     let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
     needs.iter().for_each(|need| wardrobe.load(need));
     let looks = graph
         .nodes()
         .zip(needs)
-        .map(|(node, need)| wardrobe.look(&house, node, need))
+        .map(|(node, need)| wardrobe.look(&house, node, need).map_err(of_node(node)))
         .collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library)
 }
 
 /// Gives a shape to every object that has neither shape nor box and whose class has a generator: an instance of
 /// the usual size. `None` if there is no such object.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Seed};
+/// use vc_procgen::dress::shaped;
+/// let mut scene = SceneBuilder::new("flat");
+/// let mug = scene.add(Draft::new("mug"))?;
+/// let scene = shaped(&scene.build(), Seed(1))?.ok_or("nothing to shape")?;
+/// assert!(scene.node(mug).is_some_and(|node| node.spec().bounds.is_some()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
@@ -111,7 +147,7 @@ pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, Dres
         return Ok(None);
     }
     let mut wardrobe = Wardrobe::new(graph, &generators, seed)?;
-    let looks = graph.nodes().map(|node| wardrobe.usual(node)).collect::<Result<Vec<_>, _>>()?;
+    let looks = graph.nodes().map(|node| wardrobe.usual(node).map_err(of_node(node))).collect::<Result<Vec<_>, _>>()?;
     rebuilt(graph, looks, wardrobe.library).map(Some)
 }
 
@@ -159,9 +195,9 @@ enum Need {
 }
 
 impl<'g> Wardrobe<'g> {
-    fn new(graph: &SceneGraph, generators: &'g Generators, seed: Seed) -> Result<Self, AssetError> {
+    fn new(graph: &SceneGraph, generators: &'g Generators, seed: Seed) -> Result<Self, DressError> {
         let mut library = graph.assets().as_ref().clone();
-        let merged = library.merge(&crate::material::library())?;
+        let merged = library.merge(&vc_shapes::material::library()).map_err(DressError::Materials)?;
         let (made, stopped, loads) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         Ok(Self { generators, library, merged, style: Style::from_seed(seed), seed, made, stopped, loads })
     }
@@ -252,6 +288,11 @@ impl<'g> Wardrobe<'g> {
     }
 }
 
+/// Names the node for which a shape was made.
+fn of_node(node: &Node) -> impl FnOnce(AssetError) -> DressError {
+    |error| DressError::Asset { node: node.label(), error }
+}
+
 /// The offset and half size of a box in tenths of a millimetre.
 fn rounded(bounds: &Bounds) -> [i32; 6] {
     let number = |v: f32| (v * 1e4).round() as i32;
@@ -268,7 +309,7 @@ fn lacks_all<'g>(generators: &'g Generators, node: &Node) -> Option<&'g Generato
 fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) -> Result<SceneGraph, DressError> {
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
     for (node, look) in graph.nodes().zip(looks) {
-        let mut draft = Draft::of(node);
+        let mut draft = Draft::from_node(node);
         if let Some(look) = look {
             draft.asset = Some(look.asset);
             (draft.pose, draft.bounds, draft.scale) = (look.pose, Some(look.bounds), Some(look.scale));

@@ -6,7 +6,7 @@ use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
 
 use super::gate::Table;
 use super::ground::{Ground, Things};
-use super::{CompileError, Compiler, Program};
+use super::{CompileError, Compiler, GoalProgram};
 
 /// A goal whose variables have been replaced by objects.
 #[derive(Debug, Clone)]
@@ -33,7 +33,7 @@ impl Compiler {
         &mut self,
         goal: &Goal,
         things: &impl Things,
-    ) -> Result<(Vec<Course>, Program), CompileError> {
+    ) -> Result<(Vec<Course>, GoalProgram), CompileError> {
         let mut ground = Ground::new(self, things);
         let courses = goal.conjuncts().iter().map(|part| ground.course(part)).collect::<Result<_, _>>()?;
         Ok((courses, ground.finish()?))
