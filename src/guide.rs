@@ -238,7 +238,7 @@
 //! let home = Environment::make("apartment/42", 2)?;
 //! let agents = home.agents().to_vec();
 //! let task = Task::new("a book and a pillow", "Holds(novel) & On(pillow, sofa)".parse()?);
-//! let mut team = Team::residents(home.graph(), &agents, &task.goal);
+//! let mut team = Team::oracles(home.graph(), &agents, &task.goal);
 //! let options = RecordOptions { width: 64, ..RecordOptions::default() };
 //! let mut recorder = Recorder::create(&out, home, agents[0], &task, options)?;
 //! let episode = team.run(&task, &mut recorder);

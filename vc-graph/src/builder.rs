@@ -36,7 +36,8 @@ impl SceneBuilder {
     ///
     /// ```
     /// use vc_graph::{ClassTable, Draft, SceneBuilder};
-    /// let classes = ClassTable::builtin().extended("own.txt", "robot_dog | dog | | animal | | 0.7 0.3 0.5 | 12 | | | | ")?;
+    /// let text = "robot_dog | dog | | animal | | 0.7 0.3 0.5 | 12 | | | | ";
+    /// let classes = ClassTable::builtin().extended("own.txt", text)?;
     /// let mut scene = SceneBuilder::with_classes("flat", classes.into());
     /// let spot = scene.add(Draft::new("RobotDog"))?;
     /// assert_eq!(scene.graph().of_class("dog"), [spot]);

@@ -63,7 +63,7 @@ pub struct UnknownWord {
 /// use vc_graph::{Property, PropertySet};
 /// let set = PropertySet::from_words(&[Property::Graspable, Property::Openable]);
 /// assert!(set.contains(Property::Openable) && set.len() == 2);
-/// assert_eq!(set.minus(PropertySet::from_words(&[Property::Openable])).iter().collect::<Vec<_>>(), [Property::Graspable]);
+/// assert_eq!(set.without(Property::Openable).iter().collect::<Vec<_>>(), [Property::Graspable]);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Set<W> {

@@ -59,7 +59,7 @@ pub struct Step {
 /// let mut world = Simulator::new(scene.build());
 /// let task = Task::new("fetch", "Holds(apple)".parse()?);
 /// let episode = run_episode(&mut OraclePolicy::default(), &task, &mut world);
-/// assert_eq!((episode.outcome, episode.steps.len()), (Outcome::Won, 2));
+/// assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -161,8 +161,9 @@ impl EpisodeOptions {
     /// let mut world = Simulator::new(scene.build());
     /// let mut task = Task::new("fetch", "Holds(apple)".parse()?);
     /// task.step_limit = 3;
-    /// let episode = EpisodeOptions::seeded(7).episode(&mut RandomPolicy::default(), &task, &mut world, &mut |_step| {});
-    /// assert!(episode.steps.len() <= 3);
+    /// let mut policy = RandomPolicy::default();
+    /// let episode = EpisodeOptions::seeded(7).episode(&mut policy, &task, &mut world, &mut |_step| {});
+    /// assert!(episode.steps <= 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn seeded(seed: u64) -> Self {

@@ -25,7 +25,7 @@ pub enum Horizon {
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let mut graph = scene.build();
 /// let plan = plan(&mut graph, me, &"Holds(apple)".parse()?, &History::default())?;
-/// assert_eq!(plan.actions.iter().map(|action| action.to_string()).collect::<Vec<_>>(), ["walk #3", "grab #3"]);
+/// assert_eq!(plan.actions.iter().map(|action| action.to_string()).collect::<Vec<_>>(), ["walk #2", "grab #3"]);
 /// assert!(plan.proved, "no plan is shorter");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -29,7 +29,7 @@ use crate::{Agent, Decision, Planner, SearchLimits, Summary};
 /// let agents = [scene.add_in(kitchen, Draft::new("character"))?, scene.add_in(kitchen, Draft::new("character"))?];
 /// let mut world = Simulator::new(scene.build());
 /// let task = Task::new("fetch", "exists ?a: character. Holds(?a, apple)".parse()?);
-/// let episode = Team::residents(&world.graph().clone(), &agents, &task.goal).run(&task, &mut world);
+/// let episode = Team::oracles(&world.graph().clone(), &agents, &task.goal).run(&task, &mut world);
 /// assert_eq!(episode.outcome, Outcome::Won);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -98,12 +98,12 @@ const IDLE: usize = 2;
 
 impl Team {
     /// Agents that know the plan of the home and no more.
-    pub fn newcomers(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
+    pub fn in_known_home(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
         Self::with_agents(ids, goal, |id, goal| Agent::in_known_home(graph, id, goal, seed))
     }
 
     /// Agents that know everything there is.
-    pub fn residents(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
+    pub fn oracles(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
         Self::with_agents(ids, goal, |id, goal| Agent::oracle(graph, id, goal))
     }
 
@@ -148,7 +148,7 @@ impl Team {
     ) -> usize {
         let mut done = 0;
         for index in 0..self.agents.len() {
-            self.look(world);
+            self.observe(world);
             if self.agents.len() > 1 {
                 let others = (0..self.agents.len()).filter(|&other| other != index);
                 let promised = others.flat_map(|other| self.agents[other].promises().to_vec()).collect();
@@ -179,7 +179,7 @@ impl Team {
         done
     }
 
-    fn look(&mut self, world: &dyn World) {
+    fn observe(&mut self, world: &dyn World) {
         let scope = |agent: &Agent| if agent.belief().knows_all() { Scope::Whole } else { Scope::Room };
         let seen: Vec<_> =
             self.agents.iter().zip(&self.ids).map(|(a, &id)| world.graph().observe(id, scope(a))).collect();

@@ -77,7 +77,7 @@ impl RoomKind {
     }
 
     /// Whether it has running water and a tiled floor.
-    pub fn is_wet(self) -> bool {
+    pub(crate) fn is_wet(self) -> bool {
         matches!(self, Self::Kitchen | Self::Bathroom | Self::Wc | Self::Laundry)
     }
 }

@@ -4,8 +4,8 @@ use std::fmt;
 
 use crate::room_kind::RoomKind;
 
-/// A violation in an apartment. Items are given by their index in [`Apartment::items`](crate::Apartment::items), rooms by theirs in the
-/// plan.
+/// A violation in an apartment. Items are given by their index in [`Apartment::items`](crate::Apartment::items), rooms
+/// by theirs in the plan.
 ///
 /// ```
 /// use vc_procgen::ApartmentViolation;

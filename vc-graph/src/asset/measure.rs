@@ -5,8 +5,8 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use super::Shape;
 
 impl Shape {
-    /// Whether every measure is finite and positive where it must be, which [`AssetLibrary::add`](super::AssetLibrary::add) requires of a
-    /// part's shape.
+    /// Whether every measure is finite and positive where it must be;
+    /// [`AssetLibrary::add`](super::AssetLibrary::add) requires it of a part's shape.
     pub fn measures_are_positive(&self) -> bool {
         let positive = |v: f32| v.is_finite() && v > 0.0;
         // Checks all of them, without a branch for each.

@@ -107,7 +107,7 @@ impl Edit<'_> {
     /// edit.hold(me, apple)?;
     /// edit.commit();
     /// assert_eq!(graph.held(me).collect::<Vec<_>>(), [apple]);
-    /// assert_eq!(graph.place(apple), None, "it is on the table no more");
+    /// assert_eq!(graph.place(apple).map(|place| place.at), Some(me), "it is on the table no more");
     /// # Ok::<(), vc_graph::EditError>(())
     /// ```
     ///

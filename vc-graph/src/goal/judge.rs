@@ -53,7 +53,7 @@ impl Goal {
     /// let goal: Goal = "On(apple, kitchen_table) & Holds(apple)".parse()?;
     /// let history = History::default();
     /// let unmet = goal.unmet(&Situation::new(&graph, me, &history));
-    /// assert_eq!(unmet[0].to_string(), "Holds(apple)");
+    /// assert_eq!(unmet[0].to_string(), "Holds(me, apple)");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn unmet(&self, now: &Situation<'_>) -> Vec<&Goal> {

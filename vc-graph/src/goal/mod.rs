@@ -272,7 +272,8 @@ impl Goal {
     /// ```
     /// use vc_graph::Goal;
     /// let goal: Goal = "On(apple, table) & Closed(fridge)".parse()?;
-    /// assert_eq!(goal.conjuncts().iter().map(Goal::to_string).collect::<Vec<_>>(), ["On(apple, table)", "Closed(fridge)"]);
+    /// let parts: Vec<String> = goal.conjuncts().iter().map(Goal::to_string).collect();
+    /// assert_eq!(parts, ["On(apple, table)", "Closed(fridge)"]);
     /// # Ok::<(), vc_graph::goal::GoalError>(())
     /// ```
     pub fn conjuncts(&self) -> &[Goal] {

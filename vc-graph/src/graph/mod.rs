@@ -220,7 +220,8 @@ impl SceneGraph {
     /// use vc_graph::nalgebra::Point3;
     /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
     /// let mut scene = SceneBuilder::new("flat");
-    /// let cup = |x| Draft::new("cup").bounds(Bounds::standing([0.1, 0.1, 0.1].into())).at(Pose::translation(x, 0.0, 0.0));
+    /// let bounds = Bounds::standing([0.1, 0.1, 0.1].into());
+    /// let cup = |x| Draft::new("cup").bounds(bounds).at(Pose::translation(x, 0.0, 0.0));
     /// let (near, far) = (scene.add(cup(1.0))?, scene.add(cup(5.0))?);
     /// let graph = scene.build();
     /// assert_eq!(graph.within(Point3::origin(), 2.0), [near]);

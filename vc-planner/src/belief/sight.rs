@@ -34,7 +34,7 @@ impl Belief {
         let mut learned = Learned::default();
         self.meet(seen);
         self.take_over(seen, &mut learned);
-        self.look(seen, &mut learned);
+        self.take_in(seen, &mut learned);
         self.last = Some(seen.clone());
         learned
     }
@@ -52,7 +52,7 @@ impl Belief {
             }
             self.take_over_node(report, node);
         }
-        self.look(report, &mut learned);
+        self.take_in(report, &mut learned);
         // The message may be newer than the agent's own last observation.
         self.last = None;
         learned
@@ -90,9 +90,9 @@ impl Belief {
         edit.commit();
     }
 
-    /// Adds the nodes that a stranger sees for the first time.
+    /// Adds the nodes that an agent in an unknown home sees for the first time.
     fn meet(&mut self, seen: &Observation) {
-        if !self.stranger {
+        if !self.in_unknown_home {
             return;
         }
         let new: Vec<&Node> = seen.nodes().filter(|n| self.graph.node(n.id()).is_none()).collect();

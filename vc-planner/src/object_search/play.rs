@@ -72,7 +72,7 @@ impl Play {
                 return f64::from(self.cost + self.rest(search));
             }
             let next = if self.full() { self.delivery() } else { None };
-            match next.or_else(|| self.look(search)) {
+            match next.or_else(|| self.next_observation(search)) {
                 Some(next) => self.make(search, world, next),
                 None => return f64::from(self.cost + self.rest(search)),
             }
@@ -205,8 +205,8 @@ impl Play {
         self.held.iter().position(Option::is_some).map(|hand| Move::Deliver(hand as u8))
     }
 
-    /// The next look of the base policy. Only rooms in which something has changed are evaluated again.
-    fn look(&mut self, search: &ObjectSearch) -> Option<Move> {
+    /// The next observation of the base policy. Only rooms in which something has changed are evaluated again.
+    fn next_observation(&mut self, search: &ObjectSearch) -> Option<Move> {
         for room in ones(self.stale) {
             self.offers[room] = self.best_in(search, room as u8);
         }

@@ -16,12 +16,12 @@ pub use scripted::ScriptedPolicy;
 /// The information that a policy gets when an episode begins.
 #[derive(Debug, Clone, Copy)]
 pub struct EpisodeStart<'a> {
-    /// The true scene. What a policy may take from it is its own honesty: newcomers
-    /// take the rooms, the fixed things, and what movable things there are.
+    /// The true scene. A policy decides itself how much of it it uses: a planner in a known home takes the rooms, the
+    /// fixed things, and which movable things there are.
     pub scene: &'a SceneGraph,
-    /// Who it acts as.
+    /// The agent that the policy controls.
     pub agent: NodeId,
-    /// What is to be done.
+    /// The task.
     pub task: &'a Task,
     /// Where its randomness comes from.
     pub seed: Seed,

@@ -23,7 +23,7 @@ use crate::{Decision, Learned, Plan};
 /// let mut world = Simulator::new(scene.build());
 /// let mut task = Task::new("fetch", "Holds(apple)".parse()?);
 /// task.step_limit = 5;
-/// assert!(run_episode(&mut RandomPolicy::default(), &task, &mut world).steps.len() <= 5);
+/// assert!(run_episode(&mut RandomPolicy::default(), &task, &mut world).steps <= 5);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Default)]

@@ -22,8 +22,8 @@
 //! let fridge = Draft::new("fridge").bounds(Bounds::centred([0.7, 0.7, 1.8].into())).at(Pose::translation(0.0, 0.0, 0.9));
 //! let fridge = scene.add_in(kitchen, fridge)?;
 //! let scene = scene.build();
-//! let looks = dress::dressed(&scene, dress::seed_of(&scene))?;
-//! let asset = looks.node(fridge).and_then(|n| looks.assets().get(n.spec().asset?)).ok_or("no shape")?;
+//! let shaped = dress::dressed(&scene, dress::seed_of(&scene))?;
+//! let asset = shaped.node(fridge).and_then(|n| shaped.assets().get(n.spec().asset?)).ok_or("no shape")?;
 //! assert!(asset.parts.iter().any(|part| part.joint.is_some()), "its door opens");
 //! assert!(asset.surfaces.len() > 1, "it has shelves");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -118,12 +118,12 @@ pub fn dressed_by(graph: &SceneGraph, generators: &Generators, seed: Seed) -> Re
     let mut wardrobe = Wardrobe::new(graph, generators, seed)?;
     let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
     needs.iter().for_each(|need| wardrobe.load(need));
-    let looks = graph
+    let appearances = graph
         .nodes()
         .zip(needs)
-        .map(|(node, need)| wardrobe.look(&house, node, need).map_err(of_node(node)))
+        .map(|(node, need)| wardrobe.appearance(&house, node, need).map_err(of_node(node)))
         .collect::<Result<Vec<_>, _>>()?;
-    rebuilt(graph, looks, wardrobe.library)
+    rebuilt(graph, appearances, wardrobe.library)
 }
 
 /// Gives a shape to every object that has neither shape nor box and whose class has a generator: an instance of
@@ -147,12 +147,13 @@ pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, Dres
         return Ok(None);
     }
     let mut wardrobe = Wardrobe::new(graph, &generators, seed)?;
-    let looks = graph.nodes().map(|node| wardrobe.usual(node).map_err(of_node(node))).collect::<Result<Vec<_>, _>>()?;
-    rebuilt(graph, looks, wardrobe.library).map(Some)
+    let appearances =
+        graph.nodes().map(|node| wardrobe.usual(node).map_err(of_node(node))).collect::<Result<Vec<_>, _>>()?;
+    rebuilt(graph, appearances, wardrobe.library).map(Some)
 }
 
 /// The new appearance of a node: its asset, with its pose, bounds and scale.
-struct Look {
+struct Appearance {
     asset: AssetId,
     pose: Option<Pose>,
     bounds: Bounds,
@@ -224,7 +225,7 @@ impl<'g> Wardrobe<'g> {
         }
     }
 
-    fn look(&mut self, house: &House, node: &Node, need: Need) -> Result<Option<Look>, AssetError> {
+    fn appearance(&mut self, house: &House, node: &Node, need: Need) -> Result<Option<Appearance>, AssetError> {
         match need {
             Need::Nothing => Ok(None),
             Need::Usual => self.usual(node),
@@ -233,7 +234,7 @@ impl<'g> Wardrobe<'g> {
         }
     }
 
-    fn thing(&mut self, house: &House, place: turn::Place, key: Key) -> Result<Look, AssetError> {
+    fn thing(&mut self, house: &House, place: turn::Place, key: Key) -> Result<Appearance, AssetError> {
         let bounds = place.bounds;
         let (asset, scale) = match self.made.get(&key) {
             Some(known) => *known,
@@ -247,7 +248,7 @@ impl<'g> Wardrobe<'g> {
             }
         };
         let asset = self.stopped(house, asset, &place.pose, &scale)?;
-        Ok(Look { asset, pose: Some(place.pose), bounds, scale })
+        Ok(Appearance { asset, pose: Some(place.pose), bounds, scale })
     }
 
     /// A shape whose doors stop at the walls around it; the same one if none does.
@@ -272,15 +273,15 @@ impl<'g> Wardrobe<'g> {
     }
 
     /// A shape of the class's usual size, if the node has neither shape nor box.
-    fn usual(&mut self, node: &Node) -> Result<Option<Look>, AssetError> {
+    fn usual(&mut self, node: &Node) -> Result<Option<Appearance>, AssetError> {
         let Some(generator) = lacks_all(self.generators, node) else { return Ok(None) };
         let made = generator.object(&self.style, self.seed.nth(u64::from(node.id().0)));
         let asset = self.add(made.asset)?;
-        Ok(Some(Look { asset, pose: node.pose().copied(), bounds: made.bounds, scale: node.spec().scale }))
+        Ok(Some(Appearance { asset, pose: node.pose().copied(), bounds: made.bounds, scale: node.spec().scale }))
     }
 
-    fn keep(&mut self, asset: Asset, pose: Pose, bounds: Bounds) -> Result<Look, AssetError> {
-        Ok(Look { asset: self.add(asset)?, pose: Some(pose), bounds, scale: Vector3::repeat(1.0) })
+    fn keep(&mut self, asset: Asset, pose: Pose, bounds: Bounds) -> Result<Appearance, AssetError> {
+        Ok(Appearance { asset: self.add(asset)?, pose: Some(pose), bounds, scale: Vector3::repeat(1.0) })
     }
 
     fn add(&mut self, asset: Asset) -> Result<AssetId, AssetError> {
@@ -306,13 +307,18 @@ fn lacks_all<'g>(generators: &'g Generators, node: &Node) -> Option<&'g Generato
     generators.get(node.class()).filter(|_| bare)
 }
 
-fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) -> Result<SceneGraph, DressError> {
+fn rebuilt(
+    graph: &SceneGraph,
+    appearances: Vec<Option<Appearance>>,
+    library: AssetLibrary,
+) -> Result<SceneGraph, DressError> {
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
-    for (node, look) in graph.nodes().zip(looks) {
+    for (node, appearance) in graph.nodes().zip(appearances) {
         let mut draft = Draft::from_node(node);
-        if let Some(look) = look {
-            draft.asset = Some(look.asset);
-            (draft.pose, draft.bounds, draft.scale) = (look.pose, Some(look.bounds), Some(look.scale));
+        if let Some(appearance) = appearance {
+            draft.asset = Some(appearance.asset);
+            (draft.pose, draft.bounds, draft.scale) =
+                (appearance.pose, Some(appearance.bounds), Some(appearance.scale));
         }
         builder.add_with_id(node.id(), draft)?;
     }

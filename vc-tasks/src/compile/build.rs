@@ -68,7 +68,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         let (rows, columns) = (range(self, &pairs.first), range(self, &pairs.second));
         for row in rows.clone() {
             for column in columns.clone() {
-                self.look()?;
+                self.count_part()?;
                 let (a, b) = (self.memory.pool[row], self.memory.pool[column]);
                 let input = match a == b {
                     true => Ref::FALSE,

@@ -46,7 +46,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
             let head = self.goal(goal)?;
             return Ok(Course::State(self.add_head(head)));
         }
-        self.look()?;
+        self.count_part()?;
         Ok(match goal {
             Goal::And(parts) => all(self.courses(parts)?),
             Goal::Or(parts) => any(self.courses(parts)?),

@@ -180,7 +180,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
     }
 
     pub(super) fn goal(&mut self, goal: &'g Goal) -> Result<Ref, CompileError> {
-        self.look()?;
+        self.count_part()?;
         match goal {
             Goal::Literal(literal) => self.literal(literal, Comparison::AtLeast, 1),
             Goal::Count { literal, comparison, number } => self.literal(literal, *comparison, *number),
@@ -208,7 +208,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
     }
 
     /// Counts one more visited part.
-    pub(super) fn look(&mut self) -> Result<(), CompileError> {
+    pub(super) fn count_part(&mut self) -> Result<(), CompileError> {
         let left = self.left.checked_sub(1);
         self.left = left.ok_or(CompileError::TooLarge(self.memory.largest))?;
         Ok(())
@@ -235,7 +235,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         let start = self.memory.stack.len();
         let mut every = None;
         for at in self.range(q.class.as_deref()) {
-            self.look()?;
+            self.count_part()?;
             let input = match every {
                 Some(input) => input,
                 None => {
@@ -364,7 +364,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
     }
 
     fn atom(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Result<Ref, CompileError> {
-        self.look()?;
+        self.count_part()?;
         // A real object is present and not still to come.
         if predicate == Predicate::Real {
             let there = things[0].is_some_and(|id| self.things.has(id));

@@ -263,19 +263,19 @@ impl Tracker {
         }
         let watch = self.watch.clone();
         for id in changes.changes().iter().flat_map(changed).flatten() {
-            watch.atoms_of(id).for_each(|atom| self.look(now, atom));
+            watch.atoms_of(id).for_each(|atom| self.reread(now, atom));
         }
         if changes.changes().iter().any(moves) {
-            watch.places.iter().for_each(|&atom| self.look(now, atom));
+            watch.places.iter().for_each(|&atom| self.reread(now, atom));
         }
         if now.events.len() != self.events {
             self.events = now.events.len();
-            watch.events.iter().for_each(|&atom| self.look(now, atom));
+            watch.events.iter().for_each(|&atom| self.reread(now, atom));
         }
         Ok(self.holds())
     }
 
-    fn look(&mut self, now: &Situation<'_>, atom: u32) {
+    fn reread(&mut self, now: &Situation<'_>, atom: u32) {
         let index = atom as usize;
         let at = self.program.atoms()[index];
         self.set(index, now.holds(at.predicate, at.things));

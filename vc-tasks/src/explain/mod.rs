@@ -25,7 +25,7 @@ pub const SETS: usize = 16;
 /// let now = Situation::new(&graph, me, &history);
 /// let parts = vc_tasks::explain(&"On(apple, kitchen_table) & Holds(apple)".parse()?, &now)?;
 /// assert_eq!(parts.iter().map(|part| part.holds).collect::<Vec<_>>(), [true, false]);
-/// assert_eq!(parts[1].unmet[0][0].to_string(), "Holds(me, #3)");
+/// assert_eq!(parts[1].unmet[0][0].to_string(), "Holds(#4, #3)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -36,7 +36,7 @@ pub enum BenchmarkError {
         text: String,
         /// The reason why it is not a task.
         #[source]
-        why: VariantError,
+        why: Box<VariantError>,
     },
 }
 
@@ -160,5 +160,5 @@ fn numbered(text: &str, word: &str) -> String {
 }
 
 fn wrong(id: &str, text: &str, why: impl Into<VariantError>) -> BenchmarkError {
-    BenchmarkError::Variant { id: id.to_owned(), text: text.to_owned(), why: why.into() }
+    BenchmarkError::Variant { id: id.to_owned(), text: text.to_owned(), why: Box::new(why.into()) }
 }

@@ -19,7 +19,8 @@ use crate::format::sexpr::Expr;
 /// ```
 /// use vc_tasks::format::bddl::ActivityDefinition;
 /// use vc_tasks::lint;
-/// let text = "(define (problem p) (:domain omnigibson) (:objects a - cup) (:init (dusty a) (dusty a)) (:goal (dusty b)))";
+/// let text = "(define (problem p) (:domain omnigibson) (:objects a - cup)
+///     (:init (dusty a) (dusty a)) (:goal (dusty b)))";
 /// let found = lint::activity(&ActivityDefinition::read(text)?);
 /// assert!(found.iter().any(|finding| finding.kind == lint::FindingKind::RepeatedFact));
 /// assert!(found.iter().any(|finding| finding.kind == lint::FindingKind::Undeclared));

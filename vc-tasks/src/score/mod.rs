@@ -60,7 +60,7 @@ impl GoalProgram {
     /// let goal = "On(cup, table) & Dirty(cup) & (Open(fridge) | Closed(fridge))".parse()?;
     /// let program = GoalProgram::new(&goal, &now)?;
     /// let credit = program.credit(&program.read(&now));
-    /// assert_eq!((credit.met, credit.conditions), (2, 3));
+    /// assert_eq!((credit.satisfied, credit.conditions), (2, 3));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn credit(&self, bits: &Bits) -> Credit {

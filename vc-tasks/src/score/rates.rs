@@ -9,7 +9,7 @@ use crate::compile::{Bits, GoalProgram};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Conditions {
     /// The fulfilled conditions.
-    pub met: u32,
+    pub satisfied: u32,
     /// All conditions.
     pub conditions: u32,
 }
@@ -17,7 +17,7 @@ pub struct Conditions {
 impl Conditions {
     /// The share, 0 to 1; 1 if there are no conditions.
     pub fn rate(self) -> f64 {
-        if self.conditions == 0 { 1.0 } else { f64::from(self.met) / f64::from(self.conditions) }
+        if self.conditions == 0 { 1.0 } else { f64::from(self.satisfied) / f64::from(self.conditions) }
     }
 }
 
@@ -41,8 +41,8 @@ impl GoalProgram {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn conditions(&self, bits: &Bits) -> Conditions {
-        let met = (0..self.heads()).filter(|&head| self.head_holds(bits, head)).count();
-        Conditions { met: met as u32, conditions: self.heads() as u32 }
+        let satisfied = (0..self.heads()).filter(|&head| self.head_holds(bits, head)).count();
+        Conditions { satisfied: satisfied as u32, conditions: self.heads() as u32 }
     }
 }
 
@@ -64,13 +64,13 @@ impl GoalProgram {
 /// ```
 pub fn percent_complete(goal: &Goal, trace: &EpisodeTrace) -> Conditions {
     let last = trace.situation(trace.steps());
-    let mut sum = Conditions { met: 0, conditions: 0 };
+    let mut sum = Conditions { satisfied: 0, conditions: 0 };
     for part in goal.conjuncts() {
-        let (met, conditions) = match counted(part).zip(last) {
+        let (satisfied, conditions) = match counted(part).zip(last) {
             Some(((one, number), now)) => (found(&one, number, &now), number),
             None => (u32::from(part.holds_on(trace)), 1),
         };
-        sum = Conditions { met: sum.met + met, conditions: sum.conditions + conditions };
+        sum = Conditions { satisfied: sum.satisfied + satisfied, conditions: sum.conditions + conditions };
     }
     sum
 }

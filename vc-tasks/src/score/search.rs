@@ -9,7 +9,7 @@ use crate::compile::{Bits, GoalProgram, Ref};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Credit {
     /// The fulfilled conditions.
-    pub met: u32,
+    pub satisfied: u32,
     /// All conditions of the way; 0 if it has none, or if there is no way.
     pub conditions: u32,
     /// Whether there is any way to the goal without a contradiction.
@@ -25,14 +25,14 @@ impl Credit {
         match (self.possible, self.conditions) {
             (false, _) => 0.0,
             (true, 0) => 1.0,
-            (true, conditions) => f64::from(self.met) / f64::from(conditions),
+            (true, conditions) => f64::from(self.satisfied) / f64::from(conditions),
         }
     }
 
     /// Full credit if the goal holds: a pairing by margins may hold although none of its ways does.
     fn whole_if(self, holds: bool) -> Self {
         match holds {
-            true => Self { met: self.conditions, possible: true, ..self },
+            true => Self { satisfied: self.conditions, possible: true, ..self },
             false => self,
         }
     }
@@ -111,7 +111,7 @@ impl Scorer {
         let way = found.unwrap_or(Way::NONE);
         let exact = search.exact && way.of < LONGEST;
         self.memory = search.pass.into_memory();
-        Credit { met: way.met, conditions: way.of, possible: way.possible, exact }
+        Credit { satisfied: way.met, conditions: way.of, possible: way.possible, exact }
     }
 }
 
@@ -150,7 +150,7 @@ impl Search<'_, '_> {
 
     /// The best way to some parts of the goal.
     fn parts(&mut self, parts: &[u32], floor: i64) -> Option<Way> {
-        let bound = self.look(parts);
+        let bound = self.recompute(parts);
         let mut value = self.pass.worth.value(bound);
         if !bound.possible || value <= floor {
             return None;
@@ -174,7 +174,7 @@ impl Search<'_, '_> {
     }
 
     /// Computes the ways to some parts anew.
-    fn look(&mut self, parts: &[u32]) -> Way {
+    fn recompute(&mut self, parts: &[u32]) -> Way {
         let program = self.pass.program;
         for &part in parts {
             let gates = &program.shape().parts()[part as usize].gates;

@@ -244,7 +244,7 @@ proptest! {
         let room = Room::new(&flips);
         let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let credit = program.credit(&program.read(&room.now()));
-        prop_assert!(credit.met <= credit.conditions && credit.exact);
+        prop_assert!(credit.satisfied <= credit.conditions && credit.exact);
         prop_assert_eq!(credit.value() == 1.0, goal.holds(&room.now()), "{} {:?}", goal, credit);
     }
 
@@ -335,7 +335,7 @@ fn credit(text: &str) -> (u32, u32) {
     let room = room();
     let program = GoalProgram::new(&text.parse().unwrap(), &room.now()).unwrap();
     let credit = program.credit(&program.read(&room.now()));
-    (credit.met, credit.conditions)
+    (credit.satisfied, credit.conditions)
 }
 
 #[test]
@@ -379,7 +379,7 @@ fn propositions_that_last_and_such_that_need_not() {
     let complete = |text: &str| {
         let goal: Goal = text.parse().unwrap();
         let found = percent_complete(&goal, &trace);
-        (found.met, found.conditions)
+        (found.satisfied, found.conditions)
     };
     assert_eq!(complete("Dusty(cup.2) & Dusty(cup.3)"), (1, 2), "the first was undone");
     assert_eq!(complete("eventually Dusty(cup.2) & Dusty(cup.3)"), (2, 2));

@@ -16,26 +16,16 @@ pub struct AppliedPredicate<'t> {
 
 /// A variable with the class it ranges over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct TypedVariable<'t> {
+pub(crate) struct TypedVariable<'t> {
     /// Its name, without `?`.
-    pub name: &'t str,
+    pub(crate) name: &'t str,
     /// The class.
-    pub class: &'t str,
+    pub(crate) class: &'t str,
 }
 
 /// One level of a condition.
-///
-/// ```
-/// use vc_tasks::format::bddl::{ActivityDefinition, ConditionNode};
-/// let text = "(define (problem p) (:objects a - cup) (:goal (exists (?c - cup) (dusty ?c))))";
-/// let activity = ActivityDefinition::read(text)?;
-/// let node = ConditionNode::new(activity.goal())?;
-/// assert_eq!(node.variables()[0].class, "cup");
-/// # Ok::<(), vc_tasks::format::ReadError>(())
-/// ```
 #[derive(Clone)]
-#[non_exhaustive]
-pub enum ConditionNode<'t> {
+pub(crate) enum ConditionNode<'t> {
     /// All conditions hold.
     And(Items<'t>),
     /// Some condition holds.
@@ -110,7 +100,7 @@ impl<'t> ConditionNode<'t> {
     /// # Errors
     /// [`ReadError`] if it is not a condition; never for the conditions of
     /// [`ActivityDefinition::goal`](super::ActivityDefinition::goal).
-    pub fn new(at: Expr<'t>) -> Result<Self, ReadError> {
+    pub(crate) fn new(at: Expr<'t>) -> Result<Self, ReadError> {
         let mut rest = at.items();
         let Some(head) = rest.next().and_then(Expr::word) else {
             return Err(at.error("a condition"));
@@ -138,7 +128,7 @@ impl<'t> ConditionNode<'t> {
     }
 
     /// The conditions that it consists of.
-    pub fn conditions(&self) -> Vec<Expr<'t>> {
+    pub(crate) fn conditions(&self) -> Vec<Expr<'t>> {
         match self {
             Self::And(parts) | Self::Or(parts) => parts.clone().collect(),
             Self::Not(body) | Self::ForAll(_, body) | Self::Exists(_, body) => vec![*body],
@@ -149,7 +139,7 @@ impl<'t> ConditionNode<'t> {
     }
 
     /// The variables it binds.
-    pub fn variables(&self) -> &[TypedVariable<'t>] {
+    pub(crate) fn variables(&self) -> &[TypedVariable<'t>] {
         match self {
             Self::ForAll(variable, _) | Self::Exists(variable, _) | Self::ForN(_, variable, _) => {
                 std::slice::from_ref(variable)

@@ -25,7 +25,7 @@ impl ActivityDefinition {
     /// ```
     /// use vc_tasks::format::bddl::ActivityDefinition;
     /// let text = "(define (problem p) (:objects a - cup t - table) (:goal (ontop a t)))";
-    /// assert_eq!(ActivityDefinition::read(text)?.to_goal()?.to_string(), "On(a.1, t.2)");
+    /// assert_eq!(ActivityDefinition::read(text)?.to_goal()?.to_string(), "On(cup.1, table.2)");
     /// # Ok::<(), vc_tasks::format::ReadError>(())
     /// ```
     ///

@@ -17,8 +17,8 @@
 //! `forpairs (?v - class) (?w - class) c`, `fornpairs (N) (?v - class) (?w - class) c`
 //! and atoms with one or two arguments. A `?` before a name is allowed and has no meaning.
 //!
-//! [`ActivityDefinition::to_goal`] numbers the declared objects; [`ActivityDefinition::bind`] finds things of a scene for them, so that the
-//! goal can be pursued and judged there.
+//! [`ActivityDefinition::to_goal`] numbers the declared objects; [`ActivityDefinition::bind`] finds things of a scene for
+//! them, so that the goal can be pursued and judged there.
 
 mod bind;
 mod condition;
@@ -31,11 +31,13 @@ use std::fmt;
 use super::ReadError;
 use super::sexpr::{Expr, SexprTree};
 pub use bind::{BindError, Bound};
-pub use condition::{AppliedPredicate, ConditionNode, TypedVariable};
+pub use condition::AppliedPredicate;
+pub(crate) use condition::{ConditionNode, TypedVariable};
 use condition::{check, only};
 pub use facts::{Facts, Objects};
 pub use goal::condition;
-pub use predicate::{DOMAINS, meaning};
+pub(crate) use predicate::DOMAINS;
+pub use predicate::meaning;
 
 /// The format's name in errors.
 pub(crate) const FORMAT: &str = "BDDL";
