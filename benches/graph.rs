@@ -23,7 +23,7 @@ fn scene() -> SceneGraph {
 fn building(c: &mut Criterion) {
     let graph = scene();
     let (classes, text) = (ClassTable::builtin(), virtualhome::write(&graph));
-    let file: EnvironmentGraph = EnvironmentGraph::of(&graph);
+    let file: EnvironmentGraph = EnvironmentGraph::from_scene(&graph);
     let own = native::write(&graph);
     c.bench_function("build from parsed nodes and edges", |b| {
         b.iter_with_large_drop(|| file.build("scene", &classes).unwrap())

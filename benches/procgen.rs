@@ -18,7 +18,8 @@ use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use virtualcity::graph::Seed;
 use virtualcity::procgen::plan::FloorPlan;
-use virtualcity::procgen::{Apartment, Layout, Specification, Style, object};
+use virtualcity::procgen::{Apartment, Layout, Specification};
+use virtualcity::shapes::{Style, object};
 
 /// As in the example `apartment`; with the system's allocator homes take a fifth longer.
 #[global_allocator]

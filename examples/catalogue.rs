@@ -16,10 +16,10 @@ use indicatif::ProgressBar;
 use support::{Complaint, say};
 use vc_graph::{AssetLibrary, ClassTable, Pose, Seed, Word, did_you_mean};
 use virtualcity::gltf;
-use virtualcity::procgen::catalogue::Instance;
-use virtualcity::procgen::material;
-use virtualcity::procgen::object::{Generator, Realm, generator, generators};
-use virtualcity::procgen::picture::{Anchor, Canvas, Colour, Ink, View, sketch};
+use virtualcity::procgen::picture::{Anchor, Canvas, Colour, Ink, SketchView, sketch};
+use virtualcity::shapes::catalogue::Instance;
+use virtualcity::shapes::material;
+use virtualcity::shapes::object::{Generator, Realm, generator, generators};
 
 /// Contact sheets of generated objects.
 #[derive(Parser)]
@@ -177,8 +177,8 @@ fn sheet(options: &Options, title: &str, tiles: &[Tile], library: &AssetLibrary,
         let asset = &tile.instance.object.asset;
         let Some((low, high)) = asset.extent() else { continue };
         let (w, h) = (wide - 2, tall - label);
-        let view = View::around(low, high, w as f32 / h as f32);
-        let view = View { open: if options.open { 1.0 } else { 0.0 }, ..view };
+        let view = SketchView::around(low, high, w as f32 / h as f32);
+        let view = SketchView { open: if options.open { 1.0 } else { 0.0 }, ..view };
         image.paste(x, y, &sketch(&[(asset, Pose::identity())], library, &view, w, h));
     }
     let png = image.to_png().map_err(Complaint::new)?;

@@ -17,10 +17,10 @@ use clap::Parser;
 use support::{Complaint, say};
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph};
-use vc_tasks::format::bddl::Activity;
+use vc_tasks::format::bddl::ActivityDefinition;
 use vc_tasks::format::json;
-use vc_tasks::format::pddl::{Domain, Problem};
-use vc_tasks::lint::{self, Finding, Kind};
+use vc_tasks::format::pddl::{Domain, PlanningProblem};
+use vc_tasks::lint::{self, Finding, FindingKind};
 use vc_tasks::{Task, TaskError};
 
 /// Checks tasks for errors and oddities.
@@ -49,7 +49,7 @@ fn main() -> Result<ExitCode, Complaint> {
         let mut found = findings(file, scene.as_ref(), &mut tally);
         found.retain(|f| options.remarks || !f.kind.is_remark());
         found.iter().for_each(|finding| say!("{}: {finding}", file.display()));
-        let kinds: BTreeSet<Kind> = found.into_iter().map(|f| f.kind).collect();
+        let kinds: BTreeSet<FindingKind> = found.into_iter().map(|f| f.kind).collect();
         kinds.into_iter().for_each(|kind| *tally.hits.entry(kind).or_default() += 1);
     }
     say!("\n{} files", files.len());
@@ -63,7 +63,7 @@ fn main() -> Result<ExitCode, Complaint> {
 /// The number of files for each kind of finding, and the number of files and lines that could not be read.
 #[derive(Default)]
 struct Tally {
-    hits: BTreeMap<Kind, usize>,
+    hits: BTreeMap<FindingKind, usize>,
     unread: usize,
 }
 
@@ -120,7 +120,7 @@ fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<F
         return planning(file, &text, tally);
     }
     if file.extension().is_some_and(|e| e == "bddl") {
-        let activity = Activity::read(&text).map_err(|why| tally.cannot_read(why.in_file(file)));
+        let activity = ActivityDefinition::read(&text).map_err(|why| tally.cannot_read(why.in_file(file)));
         return activity.map(|activity| lint::activity(&activity)).unwrap_or_default();
     }
     let of = |task: &Task| {
@@ -133,7 +133,7 @@ fn findings(file: &Path, scene: Option<&SceneGraph>, tally: &mut Tally) -> Vec<F
 /// Only checks that planning domains and problems can be parsed.
 fn planning(file: &Path, text: &str, tally: &mut Tally) -> Vec<Finding> {
     let domain = |d: Domain| format!("the PDDL domain {}, with {} operators", d.name, d.operators.len());
-    let problem = |p: Problem| format!("the PDDL problem {}, with {} things", p.name, p.objects.len());
+    let problem = |p: PlanningProblem| format!("the PDDL problem {}, with {} things", p.name, p.objects.len());
     let read = if is_problem(text) { text.parse().map(problem) } else { text.parse().map(domain) };
     match read {
         Ok(about) => say!("{}: {about}; PDDL is read here, and looked at no further", file.display()),

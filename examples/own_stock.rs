@@ -6,7 +6,7 @@
 
 use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Bounds, Draft, SceneGraph, Seed, Simulator};
-use vc_tasks::initial::{Generator, PlainStock, Stock};
+use vc_tasks::initial::{InitialGenerator, PlainStock, Stock};
 use vc_tasks::library::Benchmark;
 use virtualcity::procgen::Apartment;
 
@@ -26,7 +26,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let benchmark = Benchmark::v1();
     let activity = benchmark.get("put_fridge-02").ok_or("the benchmark has no such task")?;
     for seed in 0..3 {
-        let initial = Generator::new(&Varied).make(activity, &home, Seed(seed), &mut Simulator::new(home.clone()))?;
+        let initial =
+            InitialGenerator::new(&Varied).make(activity, &home, Seed(seed), &mut Simulator::new(home.clone()))?;
         for added in &initial.added {
             let size = initial.scene.node(added.id).and_then(|n| n.aabb()).map(|b| b.max - b.min);
             println!("seed {seed}: {} of {size:?}", initial.scene.label(added.id));

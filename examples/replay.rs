@@ -21,7 +21,7 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use support::{Complaint, say};
 use vc_graph::format::program::{self, Program};
-use vc_graph::format::virtualhome::{Difference, EnvironmentGraph, RelationType};
+use vc_graph::format::virtualhome::{EnvironmentGraph, GraphDifference, RelationType};
 use vc_graph::format::{eai, read_scene};
 use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Semantics, Simulator};
 
@@ -151,7 +151,8 @@ fn replay_record(line: &str, options: &Options, tally: &mut Tally) -> Result<Vec
         built.map_err(|(field, problem)| format!("{field}: {problem}"))
     };
     let run = execute(build(&record.initial)?, &record.program, options.semantics);
-    let difference = EnvironmentGraph::of(&run.scene).difference(&EnvironmentGraph::of(&build(&record.last)?));
+    let difference =
+        EnvironmentGraph::from_scene(&run.scene).difference(&EnvironmentGraph::from_scene(&build(&record.last)?));
     let differing = describe(&difference, &run.scene, options.compares_all());
     let executable = run.refused.is_none();
     tally.programs += 1;
@@ -205,7 +206,7 @@ fn told(graph: &SceneGraph, deed: &Event, refusals: &[Refusal]) -> String {
     format!("{who}{}: {}", deed.action.describe(graph), reasons.join("; "))
 }
 
-fn describe(difference: &Difference, scene: &SceneGraph, all: bool) -> Vec<String> {
+fn describe(difference: &GraphDifference, scene: &SceneGraph, all: bool) -> Vec<String> {
     let label = |id: u32| scene.label(NodeId(id)).to_string();
     let loose = |r: RelationType| matches!(r, RelationType::Close | RelationType::Facing);
     let states = difference

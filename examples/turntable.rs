@@ -22,10 +22,10 @@ use virtualcity::graph::portable::Portable;
 use virtualcity::graph::{
     Asset, AssetId, AssetLibrary, Draft, NodeId, Pose, SceneBuilder, SceneGraph, Seed, did_you_mean,
 };
-use virtualcity::procgen::material;
-use virtualcity::procgen::object::{generator, generators};
 use virtualcity::render::picture::{self, Picture};
 use virtualcity::render::{Camera, Daylight, Frame, Modality, Renderer, Shot};
+use virtualcity::shapes::material;
+use virtualcity::shapes::object::{generator, generators};
 
 /// An object from all sides.
 #[derive(Parser)]

@@ -238,7 +238,7 @@
 //! let home = Environment::make("apartment/42", 2)?;
 //! let agents = home.agents().to_vec();
 //! let task = Task::new("a book and a pillow", "Holds(novel) & On(pillow, sofa)".parse()?);
-//! let mut team = Team::residents(home.graph(), &agents, &task.goal);
+//! let mut team = Team::oracles(home.graph(), &agents, &task.goal);
 //! let options = RecordOptions { width: 64, ..RecordOptions::default() };
 //! let mut recorder = Recorder::create(&out, home, agents[0], &task, options)?;
 //! let episode = team.run(&task, &mut recorder);
@@ -444,7 +444,7 @@
 //!
 //! let benchmark = Benchmark::v1();
 //! let activity = benchmark.get("put_fridge-01").ok_or("no such task")?;
-//! let open = |scene| Environment::of(scene, 1).map_err(|e| WorldError::Failed(e.to_string()));
+//! let open = |scene| Environment::of(scene, 1).map_err(WorldError::failed);
 //! let suits = |home: &Environment, initial: &_| feasible(activity, home, initial);
 //! let mut made = at_home_that(activity, Seed(3), &generator(), open, suits)?;
 //! let episode = run_episode(&mut PlannerPolicy::best(), &made.initial.task, &mut made.world);

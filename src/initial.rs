@@ -9,9 +9,9 @@ use vc_graph::{
     Goal, NodeId, NodeKind, Place, Relation,
     goal::{Predicate, Term},
 };
-use vc_procgen::object;
-use vc_procgen::{Apartment, Specification, SpecificationError, material};
-use vc_tasks::initial::{Generator, Initial, InitialError, Stock};
+use vc_procgen::{Apartment, Specification, SpecificationError};
+use vc_shapes::{material, object};
+use vc_tasks::initial::{Initial, InitialError, InitialGenerator, Stock};
 use vc_tasks::library::Activity;
 use vc_tasks::{World, WorldError};
 
@@ -96,7 +96,7 @@ const HOMES: usize = 40;
 pub fn at_home<W: World>(
     activity: &Activity,
     seed: Seed,
-    generator: &Generator<'_>,
+    generator: &InitialGenerator<'_>,
     open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
 ) -> Result<AtHome<W>, NoHome> {
     at_home_that(activity, seed, generator, open, |_, _| Ok(()))
@@ -110,7 +110,7 @@ pub fn at_home<W: World>(
 pub fn at_home_that<W: World>(
     activity: &Activity,
     seed: Seed,
-    generator: &Generator<'_>,
+    generator: &InitialGenerator<'_>,
     mut open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
     mut suits: impl FnMut(&W, &Initial) -> Result<(), String>,
 ) -> Result<AtHome<W>, NoHome> {
@@ -121,7 +121,7 @@ pub fn at_home_that<W: World>(
         let bare = world.graph().clone();
         let made = generator.make(activity, &bare, seed, &mut world).and_then(|initial| {
             let tries = initial.tries;
-            let unsuited = |what| InitialError::Unconfirmed { what, tries };
+            let unsuited = |difference| InitialError::Unconfirmed { difference, tries };
             suits(&world, &initial).map(|()| initial).map_err(unsuited)
         });
         match made {
@@ -192,8 +192,8 @@ fn wanted(activity: &Activity, graph: &SceneGraph, objects: impl Fn(&str) -> Vec
 }
 
 /// A generator that takes missing things from the [`Catalogue`].
-pub fn generator() -> Generator<'static> {
-    Generator::new(&Catalogue)
+pub fn generator() -> InitialGenerator<'static> {
+    InitialGenerator::new(&Catalogue)
 }
 
 /// The specification of a home with an activity's rooms. Studios are left out: their single room is neither a

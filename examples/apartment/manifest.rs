@@ -61,7 +61,7 @@ impl Sidecar {
             first: volume.first,
             seeds: volume.seeds,
             bytes: packed.len() as u64,
-            digest: Fingerprint::of_bytes(packed),
+            digest: Fingerprint::from_bytes(packed),
             figures,
         })
     }
@@ -141,7 +141,7 @@ const ABOUT: &str = "\
 Every home is a function of its seed and the wishes: Apartment::generate(&wishes, Seed(seed)) of the crate vc-procgen, \
 in the version named, makes it again with all shapes, materials and surfaces; the lines of the files say what is where. \
 Fingerprints are equal for homes (or plans) that differ by turning and mirroring only. `digest` is \
-Fingerprint::of_bytes of the file.";
+Fingerprint::from_bytes of the file.";
 
 /// Writes the manifest, and for a whole set also statistics and plots.
 pub(crate) fn write(set: &Set, sidecars: &[Sidecar]) -> Result<(), Complaint> {

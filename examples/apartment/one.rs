@@ -8,8 +8,8 @@ use std::time::Instant;
 use virtualcity::gltf;
 use virtualcity::graph::format::{native, thesis};
 use virtualcity::graph::{SceneGraph, Seed};
-use virtualcity::procgen::check::Violation;
-use virtualcity::procgen::furnish::Rest;
+use virtualcity::procgen::ApartmentViolation;
+use virtualcity::procgen::Support;
 use virtualcity::procgen::{Apartment, Specification};
 
 use crate::support::{Complaint, say};
@@ -77,13 +77,13 @@ struct Room {
 impl Report {
     fn new(home: &Apartment, scene: &SceneGraph) -> Self {
         let found = home.check();
-        let count = |f: fn(&Violation) -> bool| found.iter().filter(|v| f(v)).count();
+        let count = |f: fn(&ApartmentViolation) -> bool| found.iter().filter(|v| f(v)).count();
         let things = || home.items.iter().filter(|i| !is_building(i.object.class));
         let mut objects = BTreeMap::new();
         things().for_each(|i| *objects.entry(i.object.class).or_default() += 1);
         let (rooms, total) = (home.plan.rooms.len(), things().count());
-        let shut = count(|v| matches!(v, Violation::UnreachableRoom(..)));
-        let far = count(|v| matches!(v, Violation::Unreachable(..)));
+        let shut = count(|v| matches!(v, ApartmentViolation::UnreachableRoom(..)));
+        let far = count(|v| matches!(v, ApartmentViolation::Unreachable(..)));
         let invalid = scene.validate().into_iter().map(|p| format!("scene: {p}"));
         Self {
             seed: home.seed.0,
@@ -93,7 +93,7 @@ impl Report {
             standing_area: home.standing_area(),
             rooms: (0..rooms).map(|r| Room::new(home, r)).collect(),
             objects,
-            small_objects: things().filter(|i| matches!(i.rest, Rest::On(..) | Rest::Inside(..))).count(),
+            small_objects: things().filter(|i| matches!(i.support, Support::On(..) | Support::Inside(..))).count(),
             nodes: scene.len(),
             reached: [[rooms - shut, rooms], [total - far, total]],
             violations: found.iter().map(ToString::to_string).chain(invalid).collect(),

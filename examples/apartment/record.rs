@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 use virtualcity::graph::{Pose, State};
-use virtualcity::procgen::furnish::{Item, Rest};
 use virtualcity::procgen::plan::FloorPlan;
 use virtualcity::procgen::{Apartment, Fingerprint};
+use virtualcity::procgen::{Item, Support};
 
 use crate::one::is_building;
 
@@ -73,13 +73,13 @@ impl<'a> Record<'a> {
 
 impl<'a> Thing<'a> {
     fn new(home: &Apartment, index: usize, item: &'a Item) -> Self {
-        let (rest, by) = match item.rest {
-            Rest::Floor => ("floor", None),
-            Rest::Wall => ("wall", None),
-            Rest::Ceiling => ("ceiling", None),
-            Rest::Built => ("built", None),
-            Rest::On(at, surface) => ("on", Some((at, surface))),
-            Rest::Inside(at, surface) => ("inside", Some((at, surface))),
+        let (rest, by) = match item.support {
+            Support::Floor => ("floor", None),
+            Support::Wall => ("wall", None),
+            Support::Ceiling => ("ceiling", None),
+            Support::Built => ("built", None),
+            Support::On(at, surface) => ("on", Some((at, surface))),
+            Support::Inside(at, surface) => ("inside", Some((at, surface))),
         };
         let at = item.pose.translation.vector;
         let yaw = yaw(&item.pose);

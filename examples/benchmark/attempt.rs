@@ -116,7 +116,7 @@ struct Bodies {
 
 impl Bodies {
     fn of(home: SceneGraph) -> Result<Self, WorldError> {
-        let home = Environment::of(home, 1).map_err(|e| WorldError::Failed(e.to_string()))?;
+        let home = Environment::of(home, 1).map_err(WorldError::failed)?;
         Ok(Self { home, done: 0, disagreements: Vec::new() })
     }
 }

@@ -109,8 +109,8 @@ fn team(options: &Options, graph: &SceneGraph, task: &Task) -> Option<Team> {
     let ids = graph.agents();
     match options.policy {
         _ if ids.len() < 2 => None,
-        Who::Planner => Some(Team::newcomers(graph, ids, &task.goal, options.seed())),
-        Who::Oracle => Some(Team::residents(graph, ids, &task.goal)),
+        Who::Planner => Some(Team::in_known_home(graph, ids, &task.goal, options.seed())),
+        Who::Oracle => Some(Team::oracles(graph, ids, &task.goal)),
         Who::Faithful | Who::Random => None,
     }
 }

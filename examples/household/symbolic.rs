@@ -59,7 +59,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     // Files of an earlier run with bodies would otherwise remain beside those of this run.
     Recorder::clear(&options.out).map_err(Complaint::new)?;
     let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
-    let header = Header::of(&run, policy.as_ref(), task, scene);
+    let header = Header::new(&run, policy.as_ref(), task, scene);
     record.line(&header)?;
     let (mut steps, mut failed) = (Vec::new(), None);
     let episode = run.episode(policy.as_mut(), task, &mut world, &mut |step| {
@@ -199,7 +199,7 @@ pub(crate) fn list(scene: &SceneGraph, me: NodeId) {
     }
     say!("\nverbs");
     for verb in Verb::ALL {
-        say!("  {:<11} {}", verb.as_str(), verb.rule().about);
+        say!("  {:<11} {}", verb.as_str(), verb.rule().description);
     }
     say!("\nwhat the agent could do where it is, among others");
     let able = scene

@@ -19,7 +19,7 @@ use clap::Parser;
 use indicatif::ProgressBar;
 use support::{Complaint, say};
 use vc_graph::{SceneGraph, Seed, Simulator, did_you_mean};
-use vc_tasks::initial::{Added, Generator, Purpose};
+use vc_tasks::initial::{Added, InitialGenerator, Purpose};
 use vc_tasks::library::{Activity, Benchmark};
 use vc_tasks::report::predicates;
 use virtualcity::initial::{AtHome, Catalogue, at_home};
@@ -87,7 +87,7 @@ fn main() -> Result<(), Complaint> {
     for (activity, seed) in chosen.iter().flat_map(|a| (0..options.seeds).map(move |i| (*a, options.seed + i))) {
         bar.inc(1);
         let start = Instant::now();
-        let generator = Generator::new(&Catalogue).distractors(options.distractors);
+        let generator = InitialGenerator::new(&Catalogue).distractors(options.distractors);
         match at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))) {
             Ok(made) => {
                 sums.entry(activity.group()).or_default().add(&made, start.elapsed().as_secs_f64());

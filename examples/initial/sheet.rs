@@ -6,7 +6,7 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, NodeKind, Pose, Property, SceneGraph};
 use vc_tasks::initial::Purpose;
 use vc_tasks::library::Activity;
-use virtualcity::procgen::picture::{Anchor, Canvas, Colour, View, sketch};
+use virtualcity::procgen::picture::{Anchor, Canvas, Colour, SketchView, sketch};
 
 use crate::Home;
 use crate::support::Complaint;
@@ -79,8 +79,9 @@ impl Tile {
         let objects: Vec<(&vc_graph::Asset, Pose)> =
             shown.filter_map(|n| Some((&**self.scene.assets().get(n.spec().asset?)?, *n.pose()?))).collect();
         let side = front.cross(&Vector3::z()) * 0.5;
-        let view = View::from_direction(front + side + Vector3::z() * 0.8, low, high, TILE.0 as f32 / TILE.1 as f32);
-        sketch(&objects, self.scene.assets(), &View { open: 1.0, ..view }, TILE.0 - 2, TILE.1)
+        let view =
+            SketchView::from_direction(front + side + Vector3::z() * 0.8, low, high, TILE.0 as f32 / TILE.1 as f32);
+        sketch(&objects, self.scene.assets(), &SketchView { open: 1.0, ..view }, TILE.0 - 2, TILE.1)
     }
 }
 

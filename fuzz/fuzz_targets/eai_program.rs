@@ -10,7 +10,7 @@ fuzz_target!(|text: &str| {
     for graph in [&record.initial, &record.last] {
         let Ok(scene) = graph.build("EAI", &ClassTable::builtin()) else { continue };
         let _ = scene.validate();
-        assert_eq!(EnvironmentGraph::of(&scene).nodes.len(), graph.nodes.len());
+        assert_eq!(EnvironmentGraph::from_scene(&scene).nodes.len(), graph.nodes.len());
     }
     for action in record.program.actions() {
         assert_eq!(action.to_string().parse(), Ok(action));

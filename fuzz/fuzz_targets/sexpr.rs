@@ -2,10 +2,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use vc_tasks::format::sexpr::Tree;
+use vc_tasks::format::sexpr::SexprTree;
 
 fuzz_target!(|text: &str| {
-    let Ok(tree) = Tree::read("text", text) else { return };
-    let again = Tree::read("text", &tree.root().to_string()).expect("what is printed reads");
+    let Ok(tree) = SexprTree::read("text", text) else { return };
+    let again = SexprTree::read("text", &tree.root().to_string()).expect("what is printed reads");
     assert!(again.root().same(tree.root()));
 });

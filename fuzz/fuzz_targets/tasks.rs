@@ -10,7 +10,7 @@ fuzz_target!(|text: &str| {
         assert_eq!(json::read(&json::write(&tasks)).as_ref(), Ok(&tasks));
     }
     if let Ok(task) = Template::read(text) {
-        assert_eq!(Template::of(&task.to_goal()).map(|t| t.task_type), Ok(task.task_type));
+        assert_eq!(Template::from_goal(&task.to_goal()).map(|t| t.task_type), Ok(task.task_type));
         assert_eq!(Template::read(&task.write()).as_ref(), Ok(&task));
     }
 });

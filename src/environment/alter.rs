@@ -149,7 +149,7 @@ impl Environment {
         let draft = Catalogue.thing(known, seed, &self.graph, &mut library);
         let draft: Draft = draft.ok_or_else(|| AlterError::NoGenerator(known.name.to_string()))?;
         let mut next = self.clone();
-        let mut builder = SceneBuilder::of(self.graph.clone());
+        let mut builder = SceneBuilder::from_graph(self.graph.clone());
         builder.assets(Arc::new(library));
         // Somewhere far below, until it has a spot.
         let id = builder.add(draft.at(Pose::translation(0.0, 0.0, reset::BELOW)))?;

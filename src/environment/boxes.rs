@@ -63,16 +63,17 @@ pub(super) fn shaped(graph: &SceneGraph, assets: Assets) -> Result<Option<SceneG
 /// The scene with the given shapes, and with a figure for each person.
 fn peopled(graph: &SceneGraph, mut shapes: BTreeMap<NodeId, Asset>) -> Result<SceneGraph, DressError> {
     let mut library = graph.assets().as_ref().clone();
-    let material = library.add_material(vc_geometry::material())?;
+    let material = library.add_material(vc_geometry::material()).map_err(DressError::Materials)?;
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
     for node in graph.nodes() {
-        let mut draft = Draft::of(node);
+        let mut draft = Draft::from_node(node);
         if let Some(mut asset) = shapes.remove(&node.id()) {
             asset.parts.iter_mut().for_each(|part| part.material = material);
-            draft.asset = Some(library.add(asset)?);
+            draft.asset = Some(library.add(asset).map_err(|error| DressError::Asset { node: node.label(), error })?);
             draft.scale = Some(Vector3::repeat(1.0));
         } else if is_bare_agent(node) {
-            draft.asset = Some(vc_people::add_to(&mut library, builder.graph().agents().len())?);
+            let figure = vc_people::add_to(&mut library, builder.graph().agents().len());
+            draft.asset = Some(figure.map_err(|error| DressError::Asset { node: node.label(), error })?);
             stand(&mut draft);
         }
         builder.add_with_id(node.id(), draft)?;

@@ -120,7 +120,7 @@ impl Environment {
         let (mut graph, shapes) = (graph, ShapeCache::new());
         let mut world = PhysicsWorld::build(&graph, &shapes, Settings::default())?;
         let mut told = seats::take(&mut world, &mut graph)?;
-        let mut builder = SceneBuilder::of(graph);
+        let mut builder = SceneBuilder::from_graph(graph);
         boxes::hold(&mut world, builder.graph(), &staying)?;
         undress(&mut world, builder.graph())?;
         let left_out = astray::calm(&mut world, &mut builder)?;

@@ -256,7 +256,7 @@ impl From<ActionError> for vc_tasks::WorldError {
     fn from(error: ActionError) -> Self {
         match error {
             ActionError::Refused(reasons) => Self::Refused(reasons),
-            other => Self::Failed(other.to_string()),
+            other => Self::failed(other),
         }
     }
 }
@@ -277,6 +277,6 @@ impl vc_tasks::World for Environment {
 
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), vc_tasks::WorldError> {
         let report = Environment::reset(self, graph);
-        report.map(drop).map_err(|error| vc_tasks::WorldError::Failed(error.to_string()))
+        report.map(drop).map_err(vc_tasks::WorldError::failed)
     }
 }

@@ -55,7 +55,7 @@ impl Environment {
         }
         let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
         let mut graph = native::read(text(scene)?, self.start.graph.classes())?;
-        let mut builder = SceneBuilder::of(graph);
+        let mut builder = SceneBuilder::from_graph(graph);
         if builder.graph().assets() == self.graph.assets() {
             builder.assets(self.graph.assets().clone());
         }

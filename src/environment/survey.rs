@@ -2,7 +2,7 @@
 //! there are, where one can walk.
 
 use nalgebra::Point2;
-use vc_graph::format::objects::{Object, objects, seen};
+use vc_graph::format::objects::{ListedObject, objects, seen};
 use vc_graph::{Action, Anthropometry, NodeId, Pose, rule};
 use vc_physics::{Occupancy, PartsToMoveAside};
 
@@ -49,7 +49,7 @@ impl Environment {
     /// std::fs::write("objects.json", serde_json::to_string_pretty(&home.objects())?)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn objects(&self) -> Vec<Object> {
+    pub fn objects(&self) -> Vec<ListedObject> {
         objects(&self.graph)
     }
 
@@ -64,7 +64,7 @@ impl Environment {
     /// assert!(json.contains("\"relations\""));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn objects_in_view(&self, agent: NodeId) -> Vec<Object> {
+    pub fn objects_in_view(&self, agent: NodeId) -> Vec<ListedObject> {
         seen(&self.room_observation(agent))
     }
 

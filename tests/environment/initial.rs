@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use vc_graph::goal::Situation;
 use vc_graph::{Aabb, Edge, History, NodeId, Relation, SceneGraph, Seed, Simulator, Verb};
-use vc_tasks::initial::{Generator, Purpose};
+use vc_tasks::initial::{InitialGenerator, Purpose};
 use vc_tasks::library::{Activity, Benchmark, List, THESIS_VERBS, thesis_tasks};
 use virtualcity::initial::{AtHome, Catalogue, at_home};
 
@@ -51,7 +51,7 @@ fn all() -> Vec<Made> {
 }
 
 fn make(activity: &Activity, seed: u64, distractors: usize) -> Result<Home, String> {
-    let generator = Generator::new(&Catalogue).distractors(distractors);
+    let generator = InitialGenerator::new(&Catalogue).distractors(distractors);
     at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))).map_err(|e| e.to_string())
 }
 

@@ -249,7 +249,7 @@ fn like_is_compared_with_like() {
 /// A program can keep any of these in another thread, or share it between threads.
 #[test]
 fn public_types_can_be_sent_and_shared() {
-    use virtualcity::{geometry, graph, physics, planner, procgen, relations, render, tasks};
+    use virtualcity::{geometry, graph, physics, planner, procgen, relations, render, shapes, tasks};
     fn check<T: Send + Sync>() {}
     macro_rules! check {
         ($($type:ty),* $(,)?) => { $(check::<$type>();)* };
@@ -260,7 +260,7 @@ fn public_types_can_be_sent_and_shared() {
     check!(physics::PhysicsWorld, physics::ShapeCache, physics::Floor, physics::Occupancy, physics::PhysicsError);
     check!(render::Renderer, render::Snapshot, render::Lighting, render::Frame, render::Camera, render::RenderError);
     check!(render::ReferencePicture, render::RayCaster, render::BoxLabel, render::Mask<'static>, render::Shot<'static>);
-    check!(procgen::Apartment, procgen::Layout, procgen::Specification, procgen::Style, procgen::SpecificationError);
+    check!(procgen::Apartment, procgen::Layout, procgen::Specification, shapes::Style, procgen::SpecificationError);
     check!(tasks::Task, tasks::Trial<Environment>, tasks::GoalProgress, tasks::TaskError, tasks::MinimalSets);
     check!(planner::Agent, planner::Belief, planner::KnownNodes, planner::Planner, planner::Plan, planner::Prior);
     check!(planner::Episode, planner::Trajectory, planner::Transition, planner::ScriptedPolicy, planner::Team);

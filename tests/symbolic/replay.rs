@@ -61,7 +61,7 @@ fn replay(line: &str) -> Replay {
             break;
         }
     }
-    let difference = EnvironmentGraph::of(world.graph()).difference(&record.last);
+    let difference = EnvironmentGraph::from_scene(world.graph()).difference(&record.last);
     let edges = || difference.added.iter().chain(&difference.missing).copied().filter(|e| e.from_id != e.to_id);
     let (loose, firm): (Vec<_>, Vec<_>) =
         edges().partition(|e| matches!(e.relation_type, RelationType::Close | RelationType::Facing));

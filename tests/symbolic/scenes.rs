@@ -35,7 +35,7 @@ fn nothing_of_the_file_is_lost() {
     for number in vc_testkit::data::SCENES {
         let Some(text) = vc_testkit::data::text(&format!("virtualhome/scene{number}.json.gz")) else { return };
         let file: EnvironmentGraph = serde_json::from_str(&text).unwrap();
-        let written = EnvironmentGraph::of(&file.build("scene", &ClassTable::builtin()).unwrap());
+        let written = EnvironmentGraph::from_scene(&file.build("scene", &ClassTable::builtin()).unwrap());
         assert!(written.difference(&file).is_empty(), "scene {number}: {:?}", written.difference(&file));
         for (before, after) in file.nodes.iter().zip(&written.nodes) {
             let set = |words: &[String]| words.iter().cloned().collect::<BTreeSet<_>>();

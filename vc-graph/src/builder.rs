@@ -33,12 +33,35 @@ impl SceneBuilder {
     }
 
     /// Starts a scene with a given class table.
+    ///
+    /// ```
+    /// use vc_graph::{ClassTable, Draft, SceneBuilder};
+    /// let text = "robot_dog | dog | | animal | | 0.7 0.3 0.5 | 12 | | | | ";
+    /// let classes = ClassTable::builtin().extended("own.txt", text)?;
+    /// let mut scene = SceneBuilder::with_classes("flat", classes.into());
+    /// let spot = scene.add(Draft::new("RobotDog"))?;
+    /// assert_eq!(scene.graph().of_class("dog"), [spot]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn with_classes(name: impl Into<Arc<str>>, classes: Arc<ClassTable>) -> Self {
         Self { graph: SceneGraph::new(name, classes) }
     }
 
     /// Continues from an existing scene.
-    pub fn of(graph: SceneGraph) -> Self {
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// let mut more = SceneBuilder::from_graph(graph);
+    /// more.add_on(table, Draft::new("plate"))?;
+    /// assert_eq!(more.build().of_class("plate").len(), 1);
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn from_graph(graph: SceneGraph) -> Self {
         Self { graph }
     }
 
@@ -69,6 +92,18 @@ impl SceneBuilder {
 
     /// Adds a node in a room or inside a container.
     ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let graph = scene.build();
+    /// assert_eq!(graph.room_of(milk), Some(kitchen));
+    /// assert_eq!(graph.place(milk).map(|place| place.at), Some(fridge));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`Edit::add`](crate::Edit::add) and [`Edit::place`](crate::Edit::place).
     pub fn add_in(&mut self, container: NodeId, draft: Draft) -> Result<NodeId, EditError> {
@@ -80,6 +115,17 @@ impl SceneBuilder {
     }
 
     /// Adds a node on a surface.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Relation, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// assert_eq!(graph.place(apple).map(|place| place.relation), Some(Relation::On));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Edit::add`](crate::Edit::add) and [`Edit::place`](crate::Edit::place).
@@ -116,6 +162,15 @@ impl SceneBuilder {
 
     /// Adds many relations at once, as a file lists them. No invariant is enforced; [`SceneGraph::validate`]
     /// lists the violations.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Edge, Relation, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let (kitchen, door) = (scene.add(Draft::new("kitchen"))?, scene.add(Draft::new("door"))?);
+    /// scene.link_all(&[Edge::new(door, Relation::InRoom, kitchen)])?;
+    /// assert_eq!(scene.build().room_of(door), Some(kitchen));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     ///
     /// # Errors
     /// [`EditError::NoSuchNode`] if an edge refers to a missing node; then no edge is added.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::node::Node;
 use crate::serial::pose;
-use crate::{Edge, NodeId, Pose, SceneGraph, StateSet};
+use crate::{Edge, Label, NodeId, Pose, SceneGraph, StateSet};
 
 /// One reversible change of a scene.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -60,6 +60,15 @@ impl Change {
             Self::Contents { id, before, after } => Self::Contents { id, before: after, after: before },
             Self::Link(edge) => Self::Unlink(edge),
             Self::Unlink(edge) => Self::Link(edge),
+        }
+    }
+
+    /// The label of the node that the change is about.
+    fn label(&self, graph: &SceneGraph) -> Label {
+        match self {
+            Self::Add(node) | Self::Remove(node) => node.label(),
+            Self::States { id, .. } | Self::Pose { id, .. } | Self::Contents { id, .. } => graph.label(*id),
+            Self::Link(edge) | Self::Unlink(edge) => graph.label(edge.from),
         }
     }
 
@@ -128,13 +137,31 @@ pub struct ChangeSet {
 }
 
 /// An error: a change set was applied to a graph that differs from the one it was made on.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, State};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let mut graph = scene.build();
+/// let mut edit = graph.edit();
+/// edit.enter_state(fridge, State::Open)?;
+/// let changes = edit.commit();
+/// let error = changes.apply(&mut graph).unwrap_err(); // the fridge is open already
+/// assert_eq!(error.node, graph.label(fridge));
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("change {index} of {total} does not fit this graph, nothing was changed: {change:?}")]
+#[error("change {index} of {total} does not fit this graph: {node} is not as before the change; nothing was changed")]
+#[non_exhaustive]
 pub struct ChangeMismatch {
     /// The index of the change, from zero.
     pub index: usize,
     /// How many changes there were.
     pub total: usize,
+    /// The node that the change is about; for a relation, the node where it starts.
+    pub node: Label,
     /// The change itself.
     pub change: Box<Change>,
 }
@@ -151,6 +178,25 @@ impl ChangeSet {
     }
 
     /// Appends later changes.
+    ///
+    /// ```
+    /// use vc_graph::{ChangeSet, Draft, SceneBuilder, State};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let mut graph = scene.build();
+    /// let before = graph.digest();
+    /// let mut changes = ChangeSet::default();
+    /// for state in [State::Open, State::Dirty] {
+    ///     let mut edit = graph.edit();
+    ///     edit.enter_state(fridge, state)?;
+    ///     changes = changes.then(edit.commit());
+    /// }
+    /// changes.undo(&mut graph)?;
+    /// assert_eq!(graph.digest(), before);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn then(mut self, later: Self) -> Self {
         self.changes.extend(later.changes);
@@ -165,14 +211,34 @@ impl ChangeSet {
 
     /// Applies the changes to a graph in the state before them.
     ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, State};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let mut graph = scene.build();
+    /// let mut copy = graph.clone();
+    /// let mut edit = graph.edit();
+    /// edit.enter_state(fridge, State::Open)?;
+    /// edit.commit().apply(&mut copy)?;
+    /// assert_eq!(copy, graph);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ChangeMismatch`] if the graph is in another state; then it is left unchanged.
     pub fn apply(&self, graph: &mut SceneGraph) -> Result<(), ChangeMismatch> {
         for (index, change) in self.changes.iter().enumerate() {
             if !change.fits(graph) {
                 self.changes[..index].iter().rev().for_each(|c| c.inverse().write(graph));
-                let change = Box::new(change.clone());
-                return Err(ChangeMismatch { index, total: self.changes.len(), change });
+                let node = change.label(graph);
+                return Err(ChangeMismatch {
+                    index,
+                    total: self.changes.len(),
+                    node,
+                    change: Box::new(change.clone()),
+                });
             }
             change.write(graph);
         }

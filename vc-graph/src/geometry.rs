@@ -15,6 +15,13 @@ pub enum BoundsFrame {
 }
 
 /// The bounding box of a node, relative to its pose.
+///
+/// ```
+/// use vc_graph::{Bounds, Pose};
+/// let chair = Bounds::standing([0.5, 0.5, 0.9].into());
+/// let there = chair.aabb(&Pose::translation(2.0, 0.0, 0.0));
+/// assert_eq!((there.min.z, there.max.z, there.centre().x), (0.0, 0.9, 2.0));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// From the pose's origin to the centre of the box, in `frame`, metres.
@@ -34,6 +41,13 @@ impl Bounds {
     }
 
     /// A world-aligned box centred on the node's origin.
+    ///
+    /// ```
+    /// use vc_graph::{Bounds, Pose};
+    /// let cube = Bounds::centred([1.0, 1.0, 1.0].into());
+    /// assert_eq!(cube.aabb(&Pose::identity()).min.z, -0.5);
+    /// assert_eq!(cube.volume(), 1.0);
+    /// ```
     pub fn centred(size: Vector3<f32>) -> Self {
         Self { offset: Vector3::zeros(), half: size / 2.0, frame: BoundsFrame::World }
     }
@@ -89,6 +103,16 @@ impl Aabb {
     }
 
     /// The point of the box nearest to `point`, which is `point` itself if it is inside.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_graph::Aabb;
+    /// let unit = Aabb::around(&Point3::origin(), &Point3::new(1.0, 1.0, 1.0));
+    /// let above = Point3::new(0.5, 0.5, 3.0);
+    /// assert_eq!(unit.nearest(&above).z, 1.0);
+    /// assert_eq!(unit.distance(&above), 2.0);
+    /// assert!(!unit.contains(&above));
+    /// ```
     pub fn nearest(&self, point: &Point3<f32>) -> Point3<f32> {
         Point3::from(point.coords.sup(&self.min.coords).inf(&self.max.coords))
     }

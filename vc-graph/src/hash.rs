@@ -34,6 +34,11 @@ pub fn finalised(value: u64) -> u64 {
 
 /// A 64-bit digest of a scene's content, the same on every machine. It is computed by a [`Digester`], which
 /// detects differences but does not protect against an adversary.
+///
+/// ```
+/// use vc_graph::Digest;
+/// assert_eq!(Digest(255).to_string(), "00000000000000ff");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Digest(pub u64);
 
@@ -78,6 +83,13 @@ impl Digester {
     }
 
     /// Adds several words, without their count.
+    ///
+    /// ```
+    /// use vc_graph::hash::Digester;
+    /// let digest = |words: [u64; 2]| Digester::new().words(words).digest();
+    /// assert_eq!(digest([1, 2]), digest([1, 2]));
+    /// assert_ne!(digest([1, 2]), digest([2, 1]));
+    /// ```
     pub fn words(&mut self, words: impl IntoIterator<Item = u64>) -> &mut Self {
         words.into_iter().for_each(|word| _ = self.word(word));
         self

@@ -9,6 +9,13 @@ use serde::{Deserialize, Serialize};
 /// A node's number: stable for the life of a scene and never reused after the node is removed.
 ///
 /// Prints as `#12`; with its class it prints as `cup.12`, see [`Label`].
+///
+/// ```
+/// use vc_graph::NodeId;
+/// let id: NodeId = serde_json::from_str("12")?;
+/// assert_eq!(id.to_string(), "#12");
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct NodeId(pub u32);

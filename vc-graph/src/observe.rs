@@ -8,6 +8,19 @@ use crate::node::NodeKind;
 use crate::{Edge, Node, NodeId, Place, Relation, SceneGraph};
 
 /// The range of an observation.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Scope};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// assert!(!graph.observe(me, Scope::Room).sees(milk), "the fridge is closed");
+/// assert!(graph.observe(me, Scope::Whole).sees(milk));
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
@@ -152,6 +165,19 @@ impl Observation {
     }
 
     /// The visible part as a scene of its own.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let seen = graph.observe(me, Scope::Room).to_graph(&graph);
+    /// assert!(seen.node(fridge).is_some() && seen.node(milk).is_none());
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     pub fn to_graph(&self, of: &SceneGraph) -> SceneGraph {
         let mut part = SceneGraph::new(of.name.clone(), of.classes.clone());
         part.assets = of.assets.clone();

@@ -116,6 +116,12 @@ impl Property {
     }
 
     /// The property of a VirtualHome name.
+    ///
+    /// ```
+    /// use vc_graph::Property;
+    /// assert_eq!(Property::from_virtualhome("CAN_OPEN"), Some(Property::Openable));
+    /// assert_eq!(Property::Openable.virtualhome(), Some("CAN_OPEN"));
+    /// ```
     pub fn from_virtualhome(name: &str) -> Option<Self> {
         let index = VIRTUALHOME.iter().position(|&n| n == name)?;
         <Self as crate::vocabulary::Word>::ALL.get(index).copied()

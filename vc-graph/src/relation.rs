@@ -88,6 +88,13 @@ impl Relation {
 }
 
 /// One relation between two nodes.
+///
+/// ```
+/// use vc_graph::{Edge, NodeId, Relation};
+/// let edge = Edge::new(NodeId(2), Relation::On, NodeId(1));
+/// assert_eq!(edge.to_string(), "#2 on #1");
+/// assert!(Relation::Near.is_symmetric() && !Relation::On.is_symmetric());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 pub struct Edge {
     /// The node at which the relation starts.

@@ -2,8 +2,6 @@
 
 use std::sync::LazyLock;
 
-use crate::class::Class;
-use crate::node::NodeKind;
 use crate::spelling::key;
 use crate::vocabulary::{Word, vocabulary};
 use crate::{Property, PropertySet};
@@ -98,6 +96,12 @@ impl ObjectRole {
     }
 
     /// Whether it is built in: part of the building, or a door, its frame or a window.
+    ///
+    /// ```
+    /// use vc_graph::ObjectRole;
+    /// assert!(ObjectRole::Wall.is_built_in() && ObjectRole::Window.is_built_in());
+    /// assert!(!ObjectRole::Furniture.is_built_in());
+    /// ```
     pub fn is_built_in(self) -> bool {
         self.is_building() || self.is_opening()
     }
@@ -113,23 +117,12 @@ impl ObjectRole {
     }
 
     /// The role that a class has for its name alone, though the class table lacks it.
-    fn of_name(name: &str) -> Option<Self> {
+    pub(crate) fn of_name(name: &str) -> Option<Self> {
         Self::classes().find(|(class, _)| key(class) == name).map(|(_, role)| role)
     }
 
     /// The role of a thing that no line of the table speaks of.
     pub(crate) fn by_use(affordances: PropertySet) -> Self {
         if affordances.contains(Property::Graspable) { Self::Loose } else { Self::Furniture }
-    }
-
-    /// The role of a node; `name` is the folded name of its class.
-    pub(crate) fn of(kind: NodeKind, class: Option<&Class>, (name, category): (&str, &str), can: PropertySet) -> Self {
-        let known = match (kind, class) {
-            (NodeKind::Room, _) => return Self::Room,
-            (NodeKind::Agent, _) => return Self::Person,
-            (NodeKind::Object, Some(class)) => class.listed,
-            (NodeKind::Object, None) => Self::of_name(name).or_else(|| Self::of_category(category)),
-        };
-        known.filter(|role| !matches!(role, Self::Room | Self::Person)).unwrap_or_else(|| Self::by_use(can))
     }
 }

@@ -15,6 +15,20 @@ pub struct Event {
 }
 
 /// The actions performed so far, oldest first. Goals such as `Eat(apple)` refer to it. Cloning is cheap.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator, Verb};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let mut world = Simulator::new(graph);
+/// world.step(me, &"walk apple.3".parse()?).map_err(|why| why[0].clone())?;
+/// assert!(world.history().has(Verb::Walk, Some(apple)) && !world.history().has(Verb::Grab, None));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct History {
     events: Arc<Vec<Event>>,
@@ -118,6 +132,23 @@ impl Simulator {
 
     /// Performs an agent's action.
     ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let mut world = Simulator::new(graph);
+    /// let refused = world.step(me, &"open fridge.2".parse()?).unwrap_err();
+    /// assert!(!refused.is_empty(), "it is not near");
+    /// world.step(me, &"walk fridge.2".parse()?).map_err(|why| why[0].clone())?;
+    /// assert!(world.step(me, &"open fridge.2".parse()?).is_ok());
+    /// assert_eq!(world.history().events().len(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// Every [`Refusal`]; then nothing has changed.
     pub fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, Vec<Refusal>> {
@@ -141,9 +172,9 @@ impl Simulator {
     ///
     /// # Errors
     /// The first refused action, with every [`Refusal`]; then nothing has changed.
-    pub fn step_together(&mut self, deeds: &[Event]) -> Result<(), (Event, Vec<Refusal>)> {
-        let before = (deeds.len() > 1).then(|| self.clone());
-        let refused = deeds.iter().find_map(|deed| Some((*deed, self.step(deed.agent, &deed.action).err()?)));
+    pub fn step_together(&mut self, actions: &[Event]) -> Result<(), (Event, Vec<Refusal>)> {
+        let before = (actions.len() > 1).then(|| self.clone());
+        let refused = actions.iter().find_map(|event| Some((*event, self.step(event.agent, &event.action).err()?)));
         if let (Some(before), Some(_)) = (before, &refused) {
             *self = before;
         }

@@ -95,6 +95,12 @@ pub fn nearest<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> Vec<
 
 /// The nearest words in brackets, to be appended to the misspelt word: ``(did you mean `grab`?)`` with a space
 /// before it. Empty if no word is near.
+///
+/// ```
+/// use vc_graph::did_you_mean;
+/// assert_eq!(did_you_mean("mugg", ["mug"]), " (did you mean `mug`?)");
+/// assert_eq!(did_you_mean("mugg", []), "");
+/// ```
 pub fn did_you_mean<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) -> String {
     let near: Vec<String> = nearest(word, known).iter().map(|w| format!("`{w}`")).collect();
     if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }

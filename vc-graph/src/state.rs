@@ -92,12 +92,18 @@ impl State {
     /// ```
     pub fn opposites(self) -> StateSet {
         let groups = EXCLUSIVE.iter().filter(|group| group.contains(&self));
-        groups.fold(StateSet::EMPTY, |set, group| set.union(StateSet::of(group))).without(self)
+        groups.fold(StateSet::EMPTY, |set, group| set.union(StateSet::from_words(group))).without(self)
     }
 }
 
 impl StateSet {
     /// This set with the state added and its opposites removed.
+    ///
+    /// ```
+    /// use vc_graph::{State, StateSet};
+    /// let closed = StateSet::from_words(&[State::Closed, State::Dirty]);
+    /// assert_eq!(closed.entering(State::Open), StateSet::from_words(&[State::Open, State::Dirty]));
+    /// ```
     #[must_use]
     pub fn entering(self, state: State) -> Self {
         self.minus(state.opposites()).with(state)

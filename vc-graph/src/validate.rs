@@ -68,6 +68,20 @@ impl SceneGraph {
     /// files of others often have some: a reader keeps them unchanged, and the transition rule tolerates them.
     ///
     /// Costs a walk over all nodes and their placements.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Edge, Relation, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// assert!(graph.validate().is_empty());
+    /// let mut scene = SceneBuilder::from_graph(graph);
+    /// scene.link_all(&[Edge::new(table, Relation::On, apple)])?; // readers may do so: each rests on the other
+    /// assert!(!scene.build().validate().is_empty());
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     pub fn validate(&self) -> Vec<Violation> {
         let mut found = self.support_cycles();
         for node in self.nodes() {

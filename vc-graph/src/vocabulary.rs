@@ -7,6 +7,13 @@ use std::marker::PhantomData;
 use crate::spelling::{clip, did_you_mean, same_word};
 
 /// A closed vocabulary: an enum whose variants each have one written word.
+///
+/// ```
+/// use vc_graph::{Relation, Word};
+/// assert_eq!(Relation::parse("HOLDS-RIGHT")?, Relation::HoldsRight);
+/// assert_eq!(Relation::HoldsRight.as_str(), "holds_right");
+/// # Ok::<(), vc_graph::UnknownWord>(())
+/// ```
 pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
     /// The noun for a word of this vocabulary in messages ("state", "verb").
     const WHAT: &'static str;
@@ -33,6 +40,12 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
 }
 
 /// An error: a word that is not in its vocabulary.
+///
+/// ```
+/// use vc_graph::{State, Word};
+/// let error = State::parse("opn").unwrap_err();
+/// assert!(error.to_string().contains("open"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("unknown {what} `{word}`{}; use one of: {allowed}", did_you_mean(.word, .allowed.split(' ')))]
 pub struct UnknownWord {
@@ -45,6 +58,13 @@ pub struct UnknownWord {
 }
 
 /// A set of words of one vocabulary, as a bit mask (64 words at most).
+///
+/// ```
+/// use vc_graph::{Property, PropertySet};
+/// let set = PropertySet::from_words(&[Property::Graspable, Property::Openable]);
+/// assert!(set.contains(Property::Openable) && set.len() == 2);
+/// assert_eq!(set.without(Property::Openable).iter().collect::<Vec<_>>(), [Property::Graspable]);
+/// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Set<W> {
     bits: u64,
@@ -56,7 +76,7 @@ impl<W: Word> Set<W> {
     pub const EMPTY: Self = Self { bits: 0, word: PhantomData };
 
     /// The set of the given words.
-    pub fn of(words: &[W]) -> Self {
+    pub fn from_words(words: &[W]) -> Self {
         words.iter().copied().collect()
     }
 

@@ -82,7 +82,7 @@ fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
     let scene = home(objects, 1);
     let me = scene.agents()[0];
     let goals: Vec<Goal> = (0..GOALS).map(|seed| goal(&scene, parts, seed)).collect();
-    let mut planner = Planner::with_limits(SearchLimits::QUICK);
+    let mut planner = Planner::with_limits(SearchLimits::FIRST_ANSWER);
     let mut least = vec![Duration::MAX; goals.len()];
     for _ in 0..REPEATS {
         for (goal, least) in goals.iter().zip(&mut least) {

@@ -43,7 +43,7 @@ fn main() {
         let written = pddl::planning(scene, me, &goal, Keep::Relevant).unwrap();
         let mut graph = scene.clone();
         let (mut quick, mut planner) =
-            (Planner::with_limits(SearchLimits::QUICK), Planner::with_limits(SearchLimits::THOROUGH));
+            (Planner::with_limits(SearchLimits::FIRST_ANSWER), Planner::with_limits(SearchLimits::THOROUGH));
         let plan = planner.plan(&mut graph, me, &goal, &[]).unwrap();
         let time = best(|| drop(std::hint::black_box(planner.plan(&mut graph, me, &goal, &[]))));
         let first = best(|| drop(std::hint::black_box(quick.outline(scene, me, &goal, &[]))));

@@ -44,7 +44,7 @@ impl Moment<'_> {
         if self.knows_all {
             return goal.holds(&now);
         }
-        let view = View { now, known: self.known, unseen: &[], hints: &Hints::of(goal) };
+        let view = View { now, known: self.known, unseen: &[], hints: &Hints::new(goal) };
         view.subgoals(goal).is_ok_and(|open| open.is_empty())
     }
 
@@ -127,7 +127,7 @@ impl Agenda {
         let step = moment.step();
         let (left, is_new) = match self.left.take() {
             Some(left) => (left, step != self.noted),
-            None => (Part::of(&self.goal, &moment.anew()), true),
+            None => (Part::new(&self.goal, &moment.anew()), true),
         };
         let left = self.left.insert(left);
         self.noted = step;

@@ -24,6 +24,20 @@ use crate::{Belief, Learned, Plan, Prior};
 use refused::Refused;
 
 /// What an agent decides.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_planner::{Agent, Decision};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let mut done = Agent::oracle(&graph, me, "On(apple, kitchen_table)".parse()?);
+/// assert!(matches!(done.decide(), Decision::Done));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Decision {
@@ -121,7 +135,7 @@ impl Agent {
     /// An agent that knows the rooms and no more: what furniture there is, and which things, it
     /// learns by walking in.
     pub fn in_unknown_home(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::of_unknown_home(graph, id, seed, Prior::Kept), Mind::Best)
+        Self::with(id, goal, Belief::in_unknown_home(graph, id, seed, Prior::Kept), Mind::Best)
     }
 
     /// The human-like agent of the thesis: every place is equally likely, one state is
@@ -131,8 +145,22 @@ impl Agent {
     }
 
     /// An agent that knows everything there is.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_planner::{Agent, Decision};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let mut agent = Agent::oracle(&graph, me, "Holds(apple)".parse()?);
+    /// assert!(matches!(agent.decide(), Decision::Act(_, plan) if plan.actions.len() == 2), "walk there and grab it");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn oracle(graph: &SceneGraph, id: NodeId, goal: Goal) -> Self {
-        Self::with(id, goal, Belief::of_oracle(graph, id), Mind::Best)
+        Self::with(id, goal, Belief::oracle(graph, id), Mind::Best)
     }
 
     fn with(id: NodeId, goal: Goal, belief: Belief, mind: Mind) -> Self {
@@ -177,6 +205,20 @@ impl Agent {
     }
 
     /// How much it searches for each plan.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_planner::{Agent, SearchLimits};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let agent = Agent::oracle(&graph, me, "Holds(apple)".parse()?).with_limits(SearchLimits::FIRST_ANSWER);
+    /// assert_eq!(agent.goal().to_string(), "Holds(me, apple)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn with_limits(mut self, effort: SearchLimits) -> Self {
         self.planner.effort = effort;
@@ -184,6 +226,22 @@ impl Agent {
     }
 
     /// What it believes.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// use vc_planner::Agent;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let mut agent = Agent::in_known_home(&graph, me, "Holds(milk)".parse()?, 1);
+    /// agent.see(&graph.observe(me, Scope::Room));
+    /// let places = agent.belief().distribution(milk);
+    /// assert!(!places.is_empty(), "the milk is out of sight");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn belief(&self) -> &Belief {
         &self.belief
     }
@@ -202,6 +260,21 @@ impl Agent {
     }
 
     /// Takes up another goal, with all it knows.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_planner::{Agent, Decision};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let mut agent = Agent::oracle(&graph, me, "Holds(apple)".parse()?);
+    /// agent.pursue("On(apple, kitchen_table)".parse()?);
+    /// assert!(matches!(agent.decide(), Decision::Done));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn pursue(&mut self, goal: Goal) {
         self.concerns = concerns(&goal, self.belief.graph());
         (self.agenda, self.aim) = (goal.is_temporal().then(|| Agenda::new(&goal)), None);
@@ -228,8 +301,8 @@ impl Agent {
     }
 
     /// Takes in what another sees and tells.
-    pub fn hear(&mut self, told: &Observation) -> Learned {
-        self.belief.hear(told)
+    pub(crate) fn hear(&mut self, report: &Observation) -> Learned {
+        self.belief.hear(report)
     }
 
     /// The decision that it would make now. For a goal with words of time it pursues the stages that these make (the parts of a `then`

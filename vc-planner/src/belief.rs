@@ -49,7 +49,7 @@ pub struct Belief {
     missing: Vec<(NodeId, usize)>,
     last: Option<Observation>,
     /// Whether the agent was told nothing about the contents of the home: it learns them by observation.
-    stranger: bool,
+    in_unknown_home: bool,
     /// Nodes whose guess the agent's own last action has changed.
     touched: Vec<NodeId>,
     /// The nodes that it cannot reach.
@@ -99,9 +99,9 @@ impl Belief {
 
     /// The belief of an agent that knows only the rooms, neither the furniture nor which things exist: it adds
     /// what it sees, and surfaces and containers become places once seen.
-    pub fn of_unknown_home(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
+    pub fn in_unknown_home(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
-        (belief.prior, belief.stranger) = (prior, true);
+        (belief.prior, belief.in_unknown_home) = (prior, true);
         let carried = graph.carried_with(agent);
         let mut edit = belief.graph.edit();
         let unknown = |n: &&Node| n.kind() == NodeKind::Object && !carried.contains(&n.id());
@@ -117,7 +117,7 @@ impl Belief {
     }
 
     /// The belief of an agent that knows everything.
-    pub fn of_oracle(graph: &SceneGraph, agent: NodeId) -> Self {
+    pub(crate) fn oracle(graph: &SceneGraph, agent: NodeId) -> Self {
         let mut belief = Self::with(graph, agent, 0);
         belief.known = graph.nodes().map(Node::id).collect();
         belief
@@ -137,7 +137,7 @@ impl Belief {
             tidiness: Tidiness::default(),
             missing: Vec::new(),
             last: None,
-            stranger: false,
+            in_unknown_home: false,
             touched: Vec::new(),
             shunned: Vec::new(),
             barred: Vec::new(),
@@ -196,7 +196,7 @@ impl Belief {
     }
 
     /// Whether nothing has to be guessed, as for a long-time resident.
-    pub fn knows_all(&self) -> bool {
+    pub(crate) fn knows_all(&self) -> bool {
         self.places.is_empty()
     }
 
@@ -207,7 +207,7 @@ impl Belief {
 
     /// Whether there may be things that the agent does not know of.
     pub(crate) fn is_stranger(&self) -> bool {
-        self.stranger
+        self.in_unknown_home
     }
 
     fn suppose(&mut self, id: NodeId, place: usize) {

@@ -131,7 +131,7 @@ impl Problem {
         for w in ones(wrong | s.on & self.index.bars) {
             let barring = s.on >> w & 1 != 0 && ones(shut).any(|d| self.doors[d].unsafe_when_on == Some(w as u8));
             if wrong >> w & 1 != 0 || barring {
-                must.actions += 1 + u32::from(barring && self.switches[w].want == Some(true));
+                must.actions += 1 + u32::from(barring && self.switches[w].wanted == Some(true));
                 must.spots |= 1 << self.switches[w].spot;
             }
         }

@@ -46,6 +46,22 @@ pub struct Step {
 }
 
 /// How an episode went.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_planner::{OraclePolicy, run_episode};
+/// use vc_tasks::{Outcome, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+/// let task = Task::new("fetch", "Holds(apple)".parse()?);
+/// let episode = run_episode(&mut OraclePolicy::default(), &task, &mut world);
+/// assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Episode {
     /// How it ended.
@@ -132,6 +148,24 @@ pub struct EpisodeOptions {
 
 impl EpisodeOptions {
     /// A run with a seed.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_planner::{EpisodeOptions, RandomPolicy};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let mut task = Task::new("fetch", "Holds(apple)".parse()?);
+    /// task.step_limit = 3;
+    /// let mut policy = RandomPolicy::default();
+    /// let episode = EpisodeOptions::seeded(7).episode(&mut policy, &task, &mut world, &mut |_step| {});
+    /// assert!(episode.steps <= 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn seeded(seed: u64) -> Self {
         Self { seed: Seed(seed), ..Self::default() }
     }
@@ -196,7 +230,9 @@ impl Running<'_> {
             }
             Decision::Act(action, plan) => (action, plan),
             Decision::Done => return Some((Outcome::Lost, None)),
-            Decision::GiveUp(why) => return Some((Outcome::Lost, Some(told(&why, self.task, self.world.graph())))),
+            Decision::GiveUp(why) => {
+                return Some((Outcome::Lost, Some(explained(&why, self.task, self.world.graph()))));
+            }
         };
         let mut step = describe(self.world.graph(), policy, &seen, &learned, action, &plan);
         step.observation = self.keeps_observations.then(|| as_json(&seen));
@@ -254,7 +290,7 @@ pub(crate) fn refusal(action: &str, why: &WorldError) -> String {
 }
 
 /// Why a policy gives up, and what the scene, which it need not know, has too little of.
-pub(crate) fn told(reason: &Unreachable, task: &Task, graph: &SceneGraph) -> String {
+pub(crate) fn explained(reason: &Unreachable, task: &Task, graph: &SceneGraph) -> String {
     let obstacles = match reason {
         Unreachable::NoInstance(_) | Unreachable::Conflicting(_) | Unreachable::NoPlan(_) => task.obstacles(graph),
         _ => Vec::new(),

@@ -3,7 +3,7 @@
 use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Verb, rule};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
-use crate::episode::{refusal, told};
+use crate::episode::{explained, refusal};
 use crate::policy::{EpisodeStart, Policy, RefusalResponse};
 use crate::shared::shared;
 use crate::trip::{Promise, Trip};
@@ -49,7 +49,7 @@ impl Helper {
 
     fn with(goals: Vec<Goal>, scope: Scope) -> Self {
         let watcher = GoalRecognizer::new(goals.clone());
-        let planner = Planner::with_limits(SearchLimits::QUICK);
+        let planner = Planner::with_limits(SearchLimits::FIRST_ANSWER);
         Self { goals, scope, watcher, planner, me: NodeId(0), agent: None, other: None, trail: None, helping: None }
     }
 
@@ -106,7 +106,7 @@ impl Helper {
         let held: Vec<NodeId> = graph.held(other).collect();
         let here = graph.room_of(other);
         let sees = |id: NodeId| graph.room_of(id) == here && graph.hidden_in(id).is_none();
-        let mut trip = Trip::of(&graph, other, &plan).promises;
+        let mut trip = Trip::new(&graph, other, &plan).promises;
         let mine = self.agent.as_ref().map_or_else(Vec::new, |a| a.belief().graph().held(self.me).collect());
         trip.retain(|(item, _)| !mine.contains(item) && (held.contains(item) || sees(*item)));
         trip
@@ -213,7 +213,7 @@ pub fn run_together(
             match turn(policies, index, world) {
                 Turn::Done => done += 1,
                 Turn::Waited => {}
-                Turn::GaveUp(why) => reasons.push(told(&why, task, world.graph())),
+                Turn::GaveUp(why) => reasons.push(explained(&why, task, world.graph())),
                 Turn::Refused(why) => reasons.push(why),
             }
             progress.note(world);

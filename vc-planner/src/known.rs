@@ -3,6 +3,14 @@
 use vc_graph::NodeId;
 
 /// A set of nodes, stored as bits by node number.
+///
+/// ```
+/// use vc_graph::NodeId;
+/// use vc_planner::KnownNodes;
+/// let mut known = KnownNodes::default();
+/// assert!(known.insert(NodeId(3)) && !known.insert(NodeId(3)));
+/// assert!(known.contains(NodeId(3)) && !known.contains(NodeId(4)));
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct KnownNodes {
     bits: Vec<u64>,

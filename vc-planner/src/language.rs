@@ -3,7 +3,9 @@
 
 use std::fmt::Write as _;
 
-use vc_graph::{Action, NodeId, NodeKind, Observation, Property, Relation, SceneGraph, Verb, Word, rule};
+use vc_graph::{
+    Action, ActionTextError, NodeId, NodeKind, Observation, Property, Relation, SceneGraph, Verb, Word, rule,
+};
 use vc_tasks::WorldError;
 
 use crate::policy::{EpisodeStart, Policy, RefusalResponse};
@@ -49,11 +51,12 @@ pub enum AnswerError {
     },
     /// The verb takes a different number of things.
     #[error("`{0}`")]
-    Arity(String),
+    Arity(#[source] ActionTextError),
 }
 
 /// The content of a model's answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Answer {
     /// An action.
     Act(Action),
@@ -62,6 +65,23 @@ pub enum Answer {
 }
 
 /// A policy that asks a language model for each action.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_planner::{LanguageModel, run_episode};
+/// use vc_tasks::{Outcome, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+/// let mut answers = ["walk apple.3", "grab apple.3", "done"].into_iter();
+/// let mut model = LanguageModel::new(|_prompt| answers.next().map(str::to_owned).ok_or("no answer".to_owned()));
+/// let task = Task::new("fetch", "Holds(apple)".parse()?);
+/// assert_eq!(run_episode(&mut model, &task, &mut world).outcome, Outcome::Won);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct LanguageModel<F> {
     ask: F,
     agent: NodeId,
@@ -109,6 +129,19 @@ containers. Answer with one action at a time, as JSON {\"action\": \"grab cup.12
 /// The actions that an agent can do now at its position: those that [`rule::legal_actions_with`] lists for the
 /// things in its room that are not inside closed containers, without running and finding, and walks to the
 /// other rooms.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_planner::language::legal_actions;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// assert!(legal_actions(&graph, me).contains(&"walk apple.3".parse()?));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
     let Some(room) = graph.room_of(agent) else { return Vec::new() };
     let here: Vec<NodeId> = graph.in_room(room).filter(|&id| id != agent && graph.hidden_in(id).is_none()).collect();
@@ -123,6 +156,20 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
 
 /// An observation as text: the agent's position and the things at hand, then a line for each thing with its
 /// place and state.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Scope};
+/// use vc_planner::language::describe_seen;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let text = describe_seen(&graph.observe(me, Scope::Room));
+/// assert!(text.contains("fridge.2 (closed") && !text.contains("milk"));
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
 pub fn describe_seen(seen: &Observation) -> String {
     let mut text = describe_self(seen);
     for node in seen.nodes().filter(|n| n.kind() == NodeKind::Object) {
@@ -179,6 +226,21 @@ fn describe_self(seen: &Observation) -> String {
 /// (quotes, list numbers, code fences, VirtualHome's brackets) are stripped. A class name alone denotes a thing
 /// if there is only one of the class.
 ///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_planner::language::{Answer, read_answer};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// let answer = read_answer("1. I would `grab the apple`", &graph);
+/// assert!(answer.is_err());
+/// assert_eq!(read_answer("grab the apple", &graph)?, Answer::Act("grab apple.3".parse()?));
+/// assert_eq!(read_answer(r#"{"action": "done"}"#, &graph)?, Answer::Done);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`AnswerError`] in words that a model can use.
 pub fn read_answer(text: &str, graph: &SceneGraph) -> Result<Answer, AnswerError> {
@@ -223,7 +285,7 @@ fn read_line(line: &str, graph: &SceneGraph) -> Result<Answer, AnswerError> {
     let verb = words.next().and_then(|w| Verb::parse(&w.to_lowercase()).ok());
     let verb = verb.ok_or_else(|| AnswerError::NoAction(clip(line)))?;
     let things: Result<Vec<NodeId>, AnswerError> = words.map(|w| thing(w, graph)).collect();
-    let action = Action::with(verb, &things?).map_err(|e| AnswerError::Arity(e.to_string()))?;
+    let action = Action::with(verb, &things?).map_err(AnswerError::Arity)?;
     Ok(Answer::Act(action))
 }
 

@@ -23,6 +23,7 @@ use vc_graph::{Action, NodeId, SceneGraph, State, Verb};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub enum Manners {
     /// Only the goal counts.
     #[default]

@@ -178,8 +178,8 @@ impl ObjectSearch {
             self.room_of[range.start as usize..range.end as usize].fill(room);
         }
         let sets = 0..1usize << self.lacks.len();
-        let hunt = &*self;
-        let outlooks = sets.flat_map(|set| hunt.rooms.iter().map(move |room| hunt.look_into(set, room))).collect();
+        let search = &*self;
+        let outlooks = sets.flat_map(|set| search.rooms.iter().map(move |room| search.look_into(set, room))).collect();
         self.outlooks = outlooks;
         for (range, shut) in &self.rooms {
             debug_assert!(self.sites[range.start as usize..*shut as usize].iter().all(|s| !s.shut));

@@ -40,6 +40,24 @@ impl Trajectory {
     /// The steps as transitions with observations of a scope, reconstructed by a replay from the scene in which
     /// the episode began.
     ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope, Simulator};
+    /// use vc_planner::{EpisodeOptions, OraclePolicy, Trajectory};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let start = world.graph().clone();
+    /// let task = Task::new("fetch", "Holds(apple)".parse()?);
+    /// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut OraclePolicy::default(), &task, &mut world);
+    /// let steps = episode.transitions(&start, Scope::Room)?;
+    /// assert!(steps.last().is_some_and(|step| step.terminated && step.reward == 1.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Fault::OtherScene`] if the episode began in another scene, [`Fault::Refused`] if a step that was done
     /// cannot be done there.

@@ -18,7 +18,7 @@ pub enum OpenCondition {
 
 impl OpenCondition {
     /// Whether it is only an observation.
-    pub(crate) fn is_look(&self) -> bool {
+    pub(crate) fn is_observation(&self) -> bool {
         matches!(self, Self::See(_) | Self::LookInto(_))
     }
 }
@@ -44,6 +44,21 @@ impl std::fmt::Display for OpenCondition {
 
 /// The reason why a goal cannot be reached. Running out of steps is not such a reason: it is an
 /// [`Outcome`](vc_tasks::Outcome).
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_planner::{Planner, Unreachable};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut graph = scene.build();
+/// let goal = "On(mug, kitchen_table)".parse()?;
+/// let why = Planner::default().plan(&mut graph, me, &goal, &[]).unwrap_err();
+/// assert!(matches!(why, Unreachable::NoInstance(_)), "{why}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreachable {

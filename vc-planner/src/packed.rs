@@ -47,7 +47,7 @@ pub(crate) struct Door {
     /// Its switch, if it must be off before the door opens.
     pub(crate) unsafe_when_on: Option<u8>,
     /// The wanted final state.
-    pub(crate) want: Option<bool>,
+    pub(crate) wanted: Option<bool>,
 }
 
 /// A thing that is on or off.
@@ -56,7 +56,7 @@ pub(crate) struct Switch {
     pub(crate) node: NodeId,
     pub(crate) spot: u8,
     pub(crate) door: Option<u8>,
-    pub(crate) want: Option<bool>,
+    pub(crate) wanted: Option<bool>,
 }
 
 /// Interchangeable items at one spot.

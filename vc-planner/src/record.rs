@@ -32,6 +32,25 @@ pub struct Header {
 }
 
 /// A whole episode.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_planner::{EpisodeOptions, OraclePolicy, Trajectory};
+/// use vc_tasks::Task;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+/// let start = world.graph().clone();
+/// let task = Task::new("fetch", "Holds(apple)".parse()?);
+/// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut OraclePolicy::default(), &task, &mut world);
+/// let again = Trajectory::read_json_lines(&episode.to_json_lines()?)?;
+/// assert_eq!(again, episode);
+/// assert!(again.check(&start).is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
     /// The subject of the episode.
@@ -43,6 +62,11 @@ pub struct Trajectory {
 }
 
 /// An error in a record.
+///
+/// ```
+/// use vc_planner::{Trajectory, TrajectoryError};
+/// assert!(matches!(Trajectory::read_json_lines(""), Err(TrajectoryError::TooShort)));
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TrajectoryError {
@@ -52,6 +76,7 @@ pub enum TrajectoryError {
         /// Line, counted from one.
         line: usize,
         /// The error in the line.
+        #[source]
         error: serde_json::Error,
     },
     /// The first line is that of a `Recorder`, which records the motions of bodies, with times and positions.
@@ -100,7 +125,7 @@ pub enum Fault {
 
 impl Header {
     /// The header of an episode that is about to begin in a scene.
-    pub fn of(run: &EpisodeOptions, policy: &dyn Policy, task: &Task, graph: &SceneGraph) -> Self {
+    pub fn new(run: &EpisodeOptions, policy: &dyn Policy, task: &Task, graph: &SceneGraph) -> Self {
         Self {
             scene: graph.name().to_owned(),
             digest: graph.digest().to_string(),
@@ -117,7 +142,7 @@ impl Header {
 impl Trajectory {
     /// Runs an episode and records it.
     pub fn record(run: &EpisodeOptions, policy: &mut dyn Policy, task: &Task, world: &mut dyn World) -> Self {
-        let header = Header::of(run, policy, task, world.graph());
+        let header = Header::new(run, policy, task, world.graph());
         let mut steps = Vec::new();
         let episode = run.episode(policy, task, world, &mut |step| steps.push(step.clone()));
         Self { header, steps, summary: episode.summary() }
@@ -153,6 +178,23 @@ impl Trajectory {
 
     /// The scenes of an episode, replayed symbolically: the initial one, then the one after each step. They
     /// share their unchanged parts.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_planner::{EpisodeOptions, OraclePolicy, Trajectory};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let start = world.graph().clone();
+    /// let task = Task::new("fetch", "Holds(apple)".parse()?);
+    /// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut OraclePolicy::default(), &task, &mut world);
+    /// assert_eq!(episode.replay(&start)?.last(), Some(world.graph()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`Fault::OtherScene`] if the episode began in another scene, [`Fault::Refused`] if a step that was done
@@ -234,7 +276,7 @@ fn refused(step: &Step, why: &[Refusal]) -> Fault {
 /// Whether a step's record of the observation is correct.
 fn saw(step: &Step, seen: &Observation, graph: &SceneGraph) -> bool {
     let room = seen.room().map(|id| graph.label(id).to_string());
-    let whole = step.observation.as_ref().is_none_or(|told| *told == as_json(seen));
+    let whole = step.observation.as_ref().is_none_or(|recorded| *recorded == as_json(seen));
     whole && room == step.room && seen.len() == step.seen && seen.digest().to_string() == step.sight
 }
 

@@ -64,7 +64,7 @@ impl<'a> Regression<'a> {
             knows_all,
             touched: None,
             unseen: &[],
-            hints: Hints::of(goal),
+            hints: Hints::new(goal),
             events: events.to_vec(),
             done_before: events.len(),
             trail: Vec::new(),
@@ -109,17 +109,17 @@ impl<'a> Regression<'a> {
         horizon: Horizon,
         mut pursued: Option<OpenCondition>,
     ) -> Result<Plan, Unreachable> {
-        let mut wants = Vec::new();
+        let mut stretches = Vec::new();
         loop {
             let ends = self.cut || (horizon == Horizon::NextSubgoal && !self.trail.is_empty());
             let reached = self.knows_all && self.holds(goal);
             let subgoals = if ends || reached { Vec::new() } else { self.view().subgoals(goal)? };
             if let Some(done) = if ends { None } else { self.put_back(goal, &subgoals) } {
-                wants.push(done);
+                stretches.push(done);
                 continue;
             }
             if ends || reached || (subgoals.is_empty() && !self.knows_all) {
-                return Ok(Plan { actions: self.actions(), wants, proved: false });
+                return Ok(Plan { actions: self.actions(), stretches, proved: false });
             }
             if subgoals.is_empty() {
                 // What is left came too late, or too early.
@@ -127,15 +127,16 @@ impl<'a> Regression<'a> {
             }
             let before = self.trail.len();
             let options = || subgoals.iter().flat_map(|s| s.options.iter().take(OPTIONS));
-            let kept = pursued.take().filter(|want| options().any(|o| o == want));
-            let Some(want) = kept.into_iter().chain(options().copied()).find(|want| self.settle(want)) else {
+            let kept = pursued.take().filter(|condition| options().any(|o| o == condition));
+            let Some(condition) = kept.into_iter().chain(options().copied()).find(|condition| self.settle(condition))
+            else {
                 let open = subgoals.iter().filter_map(|s| s.options.first()).take(3).map(|w| self.describe(w));
                 return Err(Unreachable::NoPlan(open.collect::<Vec<_>>().join("; ")));
             };
-            wants.push((want, self.trail.len() - before));
+            stretches.push((condition, self.trail.len() - before));
             // A look ends the plan: only an observation can tell what is there.
-            if want.is_look() {
-                return Ok(Plan { actions: self.actions(), wants, proved: false });
+            if condition.is_observation() {
+                return Ok(Plan { actions: self.actions(), stretches, proved: false });
             }
         }
     }
@@ -145,14 +146,14 @@ impl<'a> Regression<'a> {
         goal.holds(&self.now())
     }
 
-    fn describe(&self, want: &OpenCondition) -> String {
-        match want {
+    fn describe(&self, open: &OpenCondition) -> String {
+        match open {
             OpenCondition::Do(action) => action.describe(self.graph).to_string(),
             OpenCondition::See(id) => format!("see {}", self.graph.label(*id)),
             OpenCondition::LookInto(id) => format!("look into {}", self.graph.label(*id)),
             OpenCondition::Hold(condition) => match condition.check(self.graph, self.agent) {
                 Err(refusal) => format!("({refusal})"),
-                Ok(()) => want.to_string(),
+                Ok(()) => open.to_string(),
             },
         }
     }
@@ -161,10 +162,10 @@ impl<'a> Regression<'a> {
         self.events[self.done_before..].iter().map(|e| e.action).collect()
     }
 
-    /// Settles a want by actions, or leaves everything as it was.
-    fn settle(&mut self, want: &OpenCondition) -> bool {
+    /// Settles a condition by actions, or leaves everything as it was.
+    fn settle(&mut self, condition: &OpenCondition) -> bool {
         let mark = self.trail.len();
-        let settled = match want {
+        let settled = match condition {
             OpenCondition::Hold(condition) => self.achieve(condition) && self.trail.len() > mark,
             OpenCondition::Do(action) => self.act(action),
             OpenCondition::See(id) => self.come_to_see(*id),
@@ -191,24 +192,24 @@ impl<'a> Regression<'a> {
     }
 
     /// Makes a condition true by actions, or leaves everything as it was.
-    fn achieve(&mut self, want: &Condition) -> bool {
-        if want.holds(self.graph, self.agent) {
+    fn achieve(&mut self, condition: &Condition) -> bool {
+        if condition.holds(self.graph, self.agent) {
             return true;
         }
-        if self.open.len() >= DEPTH || self.open.contains(want) {
+        if self.open.len() >= DEPTH || self.open.contains(condition) {
             return false;
         }
         let mark = self.trail.len();
-        self.open.push(*want);
-        let candidates = self.ways(want);
-        let blind = self.lies_anywhere(want);
+        self.open.push(*condition);
+        let candidates = self.ways(condition);
+        let blind = self.lies_anywhere(condition);
         let mut achieved = false;
         for action in candidates {
             // Some conditions take several actions: an object that is to be in
             // another room is grabbed, carried there and put down.
             let acted = self.act(&action);
             self.cut |= acted && blind;
-            achieved = acted && (self.cut || want.holds(self.graph, self.agent) || self.go_on(want));
+            achieved = acted && (self.cut || condition.holds(self.graph, self.agent) || self.go_on(condition));
             if achieved || self.budget == 0 {
                 break;
             }
@@ -223,15 +224,15 @@ impl<'a> Regression<'a> {
 
     /// Whether a thing that is to be near is believed somewhere on the floor of another
     /// room: only there can one see on.
-    fn lies_anywhere(&self, want: &Condition) -> bool {
-        matches!(*want, Condition::Near(id) if self.is_missing(id) && self.graph.place(id).is_none())
+    fn lies_anywhere(&self, condition: &Condition) -> bool {
+        matches!(*condition, Condition::Near(id) if self.is_missing(id) && self.graph.place(id).is_none())
     }
 
     /// Actions that bring a condition about. What can be anywhere and has not been
     /// seen cannot be walked up to: one goes to the place where it is believed to
     /// be, or else to the room.
-    fn ways(&self, want: &Condition) -> Vec<Action> {
-        match *want {
+    fn ways(&self, condition: &Condition) -> Vec<Action> {
+        match *condition {
             Condition::Near(id) if self.is_missing(id) => {
                 let room = || self.graph.room_of(id).filter(|&r| Some(r) != self.graph.room_of(self.agent));
                 let place = self.graph.place(id).map(|p| p.at);
@@ -239,17 +240,17 @@ impl<'a> Regression<'a> {
             }
             // The agent puts down last a thing in the hand in which the goal wants it.
             Condition::FreeHand | Condition::FreeHandOrHolding(_) => {
-                let mut found = rule::regress::achievers(self.graph, self.agent, want);
+                let mut found = rule::regress::achievers(self.graph, self.agent, condition);
                 let wanted = |a: &Action| a.object.is_some_and(|id| self.hints.is_in_its_hand(&self.now(), id));
                 found.sort_by_cached_key(wanted);
                 found
             }
             Condition::Related(who, Relation::HoldsRight | Relation::HoldsLeft, _) if who == self.agent => {
-                let mut found = rule::regress::achievers(self.graph, self.agent, want);
+                let mut found = rule::regress::achievers(self.graph, self.agent, condition);
                 self.hints.sort_fillers(&self.now(), &mut found);
                 found
             }
-            _ => rule::regress::achievers(self.graph, self.agent, want),
+            _ => rule::regress::achievers(self.graph, self.agent, condition),
         }
     }
 
@@ -259,15 +260,15 @@ impl<'a> Regression<'a> {
     }
 
     /// Goes on with a condition that an action has brought nearer.
-    fn go_on(&mut self, want: &Condition) -> bool {
+    fn go_on(&mut self, condition: &Condition) -> bool {
         for _ in 0..ROUNDS {
-            let Some(action) = self.ways(want).into_iter().next() else {
+            let Some(action) = self.ways(condition).into_iter().next() else {
                 return false;
             };
             if !self.act(&action) {
                 return false;
             }
-            if self.cut || want.holds(self.graph, self.agent) {
+            if self.cut || condition.holds(self.graph, self.agent) {
                 return true;
             }
         }

@@ -14,6 +14,12 @@ use std::collections::BinaryHeap;
 use crate::packed::{ACTION, FINE, Op, Problem, State};
 
 /// How much a search may do.
+///
+/// ```
+/// use vc_planner::{Planner, SearchLimits};
+/// let planner = Planner::with_limits(SearchLimits { first: 1_000, ..SearchLimits::FIRST_ANSWER });
+/// # let _ = planner;
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SearchLimits {
     /// States looked at for the first answer.
@@ -24,7 +30,7 @@ pub struct SearchLimits {
 
 impl SearchLimits {
     /// A first answer and nothing more.
-    pub const QUICK: Self = Self { first: 4_000, improve: 0 };
+    pub const FIRST_ANSWER: Self = Self { first: 4_000, improve: 0 };
     /// Proves that no plan has fewer actions for six predicates, mostly for eight, and finds the
     /// best of twelve nearly always (58 of 60 errands among 500 objects, in some 4 ms).
     pub const THOROUGH: Self = Self { first: 4_000, improve: 7_000 };

@@ -1,9 +1,9 @@
 //! Derivation of the open subgoals from a goal.
 
+mod conditions;
 pub(crate) mod hints;
 mod literal;
 mod number;
-mod wants;
 
 use vc_graph::goal::{Goal, Predicate, Quantified, Situation, Term};
 use vc_graph::{NodeId, Place, SceneGraph};

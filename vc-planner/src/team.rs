@@ -3,7 +3,7 @@
 use vc_graph::{Event, Goal, NodeId, Refusal, SceneGraph, Scope, Verb};
 use vc_tasks::{GoalProgress, Outcome, Task, World};
 
-use crate::episode::{refusal, told};
+use crate::episode::{explained, refusal};
 use crate::shared::shared;
 use crate::{Agent, Decision, Planner, SearchLimits, Summary};
 
@@ -14,6 +14,25 @@ use crate::{Agent, Decision, Planner, SearchLimits, Summary};
 /// what another is bringing something to. A promise is for one trip, two things at most.
 /// What the goal says of the agent itself (what it holds, where it sits) is about the
 /// first of them.
+///
+/// ```
+/// use vc_graph::Simulator;
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_planner::Team;
+/// use vc_tasks::{Outcome, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// let mut scene = SceneBuilder::from_graph(graph);
+/// let agents = [scene.add_in(kitchen, Draft::new("character"))?, scene.add_in(kitchen, Draft::new("character"))?];
+/// let mut world = Simulator::new(scene.build());
+/// let task = Task::new("fetch", "exists ?a: character. Holds(?a, apple)".parse()?);
+/// let episode = Team::oracles(&world.graph().clone(), &agents, &task.goal).run(&task, &mut world);
+/// assert_eq!(episode.outcome, Outcome::Won);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Team {
     agents: Vec<Agent>,
@@ -79,17 +98,17 @@ const IDLE: usize = 2;
 
 impl Team {
     /// Agents that know the plan of the home and no more.
-    pub fn newcomers(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
-        Self::of(ids, goal, |id, goal| Agent::in_known_home(graph, id, goal, seed))
+    pub fn in_known_home(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
+        Self::with_agents(ids, goal, |id, goal| Agent::in_known_home(graph, id, goal, seed))
     }
 
     /// Agents that know everything there is.
-    pub fn residents(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
-        Self::of(ids, goal, |id, goal| Agent::oracle(graph, id, goal))
+    pub fn oracles(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
+        Self::with_agents(ids, goal, |id, goal| Agent::oracle(graph, id, goal))
     }
 
     /// The first has the whole goal, which speaks of it; the others what anybody can do.
-    fn of(ids: &[NodeId], goal: &Goal, agent: impl Fn(NodeId, Goal) -> Agent) -> Self {
+    fn with_agents(ids: &[NodeId], goal: &Goal, agent: impl Fn(NodeId, Goal) -> Agent) -> Self {
         let part = |index| if index == 0 { goal.clone() } else { shared(goal) };
         let agents = ids.iter().enumerate().map(|(index, &id)| agent(id, part(index))).collect();
         Self { agents, ids: ids.to_vec() }
@@ -129,7 +148,7 @@ impl Team {
     ) -> usize {
         let mut done = 0;
         for index in 0..self.agents.len() {
-            self.look(world);
+            self.observe(world);
             if self.agents.len() > 1 {
                 let others = (0..self.agents.len()).filter(|&other| other != index);
                 let promised = others.flat_map(|other| self.agents[other].promises().to_vec()).collect();
@@ -139,7 +158,7 @@ impl Team {
             let action = match agent.decide() {
                 Decision::Act(action, _) => action,
                 Decision::GiveUp(why) => {
-                    reasons.push(told(&why, task, world.graph()));
+                    reasons.push(explained(&why, task, world.graph()));
                     continue;
                 }
                 Decision::Done => continue,
@@ -160,7 +179,7 @@ impl Team {
         done
     }
 
-    fn look(&mut self, world: &dyn World) {
+    fn observe(&mut self, world: &dyn World) {
         let scope = |agent: &Agent| if agent.belief().knows_all() { Scope::Whole } else { Scope::Room };
         let seen: Vec<_> =
             self.agents.iter().zip(&self.ids).map(|(a, &id)| world.graph().observe(id, scope(a))).collect();
@@ -178,6 +197,15 @@ impl Team {
 /// Infers which of some goals somebody pursues, from what it is seen to do: an action
 /// that brings a goal nearer speaks for it (Ramirez and Geffner, AAAI 2010; inverse
 /// planning, Baker, Saxe and Tenenbaum 2009).
+///
+/// ```
+/// use vc_graph::Goal;
+/// use vc_planner::GoalRecognizer;
+/// let goals: Vec<Goal> = vec!["Open(fridge)".parse()?, "Open(stove)".parse()?];
+/// let recognizer = GoalRecognizer::new(goals);
+/// assert!(recognizer.likely().iter().all(|(_, chance)| (*chance - 0.5).abs() < 1e-9), "nothing was watched yet");
+/// # Ok::<(), vc_graph::goal::GoalError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct GoalRecognizer {
     goals: Vec<Goal>,
@@ -197,7 +225,7 @@ impl GoalRecognizer {
     /// Somebody who thinks that the other pursues one of these, each as likely.
     pub fn new(goals: Vec<Goal>) -> Self {
         let weights = vec![0.0; goals.len()];
-        Self { goals, weights, planner: Planner { effort: SearchLimits::QUICK, ..Planner::default() } }
+        Self { goals, weights, planner: Planner { effort: SearchLimits::FIRST_ANSWER, ..Planner::default() } }
     }
 
     /// Takes note of an action that another did: the scene before it and after it.

@@ -19,7 +19,7 @@ pub(crate) struct Trip {
 
 impl Trip {
     /// The first trip of a plan: it ends when the hands are empty, or before the walk to a third thing.
-    pub(crate) fn of(graph: &SceneGraph, agent: NodeId, plan: &[Action]) -> Self {
+    pub(crate) fn new(graph: &SceneGraph, agent: NodeId, plan: &[Action]) -> Self {
         let mut items: Vec<NodeId> = graph.held(agent).collect();
         let mut hands = items.len();
         let (mut length, mut last) = (plan.len(), 0);

@@ -38,7 +38,7 @@ impl Draft {
     }
 
     /// A draft of an existing object.
-    pub(crate) fn of(object: Arc<Object>) -> Self {
+    pub(crate) fn from_object(object: Arc<Object>) -> Self {
         Self { class: object.class, size: object.size(), source: Source::Made(object) }
     }
 

@@ -1,8 +1,17 @@
 //! The reasons why an apartment cannot be generated.
 
-use crate::plan::RoomKind;
+use crate::room_kind::RoomKind;
+use crate::violation::ApartmentViolation;
 
 /// A specification that cannot be fulfilled.
+///
+/// ```
+/// use vc_graph::Seed;
+/// use vc_procgen::{Apartment, Specification, SpecificationError};
+/// let wishes = Specification { bedrooms: Some(4), area: Some(20.0), ..Specification::default() };
+/// let error = Apartment::generate(&wishes, Seed(1)).unwrap_err();
+/// assert!(matches!(error, SpecificationError::TooSmall { wished: 20.0, .. }), "{error}");
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpecificationError {
@@ -69,6 +78,7 @@ pub enum SpecificationError {
         /// The number of attempts.
         attempts: usize,
         /// A violation of the last attempt.
-        last: String,
+        #[source]
+        last: ApartmentViolation,
     },
 }

@@ -7,14 +7,22 @@ use serde::{Deserialize, Serialize};
 use vc_graph::hash::splitmix;
 
 use crate::apartment::Apartment;
-use crate::furnish::Rest;
-use crate::plan::{CELLS, FloorPlan, Opening, Rect, Room};
+use crate::item::Support;
+use crate::plan::{CELLS, FloorPlan, PlanOpening, Rect, Room};
 
 /// A 128-bit fingerprint: equal for apartments that differ only by a rotation or mirroring. Written as 32
 /// hexadecimal digits.
 ///
 /// It serves to detect duplicates (two of 100,000 different homes have the same one with a probability of
 /// about 10⁻²⁹) but offers no protection against an adversary.
+///
+/// ```
+/// use vc_procgen::Fingerprint;
+/// let fingerprint: Fingerprint = "000000000000000000000000000000ff".parse()?;
+/// assert_eq!((fingerprint, fingerprint.to_string().len()), (Fingerprint(255), 32));
+/// assert!("ff".parse::<Fingerprint>().is_err());
+/// # Ok::<(), vc_procgen::FingerprintError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub struct Fingerprint(pub u128);
@@ -22,7 +30,7 @@ pub struct Fingerprint(pub u128);
 /// A text that is not a fingerprint.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{0}` is not a fingerprint: a fingerprint has 32 hexadecimal digits")]
-pub struct NotAFingerprint(String);
+pub struct FingerprintError(String);
 
 impl fmt::Display for Fingerprint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -31,12 +39,12 @@ impl fmt::Display for Fingerprint {
 }
 
 impl FromStr for Fingerprint {
-    type Err = NotAFingerprint;
+    type Err = FingerprintError;
 
-    fn from_str(text: &str) -> Result<Self, NotAFingerprint> {
+    fn from_str(text: &str) -> Result<Self, FingerprintError> {
         let digits = text.len() == 32 && text.bytes().all(|b| b.is_ascii_hexdigit());
         let number = if digits { u128::from_str_radix(text, 16).ok() } else { None };
-        number.map(Self).ok_or_else(|| NotAFingerprint(text.to_owned()))
+        number.map(Self).ok_or_else(|| FingerprintError(text.to_owned()))
     }
 }
 
@@ -47,9 +55,9 @@ impl From<Fingerprint> for String {
 }
 
 impl TryFrom<String> for Fingerprint {
-    type Error = NotAFingerprint;
+    type Error = FingerprintError;
 
-    fn try_from(text: String) -> Result<Self, NotAFingerprint> {
+    fn try_from(text: String) -> Result<Self, FingerprintError> {
         text.parse()
     }
 }
@@ -59,9 +67,9 @@ impl Fingerprint {
     ///
     /// ```
     /// use vc_procgen::Fingerprint;
-    /// assert_ne!(Fingerprint::of_bytes(b"home"), Fingerprint::of_bytes(b"homes"));
+    /// assert_ne!(Fingerprint::from_bytes(b"home"), Fingerprint::from_bytes(b"homes"));
     /// ```
-    pub fn of_bytes(bytes: &[u8]) -> Self {
+    pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut mixer = Mixer::new(bytes.len() as u64);
         mixer.bytes(bytes);
         Self(mixer.value())
@@ -96,7 +104,7 @@ impl Apartment {
     /// Costs some tens of microseconds, and some hundred nanoseconds for each item.
     pub fn fingerprint(&self) -> Fingerprint {
         let hull = self.plan.hull();
-        let movable = self.items.iter().filter(|i| i.rest != Rest::Built);
+        let movable = self.items.iter().filter(|i| i.support != Support::Built);
         let things: Vec<Thing> = movable
             .map(|item| {
                 let (low, high) = item.corners();
@@ -144,7 +152,7 @@ fn rect(rect: &Rect) -> u128 {
     mixer.value()
 }
 
-fn opening(opening: &Opening) -> u128 {
+fn opening(opening: &PlanOpening) -> u128 {
     let mut mixer = Mixer::new(2);
     [opening.at, opening.from, opening.to].into_iter().for_each(|v| mixer.word(v as u64));
     // Only an opening with a leaf has a hinge.
@@ -164,7 +172,7 @@ impl Thing {
     fn new(class: &str, centre: [f32; 3], hull: &Rect) -> Self {
         let from = [hull.x0 as f32, hull.y0 as f32, 0.0];
         let at = std::array::from_fn(|i| half_cells(centre[i] * CELLS - from[i]));
-        Self { class: Fingerprint::of_bytes(class.as_bytes()).0, at }
+        Self { class: Fingerprint::from_bytes(class.as_bytes()).0, at }
     }
 
     /// Its value in one orientation of the plan; `size` is the plan's size in half cells.

@@ -1,14 +1,16 @@
 //! A furnished floor plan before any object is generated: rooms, and furniture as boxes.
 
 use vc_graph::Seed;
+use vc_shapes::Style;
 
 use crate::check;
 use crate::draft::Draft;
 use crate::error::SpecificationError;
-use crate::furnish::{self, Item, Rest};
+use crate::furnish;
+use crate::item::{Item, Support};
 use crate::plan::{FloorPlan, Programme, RoomKind};
 use crate::reach::Reach;
-use crate::{Specification, Style};
+use crate::specification::Specification;
 
 /// The number of plans drawn before a specification is given up.
 pub(crate) const ATTEMPTS: u64 = 24;
@@ -48,6 +50,14 @@ impl Layout {
     ///
     /// Costs about a millisecond.
     ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::{Layout, Specification};
+    /// let layout = Layout::generate(&Specification::studio(), Seed(9))?;
+    /// assert!(layout.furniture.iter().any(|item| item.object.class == "fridge"));
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`SpecificationError`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
@@ -86,25 +96,25 @@ pub(crate) fn sub_seed(seed: Seed, attempt: u64) -> Seed {
 /// The first attempt that succeeds. Contradictory requirements end it at once because every attempt
 /// would fail.
 pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, SpecificationError>) -> Result<T, SpecificationError> {
-    let mut last = SpecificationError::Unsound { attempts: ATTEMPTS as usize, last: String::new() };
-    for attempt in 0..ATTEMPTS {
-        match make(attempt) {
+    let mut attempt = 0;
+    loop {
+        let made = make(attempt);
+        match &made {
             Err(
-                error @ (SpecificationError::OutOfRange { .. }
+                SpecificationError::OutOfRange { .. }
                 | SpecificationError::TooSmall { .. }
-                | SpecificationError::TooLarge { .. }),
-            ) => return Err(error),
-            Err(error) => last = error,
-            made => return made,
+                | SpecificationError::TooLarge { .. },
+            ) => return made,
+            Err(_) if attempt + 1 < ATTEMPTS => attempt += 1,
+            _ => return made,
         }
     }
-    Err(last)
 }
 
 /// Removes optional pieces until every room and every required piece is reachable.
 fn clear_ways(plan: &FloorPlan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) -> Result<(), SpecificationError> {
     for _ in 0..CLEARED {
-        let reach = Reach::of(plan, items);
+        let reach = Reach::new(plan, items);
         let shut = (0..plan.rooms.len()).find(|&r| !reach.enters(plan, r));
         let far: Vec<usize> = (0..items.len())
             .filter(|&i| check::is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area()))
@@ -113,8 +123,9 @@ fn clear_ways(plan: &FloorPlan, items: &mut Vec<Item>, drafts: &mut Vec<Draft>) 
         let room = shut.or_else(|| far.first().map(|&i| items[i].room));
         let Some(room) = room else { return Ok(()) };
         // The last optional piece placed on the floor of that room.
-        let last =
-            items.iter().rposition(|i| i.room == room && !i.required && i.rest == Rest::Floor && i.corners().1.z > 0.1);
+        let last = items
+            .iter()
+            .rposition(|i| i.room == room && !i.required && i.support == Support::Floor && i.corners().1.z > 0.1);
         let Some(out) = last.or(spared) else {
             let kind = plan.rooms[room].kind;
             return Err(SpecificationError::NoPlace { kind, room, piece: "way to walk" });
@@ -132,8 +143,8 @@ pub(crate) fn remove(items: &mut Vec<Item>, out: &[usize]) -> Vec<bool> {
     let mut place = Vec::with_capacity(items.len());
     let mut kept = 0;
     for (index, item) in items.iter().enumerate() {
-        let under = match item.rest {
-            Rest::On(at, _) | Rest::Inside(at, _) => gone[at],
+        let under = match item.support {
+            Support::On(at, _) | Support::Inside(at, _) => gone[at],
             _ => false,
         };
         gone[index] = under || out.binary_search(&index).is_ok();
@@ -144,7 +155,7 @@ pub(crate) fn remove(items: &mut Vec<Item>, out: &[usize]) -> Vec<bool> {
     items.retain_mut(|item| {
         let keep = !gone[index];
         index += 1;
-        if let Rest::On(at, _) | Rest::Inside(at, _) = &mut item.rest {
+        if let Support::On(at, _) | Support::Inside(at, _) = &mut item.support {
             *at = place[*at];
         }
         keep

@@ -16,32 +16,39 @@
 //! # Ok::<(), vc_procgen::SpecificationError>(())
 //! ```
 //!
-//! The objects come from `vc-shapes`, which this crate re-exports; [`dress`] gives scenes of boxes the look of
-//! homes.
+//! Objects, materials and [`Style`](vc_shapes::Style)s are those of [`vc_shapes`]; [`dress`] gives shapes to scenes
+//! of boxes.
 
 #![warn(clippy::disallowed_methods)]
 
 mod apartment;
-pub mod check;
+mod area;
+mod check;
 mod clutter;
 mod draft;
 pub mod dress;
 mod error;
 mod fingerprint;
-pub mod furnish;
+mod furnish;
+mod generate;
+mod item;
 mod layout;
 pub mod picture;
 pub mod plan;
 mod reach;
+mod room_kind;
 mod scene;
 mod solids;
 mod specification;
 pub mod statistics;
 mod structure;
+mod violation;
 
 pub use apartment::Apartment;
+pub use area::{Area, Facing};
 pub use error::SpecificationError;
-pub use fingerprint::Fingerprint;
+pub use fingerprint::{Fingerprint, FingerprintError};
+pub use item::{Item, Support};
 pub use layout::Layout;
 pub use specification::Specification;
-pub use vc_shapes::{Style, catalogue, material, object};
+pub use violation::{ApartmentViolation, ItemLabel};

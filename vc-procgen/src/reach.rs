@@ -6,7 +6,8 @@ use vc_geometry::grid::{BitGrid, Disc, ceiling, floor};
 use vc_graph::Anthropometry;
 
 use crate::apartment::Apartment;
-use crate::furnish::{Area, Item, Rest};
+use crate::area::Area;
+use crate::item::{Item, Support};
 use crate::plan::{CELLS, FloorPlan, OpeningKind, Rect, RoomKind};
 
 /// The person for whom homes are furnished.
@@ -35,8 +36,16 @@ impl Apartment {
     /// door, square metres: the positions of the disc's centre.
     ///
     /// Costs some tens of microseconds.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::Apartment;
+    /// let home = Apartment::from_seed(Seed(7))?;
+    /// assert!(home.standing_area() > 3.0 && home.standing_area() < home.plan.area());
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
     pub fn standing_area(&self) -> f32 {
-        Reach::of(&self.plan, &self.items).standing.count() as f32 / (CELLS * CELLS)
+        Reach::new(&self.plan, &self.items).standing.count() as f32 / (CELLS * CELLS)
     }
 }
 
@@ -44,7 +53,7 @@ impl Reach {
     /// Flood-fills the floor from the front door.
     ///
     /// Costs some tens of microseconds for a home: the obstacles are dilated a word at a time.
-    pub(crate) fn of(plan: &FloorPlan, items: &[Item]) -> Self {
+    pub(crate) fn new(plan: &FloorPlan, items: &[Item]) -> Self {
         let hull = plan.hull().grown(MARGIN);
         let (west, south) = (hull.x0, hull.y0);
         let mut floor = BitGrid::new(hull.width() as usize, hull.depth() as usize);
@@ -57,7 +66,7 @@ impl Reach {
         }
         boards(plan).for_each(|(_, board)| fill(&board, false));
         // Cells without floor are walls, and doors count as open.
-        for item in items.iter().filter(|i| i.rest != Rest::Built) {
+        for item in items.iter().filter(|i| i.support != Support::Built) {
             let (low, high) = item.corners();
             if is_in_the_way((low.z, high.z)) {
                 fill(&outward(&item.area()), false);
@@ -98,7 +107,7 @@ impl Reach {
 }
 
 /// The floor within the wall in an opening.
-pub(crate) fn doorway(plan: &FloorPlan, opening: &crate::plan::Opening) -> Rect {
+pub(crate) fn doorway(plan: &FloorPlan, opening: &crate::plan::PlanOpening) -> Rect {
     let outer = |room: Option<usize>| room.is_none_or(|r| plan.rooms[r].kind == RoomKind::Balcony);
     let low = if outer(opening.low) { plan.shell } else { 1 };
     let high = if outer(opening.high) { plan.shell } else { 1 };

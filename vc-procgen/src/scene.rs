@@ -6,13 +6,12 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{
-    AssetId, Bounds, BoundsFrame, Draft, Edge, EditError, NodeId, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph,
-    State,
+    AssetId, Bounds, BoundsFrame, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
 };
+use vc_shapes::object::Object;
 
 use crate::apartment::Apartment;
-use crate::furnish::{Item, Rest};
-use crate::object::Object;
+use crate::item::{Item, Support};
 use crate::plan::{Rect, metres};
 
 impl Apartment {
@@ -37,18 +36,8 @@ impl Apartment {
         builder.build()
     }
 
-    /// The node of a room.
-    pub fn room_id(&self, room: usize) -> NodeId {
-        NodeId(room as u32)
-    }
-
-    /// The node of an item.
-    pub fn item_id(&self, item: usize) -> NodeId {
-        NodeId((self.plan.rooms.len() + item) as u32)
-    }
-
     fn fill(&self, builder: &mut SceneBuilder) -> Result<(), EditError> {
-        let mut library = crate::material::library();
+        let mut library = vc_shapes::material::library();
         let mut known: HashMap<*const Object, AssetId> = HashMap::new();
         let mut assets = Vec::with_capacity(self.items.len());
         for item in &self.items {
@@ -83,11 +72,11 @@ impl Apartment {
         for (index, item) in self.items.iter().enumerate() {
             let id = self.item_id(index);
             edges.push(Edge::new(id, Relation::InRoom, self.room_id(item.room)));
-            match item.rest {
-                Rest::Floor => edges.extend(floors[item.room].map(|f| Edge::new(id, Relation::On, f))),
-                Rest::On(at, _) => edges.push(Edge::new(id, Relation::On, self.item_id(at))),
-                Rest::Inside(at, _) => edges.push(Edge::new(id, Relation::Inside, self.item_id(at))),
-                Rest::Wall | Rest::Ceiling | Rest::Built => {}
+            match item.support {
+                Support::Floor => edges.extend(floors[item.room].map(|f| Edge::new(id, Relation::On, f))),
+                Support::On(at, _) => edges.push(Edge::new(id, Relation::On, self.item_id(at))),
+                Support::Inside(at, _) => edges.push(Edge::new(id, Relation::Inside, self.item_id(at))),
+                Support::Wall | Support::Ceiling | Support::Built => {}
             }
             if item.object.role() == ObjectRole::Door {
                 let rooms = std::iter::once(item.room).chain(item.between);

@@ -1,6 +1,7 @@
 //! The specification of an apartment.
 
-use crate::Style;
+use vc_shapes::Style;
+
 use crate::error::SpecificationError;
 
 /// Requirements of an apartment; anything not specified is drawn from the seed.
@@ -43,11 +44,23 @@ impl Specification {
     }
 
     /// An apartment with the given number of bedrooms.
+    ///
+    /// ```
+    /// use vc_procgen::Specification;
+    /// assert!(Specification::with_bedrooms(3).check().is_ok());
+    /// assert_eq!(Specification::studio(), Specification::with_bedrooms(0));
+    /// ```
     pub fn with_bedrooms(bedrooms: usize) -> Self {
         Self { bedrooms: Some(bedrooms), ..Self::default() }
     }
 
     /// Checks that every number is within its range.
+    ///
+    /// ```
+    /// use vc_procgen::Specification;
+    /// let error = Specification::with_bedrooms(9).check().unwrap_err();
+    /// assert_eq!(error.to_string(), "bedrooms is 9, it must be from 0 to 6");
+    /// ```
     ///
     /// # Errors
     /// [`SpecificationError::OutOfRange`] names the number.

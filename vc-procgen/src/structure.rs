@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::{Pose, Seed};
+use vc_shapes::Style;
+use vc_shapes::material::MaterialId;
+use vc_shapes::object::{self, Object};
 
-use crate::Style;
-use crate::furnish::{Facing, Item, Rest};
-use crate::material::MaterialId;
-use crate::object::{self, Object};
-use crate::plan::{FloorPlan, Opening, OpeningKind, Rect, RoomKind, metres};
+use crate::area::Facing;
+use crate::item::{Item, Support};
+use crate::plan::{FloorPlan, OpeningKind, PlanOpening, Rect, RoomKind, metres};
 use crate::reach::doorway;
 use crate::solids::Solids;
 
@@ -41,7 +42,7 @@ struct Looks {
 
 impl Looks {
     fn new(plan: &FloorPlan, style: &Style, seed: Seed) -> Self {
-        use crate::material::{BRICK, CONCRETE, PLASTER, SANDSTONE, WHITE_TILE};
+        use vc_shapes::material::{BRICK, CONCRETE, PLASTER, SANDSTONE, WHITE_TILE};
         let mut rng = seed.child("looks").stream();
         let feature = rng.below(plan.rooms.len());
         let walls = plan.rooms.iter().enumerate().map(|(i, r)| match r.kind {
@@ -121,7 +122,7 @@ fn touches(board: &[f32; 6], rect: &Rect) -> bool {
 }
 
 /// A rectangle of wall from floor to ceiling, minus the openings in it.
-fn cut(plan: &FloorPlan, rect: Rect, openings: &[Opening], solids: &mut Solids, mat: MaterialId) {
+fn cut(plan: &FloorPlan, rect: Rect, openings: &[PlanOpening], solids: &mut Solids, mat: MaterialId) {
     if rect.is_empty() {
         return;
     }
@@ -220,7 +221,7 @@ fn skirtings(plan: &FloorPlan) -> Vec<([f32; 6], usize)> {
     for (index, room) in plan.rooms.iter().enumerate().filter(|(_, r)| r.kind != RoomKind::Balcony && !r.kind.is_wet())
     {
         let net = crate::plan::Room { kind: room.kind, rects: room.net(), of: None };
-        for edge in crate::plan::edges_of(std::slice::from_ref(&net)) {
+        for edge in crate::plan::boundaries_of(std::slice::from_ref(&net)) {
             let (mut from, to) = (metres(edge.from), metres(edge.to));
             let mut gaps: Vec<(f32, f32)> = plan
                 .openings
@@ -247,7 +248,7 @@ fn skirtings(plan: &FloorPlan) -> Vec<([f32; 6], usize)> {
     boards
 }
 
-fn board(edge: &crate::plan::Edge, from: f32, to: f32) -> [f32; 6] {
+fn board(edge: &crate::plan::Boundary, from: f32, to: f32) -> [f32; 6] {
     let at = metres(edge.at);
     let (low, high) = if edge.high.is_some() { (at, at + SKIRTING.1) } else { (at - SKIRTING.1, at) };
     match edge.vertical {
@@ -286,7 +287,7 @@ fn floor(plan: &FloorPlan, room: usize, looks: &Looks) -> Item {
     solids.item(room).unwrap_or_else(|| unreachable_floor(room))
 }
 
-fn shorter(rect: Rect, way: &Opening, room: usize) -> Rect {
+fn shorter(rect: Rect, way: &PlanOpening, room: usize) -> Rect {
     match (way.vertical, way.low == Some(room)) {
         (true, true) => Rect { x1: rect.x1 - 1, ..rect },
         (true, false) => Rect { x0: rect.x0 + 1, ..rect },
@@ -307,7 +308,7 @@ fn unreachable_floor(room: usize) -> Item {
 
 fn ceiling(plan: &FloorPlan, room: usize, style: &Style) -> Item {
     let mut solids = Solids::new("ceiling");
-    let mat = if style.wall == crate::material::WALL_CREAM { style.wall } else { crate::material::WALL_WHITE };
+    let mat = if style.wall == vc_shapes::material::WALL_CREAM { style.wall } else { vc_shapes::material::WALL_WHITE };
     for rect in &plan.rooms[room].rects {
         solids.block(
             "ceiling",
@@ -320,7 +321,7 @@ fn ceiling(plan: &FloorPlan, room: usize, style: &Style) -> Item {
 }
 
 fn fixed(object: Arc<Object>, pose: Pose, room: usize) -> Item {
-    Item { object, pose, rest: Rest::Built, room, states: Vec::new(), between: None, required: true }
+    Item { object, pose, support: Support::Built, room, states: Vec::new(), between: None, required: true }
 }
 
 impl Solids {
@@ -331,7 +332,7 @@ impl Solids {
 }
 
 /// A door or window in its opening.
-fn opening(plan: &FloorPlan, opening: &Opening, style: &Style, seed: Seed) -> Option<Item> {
+fn opening(plan: &FloorPlan, opening: &PlanOpening, style: &Style, seed: Seed) -> Option<Item> {
     let class = match opening.kind {
         OpeningKind::Entrance => "main_door",
         OpeningKind::Door => "door",

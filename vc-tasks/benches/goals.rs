@@ -16,8 +16,8 @@ use std::sync::Arc;
 use criterion::{Criterion, criterion_group, criterion_main};
 use vc_graph::goal::{Pairing, Situation};
 use vc_graph::{Draft, Goal, History, SceneBuilder, SceneGraph};
-use vc_tasks::compile::{Bits, Compiler, Program, Tracker};
-use vc_tasks::format::bddl::{Activity, Facts, Objects};
+use vc_tasks::compile::{Bits, Compiler, GoalProgram, Tracker};
+use vc_tasks::format::bddl::{ActivityDefinition, Facts, Objects};
 use vc_tasks::score::Scorer;
 
 /// A table with objects on it, some of them in their goal places.
@@ -62,7 +62,7 @@ fn generated() -> Vec<Goal> {
 /// A set of compiled goals with their states.
 struct Set {
     name: &'static str,
-    programs: Vec<Arc<Program>>,
+    programs: Vec<Arc<GoalProgram>>,
     states: Vec<Bits>,
 }
 
@@ -103,18 +103,19 @@ fn benches(c: &mut Criterion) {
             goals.iter().map(|g| compiler.compile(black_box(g), &now).map_or(0, |p| p.atoms().len())).sum::<usize>()
         });
     });
-    let programs: Vec<Arc<Program>> =
-        goals.iter().filter_map(|goal| Program::new(goal, &now).ok().map(Arc::new)).collect();
+    let programs: Vec<Arc<GoalProgram>> =
+        goals.iter().filter_map(|goal| GoalProgram::new(goal, &now).ok().map(Arc::new)).collect();
     let states = programs.iter().map(|p| p.read(&now)).collect();
     bench_set(c, &Set { name: "generated", programs, states });
 }
 
 fn behavior(c: &mut Criterion) {
     let Some(texts) = activities::texts() else { return };
-    let activities: Vec<Activity> = texts.iter().filter_map(|text| Activity::read(text).ok()).collect();
+    let activities: Vec<ActivityDefinition> =
+        texts.iter().filter_map(|text| ActivityDefinition::read(text).ok()).collect();
     assert_eq!(activities.len(), texts.len(), "all texts are activities");
     let goals: Vec<(Goal, Objects<'_>)> =
-        activities.iter().filter_map(|a| Some((a.to_goal().ok()?, Objects::of(a)))).collect();
+        activities.iter().filter_map(|a| Some((a.to_goal().ok()?, Objects::new(a)))).collect();
     let mut compiler = Compiler::new();
     c.bench_function("goals/behavior/compile all", |b| {
         b.iter(|| {
@@ -125,10 +126,10 @@ fn behavior(c: &mut Criterion) {
         });
     });
     let compiled = activities.iter().filter_map(|a| {
-        let facts = Facts::of(a, Pairing::Matching).ok()?;
+        let facts = Facts::from_activity(a, Pairing::Matching).ok()?;
         Some((Arc::new(facts.program().clone()), facts.start(a).ok()?))
     });
-    let (programs, states): (Vec<Arc<Program>>, Vec<Bits>) = compiled.unzip();
+    let (programs, states): (Vec<Arc<GoalProgram>>, Vec<Bits>) = compiled.unzip();
     assert_eq!(programs.len(), activities.len(), "every goal compiles");
     let atoms: usize = programs.iter().map(|p| p.atoms().len()).sum();
     eprintln!("{} activities, {atoms} atoms", activities.len());

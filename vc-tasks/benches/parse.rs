@@ -11,7 +11,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput};
 use vc_graph::goal::Pairing;
-use vc_tasks::format::bddl::{Activity, Facts};
+use vc_tasks::format::bddl::{ActivityDefinition, Facts};
 use vc_tasks::lint;
 
 fn main() {
@@ -19,12 +19,14 @@ fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     let mut group = criterion.benchmark_group(format!("{} activities", texts.len()));
     group.throughput(Throughput::Bytes(texts.iter().map(|t| t.len() as u64).sum()));
-    group.bench_function("read", |b| b.iter(|| texts.iter().filter_map(|t| Activity::read(black_box(t)).ok()).count()));
-    let activities: Vec<Activity> = texts.iter().filter_map(|t| Activity::read(t).ok()).collect();
+    group.bench_function("read", |b| {
+        b.iter(|| texts.iter().filter_map(|t| ActivityDefinition::read(black_box(t)).ok()).count())
+    });
+    let activities: Vec<ActivityDefinition> = texts.iter().filter_map(|t| ActivityDefinition::read(t).ok()).collect();
     assert_eq!(activities.len(), texts.len(), "all texts are activities");
     group.bench_function("goals", |b| b.iter(|| activities.iter().filter_map(|a| a.to_goal().ok()).count()));
     group.bench_function("ground facts", |b| {
-        b.iter(|| activities.iter().filter_map(|a| Facts::of(a, Pairing::Matching).ok()).count())
+        b.iter(|| activities.iter().filter_map(|a| Facts::from_activity(a, Pairing::Matching).ok()).count())
     });
     group.bench_function("lint", |b| b.iter(|| activities.iter().map(|a| lint::activity(a).len()).sum::<usize>()));
     group.finish();

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use vc_graph::Seed;
 use vc_graph::goal::Pairing;
-use vc_tasks::format::bddl::{Activity, Facts};
+use vc_tasks::format::bddl::{ActivityDefinition, Facts};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -25,9 +25,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut out = io::BufWriter::new(io::stdout().lock());
     for (number, file) in files.iter().enumerate() {
         let located = |e: vc_tasks::format::ReadError| e.in_file(file);
-        let activity = Activity::read(&std::fs::read_to_string(file)?).map_err(located)?;
-        let marginal = Facts::of(&activity, Pairing::Marginal).map_err(located)?;
-        let matching = Facts::of(&activity, Pairing::Matching).map_err(located)?;
+        let activity = ActivityDefinition::read(&std::fs::read_to_string(file)?).map_err(located)?;
+        let marginal = Facts::from_activity(&activity, Pairing::Marginal).map_err(located)?;
+        let matching = Facts::from_activity(&activity, Pairing::Matching).map_err(located)?;
         for state in 0..states {
             let mut dice = Seed(seed).nth(number as u64).nth(state).stream();
             // The probability rises from states where nearly nothing holds to states where nearly

@@ -16,8 +16,8 @@ use vc_graph::{Effect, Relation, State};
 pub fn brought_about(predicate: Predicate) -> bool {
     match predicate {
         Predicate::Did(_) | Predicate::Holds => true,
-        Predicate::State(state) => RULES.iter().flat_map(|r| r.does).any(|e| enters(e, state)),
-        Predicate::Relation(relation) => RULES.iter().flat_map(|r| r.does).any(|e| relates(e, relation)),
+        Predicate::State(state) => RULES.iter().flat_map(|r| r.effects).any(|e| enters(e, state)),
+        Predicate::Relation(relation) => RULES.iter().flat_map(|r| r.effects).any(|e| relates(e, relation)),
         // No action creates an object that does not exist.
         Predicate::Real | _ => false,
     }

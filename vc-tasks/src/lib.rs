@@ -46,10 +46,10 @@ mod trial;
 mod vacuous;
 mod world;
 
-pub use explain::{Bindings, MinimalSets, Part, SETS, Unmet, explain, first_held};
+pub use explain::{Bindings, GoalPart, MinimalSets, SETS, Unmet, explain, first_held};
 pub use household::household;
-pub use obstacle::{Obstacle, Wider};
-pub use progress::{GoalProgress, Lost};
+pub use obstacle::{BroaderClass, Lost, Obstacle};
+pub use progress::GoalProgress;
 pub use task::{Outcome, Task, TaskError};
 pub use trial::{Feedback, Trial};
-pub use world::{World, WorldError};
+pub use world::{World, WorldError, WorldFailure};

@@ -3,8 +3,9 @@
 use vc_graph::goal::EpisodeTrace;
 use vc_graph::{Goal, NodeId, SceneGraph};
 
+use crate::World;
 use crate::compile::Monitor;
-use crate::{Obstacle, World};
+use crate::obstacle::Lost;
 
 /// A goal judged step by step in an episode.
 ///
@@ -94,6 +95,20 @@ impl GoalProgress {
 
     /// How much of the goal holds now, 0 to 1: [`Goal::score`], or [`Goal::score_on`] the trace. Takes note of what has
     /// been done before.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let mut progress = Task::new("fetch", "On(apple, kitchen_table) & Holds(apple)".parse()?).begin(&world, me);
+    /// assert_eq!(progress.score(&world), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn score(&mut self, world: &dyn World) -> f64 {
         self.note(world);
         match &self.past {
@@ -104,23 +119,11 @@ impl GoalProgress {
     }
 }
 
-/// Why a goal is lost while an attempt goes on: nothing that is done from now on makes it hold.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Lost {
-    /// Names in it stand for nothing: see [`Task::lost`](crate::Task::lost).
-    #[error("{}", .0.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
-    Misnamed(Vec<Obstacle>),
-    /// A part of it with words of time has been broken.
-    #[error("`{0}` does not hold any more, and nothing that is done can change that")]
-    Broken(String),
-}
-
 impl Past {
     fn new(goal: &Goal, world: &dyn World, agent: NodeId) -> Self {
         let trace = EpisodeTrace::new(world.graph().clone(), agent);
         // A goal too large to be compiled is judged on the states.
-        let monitor = Monitor::on(goal, &trace);
+        let monitor = Monitor::from_trace(goal, &trace);
         Self { trace, monitor, done: world.history().events().len() }
     }
 

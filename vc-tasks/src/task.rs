@@ -3,11 +3,19 @@
 use serde::{Deserialize, Serialize};
 use vc_graph::format::unmarked;
 use vc_graph::goal::GoalError;
-use vc_graph::{Goal, NodeId};
+use vc_graph::{Goal, NodeId, SceneGraph};
 
+use crate::obstacle::{self, Lost, Obstacle};
 use crate::{GoalProgress, World};
 
 /// A goal to be reached in a scene.
+///
+/// ```
+/// use vc_tasks::Task;
+/// let task = Task::new("breakfast", "On(apple, kitchen_table)".parse()?);
+/// assert_eq!(task.step_limit, 500);
+/// # Ok::<(), vc_graph::goal::GoalError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Task {
     /// The task's name, `set the table`.
@@ -43,6 +51,12 @@ pub enum Outcome {
 }
 
 /// A mistake in a list of tasks.
+///
+/// ```
+/// use vc_tasks::{Task, TaskError};
+/// let error = Task::read_list("breakfast: On(apple").unwrap_err();
+/// assert!(matches!(error, TaskError::Goal { line: 1, .. }));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TaskError {
@@ -55,6 +69,7 @@ pub enum TaskError {
         /// Line, counted from one.
         line: usize,
         /// The mistake in the goal.
+        #[source]
         error: GoalError,
     },
 }
@@ -67,6 +82,24 @@ impl Task {
 
     /// Begins an episode of an agent in a world as it is: the verdict on it, step by step. This is how
     /// episodes are judged; a goal with words of time can be judged in no other way.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let mut progress = Task::new("fetch", "Holds(apple)".parse()?).begin(&world, me);
+    /// for line in ["walk apple.3", "grab apple.3"] {
+    ///     world.step(me, &line.parse()?).map_err(|why| why[0].clone())?;
+    ///     progress.note(&world);
+    /// }
+    /// assert!(progress.holds(&world));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn begin(&self, world: &dyn World, agent: NodeId) -> GoalProgress {
         GoalProgress::new(&self.goal, world, agent)
     }
@@ -76,6 +109,20 @@ impl Task {
     ///
     /// A world does not keep its earlier states. So a goal with words of time ([`Goal::is_temporal`]) does not hold
     /// by this function once something has been done, whatever was so on the way: [`Task::begin`] judges it.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// assert!(Task::new("set", "On(apple, kitchen_table)".parse()?).holds(&world, me));
+    /// assert_eq!(Task::new("fetch", "Holds(apple)".parse()?).score(&world, me), 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn holds(&self, world: &dyn World, agent: NodeId) -> bool {
         self.can_be_judged(world) && self.goal.holds(&world.situation(agent))
     }
@@ -89,6 +136,53 @@ impl Task {
     /// Whether the world's present state is all that the verdict depends on.
     fn can_be_judged(&self, world: &dyn World) -> bool {
         !self.goal.is_temporal() || world.history().events().is_empty()
+    }
+
+    /// The reasons why the goal makes no sense in a scene; empty if it does make sense. Considers the
+    /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels, nodes and
+    /// classes that there are not are reported wherever they stand.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// for class in ["milk", "apple", "bread"] {
+    ///     scene.add_in(kitchen, Draft::new(class))?;
+    /// }
+    /// let scene = scene.build();
+    /// let why = |goal: &str| -> Result<String, vc_graph::goal::GoalError> {
+    ///     Ok(Task::new("t", goal.parse()?).obstacles(&scene).iter().map(ToString::to_string).collect())
+    /// };
+    /// assert!(why("Holds(milk) & Holds(apple) & Holds(bread)")?.ends_with("an agent has 2 hands"));
+    /// assert!(why("On(apple, floor.2)")?.contains("`floor.2` names a thing that is milk.2"));
+    /// assert_eq!(why("Holds(milk.99)")?, "there is no `milk.99` in this scene");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn obstacles(&self, graph: &SceneGraph) -> Vec<Obstacle> {
+        obstacle::obstacles(&self.goal, graph)
+    }
+
+    /// The reason why the goal is lost in a scene before anything is done: a label of another class than its node, or a
+    /// node or class that there is not, in a part that must not hold or must hold for all. Such a part would hold at
+    /// once, as nothing on the table is a `mugg`. A known class of which the scene has no object is no such name.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_tasks::Task;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// scene.add(Draft::new("kitchen_table"))?;
+    /// let scene = scene.build();
+    /// let why = |goal: &str| -> Result<_, vc_graph::goal::GoalError> {
+    ///     Ok(Task::new("t", goal.parse()?).lost(&scene).map(|lost| lost.to_string()))
+    /// };
+    /// let lost = why("always !On(mugg, kitchen_table)")?;
+    /// assert_eq!(lost.as_deref(), Some("there is no class `mugg` (did you mean `mug`?)"));
+    /// assert_eq!(why("!On(mug, kitchen_table)")?, None); // there is no mug, and so none on the table
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn lost(&self, graph: &SceneGraph) -> Option<Lost> {
+        obstacle::lost(&self.goal, graph)
     }
 
     /// Reads a list of tasks: one a line, `title: goal`; `#` starts a comment line.
@@ -106,6 +200,12 @@ impl Task {
     }
 
     /// As [`Task::read_list`], but continues after lines that are not tasks.
+    ///
+    /// ```
+    /// use vc_tasks::Task;
+    /// let text = "breakfast: On(apple, table)\nno task\nnight: Closed(fridge)\n";
+    /// assert_eq!(Task::read_lines(text).filter(Result::is_ok).count(), 2);
+    /// ```
     ///
     /// # Errors
     /// Each line that is not a task gives a [`TaskError`].

@@ -50,6 +50,21 @@ pub struct Trial<W> {
 }
 
 /// The result of an action.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_tasks::{Task, Trial};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+/// let mut trial = Trial::new(world, Task::new("fetch", "Holds(apple)".parse()?), me);
+/// let feedback = trial.step(&"grab apple.3".parse()?);
+/// assert!(feedback.refused.is_some() && !feedback.terminated, "it is not near");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Feedback {
     /// The agent's view after the action.
@@ -79,6 +94,20 @@ impl<W: World> Trial<W> {
     }
 
     /// Sets which part of the scene the agent observes.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope, Simulator};
+    /// use vc_tasks::{Task, Trial};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let trial = Trial::new(world, Task::new("fetch", "Holds(apple)".parse()?), me).seeing(Scope::Whole);
+    /// assert_eq!(trial.observation().len(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn seeing(self, scope: Scope) -> Self {
         Self { scope, ..self }
@@ -107,6 +136,23 @@ impl<W: World> Trial<W> {
     }
 
     /// Resets the world to the scene in which the trial began and returns the agent's first observation.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_tasks::{Task, Trial};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let mut trial = Trial::new(world, Task::new("fetch", "Holds(apple)".parse()?), me);
+    /// trial.step(&"walk apple.3".parse()?);
+    /// assert_eq!(trial.steps(), 1);
+    /// trial.reset()?;
+    /// assert_eq!(trial.steps(), 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// As [`World::reset`]; then nothing has changed.

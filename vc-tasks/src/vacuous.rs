@@ -5,7 +5,7 @@ use vc_graph::goal::{Comparison, Goal, Literal, Pairs, Quantified, Term, Variabl
 /// The terms of the parts that must not hold, or must hold for all of a class.
 pub(crate) fn terms(goal: &Goal) -> Vec<Term> {
     let mut found = Terms(Vec::new());
-    found.look(goal, true);
+    found.visit(goal, true);
     found.0
 }
 
@@ -13,23 +13,23 @@ struct Terms(Vec<Term>);
 
 impl Terms {
     /// Looks at a part that is to hold, or is not to hold.
-    fn look(&mut self, goal: &Goal, wanted: bool) {
+    fn visit(&mut self, goal: &Goal, wanted: bool) {
         match goal {
             Goal::Literal(literal) => self.literal(literal, !wanted),
             Goal::Count { literal, comparison, number } => {
                 self.literal(literal, !wanted || is_bounded(*comparison, *number));
             }
-            Goal::Not(part) => self.look(part, !wanted),
+            Goal::Not(part) => self.visit(part, !wanted),
             Goal::Imply(a, b) | Goal::Before(b, a) => {
-                self.look(a, !wanted);
-                self.look(b, wanted);
+                self.visit(a, !wanted);
+                self.visit(b, wanted);
             }
-            Goal::Until(a, b) => [a, b].into_iter().for_each(|part| self.look(part, wanted)),
+            Goal::Until(a, b) => [a, b].into_iter().for_each(|part| self.visit(part, wanted)),
             Goal::And(parts) | Goal::Or(parts) | Goal::Then(parts) => {
-                parts.iter().for_each(|part| self.look(part, wanted));
+                parts.iter().for_each(|part| self.visit(part, wanted));
             }
             Goal::Eventually(part) | Goal::Always(part) | Goal::Within(_, part) | Goal::AtEnd(part) => {
-                self.look(part, wanted);
+                self.visit(part, wanted);
             }
             Goal::ForAll(q) => self.quantified(q, wanted, wanted),
             Goal::Exists(q) => self.quantified(q, !wanted, wanted),
@@ -38,7 +38,7 @@ impl Terms {
             }
             Goal::ForPairs(Pairs { first, second, body, .. }) => {
                 self.0.extend([first, second].into_iter().filter_map(class_of));
-                self.look(body, wanted);
+                self.visit(body, wanted);
             }
             _ => {}
         }
@@ -50,7 +50,7 @@ impl Terms {
 
     fn quantified(&mut self, of: &Quantified, counts: bool, wanted: bool) {
         self.0.extend(of.class.clone().filter(|_| counts).map(Term::Class));
-        self.look(&of.body, wanted);
+        self.visit(&of.body, wanted);
     }
 }
 

@@ -1,5 +1,9 @@
 //! The interface that tasks need of an environment.
 
+use std::error::Error;
+use std::fmt;
+use std::sync::Arc;
+
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ChangeSet, History, NodeId, Refusal, SceneGraph, Simulator};
 
@@ -61,9 +65,62 @@ pub enum WorldError {
     /// The transition rules forbid the action, for these reasons.
     #[error("refused: {}", listed(.0))]
     Refused(Vec<Refusal>),
-    /// The world could not do what the rules allow; the text says what happened.
-    #[error("{0}")]
-    Failed(String),
+    /// The world could not do what the rules allow.
+    #[error(transparent)]
+    Failed(#[from] WorldFailure),
+}
+
+impl WorldError {
+    /// A failure of a world, for the given reason.
+    ///
+    /// ```
+    /// use vc_graph::EditError;
+    /// use vc_tasks::WorldError;
+    /// let error = WorldError::failed(EditError::NumbersExhausted);
+    /// assert_eq!(error.to_string(), "all node numbers are used up");
+    /// let WorldError::Failed(failure) = error else { return };
+    /// assert_eq!(failure.downcast_ref(), Some(&EditError::NumbersExhausted));
+    /// ```
+    pub fn failed(reason: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self::Failed(WorldFailure(Arc::from(reason.into())))
+    }
+}
+
+/// The reason why a world failed: an error of the world's own type, such as one of the physics engine.
+///
+/// It is displayed as that error, and its source is that of the error. Two failures are equal if they read the same.
+#[derive(Debug, Clone)]
+pub struct WorldFailure(Arc<dyn Error + Send + Sync>);
+
+impl WorldFailure {
+    /// The world's error, if it is of type `E`.
+    pub fn downcast_ref<E: Error + 'static>(&self) -> Option<&E> {
+        self.0.downcast_ref()
+    }
+}
+
+impl From<&str> for WorldFailure {
+    fn from(reason: &str) -> Self {
+        Self(Arc::from(<Box<dyn Error + Send + Sync>>::from(reason)))
+    }
+}
+
+impl fmt::Display for WorldFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl Error for WorldFailure {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        self.0.source()
+    }
+}
+
+impl PartialEq for WorldFailure {
+    fn eq(&self, other: &Self) -> bool {
+        self.to_string() == other.to_string()
+    }
 }
 
 fn listed(refusals: &[Refusal]) -> String {

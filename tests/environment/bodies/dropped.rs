@@ -6,8 +6,8 @@ use std::sync::Arc;
 use nalgebra::{UnitQuaternion, Vector3};
 use virtualcity::graph::{Bounds, ClassTable, Draft, NodeId, Pose, Property, SceneBuilder, Seed};
 use virtualcity::physics::{PhysicsWorld, Settings, ShapeCache};
-use virtualcity::procgen::material;
-use virtualcity::procgen::object::{Generator, generator, generators};
+use virtualcity::shapes::material;
+use virtualcity::shapes::object::{Generator, generator, generators};
 
 /// Steps per second.
 const SECOND: u32 = 60;

@@ -4,7 +4,8 @@ use nalgebra::{Point2, Vector2, Vector3};
 use vc_graph::asset::{Hold, JointKind};
 use vc_graph::format::thesis;
 use vc_graph::{Aabb, Asset, ClassTable, Node, NodeKind, Property, SceneGraph};
-use vc_procgen::{Apartment, dress, object};
+use vc_procgen::{Apartment, dress};
+use vc_shapes::object;
 
 fn dressed(scene: &SceneGraph) -> SceneGraph {
     dress::dressed(scene, dress::seed_of(scene)).unwrap()

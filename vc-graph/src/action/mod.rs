@@ -16,6 +16,14 @@ pub use text::ParsedAction;
 
 vocabulary! {
     /// A verb. [`Verb::rule`](crate::Verb::rule) gives the arity, preconditions and effects of each.
+    ///
+    /// ```
+    /// use vc_graph::{Verb, Word};
+    /// assert_eq!(Verb::parse("put in")?, Verb::PutIn);
+    /// assert_eq!(Verb::PutIn.as_str(), "put_in");
+    /// assert!(Verb::parse("juggle").is_err());
+    /// # Ok::<(), vc_graph::UnknownWord>(())
+    /// ```
     Verb, "verb" {
         /// Go to a room or an object, visible or not: the rule knows where everything is.
         Walk = "walk",
@@ -184,6 +192,12 @@ const VIRTUALHOME: &[(Verb, &str)] = &[
 
 impl Verb {
     /// VirtualHome's name of the verb, `SWITCHON`; `None` if it has none.
+    ///
+    /// ```
+    /// use vc_graph::Verb;
+    /// assert_eq!(Verb::SwitchOn.virtualhome(), Some("SWITCHON"));
+    /// assert_eq!(Verb::from_virtualhome("SWITCHON"), Some(Verb::SwitchOn));
+    /// ```
     pub fn virtualhome(self) -> Option<&'static str> {
         VIRTUALHOME.iter().find(|(verb, _)| *verb == self).map(|(_, name)| *name)
     }
@@ -194,6 +208,11 @@ impl Verb {
     }
 
     /// The number of objects that the verb takes, 0 to 2.
+    ///
+    /// ```
+    /// use vc_graph::Verb;
+    /// assert_eq!([Verb::Stand, Verb::Grab, Verb::Place].map(Verb::arity), [0, 1, 2]);
+    /// ```
     pub fn arity(self) -> usize {
         self.rule().arity
     }
@@ -225,6 +244,12 @@ pub struct Action {
 }
 
 /// An error in the text of an action.
+///
+/// ```
+/// use vc_graph::Action;
+/// let error = "grab".parse::<Action>().unwrap_err();
+/// assert!(error.to_string().contains("grab"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ActionTextError {
@@ -270,11 +295,26 @@ impl Action {
     }
 
     /// An action on two objects: `place #12 #3`.
+    ///
+    /// ```
+    /// use vc_graph::{Action, NodeId, Verb};
+    /// let place = Action::two(Verb::Place, NodeId(4), NodeId(2));
+    /// assert_eq!(place, "place apple.4 kitchen_table.2".parse()?);
+    /// assert_eq!(place.things().collect::<Vec<_>>(), [NodeId(4), NodeId(2)]);
+    /// # Ok::<(), vc_graph::ActionTextError>(())
+    /// ```
     pub const fn two(verb: Verb, object: NodeId, target: NodeId) -> Self {
         Self { object: Some(object), target: Some(target), ..Self::zero(verb) }
     }
 
     /// An action on the given objects.
+    ///
+    /// ```
+    /// use vc_graph::{Action, NodeId, Verb};
+    /// assert_eq!(Action::with(Verb::Grab, &[NodeId(3)])?, Action::one(Verb::Grab, NodeId(3)));
+    /// assert!(Action::with(Verb::Grab, &[]).is_err());
+    /// # Ok::<(), vc_graph::ActionTextError>(())
+    /// ```
     ///
     /// # Errors
     /// [`ActionTextError::Arity`] if the verb takes another number of objects.
@@ -295,12 +335,36 @@ impl Action {
     }
 
     /// The action with the classes of its objects: `grab cup.12`.
+    ///
+    /// ```
+    /// use vc_graph::{Action, Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// let action: Action = "grab #3".parse()?;
+    /// assert_eq!(action.describe(&graph).to_string(), "grab apple.3");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn describe<'a>(&'a self, graph: &'a SceneGraph) -> impl fmt::Display + 'a {
         Described { action: self, graph }
     }
 
     /// The action in VirtualHome's notation, `[GRAB] <cup> (12)`, with the classes
     /// as the scene's author spelled them.
+    ///
+    /// ```
+    /// use vc_graph::{Action, Draft, SceneBuilder, Verb};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// let action = Action::one(Verb::Grab, apple);
+    /// assert_eq!(action.to_virtualhome(&graph)?, "[GRAB] <apple> (3)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`ActionTextError::NotInVirtualHome`].
@@ -335,9 +399,9 @@ impl std::str::FromStr for Action {
     type Err = ActionTextError;
 
     fn from_str(text: &str) -> Result<Self, ActionTextError> {
-        let deed: ParsedAction = text.parse()?;
-        match deed.character {
-            0 => Ok(Self { called: ObjectNames::of(&deed.action, &deed.labels), ..deed.action }),
+        let parsed: ParsedAction = text.parse()?;
+        match parsed.character {
+            0 => Ok(Self { called: ObjectNames::from_labels(&parsed.action, &parsed.labels), ..parsed.action }),
             someone => Err(ActionTextError::Character(someone)),
         }
     }

@@ -21,6 +21,17 @@ pub struct NameMismatch {
 impl SceneGraph {
     /// The classes of the scene, by name or alias, nearest to a misspelt name; empty for a name that the class
     /// table has. See [`nearest`].
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// assert_eq!(graph.nearest_classes("aple"), ["apple"]);
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     pub fn nearest_classes(&self, name: &str) -> Vec<&str> {
         let table = self.classes();
         if table.get(name).is_some() {
@@ -59,6 +70,19 @@ impl SceneGraph {
 
     /// Checks that a node is of a label's class, as [`Self::check_name`] does.
     ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// assert!(graph.check_label(&"apple.3".parse()?).is_ok());
+    /// assert!(graph.check_label(&"food.3".parse()?).is_ok(), "an apple is food");
+    /// assert!(graph.check_label(&"mug.3".parse()?).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`NameMismatch`] with both names.
     pub fn check_label(&self, label: &Label) -> Result<(), NameMismatch> {
@@ -90,7 +114,7 @@ impl ObjectNames {
     pub const NOTHING: Self = Self([None; 2]);
 
     /// The names that labels give to the objects of an action.
-    pub(crate) fn of(action: &Action, labels: &[Label]) -> Self {
+    pub(crate) fn from_labels(action: &Action, labels: &[Label]) -> Self {
         let name = |id: NodeId| labels.iter().find(|label| label.id == id).map(|label| mark(&label.class));
         Self([action.object, action.target].map(|id| id.and_then(name)))
     }

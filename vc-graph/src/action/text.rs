@@ -11,10 +11,10 @@ use crate::{Label, LabelError, NodeId, SceneGraph};
 ///
 /// ```
 /// use vc_graph::{Action, ParsedAction, NodeId, Verb};
-/// let deed: ParsedAction = "<char1> [GRAB] <cup> (12)".parse()?;
-/// assert_eq!((deed.character, deed.action), (1, Action::one(Verb::Grab, NodeId(12))));
-/// assert_eq!(deed.labels[0].to_string(), "cup.12");
-/// assert_eq!("<char1> grab cup.12".parse::<ParsedAction>()?, deed);
+/// let parsed: ParsedAction = "<char1> [GRAB] <cup> (12)".parse()?;
+/// assert_eq!((parsed.character, parsed.action), (1, Action::one(Verb::Grab, NodeId(12))));
+/// assert_eq!(parsed.labels[0].to_string(), "cup.12");
+/// assert_eq!("<char1> grab cup.12".parse::<ParsedAction>()?, parsed);
 /// # Ok::<(), vc_graph::ActionTextError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,8 +49,8 @@ impl FromStr for ParsedAction {
 
     fn from_str(text: &str) -> Result<Self, ActionTextError> {
         let text = unmarked(text).trim();
-        let (character, deed) = character(text)?;
-        let (action, labels) = if deed.contains('[') { virtualhome(deed)? } else { native(deed)? };
+        let (character, rest) = character(text)?;
+        let (action, labels) = if rest.contains('[') { virtualhome(rest)? } else { native(rest)? };
         Ok(Self { character, action, labels })
     }
 }

@@ -62,6 +62,15 @@ vocabulary! {
 
 vocabulary! {
     /// A kind of place in or on an object.
+    ///
+    /// ```
+    /// use vc_graph::ClassTable;
+    /// use vc_graph::class::SlotKind;
+    /// let classes = ClassTable::builtin();
+    /// let stove = classes.get("stove").ok_or("unknown")?;
+    /// assert!(stove.slots.iter().any(|slot| slot.kind == SlotKind::Burner && slot.number == 4));
+    /// # Ok::<(), &str>(())
+    /// ```
     SlotKind, "slot" {
         /// A shelf board.
         Shelf = "shelf",
@@ -92,6 +101,13 @@ vocabulary! {
 
 vocabulary! {
     /// A trait of the things of a class, beside its affordances.
+    ///
+    /// ```
+    /// use vc_graph::ClassTable;
+    /// use vc_graph::class::Trait;
+    /// let classes = ClassTable::builtin();
+    /// assert!(classes.get("sponge").is_some_and(|class| class.traits.contains(Trait::Squeezable)));
+    /// ```
     #[non_exhaustive]
     Trait, "trait" {
         /// A hand can squeeze it: a sponge, a lemon, a tube. So it can clothes, wipers and creams, which affordances
@@ -135,6 +151,15 @@ impl Range {
 }
 
 /// A place where people keep objects of a class.
+///
+/// ```
+/// use vc_graph::ClassTable;
+/// let classes = ClassTable::builtin();
+/// let milk = classes.get("milk").ok_or("unknown")?;
+/// let at = milk.kept.iter().filter_map(|place| place.at.as_ref());
+/// assert!(at.into_iter().any(|(_, class)| &**class == "fridge"));
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept {
     /// Class of the room; `None` for any room.
@@ -178,11 +203,25 @@ pub struct Class {
 
 impl Class {
     /// The role of its things; in a scene a node's own properties may say that it cannot be grasped.
+    ///
+    /// ```
+    /// use vc_graph::{ClassTable, ObjectRole};
+    /// let classes = ClassTable::builtin();
+    /// assert_eq!(classes.get("mug").map(|class| class.role()), Some(ObjectRole::Loose));
+    /// ```
     pub fn role(&self) -> ObjectRole {
         self.listed.unwrap_or_else(|| ObjectRole::by_use(self.affordances))
     }
 
     /// Typical depth, width and height, metres.
+    ///
+    /// ```
+    /// use vc_graph::ClassTable;
+    /// let classes = ClassTable::builtin();
+    /// let size = classes.get("fridge").and_then(|class| class.typical_size()).ok_or("unknown")?;
+    /// assert!((1.0..2.2).contains(&size.z), "a fridge is {} m high", size.z);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn typical_size(&self) -> Option<nalgebra::Vector3<f32>> {
         self.size.map(|s| nalgebra::Vector3::from(s.map(Range::middle)))
     }
@@ -275,17 +314,36 @@ impl ClassTable {
     }
 
     /// The names and aliases nearest to a misspelt name, see [`nearest`](crate::nearest).
+    ///
+    /// ```
+    /// use vc_graph::ClassTable;
+    /// assert!(ClassTable::builtin().nearest("micorwave").contains(&"microwave"));
+    /// ```
     pub fn nearest(&self, name: &str) -> Vec<&str> {
         let named = self.iter().flat_map(|class| std::iter::once(&class.name).chain(&class.aliases));
         crate::nearest(name, named.map(|name| &**name))
     }
 
     /// The class and all its descendants.
+    ///
+    /// ```
+    /// use vc_graph::ClassTable;
+    /// let classes = ClassTable::builtin();
+    /// let seat = classes.get("chair").ok_or("unknown")?;
+    /// assert!(classes.kinds_of(seat).any(|class| &*class.name == "office_chair"));
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn kinds_of(&self, class: &Class) -> impl Iterator<Item = &Class> {
         self.kinds[class.index].iter().map(|&i| &self.classes[i])
     }
 
     /// Whether a class equals `ancestor` or descends from it.
+    ///
+    /// ```
+    /// use vc_graph::ClassTable;
+    /// let classes = ClassTable::builtin();
+    /// assert!(classes.is_a("coffee_table", "table") && !classes.is_a("table", "coffee_table"));
+    /// ```
     pub fn is_a(&self, name: &str, ancestor: &str) -> bool {
         match (self.get(name), self.get(ancestor)) {
             (Some(class), Some(ancestor)) => self.kinds[ancestor.index].contains(&class.index),

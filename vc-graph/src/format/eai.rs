@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::program::{self, Program};
 use super::virtualhome::{EnvironmentGraph, RelationType};
-use super::{FormatError, Problem, Source};
+use super::{FormatError, FormatProblem, Source};
 use crate::goal::{Goal, Predicate, Term};
 use crate::spelling::clip;
 use crate::{ClassTable, NodeId, Relation, SceneGraph, State, Verb, Word};
@@ -64,18 +64,18 @@ struct GraphsFile {
 ///
 /// # Errors
 /// [`FormatError`], with the field and the expected form.
-pub fn read_start(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
+pub(crate) fn read_start(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let source = Source::new("VirtualHome graphs", text);
     let GraphsFile { init_graph, final_graph } = source.json()?;
     let first = init_graph.map(|g| ("init_graph", g)).or(final_graph.map(|g| ("final_graph", g)));
-    let missing = || source.error(String::new(), Problem::Shape("there is no `init_graph`".into()));
+    let missing = || source.error(String::new(), FormatProblem::Shape("there is no `init_graph`".into()));
     let (key, graph) = first.ok_or_else(missing)?;
     graph.build("VirtualHome", classes).map_err(|(field, problem)| source.error(format!("{key}.{field}"), problem))
 }
 
 /// A goal given as states, edges and actions, and also as a formula.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Task {
+pub struct EaiTask {
     /// Its title, `Wash hands`.
     pub title: String,
     /// The final states and relations, and the actions that must have been performed.
@@ -112,21 +112,21 @@ enum PartFile {
 ///
 /// # Errors
 /// [`FormatError`], with the field and the expected form.
-pub fn read_tasks(text: &str) -> Result<BTreeMap<String, Task>, FormatError> {
+pub fn read_tasks(text: &str) -> Result<BTreeMap<String, EaiTask>, FormatError> {
     let source = Source::new("EAI goals", text);
     let file: BTreeMap<String, TaskFile> = source.json()?;
     let mut tasks = BTreeMap::new();
     for (id, task) in file {
         let goal = task.vh_goal.goal().map_err(|problem| source.error(format!("{id}.vh_goal"), problem))?;
         let formula = task.tl_goal.as_deref().map(Goal::from_eai).transpose();
-        let formula = formula.map_err(|e| source.error(format!("{id}.tl_goal"), Problem::Goal(e)))?;
-        tasks.insert(id, Task { title: task.title, goal, formula });
+        let formula = formula.map_err(|e| source.error(format!("{id}.tl_goal"), FormatProblem::Goal(e)))?;
+        tasks.insert(id, EaiTask { title: task.title, goal, formula });
     }
     Ok(tasks)
 }
 
 impl GoalFile {
-    fn goal(&self) -> Result<Goal, Problem> {
+    fn goal(&self) -> Result<Goal, FormatProblem> {
         let done = self.actions.iter().map(|words| done(words));
         let held = self.goal.iter().map(PartFile::goal);
         let mut parts = done.chain(held).collect::<Result<Vec<_>, _>>()?;
@@ -135,18 +135,18 @@ impl GoalFile {
 }
 
 /// Parses `TOUCH|PUSH`: one of these verbs was performed on any object.
-fn done(words: &str) -> Result<Goal, Problem> {
+fn done(words: &str) -> Result<Goal, FormatProblem> {
     let read = |word: &str| {
-        let unknown = || Verb::parse(word).map_err(Problem::Word);
+        let unknown = || Verb::parse(word).map_err(FormatProblem::Word);
         let verb = Verb::from_virtualhome(word).map_or_else(unknown, Ok)?;
         Ok(Goal::literal(Predicate::Did(verb), vec![Term::Anything; verb.arity()]))
     };
-    let mut parts = words.split('|').map(read).collect::<Result<Vec<Goal>, Problem>>()?;
+    let mut parts = words.split('|').map(read).collect::<Result<Vec<Goal>, FormatProblem>>()?;
     Ok(if parts.len() == 1 { parts.remove(0) } else { Goal::Or(parts) })
 }
 
 impl PartFile {
-    fn goal(&self) -> Result<Goal, Problem> {
+    fn goal(&self) -> Result<Goal, FormatProblem> {
         match self {
             Self::State { id, class_name, state } => {
                 let state = State::parse(state)?;

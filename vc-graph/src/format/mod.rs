@@ -36,6 +36,14 @@ pub use crate::spelling::unmarked;
 pub const LARGEST: usize = 256 << 20;
 
 /// An error in a file, with its location.
+///
+/// ```
+/// use vc_graph::ClassTable;
+/// use vc_graph::format::virtualhome;
+/// let text = r#"{"nodes": [{"id": 1, "class_name": "cup", "states": ["FLYING"]}], "edges": []}"#;
+/// let error = virtualhome::read(text, &ClassTable::builtin()).unwrap_err();
+/// assert_eq!((error.line, error.field.as_str()), (Some(1), "nodes[0].states[0]"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormatError {
     /// The format that was read.
@@ -45,13 +53,13 @@ pub struct FormatError {
     /// The field, as a path: `nodes[3].states[0]`.
     pub field: String,
     /// The error and the expected form.
-    pub problem: Box<Problem>,
+    pub problem: Box<FormatProblem>,
 }
 
 /// An error in a file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Problem {
+pub enum FormatProblem {
     /// Not JSON, or not of the structure of this format.
     #[error("{0}")]
     Shape(String),
@@ -103,7 +111,11 @@ impl fmt::Display for FormatError {
     }
 }
 
-impl std::error::Error for FormatError {}
+impl std::error::Error for FormatError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&*self.problem)
+    }
+}
 
 /// A text that is being parsed, for error messages.
 #[derive(Clone, Copy)]
@@ -120,7 +132,7 @@ impl<'t> Source<'t> {
     /// Parses JSON into a type.
     pub(crate) fn json<T: DeserializeOwned>(&self) -> Result<T, FormatError> {
         if self.text.len() > LARGEST {
-            return Err(self.error(String::new(), Problem::TooLarge(self.text.len())));
+            return Err(self.error(String::new(), FormatProblem::TooLarge(self.text.len())));
         }
         // Tracking the path costs time, so it is only determined after an error.
         serde_json::from_str(self.text).map_err(|plain| self.shape_error::<T>(&plain))
@@ -134,11 +146,16 @@ impl<'t> Source<'t> {
         };
         let message = plain.to_string();
         let message = message.split(" at line ").next().unwrap_or(&message).to_owned();
-        FormatError { format: self.format, line: Some(plain.line()), field, problem: Box::new(Problem::Shape(message)) }
+        FormatError {
+            format: self.format,
+            line: Some(plain.line()),
+            field,
+            problem: Box::new(FormatProblem::Shape(message)),
+        }
     }
 
     /// An error at a field; for elements of lists, `nodes[3]`, the line is looked up in the text.
-    pub(crate) fn error(&self, field: String, problem: impl Into<Problem>) -> FormatError {
+    pub(crate) fn error(&self, field: String, problem: impl Into<FormatProblem>) -> FormatError {
         let line = element_line(self.text, &field);
         FormatError { format: self.format, line, field, problem: Box::new(problem.into()) }
     }

@@ -17,9 +17,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{FormatError, Problem, Source};
+use super::{FormatError, FormatProblem, Source};
 use crate::class::Slot;
-use crate::node::{Node, NodeKind, Spec};
+use crate::node::{Node, NodeKind, Spec, role_of};
 use crate::serial::{BoundsFile, LARGEST_SCALE, PoseFile, within};
 use crate::spelling::key;
 use crate::{
@@ -114,7 +114,7 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     let source = Source::new("virtualcity scene", text);
     let file: File = source.json()?;
     if file.virtualcity > VERSION {
-        return Err(source.error("virtualcity".into(), Problem::Version(file.virtualcity, VERSION)));
+        return Err(source.error("virtualcity".into(), FormatProblem::Version(file.virtualcity, VERSION)));
     }
     let mut graph = SceneGraph::new(file.name.as_str(), classes.clone());
     graph.assets = Arc::new(library(&source, file.textures, file.materials, file.assets)?);
@@ -123,12 +123,13 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
         if graph.node(node.id).is_some() {
             return Err(source.error(at(".id"), EditError::Duplicate(node.id)));
         }
-        let node =
-            node.into_node(classes).map_err(|field| source.error(at(field), Problem::Number(field[1..].to_owned())))?;
+        let node = node
+            .into_node(classes)
+            .map_err(|field| source.error(at(field), FormatProblem::Number(field[1..].to_owned())))?;
         graph.insert(Arc::new(node));
     }
     let edges: Vec<Edge> = file.edges.into_iter().map(|(from, relation, to)| Edge { from, relation, to }).collect();
-    let mut builder = SceneBuilder::of(graph);
+    let mut builder = SceneBuilder::from_graph(graph);
     let nowhere = |(index, id)| source.error(format!("edges[{index}]"), EditError::NoSuchNode(id));
     builder.link_each(&edges).map_err(nowhere)?;
     Ok(builder.build())
@@ -154,6 +155,18 @@ fn library(
 }
 
 /// Writes a scene; equal scenes give equal bytes.
+///
+/// ```
+/// use vc_graph::format::native;
+/// use vc_graph::{ClassTable, Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// assert_eq!(native::read(&native::write(&graph), &ClassTable::builtin())?, graph);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn write(graph: &SceneGraph) -> String {
     let mut text = format!("{{\"virtualcity\": {VERSION}, \"name\": {},\n", json(&graph.name()));
     let library = graph.assets();
@@ -248,7 +261,7 @@ impl NodeFile {
         let class = classes.exact(&spelled);
         let name = class.map_or_else(|| Arc::from(key(&spelled)), |c| c.name.clone());
         let spec = Spec {
-            role: ObjectRole::of(kind, class, (&name, &self.category), affordances),
+            role: role_of(kind, class, (&name, &self.category), affordances),
             class: name,
             spelling: self.spelling.map_or(spelled, Into::into),
             name: self.name.map(Into::into),

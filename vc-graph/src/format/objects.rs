@@ -9,7 +9,7 @@ use crate::{Aabb, Edge, Node, NodeId, Observation, Pose, SceneGraph};
 /// right-handed, Z up, X forward.
 ///
 /// ```
-/// use vc_graph::format::objects::{Object, objects};
+/// use vc_graph::format::objects::{ListedObject, objects};
 /// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -20,12 +20,12 @@ use crate::{Aabb, Edge, Node, NodeId, Observation, Pose, SceneGraph};
 /// assert_eq!((&*object.class, object.room), ("fridge", Some(kitchen)));
 /// assert_eq!((object.position, object.states[0].as_str()), (Some([1.0, 2.0, 0.0]), "closed"));
 /// // To JSON and back.
-/// let again: Vec<Object> = serde_json::from_str(&serde_json::to_string(&all)?)?;
+/// let again: Vec<ListedObject> = serde_json::from_str(&serde_json::to_string(&all)?)?;
 /// assert_eq!(again, all);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Object {
+pub struct ListedObject {
     /// Its number.
     pub id: NodeId,
     /// Its class, `coffee_table`.
@@ -66,7 +66,20 @@ pub struct Related {
 }
 
 /// All nodes of a scene except rooms, by number.
-pub fn objects(graph: &SceneGraph) -> Vec<Object> {
+///
+/// ```
+/// use vc_graph::format::objects::objects;
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// let classes: Vec<String> = objects(&graph).into_iter().map(|object| object.class).collect();
+/// assert_eq!(classes, ["kitchen_table", "apple"]);
+/// # Ok::<(), vc_graph::EditError>(())
+/// ```
+pub fn objects(graph: &SceneGraph) -> Vec<ListedObject> {
     listed(graph.nodes(), |id| graph.room_of(id), graph.edges())
 }
 
@@ -86,7 +99,7 @@ pub fn objects(graph: &SceneGraph) -> Vec<Object> {
 /// assert_eq!(seen[0].room, Some(kitchen));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn seen(observation: &Observation) -> Vec<Object> {
+pub fn seen(observation: &Observation) -> Vec<ListedObject> {
     listed(observation.nodes(), |id| observation.room_of(id), observation.relations())
 }
 
@@ -94,9 +107,9 @@ fn listed<'a>(
     nodes: impl Iterator<Item = &'a Node>,
     room_of: impl Fn(NodeId) -> Option<NodeId>,
     edges: impl Iterator<Item = Edge>,
-) -> Vec<Object> {
+) -> Vec<ListedObject> {
     let things = nodes.filter(|n| n.kind() != crate::NodeKind::Room);
-    let mut all: Vec<Object> = things.map(|n| bare(n, room_of(n.id()))).collect();
+    let mut all: Vec<ListedObject> = things.map(|n| bare(n, room_of(n.id()))).collect();
     for Edge { from, relation, to } in edges {
         if let Ok(at) = all.binary_search_by_key(&from, |object| object.id) {
             all[at].relations.push(Related { relation: relation.to_string(), to });
@@ -106,11 +119,11 @@ fn listed<'a>(
 }
 
 /// An object without its relations.
-fn bare(node: &Node, room: Option<NodeId>) -> Object {
+fn bare(node: &Node, room: Option<NodeId>) -> ListedObject {
     let position = |pose: &Pose| pose.translation.vector.into();
     let rotation = |pose: &Pose| pose.rotation.coords.into();
     let corners = |b: Aabb| Corners { min: b.min.into(), max: b.max.into() };
-    Object {
+    ListedObject {
         id: node.id(),
         class: node.class().to_string(),
         category: node.spec().category.to_string(),

@@ -12,7 +12,7 @@
 //! Simultaneous actions of several characters share a line. A line that looks like an action but is invalid is
 //! an error, wherever it stands; a title that is also a verb, `Sleep`, is a title if a blank line follows.
 
-use super::{FormatError, LARGEST, Problem, unmarked};
+use super::{FormatError, FormatProblem, LARGEST, unmarked};
 use crate::simulator::Event;
 use crate::{Action, ActionTextError, Label, NameMismatch, ParsedAction, SceneGraph, Verb, Word};
 
@@ -45,6 +45,7 @@ pub enum CastError {
         /// The step, counted from one.
         step: usize,
         /// The object's label in the program and in the scene.
+        #[source]
         misnomer: NameMismatch,
     },
 }
@@ -59,13 +60,26 @@ fn characters(number: usize) -> String {
 
 impl Program {
     /// A program of one character, without title.
-    pub fn of(actions: impl IntoIterator<Item = Action>) -> Self {
+    ///
+    /// ```
+    /// use vc_graph::format::program::{self, Program};
+    /// use vc_graph::{Action, Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let graph = scene.build();
+    /// let program = Program::from_actions([Action::walk(apple), Action::grab(apple)]);
+    /// assert_eq!(program::write(&program, &graph)?, "[WALK] <apple> (3)\n[GRAB] <apple> (3)\n");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_actions(actions: impl IntoIterator<Item = Action>) -> Self {
         Self { heading: Vec::new(), steps: actions.into_iter().map(|action| vec![action.into()]).collect() }
     }
 
     /// The actions of all characters in the order in which they are written.
     pub fn actions(&self) -> impl Iterator<Item = Action> + '_ {
-        self.steps.iter().flatten().map(|deed| deed.action)
+        self.steps.iter().flatten().map(|parsed| parsed.action)
     }
 
     /// The actions with the agents of a scene that perform them, step by step: `<char0>` is the scene's first
@@ -89,14 +103,14 @@ impl Program {
     /// [`CastError`]: a missing character, or an object of another class than its label says.
     pub fn cast(&self, graph: &SceneGraph) -> Result<Vec<Vec<Event>>, CastError> {
         let agents = graph.agents();
-        let event = |step: usize, deed: &ParsedAction| {
+        let event = |step: usize, parsed: &ParsedAction| {
             let missing =
-                || CastError::NoSuchCharacter { step: step + 1, character: deed.character, agents: agents.len() };
-            let agent = *agents.get(deed.character as usize).ok_or_else(missing)?;
-            deed.check(graph).map_err(|misnomer| CastError::Misnomer { step: step + 1, misnomer })?;
-            Ok(Event { agent, action: deed.action })
+                || CastError::NoSuchCharacter { step: step + 1, character: parsed.character, agents: agents.len() };
+            let agent = *agents.get(parsed.character as usize).ok_or_else(missing)?;
+            parsed.check(graph).map_err(|misnomer| CastError::Misnomer { step: step + 1, misnomer })?;
+            Ok(Event { agent, action: parsed.action })
         };
-        let step = |(i, deeds): (usize, &Vec<ParsedAction>)| deeds.iter().map(|deed| event(i, deed)).collect();
+        let step = |(i, actions): (usize, &Vec<ParsedAction>)| actions.iter().map(|parsed| event(i, parsed)).collect();
         self.steps.iter().enumerate().map(step).collect()
     }
 }
@@ -114,14 +128,14 @@ impl Program {
 /// # Errors
 /// [`FormatError`], with the line that is not an action.
 pub fn read(text: &str) -> Result<Program, FormatError> {
-    let fail = |line: usize, problem: Problem| FormatError {
+    let fail = |line: usize, problem: FormatProblem| FormatError {
         format: "program",
         line: Some(line + 1),
         field: String::new(),
         problem: Box::new(problem),
     };
     if text.len() > LARGEST {
-        return Err(fail(0, Problem::TooLarge(text.len())));
+        return Err(fail(0, FormatProblem::TooLarge(text.len())));
     }
     let lines = text.lines().map(|line| unmarked(line.trim_start()).trim()).enumerate();
     let lines: Vec<(usize, &str)> = lines.filter(|(_, line)| !line.starts_with('#')).collect();
@@ -136,12 +150,12 @@ pub fn read(text: &str) -> Result<Program, FormatError> {
 }
 
 /// Parses the actions in a line, of one character or of several: `<char0> [..] | <char1> [..]`.
-pub(super) fn step(line: &str) -> Result<Vec<ParsedAction>, Problem> {
-    let deeds: Vec<ParsedAction> = line.split('|').map(str::parse).collect::<Result<_, ActionTextError>>()?;
-    let twice = |(i, deed): (usize, &ParsedAction)| deeds[..i].iter().any(|d| d.character == deed.character);
-    match deeds.iter().enumerate().find(|&(i, deed)| twice((i, deed))) {
-        Some((_, deed)) => Err(Problem::ActsTwice(deed.character)),
-        None => Ok(deeds),
+pub(super) fn step(line: &str) -> Result<Vec<ParsedAction>, FormatProblem> {
+    let actions: Vec<ParsedAction> = line.split('|').map(str::parse).collect::<Result<_, ActionTextError>>()?;
+    let twice = |(i, parsed): (usize, &ParsedAction)| actions[..i].iter().any(|d| d.character == parsed.character);
+    match actions.iter().enumerate().find(|&(i, parsed)| twice((i, parsed))) {
+        Some((_, parsed)) => Err(FormatProblem::ActsTwice(parsed.character)),
+        None => Ok(actions),
     }
 }
 
@@ -210,14 +224,14 @@ pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionText
     if !text.is_empty() {
         text.push('\n');
     }
-    let several = program.steps.iter().flatten().any(|deed| deed.character > 0);
-    let deed = |deed: &ParsedAction| {
-        let action = deed.action.to_virtualhome(graph)?;
-        Ok(if several { format!("<char{}> {action}", deed.character) } else { action })
+    let several = program.steps.iter().flatten().any(|parsed| parsed.character > 0);
+    let written = |parsed: &ParsedAction| {
+        let action = parsed.action.to_virtualhome(graph)?;
+        Ok(if several { format!("<char{}> {action}", parsed.character) } else { action })
     };
     for step in &program.steps {
-        let deeds: Vec<String> = step.iter().map(deed).collect::<Result<_, ActionTextError>>()?;
-        text.push_str(&deeds.join(" | "));
+        let actions: Vec<String> = step.iter().map(written).collect::<Result<_, ActionTextError>>()?;
+        text.push_str(&actions.join(" | "));
         text.push('\n');
     }
     Ok(text)

@@ -5,11 +5,25 @@ use std::sync::Arc;
 
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
-use super::{FormatError, Problem, eai, native, thesis, unmarked, virtualhome};
+use super::{FormatError, FormatProblem, eai, native, thesis, unmarked, virtualhome};
 use crate::{ClassTable, SceneGraph};
 
 /// Reads a scene in any supported format: VirtualCity's, the thesis's, VirtualHome's, or a pair of VirtualHome
 /// graphs before and after a program, of which the first is read.
+///
+/// ```
+/// use vc_graph::format::{native, read_scene, virtualhome};
+/// use vc_graph::{ClassTable, Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// let classes = ClassTable::builtin();
+/// assert_eq!(read_scene(&native::write(&graph), &classes)?.len(), 3);
+/// assert_eq!(read_scene(&virtualhome::write(&graph), &classes)?.len(), 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// The [`FormatError`] of the most similar format, and for a text that is no JSON one of none.
@@ -20,13 +34,13 @@ pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, F
     let mut outline = Outline::default();
     let mut json = serde_json::Deserializer::from_str(unmarked(text));
     // If the scan ends early, the outline has the keys up to that point.
-    let _ = Look { outline: &mut outline, top: true }.deserialize(&mut json);
+    let _ = Scan { outline: &mut outline, top: true }.deserialize(&mut json);
     outline.reader()(text, classes)
 }
 
-fn unknown() -> Problem {
+fn unknown() -> FormatProblem {
     let formats = "VirtualCity's scenes, VirtualHome's graphs and the thesis's scenes";
-    Problem::Shape(format!("the text is no scene in any known format: those are the JSON of {formats}"))
+    FormatProblem::Shape(format!("the text is no scene in any known format: those are the JSON of {formats}"))
 }
 
 type Reader = fn(&str, &Arc<ClassTable>) -> Result<SceneGraph, FormatError>;
@@ -40,13 +54,13 @@ struct Outline {
 
 impl Outline {
     /// Returns an error, which ends the scan, as soon as the last key determines the format.
-    fn told<E: Error>(&self) -> Result<(), E> {
+    fn check_decided<E: Error>(&self) -> Result<(), E> {
         let known = |key: &String| key == "class_name" || key == "transform";
-        let told = self
+        let decided = self
             .keys
             .last()
             .is_some_and(|(name, list, below)| name == "virtualcity" && !list || below.iter().any(known));
-        if told { Err(E::custom("told")) } else { Ok(()) }
+        if decided { Err(E::custom("decided")) } else { Ok(()) }
     }
 
     fn reader(&self) -> Reader {
@@ -66,12 +80,12 @@ impl Outline {
 }
 
 /// A scan of a value, at the top level or below.
-struct Look<'o> {
+struct Scan<'o> {
     outline: &'o mut Outline,
     top: bool,
 }
 
-impl<'de> DeserializeSeed<'de> for Look<'_> {
+impl<'de> DeserializeSeed<'de> for Scan<'_> {
     type Value = ();
 
     fn deserialize<D: Deserializer<'de>>(self, json: D) -> Result<(), D::Error> {
@@ -79,7 +93,7 @@ impl<'de> DeserializeSeed<'de> for Look<'_> {
     }
 }
 
-impl<'de> Visitor<'de> for Look<'_> {
+impl<'de> Visitor<'de> for Scan<'_> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -90,8 +104,8 @@ impl<'de> Visitor<'de> for Look<'_> {
         while let Some(key) = map.next_key::<String>()? {
             if self.top {
                 self.outline.keys.push((key, false, Vec::new()));
-                map.next_value_seed(Look { outline: &mut *self.outline, top: false })?;
-                self.outline.told::<A::Error>()?;
+                map.next_value_seed(Scan { outline: &mut *self.outline, top: false })?;
+                self.outline.check_decided::<A::Error>()?;
             } else {
                 if let Some((.., below)) = self.outline.keys.last_mut() {
                     below.push(key);
@@ -108,8 +122,8 @@ impl<'de> Visitor<'de> for Look<'_> {
             // A top-level list counts as a key without a name.
             None => self.outline.keys.push((String::new(), true, Vec::new())),
         }
-        seq.next_element_seed(Look { outline: &mut *self.outline, top: false })?;
-        self.outline.told::<A::Error>()?;
+        seq.next_element_seed(Scan { outline: &mut *self.outline, top: false })?;
+        self.outline.check_decided::<A::Error>()?;
         while seq.next_element::<IgnoredAny>()?.is_some() {}
         Ok(())
     }

@@ -20,7 +20,7 @@ use std::sync::Arc;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{FormatError, Problem, Source};
+use super::{FormatError, FormatProblem, Source};
 use crate::node::NodeKind;
 use crate::serial::{FARTHEST, LARGEST_SCALE, is_box, mended, within};
 use crate::spelling::clip;
@@ -118,6 +118,15 @@ pub enum RelationType {
 
 /// Parses an environment graph.
 ///
+/// ```
+/// use vc_graph::{ClassTable, NodeId, State};
+/// use vc_graph::format::virtualhome;
+/// let text = r#"{"nodes": [{"id": 7, "class_name": "fridge", "states": ["CLOSED"]}], "edges": []}"#;
+/// let scene = virtualhome::read(text, &ClassTable::builtin())?;
+/// assert!(scene.node(NodeId(7)).is_some_and(|node| node.is(State::Closed)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`FormatError`]: another format, unknown states or properties, duplicate node numbers, edges to missing
 /// nodes.
@@ -129,37 +138,38 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
 
 /// Writes an environment graph: nodes by number, edges by start, kind and end.
 pub fn write(graph: &SceneGraph) -> String {
-    serde_json::to_string(&EnvironmentGraph::of(graph)).unwrap_or_default()
+    serde_json::to_string(&EnvironmentGraph::from_scene(graph)).unwrap_or_default()
 }
 
-type Wrong = (String, Problem);
+type Wrong = (String, FormatProblem);
 
 impl EnvironmentGraph {
     /// Builds the scene.
     ///
     /// # Errors
     /// The invalid field and the error.
-    pub fn build(&self, name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, (String, Problem)> {
+    pub fn build(&self, name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, (String, FormatProblem)> {
         let mut scene = SceneBuilder::with_classes(name, classes.clone());
         let mut category = Arc::from("");
         for (index, node) in self.nodes.iter().enumerate() {
             let draft =
                 node.draft(&mut category).map_err(|(field, problem)| (format!("nodes[{index}].{field}"), problem))?;
             let added = scene.add_with_id(NodeId(node.id), draft);
-            added.map_err(|e| (format!("nodes[{index}].id"), Problem::Edit(e)))?;
+            added.map_err(|e| (format!("nodes[{index}].id"), FormatProblem::Edit(e)))?;
         }
         let edges: Vec<Edge> = self.edges.iter().map(|edge| edge.read(scene.graph())).collect();
         let linked = scene.link_each(&edges);
-        linked.map_err(|(index, id)| (format!("edges[{index}]"), Problem::Edit(EditError::NoSuchNode(id))))?;
+        linked.map_err(|(index, id)| (format!("edges[{index}]"), FormatProblem::Edit(EditError::NoSuchNode(id))))?;
         Ok(scene.build())
     }
 
     /// Converts a scene to this format.
-    pub fn of(graph: &SceneGraph) -> Self {
-        let mut edges: Vec<EnvironmentEdge> = graph.edges().filter_map(|e| EnvironmentEdge::of(graph, e)).collect();
+    pub fn from_scene(graph: &SceneGraph) -> Self {
+        let mut edges: Vec<EnvironmentEdge> =
+            graph.edges().filter_map(|e| EnvironmentEdge::from_edge(graph, e)).collect();
         edges.sort_unstable();
         edges.dedup();
-        Self { nodes: graph.nodes().map(EnvironmentNode::of).collect(), edges }
+        Self { nodes: graph.nodes().map(EnvironmentNode::from_node).collect(), edges }
     }
 }
 
@@ -179,7 +189,7 @@ const STATES: [State; 10] = [
 
 /// The differences of two environment graphs.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Difference {
+pub struct GraphDifference {
     /// Nodes whose states differ: number, states in this graph, states in the other.
     pub states: Vec<(u32, Vec<String>, Vec<String>)>,
     /// Nodes that only one of the graphs has.
@@ -190,7 +200,7 @@ pub struct Difference {
     pub missing: Vec<EnvironmentEdge>,
 }
 
-impl Difference {
+impl GraphDifference {
     /// Whether the graphs are equal.
     pub fn is_empty(&self) -> bool {
         self.states.is_empty() && self.nodes.is_empty() && self.added.is_empty() && self.missing.is_empty()
@@ -199,7 +209,24 @@ impl Difference {
 
 impl EnvironmentGraph {
     /// The differences between this graph and another; the order of nodes, states and edges does not matter.
-    pub fn difference(&self, other: &Self) -> Difference {
+    ///
+    /// ```
+    /// use vc_graph::format::virtualhome::EnvironmentGraph;
+    /// use vc_graph::{Draft, SceneBuilder, State};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let mut graph = scene.build();
+    /// let before = EnvironmentGraph::from_scene(&graph);
+    /// let mut edit = graph.edit();
+    /// edit.enter_state(fridge, State::Open)?;
+    /// edit.commit();
+    /// let difference = EnvironmentGraph::from_scene(&graph).difference(&before);
+    /// assert_eq!(difference.states[0].0, fridge.0);
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn difference(&self, other: &Self) -> GraphDifference {
         let by_id = |g: &Self| -> BTreeMap<u32, BTreeSet<String>> {
             g.nodes.iter().map(|n| (n.id, n.states.iter().cloned().collect())).collect()
         };
@@ -213,7 +240,7 @@ impl EnvironmentGraph {
         };
         let edges = |g: &Self| g.edges.iter().copied().collect::<BTreeSet<EnvironmentEdge>>();
         let (ours, theirs) = (edges(self), edges(other));
-        Difference {
+        GraphDifference {
             states: states.collect(),
             nodes: [one_sided(&here, &there), one_sided(&there, &here)].concat(),
             added: ours.difference(&theirs).copied().collect(),
@@ -238,7 +265,7 @@ impl Transform {
         Isometry3::from_parts(Translation3::from(swap(self.position)), turn)
     }
 
-    fn of(node: &Node, pose: &Pose) -> Self {
+    fn from_pose(node: &Node, pose: &Pose) -> Self {
         let q = pose.rotation.coords;
         Self {
             position: swap_back(pose.translation.vector),
@@ -260,7 +287,7 @@ impl EnvironmentNode {
         draft.properties = Some(self.properties()?);
         draft.states = Some(self.states()?);
         let number =
-            |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), Problem::Number(clip(&format!("{v:?}"))));
+            |field: &str, v: &dyn std::fmt::Debug| (field.to_owned(), FormatProblem::Number(clip(&format!("{v:?}"))));
         if let Some(t) = &self.obj_transform {
             if !within(&t.position, FARTHEST) || !within(&t.scale, LARGEST_SCALE) || !within(&t.rotation, FARTHEST) {
                 return Err(number("obj_transform", t));
@@ -286,7 +313,7 @@ impl EnvironmentNode {
         let read = |(i, word): (usize, &String)| {
             let unknown = || {
                 let near = did_you_mean(word, Property::ALL.iter().filter_map(|p| p.virtualhome()));
-                Problem::Shape(format!(
+                FormatProblem::Shape(format!(
                     "unknown property `{}`{near}; VirtualHome's are SURFACES, GRABBABLE, ...",
                     clip(word)
                 ))
@@ -297,11 +324,11 @@ impl EnvironmentNode {
     }
 
     fn states(&self) -> Result<StateSet, Wrong> {
-        let at = |i: usize, e: UnknownWord| (format!("states[{i}]"), Problem::Word(e));
+        let at = |i: usize, e: UnknownWord| (format!("states[{i}]"), FormatProblem::Word(e));
         self.states.iter().enumerate().map(|(i, word)| State::parse(word).map_err(|e| at(i, e))).collect()
     }
 
-    fn of(node: &Node) -> Self {
+    fn from_node(node: &Node) -> Self {
         let spec = node.spec();
         let turned = |pose: &&Pose| {
             // Version 1 has only boxes: no rotation, no scale, and the pose is the box's centre.
@@ -314,7 +341,7 @@ impl EnvironmentNode {
             category: spec.category.to_string(),
             class_name: spec.spelling.to_string(),
             prefab_name: spec.name.as_deref().map(str::to_owned),
-            obj_transform: node.pose().filter(turned).map(|pose| Transform::of(node, pose)),
+            obj_transform: node.pose().filter(turned).map(|pose| Transform::from_pose(node, pose)),
             bounding_box: node.aabb().map(|b| bounding_box(node, &b)),
             properties: spec.properties.iter().filter_map(Property::virtualhome).map(str::to_owned).collect(),
             states: node.states().iter().filter(|s| STATES.contains(s)).map(|s| s.as_str().to_uppercase()).collect(),
@@ -355,7 +382,7 @@ impl EnvironmentEdge {
         Edge::new(from, relation, to)
     }
 
-    fn of(graph: &SceneGraph, edge: Edge) -> Option<Self> {
+    fn from_edge(graph: &SceneGraph, edge: Edge) -> Option<Self> {
         let sits = || graph.node(edge.from).is_some_and(|n| n.is(State::Sitting));
         let relation_type = match edge.relation {
             // Without the state, `ON` would be read as an object lying there.

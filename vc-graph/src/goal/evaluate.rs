@@ -5,6 +5,21 @@ use crate::{Edge, Event, History, NodeId, Relation, SceneGraph, State};
 
 /// The data by which a goal is evaluated: the scene, the agent, and the past actions. See
 /// [`EpisodeTrace`](super::EpisodeTrace) for goals about earlier states.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, Goal, History, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let history = History::default();
+/// let now = Situation::new(&graph, me, &history);
+/// assert!("On(apple, kitchen_table)".parse::<Goal>()?.holds(&now));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Situation<'a> {
     /// The current scene.

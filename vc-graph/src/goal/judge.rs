@@ -23,7 +23,7 @@ impl Goal {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn holds(&self, now: &Situation<'_>) -> bool {
-        self.judge(Course::of(now))
+        self.judge(Course::new(now))
     }
 
     /// Whether the goal holds on a trace, see the [module](super) on time. Costs an evaluation of every part
@@ -40,6 +40,22 @@ impl Goal {
     }
 
     /// The conjuncts that do not hold.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, Goal, History, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let goal: Goal = "On(apple, kitchen_table) & Holds(apple)".parse()?;
+    /// let history = History::default();
+    /// let unmet = goal.unmet(&Situation::new(&graph, me, &history));
+    /// assert_eq!(unmet[0].to_string(), "Holds(me, apple)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn unmet(&self, now: &Situation<'_>) -> Vec<&Goal> {
         self.conjuncts().iter().filter(|part| !part.holds(now)).collect()
     }
@@ -52,7 +68,7 @@ impl Goal {
 impl Quantified {
     /// Whether the body holds for an object.
     pub fn holds_of(&self, thing: NodeId, now: &Situation<'_>) -> bool {
-        let course = Course::of(now);
+        let course = Course::new(now);
         Judge { course, bound: Vec::new() }.holds_of(self, thing, Stretch::all(&course))
     }
 }

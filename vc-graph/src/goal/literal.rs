@@ -15,6 +15,11 @@ pub enum Comparison {
 
 impl Comparison {
     /// Whether a count satisfies the comparison.
+    ///
+    /// ```
+    /// use vc_graph::goal::Comparison;
+    /// assert!(Comparison::AtLeast.admits(3, 2) && !Comparison::Exactly.admits(3, 2));
+    /// ```
     pub fn admits(self, found: usize, number: u32) -> bool {
         match self {
             Self::AtLeast => found >= number as usize,
@@ -69,6 +74,13 @@ impl Predicate {
 }
 
 /// A term of a literal.
+///
+/// ```
+/// use vc_graph::goal::{Goal, Term};
+/// let goal: Goal = "Holds(me, apple.4)".parse()?;
+/// assert!(matches!(&goal.terms()[1], Term::Node(Some(class), id) if class == "apple" && id.0 == 4));
+/// # Ok::<(), vc_graph::goal::GoalError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Term {
     /// Some node of a class.

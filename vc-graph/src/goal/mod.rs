@@ -108,6 +108,14 @@ pub use trace::EpisodeTrace;
 use crate::{NameMismatch, SceneGraph};
 
 /// A goal.
+///
+/// ```
+/// use vc_graph::Goal;
+/// let goal: Goal = "On(apple, table) & Closed(fridge)".parse()?;
+/// assert!(matches!(&goal, Goal::And(parts) if parts.len() == 2));
+/// assert_eq!(goal.to_string().parse::<Goal>()?, goal);
+/// # Ok::<(), vc_graph::goal::GoalError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Goal {
@@ -238,6 +246,13 @@ impl Goal {
     }
 
     /// Whether the goal concerns more than one step: it has a temporal operator.
+    ///
+    /// ```
+    /// use vc_graph::Goal;
+    /// assert!("always Closed(fridge)".parse::<Goal>()?.is_temporal());
+    /// assert!(!"Closed(fridge)".parse::<Goal>()?.is_temporal());
+    /// # Ok::<(), vc_graph::goal::GoalError>(())
+    /// ```
     pub fn is_temporal(&self) -> bool {
         let here = matches!(
             self,
@@ -253,6 +268,14 @@ impl Goal {
     }
 
     /// The parts of a conjunction, or the goal itself.
+    ///
+    /// ```
+    /// use vc_graph::Goal;
+    /// let goal: Goal = "On(apple, table) & Closed(fridge)".parse()?;
+    /// let parts: Vec<String> = goal.conjuncts().iter().map(Goal::to_string).collect();
+    /// assert_eq!(parts, ["On(apple, table)", "Closed(fridge)"]);
+    /// # Ok::<(), vc_graph::goal::GoalError>(())
+    /// ```
     pub fn conjuncts(&self) -> &[Goal] {
         match self {
             Self::And(parts) => parts,

@@ -7,8 +7,23 @@ use super::{Comparison, EpisodeTrace, Goal, Quantified, Situation};
 impl Goal {
     /// The degree to which the goal is satisfied, 0 to 1; 1 if and only if it holds. The parts of a conjunction
     /// have equal weight, a count is scored by the number of objects found, a disjunction by its best part.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, Goal, History, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let history = History::default();
+    /// let now = Situation::new(&graph, me, &history);
+    /// assert_eq!("On(apple, kitchen_table) & Holds(apple)".parse::<Goal>()?.score(&now), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn score(&self, now: &Situation<'_>) -> f64 {
-        self.scored(Course::of(now))
+        self.scored(Course::new(now))
     }
 
     /// The degree to which the goal is satisfied on a trace; a part that must hold at some step is scored by

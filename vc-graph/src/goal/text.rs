@@ -15,6 +15,12 @@ const DEEPEST: usize = 60;
 pub(super) const NESTED: usize = 2 * DEEPEST + 2;
 
 /// An error in a goal's text, with its location.
+///
+/// ```
+/// use vc_graph::Goal;
+/// let error = "On(apple, table".parse::<Goal>().unwrap_err();
+/// assert!(error.to_string().contains(')'));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("goal, character {at}: {problem}")]
 pub struct GoalError {

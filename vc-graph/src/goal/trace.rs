@@ -95,7 +95,7 @@ pub(super) struct Course<'a> {
 
 impl<'a> Course<'a> {
     /// A situation as a course in which every state equals the present one.
-    pub(super) fn of(now: &Situation<'a>) -> Self {
+    pub(super) fn new(now: &Situation<'a>) -> Self {
         Self { agent: now.agent, graphs: std::slice::from_ref(now.graph), events: now.events, ends: None }
     }
 

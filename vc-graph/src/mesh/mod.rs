@@ -32,6 +32,13 @@ use weld::Welded;
 const CREASE: f64 = 0.766_044_443;
 
 /// A surface of triangles, metres. Vertices are split at sharp edges.
+///
+/// ```
+/// use vc_graph::asset::Shape;
+/// let cube = Shape::Box { half: [0.5, 0.5, 0.5].into() }.mesh(0.01);
+/// assert_eq!(cube.triangles.len(), 12);
+/// assert!((cube.volume() - 1.0).abs() < 1e-5 && (cube.area() - 6.0).abs() < 1e-5);
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TriangleMesh {
     /// Position of each vertex, metres.
@@ -55,6 +62,13 @@ impl Shape {
     ///
     /// Costs time proportional to the number of triangles; a hull of `n` points mostly takes `n log n`, an
     /// outline of `n` points `n` squared.
+    ///
+    /// ```
+    /// use vc_graph::asset::Shape;
+    /// let ball = Shape::Sphere { radius: 0.1 }.mesh(0.001);
+    /// let exact = 4.0 / 3.0 * std::f32::consts::PI * 0.001;
+    /// assert!(ball.is_closed() && (ball.volume() / exact - 1.0).abs() < 0.05);
+    /// ```
     pub fn mesh(&self, tolerance: f32) -> TriangleMesh {
         if !self.measures_are_positive() {
             return TriangleMesh::default();

@@ -58,6 +58,20 @@ impl Condition {
 
     /// Checks whether the condition holds for an agent.
     ///
+    /// ```
+    /// use vc_graph::rule;
+    /// use vc_graph::{Condition, Draft, Refusal, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let open = rule::preconditions(&"open fridge.2".parse()?).into_iter().find(|c| matches!(c, Condition::Near(_)));
+    /// assert!(open.ok_or("no such condition")?.check(&graph, me).is_err(), "the agent has not walked there");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// The [`Refusal`] of an action with this precondition.
     pub fn check(&self, graph: &SceneGraph, agent: NodeId) -> Result<(), Refusal> {

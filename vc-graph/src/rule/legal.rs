@@ -37,10 +37,10 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
 /// the order of the given objects.
 pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let Some(now) = judge_of(graph, agent) else { return Vec::new() };
-    let verbs = NEEDS.of_agent.iter().fold(Verbs::of(Verb::ALL), |verbs, (need, having)| {
+    let verbs = NEEDS.of_agent.iter().fold(Verbs::from_words(Verb::ALL), |verbs, (need, having)| {
         if need.ground(&NOTHING).is_some_and(|need| now.meets(&need)) { verbs } else { verbs.minus(*having) }
     });
-    let open = Open::of(&now, verbs, things);
+    let open = Open::new(&now, verbs, things);
     let mut found = Vec::with_capacity(open.first.iter().map(Vec::len).sum());
     for verb in verbs.iter() {
         match verb.arity() {
@@ -93,9 +93,9 @@ fn is_of_two(need: Condition<Argument>) -> bool {
 impl Needs {
     fn read() -> Self {
         let below = |arity: usize| Verb::ALL.iter().copied().filter(|v| v.arity() < arity).collect::<Vec<Verb>>();
-        let (without_first, without_second) = (Verbs::of(&below(1)), Verbs::of(&below(2)));
+        let (without_first, without_second) = (Verbs::from_words(&below(1)), Verbs::from_words(&below(2)));
         let mut needs = Self { without_first, without_second, ..Self::default() };
-        for (need, verb) in RULES.iter().flat_map(|rule| rule.needs.iter().map(|need| (*need, rule.verb))) {
+        for (need, verb) in RULES.iter().flat_map(|rule| rule.preconditions.iter().map(|need| (*need, rule.verb))) {
             match need.ground(&NOTHING) {
                 Some(_) => needs.note_of_agent(need, verb),
                 None if is_of_two(need) => {}
@@ -112,7 +112,7 @@ impl Needs {
     fn note_of_agent(&mut self, need: Condition<Argument>, verb: Verb) {
         match self.of_agent.iter_mut().find(|(known, _)| *known == need) {
             Some((_, verbs)) => *verbs = verbs.with(verb),
-            None => self.of_agent.push((need, Verbs::of(&[verb]))),
+            None => self.of_agent.push((need, Verbs::from_words(&[verb]))),
         }
     }
 
@@ -136,7 +136,7 @@ struct Open {
 }
 
 impl Open {
-    fn of(now: &Judge<'_, Untold>, verbs: Verbs, things: &[NodeId]) -> Self {
+    fn new(now: &Judge<'_, Untold>, verbs: Verbs, things: &[NodeId]) -> Self {
         let none = || vec![Vec::new(); Verb::ALL.len()];
         let mut open = Self { first: none(), second: none() };
         for node in things.iter().filter_map(|id| now.graph.node(*id)) {
@@ -149,7 +149,7 @@ impl Open {
 
     /// The actions of a verb with two objects.
     fn pairs<'a>(&'a self, now: &'a Judge<'_, Untold>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
-        let needs = verb.rule().needs.iter();
+        let needs = verb.rule().preconditions.iter();
         let of_two: Vec<Condition<Argument>> = needs.filter(|need| is_of_two(**need)).copied().collect();
         let met = move |a: &Action| of_two.iter().filter_map(|need| need.ground(a)).all(|need| now.meets(&need));
         let seconds = &self.second[verb.index()];

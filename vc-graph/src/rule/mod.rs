@@ -64,20 +64,41 @@ use crate::{Action, ChangeSet, EditError, NodeId, SceneGraph};
 /// assert!(needs.contains(&Condition::Near(NodeId(12))));
 /// ```
 pub fn preconditions(action: &Action) -> Vec<Condition> {
-    action.verb.rule().needs.iter().filter_map(|c| c.ground(action)).collect()
+    action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action)).collect()
 }
 
 /// The effects of an agent's action, without carrying them out.
+///
+/// ```
+/// use vc_graph::{Effect, rule};
+/// let effects = rule::effects(&"open fridge.2".parse()?);
+/// assert!(!effects.is_empty());
+/// # Ok::<(), vc_graph::ActionTextError>(())
+/// ```
 pub fn effects(action: &Action) -> Vec<Effect<NodeId>> {
-    action.verb.rule().does.iter().filter_map(|e| e.ground(action)).collect()
+    action.verb.rule().effects.iter().filter_map(|e| e.ground(action)).collect()
 }
 
 /// Every reason why an agent cannot perform an action now; empty if it can.
+///
+/// ```
+/// use vc_graph::rule;
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let graph = scene.build();
+/// let why = rule::refusals(&graph, me, &"grab milk.3".parse()?);
+/// assert_eq!(why[0].to_string(), "milk.3 is inside fridge.2, which is closed");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refusal> {
     if let Some(refusal) = check::check_things(graph, agent, action) {
         return vec![refusal];
     }
-    let needs = action.verb.rule().needs.iter().filter_map(|c| c.ground(action));
+    let needs = action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action));
     needs.filter_map(|c| c.check(graph, agent).err()).collect()
 }
 
@@ -96,13 +117,29 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
 /// # Ok::<(), vc_graph::EditError>(())
 /// ```
 pub fn allows(graph: &SceneGraph, agent: NodeId, action: &Action) -> bool {
-    let mut needs = action.verb.rule().needs.iter().filter_map(|c| c.ground(action));
+    let mut needs = action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action));
     check::check_things(graph, agent, action).is_none() && needs.all(|need| need.holds(graph, agent))
 }
 
 /// Performs an agent's action and returns the changes.
 ///
 /// Costs a few microseconds: it touches only the nodes concerned.
+///
+/// ```
+/// use vc_graph::rule;
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut graph = scene.build();
+/// for line in ["walk apple.3", "grab apple.3"] {
+///     rule::step(&mut graph, me, &line.parse()?).map_err(|why| why[0].clone())?;
+/// }
+/// assert_eq!(graph.held(me).collect::<Vec<_>>(), [apple]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// Every [`Refusal`]; then nothing has changed.
@@ -112,7 +149,7 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
         return Err(refusals);
     }
     let mut edit = graph.edit();
-    for effect in action.verb.rule().does.iter().filter_map(|e| e.ground(action)) {
+    for effect in action.verb.rule().effects.iter().filter_map(|e| e.ground(action)) {
         effect::carry_out(&mut edit, agent, effect).map_err(|e| vec![Refusal::Edit(e)])?;
     }
     Ok(edit.commit())

@@ -24,11 +24,11 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 /// assert_eq!(how[0].describe(&graph).to_string(), "open fridge.2");
 /// # Ok::<(), vc_graph::EditError>(())
 /// ```
-pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
-    let mut found = candidates(graph, agent, want);
+pub fn achievers(graph: &SceneGraph, agent: NodeId, condition: &Condition) -> Vec<Action> {
+    let mut found = candidates(graph, agent, condition);
     let unmet = |a: &Action| preconditions(a).iter().filter(|c| !c.holds(graph, agent)).count();
     // Dropping has the fewest preconditions, but putting down is preferred.
-    let with_manners = matches!(want, Condition::FreeHand | Condition::FreeHandOrHolding(_));
+    let with_manners = matches!(condition, Condition::FreeHand | Condition::FreeHandOrHolding(_));
     if found.len() > 1 && found.len() < MANY && !with_manners {
         found.sort_by_cached_key(unmet);
     }
@@ -38,8 +38,8 @@ pub fn achievers(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Act
 /// The number of candidates from which on sorting them costs more than trying them.
 const MANY: usize = 16;
 
-fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action> {
-    match *want {
+fn candidates(graph: &SceneGraph, agent: NodeId, condition: &Condition) -> Vec<Action> {
+    match *condition {
         Condition::Accessible(id) => match graph.hidden_in(id) {
             Some(container) => achievers(graph, agent, &Condition::In(container, State::Open)),
             None => Vec::new(),
@@ -71,13 +71,13 @@ fn candidates(graph: &SceneGraph, agent: NodeId, want: &Condition) -> Vec<Action
         Condition::Related(id, Relation::Inside | Relation::InRoom, room) if graph.rooms().contains(&room) => {
             into_room(graph, agent, id, room)
         }
-        _ => RULES.iter().filter_map(|rule| by_effect(graph, agent, rule.verb, want)).collect(),
+        _ => RULES.iter().filter_map(|rule| by_effect(graph, agent, rule.verb, condition)).collect(),
     }
 }
 
 /// The action of a verb that has an effect which makes the condition true.
-fn by_effect(graph: &SceneGraph, agent: NodeId, verb: Verb, want: &Condition) -> Option<Action> {
-    let bound = verb.rule().does.iter().find_map(|e| binding(*e, want, agent))?;
+fn by_effect(graph: &SceneGraph, agent: NodeId, verb: Verb, condition: &Condition) -> Option<Action> {
+    let bound = verb.rule().effects.iter().find_map(|e| binding(*e, condition, agent))?;
     let action = match bound {
         Bound::Nothing => Action::zero(verb),
         Bound::One(Argument::X, id) => Action::one(verb, id),
@@ -107,10 +107,10 @@ enum Bound {
 }
 
 /// The assignment of an effect's roles with which it makes a condition true.
-fn binding(effect: Effect<Argument>, want: &Condition, agent: NodeId) -> Option<Bound> {
+fn binding(effect: Effect<Argument>, condition: &Condition, agent: NodeId) -> Option<Bound> {
     use Bound::{Nothing, One, Two};
     use Condition as C;
-    match (effect, *want) {
+    match (effect, *condition) {
         (Effect::Enter(role, s) | Effect::EnterWith(role, s), C::In(id, wanted)) if s == wanted => Some(One(role, id)),
         (Effect::Enter(role, s) | Effect::EnterWith(role, s), C::NotIn(id, unwanted))
             if s.opposites().contains(unwanted) =>

@@ -7,21 +7,27 @@ use crate::{Property, State, Verb};
 
 /// A verb's arity, preconditions and effects.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct ActionRule {
     /// The verb.
     pub verb: Verb,
     /// The number of objects that it takes.
     pub arity: usize,
     /// The preconditions, in the order in which a planner would bring them about.
-    pub needs: &'static [Condition<Argument>],
+    pub preconditions: &'static [Condition<Argument>],
     /// The effects, in order.
-    pub does: &'static [Effect<Argument>],
+    pub effects: &'static [Effect<Argument>],
     /// A description in one sentence.
-    pub about: &'static str,
+    pub description: &'static str,
 }
 
 impl Verb {
     /// The verb's arity, preconditions and effects.
+    ///
+    /// ```
+    /// use vc_graph::Verb;
+    /// assert!(!Verb::Grab.rule().preconditions.is_empty());
+    /// ```
     pub fn rule(self) -> &'static ActionRule {
         // A test checks that the table is in the order of the verbs.
         &RULES[self as usize]
@@ -31,11 +37,11 @@ impl Verb {
 const fn rule(
     verb: Verb,
     arity: usize,
-    needs: &'static [Condition<Argument>],
-    does: &'static [Effect<Argument>],
-    about: &'static str,
+    preconditions: &'static [Condition<Argument>],
+    effects: &'static [Effect<Argument>],
+    description: &'static str,
 ) -> ActionRule {
-    ActionRule { verb, arity, needs, does, about }
+    ActionRule { verb, arity, preconditions, effects, description }
 }
 
 /// All rules, in the order of the verbs.

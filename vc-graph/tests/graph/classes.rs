@@ -356,7 +356,7 @@ fn a_node_has_the_role_of_its_class_or_else_of_its_category() {
         assert_eq!(scene.graph().node(id).unwrap().role(), role, "{class} in {category:?}");
     }
     let bolted = Draft { properties: Some(Default::default()), ..Draft::new("qwertz") };
-    let held = Draft { properties: Some(PropertySet::of(&[Property::Graspable])), ..Draft::new("qwertz") };
+    let held = Draft { properties: Some(PropertySet::from_words(&[Property::Graspable])), ..Draft::new("qwertz") };
     let [bolted, held] = [bolted, held].map(|draft| scene.add(draft).unwrap());
     let scene = scene.build();
     let role = |id| scene.node(id).unwrap().role();

@@ -1,7 +1,7 @@
 //! An invalid file is refused with line, field and expected form.
 #![allow(clippy::unwrap_used)]
 
-use vc_graph::format::{FormatError, Problem, eai, native, program, read_scene, thesis, virtualhome};
+use vc_graph::format::{FormatError, FormatProblem, eai, native, program, read_scene, thesis, virtualhome};
 use vc_graph::{ClassTable, EditError, NodeId};
 use vc_testkit::documents::{CLASSES, NATIVE, PROGRAM, RECORD, TASKS, THESIS, VIRTUALHOME};
 
@@ -49,7 +49,7 @@ fn missing_and_unknown_fields() {
 #[test]
 fn numbers_that_occur_twice() {
     let error = in_native(r#""id": 3"#, r#""id": 2"#);
-    assert_eq!(*error.problem, Problem::Edit(EditError::Duplicate(NodeId(2))));
+    assert_eq!(*error.problem, FormatProblem::Edit(EditError::Duplicate(NodeId(2))));
     check(&error, 7, "nodes[2].id", "node #2 exists already");
     check(&in_thesis(r#""id": 7"#, r#""id": 1"#), 6, "Apartment_0[2].id", "node #1 exists already");
     check(&in_virtualhome(r#""id": 1,"#, r#""id": 12,"#), 8, "nodes[2].id", "node #12 exists already");
@@ -58,7 +58,7 @@ fn numbers_that_occur_twice() {
 #[test]
 fn edges_that_lead_nowhere() {
     let error = in_native(r#"[4, "on", 2]"#, r#"[4, "on", 99]"#);
-    assert_eq!(*error.problem, Problem::Edit(EditError::NoSuchNode(NodeId(99))));
+    assert_eq!(*error.problem, FormatProblem::Edit(EditError::NoSuchNode(NodeId(99))));
     check(&error, 13, "edges[2]", "there is no node #99");
     check(&in_virtualhome(r#""to_id": 12}"#, r#""to_id": 99}"#), 11, "edges[1]", "there is no node #99");
     check(
@@ -162,7 +162,7 @@ fn materials_that_are_none() {
 #[test]
 fn newer_versions() {
     let error = in_native(r#""virtualcity": 1"#, r#""virtualcity": 2"#);
-    assert_eq!(*error.problem, Problem::Version(2, 1));
+    assert_eq!(*error.problem, FormatProblem::Version(2, 1));
     assert_eq!(
         error.to_string(),
         "virtualcity scene, field `virtualcity`: version 2 is newer than this program, which reads up to 1"

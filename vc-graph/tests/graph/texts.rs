@@ -52,7 +52,7 @@ proptest! {
     fn programs_read_back(actions in prop::collection::vec(action(), 0..8), titled: bool) {
         let actions: Vec<Action> = actions.into_iter().filter(|a| a.verb.virtualhome().is_some()).collect();
         let heading = if titled { vec!["Make coffee".to_owned(), "In the morning.".to_owned()] } else { Vec::new() };
-        let program = Program { heading, ..Program::of(actions) };
+        let program = Program { heading, ..Program::from_actions(actions) };
         let text = program::write(&program, &scene(&[], false)).unwrap();
         let again = program::read(&text).unwrap();
         prop_assert_eq!(&again.heading, &program.heading, "{}", text);

@@ -6,7 +6,8 @@ use rapier3d::parry::query::intersection_test;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
-use crate::world::{PhysicsWorld, Thing};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert, group};
 
 /// Number of positions that are tested from shut to open.

@@ -42,8 +42,8 @@ pub(super) struct Once {
 
 impl Part {
     /// A part of a goal at the first step of its stretch.
-    pub(super) fn of(goal: &Goal, start: &Moment<'_>) -> Self {
-        let of = |part: &Goal| Self::of(part, start);
+    pub(super) fn new(goal: &Goal, start: &Moment<'_>) -> Self {
+        let of = |part: &Goal| Self::new(part, start);
         let once = |part: &Goal| Once { goal: part.clone(), by: None, until: None, before: None, whole: goal.clone() };
         match goal {
             now if !now.is_temporal() => Self::End(now.clone(), start.step()),
@@ -82,11 +82,11 @@ impl Part {
             now if !now.is_temporal() => Self::End(negated(now), start.step()),
             Goal::And(parts) => Self::Any(parts.iter().map(not).collect()),
             Goal::Or(parts) => Self::All(parts.iter().map(not).collect()),
-            Goal::Imply(a, b) => Self::All(vec![Self::of(a, start), not(b)]),
-            Goal::Not(part) => Self::of(part, start),
+            Goal::Imply(a, b) => Self::All(vec![Self::new(a, start), not(b)]),
+            Goal::Not(part) => Self::new(part, start),
             Goal::AtEnd(part) => not(part),
-            Goal::Eventually(part) => Self::of(&Goal::Always(Box::new(negated(part))), start),
-            Goal::Always(part) => Self::of(&Goal::Eventually(Box::new(negated(part))), start),
+            Goal::Eventually(part) => Self::new(&Goal::Always(Box::new(negated(part))), start),
+            Goal::Always(part) => Self::new(&Goal::Eventually(Box::new(negated(part))), start),
             Goal::ForAll(q) => Self::Any(each(q, start).iter().map(not).collect()),
             Goal::Exists(q) => Self::All(each(q, start).iter().map(not).collect()),
             other => Self::Beyond(negated(other)),
@@ -114,7 +114,7 @@ impl Part {
                 while !later.is_empty() && active.is_met(at) {
                     let start = at.anew();
                     let Some(next) = later.pop_front() else { break };
-                    **active = Self::of(&next, &start);
+                    **active = Self::new(&next, &start);
                     active.note(&start)?;
                 }
             }

@@ -4,7 +4,7 @@ use vc_graph::{Action, NodeId, Relation, SceneGraph, Verb};
 
 use super::Agent;
 use crate::Plan;
-use crate::look::Look;
+use crate::search_step::SearchStep;
 use crate::trip::{Promise, Trip, ends, imagine};
 
 impl Agent {
@@ -40,7 +40,7 @@ impl Agent {
         if !self.planner.in_company {
             return;
         }
-        let trip = Trip::of(self.belief.graph(), self.id, &plan.actions);
+        let trip = Trip::new(self.belief.graph(), self.id, &plan.actions);
         let later = plan.actions.len() - trip.length;
         self.next.truncate(self.next.len().saturating_sub(later));
         self.unproved = None;
@@ -65,13 +65,13 @@ impl Agent {
 
     /// Promises, during a search, the deliveries of the held things and of the thing that the agent is about to
     /// fetch.
-    pub(super) fn promise_found(&mut self, look: Option<Look>, plan: &[Action]) {
+    pub(super) fn promise_found(&mut self, look: Option<SearchStep>, plan: &[Action]) {
         if !self.planner.in_company {
             return;
         }
         let graph = self.belief.graph();
         let mut items: Vec<NodeId> = graph.held(self.id).collect();
-        if let Some(Look::Do(Action { verb: Verb::Grab, object, .. })) = look {
+        if let Some(SearchStep::Do(Action { verb: Verb::Grab, object, .. })) = look {
             items.extend(object);
         }
         ends(graph, self.id, plan, &items).into_iter().for_each(|promise| self.promise_one(promise));

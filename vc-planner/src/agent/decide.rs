@@ -9,10 +9,10 @@ use crate::Plan;
 use crate::compile::Compiled;
 use crate::demand::Choice;
 use crate::expansion::drops_elsewhere;
-use crate::look::{Look, best_look};
 use crate::open_condition::Unreachable;
 use crate::packed::Way;
 use crate::planner::{Refined, Sketch, plan_in_belief};
+use crate::search_step::{SearchStep, best_search_step};
 
 /// Number of complete searches of the home after which a faithful agent gives up.
 const PATIENCE: usize = 4;
@@ -111,7 +111,7 @@ impl Agent {
         let intent = (self.pursued, self.planner.tidy());
         let events = self.history.events().get(self.since()..).unwrap_or_default();
         let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, events, self.horizon, intent);
-        self.pursued = plan.as_ref().ok().and_then(|p| p.wants.first()).map(|(want, _)| *want);
+        self.pursued = plan.as_ref().ok().and_then(|p| p.stretches.first()).map(|(condition, _)| *condition);
         match plan {
             Ok(plan) => match plan.actions.first() {
                 Some(&action) => Decision::Act(action, plan),
@@ -155,12 +155,12 @@ impl Agent {
         if let Some(action) = known.or_else(|| self.put_back(&sketch)) {
             return self.act(action, sketch.actions);
         }
-        let look = best_look(&self.belief, self.id, &sketch.compiled, self.planner.manners);
+        let look = best_search_step(&self.belief, self.id, &sketch.compiled, self.planner.manners);
         self.promise_found(look, &sketch.actions);
         match look {
-            Some(Look::Visit(at)) => self.act(Action::one(Verb::Walk, at), Vec::new()),
-            Some(Look::Open(at)) => self.go_and(Action::one(Verb::Open, at)),
-            Some(Look::Do(action)) => self.go_and(action),
+            Some(SearchStep::Visit(at)) => self.act(Action::one(Verb::Walk, at), Vec::new()),
+            Some(SearchStep::Open(at)) => self.go_and(Action::one(Verb::Open, at)),
+            Some(SearchStep::Do(action)) => self.go_and(action),
             None => self.decide_by_regression(),
         }
     }

@@ -95,8 +95,8 @@ impl Agent {
         if let Some(why) = breach {
             return Decision::GiveUp(why);
         }
-        let told = vain.map_or_else(String::new, |action| action.describe(self.belief.graph()).to_string());
-        Decision::GiveUp(Unreachable::Refused(told))
+        let action = vain.map_or_else(String::new, |action| action.describe(self.belief.graph()).to_string());
+        Decision::GiveUp(Unreachable::Refused(action))
     }
 
     /// Whether an action was refused and nothing has changed since, or was refused too often.

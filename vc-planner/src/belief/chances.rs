@@ -43,6 +43,22 @@ impl Belief {
 
     /// Everywhere a thing can be, with the chance that it is there; likeliest first.
     /// They sum to one.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// use vc_planner::Agent;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let mut agent = Agent::in_known_home(&graph, me, "Holds(milk)".parse()?, 1);
+    /// agent.see(&graph.observe(me, Scope::Room));
+    /// let chances: f64 = agent.belief().distribution(milk).iter().map(|(_, chance)| chance).sum();
+    /// assert!((chances - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn distribution(&self, id: NodeId) -> Vec<(Place, f64)> {
         if !self.is_missing(id) {
             return self.graph.place(id).map(|p| (p, 1.0)).into_iter().collect();
@@ -54,6 +70,21 @@ impl Belief {
     }
 
     /// Where a thing is most likely.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// use vc_planner::Agent;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let mut agent = Agent::in_known_home(&graph, me, "Holds(milk)".parse()?, 1);
+    /// agent.see(&graph.observe(me, Scope::Room));
+    /// assert_eq!(agent.belief().most_likely(milk).map(|place| place.at), Some(fridge));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn most_likely(&self, id: NodeId) -> Option<Place> {
         self.distribution(id).first().map(|(place, _)| *place)
     }

@@ -62,7 +62,7 @@ struct Judge {
 
 impl Judge {
     fn new(home: &Home, places: &[Place], prior: &Prior) -> Self {
-        let kinds = Kinds::of(&home.scene, places);
+        let kinds = Kinds::new(&home.scene, places);
         let weights: Vec<_> = home.items.iter().map(|&item| prior.weights(&home.scene, item, &kinds)).collect();
         let likely = weights.iter().map(|w| w.as_ref().map(|w| w.likely(&kinds))).collect();
         let (found, even) = (vec![false; weights.len()], 1.0 / places.len() as f64);
@@ -77,8 +77,8 @@ impl Judge {
     /// Items that are found tell of the home, and of others of their class.
     fn find(&mut self, new: &[(usize, usize)]) {
         for &(item, place) in new {
-            let told: [f64; HYPOTHESES.len()] = std::array::from_fn(|h| self.by[h] * self.chance(h, item, place));
-            (self.by, self.found[item]) = (told, true);
+            let updated: [f64; HYPOTHESES.len()] = std::array::from_fn(|h| self.by[h] * self.chance(h, item, place));
+            (self.by, self.found[item]) = (updated, true);
         }
         for &(item, place) in new {
             for other in (0..ITEMS.len()).filter(|&other| ITEMS[other] == ITEMS[item]) {

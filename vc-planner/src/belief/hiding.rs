@@ -24,10 +24,10 @@ impl Belief {
 
     /// Notes what is found and which places are in view, and guesses anew what that
     /// disproves.
-    pub(super) fn look(&mut self, seen: &Observation, learned: &mut Learned) {
+    pub(super) fn take_in(&mut self, seen: &Observation, learned: &mut Learned) {
         self.spread();
         let mut lost = self.lost(seen);
-        if self.missing.is_empty() && lost.is_empty() && !self.stranger {
+        if self.missing.is_empty() && lost.is_empty() && !self.in_unknown_home {
             return;
         }
         let found: Vec<NodeId> = self.missing.iter().map(|(id, _)| *id).filter(|id| seen.sees(*id)).collect();

@@ -10,10 +10,10 @@ impl Belief {
     /// told of the furniture all surfaces and containers are.
     pub(super) fn learn_places(&mut self, node: &Node, room: Option<NodeId>) {
         let opens = [Property::Graspable, Property::Container, Property::Openable];
-        if (self.stranger || !self.missing.is_empty()) && opens.into_iter().all(|p| node.affords(p)) {
+        if (self.in_unknown_home || !self.missing.is_empty()) && opens.into_iter().all(|p| node.affords(p)) {
             self.learn_place(Place { relation: Relation::Inside, at: node.id() }, room, false);
         }
-        if self.stranger {
+        if self.in_unknown_home {
             fixed(node).for_each(|place| self.learn_place(place, room, true));
         }
     }
@@ -35,7 +35,7 @@ impl Belief {
         self.places = all(graph);
         self.seen = vec![false; self.places.len()];
         self.rooms = self.places.iter().map(|p| graph.room_of(p.at)).collect();
-        self.kinds = Kinds::of(graph, &self.places);
+        self.kinds = Kinds::new(graph, &self.places);
     }
 
     /// Spreads what is supposed anew where places have become known, or things of the class.

@@ -14,29 +14,45 @@ impl Belief {
     }
 
     /// Updates the belief with the agent's observation.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Scope};
+    /// use vc_planner::Agent;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let graph = scene.build();
+    /// let agent = Agent::in_known_home(&graph, me, "Holds(milk)".parse()?, 1);
+    /// let mut belief = agent.belief().clone();
+    /// belief.observe(&graph.observe(me, Scope::Whole));
+    /// assert!(belief.most_likely(milk).is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn observe(&mut self, seen: &Observation) -> Learned {
         let mut learned = Learned::default();
         self.meet(seen);
         self.take_over(seen, &mut learned);
-        self.look(seen, &mut learned);
+        self.take_in(seen, &mut learned);
         self.last = Some(seen.clone());
         learned
     }
 
     /// Updates the belief with an observation that another agent tells, except for the agent's own node.
-    pub fn hear(&mut self, told: &Observation) -> Learned {
+    pub(crate) fn hear(&mut self, report: &Observation) -> Learned {
         let mut learned = Learned::default();
         let me = self.agent;
-        self.meet(told);
-        for node in told.nodes().filter(|n| n.id() != me) {
+        self.meet(report);
+        for node in report.nodes().filter(|n| n.id() != me) {
             let id = node.id();
             if self.known.insert(id) && node.kind() != NodeKind::Room {
                 learned.found.push(id);
-                self.learn_places(node, told.room_of(id));
+                self.learn_places(node, report.room_of(id));
             }
-            self.take_over_node(told, node);
+            self.take_over_node(report, node);
         }
-        self.look(told, &mut learned);
+        self.take_in(report, &mut learned);
         // The message may be newer than the agent's own last observation.
         self.last = None;
         learned
@@ -74,9 +90,9 @@ impl Belief {
         edit.commit();
     }
 
-    /// Adds the nodes that a stranger sees for the first time.
+    /// Adds the nodes that an agent in an unknown home sees for the first time.
     fn meet(&mut self, seen: &Observation) {
-        if !self.stranger {
+        if !self.in_unknown_home {
             return;
         }
         let new: Vec<&Node> = seen.nodes().filter(|n| self.graph.node(n.id()).is_none()).collect();

@@ -87,7 +87,7 @@ impl Compiler<'_> {
     /// Where an item stands. An item beside a thing that is visited anyway is at hand there, and needs no walk
     /// of its own.
     fn standing(&self, id: NodeId) -> Standing {
-        let (graph, standing) = (self.now.graph, Standing::of(self.now.graph, id));
+        let (graph, standing) = (self.now.graph, Standing::new(self.now.graph, id));
         if standing.anchor != id || graph.near(self.now.agent, id) {
             return standing;
         }

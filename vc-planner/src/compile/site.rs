@@ -34,7 +34,7 @@ impl Compiler<'_> {
     /// Where something stands: its spot, and its enclosing door, if any. `None` if there are several doors, or
     /// no room for another.
     pub(super) fn site(&mut self, id: NodeId) -> Option<(u8, Option<u8>)> {
-        let standing = Standing::of(self.now.graph, id);
+        let standing = Standing::new(self.now.graph, id);
         let spot = self.spot(standing.anchor)?;
         Some((spot, self.door_of(&standing, spot)?))
     }
@@ -60,7 +60,7 @@ impl Compiler<'_> {
         if number == BITS {
             return None;
         }
-        self.out.problem.doors.push(Door { node, spot, unsafe_when_on: None, want: None });
+        self.out.problem.doors.push(Door { node, spot, unsafe_when_on: None, wanted: None });
         if open {
             self.out.start.open |= bit(number as u8);
         }
@@ -85,7 +85,7 @@ impl Compiler<'_> {
             self.out.start.on |= bit(number as u8);
         }
         let (spot, door) = self.site(node)?;
-        self.out.problem.switches.push(Switch { node, spot, door, want: None });
+        self.out.problem.switches.push(Switch { node, spot, door, wanted: None });
         Some(number as u8)
     }
 
@@ -102,12 +102,12 @@ impl Compiler<'_> {
                     let spot = self.spot(anchor(graph, id));
                     let door = spot.and_then(|spot| self.door(id, spot));
                     if let Some(d) = door {
-                        self.out.problem.doors[d as usize].want.get_or_insert(was == Word::Open);
+                        self.out.problem.doors[d as usize].wanted.get_or_insert(was == Word::Open);
                     }
                 }
                 _ => {
                     if let Some(w) = self.switch(id) {
-                        self.out.problem.switches[w as usize].want.get_or_insert(was == Word::On);
+                        self.out.problem.switches[w as usize].wanted.get_or_insert(was == Word::On);
                     }
                 }
             }
@@ -116,10 +116,10 @@ impl Compiler<'_> {
         for door in
             self.out.problem.doors.iter_mut().enumerate().filter(|(d, _)| open >> d & 1 == 0).map(|(_, door)| door)
         {
-            door.want.get_or_insert(false);
+            door.wanted.get_or_insert(false);
         }
         for (w, switch) in self.out.problem.switches.iter_mut().enumerate() {
-            switch.want.get_or_insert(on >> w & 1 != 0);
+            switch.wanted.get_or_insert(on >> w & 1 != 0);
         }
     }
 
@@ -169,7 +169,7 @@ pub(crate) struct Standing {
 
 impl Standing {
     /// Follows the support chain from a thing down to the floor.
-    pub(crate) fn of(graph: &SceneGraph, id: NodeId) -> Self {
+    pub(crate) fn new(graph: &SceneGraph, id: NodeId) -> Self {
         let mut standing = Self { anchor: id, inside: None, nested: false };
         for _ in 0..DEEPEST {
             let Some(Place { relation, at }) = graph.place(standing.anchor) else { break };
@@ -189,7 +189,7 @@ impl Standing {
 
 /// The furniture on or in which a thing is: walking up to it brings the thing within reach.
 pub(crate) fn anchor(graph: &SceneGraph, id: NodeId) -> NodeId {
-    Standing::of(graph, id).anchor
+    Standing::new(graph, id).anchor
 }
 
 /// Whether a node is a floor or a rug: standing on it does not mean being near everything on it.

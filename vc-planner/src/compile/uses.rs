@@ -31,8 +31,8 @@ impl Compiler<'_> {
                     let Some(spot) = self.spot(anchor(self.now.graph, id)) else { continue };
                     match self.door(id, spot) {
                         Some(d) => {
-                            let want = &mut self.out.problem.doors[d as usize].want;
-                            settle(want, word == Word::Open, demand)?;
+                            let wanted = &mut self.out.problem.doors[d as usize].wanted;
+                            settle(wanted, word == Word::Open, demand)?;
                         }
                         None => self.out.rest = true,
                     }
@@ -46,8 +46,8 @@ impl Compiler<'_> {
                     }
                     match self.switch(id) {
                         Some(w) => {
-                            let want = &mut self.out.problem.switches[w as usize].want;
-                            settle(want, word == Word::On, demand)?;
+                            let wanted = &mut self.out.problem.switches[w as usize].wanted;
+                            settle(wanted, word == Word::On, demand)?;
                         }
                         None => self.out.rest = true,
                     }
@@ -180,10 +180,10 @@ impl Compiler<'_> {
 }
 
 /// Sets the final state of a door or switch: a goal cannot ask for both states.
-fn settle(want: &mut Option<bool>, to: bool, demand: &Demand<'_>) -> Result<()> {
-    if *want == Some(!to) {
+fn settle(wanted: &mut Option<bool>, to: bool, demand: &Demand<'_>) -> Result<()> {
+    if *wanted == Some(!to) {
         return Err(Unreachable::Conflicting(demand.part.to_string()));
     }
-    *want = Some(to);
+    *wanted = Some(to);
     Ok(())
 }

@@ -14,7 +14,7 @@ use crate::packed::ones;
 pub(super) struct Play {
     cost: u32,
     room: u8,
-    /// The spot at hand; at first those that the hunt lists.
+    /// The spot at hand; at first those that the search lists.
     at: Option<u16>,
     begun: bool,
     pub(super) entered: u64,
@@ -33,10 +33,10 @@ pub(super) struct Play {
 }
 
 impl Play {
-    pub(super) fn start(hunt: &ObjectSearch) -> Self {
+    pub(super) fn start(search: &ObjectSearch) -> Self {
         let mut play = Self {
             cost: 0,
-            room: hunt.room,
+            room: search.room,
             at: None,
             begun: false,
             entered: 0,
@@ -47,99 +47,99 @@ impl Play {
             items: [Item::default(); MOST_ITEMS],
             known: 0,
             held: [None; 2],
-            hands: hunt.blocked,
+            hands: search.blocked,
             offers: [None; MOST_ROOMS],
-            stale: every_room(hunt),
+            stale: every_room(search),
         };
-        for (i, lack) in hunt.lacks.iter().enumerate().take(MOST_LACKS) {
+        for (i, lack) in search.lacks.iter().enumerate().take(MOST_LACKS) {
             play.left[i] = lack.left;
             play.lacking |= u8::from(lack.left > 0) << i;
         }
-        hunt.items.iter().for_each(|item| play.learn(*item));
-        hunt.hands.iter().for_each(|&target| play.hold(Some(target)));
+        search.items.iter().for_each(|item| play.learn(*item));
+        search.hands.iter().for_each(|&target| play.hold(Some(target)));
         let empty = |(range, shut): &(Range<u16>, u16)| range.start == *shut;
-        (0..hunt.rooms.len()).filter(|&r| empty(&hunt.rooms[r])).for_each(|r| play.entered |= 1 << r);
-        play.entered |= 1 << hunt.room;
+        (0..search.rooms.len()).filter(|&r| empty(&search.rooms[r])).for_each(|r| play.entered |= 1 << r);
+        play.entered |= 1 << search.room;
         play
     }
 
     /// The cost of a move and of the rollout of the base policy after it.
-    pub(super) fn played(mut self, hunt: &ObjectSearch, world: &World, first: Move) -> f64 {
-        self.make(hunt, world, first);
+    pub(super) fn played(mut self, search: &ObjectSearch, world: &World, first: Move) -> f64 {
+        self.make(search, world, first);
         loop {
-            self.at_once(hunt);
+            self.at_once(search);
             if self.lacking == 0 || self.cost > LONGEST {
-                return f64::from(self.cost + self.rest(hunt));
+                return f64::from(self.cost + self.rest(search));
             }
             let next = if self.full() { self.delivery() } else { None };
-            match next.or_else(|| self.look(hunt)) {
-                Some(next) => self.make(hunt, world, next),
-                None => return f64::from(self.cost + self.rest(hunt)),
+            match next.or_else(|| self.next_observation(search)) {
+                Some(next) => self.make(search, world, next),
+                None => return f64::from(self.cost + self.rest(search)),
             }
         }
     }
 
-    fn make(&mut self, hunt: &ObjectSearch, world: &World, next: Move) {
+    fn make(&mut self, search: &ObjectSearch, world: &World, next: Move) {
         match next {
-            Move::Visit { room, spot } => self.go(hunt, world, room, spot),
-            Move::Open(site) => self.open(hunt, world, site),
+            Move::Visit { room, spot } => self.go(search, world, room, spot),
+            Move::Open(site) => self.open(search, world, site),
             Move::Fetch(i) => {
                 let item = self.items[i as usize];
-                if !self.at_hand(hunt, Some(item.spot)) {
-                    self.go(hunt, world, item.room, Some(item.spot));
+                if !self.at_hand(search, Some(item.spot)) {
+                    self.go(search, world, item.room, Some(item.spot));
                 }
                 self.grab(i);
             }
             Move::Deliver(hand) => {
-                let Some(target) = self.target(hunt, hand) else { return };
-                if !self.at_hand(hunt, Some(target.spot)) {
-                    self.go(hunt, world, target.room, Some(target.spot));
+                let Some(target) = self.target(search, hand) else { return };
+                if !self.at_hand(search, Some(target.spot)) {
+                    self.go(search, world, target.room, Some(target.spot));
                 }
-                self.put(hunt, world, hand);
+                self.put(search, world, hand);
             }
         }
     }
 
-    fn go(&mut self, hunt: &ObjectSearch, world: &World, room: u8, spot: Option<u16>) {
+    fn go(&mut self, search: &ObjectSearch, world: &World, room: u8, spot: Option<u16>) {
         // The former spots are no longer at hand.
-        self.stale |= if self.begun { 1 << self.room | 1 << room } else { every_room(hunt) };
+        self.stale |= if self.begun { 1 << self.room | 1 << room } else { every_room(search) };
         (self.cost, self.room, self.at, self.begun) = (self.cost + 1, room, spot, true);
         if self.entered >> room & 1 == 0 {
             self.entered |= 1 << room;
-            let (range, shut) = &hunt.rooms[room as usize];
-            (range.start..*shut).for_each(|s| self.reveal(hunt, world, s));
+            let (range, shut) = &search.rooms[room as usize];
+            (range.start..*shut).for_each(|s| self.open_contents(search, world, s));
         }
     }
 
-    fn open(&mut self, hunt: &ObjectSearch, world: &World, site: u16) {
-        let spot = hunt.sites[site as usize].spot;
-        if !self.at_hand(hunt, spot) {
-            self.go(hunt, world, hunt.room_of[site as usize], spot);
+    fn open(&mut self, search: &ObjectSearch, world: &World, site: u16) {
+        let spot = search.sites[site as usize].spot;
+        if !self.at_hand(search, spot) {
+            self.go(search, world, search.room_of[site as usize], spot);
         }
-        self.cost += hunt.opening;
-        self.reveal(hunt, world, site);
+        self.cost += search.opening;
+        self.open_contents(search, world, site);
     }
 
-    fn reveal(&mut self, hunt: &ObjectSearch, world: &World, site: u16) {
+    fn open_contents(&mut self, search: &ObjectSearch, world: &World, site: u16) {
         self.seen[site as usize / 64] |= 1 << (site % 64);
-        self.stale |= 1 << hunt.room_of[site as usize];
+        self.stale |= 1 << search.room_of[site as usize];
         let new = world.things_at(site) & !self.found;
         self.found |= new;
         for i in ones(u64::from(new)) {
-            let lack = hunt.quarries[i].lack as usize;
+            let lack = search.quarries[i].lack as usize;
             if self.left[lack] == 0 {
                 continue;
             }
             self.left[lack] -= 1;
             if self.left[lack] == 0 {
                 self.lacking &= !(1 << lack);
-                self.stale = every_room(hunt);
+                self.stale = every_room(search);
             }
-            let spot = hunt.sites[site as usize].spot.unwrap_or(FLOOR | i as u16);
-            let room = hunt.room_of[site as usize];
+            let spot = search.sites[site as usize].spot.unwrap_or(FLOOR | i as u16);
+            let room = search.room_of[site as usize];
             // A thing that already lies at its target is done.
-            let target = hunt.lacks[lack].target;
-            if target.is_none_or(|t| hunt.targets[t as usize].spot != spot) {
+            let target = search.lacks[lack].target;
+            if target.is_none_or(|t| search.targets[t as usize].spot != spot) {
                 self.learn(Item { spot, room, target });
             }
         }
@@ -168,28 +168,28 @@ impl Play {
         self.hold(item.target);
     }
 
-    fn put(&mut self, hunt: &ObjectSearch, world: &World, hand: u8) {
-        let Some(target) = self.target(hunt, hand) else { return };
+    fn put(&mut self, search: &ObjectSearch, world: &World, hand: u8) {
+        let Some(target) = self.target(search, hand) else { return };
         if let Some(site) = target.door.filter(|s| !self.has_seen(*s)) {
             // A full hand is emptied first and filled again afterwards.
             self.cost += 1 + 2 * u32::from(self.full());
-            self.reveal(hunt, world, site);
+            self.open_contents(search, world, site);
         }
         self.cost += 1;
         (self.held[hand as usize], self.hands) = (None, self.hands - 1);
     }
 
     /// Does everything that needs no walk: puts down held things wanted at hand, takes wanted things at hand.
-    fn at_once(&mut self, hunt: &ObjectSearch) {
+    fn at_once(&mut self, search: &ObjectSearch) {
         for hand in 0..2 {
             let open = |t: &Target| t.door.is_none_or(|s| self.has_seen(s));
-            if self.target(hunt, hand).is_some_and(|t| self.at_hand(hunt, Some(t.spot)) && open(&t)) {
-                self.put(hunt, &World::default(), hand);
+            if self.target(search, hand).is_some_and(|t| self.at_hand(search, Some(t.spot)) && open(&t)) {
+                self.put(search, &World::default(), hand);
             }
         }
         let mut i = 0;
         while i < self.known && !self.full() {
-            if self.at_hand(hunt, Some(self.items[i as usize].spot)) {
+            if self.at_hand(search, Some(self.items[i as usize].spot)) {
                 self.grab(i);
             } else {
                 i += 1;
@@ -197,22 +197,22 @@ impl Play {
         }
     }
 
-    fn target(&self, hunt: &ObjectSearch, hand: u8) -> Option<Target> {
-        self.held.get(hand as usize).copied().flatten().map(|t| hunt.targets[t as usize])
+    fn target(&self, search: &ObjectSearch, hand: u8) -> Option<Target> {
+        self.held.get(hand as usize).copied().flatten().map(|t| search.targets[t as usize])
     }
 
     fn delivery(&self) -> Option<Move> {
         self.held.iter().position(Option::is_some).map(|hand| Move::Deliver(hand as u8))
     }
 
-    /// The next look of the base policy. Only rooms in which something has changed are evaluated again.
-    fn look(&mut self, hunt: &ObjectSearch) -> Option<Move> {
+    /// The next observation of the base policy. Only rooms in which something has changed are evaluated again.
+    fn next_observation(&mut self, search: &ObjectSearch) -> Option<Move> {
         for room in ones(self.stale) {
-            self.offers[room] = self.best_in(hunt, room as u8);
+            self.offers[room] = self.best_in(search, room as u8);
         }
         self.stale = 0;
         let mut best: Option<(f64, Move)> = None;
-        for &(worth, next) in self.offers[..hunt.rooms.len()].iter().flatten() {
+        for &(worth, next) in self.offers[..search.rooms.len()].iter().flatten() {
             if best.is_none_or(|(most, _)| worth > most) {
                 best = Some((worth, next));
             }
@@ -221,8 +221,8 @@ impl Play {
     }
 
     /// The best look in a room.
-    fn best_in(&self, hunt: &ObjectSearch, room: u8) -> Option<(f64, Move)> {
-        let (range, shut) = &hunt.rooms[room as usize];
+    fn best_in(&self, search: &ObjectSearch, room: u8) -> Option<(f64, Move)> {
+        let (range, shut) = &search.rooms[room as usize];
         let mut best: Option<(f64, Move)> = None;
         let mut offer = |worth: f64, next: Move| {
             if worth > best.map_or(0.0, |(most, _)| most) {
@@ -230,17 +230,17 @@ impl Play {
             }
         };
         let fresh = self.entered >> room & 1 == 0;
-        let outlook = if fresh { self.outlook(hunt, room) } else { Outlook::default() };
+        let outlook = if fresh { self.outlook(search, room) } else { Outlook::default() };
         offer(outlook.value, Move::Visit { room, spot: outlook.spot });
         let (mut chance, mut cost, mut first) = (outlook.value, 0.0, None);
-        let open = f64::from(hunt.opening);
+        let open = f64::from(search.opening);
         for s in (*shut..range.end).filter(|&s| !self.has_seen(s)) {
-            let own = self.value(hunt, s);
+            let own = self.value(search, s);
             // The likeliest sites come first: no later site can be better.
             if cost > 0.0 && own * cost < chance * open {
                 break;
             }
-            let walk = if self.at_hand(hunt, hunt.sites[s as usize].spot) { 0.0 } else { 1.0 };
+            let walk = if self.at_hand(search, search.sites[s as usize].spot) { 0.0 } else { 1.0 };
             if walk == 0.0 {
                 offer(own / open, Move::Open(s));
             }
@@ -252,19 +252,19 @@ impl Play {
 
     /// A lower bound on the remaining work for the known things: every spot and target is visited once per two
     /// things.
-    fn rest(&self, hunt: &ObjectSearch) -> u32 {
+    fn rest(&self, search: &ObjectSearch) -> u32 {
         let items = &self.items[..self.known as usize];
         let mut into = [0u8; MOST_TARGETS];
         let mut cost = 0;
         for (i, item) in items.iter().enumerate() {
             let before = items[..i].iter().filter(|other| other.spot == item.spot).count();
-            let walk = before % 2 == 0 && (before > 0 || !self.at_hand(hunt, Some(item.spot)));
+            let walk = before % 2 == 0 && (before > 0 || !self.at_hand(search, Some(item.spot)));
             cost += 1 + u32::from(walk);
         }
         for target in items.iter().map(|i| i.target).chain(self.held).flatten() {
             into[target as usize % MOST_TARGETS] += 1;
         }
-        for (target, &n) in hunt.targets.iter().zip(&into).filter(|(_, n)| **n > 0) {
+        for (target, &n) in search.targets.iter().zip(&into).filter(|(_, n)| **n > 0) {
             let shut = target.door.is_some_and(|s| !self.has_seen(s));
             cost += u32::from(n) + u32::from(n.div_ceil(2)) + u32::from(shut);
         }
@@ -280,22 +280,22 @@ impl Play {
         self.seen[site as usize / 64] >> (site % 64) & 1 == 1
     }
 
-    pub(super) fn at_hand(&self, hunt: &ObjectSearch, spot: Option<u16>) -> bool {
+    pub(super) fn at_hand(&self, search: &ObjectSearch, spot: Option<u16>) -> bool {
         let Some(spot) = spot else { return false };
-        if self.begun { self.at == Some(spot) } else { hunt.near.contains(&spot) }
+        if self.begun { self.at == Some(spot) } else { search.near.contains(&spot) }
     }
 
     /// The expected number of lacking things at a site.
-    pub(super) fn value(&self, hunt: &ObjectSearch, site: u16) -> f64 {
-        hunt.values[self.lacking as usize * hunt.sites.len() + site as usize]
+    pub(super) fn value(&self, search: &ObjectSearch, site: u16) -> f64 {
+        search.values[self.lacking as usize * search.sites.len() + site as usize]
     }
 
-    pub(super) fn outlook(&self, hunt: &ObjectSearch, room: u8) -> Outlook {
-        hunt.outlooks[self.lacking as usize * hunt.rooms.len() + room as usize]
+    pub(super) fn outlook(&self, search: &ObjectSearch, room: u8) -> Outlook {
+        search.outlooks[self.lacking as usize * search.rooms.len() + room as usize]
     }
 }
 
 /// All rooms, as bits.
-fn every_room(hunt: &ObjectSearch) -> u64 {
-    u64::MAX.checked_shr((MOST_ROOMS - hunt.rooms.len().min(MOST_ROOMS)) as u32).unwrap_or(0)
+fn every_room(search: &ObjectSearch) -> u64 {
+    u64::MAX.checked_shr((MOST_ROOMS - search.rooms.len().min(MOST_ROOMS)) as u32).unwrap_or(0)
 }

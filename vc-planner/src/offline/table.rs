@@ -40,6 +40,7 @@ pub enum TableError {
         /// Position in the list, from zero.
         episode: usize,
         /// The fault of the episode.
+        #[source]
         fault: Fault,
     },
     /// The file could not be written.

@@ -130,14 +130,14 @@ impl Problem {
         let wanted = &mut index.wanted;
         for (d, door) in self.doors.iter().enumerate() {
             index.bars |= door.unsafe_when_on.map_or(0, bit);
-            match door.want {
+            match door.wanted {
                 Some(true) => wanted.open |= 1 << d,
                 Some(false) => wanted.closed |= 1 << d,
                 None => {}
             }
         }
         for (w, switch) in self.switches.iter().enumerate() {
-            match switch.want {
+            match switch.wanted {
                 Some(true) => wanted.on |= 1 << w,
                 Some(false) => wanted.off |= 1 << w,
                 None => {}

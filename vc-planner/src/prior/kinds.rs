@@ -34,15 +34,15 @@ pub(crate) struct PlaceKind {
 }
 
 impl Kinds {
-    pub(crate) fn of(graph: &SceneGraph, places: &[Place]) -> Self {
-        let mut kinds = Self { kin: RelatedClasses::of(graph.classes()), ..Self::default() };
+    pub(crate) fn new(graph: &SceneGraph, places: &[Place]) -> Self {
+        let mut kinds = Self { kin: RelatedClasses::new(graph.classes()), ..Self::default() };
         places.iter().for_each(|place| kinds.add(graph, place, graph.room_of(place.at)));
         kinds
     }
 
     /// One more place, in a room.
     pub(crate) fn add(&mut self, graph: &SceneGraph, place: &Place, room: Option<NodeId>) {
-        let new = PlaceKind::of(graph, place, room);
+        let new = PlaceKind::new(graph, place, room);
         let known = self.all.iter().position(|kind| kind.is_like(&new));
         let number = known.unwrap_or(self.all.len());
         if known.is_none() {
@@ -72,7 +72,7 @@ impl Kinds {
 }
 
 impl PlaceKind {
-    fn of(graph: &SceneGraph, place: &Place, room: Option<NodeId>) -> Self {
+    fn new(graph: &SceneGraph, place: &Place, room: Option<NodeId>) -> Self {
         let node = graph.node(place.at);
         let class = |id| graph.node(id).map_or_else(|| "".into(), |n| n.class().clone());
         Self {

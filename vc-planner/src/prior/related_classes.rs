@@ -19,7 +19,7 @@ const WIDER: f64 = 0.5;
 
 impl RelatedClasses {
     /// The table for a class table; that of the built-in one is computed once.
-    pub(crate) fn of(classes: &Arc<ClassTable>) -> Arc<Self> {
+    pub(crate) fn new(classes: &Arc<ClassTable>) -> Arc<Self> {
         static BUILTIN: LazyLock<Arc<RelatedClasses>> =
             LazyLock::new(|| Arc::new(RelatedClasses::read(&ClassTable::builtin())));
         if Arc::ptr_eq(classes, &ClassTable::builtin()) { BUILTIN.clone() } else { Arc::new(Self::read(classes)) }

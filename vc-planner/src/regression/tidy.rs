@@ -23,15 +23,15 @@ impl Regression<'_> {
     /// Restores one of them when only the last subgoals are open, if the goal is no further off afterwards.
     pub(super) fn put_back(&mut self, goal: &Goal, subgoals: &[Subgoal]) -> Option<(OpenCondition, usize)> {
         self.touched?;
-        let last = |s: &Subgoal| s.options.first().is_none_or(|want| self.view().stage(want) >= LAST);
+        let last = |s: &Subgoal| s.options.first().is_none_or(|condition| self.view().stage(condition) >= LAST);
         if !subgoals.iter().all(last) {
             return None;
         }
         let mark = self.trail.len();
         for (id, was) in self.amiss() {
-            let want = OpenCondition::Hold(Condition::In(id, was));
-            if self.settle(&want) && self.is_no_further(goal, subgoals.len()) {
-                return Some((want, self.trail.len() - mark));
+            let condition = OpenCondition::Hold(Condition::In(id, was));
+            if self.settle(&condition) && self.is_no_further(goal, subgoals.len()) {
+                return Some((condition, self.trail.len() - mark));
             }
             self.rewind(mark);
         }

@@ -20,7 +20,7 @@ pub(crate) struct Hints {
 }
 
 impl Hints {
-    pub(crate) fn of(goal: &Goal) -> Self {
+    pub(crate) fn new(goal: &Goal) -> Self {
         let terms = goal.terms();
         let node = |t: &Term| if let Term::Node(_, id) = t { Some(*id) } else { None };
         let mut hints = Self { named: terms.iter().filter_map(node).collect(), terms, ..Self::default() };
@@ -47,7 +47,7 @@ impl Hints {
     }
 
     /// Whether the goal wants a thing in a hand.
-    fn wants_in(&self, now: &Situation<'_>, hand: Relation, id: NodeId) -> bool {
+    fn demands_in_hand(&self, now: &Situation<'_>, hand: Relation, id: NodeId) -> bool {
         let here = |wanted: Option<Relation>| wanted.is_none_or(|wanted| wanted == hand);
         self.held.iter().any(|(wanted, thing)| here(*wanted) && now.candidates(thing).contains(&id))
     }
@@ -55,7 +55,7 @@ impl Hints {
     /// Whether a thing is in a hand in which the goal wants it.
     pub(crate) fn is_in_its_hand(&self, now: &Situation<'_>, id: NodeId) -> bool {
         let hand = now.graph.holder(id).filter(|hand| hand.at == now.agent);
-        hand.is_some_and(|hand| self.wants_in(now, hand.relation, id))
+        hand.is_some_and(|hand| self.demands_in_hand(now, hand.relation, id))
     }
 
     /// Sorts what could be taken into the free hand so that the other one is next: first what the goal wants
@@ -63,7 +63,7 @@ impl Hints {
     pub(crate) fn sort_fillers(&self, now: &Situation<'_>, grabs: &mut [Action]) {
         let Some(hand) = now.graph.free_hand(now.agent) else { return };
         let spoken_of: Vec<NodeId> = self.terms.iter().flat_map(|term| now.candidates(term)).collect();
-        let order = |id: NodeId| (!self.wants_in(now, hand, id), spoken_of.contains(&id));
+        let order = |id: NodeId| (!self.demands_in_hand(now, hand, id), spoken_of.contains(&id));
         grabs.sort_by_cached_key(|grab| grab.object.map(order));
     }
 }
@@ -72,12 +72,12 @@ impl Hints {
 const UNNAMED: u32 = 20;
 
 impl View<'_> {
-    /// When in the sequence of subgoals to go about a want: things are carried and
+    /// When in the sequence of subgoals to go about a condition: things are carried and
     /// looked for first, doors closed and machines switched on when that is done,
     /// and only then does one sit down, turn to something and watch it.
-    pub(crate) fn stage(&self, want: &OpenCondition) -> u8 {
+    pub(crate) fn stage(&self, condition: &OpenCondition) -> u8 {
         let me = self.now.agent;
-        match want {
+        match condition {
             OpenCondition::See(_) | OpenCondition::LookInto(_) => 0,
             OpenCondition::Hold(Condition::Related(from, Relation::On | Relation::Inside | Relation::InRoom, _))
                 if *from != me =>
@@ -111,8 +111,8 @@ impl View<'_> {
     }
 
     /// Roughly how far away it is to bring something about.
-    pub(crate) fn cost(&self, want: &OpenCondition) -> u32 {
-        match want {
+    pub(crate) fn cost(&self, condition: &OpenCondition) -> u32 {
+        match condition {
             OpenCondition::See(id) | OpenCondition::LookInto(id) => self.way(*id) + 1,
             OpenCondition::Do(action) => {
                 let named = |id| self.hints.named.is_empty() || self.hints.named.contains(&id);

@@ -20,7 +20,7 @@ impl View<'_> {
     pub(super) fn at_least(&self, goal: &Goal, literal: &Literal, number: usize, bound: &Bindings<'_>) -> Found {
         if literal.terms.is_empty() {
             let done = self.now.holds(literal.predicate, [None, None]);
-            let options = self.wants(literal.predicate, [None, None]);
+            let options = self.conditions(literal.predicate, [None, None]);
             return Ok((!done).then_some(Subgoal { options }).into_iter().collect());
         }
         let choices = self.choices(literal, bound);
@@ -36,7 +36,7 @@ impl View<'_> {
             } else if let Some(guessed) = holding().next() {
                 options.extend(self.to_see(literal, guessed));
             } else {
-                options.extend(things.iter().flat_map(|t| self.wants(literal.predicate, *t)));
+                options.extend(things.iter().flat_map(|t| self.conditions(literal.predicate, *t)));
             }
         }
         if met >= number {
@@ -61,7 +61,7 @@ impl View<'_> {
                 } else {
                     carried.extend(t[0].filter(|_| self.is_carried_out(literal.predicate, t)));
                     let doubts = self.to_rule_out(literal, &t);
-                    looks.extend(doubts.into_iter().filter(|want| !looks.contains(want)).collect::<Vec<_>>());
+                    looks.extend(doubts.into_iter().filter(|condition| !looks.contains(condition)).collect::<Vec<_>>());
                 }
             }
         }
@@ -82,8 +82,8 @@ impl View<'_> {
         if let Some(&id) = carried.first().filter(|_| !looks.is_empty()) {
             return Ok(vec![Subgoal { options: vec![OpenCondition::Do(Action::one(Verb::Drop, id))] }]);
         }
-        looks.sort_by_cached_key(|want| self.cost(want));
-        Ok(looks.into_iter().map(|want| Subgoal { options: vec![want] }).collect())
+        looks.sort_by_cached_key(|condition| self.cost(condition));
+        Ok(looks.into_iter().map(|condition| Subgoal { options: vec![condition] }).collect())
     }
 
     /// Whether a thing that is not to be in a room is in the agent's hand.

@@ -63,7 +63,7 @@ impl View<'_> {
             return Err(reason.unwrap_or_else(|| Unreachable::NoInstance(goal.to_string())));
         }
         // Ways that only need a look come before ways that would undo something.
-        possible.sort_by_key(|way| (matches!(limit, Limit::AtMost(_)) && !is_look(way), way.len()));
+        possible.sort_by_key(|way| (matches!(limit, Limit::AtMost(_)) && !is_observation(way), way.len()));
         Ok(possible.into_iter().take(number).flatten().collect())
     }
 
@@ -115,7 +115,7 @@ impl View<'_> {
                     return Ok(Vec::new());
                 }
                 let open = table.into_iter().map(|(.., open)| open).filter(|open| !open.is_empty());
-                let (looks, undoing): (Vec<_>, Vec<_>) = open.partition(|way| is_look(way));
+                let (looks, undoing): (Vec<_>, Vec<_>) = open.partition(|way| is_observation(way));
                 let ways: Vec<Found> = if looks.is_empty() { undoing } else { looks }.into_iter().map(Ok).collect();
                 match reason {
                     Some(why) if ways.is_empty() => Err(why),
@@ -127,8 +127,8 @@ impl View<'_> {
 }
 
 /// Whether a way consists only of looks, or of nothing.
-fn is_look(way: &[Subgoal]) -> bool {
-    way.iter().all(|s| s.options.first().is_some_and(OpenCondition::is_look))
+fn is_observation(way: &[Subgoal]) -> bool {
+    way.iter().all(|s| s.options.first().is_some_and(OpenCondition::is_observation))
 }
 
 /// The open subgoals of a number of pairs: pairs with few subgoals are preferred, and no pair that holds is

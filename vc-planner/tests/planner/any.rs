@@ -108,7 +108,7 @@ fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
     things.sort_unstable();
     things.dedup();
     // Actions such as looking change nothing, so they are left out unless the goal names them.
-    let idle = |verb: Verb| !verb.rule().does.iter().any(|e| !matches!(e, Effect::Face(_)));
+    let idle = |verb: Verb| !verb.rule().effects.iter().any(|e| !matches!(e, Effect::Face(_)));
     let named = |verb: Verb| text.contains(&format!("{verb:?}("));
     let useful = |verb: &Verb| *verb != Verb::Run && *verb != Verb::Find && (named(*verb) || !idle(*verb));
     let turn = text.contains("Facing(").then_some(Verb::TurnTo);
@@ -254,7 +254,7 @@ fn flat() -> (SceneGraph, NodeId) {
     }
     // The thing runs for ever, and nothing can stop it.
     let endless = Draft {
-        properties: Some(PropertySet::of(&[Property::Container, Property::Openable])),
+        properties: Some(PropertySet::from_words(&[Property::Container, Property::Openable])),
         ..Draft::new("washing_machine")
     };
     let washing = scene.add_in(kitchen, endless.state(State::Closed).state(State::On)).unwrap();
@@ -309,7 +309,7 @@ fn what_is_sealed_or_nowhere_is_told() {
 fn what_another_holds_is_told() {
     let (scene, me) = flat();
     let kitchen = scene.of_class("kitchen")[0];
-    let mut builder = SceneBuilder::of(scene);
+    let mut builder = SceneBuilder::from_graph(scene);
     let other = builder.add_in(kitchen, Draft::new("character")).unwrap();
     let mut world = Simulator::new(builder.build());
     for (class, verb) in ["book", "mug"].into_iter().flat_map(|c| [(c, Verb::Walk), (c, Verb::Grab)]) {

@@ -239,7 +239,7 @@ fn home(layout: &Layout, at: [usize; 2]) -> Home {
     for (class, room, container) in layout.furniture {
         let relation = if container { Relation::Inside } else { Relation::On };
         // The class table's containers are surfaces as well; these are not.
-        let properties = container.then(|| PropertySet::of(&[Property::Container, Property::Openable]));
+        let properties = container.then(|| PropertySet::from_words(&[Property::Container, Property::Openable]));
         let mut draft = Draft { properties, ..Draft::new(class) };
         if container {
             draft = draft.state(vc_graph::State::Closed);

@@ -6,7 +6,7 @@
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed, Simulator};
 use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
-use vc_tasks::initial::{Generator, PlainStock};
+use vc_tasks::initial::{InitialGenerator, PlainStock};
 use vc_tasks::library::Benchmark;
 use vc_tasks::{Outcome, World};
 
@@ -26,7 +26,9 @@ fn what_the_oracle_can_do_the_planners_can() {
     for (name, scene) in scenes() {
         for activity in &Benchmark::v1().activities {
             let mut world = Simulator::new(scene.clone());
-            let Ok(initial) = Generator::new(&PlainStock).make(activity, &scene, Seed(1), &mut world) else { continue };
+            let Ok(initial) = InitialGenerator::new(&PlainStock).make(activity, &scene, Seed(1), &mut world) else {
+                continue;
+            };
             let mut task = initial.task.clone();
             task.goal = activity.goal.clone();
             task.step_limit = 200;

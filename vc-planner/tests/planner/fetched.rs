@@ -54,8 +54,8 @@ fn work(scene: &SceneGraph, goal: &str, number: usize, known: bool, seed: u64) -
     let task = Task::new("together", goal.parse().unwrap());
     let ids = &scene.agents()[..number];
     let mut team = match known {
-        true => Team::residents(scene, ids, &task.goal),
-        false => Team::newcomers(scene, ids, &task.goal, seed),
+        true => Team::oracles(scene, ids, &task.goal),
+        false => Team::in_known_home(scene, ids, &task.goal, seed),
     };
     let mut world = Simulator::new(scene.clone());
     let episode = team.run(&task, &mut world);

@@ -52,7 +52,7 @@ fn what_only_a_search_can_tell_says_how_much_was_checked() {
     // With a second fruit there is no conflict.
     let (scene, me) = flat();
     let table = scene.of_class("kitchen_table")[0];
-    let mut scene = SceneBuilder::of(scene);
+    let mut scene = SceneBuilder::from_graph(scene);
     scene.add_on(table, Draft::new("apple")).unwrap();
     assert!(plan(&mut scene.build(), me, &goal.parse().unwrap(), &History::default()).is_ok());
 }

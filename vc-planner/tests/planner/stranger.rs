@@ -20,7 +20,7 @@ fn places_are_added_when_they_are_seen() {
     let book = scene.add_on(desk, Draft::new("book")).unwrap();
     let me = scene.add_in(bedroom, Draft::new("character")).unwrap();
     let mut world = Simulator::new(scene.build());
-    let mut belief = Belief::of_unknown_home(world.graph(), me, 0, Prior::Kept);
+    let mut belief = Belief::in_unknown_home(world.graph(), me, 0, Prior::Kept);
     let knows = |belief: &Belief, ids: &[NodeId]| -> Vec<bool> {
         ids.iter().map(|&id| belief.graph().node(id).is_some()).collect()
     };

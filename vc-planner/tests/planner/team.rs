@@ -42,8 +42,8 @@ fn rounds(known: bool, number: usize, seed: u64) -> usize {
     let task = Task::new("together", GOAL.parse().unwrap());
     let ids = &scene.agents()[..number];
     let mut team = match known {
-        true => Team::residents(&scene, ids, &task.goal),
-        false => Team::newcomers(&scene, ids, &task.goal, seed),
+        true => Team::oracles(&scene, ids, &task.goal),
+        false => Team::in_known_home(&scene, ids, &task.goal, seed),
     };
     let episode = team.run(&task, &mut Simulator::new(scene));
     assert_eq!(episode.outcome, Outcome::Won, "{known} {number} {seed}: {episode:?}");
@@ -66,8 +66,8 @@ fn together(known: bool, seed: u64, goal: &str) -> (SceneGraph, Vec<Event>) {
     let task = Task::new("together", goal.parse().unwrap());
     let ids = scene.agents();
     let mut team = match known {
-        true => Team::residents(&scene, ids, &task.goal),
-        false => Team::newcomers(&scene, ids, &task.goal, seed),
+        true => Team::oracles(&scene, ids, &task.goal),
+        false => Team::in_known_home(&scene, ids, &task.goal, seed),
     };
     let mut world = Simulator::new(scene.clone());
     let episode = team.run(&task, &mut world);
@@ -193,7 +193,7 @@ fn a_goal_that_calls_a_thing_what_it_is_not_is_lost_and_names_both() {
     let (ids, apple) = (scene.agents().to_vec(), scene.of_class("apple")[0].0);
     let task = Task::new("misnamed", format!("Inside(plate.{apple}, fridge)").parse().unwrap());
     let told = format!("`plate.{apple}` names a thing that is apple.{apple}");
-    let mut team = Team::newcomers(&scene, &ids, &task.goal, 3);
+    let mut team = Team::in_known_home(&scene, &ids, &task.goal, 3);
     let mut newcomer = PlannerPolicy::best();
     let mut world = Simulator::new(scene.clone());
     for episode in [
@@ -215,7 +215,7 @@ fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
         (apple, format!("apple.{} is no agent and cannot act", apple.0)),
         (NodeId(9_999_999), "there is no node #9999999 in this scene".to_owned()),
     ] {
-        let mut team = Team::newcomers(&scene, &[me, stranger], &task.goal, 3);
+        let mut team = Team::in_known_home(&scene, &[me, stranger], &task.goal, 3);
         let (mut one, mut other) = (PlannerPolicy::best(), PlannerPolicy::best());
         let mut together = [(me, &mut one as &mut dyn Policy), (stranger, &mut other as &mut dyn Policy)];
         let mut world = Simulator::new(scene.clone());
@@ -235,7 +235,7 @@ fn a_lost_team_says_why() {
     let scene = home(1);
     let run = |ids: &[NodeId], goal: &str| {
         let task = Task::new("together", goal.parse().unwrap());
-        Team::newcomers(&scene, ids, &task.goal, 1).run(&task, &mut Simulator::new(scene.clone()))
+        Team::in_known_home(&scene, ids, &task.goal, 1).run(&task, &mut Simulator::new(scene.clone()))
     };
     let nobody = run(&[], "Holds(apple)");
     assert_eq!((nobody.outcome, nobody.actions), (Outcome::Lost, 0));

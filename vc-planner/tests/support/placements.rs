@@ -64,7 +64,7 @@ pub(crate) fn errand(scene: &SceneGraph, rule: Rule, number: usize, seed: u64) -
 
 /// A scene without things of some classes.
 fn cleared(scene: &SceneGraph, classes: &[&str]) -> SceneBuilder {
-    let mut home = SceneBuilder::of(scene.clone());
+    let mut home = SceneBuilder::from_graph(scene.clone());
     for id in classes.iter().flat_map(|class| scene.of_class(class)) {
         let mut edit = home.edit();
         edit.remove(id).unwrap();

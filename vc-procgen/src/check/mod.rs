@@ -3,106 +3,59 @@
 mod overlap;
 mod swing;
 
-use std::fmt;
-
 use crate::apartment::Apartment;
-use crate::furnish::{Area, Item, Rest};
+use crate::area::Area;
+use crate::item::{Item, Support};
 use crate::plan::{OpeningKind, RoomKind};
 use crate::reach::Reach;
+use crate::violation::{ApartmentViolation, ItemLabel};
 
 use overlap::collisions;
-
-/// A violation in an apartment. Items are given by their index in [`Apartment::items`], rooms by theirs in the
-/// plan.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Violation {
-    /// Two solids overlap.
-    Overlap(Named, Named),
-    /// An item is not within its room.
-    Outside(Named, usize),
-    /// An item floats above its support or penetrates it, by this distance in metres.
-    Unsupported(Named, f32),
-    /// A room is unreachable.
-    UnreachableRoom(usize, RoomKind),
-    /// An item is out of reach.
-    Unreachable(Named),
-    /// An item stands in the swing of a door's leaf or in front of an opening.
-    BlockedDoor(usize, Named),
-    /// A leaf, lid or drawer of the first item hits the second, which cannot be pushed aside, before it is half
-    /// open.
-    Jammed(Named, Named),
-    /// A room lacks a required piece.
-    Incomplete(usize, RoomKind, &'static str),
-    /// A room is reached only through a bedroom or a bathroom.
-    Passage(usize, RoomKind),
-}
-
-/// An item, by index and class.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Named {
-    /// The index in [`Apartment::items`].
-    pub item: usize,
-    /// Its class.
-    pub class: &'static str,
-}
-
-impl fmt::Display for Named {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", self.class, self.item)
-    }
-}
-
-impl fmt::Display for Violation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Overlap(a, b) => write!(f, "{a} and {b} share space"),
-            Self::Outside(a, room) => write!(f, "{a} is not within room {room}"),
-            Self::Unsupported(a, by) => write!(f, "{a} is {by:.3} m off what it rests on"),
-            Self::UnreachableRoom(room, kind) => write!(f, "nobody gets into the {} (room {room})", kind.title()),
-            Self::Unreachable(a) => write!(f, "nobody reaches {a}"),
-            Self::BlockedDoor(door, a) => write!(f, "{a} is in the way of opening {door}"),
-            Self::Jammed(a, b) => write!(f, "{a} does not open: {b} is in the way"),
-            Self::Incomplete(room, kind, what) => write!(f, "the {} (room {room}) has no {what}", kind.title()),
-            Self::Passage(room, kind) => {
-                write!(f, "the {} (room {room}) is reached only through a private room", kind.title())
-            }
-        }
-    }
-}
 
 impl Apartment {
     /// Lists every violation; an apartment returned by [`Apartment::generate`] has none.
     ///
     /// Costs about a millisecond.
-    pub fn check(&self) -> Vec<Violation> {
+    ///
+    /// ```
+    /// use vc_graph::{Pose, Seed};
+    /// use vc_procgen::Apartment;
+    /// let mut home = Apartment::from_seed(Seed(7))?;
+    /// assert!(home.check().is_empty());
+    /// let fridge = home.items.iter().position(|item| item.object.class == "fridge").unwrap_or(0);
+    /// home.items[fridge].pose = Pose::translation(0.0, 0.0, 50.0);
+    /// assert!(!home.check().is_empty());
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
+    pub fn check(&self) -> Vec<ApartmentViolation> {
         let mut found = Vec::new();
         let items = &self.items;
         let pairs = collisions(items);
-        found.extend(pairs.into_iter().map(|(a, b)| Violation::Overlap(self.named(a), self.named(b))));
-        let nets: Vec<Vec<Area>> = self.plan.rooms.iter().map(|r| r.net().iter().map(Area::of).collect()).collect();
+        found.extend(pairs.into_iter().map(|(a, b)| ApartmentViolation::Overlap(self.named(a), self.named(b))));
+        let nets: Vec<Vec<Area>> =
+            self.plan.rooms.iter().map(|r| r.net().iter().map(Area::from_rect).collect()).collect();
         found.extend((0..items.len()).filter_map(|i| self.outside(i, &nets[items[i].room])));
         found.extend((0..items.len()).filter_map(|i| self.unsupported(i)));
         found.extend(self.blocked());
         let jams = swing::jams(items);
-        found.extend(jams.into_iter().map(|(a, b)| Violation::Jammed(self.named(a), self.named(b))));
-        let reach = Reach::of(&self.plan, items);
+        found.extend(jams.into_iter().map(|(a, b)| ApartmentViolation::Jammed(self.named(a), self.named(b))));
+        let reach = Reach::new(&self.plan, items);
         for (index, room) in self.plan.rooms.iter().enumerate() {
             if !reach.enters(&self.plan, index) {
-                found.push(Violation::UnreachableRoom(index, room.kind));
+                found.push(ApartmentViolation::UnreachableRoom(index, room.kind));
             }
             let missing = missing(room.kind, self.is_studio(), items.iter().filter(|i| i.room == index));
-            found.extend(missing.into_iter().map(|what| Violation::Incomplete(index, room.kind, what)));
+            found.extend(missing.into_iter().map(|what| ApartmentViolation::Incomplete(index, room.kind, what)));
         }
         let unreached =
             (0..items.len()).filter(|&i| is_used(&items[i]) && !reach.touches(items[i].room, &items[i].area()));
-        found.extend(unreached.map(|i| Violation::Unreachable(self.named(i))));
+        found.extend(unreached.map(|i| ApartmentViolation::Unreachable(self.named(i))));
         found.extend(self.passages());
         found
     }
 
-    fn named(&self, item: usize) -> Named {
-        Named { item, class: self.items[item].object.class }
+    fn named(&self, item: usize) -> ItemLabel {
+        ItemLabel { item, class: self.items[item].object.class }
     }
 
     fn is_studio(&self) -> bool {
@@ -110,9 +63,9 @@ impl Apartment {
     }
 
     /// Whether an item reaches beyond its room's net area; parts of the building may.
-    fn outside(&self, index: usize, net: &[Area]) -> Option<Violation> {
+    fn outside(&self, index: usize, net: &[Area]) -> Option<ApartmentViolation> {
         let item = &self.items[index];
-        if item.rest == Rest::Built {
+        if item.support == Support::Built {
             return None;
         }
         let area = item.area();
@@ -122,16 +75,16 @@ impl Apartment {
         let holds = |n: &Area, x, y| x >= n.x0 - slack && x <= n.x1 + slack && y >= n.y0 - slack && y <= n.y1 + slack;
         let inside = |&(x, y): &(f32, f32)| net.iter().any(|n| holds(n, x, y));
         let upright = low.z > -slack && high.z < self.plan.ceiling + slack;
-        (!corners.iter().all(inside) || !upright).then(|| Violation::Outside(self.named(index), item.room))
+        (!corners.iter().all(inside) || !upright).then(|| ApartmentViolation::Outside(self.named(index), item.room))
     }
 
     /// Whether an item's base is off the surface it rests on.
-    fn unsupported(&self, index: usize) -> Option<Violation> {
+    fn unsupported(&self, index: usize) -> Option<ApartmentViolation> {
         let item = &self.items[index];
         let base = item.corners().0.z;
-        let off = match item.rest {
-            Rest::Floor => base,
-            Rest::On(at, surface) | Rest::Inside(at, surface) => {
+        let off = match item.support {
+            Support::Floor => base,
+            Support::On(at, surface) | Support::Inside(at, surface) => {
                 let below = &self.items[at];
                 let surface = below.object.asset.surfaces.get(surface)?;
                 let carrier = below.pose * surface.centre;
@@ -142,12 +95,12 @@ impl Apartment {
             }
             _ => 0.0,
         };
-        (off.abs() > 0.004).then(|| Violation::Unsupported(self.named(index), off))
+        (off.abs() > 0.004).then(|| ApartmentViolation::Unsupported(self.named(index), off))
     }
 
-    fn blocked(&self) -> Vec<Violation> {
+    fn blocked(&self) -> Vec<ApartmentViolation> {
         let mut standing = Vec::new();
-        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.rest != Rest::Built) {
+        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.support != Support::Built) {
             let (low, high) = item.corners();
             if low.z < 2.0 && high.z > 0.03 {
                 standing.push((index, item.room, item.area()));
@@ -156,19 +109,19 @@ impl Apartment {
         let mut found = Vec::new();
         for (door, opening) in self.plan.openings.iter().enumerate().filter(|(_, o)| o.is_way()) {
             let zones = opening.swing().into_iter().chain([opening.before(true, 5), opening.before(false, 5)]);
-            let zones: Vec<_> = zones.map(|z| Area::of(&z).grown(-0.03)).collect();
+            let zones: Vec<_> = zones.map(|z| Area::from_rect(&z).grown(-0.03)).collect();
             let blocks = |(_, room, area): &&(usize, usize, Area)| {
                 opening.touches(*room) && zones.iter().any(|z| z.overlaps(area))
             };
             let items = standing.iter().filter(blocks);
-            found.extend(items.map(|&(index, ..)| Violation::BlockedDoor(door, self.named(index))));
+            found.extend(items.map(|&(index, ..)| ApartmentViolation::BlockedDoor(door, self.named(index))));
         }
         found
     }
 
     /// Rooms reached only through a bedroom or a bathroom, except for a bedroom's own bathroom, store or
     /// balcony.
-    fn passages(&self) -> Vec<Violation> {
+    fn passages(&self) -> Vec<ApartmentViolation> {
         let rooms = &self.plan.rooms;
         let private =
             |i: usize| rooms[i].kind.is_bedroom() || matches!(rooms[i].kind, RoomKind::Bathroom | RoomKind::Wc);
@@ -183,13 +136,16 @@ impl Apartment {
             open.extend(ways.iter().filter(|o| o.touches(room)).filter_map(|o| o.beyond(room)));
         }
         let bound = |i: usize| rooms[i].of.is_some() || rooms[i].kind == RoomKind::Balcony;
-        (0..rooms.len()).filter(|&i| !seen[i] && !bound(i)).map(|i| Violation::Passage(i, rooms[i].kind)).collect()
+        (0..rooms.len())
+            .filter(|&i| !seen[i] && !bound(i))
+            .map(|i| ApartmentViolation::Passage(i, rooms[i].kind))
+            .collect()
     }
 }
 
 /// Whether an item has to be reachable: not the building, nor items on the ceiling.
 pub(crate) fn is_used(item: &Item) -> bool {
-    !matches!(item.rest, Rest::Built | Rest::Ceiling) || item.object.role().is_opening()
+    !matches!(item.support, Support::Built | Support::Ceiling) || item.object.role().is_opening()
 }
 
 /// The required pieces that a room of a kind lacks.

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::Part;
 
-use crate::furnish::{Item, Rest};
+use crate::item::{Item, Support};
 
 /// The depth by which solids may overlap before they count as colliding, metres.
 const TOUCH: f32 = 0.002;
@@ -40,13 +40,13 @@ pub(super) fn collisions(items: &[Item]) -> Vec<(usize, usize)> {
 
 /// Whether two items may overlap: one supports the other, or both are part of the building.
 pub(super) fn related(items: &[Item], a: usize, b: usize) -> bool {
-    let built = items[a].rest == Rest::Built && items[b].rest == Rest::Built;
+    let built = items[a].support == Support::Built && items[b].support == Support::Built;
     built || carries(items, a, b) || carries(items, b, a)
 }
 
 /// Whether one item supports another, directly or indirectly.
 fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
-    while let Rest::On(at, _) | Rest::Inside(at, _) = items[item].rest {
+    while let Support::On(at, _) | Support::Inside(at, _) = items[item].support {
         if at == carrier {
             return true;
         }
@@ -57,14 +57,14 @@ fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
 
 /// Whether a part of one item overlaps a part of the other.
 fn solid(a: &Item, b: &Item) -> bool {
-    let own: Vec<Cuboid> = a.object.asset.parts.iter().map(|p| Cuboid::of(p, &a.pose)).collect();
+    let own: Vec<Cuboid> = a.object.asset.parts.iter().map(|p| Cuboid::around(p, &a.pose)).collect();
     share_space(&own, b)
 }
 
 /// Whether any of some boxes overlaps a part of an item.
 pub(super) fn share_space(boxes: &[Cuboid], item: &Item) -> bool {
     let others: Vec<(Cuboid, f32)> =
-        item.object.asset.parts.iter().map(|p| Cuboid::of(p, &item.pose)).map(|c| (c, c.half.norm())).collect();
+        item.object.asset.parts.iter().map(|p| Cuboid::around(p, &item.pose)).map(|c| (c, c.half.norm())).collect();
     boxes.iter().any(|own| {
         let reach = own.half.norm();
         let near = |c: &Cuboid, r: f32| (c.pose.translation.vector - own.pose.translation.vector).norm() < reach + r;
@@ -81,7 +81,7 @@ pub(super) struct Cuboid {
 
 impl Cuboid {
     /// The box around a part of an item at a pose.
-    pub(super) fn of(part: &Part, item: &Pose) -> Self {
+    pub(super) fn around(part: &Part, item: &Pose) -> Self {
         let (low, high) = part.shape.extent();
         let pose = item * part.pose * Isometry3::from(nalgebra::center(&low, &high).coords);
         let half = ((high - low) / 2.0).map(|h| (h - TOUCH / 2.0).max(h * 0.5));

@@ -5,7 +5,7 @@ use vc_graph::asset::Joint;
 use vc_graph::{ClassTable, Property};
 
 use super::overlap::{Cuboid, related, share_space};
-use crate::furnish::{Item, Rest};
+use crate::item::{Item, Support};
 
 /// The shares of a part's motion at which it is checked; it has to open as far as the last one.
 const LOOKS: [f32; 2] = [0.25, 0.5];
@@ -19,10 +19,10 @@ pub(super) fn jams(items: &[Item]) -> Vec<(usize, usize)> {
     let table = ClassTable::builtin();
     let affords =
         |item: &Item, property| table.get(item.object.class).is_some_and(|c| c.affordances.contains(property));
-    let stands = |item: &Item| !matches!(item.rest, Rest::Built) && !affords(item, Property::Graspable);
+    let stands = |item: &Item| !matches!(item.support, Support::Built) && !affords(item, Property::Graspable);
     let opens = |item: &Item| stands(item) && affords(item, Property::Openable);
     let stays = |item: &Item| {
-        let fixed = matches!(item.rest, Rest::Built | Rest::Floor | Rest::Wall | Rest::Ceiling);
+        let fixed = matches!(item.support, Support::Built | Support::Floor | Support::Wall | Support::Ceiling);
         fixed && !affords(item, Property::Movable) && !affords(item, Property::Graspable)
     };
     let mut firm: Option<Vec<usize>> = None;
@@ -50,7 +50,7 @@ fn moves(item: &Item) -> bool {
 fn opened(item: &Item) -> Vec<Cuboid> {
     let moving = item.object.asset.parts.iter().filter_map(|part| Some((part, part.joint?)));
     let at = |joint: &Joint, share: f32| item.pose * joint.motion(widest(joint) * share);
-    moving.flat_map(|(part, joint)| LOOKS.map(|share| Cuboid::of(part, &at(&joint, share)))).collect()
+    moving.flat_map(|(part, joint)| LOOKS.map(|share| Cuboid::around(part, &at(&joint, share)))).collect()
 }
 
 /// The joint limit farther from the closed position.

@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 
 use vc_graph::asset::Hold;
 use vc_graph::{ClassTable, Property, PropertySet, Relation};
+use vc_shapes::object;
 
-use crate::object;
 use crate::plan::RoomKind;
 
 /// For each class of support or container, the classes habitually kept on and inside it, with their

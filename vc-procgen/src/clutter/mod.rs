@@ -16,7 +16,7 @@ use vc_graph::Seed;
 use vc_graph::asset::Hold;
 
 use crate::apartment::Apartment;
-use crate::furnish::{Item, Rest};
+use crate::item::{Item, Support};
 use habits::{Choice, Habits, Place};
 use surface_filler::SurfaceFiller;
 
@@ -26,16 +26,16 @@ pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
     let standing = standing(&home.items);
     let mut choices = Choices::default();
     for index in 0..carriers {
-        if home.items[index].rest == Rest::Built || home.items[index].object.asset.surfaces.is_empty() {
+        if home.items[index].support == Support::Built || home.items[index].object.asset.surfaces.is_empty() {
             continue;
         }
         let own = seed.child("clutter").nth(index as u64);
         let first = standing.partition_point(|s| s.carrier < index);
         let on_it = standing[first..].iter().take_while(|s| s.carrier == index);
-        let mut keeper = SurfaceFiller::new(home, index, own, on_it.map(|s| (s.surface, s.item)));
-        set::dress(&mut keeper, amount);
-        for surface in 0..keeper.surfaces() {
-            keep(&mut keeper, surface, &mut choices, amount);
+        let mut filler = SurfaceFiller::new(home, index, own, on_it.map(|s| (s.surface, s.item)));
+        set::dress(&mut filler, amount);
+        for surface in 0..filler.surfaces() {
+            fill_surface(&mut filler, surface, &mut choices, amount);
         }
     }
 }
@@ -51,7 +51,7 @@ struct Standing {
 fn standing(items: &[Item]) -> Vec<Standing> {
     let mut all: Vec<Standing> = Vec::new();
     for (item, thing) in items.iter().enumerate() {
-        if let Rest::On(carrier, surface) | Rest::Inside(carrier, surface) = thing.rest {
+        if let Support::On(carrier, surface) | Support::Inside(carrier, surface) = thing.support {
             all.push(Standing { carrier, surface, item });
         }
     }
@@ -72,9 +72,9 @@ impl Choices {
 }
 
 /// Puts habitual objects on a surface, their number depending on its area and the amount.
-fn keep(keeper: &mut SurfaceFiller<'_>, surface: usize, choices: &mut Choices, amount: f32) {
-    let (class, room) = (keeper.class(), keeper.room_class());
-    let Some(s) = keeper.surface(surface) else { return };
+fn fill_surface(filler: &mut SurfaceFiller<'_>, surface: usize, choices: &mut Choices, amount: f32) {
+    let (class, room) = (filler.class(), filler.room_class());
+    let Some(s) = filler.surface(surface) else { return };
     let (hold, area) = (s.hold, 4.0 * s.half.0 * s.half.1);
     let kept = choices.of(Place { carrier: class, drawer: s.name.starts_with("drawer"), hold, room });
     let density = match hold {
@@ -89,15 +89,15 @@ fn keep(keeper: &mut SurfaceFiller<'_>, surface: usize, choices: &mut Choices, a
     }
     let most = if hold == Hold::Inside { 7.0 } else { 8.0 };
     let mean = (area * density).min(most) * amount * 1.3;
-    let mut left = (mean * keeper.rng.between(0.4, 1.5) + keeper.rng.unit()) as usize;
+    let mut left = (mean * filler.rng.between(0.4, 1.5) + filler.rng.unit()) as usize;
     while left > 0 {
         left -= 1;
-        let Some(class) = kept.draw(keeper.rng.unit()) else { continue };
-        let Some(first) = keeper.put(class, surface) else { continue };
+        let Some(class) = kept.draw(filler.rng.unit()) else { continue };
+        let Some(first) = filler.put(class, surface) else { continue };
         // Objects of some classes are kept in groups.
-        let more = set::together(class, &mut keeper.rng);
+        let more = set::together(class, &mut filler.rng);
         for _ in 0..more.min(left + 2) {
-            if keeper.put_beside(first, surface).is_none() {
+            if filler.put_beside(first, surface).is_none() {
                 break;
             }
             left = left.saturating_sub(1);

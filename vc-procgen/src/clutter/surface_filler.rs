@@ -6,12 +6,13 @@ use nalgebra::Translation3;
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::portable::Portable;
 use vc_graph::{ClassTable, Pose, Property, Seed, State, Stream};
+use vc_shapes::object::{self, Object};
 
 use super::habits::studio_corner;
 use crate::apartment::Apartment;
+use crate::area::Area;
 use crate::draft::Draft;
-use crate::furnish::{Area, Item, Rest, standing};
-use crate::object::{self, Object};
+use crate::item::{Item, Support, standing};
 use crate::plan::{RoomKind, Scheme};
 
 /// The gap between objects, and to a surface's edge, metres.
@@ -33,7 +34,7 @@ pub(super) struct SurfaceFiller<'a> {
 }
 
 impl<'a> SurfaceFiller<'a> {
-    /// A keeper for one item; `standing` lists the furniture already on it, as pairs of surface and
+    /// A filler for one item; `standing` lists the furniture already on it, as pairs of surface and
     /// item.
     pub(super) fn new(
         home: &'a mut Apartment,
@@ -109,7 +110,7 @@ impl<'a> SurfaceFiller<'a> {
 
     /// Puts a copy of an object that is already there.
     pub(super) fn put_beside(&mut self, like: usize, surface: usize) -> Option<usize> {
-        let object = Draft::of(self.home.items[like].object.clone());
+        let object = Draft::from_object(self.home.items[like].object.clone());
         self.put_object(&object, surface)
     }
 
@@ -151,9 +152,12 @@ impl<'a> SurfaceFiller<'a> {
         }
         self.taken[surface].push(area);
         let local = |object: &Object| standing(object, at, centre.z + 0.001, yaw);
-        let rest =
-            if hold == Hold::Inside { Rest::Inside(self.carrier, surface) } else { Rest::On(self.carrier, surface) };
-        Some(self.add(object, local, rest))
+        let support = if hold == Hold::Inside {
+            Support::Inside(self.carrier, surface)
+        } else {
+            Support::On(self.carrier, surface)
+        };
+        Some(self.add(object, local, support))
     }
 
     /// Puts an object of which only the base needs the surface: the spout of a tap reaches over the
@@ -164,7 +168,7 @@ impl<'a> SurfaceFiller<'a> {
         let back = centre.x - half.0 + GAP;
         self.taken[surface].push(Area::around(centre.x, at.1, half.0, size.y / 2.0));
         let local = |object: &Object| standing(object, (back + size.x / 2.0, at.1), centre.z + 0.001, 0.0);
-        Some(self.add(object, local, Rest::On(self.carrier, surface)))
+        Some(self.add(object, local, Support::On(self.carrier, surface)))
     }
 
     /// Hangs an object from a hook, its back off the wall.
@@ -188,17 +192,17 @@ impl<'a> SurfaceFiller<'a> {
         }
         self.taken[surface].push(area);
         let local = |object: &Object| standing(object, (x, point.y), point.z - object.size().z, yaw);
-        Some(self.add(object, local, Rest::On(self.carrier, surface)))
+        Some(self.add(object, local, Support::On(self.carrier, surface)))
     }
 
     /// Adds an item with a pose in the carrier's frame.
-    fn add(&mut self, draft: &Draft, local: impl Fn(&Object) -> Pose, rest: Rest) -> usize {
+    fn add(&mut self, draft: &Draft, local: impl Fn(&Object) -> Pose, support: Support) -> usize {
         let object = draft.object(&self.home.style);
         let carrier = &self.home.items[self.carrier];
         let item = Item {
             pose: carrier.pose * local(&object),
             object,
-            rest,
+            support,
             room: carrier.room,
             states: Vec::new(),
             between: None,
@@ -228,7 +232,7 @@ impl<'a> SurfaceFiller<'a> {
         }
         object.asset.surfaces.clear();
         object.bounds = vc_graph::Bounds::standing(aabb.max - aabb.min);
-        Draft::of(Arc::new(object))
+        Draft::from_object(Arc::new(object))
     }
 }
 

@@ -3,8 +3,7 @@
 use nalgebra::{Point3, Translation3, Vector3};
 use vc_graph::Asset;
 use vc_graph::asset::{Joint, Part, Shape};
-
-use crate::material::MaterialId;
+use vc_shapes::material::MaterialId;
 
 /// The asset translated against its origin, metres.
 pub(super) fn moved(mut asset: Asset, by: Vector3<f32>) -> Asset {

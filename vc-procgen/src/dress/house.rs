@@ -34,7 +34,7 @@ pub(super) struct House<'g> {
 const WAY: (f32, f32) = (0.12, 1.6);
 
 impl<'g> House<'g> {
-    pub(super) fn of(graph: &'g SceneGraph, generators: &'g Generators) -> Self {
+    pub(super) fn new(graph: &'g SceneGraph, generators: &'g Generators) -> Self {
         let objects = || graph.nodes().filter(|n| n.kind() == NodeKind::Object);
         let mut shapes = vc_geometry::shapes(graph);
         let (floor, wall, ceiling) = (ObjectRole::Floor, ObjectRole::Wall, ObjectRole::Ceiling);

@@ -22,11 +22,11 @@ pub(super) struct Load {
 pub(super) fn of(house: &House, id: NodeId, middle: &Isometry3<f32>) -> Vec<Load> {
     let related = |relation| house.graph.relating(relation, id).map(move |load| (load, relation == Relation::Inside));
     let all = related(Relation::On).chain(related(Relation::Inside));
-    all.filter_map(|(load, inside)| Some(Load::of(&house.graph.node(load)?.aabb()?, middle, inside))).collect()
+    all.filter_map(|(load, inside)| Some(Load::new(&house.graph.node(load)?.aabb()?, middle, inside))).collect()
 }
 
 impl Load {
-    fn of(around: &Aabb, middle: &Isometry3<f32>, inside: bool) -> Self {
+    fn new(around: &Aabb, middle: &Isometry3<f32>, inside: bool) -> Self {
         let corner = |i: usize| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { around.min[axis] } else { around.max[axis] };
             middle.inverse_transform_point(&Point3::new(pick(0), pick(1), pick(2))).coords
@@ -53,7 +53,7 @@ struct Level {
 }
 
 impl Level {
-    fn of(surface: &Surface, origin: &Vector3<f32>, stretch: &Vector3<f32>) -> Self {
+    fn new(surface: &Surface, origin: &Vector3<f32>, stretch: &Vector3<f32>) -> Self {
         let middle = (surface.centre.coords - origin).component_mul(stretch);
         Self { middle, half: (surface.half.0 * stretch.x, surface.half.1 * stretch.y), at: middle.z }
     }
@@ -67,7 +67,7 @@ impl Level {
 
 /// How badly an asset supports loads, from zero to one, if its box has its centre at `origin` and is scaled.
 pub(super) fn off(asset: &Asset, origin: &Vector3<f32>, stretch: &Vector3<f32>, loads: &[Load]) -> f32 {
-    let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::of(s, origin, stretch)).collect();
+    let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::new(s, origin, stretch)).collect();
     let sum: f32 = loads.iter().map(|load| load.off(&levels)).sum();
     if loads.is_empty() { 0.0 } else { sum / loads.len() as f32 }
 }
@@ -78,7 +78,7 @@ pub(super) fn lay_on_boards(asset: &mut Asset, origin: &Vector3<f32>, stretch: &
     if asset.parts.iter().any(|part| part.joint.is_some()) || loads.iter().all(|load| load.inside) {
         return;
     }
-    let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::of(s, origin, stretch)).collect();
+    let levels: Vec<Level> = asset.surfaces.iter().map(|s| Level::new(s, origin, stretch)).collect();
     let votes = |level: &Level| {
         let here = |l: &&Load| level.is_below(l) && (-SUNK..HOVERS).contains(&(l.low.z - level.at));
         loads.iter().filter(here).map(|l| if l.inside { -1 } else { 1 }).sum::<i32>()

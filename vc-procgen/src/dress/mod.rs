@@ -22,8 +22,8 @@
 //! let fridge = Draft::new("fridge").bounds(Bounds::centred([0.7, 0.7, 1.8].into())).at(Pose::translation(0.0, 0.0, 0.9));
 //! let fridge = scene.add_in(kitchen, fridge)?;
 //! let scene = scene.build();
-//! let looks = dress::dressed(&scene, dress::seed_of(&scene))?;
-//! let asset = looks.node(fridge).and_then(|n| looks.assets().get(n.spec().asset?)).ok_or("no shape")?;
+//! let shaped = dress::dressed(&scene, dress::seed_of(&scene))?;
+//! let asset = shaped.node(fridge).and_then(|n| shaped.assets().get(n.spec().asset?)).ok_or("no shape")?;
 //! assert!(asset.parts.iter().any(|part| part.joint.is_some()), "its door opens");
 //! assert!(asset.surfaces.len() > 1, "it has shelves");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -44,10 +44,9 @@ use std::sync::Arc;
 use nalgebra::{Translation3, Vector3};
 use vc_graph::asset::{AssetError, Merged};
 use vc_graph::{
-    Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, EditError, Node, NodeId, NodeKind, Pose, SceneBuilder,
-    SceneGraph, Seed,
+    Asset, AssetId, AssetLibrary, Bounds, BoundsFrame, Draft, EditError, Label, Node, NodeId, NodeKind, Pose,
+    SceneBuilder, SceneGraph, Seed,
 };
-
 use vc_shapes::{Generator, Generators, Style};
 
 use house::House;
@@ -56,9 +55,18 @@ use house::House;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DressError {
-    /// A shape cannot be added to the scene's library.
-    #[error(transparent)]
-    Asset(#[from] AssetError),
+    /// The shape made for a node cannot be added to the scene's library.
+    #[error("{node}: {error}")]
+    Asset {
+        /// The node.
+        node: Label,
+        /// The fault of the shape.
+        #[source]
+        error: AssetError,
+    },
+    /// The materials of the shapes cannot be added to the scene's library.
+    #[error("the materials of the shapes do not fit the scene's library: {0}")]
+    Materials(#[source] AssetError),
     /// The scene cannot be rebuilt.
     #[error(transparent)]
     Edit(#[from] EditError),
@@ -66,6 +74,12 @@ pub enum DressError {
 
 /// The seed that determines a scene's shapes: the number at the end of its name (`apartment_42`), otherwise one
 /// derived from the name and the number of nodes.
+///
+/// ```
+/// use vc_graph::{SceneBuilder, Seed};
+/// use vc_procgen::dress::seed_of;
+/// assert_eq!(seed_of(&SceneBuilder::new("apartment_42").build()), Seed(42));
+/// ```
 pub fn seed_of(graph: &SceneGraph) -> Seed {
     let name = graph.name();
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
@@ -76,6 +90,18 @@ pub fn seed_of(graph: &SceneGraph) -> Seed {
 /// box nor shape if its class has a generator. The same scene and seed give the same bytes.
 ///
 /// Costs some tens of microseconds for each object.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder, Seed};
+/// use vc_procgen::dress::dressed;
+/// let mut scene = SceneBuilder::new("flat");
+/// let room = scene.add(Draft::new("kitchen"))?;
+/// let table = Draft::new("kitchen_table").bounds(Bounds::standing([0.8, 1.2, 0.75].into())).at(Pose::identity());
+/// let table = scene.add_in(room, table)?;
+/// let scene = dressed(&scene.build(), Seed(1))?;
+/// assert!(scene.node(table).is_some_and(|node| node.spec().asset.is_some()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
@@ -88,20 +114,30 @@ pub fn dressed(graph: &SceneGraph, seed: Seed) -> Result<SceneGraph, DressError>
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
 pub fn dressed_by(graph: &SceneGraph, generators: &Generators, seed: Seed) -> Result<SceneGraph, DressError> {
-    let house = House::of(graph, generators);
+    let house = House::new(graph, generators);
     let mut wardrobe = Wardrobe::new(graph, generators, seed)?;
     let needs = graph.nodes().map(|node| wardrobe.need(&house, node)).collect::<Vec<_>>();
     needs.iter().for_each(|need| wardrobe.load(need));
-    let looks = graph
+    let appearances = graph
         .nodes()
         .zip(needs)
-        .map(|(node, need)| wardrobe.look(&house, node, need))
+        .map(|(node, need)| wardrobe.appearance(&house, node, need).map_err(of_node(node)))
         .collect::<Result<Vec<_>, _>>()?;
-    rebuilt(graph, looks, wardrobe.library)
+    rebuilt(graph, appearances, wardrobe.library)
 }
 
 /// Gives a shape to every object that has neither shape nor box and whose class has a generator: an instance of
 /// the usual size. `None` if there is no such object.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Seed};
+/// use vc_procgen::dress::shaped;
+/// let mut scene = SceneBuilder::new("flat");
+/// let mug = scene.add(Draft::new("mug"))?;
+/// let scene = shaped(&scene.build(), Seed(1))?.ok_or("nothing to shape")?;
+/// assert!(scene.node(mug).is_some_and(|node| node.spec().bounds.is_some()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`DressError`] if a shape cannot be added to the scene.
@@ -111,12 +147,13 @@ pub fn shaped(graph: &SceneGraph, seed: Seed) -> Result<Option<SceneGraph>, Dres
         return Ok(None);
     }
     let mut wardrobe = Wardrobe::new(graph, &generators, seed)?;
-    let looks = graph.nodes().map(|node| wardrobe.usual(node)).collect::<Result<Vec<_>, _>>()?;
-    rebuilt(graph, looks, wardrobe.library).map(Some)
+    let appearances =
+        graph.nodes().map(|node| wardrobe.usual(node).map_err(of_node(node))).collect::<Result<Vec<_>, _>>()?;
+    rebuilt(graph, appearances, wardrobe.library).map(Some)
 }
 
 /// The new appearance of a node: its asset, with its pose, bounds and scale.
-struct Look {
+struct Appearance {
     asset: AssetId,
     pose: Option<Pose>,
     bounds: Bounds,
@@ -159,9 +196,9 @@ enum Need {
 }
 
 impl<'g> Wardrobe<'g> {
-    fn new(graph: &SceneGraph, generators: &'g Generators, seed: Seed) -> Result<Self, AssetError> {
+    fn new(graph: &SceneGraph, generators: &'g Generators, seed: Seed) -> Result<Self, DressError> {
         let mut library = graph.assets().as_ref().clone();
-        let merged = library.merge(&crate::material::library())?;
+        let merged = library.merge(&vc_shapes::material::library()).map_err(DressError::Materials)?;
         let (made, stopped, loads) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         Ok(Self { generators, library, merged, style: Style::from_seed(seed), seed, made, stopped, loads })
     }
@@ -188,7 +225,7 @@ impl<'g> Wardrobe<'g> {
         }
     }
 
-    fn look(&mut self, house: &House, node: &Node, need: Need) -> Result<Option<Look>, AssetError> {
+    fn appearance(&mut self, house: &House, node: &Node, need: Need) -> Result<Option<Appearance>, AssetError> {
         match need {
             Need::Nothing => Ok(None),
             Need::Usual => self.usual(node),
@@ -197,7 +234,7 @@ impl<'g> Wardrobe<'g> {
         }
     }
 
-    fn thing(&mut self, house: &House, place: turn::Place, key: Key) -> Result<Look, AssetError> {
+    fn thing(&mut self, house: &House, place: turn::Place, key: Key) -> Result<Appearance, AssetError> {
         let bounds = place.bounds;
         let (asset, scale) = match self.made.get(&key) {
             Some(known) => *known,
@@ -211,7 +248,7 @@ impl<'g> Wardrobe<'g> {
             }
         };
         let asset = self.stopped(house, asset, &place.pose, &scale)?;
-        Ok(Look { asset, pose: Some(place.pose), bounds, scale })
+        Ok(Appearance { asset, pose: Some(place.pose), bounds, scale })
     }
 
     /// A shape whose doors stop at the walls around it; the same one if none does.
@@ -236,20 +273,25 @@ impl<'g> Wardrobe<'g> {
     }
 
     /// A shape of the class's usual size, if the node has neither shape nor box.
-    fn usual(&mut self, node: &Node) -> Result<Option<Look>, AssetError> {
+    fn usual(&mut self, node: &Node) -> Result<Option<Appearance>, AssetError> {
         let Some(generator) = lacks_all(self.generators, node) else { return Ok(None) };
         let made = generator.object(&self.style, self.seed.nth(u64::from(node.id().0)));
         let asset = self.add(made.asset)?;
-        Ok(Some(Look { asset, pose: node.pose().copied(), bounds: made.bounds, scale: node.spec().scale }))
+        Ok(Some(Appearance { asset, pose: node.pose().copied(), bounds: made.bounds, scale: node.spec().scale }))
     }
 
-    fn keep(&mut self, asset: Asset, pose: Pose, bounds: Bounds) -> Result<Look, AssetError> {
-        Ok(Look { asset: self.add(asset)?, pose: Some(pose), bounds, scale: Vector3::repeat(1.0) })
+    fn keep(&mut self, asset: Asset, pose: Pose, bounds: Bounds) -> Result<Appearance, AssetError> {
+        Ok(Appearance { asset: self.add(asset)?, pose: Some(pose), bounds, scale: Vector3::repeat(1.0) })
     }
 
     fn add(&mut self, asset: Asset) -> Result<AssetId, AssetError> {
         self.library.add(self.merged.renumbered(asset))
     }
+}
+
+/// Names the node for which a shape was made.
+fn of_node(node: &Node) -> impl FnOnce(AssetError) -> DressError {
+    |error| DressError::Asset { node: node.label(), error }
 }
 
 /// The offset and half size of a box in tenths of a millimetre.
@@ -265,13 +307,18 @@ fn lacks_all<'g>(generators: &'g Generators, node: &Node) -> Option<&'g Generato
     generators.get(node.class()).filter(|_| bare)
 }
 
-fn rebuilt(graph: &SceneGraph, looks: Vec<Option<Look>>, library: AssetLibrary) -> Result<SceneGraph, DressError> {
+fn rebuilt(
+    graph: &SceneGraph,
+    appearances: Vec<Option<Appearance>>,
+    library: AssetLibrary,
+) -> Result<SceneGraph, DressError> {
     let mut builder = SceneBuilder::with_classes(graph.name(), graph.classes().clone());
-    for (node, look) in graph.nodes().zip(looks) {
-        let mut draft = Draft::of(node);
-        if let Some(look) = look {
-            draft.asset = Some(look.asset);
-            (draft.pose, draft.bounds, draft.scale) = (look.pose, Some(look.bounds), Some(look.scale));
+    for (node, appearance) in graph.nodes().zip(appearances) {
+        let mut draft = Draft::from_node(node);
+        if let Some(appearance) = appearance {
+            draft.asset = Some(appearance.asset);
+            (draft.pose, draft.bounds, draft.scale) =
+                (appearance.pose, Some(appearance.bounds), Some(appearance.scale));
         }
         builder.add_with_id(node.id(), draft)?;
     }

@@ -3,13 +3,13 @@
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector2, Vector3};
 use vc_geometry::WallOpening;
 use vc_graph::{Aabb, Asset, Bounds, BoundsFrame, Node, NodeId, ObjectRole, Pose, Seed};
+use vc_shapes::Style;
+use vc_shapes::material::{self, MaterialId};
+use vc_shapes::object::{Generator, Object};
 
 use super::compose::{block, moved};
 use super::house::{House, goes_around};
-use crate::Style;
-use crate::furnish::Facing;
-use crate::material::{self, MaterialId};
-use crate::object::{Generator, Object};
+use crate::area::Facing;
 
 /// The thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;

@@ -9,7 +9,7 @@ use vc_shapes::Generators;
 
 use super::house::{House, is_seat};
 use super::kind;
-use crate::furnish::Facing;
+use crate::area::Facing;
 
 /// The placement of an object: the class it is made as, its pose, and its box in its own axes.
 pub(super) struct Place {

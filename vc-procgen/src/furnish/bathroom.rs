@@ -1,10 +1,12 @@
 //! Bathrooms: shower or bath, toilet and basin, then whatever else fits.
 
+use super::Setter;
 use super::place::{Need, Spot};
 use super::space::Solid;
-use super::{Area, Rest, Setter};
+use crate::area::Area;
 use crate::draft::Draft;
 use crate::error::SpecificationError;
+use crate::item::Support;
 use crate::plan::RoomKind;
 
 /// The number of attempts to place the fittings.
@@ -93,7 +95,7 @@ fn above_basin(s: &mut Setter<'_>, basin: usize) {
         let bowl = s.make("washbasin", [0.36, 0.42, 0.14]);
         if let (Some(bowl), Some(surface)) = (bowl, super::living::surface_of(&object)) {
             let top = s.item(basin).pose * object.asset.surfaces[surface].centre;
-            s.add(&bowl, (top.x, top.y), top.z, facing, Rest::On(basin, surface));
+            s.add(&bowl, (top.x, top.y), top.z, facing, Support::On(basin, surface));
         }
     }
     let Some(side) = super::kitchen::side_behind(s, &area, facing) else { return };
@@ -138,6 +140,6 @@ fn bath_mat(s: &mut Setter<'_>, mat: Option<Draft>) {
     let solid = Solid { area: Area::around(cx, cy, hx / 2.0, hy / 2.0), low: 0.0, high: size.z };
     let swing = s.space.ways.iter().any(|w| w.overlaps(&solid.area));
     if s.space.is_floor(&solid.area) && s.space.is_empty(&solid) && !swing {
-        s.add(&mat, (cx, cy), 0.0, facing, Rest::Floor);
+        s.add(&mat, (cx, cy), 0.0, facing, Support::Floor);
     }
 }

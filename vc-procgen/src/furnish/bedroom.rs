@@ -1,10 +1,12 @@
 //! Bedrooms: the bed with its nightstands first, a wardrobe, then whatever else fits.
 
+use super::Setter;
 use super::place::{Need, Spot};
 use super::space::Solid;
-use super::{Area, Facing, Rest, Setter};
+use crate::area::{Area, Facing};
 use crate::draft::Draft;
 use crate::error::SpecificationError;
+use crate::item::Support;
 use crate::plan::RoomKind;
 
 pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
@@ -121,7 +123,7 @@ fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
         let spot = Area::around(x, y, hx, hy);
         let solid = Solid { area: spot, low: 0.0, high: size.z };
         if s.space.is_off_ways(&solid) && s.space.stays_open(&solid) {
-            s.add(stand, (x, y), 0.0, facing, Rest::Floor);
+            s.add(stand, (x, y), 0.0, facing, Support::Floor);
         }
     }
 }
@@ -197,5 +199,5 @@ pub(super) fn seat(s: &mut Setter<'_>, chair: &Draft, area: &Area, facing: Facin
     let spot = Setter::around(centre, size, facing);
     let solid = Solid { area: spot, low: 0.0, high: size.z };
     (s.space.is_off_ways(&solid) && s.space.stays_open(&solid))
-        .then(|| s.add(chair, centre, 0.0, facing.turned(2), Rest::Floor))
+        .then(|| s.add(chair, centre, 0.0, facing.turned(2), Support::Floor))
 }

@@ -1,10 +1,11 @@
 //! Fixtures on walls, windows and ceilings: radiators, curtains, lamps, pictures, switches and
 //! sockets.
 
-use super::area::Facing;
+use super::Setter;
 use super::other::hang_somewhere;
 use super::space::{Side, Solid};
-use super::{Rest, Setter};
+use crate::area::Facing;
+use crate::item::Support;
 use crate::plan::{FloorPlan, OpeningKind, RoomKind, metres};
 
 /// Adds the fixtures that fit beside the room's furniture.
@@ -47,17 +48,20 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &FloorPlan) {
     let flat = if class == "pendant_lamp" { s.make("ceiling_lamp", [0.36, 0.36, 0.12]) } else { None };
     let ceiling = plan.ceiling;
     for rect in plan.rooms[s.room].rects.clone() {
-        let area = super::Area::of(&rect);
-        let small = area.square_metres() < 3.0 && s.items.iter().any(|i| i.rest == Rest::Ceiling);
+        let area = crate::area::Area::from_rect(&rect);
+        let small = area.square_metres() < 3.0 && s.items.iter().any(|i| i.support == Support::Ceiling);
         let centre = area.centre();
         // A low lamp would collide with the doors of a wardrobe.
-        let low = s.space.zones.iter().any(|z| z.overlaps(&super::Area::around(centre.0, centre.1, 0.25, 0.25)));
+        let low = s.space.zones.iter().any(|z| z.overlaps(&crate::area::Area::around(centre.0, centre.1, 0.25, 0.25)));
         let lamp = flat.as_ref().filter(|_| low).unwrap_or(&lamp);
         let (height, half) = (lamp.size().z, lamp.size().x.max(lamp.size().y) / 2.0);
-        let solid =
-            Solid { area: super::Area::around(centre.0, centre.1, half, half), low: ceiling - height, high: ceiling };
+        let solid = Solid {
+            area: crate::area::Area::around(centre.0, centre.1, half, half),
+            low: ceiling - height,
+            high: ceiling,
+        };
         if !small && s.space.is_floor(&solid.area) && s.space.is_empty(&solid) {
-            s.add(lamp, centre, ceiling - height - 0.001, Facing(0), Rest::Ceiling);
+            s.add(lamp, centre, ceiling - height - 0.001, Facing(0), Support::Ceiling);
         }
     }
 }
@@ -99,7 +103,7 @@ fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
     let free = s.space.is_empty(&solid) && s.space.is_floor(&solid.area) && !kept.any(|w| w.overlaps(&solid.area));
     if free && s.space.stays_open(&solid) {
         let (facing, centre) = (wall.facing, solid.area.centre());
-        s.add(&radiator, centre, 0.0, facing, Rest::Floor);
+        s.add(&radiator, centre, 0.0, facing, Support::Floor);
     }
 }
 
@@ -145,7 +149,7 @@ fn hang_over(s: &mut Setter<'_>, object: &crate::draft::Draft, side: usize, alon
         || s.space.ways.iter().any(|w| z < 2.1 && w.overlaps(&area));
     let facing = wall.facing;
     let free = inside && !door && s.space.is_empty(&solid) && s.space.stays_open(&solid);
-    free.then(|| s.add(object, area.centre(), z, facing, Rest::Wall))
+    free.then(|| s.add(object, area.centre(), z, facing, Support::Wall))
 }
 
 fn sockets(s: &mut Setter<'_>) {

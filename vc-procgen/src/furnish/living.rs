@@ -1,11 +1,14 @@
 //! Living rooms: seats facing the television, a dining area, shelves.
 
+use vc_shapes::object::Object;
+
+use super::Setter;
 use super::place::{Need, Spot};
 use super::space::Solid;
-use super::{Area, Facing, Rest, Setter};
+use crate::area::{Area, Facing};
 use crate::draft::Draft;
 use crate::error::SpecificationError;
-use crate::object::Object;
+use crate::item::Support;
 
 pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), SpecificationError> {
     sitting(s)?;
@@ -166,7 +169,7 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
     let off = s.rng.between(0.36, 0.44);
     let before = facing.before(sofa, off * 2.0 + size.x);
     let mut z = 0.0;
-    let mut rest = Rest::Floor;
+    let mut support = Support::Floor;
     if let Some(rug) = rug {
         let deep = rug.size().x;
         let spot = facing.before(sofa, deep + 0.06);
@@ -176,7 +179,7 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
         let solid = Solid { area: Setter::around(centre, flat, facing), low: 0.0, high: flat.z };
         let swing = s.space.ways.iter().any(|w| w.overlaps(&solid.area));
         if s.space.is_floor(&solid.area) && s.space.is_empty(&solid) && !swing {
-            let index = s.add(&rug, centre, 0.0, facing, Rest::Floor);
+            let index = s.add(&rug, centre, 0.0, facing, Support::Floor);
             let rug = s.real(index);
             let flat = rug.size();
             let under = solid.area.holds(&Area::around(
@@ -187,14 +190,14 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
             ));
             if under {
                 z = flat.z;
-                rest = surface_of(&rug).map_or(Rest::Floor, |surface| Rest::On(index, surface));
+                support = surface_of(&rug).map_or(Support::Floor, |surface| Support::On(index, surface));
             }
         }
     }
     let centre = before.centre();
     let solid = Solid { area: Setter::around(centre, size, facing), low: z, high: z + size.z };
     if s.space.is_off_ways(&solid) && s.space.stays_open(&solid) {
-        s.add(&table, centre, z, facing, rest);
+        s.add(&table, centre, z, facing, support);
     }
 }
 
@@ -218,7 +221,7 @@ fn beside(s: &mut Setter<'_>, sofa: &Area, facing: Facing) {
         let area = Area::around(centre.0, centre.1, size.x.max(size.y) / 2.0, size.x.max(size.y) / 2.0);
         let solid = Solid { area, low: 0.0, high: size.z };
         if s.space.is_free(&solid) && s.space.stays_open(&solid) {
-            s.add(&table, centre, 0.0, facing, Rest::Floor);
+            s.add(&table, centre, 0.0, facing, Support::Floor);
             return;
         }
     }
@@ -272,7 +275,7 @@ fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> 
     // Chairs stand along both long sides, with space to walk behind them.
     let need = sit + 0.25;
     let mut best: Option<(f32, (f32, f32), Facing)> = None;
-    let hull = s.space.net.iter().map(Area::of).reduce(|a, b| Area {
+    let hull = s.space.net.iter().map(Area::from_rect).reduce(|a, b| Area {
         x0: a.x0.min(b.x0),
         y0: a.y0.min(b.y0),
         x1: a.x1.max(b.x1),
@@ -303,7 +306,7 @@ fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> 
         }
     }
     let Some((_, centre, facing)) = best else { return false };
-    let index = s.add(table, centre, 0.0, facing, Rest::Floor);
+    let index = s.add(table, centre, 0.0, facing, Support::Floor);
     let area = s.item(index).area();
     let per_side = seats / 2;
     for side in [facing, facing.turned(2)] {

@@ -5,7 +5,6 @@
 //! must stay free, so that nothing ever overlaps. A piece that does not fit is left out if it is
 //! optional; otherwise smaller sizes are tried, and if none fits the plan is given up.
 
-mod area;
 mod bathroom;
 mod bedroom;
 mod fixtures;
@@ -16,90 +15,30 @@ mod place;
 mod space;
 mod walk;
 
-pub use area::{Area, Facing};
-
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use nalgebra::{Point3, UnitQuaternion, Vector3};
-use vc_graph::{Pose, Seed, State, Stream};
+use vc_graph::{Seed, Stream};
+use vc_shapes::Style;
+use vc_shapes::object::Object;
 
-use crate::Style;
+use crate::area::Facing;
 use crate::draft::Draft;
 use crate::error::SpecificationError;
-use crate::object::Object;
+use crate::item::{Item, Support, standing};
 use crate::plan::{FloorPlan, OpeningKind, RoomKind};
 use space::{Solid, Space};
 
 /// The number of attempts to furnish a room before the plan is given up.
 const DEALS: u64 = 5;
 
-/// The support of an item.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rest {
-    /// The floor.
-    Floor,
-    /// A wall: the item is fixed to it.
-    Wall,
-    /// The ceiling: the item hangs from it.
-    Ceiling,
-    /// The item is part of the building, such as doors and windows.
-    Built,
-    /// On another item: its index, and that of the surface in its asset's list.
-    On(usize, usize),
-    /// Inside another item, on one of its surfaces.
-    Inside(usize, usize),
-}
-
-/// A placed object.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Item {
-    /// The object with its asset.
-    pub object: Arc<Object>,
-    /// The pose.
-    pub pose: Pose,
-    /// The support.
-    pub rest: Rest,
-    /// The index of its room in the plan.
-    pub room: usize,
-    /// Its states in addition to the initial ones of its class.
-    pub states: Vec<State>,
-    /// For a door, the other room it belongs to.
-    pub between: Option<usize>,
-    /// Whether its room requires it.
-    pub required: bool,
-}
-
 impl Item {
-    /// Its bounding box: smallest and largest corner, metres.
-    pub fn corners(&self) -> (Point3<f32>, Point3<f32>) {
-        let aabb = self.object.bounds.aabb(&self.pose);
-        (aabb.min, aabb.max)
-    }
-
-    /// Its footprint seen from above, metres.
-    pub fn area(&self) -> Area {
-        let (low, high) = self.corners();
-        Area { x0: low.x, y0: low.y, x1: high.x, y1: high.y }
-    }
-
-    /// The direction of its front, if it is aligned with an axis.
-    pub fn facing(&self) -> Facing {
-        let front = self.pose.rotation * Vector3::x();
-        match (front.x.abs() >= front.y.abs(), front.x >= 0.0, front.y >= 0.0) {
-            (true, true, _) => Facing(0),
-            (true, false, _) => Facing(2),
-            (false, _, true) => Facing(1),
-            (false, _, false) => Facing(3),
-        }
-    }
-
     /// Replaces the item's box by the generated object. An object smaller than its box keeps its
     /// back, and its top if it hangs from the ceiling, where the box has them.
     fn become_real(&mut self, draft: &Draft, style: &Style) {
         let object = draft.object(style);
         let spare = draft.size() - object.size();
-        let hangs = self.rest == Rest::Ceiling;
+        let hangs = self.support == Support::Ceiling;
         let (facing, (x, y)) = (self.facing(), self.area().centre());
         let back = if hangs { 0.0 } else { spare.x / 2.0 };
         let up = if hangs { spare.z } else { 0.0 };
@@ -134,7 +73,7 @@ pub(crate) fn furnish(
     order.sort_by_key(|&r| strictness(plan.rooms[r].kind));
     let (mut items, mut drafts) = (Vec::new(), Vec::new());
     for index in order {
-        let space = Space::of(plan, index);
+        let space = Space::new(plan, index);
         let own = seed.child("furnish").nth(index as u64);
         let dealt = (0..DEALS).try_fold(None, |_, deal| {
             let mut setter = Setter::new(index, style, own.nth(deal), space.clone(), items.len());
@@ -230,12 +169,12 @@ impl Setter<'_> {
 
     /// Adds an item whose footprint is centred on a point, its base at `z`; returns its index in
     /// the list of all items.
-    fn add(&mut self, draft: &Draft, centre: (f32, f32), z: f32, facing: Facing, rest: Rest) -> usize {
+    fn add(&mut self, draft: &Draft, centre: (f32, f32), z: f32, facing: Facing, support: Support) -> usize {
         let object = Arc::new(draft.outline());
         let pose = standing(&object, centre, z, facing.yaw());
-        let item = Item { object, pose, rest, room: self.room, states: Vec::new(), between: None, required: false };
+        let item = Item { object, pose, support, room: self.room, states: Vec::new(), between: None, required: false };
         let solid = item.solid();
-        self.space.walk.put(&solid.area, (solid.low, solid.high), rest != Rest::Ceiling);
+        self.space.walk.put(&solid.area, (solid.low, solid.high), support != Support::Ceiling);
         self.space.solids.push(solid);
         self.items.push(item);
         self.drafts.push(draft.clone());
@@ -247,7 +186,7 @@ impl Setter<'_> {
         let at = index - self.base;
         let item = &mut self.items[at];
         item.become_real(&self.drafts[at], self.style);
-        self.drafts[at] = Draft::of(item.object.clone());
+        self.drafts[at] = Draft::from_object(item.object.clone());
         item.object.clone()
     }
 
@@ -255,13 +194,4 @@ impl Setter<'_> {
         let base = self.base;
         &mut self.items[index - base]
     }
-}
-
-/// The pose of an object whose bounding box is centred above a point, its base at `z`.
-pub(crate) fn standing(object: &Object, centre: (f32, f32), z: f32, yaw: f32) -> Pose {
-    let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
-    let bounds = &object.bounds;
-    let offset = turn * Vector3::new(bounds.offset.x, bounds.offset.y, 0.0);
-    let base = bounds.offset.z - bounds.half.z;
-    Pose::from_parts(Vector3::new(centre.0 - offset.x, centre.1 - offset.y, z - base).into(), turn)
 }

@@ -2,10 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::area::{Area, Facing};
+use super::Setter;
 use super::space::{OFF_WALL, Side, Solid};
-use super::{Rest, Setter};
+use crate::area::{Area, Facing};
 use crate::draft::Draft;
+use crate::item::Support;
 
 /// The number of spots tried for a piece, the best first.
 const TRIED: usize = 8;
@@ -120,7 +121,7 @@ impl Setter<'_> {
     pub(super) fn settle(&mut self, object: &Draft, area: Area, facing: Facing, need: Need) -> usize {
         let zones = need.zones(&area, facing);
         self.space.zones.extend(zones.into_iter().filter(|z| *z != area && z.square_metres() > 1e-4).take(2));
-        self.add(object, area.centre(), 0.0, facing, Rest::Floor)
+        self.add(object, area.centre(), 0.0, facing, Support::Floor)
     }
 
     /// Places an object on the floor at a point, if it is free there.
@@ -159,6 +160,6 @@ impl Setter<'_> {
         if !empty || !self.space.stays_open(&solid) {
             return None;
         }
-        Some(self.add(object, area.centre(), z, facing, Rest::Wall))
+        Some(self.add(object, area.centre(), z, facing, Support::Wall))
     }
 }

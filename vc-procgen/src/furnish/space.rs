@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use smallvec::SmallVec;
 use vc_geometry::grid::{ceiling, floor};
 
-use super::area::{Area, Facing};
 use super::walk::Walk;
-use crate::plan::{Edge, FloorPlan, OpeningKind, Rect, Room, RoomKind, metres};
+use crate::area::{Area, Facing};
+use crate::plan::{Boundary, FloorPlan, OpeningKind, Rect, Room, RoomKind, metres};
 
 /// The distance of furniture from walls, which leaves space for the skirting, metres.
 pub(super) const OFF_WALL: f32 = 0.02;
@@ -85,13 +85,13 @@ pub(super) struct Space {
 }
 
 impl Space {
-    pub(super) fn of(plan: &FloorPlan, index: usize) -> Self {
+    pub(super) fn new(plan: &FloorPlan, index: usize) -> Self {
         let room = &plan.rooms[index];
         let net = room.net();
         let mut space = Self {
             kind: room.kind,
             sides: sides(plan, index, &net),
-            walk: Walk::of(plan, index, &net),
+            walk: Walk::new(plan, index, &net),
             net,
             solids: Vec::new(),
             panes: panes(plan, index),
@@ -108,10 +108,10 @@ impl Space {
                 (_, RoomKind::Balcony) => 12 + plan.shell,
                 _ => 12,
             };
-            space.ways.push(Area::of(&opening.before(high, deep)));
+            space.ways.push(Area::from_rect(&opening.before(high, deep)));
             if let Some(swing) = opening.swing().filter(|_| opening.opens_high == high) {
                 // Beyond the leaf's edge a small clearance is kept.
-                space.ways.push(Area::of(&swing).grown(0.03));
+                space.ways.push(Area::from_rect(&swing).grown(0.03));
             }
         }
         space
@@ -188,8 +188,8 @@ impl Space {
 
 fn panes(plan: &FloorPlan, index: usize) -> Vec<Solid> {
     let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(index));
-    let pane = |o: &crate::plan::Opening| Solid {
-        area: Area::of(&o.before(o.high == Some(index), 4)).grown(0.07),
+    let pane = |o: &crate::plan::PlanOpening| Solid {
+        area: Area::from_rect(&o.before(o.high == Some(index), 4)).grown(0.07),
         low: o.sill - 0.07,
         high: o.head + 0.07,
     };
@@ -199,11 +199,11 @@ fn panes(plan: &FloorPlan, index: usize) -> Vec<Solid> {
 /// The inner faces of a room's walls; for a balcony its railings and the house.
 fn sides(plan: &FloorPlan, index: usize, net: &[Rect]) -> Vec<Side> {
     let inner = Room { kind: plan.rooms[index].kind, rects: net.to_vec(), of: None };
-    let edges = crate::plan::edges_of(&[inner]);
+    let edges = crate::plan::boundaries_of(&[inner]);
     edges.iter().map(|e| side(plan, index, e)).collect()
 }
 
-fn side(plan: &FloorPlan, index: usize, edge: &Edge) -> Side {
+fn side(plan: &FloorPlan, index: usize, edge: &Boundary) -> Side {
     let inwards_high = edge.high.is_some();
     let facing = match (edge.vertical, inwards_high) {
         (true, true) => Facing(0),

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use vc_geometry::grid::BitGrid;
 
-use super::Area;
+use crate::area::Area;
 use crate::plan::{FloorPlan, OpeningKind, Rect};
 use crate::reach::{BODY, PERSON, REACH, boards, doorway, is_in_the_way, outward};
 
@@ -46,7 +46,7 @@ struct Wanted {
 }
 
 impl Walk {
-    pub(super) fn of(plan: &FloorPlan, room: usize, net: &[Rect]) -> Self {
+    pub(super) fn new(plan: &FloorPlan, room: usize, net: &[Rect]) -> Self {
         let hull = plan.rooms[room].hull().grown(BEYOND + plan.shell + 2);
         let blank = BitGrid::new(hull.width() as usize, hull.depth() as usize);
         let doorways: Vec<Rect> = plan.doors_of(room).map(|o| doorway(plan, o)).collect();
@@ -76,7 +76,7 @@ impl Walk {
         walk.floor.free = floor.inverted().dilated(&PERSON).inverted();
         let windows = plan.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.touches(room));
         walk.floor.standing = walk.flooded(&walk.floor.free);
-        windows.for_each(|o| walk.want(Area::of(&o.across(o.at - 1, o.at + 1))));
+        windows.for_each(|o| walk.require(Area::from_rect(&o.across(o.at - 1, o.at + 1))));
         walk
     }
 
@@ -95,11 +95,11 @@ impl Walk {
             }
         }
         if wanted {
-            self.want(core(area));
+            self.require(core(area));
         }
     }
 
-    fn want(&mut self, area: Area) {
+    fn require(&mut self, area: Area) {
         let from = self.floor.standing.as_ref().and_then(|standing| self.reached(&area, standing));
         self.wanted.push(Wanted { area, from });
     }

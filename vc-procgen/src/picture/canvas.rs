@@ -28,6 +28,12 @@ pub struct Colour {
 }
 
 /// The style of a shape: filled, with an outline, or both.
+///
+/// ```
+/// use vc_procgen::picture::{Colour, Ink};
+/// let ink = Ink::filled(Colour::WHITE).outlined(Colour::BLACK, 0.02).dashed(0.1);
+/// assert_eq!((ink.fill, ink.width, ink.dash), (Some(Colour::WHITE), 0.02, 0.1));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ink {
     /// The fill colour.
@@ -84,13 +90,13 @@ impl Colour {
     pub const WHITE: Self = Self::hex(0xff_ffff);
 
     /// An opaque colour from `0xrrggbb`.
+    ///
+    /// ```
+    /// use vc_procgen::picture::Colour;
+    /// assert_eq!(Colour::hex(0x1d3f63).rgb, [0x1d, 0x3f, 0x63]);
+    /// ```
     pub const fn hex(rgb: u32) -> Self {
         Self { rgb: [(rgb >> 16) as u8, (rgb >> 8) as u8, rgb as u8], opacity: 1.0 }
-    }
-
-    /// A colour from linear reflectance, as used by materials.
-    pub fn linear(rgb: [f32; 3]) -> Self {
-        Self { rgb: rgb.map(encoded), opacity: 1.0 }
     }
 
     /// The colour with another opacity.
@@ -165,6 +171,16 @@ impl Canvas {
     }
 
     /// Draws a closed outline with holes.
+    ///
+    /// ```
+    /// use vc_procgen::picture::{Canvas, Colour, Ink};
+    /// let mut wall = Canvas::new([0.0, 0.0], [4.0, 3.0]);
+    /// let window = vec![[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]];
+    /// wall.region(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]], &[window], Ink::filled(Colour::BLACK));
+    /// let image = wall.to_image(40)?;
+    /// assert_eq!((image.pixel(15, 15), image.pixel(30, 15)), (Some([255; 3]), Some([0; 3])));
+    /// # Ok::<(), vc_procgen::picture::PictureError>(())
+    /// ```
     pub fn region(&mut self, outline: &[Point], holes: &[Vec<Point>], ink: Ink) {
         let rings = std::iter::once(outline.to_vec()).chain(holes.iter().cloned()).collect();
         self.marks.push(Mark::Rings { rings, closed: true, ink });
@@ -176,6 +192,14 @@ impl Canvas {
     }
 
     /// Draws a line through points.
+    ///
+    /// ```
+    /// use vc_procgen::picture::{Canvas, Colour, Ink};
+    /// let mut path = Canvas::new([0.0, 0.0], [2.0, 2.0]);
+    /// path.line(&[[0.0, 1.0], [2.0, 1.0]], Ink::line(Colour::BLACK, 0.5));
+    /// assert_eq!(path.to_image(20)?.pixel(10, 10), Some([0; 3]));
+    /// # Ok::<(), vc_procgen::picture::PictureError>(())
+    /// ```
     pub fn line(&mut self, points: &[Point], ink: Ink) {
         self.marks.push(Mark::Rings { rings: vec![points.to_vec()], closed: false, ink });
     }
@@ -203,6 +227,11 @@ impl Canvas {
     }
 
     /// The width of a text, in the unit of `size`.
+    ///
+    /// ```
+    /// use vc_procgen::picture::Canvas;
+    /// assert_eq!(Canvas::text_width(1.0, "bed"), 3.0 * Canvas::text_width(1.0, "b"));
+    /// ```
     pub fn text_width(size: f32, text: &str) -> f32 {
         text.chars().count() as f32 * size * LETTER
     }
@@ -232,6 +261,14 @@ impl Canvas {
     }
 
     /// Rasterises the drawing, `width` pixels wide.
+    ///
+    /// ```
+    /// use vc_procgen::picture::{Canvas, PictureError};
+    /// let canvas = Canvas::new([0.0, 0.0], [2.0, 1.0]);
+    /// assert_eq!(canvas.to_image(64)?.height, 32);
+    /// assert!(matches!(canvas.to_image(0), Err(PictureError::Size { .. })));
+    /// # Ok::<(), PictureError>(())
+    /// ```
     ///
     /// # Errors
     /// [`PictureError::Size`] if it would be empty or too large.

@@ -7,8 +7,8 @@ use vc_graph::portable::Portable;
 use super::canvas::{Anchor, Canvas, Colour, Ink, Point};
 use super::top;
 use crate::apartment::Apartment;
-use crate::furnish::Area;
-use crate::plan::{FloorPlan, Opening, OpeningKind, Rect, Room, RoomKind, Scheme, metres};
+use crate::area::Area;
+use crate::plan::{FloorPlan, OpeningKind, PlanOpening, Rect, Room, RoomKind, Scheme, metres};
 use crate::reach::doorway;
 
 /// The margin around the building, metres.
@@ -93,7 +93,7 @@ fn draw(plan: &FloorPlan, title: &str, furniture: &[Area], furnish: impl FnOnce(
     plan.openings.iter().for_each(|o| cut(&mut canvas, plan, o));
     furnish(&mut canvas);
     plan.openings.iter().for_each(|o| leaf(&mut canvas, o));
-    let swings = plan.openings.iter().filter_map(Opening::swing).map(|s| Area::of(&s));
+    let swings = plan.openings.iter().filter_map(PlanOpening::swing).map(|s| Area::from_rect(&s));
     let taken: Vec<Area> = furniture.iter().copied().chain(swings).collect();
     plan.rooms.iter().for_each(|r| label(&mut canvas, r, &taken));
     heading(&mut canvas, low, high, title);
@@ -147,12 +147,12 @@ fn walls(canvas: &mut Canvas, plan: &FloorPlan) {
 }
 
 /// A point at an opening: along its wall and across it, metres.
-fn at(opening: &Opening, along: f32, across: f32) -> Point {
+fn at(opening: &PlanOpening, along: f32, across: f32) -> Point {
     if opening.vertical { [across, along] } else { [along, across] }
 }
 
 /// Draws the gap of an opening in its wall, with the panes of a window.
-fn cut(canvas: &mut Canvas, plan: &FloorPlan, opening: &Opening) {
+fn cut(canvas: &mut Canvas, plan: &FloorPlan, opening: &PlanOpening) {
     let hole = doorway(plan, opening);
     let inside = [opening.low, opening.high].into_iter().flatten().map(|r| plan.rooms[r].kind);
     let floor = inside.filter(|&k| k != RoomKind::Balcony).map(tint).next().unwrap_or(Colour::WHITE);
@@ -175,7 +175,7 @@ fn cut(canvas: &mut Canvas, plan: &FloorPlan, opening: &Opening) {
 }
 
 /// Draws an open leaf and the quarter circle it sweeps.
-fn leaf(canvas: &mut Canvas, opening: &Opening) {
+fn leaf(canvas: &mut Canvas, opening: &PlanOpening) {
     if !opening.has_leaf() {
         return;
     }
@@ -210,7 +210,7 @@ fn sweep(canvas: &mut Canvas, centre: Point, from: Point, to: Point) {
 }
 
 /// Draws an arrow in front of the entrance that points inwards.
-fn arrow(canvas: &mut Canvas, opening: &Opening) {
+fn arrow(canvas: &mut Canvas, opening: &PlanOpening) {
     let inward = if opening.high.is_some() { 1.0 } else { -1.0 };
     let middle = metres(opening.from + opening.to) / 2.0;
     let tip = metres(opening.at) - inward * 0.4;
@@ -242,8 +242,8 @@ fn label(canvas: &mut Canvas, room: &Room, taken: &[Area]) {
 /// area, m². `None` if it does not fit.
 fn free_place(room: &Room, half: (f32, f32), taken: &[Area]) -> Option<(f32, Point)> {
     let largest = room.net().into_iter().max_by_key(|r| (r.width() * r.depth(), r.x0, r.y0))?;
-    let middle = Area::of(&largest).centre();
-    let rated = room.net().into_iter().flat_map(|r| places(&Area::of(&r), half)).map(|[x, y]| {
+    let middle = Area::from_rect(&largest).centre();
+    let rated = room.net().into_iter().flat_map(|r| places(&Area::from_rect(&r), half)).map(|[x, y]| {
         let own = Area::around(x, y, half.0, half.1);
         let covered: f32 = taken.iter().map(|t| covered_by(t, &own)).sum();
         (covered + 0.01 * (x - middle.0).hypotenuse(y - middle.1), covered, [x, y])

@@ -43,6 +43,13 @@ impl Image {
 
     /// Copies another image into this one, its top left pixel to (`left`, `top`); parts that do not
     /// fit are clipped.
+    ///
+    /// ```
+    /// use vc_procgen::picture::Image;
+    /// let mut sheet = Image::new(4, 4, [255; 3]);
+    /// sheet.paste(2, 2, &Image::new(9, 9, [0; 3]));
+    /// assert_eq!((sheet.pixel(1, 1), sheet.pixel(3, 3)), (Some([255; 3]), Some([0; 3])));
+    /// ```
     pub fn paste(&mut self, left: usize, top: usize, other: &Self) {
         let wide = other.width.min(self.width.saturating_sub(left)) * 3;
         for y in 0..other.height.min(self.height.saturating_sub(top)) {
@@ -53,6 +60,12 @@ impl Image {
     }
 
     /// The image as a PNG file.
+    ///
+    /// ```
+    /// use vc_procgen::picture::Image;
+    /// assert!(Image::new(2, 2, [0; 3]).to_png()?.starts_with(b"\x89PNG"));
+    /// # Ok::<(), vc_procgen::picture::PictureError>(())
+    /// ```
     ///
     /// # Errors
     /// [`PictureError`] if it has no pixels, or a number of pixels that contradicts its size.

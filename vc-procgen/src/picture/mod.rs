@@ -12,4 +12,4 @@ mod top;
 
 pub use canvas::{Anchor, Canvas, Colour, Ink, Point};
 pub use image::{Image, PictureError};
-pub use sketch::{Projection, View, sketch};
+pub use sketch::{Projection, SketchView, sketch};

@@ -12,6 +12,7 @@ type V = Vector3<f32>;
 
 /// The projection of a view.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Projection {
     /// Perspective, with the tangent of half the vertical field of view.
     Perspective(f32),
@@ -20,8 +21,16 @@ pub enum Projection {
 }
 
 /// The viewpoint of a sketch.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use vc_procgen::picture::SketchView;
+/// let view = SketchView::around(Point3::origin(), Point3::new(1.0, 1.0, 1.0), 1.0);
+/// assert_eq!(view.target, Point3::new(0.5, 0.5, 0.5));
+/// assert!(view.eye.z > 1.0, "seen from above");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
+pub struct SketchView {
     /// The position of the camera, metres.
     pub eye: Point3<f32>,
     /// The point at the centre of the image, metres.
@@ -37,7 +46,7 @@ const FINE: usize = 2;
 /// The background colour, sRGB.
 const PAPER: [u8; 3] = [236, 237, 238];
 
-impl View {
+impl SketchView {
     /// A view from the front, a little to the left and above, in which the box between two corners
     /// fills an image with the given ratio of width to height.
     pub fn around(low: Point3<f32>, high: Point3<f32>, aspect: f32) -> Self {
@@ -75,18 +84,24 @@ fn frame(ahead: V) -> [V; 3] {
 ///
 /// ```
 /// use vc_graph::{Pose, Seed};
-/// use vc_procgen::picture::{View, sketch};
-/// use vc_procgen::{Style, material, object};
+/// use vc_procgen::picture::{SketchView, sketch};
+/// use vc_shapes::{Style, material, object};
 ///
 /// let table = object::generator("dining_table").ok_or("no generator")?;
 /// let table = table.object(&Style::from_seed(Seed(1)), Seed(2));
 /// let (low, high) = table.asset.extent().ok_or("empty")?;
-/// let view = View::around(low, high, 4.0 / 3.0);
+/// let view = SketchView::around(low, high, 4.0 / 3.0);
 /// let image = sketch(&[(&table.asset, Pose::identity())], &material::library(), &view, 160, 120);
 /// assert_eq!(image.rgb.len(), 160 * 120 * 3);
 /// # Ok::<(), &str>(())
 /// ```
-pub fn sketch(objects: &[(&Asset, Pose)], library: &AssetLibrary, view: &View, width: usize, height: usize) -> Image {
+pub fn sketch(
+    objects: &[(&Asset, Pose)],
+    library: &AssetLibrary,
+    view: &SketchView,
+    width: usize,
+    height: usize,
+) -> Image {
     let mut faces = faces(objects, library, view.open);
     let mut film = Film::new(view, width * FINE, height * FINE);
     let ground = faces.iter().flat_map(|f| f.at).map(|p| p.z).fold(f32::INFINITY, f32::min);
@@ -137,7 +152,7 @@ fn opened(joint: &Joint, share: f32) -> f32 {
 
 /// The image so far.
 struct Film {
-    view: View,
+    view: SketchView,
     axes: [V; 3],
     width: usize,
     height: usize,
@@ -148,7 +163,7 @@ struct Film {
 }
 
 impl Film {
-    fn new(view: &View, width: usize, height: usize) -> Self {
+    fn new(view: &SketchView, width: usize, height: usize) -> Self {
         let paper = V::from(PAPER.map(|c| (f32::from(c) / 255.0).power(2.2)));
         let pixels = width * height;
         let axes = frame(view.target - view.eye);

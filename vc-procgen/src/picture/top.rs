@@ -6,11 +6,12 @@ use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::Pose;
 use vc_graph::asset::{Part, Shape};
 use vc_graph::portable::Portable;
+use vc_shapes::material::{self, Family};
 
 use super::canvas::{Canvas, Colour, Ink, Point};
 use crate::apartment::Apartment;
-use crate::furnish::{Area, Item, Rest};
-use crate::material::{self, Family};
+use crate::area::Area;
+use crate::item::{Item, Support};
 
 /// The height of an object's base above which it hangs over the floor and is drawn dashed, metres.
 const OVERHEAD: f32 = 1.3;
@@ -41,7 +42,7 @@ pub(super) fn draw(canvas: &mut Canvas, home: &Apartment) {
     let mut tops: Vec<Top> = below.into_iter().flat_map(tops).collect();
     tops.sort_by(|a, b| a.z.total_cmp(&b.z));
     tops.iter().for_each(|top| canvas.polygon(&top.outline, ink(top.material)));
-    for item in over.into_iter().filter(|i| i.rest == Rest::Ceiling || i.rest == Rest::Wall) {
+    for item in over.into_iter().filter(|i| i.support == Support::Ceiling || i.support == Support::Wall) {
         let area = item.area();
         let dashes = Ink::line(Colour::hex(0x9aa0a8), HAIR).dashed(0.05);
         canvas.rectangle([area.x0, area.y0], [area.x1, area.y1], dashes);
@@ -53,7 +54,7 @@ pub(super) fn draw(canvas: &mut Canvas, home: &Apartment) {
 pub(super) fn areas(home: &Apartment) -> Vec<Area> {
     let stands = |item: &&Item| {
         let (low, high) = item.corners();
-        matches!(item.rest, Rest::Floor | Rest::Wall) && low.z < OVERHEAD && high.z > 0.1
+        matches!(item.support, Support::Floor | Support::Wall) && low.z < OVERHEAD && high.z > 0.1
     };
     home.items.iter().filter(stands).map(Item::area).collect()
 }
@@ -62,10 +63,10 @@ pub(super) fn areas(home: &Apartment) -> Vec<Area> {
 fn hidden(items: &[Item]) -> Vec<bool> {
     let mut hidden: Vec<bool> = Vec::with_capacity(items.len());
     for item in items {
-        hidden.push(match item.rest {
-            Rest::Built | Rest::Inside(..) => true,
-            Rest::On(at, _) => hidden.get(at).copied().unwrap_or(false),
-            Rest::Floor | Rest::Wall | Rest::Ceiling => false,
+        hidden.push(match item.support {
+            Support::Built | Support::Inside(..) => true,
+            Support::On(at, _) => hidden.get(at).copied().unwrap_or(false),
+            Support::Floor | Support::Wall | Support::Ceiling => false,
         });
     }
     hidden

@@ -5,7 +5,7 @@
 //! partition wall (one cell) smaller on every side.
 
 mod anneal;
-mod edges;
+mod boundaries;
 mod growth;
 mod openings;
 mod programme;
@@ -15,24 +15,30 @@ mod studio;
 mod topology;
 mod turn;
 
-pub use edges::Edge;
-pub(crate) use edges::edges as edges_of;
-pub use openings::{Opening, OpeningKind};
-pub use programme::{Programme, Wish};
+pub use crate::room_kind::RoomKind;
+pub use boundaries::Boundary;
+pub(crate) use boundaries::boundaries as boundaries_of;
+pub use openings::{OpeningKind, PlanOpening};
+pub(crate) use programme::Programme;
 pub use rect::Rect;
 pub(crate) use rect::covers;
-pub use topology::Topology;
+use topology::Topology;
 
 use serde::Serialize;
 use vc_graph::{Seed, Stream};
 
-use crate::Specification;
 use crate::error::SpecificationError;
+use crate::specification::Specification;
 
 /// The number of grid cells per metre.
 pub const CELLS: f32 = 20.0;
 
 /// Converts cells to metres.
+///
+/// ```
+/// use vc_procgen::plan::metres;
+/// assert_eq!(metres(30), 1.5);
+/// ```
 pub fn metres(cells: i32) -> f32 {
     cells as f32 / CELLS
 }
@@ -40,79 +46,6 @@ pub fn metres(cells: i32) -> f32 {
 /// Converts metres to the nearest number of cells.
 pub(crate) fn cells(metres: f32) -> i32 {
     (metres * CELLS).round() as i32
-}
-
-/// The purpose of a room.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RoomKind {
-    /// Living room, often with the dining area.
-    Living,
-    /// Kitchen, closed or open to the living room.
-    Kitchen,
-    /// Bedroom for one or two adults.
-    Bedroom,
-    /// A child's bedroom.
-    Kids,
-    /// Bathroom with toilet, basin and shower or bath.
-    Bathroom,
-    /// Toilet and hand basin.
-    Wc,
-    /// Hall or corridor.
-    Hall,
-    /// Study.
-    Study,
-    /// Laundry.
-    Laundry,
-    /// Store room or walk-in closet.
-    Storage,
-    /// Balcony: outside the walls.
-    Balcony,
-}
-
-impl RoomKind {
-    /// The room's class in the class table.
-    pub fn class(self) -> &'static str {
-        match self {
-            Self::Living => "living_room",
-            Self::Kitchen => "kitchen",
-            Self::Bedroom => "bedroom",
-            Self::Kids => "kids_room",
-            Self::Bathroom | Self::Wc => "bathroom",
-            Self::Hall => "hallway",
-            Self::Study => "home_office",
-            Self::Laundry => "laundry_room",
-            Self::Storage => "storage_room",
-            Self::Balcony => "balcony",
-        }
-    }
-
-    /// The name for display.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Living => "Living room",
-            Self::Kitchen => "Kitchen",
-            Self::Bedroom => "Bedroom",
-            Self::Kids => "Child's room",
-            Self::Bathroom => "Bathroom",
-            Self::Wc => "WC",
-            Self::Hall => "Hall",
-            Self::Study => "Study",
-            Self::Laundry => "Laundry",
-            Self::Storage => "Storage",
-            Self::Balcony => "Balcony",
-        }
-    }
-
-    /// Whether it is a bedroom.
-    pub fn is_bedroom(self) -> bool {
-        matches!(self, Self::Bedroom | Self::Kids)
-    }
-
-    /// Whether it has running water and a tiled floor.
-    pub fn is_wet(self) -> bool {
-        matches!(self, Self::Kitchen | Self::Bathroom | Self::Wc | Self::Laundry)
-    }
 }
 
 /// A room of a plan.
@@ -141,12 +74,7 @@ impl Room {
 
     /// The longest short side of any of its net rectangles, cells.
     pub(crate) fn widest(&self) -> i32 {
-        self.few().iter().map(Rect::short).max().unwrap_or(0)
-    }
-
-    /// Its area up to the centre lines of its walls, square metres.
-    pub fn gross_area(&self) -> f32 {
-        self.rects.iter().map(|r| r.area()).sum()
+        self.net_rects().iter().map(Rect::short).max().unwrap_or(0)
     }
 
     /// Its bounding rectangle.
@@ -157,13 +85,13 @@ impl Room {
     /// Its net rectangles, inside the walls. They cover the net area and may overlap where two
     /// gross rectangles meet.
     pub fn net(&self) -> Vec<Rect> {
-        self.few().to_vec()
+        self.net_rects().to_vec()
     }
 
     /// Its net rectangles.
-    fn few(&self) -> rect::Few {
+    fn net_rects(&self) -> rect::Rects {
         // A rectangle no wider than its walls has no net area.
-        let mut net: rect::Few = self.rects.iter().map(|r| r.grown(-1)).filter(|r| !r.is_empty()).collect();
+        let mut net: rect::Rects = self.rects.iter().map(|r| r.grown(-1)).filter(|r| !r.is_empty()).collect();
         for (i, a) in self.rects.iter().enumerate() {
             for b in &self.rects[i + 1..] {
                 // There is no wall at the seam between two rectangles.
@@ -174,17 +102,36 @@ impl Room {
     }
 
     /// Its net area in square metres.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::Specification;
+    /// use vc_procgen::plan::FloorPlan;
+    /// let plan = FloorPlan::generate(&Specification::with_bedrooms(2), Seed(4))?;
+    /// assert!(plan.rooms.iter().all(|room| room.area() > 1.0));
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
     pub fn area(&self) -> f32 {
-        rect::union_area(&self.few())
+        rect::union_area(&self.net_rects())
     }
 
     /// Whether a net point (in cells) is in the room.
     pub fn contains(&self, x: f32, y: f32) -> bool {
-        self.few().iter().any(|r| r.holds(x, y))
+        self.net_rects().iter().any(|r| r.holds(x, y))
     }
 }
 
 /// A floor plan.
+///
+/// ```
+/// use vc_graph::Seed;
+/// use vc_procgen::Specification;
+/// use vc_procgen::plan::{FloorPlan, OpeningKind};
+/// let plan = FloorPlan::generate(&Specification::with_bedrooms(3), Seed(2))?;
+/// assert_eq!(plan.rooms.iter().filter(|room| room.kind.is_bedroom()).count(), 3);
+/// assert_eq!(plan.openings.iter().filter(|opening| opening.kind == OpeningKind::Entrance).count(), 1);
+/// # Ok::<(), vc_procgen::SpecificationError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FloorPlan {
     /// The scheme of its layout.
@@ -192,7 +139,7 @@ pub struct FloorPlan {
     /// The rooms; balconies come last.
     pub rooms: Vec<Room>,
     /// Doors, passages and windows.
-    pub openings: Vec<Opening>,
+    pub openings: Vec<PlanOpening>,
     /// The sides of the building that may have windows: west, east, south, north.
     pub facades: [bool; 4],
     /// The thickness of outer walls outside the gross line, cells.
@@ -204,6 +151,7 @@ pub struct FloorPlan {
 /// The scheme of a plan's layout.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum Scheme {
     /// One main room with a bathroom.
     Studio,
@@ -239,7 +187,7 @@ impl FloorPlan {
     ///
     /// # Errors
     /// [`SpecificationError::NoPlan`] if no scheme accommodates it.
-    pub fn lay_out(programme: &Programme, seed: Seed) -> Result<Self, SpecificationError> {
+    pub(crate) fn lay_out(programme: &Programme, seed: Seed) -> Result<Self, SpecificationError> {
         let mut rng = seed.child("plan").stream();
         for scheme in programme.schemes(&mut rng) {
             if let Some(plan) = Self::attempt(programme, scheme, &mut rng) {
@@ -270,8 +218,8 @@ impl FloorPlan {
     }
 
     /// The boundaries between rooms, and between rooms and the outside.
-    pub fn edges(&self) -> Vec<Edge> {
-        edges::edges(&self.rooms)
+    pub fn boundaries(&self) -> Vec<Boundary> {
+        boundaries::boundaries(&self.rooms)
     }
 
     /// The bounding rectangle of all rooms, balconies included.
@@ -285,7 +233,16 @@ impl FloorPlan {
     }
 
     /// The doors and passages of a room.
-    pub fn doors_of(&self, room: usize) -> impl Iterator<Item = &Opening> {
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::Specification;
+    /// use vc_procgen::plan::FloorPlan;
+    /// let plan = FloorPlan::generate(&Specification::with_bedrooms(2), Seed(2))?;
+    /// assert!((0..plan.rooms.len()).all(|room| plan.doors_of(room).count() > 0));
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
+    pub fn doors_of(&self, room: usize) -> impl Iterator<Item = &PlanOpening> {
         self.openings.iter().filter(move |o| o.kind != OpeningKind::Window && o.touches(room))
     }
 }

@@ -3,13 +3,14 @@
 use serde::Serialize;
 use vc_graph::Stream;
 
-use super::edges::Edge;
+use super::boundaries::Boundary;
 use super::programme::{Programme, draw_area};
-use super::{CELLS, FloorPlan, Rect, Room, RoomKind, cells, edges};
+use super::{CELLS, FloorPlan, Rect, Room, RoomKind, boundaries, cells};
 
 /// The kind of an opening in a wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum OpeningKind {
     /// The front door.
     Entrance,
@@ -25,7 +26,7 @@ pub enum OpeningKind {
 
 /// An opening in a wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Opening {
+pub struct PlanOpening {
     /// Its kind.
     pub kind: OpeningKind,
     /// Whether its wall runs along Y.
@@ -50,7 +51,7 @@ pub struct Opening {
     pub head: f32,
 }
 
-impl Opening {
+impl PlanOpening {
     /// Whether it leads into a room.
     pub fn touches(&self, room: usize) -> bool {
         self.low == Some(room) || self.high == Some(room)
@@ -72,32 +73,32 @@ impl Opening {
     }
 
     /// Whether it has a leaf that swings.
-    pub fn has_leaf(&self) -> bool {
+    pub(crate) fn has_leaf(&self) -> bool {
         matches!(self.kind, OpeningKind::Entrance | OpeningKind::Door | OpeningKind::BalconyDoor)
     }
 
     /// The square that its leaf sweeps, cells.
-    pub fn swing(&self) -> Option<Rect> {
+    pub(crate) fn swing(&self) -> Option<Rect> {
         self.has_leaf().then(|| self.before(self.opens_high, self.width()))
     }
 
     /// The rectangle in front of it on one side, as wide as the opening and of the given depth.
-    pub fn before(&self, high: bool, depth: i32) -> Rect {
+    pub(crate) fn before(&self, high: bool, depth: i32) -> Rect {
         let (near, far) = if high { (self.at + 1, self.at + 1 + depth) } else { (self.at - 1 - depth, self.at - 1) };
         self.across(near, far)
     }
 
     /// The rectangle between two lines parallel to the wall, as wide as the opening.
-    pub fn across(&self, near: i32, far: i32) -> Rect {
+    pub(crate) fn across(&self, near: i32, far: i32) -> Rect {
         match self.vertical {
             true => Rect { x0: near, x1: far, y0: self.from, y1: self.to },
             false => Rect { y0: near, y1: far, x0: self.from, x1: self.to },
         }
     }
 
-    fn on(edge: &Edge, kind: OpeningKind, from: i32, width: i32) -> Self {
+    fn on(edge: &Boundary, kind: OpeningKind, from: i32, width: i32) -> Self {
         let (sill, head) = if kind == OpeningKind::Entrance { (0.0, 2.1) } else { (0.0, 2.05) };
-        let Edge { vertical, at, low, high, .. } = *edge;
+        let Boundary { vertical, at, low, high, .. } = *edge;
         let (opens_high, hinge_low, to) = (high.is_some(), true, from + width);
         Self { kind, vertical, at, from, to, low, high, opens_high, hinge_low, sill, head }
     }
@@ -108,7 +109,7 @@ const CORNER: i32 = 3;
 
 /// Adds doors, passages, balconies and windows to a plan. `None` if a room cannot have its door.
 pub(super) fn open(plan: &mut FloorPlan, programme: &Programme, rng: &mut Stream) -> Option<()> {
-    let edges = edges::edges(&plan.rooms);
+    let edges = boundaries::boundaries(&plan.rooms);
     let mut opener = Opener { rooms: &plan.rooms, edges: &edges, facades: plan.facades, placed: Vec::new() };
     opener.entrance(rng)?;
     for room in 0..opener.rooms.len() {
@@ -123,9 +124,9 @@ pub(super) fn open(plan: &mut FloorPlan, programme: &Programme, rng: &mut Stream
 
 struct Opener<'a> {
     rooms: &'a [Room],
-    edges: &'a [Edge],
+    edges: &'a [Boundary],
     facades: [bool; 4],
-    placed: Vec<Opening>,
+    placed: Vec<PlanOpening>,
 }
 
 impl Opener<'_> {
@@ -137,7 +138,7 @@ impl Opener<'_> {
     /// preferably in a wall without windows, where the landing is.
     fn entrance(&mut self, rng: &mut Stream) -> Option<()> {
         let width = if rng.chance(0.5) { 20 } else { 21 };
-        let mut walls: Vec<(usize, Edge)> = Vec::new();
+        let mut walls: Vec<(usize, Boundary)> = Vec::new();
         for edge in self.edges {
             let Some(room) = edge.inner() else { continue };
             let rank = match self.kind(room) {
@@ -200,7 +201,7 @@ impl Opener<'_> {
     /// Places an opening without a leaf between two rooms, as wide as their wall and the limits
     /// allow.
     fn passage(&mut self, a: usize, b: usize, widths: (i32, i32), rng: &mut Stream) -> Option<()> {
-        let mut walls: Vec<&Edge> = self.edges.iter().filter(|e| e.joins(a, b)).collect();
+        let mut walls: Vec<&Boundary> = self.edges.iter().filter(|e| e.joins(a, b)).collect();
         walls.sort_by_key(|e| -e.length());
         walls.into_iter().find_map(|edge| {
             let most = (edge.length() - 2 * CORNER).min(rng.count(widths.0 as usize, widths.1 as usize) as i32);
@@ -210,7 +211,7 @@ impl Opener<'_> {
                     return None;
                 }
                 let from = edge.from + CORNER + rng.below(spare as usize + 1) as i32;
-                let opening = Opening::on(edge, OpeningKind::Passage, from, most);
+                let opening = PlanOpening::on(edge, OpeningKind::Passage, from, most);
                 self.place(opening)
             })
         })
@@ -218,7 +219,7 @@ impl Opener<'_> {
 
     /// Places a door to one of the suitable rooms.
     fn door(&mut self, room: usize, fit: impl Fn(usize, RoomKind) -> bool, width: i32, rng: &mut Stream) -> Option<()> {
-        let mut walls: Vec<&Edge> = self.edges.iter().collect();
+        let mut walls: Vec<&Boundary> = self.edges.iter().collect();
         walls.retain(|e| e.length() >= width + 4 && e.beyond(room).is_some_and(|o| fit(o, self.kind(o))));
         rng.shuffle(&mut walls);
         // Small wet rooms have no space for a leaf, so it opens outwards.
@@ -238,7 +239,14 @@ impl Opener<'_> {
 
     /// Places a leaf in a wall, hinged near a corner if possible, where no other leaf is in the
     /// way.
-    fn leaf(&mut self, edge: &Edge, kind: OpeningKind, width: i32, opens_high: bool, rng: &mut Stream) -> Option<()> {
+    fn leaf(
+        &mut self,
+        edge: &Boundary,
+        kind: OpeningKind,
+        width: i32,
+        opens_high: bool,
+        rng: &mut Stream,
+    ) -> Option<()> {
         let margin = CORNER.min((edge.length() - width) / 2);
         let (first, last) = (edge.from + margin, edge.to - margin - width);
         let mut spots = vec![(first, true), (last, false), (last, true), (first, false)];
@@ -246,12 +254,12 @@ impl Opener<'_> {
         let middle = (last - first).max(0) as usize;
         spots.extend((0..4).map(|_| (first + rng.below(middle + 1) as i32, rng.chance(0.5))));
         spots.into_iter().find_map(|(from, hinge_low)| {
-            self.place(Opening { opens_high, hinge_low, ..Opening::on(edge, kind, from, width) })
+            self.place(PlanOpening { opens_high, hinge_low, ..PlanOpening::on(edge, kind, from, width) })
         })
     }
 
     /// Adds an opening unless it conflicts with another.
-    fn place(&mut self, opening: Opening) -> Option<()> {
+    fn place(&mut self, opening: PlanOpening) -> Option<()> {
         let own = opening.swing();
         let into = if opening.opens_high { opening.high } else { opening.low };
         // The leaf must have space to swing.
@@ -261,8 +269,8 @@ impl Opener<'_> {
                 return None;
             }
         }
-        let zone = |o: &Opening| [o.before(true, 4), o.before(false, 4)];
-        let clash = |other: &Opening| {
+        let zone = |o: &PlanOpening| [o.before(true, 4), o.before(false, 4)];
+        let clash = |other: &PlanOpening| {
             let ways = zone(other);
             let swings = match (own, other.swing()) {
                 (Some(a), Some(b)) => a.overlaps(&b),
@@ -282,7 +290,7 @@ impl Opener<'_> {
 }
 
 /// The side of the building that an outer edge belongs to: west, east, south, north.
-fn side(edge: &Edge) -> usize {
+fn side(edge: &Boundary) -> usize {
     match (edge.vertical, edge.low.is_none()) {
         (true, true) => 0,
         (true, false) => 1,
@@ -294,9 +302,9 @@ fn side(edge: &Edge) -> usize {
 /// Adds balconies in front of windowed walls, with their doors.
 fn balconies(
     plan: &mut FloorPlan,
-    edges: &[Edge],
+    edges: &[Boundary],
     programme: &Programme,
-    openings: &mut Vec<Opening>,
+    openings: &mut Vec<PlanOpening>,
     rng: &mut Stream,
 ) {
     let mut wished: Vec<bool> = vec![false; usize::from(programme.balconies.0)];
@@ -307,7 +315,7 @@ fn balconies(
             true => plan.rooms[room].kind == RoomKind::Bedroom || plan.rooms[room].kind == RoomKind::Kids,
             false => plan.rooms[room].kind == RoomKind::Living,
         };
-        let mut walls: Vec<&Edge> = edges.iter().filter(|e| e.inner().is_some_and(fits)).collect();
+        let mut walls: Vec<&Boundary> = edges.iter().filter(|e| e.inner().is_some_and(fits)).collect();
         walls.retain(|e| e.length() >= 36 && plan.facades[side(e)]);
         rng.shuffle(&mut walls);
         walls.sort_by_key(|e| openings.iter().any(|o| o.kind == OpeningKind::BalconyDoor && Some(o.at) == Some(e.at)));
@@ -322,13 +330,18 @@ fn balconies(
 }
 
 /// A balcony in front of an outer wall: its net area begins where the wall ends.
-fn balcony(plan: &FloorPlan, edge: &Edge, openings: &[Opening], rng: &mut Stream) -> Option<(Room, Opening)> {
+fn balcony(
+    plan: &FloorPlan,
+    edge: &Boundary,
+    openings: &[PlanOpening],
+    rng: &mut Stream,
+) -> Option<(Room, PlanOpening)> {
     let depth = rng.count(24, 34) as i32;
     let area = draw_area(RoomKind::Balcony, rng);
     let length = ((area * CELLS * CELLS / (depth - 2) as f32) as i32 + 2).clamp(32, edge.length());
     let from = edge.from + rng.below((edge.length() - length) as usize + 1) as i32;
     let outwards = edge.low.is_some();
-    let wall = Opening::on(edge, OpeningKind::BalconyDoor, from, length);
+    let wall = PlanOpening::on(edge, OpeningKind::BalconyDoor, from, length);
     let near = plan.shell - 1;
     let rect = match outwards {
         true => wall.across(edge.at + near, edge.at + near + depth),
@@ -341,8 +354,12 @@ fn balcony(plan: &FloorPlan, edge: &Edge, openings: &[Opening], rng: &mut Stream
         return None;
     }
     let index = plan.rooms.len();
-    let mut door =
-        Opening::on(edge, OpeningKind::BalconyDoor, from + CORNER + 1 + rng.below(spare as usize + 1) as i32, width);
+    let mut door = PlanOpening::on(
+        edge,
+        OpeningKind::BalconyDoor,
+        from + CORNER + 1 + rng.below(spare as usize + 1) as i32,
+        width,
+    );
     // Balcony doors open into the room.
     door.opens_high = edge.high.is_some();
     door.hinge_low = rng.chance(0.5);
@@ -360,7 +377,7 @@ fn balcony(plan: &FloorPlan, edge: &Edge, openings: &[Opening], rng: &mut Stream
 
 /// Adds windows: in living rooms and bedrooms at least an eighth of the floor area, where the outer
 /// walls allow it.
-fn windows(plan: &FloorPlan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &mut Stream) {
+fn windows(plan: &FloorPlan, edges: &[Boundary], openings: &mut Vec<PlanOpening>, rng: &mut Stream) {
     for (index, room) in plan.rooms.iter().enumerate() {
         let (sill, head, share, most) = match room.kind {
             RoomKind::Living | RoomKind::Bedroom | RoomKind::Kids | RoomKind::Study => (0.9, 2.25, 0.125, 44),
@@ -368,7 +385,7 @@ fn windows(plan: &FloorPlan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &
             RoomKind::Bathroom if rng.chance(0.9) => (1.5, 2.1, 0.06, 14),
             _ => continue,
         };
-        let mut walls: Vec<&Edge> = edges.iter().filter(|e| e.inner() == Some(index)).collect();
+        let mut walls: Vec<&Boundary> = edges.iter().filter(|e| e.inner() == Some(index)).collect();
         walls.retain(|e| plan.facades[side(e)] && e.length() >= 16);
         walls.sort_by_key(|e| -e.length());
         let mut wanted = room.area() * share / (head - sill);
@@ -380,7 +397,7 @@ fn windows(plan: &FloorPlan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &
                 }
                 let spare = (to - from - width) as f32;
                 let from = from + (spare * rng.between(0.35, 0.65)) as i32;
-                openings.push(Opening { sill, head, ..Opening::on(edge, OpeningKind::Window, from, width) });
+                openings.push(PlanOpening { sill, head, ..PlanOpening::on(edge, OpeningKind::Window, from, width) });
                 wanted -= super::metres(width);
             }
         }
@@ -388,7 +405,7 @@ fn windows(plan: &FloorPlan, edges: &[Edge], openings: &mut Vec<Opening>, rng: &
 }
 
 /// The stretches of a wall without openings, excluding the corners.
-fn free(edge: &Edge, openings: &[Opening]) -> Vec<(i32, i32)> {
+fn free(edge: &Boundary, openings: &[PlanOpening]) -> Vec<(i32, i32)> {
     let mut taken: Vec<(i32, i32)> = openings
         .iter()
         .filter(|o| o.vertical == edge.vertical && o.at == edge.at)

@@ -4,36 +4,36 @@ use vc_graph::portable::Portable;
 use vc_graph::{Seed, Stream};
 
 use super::{RoomKind, Scheme, Topology};
-use crate::Specification;
 use crate::error::SpecificationError;
+use crate::specification::Specification;
 
 /// A requested room.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wish {
+pub(crate) struct Wish {
     /// Its purpose.
-    pub kind: RoomKind,
+    pub(crate) kind: RoomKind,
     /// The net area, square metres.
-    pub area: f32,
+    pub(crate) area: f32,
     /// For an en-suite bathroom: the index of its bedroom's request.
-    pub of: Option<usize>,
+    pub(crate) of: Option<usize>,
 }
 
 /// The rooms of an apartment before its layout. Halls are not requested: each scheme adds those it
 /// needs.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Programme {
+pub(crate) struct Programme {
     /// The rooms: living room first, then kitchen, bedrooms, study, and service rooms.
-    pub wishes: Vec<Wish>,
+    pub(crate) wishes: Vec<Wish>,
     /// Whether the kitchen is open to the living room.
-    pub open_kitchen: bool,
+    pub(crate) open_kitchen: bool,
     /// The requested adjacency of rooms.
-    pub topology: Topology,
+    pub(crate) topology: Topology,
     /// Whether there is a balcony at the living room, and one at a bedroom.
-    pub balconies: (bool, bool),
+    pub(crate) balconies: (bool, bool),
     /// The number of additional balconies.
-    pub more_balconies: usize,
+    pub(crate) more_balconies: usize,
     /// The requested net area, square metres.
-    pub wished_area: Option<f32>,
+    pub(crate) wished_area: Option<f32>,
 }
 
 /// The area of a room in real homes: median, standard deviation of the logarithm, and the least and
@@ -70,7 +70,7 @@ impl Programme {
     ///
     /// # Errors
     /// [`SpecificationError`] if the requirements contradict each other.
-    pub fn draw(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
+    pub(crate) fn draw(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
         specification.check()?;
         let mut rng = seed.child("programme").stream();
         let bedrooms = specification.bedrooms.unwrap_or_else(|| draw_bedrooms(specification, &mut rng));
@@ -149,7 +149,7 @@ impl Programme {
     }
 
     /// The net area of all requested rooms, square metres; halls are extra.
-    pub fn area(&self) -> f32 {
+    pub(crate) fn area(&self) -> f32 {
         self.wishes.iter().map(|w| w.area).sum()
     }
 

@@ -6,6 +6,12 @@ use smallvec::SmallVec;
 use super::{Room, metres};
 
 /// A rectangle in cells of five centimetres: `x0..x1` by `y0..y1`.
+///
+/// ```
+/// use vc_procgen::plan::Rect;
+/// let rect = Rect { x0: 0, y0: 0, x1: 40, y1: 60 };
+/// assert_eq!((rect.width(), rect.depth(), rect.area()), (40, 60, 6.0));
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct Rect {
     /// West side.
@@ -35,7 +41,7 @@ impl Rect {
     }
 
     /// The shorter side, cells.
-    pub fn short(&self) -> i32 {
+    pub(crate) fn short(&self) -> i32 {
         self.width().min(self.depth())
     }
 
@@ -45,25 +51,25 @@ impl Rect {
     }
 
     /// Whether it has no area.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.x0 >= self.x1 || self.y0 >= self.y1
     }
 
     /// The rectangle enlarged by a number of cells on every side.
     #[must_use]
-    pub fn grown(&self, by: i32) -> Self {
+    pub(crate) fn grown(&self, by: i32) -> Self {
         Self { x0: self.x0 - by, y0: self.y0 - by, x1: self.x1 + by, y1: self.y1 + by }
     }
 
     /// The rectangle translated.
     #[must_use]
-    pub fn moved(&self, dx: i32, dy: i32) -> Self {
+    pub(crate) fn moved(&self, dx: i32, dy: i32) -> Self {
         Self { x0: self.x0 + dx, y0: self.y0 + dy, x1: self.x1 + dx, y1: self.y1 + dy }
     }
 
     /// The bounding rectangle of both.
     #[must_use]
-    pub fn around(self, other: Self) -> Self {
+    pub(crate) fn around(self, other: Self) -> Self {
         Self {
             x0: self.x0.min(other.x0),
             y0: self.y0.min(other.y0),
@@ -74,7 +80,7 @@ impl Rect {
 
     /// The intersection; may be empty.
     #[must_use]
-    pub fn shared(self, other: Self) -> Self {
+    pub(crate) fn shared(self, other: Self) -> Self {
         Self {
             x0: self.x0.max(other.x0),
             y0: self.y0.max(other.y0),
@@ -84,12 +90,12 @@ impl Rect {
     }
 
     /// Whether the rectangles overlap.
-    pub fn overlaps(&self, other: &Self) -> bool {
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
         !self.shared(*other).is_empty()
     }
 
     /// Whether a point in cells is inside or on the border.
-    pub fn holds(&self, x: f32, y: f32) -> bool {
+    pub(crate) fn holds(&self, x: f32, y: f32) -> bool {
         x >= self.x0 as f32 && x <= self.x1 as f32 && y >= self.y0 as f32 && y <= self.y1 as f32
     }
 
@@ -109,7 +115,7 @@ impl Rect {
 }
 
 /// A short list of rectangles: enough for most rooms without a heap allocation.
-pub(super) type Few = SmallVec<[Rect; 16]>;
+pub(super) type Rects = SmallVec<[Rect; 16]>;
 
 /// The area of the union of several rectangles, square metres.
 pub(super) fn union_area(rects: &[Rect]) -> f32 {
@@ -159,5 +165,5 @@ pub(super) fn turn(rooms: &mut [Room], facades: &mut [bool; 4], way: usize) {
 /// Whether several rectangles together cover another.
 pub(crate) fn covers(by: &[Rect], what: Rect) -> bool {
     let shared = by.iter().map(|r| r.shared(what)).filter(|r| !r.is_empty());
-    shared.clone().any(|r| r == what) || union_area(&shared.collect::<Few>()) >= what.area() - 1e-4
+    shared.clone().any(|r| r == what) || union_area(&shared.collect::<Rects>()) >= what.area() - 1e-4
 }

@@ -92,7 +92,7 @@ pub(super) fn lay_out(programme: &Programme, scheme: Scheme, rng: &mut Stream) -
         if off > 0.045 {
             continue;
         }
-        let missed = Topology::of(&rooms).differences(programme.topology, bedrooms, baths, kitchen);
+        let missed = Topology::from_rooms(&rooms).differences(programme.topology, bedrooms, baths, kitchen);
         let cost = missed + if off > 0.02 { 10 } else { 0 };
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, Arrangement { rooms: rooms.clone(), facades }));
@@ -163,15 +163,15 @@ impl Draft<'_> {
         for main in mains {
             let north = !shallow && (load[1] + rng.between(-8.0, 8.0) < load[0]);
             load[usize::from(north)] += self.wish(main).area;
-            if north { &mut norths } else { &mut souths }.push(Cell::of(main));
+            if north { &mut norths } else { &mut souths }.push(Cell::new(main));
         }
         match (kitchen, place) {
-            (Some(k), 0) => souths.push(Cell::of(k)),
-            (Some(k), 1) => norths.push(Cell::of(k)),
-            (Some(k), _) => norths.insert(rng.below(norths.len() + 1), Cell::of(k)),
+            (Some(k), 0) => souths.push(Cell::new(k)),
+            (Some(k), 1) => norths.push(Cell::new(k)),
+            (Some(k), _) => norths.insert(rng.below(norths.len() + 1), Cell::new(k)),
             _ => {}
         }
-        souths.push(Cell::of(0));
+        souths.push(Cell::new(0));
         (souths, norths)
     }
 
@@ -195,7 +195,7 @@ impl Draft<'_> {
                 continue;
             }
             if shallow && wish.of.is_none() {
-                norths.insert(rng.below(norths.len() + 1), Cell::of(index));
+                norths.insert(rng.below(norths.len() + 1), Cell::new(index));
                 continue;
             }
             let owner = wish.of;
@@ -458,7 +458,7 @@ impl Draft<'_> {
 }
 
 impl Cell {
-    fn of(wish: usize) -> Self {
+    fn new(wish: usize) -> Self {
         Self { wish: Some(wish), notches: [None; 2], x: 0, width: 0 }
     }
 

@@ -2,19 +2,19 @@
 
 use vc_graph::Stream;
 
-use super::{Room, RoomKind, edges};
+use super::{Room, RoomKind, boundaries};
 
 /// Whether rooms of two kinds share a wall somewhere in the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Topology {
+pub(crate) struct Topology {
     /// Two bedrooms.
-    pub bedroom_bedroom: bool,
+    pub(crate) bedroom_bedroom: bool,
     /// Two bathrooms.
-    pub bath_bath: bool,
+    pub(crate) bath_bath: bool,
     /// A bedroom and the kitchen.
-    pub bedroom_kitchen: bool,
+    pub(crate) bedroom_kitchen: bool,
     /// A bathroom and the kitchen.
-    pub bath_kitchen: bool,
+    pub(crate) bath_kitchen: bool,
 }
 
 /// The shortest stretch that counts as a shared wall, cells.
@@ -34,9 +34,9 @@ impl Topology {
     }
 
     /// The adjacency in a plan.
-    pub fn of(rooms: &[Room]) -> Self {
+    pub(crate) fn from_rooms(rooms: &[Room]) -> Self {
         let mut found = Self::default();
-        for edge in edges::edges(rooms).iter().filter(|e| e.length() >= CONTACT) {
+        for edge in boundaries::boundaries(rooms).iter().filter(|e| e.length() >= CONTACT) {
             let (Some(a), Some(b)) = (edge.low, edge.high) else { continue };
             let (a, b) = (rooms[a].kind, rooms[b].kind);
             let pair = |f: fn(RoomKind) -> bool, g: fn(RoomKind) -> bool| (f(a) && g(b)) || (f(b) && g(a));

@@ -1,7 +1,7 @@
 //! Rotations and mirrorings of plans.
 
 use super::rect;
-use super::{FloorPlan, Opening};
+use super::{FloorPlan, PlanOpening};
 
 impl FloorPlan {
     /// The plan in one of its eight orientations, with its south-west corner at the origin. The
@@ -25,7 +25,7 @@ impl FloorPlan {
     }
 }
 
-impl Opening {
+impl PlanOpening {
     /// Applies an orientation, then moves `origin` to zero.
     fn turn(&mut self, way: usize, origin: (i32, i32)) {
         if way & 1 != 0 {
@@ -66,10 +66,10 @@ mod tests {
             let Ok(plan) = FloorPlan::generate(&Specification::default(), Seed(seed)) else { continue };
             for way in 0..8 {
                 let turned = plan.turned(way);
-                let edges = turned.edges();
+                let edges = turned.boundaries();
                 let indoors = turned.openings.iter().filter(|o| o.low.is_some() && o.high.is_some());
                 for opening in indoors.filter(|o| o.kind != crate::plan::OpeningKind::BalconyDoor) {
-                    let within = |e: &crate::plan::Edge| {
+                    let within = |e: &crate::plan::Boundary| {
                         (e.vertical, e.at, e.low, e.high) == (opening.vertical, opening.at, opening.low, opening.high)
                             && e.from <= opening.from
                             && e.to >= opening.to

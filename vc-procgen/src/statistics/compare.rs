@@ -5,13 +5,14 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::zone::pair;
-use super::{Spread, Statistics, Zone, reference};
+use super::{Histogram, Statistics, Zone, reference};
 use crate::plan::RoomKind;
 
 /// The tolerance of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Bar {
+#[non_exhaustive]
+pub enum Tolerance {
     /// The relative difference allowed.
     Relative(f64),
     /// The absolute difference allowed.
@@ -23,8 +24,15 @@ pub enum Bar {
 }
 
 /// A measured value and that of real homes.
+///
+/// ```
+/// use vc_procgen::statistics::Statistics;
+/// let empty = Statistics::default().compare();
+/// assert!(empty.iter().all(|comparison| comparison.measured.is_none() && comparison.holds().is_none()));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Comparison {
+#[non_exhaustive]
+pub struct ReferenceComparison {
     /// The name of the quantity.
     pub what: String,
     /// The measured value; `None` where no home has one.
@@ -32,18 +40,18 @@ pub struct Comparison {
     /// The value of real homes.
     pub reference: f64,
     /// The tolerance.
-    pub bar: Bar,
+    pub bar: Tolerance,
 }
 
-impl Comparison {
+impl ReferenceComparison {
     /// Whether the tolerance is kept; `None` where there is nothing to compare.
     pub fn holds(&self) -> Option<bool> {
         let (measured, off) = (self.measured?, self.difference()?);
         match self.bar {
-            Bar::Relative(share) => Some(off.abs() <= share * self.reference),
-            Bar::Absolute(most) => Some(off.abs() <= most),
-            Bar::AtLeast => Some(measured >= self.reference),
-            Bar::None => None,
+            Tolerance::Relative(share) => Some(off.abs() <= share * self.reference),
+            Tolerance::Absolute(most) => Some(off.abs() <= most),
+            Tolerance::AtLeast => Some(measured >= self.reference),
+            Tolerance::None => None,
         }
     }
 
@@ -55,15 +63,15 @@ impl Comparison {
     fn row(&self) -> String {
         let figure = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.2}"));
         let off = match (self.difference(), self.bar) {
-            (Some(d), Bar::Relative(_)) => format!("{:+.1} %", 100.0 * d / self.reference),
+            (Some(d), Tolerance::Relative(_)) => format!("{:+.1} %", 100.0 * d / self.reference),
             (Some(d), _) => format!("{d:+.2}"),
             (None, _) => "-".to_owned(),
         };
         let bar = match self.bar {
-            Bar::Relative(share) => format!("within {:.0} %", 100.0 * share),
-            Bar::Absolute(most) => format!("within {most:.2}"),
-            Bar::AtLeast => format!("at least {:.2}", self.reference),
-            Bar::None => String::new(),
+            Tolerance::Relative(share) => format!("within {:.0} %", 100.0 * share),
+            Tolerance::Absolute(most) => format!("within {most:.2}"),
+            Tolerance::AtLeast => format!("at least {:.2}", self.reference),
+            Tolerance::None => String::new(),
         };
         let verdict = self.holds().map_or("", |holds| if holds { "yes" } else { "NO" });
         let (measured, reference) = (figure(self.measured), figure(Some(self.reference)));
@@ -77,35 +85,43 @@ impl Statistics {
     ///
     /// All values but those of windows are taken from homes with two or three bedrooms and as many
     /// bathrooms, as most of the real homes have.
-    pub fn compare(&self) -> Vec<Comparison> {
+    pub fn compare(&self) -> Vec<ReferenceComparison> {
         let mut all = self.area_medians();
         all.extend(self.pairs().into_iter().map(|(_, comparison)| comparison));
         all.extend(self.windows());
-        all.extend(reference::DOORS_PER_ROOM.map(|(zone, reference)| Comparison {
+        all.extend(reference::DOORS_PER_ROOM.map(|(zone, reference)| ReferenceComparison {
             what: format!("doors per {}", zone.name()),
             measured: self.comparable.doors_of(zone),
             reference,
-            bar: Bar::None,
+            bar: Tolerance::None,
         }));
         all
     }
 
-    fn area_medians(&self) -> Vec<Comparison> {
-        let medians = reference::AREAS.map(|(zone, [_, median, _])| Comparison {
+    fn area_medians(&self) -> Vec<ReferenceComparison> {
+        let medians = reference::AREAS.map(|(zone, [_, median, _])| ReferenceComparison {
             what: format!("{} area, median m²", zone.name()),
             measured: self.comparable.areas.get(&zone).and_then(|s| s.quantile(0.5)).map(f64::from),
             reference: f64::from(median),
-            bar: Bar::Relative(0.15),
+            bar: Tolerance::Relative(0.15),
         });
         medians.into()
     }
 
     /// Walls, doors and passages, each with its type.
-    pub(super) fn pairs(&self) -> Vec<(&'static str, Comparison)> {
+    pub(super) fn pairs(&self) -> Vec<(&'static str, ReferenceComparison)> {
         let sample = &self.comparable;
         let of = |kind: &'static str, counts, (a, b, reference): (Zone, Zone, f64)| {
             let measured = sample.share(counts, a, b);
-            (kind, Comparison { what: format!("{kind} {}", pair(a, b)), measured, reference, bar: Bar::Absolute(0.05) })
+            (
+                kind,
+                ReferenceComparison {
+                    what: format!("{kind} {}", pair(a, b)),
+                    measured,
+                    reference,
+                    bar: Tolerance::Absolute(0.05),
+                },
+            )
         };
         let mut pairs: Vec<_> = reference::WALLS.map(|p| of("wall", &sample.walls, p)).into();
         pairs.extend(reference::DOORS.map(|p| of("door", &sample.doors, p)));
@@ -113,13 +129,13 @@ impl Statistics {
         pairs
     }
 
-    fn windows(&self) -> Vec<Comparison> {
+    fn windows(&self) -> Vec<ReferenceComparison> {
         let kinds = [RoomKind::Living, RoomKind::Bedroom, RoomKind::Kids];
-        let rows = kinds.map(|kind| Comparison {
+        let rows = kinds.map(|kind| ReferenceComparison {
             what: format!("{} with window or balcony door", kind.title().to_lowercase()),
             measured: self.glazed(kind),
             reference: reference::WINDOWED,
-            bar: Bar::AtLeast,
+            bar: Tolerance::AtLeast,
         });
         rows.into()
     }
@@ -177,7 +193,7 @@ impl Statistics {
 }
 
 /// The 5th percentile, median and 95th percentile.
-fn three(spread: &Spread, digits: usize) -> String {
+fn three(spread: &Histogram, digits: usize) -> String {
     let at = |share| spread.quantile(share).map_or_else(|| "?".to_owned(), |v| format!("{v:.digits$}"));
     format!("{} - {} - {}", at(0.05), at(0.5), at(0.95))
 }

@@ -1,6 +1,6 @@
 //! Plots: room areas, adjacency, the mix of homes.
 
-use super::{Comparison, Spread, Statistics, reference};
+use super::{Histogram, ReferenceComparison, Statistics, reference};
 use crate::picture::{Anchor, Canvas, Colour, Ink, Point};
 
 const OURS: Colour = Colour::hex(0x4a7fb5);
@@ -16,11 +16,16 @@ const BARS: usize = 40;
 impl Statistics {
     /// Histograms of room areas in the homes that resemble real ones, with the 5th percentile,
     /// median and 95th percentile of both: ours below the axis, those of real homes as red lines.
+    ///
+    /// ```
+    /// use vc_procgen::statistics::Statistics;
+    /// assert!(Statistics::default().area_plot().to_svg(600).contains("real homes"));
+    /// ```
     pub fn area_plot(&self) -> Canvas {
         let mut canvas = sheet([2.0 * PANEL[0], 3.0 * PANEL[1] + 60.0]);
         let title = "Net room areas, m²: ours (blue), real homes' p5, median, p95 (red)";
         canvas.text([20.0, 3.0 * PANEL[1] + 30.0], 17.0, Anchor::Start, Colour::BLACK, title);
-        let empty = Spread::new(1.0);
+        let empty = Histogram::new(1.0);
         for (i, (zone, real)) in reference::AREAS.into_iter().enumerate() {
             let corner = [(i % 2) as f32 * PANEL[0], (2 - i / 2) as f32 * PANEL[1]];
             let ours = self.comparable.areas.get(&zone).unwrap_or(&empty);
@@ -111,7 +116,7 @@ impl Panel {
         [self.corner[0] + 30.0 + x * (PANEL[0] - 60.0), self.corner[1] + 55.0 + y * (PANEL[1] - 90.0)]
     }
 
-    fn bars(&self, canvas: &mut Canvas, spread: &Spread, count: usize) {
+    fn bars(&self, canvas: &mut Canvas, spread: &Histogram, count: usize) {
         let counts = spread.histogram(self.high, count);
         let most = counts.iter().copied().max().unwrap_or(0).max(1) as f32;
         for (i, n) in counts.iter().enumerate().filter(|(_, n)| **n > 0) {
@@ -135,7 +140,7 @@ impl Panel {
     }
 
     /// Draws percentiles: ours as dark ticks below the axis, those of real homes as lines.
-    fn marks(&self, canvas: &mut Canvas, ours: &Spread, real: Option<[f32; 3]>) {
+    fn marks(&self, canvas: &mut Canvas, ours: &Histogram, real: Option<[f32; 3]>) {
         let ours = [0.05, 0.5, 0.95].map(|share| ours.quantile(share));
         for (i, value) in ours.into_iter().enumerate() {
             let Some(value) = value else { continue };
@@ -157,7 +162,7 @@ impl Panel {
 }
 
 /// Draws one row: name, bar from 0 to 1, mark of the reference, values.
-fn bar(canvas: &mut Canvas, y: f32, comparison: &Comparison) {
+fn bar(canvas: &mut Canvas, y: f32, comparison: &ReferenceComparison) {
     let at = |share: f64| 290.0 + 420.0 * share as f32;
     let (name, real) = (&comparison.what, comparison.reference);
     canvas.text([270.0, y + 6.0], 12.0, Anchor::End, Colour::BLACK, name);

@@ -3,12 +3,12 @@
 use super::Zone;
 
 /// The source of the values.
-pub const SOURCE: &str = "ResPlan (CC BY 4.0), a dataset of real floor plans: 45 apartments of 89 to 191 m² gross, \
+pub(super) const SOURCE: &str = "ResPlan (CC BY 4.0), a dataset of real floor plans: 45 apartments of 89 to 191 m² gross, \
                           mostly with two or three bedrooms and as many bathrooms, out of an excerpt of 100 plans; \
                           the living room includes halls";
 
 /// The net area of rooms: 5th percentile, median, 95th percentile, m².
-pub const AREAS: [(Zone, [f32; 3]); 6] = [
+pub(super) const AREAS: [(Zone, [f32; 3]); 6] = [
     (Zone::Living, [22.6, 33.0, 57.4]),
     (Zone::Bedroom, [10.1, 14.6, 22.7]),
     (Zone::Kitchen, [5.5, 8.6, 13.0]),
@@ -18,7 +18,7 @@ pub const AREAS: [(Zone, [f32; 3]); 6] = [
 ];
 
 /// The share of plans in which rooms of two kinds share a wall.
-pub const WALLS: [(Zone, Zone, f64); 8] = [
+pub(super) const WALLS: [(Zone, Zone, f64); 8] = [
     (Zone::Bedroom, Zone::Living, 1.0),
     (Zone::Kitchen, Zone::Living, 1.0),
     (Zone::Bathroom, Zone::Bedroom, 1.0),
@@ -30,7 +30,7 @@ pub const WALLS: [(Zone, Zone, f64); 8] = [
 ];
 
 /// The share of plans in which a door connects rooms of two kinds.
-pub const DOORS: [(Zone, Zone, f64); 7] = [
+pub(super) const DOORS: [(Zone, Zone, f64); 7] = [
     (Zone::Bathroom, Zone::Bedroom, 1.0),
     (Zone::Bedroom, Zone::Living, 1.0),
     (Zone::Bathroom, Zone::Living, 0.67),
@@ -42,10 +42,10 @@ pub const DOORS: [(Zone, Zone, f64); 7] = [
 
 /// The share of plans in which rooms of two kinds are open to each other: kitchens that have no
 /// door to the living room.
-pub const PASSAGES: [(Zone, Zone, f64); 1] = [(Zone::Kitchen, Zone::Living, 0.73)];
+pub(super) const PASSAGES: [(Zone, Zone, f64); 1] = [(Zone::Kitchen, Zone::Living, 0.73)];
 
 /// The mean number of doors per room.
-pub const DOORS_PER_ROOM: [(Zone, f64); 3] = [(Zone::Living, 4.2), (Zone::Bedroom, 2.2), (Zone::Bathroom, 1.04)];
+pub(super) const DOORS_PER_ROOM: [(Zone, f64); 3] = [(Zone::Living, 4.2), (Zone::Bedroom, 2.2), (Zone::Bathroom, 1.04)];
 
 /// The share of bedrooms and of living rooms that should have a window.
-pub const WINDOWED: f64 = 0.99;
+pub(super) const WINDOWED: f64 = 0.99;

@@ -6,8 +6,16 @@ use crate::plan::RoomKind;
 
 /// Rooms of the same purpose. Halls belong to the living room, as in the plans of real homes that
 /// the reference values come from.
+///
+/// ```
+/// use vc_procgen::plan::RoomKind;
+/// use vc_procgen::statistics::Zone;
+/// assert_eq!(Zone::from_room_kind(RoomKind::Hall), Some(Zone::Living));
+/// assert_eq!(Zone::from_room_kind(RoomKind::Study), None);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum Zone {
     /// Balconies.
     Balcony,
@@ -29,7 +37,7 @@ impl Zone {
         [Self::Living, Self::Bedroom, Self::Kitchen, Self::Bathroom, Self::Balcony, Self::Storage];
 
     /// The zone of a room, if the reference has one for it.
-    pub fn of(kind: RoomKind) -> Option<Self> {
+    pub fn from_room_kind(kind: RoomKind) -> Option<Self> {
         match kind {
             RoomKind::Living | RoomKind::Hall => Some(Self::Living),
             RoomKind::Bedroom | RoomKind::Kids => Some(Self::Bedroom),
@@ -42,7 +50,7 @@ impl Zone {
     }
 
     /// Its name.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Living => "living",
             Self::Bedroom => "bedroom",

@@ -3,7 +3,7 @@
 
 use std::collections::VecDeque;
 
-use vc_procgen::plan::{Opening, OpeningKind, metres};
+use vc_procgen::plan::{OpeningKind, PlanOpening, metres};
 
 use super::thing::{Piece, Thing};
 use super::{House, Rule};
@@ -27,7 +27,7 @@ pub(super) struct Floor {
 }
 
 pub(super) fn look(house: &mut House<'_>) {
-    let floor = Floor::of(house);
+    let floor = Floor::new(house);
     let mut found = Vec::new();
     for (room, id) in house.scene.rooms().iter().enumerate() {
         if !floor.stands(|x, y| house.is_within(room, x, y, 0.0)) {
@@ -49,7 +49,7 @@ pub(super) fn look(house: &mut House<'_>) {
 }
 
 impl Floor {
-    fn of(house: &House<'_>) -> Self {
+    fn new(house: &House<'_>) -> Self {
         let hull = house.plan.hull();
         let (west, south) = (f64::from(metres(hull.x0)) - 0.5, f64::from(metres(hull.y0)) - 0.5);
         let cells = |n: i32| n as usize + 20;
@@ -148,7 +148,7 @@ fn near_room(house: &House<'_>, room: usize, x: f64, y: f64) -> bool {
 }
 
 /// Whether a point is in the strip of the given depth before and behind an opening.
-fn is_in(o: &Opening, x: f64, y: f64, far: f64) -> bool {
+fn is_in(o: &PlanOpening, x: f64, y: f64, far: f64) -> bool {
     let (across, along) = if o.vertical { (x, y) } else { (y, x) };
     let along_it = along >= metres(o.from).into() && along <= metres(o.to).into();
     along_it && (across - f64::from(metres(o.at))).abs() <= far

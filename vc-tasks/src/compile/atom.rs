@@ -7,15 +7,31 @@ use vc_graph::hash::finalised;
 use vc_graph::{NodeId, Word};
 
 /// A predicate applied to given objects: a statement that is true or false in a scene.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder};
+/// use vc_tasks::compile::GoalProgram;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+/// let program = GoalProgram::new(&"On(apple, kitchen_table)".parse()?, &now)?;
+/// assert_eq!(program.atoms()[0].things, [Some(apple), Some(table)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Atom {
+pub struct GroundAtom {
     /// The predicate.
     pub predicate: Predicate,
     /// The arguments; unused positions, and those that may be any object, are `None`.
     pub things: [Option<NodeId>; 2],
 }
 
-impl Atom {
+impl GroundAtom {
     /// Whether the atom is about an executed action.
     pub(crate) fn is_deed(&self) -> bool {
         matches!(self.predicate, Predicate::Did(_))
@@ -35,7 +51,7 @@ impl Atom {
     }
 }
 
-impl fmt::Display for Atom {
+impl fmt::Display for GroundAtom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let term = |id: &Option<NodeId>| id.map_or(Term::Anything, |id| Term::Node(None, id));
         let terms = self.things.iter().take(self.predicate.arity()).map(term).collect();
@@ -43,7 +59,15 @@ impl fmt::Display for Atom {
     }
 }
 
-/// A set of atoms, by their indices in a [`Program`](super::Program).
+/// A set of atoms, by their indices in a [`GoalProgram`](super::GoalProgram).
+///
+/// ```
+/// use vc_tasks::compile::Bits;
+/// let mut bits = Bits::none(70);
+/// bits.set(69, true);
+/// assert!(bits.has(69) && !bits.has(0));
+/// assert_eq!(bits.count(), 1);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Bits {
     words: Vec<u64>,

@@ -2,9 +2,9 @@
 
 use vc_graph::goal::{Comparison, Pairs, Variable};
 
-use super::gate::{Gate, Kind, Ref, Table};
+use super::gate::{Gate, GateKind, Ref, Table};
 use super::ground::{Ground, Things};
-use super::{CompileError, Program};
+use super::{CompileError, GoalProgram};
 
 impl<'g, T: Things> Ground<'_, 'g, T> {
     pub(super) fn all(&mut self, start: usize) -> Result<Ref, CompileError> {
@@ -29,9 +29,9 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
             0 => Ok(Ref::TRUE),
             k if k > open => Ok(Ref::FALSE),
             1 if open == 1 => Ok(g.memory.stack[start]),
-            k if k == open => g.gate(start, Kind::All),
-            1 => g.gate(start, Kind::Any),
-            k => g.gate(start, Kind::AtLeast(k)),
+            k if k == open => g.gate(start, GateKind::All),
+            1 => g.gate(start, GateKind::Any),
+            k => g.gate(start, GateKind::AtLeast(k)),
         };
         let result = match comparison {
             Comparison::AtLeast => at_least(self, number),
@@ -39,7 +39,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
             Comparison::Exactly if number < sure || number - sure > open => Ok(Ref::FALSE),
             Comparison::Exactly if number == sure => at_least(self, number.saturating_add(1)).map(|r| !r),
             Comparison::Exactly if number - sure == open => at_least(self, number),
-            Comparison::Exactly => self.gate(start, Kind::Exactly(number - sure)),
+            Comparison::Exactly => self.gate(start, GateKind::Exactly(number - sure)),
         };
         self.memory.stack.truncate(start);
         result
@@ -47,9 +47,9 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
 
     /// Returns the gate with the inputs on the stack from `start` on; an equal existing gate is
     /// reused.
-    pub(super) fn gate(&mut self, start: usize, kind: Kind) -> Result<Ref, CompileError> {
+    pub(super) fn gate(&mut self, start: usize, kind: GateKind) -> Result<Ref, CompileError> {
         let inputs = &self.memory.stack[start..];
-        let Program { gates, inputs: all, .. } = &mut self.program;
+        let GoalProgram { gates, inputs: all, .. } = &mut self.program;
         let next = gates.len();
         let of = |n: usize| &all[Gate::inputs(gates[n])];
         let same = |n: usize| gates[n].kind == kind && of(n) == inputs;
@@ -68,7 +68,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         let (rows, columns) = (range(self, &pairs.first), range(self, &pairs.second));
         for row in rows.clone() {
             for column in columns.clone() {
-                self.look()?;
+                self.count_part()?;
                 let (a, b) = (self.memory.pool[row], self.memory.pool[column]);
                 let input = match a == b {
                     true => Ref::FALSE,
@@ -91,7 +91,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
         let at_least = |g: &mut Self, need: u32| match need {
             0 => Ok(Ref::TRUE),
             need if need > most => Ok(Ref::FALSE),
-            need => g.gate(start, Kind::Pairs(Table { need, ..table })),
+            need => g.gate(start, GateKind::Pairs(Table { need, ..table })),
         };
         match number {
             None => at_least(self, most),

@@ -6,7 +6,7 @@ use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
 
 use super::gate::Table;
 use super::ground::{Ground, Things};
-use super::{CompileError, Compiler, Program};
+use super::{CompileError, Compiler, GoalProgram};
 
 /// A goal whose variables have been replaced by objects.
 #[derive(Debug, Clone)]
@@ -33,7 +33,7 @@ impl Compiler {
         &mut self,
         goal: &Goal,
         things: &impl Things,
-    ) -> Result<(Vec<Course>, Program), CompileError> {
+    ) -> Result<(Vec<Course>, GoalProgram), CompileError> {
         let mut ground = Ground::new(self, things);
         let courses = goal.conjuncts().iter().map(|part| ground.course(part)).collect::<Result<_, _>>()?;
         Ok((courses, ground.finish()?))
@@ -46,7 +46,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
             let head = self.goal(goal)?;
             return Ok(Course::State(self.add_head(head)));
         }
-        self.look()?;
+        self.count_part()?;
         Ok(match goal {
             Goal::And(parts) => all(self.courses(parts)?),
             Goal::Or(parts) => any(self.courses(parts)?),

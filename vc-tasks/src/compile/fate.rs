@@ -22,6 +22,23 @@ impl Monitor {
     /// The first of the goal's conjuncts that cannot hold any more, whatever happens from now on. `None` if there is
     /// none, and also where only a closer look at the goal would tell: `then`, pairs, and what the scene allows are
     /// not considered.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::Monitor;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let goal = "always Dirty(apple) & On(apple, kitchen_table)".parse()?;
+    /// let monitor = Monitor::new(&goal, &now)?; // the apple is clean from the start
+    /// assert_eq!(monitor.broken(), Some(0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn broken(&self) -> Option<usize> {
         self.courses().iter().position(|course| self.at_the_end(course) == Verdict::False)
     }
@@ -43,7 +60,7 @@ impl Monitor {
     fn foreseen(&self, course: &Course) -> Vec<Verdict> {
         let of = |part: &Course| self.foreseen(part);
         match course {
-            Course::State(head) => self.held(*head).map(Verdict::of).collect(),
+            Course::State(head) => self.held(*head).map(Verdict::from_bool).collect(),
             Course::Not(part) => of(part).into_iter().map(|v| v.negated_if(true)).collect(),
             Course::Count(parts, comparison, number) => {
                 let parts: Vec<Vec<Verdict>> = parts.iter().map(of).collect();

@@ -65,7 +65,7 @@ impl std::ops::Not for Ref {
 /// The condition under which a gate is true. Every other connective becomes one of these with
 /// negated inputs or a negated output: "at most k" is the negation of "at least k + 1".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Kind {
+pub(crate) enum GateKind {
     /// All inputs are true.
     All,
     /// Some input is true.
@@ -91,7 +91,7 @@ pub(crate) struct Table {
 /// A gate and the range of its inputs. Inputs precede the gates that use them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Gate {
-    pub(crate) kind: Kind,
+    pub(crate) kind: GateKind,
     pub(crate) start: u32,
     pub(crate) end: u32,
     pub(crate) mask: Mask,
@@ -110,7 +110,7 @@ pub(crate) struct Mask {
 }
 
 impl Mask {
-    fn of(inputs: &[Ref]) -> Self {
+    fn from_refs(inputs: &[Ref]) -> Self {
         let Some(first) = inputs.first() else { return Self::default() };
         let mut mask = Self { word: (first.index() / 64) as u32, care: 0, flip: 0 };
         for input in inputs {
@@ -133,8 +133,8 @@ impl Mask {
 
 impl Gate {
     /// A gate with these inputs, which are stored from `start` on.
-    pub(crate) fn new(kind: Kind, start: usize, inputs: &[Ref]) -> Self {
-        let mask = if let Kind::Pairs(_) = kind { Mask::default() } else { Mask::of(inputs) };
+    pub(crate) fn new(kind: GateKind, start: usize, inputs: &[Ref]) -> Self {
+        let mask = if let GateKind::Pairs(_) = kind { Mask::default() } else { Mask::from_refs(inputs) };
         Self { kind, start: start as u32, end: (start + inputs.len()) as u32, mask }
     }
 
@@ -144,7 +144,7 @@ impl Gate {
     }
 }
 
-impl Kind {
+impl GateKind {
     pub(super) fn key(self, inputs: &[Ref]) -> u64 {
         let own = match self {
             Self::All => 1,

@@ -7,7 +7,7 @@ use vc_graph::{NodeId, SceneGraph, State};
 
 use super::gate::Ref;
 use super::table::Numbers;
-use super::{Atom, CompileError, Program, Shape};
+use super::{CompileError, GoalProgram, GroundAtom, Shape};
 
 /// The objects that a goal can refer to.
 pub trait Things {
@@ -47,6 +47,25 @@ fn each_of(graph: &SceneGraph, class: Option<&str>, things: &mut Vec<NodeId>) {
 const LARGEST: usize = 1 << 24;
 
 /// A compiler that reuses its memory from one goal to the next.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, Goal, History, SceneBuilder};
+/// use vc_tasks::compile::Compiler;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+/// let mut compiler = Compiler::new();
+/// for text in ["On(apple, kitchen_table)", "!Holds(apple)"] {
+///     let program = compiler.compile(&text.parse::<Goal>()?, &now)?;
+///     assert!(program.holds(&program.read(&now)), "{text}");
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Compiler {
     largest: usize,
@@ -70,6 +89,22 @@ impl Compiler {
 
     /// A compiler that rejects goals with more than `largest` parts, each counted for every choice
     /// of objects; the default limit is 16,777,216.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::{CompileError, Compiler};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let goal = "On(apple, kitchen_table) & Holds(apple)".parse()?;
+    /// assert!(matches!(Compiler::limited(1).compile(&goal, &now), Err(CompileError::TooLarge(1))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn limited(largest: usize) -> Self {
         let (atoms, gates) = (Numbers::default(), Numbers::default());
         Self { largest, atoms, gates, stack: Vec::new(), pool: Vec::new() }
@@ -80,7 +115,7 @@ impl Compiler {
     ///
     /// # Errors
     /// [`CompileError`]: the goal is temporal, or there are too many choices.
-    pub fn compile(&mut self, goal: &Goal, things: &impl Things) -> Result<Program, CompileError> {
+    pub fn compile(&mut self, goal: &Goal, things: &impl Things) -> Result<GoalProgram, CompileError> {
         self.compile_all(goal.conjuncts(), things)
     }
 
@@ -88,7 +123,7 @@ impl Compiler {
     ///
     /// # Errors
     /// As [`Compiler::compile`].
-    pub fn compile_all(&mut self, goals: &[Goal], things: &impl Things) -> Result<Program, CompileError> {
+    pub(crate) fn compile_all(&mut self, goals: &[Goal], things: &impl Things) -> Result<GoalProgram, CompileError> {
         let mut ground = Ground::new(self, things);
         for goal in goals {
             let head = ground.goal(goal)?;
@@ -112,7 +147,7 @@ struct Bound<'g> {
 pub(super) struct Ground<'a, 'g, T> {
     pub(super) memory: &'a mut Compiler,
     things: &'a T,
-    pub(super) program: Program,
+    pub(super) program: GoalProgram,
     bound: Vec<Bound<'g>>,
     /// The classes already looked up, and the ranges of their objects in the pool.
     ranges: Vec<(Option<&'g str>, Choices)>,
@@ -127,7 +162,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         memory.stack.clear();
         memory.pool.clear();
         let left = memory.largest;
-        Self { memory, things, program: Program::default(), bound: Vec::new(), ranges: Vec::new(), left }
+        Self { memory, things, program: GoalProgram::default(), bound: Vec::new(), ranges: Vec::new(), left }
     }
 
     /// Adds a conjunct and returns its index.
@@ -136,16 +171,16 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         self.program.heads.len() - 1
     }
 
-    pub(super) fn finish(mut self) -> Result<Program, CompileError> {
+    pub(super) fn finish(mut self) -> Result<GoalProgram, CompileError> {
         let start = self.memory.stack.len();
         self.memory.stack.extend_from_slice(&self.program.heads);
         self.program.root = self.all(start)?;
-        self.program.shape = Shape::of(&self.program);
+        self.program.shape = Shape::new(&self.program);
         Ok(self.program)
     }
 
     pub(super) fn goal(&mut self, goal: &'g Goal) -> Result<Ref, CompileError> {
-        self.look()?;
+        self.count_part()?;
         match goal {
             Goal::Literal(literal) => self.literal(literal, Comparison::AtLeast, 1),
             Goal::Count { literal, comparison, number } => self.literal(literal, *comparison, *number),
@@ -173,7 +208,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
     }
 
     /// Counts one more visited part.
-    pub(super) fn look(&mut self) -> Result<(), CompileError> {
+    pub(super) fn count_part(&mut self) -> Result<(), CompileError> {
         let left = self.left.checked_sub(1);
         self.left = left.ok_or(CompileError::TooLarge(self.memory.largest))?;
         Ok(())
@@ -200,7 +235,7 @@ impl<'a, 'g, T: Things> Ground<'a, 'g, T> {
         let start = self.memory.stack.len();
         let mut every = None;
         for at in self.range(q.class.as_deref()) {
-            self.look()?;
+            self.count_part()?;
             let input = match every {
                 Some(input) => input,
                 None => {
@@ -329,7 +364,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
     }
 
     fn atom(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Result<Ref, CompileError> {
-        self.look()?;
+        self.count_part()?;
         // A real object is present and not still to come.
         if predicate == Predicate::Real {
             let there = things[0].is_some_and(|id| self.things.has(id));
@@ -339,7 +374,7 @@ impl<'g, T: Things> Ground<'_, 'g, T> {
     }
 
     fn numbered(&mut self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Ref {
-        let atom = Atom { predicate, things };
+        let atom = GroundAtom { predicate, things };
         let atoms = &mut self.program.atoms;
         let next = atoms.len();
         let number = self.memory.atoms.number(atom.key(), next, |n| atoms[n] == atom, |n| atoms[n].key());

@@ -1,19 +1,19 @@
 //! Goals compiled for the objects of a scene.
 //!
-//! A [`Program`] is a goal whose variables have been replaced by objects: ground [`Atom`]s, and
+//! A [`GoalProgram`] is a goal whose variables have been replaced by objects: ground [`GroundAtom`]s, and
 //! gates over them. A gate is "all", "any", "at least k", "exactly k", or "enough pairs in a
 //! table"; its inputs and its output can be negated. Equal gates are stored once, and alternatives
 //! are not enumerated: a goal that can be fulfilled in 10^13 ways is still only as large as its
 //! atoms.
 //!
-//! The truth of a program is a function of [`Bits`], one for each atom. [`Program::read`] reads
+//! The truth of a program is a function of [`Bits`], one for each atom. [`GoalProgram::read`] reads
 //! them from a scene; a [`Tracker`] keeps the bits and the verdict up to date as the scene changes;
 //! [`Known`] represents partial knowledge of the atoms. A [`Monitor`] evaluates temporal goals.
 //!
 //! ```
 //! use vc_graph::goal::Situation;
 //! use vc_graph::{Draft, History, SceneBuilder};
-//! use vc_tasks::compile::Program;
+//! use vc_tasks::compile::GoalProgram;
 //! let mut scene = SceneBuilder::new("flat");
 //! let kitchen = scene.add(Draft::new("kitchen"))?;
 //! let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
@@ -23,7 +23,7 @@
 //! let now = Situation::new(&graph, me, &history);
 //!
 //! let goal = "forall ?p: plate. On(?p, table) & !Dirty(?p)".parse()?;
-//! let program = Program::new(&goal, &now)?;
+//! let program = GoalProgram::new(&goal, &now)?;
 //! assert_eq!(program.atoms().len(), 6);
 //! assert!(program.holds(&program.read(&now)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -42,8 +42,8 @@ mod table;
 mod three;
 mod track;
 
-pub use atom::{Atom, Bits};
-pub(crate) use gate::{Gate, Kind, Ref, Table};
+pub use atom::{Bits, GroundAtom};
+pub(crate) use gate::{Gate, GateKind, Ref, Table};
 pub use ground::{Compiler, Things};
 pub use monitor::Monitor;
 use shape::Shape;
@@ -67,8 +67,8 @@ pub enum CompileError {
 
 /// A goal compiled for the objects of a scene.
 #[derive(Debug, Clone)]
-pub struct Program {
-    atoms: Vec<Atom>,
+pub struct GoalProgram {
+    atoms: Vec<GroundAtom>,
     gates: Vec<Gate>,
     inputs: Vec<Ref>,
     /// The goal's conjuncts.
@@ -77,7 +77,7 @@ pub struct Program {
     shape: Shape,
 }
 
-impl Default for Program {
+impl Default for GoalProgram {
     fn default() -> Self {
         Self {
             atoms: Vec::new(),
@@ -90,7 +90,7 @@ impl Default for Program {
     }
 }
 
-impl Program {
+impl GoalProgram {
     /// Compiles a goal; [`Compiler`] compiles several and reuses its memory.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ impl Program {
     }
 
     /// The atoms that the goal's truth depends on, each once.
-    pub fn atoms(&self) -> &[Atom] {
+    pub fn atoms(&self) -> &[GroundAtom] {
         &self.atoms
     }
 
@@ -120,7 +120,24 @@ impl Program {
     }
 
     /// Bits in which exactly those of the program's atoms are true that are given.
-    pub fn having(&self, atoms: &[Atom]) -> Bits {
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::GoalProgram;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"Holds(apple)".parse()?, &now)?;
+    /// assert!(program.holds(&program.having(program.atoms())));
+    /// assert!(!program.holds(&program.having(&[])));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn having(&self, atoms: &[GroundAtom]) -> Bits {
         let mut sorted = atoms.to_vec();
         sorted.sort_unstable();
         let mut bits = self.bits();
@@ -136,6 +153,23 @@ impl Program {
     }
 
     /// Whether a conjunct, counted from zero, holds; `false` if the index is out of range.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::GoalProgram;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"On(apple, kitchen_table) & Holds(apple)".parse()?, &now)?;
+    /// let bits = program.read(&now);
+    /// assert_eq!([0, 1].map(|head| program.head_holds(&bits, head)), [true, false]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn head_holds(&self, bits: &Bits, head: usize) -> bool {
         self.heads.get(head).is_some_and(|&r| self.value(bits, r))
     }
@@ -184,24 +218,24 @@ impl Program {
         if gate.mask.care != 0 {
             let found = gate.mask.read(bits);
             return match gate.kind {
-                Kind::All => found == gate.mask.care,
-                Kind::Any => found != 0,
-                Kind::AtLeast(k) => found.count_ones() >= k,
-                Kind::Exactly(k) => found.count_ones() == k,
-                Kind::Pairs(_) => false,
+                GateKind::All => found == gate.mask.care,
+                GateKind::Any => found != 0,
+                GateKind::AtLeast(k) => found.count_ones() >= k,
+                GateKind::Exactly(k) => found.count_ones() == k,
+                GateKind::Pairs(_) => false,
             };
         }
         let inputs = self.inputs(*gate);
         let mut each = self.each(bits, inputs);
         match gate.kind {
-            Kind::All => each.all(|value| value),
-            Kind::Any => each.any(|value| value),
-            Kind::AtLeast(k) => each.filter(|value| *value).nth(k as usize - 1).is_some(),
-            Kind::Exactly(k) => {
+            GateKind::All => each.all(|value| value),
+            GateKind::Any => each.any(|value| value),
+            GateKind::AtLeast(k) => each.filter(|value| *value).nth(k as usize - 1).is_some(),
+            GateKind::Exactly(k) => {
                 let mut found = each.filter(|value| *value);
                 found.nth(k as usize - 1).is_some() && found.next().is_none()
             }
-            Kind::Pairs(table) => table.is_met(|cell| self.value(bits, inputs[cell])),
+            GateKind::Pairs(table) => table.is_met(|cell| self.value(bits, inputs[cell])),
         }
     }
 

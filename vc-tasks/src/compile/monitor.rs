@@ -6,12 +6,12 @@ use vc_graph::Goal;
 use vc_graph::goal::{EpisodeTrace, Situation};
 
 use super::course::Course;
-use super::{Bits, CompileError, Compiler, Program};
+use super::{Bits, CompileError, Compiler, GoalProgram};
 
 /// A compiled goal, temporal or not, with the trace so far: it gives the results of
 /// [`Goal::holds_by`] without reading any scene twice.
 ///
-/// The non-temporal parts are one [`Program`] over the atoms that matter, and for each step only
+/// The non-temporal parts are one [`GoalProgram`] over the atoms that matter, and for each step only
 /// the truth values of these atoms are stored. The temporal operators are then evaluated for all
 /// steps at once, from the last to the first, by the unfolding of linear temporal logic on finite
 /// traces (De Giacomo and Vardi, IJCAI 2013): `a until b` holds at a step if b does, or if a does
@@ -39,7 +39,7 @@ use super::{Bits, CompileError, Compiler, Program};
 /// ```
 #[derive(Debug, Clone)]
 pub struct Monitor {
-    program: Arc<Program>,
+    program: Arc<GoalProgram>,
     /// The goal's conjuncts.
     courses: Arc<Vec<Course>>,
     /// The atoms about executed actions.
@@ -83,7 +83,20 @@ impl Monitor {
 
     /// Evaluates a whole trace; the objects are those of its start. `None` where [`Monitor::new`]
     /// fails.
-    pub fn on(goal: &Goal, trace: &EpisodeTrace) -> Option<Self> {
+    ///
+    /// ```
+    /// use vc_graph::goal::EpisodeTrace;
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// use vc_tasks::compile::Monitor;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// scene.add(Draft::new("fridge"))?;
+    /// let me = scene.add(Draft::new("character"))?;
+    /// let trace = EpisodeTrace::new(scene.build(), me);
+    /// let monitor = Monitor::from_trace(&"always Closed(fridge)".parse()?, &trace).ok_or("too large")?;
+    /// assert!(monitor.holds());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_trace(goal: &Goal, trace: &EpisodeTrace) -> Option<Self> {
         let mut situations = (0..=trace.steps()).filter_map(|step| trace.situation(step));
         let mut monitor = Self::new(goal, &situations.next()?).ok()?;
         situations.for_each(|now| {
@@ -115,7 +128,7 @@ impl Monitor {
     }
 
     /// The program of the goal's non-temporal parts.
-    pub fn program(&self) -> &Program {
+    pub fn program(&self) -> &GoalProgram {
         &self.program
     }
 

@@ -3,9 +3,9 @@
 use vc_graph::goal::{Predicate, Situation};
 use vc_graph::{Change, NodeId, Observation, Relation};
 
-use super::{Atom, Bits, Known, Program};
+use super::{Bits, GoalProgram, GroundAtom, Known};
 
-impl Program {
+impl GoalProgram {
     /// The atoms that are true in a situation. Costs one read of the scene for each.
     pub fn read(&self, now: &Situation<'_>) -> Bits {
         let mut bits = self.bits();
@@ -17,6 +17,23 @@ impl Program {
 
     /// The atoms as far as an agent observes them: those whose objects it sees, and those about
     /// executed actions.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder, Scope};
+    /// use vc_tasks::compile::{GoalProgram, Verdict};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"On(apple, kitchen_table)".parse()?, &now)?;
+    /// let known = program.read_seen(&now, &graph.observe(me, Scope::Room));
+    /// assert_eq!(program.verdict(&known), Verdict::True);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn read_seen(&self, now: &Situation<'_>, seen: &Observation) -> Known {
         let mut known = Known::nothing(self);
         for (index, atom) in self.atoms().iter().enumerate() {
@@ -39,7 +56,7 @@ pub(super) enum Wake {
     Events,
 }
 
-pub(super) fn wake(atom: &Atom) -> Wake {
+pub(super) fn wake(atom: &GroundAtom) -> Wake {
     match atom.predicate {
         Predicate::Did(_) => Wake::Events,
         Predicate::Relation(Relation::Inside | Relation::Near) => Wake::Places,

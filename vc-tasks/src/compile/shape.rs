@@ -1,6 +1,6 @@
 //! The structure of a program's gates: found once, used by each score.
 
-use super::{Kind, Program, Ref};
+use super::{GateKind, GoalProgram, Ref};
 
 /// The polarities in which the atoms and gates of a program are used, and the parts that compete
 /// for the same atoms.
@@ -30,8 +30,8 @@ const TRUTH: u8 = 1;
 const BOTH: u8 = 3;
 
 impl Shape {
-    pub(super) fn of(program: &Program) -> Self {
-        let mut uses = Uses::of(program);
+    pub(super) fn new(program: &GoalProgram) -> Self {
+        let mut uses = Uses::new(program);
         let contested = uses.contested(program);
         let parts = if contested { uses.parts(program) } else { Vec::new() };
         let pure = if contested { pure(program) } else { Vec::new() };
@@ -60,11 +60,11 @@ impl Shape {
     }
 }
 
-fn pure(program: &Program) -> Vec<bool> {
+fn pure(program: &GoalProgram) -> Vec<bool> {
     let mut pure: Vec<bool> = Vec::with_capacity(program.gates.len());
     for gate in &program.gates {
         let inputs = program.inputs(*gate).iter();
-        let own = !matches!(gate.kind, Kind::Pairs(_));
+        let own = !matches!(gate.kind, GateKind::Pairs(_));
         pure.push(own && inputs.filter(|r| !r.is_atom() && !r.is_constant()).all(|r| pure[r.index()]));
     }
     pure
@@ -84,13 +84,13 @@ struct Uses {
 }
 
 impl Uses {
-    fn of(program: &Program) -> Self {
+    fn new(program: &GoalProgram) -> Self {
         let none = Use::default();
         let mut uses = Self { atoms: vec![none; program.atoms.len()], gates: vec![none; program.gates.len()] };
         uses.add(program.root, Use { sides: TRUTH, paths: 1 });
         for (index, gate) in program.gates.iter().enumerate().rev() {
             let mut here = uses.gates[index];
-            if matches!(gate.kind, Kind::Exactly(_)) && here.sides != 0 {
+            if matches!(gate.kind, GateKind::Exactly(_)) && here.sides != 0 {
                 here.sides = BOTH;
             }
             program.inputs(*gate).iter().for_each(|&r| uses.add(r, here));
@@ -114,17 +114,17 @@ impl Uses {
         self.atoms[atom].sides == BOTH && self.atoms[atom].paths > 1
     }
 
-    fn contested(&self, program: &Program) -> bool {
+    fn contested(&self, program: &GoalProgram) -> bool {
         (0..program.atoms.len()).any(|atom| self.is_contested(atom))
     }
 
-    fn parts(&mut self, program: &Program) -> Vec<Part> {
+    fn parts(&mut self, program: &GoalProgram) -> Vec<Part> {
         let mut parts = Vec::new();
         let mut open = vec![program.root];
         while let Some(r) = open.pop() {
             let gate = (!r.is_atom() && !r.is_constant()).then(|| program.gates[r.index()]);
             match gate {
-                Some(gate) if gate.kind == Kind::All && !r.is_negated() => {
+                Some(gate) if gate.kind == GateKind::All && !r.is_negated() => {
                     open.extend(program.inputs(gate).iter().rev());
                 }
                 _ => parts.push(self.part(program, r)),
@@ -133,7 +133,7 @@ impl Uses {
         parts
     }
 
-    fn part(&self, program: &Program, of: Ref) -> Part {
+    fn part(&self, program: &GoalProgram, of: Ref) -> Part {
         let mut part = Part { of, gates: Vec::new(), contested: Vec::new() };
         let mut open = vec![of];
         let mut seen = vec![false; self.gates.len()];

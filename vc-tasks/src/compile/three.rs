@@ -1,6 +1,6 @@
 //! Three-valued truth under partial observability.
 
-use super::{Bits, Gate, Kind, Program, Ref};
+use super::{Bits, Gate, GateKind, GoalProgram, Ref};
 
 /// Whether a goal holds, as far as is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -16,7 +16,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// The verdict for a known truth value.
-    pub fn of(value: bool) -> Self {
+    ///
+    /// ```
+    /// use vc_tasks::compile::Verdict;
+    /// assert_eq!(Verdict::from_bool(false), Verdict::False);
+    /// ```
+    pub fn from_bool(value: bool) -> Self {
         if value { Self::True } else { Self::False }
     }
 
@@ -34,7 +39,7 @@ impl Verdict {
 /// ```
 /// use vc_graph::goal::Situation;
 /// use vc_graph::{Draft, History, SceneBuilder};
-/// use vc_tasks::compile::{Known, Program, Verdict};
+/// use vc_tasks::compile::{Known, GoalProgram, Verdict};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
 /// scene.add_in(kitchen, Draft::new("cup"))?;
@@ -43,7 +48,7 @@ impl Verdict {
 /// let (graph, history) = (scene.build(), History::default());
 /// let now = Situation::new(&graph, me, &history);
 ///
-/// let program = Program::new(&"exactly 1 ?c: cup. Dirty(?c)".parse()?, &now)?;
+/// let program = GoalProgram::new(&"exactly 1 ?c: cup. Dirty(?c)".parse()?, &now)?;
 /// let mut known = Known::nothing(&program);
 /// known.learn(0, true);
 /// assert_eq!(program.verdict(&known), Verdict::Unknown);
@@ -59,7 +64,7 @@ pub struct Known {
 
 impl Known {
     /// No atom of a program is known.
-    pub fn nothing(program: &Program) -> Self {
+    pub fn nothing(program: &GoalProgram) -> Self {
         Self { known: program.bits(), value: program.bits() }
     }
 
@@ -71,11 +76,11 @@ impl Known {
 
     /// The known truth of an atom.
     pub fn get(&self, atom: usize) -> Verdict {
-        if self.known.has(atom) { Verdict::of(self.value.has(atom)) } else { Verdict::Unknown }
+        if self.known.has(atom) { Verdict::from_bool(self.value.has(atom)) } else { Verdict::Unknown }
     }
 }
 
-impl Program {
+impl GoalProgram {
     /// Whether the goal holds, as far as is known: Kleene's strong logic, with lower and upper
     /// bounds for counts and pairs. A verdict of true or false is right for every value of the
     /// unknown atoms; the verdict may be unknown where they do not matter, as for `Open(x) |
@@ -103,10 +108,10 @@ impl Program {
 impl Gate {
     /// The verdict of a gate, given the verdicts of its inputs.
     pub(crate) fn verdict(self, inputs: &[Ref], seen: impl Fn(Ref) -> Verdict) -> Verdict {
-        if let Kind::Pairs(table) = self.kind {
+        if let GateKind::Pairs(table) = self.kind {
             let most = table.is_met(|cell| seen(inputs[cell]) != Verdict::False);
             let least = most && table.is_met(|cell| seen(inputs[cell]) == Verdict::True);
-            return if most == least { Verdict::of(least) } else { Verdict::Unknown };
+            return if most == least { Verdict::from_bool(least) } else { Verdict::Unknown };
         }
         let (least, most) = counts(inputs, seen);
         let (low, high) = self.bounds();
@@ -124,11 +129,11 @@ impl Gate {
     pub(crate) fn bounds(self) -> (usize, usize) {
         let all = self.inputs().len();
         match self.kind {
-            Kind::All => (all, all),
-            Kind::Any => (1, all),
-            Kind::AtLeast(k) => (k as usize, all),
-            Kind::Exactly(k) => (k as usize, k as usize),
-            Kind::Pairs(_) => (0, all),
+            GateKind::All => (all, all),
+            GateKind::Any => (1, all),
+            GateKind::AtLeast(k) => (k as usize, all),
+            GateKind::Exactly(k) => (k as usize, k as usize),
+            GateKind::Pairs(_) => (0, all),
         }
     }
 }

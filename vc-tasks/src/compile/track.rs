@@ -8,7 +8,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Change, ChangeSet, NodeId};
 
 use super::scene::{Wake, changed, moves, wake};
-use super::{Bits, Gate, Kind, Program, Ref};
+use super::{Bits, Gate, GateKind, GoalProgram, Ref};
 
 /// An object, over which the goal's variables may range, was added to the scene or removed from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -22,7 +22,7 @@ pub struct Stale(pub NodeId);
 /// use std::sync::Arc;
 /// use vc_graph::goal::Situation;
 /// use vc_graph::{Draft, History, SceneBuilder, State};
-/// use vc_tasks::compile::{Program, Tracker};
+/// use vc_tasks::compile::{GoalProgram, Tracker};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
 /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
@@ -30,7 +30,7 @@ pub struct Stale(pub NodeId);
 /// let (mut graph, history) = (scene.build(), History::default());
 ///
 /// let now = Situation::new(&graph, me, &history);
-/// let program = Arc::new(Program::new(&"Open(fridge)".parse()?, &now)?);
+/// let program = Arc::new(GoalProgram::new(&"Open(fridge)".parse()?, &now)?);
 /// let mut tracker = Tracker::in_situation(program, &now);
 /// assert!(!tracker.holds());
 /// let mut edit = graph.edit();
@@ -41,7 +41,7 @@ pub struct Stale(pub NodeId);
 /// ```
 #[derive(Debug, Clone)]
 pub struct Tracker {
-    program: Arc<Program>,
+    program: Arc<GoalProgram>,
     watch: Arc<Watch>,
     bits: Bits,
     gates: Bits,
@@ -69,7 +69,7 @@ struct Watch {
 }
 
 impl Watch {
-    fn new(program: &Program) -> Self {
+    fn new(program: &GoalProgram) -> Self {
         let atoms = program.atoms().len();
         let place = |r: Ref| if r.is_atom() { r.index() } else { atoms + r.index() };
         let uses = || {
@@ -90,7 +90,7 @@ impl Watch {
         watch
     }
 
-    fn listen(&mut self, program: &Program) {
+    fn listen(&mut self, program: &GoalProgram) {
         for (index, atom) in (0..).zip(program.atoms()) {
             match wake(atom) {
                 Wake::Things => self.things.extend(atom.things.iter().flatten().map(|&id| (id, index))),
@@ -113,7 +113,7 @@ impl Watch {
 
 impl Tracker {
     /// Starts with these truth values. Costs one visit of every gate.
-    pub fn new(program: Arc<Program>, bits: Bits) -> Self {
+    pub fn new(program: Arc<GoalProgram>, bits: Bits) -> Self {
         let watch = Arc::new(Watch::new(&program));
         let (gates, counts) = (Bits::none(program.gates().len()), vec![0; program.gates().len()]);
         let mut tracker = Self { program, watch, bits, gates, counts, queue: BinaryHeap::new(), events: 0 };
@@ -122,7 +122,23 @@ impl Tracker {
     }
 
     /// Starts with the atoms of a situation.
-    pub fn in_situation(program: Arc<Program>, now: &Situation<'_>) -> Self {
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::{GoalProgram, Tracker};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"On(apple, kitchen_table)".parse()?, &now)?;
+    /// assert!(Tracker::in_situation(program.into(), &now).holds());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn in_situation(program: Arc<GoalProgram>, now: &Situation<'_>) -> Self {
         let bits = program.read(now);
         Self { events: now.events.len(), ..Self::new(program, bits) }
     }
@@ -137,7 +153,7 @@ impl Tracker {
     }
 
     /// The tracked program.
-    pub fn program(&self) -> &Program {
+    pub fn program(&self) -> &GoalProgram {
         &self.program
     }
 
@@ -165,11 +181,11 @@ impl Tracker {
     fn gate_value(&self, index: usize, gate: Gate) -> bool {
         let count = self.counts[index];
         match gate.kind {
-            Kind::All => count == gate.end - gate.start,
-            Kind::Any => count > 0,
-            Kind::AtLeast(k) => count >= k,
-            Kind::Exactly(k) => count == k,
-            Kind::Pairs(table) => {
+            GateKind::All => count == gate.end - gate.start,
+            GateKind::Any => count > 0,
+            GateKind::AtLeast(k) => count >= k,
+            GateKind::Exactly(k) => count == k,
+            GateKind::Pairs(table) => {
                 let inputs = self.program.inputs(gate);
                 count >= table.need && table.is_met(|cell| self.value(inputs[cell]))
             }
@@ -177,6 +193,25 @@ impl Tracker {
     }
 
     /// Sets the truth of an atom and returns whether the goal then holds.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::{GoalProgram, Tracker};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"Holds(apple)".parse()?, &now)?;
+    /// let mut tracker = Tracker::in_situation(program.into(), &now);
+    /// assert!(!tracker.holds());
+    /// tracker.set(0, true);
+    /// assert!(tracker.holds());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set(&mut self, atom: usize, value: bool) -> bool {
         if atom < self.program.atoms().len() && self.bits.has(atom) != value {
             self.bits.set(atom, value);
@@ -228,19 +263,19 @@ impl Tracker {
         }
         let watch = self.watch.clone();
         for id in changes.changes().iter().flat_map(changed).flatten() {
-            watch.atoms_of(id).for_each(|atom| self.look(now, atom));
+            watch.atoms_of(id).for_each(|atom| self.reread(now, atom));
         }
         if changes.changes().iter().any(moves) {
-            watch.places.iter().for_each(|&atom| self.look(now, atom));
+            watch.places.iter().for_each(|&atom| self.reread(now, atom));
         }
         if now.events.len() != self.events {
             self.events = now.events.len();
-            watch.events.iter().for_each(|&atom| self.look(now, atom));
+            watch.events.iter().for_each(|&atom| self.reread(now, atom));
         }
         Ok(self.holds())
     }
 
-    fn look(&mut self, now: &Situation<'_>, atom: u32) {
+    fn reread(&mut self, now: &Situation<'_>, atom: u32) {
         let index = atom as usize;
         let at = self.program.atoms()[index];
         self.set(index, now.holds(at.predicate, at.things));

@@ -12,8 +12,24 @@ pub use sets::{MinimalSets, Unmet};
 pub const SETS: usize = 16;
 
 /// The explanation of one conjunct of a goal.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+/// let parts = vc_tasks::explain(&"On(apple, kitchen_table) & Holds(apple)".parse()?, &now)?;
+/// assert_eq!(parts.iter().map(|part| part.holds).collect::<Vec<_>>(), [true, false]);
+/// assert_eq!(parts[1].unmet[0][0].to_string(), "Holds(#4, #3)");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Part {
+pub struct GoalPart {
     /// The conjunct.
     pub goal: Goal,
     /// Whether it holds.
@@ -27,6 +43,22 @@ pub struct Part {
 }
 
 /// The objects that a quantified goal ranges over.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+/// let parts = vc_tasks::explain(&"exists ?a: apple. On(?a, kitchen_table)".parse()?, &now)?;
+/// let bindings = parts[0].bindings.as_ref().ok_or("no quantifier")?;
+/// assert_eq!((bindings.satisfied.as_slice(), bindings.unsatisfied.len()), ([apple].as_slice(), 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Bindings {
     /// The objects for which the body holds.
@@ -57,12 +89,12 @@ pub struct Bindings {
 ///
 /// # Errors
 /// [`CompileError`]: the goal is temporal or too large.
-pub fn explain(goal: &Goal, now: &Situation<'_>) -> Result<Vec<Part>, CompileError> {
+pub fn explain(goal: &Goal, now: &Situation<'_>) -> Result<Vec<GoalPart>, CompileError> {
     let mut compiler = Compiler::new();
     let program = compiler.compile(goal, now)?;
     let bits = program.read(now);
     let conjuncts = goal.conjuncts().iter().enumerate();
-    let part = |(head, part): (usize, &Goal)| Part {
+    let part = |(head, part): (usize, &Goal)| GoalPart {
         goal: part.clone(),
         holds: program.head_holds(&bits, head),
         unmet: program.unmet_of_head(&bits, head, SETS).sets,
@@ -96,8 +128,19 @@ fn bindings(q: &Quantified, now: &Situation<'_>) -> Bindings {
 ///
 /// Costs as much as a [`Monitor`]; where objects are added or removed, or variables range over too
 /// many, the goal is evaluated directly at each step.
+///
+/// ```
+/// use vc_graph::goal::EpisodeTrace;
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// scene.add(Draft::new("fridge"))?;
+/// let me = scene.add(Draft::new("character"))?;
+/// let trace = EpisodeTrace::new(scene.build(), me);
+/// assert_eq!(vc_tasks::first_held(&"Closed(fridge) & Open(fridge)".parse()?, &trace), [Some(0), None]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn first_held(goal: &Goal, trace: &EpisodeTrace) -> Vec<Option<usize>> {
-    if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::on(goal, trace)).flatten() {
+    if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::from_trace(goal, trace)).flatten() {
         return monitor.first_held().to_vec();
     }
     let conjuncts = goal.conjuncts().iter();

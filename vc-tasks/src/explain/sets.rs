@@ -9,13 +9,13 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::fmt;
 
-use crate::compile::{Atom, Bits, Gate, Kind, Program, Ref};
+use crate::compile::{Bits, Gate, GateKind, GoalProgram, GroundAtom, Ref};
 
 /// A missing condition: an atom that has to become true, or false.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unmet {
     /// The atom.
-    pub atom: Atom,
+    pub atom: GroundAtom,
     /// The truth value it has to take.
     pub wanted: bool,
 }
@@ -39,7 +39,7 @@ pub struct MinimalSets {
 /// The limit of gate visits in a search: about a second.
 const LOOKS: usize = 1 << 24;
 
-impl Program {
+impl GoalProgram {
     /// The minimal sets of missing conditions that would together make the goal hold: at most `most`, the
     /// smallest first. One empty set if the goal holds, no set if nothing can make it hold.
     ///
@@ -49,7 +49,7 @@ impl Program {
     /// ```
     /// use vc_graph::goal::Situation;
     /// use vc_graph::{Draft, History, SceneBuilder};
-    /// use vc_tasks::compile::Program;
+    /// use vc_tasks::compile::GoalProgram;
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
     /// scene.add_in(kitchen, Draft::new("cup"))?;
@@ -58,7 +58,7 @@ impl Program {
     /// let (graph, history) = (scene.build(), History::default());
     /// let now = Situation::new(&graph, me, &history);
     /// let goal = "(Dirty(cup) & Dirty(plate)) | On(cup, plate)".parse()?;
-    /// let program = Program::new(&goal, &now)?;
+    /// let program = GoalProgram::new(&goal, &now)?;
     /// let found = program.unmet(&program.read(&now), 10);
     /// let sets: Vec<String> = found.sets.iter().map(|set| format!("{}", set[0])).collect();
     /// assert_eq!((sets, found.complete), (vec!["On(#2, #3)".to_owned(), "Dirty(#2)".to_owned()], true));
@@ -69,7 +69,7 @@ impl Program {
     }
 
     /// The same for one conjunct, counted from zero; no sets if the index is out of range.
-    pub fn unmet_of_head(&self, bits: &Bits, head: usize, most: usize) -> MinimalSets {
+    pub(crate) fn unmet_of_head(&self, bits: &Bits, head: usize, most: usize) -> MinimalSets {
         self.head(head).map_or_else(MinimalSets::default, |of| Search::new(self, of, bits).run(most))
     }
 }
@@ -82,7 +82,7 @@ struct Try {
 }
 
 struct Search<'a> {
-    program: &'a Program,
+    program: &'a GoalProgram,
     of: Ref,
     /// The truth values in the node under consideration.
     bits: Bits,
@@ -94,7 +94,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(program: &'a Program, of: Ref, bits: &Bits) -> Self {
+    fn new(program: &'a GoalProgram, of: Ref, bits: &Bits) -> Self {
         let mut open = program.bits();
         (0..program.atoms().len()).for_each(|atom| open.set(atom, true));
         Self { program, of, bits: bits.clone(), open, costs: Vec::new(), looks: 0 }
@@ -187,7 +187,7 @@ impl Search<'_> {
         let mut inputs = self.program.inputs(gate).to_vec();
         inputs.dedup();
         let holds = self.program.value(&self.bits, Ref::gate(r.index()));
-        if matches!(gate.kind, Kind::Exactly(_)) && holds {
+        if matches!(gate.kind, GateKind::Exactly(_)) && holds {
             return inputs.into_iter().for_each(|input| self.why(input, found));
         }
         let (number, value) = self.decisive(gate, holds);
@@ -207,12 +207,12 @@ impl Search<'_> {
     fn decisive(&self, gate: Gate, holds: bool) -> (usize, bool) {
         let all = gate.inputs().len();
         match (gate.kind, holds) {
-            (Kind::All, true) | (Kind::Any, false) | (Kind::Pairs(_), _) => (all, holds),
-            (Kind::All, false) | (Kind::Any, true) => (1, holds),
-            (Kind::AtLeast(k), true) => (k as usize, true),
-            (Kind::AtLeast(k), false) => (all + 1 - k as usize, false),
-            (Kind::Exactly(_), true) => (all, true),
-            (Kind::Exactly(k), false) => {
+            (GateKind::All, true) | (GateKind::Any, false) | (GateKind::Pairs(_), _) => (all, holds),
+            (GateKind::All, false) | (GateKind::Any, true) => (1, holds),
+            (GateKind::AtLeast(k), true) => (k as usize, true),
+            (GateKind::AtLeast(k), false) => (all + 1 - k as usize, false),
+            (GateKind::Exactly(_), true) => (all, true),
+            (GateKind::Exactly(k), false) => {
                 let found = self.program.inputs(gate).iter().filter(|&&r| self.program.value(&self.bits, r)).count();
                 if found > k as usize { (k as usize + 1, true) } else { (all + 1 - k as usize, false) }
             }
@@ -259,24 +259,26 @@ impl Search<'_> {
         let inputs = self.program.inputs(gate);
         let all = inputs.len();
         match (gate.kind, wanted) {
-            (Kind::All, true) | (Kind::Any, false) => self.least(inputs, all, wanted),
-            (Kind::All, false) | (Kind::Any, true) => self.least(inputs, 1, wanted),
-            (Kind::AtLeast(k), true) => self.least(inputs, k as usize, true),
-            (Kind::AtLeast(k), false) => self.least(inputs, all + 1 - k as usize, false),
-            (Kind::Exactly(k), true) => {
+            (GateKind::All, true) | (GateKind::Any, false) => self.least(inputs, all, wanted),
+            (GateKind::All, false) | (GateKind::Any, true) => self.least(inputs, 1, wanted),
+            (GateKind::AtLeast(k), true) => self.least(inputs, k as usize, true),
+            (GateKind::AtLeast(k), false) => self.least(inputs, all + 1 - k as usize, false),
+            (GateKind::Exactly(k), true) => {
                 self.least(inputs, k as usize, true).max(self.least(inputs, all - k as usize, false))
             }
-            (Kind::Exactly(k), false) => {
+            (GateKind::Exactly(k), false) => {
                 let (more, fewer) = (k as usize + 1, all + 1 - k as usize);
                 self.least(inputs, more, true).min(self.least(inputs, fewer, false))
             }
             // A number of pairs takes as many true cells; to undo a matching, at least one of its cells
             // must become false.
-            (Kind::Pairs(table), true) => self.least(inputs, table.need as usize, true),
-            (Kind::Pairs(table), false) => match table.is_met(|cell| self.program.value(&self.bits, inputs[cell])) {
-                true => self.least(inputs, 1, false),
-                false => 0.0,
-            },
+            (GateKind::Pairs(table), true) => self.least(inputs, table.need as usize, true),
+            (GateKind::Pairs(table), false) => {
+                match table.is_met(|cell| self.program.value(&self.bits, inputs[cell])) {
+                    true => self.least(inputs, 1, false),
+                    false => 0.0,
+                }
+            }
         }
     }
 

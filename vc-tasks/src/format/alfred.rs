@@ -8,7 +8,7 @@
 //! let task = Template::read(text)?;
 //! assert_eq!(task.to_goal().to_string(), "exists ?r: CounterTop. exists ?o: Tomato. \
 //!     (On(?o, ?r) | Inside(?o, ?r)) & Cold(?o) & Sliced(?o)");
-//! assert_eq!(Template::of(&task.to_goal())?, task);
+//! assert_eq!(Template::from_goal(&task.to_goal())?, task);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -24,8 +24,17 @@ use super::{ReadError, Unwritable};
 const FORMAT: &str = "ALFRED task";
 
 /// The type of a task.
+///
+/// ```
+/// use vc_tasks::format::alfred::{TaskType, Template};
+/// let text = r#"{"task_type": "pick_clean_then_place_in_recep",
+///     "pddl_params": {"object_target": "Cup", "parent_target": "Shelf"}}"#;
+/// assert_eq!(Template::read(text)?.task_type, TaskType::Clean);
+/// # Ok::<(), vc_tasks::format::ReadError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Type {
+#[non_exhaustive]
+pub enum TaskType {
     /// Look at an object in the light of a lamp.
     #[serde(rename = "look_at_obj_in_light")]
     LookInLight,
@@ -49,7 +58,7 @@ pub enum Type {
     Cool,
 }
 
-impl Type {
+impl TaskType {
     /// All seven types.
     pub const ALL: [Self; 7] =
         [Self::LookInLight, Self::Place, Self::PlaceTwo, Self::PlaceWithVessel, Self::Clean, Self::Heat, Self::Cool];
@@ -59,7 +68,7 @@ impl Type {
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Template {
     /// The type.
-    pub task_type: Type,
+    pub task_type: TaskType,
     /// The parameters.
     #[serde(rename = "pddl_params")]
     pub about: Parameters,
@@ -112,8 +121,8 @@ impl Template {
         let object = ("object_target", about.object.as_str());
         let receptacle = ("parent_target", about.receptacle.as_str());
         match self.task_type {
-            Type::LookInLight => vec![object, ("toggle_target", &about.lamp)],
-            Type::PlaceWithVessel => vec![object, ("mrecep_target", &about.vessel), receptacle],
+            TaskType::LookInLight => vec![object, ("toggle_target", &about.lamp)],
+            TaskType::PlaceWithVessel => vec![object, ("mrecep_target", &about.vessel), receptacle],
             _ => vec![object, receptacle],
         }
     }
@@ -128,21 +137,21 @@ impl Template {
             all([Some(within("o", "r")), kept, sliced.clone()])
         };
         match self.task_type {
-            Type::LookInLight => {
+            TaskType::LookInLight => {
                 let near = Goal::literal(Predicate::Relation(Relation::Near), vec![Term::Me, variable("l")]);
                 let held = Goal::literal(Predicate::Holds, vec![Term::Me, variable("o")]);
                 let body = all([Some(held), Some(state(State::On, "l")), Some(near), sliced]);
                 exists("l", &about.lamp, exists("o", &about.object, body))
             }
-            Type::Place => exists("r", &about.receptacle, exists("o", &about.object, placed(None))),
-            Type::Clean => exists("r", &about.receptacle, exists("o", &about.object, placed(Some(State::Clean)))),
-            Type::Heat => exists("r", &about.receptacle, exists("o", &about.object, placed(Some(State::Hot)))),
-            Type::Cool => exists("r", &about.receptacle, exists("o", &about.object, placed(Some(State::Cold)))),
-            Type::PlaceTwo => {
+            TaskType::Place => exists("r", &about.receptacle, exists("o", &about.object, placed(None))),
+            TaskType::Clean => exists("r", &about.receptacle, exists("o", &about.object, placed(Some(State::Clean)))),
+            TaskType::Heat => exists("r", &about.receptacle, exists("o", &about.object, placed(Some(State::Hot)))),
+            TaskType::Cool => exists("r", &about.receptacle, exists("o", &about.object, placed(Some(State::Cold)))),
+            TaskType::PlaceTwo => {
                 let of = quantified("o", &about.object, placed(None));
                 exists("r", &about.receptacle, Goal::ForN { comparison: Comparison::AtLeast, number: 2, of })
             }
-            Type::PlaceWithVessel => {
+            TaskType::PlaceWithVessel => {
                 let body = all([Some(within("o", "v")), Some(within("v", "r")), sliced]);
                 let vessel = exists("v", &about.vessel, exists("o", &about.object, body));
                 exists("r", &about.receptacle, vessel)
@@ -154,14 +163,14 @@ impl Template {
     ///
     /// # Errors
     /// [`Unwritable`] if it is not a goal of ALFRED.
-    pub fn of(goal: &Goal) -> Result<Self, Unwritable> {
+    pub fn from_goal(goal: &Goal) -> Result<Self, Unwritable> {
         let classes = classes(goal);
         let class = |i: usize| classes.get(i).copied().unwrap_or_default().to_owned();
-        for task_type in Type::ALL {
+        for task_type in TaskType::ALL {
             for sliced in [false, true] {
                 let about = match task_type {
-                    Type::LookInLight => Parameters { lamp: class(0), object: class(1), ..Parameters::default() },
-                    Type::PlaceWithVessel => {
+                    TaskType::LookInLight => Parameters { lamp: class(0), object: class(1), ..Parameters::default() },
+                    TaskType::PlaceWithVessel => {
                         let [receptacle, vessel, object] = [0, 1, 2].map(class);
                         Parameters { receptacle, vessel, object, ..Parameters::default() }
                     }

@@ -20,6 +20,14 @@ const GOAL: &str = "EAI goal";
 
 /// Reads a formula and reports errors with their line.
 ///
+/// ```
+/// use vc_tasks::format::eai;
+/// let goal = eai::read_formula("ON(light.3)")?;
+/// assert_eq!(eai::formula(&goal).ok().as_deref(), Some("ON(light.3)"));
+/// assert_eq!(eai::read_formula("ON(light.3").unwrap_err().line, 1);
+/// # Ok::<(), vc_tasks::format::ReadError>(())
+/// ```
+///
 /// # Errors
 /// [`ReadError`] with the place and what was expected there.
 pub fn read_formula(text: &str) -> Result<Goal, ReadError> {

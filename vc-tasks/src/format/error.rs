@@ -8,8 +8,8 @@ use vc_graph::format::unmarked;
 /// An error in a text: its place, what was expected there and what was found.
 ///
 /// ```
-/// use vc_tasks::format::bddl::Activity;
-/// let error = Activity::read("(define\n  (problem p)\n  (:goal (not))").unwrap_err();
+/// use vc_tasks::format::bddl::ActivityDefinition;
+/// let error = ActivityDefinition::read("(define\n  (problem p)\n  (:goal (not))").unwrap_err();
 /// assert_eq!(
 ///     error.in_file("p.bddl").to_string(),
 ///     "p.bddl, line 1, column 1: BDDL: expected a `)` for this `(`, found the end",
@@ -82,6 +82,13 @@ pub(crate) fn clip(text: &str) -> String {
 }
 
 /// An error for a goal that a format cannot express.
+///
+/// ```
+/// use vc_tasks::format::watch_and_help;
+/// let error = watch_and_help::write(&"Dirty(plate)".parse()?).unwrap_err();
+/// assert!(error.to_string().contains("cannot express `Dirty(plate)`"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{format} cannot express `{part}`: {why}")]
 pub struct Unwritable {

@@ -1,8 +1,8 @@
 //! The s-expressions of BDDL and PDDL.
 //!
 //! ```
-//! use vc_tasks::format::sexpr::Tree;
-//! let tree = Tree::read("example", "(and (open door_1) ; a comment\n (hot tea_1))")?;
+//! use vc_tasks::format::sexpr::SexprTree;
+//! let tree = SexprTree::read("example", "(and (open door_1) ; a comment\n (hot tea_1))")?;
 //! let parts: Vec<String> = tree.root().items().map(|e| e.to_string()).collect();
 //! assert_eq!(parts, ["and", "(open door_1)", "(hot tea_1)"]);
 //! # Ok::<(), vc_tasks::format::ReadError>(())
@@ -24,7 +24,7 @@ pub const DEEPEST: usize = 128;
 
 /// A parsed text: one expression, and the text itself in lower case.
 #[derive(Debug, Clone)]
-pub struct Tree {
+pub struct SexprTree {
     format: &'static str,
     text: Box<str>,
     nodes: Vec<Node>,
@@ -41,7 +41,7 @@ struct Node {
     after: u32,
 }
 
-impl Tree {
+impl SexprTree {
     /// Reads a text of one expression. Case does not matter in these languages; the text is converted to lower
     /// case.
     ///
@@ -178,10 +178,10 @@ fn equal(block: u64, byte: u8) -> u64 {
     differ.wrapping_sub(EACH) & !differ & HIGH
 }
 
-/// A word or a list of a [`Tree`].
+/// A word or a list of a [`SexprTree`].
 #[derive(Clone, Copy)]
 pub struct Expr<'t> {
-    tree: &'t Tree,
+    tree: &'t SexprTree,
     index: u32,
 }
 
@@ -191,7 +191,7 @@ impl<'t> Expr<'t> {
     }
 
     /// The index in the tree, in the order of the text.
-    pub fn index(self) -> u32 {
+    pub(crate) fn index(self) -> u32 {
         self.index
     }
 
@@ -201,7 +201,7 @@ impl<'t> Expr<'t> {
     }
 
     /// Whether it is a list, not a word.
-    pub fn is_list(self) -> bool {
+    pub(crate) fn is_list(self) -> bool {
         self.tree.text.as_bytes()[self.node().start as usize] == b'('
     }
 
@@ -216,6 +216,15 @@ impl<'t> Expr<'t> {
     }
 
     /// The first word of a list.
+    ///
+    /// ```
+    /// use vc_tasks::format::sexpr::SexprTree;
+    /// let tree = SexprTree::read("example", "(and\n (open door_1))")?;
+    /// assert_eq!(tree.root().head(), Some("and"));
+    /// let open = tree.root().items().last().ok_or("no element")?;
+    /// assert_eq!(open.position(), (2, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn head(self) -> Option<&'t str> {
         self.items().next()?.word()
     }
@@ -226,7 +235,7 @@ impl<'t> Expr<'t> {
     }
 
     /// An error that something else was expected here.
-    pub fn error(self, expected: impl Into<String>) -> ReadError {
+    pub(crate) fn error(self, expected: impl Into<String>) -> ReadError {
         let found = match self.head() {
             _ if !self.is_list() => format!("`{}`", clip(self.text())),
             Some(head) => format!("`({} ...)`", clip(head)),
@@ -274,7 +283,7 @@ impl fmt::Debug for Expr<'_> {
 /// The elements of a list.
 #[derive(Clone)]
 pub struct Items<'t> {
-    tree: &'t Tree,
+    tree: &'t SexprTree,
     next: u32,
     end: u32,
 }

@@ -65,6 +65,13 @@ fn read_error(line: usize, error: &vc_graph::goal::GoalError) -> ReadError {
 
 /// Writes a goal, one part a line.
 ///
+/// ```
+/// use vc_tasks::format::thesis;
+/// let text = thesis::write(&"On(apple, table)".parse()?)?;
+/// assert_eq!(thesis::read(&text)?.to_string(), "On(apple, table)");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`Unwritable`] for all but conjunctions of literals and "at least" counts of them.
 pub fn write(goal: &Goal) -> Result<String, Unwritable> {

@@ -31,6 +31,13 @@ const FORMAT: &str = "Watch-And-Help goal";
 
 /// Reads a goal.
 ///
+/// ```
+/// use vc_tasks::format::watch_and_help::read;
+/// assert_eq!(read(r#"{"inside_apple_fridge": 2}"#)?.to_string(), "Inside(apple, fridge), 2");
+/// assert!(read(r#"{"juggle_apple": 2}"#).is_err());
+/// # Ok::<(), vc_tasks::format::ReadError>(())
+/// ```
+///
 /// # Errors
 /// [`ReadError`] with the invalid key.
 pub fn read(text: &str) -> Result<Goal, ReadError> {

@@ -6,8 +6,8 @@ use nalgebra::{Isometry3, Translation3};
 use vc_graph::class::{Category, Class};
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{
-    AssetLibrary, Bounds, Draft, EditError, History, NodeId, NodeKind, ObjectRole, Place, Property, PropertySet,
-    Relation, SceneBuilder, SceneGraph, Seed, State,
+    AssetLibrary, Bounds, Draft, History, NodeId, NodeKind, ObjectRole, Place, Property, PropertySet, Relation,
+    SceneBuilder, SceneGraph, Seed, State,
 };
 
 use super::error::{InitialError, PlacementReason};
@@ -18,7 +18,7 @@ use super::start;
 use super::stock::Stock;
 use super::walk::Walk;
 use super::{Added, Purpose};
-use crate::library::{Activity, Need, Spot};
+use crate::library::{Activity, Need, PlacementSpec};
 
 /// The number of classes drawn for a distractor before it is left out.
 const DRAWS: usize = 40;
@@ -30,8 +30,8 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub(super) fn of(scene: &SceneGraph) -> Self {
-        Self { solids: Solids::of(scene), walk: Walk::of(scene, scene.assets()) }
+    pub(super) fn from_scene(scene: &SceneGraph) -> Self {
+        Self { solids: Solids::new(scene), walk: Walk::new(scene, scene.assets()) }
     }
 }
 
@@ -96,7 +96,7 @@ impl<'a> Attempt<'a> {
         (0..distractors).for_each(|_| self.distract());
         self.begin()?;
         self.check()?;
-        let mut scene = SceneBuilder::of(self.graph);
+        let mut scene = SceneBuilder::from_graph(self.graph);
         scene.assets(Arc::new(self.assets));
         let scene = scene.build();
         Ok(Asked { scene, agent: self.agent, added: self.added, states: self.states })
@@ -170,7 +170,7 @@ impl<'a> Attempt<'a> {
         }
         let mut edit = self.graph.edit();
         for &id in &things {
-            need.states.iter().try_for_each(|&state| start::enter(&mut edit, id, state)).map_err(refusal)?;
+            need.states.iter().try_for_each(|&state| start::enter(&mut edit, id, state))?;
         }
         edit.commit();
         Ok(())
@@ -227,13 +227,13 @@ impl<'a> Attempt<'a> {
         &mut self,
         class: &Class,
         draft: Draft,
-        spots: &[Spot],
+        spots: &[PlacementSpec],
         purpose: Purpose,
         seed: Seed,
     ) -> Result<NodeId, InitialError> {
         let mut sites = Places { graph: &self.graph, assets: &self.assets }.sites(class, spots);
         let mut stream = seed.child("place").stream();
-        let asked = || spots.iter().map(Spot::to_string).collect::<Vec<_>>().join(" | ");
+        let asked = || spots.iter().map(PlacementSpec::to_string).collect::<Vec<_>>().join(" | ");
         let mut last = (asked(), PlacementReason::Absent);
         while let Some(chosen) = stream.weighted(sites.iter().map(|s| s.weight)) {
             let site = sites.swap_remove(chosen);
@@ -280,7 +280,7 @@ impl<'a> Attempt<'a> {
         let on_floor =
             edit.graph().node(site.at).is_some_and(|n| matches!(n.role(), ObjectRole::Room | ObjectRole::Floor));
         if let Some(walk) = self.walk.as_mut().filter(|_| on_floor && purpose != Purpose::Agent) {
-            let after = Walk::of(edit.graph(), &self.assets).ok_or(PlacementReason::Unreachable)?;
+            let after = Walk::new(edit.graph(), &self.assets).ok_or(PlacementReason::Unreachable)?;
             if after.entered() != walk.entered() {
                 return Err(PlacementReason::Unreachable);
             }
@@ -319,7 +319,7 @@ impl<'a> Attempt<'a> {
     /// Sets the start states and seats the agent.
     fn begin(&mut self) -> Result<(), InitialError> {
         let mut edit = self.graph.edit();
-        start::bring_about(&mut edit, self.agent, &self.activity.start).map_err(refusal)?;
+        start::bring_about(&mut edit, self.agent, &self.activity.start)?;
         edit.commit();
         let seat = self.graph.places(self.agent).find(|p| Relation::places().contains(&p.relation));
         let room = self.graph.room_of(self.agent);
@@ -341,7 +341,7 @@ impl<'a> Attempt<'a> {
         let Some(spot) = spot else { return Ok(()) };
         (pose.translation.x, pose.translation.y) = (spot.x, spot.y);
         let mut edit = self.graph.edit();
-        edit.carry_to(self.agent, pose).map_err(refusal)?;
+        edit.carry_to(self.agent, pose)?;
         edit.commit();
         Ok(())
     }
@@ -367,10 +367,6 @@ impl<'a> Attempt<'a> {
 /// Whether these affordances allow all the states that a need asks for.
 fn allows_all(affordances: PropertySet, need: &Need) -> bool {
     need.states.iter().all(|&state| start::allows(affordances, state))
-}
-
-fn refusal(error: EditError) -> InitialError {
-    InitialError::StartUnmet(error.to_string())
 }
 
 /// Whether an object may hang out of reach: lamps are switched elsewhere, pictures looked at from

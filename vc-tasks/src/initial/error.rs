@@ -2,8 +2,25 @@
 
 use std::fmt;
 
+use vc_graph::EditError;
+
+use crate::world::WorldError;
+
 /// The reason why a scene cannot be prepared for an activity.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Seed, Simulator};
+/// use vc_tasks::initial::{InitialError, InitialGenerator, PlainStock};
+/// use vc_tasks::library::Benchmark;
+/// let mut scene = SceneBuilder::new("shed");
+/// scene.add(Draft::new("garden"))?;
+/// let (graph, benchmark) = (scene.build(), Benchmark::v1());
+/// let mut world = Simulator::new(graph.clone());
+/// let made = InitialGenerator::new(&PlainStock).make(&benchmark.activities[0], &graph, Seed(1), &mut world);
+/// assert!(made.is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InitialError {
     /// The activity takes place in a room that the scene does not have.
@@ -32,10 +49,22 @@ pub enum InitialError {
     #[error("`{0}` is to hold at the start and does not")]
     StartUnmet(String),
     /// The world's scene differs from the one requested after every attempt.
-    #[error("after {tries} tries: {what}")]
+    #[error("after {tries} tries: {difference}")]
     Unconfirmed {
-        /// The first difference at the last attempt.
-        what: String,
+        /// The first difference at the last attempt, with the labels of the nodes.
+        difference: String,
+        /// The number of attempts.
+        tries: usize,
+    },
+    /// The start conditions would break an invariant of the scene.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+    /// The world does not take the scene, at every attempt.
+    #[error("after {tries} tries: {error}")]
+    World {
+        /// The world's error at the last attempt.
+        #[source]
+        error: WorldError,
         /// The number of attempts.
         tries: usize,
     },
@@ -44,7 +73,7 @@ pub enum InitialError {
 impl InitialError {
     /// Whether another attempt may succeed because the error depends on chance.
     pub(super) fn is_chance(&self) -> bool {
-        matches!(self, Self::NoSpot { .. } | Self::AlreadyMet(_) | Self::Unconfirmed { .. } | Self::StartUnmet(_))
+        !matches!(self, Self::NoRoom(_) | Self::NotInStock(_) | Self::BuiltIn(_))
     }
 }
 

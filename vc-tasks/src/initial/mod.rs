@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use vc_graph::{Draft, SceneBuilder, Seed, Simulator};
-//! use vc_tasks::initial::{Generator, PlainStock};
+//! use vc_tasks::initial::{InitialGenerator, PlainStock};
 //! use vc_tasks::library::Benchmark;
 //!
 //! let mut scene = SceneBuilder::new("flat");
@@ -24,7 +24,7 @@
 //! let benchmark = Benchmark::v1();
 //! let activity = benchmark.get("put_fridge-02").ok_or("no such task")?;
 //! let mut world = Simulator::new(scene.clone());
-//! let initial = Generator::new(&PlainStock).make(activity, &scene, Seed(1), &mut world)?;
+//! let initial = InitialGenerator::new(&PlainStock).make(activity, &scene, Seed(1), &mut world)?;
 //! let added: Vec<String> = initial.added.iter().map(|a| initial.scene.label(a.id).to_string()).collect();
 //! assert_eq!(added, ["character.4", "apple.5", "bread.6", "wine.7"]);
 //! assert_eq!(initial.credit, 0.0);
@@ -55,7 +55,7 @@ const TRIES: usize = 20;
 
 /// A generator of initial environments.
 #[derive(Clone, Copy)]
-pub struct Generator<'a> {
+pub struct InitialGenerator<'a> {
     stock: &'a dyn Stock,
     tries: usize,
     distractors: usize,
@@ -63,6 +63,7 @@ pub struct Generator<'a> {
 
 /// A scene prepared for an activity.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Initial {
     /// The scene as the world returned it.
     pub scene: SceneGraph,
@@ -80,6 +81,7 @@ pub struct Initial {
 
 /// An object that was added to a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Added {
     /// Its node.
     pub id: NodeId,
@@ -93,6 +95,7 @@ pub struct Added {
 
 /// The reason why an object was added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Purpose {
     /// It is the agent.
     Agent,
@@ -102,7 +105,7 @@ pub enum Purpose {
     Distractor,
 }
 
-impl<'a> Generator<'a> {
+impl<'a> InitialGenerator<'a> {
     /// A generator that takes missing objects from a stock, makes up to 20 attempts and adds no
     /// distractors.
     pub fn new(stock: &'a dyn Stock) -> Self {
@@ -116,6 +119,24 @@ impl<'a> Generator<'a> {
     }
 
     /// Sets the number of distractors, which are objects the activity has no use for.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Seed, Simulator};
+    /// use vc_tasks::initial::{InitialGenerator, PlainStock};
+    /// use vc_tasks::library::Activity;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let task = r#"[{"number": 1, "title": "cool the milk", "goal": "Inside(milk, fridge)"}]"#;
+    /// let activity = Activity::read_list("own", task)?.remove(0);
+    /// let graph = scene.build();
+    /// let mut world = Simulator::new(graph.clone());
+    /// let initial = InitialGenerator::new(&PlainStock).distractors(1).make(&activity, &graph, Seed(1), &mut world)?;
+    /// assert_eq!(initial.scene.of_class("milk").len(), 1);
+    /// assert!(initial.credit < 1.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn distractors(self, distractors: usize) -> Self {
         Self { distractors, ..self }
@@ -135,7 +156,7 @@ impl<'a> Generator<'a> {
         seed: Seed,
         world: &mut dyn World,
     ) -> Result<Initial, InitialError> {
-        let ground = Ground::of(scene);
+        let ground = Ground::from_scene(scene);
         let own = seed.child(&activity.id);
         let mut last = InitialError::StartUnmet(activity.start.to_string());
         for attempt in 0..self.tries {
@@ -149,10 +170,13 @@ impl<'a> Generator<'a> {
                 Err(error) => return Err(error),
             };
             let tries = attempt + 1;
-            let refused = world.reset(&asked.scene).err().map(|e| e.to_string());
-            match refused.or_else(|| difference(activity, &asked, world.graph())) {
+            if let Err(error) = world.reset(&asked.scene) {
+                last = InitialError::World { error, tries };
+                continue;
+            }
+            match difference(activity, &asked, world.graph()) {
                 None => return Ok(asked.confirmed(activity, world.graph().clone(), tries)),
-                Some(what) => last = InitialError::Unconfirmed { what, tries },
+                Some(difference) => last = InitialError::Unconfirmed { difference, tries },
             }
         }
         Err(last)

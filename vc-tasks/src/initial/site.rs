@@ -4,7 +4,7 @@ use vc_graph::asset::Hold;
 use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, ClassTable, Node, NodeId, ObjectRole, Property, Relation, SceneGraph};
 
-use crate::library::Spot;
+use crate::library::PlacementSpec;
 
 /// One surface, hook, interior or floor of the scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +64,7 @@ pub(super) struct Places<'a> {
 impl Places<'_> {
     /// The sites for a class: the given spots, or the habitual places of the class, or, if the
     /// scene has none of those, any table (for graspable objects) or floor.
-    pub(super) fn sites(&self, class: &Class, spots: &[Spot]) -> Vec<Site> {
+    pub(super) fn sites(&self, class: &Class, spots: &[PlacementSpec]) -> Vec<Site> {
         let mut sites = Vec::new();
         if spots.is_empty() {
             for (spot, weight) in kept(self.graph.classes(), class) {
@@ -79,7 +79,7 @@ impl Places<'_> {
         sites
     }
 
-    fn expand(&self, class: &Class, spot: &Spot, weight: f32, loosely: bool, sites: &mut Vec<Site>) {
+    fn expand(&self, class: &Class, spot: &PlacementSpec, weight: f32, loosely: bool, sites: &mut Vec<Site>) {
         let mut found = Vec::new();
         match &spot.at {
             None => {
@@ -108,7 +108,7 @@ impl Places<'_> {
 
     /// Whether a spot may be in a room. Habits are read loosely: other rooms serve where the home
     /// has none of the class.
-    fn in_room(&self, room: NodeId, spot: &Spot, loosely: bool) -> bool {
+    fn in_room(&self, room: NodeId, spot: &PlacementSpec, loosely: bool) -> bool {
         let Some(wanted) = &spot.room else { return true };
         let is = |room: NodeId, class: &str| {
             self.graph.node(room).is_some_and(|n| self.graph.classes().is_a(n.class(), class))
@@ -127,7 +127,15 @@ impl Places<'_> {
         floors.into_iter().for_each(|floor| self.surfaces(floor, Relation::On, false, sites));
     }
 
-    fn carriers(&self, class: &Class, relation: Relation, at: &str, spot: &Spot, loosely: bool, sites: &mut Vec<Site>) {
+    fn carriers(
+        &self,
+        class: &Class,
+        relation: Relation,
+        at: &str,
+        spot: &PlacementSpec,
+        loosely: bool,
+        sites: &mut Vec<Site>,
+    ) {
         let hangs = class.affordances.contains(Property::Hangable);
         let in_room = |id: NodeId| self.graph.room_of(id).is_some_and(|r| r != id && self.in_room(r, spot, loosely));
         let carriers = self.graph.of_class(at).into_iter().filter(|&id| in_room(id));
@@ -164,10 +172,10 @@ fn takes(node: &Node, relation: Relation) -> bool {
 }
 
 /// The habitual places of a class, or of its parent classes, with weights.
-fn kept(classes: &ClassTable, class: &Class) -> Vec<(Spot, f32)> {
+fn kept(classes: &ClassTable, class: &Class) -> Vec<(PlacementSpec, f32)> {
     let own = class.kept.iter().map(|k| {
         let at = k.at.as_ref().map(|(relation, class)| (*relation, class.to_string()));
-        (Spot { at, room: k.room.as_ref().map(ToString::to_string) }, k.weight as f32)
+        (PlacementSpec { at, room: k.room.as_ref().map(ToString::to_string) }, k.weight as f32)
     });
     let own: Vec<_> = own.collect();
     if !own.is_empty() {
@@ -176,7 +184,7 @@ fn kept(classes: &ClassTable, class: &Class) -> Vec<(Spot, f32)> {
     class.parents.iter().filter_map(|parent| classes.get(parent)).flat_map(|parent| kept(classes, parent)).collect()
 }
 
-fn anywhere(class: &Class) -> Spot {
+fn anywhere(class: &Class) -> PlacementSpec {
     let table = class.affordances.contains(Property::Graspable).then(|| (Relation::On, "table".to_owned()));
-    Spot { at: table, room: None }
+    PlacementSpec { at: table, room: None }
 }

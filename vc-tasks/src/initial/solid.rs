@@ -14,7 +14,7 @@ pub(super) struct Solids {
 }
 
 impl Solids {
-    pub(super) fn of(graph: &SceneGraph) -> Self {
+    pub(super) fn new(graph: &SceneGraph) -> Self {
         let things = graph.nodes().filter(|n| n.kind() != NodeKind::Room);
         Self { boxes: things.filter_map(|n| Some((n.id(), n.aabb()?))).collect() }
     }

@@ -33,7 +33,7 @@ impl Walk {
     /// Builds the grid of a scene; `None` where no room has a bounding box. Doors are no obstacle.
     ///
     /// Costs about a millisecond for a home.
-    pub(super) fn of(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
+    pub(super) fn new(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
         let mut walk = Self::floors(graph, assets)?;
         let mut open = walk.standing.empty();
         for (y, row) in walk.room.chunks(walk.width()).enumerate() {

@@ -67,6 +67,14 @@ impl Activity {
     /// Reads a list: JSON, an array of objects with `number`, `title`, `goal` and,
     /// as needed, `natural`, `needs`, `start` and `places`. Ids are `list-number`.
     ///
+    /// ```
+    /// use vc_tasks::library::Activity;
+    /// let text = r#"[{"number": 7, "title": "tidy up", "goal": "Closed(fridge)", "needs": ["2 plate"]}]"#;
+    /// let activities = Activity::read_list("own", text)?;
+    /// assert_eq!((activities[0].id.as_str(), activities[0].needs[0].number), ("own-7", 2));
+    /// # Ok::<(), vc_tasks::library::ActivityError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ActivityError`] with line, column and what was expected.
     pub fn read_list(list: &str, text: &str) -> Result<Vec<Self>, ActivityError> {
@@ -76,6 +84,14 @@ impl Activity {
     }
 
     /// The task: the goal and the natural end as one goal.
+    ///
+    /// ```
+    /// use vc_tasks::library::Benchmark;
+    /// let benchmark = Benchmark::v1();
+    /// let task = benchmark.get("put_fridge-01").ok_or("no such task")?.task();
+    /// assert!(task.goal.to_string().starts_with("Inside(milk, fridge)"));
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn task(&self) -> Task {
         Task::new(&self.title, all_of(&[&self.goal, &self.natural]))
     }
@@ -92,7 +108,7 @@ impl Activity {
         });
         let written = |class: &str| self.needs.iter().any(|n| n.class == class);
         let more = named.into_iter().filter(|(class, _)| !written(class));
-        self.needs.iter().cloned().chain(more.map(|(class, number)| Need::of(class, number))).collect()
+        self.needs.iter().cloned().chain(more.map(|(class, number)| Need::new(class, number))).collect()
     }
 
     /// The places that are not rooms in a class table, so have yet to be built.
@@ -103,6 +119,14 @@ impl Activity {
 
     /// The verbs that the goal and the natural end require: each literal's own verb, and `grab` before a
     /// placement. Plans contain more: the agent walks to everything.
+    ///
+    /// ```
+    /// use vc_graph::Verb;
+    /// use vc_tasks::library::Benchmark;
+    /// let benchmark = Benchmark::v1();
+    /// assert!(benchmark.get("put_fridge-01").ok_or("no such task")?.verbs().contains(&Verb::PutIn));
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn verbs(&self) -> Vec<Verb> {
         let mut verbs = Vec::new();
         [&self.goal, &self.natural].into_iter().for_each(|goal| asked_verbs(goal, &mut verbs));

@@ -2,11 +2,12 @@
 
 use serde::Deserialize;
 use vc_graph::format::unmarked;
+use vc_graph::goal::GoalError;
 use vc_graph::hash::fnv1a;
 use vc_graph::{Digest, Goal};
 
 use super::activity::nothing;
-use super::{Activity, Need};
+use super::{Activity, Need, NeedError};
 
 const V1: &str = include_str!("../../data/library/benchmark.json");
 
@@ -34,8 +35,21 @@ pub enum BenchmarkError {
         /// The text after the variant was filled in.
         text: String,
         /// The reason why it is not a task.
-        why: String,
+        #[source]
+        why: Box<VariantError>,
     },
+}
+
+/// The reason why a filled-in text is not part of a task.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VariantError {
+    /// It is not a goal.
+    #[error(transparent)]
+    Goal(#[from] GoalError),
+    /// It is not a need.
+    #[error(transparent)]
+    Need(#[from] NeedError),
 }
 
 /// A base task as written in the file: `$1` to `$9` stand for the words of a variant; `each` and
@@ -98,6 +112,11 @@ impl Benchmark {
 
 impl Activity {
     /// The base task of which it is a variant, `put_fridge`; for the thesis's tasks, their list.
+    ///
+    /// ```
+    /// use vc_tasks::library::Benchmark;
+    /// assert_eq!(Benchmark::v1().get("put_fridge-01").map(|activity| activity.group()), Some("put_fridge"));
+    /// ```
     pub fn group(&self) -> &str {
         self.id.rsplit_once('-').map_or(&self.id, |(group, _)| group)
     }
@@ -112,10 +131,10 @@ impl Base {
         };
         let goal = |text: String| match text.trim() {
             "" => Ok(nothing()),
-            text => text.parse::<Goal>().map_err(|e| wrong(&id, text, &e)),
+            text => text.parse::<Goal>().map_err(|e| wrong(&id, text, e)),
         };
         let needs = self.needs.iter().map(fill).chain(words.iter().map(|word| numbered(&self.each_need, word)));
-        let need = |text: String| text.parse::<Need>().map_err(|e| wrong(&id, &text, &e));
+        let need = |text: String| text.parse::<Need>().map_err(|e| wrong(&id, &text, e));
         Ok(Activity {
             title: self.title.clone(),
             goal: goal(self.goal_text(words, fill(&self.goal)))?,
@@ -140,6 +159,6 @@ fn numbered(text: &str, word: &str) -> String {
     text.replace('#', number).replace('$', class)
 }
 
-fn wrong(id: &str, text: &str, why: &dyn std::fmt::Display) -> BenchmarkError {
-    BenchmarkError::Variant { id: id.to_owned(), text: text.to_owned(), why: why.to_string() }
+fn wrong(id: &str, text: &str, why: impl Into<VariantError>) -> BenchmarkError {
+    BenchmarkError::Variant { id: id.to_owned(), text: text.to_owned(), why: Box::new(why.into()) }
 }

@@ -11,8 +11,8 @@ mod benchmark;
 mod need;
 
 pub use activity::{Activity, ActivityError};
-pub use benchmark::{Benchmark, BenchmarkError};
-pub use need::{Need, NeedError, Spot};
+pub use benchmark::{Benchmark, BenchmarkError, VariantError};
+pub use need::{Need, NeedError, NeedProblem, PlacementSpec};
 
 use vc_graph::Verb;
 
@@ -48,6 +48,7 @@ pub const THESIS_VERBS: [Verb; 18] = [
 
 /// One of the two lists in the thesis's appendix B.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum List {
     /// The first list: tasks in the home.
     Indoor,

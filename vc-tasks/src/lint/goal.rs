@@ -6,16 +6,29 @@ use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{ClassTable, History, NodeId, Refusal, SceneGraph, did_you_mean};
 
 use super::circle::{first_in_circle, rests};
-use super::{Finding, Kind, LARGEST, satisfiability};
+use super::{Finding, FindingKind, LARGEST, satisfiability};
 use crate::attainable::brought_about;
-use crate::compile::{CompileError, Compiler, Program, Things};
+use crate::compile::{CompileError, Compiler, GoalProgram, Things};
 use crate::{Obstacle, Task};
 
 /// Finds the mistakes and oddities of a goal. A scene says which objects there are; without one, each class
 /// is taken to have as many objects as needed, and only goals about given nodes are checked as a whole.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_tasks::lint::{self, FindingKind};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// let found = lint::goal(&"On(mug, kitchen_table)".parse()?, Some(&graph));
+/// assert_eq!(found[0].kind, FindingKind::Obstacle, "the scene has no mug");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let mut found = Vec::new();
-    look(goal, &mut Vec::new(), Some(true), &mut found);
+    check_part(goal, &mut Vec::new(), Some(true), &mut found);
     found.extend(circle(goal));
     found.extend(unknown(goal, scene));
     found.extend(scene.into_iter().flat_map(|graph| lacking(goal, graph)));
@@ -23,7 +36,7 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     found.extend(program.and_then(|p| satisfiability(&p, &goal.to_string())));
     if let Some((graph, agent)) = scene.and_then(|g| Some((g, *g.agents().first()?))) {
         let history = History::default();
-        let finding = Finding { kind: Kind::TrueAtStart, at: None, part: goal.to_string() };
+        let finding = Finding { kind: FindingKind::TrueAtStart, at: None, part: goal.to_string() };
         if goal.holds(&Situation::new(graph, agent, &history)) && !found.contains(&finding) {
             found.push(finding);
         }
@@ -37,31 +50,34 @@ fn unknown(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let builtin = ClassTable::builtin();
     let table = scene.map_or(&builtin, SceneGraph::classes);
     let obstacles = scene.map(|graph| Task::new("", goal.clone()).obstacles(graph)).unwrap_or_default();
-    let told =
-        |class: &str| obstacles.iter().any(|o| matches!(o, Obstacle::TooFew { class: told, .. } if told == class));
+    let reported = |class: &str| {
+        obstacles.iter().any(|o| matches!(o, Obstacle::TooFew { class: reported, .. } if reported == class))
+    };
     let is_there = |class: &str| scene.is_some_and(|graph| !graph.of_class(class).is_empty());
     let named = goal.terms().into_iter().filter_map(|term| match term {
         Term::Class(class) | Term::Node(Some(class), _) => Some(class),
         _ => None,
     });
-    let lost = named.filter(|class| table.get(class).is_none() && !is_there(class) && !told(class));
+    let lost = named.filter(|class| table.get(class).is_none() && !is_there(class) && !reported(class));
     let part = |class: String| format!("`{class}`{}", did_you_mean(&class, table.nearest(&class)));
     let lost: BTreeSet<String> = lost.collect();
-    lost.into_iter().map(|class| Finding { kind: Kind::UnknownClass, at: None, part: part(class) }).collect()
+    lost.into_iter().map(|class| Finding { kind: FindingKind::UnknownClass, at: None, part: part(class) }).collect()
 }
 
 /// Findings about labels whose class is not that of their node, and about objects that the scene lacks.
 fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let finding = |kind, part| Finding { kind, at: None, part };
-    let name_mismatches = goal.name_mismatches(graph).into_iter().map(|m| finding(Kind::Misnomer, m.to_string()));
+    let name_mismatches =
+        goal.name_mismatches(graph).into_iter().map(|m| finding(FindingKind::Misnomer, m.to_string()));
     let nobody = |id: &NodeId| graph.node(*id).is_none();
     let ids = goal.terms().into_iter().filter_map(|t| if let Term::Node(_, id) = t { Some(id) } else { None });
     let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();
-    let missing = missing.into_iter().map(|id| finding(Kind::Obstacle, Refusal::NoSuchThing(id).to_string()));
+    let missing = missing.into_iter().map(|id| finding(FindingKind::Obstacle, Refusal::NoSuchThing(id).to_string()));
     let task = Task::new("", goal.clone());
     // Unknown classes are findings of their own, and states that no action brings about are found without a scene, too.
     let is_plain = |o: &Obstacle| !matches!(o, Obstacle::UnknownClass { .. } | Obstacle::NoAction { .. });
-    let obstacles = task.obstacles(graph).into_iter().filter(is_plain).map(|o| finding(Kind::Obstacle, o.to_string()));
+    let obstacles =
+        task.obstacles(graph).into_iter().filter(is_plain).map(|o| finding(FindingKind::Obstacle, o.to_string()));
     name_mismatches.chain(missing).chain(obstacles).collect()
 }
 
@@ -78,7 +94,7 @@ fn circle(goal: &Goal) -> Option<Finding> {
     });
     let (said, pairs): (Vec<&Literal>, Vec<(NodeId, NodeId)>) = resting.unzip();
     let part = Goal::Literal((*said.get(first_in_circle(&pairs)?)?).clone()).to_string();
-    Some(Finding { kind: Kind::Circle, at: None, part })
+    Some(Finding { kind: FindingKind::Circle, at: None, part })
 }
 
 /// Collects the literals that must all hold for a goal to hold.
@@ -101,9 +117,9 @@ fn with_itself(literal: &Literal) -> bool {
 }
 
 /// The goal compiled for the objects of a scene; without a scene, only if it is about given nodes.
-fn compiled(goal: &Goal, scene: Option<&SceneGraph>) -> Option<Program> {
+fn compiled(goal: &Goal, scene: Option<&SceneGraph>) -> Option<GoalProgram> {
     let mut compiler = Compiler::limited(LARGEST);
-    let program: Result<Program, CompileError> = match scene {
+    let program: Result<GoalProgram, CompileError> = match scene {
         Some(graph) => {
             let agent = graph.agents().first().copied().unwrap_or(NOBODY);
             compiler.compile(goal, &Situation::new(graph, agent, &History::default()))
@@ -145,7 +161,7 @@ impl Things for Given {
 /// A variable and its class.
 type Bound<'g> = (&'g str, Option<&'g str>);
 
-fn look<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, found: &mut Vec<Finding>) {
+fn check_part<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, found: &mut Vec<Finding>) {
     let outer = bound.len();
     match goal {
         Goal::ForAll(q) | Goal::Exists(q) | Goal::ForN { of: q, .. } => {
@@ -156,20 +172,20 @@ fn look<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<bool>, fo
             bind(goal, &both, &p.body, bound, found);
         }
         Goal::Literal(literal) | Goal::Count { literal, .. } if with_itself(literal) => {
-            found.push(Finding { kind: Kind::WithItself, at: None, part: goal.to_string() });
+            found.push(Finding { kind: FindingKind::WithItself, at: None, part: goal.to_string() });
         }
         Goal::Count { comparison: Comparison::AtLeast, number: 0, .. } if wanted == Some(true) => {
-            found.push(Finding { kind: Kind::TrueAtStart, at: None, part: goal.to_string() });
+            found.push(Finding { kind: FindingKind::TrueAtStart, at: None, part: goal.to_string() });
         }
         Goal::Literal(literal) | Goal::Count { literal, .. }
             if wanted == Some(true) && !brought_about(literal.predicate) =>
         {
-            found.push(Finding { kind: Kind::NothingBringsAbout, at: None, part: goal.to_string() });
+            found.push(Finding { kind: FindingKind::NothingBringsAbout, at: None, part: goal.to_string() });
         }
         _ => {}
     }
     for (i, part) in goal.parts().into_iter().enumerate() {
-        look(part, bound, within(goal, i, wanted), found);
+        check_part(part, bound, within(goal, i, wanted), found);
     }
     bound.truncate(outer);
 }
@@ -191,15 +207,15 @@ fn bind<'g>(
     bound: &mut Vec<Bound<'g>>,
     found: &mut Vec<Finding>,
 ) {
-    let mut report = |kind: Kind, part: String| found.push(Finding { kind, at: None, part });
+    let mut report = |kind: FindingKind, part: String| found.push(Finding { kind, at: None, part });
     let mut terms = HashSet::new();
     terms_in(body, &mut terms);
     for &(name, _) in variables {
         if bound.iter().any(|(n, _)| *n == name) {
-            report(Kind::HiddenVariable, format!("?{name}"));
+            report(FindingKind::HiddenVariable, format!("?{name}"));
         }
         if !terms.iter().any(|t| matches!(t, Term::Variable(v) if v == name)) {
-            let kind = if variables.len() == 1 { Kind::UnusedVariable } else { Kind::UnusedInPair };
+            let kind = if variables.len() == 1 { FindingKind::UnusedVariable } else { FindingKind::UnusedInPair };
             report(kind, format!("?{name} in `{goal}`"));
         }
     }
@@ -207,7 +223,7 @@ fn bind<'g>(
     let mut constants: Vec<String> = terms.iter().filter(own).map(|t| t.to_string()).collect();
     constants.sort();
     if let Some(constant) = constants.into_iter().next() {
-        report(Kind::ConstantInQuantifier, constant);
+        report(FindingKind::ConstantInQuantifier, constant);
     }
     bound.extend_from_slice(variables);
 }

@@ -4,12 +4,12 @@
 //! Neither changes anything; findings are listed in the order of the text.
 //!
 //! ```
-//! use vc_tasks::lint::{self, Kind};
+//! use vc_tasks::lint::{self, FindingKind};
 //! let goal = "forall ?p: plate. On(cup, table) & !On(cup, table)".parse()?;
-//! let found: Vec<Kind> = lint::goal(&goal, None).into_iter().map(|f| f.kind).collect();
-//! assert_eq!(found, [Kind::UnusedVariable]);
+//! let found: Vec<FindingKind> = lint::goal(&goal, None).into_iter().map(|f| f.kind).collect();
+//! assert_eq!(found, [FindingKind::UnusedVariable]);
 //! let goal = "On(cup.1, table.2) & !On(cup.1, table.2)".parse()?;
-//! assert_eq!(lint::goal(&goal, None)[0].kind, Kind::Unsatisfiable);
+//! assert_eq!(lint::goal(&goal, None)[0].kind, FindingKind::Unsatisfiable);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -25,12 +25,12 @@ pub use goal::goal;
 
 pub use crate::attainable::brought_about;
 
-use crate::compile::{Program, Verdict};
+use crate::compile::{GoalProgram, Verdict};
 
 /// The kind of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
-pub enum Kind {
+pub enum FindingKind {
     /// No state of the objects fulfils the goal.
     Unsatisfiable,
     /// The goal holds before any action.
@@ -76,7 +76,7 @@ pub enum Kind {
     Undecided,
 }
 
-impl Kind {
+impl FindingKind {
     /// Whether it is only a remark, not a mistake.
     pub fn is_remark(self) -> bool {
         matches!(self, Self::UnusedInPair | Self::HiddenVariable | Self::SecondCondition)
@@ -110,7 +110,7 @@ impl Kind {
     }
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for FindingKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.as_str())
     }
@@ -120,7 +120,7 @@ impl fmt::Display for Kind {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     /// The kind of the finding.
-    pub kind: Kind,
+    pub kind: FindingKind,
     /// Line and column, if there is a text.
     pub at: Option<(usize, usize)>,
     /// The part it concerns.
@@ -141,11 +141,11 @@ impl fmt::Display for Finding {
 const LARGEST: usize = 100_000;
 
 /// A finding, if a compiled goal cannot be fulfilled or the search did not decide it.
-fn satisfiability(program: &Program, part: &str) -> Option<Finding> {
+fn satisfiability(program: &GoalProgram, part: &str) -> Option<Finding> {
     let kind = match satisfy::satisfiable(program) {
         Verdict::True => return None,
-        Verdict::False => Kind::Unsatisfiable,
-        Verdict::Unknown => Kind::Undecided,
+        Verdict::False => FindingKind::Unsatisfiable,
+        Verdict::Unknown => FindingKind::Undecided,
     };
     Some(Finding { kind, at: None, part: part.to_owned() })
 }

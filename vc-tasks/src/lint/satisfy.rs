@@ -6,7 +6,7 @@
 
 use vc_graph::goal::Predicate;
 
-use crate::compile::{Gate, Kind, Program, Ref, Verdict, counts};
+use crate::compile::{Gate, GateKind, GoalProgram, Ref, Verdict, counts};
 
 /// The limit of gate visits before giving up: about a second. The hardest goal of the 1,016 of
 /// BEHAVIOR-1K takes some thousand.
@@ -14,7 +14,7 @@ const LOOKS: usize = 1 << 24;
 
 /// Whether some state fulfils a goal without two opposite states of one object; unknown if the
 /// limit was reached.
-pub(super) fn satisfiable(program: &Program) -> Verdict {
+pub(super) fn satisfiable(program: &GoalProgram) -> Verdict {
     let mut values = Values::new(program);
     if !values.set(program.root(), true) || !values.propagate() {
         return Verdict::False;
@@ -36,7 +36,7 @@ pub(super) fn satisfiable(program: &Program) -> Verdict {
 
 /// The known values of atoms and gates.
 struct Values<'p> {
-    program: &'p Program,
+    program: &'p GoalProgram,
     /// The atoms, then the gates.
     known: Vec<Verdict>,
     /// Pairs of atoms of which at most one is true.
@@ -45,7 +45,7 @@ struct Values<'p> {
 }
 
 impl<'p> Values<'p> {
-    fn new(program: &'p Program) -> Self {
+    fn new(program: &'p GoalProgram) -> Self {
         let known = vec![Verdict::Unknown; program.atoms().len() + program.gates().len()];
         Self { program, known, apart: apart(program), looks: 0 }
     }
@@ -67,9 +67,9 @@ impl<'p> Values<'p> {
 
     fn learn(&mut self, place: usize, value: bool) -> bool {
         if self.known[place] == Verdict::Unknown {
-            self.known[place] = Verdict::of(value);
+            self.known[place] = Verdict::from_bool(value);
         }
-        self.known[place] == Verdict::of(value)
+        self.known[place] == Verdict::from_bool(value)
     }
 
     /// The place nearest the root whose value is unknown.
@@ -120,7 +120,7 @@ impl<'p> Values<'p> {
     fn down(&mut self, index: usize, gate: Gate) -> bool {
         let inputs = self.program.inputs(gate);
         let (low, high) = match (self.at(Ref::gate(index)), gate.kind) {
-            (Verdict::Unknown, _) | (_, Kind::Pairs(_)) | (Verdict::False, Kind::Exactly(_)) => return true,
+            (Verdict::Unknown, _) | (_, GateKind::Pairs(_)) | (Verdict::False, GateKind::Exactly(_)) => return true,
             (Verdict::True, _) => gate.bounds(),
             (Verdict::False, _) => (0, gate.bounds().0 - 1),
         };
@@ -136,8 +136,8 @@ impl<'p> Values<'p> {
 }
 
 /// Pairs of states of one object that exclude each other.
-fn apart(program: &Program) -> Vec<[usize; 2]> {
-    let state = |(index, atom): (usize, &crate::compile::Atom)| match atom.predicate {
+fn apart(program: &GoalProgram) -> Vec<[usize; 2]> {
+    let state = |(index, atom): (usize, &crate::compile::GroundAtom)| match atom.predicate {
         Predicate::State(state) => Some((atom.things[0], index, state)),
         _ => None,
     };

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use vc_graph::format::unmarked;
 
-use super::{Report, Row, Run, Table};
+use super::{Report, ReportRow, Run, Table};
 
 const HEADINGS: [&str; 14] = [
     "agent",
@@ -23,7 +23,7 @@ const HEADINGS: [&str; 14] = [
     "distance",
 ];
 
-impl Row {
+impl ReportRow {
     /// The cells in the order of the headings; a measure that is missing is empty.
     fn cells(&self) -> Vec<String> {
         let share = |value: f64| format!("{value:.3}");
@@ -47,7 +47,7 @@ impl Table {
     /// The table in aligned columns; empty columns are left out.
     pub fn text(&self) -> String {
         let headings: Vec<String> = self.headings().into_iter().map(str::to_owned).collect();
-        let rows: Vec<Vec<String>> = self.rows.iter().map(Row::cells).collect();
+        let rows: Vec<Vec<String>> = self.rows.iter().map(ReportRow::cells).collect();
         let filled = |column: &usize| rows.iter().any(|row| !row[*column].is_empty());
         let columns: Vec<usize> = (0..headings.len()).filter(filled).collect();
         let all = || std::iter::once(&headings).chain(&rows);
@@ -65,9 +65,16 @@ impl Table {
     }
 
     /// The table as CSV (RFC 4180) with a line of headings.
+    ///
+    /// ```
+    /// use vc_tasks::report::{GroupBy, Report, Run};
+    /// let report = Report::new(vec![Run { agent: "planner".into(), task: "tidy-01".into(), ..Run::default() }]);
+    /// let csv = report.table(GroupBy::Agent).csv();
+    /// assert_eq!(csv.lines().count(), 2 + usize::from(csv.contains("\r\nall")));
+    /// ```
     pub fn csv(&self) -> String {
         let headings: Vec<String> = self.headings().into_iter().map(|h| h.replace(' ', "_").to_lowercase()).collect();
-        std::iter::once(headings).chain(self.rows.iter().map(Row::cells)).map(|row| csv_line(&row)).collect()
+        std::iter::once(headings).chain(self.rows.iter().map(ReportRow::cells)).map(|row| csv_line(&row)).collect()
     }
 
     /// The table as JSON: an array of rows.
@@ -84,6 +91,13 @@ impl Report {
     }
 
     /// Reads attempts.
+    ///
+    /// ```
+    /// use vc_tasks::report::{Report, Run};
+    /// let report = Report::new(vec![Run { agent: "planner".into(), task: "tidy-01".into(), ..Run::default() }]);
+    /// assert_eq!(Report::from_json(&report.json())?, report);
+    /// # Ok::<(), serde_json::Error>(())
+    /// ```
     ///
     /// # Errors
     /// The error of the JSON text, with line and column.

@@ -1,7 +1,7 @@
 //! The results of attempts at tasks: measures, tables, files and plots.
 //!
 //! A [`Run`] is one attempt with its measures. A [`Report`] holds many of them: [`Report::table`]
-//! aggregates them by agent, by task group or by number of predicates into [`Row`]s, as text, CSV, JSON
+//! aggregates them by agent, by task group or by number of predicates into [`ReportRow`]s, as text, CSV, JSON
 //! or an SVG plot.
 //!
 //! ```
@@ -38,7 +38,7 @@ use vc_graph::Goal;
 
 use crate::Outcome;
 
-pub use row::{Row, Table};
+pub use row::{ReportRow, Table};
 
 /// One attempt at a task, with its measures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -95,6 +95,13 @@ impl Run {
     /// Success weighted by path length (Anderson et al., "On evaluation of embodied navigation agents",
     /// 2018): for a success the best effort divided by the actual one, at most 1; else 0. Measured in
     /// metres where both distances are known, else in actions; `None` where neither best is known.
+    ///
+    /// ```
+    /// use vc_tasks::Outcome;
+    /// use vc_tasks::report::Run;
+    /// let run = Run { outcome: Outcome::Won, steps: 20, best_steps: Some(10), ..Run::default() };
+    /// assert_eq!(run.spl(), Some(0.5));
+    /// ```
     pub fn spl(&self) -> Option<f64> {
         let (best, taken) = match (self.best_distance, self.distance, self.best_steps) {
             (Some(best), Some(taken), _) => (best, taken),
@@ -126,6 +133,7 @@ pub fn predicates(goal: &Goal) -> usize {
 
 /// The key by which a table aggregates attempts; agents are always kept separate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum GroupBy {
     /// By agent alone.
     Agent,
@@ -175,12 +183,12 @@ impl Report {
             let (rank, key) = by.key(run);
             groups.entry((rank, key, &run.agent)).or_default().push(run);
         }
-        let rows = groups.iter().map(|((_, key, agent), runs)| Row::of(key, agent, runs));
+        let rows = groups.iter().map(|((_, key, agent), runs)| ReportRow::new(key, agent, runs));
         Table { by, rows: rows.collect() }
     }
 
     /// Aggregates all attempts into one row.
-    pub fn overall(&self) -> Row {
-        Row::of("all", "", &self.runs.iter().collect::<Vec<_>>())
+    pub fn overall(&self) -> ReportRow {
+        ReportRow::new("all", "", &self.runs.iter().collect::<Vec<_>>())
     }
 }

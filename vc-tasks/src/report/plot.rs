@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Row, Table};
+use super::{ReportRow, Table};
 
 /// The widths of the labels and of the scale, the height of a bar and the gap between rows, pixels.
 const LABELS: f64 = 170.0;
@@ -19,6 +19,12 @@ const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00
 impl Table {
     /// Draws the success rate of each row as a bar with its 95 % interval, and the mean credit as a
     /// mark, as an SVG picture; each agent has one colour.
+    ///
+    /// ```
+    /// use vc_tasks::report::{GroupBy, Report, Run};
+    /// let report = Report::new(vec![Run { agent: "planner".into(), task: "tidy-01".into(), ..Run::default() }]);
+    /// assert!(report.table(GroupBy::Agent).svg("Success").contains("<svg"));
+    /// ```
     pub fn svg(&self, title: &str) -> String {
         let agents = self.agents();
         let keys = self.keys();
@@ -92,7 +98,7 @@ fn axis(height: f64) -> String {
     (0..=5).map(line).collect()
 }
 
-fn bar(row: &Row, y: f64, colour: &str) -> String {
+fn bar(row: &ReportRow, y: f64, colour: &str) -> String {
     let (low, high, middle) = (at(row.interval.0), at(row.interval.1), y + BAR / 2.0);
     let credit = at(row.credit);
     let length = SCALE * row.success;

@@ -7,7 +7,7 @@ use crate::Outcome;
 
 /// The measures of several attempts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Row {
+pub struct ReportRow {
     /// The key that they have in common.
     pub key: String,
     /// The agent's name.
@@ -47,11 +47,11 @@ pub struct Table {
     /// The aggregation key.
     pub by: GroupBy,
     /// The rows: by key, then by agent.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ReportRow>,
 }
 
-impl Row {
-    pub(super) fn of(key: &str, agent: &str, runs: &[&Run]) -> Self {
+impl ReportRow {
+    pub(super) fn new(key: &str, agent: &str, runs: &[&Run]) -> Self {
         let count = |outcome| runs.iter().filter(|r| r.outcome == outcome).count();
         let won = count(Outcome::Won);
         let mean_of = |measure: fn(&Run) -> Option<f64>| mean(runs.iter().filter_map(|r| measure(r)));

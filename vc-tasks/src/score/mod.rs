@@ -15,10 +15,10 @@
 //!
 //! | score | source |
 //! |---|---|
-//! | [`Program::credit`] | this crate |
-//! | [`Program::bddl_reward`] | `get_reward` of the `bddl` package, 3.6.0 (Srivastava et al., CoRL 2021), without its cut at 20 ways |
-//! | [`Program::q_score`] | BEHAVIOR-1K challenge: conditions that were false at the start and are true now |
-//! | [`Program::conditions`] | ALFRED's goal-condition success (Shridhar et al., CVPR 2020) |
+//! | [`GoalProgram::credit`] | this crate |
+//! | [`GoalProgram::bddl_reward`] | `get_reward` of the `bddl` package, 3.6.0 (Srivastava et al., CoRL 2021), without its cut at 20 ways |
+//! | [`GoalProgram::q_score`] | BEHAVIOR-1K challenge: conditions that were false at the start and are true now |
+//! | [`GoalProgram::conditions`] | ALFRED's goal-condition success (Shridhar et al., CVPR 2020) |
 //! | [`percent_complete`] | PARTNR (Chang et al., ICLR 2025) |
 
 mod assign;
@@ -30,7 +30,7 @@ mod way;
 pub use rates::{Conditions, percent_complete};
 pub use search::{Credit, Scorer};
 
-use crate::compile::{Bits, Program};
+use crate::compile::{Bits, GoalProgram};
 
 /// The kinds of ways to a goal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,14 +41,14 @@ enum Options {
     Bddl,
 }
 
-impl Program {
+impl GoalProgram {
     /// The share of its conditions that the best way to the goal has fulfilled; 1 if and only if the goal
     /// holds. [`Scorer`] computes several and reuses its memory.
     ///
     /// ```
     /// use vc_graph::goal::Situation;
     /// use vc_graph::{Draft, History, SceneBuilder};
-    /// use vc_tasks::compile::Program;
+    /// use vc_tasks::compile::GoalProgram;
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
     /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
@@ -58,9 +58,9 @@ impl Program {
     /// let (graph, history) = (scene.build(), History::default());
     /// let now = Situation::new(&graph, me, &history);
     /// let goal = "On(cup, table) & Dirty(cup) & (Open(fridge) | Closed(fridge))".parse()?;
-    /// let program = Program::new(&goal, &now)?;
+    /// let program = GoalProgram::new(&goal, &now)?;
     /// let credit = program.credit(&program.read(&now));
-    /// assert_eq!((credit.met, credit.conditions), (2, 3));
+    /// assert_eq!((credit.satisfied, credit.conditions), (2, 3));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn credit(&self, bits: &Bits) -> Credit {
@@ -69,13 +69,46 @@ impl Program {
 
     /// BDDL's reward: the best share over the ways that `bddl` enumerates, in which "exactly k" asks for k
     /// parts and puts no condition on the others. It can therefore be 1 while the goal does not hold;
-    /// [`Program::credit`] cannot.
+    /// [`GoalProgram::credit`] cannot.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::GoalProgram;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"On(apple, kitchen_table) & Holds(apple)".parse()?, &now)?;
+    /// assert_eq!(program.bddl_reward(&program.read(&now)).value(), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn bddl_reward(&self, bits: &Bits) -> Credit {
         Scorer::new().bddl_reward(self, bits)
     }
 
     /// The q score: 1 if the goal holds, else the best share of conditions that were not fulfilled at the start
     /// and are now.
+    ///
+    /// ```
+    /// use vc_graph::goal::Situation;
+    /// use vc_graph::{Draft, History, SceneBuilder};
+    /// use vc_tasks::compile::GoalProgram;
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let (graph, history) = (scene.build(), History::default());
+    /// let now = Situation::new(&graph, me, &history);
+    /// let program = GoalProgram::new(&"On(apple, kitchen_table) & Holds(apple)".parse()?, &now)?;
+    /// let start = program.bits(); // nothing held at the start
+    /// assert_eq!(program.q_score(&start, &program.read(&now)), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn q_score(&self, start: &Bits, now: &Bits) -> f64 {
         Scorer::new().q_score(self, start, now)
     }

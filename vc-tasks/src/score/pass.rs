@@ -3,7 +3,7 @@
 use super::Options;
 use super::assign::best_pairs;
 use super::way::{Way, Worth};
-use crate::compile::{Bits, Gate, Kind, Program, Ref, Table};
+use crate::compile::{Bits, Gate, GateKind, GoalProgram, Ref, Table};
 
 /// The criterion for a fulfilled condition.
 #[derive(Debug, Clone, Copy)]
@@ -15,7 +15,7 @@ pub(super) struct Met<'a> {
 }
 
 impl Met<'_> {
-    fn has(self, program: &Program, r: Ref) -> bool {
+    fn has(self, program: &GoalProgram, r: Ref) -> bool {
         program.value(self.now, r) && !self.start.is_some_and(|start| program.value(start, r))
     }
 
@@ -36,7 +36,7 @@ impl Met<'_> {
 /// ignored, so the value found is an upper bound for ways without contradictions.
 #[derive(Debug)]
 pub(super) struct Pass<'a> {
-    pub(super) program: &'a Program,
+    pub(super) program: &'a GoalProgram,
     pub(super) options: Options,
     pub(super) met: Met<'a>,
     pub(super) worth: Worth,
@@ -51,7 +51,7 @@ pub(super) struct Pass<'a> {
 
 impl<'a> Pass<'a> {
     /// Reuses the memory returned by [`Pass::into_memory`].
-    pub(super) fn new(program: &'a Program, options: Options, met: Met<'a>, memory: Memory) -> Self {
+    pub(super) fn new(program: &'a GoalProgram, options: Options, met: Met<'a>, memory: Memory) -> Self {
         let Memory { mut ways, order } = memory;
         ways.clear();
         ways.resize(program.gates().len(), [Way::NONE; 2]);
@@ -131,7 +131,7 @@ impl<'a> Pass<'a> {
 
     fn best(&mut self, index: usize, gate: &Gate, negated: bool) -> Way {
         match gate.kind {
-            Kind::Pairs(table) if !negated && self.bars == 0 => {
+            GateKind::Pairs(table) if !negated && self.bars == 0 => {
                 if let Some(way) = self.plain_pairs(gate, table) {
                     return way;
                 }
@@ -154,7 +154,7 @@ impl<'a> Pass<'a> {
     /// Whether this is the negation of a gate over pairs.
     pub(super) fn is_lack_of_pairs(&self, r: Ref) -> bool {
         let is_gate = !r.is_atom() && !r.is_constant();
-        is_gate && r.is_negated() && matches!(self.program.gates()[r.index()].kind, Kind::Pairs(_))
+        is_gate && r.is_negated() && matches!(self.program.gates()[r.index()].kind, GateKind::Pairs(_))
     }
 
     /// The best way to a gate over single atoms, computed from counts alone.
@@ -163,18 +163,18 @@ impl<'a> Pass<'a> {
         let (yes, no) = self.met.masked(gate);
         let some = |met: u32, number: u32| if number > all { Way::NONE } else { Way::new(met.min(number), number) };
         match (gate.kind, negated) {
-            (Kind::All, false) => some(yes, all),
-            (Kind::All, true) => some(no, 1),
-            (Kind::Any, false) => some(yes, 1),
-            (Kind::Any, true) => some(no, all),
-            (Kind::AtLeast(k), false) => some(yes, k),
-            (Kind::AtLeast(k), true) => some(no, all + 1 - k),
-            (Kind::Exactly(k), false) if self.options == Options::Bddl => some(yes, k),
+            (GateKind::All, false) => some(yes, all),
+            (GateKind::All, true) => some(no, 1),
+            (GateKind::Any, false) => some(yes, 1),
+            (GateKind::Any, true) => some(no, all),
+            (GateKind::AtLeast(k), false) => some(yes, k),
+            (GateKind::AtLeast(k), true) => some(no, all + 1 - k),
+            (GateKind::Exactly(k), false) if self.options == Options::Bddl => some(yes, k),
             // The k true ones are taken first from the fulfilled inputs, then from those fulfilled
             // neither way.
-            (Kind::Exactly(k), false) => Way::new(yes.min(k) + no - k.saturating_sub(all - no).min(no), all),
-            (Kind::Exactly(k), true) => self.worth.better(some(yes, k + 1), some(no, all + 1 - k)),
-            (Kind::Pairs(_), _) => Way::NONE,
+            (GateKind::Exactly(k), false) => Way::new(yes.min(k) + no - k.saturating_sub(all - no).min(no), all),
+            (GateKind::Exactly(k), true) => self.worth.better(some(yes, k + 1), some(no, all + 1 - k)),
+            (GateKind::Pairs(_), _) => Way::NONE,
         }
     }
 
@@ -200,20 +200,20 @@ impl<'a> Pass<'a> {
         let inputs = self.program.inputs(gate);
         let all = inputs.len();
         match (gate.kind, negated) {
-            (Kind::All, false) | (Kind::Any, true) => {
+            (GateKind::All, false) | (GateKind::Any, true) => {
                 inputs.iter().for_each(|r| take(r.negated_if(negated)));
                 true
             }
-            (Kind::All, true) | (Kind::Any, false) => self.some(inputs, 1, negated, order, take),
-            (Kind::AtLeast(k), false) => self.some(inputs, k as usize, false, order, take),
-            (Kind::AtLeast(k), true) => self.some(inputs, all + 1 - k as usize, true, order, take),
-            (Kind::Exactly(k), false) if self.options == Options::Bddl => {
+            (GateKind::All, true) | (GateKind::Any, false) => self.some(inputs, 1, negated, order, take),
+            (GateKind::AtLeast(k), false) => self.some(inputs, k as usize, false, order, take),
+            (GateKind::AtLeast(k), true) => self.some(inputs, all + 1 - k as usize, true, order, take),
+            (GateKind::Exactly(k), false) if self.options == Options::Bddl => {
                 self.some(inputs, k as usize, false, order, take)
             }
-            (Kind::Exactly(k), false) => self.exactly(inputs, k as usize, order, take),
-            (Kind::Exactly(k), true) => self.other_than(inputs, k as usize, order, take),
-            (Kind::Pairs(table), false) => self.pairs(inputs, table, take),
-            (Kind::Pairs(_), true) => {
+            (GateKind::Exactly(k), false) => self.exactly(inputs, k as usize, order, take),
+            (GateKind::Exactly(k), true) => self.other_than(inputs, k as usize, order, take),
+            (GateKind::Pairs(table), false) => self.pairs(inputs, table, take),
+            (GateKind::Pairs(_), true) => {
                 take(!Ref::gate(index));
                 true
             }

@@ -3,13 +3,13 @@
 use super::Options;
 use super::pass::{Memory, Met, Pass};
 use super::way::{LONGEST, WORTHLESS, Way, Worth};
-use crate::compile::{Bits, Program, Ref};
+use crate::compile::{Bits, GoalProgram, Ref};
 
 /// The number of fulfilled conditions of the best way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Credit {
     /// The fulfilled conditions.
-    pub met: u32,
+    pub satisfied: u32,
     /// All conditions of the way; 0 if it has none, or if there is no way.
     pub conditions: u32,
     /// Whether there is any way to the goal without a contradiction.
@@ -25,14 +25,14 @@ impl Credit {
         match (self.possible, self.conditions) {
             (false, _) => 0.0,
             (true, 0) => 1.0,
-            (true, conditions) => f64::from(self.met) / f64::from(conditions),
+            (true, conditions) => f64::from(self.satisfied) / f64::from(conditions),
         }
     }
 
     /// Full credit if the goal holds: a pairing by margins may hold although none of its ways does.
     fn whole_if(self, holds: bool) -> Self {
         match holds {
-            true => Self { met: self.conditions, possible: true, ..self },
+            true => Self { satisfied: self.conditions, possible: true, ..self },
             false => self,
         }
     }
@@ -46,6 +46,24 @@ const LOOKS: u64 = 1 << 24;
 const DEEPEST: u32 = 512;
 
 /// Computes credits and reuses its memory.
+///
+/// ```
+/// use vc_graph::goal::Situation;
+/// use vc_graph::{Draft, History, SceneBuilder};
+/// use vc_tasks::compile::GoalProgram;
+/// use vc_tasks::score::Scorer;
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let (graph, history) = (scene.build(), History::default());
+/// let now = Situation::new(&graph, me, &history);
+/// let mut scorer = Scorer::new();
+/// let program = GoalProgram::new(&"On(apple, kitchen_table)".parse()?, &now)?;
+/// assert_eq!(scorer.credit(&program, &program.read(&now)).value(), 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct Scorer {
     memory: Memory,
@@ -58,19 +76,19 @@ impl Scorer {
         Self::default()
     }
 
-    /// See [`Program::credit`].
-    pub fn credit(&mut self, program: &Program, bits: &Bits) -> Credit {
+    /// See [`GoalProgram::credit`].
+    pub fn credit(&mut self, program: &GoalProgram, bits: &Bits) -> Credit {
         let holds = program.holds(bits);
         self.best(program, Options::Sound, Met { now: bits, start: None }, holds).whole_if(holds)
     }
 
-    /// See [`Program::bddl_reward`].
-    pub fn bddl_reward(&mut self, program: &Program, bits: &Bits) -> Credit {
+    /// See [`GoalProgram::bddl_reward`].
+    pub fn bddl_reward(&mut self, program: &GoalProgram, bits: &Bits) -> Credit {
         self.best(program, Options::Bddl, Met { now: bits, start: None }, false)
     }
 
-    /// See [`Program::q_score`].
-    pub fn q_score(&mut self, program: &Program, start: &Bits, now: &Bits) -> f64 {
+    /// See [`GoalProgram::q_score`].
+    pub fn q_score(&mut self, program: &GoalProgram, start: &Bits, now: &Bits) -> f64 {
         match program.holds(now) {
             true => 1.0,
             false => self.best(program, Options::Bddl, Met { now, start: Some(start) }, false).value(),
@@ -80,7 +98,7 @@ impl Scorer {
     /// The best share of fulfilled conditions, by Dinkelbach's method. It starts from the way with
     /// the fewest unfulfilled conditions; where the goal holds, that way is the best one, and it
     /// contains no contradiction because all its conditions are true.
-    fn best(&mut self, program: &Program, options: Options, met: Met<'_>, holds: bool) -> Credit {
+    fn best(&mut self, program: &GoalProgram, options: Options, met: Met<'_>, holds: bool) -> Credit {
         let pass = Pass::new(program, options, met, std::mem::take(&mut self.memory));
         let mut search = Search { pass, sides: &mut self.sides, looks: 0, depth: 0, exact: true };
         let mut found = if holds { search.relaxed(WORTHLESS) } else { search.solve(Worth { p: 1, q: 1 }, WORTHLESS) };
@@ -93,7 +111,7 @@ impl Scorer {
         let way = found.unwrap_or(Way::NONE);
         let exact = search.exact && way.of < LONGEST;
         self.memory = search.pass.into_memory();
-        Credit { met: way.met, conditions: way.of, possible: way.possible, exact }
+        Credit { satisfied: way.met, conditions: way.of, possible: way.possible, exact }
     }
 }
 
@@ -132,7 +150,7 @@ impl Search<'_, '_> {
 
     /// The best way to some parts of the goal.
     fn parts(&mut self, parts: &[u32], floor: i64) -> Option<Way> {
-        let bound = self.look(parts);
+        let bound = self.recompute(parts);
         let mut value = self.pass.worth.value(bound);
         if !bound.possible || value <= floor {
             return None;
@@ -156,7 +174,7 @@ impl Search<'_, '_> {
     }
 
     /// Computes the ways to some parts anew.
-    fn look(&mut self, parts: &[u32]) -> Way {
+    fn recompute(&mut self, parts: &[u32]) -> Way {
         let program = self.pass.program;
         for &part in parts {
             let gates = &program.shape().parts()[part as usize].gates;

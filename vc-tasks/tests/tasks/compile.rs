@@ -8,14 +8,14 @@ use common::{Room, flips, timeless};
 use proptest::prelude::*;
 use vc_graph::goal::{EpisodeTrace, Situation};
 use vc_graph::{Action, Change, ChangeSet, Event, Goal, History, NodeId, SceneGraph};
-use vc_tasks::compile::{CompileError, Known, Monitor, Program, Tracker, Verdict};
+use vc_tasks::compile::{CompileError, GoalProgram, Known, Monitor, Tracker, Verdict};
 use vc_tasks::{GoalProgress, World, WorldError};
 use vc_testkit::cases;
 use vc_testkit::edits::{apply, plans};
 use vc_testkit::goals::goal;
 use vc_testkit::scenes::{scene, steps};
 
-fn agree(program: &Program, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
+fn agree(program: &GoalProgram, goal: &Goal, now: &Situation<'_>) -> Result<(), TestCaseError> {
     let bits = program.read(now);
     prop_assert_eq!(program.holds(&bits), goal.holds(now), "{}", goal);
     for (head, part) in goal.conjuncts().iter().enumerate() {
@@ -30,14 +30,14 @@ proptest! {
     #[test]
     fn a_program_holds_when_its_goal_does(goal in timeless(3), flips in flips(30)) {
         let room = Room::new(&flips);
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         agree(&program, &goal, &room.now())?;
     }
 
     #[test]
     fn a_tracker_says_what_a_new_look_would_say(goal in timeless(3), first in flips(20), then in flips(20)) {
         let mut room = Room::new(&first);
-        let program = Arc::new(Program::new(&goal, &room.now()).unwrap());
+        let program = Arc::new(GoalProgram::new(&goal, &room.now()).unwrap());
         let mut tracker = Tracker::in_situation(program.clone(), &room.now());
         for flip in then {
             let changes = room.flip(flip);
@@ -55,21 +55,21 @@ proptest! {
         goal in timeless(2), flips in flips(30), mask in any::<u64>(), others in prop::collection::vec(any::<u64>(), 8)
     ) {
         let room = Room::new(&flips);
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let bits = program.read(&room.now());
         let mut known = Known::nothing(&program);
         let hidden = |atom: usize| mask >> (atom % 64) & 1 != 0;
         (0..program.atoms().len()).filter(|&a| !hidden(a)).for_each(|a| known.learn(a, bits.has(a)));
         let verdict = program.verdict(&known);
         if mask == 0 {
-            prop_assert_eq!(verdict, Verdict::of(program.holds(&bits)));
+            prop_assert_eq!(verdict, Verdict::from_bool(program.holds(&bits)));
         }
         for other in others {
             let mut completed = bits.clone();
             let unknown = (0..program.atoms().len()).filter(|&a| hidden(a));
             unknown.for_each(|a| completed.set(a, other >> (a % 64) & 1 != 0));
             if verdict != Verdict::Unknown {
-                prop_assert_eq!(Verdict::of(program.holds(&completed)), verdict, "{}", goal);
+                prop_assert_eq!(Verdict::from_bool(program.holds(&completed)), verdict, "{}", goal);
             }
         }
     }
@@ -82,7 +82,7 @@ proptest! {
     fn in_scenes_of_all_kinds(goal in goal(0, 2), steps in steps(12), posed: bool, plans in plans(8)) {
         let mut graph = scene(&steps, posed);
         let (agent, history) = (graph.agents()[0], History::default());
-        let program = match Program::new(&goal, &Situation::new(&graph, agent, &history)) {
+        let program = match GoalProgram::new(&goal, &Situation::new(&graph, agent, &history)) {
             Ok(program) => Arc::new(program),
             Err(error) => {
                 prop_assert!(goal.is_temporal() && matches!(error, CompileError::Temporal(_)), "{}: {}", goal, error);
@@ -99,7 +99,7 @@ proptest! {
                 Ok(holds) => prop_assert_eq!(holds, goal.holds(&now), "{} after {:?}", goal, changes),
                 Err(_) => {
                     prop_assert!(stale);
-                    tracker = Tracker::in_situation(Arc::new(Program::new(&goal, &now).unwrap()), &now);
+                    tracker = Tracker::in_situation(Arc::new(GoalProgram::new(&goal, &now).unwrap()), &now);
                 }
             }
         }
@@ -144,7 +144,7 @@ proptest! {
         prop_assert_eq!(monitor.holds(), goal.holds_on(&trace));
         prop_assert_eq!(monitor.first_held(), &held[..]);
         prop_assert_eq!(vc_tasks::first_held(&goal, &trace), held);
-        prop_assert!(goal.is_temporal() || Program::new(&goal, &room.now()).is_ok());
+        prop_assert!(goal.is_temporal() || GoalProgram::new(&goal, &room.now()).is_ok());
     }
 }
 
@@ -201,8 +201,8 @@ proptest! {
     }
 }
 
-fn program(text: &str, room: &Room) -> Program {
-    Program::new(&text.parse().unwrap(), &room.now()).unwrap()
+fn program(text: &str, room: &Room) -> GoalProgram {
+    GoalProgram::new(&text.parse().unwrap(), &room.now()).unwrap()
 }
 
 #[test]
@@ -226,13 +226,13 @@ fn a_goal_that_is_true_in_many_ways_stays_small() {
 #[test]
 fn what_cannot_be_compiled_says_why() {
     let room = Room::new(&[]);
-    let error = Program::new(&"Dusty(cup) & eventually Dusty(plate)".parse().unwrap(), &room.now()).unwrap_err();
+    let error = GoalProgram::new(&"Dusty(cup) & eventually Dusty(plate)".parse().unwrap(), &room.now()).unwrap_err();
     assert_eq!(error.to_string(), "`eventually Dusty(plate)` is about several steps; follow it with a `Monitor`");
     let wide: Goal =
         "forall ?a. forall ?b. forall ?c. forall ?d. forall ?e. forall ?f. forall ?g. forall ?h. Covered(?a, ?h)"
             .parse()
             .unwrap();
-    assert!(Program::new(&wide, &room.now()).is_ok_and(|p| p.size().0 > 0));
+    assert!(GoalProgram::new(&wide, &room.now()).is_ok_and(|p| p.size().0 > 0));
 }
 
 #[test]
@@ -242,12 +242,12 @@ fn goals_that_range_over_too_much_are_refused_and_others_take_no_time() {
         |word: &str, depth: usize| -> String { (0..depth).map(|i| format!("{word} ?v{i}. ")).collect::<String>() };
     let all: Vec<String> = (0..8).map(|i| format!("Dusty(?v{i})")).collect();
     let wide: Goal = format!("{}({})", quantified("forall", 8), all.join(" & ")).parse().unwrap();
-    assert!(matches!(Program::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
+    assert!(matches!(GoalProgram::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
     assert!(matches!(Monitor::new(&wide, &room.now()), Err(CompileError::TooLarge(_))));
     // A subgoal that does not depend on the variables is stored once, however often it counts.
     for word in ["forall", "exists", "at least 2", "exactly 3"] {
         let goal: Goal = format!("{}Dusty(cup)", quantified(word, 20)).parse().unwrap();
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let bits = program.read(&room.now());
         assert_eq!(program.verdict(&Known::nothing(&program)), Verdict::Unknown, "{word}");
         let credit = program.credit(&bits);

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use vc_graph::format::eai::{Record, Task, read_record, read_tasks};
+use vc_graph::format::eai::{EaiTask, Record, read_record, read_tasks};
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::goal::{EpisodeTrace, Goal, Quantified};
 use vc_graph::{Action, ClassTable, Event, NodeId, SceneGraph, Semantics, Simulator};
@@ -12,7 +12,7 @@ use vc_tasks::compile::Monitor;
 use vc_tasks::format::eai;
 use vc_testkit::data;
 
-fn tasks() -> BTreeMap<String, Task> {
+fn tasks() -> BTreeMap<String, EaiTask> {
     data::text("eai/goals_dev.json").map_or_else(BTreeMap::new, |text| read_tasks(&text).unwrap())
 }
 
@@ -83,10 +83,10 @@ fn goals_hold_at_the_end_and_formulas_only_in_order() {
         let there = trace(&start, me, &actions, &end);
         assert!(formula.holds_on(&there), "{}: {formula}", record.id);
         forwards += 1;
-        assert!(Monitor::on(formula, &there).unwrap().holds(), "{}: {formula}", record.id);
+        assert!(Monitor::from_trace(formula, &there).unwrap().holds(), "{}: {formula}", record.id);
         let back = reversed(&there);
         let holds = formula.holds_on(&back);
-        assert_eq!(Monitor::on(formula, &back).unwrap().holds(), holds, "{}: {formula}", record.id);
+        assert_eq!(Monitor::from_trace(formula, &back).unwrap().holds(), holds, "{}: {formula}", record.id);
         ordered += usize::from(matters(formula));
         if matters(formula) && holds {
             // Both orders occur in the trace: something is grabbed, something washed, and something
@@ -131,7 +131,7 @@ fn programs_end_as_theirs_do_by_virtual_homes_semantics() {
         for action in record.program.actions() {
             world.step(me, &action).unwrap_or_else(|r| panic!("{}: {action}: {}", record.id, r[0]));
         }
-        let difference = EnvironmentGraph::of(world.graph()).difference(&record.last);
+        let difference = EnvironmentGraph::from_scene(world.graph()).difference(&record.last);
         assert!(difference.is_empty(), "{}: {difference:?}", record.id);
     }
 }

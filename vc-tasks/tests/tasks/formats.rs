@@ -3,7 +3,7 @@
 
 use vc_graph::goal::Situation;
 use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, State};
-use vc_tasks::format::alfred::{Parameters, Template, Type};
+use vc_tasks::format::alfred::{Parameters, TaskType, Template};
 use vc_tasks::format::{bddl, eai, json, thesis, watch_and_help};
 use vc_tasks::{Task, household};
 
@@ -56,23 +56,23 @@ fn dictionaries_of_watch_and_help_go_both_ways() {
 
 #[test]
 fn every_alfred_template_is_found_again_in_its_goal() {
-    for task_type in Type::ALL {
+    for task_type in TaskType::ALL {
         for sliced in [false, true] {
             let word = |yes: bool, word: &str| if yes { word.to_owned() } else { String::new() };
             let about = Parameters {
                 object: "Tomato".to_owned(),
                 sliced,
-                vessel: word(task_type == Type::PlaceWithVessel, "Bowl"),
-                receptacle: word(task_type != Type::LookInLight, "CounterTop"),
-                lamp: word(task_type == Type::LookInLight, "DeskLamp"),
+                vessel: word(task_type == TaskType::PlaceWithVessel, "Bowl"),
+                receptacle: word(task_type != TaskType::LookInLight, "CounterTop"),
+                lamp: word(task_type == TaskType::LookInLight, "DeskLamp"),
             };
             let task = Template { task_type, about };
-            assert_eq!(Template::of(&task.to_goal()).as_ref(), Ok(&task));
+            assert_eq!(Template::from_goal(&task.to_goal()).as_ref(), Ok(&task));
             assert_eq!(Template::read(&task.write()).as_ref(), Ok(&task));
             assert_eq!(goal(&task.to_goal().to_string()), task.to_goal());
         }
     }
-    assert!(Template::of(&goal("On(apple, table)")).is_err());
+    assert!(Template::from_goal(&goal("On(apple, table)")).is_err());
     let missing = r#"{"task_type": "pick_and_place_simple", "pddl_params": {"object_target": "Mug"}}"#;
     let error = Template::read(missing).unwrap_err();
     assert!(error.to_string().ends_with("expected a class for `parent_target`, found none"), "{error}");
@@ -166,10 +166,10 @@ fn conditions_are_written_as_they_are_read() {
         "(or)",
     ];
     for condition in conditions {
-        let goal = bddl::Activity::read(&text(condition)).unwrap().to_goal().unwrap();
+        let goal = bddl::ActivityDefinition::read(&text(condition)).unwrap().to_goal().unwrap();
         let written = bddl::condition(&goal, &objects).unwrap();
         assert_eq!(written, condition);
-        assert_eq!(bddl::Activity::read(&text(&written)).unwrap().to_goal().unwrap(), goal);
+        assert_eq!(bddl::ActivityDefinition::read(&text(&written)).unwrap().to_goal().unwrap(), goal);
     }
     for refused in [
         "On(cup, table)",
@@ -197,10 +197,10 @@ fn flat() -> (SceneGraph, [NodeId; 4]) {
     (scene.build(), [table, cups[0], cups[1], me])
 }
 
-fn activity(objects: &str, goal: &str) -> bddl::Activity {
+fn activity(objects: &str, goal: &str) -> bddl::ActivityDefinition {
     let init = "(inroom table.n.02_1 kitchen)";
     let text = format!("(define (problem p-0) (:objects {objects}) (:init {init}) (:goal {goal}))");
-    bddl::Activity::read(&text).unwrap()
+    bddl::ActivityDefinition::read(&text).unwrap()
 }
 
 #[test]

@@ -5,28 +5,30 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use vc_graph::goal::Pairing;
 use vc_tasks::format::alfred::Template;
-use vc_tasks::format::bddl::{self, Activity, Facts};
+use vc_tasks::format::bddl::{self, ActivityDefinition, Facts};
 use vc_tasks::format::{eai, json, pddl, sexpr, thesis, watch_and_help};
 use vc_tasks::lint;
 
 /// Passes a text to every reader, and uses the results.
 fn read_all(text: &str) {
-    if let Ok(tree) = sexpr::Tree::read("text", text) {
-        assert!(sexpr::Tree::read("text", &tree.root().to_string()).unwrap().root().same(tree.root()));
+    if let Ok(tree) = sexpr::SexprTree::read("text", text) {
+        assert!(sexpr::SexprTree::read("text", &tree.root().to_string()).unwrap().root().same(tree.root()));
     }
-    if let Ok(activity) = Activity::read(text) {
-        assert_eq!(Activity::read(&activity.to_string()).as_ref(), Ok(&activity));
+    if let Ok(activity) = ActivityDefinition::read(text) {
+        assert_eq!(ActivityDefinition::read(&activity.to_string()).as_ref(), Ok(&activity));
         let _ = lint::activity(&activity);
         if let Ok(goal) = activity.to_goal() {
             let names: Vec<&str> = activity.objects().map(|o| o.name).collect();
-            let _ =
-                (bddl::condition(&goal, &names), Facts::of(&activity, Pairing::Marginal).map(|f| f.heads(|_| true)));
+            let _ = (
+                bddl::condition(&goal, &names),
+                Facts::from_activity(&activity, Pairing::Marginal).map(|f| f.heads(|_| true)),
+            );
         }
     }
     if let Ok(domain) = text.parse::<pddl::Domain>() {
         assert_eq!(domain.to_string().parse().as_ref(), Ok(&domain));
     }
-    if let Ok(problem) = text.parse::<pddl::Problem>() {
+    if let Ok(problem) = text.parse::<pddl::PlanningProblem>() {
         assert_eq!(problem.to_string().parse().as_ref(), Ok(&problem));
     }
     let _ = pddl::read_plan(text);
@@ -34,7 +36,7 @@ fn read_all(text: &str) {
         assert_eq!(json::read(&json::write(&tasks)).as_ref(), Ok(&tasks));
     }
     if let Ok(task) = Template::read(text) {
-        assert_eq!(Template::of(&task.to_goal()).map(|t| t.task_type), Ok(task.task_type));
+        assert_eq!(Template::from_goal(&task.to_goal()).map(|t| t.task_type), Ok(task.task_type));
     }
     let goals = [thesis::read(text), watch_and_help::read(text), eai::read_formula(text)];
     for goal in goals.into_iter().flatten() {
@@ -177,18 +179,18 @@ fn deep_texts_are_refused_and_long_ones_are_not() {
         let goal = format!("(define (problem p) (:goal {deep}");
         for text in [deep, goal] {
             read_all(&text);
-            assert!(Activity::read(&text).is_err());
+            assert!(ActivityDefinition::read(&text).is_err());
             assert!(text.parse::<pddl::Domain>().is_err());
         }
     }
-    let error = Activity::read(&format!("(define (:goal {}", "(and ".repeat(200))).unwrap_err();
+    let error = ActivityDefinition::read(&format!("(define (:goal {}", "(and ".repeat(200))).unwrap_err();
     assert!(error.to_string().ends_with("at most 128 brackets within each other, found another one"), "{error}");
     let nots = 120;
     let deep = format!("(define (problem p) (:objects a) (:goal {}(hot a){}))", "(not ".repeat(nots), ")".repeat(nots));
     read_all(&deep);
-    assert!(Activity::read(&deep).is_ok());
+    assert!(ActivityDefinition::read(&deep).is_ok());
     let long = format!("(define (problem p) (:objects a) (:goal (and {})))", "(hot a) ".repeat(50_000));
-    assert_eq!(Activity::read(&long).unwrap().heads().len(), 50_000);
+    assert_eq!(ActivityDefinition::read(&long).unwrap().heads().len(), 50_000);
 }
 
 #[test]
@@ -196,8 +198,8 @@ fn many_things_do_not_make_a_goal_blow_up() {
     let objects: Vec<String> = (0..400).map(|i| format!("o{i}")).collect();
     let body = "(forall (?a - o) (forall (?b - o) (forall (?c - o) (forall (?d - o) (touching ?a ?d)))))";
     let text = format!("(define (problem p) (:objects {} - o) (:goal {body}))", objects.join(" "));
-    let activity = Activity::read(&text).unwrap();
-    assert!(Facts::of(&activity, Pairing::Matching).is_err());
+    let activity = ActivityDefinition::read(&text).unwrap();
+    assert!(Facts::from_activity(&activity, Pairing::Matching).is_err());
     let _ = lint::activity(&activity);
 }
 
@@ -226,10 +228,10 @@ fn errors_say_what_was_expected_where_and_what_was_found() {
         ),
     ];
     for (text, message) in errors {
-        assert_eq!(Activity::read(text).unwrap_err().to_string(), message);
+        assert_eq!(ActivityDefinition::read(text).unwrap_err().to_string(), message);
     }
     let text = "(define (problem p)\n (:objects a)\n (:goal (flies a)))";
-    let error = Activity::read(text).unwrap().to_goal().unwrap_err().in_file("p.bddl");
+    let error = ActivityDefinition::read(text).unwrap().to_goal().unwrap_err().in_file("p.bddl");
     let message = "p.bddl, line 3, column 9: BDDL: expected a predicate of BEHAVIOR, found `(flies ...)`";
     assert_eq!(error.to_string(), message);
     let plan = pddl::read_plan("(walk table_3)\n (fly cup_1)").unwrap_err();
@@ -243,9 +245,9 @@ fn errors_say_what_was_expected_where_and_what_was_found() {
 fn a_byte_order_mark_is_no_part_of_a_text() {
     for text in DOCUMENTS {
         let marked = format!("\u{feff}{text}");
-        assert_eq!(Activity::read(&marked).ok(), Activity::read(text).ok());
+        assert_eq!(ActivityDefinition::read(&marked).ok(), ActivityDefinition::read(text).ok());
         assert_eq!(marked.parse::<pddl::Domain>().ok(), text.parse().ok());
-        assert_eq!(marked.parse::<pddl::Problem>().ok(), text.parse().ok());
+        assert_eq!(marked.parse::<pddl::PlanningProblem>().ok(), text.parse().ok());
         assert_eq!(pddl::read_plan(&marked).ok(), pddl::read_plan(text).ok());
         assert_eq!(json::read(&marked).ok(), json::read(text).ok());
         assert_eq!(Template::read(&marked).ok(), Template::read(text).ok());

@@ -8,7 +8,7 @@ use vc_graph::{
     Action, Bounds, ChangeSet, Draft, Edge, History, NodeId, NodeKind, Place, Relation, SceneBuilder, SceneGraph, Seed,
     Simulator,
 };
-use vc_tasks::initial::{Generator, Initial, InitialError, PlacementReason, PlainStock, Purpose};
+use vc_tasks::initial::{Initial, InitialError, InitialGenerator, PlacementReason, PlainStock, Purpose};
 use vc_tasks::library::{Activity, Benchmark, List, thesis_tasks};
 use vc_tasks::{World, WorldError};
 
@@ -41,7 +41,7 @@ fn flat(shelf: f32) -> SceneGraph {
 
 fn make(activity: &Activity, scene: &SceneGraph, seed: u64) -> Result<Initial, InitialError> {
     let mut world = Simulator::new(scene.clone());
-    Generator::new(&PlainStock).distractors(3).make(activity, scene, Seed(seed), &mut world)
+    InitialGenerator::new(&PlainStock).distractors(3).make(activity, scene, Seed(seed), &mut world)
 }
 
 fn table_and_fridge() -> Activity {
@@ -128,7 +128,7 @@ fn scenes_without_poses_work_as_well() {
 
 #[test]
 fn what_is_there_is_not_added() {
-    let mut scene = SceneBuilder::of(flat(1.0));
+    let mut scene = SceneBuilder::from_graph(flat(1.0));
     let table = scene.graph().of_class("dining_table")[0];
     let pose = Isometry3::translation(0.0, 0.0, 0.76);
     let milk = Draft::new("milk").at(pose).bounds(Bounds::standing(Vector3::new(0.1, 0.1, 0.2)));
@@ -143,7 +143,7 @@ fn what_is_there_is_not_added() {
 #[test]
 fn an_agent_that_is_to_sit_sits() {
     let task = thesis_tasks(List::Outdoor).into_iter().find(|t| t.id == "outdoor-6").unwrap();
-    let mut scene = SceneBuilder::of(flat(1.0));
+    let mut scene = SceneBuilder::from_graph(flat(1.0));
     let kitchen = scene.graph().rooms()[0];
     let chair =
         Draft::new("chair").at(Isometry3::translation(1.5, 1.0, 0.0)).bounds(Bounds::standing(Vector3::repeat(0.5)));
@@ -269,7 +269,7 @@ fn what_the_world_makes_of_it_is_compared_and_tried_again() {
     let scene = flat(1.0);
     let task = activity("Holds(apple)", &["apple on dining_table"], "");
     let world = |until| Sloping { inner: Simulator::new(scene.clone()), resets: 0, until };
-    let generator = Generator::new(&PlainStock).tries(4);
+    let generator = InitialGenerator::new(&PlainStock).tries(4);
 
     let mut third = world(2);
     let made = generator.make(&task, &scene, Seed(1), &mut third).unwrap();

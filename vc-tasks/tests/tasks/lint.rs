@@ -5,35 +5,35 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::behavior::activities_of_behavior_1k;
 use vc_graph::{Draft, Goal, SceneBuilder};
-use vc_tasks::format::bddl::Activity;
-use vc_tasks::lint::{self, Kind};
+use vc_tasks::format::bddl::ActivityDefinition;
+use vc_tasks::lint::{self, FindingKind};
 
 /// The numbers of files in bddl 3.6.0 with each mistake, as found by a script that uses the package's own code,
 /// and by z3, which checked all goals.
-const FAULTS: &[(Kind, usize)] = &[
-    (Kind::Unsatisfiable, 1),
-    (Kind::TrueAtStart, 1),
-    (Kind::ConstantInQuantifier, 28),
-    (Kind::UnusedVariable, 11),
-    (Kind::DuplicateObject, 1),
-    (Kind::RepeatedFact, 5),
-    (Kind::Stray, 1),
+const FAULTS: &[(FindingKind, usize)] = &[
+    (FindingKind::Unsatisfiable, 1),
+    (FindingKind::TrueAtStart, 1),
+    (FindingKind::ConstantInQuantifier, 28),
+    (FindingKind::UnusedVariable, 11),
+    (FindingKind::DuplicateObject, 1),
+    (FindingKind::RepeatedFact, 5),
+    (FindingKind::Stray, 1),
 ];
 
 /// Remarks, with the file of each: in the pair `pen, table` only the pen occurs in the condition; one `pea_pod`
 /// shadows another; a condition follows the goal's `and`, where the package does not read it.
-const REMARKS: [(Kind, &str); 3] = [
-    (Kind::UnusedInPair, "set_up_a_preschool_classroom-0"),
-    (Kind::HiddenVariable, "clean_snap_peas-0"),
-    (Kind::SecondCondition, "loading_the_car-0"),
+const REMARKS: [(FindingKind, &str); 3] = [
+    (FindingKind::UnusedInPair, "set_up_a_preschool_classroom-0"),
+    (FindingKind::HiddenVariable, "clean_snap_peas-0"),
+    (FindingKind::SecondCondition, "loading_the_car-0"),
 ];
 
 #[test]
 fn the_known_faults_of_behavior_1k_are_found_and_no_others() {
-    let mut hits: BTreeMap<Kind, BTreeSet<String>> = BTreeMap::new();
+    let mut hits: BTreeMap<FindingKind, BTreeSet<String>> = BTreeMap::new();
     let files = activities_of_behavior_1k();
     for (file, text) in &files {
-        let activity = Activity::read(text).unwrap();
+        let activity = ActivityDefinition::read(text).unwrap();
         for finding in lint::activity(&activity) {
             hits.entry(finding.kind).or_default().insert(activity.name().to_owned());
             assert_eq!(lint::activity(&activity), lint::activity(&activity), "{file}");
@@ -44,16 +44,16 @@ fn the_known_faults_of_behavior_1k_are_found_and_no_others() {
     }
     assert_eq!(files.len(), 1016);
     let (remarks, faults): (Vec<_>, Vec<_>) = hits.iter().partition(|(kind, _)| kind.is_remark());
-    let counts: Vec<(Kind, usize)> = faults.into_iter().map(|(kind, names)| (*kind, names.len())).collect();
+    let counts: Vec<(FindingKind, usize)> = faults.into_iter().map(|(kind, names)| (*kind, names.len())).collect();
     assert_eq!(counts, FAULTS, "{hits:#?}");
-    let remarks: Vec<(Kind, &str)> =
+    let remarks: Vec<(FindingKind, &str)> =
         remarks.into_iter().flat_map(|(kind, names)| names.iter().map(|name| (*kind, name.as_str()))).collect();
     assert_eq!(remarks, REMARKS);
-    assert!(hits[&Kind::Unsatisfiable].contains("stacking_wood-0"));
-    assert!(hits[&Kind::TrueAtStart].contains("clean_a_stainless_steel_dishwasher-0"));
+    assert!(hits[&FindingKind::Unsatisfiable].contains("stacking_wood-0"));
+    assert!(hits[&FindingKind::TrueAtStart].contains("clean_a_stainless_steel_dishwasher-0"));
 }
 
-fn kinds(goal: &str) -> Vec<Kind> {
+fn kinds(goal: &str) -> Vec<FindingKind> {
     let goal: Goal = goal.parse().unwrap();
     lint::goal(&goal, None).into_iter().map(|f| f.kind).collect()
 }
@@ -61,13 +61,16 @@ fn kinds(goal: &str) -> Vec<Kind> {
 #[test]
 fn goals_of_our_own_are_looked_at_too() {
     assert_eq!(kinds("On(apple, table), 3"), []);
-    assert_eq!(kinds("forall ?p: plate. Clean(cup)"), [Kind::UnusedVariable]);
-    assert_eq!(kinds("forall ?p: plate. On(plate.3, table)"), [Kind::UnusedVariable, Kind::ConstantInQuantifier]);
-    assert_eq!(kinds("exists ?p: plate. Clean(?p) & exists ?p: cup. Clean(?p)"), [Kind::HiddenVariable]);
-    assert_eq!(kinds("pairs ?p: plate, ?c: cup. Clean(?p)"), [Kind::UnusedInPair]);
-    assert_eq!(kinds("Open(door.1) & Closed(door.1)"), [Kind::Unsatisfiable]);
+    assert_eq!(kinds("forall ?p: plate. Clean(cup)"), [FindingKind::UnusedVariable]);
+    assert_eq!(
+        kinds("forall ?p: plate. On(plate.3, table)"),
+        [FindingKind::UnusedVariable, FindingKind::ConstantInQuantifier]
+    );
+    assert_eq!(kinds("exists ?p: plate. Clean(?p) & exists ?p: cup. Clean(?p)"), [FindingKind::HiddenVariable]);
+    assert_eq!(kinds("pairs ?p: plate, ?c: cup. Clean(?p)"), [FindingKind::UnusedInPair]);
+    assert_eq!(kinds("Open(door.1) & Closed(door.1)"), [FindingKind::Unsatisfiable]);
     assert_eq!(kinds("Open(door.1) | Closed(door.1)"), []);
-    assert_eq!(kinds("Broken(cup)"), [Kind::NothingBringsAbout]);
+    assert_eq!(kinds("Broken(cup)"), [FindingKind::NothingBringsAbout]);
     assert_eq!(kinds("!Broken(cup)"), []);
     assert_eq!(kinds("Broken(cup) => Clean(floor)"), []);
 }
@@ -87,16 +90,16 @@ fn a_scene_tells_what_there_is() {
     };
     assert_eq!(kinds("On(apple, kitchen_table), 2"), []);
     // The scene has two apples.
-    assert_eq!(kinds("On(apple, kitchen_table), 3"), [Kind::Obstacle, Kind::Unsatisfiable]);
-    assert_eq!(kinds("On(apple, kitchen_table)"), [Kind::TrueAtStart]);
-    assert_eq!(kinds("(exactly 1 ?a: apple. Clean(?a)) & forall ?a: apple. Clean(?a)"), [Kind::Unsatisfiable]);
+    assert_eq!(kinds("On(apple, kitchen_table), 3"), [FindingKind::Obstacle, FindingKind::Unsatisfiable]);
+    assert_eq!(kinds("On(apple, kitchen_table)"), [FindingKind::TrueAtStart]);
+    assert_eq!(kinds("(exactly 1 ?a: apple. Clean(?a)) & forall ?a: apple. Clean(?a)"), [FindingKind::Unsatisfiable]);
 }
 
 #[test]
 fn what_is_not_declared_is_said_with_its_place() {
     let text = "(define (problem p)\n (:objects a b - cup)\n (:init (ontop a c) (ontop a c))\n \
         (:goal (and (flies ?a) (forall (?x - dog) (ontop ?x ?a)))) junk)";
-    let found = lint::activity(&Activity::read(text).unwrap());
+    let found = lint::activity(&ActivityDefinition::read(text).unwrap());
     let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
     assert_eq!(
         lines,
@@ -131,10 +134,10 @@ fn a_class_that_is_misspelt_gets_the_nearest_of_the_scene() {
     }
 }
 
-fn of_activity(domain: &str, objects: &str, start: &str, goal: &str) -> Vec<(Kind, String)> {
+fn of_activity(domain: &str, objects: &str, start: &str, goal: &str) -> Vec<(FindingKind, String)> {
     let text =
         format!("(define (problem p) (:domain {domain}) (:objects {objects}) (:init {start}) (:goal (and {goal})))");
-    let found = lint::activity(&Activity::read(&text).unwrap());
+    let found = lint::activity(&ActivityDefinition::read(&text).unwrap());
     found.into_iter().map(|f| (f.kind, f.part)).collect()
 }
 
@@ -147,28 +150,28 @@ fn predicates_take_so_many_things_and_things_do_not_rest_in_circles() {
     assert_eq!(
         in_home("(dusty p_1 p_2)", "(stained ?p_1 ?p_2) (not (ontop ?p_1)) (inroom ?p_3)")[..4],
         [
-            (Kind::WrongArity, "(dusty p_1 p_2): `dusty` takes 1, 2 given".to_owned()),
-            (Kind::WrongArity, "(stained ?p_1 ?p_2): `stained` takes 1, 2 given".to_owned()),
-            (Kind::WrongArity, "(ontop ?p_1): `ontop` takes 2, 1 given".to_owned()),
-            (Kind::WrongArity, "(inroom ?p_3): `inroom` takes 2, 1 given".to_owned()),
+            (FindingKind::WrongArity, "(dusty p_1 p_2): `dusty` takes 1, 2 given".to_owned()),
+            (FindingKind::WrongArity, "(stained ?p_1 ?p_2): `stained` takes 1, 2 given".to_owned()),
+            (FindingKind::WrongArity, "(ontop ?p_1): `ontop` takes 2, 1 given".to_owned()),
+            (FindingKind::WrongArity, "(inroom ?p_3): `inroom` takes 2, 1 given".to_owned()),
         ]
     );
-    assert_eq!(in_home("", "(nextto ?p_1 ?p_1)"), [(Kind::WithItself, "(nextto ?p_1 ?p_1)".to_owned())]);
-    let circle = |part: &str| (Kind::Circle, part.to_owned());
+    assert_eq!(in_home("", "(nextto ?p_1 ?p_1)"), [(FindingKind::WithItself, "(nextto ?p_1 ?p_1)".to_owned())]);
+    let circle = |part: &str| (FindingKind::Circle, part.to_owned());
     let start = "(ontop p_3 p_1) (ontop p_1 p_2) (inside p_2 p_1)";
     assert_eq!(in_home(start, "(stained ?p_1)"), [circle("(ontop p_1 p_2)")]);
     assert_eq!(in_home("", "(ontop ?p_1 ?p_2) (and (inside ?p_2 ?p_1))"), [circle("(ontop ?p_1 ?p_2)")]);
     assert_eq!(in_home("", "(or (ontop ?p_1 ?p_2) (inside ?p_2 ?p_1))"), []);
     let unknown = of_activity("mydomain", "p_1 - p", "", "(dusty ?p_1)");
-    assert_eq!(unknown, [(Kind::UnknownDomain, "mydomain; known are omnigibson and igibson".to_owned())]);
+    assert_eq!(unknown, [(FindingKind::UnknownDomain, "mydomain; known are omnigibson and igibson".to_owned())]);
 }
 
 #[test]
 fn goals_of_our_own_are_not_of_circles_either() {
-    assert_eq!(kinds("On(plate.4, plate.4)"), [Kind::WithItself]);
-    assert_eq!(kinds("exists ?p: plate. On(?p, ?p)"), [Kind::WithItself]);
+    assert_eq!(kinds("On(plate.4, plate.4)"), [FindingKind::WithItself]);
+    assert_eq!(kinds("exists ?p: plate. On(?p, ?p)"), [FindingKind::WithItself]);
     assert_eq!(kinds("On(plate, plate)"), []);
-    assert_eq!(kinds("On(cup.1, plate.2) & Inside(plate.2, box.3) & On(#3, #1)"), [Kind::Circle]);
+    assert_eq!(kinds("On(cup.1, plate.2) & Inside(plate.2, box.3) & On(#3, #1)"), [FindingKind::Circle]);
     assert_eq!(kinds("On(cup.1, plate.2) | On(plate.2, cup.1)"), []);
     assert_eq!(kinds("Cold(tomato.3) & Dirty(plate.1) & Dry(towel.2)"), []);
 }
@@ -209,12 +212,12 @@ fn unknown_classes_and_goals_that_always_hold_are_found() {
         found.into_iter().map(|f| (f.kind, f.part)).collect::<Vec<_>>()
     };
     for goal in ["On(mugg, table)", "!On(mugg, table)", "forall ?m: mugg. Clean(?m)", "Holds(mugg.3)"] {
-        assert_eq!(found(goal), [(Kind::UnknownClass, "`mugg` (did you mean `mug`?)".to_owned())], "{goal}");
+        assert_eq!(found(goal), [(FindingKind::UnknownClass, "`mugg` (did you mean `mug`?)".to_owned())], "{goal}");
     }
     for goal in ["On(mug, kitchen table)", "On(DishTable, kitchentable) | Holds(apple)", "Eat(me) & Holds(#3)"] {
-        assert!(!found(goal).iter().any(|(kind, _)| *kind == Kind::UnknownClass), "{goal}");
+        assert!(!found(goal).iter().any(|(kind, _)| *kind == FindingKind::UnknownClass), "{goal}");
     }
-    assert_eq!(found("Holds(apple), 0")[0].0, Kind::TrueAtStart);
+    assert_eq!(found("Holds(apple), 0")[0].0, FindingKind::TrueAtStart);
     // A class that the scene has is known there; a class that an obstacle reports is not reported twice.
     let mut scene = vc_graph::SceneBuilder::new("flat");
     let kitchen = scene.add(vc_graph::Draft::new("kitchen")).unwrap();
@@ -222,9 +225,12 @@ fn unknown_classes_and_goals_that_always_hold_are_found() {
     let graph = scene.build();
     let kinds =
         |goal: &str| lint::goal(&goal.parse().unwrap(), Some(&graph)).iter().map(|f| f.kind).collect::<Vec<_>>();
-    assert!(!kinds("Clean(flooble)").contains(&Kind::UnknownClass));
-    assert!(kinds("Clean(floo)").contains(&Kind::Obstacle) && !kinds("Clean(floo)").contains(&Kind::UnknownClass));
-    assert!(kinds("!Clean(floo)").contains(&Kind::UnknownClass));
+    assert!(!kinds("Clean(flooble)").contains(&FindingKind::UnknownClass));
+    assert!(
+        kinds("Clean(floo)").contains(&FindingKind::Obstacle)
+            && !kinds("Clean(floo)").contains(&FindingKind::UnknownClass)
+    );
+    assert!(kinds("!Clean(floo)").contains(&FindingKind::UnknownClass));
 }
 
 /// A state that no action brings about is an obstacle unless enough things are in it already.

@@ -6,7 +6,10 @@ mod walk;
 use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::{Draft, Goal, NodeId, SceneBuilder, SceneGraph};
-use vc_tasks::format::pddl::{Amount, Atom, Change, Domain, Formula, Keep, Number, Operator, Problem, planning};
+use vc_tasks::format::pddl::{
+    AtomicFormula, Domain, Formula, Keep, NumericExpression, NumericLiteral, Operator, OperatorEffect, PlanningProblem,
+    planning,
+};
 
 fn home() -> (SceneGraph, NodeId) {
     let mut scene = SceneBuilder::new("home");
@@ -29,13 +32,13 @@ struct Declared {
 }
 
 impl Declared {
-    fn of(domain: &Domain) -> Self {
+    fn new(domain: &Domain) -> Self {
         let names = domain.constants.iter().map(|c| c.name.clone()).collect();
         let predicates = domain.predicates.iter().map(|p| (p.name.clone(), p.parameters.len())).collect();
         Self { names, predicates }
     }
 
-    fn check(&self, atom: &Atom, bound: &[&str]) {
+    fn check(&self, atom: &AtomicFormula, bound: &[&str]) {
         assert_eq!(self.predicates.get(&atom.predicate), Some(&atom.arguments.len()), "{atom}");
         for argument in &atom.arguments {
             assert!(self.names.contains(argument) || bound.contains(&argument.as_str()), "{argument} in {atom}");
@@ -58,16 +61,16 @@ impl Declared {
         }
     }
 
-    fn changes<'f>(&self, changes: &'f [Change], bound: &mut Vec<&'f str>) {
+    fn changes<'f>(&self, changes: &'f [OperatorEffect], bound: &mut Vec<&'f str>) {
         for change in changes {
             match change {
-                Change::Add(atom) | Change::Delete(atom) => self.check(atom, bound),
-                Change::ForAll(variables, changes) => {
+                OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => self.check(atom, bound),
+                OperatorEffect::ForAll(variables, changes) => {
                     bound.extend(variables.iter().map(|v| v.name.as_str()));
                     self.changes(changes, bound);
                     bound.truncate(bound.len() - variables.len());
                 }
-                Change::When(condition, changes) => {
+                OperatorEffect::When(condition, changes) => {
                     self.formula(condition, bound);
                     self.changes(changes, bound);
                 }
@@ -98,7 +101,7 @@ fn what_a_problem_speaks_of_is_declared_once() {
         let goal: Goal = text.parse().unwrap();
         for keep in [Keep::Relevant, Keep::Everything] {
             let planning = planning(&graph, me, &goal, keep).unwrap();
-            let mut declared = Declared::of(&planning.domain);
+            let mut declared = Declared::new(&planning.domain);
             planning.domain.operators.iter().for_each(|operator| declared.operator(operator));
             for object in &planning.problem.objects {
                 assert!(declared.names.insert(object.name.clone()), "{text}: {} twice", object.name);
@@ -106,7 +109,7 @@ fn what_a_problem_speaks_of_is_declared_once() {
             planning.problem.initial.iter().for_each(|fact| declared.check(fact, &[]));
             declared.formula(&planning.problem.goal, &mut Vec::new());
             assert_eq!(planning.domain.to_string().parse::<Domain>().unwrap(), planning.domain, "{text}");
-            assert_eq!(planning.problem.to_string().parse::<Problem>().unwrap(), planning.problem, "{text}");
+            assert_eq!(planning.problem.to_string().parse::<PlanningProblem>().unwrap(), planning.problem, "{text}");
         }
     }
 }
@@ -133,11 +136,13 @@ fn what_is_said_twice_or_too_much_is_refused() {
         ("(:init (= (total-cost) few)) (:goal (on a t))", "a number, found `few`"),
         ("(:init) (:goal (on a t)) (:metric minimize (+ (total-cost) 1))", "not a sum"),
     ] {
-        let error = refused::<Problem>(&problem(rest));
+        let error = refused::<PlanningProblem>(&problem(rest));
         assert!(error.contains(why), "{rest}: {error}");
     }
-    assert!(refused::<Problem>("(define (problem x) (:domain k l) (:init) (:goal (p)))").contains("found `l`"));
-    assert!(refused::<Problem>("(define (problem x) (:domain k) (:objects a a) (:goal (p)))").contains("only once"));
+    assert!(refused::<PlanningProblem>("(define (problem x) (:domain k l) (:init) (:goal (p)))").contains("found `l`"));
+    assert!(
+        refused::<PlanningProblem>("(define (problem x) (:domain k) (:objects a a) (:goal (p)))").contains("only once")
+    );
     for (rest, why) in [
         ("(:predicates (p ?x)) (:predicates (q ?x))", "a section `:predicates` only once"),
         ("(:types a) (:types b)", "a section `:types` only once"),
@@ -168,19 +173,19 @@ fn either_costs_metric_and_what_is_denied_are_read() {
     assert_eq!(domain.predicates[0].parameters[0].kind.to_string(), "(either cup plate)");
     let names: Vec<&str> = domain.functions.iter().map(|f| f.name.as_str()).collect();
     assert_eq!(names, ["total-cost", "dist"]);
-    let cost = |by| Change::Increase(Atom::new("total-cost", &[]), by);
-    assert_eq!(domain.operators[0].effect[1], cost(Amount::Number(Number::new("1.5").unwrap())));
-    assert_eq!(domain.operators[0].effect[2], cost(Amount::Of(Atom::new("dist", &["?p", "?q"]))));
+    let cost = |by| OperatorEffect::Increase(AtomicFormula::new("total-cost", &[]), by);
+    assert_eq!(domain.operators[0].effect[1], cost(NumericExpression::Number(NumericLiteral::new("1.5").unwrap())));
+    assert_eq!(domain.operators[0].effect[2], cost(NumericExpression::Of(AtomicFormula::new("dist", &["?p", "?q"]))));
     assert_eq!(domain.to_string().parse::<Domain>().unwrap(), domain);
 
     let text = "(define (problem x) (:domain k) (:objects a b - (either cup plate) c)
         (:init (p a) (not (p b)) (= (total-cost) 0) (= (dist a b) 2.5)) (:goal (p b)) (:metric minimize (total-cost)))";
-    let problem: Problem = text.parse().unwrap();
-    assert_eq!((problem.initial.len(), &problem.denied[..]), (1, &[Atom::new("p", &["b"])][..]));
+    let problem: PlanningProblem = text.parse().unwrap();
+    assert_eq!((problem.initial.len(), &problem.denied[..]), (1, &[AtomicFormula::new("p", &["b"])][..]));
     assert_eq!(problem.values[1].1.value(), 2.5);
     let metric = problem.metric.clone().unwrap();
     assert_eq!((metric.maximize, metric.to_string().as_str()), (false, "(:metric minimize (total-cost))"));
-    assert_eq!(problem.to_string().parse::<Problem>().unwrap(), problem);
+    assert_eq!(problem.to_string().parse::<PlanningProblem>().unwrap(), problem);
 }
 
 /// Letters beyond ASCII are case-insensitive too, and a comment ends with its line, whatever the line
@@ -190,7 +195,7 @@ fn case_and_line_ends_are_those_of_all_texts() {
     let text = |thing: &str, end: &str| {
         format!("(define (problem p) ; a comment{end}(:domain d) (:objects {thing} - t) (:init) (:goal (wet {thing})))")
     };
-    let read = |text: String| text.parse::<vc_tasks::format::pddl::Problem>().unwrap();
+    let read = |text: String| text.parse::<vc_tasks::format::pddl::PlanningProblem>().unwrap();
     for end in ["\n", "\r", "\r\n"] {
         assert_eq!(read(text("BÜGELÉ", end)), read(text("bügelé", "\n")), "{end:?}");
     }

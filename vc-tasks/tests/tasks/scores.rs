@@ -8,7 +8,7 @@ use common::{Room, flips, timeless};
 use proptest::prelude::*;
 use vc_graph::goal::{Comparison, Literal, Pairing, Pairs, Situation, Term};
 use vc_graph::{Goal, NodeId};
-use vc_tasks::compile::Program;
+use vc_tasks::compile::GoalProgram;
 use vc_tasks::score::percent_complete;
 use vc_testkit::cases;
 
@@ -242,16 +242,16 @@ proptest! {
     #[test]
     fn a_credit_is_one_if_and_only_if_the_goal_holds(goal in timeless(3), flips in flips(30)) {
         let room = Room::new(&flips);
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let credit = program.credit(&program.read(&room.now()));
-        prop_assert!(credit.met <= credit.conditions && credit.exact);
+        prop_assert!(credit.satisfied <= credit.conditions && credit.exact);
         prop_assert_eq!(credit.value() == 1.0, goal.holds(&room.now()), "{} {:?}", goal, credit);
     }
 
     #[test]
     fn a_credit_is_the_best_of_all_ways(goal in timeless(2), flips in flips(30)) {
         let room = Room::new(&flips);
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let bits = program.read(&room.now());
         let mut lister = Lister { now: room.now(), bound: Vec::new() };
         let Some(ways) = lister.ways(&goal, true) else { return Ok(()) };
@@ -271,7 +271,7 @@ proptest! {
     #[test]
     fn what_is_unmet_are_the_minimal_sets(goal in timeless(2), flips in flips(30)) {
         let room = Room::new(&flips);
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let bits = program.read(&room.now());
         let found = program.unmet(&bits, 1 << 13);
         let changed = |set: &[usize]| {
@@ -310,7 +310,7 @@ proptest! {
     #[test]
     fn the_scores_of_others(goal in timeless(3), before in flips(20), then in flips(20)) {
         let mut room = Room::new(&before);
-        let program = Program::new(&goal, &room.now()).unwrap();
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
         let start = program.read(&room.now());
         then.into_iter().for_each(|flip| {
             room.flip(flip);
@@ -333,9 +333,9 @@ fn room() -> Room {
 
 fn credit(text: &str) -> (u32, u32) {
     let room = room();
-    let program = Program::new(&text.parse().unwrap(), &room.now()).unwrap();
+    let program = GoalProgram::new(&text.parse().unwrap(), &room.now()).unwrap();
     let credit = program.credit(&program.read(&room.now()));
-    (credit.met, credit.conditions)
+    (credit.satisfied, credit.conditions)
 }
 
 #[test]
@@ -360,7 +360,7 @@ fn credits_by_hand() {
 fn bddl_counts_the_asked_for_alone() {
     let room = room();
     let reward = |text: &str| {
-        let program = Program::new(&text.parse().unwrap(), &room.now()).unwrap();
+        let program = GoalProgram::new(&text.parse().unwrap(), &room.now()).unwrap();
         program.bddl_reward(&program.read(&room.now())).value()
     };
     assert_eq!(reward("exactly 1 ?c: cup. Dusty(?c)"), 1.0, "two are dusty");
@@ -379,7 +379,7 @@ fn propositions_that_last_and_such_that_need_not() {
     let complete = |text: &str| {
         let goal: Goal = text.parse().unwrap();
         let found = percent_complete(&goal, &trace);
-        (found.met, found.conditions)
+        (found.satisfied, found.conditions)
     };
     assert_eq!(complete("Dusty(cup.2) & Dusty(cup.3)"), (1, 2), "the first was undone");
     assert_eq!(complete("eventually Dusty(cup.2) & Dusty(cup.3)"), (2, 2));

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::Problem;
+use super::super::FormatProblem;
 use crate::serial::{BoundsFile, FARTHEST, within};
 use crate::spelling::{clip, key};
 use crate::vocabulary::Word;
@@ -42,7 +42,7 @@ enum Lack {
 impl Beyond {
     /// The facts that reading a node by its name, its states and its scale would not tell; `bounds` is its box, where
     /// these do not tell that.
-    pub(super) fn of(node: &Node, name: &str, classes: &ClassTable, bounds: Option<Bounds>) -> Option<Self> {
+    pub(super) fn new(node: &Node, name: &str, classes: &ClassTable, bounds: Option<Bounds>) -> Option<Self> {
         let spec = node.spec();
         let named = classes.get(name);
         let is_named = *spec.class == *named.map_or_else(|| key(name).into(), |c| c.name.clone());
@@ -65,17 +65,17 @@ impl Beyond {
     }
 
     /// Adds it to what the rest of the object says, at whose pose the base of the box is.
-    pub(super) fn add_to(&self, draft: &mut Draft, class: Option<&Class>) -> Result<(), Problem> {
+    pub(super) fn add_to(&self, draft: &mut Draft, class: Option<&Class>) -> Result<(), FormatProblem> {
         draft.category = self.category.as_deref().map(Into::into);
         draft.properties = self.properties.as_ref().map(|all| all.iter().copied().collect());
         draft.contents = self.contents.as_deref().map(Into::into);
         let without: StateSet = self.without.iter().copied().collect();
         draft.states = (!without.is_empty()).then(|| starts(class).minus(without));
         if let Some(file) = &self.bounds {
-            let bounds = file.bounds().ok_or_else(|| Problem::Number(clip(&format!("{file:?}"))))?;
+            let bounds = file.bounds().ok_or_else(|| FormatProblem::Number(clip(&format!("{file:?}"))))?;
             draft.pose = draft.pose.map(|base| above(&base, &bounds));
             let far = draft.pose.filter(|pose| !within(pose.translation.vector.as_slice(), FARTHEST));
-            far.map_or(Ok(()), |pose| Err(Problem::Number(clip(&format!("{pose}")))))?;
+            far.map_or(Ok(()), |pose| Err(FormatProblem::Number(clip(&format!("{pose}")))))?;
             draft.bounds = Some(bounds);
         }
         for lack in &self.lacks {

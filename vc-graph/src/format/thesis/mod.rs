@@ -33,7 +33,7 @@ use std::sync::Arc;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{FormatError, Problem, Source};
+use super::{FormatError, FormatProblem, Source};
 use crate::serial::{FARTHEST, within};
 use beyond::{Beyond, down};
 
@@ -124,7 +124,7 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     let mut environments = file.into_iter();
     let (Some((name, objects)), None) = (environments.next(), environments.next()) else {
         let message = format!("expected one key, the environment's name, over a list of objects; found {number} keys");
-        return Err(source.error(String::new(), Problem::Shape(message)));
+        return Err(source.error(String::new(), FormatProblem::Shape(message)));
     };
     let mut scene = SceneBuilder::with_classes(name.as_str(), classes.clone());
     let at = |index: usize, field: &str| format!("{name}[{index}].{field}");
@@ -133,7 +133,7 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
         let added = scene.add_with_id(NodeId(object.id), draft);
         added.map_err(|e| source.error(at(index, "id"), e))?;
     }
-    let names = Names::of(&objects);
+    let names = Names::new(&objects);
     let mut edges = Vec::new();
     for (index, object) in objects.iter().enumerate() {
         for text in &object.relation {
@@ -159,7 +159,7 @@ pub fn write(graph: &SceneGraph) -> String {
         if name.contains('.') || by_name.get(&name).is_some_and(|&n| n > 1) { numbered(node) } else { name }
     };
     let objects = graph.nodes().map(|node| {
-        let object = ObjectFile::of(graph, node, &reference);
+        let object = ObjectFile::from_node(graph, node, &reference);
         serde_json::to_string(&object).unwrap_or_default()
     });
     let name = serde_json::to_string(graph.name()).unwrap_or_default();
@@ -175,12 +175,12 @@ fn name_of(node: &Node) -> String {
 }
 
 impl ObjectFile {
-    fn draft(&self, classes: &ClassTable) -> Result<Draft, (&'static str, Problem)> {
+    fn draft(&self, classes: &ClassTable) -> Result<Draft, (&'static str, FormatProblem)> {
         let numbers = |index: usize, keys: [&str; 3]| {
             fields(&self.transform[index], keys).ok_or_else(|| {
                 let wanted = keys.map(|k| format!("{k}=0")).join(" ");
                 let message = format!("expected `{wanted}`, found `{}`", clip(&self.transform[index]));
-                ("transform", Problem::Shape(message))
+                ("transform", FormatProblem::Shape(message))
             })
         };
         let location = numbers(0, ["X", "Y", "Z"])?;
@@ -195,7 +195,7 @@ impl ObjectFile {
             class: named.map(Into::into).or(class.map(|c| c.name.clone())).unwrap_or_else(|| self.name.as_str().into()),
             name: Some(self.name.as_str().into()),
             // On top of those its class starts in: closed and off, unless said here.
-            entering: states.map_err(|e| ("state", Problem::Word(e)))?,
+            entering: states.map_err(|e| ("state", FormatProblem::Word(e)))?,
             pose: Some(from_unreal(location, rotation)),
             bounds: size.map(|s| Bounds::standing(s.component_mul(&scale.abs()))),
             scale: Some(scale),
@@ -216,7 +216,7 @@ impl ObjectFile {
         })
     }
 
-    fn of(graph: &SceneGraph, node: &Node, reference: &impl Fn(&Node) -> String) -> Self {
+    fn from_node(graph: &SceneGraph, node: &Node, reference: &impl Fn(&Node) -> String) -> Self {
         let own = reference(node);
         let relation = node.out.iter().filter_map(|link| {
             let to = graph.node(link.node())?;
@@ -233,7 +233,7 @@ impl ObjectFile {
             relation: relation.collect(),
             state: node.states().iter().map(|s| titled(s.as_str())).collect(),
             transform: to_unreal(&base(node), scale(graph, node)),
-            virtualcity: Beyond::of(node, &name, graph.classes(), bounds),
+            virtualcity: Beyond::new(node, &name, graph.classes(), bounds),
             name,
         }
     }
@@ -360,7 +360,7 @@ struct Names<'f> {
 }
 
 impl<'f> Names<'f> {
-    fn of(objects: &'f [ObjectFile]) -> Self {
+    fn new(objects: &'f [ObjectFile]) -> Self {
         let mut by_name: HashMap<&str, Vec<u32>> = HashMap::new();
         for object in objects {
             by_name.entry(&object.name).or_default().push(object.id);
@@ -368,7 +368,7 @@ impl<'f> Names<'f> {
         Self { by_name }
     }
 
-    fn edge(&self, graph: &SceneGraph, object: &ObjectFile, text: &str) -> Result<Edge, Problem> {
+    fn edge(&self, graph: &SceneGraph, object: &ObjectFile, text: &str) -> Result<Edge, FormatProblem> {
         let numbered = format!("{}.{}", object.name, object.id);
         let rest = [&numbered, &object.name].into_iter().find_map(|own| {
             let rest = text.strip_prefix(own.as_str())?.strip_prefix(' ')?;
@@ -382,7 +382,7 @@ impl<'f> Names<'f> {
         Ok(Edge { from, relation: if into_room { Relation::InRoom } else { relation }, to })
     }
 
-    fn find(&self, graph: &SceneGraph, from: NodeId, name: &str) -> Result<NodeId, Problem> {
+    fn find(&self, graph: &SceneGraph, from: NodeId, name: &str) -> Result<NodeId, FormatProblem> {
         let exact = name.rsplit_once('.').and_then(|(name, id)| {
             let id = id.parse().ok()?;
             self.by_name.get(name).filter(|ids| ids.contains(&id)).map(|_| NodeId(id))
@@ -392,17 +392,17 @@ impl<'f> Names<'f> {
         }
         let sharing = self.by_name.get(name).map_or(0, Vec::len);
         if sharing > AMBIGUOUS {
-            return Err(Problem::Ambiguous(clip(name), sharing));
+            return Err(FormatProblem::Ambiguous(clip(name), sharing));
         }
         let ids = self.by_name.get(name).into_iter().flatten().map(|&id| NodeId(id)).filter(|&id| id != from);
         let far = |id: &NodeId| graph.distance(from, *id).map_or(u32::MAX, |d| (d * 1e3) as u32);
-        ids.min_by_key(far).ok_or_else(|| Problem::NoSuchName(clip(name)))
+        ids.min_by_key(far).ok_or_else(|| FormatProblem::NoSuchName(clip(name)))
     }
 }
 
-fn no_relation(object: &ObjectFile, text: &str) -> Problem {
+fn no_relation(object: &ObjectFile, text: &str) -> FormatProblem {
     let other = PHRASES.iter().find_map(|(phrase, _)| text.split_once(&format!(" {phrase} ")));
-    Problem::Shape(match other {
+    FormatProblem::Shape(match other {
         Some((from, _)) => format!("expected a relation of {}, found one of `{}`", clip(&object.name), clip(from)),
         None => format!("expected a relation such as `A supported by B`, found `{}`", clip(text)),
     })

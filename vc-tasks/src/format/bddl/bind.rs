@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use vc_graph::goal::{Comparison, Goal, Quantified, Term};
 use vc_graph::{NodeId, NodeKind, SceneGraph};
 
-use super::Activity;
+use super::ActivityDefinition;
 use crate::format::ReadError;
 
 /// The objects of an activity as things of a scene, and the goal about these.
@@ -18,6 +18,17 @@ pub struct Bound {
 }
 
 /// The reason why an activity cannot be bound to a scene.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_tasks::format::bddl::{ActivityDefinition, BindError};
+/// let mut scene = SceneBuilder::new("flat");
+/// scene.add(Draft::new("kitchen"))?;
+/// let text = "(define (problem p) (:objects apple.n.01_1 - apple.n.01) (:goal (broken apple.n.01_1)))";
+/// let error = ActivityDefinition::read(text)?.bind(&scene.build()).unwrap_err();
+/// assert!(matches!(error, BindError::Missing(objects) if objects[0].0 == "apple.n.01_1"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BindError {
@@ -32,7 +43,7 @@ pub enum BindError {
     Missing(Vec<(String, String)>),
 }
 
-impl Activity {
+impl ActivityDefinition {
     /// Finds a thing of a scene for each declared object, and gives the goal about these things.
     ///
     /// A class `coffee_cup.n.01` is that of the class table which its words name, or else a class of the scene with that
@@ -43,7 +54,7 @@ impl Activity {
     /// ```
     /// use vc_graph::goal::Situation;
     /// use vc_graph::{Draft, History, SceneBuilder};
-    /// use vc_tasks::format::bddl::Activity;
+    /// use vc_tasks::format::bddl::ActivityDefinition;
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
     /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
@@ -51,7 +62,7 @@ impl Activity {
     /// let me = scene.add_in(kitchen, Draft::new("character"))?;
     /// let scene = scene.build();
     ///
-    /// let activity = Activity::read("(define (problem tidy-0) (:domain omnigibson)
+    /// let activity = ActivityDefinition::read("(define (problem tidy-0) (:domain omnigibson)
     ///     (:objects apple.n.01_1 - apple.n.01  electric_refrigerator.n.01_1 - electric_refrigerator.n.01)
     ///     (:init (inroom electric_refrigerator.n.01_1 kitchen))
     ///     (:goal (forall (?apple.n.01 - apple.n.01) (inside ?apple.n.01 ?electric_refrigerator.n.01_1))))")?;
@@ -64,7 +75,7 @@ impl Activity {
     ///
     /// # Errors
     /// [`BindError::Missing`] names all objects for which there is no thing; [`BindError::Goal`] as
-    /// [`Activity::to_goal`].
+    /// [`ActivityDefinition::to_goal`].
     pub fn bind(&self, graph: &SceneGraph) -> Result<Bound, BindError> {
         let goal = self.to_goal()?;
         let mut declared: Vec<(&str, &str)> = Vec::new();

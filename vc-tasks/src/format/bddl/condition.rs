@@ -5,7 +5,7 @@ use crate::format::sexpr::{Expr, Items};
 
 /// A predicate with one or two arguments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Atom<'t> {
+pub struct AppliedPredicate<'t> {
     /// The predicate, `ontop`.
     pub predicate: &'t str,
     /// The first argument.
@@ -16,17 +16,16 @@ pub struct Atom<'t> {
 
 /// A variable with the class it ranges over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Variable<'t> {
+pub(crate) struct TypedVariable<'t> {
     /// Its name, without `?`.
-    pub name: &'t str,
+    pub(crate) name: &'t str,
     /// The class.
-    pub class: &'t str,
+    pub(crate) class: &'t str,
 }
 
 /// One level of a condition.
 #[derive(Clone)]
-#[non_exhaustive]
-pub enum Part<'t> {
+pub(crate) enum ConditionNode<'t> {
     /// All conditions hold.
     And(Items<'t>),
     /// Some condition holds.
@@ -36,15 +35,15 @@ pub enum Part<'t> {
     /// The second holds if the first does.
     Imply(Expr<'t>, Expr<'t>),
     /// The condition holds for every value.
-    ForAll(Variable<'t>, Expr<'t>),
+    ForAll(TypedVariable<'t>, Expr<'t>),
     /// The condition holds for some value.
-    Exists(Variable<'t>, Expr<'t>),
+    Exists(TypedVariable<'t>, Expr<'t>),
     /// The condition holds for exactly this many values.
-    ForN(u32, Variable<'t>, Expr<'t>),
+    ForN(u32, TypedVariable<'t>, Expr<'t>),
     /// The condition holds for pairs of values: for this many, or as many as possible.
-    Pairs(Option<u32>, [Variable<'t>; 2], Expr<'t>),
+    Pairs(Option<u32>, [TypedVariable<'t>; 2], Expr<'t>),
     /// A predicate of objects or variables.
-    Atom(Atom<'t>),
+    Atom(AppliedPredicate<'t>),
 }
 
 /// The single argument of a list.
@@ -54,8 +53,8 @@ pub(super) fn only(list: Expr<'_>) -> Result<Expr<'_>, ReadError> {
     items.next().map_or(Ok(one), |extra| Err(extra.error("`)`")))
 }
 
-impl<'t> Atom<'t> {
-    pub(super) fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+impl<'t> AppliedPredicate<'t> {
+    pub(super) fn from_expr(at: Expr<'t>) -> Result<Self, ReadError> {
         let mut items = at.items();
         let predicate = items.next().and_then(Expr::word).ok_or_else(|| at.error("a predicate of things"))?;
         if is_keyword(predicate) {
@@ -76,9 +75,9 @@ impl<'t> Atom<'t> {
     }
 }
 
-impl<'t> Variable<'t> {
+impl<'t> TypedVariable<'t> {
     /// `(?cup.n.01 - cup.n.01)`.
-    fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+    fn new(at: Expr<'t>) -> Result<Self, ReadError> {
         let expected = "a variable and its class, `(?x - class)`";
         let mut words = at.items().map(Expr::word);
         match (words.next(), words.next(), words.next(), words.next()) {
@@ -95,19 +94,19 @@ fn is_keyword(word: &str) -> bool {
     matches!(word, "and" | "or" | "not" | "imply" | "forall" | "exists" | "forn" | "forpairs" | "fornpairs")
 }
 
-impl<'t> Part<'t> {
+impl<'t> ConditionNode<'t> {
     /// Splits one level off a condition.
     ///
     /// # Errors
     /// [`ReadError`] if it is not a condition; never for the conditions of
-    /// [`Activity::goal`](super::Activity::goal).
-    pub fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+    /// [`ActivityDefinition::goal`](super::ActivityDefinition::goal).
+    pub(crate) fn new(at: Expr<'t>) -> Result<Self, ReadError> {
         let mut rest = at.items();
         let Some(head) = rest.next().and_then(Expr::word) else {
             return Err(at.error("a condition"));
         };
         if !is_keyword(head) {
-            return Atom::of(at).map(Self::Atom);
+            return AppliedPredicate::from_expr(at).map(Self::Atom);
         }
         let all = rest.clone();
         let mut next = |expected: &str| rest.next().ok_or_else(|| at.error_at_end(expected));
@@ -116,12 +115,12 @@ impl<'t> Part<'t> {
             "or" => return Ok(Self::Or(all)),
             "not" => Self::Not(next("a condition")?),
             "imply" => Self::Imply(next("a condition")?, next("a condition")?),
-            "forall" => Self::ForAll(Variable::of(next(VARIABLE)?)?, next("a condition")?),
-            "exists" => Self::Exists(Variable::of(next(VARIABLE)?)?, next("a condition")?),
-            "forn" => Self::ForN(number(next(NUMBER)?)?, Variable::of(next(VARIABLE)?)?, next("a condition")?),
+            "forall" => Self::ForAll(TypedVariable::new(next(VARIABLE)?)?, next("a condition")?),
+            "exists" => Self::Exists(TypedVariable::new(next(VARIABLE)?)?, next("a condition")?),
+            "forn" => Self::ForN(number(next(NUMBER)?)?, TypedVariable::new(next(VARIABLE)?)?, next("a condition")?),
             counted => {
                 let number = if counted == "fornpairs" { Some(number(next(NUMBER)?)?) } else { None };
-                let variables = [Variable::of(next(VARIABLE)?)?, Variable::of(next(VARIABLE)?)?];
+                let variables = [TypedVariable::new(next(VARIABLE)?)?, TypedVariable::new(next(VARIABLE)?)?];
                 Self::Pairs(number, variables, next("a condition")?)
             }
         };
@@ -129,7 +128,7 @@ impl<'t> Part<'t> {
     }
 
     /// The conditions that it consists of.
-    pub fn conditions(&self) -> Vec<Expr<'t>> {
+    pub(crate) fn conditions(&self) -> Vec<Expr<'t>> {
         match self {
             Self::And(parts) | Self::Or(parts) => parts.clone().collect(),
             Self::Not(body) | Self::ForAll(_, body) | Self::Exists(_, body) => vec![*body],
@@ -140,7 +139,7 @@ impl<'t> Part<'t> {
     }
 
     /// The variables it binds.
-    pub fn variables(&self) -> &[Variable<'t>] {
+    pub(crate) fn variables(&self) -> &[TypedVariable<'t>] {
         match self {
             Self::ForAll(variable, _) | Self::Exists(variable, _) | Self::ForN(_, variable, _) => {
                 std::slice::from_ref(variable)
@@ -163,11 +162,11 @@ fn number(at: Expr<'_>) -> Result<u32, ReadError> {
 
 /// Checks a condition at all levels. Nesting is bounded by that of the tree.
 pub(super) fn check(condition: Expr<'_>) -> Result<(), ReadError> {
-    match Part::of(condition)? {
-        Part::And(mut parts) | Part::Or(mut parts) => parts.try_for_each(check),
-        Part::Imply(first, second) => check(first).and_then(|()| check(second)),
-        Part::Not(body) | Part::ForAll(_, body) | Part::Exists(_, body) => check(body),
-        Part::ForN(_, _, body) | Part::Pairs(_, _, body) => check(body),
-        Part::Atom(_) => Ok(()),
+    match ConditionNode::new(condition)? {
+        ConditionNode::And(mut parts) | ConditionNode::Or(mut parts) => parts.try_for_each(check),
+        ConditionNode::Imply(first, second) => check(first).and_then(|()| check(second)),
+        ConditionNode::Not(body) | ConditionNode::ForAll(_, body) | ConditionNode::Exists(_, body) => check(body),
+        ConditionNode::ForN(_, _, body) | ConditionNode::Pairs(_, _, body) => check(body),
+        ConditionNode::Atom(_) => Ok(()),
     }
 }

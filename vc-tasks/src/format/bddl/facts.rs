@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use vc_graph::NodeId;
 use vc_graph::goal::{Literal, Pairing, Term};
 
-use super::Activity;
+use super::ActivityDefinition;
 use super::predicate::word;
-use crate::compile::{Atom, Bits, Compiler, Program, Things};
+use crate::compile::{Bits, Compiler, GoalProgram, GroundAtom, Things};
 use crate::format::ReadError;
 
 /// The limit of a goal's parts, counted for every choice of objects: BEHAVIOR's largest goal has
@@ -24,7 +24,7 @@ pub struct Objects<'t> {
 
 impl<'t> Objects<'t> {
     /// The objects of an activity; one declared repeatedly is included once.
-    pub fn of(activity: &'t Activity) -> Self {
+    pub fn new(activity: &'t ActivityDefinition) -> Self {
         let mut classes: HashMap<&str, Vec<NodeId>> = HashMap::new();
         let mut all = Vec::with_capacity(activity.objects.len());
         let mut seen = std::collections::HashSet::with_capacity(activity.objects.len());
@@ -57,16 +57,16 @@ impl Things for Objects<'_> {
 }
 
 /// An activity's goal over the ground facts that matter for it: it evaluates any set of facts,
-/// whether or not a scene could be so. It is a [`Program`] whose heads are those of the activity,
+/// whether or not a scene could be so. It is a [`GoalProgram`] whose heads are those of the activity,
 /// and whose atoms have the activity's names.
 ///
 /// ```
 /// use vc_graph::goal::Pairing;
-/// use vc_tasks::format::bddl::{Activity, Facts};
+/// use vc_tasks::format::bddl::{ActivityDefinition, Facts};
 /// let text = "(define (problem p) (:objects a b - cup t - table) (:init (broken b))
 ///     (:goal (and (ontop ?a ?t) (forall (?c - cup) (not (broken ?c))))))";
-/// let activity = Activity::read(text)?;
-/// let facts = Facts::of(&activity, Pairing::Matching)?;
+/// let activity = ActivityDefinition::read(text)?;
+/// let facts = Facts::from_activity(&activity, Pairing::Matching)?;
 /// assert_eq!(facts.names(), ["ontop a t", "broken a", "broken b"]);
 /// assert_eq!(facts.heads(|fact| fact == 0), [true, true]);
 /// assert_eq!(facts.heads(|fact| fact == 2), [false, false]);
@@ -76,7 +76,7 @@ impl Things for Objects<'_> {
 /// ```
 #[derive(Debug)]
 pub struct Facts {
-    program: Program,
+    program: GoalProgram,
     names: Vec<String>,
 }
 
@@ -86,12 +86,12 @@ impl Facts {
     ///
     /// # Errors
     /// [`ReadError`] for an unknown predicate or object, and for a goal of more than 100,000 parts.
-    pub fn of(activity: &Activity, pairing: Pairing) -> Result<Self, ReadError> {
+    pub fn from_activity(activity: &ActivityDefinition, pairing: Pairing) -> Result<Self, ReadError> {
         let heads = activity.to_heads(pairing)?;
-        let program = Compiler::limited(LARGEST).compile_all(&heads, &Objects::of(activity));
+        let program = Compiler::limited(LARGEST).compile_all(&heads, &Objects::new(activity));
         let program = program.map_err(|_| activity.goal().error("a goal of at most 100,000 parts"))?;
         let objects: Vec<&str> = activity.objects().map(|o| o.name).collect();
-        let named = |atom: &Atom| {
+        let named = |atom: &GroundAtom| {
             let object = |id: &NodeId| objects.get((id.0 as usize).checked_sub(1)?).copied();
             let things = atom.things.iter().flatten().filter_map(object);
             word(atom.predicate).into_iter().chain(things).collect::<Vec<&str>>().join(" ")
@@ -106,7 +106,7 @@ impl Facts {
     }
 
     /// The goal over these facts, which are its atoms.
-    pub fn program(&self) -> &Program {
+    pub fn program(&self) -> &GoalProgram {
         &self.program
     }
 
@@ -114,9 +114,10 @@ impl Facts {
     ///
     /// # Errors
     /// [`ReadError`] for an unknown predicate or object.
-    pub fn start(&self, activity: &Activity) -> Result<Bits, ReadError> {
+    pub fn start(&self, activity: &ActivityDefinition) -> Result<Bits, ReadError> {
         let facts = activity.to_facts()?;
-        let start: Vec<Atom> = facts.iter().filter(|(_, holds)| *holds).map(|(literal, _)| atom(literal)).collect();
+        let start: Vec<GroundAtom> =
+            facts.iter().filter(|(_, holds)| *holds).map(|(literal, _)| atom(literal)).collect();
         Ok(self.program.having(&start))
     }
 
@@ -128,10 +129,10 @@ impl Facts {
     }
 }
 
-fn atom(literal: &Literal) -> Atom {
+fn atom(literal: &Literal) -> GroundAtom {
     let node = |place: usize| match literal.terms.get(place) {
         Some(Term::Node(_, id)) => Some(*id),
         _ => None,
     };
-    Atom { predicate: literal.predicate, things: [node(0), node(1)] }
+    GroundAtom { predicate: literal.predicate, things: [node(0), node(1)] }
 }

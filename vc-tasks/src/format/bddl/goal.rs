@@ -6,7 +6,7 @@ use vc_graph::goal::{self, Comparison, Goal, Literal, Pairing, Pairs, Quantified
 use vc_graph::{NodeId, Relation};
 
 use super::predicate::word;
-use super::{Activity, Atom, FORMAT, Fact, Part, Variable, meaning};
+use super::{ActivityDefinition, AppliedPredicate, ConditionNode, FORMAT, Fact, TypedVariable, meaning};
 use crate::format::sexpr::Expr;
 use crate::format::{ReadError, Unwritable};
 
@@ -16,11 +16,18 @@ struct Names<'t> {
     pairing: Pairing,
 }
 
-impl Activity {
+impl ActivityDefinition {
     /// The goal; pairs are one-to-one matchings.
     ///
     /// The first declared object is node 1, the next node 2. A scene has other numbers and classes:
-    /// [`Activity::bind`] gives the goal for a scene.
+    /// [`ActivityDefinition::bind`] gives the goal for a scene.
+    ///
+    /// ```
+    /// use vc_tasks::format::bddl::ActivityDefinition;
+    /// let text = "(define (problem p) (:objects a - cup t - table) (:goal (ontop a t)))";
+    /// assert_eq!(ActivityDefinition::read(text)?.to_goal()?.to_string(), "On(cup.1, table.2)");
+    /// # Ok::<(), vc_tasks::format::ReadError>(())
+    /// ```
     ///
     /// # Errors
     /// [`ReadError`] for an unknown predicate or object.
@@ -28,24 +35,24 @@ impl Activity {
         Ok(joined(self.to_heads(Pairing::Matching)?, Goal::And))
     }
 
-    /// The goals of [`Activity::heads`]. [`Pairing::Marginal`] evaluates pairs as the reference
+    /// The goals of [`ActivityDefinition::heads`]. [`Pairing::Marginal`] evaluates pairs as the reference
     /// implementation does, [`Pairing::Matching`] as its documentation says: `fornpairs` then asks
     /// for exactly the given number.
     ///
     /// # Errors
     /// [`ReadError`] for an unknown predicate or object.
-    pub fn to_heads(&self, pairing: Pairing) -> Result<Vec<Goal>, ReadError> {
-        let names = Names::of(self, pairing);
+    pub(crate) fn to_heads(&self, pairing: Pairing) -> Result<Vec<Goal>, ReadError> {
+        let names = Names::new(self, pairing);
         self.heads().into_iter().map(|head| names.goal(head, &mut Vec::new())).collect()
     }
 
     /// The initial facts: literals of nodes, and whether they hold. The rooms of objects are
-    /// returned by [`Activity::rooms`].
+    /// returned by [`ActivityDefinition::rooms`].
     ///
     /// # Errors
     /// [`ReadError`] for an unknown predicate or object.
-    pub fn to_facts(&self) -> Result<Vec<(Literal, bool)>, ReadError> {
-        let names = Names::of(self, Pairing::Matching);
+    pub(crate) fn to_facts(&self) -> Result<Vec<(Literal, bool)>, ReadError> {
+        let names = Names::new(self, Pairing::Matching);
         let facts = self.initial().filter(|f| f.atom.predicate != "inroom");
         facts.map(|f| Ok((names.literal(f.atom, f.at, &[])?, f.holds))).collect()
     }
@@ -58,7 +65,7 @@ impl Activity {
 }
 
 impl<'t> Names<'t> {
-    fn of(activity: &'t Activity, pairing: Pairing) -> Self {
+    fn new(activity: &'t ActivityDefinition, pairing: Pairing) -> Self {
         let mut nodes = HashMap::with_capacity(activity.objects.len());
         for (object, id) in activity.objects().zip(1..) {
             nodes.entry(object.name).or_insert((NodeId(id), object.class));
@@ -66,31 +73,31 @@ impl<'t> Names<'t> {
         Self { nodes, pairing }
     }
 
-    fn goal(&self, at: Expr<'t>, bound: &mut Vec<Variable<'t>>) -> Result<Goal, ReadError> {
+    fn goal(&self, at: Expr<'t>, bound: &mut Vec<TypedVariable<'t>>) -> Result<Goal, ReadError> {
         let mut list = |parts: &mut dyn Iterator<Item = Expr<'t>>| {
             parts.map(|part| self.goal(part, bound)).collect::<Result<Vec<Goal>, ReadError>>()
         };
-        Ok(match Part::of(at)? {
-            Part::And(mut parts) => joined(list(&mut parts)?, Goal::And),
-            Part::Or(mut parts) => joined(list(&mut parts)?, Goal::Or),
-            Part::Not(part) => Goal::Not(Box::new(self.goal(part, bound)?)),
-            Part::Imply(a, b) => Goal::Imply(Box::new(self.goal(a, bound)?), Box::new(self.goal(b, bound)?)),
-            Part::ForAll(v, body) => Goal::ForAll(self.quantified(v, body, bound)?),
-            Part::Exists(v, body) => Goal::Exists(self.quantified(v, body, bound)?),
-            Part::ForN(number, v, body) => {
+        Ok(match ConditionNode::new(at)? {
+            ConditionNode::And(mut parts) => joined(list(&mut parts)?, Goal::And),
+            ConditionNode::Or(mut parts) => joined(list(&mut parts)?, Goal::Or),
+            ConditionNode::Not(part) => Goal::Not(Box::new(self.goal(part, bound)?)),
+            ConditionNode::Imply(a, b) => Goal::Imply(Box::new(self.goal(a, bound)?), Box::new(self.goal(b, bound)?)),
+            ConditionNode::ForAll(v, body) => Goal::ForAll(self.quantified(v, body, bound)?),
+            ConditionNode::Exists(v, body) => Goal::Exists(self.quantified(v, body, bound)?),
+            ConditionNode::ForN(number, v, body) => {
                 let of = self.quantified(v, body, bound)?;
                 Goal::ForN { comparison: Comparison::Exactly, number, of }
             }
-            Part::Pairs(number, variables, body) => self.pairs(number, variables, body, bound)?,
-            Part::Atom(atom) => Goal::Literal(self.literal(atom, at, bound)?),
+            ConditionNode::Pairs(number, variables, body) => self.pairs(number, variables, body, bound)?,
+            ConditionNode::Atom(atom) => Goal::Literal(self.literal(atom, at, bound)?),
         })
     }
 
     fn quantified(
         &self,
-        variable: Variable<'t>,
+        variable: TypedVariable<'t>,
         body: Expr<'t>,
-        bound: &mut Vec<Variable<'t>>,
+        bound: &mut Vec<TypedVariable<'t>>,
     ) -> Result<Quantified, ReadError> {
         bound.push(variable);
         let body = self.goal(body, bound);
@@ -105,9 +112,9 @@ impl<'t> Names<'t> {
     fn pairs(
         &self,
         number: Option<u32>,
-        [first, second]: [Variable<'t>; 2],
+        [first, second]: [TypedVariable<'t>; 2],
         body: Expr<'t>,
-        bound: &mut Vec<Variable<'t>>,
+        bound: &mut Vec<TypedVariable<'t>>,
     ) -> Result<Goal, ReadError> {
         bound.extend([first, second]);
         let body = self.goal(body, bound);
@@ -116,7 +123,7 @@ impl<'t> Names<'t> {
             Pairing::Marginal => Comparison::AtLeast,
             Pairing::Matching => Comparison::Exactly,
         };
-        let named = |v: Variable<'_>| goal::Variable { name: v.name.to_owned(), class: Some(v.class.to_owned()) };
+        let named = |v: TypedVariable<'_>| goal::Variable { name: v.name.to_owned(), class: Some(v.class.to_owned()) };
         Ok(Goal::ForPairs(Pairs {
             first: named(first),
             second: named(second),
@@ -126,7 +133,12 @@ impl<'t> Names<'t> {
         }))
     }
 
-    fn literal(&self, atom: Atom<'t>, at: Expr<'t>, bound: &[Variable<'t>]) -> Result<Literal, ReadError> {
+    fn literal(
+        &self,
+        atom: AppliedPredicate<'t>,
+        at: Expr<'t>,
+        bound: &[TypedVariable<'t>],
+    ) -> Result<Literal, ReadError> {
         let predicate = meaning(atom.predicate).ok_or_else(|| at.error("a predicate of BEHAVIOR"))?;
         let terms = atom.things().map(|thing| self.term(thing, at, bound)).collect::<Result<Vec<Term>, _>>()?;
         match terms.len() == predicate.arity() {
@@ -135,7 +147,7 @@ impl<'t> Names<'t> {
         }
     }
 
-    fn term(&self, thing: &'t str, at: Expr<'t>, bound: &[Variable<'t>]) -> Result<Term, ReadError> {
+    fn term(&self, thing: &'t str, at: Expr<'t>, bound: &[TypedVariable<'t>]) -> Result<Term, ReadError> {
         if bound.iter().any(|v| v.name == thing) {
             return Ok(Term::Variable(thing.to_owned()));
         }

@@ -1,14 +1,14 @@
 //! Activities of BEHAVIOR in BDDL.
 //!
 //! ```
-//! use vc_tasks::format::bddl::Activity;
+//! use vc_tasks::format::bddl::ActivityDefinition;
 //! let text = "(define (problem tea-0) (:domain omnigibson)
 //!     (:objects cup.n.01_1 cup.n.01_2 - cup.n.01  table.n.02_1 - table.n.02)
 //!     (:init (inside cup.n.01_1 sink.n.01_1) (inroom table.n.02_1 kitchen))
 //!     (:goal (and (forall (?cup.n.01 - cup.n.01) (ontop ?cup.n.01 ?table.n.02_1)))))";
-//! let activity = Activity::read(text)?;
+//! let activity = ActivityDefinition::read(text)?;
 //! assert_eq!((activity.name(), activity.objects().count()), ("tea-0", 3));
-//! assert_eq!(Activity::read(&activity.to_string())?, activity);
+//! assert_eq!(ActivityDefinition::read(&activity.to_string())?, activity);
 //! # Ok::<(), vc_tasks::format::ReadError>(())
 //! ```
 //!
@@ -17,8 +17,8 @@
 //! `forpairs (?v - class) (?w - class) c`, `fornpairs (N) (?v - class) (?w - class) c`
 //! and atoms with one or two arguments. A `?` before a name is allowed and has no meaning.
 //!
-//! [`Activity::to_goal`] numbers the declared objects; [`Activity::bind`] finds things of a scene for them, so that the
-//! goal can be pursued and judged there.
+//! [`ActivityDefinition::to_goal`] numbers the declared objects; [`ActivityDefinition::bind`] finds things of a scene for
+//! them, so that the goal can be pursued and judged there.
 
 mod bind;
 mod condition;
@@ -29,13 +29,15 @@ mod predicate;
 use std::fmt;
 
 use super::ReadError;
-use super::sexpr::{Expr, Tree};
+use super::sexpr::{Expr, SexprTree};
 pub use bind::{BindError, Bound};
-pub use condition::{Atom, Part, Variable};
+pub use condition::AppliedPredicate;
+pub(crate) use condition::{ConditionNode, TypedVariable};
 use condition::{check, only};
 pub use facts::{Facts, Objects};
 pub use goal::condition;
-pub use predicate::{DOMAINS, meaning};
+pub(crate) use predicate::DOMAINS;
+pub use predicate::meaning;
 
 /// The format's name in errors.
 pub(crate) const FORMAT: &str = "BDDL";
@@ -45,8 +47,8 @@ pub(crate) const FORMAT: &str = "BDDL";
 /// Two activities are equal if their names, domains, objects, initial facts and goals read the
 /// same.
 #[derive(Debug, Clone)]
-pub struct Activity {
-    tree: Tree,
+pub struct ActivityDefinition {
+    tree: SexprTree,
     name: Option<u32>,
     domain: Option<u32>,
     objects: Vec<Declared>,
@@ -65,7 +67,7 @@ struct Declared {
 
 /// An object of an activity.
 #[derive(Debug, Clone, Copy)]
-pub struct Object<'t> {
+pub struct DeclaredObject<'t> {
     /// Its name, `cup.n.01_1`.
     pub name: &'t str,
     /// Its class, `cup.n.01`.
@@ -80,18 +82,18 @@ pub struct Fact<'t> {
     /// Whether it holds.
     pub holds: bool,
     /// The predicate and its arguments.
-    pub atom: Atom<'t>,
+    pub atom: AppliedPredicate<'t>,
     /// Its place in the text.
     pub at: Expr<'t>,
 }
 
-impl Activity {
+impl ActivityDefinition {
     /// Reads an activity. Costs 3 to 5 ns a byte.
     ///
     /// # Errors
     /// [`ReadError`] with the place and what was expected there.
     pub fn read(text: &str) -> Result<Self, ReadError> {
-        let tree = Tree::read(FORMAT, text)?;
+        let tree = SexprTree::read(FORMAT, text)?;
         let mut found = Sections::default();
         let root = tree.root();
         let mut items = root.items();
@@ -116,17 +118,26 @@ impl Activity {
     }
 
     /// The objects, in the order of the text.
-    pub fn objects(&self) -> impl ExactSizeIterator<Item = Object<'_>> {
+    pub fn objects(&self) -> impl ExactSizeIterator<Item = DeclaredObject<'_>> {
         self.objects.iter().map(|o| {
             let at = self.tree.expr(o.name);
             let class = o.class.and_then(|i| self.tree.expr(i).word()).unwrap_or("object");
-            Object { name: at.word().unwrap_or_default(), class, at }
+            DeclaredObject { name: at.word().unwrap_or_default(), class, at }
         })
     }
 
     /// The initial facts, in the order of the text.
+    ///
+    /// ```
+    /// use vc_tasks::format::bddl::ActivityDefinition;
+    /// let text = "(define (problem p) (:objects a - cup) (:init (not (dusty a))) (:goal (dusty a)))";
+    /// let activity = ActivityDefinition::read(text)?;
+    /// let facts: Vec<_> = activity.initial().map(|fact| (fact.atom.predicate, fact.holds)).collect();
+    /// assert_eq!(facts, [("dusty", false)]);
+    /// # Ok::<(), vc_tasks::format::ReadError>(())
+    /// ```
     pub fn initial(&self) -> impl Iterator<Item = Fact<'_>> {
-        self.initial.iter().filter_map(|&i| Fact::of(self.tree.expr(i)).ok())
+        self.initial.iter().filter_map(|&i| Fact::new(self.tree.expr(i)).ok())
     }
 
     /// The goal.
@@ -137,20 +148,20 @@ impl Activity {
     /// The parts of the goal that BEHAVIOR counts: the conjuncts of an `and`, or the
     /// goal itself.
     pub fn heads(&self) -> Vec<Expr<'_>> {
-        match Part::of(self.goal()) {
-            Ok(Part::And(parts)) => parts.collect(),
+        match ConditionNode::new(self.goal()) {
+            Ok(ConditionNode::And(parts)) => parts.collect(),
             _ => vec![self.goal()],
         }
     }
 
     /// The other parts of the text, which the reference implementation ignores: stray words,
     /// unknown sections, conditions after the goal's first.
-    pub fn strays(&self) -> impl Iterator<Item = Expr<'_>> {
+    pub(crate) fn strays(&self) -> impl Iterator<Item = Expr<'_>> {
         self.strays.iter().map(|&i| self.tree.expr(i))
     }
 }
 
-impl PartialEq for Activity {
+impl PartialEq for ActivityDefinition {
     fn eq(&self, other: &Self) -> bool {
         let objects = |a: &Self| a.objects().map(|o| (o.name.to_owned(), o.class.to_owned())).collect::<Vec<_>>();
         let alike = |(&mine, &theirs): (&u32, &u32)| self.tree.expr(mine).same(other.tree.expr(theirs));
@@ -183,7 +194,7 @@ impl Sections {
             Some(":objects") => self.declare(section)?,
             Some(":init") => {
                 for fact in rest() {
-                    Fact::of(fact)?;
+                    Fact::new(fact)?;
                     self.initial.push(fact.index());
                 }
             }
@@ -231,14 +242,14 @@ fn last_word(section: Expr<'_>, expected: &str) -> Result<u32, ReadError> {
 }
 
 impl<'t> Fact<'t> {
-    fn of(at: Expr<'t>) -> Result<Self, ReadError> {
+    fn new(at: Expr<'t>) -> Result<Self, ReadError> {
         let inner = if at.head() == Some("not") { Some(only(at)?) } else { None };
-        let atom = Atom::of(inner.unwrap_or(at))?;
+        let atom = AppliedPredicate::from_expr(inner.unwrap_or(at))?;
         Ok(Self { holds: inner.is_none(), atom, at })
     }
 }
 
-impl fmt::Display for Activity {
+impl fmt::Display for ActivityDefinition {
     /// As BDDL, one object class, one fact and one part of the goal a line.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("(define")?;
@@ -249,7 +260,7 @@ impl fmt::Display for Activity {
             }
         }
         writeln!(f, "\n\n    (:objects")?;
-        let objects: Vec<Object<'_>> = self.objects().collect();
+        let objects: Vec<DeclaredObject<'_>> = self.objects().collect();
         for of_class in objects.chunk_by(|a, b| a.class == b.class) {
             let names: Vec<&str> = of_class.iter().map(|o| o.name).collect();
             writeln!(f, "        {} - {}", names.join(" "), of_class[0].class)?;
@@ -259,8 +270,8 @@ impl fmt::Display for Activity {
             writeln!(f, "        {}", self.tree.expr(*fact))?;
         }
         writeln!(f, "    )\n\n    (:goal")?;
-        match Part::of(self.goal()) {
-            Ok(Part::And(parts)) => {
+        match ConditionNode::new(self.goal()) {
+            Ok(ConditionNode::And(parts)) => {
                 writeln!(f, "        (and")?;
                 for part in parts {
                     writeln!(f, "            {part}")?;

@@ -4,7 +4,7 @@ use vc_graph::goal::Predicate;
 use vc_graph::{Relation, State};
 
 /// The supported domains: `omnigibson` of BEHAVIOR-1K and `igibson` of BEHAVIOR-100.
-pub const DOMAINS: [&str; 2] = ["omnigibson", "igibson"];
+pub(crate) const DOMAINS: [&str; 2] = ["omnigibson", "igibson"];
 
 /// Predicates with one argument.
 const STATES: &[(&str, State)] = &[

@@ -5,13 +5,13 @@ use vc_graph::{NodeId, NodeKind, Relation, SceneGraph};
 
 use super::rules::{is, is_not, kind};
 use super::scene::name;
-use super::{Atom, Change, FORMAT, Formula, Operator, Typed};
+use super::{AtomicFormula, FORMAT, Formula, Operator, OperatorEffect, TypedName};
 use crate::format::Unwritable;
 
 /// One way in which a goal is fulfilled: facts about objects and variables.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Way {
-    pub(super) facts: Vec<Atom>,
+    pub(super) facts: Vec<AtomicFormula>,
 }
 
 impl Way {
@@ -44,9 +44,9 @@ fn no<T>(part: impl std::fmt::Display, why: &str) -> Result<T, Unwritable> {
 }
 
 /// The fact that an object is of a class.
-pub(super) fn class_fact(class: &str, thing: &str) -> Atom {
+pub(super) fn class_fact(class: &str, thing: &str) -> AtomicFormula {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-    Atom::new(format!("kind_{}", class.chars().map(plain).collect::<String>()), &[thing])
+    AtomicFormula::new(format!("kind_{}", class.chars().map(plain).collect::<String>()), &[thing])
 }
 
 impl<'g> Translator<'g, '_> {
@@ -60,12 +60,12 @@ impl<'g> Translator<'g, '_> {
             Goal::And(parts) => self.all(parts.iter()),
             Goal::Or(parts) => {
                 let ways = parts.iter().map(|p| self.goal(p)).collect::<Result<Vec<_>, _>>()?.concat();
-                few(goal, ways)
+                limited(goal, ways)
             }
             Goal::Not(part) => match &**part {
                 Goal::Literal(Literal { predicate: Predicate::State(state), terms }) => {
                     let things = self.all_of(&terms[0])?;
-                    let facts = things.iter().map(|thing| Atom::new(is_not(*state), &[thing])).collect();
+                    let facts = things.iter().map(|thing| AtomicFormula::new(is_not(*state), &[thing])).collect();
                     Ok(vec![Way { facts }])
                 }
                 _ => no(goal, "only states are asked not to be"),
@@ -77,7 +77,7 @@ impl<'g> Translator<'g, '_> {
                     self.bound.push((&q.variable, name(self.graph, id)));
                     let more = self.goal(&q.body);
                     self.bound.pop();
-                    ways = few(goal, product(&ways, &more?))?;
+                    ways = limited(goal, product(&ways, &more?))?;
                 }
                 Ok(ways)
             }
@@ -99,7 +99,7 @@ impl<'g> Translator<'g, '_> {
         let mut ways = vec![Way::default()];
         for part in parts {
             let more = self.goal(part)?;
-            ways = few(part, product(&ways, &more))?;
+            ways = limited(part, product(&ways, &more))?;
         }
         Ok(ways)
     }
@@ -139,7 +139,7 @@ impl<'g> Translator<'g, '_> {
         for _ in 0..number.min(MOST as u32) {
             let (way, thing) = one(self)?;
             whole.facts.extend(way.facts);
-            whole.facts.extend(last.map(|last| Atom::new("before", &[&last, &thing])));
+            whole.facts.extend(last.map(|last| AtomicFormula::new("before", &[&last, &thing])));
             last = Some(thing);
         }
         Ok(whole)
@@ -186,26 +186,26 @@ impl<'g> Translator<'g, '_> {
             (Predicate::State(state), _) => {
                 let thing =
                     if by_me { super::rules::HANDS.to_owned() } else { self.term(&literal.terms[0], &mut way)? };
-                Atom::new(is(state), &[&thing])
+                AtomicFormula::new(is(state), &[&thing])
             }
             (Predicate::Holds, Some(held)) if by_me => {
                 let (thing, hand) = (self.term(held, &mut way)?, self.parameter("h"));
-                Atom::new("held", &[&thing, &hand])
+                AtomicFormula::new("held", &[&thing, &hand])
             }
             (Predicate::Relation(Relation::WornBy), _) if of_me => {
-                Atom::new("worn", &[&self.term(&literal.terms[0], &mut way)?])
+                AtomicFormula::new("worn", &[&self.term(&literal.terms[0], &mut way)?])
             }
             (Predicate::Relation(Relation::Near), Some(thing)) if by_me => {
                 let (thing, spot) = (self.term(thing, &mut way)?, self.parameter("v"));
-                way.facts.push(Atom::new("at", &[&spot]));
-                Atom::new("by", &[&thing, &spot])
+                way.facts.push(AtomicFormula::new("at", &[&spot]));
+                AtomicFormula::new("by", &[&thing, &spot])
             }
             (Predicate::Relation(relation), Some(second)) => {
                 self.relation(literal, relation, by_me, second, &mut way)?
             }
             (Predicate::Did(verb), _) => {
                 let things = literal.terms.iter().map(|t| self.term(t, &mut way)).collect::<Result<Vec<_>, _>>()?;
-                Atom { predicate: format!("did_{verb}"), arguments: things }
+                AtomicFormula { predicate: format!("did_{verb}"), arguments: things }
             }
             _ => return no(literal, "it has no such predicate"),
         };
@@ -220,7 +220,7 @@ impl<'g> Translator<'g, '_> {
         by_me: bool,
         second: &'g Term,
         way: &mut Way,
-    ) -> Result<Atom, Unwritable> {
+    ) -> Result<AtomicFormula, Unwritable> {
         let predicate = match (relation, by_me) {
             (Relation::On, false) => "on",
             (Relation::Inside, false) => "in",
@@ -239,15 +239,15 @@ impl<'g> Translator<'g, '_> {
         }
         if by_me {
             let second = self.term(second, way)?;
-            return Ok(Atom::new(predicate, &[&second]));
+            return Ok(AtomicFormula::new(predicate, &[&second]));
         }
         let first = self.term(&literal.terms[0], way)?;
         let second = self.term(second, way)?;
-        Ok(Atom::new(predicate, &[&first, &second]))
+        Ok(AtomicFormula::new(predicate, &[&first, &second]))
     }
 }
 
-fn few(goal: &Goal, ways: Vec<Way>) -> Result<Vec<Way>, Unwritable> {
+fn limited(goal: &Goal, ways: Vec<Way>) -> Result<Vec<Way>, Unwritable> {
     if ways.len() > MOST { no(goal, "it can be met in more than 1000 ways") } else { Ok(ways) }
 }
 
@@ -266,8 +266,8 @@ pub(super) fn met(way: &Way, number: usize) -> Operator {
     }
     Operator {
         name: if number == 0 { "met".to_owned() } else { format!("met-{}", number + 1) },
-        parameters: names.into_iter().map(|n| Typed::new(n, kind(n))).collect(),
+        parameters: names.into_iter().map(|n| TypedName::new(n, kind(n))).collect(),
         precondition: Formula::And(way.facts.iter().cloned().map(Formula::Atom).collect()),
-        effect: vec![Change::Add(Atom::new("met", &[]))],
+        effect: vec![OperatorEffect::Add(AtomicFormula::new("met", &[]))],
     }
 }

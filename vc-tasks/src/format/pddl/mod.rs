@@ -1,6 +1,6 @@
 //! PDDL: domains, problems and plans.
 //!
-//! [`Domain`] and [`Problem`] are read and written as they are: types, constants, predicates, and
+//! [`Domain`] and [`PlanningProblem`] are read and written as they are: types, constants, predicates, and
 //! actions with conditions and effects of the ADL fragment and with costs. A repeated section, or
 //! one with too many parts, is an error, as for other readers. [`planning`] converts a scene, its
 //! transition rules and a goal into both, in the typed STRIPS fragment that Fast Downward, pyperplan
@@ -31,7 +31,10 @@ mod rules;
 mod scene;
 mod write;
 
-pub use domain::{Amount, Atom, Change, Domain, Formula, Metric, Number, Operator, Problem, Signature, Type, Typed};
+pub use domain::{
+    AtomicFormula, Domain, Formula, Metric, NumericExpression, NumericLiteral, Operator, OperatorEffect,
+    PlanningProblem, Signature, TypeUnion, TypedName,
+};
 pub use plan::read_plan;
 pub use rules::{LeftOut, domain};
 pub use scene::{Keep, Planning, planning};

@@ -1,6 +1,8 @@
 //! The parts of domains and problems.
 
-use super::{Amount, Atom, Change, Formula, Number, Signature, Type, Typed};
+use super::{
+    AtomicFormula, Formula, NumericExpression, NumericLiteral, OperatorEffect, Signature, TypeUnion, TypedName,
+};
 use crate::format::ReadError;
 use crate::format::sexpr::Expr;
 
@@ -19,11 +21,11 @@ pub(super) fn one<'t>(list: Expr<'t>, expected: &str) -> Result<Expr<'t>, ReadEr
 }
 
 /// `a b - kind c`.
-pub(super) fn typed<'t>(mut items: impl Iterator<Item = Expr<'t>>) -> Result<Vec<Typed>, ReadError> {
-    let (mut found, mut untyped): (Vec<Typed>, usize) = (Vec::new(), 0);
+pub(super) fn typed<'t>(mut items: impl Iterator<Item = Expr<'t>>) -> Result<Vec<TypedName>, ReadError> {
+    let (mut found, mut untyped): (Vec<TypedName>, usize) = (Vec::new(), 0);
     while let Some(item) = items.next() {
         if item.word() != Some("-") {
-            found.push(Typed::new(word(item)?, "object"));
+            found.push(TypedName::new(word(item)?, "object"));
             continue;
         }
         let kind = items.next().ok_or_else(|| item.error("a type after the `-`, and before it a name"))?;
@@ -35,12 +37,12 @@ pub(super) fn typed<'t>(mut items: impl Iterator<Item = Expr<'t>>) -> Result<Vec
 }
 
 /// `cup` or `(either cup plate)`.
-fn kind_of(at: Expr<'_>) -> Result<Type, ReadError> {
+fn kind_of(at: Expr<'_>) -> Result<TypeUnion, ReadError> {
     let any = match at.head() {
         Some("either") => at.items().skip(1).map(word).collect::<Result<Vec<_>, _>>()?,
         _ => vec![word(at)?],
     };
-    if any.is_empty() { Err(at.error_at_end("a type")) } else { Ok(Type { any }) }
+    if any.is_empty() { Err(at.error_at_end("a type")) } else { Ok(TypeUnion { any }) }
 }
 
 pub(super) fn signature(at: Expr<'_>) -> Result<Signature, ReadError> {
@@ -48,10 +50,10 @@ pub(super) fn signature(at: Expr<'_>) -> Result<Signature, ReadError> {
     Ok(Signature { name: name.to_owned(), parameters: typed(at.items().skip(1))? })
 }
 
-pub(super) fn atom(at: Expr<'_>) -> Result<Atom, ReadError> {
+pub(super) fn atom(at: Expr<'_>) -> Result<AtomicFormula, ReadError> {
     let predicate = at.head().ok_or_else(|| at.error("a predicate of things, `(name a b)`"))?;
     let arguments = at.items().skip(1).map(word).collect::<Result<_, _>>()?;
-    Ok(Atom { predicate: predicate.to_owned(), arguments })
+    Ok(AtomicFormula { predicate: predicate.to_owned(), arguments })
 }
 
 /// The two arguments of a list.
@@ -89,42 +91,42 @@ pub(super) fn formula(at: Expr<'_>) -> Result<Formula, ReadError> {
     })
 }
 
-pub(super) fn changes(at: Expr<'_>) -> Result<Vec<Change>, ReadError> {
+pub(super) fn changes(at: Expr<'_>) -> Result<Vec<OperatorEffect>, ReadError> {
     match at.head() {
         Some("and") => {
             let parts = at.items().skip(1).map(changes).collect::<Result<Vec<_>, _>>()?;
             Ok(parts.into_iter().flatten().collect())
         }
-        Some("not") => Ok(vec![Change::Delete(atom(one(at, "a predicate of things")?)?)]),
+        Some("not") => Ok(vec![OperatorEffect::Delete(atom(one(at, "a predicate of things")?)?)]),
         Some("forall") => {
             let (variables, body) = two(at)?;
-            Ok(vec![Change::ForAll(typed(variables.items())?, changes(body)?)])
+            Ok(vec![OperatorEffect::ForAll(typed(variables.items())?, changes(body)?)])
         }
         Some("when") => {
             let (condition, body) = two(at)?;
-            Ok(vec![Change::When(formula(condition)?, changes(body)?)])
+            Ok(vec![OperatorEffect::When(formula(condition)?, changes(body)?)])
         }
         Some("increase") => {
             let (function, by) = two(at)?;
-            Ok(vec![Change::Increase(atom(function)?, amount(by)?)])
+            Ok(vec![OperatorEffect::Increase(atom(function)?, amount(by)?)])
         }
         Some("decrease" | "assign" | "scale-up" | "scale-down") => Err(at.error("`increase`: numbers are costs")),
         None if at.is_list() && at.items().next().is_none() => Ok(Vec::new()),
-        _ => Ok(vec![Change::Add(atom(at)?)]),
+        _ => Ok(vec![OperatorEffect::Add(atom(at)?)]),
     }
 }
 
-pub(super) fn number(at: Expr<'_>) -> Result<Number, ReadError> {
-    at.word().and_then(Number::new).ok_or_else(|| at.error("a number"))
+pub(super) fn number(at: Expr<'_>) -> Result<NumericLiteral, ReadError> {
+    at.word().and_then(NumericLiteral::new).ok_or_else(|| at.error("a number"))
 }
 
 /// A number, or a function of objects.
-pub(super) fn amount(at: Expr<'_>) -> Result<Amount, ReadError> {
+pub(super) fn amount(at: Expr<'_>) -> Result<NumericExpression, ReadError> {
     if !at.is_list() {
-        return number(at).map(Amount::Number);
+        return number(at).map(NumericExpression::Number);
     }
     match at.head() {
         Some("+" | "-" | "*" | "/") => Err(at.error("a number or one function, not a sum")),
-        _ => atom(at).map(Amount::Of),
+        _ => atom(at).map(NumericExpression::Of),
     }
 }

@@ -11,6 +11,13 @@ use crate::format::error::clip;
 /// the verb, the objects it acts on, and further arguments of the domain. A time `0:` before a step
 /// and text after `;` are ignored; the plan ends at the step which states that the goal is met.
 ///
+/// ```
+/// use vc_tasks::format::pddl::read_plan;
+/// let plan = read_plan("0: (walk apple_3 here)\n; cost = 1 (unit cost)\n")?;
+/// assert_eq!(plan[0].to_string(), "walk #3");
+/// # Ok::<(), vc_tasks::format::ReadError>(())
+/// ```
+///
 /// # Errors
 /// [`ReadError`] for lines that are not a step in a domain of [`planning`](super::planning).
 pub fn read_plan(text: &str) -> Result<Vec<Action>, ReadError> {

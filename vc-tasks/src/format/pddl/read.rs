@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 use std::str::FromStr;
 
 use super::parts::{amount, atom, changes, formula, number, one, signature, two, typed, word};
-use super::{Atom, Domain, FORMAT, Formula, Metric, Number, Operator, Problem, Signature};
+use super::{AtomicFormula, Domain, FORMAT, Formula, Metric, NumericLiteral, Operator, PlanningProblem, Signature};
 use crate::format::ReadError;
-use crate::format::sexpr::{Expr, Tree};
+use crate::format::sexpr::{Expr, SexprTree};
 
 /// The name and the sections of `(define (kind name) ...)`.
-fn sections<'t>(tree: &'t Tree, kind: &str) -> Result<(String, Vec<Expr<'t>>), ReadError> {
+fn sections<'t>(tree: &'t SexprTree, kind: &str) -> Result<(String, Vec<Expr<'t>>), ReadError> {
     let root = tree.root();
     let mut items = root.items();
     match items.next() {
@@ -64,7 +64,7 @@ impl FromStr for Domain {
     type Err = ReadError;
 
     fn from_str(text: &str) -> Result<Self, ReadError> {
-        let tree = Tree::read(FORMAT, text)?;
+        let tree = SexprTree::read(FORMAT, text)?;
         let (name, sections) = sections(&tree, "domain")?;
         let (mut domain, mut once) = (Self { name, ..Self::default() }, Once::default());
         for section in sections {
@@ -118,11 +118,11 @@ fn functions(section: Expr<'_>) -> Result<Vec<Signature>, ReadError> {
     Ok(found)
 }
 
-impl FromStr for Problem {
+impl FromStr for PlanningProblem {
     type Err = ReadError;
 
     fn from_str(text: &str) -> Result<Self, ReadError> {
-        let tree = Tree::read(FORMAT, text)?;
+        let tree = SexprTree::read(FORMAT, text)?;
         let (name, sections) = sections(&tree, "problem")?;
         let (mut domain, mut objects, mut goal, mut metric) = (None, Vec::new(), None, None);
         let (mut start, mut once) = (Start::default(), Once::default());
@@ -151,11 +151,11 @@ impl FromStr for Problem {
 /// The facts and function values at the start.
 #[derive(Default)]
 struct Start {
-    initial: Vec<Atom>,
-    denied: Vec<Atom>,
-    values: Vec<(Atom, Number)>,
+    initial: Vec<AtomicFormula>,
+    denied: Vec<AtomicFormula>,
+    values: Vec<(AtomicFormula, NumericLiteral)>,
     /// The facts stated so far, and those denied.
-    said: [BTreeSet<Atom>; 2],
+    said: [BTreeSet<AtomicFormula>; 2],
 }
 
 impl Start {

@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use vc_graph::rule::{Argument, Condition, Effect};
 use vc_graph::{Property, State, Verb};
 
-use super::{Atom, Change, Domain, Formula, Operator, Signature, Typed};
+use super::{AtomicFormula, Domain, Formula, Operator, OperatorEffect, Signature, TypedName};
 
 /// A verb that is left out, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -45,7 +45,7 @@ pub(super) type Lasting = (String, Condition<Argument>);
 /// # Ok::<(), vc_tasks::format::ReadError>(())
 /// ```
 pub fn domain(verbs: &[Verb]) -> (Domain, Vec<LeftOut>) {
-    let rules = Rules::of(verbs);
+    let rules = Rules::new(verbs);
     (rules.domain("virtualcity"), rules.left_out)
 }
 
@@ -68,7 +68,7 @@ pub(super) const STILL: &str = "still";
 pub(super) const UNSWITCHED: &str = "unswitched";
 
 impl Rules {
-    pub(super) fn of(verbs: &[Verb]) -> Self {
+    pub(super) fn new(verbs: &[Verb]) -> Self {
         let mut rules = Self { operators: Vec::new(), lasting: Vec::new(), left_out: Vec::new() };
         for &verb in verbs {
             match ways(verb) {
@@ -99,19 +99,19 @@ impl Rules {
             });
         }
         let signature = |(name, kinds): (String, Vec<&'static str>)| {
-            let parameters = kinds.iter().zip(["?x", "?y"]).map(|(kind, name)| Typed::new(name, *kind));
+            let parameters = kinds.iter().zip(["?x", "?y"]).map(|(kind, name)| TypedName::new(name, *kind));
             Signature { name, parameters: parameters.collect() }
         };
         Domain {
             name: name.to_owned(),
             requirements: vec![":strips".to_owned(), ":typing".to_owned()],
-            types: vec![Typed::new("thing", "object"), Typed::new("hand", "object")],
+            types: vec![TypedName::new("thing", "object"), TypedName::new("hand", "object")],
             constants: vec![
-                Typed::new(HERE, "thing"),
-                Typed::new(HANDS, "thing"),
-                Typed::new(AIR, "thing"),
-                Typed::new("right", "hand"),
-                Typed::new("left", "hand"),
+                TypedName::new(HERE, "thing"),
+                TypedName::new(HANDS, "thing"),
+                TypedName::new(AIR, "thing"),
+                TypedName::new("right", "hand"),
+                TypedName::new("left", "hand"),
             ],
             predicates: predicates.into_iter().map(signature).collect(),
             functions: Vec::new(),
@@ -130,14 +130,14 @@ fn mentions(operator: &Operator, predicate: &str) -> bool {
 }
 
 /// All atoms of an action schema in the STRIPS fragment.
-pub(super) fn atoms(operator: &Operator) -> impl Iterator<Item = &Atom> {
+pub(super) fn atoms(operator: &Operator) -> impl Iterator<Item = &AtomicFormula> {
     let needs = match &operator.precondition {
         Formula::And(parts) => parts.as_slice(),
         other => std::slice::from_ref(other),
     };
     let needs = needs.iter().filter_map(|f| if let Formula::Atom(atom) = f { Some(atom) } else { None });
     needs.chain(operator.effect.iter().filter_map(|c| match c {
-        Change::Add(atom) | Change::Delete(atom) => Some(atom),
+        OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => Some(atom),
         _ => None,
     }))
 }
@@ -145,8 +145,8 @@ pub(super) fn atoms(operator: &Operator) -> impl Iterator<Item = &Atom> {
 /// One variant of an action.
 #[derive(Clone, Default)]
 struct Way {
-    needs: Vec<Atom>,
-    does: Vec<Change>,
+    needs: Vec<AtomicFormula>,
+    does: Vec<OperatorEffect>,
     lasting: Vec<Lasting>,
 }
 
@@ -154,17 +154,17 @@ struct Way {
 fn ways(verb: Verb) -> Result<Vec<Way>, String> {
     let rule = verb.rule();
     let mut all = vec![Way::default()];
-    for need in rule.needs {
+    for need in rule.preconditions {
         let choices = condition(*need, verb)?;
         all = all.iter().flat_map(|way| choices.iter().map(|choice| way.with(choice))).collect();
     }
     for way in &mut all {
-        for does in rule.does {
+        for does in rule.effects {
             way.effect(*does)?;
         }
         let things = [Argument::X, Argument::Y].into_iter().take(rule.arity).map(variable);
-        let did = Atom::new(format!("did_{verb}"), &things.collect::<Vec<_>>());
-        way.does.push(Change::Add(did));
+        let did = AtomicFormula::new(format!("did_{verb}"), &things.collect::<Vec<_>>());
+        way.does.push(OperatorEffect::Add(did));
     }
     Ok(all)
 }
@@ -186,7 +186,7 @@ fn spot(role: Argument) -> (&'static str, &'static str) {
 
 fn lasting(name: impl Into<String>, condition: Condition<Argument>, role: Argument) -> Way {
     let name = name.into();
-    let needs = vec![Atom::new(&*name, &[variable(role)])];
+    let needs = vec![AtomicFormula::new(&*name, &[variable(role)])];
     // The condition is about one object, whichever role it has here.
     Way { needs, lasting: vec![(name, condition)], ..Way::default() }
 }
@@ -196,7 +196,7 @@ fn affords(property: Property, role: Argument) -> Way {
 }
 
 fn facts(needs: &[(&str, &[&str])]) -> Way {
-    let needs = needs.iter().map(|(predicate, things)| Atom::new(*predicate, things)).collect();
+    let needs = needs.iter().map(|(predicate, things)| AtomicFormula::new(*predicate, things)).collect();
     Way { needs, ..Way::default() }
 }
 
@@ -234,7 +234,7 @@ fn condition(needed: Condition<Argument>, verb: Verb) -> Result<Vec<Way>, String
         // Objects on a plate can be removed: only the object itself counts.
         C::Edible(t) => affords(Property::Eatable, t),
         C::Fits(a, b) => {
-            let needs = vec![Atom::new("fits", &[variable(a), variable(b)])];
+            let needs = vec![AtomicFormula::new("fits", &[variable(a), variable(b)])];
             Way { needs, lasting: vec![("fits".to_owned(), C::Fits(Argument::X, Argument::Y))], ..Way::default() }
         }
         C::In(t, state) => facts(&[(&is(state), &[variable(t)])]),
@@ -246,7 +246,10 @@ fn condition(needed: Condition<Argument>, verb: Verb) -> Result<Vec<Way>, String
         C::HoldingSomething => facts(&[("held", &["?k", "?hk"])]),
         C::HoldingKind(property) => {
             let mut tool = lasting(format!("affords_{property}"), C::Affords(x, property), x);
-            tool.needs = vec![Atom::new("held", &["?k", "?hk"]), Atom::new(format!("affords_{property}"), &["?k"])];
+            tool.needs = vec![
+                AtomicFormula::new("held", &["?k", "?hk"]),
+                AtomicFormula::new(format!("affords_{property}"), &["?k"]),
+            ];
             tool
         }
         C::Upright | C::NotSitting | C::NotLying => facts(&[("upright", &[])]),
@@ -279,15 +282,15 @@ fn condition(needed: Condition<Argument>, verb: Verb) -> Result<Vec<Way>, String
 
 /// On or in a heater that is on.
 fn on_heat(x: &str) -> Vec<Way> {
-    let hot = Way { needs: vec![Atom::new(is(State::On), &["?k"])], ..Way::default() };
+    let hot = Way { needs: vec![AtomicFormula::new(is(State::On), &["?k"])], ..Way::default() };
     at_machine(Property::Heater, x, &["on", "in"], &hot)
 }
 
 /// In a cooler that is on, or that has no switch.
 fn in_cold(x: &str) -> Vec<Way> {
-    let on = Way { needs: vec![Atom::new(is(State::On), &["?k"])], ..Way::default() };
+    let on = Way { needs: vec![AtomicFormula::new(is(State::On), &["?k"])], ..Way::default() };
     let lasting = vec![(UNSWITCHED.to_owned(), Condition::Affords(Argument::X, Property::Cooler))];
-    let always = Way { needs: vec![Atom::new(UNSWITCHED, &["?k"])], lasting, ..Way::default() };
+    let always = Way { needs: vec![AtomicFormula::new(UNSWITCHED, &["?k"])], lasting, ..Way::default() };
     [on, always].iter().flat_map(|cold| at_machine(Property::Cooler, x, &["in"], cold)).collect()
 }
 
@@ -295,13 +298,13 @@ fn in_cold(x: &str) -> Vec<Way> {
 fn at_machine(kind: Property, x: &str, how: &[&str], works: &Way) -> Vec<Way> {
     let affords = format!("affords_{kind}");
     let machine = Way {
-        needs: vec![Atom::new(&*affords, &["?k"])],
+        needs: vec![AtomicFormula::new(&*affords, &["?k"])],
         lasting: vec![(affords, Condition::Affords(Argument::X, kind))],
         ..Way::default()
     };
-    let at = |needs: Vec<Atom>| Way { needs, ..Way::default() }.with(&machine).with(works);
-    let direct = how.iter().map(|how| at(vec![Atom::new(*how, &[x, "?k"])]));
-    let carried = |on, how| at(vec![Atom::new(on, &[x, "?p"]), Atom::new(how, &["?p", "?k"])]);
+    let at = |needs: Vec<AtomicFormula>| Way { needs, ..Way::default() }.with(&machine).with(works);
+    let direct = how.iter().map(|how| at(vec![AtomicFormula::new(*how, &[x, "?k"])]));
+    let carried = |on, how| at(vec![AtomicFormula::new(on, &[x, "?p"]), AtomicFormula::new(how, &["?p", "?k"])]);
     direct
         .chain(
             ["on", "in"]
@@ -320,7 +323,7 @@ impl Way {
         both
     }
 
-    fn need(&mut self, atom: Atom) {
+    fn need(&mut self, atom: AtomicFormula) {
         if !self.needs.contains(&atom) {
             self.needs.push(atom);
         }
@@ -331,11 +334,11 @@ impl Way {
     }
 
     fn add(&mut self, predicate: impl Into<String>, things: &[&str]) {
-        self.does.push(Change::Add(Atom::new(predicate, things)));
+        self.does.push(OperatorEffect::Add(AtomicFormula::new(predicate, things)));
     }
 
     fn delete(&mut self, predicate: impl Into<String>, things: &[&str]) {
-        self.does.push(Change::Delete(Atom::new(predicate, things)));
+        self.does.push(OperatorEffect::Delete(AtomicFormula::new(predicate, things)));
     }
 
     fn effect(&mut self, effect: Effect<Argument>) -> Result<(), String> {
@@ -343,14 +346,14 @@ impl Way {
             Effect::Enter(t, state) => self.enter(variable(t), state),
             // Objects on or in it would enter the state as well.
             Effect::EnterWith(t, state) => {
-                self.need(Atom::new("free", &[variable(t)]));
+                self.need(AtomicFormula::new("free", &[variable(t)]));
                 self.enter(variable(t), state);
             }
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
             Effect::GoTo(t) => {
-                self.need(Atom::new("at", &["?from"]));
-                self.need(Atom::new("leaves", &["?from"]));
+                self.need(AtomicFormula::new("at", &["?from"]));
+                self.need(AtomicFormula::new("leaves", &["?from"]));
                 self.delete("at", &["?from"]);
                 self.add("at", &[variable(t)]);
             }
@@ -401,9 +404,9 @@ impl Way {
         if self.needs("worn") {
             return self.delete("worn", &[x]);
         }
-        self.need(Atom::new("free", &[x]));
-        self.need(Atom::new("vacant", &[x]));
-        self.need(Atom::new("rests", &[x, "?r"]));
+        self.need(AtomicFormula::new("free", &[x]));
+        self.need(AtomicFormula::new("vacant", &[x]));
+        self.need(AtomicFormula::new("rests", &[x, "?r"]));
         for (predicate, was) in [("rests", "?r"), ("on", "?r"), ("in", "?r"), ("by", "?sx"), ("within", "?cx")] {
             self.delete(predicate, &[x, was]);
         }
@@ -413,7 +416,7 @@ impl Way {
 
     /// From the hand onto or into another object.
     fn put(&mut self, how: &str, x: &str, y: &str, cover: &str) {
-        self.need(Atom::new("free", &[x]));
+        self.need(AtomicFormula::new("free", &[x]));
         self.delete("held", &[x, "?h"]);
         self.add("free_hand", &["?h"]);
         self.delete("by", &[x, HANDS]);
@@ -433,7 +436,7 @@ impl Way {
     fn operator(&self, verb: Verb, name: String) -> Operator {
         let mut names: Vec<&str> = ["?x", "?y"].into_iter().take(verb.arity()).collect();
         let changed = self.does.iter().filter_map(|c| match c {
-            Change::Add(atom) | Change::Delete(atom) => Some(atom),
+            OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => Some(atom),
             _ => None,
         });
         for argument in self.needs.iter().chain(changed).flat_map(|a| &a.arguments) {
@@ -443,7 +446,7 @@ impl Way {
         }
         Operator {
             name,
-            parameters: names.into_iter().map(|n| Typed::new(n, kind(n))).collect(),
+            parameters: names.into_iter().map(|n| TypedName::new(n, kind(n))).collect(),
             precondition: Formula::And(self.needs.iter().cloned().map(Formula::Atom).collect()),
             effect: self.does.clone(),
         }

@@ -8,11 +8,12 @@ use vc_graph::{Action, Node, NodeId, Property, Relation, SceneGraph, State, Verb
 
 use super::goal::{Way, class_fact, met, ways};
 use super::rules::{AIR, HANDS, HERE, LeftOut, Rules, STILL, UNSWITCHED, atoms, is, is_not};
-use super::{Atom, Change, Domain, Formula, Operator, Problem, Typed};
+use super::{AtomicFormula, Domain, Formula, Operator, OperatorEffect, PlanningProblem, TypedName};
 use crate::format::Unwritable;
 
 /// The choice of the objects and actions that a problem contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
 pub enum Keep {
     /// Those relevant to the goal: the objects it names, the ones these are on, in or by,
     /// and the tools of actions that lead to it.
@@ -28,7 +29,7 @@ pub struct Planning {
     /// The domain.
     pub domain: Domain,
     /// The problem.
-    pub problem: Problem,
+    pub problem: PlanningProblem,
     /// The verbs that the domain leaves out.
     pub left_out: Vec<LeftOut>,
 }
@@ -45,14 +46,29 @@ pub(super) fn name(graph: &SceneGraph, id: NodeId) -> String {
 /// rules, but see the limits in the description of [`super::domain`]: not every possible plan is
 /// found.
 ///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder};
+/// use vc_tasks::format::pddl::{Keep, planning};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let graph = scene.build();
+/// let mut scene = SceneBuilder::from_graph(graph);
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let planning = planning(&scene.build(), me, &"Holds(apple)".parse()?, Keep::Relevant)?;
+/// assert!(planning.domain.operators.iter().any(|operator| operator.name == "grab"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`Unwritable`] for goals that cannot be expressed here: counts other than `at least`, pairs,
 /// temporal operators, rooms.
 pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> Result<Planning, Unwritable> {
     let mut ways = ways(goal, graph, agent)?;
-    let mut rules = Rules::of(Verb::ALL);
+    let mut rules = Rules::new(Verb::ALL);
     let plain = ways.len() == 1 && ways[0].facts.iter().all(|f| f.arguments.iter().all(|a| !a.starts_with('?')));
-    let wanted = if plain { ways.remove(0).facts } else { vec![Atom::new("met", &[])] };
+    let wanted = if plain { ways.remove(0).facts } else { vec![AtomicFormula::new("met", &[])] };
     rules.operators.extend(ways.iter().enumerate().filter(|_| !plain).map(|(i, way)| met(way, i)));
     if keep == Keep::Relevant {
         let operators = leading_to(&wanted, std::mem::take(&mut rules.operators));
@@ -74,20 +90,20 @@ pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> R
 }
 
 /// Moves objects that an action names to the constants of the domain.
-fn declare(domain: &mut Domain, constants: Vec<Typed>) {
+fn declare(domain: &mut Domain, constants: Vec<TypedName>) {
     domain.constants.splice(0..0, constants);
     // Constants of one type are adjacent.
     domain.constants.sort_by_key(|constant| constant.kind != "thing".into());
 }
 
 /// Adds predicates of the goal that no action uses to the domain.
-fn with_goal(mut domain: Domain, problem: &Problem) -> Domain {
+fn with_goal(mut domain: Domain, problem: &PlanningProblem) -> Domain {
     if let Formula::And(parts) | Formula::Or(parts) = &problem.goal {
         for part in parts {
             let Formula::Atom(atom) = part else { continue };
             if domain.predicates.iter().all(|p| p.name != atom.predicate) {
                 let parameters = ["?x", "?y"].iter().take(atom.arguments.len());
-                let parameters = parameters.map(|name| Typed::new(*name, "thing")).collect();
+                let parameters = parameters.map(|name| TypedName::new(*name, "thing")).collect();
                 domain.predicates.push(super::Signature { name: atom.predicate.clone(), parameters });
             }
         }
@@ -96,13 +112,13 @@ fn with_goal(mut domain: Domain, problem: &Problem) -> Domain {
 }
 
 /// The action schemas that can be a step towards some facts.
-fn leading_to(wanted: &[Atom], operators: Vec<Operator>) -> Vec<Operator> {
+fn leading_to(wanted: &[AtomicFormula], operators: Vec<Operator>) -> Vec<Operator> {
     let mut needed: BTreeSet<String> = wanted.iter().map(|a| a.predicate.clone()).collect();
     let mut kept = vec![false; operators.len()];
     loop {
         let before = kept.iter().filter(|k| **k).count();
         for (operator, kept) in operators.iter().zip(&mut kept) {
-            let adds = |c: &Change| matches!(c, Change::Add(atom) if needed.contains(&atom.predicate));
+            let adds = |c: &OperatorEffect| matches!(c, OperatorEffect::Add(atom) if needed.contains(&atom.predicate));
             if !*kept && operator.effect.iter().any(adds) {
                 *kept = true;
                 if let Formula::And(needs) = &operator.precondition {
@@ -124,7 +140,7 @@ fn leading_to(wanted: &[Atom], operators: Vec<Operator>) -> Vec<Operator> {
 /// Removes effects on facts that are never needed.
 fn without_idle(mut operator: Operator, needed: &BTreeSet<String>) -> Operator {
     operator.effect.retain(|change| match change {
-        Change::Add(atom) | Change::Delete(atom) => needed.contains(&atom.predicate),
+        OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => needed.contains(&atom.predicate),
         _ => true,
     });
     operator
@@ -189,7 +205,7 @@ impl Scene<'_> {
         Condition::Graspable(id).holds(self.graph, self.agent)
     }
 
-    fn problem(&self, domain: &Domain, wanted: Vec<Atom>) -> Problem {
+    fn problem(&self, domain: &Domain, wanted: Vec<AtomicFormula>) -> PlanningProblem {
         let declared: BTreeSet<&str> = domain.predicates.iter().map(|p| p.name.as_str()).collect();
         let wanted_names: BTreeSet<&str> = wanted.iter().map(|a| a.predicate.as_str()).collect();
         let mut facts = BTreeSet::new();
@@ -203,10 +219,10 @@ impl Scene<'_> {
         facts.retain(|fact| {
             declared.contains(fact.predicate.as_str()) || wanted_names.contains(fact.predicate.as_str())
         });
-        Problem {
+        PlanningProblem {
             name: "task".to_owned(),
             domain: domain.name.clone(),
-            objects: self.nodes.iter().map(|&id| Typed::new(self.name(id), "thing")).collect(),
+            objects: self.nodes.iter().map(|&id| TypedName::new(self.name(id), "thing")).collect(),
             initial: facts.into_iter().collect(),
             denied: Vec::new(),
             values: Vec::new(),
@@ -215,30 +231,34 @@ impl Scene<'_> {
         }
     }
 
-    fn agent_facts(&self, facts: &mut BTreeSet<Atom>) {
-        facts.extend([Atom::new("at", &[HERE]), Atom::new("at", &[HANDS]), Atom::new("leaves", &[HERE])]);
-        facts.extend([Atom::new("lets_in", &[AIR]), Atom::new(STILL, &[AIR])]);
+    fn agent_facts(&self, facts: &mut BTreeSet<AtomicFormula>) {
+        facts.extend([
+            AtomicFormula::new("at", &[HERE]),
+            AtomicFormula::new("at", &[HANDS]),
+            AtomicFormula::new("leaves", &[HERE]),
+        ]);
+        facts.extend([AtomicFormula::new("lets_in", &[AIR]), AtomicFormula::new(STILL, &[AIR])]);
         for (relation, hand) in Relation::hands().into_iter().zip(["right", "left"]) {
             let mut held = self.graph.related(self.agent, relation).peekable();
             if held.peek().is_none() {
-                facts.insert(Atom::new("free_hand", &[hand]));
+                facts.insert(AtomicFormula::new("free_hand", &[hand]));
             }
-            facts.extend(held.map(|id| Atom::new("held", &[&self.name(id), hand])));
+            facts.extend(held.map(|id| AtomicFormula::new("held", &[&self.name(id), hand])));
         }
         let body = self.graph.node(self.agent);
         let seats = [(Relation::SittingOn, "sitting_on"), (Relation::LyingOn, "lying_on")];
         let mut upright = true;
         for (relation, predicate) in seats {
             for id in self.graph.related(self.agent, relation) {
-                facts.insert(Atom::new(predicate, &[&self.name(id)]));
+                facts.insert(AtomicFormula::new(predicate, &[&self.name(id)]));
                 upright = false;
             }
         }
         if upright {
-            facts.insert(Atom::new("upright", &[]));
+            facts.insert(AtomicFormula::new("upright", &[]));
         }
         if body.is_some_and(|b| b.is(State::Asleep)) {
-            facts.insert(Atom::new(is(State::Asleep), &[HANDS]));
+            facts.insert(AtomicFormula::new(is(State::Asleep), &[HANDS]));
         }
     }
 
@@ -260,60 +280,60 @@ impl Scene<'_> {
         Placed { rests: place(id), spot: spot.unwrap_or(at), covers }
     }
 
-    fn place_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
+    fn place_facts(&self, id: NodeId, facts: &mut BTreeSet<AtomicFormula>) {
         let thing = self.name(id);
         if self.graph.places(self.agent).all(|place| place.at != id) {
-            facts.insert(Atom::new("vacant", &[&thing]));
+            facts.insert(AtomicFormula::new("vacant", &[&thing]));
         }
         if self.graph.resting_at(id).all(|other| other == self.agent) {
-            facts.insert(Atom::new("free", &[&thing]));
+            facts.insert(AtomicFormula::new("free", &[&thing]));
         }
         let by_me = self.graph.holder(id).is_some_and(|p| p.at == self.agent);
         let worn = self.graph.related(id, Relation::WornBy).any(|at| at == self.agent);
         if worn {
-            facts.insert(Atom::new("worn", &[&thing]));
+            facts.insert(AtomicFormula::new("worn", &[&thing]));
         }
         if by_me || worn {
-            facts.extend([Atom::new("by", &[&thing, HANDS]), Atom::new("within", &[&thing, AIR])]);
+            facts.extend([AtomicFormula::new("by", &[&thing, HANDS]), AtomicFormula::new("within", &[&thing, AIR])]);
             return;
         }
         let placed = self.placed(id);
         let in_hand = self.graph.rests_at(id, self.agent);
         let spot = if in_hand { HANDS.to_owned() } else { self.name(placed.spot) };
-        facts.insert(Atom::new("by", &[&thing, &spot]));
+        facts.insert(AtomicFormula::new("by", &[&thing, &spot]));
         match *placed.covers {
-            [] => drop(facts.insert(Atom::new("within", &[&thing, AIR]))),
-            [cover] => drop(facts.insert(Atom::new("within", &[&thing, &self.name(cover)]))),
+            [] => drop(facts.insert(AtomicFormula::new("within", &[&thing, AIR]))),
+            [cover] => drop(facts.insert(AtomicFormula::new("within", &[&thing, &self.name(cover)]))),
             // A fact cannot express two closed covers at once: the object stays inaccessible.
             _ => {}
         }
         if self.graph.holder(id).is_none() {
             let support = placed.rests.map_or_else(|| AIR.to_owned(), |(_, at)| self.name(at));
-            facts.insert(Atom::new("rests", &[&thing, &support]));
+            facts.insert(AtomicFormula::new("rests", &[&thing, &support]));
         }
         if let Some((relation, at)) = placed.rests {
             let how = if relation == Relation::On { "on" } else { "in" };
-            facts.insert(Atom::new(how, &[&thing, &self.name(at)]));
+            facts.insert(AtomicFormula::new(how, &[&thing, &self.name(at)]));
         }
         if placed.spot == id && self.graph.room_of(id).is_some() {
-            facts.extend([Atom::new("spot", &[&thing]), Atom::new("leaves", &[&thing])]);
+            facts.extend([AtomicFormula::new("spot", &[&thing]), AtomicFormula::new("leaves", &[&thing])]);
         }
     }
 
-    fn state_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
+    fn state_facts(&self, id: NodeId, facts: &mut BTreeSet<AtomicFormula>) {
         let Some(node) = self.graph.node(id) else { return };
         let thing = self.name(id);
         for &state in State::ALL {
             let predicate = if node.is(state) { is(state) } else { is_not(state) };
-            facts.insert(Atom::new(predicate, &[&thing]));
+            facts.insert(AtomicFormula::new(predicate, &[&thing]));
         }
         if !node.hides_contents() {
-            facts.insert(Atom::new("lets_in", &[&thing]));
+            facts.insert(AtomicFormula::new("lets_in", &[&thing]));
         }
     }
 
     /// The static facts, evaluated in the scene by the conditions of the rules.
-    fn lasting_facts(&self, id: NodeId, facts: &mut BTreeSet<Atom>) {
+    fn lasting_facts(&self, id: NodeId, facts: &mut BTreeSet<AtomicFormula>) {
         let thing = self.name(id);
         for (fact, condition) in &self.rules.lasting {
             let grounded = condition.ground(&Action::one(Verb::Touch, id));
@@ -330,12 +350,12 @@ impl Scene<'_> {
                 _ => holds(grounded),
             };
             if yes {
-                facts.insert(Atom::new(fact.clone(), &[&thing]));
+                facts.insert(AtomicFormula::new(fact.clone(), &[&thing]));
             }
         }
     }
 
-    fn fits(&self, id: NodeId, condition: &Condition<vc_graph::rule::Argument>, facts: &mut BTreeSet<Atom>) {
+    fn fits(&self, id: NodeId, condition: &Condition<vc_graph::rule::Argument>, facts: &mut BTreeSet<AtomicFormula>) {
         if !self.movable(id) {
             return;
         }
@@ -346,13 +366,13 @@ impl Scene<'_> {
         for &at in self.nodes.iter().filter(target) {
             let both = condition.ground(&Action::two(Verb::Place, id, at));
             if both.is_some_and(|c| c.holds(self.graph, self.agent)) {
-                facts.insert(Atom::new("fits", &[&self.name(id), &self.name(at)]));
+                facts.insert(AtomicFormula::new("fits", &[&self.name(id), &self.name(at)]));
             }
         }
     }
 
     /// Adds the facts about which objects are of the goal's classes, and an order of all objects.
-    fn goal_facts(&self, facts: &mut BTreeSet<Atom>) {
+    fn goal_facts(&self, facts: &mut BTreeSet<AtomicFormula>) {
         let asked: BTreeSet<&str> = self.ways.iter().flat_map(|w| &w.facts).map(|f| f.predicate.as_str()).collect();
         for &id in &self.nodes {
             let Some(node) = self.graph.node(id) else { continue };
@@ -366,7 +386,7 @@ impl Scene<'_> {
         if asked.contains("before") {
             for (i, &a) in self.nodes.iter().enumerate() {
                 for &b in &self.nodes[i + 1..] {
-                    facts.insert(Atom::new("before", &[&self.name(a), &self.name(b)]));
+                    facts.insert(AtomicFormula::new("before", &[&self.name(a), &self.name(b)]));
                 }
             }
         }

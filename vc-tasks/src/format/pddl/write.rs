@@ -2,10 +2,13 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::{Amount, Atom, Change, Domain, Formula, Metric, Operator, Problem, Signature, Type, Typed};
+use super::{
+    AtomicFormula, Domain, Formula, Metric, NumericExpression, Operator, OperatorEffect, PlanningProblem, Signature,
+    TypeUnion, TypedName,
+};
 
 /// `?a ?b - node ?h - hand`; adjacent names of one type share it.
-struct List<'l>(&'l [Typed]);
+struct List<'l>(&'l [TypedName]);
 
 impl Display for List<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -20,7 +23,7 @@ impl Display for List<'_> {
     }
 }
 
-impl Display for Type {
+impl Display for TypeUnion {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self.any.as_slice() {
             [one] => f.write_str(one),
@@ -36,7 +39,7 @@ impl Display for Signature {
     }
 }
 
-impl Display for Amount {
+impl Display for NumericExpression {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number(number) => f.write_str(number.as_str()),
@@ -58,7 +61,7 @@ fn joined<T: Display>(f: &mut Formatter<'_>, head: &str, parts: &[T]) -> fmt::Re
     f.write_str(")")
 }
 
-impl Display for Atom {
+impl Display for AtomicFormula {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         joined(f, &self.predicate, &self.arguments)
     }
@@ -79,7 +82,7 @@ impl Display for Formula {
     }
 }
 
-impl Display for Change {
+impl Display for OperatorEffect {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Add(atom) => write!(f, "{atom}"),
@@ -133,7 +136,7 @@ impl Display for Domain {
     }
 }
 
-impl Display for Problem {
+impl Display for PlanningProblem {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "(define (problem {})\n  (:domain {})\n  (:objects", self.name, self.domain)?;
         for group in self.objects.chunk_by(|a, b| a.kind == b.kind) {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::rule::{self, Refusal};
 use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Seed, Simulator, State, Stream};
-use vc_tasks::format::pddl::{Atom, Change, Formula, Keep, Operator, planning, read_plan};
+use vc_tasks::format::pddl::{AtomicFormula, Formula, Keep, Operator, OperatorEffect, planning, read_plan};
 
 /// The facts stated only for the initial scene: about space for objects and people, reachable spots, and the
 /// agent's position.
@@ -51,7 +51,7 @@ fn home() -> (SceneGraph, NodeId) {
     (graph, me)
 }
 
-type Facts = BTreeSet<Atom>;
+type Facts = BTreeSet<AtomicFormula>;
 type Bound<'o> = BTreeMap<&'o str, String>;
 
 fn facts(graph: &SceneGraph, me: NodeId) -> Facts {
@@ -59,15 +59,15 @@ fn facts(graph: &SceneGraph, me: NodeId) -> Facts {
     planning(graph, me, &goal, Keep::Everything).unwrap().problem.initial.into_iter().collect()
 }
 
-fn grounded(atom: &Atom, bound: &Bound<'_>) -> Atom {
+fn grounded(atom: &AtomicFormula, bound: &Bound<'_>) -> AtomicFormula {
     let name = |argument: &String| bound.get(argument.as_str()).unwrap_or(argument).clone();
-    Atom { predicate: atom.predicate.clone(), arguments: atom.arguments.iter().map(name).collect() }
+    AtomicFormula { predicate: atom.predicate.clone(), arguments: atom.arguments.iter().map(name).collect() }
 }
 
 /// A random binding of an operator's variables for which all its preconditions are facts.
-fn bind<'o>(needs: &[&'o Atom], facts: &Facts, bound: Bound<'o>, stream: &mut Stream) -> Option<Bound<'o>> {
+fn bind<'o>(needs: &[&'o AtomicFormula], facts: &Facts, bound: Bound<'o>, stream: &mut Stream) -> Option<Bound<'o>> {
     let Some((need, others)) = needs.split_first() else { return Some(bound) };
-    let fits = |fact: &&Atom| fact.predicate == need.predicate && fact.arguments.len() == need.arguments.len();
+    let fits = |fact: &&AtomicFormula| fact.predicate == need.predicate && fact.arguments.len() == need.arguments.len();
     let mut ways: Vec<Bound<'o>> = facts.iter().filter(fits).filter_map(|fact| unify(need, fact, &bound)).collect();
     while !ways.is_empty() {
         let way = ways.swap_remove(stream.below(ways.len()));
@@ -78,7 +78,7 @@ fn bind<'o>(needs: &[&'o Atom], facts: &Facts, bound: Bound<'o>, stream: &mut St
     None
 }
 
-fn unify<'o>(need: &'o Atom, fact: &Atom, bound: &Bound<'o>) -> Option<Bound<'o>> {
+fn unify<'o>(need: &'o AtomicFormula, fact: &AtomicFormula, bound: &Bound<'o>) -> Option<Bound<'o>> {
     let mut all = bound.clone();
     for (name, thing) in need.arguments.iter().zip(&fact.arguments) {
         let known =
@@ -90,14 +90,14 @@ fn unify<'o>(need: &'o Atom, fact: &Atom, bound: &Bound<'o>) -> Option<Bound<'o>
     Some(all)
 }
 
-fn fact(part: &Formula) -> &Atom {
+fn fact(part: &Formula) -> &AtomicFormula {
     match part {
         Formula::Atom(atom) => atom,
         other => panic!("{other} is no fact"),
     }
 }
 
-fn needs(operator: &Operator) -> Vec<&Atom> {
+fn needs(operator: &Operator) -> Vec<&AtomicFormula> {
     match &operator.precondition {
         Formula::And(parts) => parts.iter().map(fact).collect(),
         other => vec![fact(other)],
@@ -115,12 +115,12 @@ fn some_step<'o>(operator: &'o Operator, facts: &Facts, things: &[String], strea
 
 fn apply(operator: &Operator, bound: &Bound<'_>, facts: &mut Facts) {
     for change in &operator.effect {
-        if let Change::Delete(atom) = change {
+        if let OperatorEffect::Delete(atom) = change {
             facts.remove(&grounded(atom, bound));
         }
     }
     for change in &operator.effect {
-        if let Change::Add(atom) = change {
+        if let OperatorEffect::Add(atom) = change {
             facts.insert(grounded(atom, bound));
         }
     }
@@ -148,8 +148,9 @@ fn walk(seed: u64, done: &mut BTreeMap<String, usize>) {
         world.step(me, &action).unwrap();
         apply(operator, &bound, &mut state);
         let now = facts(world.graph(), me);
-        let begun =
-            |fact: &&Atom| !OF_THE_START.contains(&fact.predicate.as_str()) && !fact.predicate.starts_with("did_");
+        let begun = |fact: &&AtomicFormula| {
+            !OF_THE_START.contains(&fact.predicate.as_str()) && !fact.predicate.starts_with("did_")
+        };
         let wrong: Vec<String> = state.difference(&now).filter(begun).map(ToString::to_string).collect();
         assert!(wrong.is_empty(), "after {text}: {wrong:?}");
         *done.entry(operator.name.clone()).or_default() += 1;

@@ -7,14 +7,14 @@ use super::View;
 use crate::open_condition::OpenCondition;
 
 impl View<'_> {
-    /// The wants that would make a predicate true for given things.
-    pub(super) fn wants(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<OpenCondition> {
+    /// The conditions that would make a predicate true for given things.
+    pub(super) fn conditions(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<OpenCondition> {
         let me = self.now.agent;
         let hold = |c| vec![OpenCondition::Hold(c)];
         match (predicate, things) {
             (Predicate::State(state), [Some(id), _]) => hold(Condition::In(id, state)),
             (Predicate::Holds, [Some(agent), Some(id)]) if agent == me => hold(Condition::Holding(id)),
-            (Predicate::Relation(relation), [Some(from), Some(to)]) => self.wants_relation(from, relation, to),
+            (Predicate::Relation(relation), [Some(from), Some(to)]) => self.relation_conditions(from, relation, to),
             (Predicate::Did(verb), [object, target]) => {
                 let things: Vec<NodeId> = object.into_iter().chain(target).collect();
                 Action::with(verb, &things).map(OpenCondition::Do).into_iter().collect()
@@ -23,7 +23,7 @@ impl View<'_> {
         }
     }
 
-    fn wants_relation(&self, from: NodeId, relation: Relation, to: NodeId) -> Vec<OpenCondition> {
+    fn relation_conditions(&self, from: NodeId, relation: Relation, to: NodeId) -> Vec<OpenCondition> {
         let me = self.now.agent;
         let room = self.graph().rooms().contains(&to);
         let related = |relation| vec![OpenCondition::Hold(Condition::Related(from, relation, to))];
@@ -51,7 +51,7 @@ impl View<'_> {
         }
     }
 
-    /// The wants that would make a predicate false for given things.
+    /// The conditions that would make a predicate false for given things.
     pub(super) fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<OpenCondition> {
         let me = self.now.agent;
         match (predicate, things) {

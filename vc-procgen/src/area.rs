@@ -5,6 +5,13 @@ use vc_graph::portable::Portable;
 use crate::plan::{Rect, metres};
 
 /// A rectangle on the floor, metres.
+///
+/// ```
+/// use vc_procgen::Area;
+/// let table = Area { x0: 0.0, y0: 0.0, x1: 1.6, y1: 0.9 };
+/// let chair = Area { x0: 0.5, y0: 0.9, x1: 1.0, y1: 1.4 };
+/// assert!(!table.overlaps(&chair), "they touch along a line");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Area {
     /// West side.
@@ -21,7 +28,7 @@ pub struct Area {
 const SLACK: f32 = 1e-4;
 
 impl Area {
-    pub(crate) fn of(rect: &Rect) -> Self {
+    pub(crate) fn from_rect(rect: &Rect) -> Self {
         Self { x0: metres(rect.x0), y0: metres(rect.y0), x1: metres(rect.x1), y1: metres(rect.y1) }
     }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::zone::{Zone, pair};
-use super::{AREA, Spread, add_counts};
+use super::{AREA, Histogram, add_counts};
 use crate::plan::{FloorPlan, OpeningKind};
 
 /// The contact length below which rooms do not count as sharing a wall, cells.
@@ -13,13 +13,13 @@ const CONTACT: i32 = 6;
 
 /// Statistics by zone over a set of homes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Sample {
+pub struct ZoneStatistics {
     /// The number of homes.
     pub homes: u64,
     /// The net area of a home without balconies, m².
-    pub area: Option<Spread>,
+    pub area: Option<Histogram>,
     /// The net area by zone: of each room; of living room and halls together.
-    pub areas: BTreeMap<Zone, Spread>,
+    pub areas: BTreeMap<Zone, Histogram>,
     /// The number of homes in which rooms of two zones share a wall of 30 cm or more.
     pub walls: BTreeMap<String, u64>,
     /// The number of homes in which a door connects rooms of two zones.
@@ -30,14 +30,14 @@ pub struct Sample {
     pub door_ends: BTreeMap<Zone, u64>,
 }
 
-impl Sample {
+impl ZoneStatistics {
     pub(super) fn add(&mut self, plan: &FloorPlan) {
         self.homes += 1;
-        self.area.get_or_insert_with(|| Spread::new(AREA)).add(plan.area());
+        self.area.get_or_insert_with(|| Histogram::new(AREA)).add(plan.area());
         self.add_areas(plan);
-        let zone = |room: Option<usize>| room.and_then(|r| Zone::of(plan.rooms[r].kind));
+        let zone = |room: Option<usize>| room.and_then(|r| Zone::from_room_kind(plan.rooms[r].kind));
         let both = |a, b| zone(a).zip(zone(b)).filter(|&(a, b)| a != b || a != Zone::Living);
-        let walls = plan.edges().into_iter().filter(|e| e.length() >= CONTACT).filter_map(|e| both(e.low, e.high));
+        let walls = plan.boundaries().into_iter().filter(|e| e.length() >= CONTACT).filter_map(|e| both(e.low, e.high));
         count(&mut self.walls, walls);
         let ways = |open: bool| {
             let kind = move |k| if open { k == OpeningKind::Passage } else { k != OpeningKind::Passage };
@@ -53,7 +53,7 @@ impl Sample {
     fn add_areas(&mut self, plan: &FloorPlan) {
         let mut living = 0.0;
         for room in &plan.rooms {
-            match Zone::of(room.kind) {
+            match Zone::from_room_kind(room.kind) {
                 Some(Zone::Living) => living += room.area(),
                 Some(zone) => self.spread(zone).add(room.area()),
                 None => {}
@@ -62,14 +62,14 @@ impl Sample {
         self.spread(Zone::Living).add(living);
     }
 
-    fn spread(&mut self, zone: Zone) -> &mut Spread {
-        self.areas.entry(zone).or_insert_with(|| Spread::new(AREA))
+    fn spread(&mut self, zone: Zone) -> &mut Histogram {
+        self.areas.entry(zone).or_insert_with(|| Histogram::new(AREA))
     }
 
     pub(super) fn merge(&mut self, other: &Self) {
         self.homes += other.homes;
         if let Some(area) = &other.area {
-            self.area.get_or_insert_with(|| Spread::new(AREA)).merge(area);
+            self.area.get_or_insert_with(|| Histogram::new(AREA)).merge(area);
         }
         other.areas.iter().for_each(|(zone, spread)| self.spread(*zone).merge(spread));
         add_counts(&mut self.walls, &other.walls);

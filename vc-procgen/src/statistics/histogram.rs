@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 
 /// A histogram of values, rounded to multiples of a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Spread {
+pub struct Histogram {
     step: f32,
     /// The number of values nearest to each multiple of the step.
     bins: BTreeMap<i32, u64>,
 }
 
-impl Spread {
+impl Histogram {
     /// An empty distribution; values will be rounded to multiples of `step`.
     pub fn new(step: f32) -> Self {
         Self { step, bins: BTreeMap::new() }
@@ -24,6 +24,15 @@ impl Spread {
     }
 
     /// Adds all values of another distribution with the same step.
+    ///
+    /// ```
+    /// use vc_procgen::statistics::Histogram;
+    /// let (mut one, mut other) = (Histogram::new(0.5), Histogram::new(0.5));
+    /// one.add(1.0);
+    /// other.add(3.0);
+    /// one.merge(&other);
+    /// assert_eq!((one.count(), one.mean()), (2, Some(2.0)));
+    /// ```
     pub fn merge(&mut self, other: &Self) {
         other.bins.iter().for_each(|(bin, count)| *self.bins.entry(*bin).or_default() += count);
     }
@@ -36,8 +45,8 @@ impl Spread {
     /// A quantile, up to the step (nearest rank); `None` if there are no values.
     ///
     /// ```
-    /// use vc_procgen::statistics::Spread;
-    /// let mut ages = Spread::new(1.0);
+    /// use vc_procgen::statistics::Histogram;
+    /// let mut ages = Histogram::new(1.0);
     /// (1..=9).for_each(|age| ages.add(age as f32));
     /// assert_eq!(ages.quantile(0.5), Some(5.0));
     /// assert_eq!(ages.quantile(1.0), Some(9.0));

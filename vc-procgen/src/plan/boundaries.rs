@@ -3,8 +3,17 @@
 use super::{Rect, Room};
 
 /// A straight piece of a boundary between two rooms, or a room and the outside.
+///
+/// ```
+/// use vc_graph::Seed;
+/// use vc_procgen::Specification;
+/// use vc_procgen::plan::FloorPlan;
+/// let plan = FloorPlan::generate(&Specification::studio(), Seed(2))?;
+/// assert!(plan.boundaries().iter().any(|boundary| boundary.low.is_none() || boundary.high.is_none()), "outer walls");
+/// # Ok::<(), vc_procgen::SpecificationError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Edge {
+pub struct Boundary {
     /// Whether it runs along Y.
     pub vertical: bool,
     /// The X coordinate if vertical, else Y, cells.
@@ -19,35 +28,35 @@ pub struct Edge {
     pub high: Option<usize>,
 }
 
-impl Edge {
+impl Boundary {
     /// The length, cells.
-    pub fn length(&self) -> i32 {
+    pub(crate) fn length(&self) -> i32 {
         self.to - self.from
     }
 
     /// Whether it separates the two rooms.
-    pub fn joins(&self, a: usize, b: usize) -> bool {
+    pub(crate) fn joins(&self, a: usize, b: usize) -> bool {
         (self.low, self.high) == (Some(a), Some(b)) || (self.low, self.high) == (Some(b), Some(a))
     }
 
-    /// The room on the other side; `None` for the outside, or if the edge does not bound the room.
-    pub fn beyond(&self, room: usize) -> Option<usize> {
+    /// The room on the other side; `None` for the outside, or if it does not bound the room.
+    pub(crate) fn beyond(&self, room: usize) -> Option<usize> {
         match (self.low, self.high) {
             (Some(a), other) | (other, Some(a)) if a == room => other,
             _ => None,
         }
     }
 
-    /// The room of an edge to the outside.
-    pub fn inner(&self) -> Option<usize> {
+    /// The room, if the outside is on the other side.
+    pub(crate) fn inner(&self) -> Option<usize> {
         self.low.xor(self.high)
     }
 }
 
-/// All edges of rooms that do not overlap, those along X before those along Y, ordered by position.
+/// All boundaries of rooms that do not overlap, those along X before those along Y, ordered by position.
 ///
 /// Costs the square of the number of distinct coordinates, some microseconds.
-pub(crate) fn edges(rooms: &[Room]) -> Vec<Edge> {
+pub(crate) fn boundaries(rooms: &[Room]) -> Vec<Boundary> {
     let rects = || rooms.iter().enumerate().flat_map(|(i, r)| r.rects.iter().map(move |rect| (i, *rect)));
     let xs = coordinates(rects().flat_map(|(_, r)| [r.x0, r.x1]));
     let ys = coordinates(rects().flat_map(|(_, r)| [r.y0, r.y1]));
@@ -65,11 +74,11 @@ pub(crate) fn edges(rooms: &[Room]) -> Vec<Edge> {
     let mut found = Vec::new();
     for (row, &y) in ys.iter().enumerate() {
         let sides = |column: usize| (at(column, row.wrapping_sub(1)), at(column, row));
-        runs(&xs, sides, |from, to, (low, high)| found.push(Edge { vertical: false, at: y, from, to, low, high }));
+        runs(&xs, sides, |from, to, (low, high)| found.push(Boundary { vertical: false, at: y, from, to, low, high }));
     }
     for (column, &x) in xs.iter().enumerate() {
         let sides = |row: usize| (at(column.wrapping_sub(1), row), at(column, row));
-        runs(&ys, sides, |from, to, (low, high)| found.push(Edge { vertical: true, at: x, from, to, low, high }));
+        runs(&ys, sides, |from, to, (low, high)| found.push(Boundary { vertical: true, at: x, from, to, low, high }));
     }
     found
 }

@@ -1,15 +1,19 @@
 //! Nodes: their constant specification and their changing state.
 
+mod draft;
+
 use std::cmp::Ordering;
 use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
 
-use crate::class::{Class, ClassTable, Slot, SlotKind};
+use crate::class::{Slot, SlotKind};
 use crate::geometry::{Aabb, Bounds, Pose};
-use crate::spelling::key;
 use crate::vocabulary::Word;
 use crate::{AssetId, Label, NodeId, ObjectRole, Place, Property, PropertySet, Relation, State, StateSet};
+
+pub use draft::Draft;
+pub(crate) use draft::role_of;
 
 /// The sort of a node: where, who or which thing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -81,6 +85,19 @@ impl std::fmt::Debug for Link {
 ///
 /// Read-only: a [`SceneGraph`](crate::SceneGraph) changes its nodes through [`Edit`](crate::Edit)s, which keep
 /// both ends of every relation consistent.
+///
+/// ```
+/// use vc_graph::{Draft, NodeKind, Property, SceneBuilder, State};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+/// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+/// let graph = scene.build();
+/// let node = graph.node(fridge).ok_or("gone")?;
+/// assert_eq!((node.label().to_string(), node.kind()), ("fridge.2".to_owned(), NodeKind::Object));
+/// assert!(node.is(State::Closed) && node.affords(Property::Openable) && node.hides_contents());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
     pub(crate) id: NodeId,
@@ -161,6 +178,15 @@ impl Node {
     }
 
     /// The number of its places of a kind.
+    ///
+    /// ```
+    /// use vc_graph::class::SlotKind;
+    /// use vc_graph::{Draft, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let chair = scene.add(Draft::new("chair"))?;
+    /// assert_eq!(scene.graph().node(chair).map(|node| node.slots(SlotKind::Seat)), Some(1));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     pub fn slots(&self, kind: SlotKind) -> u32 {
         self.spec.slots.iter().filter(|s| s.kind == kind).fold(0, |sum, s| sum.saturating_add(s.number))
     }
@@ -241,153 +267,4 @@ impl Node {
 fn of_relation(links: &[Link], relation: Relation) -> impl Iterator<Item = NodeId> + '_ {
     let start = links.partition_point(|&l| l < Link::new(relation, NodeId(0)));
     links[start..].iter().take_while(move |l| l.relation() == relation).map(|l| l.node())
-}
-
-/// The description of a node to be added: only the class is needed, the class table fills in the rest.
-///
-/// ```
-/// use vc_graph::{Draft, State};
-/// let mug = Draft::new("mug").named("SM_Mug_02").state(State::Dirty);
-/// assert_eq!(&*mug.class, "mug");
-/// ```
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Draft {
-    /// Class, in any spelling.
-    pub class: Arc<str>,
-    /// The author's name for the instance.
-    pub name: Option<Arc<str>>,
-    /// The author's category; by default the class's.
-    pub category: Option<Arc<str>>,
-    /// Properties; by default the class's affordances.
-    pub properties: Option<PropertySet>,
-    /// States; by default the class's initial states.
-    pub states: Option<StateSet>,
-    /// States to enter on top of `states`.
-    pub entering: Vec<State>,
-    /// Pose, if the scene has poses.
-    pub pose: Option<Pose>,
-    /// Bounding box relative to the pose.
-    pub bounds: Option<Bounds>,
-    /// Scale, by default one.
-    pub scale: Option<Vector3<f32>>,
-    /// Places in or on it; by default the class's.
-    pub slots: Option<Vec<Slot>>,
-    /// Class of its contents.
-    pub contents: Option<Arc<str>>,
-    /// Shape, in the scene's asset library.
-    pub asset: Option<AssetId>,
-}
-
-impl Draft {
-    /// A draft of a class.
-    pub fn new(class: impl Into<Arc<str>>) -> Self {
-        Self { class: class.into(), ..Self::default() }
-    }
-
-    /// The draft from which a node could be made: everything but its number and relations.
-    pub fn of(node: &Node) -> Self {
-        let spec = node.spec();
-        Self {
-            class: spec.spelling.clone(),
-            name: spec.name.clone(),
-            category: Some(spec.category.clone()),
-            properties: Some(spec.properties),
-            states: Some(node.states()),
-            entering: Vec::new(),
-            pose: node.pose().copied(),
-            bounds: spec.bounds,
-            scale: Some(spec.scale),
-            slots: Some(spec.slots.to_vec()),
-            contents: node.contents().cloned(),
-            asset: spec.asset,
-        }
-    }
-
-    /// Sets the author's name for the instance.
-    #[must_use]
-    pub fn named(self, name: impl Into<Arc<str>>) -> Self {
-        Self { name: Some(name.into()), ..self }
-    }
-
-    /// Adds a state and removes its opposites.
-    #[must_use]
-    pub fn state(mut self, state: State) -> Self {
-        self.entering.push(state);
-        self
-    }
-
-    /// Sets the pose.
-    #[must_use]
-    pub fn at(self, pose: Pose) -> Self {
-        Self { pose: Some(pose), ..self }
-    }
-
-    /// Sets the bounding box.
-    #[must_use]
-    pub fn bounds(self, bounds: Bounds) -> Self {
-        Self { bounds: Some(bounds), ..self }
-    }
-
-    /// Makes the node that this draft describes; a class table fills in the rest.
-    pub(crate) fn into_node(self, id: NodeId, classes: &ClassTable) -> Node {
-        let class = classes.get(&self.class);
-        let states = self.states.unwrap_or_else(|| class.map_or(StateSet::EMPTY, |c| c.starts));
-        let states = self.entering.iter().fold(states, |set, &state| set.entering(state));
-        let contents = self.contents.clone();
-        let pose = self.pose;
-        let spec = Arc::new(self.into_spec(class, states));
-        Node { id, spec, states, pose, contents, out: Vec::new(), inc: Vec::new() }
-    }
-
-    fn into_spec(self, class: Option<&Class>, states: StateSet) -> Spec {
-        let known = class.map_or(PropertySet::EMPTY, |c| c.affordances);
-        let category: Arc<str> = match (self.category, class) {
-            (Some(written), _) => written,
-            (None, Some(class)) => class.category.as_str().into(),
-            (None, None) => "prop".into(),
-        };
-        let folded: Arc<str> = class.map_or_else(|| key(&self.class).into(), |c| c.name.clone());
-        let kind = kind_of(class, &category);
-        let affordances = affordances(self.properties, class, states);
-        Spec {
-            role: ObjectRole::of(kind, class, (&folded, &category), affordances),
-            class: folded,
-            kind,
-            category,
-            spelling: match class {
-                Some(class) if class.name == self.class => class.name.clone(),
-                _ => self.class,
-            },
-            name: self.name,
-            properties: self.properties.unwrap_or(known),
-            affordances,
-            bounds: self.bounds,
-            scale: self.scale.unwrap_or_else(|| Vector3::repeat(1.0)),
-            slots: self.slots.map_or_else(|| class.map_or_else(|| [].into(), |c| c.slots.clone()), Into::into),
-            asset: self.asset,
-        }
-    }
-}
-
-fn kind_of(class: Option<&Class>, category: &str) -> NodeKind {
-    let written = ObjectRole::of_category(category);
-    match (written, class.and_then(|c| c.listed)) {
-        (Some(ObjectRole::Room), _) => NodeKind::Room,
-        (Some(ObjectRole::Person), _) | (_, Some(ObjectRole::Person)) => NodeKind::Agent,
-        _ => NodeKind::Object,
-    }
-}
-
-/// The affordances of a node. If the author lists properties, these alone decide whether it can be opened,
-/// switched or plugged in; the class table adds the others, which authors often leave out. VirtualHome's
-/// windows and desks can be opened although their properties do not say so: a node with the state open or
-/// closed can be opened, unless it is a mere part of the building such as a door frame.
-fn affordances(written: Option<PropertySet>, class: Option<&Class>, states: StateSet) -> PropertySet {
-    use Property::{Openable, Plug, Switchable};
-    let known = class.map_or(PropertySet::EMPTY, |c| c.affordances);
-    let Some(written) = written else { return known };
-    let all = written.union(known.minus(PropertySet::of(&[Openable, Plug, Switchable])));
-    let opens = states.contains(State::Open) || states.contains(State::Closed);
-    let fixed = class.is_some_and(|c| c.category == crate::class::Category::Structure) && !known.contains(Openable);
-    if opens && !fixed { all.with(Openable) } else { all }
 }

@@ -1,6 +1,6 @@
 //! The next step while something is lacking: searching and delivering.
 //!
-//! This module turns the belief and the packed problem into a [`ObjectSearch`], and the hunt's best move back into a
+//! This module turns the belief and the packed problem into a [`ObjectSearch`], and the search's best move back into a
 //! step in the scene.
 
 use vc_graph::{Action, NodeId, Place, Relation, SceneGraph, Verb};
@@ -15,7 +15,7 @@ use crate::packed::Way;
 
 /// The next step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Look {
+pub(crate) enum SearchStep {
     /// Walk up to a thing or into a room, to observe it.
     Visit(NodeId),
     /// Open a container and look into it.
@@ -25,30 +25,35 @@ pub(crate) enum Look {
 }
 
 /// The best step for the lacking and the found things; `None` if there is nothing left to look at.
-pub(crate) fn best_look(belief: &Belief, me: NodeId, compiled: &Compiled, manners: Manners) -> Option<Look> {
+pub(crate) fn best_search_step(
+    belief: &Belief,
+    me: NodeId,
+    compiled: &Compiled,
+    manners: Manners,
+) -> Option<SearchStep> {
     let mut map = Map::new(belief, me, compiled, manners);
     map.see_to_found();
     map.seek();
     map.best()
 }
 
-/// Number of candidate instances of a lacking thing that a hunt considers, unless more are needed.
+/// Number of candidate instances of a lacking thing that a search considers, unless more are needed.
 const INSTANCES: usize = 6;
 
-/// A hunt, with the scene's meaning of its numbers.
+/// A search, with the scene's meaning of its numbers.
 struct Map<'a> {
     belief: &'a Belief,
     graph: &'a SceneGraph,
     me: NodeId,
     compiled: &'a Compiled,
-    hunt: ObjectSearch,
+    search: ObjectSearch,
     rooms: Vec<NodeId>,
     spots: Vec<NodeId>,
     /// The container that is opened to see a site, in the order of sites.
     shut: Vec<Option<NodeId>>,
     /// The site of each place of the belief.
     site_of: Vec<Option<u16>>,
-    /// The things of the hunt's items, and the actions that put down the things in its hands.
+    /// The things of the search's items, and the actions that put down the things in its hands.
     items: Vec<NodeId>,
     puts: Vec<Action>,
 }
@@ -71,7 +76,7 @@ impl<'a> Map<'a> {
             graph,
             me,
             compiled,
-            hunt: ObjectSearch { opening, ..ObjectSearch::default() },
+            search: ObjectSearch { opening, ..ObjectSearch::default() },
             rooms: Vec::new(),
             spots: Vec::new(),
             shut: Vec::new(),
@@ -79,7 +84,7 @@ impl<'a> Map<'a> {
             items: Vec::new(),
             puts: Vec::new(),
         };
-        map.hunt.room = graph.room_of(me).and_then(|room| map.room(room)).unwrap_or(0);
+        map.search.room = graph.room_of(me).and_then(|room| map.room(room)).unwrap_or(0);
         map.sites();
         map
     }
@@ -98,7 +103,7 @@ impl<'a> Map<'a> {
         known.unwrap_or_else(|| {
             self.spots.push(id);
             if self.graph.near(self.me, id) {
-                self.hunt.near.push(self.spots.len() as u16 - 1);
+                self.search.near.push(self.spots.len() as u16 - 1);
             }
             self.spots.len() - 1
         }) as u16
@@ -130,8 +135,8 @@ impl<'a> Map<'a> {
         unseen.truncate(MOST_SITES);
         for new in &unseen {
             let spot = new.spot.map(|id| self.spot(id));
-            let number = self.hunt.sites.len() as u16;
-            self.hunt.sites.push(Site { spot, shut: new.shut.is_some() });
+            let number = self.search.sites.len() as u16;
+            self.search.sites.push(Site { spot, shut: new.shut.is_some() });
             self.shut.push(new.shut);
             new.places.iter().for_each(|&p| self.site_of[p] = Some(number));
         }
@@ -139,7 +144,7 @@ impl<'a> Map<'a> {
             let start = unseen.partition_point(|u| u.room < room) as u16;
             let shut = unseen.partition_point(|u| (u.room, u.shut.is_some()) < (room, true)) as u16;
             let end = unseen.partition_point(|u| u.room <= room) as u16;
-            self.hunt.rooms.push((start..end, shut));
+            self.search.rooms.push((start..end, shut));
         }
     }
 
@@ -169,10 +174,10 @@ impl<'a> Map<'a> {
                 wanted -= 1;
                 match self.target(way) {
                     Some(target) => {
-                        self.hunt.hands.push(target);
+                        self.search.hands.push(target);
                         self.puts.extend(put(way, id));
                     }
-                    None => self.hunt.blocked += 1,
+                    None => self.search.blocked += 1,
                 }
             }
             for (p, pile) in
@@ -186,22 +191,22 @@ impl<'a> Map<'a> {
                 (left[p], wanted) = (left[p] - taken, wanted - taken);
             }
         }
-        self.hunt.blocked += hands.len() as u8;
+        self.search.blocked += hands.len() as u8;
     }
 
     fn found(&mut self, id: NodeId, spot: NodeId, way: &Way) {
         let Some(room) = self.graph.room_of(spot).and_then(|r| self.room_known(r)) else { return };
         let (spot, target) = (self.spot(spot), self.target(way));
-        self.hunt.items.push(Item { spot, room, target });
+        self.search.items.push(Item { spot, room, target });
         self.items.push(id);
     }
 
-    /// The number of a room in the hunt; a room without sites is added.
+    /// The number of a room in the search; a room without sites is added.
     fn room_known(&mut self, id: NodeId) -> Option<u8> {
         let room = self.room(id)?;
-        while self.hunt.rooms.len() <= room as usize {
-            let end = self.hunt.sites.len() as u16;
-            self.hunt.rooms.push((end..end, end));
+        while self.search.rooms.len() <= room as usize {
+            let end = self.search.sites.len() as u16;
+            self.search.rooms.push((end..end, end));
         }
         Some(room)
     }
@@ -213,10 +218,10 @@ impl<'a> Map<'a> {
         let container = door.map(|d| self.compiled.problem.doors[d as usize].node);
         let door = container.and_then(|id| self.shut.iter().position(|s| *s == Some(id))).map(|s| s as u16);
         let target = Target { spot: self.spot(anchor), room, door };
-        let known = self.hunt.targets.iter().position(|t| *t == target);
-        let number = known.unwrap_or(self.hunt.targets.len());
+        let known = self.search.targets.iter().position(|t| *t == target);
+        let number = known.unwrap_or(self.search.targets.len());
         if known.is_none() {
-            self.hunt.targets.push(target);
+            self.search.targets.push(target);
         }
         (number < crate::object_search::MOST_TARGETS).then_some(number as u8)
     }
@@ -225,36 +230,36 @@ impl<'a> Map<'a> {
     fn seek(&mut self) {
         for (number, lack) in self.compiled.lacks.iter().take(MOST_LACKS).enumerate() {
             let target = lack.ways.first().and_then(|way| self.target(way));
-            let before = self.hunt.quarries.len();
-            let wanted = lack.number.max(INSTANCES).min(MOST_QUARRIES.saturating_sub(self.hunt.quarries.len()));
+            let before = self.search.quarries.len();
+            let wanted = lack.number.max(INSTANCES).min(MOST_QUARRIES.saturating_sub(self.search.quarries.len()));
             for &id in lack.subjects.iter().take(wanted) {
                 let Some(chances) = self.belief.chances_of(id) else { continue };
-                let mut by_site = vec![0.0; self.hunt.sites.len()];
+                let mut by_site = vec![0.0; self.search.sites.len()];
                 for (index, _, _) in self.belief.sites() {
                     if let Some(site) = self.site_of[index] {
                         by_site[site as usize] += chances.at(index);
                     }
                 }
-                self.hunt.quarries.push(SoughtObject { lack: number as u8, chances: by_site });
+                self.search.quarries.push(SoughtObject { lack: number as u8, chances: by_site });
             }
             // Fixed things that merely have not been seen need not be searched.
-            let left = lack.number.min(self.hunt.quarries.len() - before) as u8;
-            self.hunt.lacks.push(Lacking { left, target });
+            let left = lack.number.min(self.search.quarries.len() - before) as u8;
+            self.search.lacks.push(Lacking { left, target });
         }
     }
 
-    fn best(mut self) -> Option<Look> {
-        let look = match self.hunt.best()? {
+    fn best(mut self) -> Option<SearchStep> {
+        let look = match self.search.best()? {
             Move::Visit { room, spot } => {
-                Look::Visit(spot.map_or(self.rooms[room as usize], |s| self.spots[s as usize]))
+                SearchStep::Visit(spot.map_or(self.rooms[room as usize], |s| self.spots[s as usize]))
             }
-            Move::Open(site) => Look::Open(self.shut[site as usize]?),
-            Move::Fetch(item) => Look::Do(Action::one(Verb::Grab, self.items[item as usize])),
+            Move::Open(site) => SearchStep::Open(self.shut[site as usize]?),
+            Move::Fetch(item) => SearchStep::Do(Action::one(Verb::Grab, self.items[item as usize])),
             Move::Deliver(hand) => {
                 let put = *self.puts.get(hand as usize)?;
                 let away = |room| (put.verb == Verb::Drop && self.graph.room_of(self.me) != Some(room)).then_some(room);
-                let room = self.rooms[self.hunt.targets[self.hunt.hands[hand as usize] as usize].room as usize];
-                away(room).map_or(Look::Do(put), Look::Visit)
+                let room = self.rooms[self.search.targets[self.search.hands[hand as usize] as usize].room as usize];
+                away(room).map_or(SearchStep::Do(put), SearchStep::Visit)
             }
         };
         Some(look)

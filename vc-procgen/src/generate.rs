@@ -1,0 +1,106 @@
+//! Generation of whole apartments: floor plan, furniture and clutter, repaired or rejected.
+
+use vc_graph::Seed;
+
+use crate::apartment::Apartment;
+use crate::error::SpecificationError;
+use crate::item::{Item, Support};
+use crate::layout::{Layout, attempts, remove, sub_seed};
+use crate::specification::Specification;
+use crate::violation::ApartmentViolation;
+use crate::{clutter, furnish, structure};
+
+impl Apartment {
+    /// Generates an apartment from a seed alone: from a studio to four bedrooms and more, in the
+    /// usual mix.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::Apartment;
+    /// let home = Apartment::from_seed(Seed(42))?;
+    /// assert!(home.check().is_empty());
+    /// assert_eq!(home, Apartment::from_seed(Seed(42))?);
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Self::generate`]; no seed is known that fails.
+    pub fn from_seed(seed: Seed) -> Result<Self, SpecificationError> {
+        Self::generate(&Specification::default(), seed)
+    }
+
+    /// Generates an apartment for a specification. Costs some milliseconds.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_procgen::plan::RoomKind;
+    /// use vc_procgen::{Apartment, Specification};
+    /// let wishes = Specification { bedrooms: Some(1), wc: Some(true), ..Specification::default() };
+    /// let home = Apartment::generate(&wishes, Seed(3))?;
+    /// assert!(home.plan.rooms.iter().any(|room| room.kind == RoomKind::Wc));
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SpecificationError`] states the requirement that cannot be fulfilled.
+    pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
+        specification.check()?;
+        attempts(|attempt| Self::attempt(specification, seed, attempt))
+    }
+
+    fn attempt(specification: &Specification, seed: Seed, attempt: u64) -> Result<Self, SpecificationError> {
+        let own = sub_seed(seed, attempt);
+        let (Layout { plan, style, mut furniture }, drafts) = Layout::attempt(specification, seed, attempt)?;
+        furnish::make(&mut furniture, &drafts, &style);
+        let mut items = structure::build(&plan, &style, own.child("structure"));
+        append(&mut items, furniture);
+        let mut home = Self { seed, plan, style, items };
+        clutter::fill(&mut home, specification.clutter.unwrap_or(0.6), own);
+        match home.repair() {
+            None => Ok(home),
+            Some(violation) => Err(SpecificationError::Unsound { attempts: attempt as usize + 1, last: violation }),
+        }
+    }
+
+    /// Removes optional items that violate a rule; returns a violation that remains. Removing items
+    /// that nothing else needs causes no further violation.
+    fn repair(&mut self) -> Option<ApartmentViolation> {
+        let violations = self.check();
+        let (spared, wrong): (Vec<_>, Vec<_>) = violations.into_iter().map(|v| (self.spared(&v), v)).unzip();
+        let mut out = Vec::with_capacity(spared.len());
+        for (item, violation) in spared.into_iter().zip(wrong) {
+            let Some(item) = item else { return Some(violation) };
+            out.push(item);
+        }
+        out.sort_unstable();
+        out.dedup();
+        remove(&mut self.items, &out);
+        None
+    }
+
+    /// The item whose removal resolves a violation, if it may be removed.
+    fn spared(&self, violation: &ApartmentViolation) -> Option<usize> {
+        let may_go = |item: usize| !self.items[item].required && self.items[item].support != Support::Built;
+        let of = |items: &[usize]| items.iter().copied().filter(|&i| may_go(i)).max();
+        match violation {
+            ApartmentViolation::Overlap(a, b) | ApartmentViolation::Jammed(a, b) => of(&[a.item, b.item]),
+            ApartmentViolation::Outside(a, _)
+            | ApartmentViolation::Unsupported(a, _)
+            | ApartmentViolation::Unreachable(a)
+            | ApartmentViolation::BlockedDoor(_, a) => of(&[a.item]),
+            _ => None,
+        }
+    }
+}
+
+/// Appends items whose references are relative to their own list.
+fn append(items: &mut Vec<Item>, more: Vec<Item>) {
+    let base = items.len();
+    items.extend(more.into_iter().map(|mut item| {
+        match &mut item.support {
+            Support::On(at, _) | Support::Inside(at, _) => *at += base,
+            _ => {}
+        }
+        item
+    }));
+}

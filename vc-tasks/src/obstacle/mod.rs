@@ -1,0 +1,135 @@
+//! The reasons why a goal cannot make sense in a scene.
+
+mod demand;
+mod find;
+
+use std::fmt;
+
+use vc_graph::{NameMismatch, State, did_you_mean};
+
+pub(crate) use find::{lost, obstacles};
+
+/// A reason why a goal cannot be reached in a scene by any agent.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Obstacle {
+    /// The scene has too few objects of a class.
+    TooFew {
+        /// The part of the goal.
+        part: String,
+        /// The class.
+        class: String,
+        /// The number of objects needed.
+        needs: usize,
+        /// The number of objects in the scene.
+        has: usize,
+        /// Classes of the scene that may have been meant, if the class table does not know the class.
+        nearest: Vec<String>,
+        /// If the scene has none, a class of which it is a kind and of which the scene has objects, and their number.
+        wider: Option<BroaderClass>,
+    },
+    /// Neither the class table nor the scene knows the class.
+    UnknownClass {
+        /// The name of none.
+        class: String,
+        /// Classes that may have been meant.
+        nearest: Vec<String>,
+    },
+    /// The scene has objects of the class, but too few with the affordance that is asked for.
+    NotAfforded {
+        /// The part of the goal.
+        part: String,
+        /// The class.
+        class: String,
+        /// The affordance that they lack.
+        must_be: &'static str,
+    },
+    /// Too few things are in the state that is asked for, and no action brings others into it.
+    NoAction {
+        /// The part of the goal.
+        part: String,
+        /// The class or label.
+        thing: String,
+        /// The state.
+        state: State,
+    },
+    /// A label of the goal is of another class than its node.
+    Misnomer(NameMismatch),
+    /// The scene has no node of a number that the goal names.
+    NoSuchNode(String),
+    /// An agent is to hold more at once than it has hands.
+    TooManyHeld {
+        /// The parts of the goal that say so.
+        parts: String,
+        /// The number of objects to be held, at least.
+        held: usize,
+    },
+}
+
+/// A class that another one is a kind of, and of which a scene has objects.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BroaderClass {
+    /// The class.
+    pub class: String,
+    /// The name in the class table of the one that is a kind of it: of `lamp` that is `table_lamp`.
+    pub of: String,
+    /// The number of objects in the scene.
+    pub has: usize,
+}
+
+impl fmt::Display for Obstacle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFew { part, class, needs, has, nearest, wider } => {
+                let near = did_you_mean(class, nearest.iter().map(String::as_str));
+                write!(f, "`{part}` needs {needs} of `{class}`{near}, the scene has {has}")?;
+                wider.as_ref().map_or(Ok(()), |BroaderClass { class, of, has }| {
+                    write!(f, "; it has {has} of `{class}`, of which `{of}` is a kind")
+                })
+            }
+            Self::UnknownClass { class, nearest } => {
+                write!(f, "there is no class `{class}`{}", did_you_mean(class, nearest.iter().map(String::as_str)))
+            }
+            Self::NotAfforded { part, class, must_be } => {
+                write!(f, "`{part}` needs `{class}` to be {must_be}, which it is not in this scene")
+            }
+            Self::NoAction { part, thing, state } => {
+                write!(f, "`{part}` needs `{thing}` to be {state}, which it is not here, and no action makes it so")
+            }
+            Self::Misnomer(misnomer) => misnomer.fmt(f),
+            Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
+            Self::TooManyHeld { parts, held } => {
+                write!(f, "`{parts}` needs {held} things to be held at once, and an agent has {HANDS} hands")
+            }
+        }
+    }
+}
+
+/// The number of things that an agent can hold at once.
+const HANDS: usize = 2;
+
+/// The reason why a goal is lost while an attempt goes on: no action from now on makes it hold.
+///
+/// ```
+/// use vc_graph::{Draft, SceneBuilder, Simulator};
+/// use vc_tasks::{Lost, Task};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+/// let apple = scene.add_on(table, Draft::new("apple"))?;
+/// let me = scene.add_in(kitchen, Draft::new("character"))?;
+/// let mut world = Simulator::new(scene.build());
+/// let mut progress = Task::new("eat", "always Dirty(apple)".parse()?).begin(&world, me);
+/// assert!(matches!(progress.lost(&world), Some(Lost::Broken(part)) if part == "always Dirty(apple)"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Lost {
+    /// Names in the goal stand for nothing: see [`Task::lost`](crate::Task::lost).
+    #[error("{}", .0.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
+    Misnamed(Vec<Obstacle>),
+    /// A part of it with words of time has been broken.
+    #[error("`{0}` does not hold any more, and nothing that is done can change that")]
+    Broken(String),
+}
