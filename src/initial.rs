@@ -1,36 +1,19 @@
-//! Initial environments in generated homes: objects from the catalogue, and homes that suit an activity.
+//! Initial environments in generated homes that suit an activity.
 
-use std::sync::LazyLock;
-
-use vc_graph::class::Class;
-use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
 #[cfg(feature = "environment")]
 use vc_graph::{
     Goal, NodeId, NodeKind, Place, Relation,
     goal::{Predicate, Term},
 };
+use vc_graph::{SceneGraph, Seed};
 use vc_procgen::{Apartment, Specification, SpecificationError};
-use vc_shapes::{material, object};
-use vc_tasks::initial::{Initial, InitialError, InitialGenerator, Stock};
+use vc_tasks::initial::{Initial, InitialError, InitialGenerator};
 use vc_tasks::library::Activity;
 use vc_tasks::{World, WorldError};
 
 #[cfg(feature = "environment")]
 use crate::Environment;
-
-/// The catalogue of every object that `vc-procgen` can make, in any number.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Catalogue;
-
-impl Stock for Catalogue {
-    fn thing(&self, class: &Class, seed: Seed, _: &SceneGraph, assets: &mut AssetLibrary) -> Option<Draft> {
-        static MATERIALS: LazyLock<AssetLibrary> = LazyLock::new(material::library);
-        let object = object::generator(&class.name)?.instance(seed, 0).object;
-        let merged = assets.merge(&MATERIALS).ok()?;
-        let asset = assets.add(merged.renumbered(object.asset)).ok()?;
-        Some(Draft { asset: Some(asset), ..Draft::new(class.name.clone()).bounds(object.bounds) })
-    }
-}
+pub use crate::catalogue::Catalogue;
 
 /// An initial environment in a home that was generated for it.
 #[derive(Debug, Clone, PartialEq)]

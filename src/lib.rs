@@ -72,6 +72,8 @@
 
 #[cfg(feature = "environment")]
 mod batch;
+#[cfg(feature = "procgen")]
+mod catalogue;
 #[cfg(feature = "environment")]
 mod check;
 #[cfg(feature = "environment")]

@@ -15,7 +15,7 @@ use super::undo::Undo;
 use super::{
     Displaced, Environment, PhysicalRefusal, Unplaced, UnplacedReason, execute, make, observe, outlook, reset, stale,
 };
-use crate::initial::Catalogue;
+use crate::catalogue::Catalogue;
 
 /// Number of rings, half a metre apart, around the middle of a room in which a free place is sought.
 const RINGS: i32 = 12;
