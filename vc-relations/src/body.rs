@@ -7,7 +7,7 @@ use vc_graph::{Aabb, BoundsFrame, Node, NodeId, ObjectRole, Property, State};
 
 use crate::form::{Form, Piece};
 use crate::solid::{Round, Solid};
-use crate::threshold::{CORNER_SHARE, CORNERS_WITHIN, LYING_TILT, RIM_MARGIN, ROUND_CORNER_SHARE};
+use crate::threshold::LYING_TILT;
 
 /// Posture of an agent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +76,7 @@ pub(crate) struct Body {
     pub(crate) level: bool,
     /// The map from the world to the asset's frame.
     inverse: Isometry3<f32>,
-    scale: Vector3<f32>,
+    pub(crate) scale: Vector3<f32>,
     /// Positions of its joints.
     positions: Vec<f32>,
     pub(crate) room: Option<NodeId>,
@@ -147,47 +147,14 @@ impl Body {
         Some(self.form.joints.get(link)?.motion(position))
     }
 
-    fn to_own(&self, point: &Vector3<f32>) -> Vector3<f32> {
+    /// A point of the world in the asset's frame.
+    pub(crate) fn to_own(&self, point: &Vector3<f32>) -> Vector3<f32> {
         (self.inverse.rotation * point + self.inverse.translation.vector).component_div(&self.scale)
     }
 
-    /// The cavity of this body that contains another body: its centre, and half of its corners.
-    pub(crate) fn cavity_with(&self, content: &Self) -> Option<usize> {
-        let own = Some(self.to_own(&content.whole.centre)).filter(|own| self.form.may_hold(own))?;
-        let half = CORNERS_WITHIN as usize;
-        (0..self.form.cavities().len())
-            .find(|&index| self.has_centre(index, &own) && self.corners_within(index, content).nth(half - 1).is_some())
-    }
-
-    /// Whether a point of the asset's frame is in a cavity, or a little above its rim.
-    fn has_centre(&self, cavity: usize, own: &Vector3<f32>) -> bool {
-        let cavity = &self.form.cavities()[cavity];
-        cavity.contains(&self.before_motion(cavity.link, *own), RIM_MARGIN / self.scale.z.max(1e-3))
-    }
-
-    /// The corners of a content's box that are in a cavity.
-    fn corners_within(&self, cavity: usize, content: &Self) -> impl Iterator<Item = Vector3<f32>> {
-        let cavity = &self.form.cavities()[cavity];
-        let own = move |c: Vector3<f32>| self.before_motion(cavity.link, self.to_own(&c));
-        let corners = content.whole.corners(content.corner_share());
-        corners.into_iter().map(own).filter(|own| cavity.admits(own))
-    }
-
-    /// For each cavity, whether it contains a content's centre, and how many of its corners.
-    pub(crate) fn cavities_with(&self, content: &Self) -> Vec<(bool, u32)> {
-        let own = self.to_own(&content.whole.centre);
-        let judge = |index| (self.has_centre(index, &own), self.corners_within(index, content).count() as u32);
-        (0..self.form.cavities().len()).map(judge).collect()
-    }
-
     /// Position of a point of the asset's frame before a joint moved it.
-    fn before_motion(&self, link: Option<u32>, point: Vector3<f32>) -> Vector3<f32> {
+    pub(crate) fn before_motion(&self, link: Option<u32>, point: Vector3<f32>) -> Vector3<f32> {
         self.motion(link).map_or(point, |m| (m.inverse() * nalgebra::Point3::from(point)).coords)
-    }
-
-    fn corner_share(&self) -> f32 {
-        let round = self.solids.iter().all(|s| s.round != Round::No);
-        if round { ROUND_CORNER_SHARE } else { CORNER_SHARE }
     }
 
     /// Positions of its hooks in the world.

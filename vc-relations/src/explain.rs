@@ -5,6 +5,7 @@ use vc_graph::{Aabb, Edge, NodeId};
 
 use crate::body::Body;
 use crate::box_trace::{self, BoxTrace};
+use crate::containment;
 use crate::edges::Reader;
 use crate::explanation::{BoxTraceHit, Containment, Explanation, Hit, Hook, Seat, TraceOutcome};
 use crate::pair::{self, Contact, Hooked};
@@ -108,7 +109,7 @@ impl Relations {
                 }
             });
             let Some(contact) = best else { continue };
-            let inner = pair::holds(body, other) || pair::is_within(other, body);
+            let inner = containment::holds(body, other) || containment::is_within(other, body);
             let outcome = match contact {
                 _ if supports.iter().any(|s| s.by == other.id) => TraceOutcome::Counts,
                 _ if inner => TraceOutcome::Content,

@@ -80,7 +80,7 @@
 //! # Approximations
 //!
 //! Shapes are traced as boxes, cylinders and ellipsoids: a hull as its box, a cone as its cylinder, a lathe
-//! shape as discs and rings of eight boxes, an extruded outline as at most six slices (exact for right angles,
+//! shape as discs and rings of sixteen boxes, an extruded outline as at most six slices (exact for right angles,
 //! and so are rooms above such floors), a mesh as 8 by 8 columns. A scaled part that is turned against its
 //! asset's axes keeps its right angles. If only the box of a thing is known, things on it may be in the upper
 //! half of that box.
@@ -90,6 +90,7 @@
 mod body;
 mod box_trace;
 mod carve;
+mod containment;
 mod distance;
 mod edges;
 mod error;

@@ -7,11 +7,12 @@ use nalgebra::Vector3;
 use vc_graph::Aabb;
 
 use crate::body::{Body, Posture};
+use crate::containment::{holds, is_within};
 use crate::near::{self, NearSide};
 use crate::solid::{Solid, gap, sweep_upright};
 use crate::threshold::{
-    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, RIM_MARGIN, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK,
-    SUPPORT_TIE, TRACE_START, UNDER_CORE, UNDER_REACH,
+    BOX_GAP, HANG_GAP, HOOK_REACH, NEAR_REACH, SEAT_RANGE, SUPPORT_GAP, SUPPORT_NORMAL, SUPPORT_SINK, TRACE_START,
+    UNDER_CORE, UNDER_REACH,
 };
 use crate::walls::Among;
 
@@ -110,26 +111,6 @@ fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
     }
     (ab.hooked, ba.hooked) = (hooked(a, b), hooked(b, a));
     (ab.seated, ba.seated) = (seated(a, b), seated(b, a));
-}
-
-/// Whether a container holds a content. The building holds nothing.
-pub(crate) fn holds(container: &Body, content: &Body) -> bool {
-    let centre = Aabb { min: content.whole.centre.into(), max: content.whole.centre.into() };
-    container.region.grown(RIM_MARGIN, RIM_MARGIN).meets(&centre)
-        && !container.traits.fixed
-        && !content.traits.fixed
-        && container.cavity_with(content).is_some()
-}
-
-/// Whether one body is in the hull of another, does not begin lower, and is not just a thin layer at its
-/// bottom: books in a shelf that nearly reach the board above do not carry it.
-pub(crate) fn is_within(inner: &Body, outer: &Body) -> bool {
-    let own = outer.whole.axes.tr_mul(&(inner.whole.centre - outer.whole.centre)).abs();
-    own.x <= outer.whole.half.x
-        && own.y <= outer.whole.half.y
-        && own.z <= outer.whole.half.z
-        && inner.base() >= outer.base() - SUPPORT_TIE
-        && inner.region.max.z >= outer.base() + SUPPORT_SINK
 }
 
 /// The least gap between parts, up to [`HANG_GAP`]; negative if they overlap.
