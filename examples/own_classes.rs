@@ -8,12 +8,12 @@ use std::sync::Arc;
 
 use vc_graph::{ClassTable, Draft, SceneBuilder, Simulator};
 use vc_planner::{PlannerPolicy, run_episode};
-use vc_tasks::Task;
+use vc_tasks::{Outcome, Task};
 
 /// Name, ancestors, aliases, category, affordances, size, mass, first states, slots, habitual places.
 const CLASSES: &str = "
 pill_box | box | pills | prop | graspable | 0.06 0.1 0.03 | 0.05 | | | bathroom/in/bathroom_cabinet:2
-robot_dock | | charger | furniture | surface | 0.4 0.4 0.1 | 2 | | | livingroom:1
+robot_dock | | docking_station | furniture | surface | 0.4 0.4 0.1 | 2 | | | livingroom:1
 ";
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -28,5 +28,5 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let task = Task::new("bring the pills", "On(pills, robot_dock)".parse()?);
     let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut Simulator::new(scene.build()));
     println!("{:?} after {} steps", episode.outcome, episode.steps);
-    Ok(())
+    if episode.outcome == Outcome::Won { Ok(()) } else { Err("the pills were not brought".into()) }
 }

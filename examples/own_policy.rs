@@ -6,12 +6,14 @@
 
 use std::collections::{BTreeSet, VecDeque};
 
-use virtualcity::graph::{Action, Node, NodeId, Observation, Property, Simulator, State, Verb};
+use virtualcity::graph::{
+    Action, Draft, Node, NodeId, Observation, Property, SceneBuilder, Seed, Simulator, State, Verb,
+};
 use virtualcity::planner::{
     Decision, EpisodeStart, Learned, Plan, PlannerPolicy, Policy, RefusalResponse, Unreachable, run_episode,
 };
 use virtualcity::procgen::Apartment;
-use virtualcity::tasks::{Task, WorldError};
+use virtualcity::tasks::{Outcome, Task, WorldError};
 
 /// Takes the first object of a class that it sees.
 struct Sweep {
@@ -77,12 +79,18 @@ impl Policy for Sweep {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let graph = Apartment::from_seed(virtualcity::graph::Seed(9))?.scene();
+    let mut scene = SceneBuilder::from_graph(Apartment::from_seed(Seed(9))?.scene());
+    let room = scene.graph().rooms()[0];
+    scene.add_in(room, Draft::new("character"))?;
+    let graph = scene.build();
     let task = Task::new("fetch a mug", "Holds(mug)".parse()?);
     let policies: [&mut dyn Policy; 2] = [&mut Sweep::new("mug"), &mut PlannerPolicy::best()];
     for policy in policies {
         let episode = run_episode(policy, &task, &mut Simulator::new(graph.clone()));
         println!("{}: {:?} after {} steps", policy.name(), episode.outcome, episode.steps);
+        if episode.outcome != Outcome::Won {
+            return Err(format!("{} has no mug: {:?}", policy.name(), episode.reason).into());
+        }
     }
     Ok(())
 }

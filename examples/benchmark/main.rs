@@ -43,8 +43,8 @@ struct Options {
     #[arg(long, default_value = "")]
     only: String,
     /// Number of threads; 0 for all cores.
-    #[arg(long, default_value_t = 0)]
-    threads: usize,
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u16).range(..=1024))]
+    threads: u16,
     /// The output folder for tables and plots.
     #[arg(long, default_value = "out/benchmark")]
     out: PathBuf,
@@ -52,7 +52,7 @@ struct Options {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global().map_err(Complaint::new)?;
+    rayon::ThreadPoolBuilder::new().num_threads(options.threads.into()).build_global().map_err(Complaint::new)?;
     let activities: Vec<Activity> =
         Benchmark::v1().activities.into_iter().filter(|a| a.id.starts_with(&options.only)).collect();
     if activities.is_empty() {

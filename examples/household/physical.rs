@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use vc_graph::{Action, ChangeSet, History, Label, NodeId, Property, SceneGraph};
+use vc_graph::{Action, ChangeSet, History, Label, NodeId, ObjectRole, Property, SceneGraph};
 use vc_planner::{EpisodeOptions, Policy, Step, Summary, Team, objects_of_interest};
 use vc_tasks::{Outcome, Task, World, WorldError};
 use virtualcity::render::Daylight;
@@ -29,8 +29,13 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     };
     let mut home = Environment::make(&name, options.agents).map_err(Complaint::new)?;
     let daylight = options.hour.map(Daylight::at);
-    if options.lamps == Lamps::AtDark && daylight.is_some_and(|daylight| daylight.is_dark()) {
-        home.switch_lamps(true).map_err(Complaint::new)?;
+    if options.lamps == Lamps::AtDark {
+        // By day people switch on the light where there is no window.
+        let dark = daylight.is_some_and(|daylight| daylight.is_dark());
+        let graph = home.graph().clone();
+        let has_window = |room| graph.of_role(ObjectRole::Window).any(|n| graph.room_of(n.id()) == room);
+        let lit = home.switch_lamps_where(true, |lamp| dark || !has_window(graph.room_of(lamp)));
+        lit.map_err(Complaint::new)?;
     }
     home.left_out().iter().for_each(|left| say!("left out  {left}"));
     remark::on_walls(home.graph());

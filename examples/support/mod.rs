@@ -27,8 +27,14 @@ impl fmt::Debug for Complaint {
 
 /// Prints a line; exits quietly if the output is closed, as by `| head`.
 pub(crate) fn say_line(line: fmt::Arguments<'_>) {
-    if writeln!(std::io::stdout(), "{line}").is_err() {
-        std::process::exit(0);
+    match writeln!(std::io::stdout(), "{line}") {
+        Ok(()) => {}
+        // Who reads has seen enough.
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => std::process::exit(0),
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "the output cannot be written: {error}");
+            std::process::exit(1);
+        }
     }
 }
 

@@ -292,8 +292,16 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn switch_lamps(&mut self, on: bool) -> Result<Vec<NodeId>, AlterError> {
+        self.switch_lamps_where(on, |_| true)
+    }
+
+    /// As [`switch_lamps`](Self::switch_lamps), those of which a condition holds: of the rooms without a window, say.
+    ///
+    /// # Errors
+    /// [`AlterError`]; then nothing has changed.
+    pub fn switch_lamps_where(&mut self, on: bool, which: impl Fn(NodeId) -> bool) -> Result<Vec<NodeId>, AlterError> {
         let state = if on { State::On } else { State::Off };
-        let lamps = self.graph.nodes().filter(|n| lights(n)).map(Node::id);
+        let lamps = self.graph.nodes().filter(|n| lights(n)).map(Node::id).filter(|id| which(*id));
         let mut lamps: Vec<NodeId> = lamps.flat_map(|lamp| self.switches(lamp)).collect();
         lamps.retain(|id| self.graph.node(*id).is_some_and(|n| n.is(State::On) != on));
         lamps.sort_unstable();

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use vc_graph::{AssetId, Draft, History, NodeId, NodeKind, Pose, SceneBuilder, SceneGraph};
+use vc_graph::{AssetId, Draft, History, Node, NodeId, NodeKind, ObjectRole, Pose, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
 use vc_relations::{RelationRule, Relations};
 
@@ -17,6 +17,8 @@ use super::{
 
 /// How often relations are read at most, until the rooms of floors no longer change.
 const READINGS: usize = 4;
+/// Floors no farther than this from zero count as at zero, metres.
+const GROUND: f32 = 0.03;
 /// Steps in which agents find the ground.
 const LANDING: u32 = 24;
 /// Free floor kept between agents, metres from middle to middle.
@@ -127,7 +129,8 @@ impl Environment {
         if boxes::hold_moved(&mut world, builder.graph(), &staying, at_rest)? {
             come_to_rest(&mut world);
         }
-        let floor = Floor::new(&world, FloorOptions::default());
+        let level = level(builder.graph());
+        let floor = Floor::new(&world, FloorOptions { level, ..FloorOptions::default() });
         if !at_rest && !staying.is_empty() {
             boxes::step_aside(&mut world, builder.graph(), &floor)?;
         }
@@ -219,6 +222,13 @@ fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<Relati
 
 /// Rooms and feet for the agents that are still missing: in the middles of rooms that can
 /// be walked between, as many rooms as possible.
+/// Height of the floors, metres: the middle one of their tops, and zero where that is about zero.
+fn level(graph: &SceneGraph) -> f32 {
+    let mut tops: Vec<f32> = graph.of_role(ObjectRole::Floor).filter_map(Node::aabb).map(|b| b.max.z).collect();
+    tops.sort_by(f32::total_cmp);
+    tops.get(tops.len() / 2).copied().filter(|top| top.abs() > GROUND).unwrap_or(0.0)
+}
+
 fn standing_places(
     graph: &SceneGraph,
     world: &PhysicsWorld,

@@ -23,6 +23,8 @@ const MOST: usize = 180;
 const JPEG_QUALITY: u8 = 88;
 /// The width of a caption's line as a multiple of its height, and the height of its letters as a share of it.
 const CAPTION: (f32, f32) = (36.0, 0.6);
+/// Actions that the strip shows at most.
+const SHOWN: usize = 8;
 /// Pictures in a row in which somebody is not seen well before the corner's camera goes elsewhere.
 const PATIENCE: u32 = 3;
 
@@ -76,8 +78,11 @@ impl Film {
         (2 * 60 / self.every).max(1) as u16
     }
 
-    /// A new action begins.
-    pub(super) fn begin_action(&mut self) {
+    /// A new action of an agent begins, whom the cameras follow from now on.
+    pub(super) fn begin_action(&mut self, home: &Environment, agent: NodeId) {
+        if agent != self.me {
+            (self.me, self.room, self.corner) = (agent, home.graph().room_of(agent), None);
+        }
         self.starts.push(self.pictures.len());
     }
 
@@ -85,9 +90,11 @@ impl Film {
     /// action, number of the picture.
     fn moments(&self) -> Vec<(usize, usize)> {
         let starts: Vec<usize> = self.starts.iter().copied().chain([self.pictures.len()]).collect();
-        let every = self.starts.len().div_ceil(8).max(1);
-        let moment = |(action, pair): (usize, &[usize])| (action, pair[0] + (pair[1] - pair[0]) * 4 / 5);
-        starts.windows(2).enumerate().step_by(every).map(moment).filter(|(_, at)| *at < self.pictures.len()).collect()
+        let count = self.starts.len();
+        // Evenly from the first to the last.
+        let shown = |k: usize| if count <= SHOWN { k } else { k * (count - 1) / (SHOWN - 1) };
+        let moment = |action: usize| (action, starts[action] + (starts[action + 1] - starts[action]) * 4 / 5);
+        (0..count.min(SHOWN)).map(shown).map(moment).filter(|(_, at)| *at < self.pictures.len()).collect()
     }
 
     /// A picture of each action with its words, eight at most; of the home as it is if nothing was done.

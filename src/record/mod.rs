@@ -302,7 +302,7 @@ impl World for Recorder {
 
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
         let words = action.describe(self.home.graph()).to_string();
-        self.film.begin_action();
+        self.film.begin_action(&self.home, agent);
         let (mut ticks, mut failed) = (0_u32, None);
         let done = self.home.set_action_in_time(agent, *action, |now| {
             ticks += 1;

@@ -1,7 +1,8 @@
 //! Spawning and placing objects, and teleporting agents.
 
-use virtualcity::graph::{NodeId, Place, Relation, Verb};
+use virtualcity::graph::{NodeId, Place, Pose, Relation, Seed, Verb};
 use virtualcity::physics::Posture;
+use virtualcity::procgen::Apartment;
 use virtualcity::relations::{RelationRule, Relations};
 use virtualcity::{AlterError, Environment, Spot};
 
@@ -160,4 +161,49 @@ fn agents_are_elsewhere_at_once() {
     let table = home.graph().of_class("coffee_table")[0];
     act(&mut home, me, Verb::Walk, &[table]);
     act(&mut home, me, Verb::Place, &[novel, table]);
+}
+
+/// A home whose floors are elsewhere than at zero height works as before.
+#[test]
+fn homes_stand_at_any_height() {
+    for height in [-1.0, 3.0] {
+        let mut graph = Apartment::from_seed(Seed(7)).unwrap().scene();
+        let posed: Vec<(NodeId, Pose)> = graph.nodes().filter_map(|n| Some((n.id(), *n.pose()?))).collect();
+        let mut edit = graph.edit();
+        for (id, pose) in posed {
+            edit.set_pose(id, Some(Pose::translation(0.0, 0.0, height) * pose)).unwrap();
+        }
+        edit.commit();
+        let mut home = Environment::of(graph, 1).unwrap();
+        let me = home.agents()[0];
+        assert!((home.world().pose(me).unwrap().translation.z - height).abs() < 0.02);
+        for room in home.graph().rooms().to_vec() {
+            act(&mut home, me, Verb::Walk, &[room]);
+        }
+    }
+}
+
+/// What lies in the racks of a dishwasher comes out and goes in with them, also after more has been put there.
+#[test]
+fn racks_carry_all_that_lies_in_them() {
+    let mut carried = 0;
+    for seed in [42, 97232] {
+        let mut home = home(seed, 1);
+        let me = home.agents()[0];
+        let Some(&washer) = home.graph().of_class("dishwasher").first() else { continue };
+        act(&mut home, me, Verb::Walk, &[washer]);
+        act(&mut home, me, Verb::Open, &[washer]);
+        let inside = Place { relation: Relation::Inside, at: washer };
+        let plates: Vec<NodeId> = (0..3).map_while(|_| home.spawn("soup_plate", inside).ok()).collect();
+        assert!(!plates.is_empty());
+        let racked: Vec<NodeId> = home.graph().relating(Relation::Inside, washer).collect();
+        act(&mut home, me, Verb::Close, &[washer]);
+        let body = home.world().aabb(washer).unwrap();
+        for id in racked {
+            let middle = home.world().aabb(id).unwrap().centre();
+            assert!(body.contains(&middle), "{} stayed behind", home.graph().label(id));
+            carried += 1;
+        }
+    }
+    assert!(carried > 4, "{carried}");
 }
