@@ -67,7 +67,7 @@ fn modalities(times: usize) {
     let view = Viewpoint::Agent(home.agents()[0]);
     // The first picture uploads the meshes.
     for _ in 0..=2 * times {
-        black_box(home.render(view, Modalities::SIX, 300, 300).unwrap());
+        black_box(home.render_until(&home, view, Modalities::SIX, 300, 300).unwrap());
     }
 }
 
