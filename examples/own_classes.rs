@@ -13,7 +13,7 @@ use vc_tasks::{Outcome, Task};
 /// Name, ancestors, aliases, category, affordances, size, mass, first states, slots, habitual places.
 const CLASSES: &str = "
 pill_box | box | pills | prop | graspable | 0.06 0.1 0.03 | 0.05 | | | bathroom/in/bathroom_cabinet:2
-robot_dock | | docking_station | furniture | surface | 0.4 0.4 0.1 | 2 | | | livingroom:1
+robot_dock | | robot_charger | furniture | surface | 0.4 0.4 0.1 | 2 | | | livingroom:1
 ";
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

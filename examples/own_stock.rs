@@ -29,8 +29,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let initial =
             InitialGenerator::new(&Varied).make(activity, &home, Seed(seed), &mut Simulator::new(home.clone()))?;
         for added in &initial.added {
-            let size = initial.scene.node(added.id).and_then(|n| n.aabb()).map(|b| b.max - b.min);
-            println!("seed {seed}: {} of {size:?}", initial.scene.label(added.id));
+            let Some(bounds) = initial.scene.node(added.id).and_then(|n| n.aabb()) else { continue };
+            let size = bounds.max - bounds.min;
+            println!(
+                "seed {seed}: {}, {:.2} m x {:.2} m x {:.2} m",
+                initial.scene.label(added.id),
+                size.x,
+                size.y,
+                size.z
+            );
         }
     }
     Ok(())
