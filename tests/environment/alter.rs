@@ -182,28 +182,3 @@ fn homes_stand_at_any_height() {
         }
     }
 }
-
-/// What lies in the racks of a dishwasher comes out and goes in with them, also after more has been put there.
-#[test]
-fn racks_carry_all_that_lies_in_them() {
-    let mut carried = 0;
-    for seed in [42, 97232] {
-        let mut home = home(seed, 1);
-        let me = home.agents()[0];
-        let Some(&washer) = home.graph().of_class("dishwasher").first() else { continue };
-        act(&mut home, me, Verb::Walk, &[washer]);
-        act(&mut home, me, Verb::Open, &[washer]);
-        let inside = Place { relation: Relation::Inside, at: washer };
-        let plates: Vec<NodeId> = (0..3).map_while(|_| home.spawn("soup_plate", inside).ok()).collect();
-        assert!(!plates.is_empty());
-        let racked: Vec<NodeId> = home.graph().relating(Relation::Inside, washer).collect();
-        act(&mut home, me, Verb::Close, &[washer]);
-        let body = home.world().aabb(washer).unwrap();
-        for id in racked {
-            let middle = home.world().aabb(id).unwrap().centre();
-            assert!(body.contains(&middle), "{} stayed behind", home.graph().label(id));
-            carried += 1;
-        }
-    }
-    assert!(carried > 4, "{carried}");
-}

@@ -7,7 +7,7 @@ use rapier3d::dynamics::RigidBodyHandle;
 use rapier3d::geometry::{ColliderHandle, Contact as EngineContact, ContactManifold, ContactPair};
 use rapier3d::math::Pose as EnginePose;
 use vc_graph::asset::JointKind;
-use vc_graph::{Aabb, NodeId, Pose};
+use vc_graph::{NodeId, Pose};
 
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
@@ -204,11 +204,6 @@ impl PhysicsWorld {
         let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
         while let Some(body) = open.pop() {
             let carriers = self.carriers(body);
-            if carriers.is_empty()
-                && let Some(part) = self.hovers_over(body)
-            {
-                return Some(part);
-            }
             // A thing on the top of a box stays there if a door below the top's edge opens.
             let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(BodyRole::Fixed));
             for (below, link) in carriers {
@@ -231,33 +226,16 @@ impl PhysicsWorld {
     /// Things that fell asleep during a hop, a millimetre or two above their support: they touch nothing.
     fn hovering_in(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let Some(around) = self.box_around([body].into_iter()) else { return Vec::new() };
-        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && self.is_asleep(t.id));
-        let touches = |base: RigidBodyHandle| self.pairs_of(base).any(|pair| pair.has_any_active_contact());
-        loose.filter(|t| self.hops_on(t, &around) && !touches(t.state.base)).map(|t| t.id).collect()
-    }
-
-    /// The part on a joint right below a body that nothing carries: what trembles is in the air now and then.
-    fn hovers_over(&self, body: RigidBodyHandle) -> Option<(NodeId, usize)> {
-        let (id, link) = self.engine.bodies.get(body).map(|b| group::marked(b.user_data))?;
-        let thing = self.thing(id).ok().filter(|_| link == 0)?;
-        self.things.iter().filter(|other| other.id != id).find_map(|other| {
-            let parts = other.state.moving.iter().enumerate();
-            let mut bodies = parts.filter_map(|(part, moving)| Some((part + 1, moving.body?)));
-            let below = |(_, body): &(usize, RigidBodyHandle)| {
-                self.box_around([*body].into_iter()).is_some_and(|around| self.hops_on(thing, &around))
-            };
-            bodies.find(below).map(|(link, _)| (other.id, link))
-        })
-    }
-
-    /// Whether the middle of a thing is over a box, and its foot within the box or a hop above it.
-    fn hops_on(&self, thing: &Thing, around: &Aabb) -> bool {
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
-        self.aabb(thing.id).is_some_and(|own| {
+        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && self.is_asleep(t.id));
+        let above = |id: NodeId| {
+            let own = self.aabb(id)?;
             let (centre, foot) = (own.centre(), own.min.z);
             let over = (low.x..=high.x).contains(&centre.x) && (low.y..=high.y).contains(&centre.y);
-            over && (low.z..=high.z).contains(&foot)
-        })
+            Some(over && (low.z..=high.z).contains(&foot))
+        };
+        let touches = |base: RigidBodyHandle| self.pairs_of(base).any(|pair| pair.has_any_active_contact());
+        loose.filter(|t| above(t.id) == Some(true) && !touches(t.state.base)).map(|t| t.id).collect()
     }
 
     /// The things that were pinned to a node's link.
