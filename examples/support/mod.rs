@@ -29,7 +29,7 @@ impl fmt::Debug for Complaint {
 pub(crate) fn say_line(line: fmt::Arguments<'_>) {
     match writeln!(std::io::stdout(), "{line}") {
         Ok(()) => {}
-        // Who reads has seen enough.
+        // The reader has seen enough.
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => std::process::exit(0),
         Err(error) => {
             let _ = writeln!(std::io::stderr(), "the output cannot be written: {error}");

@@ -62,7 +62,7 @@ impl Execution<'_> {
         let mut spot = self.spot(id, place)?;
         if self.stands() && !self.puts_from(&self.feet(), id, &spot) {
             self.step_to(place.at, id, &spot)?;
-            // What was pushed aside for it may have moved on meanwhile.
+            // The things that were pushed aside for it may have moved on meanwhile.
             if !self.puts_from(&self.feet(), id, &spot) || !self.world.overlaps(id, &spot)?.is_empty() {
                 spot = self.spot(id, place)?;
             }

@@ -23,6 +23,14 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let cup = world.pose(home.cup).ok_or("no cup")?;
+    /// assert!(world.leaves_openings_free(home.cup, &cup)?); // No door opens over the table.
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn leaves_openings_free(&self, id: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
         let thing = self.thing(id)?;
         let meets_it = |shape: &SharedShape, at: &EnginePose| overlaps(thing, pose, shape, at);

@@ -1,4 +1,4 @@
-//! What decides: one trait for planners, baselines, scripts and language models.
+//! Policies decide: one trait for planners, baselines, scripts and language models.
 
 mod planning;
 mod random;
@@ -27,7 +27,7 @@ pub struct EpisodeStart<'a> {
     pub seed: Seed,
 }
 
-/// What to do about a refused action.
+/// The response to a refused action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RefusalResponse {
@@ -63,7 +63,7 @@ pub enum RefusalResponse {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Policy {
-    /// What it is called in tables.
+    /// The name in tables.
     fn name(&self) -> &str;
 
     /// How far it sees.
@@ -83,7 +83,7 @@ pub trait Policy {
     /// Takes in what is seen.
     fn see(&mut self, seen: &Observation) -> Learned;
 
-    /// What to do now.
+    /// The decision on the next action.
     fn decide(&mut self) -> Decision;
 
     /// The action was done.
@@ -98,7 +98,7 @@ pub trait Policy {
     /// Another agent in view has done something, before the next look.
     fn saw(&mut self, _event: &Event) {}
 
-    /// What it believes, if it does.
+    /// The belief about where things are, if the policy has one.
     fn belief(&self) -> Option<&Belief> {
         None
     }

@@ -14,7 +14,7 @@ const REFUSALS: usize = 8;
 struct Planning {
     agent: Option<Agent>,
     refusals: usize,
-    /// What was refused last.
+    /// The action that was refused last.
     failed: Option<Action>,
 }
 
@@ -43,8 +43,8 @@ impl Planning {
         }
     }
 
-    /// What the world cannot do, the agent walks up to; what it cannot do a second time, the
-    /// agent does not expect of it any more.
+    /// The agent walks up to a thing with which the world could not do an action; after the second refusal it
+    /// expects the action no more.
     fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
         self.refusals += 1;
         if let Some(agent) = &mut self.agent {
@@ -93,7 +93,7 @@ macro_rules! plans {
 pub struct PlannerPolicy {
     name: &'static str,
     planning: Planning,
-    /// What it supposes about where things are; `None` for the thesis's agent.
+    /// The prior about where things are; `None` for the thesis's agent.
     prior: Option<Prior>,
     /// It has been told what furniture and which things there are.
     knows_home: bool,
@@ -146,7 +146,7 @@ impl PlannerPolicy {
         Self { prior: Some(prior), ..self }
     }
 
-    /// What it is called in tables.
+    /// The name in tables.
     #[must_use]
     pub fn named(self, name: &'static str) -> Self {
         Self { name, ..self }
