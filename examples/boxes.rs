@@ -77,6 +77,10 @@ fn look_at(
     say!("{}: {} nodes, {} left out", file.display(), home.graph().len(), home.left_out().len());
     home.left_out().iter().for_each(|left| say!("  {left}"));
     say!("  {} things are elsewhere by geometry", home.elsewhere().len());
+    for passage in home.opened_passages() {
+        let rooms: Vec<String> = passage.rooms.iter().map(|room| home.graph().label(*room).to_string()).collect();
+        say!("  a passage was opened between {}, which no door connects", rooms.join(" and "));
+    }
     rooms(&home);
     if !options.rooms_only {
         put.add(placements::all(&home));

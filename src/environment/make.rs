@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::Point2;
+use vc_geometry::WallOpening;
 use vc_graph::{AssetId, Draft, History, Node, NodeId, NodeKind, ObjectRole, Pose, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
 use vc_relations::{RelationRule, Relations};
@@ -42,6 +43,8 @@ struct Made {
     assets: Assets,
     /// Agents of the scene that are elsewhere than it has them.
     told: Vec<Displaced>,
+    /// Passages opened to rooms that the scene's walls cut off.
+    passages: Vec<WallOpening>,
 }
 
 impl Environment {
@@ -114,6 +117,7 @@ impl Environment {
         // at rest.
         let (at_rest, staying) = (boxes::was_at_rest(&graph), boxes::staying(&graph));
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
+        let passages = vc_geometry::passages(&graph);
         let graph = boxes::shaped(&graph, options.assets)?.unwrap_or(graph);
         let posed = |n: &&vc_graph::Node| n.kind() == NodeKind::Object && n.pose().is_some();
         if !graph.nodes().any(|n| posed(&n)) {
@@ -160,12 +164,12 @@ impl Environment {
         let mut graph = builder.build();
         told.extend(astray::told(&graph, &put_apart));
         told.extend(seats::stand(&mut graph, &without_way)?);
-        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets, told };
+        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets, told, passages };
         Self::begin(graph, made)
     }
 
     fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
-        let Made { world, floor, shapes, left_out, staying, at_rest, assets, told } = made;
+        let Made { world, floor, shapes, left_out, staying, at_rest, assets, told, passages } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
         let relations = read_relations(&mut graph, &world)?;
@@ -177,7 +181,7 @@ impl Environment {
         };
         elsewhere.extend(told);
         let kept = boxes::kept(&traced, &graph, &staying);
-        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets };
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets, passages };
         Ok(Self::at(Arc::new(start)))
     }
 

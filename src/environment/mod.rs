@@ -117,6 +117,7 @@ struct Start {
     kept: std::collections::BTreeMap<NodeId, Vec<vc_graph::Place>>,
     /// Which shapes things get that have only boxes.
     assets: Assets,
+    passages: Vec<vc_geometry::WallOpening>,
 }
 
 impl Start {
@@ -171,6 +172,12 @@ impl Environment {
     /// place by geometry. Agents too, who stand beside what they are to sit or lie on, or who were put onto free floor.
     pub fn elsewhere(&self) -> &[Displaced] {
         &self.start.elsewhere
+    }
+
+    /// Passages that were opened in the walls of a scene of boxes, since no door leads to the rooms behind them: boxes
+    /// have no holes, so the places are guesses ([`vc_geometry::passages`]).
+    pub fn opened_passages(&self) -> &[vc_geometry::WallOpening] {
+        &self.start.passages
     }
 
     /// The agents, by number.

@@ -2,7 +2,9 @@
 
 use virtualcity::Environment;
 use virtualcity::graph::format::{read_scene, thesis};
-use virtualcity::graph::{ClassTable, Node, NodeId, NodeKind, Place, Property, Relation, SceneGraph, Seed, Verb};
+use virtualcity::graph::{
+    Action, ClassTable, Node, NodeId, NodeKind, Place, Property, Relation, SceneGraph, Seed, Verb,
+};
 use virtualcity::physics::BodyRole;
 use virtualcity::planner::{EpisodeOptions, PlannerPolicy};
 use virtualcity::procgen::Apartment;
@@ -37,6 +39,10 @@ fn a_home_comes_back_from_the_thesis_form() {
         let carried = || made.nodes().filter(|n| n.affords(Property::Graspable) && at(&made, n.id()).is_some());
         let same = carried().filter(|n| at(&made, n.id()) == at(home.graph(), n.id())).count();
         assert_eq!(same, carried().count());
+        assert!(!home.opened_passages().is_empty(), "living rooms have passages without doors");
+        for &room in home.graph().rooms() {
+            home.clone().set_action(home.agents()[0], Action::one(Verb::Walk, room)).unwrap();
+        }
     }
 }
 

@@ -21,7 +21,7 @@
 //!
 //! | box of | shape |
 //! |---|---|
-//! | walls | the box, or where it is as deep as wide the sides along which the floor ends; doorways and windows are cut out |
+//! | walls | the box, or where it is as deep as wide the sides along which the floor ends; doorways and windows are cut out, and [`passages`] to rooms that would be cut off |
 //! | floors, ceilings | a slab below their top, as far as the next floor; where the boxes of two rooms overlap, that room's whose things are there |
 //! | doors | a leaf on a hinge in the plane of the wall; of their frames two posts and a lintel |
 //! | furniture around a corner | two arms, without the corner in which other furniture stands |
@@ -55,6 +55,7 @@ mod level;
 mod opening;
 pub mod order;
 pub mod outline;
+mod passage;
 pub mod profile;
 mod share;
 pub mod tree;
@@ -68,7 +69,7 @@ use vc_graph::asset::{Material, Part};
 use vc_graph::{Asset, Node, NodeId, NodeKind, ObjectRole, SceneGraph};
 
 use block::Block;
-pub use opening::{WallOpening, openings};
+pub use opening::{WallOpening, openings, passages};
 
 /// Density of things of which only the box is known, kilograms per cubic metre.
 const DENSITY: f32 = 150.0;

@@ -1,9 +1,9 @@
-//! Openings in walls, found from doors, their frames and windows.
+//! Openings in walls, found from doors, their frames and windows, and passages without them.
 
 use vc_graph::{Aabb, Node, NodeId, ObjectRole, Relation, SceneGraph};
 
 /// Height of a doorway at least, metres: boxes of doors may end at their handles.
-const DOORWAY: f32 = 2.0;
+pub(crate) const DOORWAY: f32 = 2.0;
 /// A box whose shorter side is at least this part of the longer one does not tell which way it leads.
 const SQUARE: f32 = 0.5;
 
@@ -11,7 +11,7 @@ const SQUARE: f32 = 0.5;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WallOpening {
-    /// The door, frame or window in it.
+    /// The door, frame or window in it; for a passage, the wall of the first of its rooms.
     pub door: NodeId,
     /// The space that is clear, or filled by that node, metres.
     pub clear: Aabb,
@@ -23,7 +23,7 @@ pub struct WallOpening {
     pub is_doorway: bool,
 }
 
-/// The openings of a scene's doors, door frames and windows, by number of the node.
+/// The openings of a scene's doors, door frames and windows, by number of the node, and then its [`passages`].
 ///
 /// A door's box may be around a leaf that stands open, and may end at its handle. So a doorway is at
 /// least two metres high, and leads the way in which the frame, or the wall, at the same place is thin.
@@ -38,6 +38,40 @@ pub struct WallOpening {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn openings(graph: &SceneGraph) -> Vec<WallOpening> {
+    let mut openings = filled(graph);
+    openings.extend(crate::passage::passages(graph, &openings));
+    openings
+}
+
+/// The passages of a scene of boxes: holes in walls between rooms that no door, frame or other passage connects.
+///
+/// A box has no hole, so such a passage is a guess: it is in the widest stretch of the walls between the two rooms
+/// before which nothing stands, at most 1.4 m wide and two metres high. Walls that have a shape are left as they
+/// are. Costs time that grows with the square of the number of walls, and only if rooms are cut off.
+///
+/// ```
+/// use vc_graph::{Bounds, Draft, Pose, Relation, SceneBuilder};
+/// let mut scene = SceneBuilder::new("two rooms");
+/// let (mut rooms, size) = (Vec::new(), |x: f32, y: f32, z: f32| Bounds::standing([x, y, z].into()));
+/// for (name, middle, wall) in [("kitchen", -2.0, -0.05), ("bedroom", 2.0, 0.05)] {
+///     let room = scene.add(Draft::new(name))?;
+///     for (class, at, size) in [("floor", middle, size(4.0, 4.0, 0.01)), ("wall", wall, size(0.1, 4.0, 2.5))] {
+///         let thing = scene.add(Draft::new(class).bounds(size).at(Pose::translation(at, 0.0, 0.0)))?;
+///         scene.link(thing, Relation::InRoom, room)?;
+///     }
+///     rooms.push(room);
+/// }
+/// let passages = vc_geometry::passages(&scene.build());
+/// assert_eq!(passages.len(), 1);
+/// assert_eq!(passages[0].rooms, rooms);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn passages(graph: &SceneGraph) -> Vec<WallOpening> {
+    crate::passage::passages(graph, &filled(graph))
+}
+
+/// The openings with a door, frame or window in them.
+fn filled(graph: &SceneGraph) -> Vec<WallOpening> {
     graph.nodes().filter(|n| n.role().is_opening()).filter_map(|n| opening(graph, n)).collect()
 }
 
