@@ -161,10 +161,14 @@ impl Execution<'_> {
             && around.iter().all(|(id, was)| far(*id, was) < ASIDE)
     }
 
-    /// Takes a thing out of the way, and brings back those around it.
+    /// Takes a thing out of the way, and brings back those around it. All of them are loose again: one that was pinned
+    /// to the drawer that it came to rest in would stay behind when the drawer moves.
     fn clear_away(&mut self, id: NodeId, around: &[(NodeId, Pose)]) -> Done {
         self.world.place(id, Pose::translation(0.0, 0.0, AWAY))?;
-        Ok(around.iter().try_for_each(|(id, was)| self.world.place(*id, *was))?)
+        around.iter().try_for_each(|(id, was)| self.world.place(*id, *was))?;
+        let all = around.iter().map(|(id, _)| *id).chain([id]);
+        let pinned: Vec<NodeId> = all.filter(|id| self.world.role(*id) == Some(BodyRole::Hung)).collect();
+        Ok(pinned.into_iter().try_for_each(|id| self.world.wake(id))?)
     }
 
     /// Loose things at a place and on them, and where they are.
