@@ -18,7 +18,7 @@ use vc_graph::goal::Situation;
 use vc_graph::{Action, Verb};
 use vc_planner::{EpisodeOptions, PlannerPolicy, Step};
 use vc_tasks::{Outcome, Task};
-use virtualcity::{Assets, Environment, SceneOptions};
+use virtualcity::{Assets, Environment};
 
 /// Tests how much agents can do in homes of which only bounding boxes are known.
 #[derive(Parser)]
@@ -72,7 +72,7 @@ fn look_at(
     put: &mut placements::Tally,
 ) -> Result<(), Complaint> {
     let assets = if options.plain { Assets::None } else { Assets::Generated };
-    let home = Environment::make_with(&format!("scene:{}", file.display()), 1, &SceneOptions { assets });
+    let home = Environment::builder(format!("scene:{}", file.display())).assets(assets).make();
     let home = home.map_err(Complaint::new)?;
     say!("{}: {} nodes, {} left out", file.display(), home.graph().len(), home.left_out().len());
     home.left_out().iter().for_each(|left| say!("  {left}"));

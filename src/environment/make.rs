@@ -6,14 +6,15 @@ use std::sync::Arc;
 use nalgebra::Point2;
 use vc_geometry::WallOpening;
 use vc_graph::{AssetId, Draft, History, Node, NodeId, NodeKind, ObjectRole, Pose, SceneBuilder, SceneGraph};
-use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
+use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, ShapeCache};
 use vc_relations::{RelationRule, Relations};
 
 use super::reset::undress;
 use super::settle::come_to_rest;
 use super::undo::Undo;
 use super::{
-    Assets, Displaced, Environment, MakeError, SceneOptions, Start, Unplaced, astray, boxes, observe, scene, seats,
+    Assets, Displaced, Environment, EnvironmentSettings, MakeError, Start, Unplaced, astray, boxes, observe, scene,
+    seats,
 };
 
 /// How often relations are read at most, until the rooms of floors no longer change.
@@ -51,8 +52,8 @@ impl Environment {
     /// An environment by name, with some agents at free spots from where the rooms can be
     /// reached: `apartment/42` generates a home from a seed, `scene:FILE` reads a scene of
     /// any format whose things have poses, packed by gzip or not. A thing that has a class and a box
-    /// but no shape gets its class's shape ([`vc_procgen::dress`]); with
-    /// [`make_with`](Self::make_with) it can get a plain one.
+    /// but no shape gets its class's shape ([`vc_procgen::dress`]). [`builder`](Self::builder) takes settings other
+    /// than the defaults.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
     /// [`Environment::of`].
@@ -69,15 +70,7 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn make(name: &str, agents: usize) -> Result<Self, MakeError> {
-        Self::make_with(name, agents, &SceneOptions::default())
-    }
-
-    /// [`make`](Self::make) with options: which shapes things get that have only a box.
-    ///
-    /// # Errors
-    /// [`MakeError`].
-    pub fn make_with(name: &str, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
-        Self::of_with(scene::named(name)?, agents, options)
+        Self::builder(name).agents(agents).make()
     }
 
     /// An environment of a scene of your own. Agents that the scene has are kept, others
@@ -104,27 +97,27 @@ impl Environment {
     /// # Errors
     /// [`MakeError`].
     pub fn of(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
-        Self::of_with(graph, agents, &SceneOptions { assets: Assets::None })
+        Self::builder_of(graph).agents(agents).make()
     }
 
-    /// [`of`](Self::of) with options: which shapes things get that have only a box.
-    ///
-    /// # Errors
-    /// [`MakeError`].
-    pub fn of_with(graph: SceneGraph, agents: usize, options: &SceneOptions) -> Result<Self, MakeError> {
+    pub(super) fn with_settings(
+        graph: SceneGraph,
+        agents: usize,
+        settings: &EnvironmentSettings,
+    ) -> Result<Self, MakeError> {
         vc_relations::check_sizes(&graph)?;
         // Things that had only a box stay where the scene has them, whichever shape they get; so do all that were
         // at rest.
         let (at_rest, staying) = (boxes::was_at_rest(&graph), boxes::staying(&graph));
         let graph = scene::shaped(&graph)?.unwrap_or(graph);
         let passages = vc_geometry::passages(&graph);
-        let graph = boxes::shaped(&graph, options.assets)?.unwrap_or(graph);
+        let graph = boxes::shaped(&graph, settings.assets)?.unwrap_or(graph);
         let posed = |n: &&vc_graph::Node| n.kind() == NodeKind::Object && n.pose().is_some();
         if !graph.nodes().any(|n| posed(&n)) {
             return Err(MakeError::NoPoses { scene: graph.name().to_owned(), things: graph.len() });
         }
         let (mut graph, shapes) = (graph, ShapeCache::new());
-        let mut world = PhysicsWorld::build(&graph, &shapes, Settings::default())?;
+        let mut world = PhysicsWorld::build(&graph, &shapes, settings.physics)?;
         let mut told = seats::take(&mut world, &mut graph)?;
         let mut builder = SceneBuilder::from_graph(graph);
         boxes::hold(&mut world, builder.graph(), &staying)?;
@@ -164,15 +157,15 @@ impl Environment {
         let mut graph = builder.build();
         told.extend(astray::told(&graph, &put_apart));
         told.extend(seats::stand(&mut graph, &without_way)?);
-        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: options.assets, told, passages };
-        Self::begin(graph, made)
+        let made = Made { world, floor, shapes, left_out, staying, at_rest, assets: settings.assets, told, passages };
+        Self::begin(graph, made, settings)
     }
 
-    fn begin(mut graph: SceneGraph, made: Made) -> Result<Self, MakeError> {
+    fn begin(mut graph: SceneGraph, made: Made, settings: &EnvironmentSettings) -> Result<Self, MakeError> {
         let Made { world, floor, shapes, left_out, staying, at_rest, assets, told, passages } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
-        let relations = read_relations(&mut graph, &world)?;
+        let relations = read_relations(&mut graph, &world, settings.relations)?;
         let traced = graph.clone();
         let mut elsewhere = if at_rest {
             boxes::keep_all(&scene, &mut graph).map(|()| Vec::new())?
@@ -182,11 +175,11 @@ impl Environment {
         elsewhere.extend(told);
         let kept = boxes::kept(&traced, &graph, &staying);
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets, passages };
-        Ok(Self::at(Arc::new(start)))
+        Ok(Self::at(Arc::new(start), settings))
     }
 
     /// The environment as it begins.
-    fn at(start: Arc<Start>) -> Self {
+    fn at(start: Arc<Start>, settings: &EnvironmentSettings) -> Self {
         Self {
             graph: start.graph.clone(),
             world: start.world.clone(),
@@ -198,7 +191,7 @@ impl Environment {
             #[cfg(feature = "render")]
             picture_cache: Arc::default(),
             #[cfg(feature = "render")]
-            pictures: crate::PictureOptions::default(),
+            pictures: settings.pictures,
             start,
         }
     }
@@ -206,13 +199,13 @@ impl Environment {
 
 /// Reads all relations and writes them into the graph. A floor that gets its room by that makes the room larger:
 /// then they are read again, so that who reads them from the graph later finds the same rooms.
-fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<Relations, MakeError> {
+fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld, rule: RelationRule) -> Result<Relations, MakeError> {
     let rooms = |graph: &SceneGraph| {
         let parts = graph.nodes().filter(|n| n.is_building());
         parts.map(|n| graph.room_of(n.id())).collect::<Vec<Option<NodeId>>>()
     };
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-    let mut relations = Relations::new(graph, RelationRule::Contacts, observe::evidence(world))?;
+    let mut relations = Relations::new(graph, rule, observe::evidence(world))?;
     for _ in 0..READINGS {
         let before = rooms(graph);
         relations.write(graph, &all)?;

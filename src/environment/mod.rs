@@ -5,6 +5,7 @@ mod alter;
 mod astray;
 mod body;
 mod boxes;
+mod builder;
 mod compare;
 mod course;
 mod error;
@@ -37,6 +38,8 @@ use vc_physics::{Floor, PhysicsWorld, Posture, ShapeCache};
 use vc_relations::Relations;
 
 pub use alter::{AlterError, Spot};
+pub use builder::EnvironmentBuilder;
+use builder::EnvironmentSettings;
 pub use compare::{Difference, Disagreement};
 pub use error::{ActionError, MakeError, PhysicalRefusal, ResetError, SaveError};
 #[cfg(feature = "render")]
@@ -46,7 +49,7 @@ pub(crate) use pictures::{GLANCE, sight_of};
 #[cfg(feature = "render")]
 pub use pictures::{PictureOptions, Viewpoint};
 pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};
-pub use scene::{Assets, SceneOptions};
+pub use scene::Assets;
 pub use steer::Steering;
 
 /// At which height somebody is in a room, metres.

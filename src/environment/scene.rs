@@ -1,5 +1,7 @@
 //! Scenes by name, and shapes for things that have none.
 
+use std::sync::Arc;
+
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed};
 use vc_procgen::Apartment;
@@ -7,19 +9,8 @@ use vc_procgen::dress::{self, DressError};
 
 use super::MakeError;
 
-/// Options for making an environment from a scene: [`Environment::make_with`](super::Environment::make_with).
-///
-/// ```
-/// use virtualcity::{Assets, SceneOptions};
-/// assert_eq!(SceneOptions::default().assets, Assets::Generated);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct SceneOptions {
-    /// The shapes for things that have a box and no shape.
-    pub assets: Assets,
-}
-
-/// The shapes for things that have only a class and a box, as in VirtualHome's scenes.
+/// The shapes for things that have only a class and a box, as in VirtualHome's scenes:
+/// [`EnvironmentBuilder::assets`](super::EnvironmentBuilder::assets).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Assets {
     /// Plain shapes, sufficient for walking and for placing things on them: [`vc_geometry`].
@@ -30,14 +21,14 @@ pub enum Assets {
 }
 
 /// The scene with a name: `apartment/SEED` is generated, `scene:FILE` is read, gzipped or not.
-pub(super) fn named(name: &str) -> Result<SceneGraph, MakeError> {
+pub(super) fn named(name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, MakeError> {
     if let Some(seed) = name.strip_prefix("apartment/") {
         let seed = seed.parse().map_err(|_| MakeError::BadSeed(seed.to_owned()))?;
         return Ok(Apartment::from_seed(Seed(seed))?.scene());
     }
     let path = name.strip_prefix("scene:").ok_or_else(|| MakeError::UnknownName(name.to_owned()))?;
     let text = crate::read_text(path)?;
-    read_scene(&text, &ClassTable::builtin()).map_err(|error| MakeError::Format { path: path.to_owned(), error })
+    read_scene(&text, classes).map_err(|error| MakeError::Format { path: path.to_owned(), error })
 }
 
 /// The scene with a shape for every thing that has neither asset nor box and whose class has a generator.

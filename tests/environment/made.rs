@@ -3,9 +3,11 @@
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use virtualcity::graph::format::native;
-use virtualcity::graph::{Draft, NodeId, Place, Pose, Relation, Seed, State, Verb, Violation};
-use virtualcity::physics::BodyRole;
+use virtualcity::graph::{ClassTable, Draft, NodeId, Place, Pose, Property, Relation, Seed, State, Verb, Violation};
+use virtualcity::physics::{BodyRole, PhysicsError};
 use virtualcity::procgen::Apartment;
+use virtualcity::relations::RelationRule;
+use virtualcity::render::Daylight;
 use virtualcity::{Environment, MakeError, UnplacedReason, check_environment};
 
 use super::{act, home};
@@ -27,6 +29,28 @@ fn scenes_are_made_of_files() {
     encoder.finish().unwrap();
     let unpacked = Environment::make(&format!("scene:{}", packed.display()), 1).unwrap();
     assert_eq!(unpacked.digest(), read.digest());
+}
+
+/// The builder's settings reach the parts that they are for, a reset keeps them, and senseless ones are refused.
+#[test]
+fn environments_have_the_settings_of_their_builder() {
+    let builder = || Environment::builder("apartment/5").agents(2);
+    let (plain, made) = (builder().make().unwrap(), home(5, 2));
+    assert_eq!(plain.digest(), made.digest());
+    let mut moon = builder().gravity(1.62).relations(RelationRule::VirtualHome).hour(23.0).make().unwrap();
+    moon.reset(&moon.start().clone()).unwrap();
+    assert_eq!((moon.agents().len(), moon.world().settings().gravity), (2, 1.62));
+    assert_eq!(moon.relations().rule(), RelationRule::VirtualHome);
+    assert_eq!(moon.pictures().daylight, Daylight::night());
+    assert!(matches!(builder().gravity(f32::NAN).make(), Err(MakeError::Physics(PhysicsError::BadSettings(_)))));
+    assert!(matches!(builder().agents(0).make(), Err(MakeError::NoAgents)));
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("own_classes.json");
+    let scene = include_str!("../data/boxes_table.json").replace("apple", "moon_apple");
+    std::fs::write(&file, scene).unwrap();
+    let table = "moon_apple | fruit | | food | graspable surface | 0.06-0.10 0.06-0.10 0.06-0.10 | 0.1-0.3";
+    let classes = ClassTable::builtin().extended("mine.txt", table).unwrap();
+    let own = Environment::builder(format!("scene:{}", file.display())).classes(classes).make().unwrap();
+    assert!(own.graph().node(own.graph().of_class("moon_apple")[0]).unwrap().affords(Property::Surface));
 }
 
 #[test]

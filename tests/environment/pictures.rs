@@ -34,6 +34,16 @@ fn cameras_in_rooms_are_fixed() {
     let mut other = Environment::make("apartment/42", 1).unwrap();
     act(&mut other, me, Verb::Walk, &[table]);
     assert_eq!(before, camera(&other));
+    // The options' lens is wider, and a robot's eyes are lower.
+    let (eyes, options) = (home.camera(Viewpoint::Agent(me), 64, 48).unwrap(), *home.pictures());
+    home.set_pictures(PictureOptions { field_of_view: 1.6, eye_height: Some(0.6), ..options });
+    let (robot, wide) = (home.camera(Viewpoint::Agent(me), 64, 48).unwrap(), camera(&home));
+    assert!(wide.focal.0 < before.focal.0 && wide.pose == before.pose);
+    let (high, low) = (eyes.pose.translation.z, robot.pose.translation.z);
+    assert!((0.5..0.7).contains(&low) && (1.4..1.8).contains(&high), "{low} {high}");
+    home.set_pictures(PictureOptions { field_of_view: f32::NAN, ..options });
+    assert!(home.render(Viewpoint::Agent(me), Modality::Depth, 64, 48).is_err());
+    home.set_pictures(options);
     for (width, height) in [(0, 0), (1, u32::MAX), (u32::MAX, u32::MAX)] {
         assert!(home.render(Viewpoint::Room(room), Modality::Depth, width, height).is_err(), "{width} x {height}");
     }

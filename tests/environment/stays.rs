@@ -7,7 +7,7 @@ use virtualcity::graph::{
     State, Verb,
 };
 use virtualcity::physics::{BodyRole, Posture};
-use virtualcity::{Environment, MakeError, SceneOptions};
+use virtualcity::{Assets, Environment, MakeError};
 
 use super::boxes::one;
 use super::{act, home};
@@ -37,14 +37,19 @@ fn moved(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
     all.map(|id| was.label(id).to_string()).collect()
 }
 
+/// A home of boxes with the looks of its classes.
+fn generated(graph: SceneGraph) -> Result<Environment, MakeError> {
+    Environment::builder_of(graph).assets(Assets::Generated).make()
+}
+
 /// A scene of VirtualHome, if the shared data exists.
 fn scene(number: u32) -> Option<Environment> {
-    vc_testkit::data::scene(number).map(|graph| Environment::of_with(graph, 1, &SceneOptions::default()).unwrap())
+    vc_testkit::data::scene(number).map(|graph| generated(graph).unwrap())
 }
 
 fn kept() -> Environment {
     let graph = read_scene(include_str!("../data/boxes_kept.json"), &ClassTable::builtin()).unwrap();
-    Environment::of_with(graph, 1, &SceneOptions::default()).unwrap()
+    generated(graph).unwrap()
 }
 
 /// Pictures hang, books lean and boxes overlap as before: in a home made from another one's graph, from its
@@ -82,7 +87,7 @@ fn a_home_comes_back_from_the_thesis_form_as_it_stood() {
                 (is.label(), is.states(), &is.spec().properties)
             );
         }
-        let again = Environment::of_with(read, 1, &SceneOptions::default()).unwrap();
+        let again = generated(read).unwrap();
         let (now, share) = (again.graph(), |part: usize, of: usize| 100.0 * part as f64 / of as f64);
         assert_eq!(again.left_out(), []);
         let name = graph.name();
@@ -210,7 +215,7 @@ fn who_gets_up_gets_on() {
 #[test]
 fn who_sits_in_a_scene_sits() {
     let scene = read_scene(include_str!("../data/seated.json"), &ClassTable::builtin()).unwrap();
-    let of_boxes = Environment::of_with(scene, 1, &SceneOptions::default()).unwrap();
+    let of_boxes = generated(scene).unwrap();
     let mut sitting = home(42, 1);
     let (me, sofa) = (sitting.agents()[0], one(&sitting, "sofa"));
     act(&mut sitting, me, Verb::Walk, &[sofa]);
@@ -311,7 +316,7 @@ fn a_thing_that_opens_keeps_its_places() {
 #[test]
 fn a_box_far_from_its_origin_rests_on_the_table() {
     let scene = read_scene(include_str!("../data/box_above.json"), &ClassTable::builtin()).unwrap();
-    let home = Environment::of_with(scene, 1, &SceneOptions::default()).unwrap();
+    let home = generated(scene).unwrap();
     let (apple, table) = (one(&home, "apple"), one(&home, "kitchen_table"));
     assert!(home.left_out().is_empty());
     assert_eq!(home.world().role(apple), Some(BodyRole::Loose));

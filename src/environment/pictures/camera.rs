@@ -1,13 +1,13 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Label, NodeId, NodeKind, ObjectRole, SceneGraph};
+use vc_graph::{Aabb, Anthropometry, Label, NodeId, NodeKind, ObjectRole, SceneGraph};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use crate::Environment;
 
-/// Vertical field of view of eyes and of cameras in rooms, radians.
-const FIELD: f32 = 1.15;
+/// Vertical field of view of eyes and of cameras in rooms unless the options say otherwise, radians.
+pub(super) const FIELD: f32 = 1.15;
 /// Height above the floor at which a view from above cuts the home open, metres.
 const CUT: f32 = 2.1;
 /// Pixels of the pictures by which corners are compared.
@@ -77,7 +77,7 @@ impl Environment {
     /// [`RenderError::NoAgent`] for the eyes of something else, [`RenderError::NoRoom`] for a view of something else than
     /// a room, [`RenderError::NoBody`] for an agent without a body.
     pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError<Label>> {
-        let camera = Camera::with_fov(width, height, FIELD);
+        let camera = Camera::with_fov(width, height, self.pictures.field_of_view);
         match view {
             Viewpoint::Free(free) => Ok(free.resized(width, height)),
             Viewpoint::Agent(agent) if !self.graph().agents().contains(&agent) => {
@@ -108,7 +108,11 @@ impl Environment {
 
     fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
         let pose = self.graph().node(agent)?.pose()?;
-        let mut camera = camera.mounted(&(pose * self.skeleton(agent)?.eyes()));
+        let mut eyes = self.skeleton(agent)?.eyes();
+        if let Some(height) = self.pictures.eye_height {
+            eyes.translation.z += height - Anthropometry::ADULT.view;
+        }
+        let mut camera = camera.mounted(&(pose * eyes));
         camera.near = 0.03;
         Some(camera)
     }

@@ -2,9 +2,11 @@
 
 use vc_render::{Adaptation, Daylight};
 
+use super::camera::FIELD;
 use crate::Environment;
 
-/// Options for rendering an environment's pictures: daylight, anti-aliasing and the adaptation of the eye.
+/// Options for rendering an environment's pictures: daylight, anti-aliasing, the adaptation of the eye, and the lenses of
+/// its viewpoints.
 ///
 /// ```no_run
 /// use virtualcity::render::{Daylight, Modality};
@@ -26,11 +28,17 @@ pub struct PictureOptions {
     /// The light to which the eye is adapted; by default the light of the picture itself. Set it for films, in
     /// which the brightness must not jump.
     pub adapts: Option<Adaptation>,
+    /// The vertical field of view of agents' eyes and of cameras in rooms, radians; 1.15 by default. A picture fails with
+    /// [`RenderError::BadCamera`](vc_render::RenderError::BadCamera) unless it is above 0 and below half a turn.
+    pub field_of_view: f32,
+    /// The height of a standing agent's eyes above the floor, metres, such as that of a robot's camera; by default that
+    /// of its head. Only pictures follow it; bodies see and reach as they did.
+    pub eye_height: Option<f32>,
 }
 
 impl Default for PictureOptions {
     fn default() -> Self {
-        Self { daylight: Daylight::noon(), finer: 1, adapts: None }
+        Self { daylight: Daylight::noon(), finer: 1, adapts: None, field_of_view: FIELD, eye_height: None }
     }
 }
 

@@ -1,0 +1,151 @@
+//! An environment's settings, with their defaults, and the builder that takes them.
+
+use std::sync::Arc;
+
+use vc_graph::{ClassTable, SceneGraph};
+use vc_relations::RelationRule;
+
+use super::{Assets, Environment, MakeError, scene};
+
+/// Makes an [`Environment`] with settings of your own: [`Environment::builder`], [`Environment::builder_of`].
+///
+/// | setting | default |
+/// |---|---|
+/// | [`agents`](Self::agents) | 1 |
+/// | [`assets`](Self::assets) | [`Assets::Generated`] for a scene by name, [`Assets::None`] for a graph |
+/// | [`classes`](Self::classes) | [`ClassTable::builtin`] |
+/// | [`physics`](Self::physics), [`gravity`](Self::gravity) | [`vc_physics::Settings::default`]: steps of 1/60 s, 9.81 m/s² |
+/// | [`relations`](Self::relations) | [`RelationRule::Contacts`] |
+/// | `pictures`, `hour` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad |
+///
+/// ```
+/// use virtualcity::Environment;
+/// let mut moon = Environment::builder("apartment/42").agents(2).gravity(1.62).make()?;
+/// assert_eq!(moon.agents().len(), 2);
+/// assert_eq!(moon.world().settings().gravity, 1.62);
+/// # Ok::<(), virtualcity::MakeError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct EnvironmentBuilder {
+    source: Source,
+    agents: usize,
+    settings: EnvironmentSettings,
+}
+
+/// The scene that an environment is made of.
+#[derive(Debug, Clone)]
+enum Source {
+    Name(String),
+    Graph(Box<SceneGraph>),
+}
+
+/// The settings of an environment.
+#[derive(Debug, Clone)]
+pub(super) struct EnvironmentSettings {
+    pub(super) assets: Assets,
+    pub(super) classes: Arc<ClassTable>,
+    pub(super) physics: vc_physics::Settings,
+    pub(super) relations: RelationRule,
+    #[cfg(feature = "render")]
+    pub(super) pictures: crate::PictureOptions,
+}
+
+impl EnvironmentSettings {
+    fn new(assets: Assets) -> Self {
+        Self {
+            assets,
+            classes: ClassTable::builtin(),
+            physics: vc_physics::Settings::default(),
+            relations: RelationRule::Contacts,
+            #[cfg(feature = "render")]
+            pictures: crate::PictureOptions::default(),
+        }
+    }
+}
+
+impl EnvironmentBuilder {
+    fn new(source: Source, assets: Assets) -> Self {
+        Self { source, agents: 1, settings: EnvironmentSettings::new(assets) }
+    }
+
+    /// The number of agents. Agents that the scene has are kept, others are added until there are so many.
+    pub fn agents(mut self, agents: usize) -> Self {
+        self.agents = agents;
+        self
+    }
+
+    /// The shapes for things that have a class and a box and no shape.
+    pub fn assets(mut self, assets: Assets) -> Self {
+        self.settings.assets = assets;
+        self
+    }
+
+    /// The classes that a scene is read with. A scene that is generated or given as a graph has its own.
+    pub fn classes(mut self, classes: impl Into<Arc<ClassTable>>) -> Self {
+        self.settings.classes = classes.into();
+        self
+    }
+
+    /// The settings of the bodies: gravity, the fixed things, friction of hinges, latches.
+    pub fn physics(mut self, settings: vc_physics::Settings) -> Self {
+        self.settings.physics = settings;
+        self
+    }
+
+    /// Acceleration of free fall, metres per second squared, downwards.
+    pub fn gravity(mut self, gravity: f32) -> Self {
+        self.settings.physics.gravity = gravity;
+        self
+    }
+
+    /// The rule by which relations are read from geometry. The transition rule expects those of
+    /// [`RelationRule::Contacts`]; with the others more actions end in a disagreement of rule and bodies.
+    pub fn relations(mut self, rule: RelationRule) -> Self {
+        self.settings.relations = rule;
+        self
+    }
+
+    /// The options of pictures: [`Environment::set_pictures`].
+    #[cfg(feature = "render")]
+    pub fn pictures(mut self, options: crate::PictureOptions) -> Self {
+        self.settings.pictures = options;
+        self
+    }
+
+    /// The hour of the day that pictures show, 0 to 24.
+    #[cfg(feature = "render")]
+    pub fn hour(mut self, hour: f32) -> Self {
+        self.settings.pictures.daylight = vc_render::Daylight::at(hour);
+        self
+    }
+
+    /// Makes the environment. Costs what [`Environment::make`] costs.
+    ///
+    /// # Errors
+    /// [`MakeError`].
+    pub fn make(self) -> Result<Environment, MakeError> {
+        let graph = match self.source {
+            Source::Name(name) => scene::named(&name, &self.settings.classes)?,
+            Source::Graph(graph) => *graph,
+        };
+        Environment::with_settings(graph, self.agents, &self.settings)
+    }
+}
+
+impl Environment {
+    /// A builder of the environment with a name, as in [`make`](Self::make), for settings other than the defaults.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// let evening = Environment::builder("apartment/42").hour(19.5).make()?;
+    /// # Ok::<(), virtualcity::MakeError>(())
+    /// ```
+    pub fn builder(name: impl Into<String>) -> EnvironmentBuilder {
+        EnvironmentBuilder::new(Source::Name(name.into()), Assets::Generated)
+    }
+
+    /// A builder of the environment of a scene of your own, as in [`of`](Self::of).
+    pub fn builder_of(graph: SceneGraph) -> EnvironmentBuilder {
+        EnvironmentBuilder::new(Source::Graph(Box::new(graph)), Assets::None)
+    }
+}
