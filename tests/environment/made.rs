@@ -47,7 +47,7 @@ fn environments_have_the_settings_of_their_builder() {
     let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("own_classes.json");
     let scene = include_str!("../data/boxes_table.json").replace("apple", "moon_apple");
     std::fs::write(&file, scene).unwrap();
-    let table = "moon_apple | fruit | | food | graspable surface | 0.06-0.10 0.06-0.10 0.06-0.10 | 0.1-0.3";
+    let table = "moon_apple | fruit | | food | graspable surface | 0.08 0.08 0.08 | 0.2 | | | kitchen/on/table:1";
     let classes = ClassTable::builtin().extended("mine.txt", table).unwrap();
     let own = Environment::builder(format!("scene:{}", file.display())).classes(classes).make().unwrap();
     assert!(own.graph().node(own.graph().of_class("moon_apple")[0]).unwrap().affords(Property::Surface));
