@@ -88,21 +88,26 @@ impl PhysicsWorld {
         let index = self.index(id)?;
         self.driven.retain(|d| *d != (id, part));
         let thing = &mut self.things[index];
-        thing.state.moving[part].position = target;
         let moving = thing.state.moving[part];
+        thing.state.moving[part].position = target;
         let (Some(joint), Some(base)) = (thing.form.links[part + 1].joint, self.engine.pose(thing.state.base)) else {
             return Ok(());
         };
-        match moving.body {
+        let (load, after) = (self.load_of_part(id, part), base * joint.motion(target));
+        let before = match moving.body {
             Some(body) => {
                 let before = self.engine.pose(body).unwrap_or(base);
-                let after = base * joint.motion(target);
-                let load = self.load_of(body);
                 self.engine.place(body, convert::pose(&after));
-                self.carry_along(&load, &(after * before.inverse()));
-                self.settle_part(index, part);
+                before
             }
-            None => self.turn_welded(index, part, target),
+            None => {
+                self.turn_welded(index, part, target);
+                base * joint.motion(moving.position)
+            }
+        };
+        self.carry_along(&load, &(after * before.inverse()));
+        if moving.body.is_some() {
+            self.settle_part(index, part);
         }
         Ok(())
     }
