@@ -109,6 +109,7 @@ fn reason(error: &ActionError) -> String {
         ActionError::Refused(_) => "refused by the rule".into(),
         ActionError::Impossible { why: PhysicalRefusal::NoStand(_), .. } => "out of reach".into(),
         ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. } => "no free spot".into(),
+        ActionError::Impossible { why: PhysicalRefusal::KeepsOpen { .. }, .. } => "would not shut".into(),
         ActionError::Impossible { .. } => "bodies cannot".into(),
         ActionError::Disagreement(_) => "bodies and rule disagree".into(),
         _ => "another".into(),

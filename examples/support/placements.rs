@@ -107,6 +107,7 @@ fn kind(error: &ActionError) -> &'static str {
         ActionError::Refused(_) => "refused by the rule",
         ActionError::Impossible { why: PhysicalRefusal::NoStand(_), .. } => "out of reach",
         ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. } => "no free spot",
+        ActionError::Impossible { why: PhysicalRefusal::KeepsOpen { .. }, .. } => "would not shut",
         ActionError::Impossible { why: PhysicalRefusal::Stuck { .. }, .. } => "stuck",
         ActionError::Impossible { .. } => "bodies cannot",
         ActionError::Disagreement(_) => "bodies and rule disagree",

@@ -305,7 +305,12 @@ impl PhysicalRefusal {
     pub fn is_in_the_way(&self) -> bool {
         matches!(
             self,
-            Self::NoStand(_) | Self::NoSpot { .. } | Self::ShutsIn { .. } | Self::Stuck { .. } | Self::Unsteady(_)
+            Self::NoStand(_)
+                | Self::NoSpot { .. }
+                | Self::ShutsIn { .. }
+                | Self::KeepsOpen { .. }
+                | Self::Stuck { .. }
+                | Self::Unsteady(_)
         )
     }
 }

@@ -194,6 +194,14 @@ pub enum PhysicalRefusal {
         /// The floor on which there is room, but no way past it.
         at: Label,
     },
+    /// Wherever there is room for it, a door, lid or drawer could not shut again.
+    #[error("{thing} would keep {at} open wherever it fits in: make room for it first, or put it elsewhere")]
+    KeepsOpen {
+        /// The thing to be put in.
+        thing: Label,
+        /// The thing that could not be shut.
+        at: Label,
+    },
     /// It rolls or slides off wherever it is put there.
     #[error("{0} does not stay where it is put there: take out or move what it would lie on")]
     Unsteady(Label),

@@ -28,7 +28,8 @@ impl Environment {
     /// Whether there are free spots for all of some things, each at one of several places. The things are
     /// placed one after the other as an agent places held things: containers are opened, cloth may be folded up
     /// to make room, and the present contents are pushed together. Each spot has to be within reach from
-    /// somewhere in the room, and each thing has to be reachable while the container it goes into stands open.
+    /// somewhere in the room and let the container shut again, and each thing has to be reachable while the container it
+    /// goes into stands open.
     ///
     /// Uses `World::set_openness`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
     /// millisecond, and some more for each thing.
@@ -54,8 +55,8 @@ impl Environment {
                     return None;
                 }
                 let spot = execution.spot(*id, place).ok()?;
-                let stand = execution.stand_to_put(self.graph.room_of(place.at), *id, &spot);
-                stand.is_ok_and(|stand| stand.is_some()).then_some(spot)
+                let stand = execution.stand_for(self.graph.room_of(place.at), *id, place, spot).ok()?;
+                stand.map(|(_, spot)| spot)
             });
             // The spot is finite and the thing exists.
             let put = spot.is_some_and(|spot| world.place(*id, spot).is_ok());

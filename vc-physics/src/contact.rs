@@ -171,25 +171,49 @@ impl PhysicsWorld {
     /// it.
     pub(crate) fn load_of(&self, body: RigidBodyHandle) -> Vec<NodeId> {
         let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
-        let own = part.map(|(id, _)| id);
-        let mut load = part.map_or_else(Vec::new, |part| self.pinned_on(part));
-        if part.is_some_and(|(_, link)| link > 0) {
-            load.extend(self.hovering_in(body));
-        }
-        let mut open: Vec<_> = load.iter().filter_map(|id| Some(self.thing(*id).ok()?.state.base)).collect();
-        open.push(body);
-        while let Some(body) = open.pop() {
-            for pinned in self.pinned_on_base(body) {
-                if Some(pinned) != own && !load.contains(&pinned) {
-                    load.push(pinned);
-                    open.extend(self.thing(pinned).map(|t| t.state.base));
-                }
+        part.map_or_else(Vec::new, |part| self.load_above(part, self.colliders_of(body)))
+    }
+
+    /// The things that a moving part carries: those on or in a body of its own; and on a part that moves with its
+    /// base, if it is made to hold things, as a drawer is.
+    pub(crate) fn load_of_part(&self, id: NodeId, part: usize) -> Vec<NodeId> {
+        let Ok(thing) = self.thing(id) else { return Vec::new() };
+        let (Some(moving), Some(link)) = (thing.state.moving.get(part), thing.form.links.get(part + 1)) else {
+            return Vec::new();
+        };
+        let holds = || thing.form.surfaces.iter().any(|surface| surface.joint == link.joint);
+        match moving.body {
+            Some(body) => self.load_of(body),
+            None if holds() => {
+                let mark = group::mark(id, part + 1);
+                let own = |c: &ColliderHandle| self.engine.colliders.get(*c).is_some_and(|c| c.user_data == mark);
+                self.load_above((id, part + 1), self.colliders_of(thing.state.base).into_iter().filter(own).collect())
             }
-            for above in self.resting_on(body) {
-                let loose = self.thing(above).ok().filter(|t| t.state.role == BodyRole::Loose);
-                if let Some(thing) = loose.filter(|_| Some(above) != own && !load.contains(&above)) {
+            None => Vec::new(),
+        }
+    }
+
+    fn colliders_of(&self, body: RigidBodyHandle) -> Vec<ColliderHandle> {
+        self.engine.bodies.get(body).map_or_else(Vec::new, |body| body.colliders().to_vec())
+    }
+
+    /// The things that rest on some colliders of a node's link.
+    fn load_above(&self, part: (NodeId, usize), colliders: Vec<ColliderHandle>) -> Vec<NodeId> {
+        let (own, link) = part;
+        let mut load = self.pinned_on(part);
+        if link > 0 {
+            load.extend(self.hovering_in(&colliders));
+        }
+        let base = |id: &NodeId| self.thing(*id).ok().map(|thing| thing.state.base);
+        let mut open: Vec<_> = load.iter().filter_map(base).map(|body| self.colliders_of(body)).collect();
+        open.push(colliders);
+        while let Some(below) = open.pop() {
+            let pinned = self.pinned_on_base(&below).into_iter();
+            let loose = |id: &NodeId| self.role(*id) == Some(BodyRole::Loose);
+            for above in pinned.chain(self.resting_on(&below).into_iter().filter(loose)) {
+                if above != own && !load.contains(&above) {
                     load.push(above);
-                    open.push(thing.state.base);
+                    open.extend(base(&above).map(|body| self.colliders_of(body)));
                 }
             }
         }
@@ -224,8 +248,8 @@ impl PhysicsWorld {
     }
 
     /// Things that fell asleep during a hop, a millimetre or two above their support: they touch nothing.
-    fn hovering_in(&self, body: RigidBodyHandle) -> Vec<NodeId> {
-        let Some(around) = self.box_around([body].into_iter()) else { return Vec::new() };
+    fn hovering_in(&self, colliders: &[ColliderHandle]) -> Vec<NodeId> {
+        let Some(around) = self.box_around(colliders.iter().copied()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
         let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && self.is_asleep(t.id));
         let above = |id: NodeId| {
@@ -243,9 +267,10 @@ impl PhysicsWorld {
         self.things.iter().filter(|t| t.state.rides == Some(part)).map(|t| t.id).collect()
     }
 
-    /// The things that are pinned to the node whose base is a body.
-    fn pinned_on_base(&self, body: RigidBodyHandle) -> Vec<NodeId> {
-        let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
+    /// The things that are pinned to the node whose base has some colliders.
+    fn pinned_on_base(&self, colliders: &[ColliderHandle]) -> Vec<NodeId> {
+        let body = colliders.first().and_then(|c| self.engine.colliders.get(*c)?.parent());
+        let part = body.and_then(|body| self.engine.bodies.get(body)).map(|b| group::marked(b.user_data));
         part.filter(|(_, link)| *link == 0).map_or_else(Vec::new, |part| self.pinned_on(part))
     }
 
@@ -262,11 +287,12 @@ impl PhysicsWorld {
         found
     }
 
-    /// The nodes that a body pushes from below.
-    fn resting_on(&self, body: RigidBodyHandle) -> Vec<NodeId> {
+    /// The nodes that some colliders of a body push from below.
+    fn resting_on(&self, colliders: &[ColliderHandle]) -> Vec<NodeId> {
         let mut found = Vec::new();
-        for pair in self.pairs_of(body).filter(|p| p.has_any_active_contact()) {
-            let first = self.engine.colliders.get(pair.collider1).and_then(|c| c.parent()) == Some(body);
+        let pairs = colliders.iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c));
+        for pair in pairs.filter(|p| p.has_any_active_contact()) {
+            let first = colliders.contains(&pair.collider1);
             let sign = if first { 1.0 } else { -1.0 };
             let up = self.touches(pair).any(|t| t.normal.z * sign > CARRIES);
             let other = if first { pair.collider2 } else { pair.collider1 };

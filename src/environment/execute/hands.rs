@@ -61,7 +61,7 @@ impl Execution<'_> {
         let hand = self.hand(self.before, id).ok_or(PhysicalRefusal::NotModelled("it is in no hand"))?;
         let mut spot = self.spot(id, place)?;
         if self.stands() && !self.puts_from(&self.feet(), id, &spot) {
-            self.step_to(place.at, id, &spot)?;
+            spot = self.step_to(id, place, spot)?;
             // The things that were pushed aside for it may have moved on meanwhile.
             if !self.puts_from(&self.feet(), id, &spot) || !self.world.overlaps(id, &spot)?.is_empty() {
                 spot = self.spot(id, place)?;
@@ -159,6 +159,13 @@ impl Execution<'_> {
         !rolled
             && (self.world.is_at(id, place.at, inside) || across())
             && around.iter().all(|(id, was)| far(*id, was) < ASIDE)
+            && !(inside && self.is_in_the_way(id, place.at))
+    }
+
+    /// Whether a thing as it lies keeps another from being shut.
+    fn is_in_the_way(&self, id: NodeId, at: NodeId) -> bool {
+        let pose = self.world.pose(id);
+        pose.is_some_and(|pose| self.world.keeps_open(id, at, &pose).unwrap_or(false))
     }
 
     /// Takes a thing out of the way, and brings back those around it. All of them are loose again: one that was pinned
@@ -198,7 +205,8 @@ impl Execution<'_> {
             spot = self.make_room(id, place)?;
         }
         if spot.is_none() && place.relation == Relation::Inside {
-            spot = self.world.heaped_spot_in(id, place.at, self.near_hands())?;
+            let admits = |spot: &Pose| self.may_be_put(id, place, spot);
+            spot = self.world.heaped_spot_where(id, place.at, self.near_hands(), admits)?;
         }
         spot.map_or_else(|| Err(self.no_spot(id, place)?), Ok)
     }
@@ -206,9 +214,15 @@ impl Execution<'_> {
     /// The error for a thing without a spot at a place.
     fn no_spot(&self, id: NodeId, place: Place) -> Result<PhysicalRefusal, PhysicalRefusal> {
         let (thing, at) = (self.before.label(id), self.before.label(place.at));
-        let inside = place.relation == Relation::Inside;
-        if !inside && self.world.free_spot_at(id, place.at, inside, self.near_hands())?.is_some() {
-            return Ok(PhysicalRefusal::ShutsIn { thing, at });
+        let (inside, order) = (place.relation == Relation::Inside, self.near_hands());
+        let mut anywhere = self.world.free_spot_at(id, place.at, inside, order)?;
+        if inside && anywhere.is_none() {
+            anywhere = self.world.heaped_spot_where(id, place.at, order, |_| true)?;
+        }
+        match anywhere {
+            Some(_) if inside => return Ok(PhysicalRefusal::KeepsOpen { thing, at }),
+            Some(_) => return Ok(PhysicalRefusal::ShutsIn { thing, at }),
+            None => {}
         }
         let by = self.before.relating(place.relation, place.at).map(|by| self.before.label(by)).collect();
         Ok(PhysicalRefusal::NoSpot { thing, where_: if inside { "in" } else { "on" }, at, by })
@@ -220,7 +234,7 @@ impl Execution<'_> {
         Ok(if was_there { self.world.former_spot(&self.start.world, id, place.at)? } else { None })
     }
 
-    fn near_hands(&self) -> SpotOrder {
+    pub(super) fn near_hands(&self) -> SpotOrder {
         SpotOrder::Near(self.feet() * Point3::new(AHEAD, 0.0, 1.0))
     }
 
@@ -228,11 +242,30 @@ impl Execution<'_> {
         self.spot_in_order(id, place, self.near_hands())
     }
 
-    /// The first free spot at a place where the thing shuts nobody in.
+    /// The first free spot at a place where the thing may be put.
     fn spot_in_order(&self, id: NodeId, place: Place, order: SpotOrder) -> Result<Option<Pose>, PhysicalRefusal> {
+        self.spot_where(id, place, order, |_| true)
+    }
+
+    /// The first free spot at a place where the thing may be put, and that a condition admits.
+    pub(super) fn spot_where(
+        &self,
+        id: NodeId,
+        place: Place,
+        order: SpotOrder,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Pose>, PhysicalRefusal> {
         let inside = place.relation == Relation::Inside;
-        let admits = |spot: &Pose| inside || self.shuts_nobody_in(id, spot);
+        let admits = |spot: &Pose| admits(spot) && self.may_be_put(id, place, spot);
         Ok(self.world.free_spot_where(id, place.at, inside, order, admits)?)
+    }
+
+    /// Whether a thing may be put to a spot at a place: on others it shuts nobody in, and what it is in shuts again.
+    fn may_be_put(&self, id: NodeId, place: Place, spot: &Pose) -> bool {
+        match place.relation {
+            Relation::Inside => self.world.keeps_open(id, place.at, spot).is_ok_and(|keeps| !keeps),
+            _ => self.shuts_nobody_in(id, spot),
+        }
     }
 
     /// Whether all agents, with a thing at a pose, still reach the floor that they reach now.
@@ -280,10 +313,11 @@ impl Execution<'_> {
         }
         let (inside, order, mut moved) = (place.relation == Relation::Inside, SpotOrder::Near(to), Vec::new());
         for &thing in things {
+            let admits = |spot: &Pose| !inside || self.may_be_put(thing, place, spot);
             let spot = if close {
-                self.world.packed_spot_at(thing, place.at, inside, order)?
+                self.world.packed_spot_where(thing, place.at, inside, order, admits)?
             } else {
-                self.world.free_spot_at(thing, place.at, inside, order)?
+                self.world.free_spot_where(thing, place.at, inside, order, admits)?
             };
             let Some(spot) = spot else { return Ok(None) };
             self.world.place(thing, spot)?;
@@ -362,9 +396,9 @@ impl Execution<'_> {
         ground: Place,
         here: impl Fn(&Pose) -> bool,
     ) -> Result<Option<Pose>, PhysicalRefusal> {
-        if let Some(spot) = self.free_spot(id, ground)?.filter(here) {
-            let stepped = self.step_to(ground.at, id, &spot).is_ok();
-            return Ok(Some(spot).filter(|spot| stepped && self.puts_from(&self.feet(), id, spot)));
+        if let Some(spot) = self.free_spot(id, ground)?.filter(&here) {
+            let reached = self.step_to(id, ground, spot).ok().filter(here);
+            return Ok(reached.filter(|spot| self.puts_from(&self.feet(), id, spot)));
         }
         match self.no_spot(id, ground)? {
             shut @ PhysicalRefusal::ShutsIn { .. } => Err(shut),

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Vector2};
 use vc_graph::asset::JointKind;
-use vc_graph::{NodeId, NodeKind, Pose, Property};
+use vc_graph::{NodeId, NodeKind, Place, Pose, Property};
 use vc_physics::{PhysicsWorld, StandingPose};
 
 use super::{Done, Execution, towards};
@@ -16,6 +16,8 @@ const APART: f32 = 0.55;
 const INNER: f32 = 0.1;
 /// Within this distance a thing counts as near to the agent that walked up to it, metres.
 const NEAR: f32 = vc_graph::NEAR - 0.02;
+/// Distance of the spots on the floor that are tried, metres.
+const BETWEEN: f32 = 0.15;
 /// How many of the points in a container must be visible to the agent that opens it.
 const SHOWN: usize = 6;
 
@@ -214,7 +216,7 @@ impl Execution<'_> {
     ) -> Option<StandingPose> {
         let from: Point2<f32> = self.feet().translation.vector.xy().into();
         let middle = to.xy();
-        let step = |i: i32| i as f32 * 0.15;
+        let step = |i: i32| i as f32 * BETWEEN;
         let all = (-24..=24).flat_map(|i| (-24..=24).map(move |j| Point2::new(middle.x + step(i), middle.y + step(j))));
         let near = |p: &Point2<f32>| (p - middle).norm() <= within && self.floor.is_free(*p);
         // The raster may miss a narrow spot: at least where one is, one may stay.
@@ -226,7 +228,12 @@ impl Execution<'_> {
             let feet = Pose::translation(p.x, p.y, level);
             admits(&feet) && self.is_good(&feet, room)
         });
-        let (spot, route) = good.take(64).find_map(|p| Some((p, self.floor.route(from, p)?)))?;
+        good.take(64).find_map(|spot| self.stand_facing(spot, to))
+    }
+
+    /// Standing at a spot, turned to a point; `None` if there is no way to the spot.
+    fn stand_facing(&self, spot: Point2<f32>, to: Point3<f32>) -> Option<StandingPose> {
+        let route = self.floor.route(self.feet().translation.vector.xy().into(), spot)?;
         let way = to.xy() - spot;
         let back = route.points.iter().rev().map(|p| spot - p).find(|w| w.norm() > 1e-3);
         let front = if way.norm() > 0.2 { Some(way) } else { back };
@@ -257,17 +264,54 @@ impl Execution<'_> {
             && (!self.stands() || self.world.is_clear_of_body(self.agent, feet, id, spot).unwrap_or(false))
     }
 
-    /// Walks to where a spot on or in a thing can be reached, else as near to it as one gets.
-    pub(super) fn step_to(&mut self, at: NodeId, id: NodeId, spot: &Pose) -> Done {
+    /// Walks to where a spot at a place can be reached, else to where another one can, else as near to it as one gets.
+    /// Returns the spot.
+    pub(super) fn step_to(&mut self, id: NodeId, place: Place, spot: Pose) -> Result<Pose, PhysicalRefusal> {
         self.floor.update(self.world);
         let (room, target) = (self.before.room_of(self.agent), Point3::from(spot.translation.vector));
-        let within = self.stand_to_put(room, id, spot)?;
-        let stand = within.or_else(|| self.nearest_stand(room, target, NEAR, |_| true));
-        self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(at)))?)
+        if let Some((stand, reached)) = self.stand_for(room, id, place, spot)? {
+            self.walk(stand)?;
+            return Ok(reached);
+        }
+        let near = self.nearest_stand(room, target, NEAR, |_| true);
+        self.walk(near.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(place.at)))?)?;
+        Ok(spot)
+    }
+
+    /// Where to stand to put a thing to a spot at a place; if there is no such spot on the floor, to another one, which
+    /// is nearest to the hands among those that can be reached.
+    pub(in crate::environment) fn stand_for(
+        &mut self,
+        room: Option<NodeId>,
+        id: NodeId,
+        place: Place,
+        spot: Pose,
+    ) -> Result<Option<(StandingPose, Pose)>, PhysicalRefusal> {
+        if let Some(stand) = self.stand_to_put(room, id, &spot)? {
+            return Ok(Some((stand, spot)));
+        }
+        let stands = self.stands_around(room, place.at);
+        let reached = |spot: &Pose| stands.iter().any(|stand| self.puts_from(&stand.feet, id, spot));
+        let found = self.spot_where(id, place, self.near_hands(), reached)?;
+        let stand = |spot: &Pose| stands.iter().find(|stand| self.puts_from(&stand.feet, id, spot)).cloned();
+        Ok(found.and_then(|spot| Some((stand(&spot)?, spot))))
+    }
+
+    /// All spots in a room around a thing, to which there is a way.
+    fn stands_around(&self, room: Option<NodeId>, at: NodeId) -> Vec<StandingPose> {
+        let Some(aabb) = self.world.aabb(at) else { return Vec::new() };
+        let (low, high, level) = (aabb.min.xy(), aabb.max.xy(), self.floor.options().level);
+        let steps = |axis: usize| {
+            let count = ((high[axis] - low[axis] + 2.0 * NEAR) / BETWEEN) as usize;
+            (0..=count).map(move |i| low[axis] - NEAR + BETWEEN * i as f32)
+        };
+        let spots = steps(0).flat_map(|x| steps(1).map(move |y| Point2::new(x, y)));
+        let good = |p: &Point2<f32>| self.floor.is_free(*p) && self.is_good(&Pose::translation(p.x, p.y, level), room);
+        spots.filter(good).filter_map(|p| self.stand_facing(p, aabb.centre())).collect()
     }
 
     /// The spot in a room nearest to where a thing is to be put, from where it can be.
-    pub(in crate::environment) fn stand_to_put(
+    fn stand_to_put(
         &mut self,
         room: Option<NodeId>,
         id: NodeId,

@@ -49,7 +49,8 @@ impl PhysicsWorld {
         };
         let overlapped = self.overlapped_at(body, feet);
         // The contents of a drawer move with it.
-        let load: Vec<NodeId> = overlapped.iter().flat_map(|(id, link)| self.load_of_link(*id, *link)).collect();
+        let parts = overlapped.iter().filter_map(|(id, link)| Some((id, link.checked_sub(1)?)));
+        let load: Vec<NodeId> = parts.flat_map(|(id, part)| self.load_of_part(*id, part)).collect();
         Ok(overlapped.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
     }
 
@@ -57,12 +58,6 @@ impl PhysicsWorld {
     fn is_shut_by_hand(&self, id: NodeId, part: usize) -> bool {
         let free = |thing: &Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
         self.thing(id).is_ok_and(|thing| thing.state.door && free(thing))
-    }
-
-    /// The things on or in a moving part.
-    fn load_of_link(&self, id: NodeId, link: usize) -> Vec<NodeId> {
-        let moving = self.thing(id).ok().and_then(|t| t.state.moving.get(link.checked_sub(1)?)?.body);
-        moving.map_or_else(Vec::new, |body| self.load_of(body))
     }
 
     /// Nodes and links that a body would overlap with its feet at a pose.

@@ -88,21 +88,26 @@ impl PhysicsWorld {
         let index = self.index(id)?;
         self.driven.retain(|d| *d != (id, part));
         let thing = &mut self.things[index];
-        thing.state.moving[part].position = target;
         let moving = thing.state.moving[part];
+        thing.state.moving[part].position = target;
         let (Some(joint), Some(base)) = (thing.form.links[part + 1].joint, self.engine.pose(thing.state.base)) else {
             return Ok(());
         };
-        match moving.body {
+        let (load, after) = (self.load_of_part(id, part), base * joint.motion(target));
+        let before = match moving.body {
             Some(body) => {
                 let before = self.engine.pose(body).unwrap_or(base);
-                let after = base * joint.motion(target);
-                let load = self.load_of(body);
                 self.engine.place(body, convert::pose(&after));
-                self.carry_along(&load, &(after * before.inverse()));
-                self.settle_part(index, part);
+                before
             }
-            None => self.turn_welded(index, part, target),
+            None => {
+                self.turn_welded(index, part, target);
+                base * joint.motion(moving.position)
+            }
+        };
+        self.carry_along(&load, &(after * before.inverse()));
+        if moving.body.is_some() {
+            self.settle_part(index, part);
         }
         Ok(())
     }
@@ -250,11 +255,13 @@ impl PhysicsWorld {
         let (Some((_, at)), Some(joint)) = (&link.solid, link.joint) else { return };
         let at = convert::pose(&joint.motion(position)) * *at;
         let (base, mark) = (thing.state.base, group::mark(thing.id, part + 1));
-        let handles = self.engine.bodies.get(base).map_or(&[][..], |b| b.colliders());
-        let found =
-            handles.iter().copied().find(|&c| self.engine.colliders.get(c).is_some_and(|c| c.user_data == mark));
-        if let Some(collider) = found.and_then(|c| self.engine.colliders.get_mut(c)) {
-            collider.set_position_wrt_parent(at);
+        let handles = self.engine.bodies.get(base).map(|b| b.colliders().to_vec()).unwrap_or_default();
+        // The engine keeps contact points by the centre of mass, which moves with the part: a collider that is set to its
+        // place anew gets new ones. With the old ones the thing would sink into the floor, or be thrown off it.
+        for handle in handles {
+            let Some(collider) = self.engine.colliders.get_mut(handle) else { continue };
+            let own = collider.position_wrt_parent().copied().unwrap_or_default();
+            collider.set_position_wrt_parent(if collider.user_data == mark { at } else { own });
         }
         self.engine.refresh(base);
     }

@@ -9,6 +9,7 @@ mod drive;
 mod make;
 mod motion;
 mod openness;
+mod travel;
 
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};

@@ -3,16 +3,15 @@
 use rapier3d::geometry::{Collider, ColliderHandle};
 use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::QueryFilter;
-use vc_graph::asset::{Joint, JointKind};
-use vc_graph::{NodeId, Pose};
+use vc_graph::NodeId;
+use vc_graph::asset::JointKind;
 
 use super::motion::fraction;
+use super::travel::{POSITIONS, Travel, share};
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
-/// Number of positions that are tested on the way, including the end.
-const POSITIONS: usize = 8;
 /// Smallest share of its range that a part opens if it cannot open completely.
 const HALF: f32 = 0.5;
 /// Smaller overlaps count as touching only, metres.
@@ -155,10 +154,10 @@ impl PhysicsWorld {
     /// The motion of a part from one position to another; `None` if it is there already, or has no joint.
     fn sweep(&self, id: NodeId, part: usize, from: f32, target: f32, past: &[NodeId]) -> Option<Sweep<'_>> {
         let thing = self.thing(id).ok()?;
-        let (moving, link) = (&thing.state.moving[part], &thing.form.links[part + 1]);
+        let link = &thing.form.links[part + 1];
         let (joint, base) = (link.joint.filter(|_| from != target)?, self.engine.pose(thing.state.base)?);
-        let load = moving.body.map_or_else(Vec::new, |body| self.load_of(body));
-        Some(Sweep { thing, part, joint, base, load, past: past.to_vec(), way: (from, target) })
+        let travel = Travel { joint, base, way: (from, target) };
+        Some(Sweep { thing, part, travel, load: self.load_of_part(id, part), past: past.to_vec() })
     }
 
     /// The obstacles of a part and its load at a tested position.
@@ -178,7 +177,7 @@ impl PhysicsWorld {
             group::is_solid(c) && sweep.meets(node)
         };
         let hits = solid.map(|(shape, local)| {
-            let at = convert::pose(&sweep.at(step)) * *local;
+            let at = convert::pose(&sweep.travel.at(step)) * *local;
             let filter = QueryFilter::default().exclude_sensors().groups(own).predicate(&other);
             let queries = self.engine.queries(filter);
             let deep = |collider: &Collider| {
@@ -195,7 +194,7 @@ impl PhysicsWorld {
 
     /// The obstacles of a part's load at a tested position.
     fn obstacles_of_load(&self, sweep: &Sweep<'_>, step: usize) -> impl Iterator<Item = NodeId> {
-        let motion = sweep.at(step) * sweep.at(0).inverse();
+        let motion = sweep.travel.since_start(step);
         let hits = |id: &NodeId| {
             let all = self.pose(*id).and_then(|pose| self.overlaps(*id, &(motion * pose)).ok());
             // A thing for which the query fails has no room: it counts as its own obstacle.
@@ -209,13 +208,11 @@ impl PhysicsWorld {
 struct Sweep<'w> {
     thing: &'w Thing,
     part: usize,
-    joint: Joint,
-    base: Pose,
+    travel: Travel,
     /// The things that the part carries.
     load: Vec<NodeId>,
     /// Nodes that are ignored.
     past: Vec<NodeId>,
-    way: (f32, f32),
 }
 
 impl Sweep<'_> {
@@ -223,14 +220,4 @@ impl Sweep<'_> {
     fn meets(&self, id: NodeId) -> bool {
         id != self.thing.id && !self.load.contains(&id) && !self.past.contains(&id)
     }
-
-    /// The pose of the part at a tested position.
-    fn at(&self, step: usize) -> Pose {
-        let (from, target) = self.way;
-        self.base * self.joint.motion(from + (target - from) * share(step))
-    }
-}
-
-fn share(step: usize) -> f32 {
-    step as f32 / POSITIONS as f32
 }

@@ -28,37 +28,26 @@ const BELOW: f32 = 0.004;
 const ONTO: [Way; 1] = [Way { over: OVER, ..WITHIN }];
 
 impl PhysicsWorld {
-    /// As [`free_spot_at`](Self::free_spot_at), as close to what is there as it stands: room is asked for the
+    /// As [`free_spot_where`](Self::free_spot_where), as close to what is there as it stands: room is asked for the
     /// outline of a thing, not for the box around it, on a raster of two centimetres. On top of things it may be
     /// anywhere over the top that bears it, also beyond the rectangle that its asset states: near the edge of a
     /// round table.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
-    pub fn packed_spot_at(
+    pub fn packed_spot_where(
         &self,
         id: NodeId,
         at: NodeId,
         inside: bool,
         order: SpotOrder,
-    ) -> Result<Option<Pose>, PhysicsError> {
-        self.packed_spot_where(id, at, inside, order, &|_| true)
-    }
-
-    /// The same at a spot that satisfies a condition, which is tested last.
-    pub(super) fn packed_spot_where(
-        &self,
-        id: NodeId,
-        at: NodeId,
-        inside: bool,
-        order: SpotOrder,
-        admits: &dyn Fn(&Pose) -> bool,
+        admits: impl Fn(&Pose) -> bool,
     ) -> Result<Option<Pose>, PhysicsError> {
         let (thing, below) = (self.thing(id)?, self.thing(at)?);
         let (hold, ways) = if inside { (Hold::Inside, &INTO[..]) } else { (Hold::On, &ONTO[..]) };
         let shelves = self.surfaces_that(below, hold);
         let mut all = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
-        Ok(all.find_map(|(way, shelf)| self.packed_spot_among(thing, shelf, way, order, admits)))
+        Ok(all.find_map(|(way, shelf)| self.packed_spot_among(thing, shelf, way, order, &admits)))
     }
 
     fn packed_spot_among(

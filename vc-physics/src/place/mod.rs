@@ -109,7 +109,7 @@ impl PhysicsWorld {
     /// As [`Self::free_spot`], on the first surface of a node that has a free spot: an inner one if `inside`,
     /// otherwise one on top. A thing that does not stand in a container is laid on its side; a thing that is wider
     /// than a surface is put on the middle of it and reaches over its edges. If no spot is left for the box around
-    /// the thing, it is put [close](Self::packed_spot_at) to the things that are there.
+    /// the thing, it is put [close](Self::packed_spot_where) to the things that are there.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -151,15 +151,21 @@ impl PhysicsWorld {
         } else {
             self.spot_by(&ONTO, id, at, Hold::On, order, &admits)?
         };
-        if apart.is_some() { Ok(apart) } else { self.packed_spot_where(id, at, inside, order, &admits) }
+        if apart.is_some() { Ok(apart) } else { self.packed_spot_where(id, at, inside, order, admits) }
     }
 
-    /// As [`Self::free_spot_at`], a little above the contents of a container: the thing is let down onto them.
+    /// As [`Self::free_spot_where`], a little above the contents of a container: the thing is let down onto them.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
-    pub fn heaped_spot_in(&self, id: NodeId, at: NodeId, order: SpotOrder) -> Result<Option<Pose>, PhysicsError> {
-        self.spot_by(&HEAP, id, at, Hold::Inside, order, &|_| true)
+    pub fn heaped_spot_where(
+        &self,
+        id: NodeId,
+        at: NodeId,
+        order: SpotOrder,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        self.spot_by(&HEAP, id, at, Hold::Inside, order, &admits)
     }
 }
 

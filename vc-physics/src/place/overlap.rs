@@ -46,7 +46,7 @@ impl PhysicsWorld {
 
     /// Calls `found` for each thing that a thing would overlap at a pose, until it returns false; returns whether
     /// it never did.
-    pub(super) fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
+    pub(crate) fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
         let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
         let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
         bodies.all(|(shape, at)| self.each_overlap(shape, &at, thing.id, found))

@@ -31,6 +31,14 @@ pub struct SupportSurface {
     pub clearance: Option<f32>,
 }
 
+impl SupportSurface {
+    /// The height of a point above the surface, metres; `None` if it is below it or beside it.
+    pub(crate) fn height_under(&self, point: &Point3<f32>) -> Option<f32> {
+        let own = self.pose.inverse_transform_point(point);
+        (own.x.abs() <= self.half.0 && own.y.abs() <= self.half.1 && own.z >= -GAP).then_some(own.z)
+    }
+}
+
 /// # Surfaces that hold things
 impl PhysicsWorld {
     /// The surfaces of a node in the present state: those of a drawer move with it.
@@ -112,7 +120,7 @@ impl PhysicsWorld {
     }
 
     /// The surfaces of a thing that hold things in a way.
-    pub(super) fn surfaces_that(&self, thing: &Thing, hold: Hold) -> Vec<SupportSurface> {
+    pub(crate) fn surfaces_that(&self, thing: &Thing, hold: Hold) -> Vec<SupportSurface> {
         let all = (0..thing.form.surfaces.len()).filter_map(|s| self.surface_of(thing, s));
         all.filter(|s| s.hold == hold).collect()
     }

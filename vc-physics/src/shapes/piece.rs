@@ -4,7 +4,7 @@
 //! become convex hulls. Lathed and extruded shapes are cut into slabs at the corners of their outline: a bowl
 //! becomes a bottom and a ring of wedges; a vase too narrow to put anything in becomes solid.
 
-use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector2, Vector3};
 use rapier3d::geometry::SharedShape;
 use vc_geometry::profile::{Slab, simplified, slabs};
 use vc_graph::Pose;
@@ -173,7 +173,9 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     let (inner, outer) = ((slab.low.0, slab.high.0), (slab.low.1, slab.high.1));
     if inner.0 > 0.0 || inner.1 > 0.0 {
         let all = |first: Piece| (0..WEDGES).map(move |i| Piece { at: turn(i) * first.at, ..first.clone() });
-        return wedge(slab, 0, 1).into_iter().flat_map(all).collect();
+        // The box around a wedge that is too thin for a hull would stand out of the ring once it is turned.
+        let sound = |first: Piece| if first.shape.as_cuboid().is_some() { plank(slab) } else { first };
+        return wedge(slab, 0, 1).map(sound).into_iter().flat_map(all).collect();
     }
     if (outer.0 - outer.1).abs() < TOLERANCE {
         return vec![disc(outer.0.max(outer.1), slab.bottom, slab.top)];
@@ -189,12 +191,26 @@ fn ring(slab: &Slab) -> Vec<Piece> {
     ends.into_iter().chain(wedge(&middle, 0, WEDGES - 1)).collect()
 }
 
+/// A box along the chord between the first two corners of a ring, in place of a wedge.
+fn plank(slab: &Slab) -> Piece {
+    let (inner, outer) = (slab.low.0.min(slab.high.0), slab.low.1.max(slab.high.1));
+    let [first, next] = [0, 1].map(direction).map(|(x, y)| Vector2::new(x, y));
+    let (middle, chord) = ((first + next) / 2.0, next - first);
+    let size = Vector3::new((outer - inner) * middle.norm(), outer * chord.norm(), slab.top - slab.bottom);
+    let centre = (middle * f32::midpoint(inner, outer)).push(f32::midpoint(slab.bottom, slab.top));
+    let way = middle.normalize();
+    Piece { shape: cuboid(size / 2.0), at: Pose::from_parts(centre.into(), towards((way.x, way.y))) }
+}
+
 /// The rotation from a ring's first corner to another.
 fn turn(corner: usize) -> Pose {
-    let (cos, sin) = direction(corner);
+    Pose::from_parts(Vector3::zeros().into(), towards(direction(corner)))
+}
+
+/// The rotation around Z that turns X to a unit vector.
+fn towards((cos, sin): (f32, f32)) -> UnitQuaternion<f32> {
     let turn = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
-    let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turn));
-    Pose::from_parts(Vector3::zeros().into(), turn)
+    UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turn))
 }
 
 /// A disc between two heights.

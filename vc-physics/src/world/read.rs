@@ -1,7 +1,8 @@
 //! Reading a world.
 
 use nalgebra::{Point3, Vector3};
-use rapier3d::dynamics::{RigidBody, RigidBodyHandle};
+use rapier3d::dynamics::RigidBody;
+use rapier3d::geometry::ColliderHandle;
 use vc_graph::{Aabb, NodeId, Pose};
 
 use super::PhysicsWorld;
@@ -147,7 +148,8 @@ impl PhysicsWorld {
     /// ```
     pub fn aabb(&self, id: NodeId) -> Option<Aabb> {
         let thing = self.thing(id).ok()?;
-        let mut around = self.box_around(thing.bodies())?;
+        let bodies = thing.bodies().filter_map(|body| self.engine.bodies.get(body));
+        let mut around = self.box_around(bodies.flat_map(|body| body.colliders()).copied())?;
         // The ground below a floor is no part of the floor.
         around.min.z += thing.state.ground;
         Some(around)
@@ -167,10 +169,9 @@ impl PhysicsWorld {
         self.thing(id).ok().map(|t| t.form.extent)
     }
 
-    /// The box around some bodies.
-    pub(crate) fn box_around(&self, bodies: impl Iterator<Item = RigidBodyHandle>) -> Option<Aabb> {
-        let bodies = bodies.filter_map(|b| self.engine.bodies.get(b));
-        let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
+    /// The box around some colliders.
+    pub(crate) fn box_around(&self, colliders: impl Iterator<Item = ColliderHandle>) -> Option<Aabb> {
+        let colliders = colliders.filter_map(|c| self.engine.colliders.get(c));
         let boxes = colliders.map(|c| c.compute_aabb());
         let joint = boxes.reduce(|a, b| rapier3d::parry::bounding_volume::BoundingVolume::merged(&a, &b))?;
         Some(Aabb { min: convert::point3(joint.mins), max: convert::point3(joint.maxs) })

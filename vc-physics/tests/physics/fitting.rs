@@ -112,7 +112,10 @@ fn things_are_heaped_in_containers_up_to_the_rim() {
     let mut put = 0;
     for &cube in &cubes {
         let flat = world.free_spot_at(cube, chest, true, SpotOrder::Middle).unwrap();
-        let Some(spot) = flat.or_else(|| world.heaped_spot_in(cube, chest, SpotOrder::Middle).unwrap()) else { break };
+        let Some(spot) = flat.or_else(|| world.heaped_spot_where(cube, chest, SpotOrder::Middle, |_| true).unwrap())
+        else {
+            break;
+        };
         world.place(cube, spot).unwrap();
         world.settle(120);
         assert!(within(&world, cube, chest), "the {put}. is not in the chest");
@@ -151,7 +154,7 @@ fn a_round_table_is_used_up_to_its_edge() {
     for (x, y) in [(0.5, 0.0), (0.5, 0.5)] {
         let near = SpotOrder::Near(Point3::new(x, y, 0.75));
         (0..5).for_each(|i| world.place(plates[i], at(2.0 + 0.4 * i as f32, 0.0, 0.012)).unwrap());
-        let spot = world.packed_spot_at(plates[0], table, false, near).unwrap().unwrap();
+        let spot = world.packed_spot_where(plates[0], table, false, near, |_| true).unwrap().unwrap();
         world.place(plates[0], spot).unwrap();
         world.settle(120);
         let far = world.pose(plates[0]).unwrap().translation.vector.xy().norm();
