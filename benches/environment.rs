@@ -17,6 +17,7 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use criterion::{BatchSize, Criterion};
+use vc_testkit::page::{Page, time};
 use virtualcity::graph::{Action, Node, NodeId, Property, Scope, Seed, State, Verb};
 use virtualcity::planner::{Agent, Decision};
 use virtualcity::procgen::Apartment;
@@ -204,7 +205,9 @@ fn main() {
         look(&mut criterion);
         criterion.final_summary();
     }
-    table();
+    let mut page = Page::new("environment");
+    table(&mut page);
+    page.finish();
 }
 
 /// CPU time of this thread for some work.
@@ -215,22 +218,19 @@ fn cpu<T>(work: impl FnOnce() -> T) -> (Duration, T) {
 }
 
 /// Median and maximum of some times.
-fn spread(mut times: Vec<Duration>) -> String {
+fn spread(mut times: Vec<Duration>) -> [String; 2] {
     times.sort_unstable();
-    match times.last() {
-        Some(last) => format!("{:>10.3} ms {:>10.3} ms", ms(times[times.len() / 2]), ms(*last)),
-        None => "nothing".into(),
-    }
+    let at = |index: usize| times.get(index).map_or_else(|| "nothing".into(), |one| time(one.as_secs_f64()));
+    [at(times.len() / 2), at(times.len().saturating_sub(1))]
 }
 
-fn ms(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e3
-}
-
-/// Prints the figures beside the thesis's.
-fn table() {
-    println!("{:<44} {:>13} {:>13}   the thesis (Table 5.1; Ryzen 9 5900X, RTX 3090)", "", "median", "most");
-    let row = |name: &str, times: Vec<Duration>, thesis: &str| println!("{name:<44} {}   {thesis}", spread(times));
+/// The figures beside the thesis's.
+fn table(page: &mut Page) {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, times: Vec<Duration>, thesis: &str| {
+        let [median, most] = spread(times);
+        rows.push(vec![name.to_owned(), median, most, thesis.to_owned()]);
+    };
     row("process start to first observation", (0..8).map(|_| first_observation()).collect(), "0.42-0.95 s to start");
     let name = |seed: u64| format!("apartment/{seed}");
     let mut homes = Vec::new();
@@ -255,11 +255,12 @@ fn table() {
     };
     row("reset to the start", reset(&|home| home.start().clone()), "0.17-0.27 s");
     row("reset with ten things moved", reset(&moved), "0.17-0.27 s");
-    actions(&homes, row);
+    actions(&homes, &mut row);
     row("next planned action (see, believe, decide)", decisions(&homes), "0.05 s");
-    fridges(&homes, row);
-    pictures(&homes, row);
-    batches(&homes);
+    fridges(&homes, &mut row);
+    pictures(&homes, &mut row);
+    page.table(&["", "median", "maximum", "the thesis (Table 5.1; Ryzen 9 5900X, RTX 3090)"], &rows);
+    batches(&homes, page);
 }
 
 /// The cost of the stages of making homes; relations of whole homes are derived once everything is at rest.
@@ -276,7 +277,11 @@ fn stages(homes: &[Environment], made: &[Duration]) -> [(&'static str, Vec<Durat
         relate.push(cpu(read).0);
         build.push(made[round * homes.len() + number].saturating_sub(generate[generate.len() - 1] + relate[number]));
     }
-    [("  generate", generate), ("  build, settle", build), ("  relations of the whole home", relate)]
+    [
+        ("of that: generate", generate),
+        ("of that: build, settle", build),
+        ("of that: relations of the whole home", relate),
+    ]
 }
 
 /// Time from starting a process to its first observation of a home.
@@ -288,7 +293,7 @@ fn first_observation() -> Duration {
 }
 
 /// Random actions that the rule allows, and the observation of the room after each.
-fn actions(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
+fn actions(homes: &[Environment], mut row: impl FnMut(&str, Vec<Duration>, &str)) {
     let mut stream = Seed(1).stream();
     let (mut acts, mut looks) = (Vec::new(), Vec::new());
     for mut home in homes.iter().cloned() {
@@ -326,7 +331,7 @@ fn decisions(homes: &[Environment]) -> Vec<Duration> {
     times
 }
 
-fn fridges(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
+fn fridges(homes: &[Environment], mut row: impl FnMut(&str, Vec<Duration>, &str)) {
     let (mut opens, mut closes) = (Vec::new(), Vec::new());
     for (_, mut there, fridge) in homes.iter().filter_map(at_the_fridge) {
         let agent = there.agents()[0];
@@ -340,7 +345,7 @@ fn fridges(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
 
 /// Times a picture from an agent's eyes that is drawn again, and one after the agent has walked somewhere, so
 /// that shadows are updated. By day, and at night with all ceiling lamps on. On one thread.
-fn pictures(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
+fn pictures(homes: &[Environment], mut row: impl FnMut(&str, Vec<Duration>, &str)) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     for (hour, lamps) in [(12.0, false), (23.0, true)] {
         let (mut again, mut after) = (Vec::new(), Vec::new());
@@ -364,7 +369,7 @@ fn pictures(homes: &[Environment], row: impl Fn(&str, Vec<Duration>, &str)) {
         }
         let when = if lamps { "at night, all lamps on" } else { "by day" };
         row(&format!("300 x 300 colours {when}"), again, "");
-        row("  after a walk", after, "");
+        row("the same after a walk", after, "");
     }
 }
 
@@ -379,7 +384,7 @@ fn lit(home: &Environment) -> virtualcity::graph::SceneGraph {
 }
 
 /// Times a step of a batch, and making one, on one thread and on all.
-fn batches(homes: &[Environment]) {
+fn batches(homes: &[Environment], page: &mut Page) {
     let every: Vec<Environment> = (0..BATCH).map(|i| homes[i as usize % homes.len()].clone()).collect();
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let on = |threads: usize| {
@@ -406,10 +411,10 @@ fn batches(homes: &[Environment]) {
         (making, stepping / ACTIONS as u32)
     };
     let ((make_one, step_one), (make_all, step_all)) = (on(1), on(cores));
-    let line = |what: &str, one: Duration, all: Duration| {
-        let ratio = one.as_secs_f64() / all.as_secs_f64();
-        println!("{what}: {:.2} ms on 1 thread, {:.2} ms on {cores}: {ratio:.2} times as fast", ms(one), ms(all));
+    let row = |work: &str, one: Duration, all: Duration| {
+        let [one, all] = [one, all].map(|t| t.as_secs_f64());
+        vec![work.to_owned(), time(one), format!("{}, {:.2} times as fast", time(all), one / all)]
     };
-    line("making a batch of 16", make_one, make_all);
-    line("an action in each of 16", step_one, step_all);
+    let rows = [row("making a batch of 16", make_one, make_all), row("an action in each of 16", step_one, step_all)];
+    page.table(&["", "1 thread", &format!("{cores} threads")], &rows);
 }

@@ -3,16 +3,17 @@
 //! The scene is VirtualHome's first one if the shared data exists (`VC_DATA` or `../shared/data`), else the
 //! bundled apartment; `benches/README.md` has the figures of the peer.
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
+#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion};
 use nalgebra::{Isometry3, Point3};
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::format::{native, read_scene, virtualhome};
 use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scope, Verb, Word, rule};
+use vc_testkit::page::{Page, time};
 
 fn scene() -> SceneGraph {
     let folded_size = include_str!("../examples/data/apartment.json").to_owned();
@@ -156,24 +157,32 @@ fn seconds(mut done: impl FnMut() -> usize) -> f64 {
 
 /// Times all implementations of listing the legal actions in one run: in the agent's room, and in the whole
 /// home.
-fn deciding(_: &mut Criterion) {
+fn deciding(page: &mut Page) {
     let mut graph = scene();
     let (me, script) = (graph.agents()[0], script(&graph));
     // With a plate in hand, in front of an open fridge.
     script.iter().take(5).for_each(|action| drop(rule::step(&mut graph, me, action).unwrap()));
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
     let room: Vec<NodeId> = graph.in_room(graph.room_of(me).unwrap()).collect();
+    let mut rows = Vec::new();
     for (name, things) in [("the room", room), ("the home", all)] {
         let found = rule::legal_actions_with(&graph, me, &things);
         assert_eq!(found, legal_one_by_one(&graph, me, &things));
         let fast = seconds(|| rule::legal_actions_with(&graph, me, &things).len());
         let before = seconds(|| legal_as_it_was(&graph, me, &things).len());
         let slow = seconds(|| legal_one_by_one(&graph, me, &things).len());
-        println!("legal actions, {} things of {name}, {} found: {:.1} µs", things.len(), found.len(), fast * 1e6);
-        println!("  as it was: {:.1} µs, {:.0} times as long", before * 1e6, before / fast);
-        println!("  every two things, one by one: {:.1} µs, {:.0} times as long", slow * 1e6, slow / fast);
+        let name = format!("{} objects of {name}, {} found", things.len(), found.len());
+        rows.push([vec![name], [fast, before, slow].map(time).to_vec()].concat());
     }
+    page.table(&["legal actions", "listed", "as it was", "every two objects, one by one"], &rows);
 }
 
-criterion_group!(benches, building, acting, observing, searching, deciding);
-criterion_main!(benches);
+fn main() {
+    let mut page = Page::new("graph");
+    let mut criterion = Criterion::default().configure_from_args();
+    [building, acting, observing, searching].into_iter().for_each(|bench| bench(&mut criterion));
+    criterion.final_summary();
+    page.criterion();
+    deciding(&mut page);
+    page.finish();
+}

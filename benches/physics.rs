@@ -13,8 +13,9 @@ mod scene;
 use std::hint::black_box;
 
 use cpu::Cpu;
-use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, BenchmarkId, Criterion};
 use nalgebra::{Point2, Vector3};
+use vc_testkit::page::{Page, time};
 use virtualcity::graph::{NodeId, Pose, SceneGraph, Seed};
 use virtualcity::physics::{DoorHandling, Floor, FloorOptions, PhysicsWorld, ShapeCache};
 
@@ -116,18 +117,17 @@ fn moved(graph: &SceneGraph, settled: &PhysicsWorld, count: usize) -> SceneGraph
 
 /// Prints the memory of a world at rest. It runs before all benches and keeps its clones to the end, since
 /// allocations that reuse freed memory would not be measured.
-fn memory(_: &mut Criterion<Cpu>) {
-    let mut kept = Vec::new();
+fn memory(page: &mut Page) {
+    let (mut kept, mut rows) = (Vec::new(), Vec::new());
     for objects in SIZES {
         let graph = scene::read(objects);
         let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), scene::settings()).unwrap();
         world.settle(300);
-        eprintln!(
-            "{objects} objects: {:?} bodies and pieces, {:.2} MiB a world",
-            world.size(),
-            growth(&world, &mut kept)
-        );
+        let (bodies, pieces) = world.size();
+        let memory = format!("{:.2} MiB", growth(&world, &mut kept));
+        rows.push(vec![objects.to_string(), bodies.to_string(), pieces.to_string(), memory]);
     }
+    page.table(&["objects", "bodies", "pieces", "memory of a world"], &rows);
 }
 
 /// The growth of the process for each of many clones, MiB.
@@ -146,7 +146,7 @@ fn growth(world: &PhysicsWorld, kept: &mut Vec<PhysicsWorld>) -> f64 {
 
 /// Path finding in generated apartments.
 #[cfg(feature = "procgen")]
-fn apartments(c: &mut Criterion<Cpu>) {
+fn apartments(c: &mut Criterion<Cpu>, page: &mut Page) {
     use virtualcity::physics::Settings;
     use virtualcity::procgen::Apartment;
     let shapes = ShapeCache::new();
@@ -171,7 +171,7 @@ fn apartments(c: &mut Criterion<Cpu>) {
     });
     let floors: Vec<Floor> = worlds.iter().map(|w| Floor::new(w, FloorOptions::default())).collect();
     let queries: Vec<(&Floor, Point2<f32>, Point2<f32>)> = floors.iter().flat_map(|f| pairs(f, 200)).collect();
-    report_ways(&queries);
+    report_ways(&queries, page);
     let mut next = queries.iter().cycle();
     group.bench_function("way", |b| {
         b.iter(|| {
@@ -196,38 +196,40 @@ fn pairs(floor: &Floor, count: usize) -> Vec<(&Floor, Point2<f32>, Point2<f32>)>
 
 /// The median over routes: each is timed separately ten times, and the best time counts.
 #[cfg(feature = "procgen")]
-fn report_ways(queries: &[(&Floor, Point2<f32>, Point2<f32>)]) {
-    let time = |(floor, from, to): &(&Floor, Point2<f32>, Point2<f32>)| {
+fn report_ways(queries: &[(&Floor, Point2<f32>, Point2<f32>)], page: &mut Page) {
+    let best = |(floor, from, to): &(&Floor, Point2<f32>, Point2<f32>)| {
         let once = || {
             let start = std::time::Instant::now();
             black_box(floor.route(*from, *to));
-            start.elapsed().as_secs_f64() * 1e6
+            start.elapsed().as_secs_f64()
         };
         (0..10).map(|_| once()).fold(f64::MAX, f64::min)
     };
-    let mut times: Vec<f64> = queries.iter().map(time).collect();
+    let mut times: Vec<f64> = queries.iter().map(best).collect();
     times.sort_by(f64::total_cmp);
     let mut lengths: Vec<f32> = queries.iter().filter_map(|(f, a, b)| Some(f.route(*a, *b)?.length)).collect();
     lengths.sort_by(f32::total_cmp);
-    let bands: Vec<usize> = queries.iter().step_by(200).map(|q| q.0.rectangles()).collect();
-    eprintln!(
-        "ways: median {:.1} us, 95% {:.1} us, length median {:.1} m, {} of {} exist, bands {bands:?}",
-        times[times.len() / 2],
-        times[times.len() * 95 / 100],
-        lengths.get(lengths.len() / 2).copied().unwrap_or(f32::NAN),
-        lengths.len(),
-        queries.len()
-    );
+    let row = vec![
+        format!("{}, of which {} exist", queries.len(), lengths.len()),
+        time(times[times.len() / 2]),
+        time(times[times.len() * 95 / 100]),
+        format!("{:.1} m", lengths.get(lengths.len() / 2).copied().unwrap_or(f32::NAN)),
+    ];
+    page.table(&["routes in apartments", "median", "95th percentile", "median length"], &[row]);
 }
 
 #[cfg(not(feature = "procgen"))]
-fn apartments(_: &mut Criterion<Cpu>) {
-    let _ = (Point2::new(0.0, 0.0), Seed(0));
+fn apartments(_: &mut Criterion<Cpu>, _: &mut Page) {
+    let _ = (Point2::new(0.0, 0.0), Seed(0), time(0.0));
 }
 
-fn cpu() -> Criterion<Cpu> {
-    Criterion::default().with_measurement(Cpu)
+fn main() {
+    let mut page = Page::new("physics");
+    memory(&mut page);
+    let mut criterion = Criterion::default().with_measurement(Cpu).configure_from_args();
+    worlds(&mut criterion);
+    apartments(&mut criterion, &mut page);
+    criterion.final_summary();
+    page.criterion();
+    page.finish();
 }
-
-criterion_group! { name = benches; config = cpu(); targets = memory, worlds, apartments }
-criterion_main!(benches);

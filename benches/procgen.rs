@@ -4,18 +4,14 @@
 //! ones. Before that, each of 600 seeds is made separately three times, and the smallest of its CPU times
 //! counts: median and 95th percentile are over the seeds. `benches/README.md` has the figures of the peers.
 
-#![allow(
-    missing_docs,
-    clippy::print_stdout,
-    clippy::unwrap_used,
-    reason = "benches print and stop where something is wrong"
-)]
+#![allow(missing_docs, clippy::unwrap_used, reason = "benches print and stop where something is wrong")]
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput};
+use vc_testkit::page::{Page, time};
 use virtualcity::graph::Seed;
 use virtualcity::procgen::plan::FloorPlan;
 use virtualcity::procgen::{Apartment, Layout, Specification};
@@ -31,9 +27,9 @@ const HOMES: u64 = 16;
 /// Number of seeds for the median and the 95th percentile.
 const SEEDS: u64 = 600;
 
-fn quantiles(_: &mut Criterion) {
+fn quantiles(page: &mut Page) {
     let wishes = Specification::default();
-    let time = |make: &dyn Fn(Seed)| {
+    let row = |name: &str, make: &dyn Fn(Seed)| {
         let once = |seed: u64| {
             let start = ThreadTime::now();
             make(Seed(seed));
@@ -44,17 +40,14 @@ fn quantiles(_: &mut Criterion) {
         times.sort_unstable();
         let mean = times.iter().sum::<Duration>() / SEEDS as u32;
         let at = |percent: usize| times[times.len() * percent / 100];
-        format!(
-            "mean {mean:.2?}, median {:.2?}, 95th percentile {:.2?}, most {:.2?}",
-            at(50),
-            at(95),
-            times[times.len() - 1]
-        )
+        let figures = [mean, at(50), at(95), times[times.len() - 1]].map(|figure| time(figure.as_secs_f64()));
+        [vec![name.to_owned()], figures.to_vec()].concat()
     };
-    let layout = time(&|seed| drop(black_box(Layout::generate(&wishes, seed))));
-    println!("layout (plan, furniture, reachability), seeds 0-{}: {layout}", SEEDS - 1);
-    let home = time(&|seed| drop(black_box(Apartment::generate(&wishes, seed))));
-    println!("everything, seeds 0-{}: {home}", SEEDS - 1);
+    let rows = [
+        row("layout: plan, furniture, reachability", &|seed| drop(black_box(Layout::generate(&wishes, seed)))),
+        row("everything", &|seed| drop(black_box(Apartment::generate(&wishes, seed)))),
+    ];
+    page.table(&["a home, seeds 0 to 599", "mean", "median", "95th percentile", "maximum"], &rows);
 }
 
 fn homes(c: &mut Criterion) {
@@ -99,5 +92,12 @@ fn objects(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, quantiles, homes, afterwards, objects);
-criterion_main!(benches);
+fn main() {
+    let mut page = Page::new("procgen");
+    quantiles(&mut page);
+    let mut criterion = Criterion::default().configure_from_args();
+    [homes, afterwards, objects].into_iter().for_each(|bench| bench(&mut criterion));
+    criterion.final_summary();
+    page.criterion();
+    page.finish();
+}

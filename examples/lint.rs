@@ -15,7 +15,6 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use support::{Complaint, say};
-use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph};
 use vc_tasks::format::bddl::ActivityDefinition;
 use vc_tasks::format::json;
@@ -39,8 +38,7 @@ struct Options {
 
 fn main() -> Result<ExitCode, Complaint> {
     let options = Options::parse();
-    let read =
-        |file: &PathBuf| read_scene(&virtualcity::read_text(file)?, &ClassTable::builtin()).map_err(Complaint::new);
+    let read = |file: &PathBuf| virtualcity::read_scene(file, &ClassTable::builtin());
     let scene = options.scene.as_ref().map(read).transpose()?;
     let mut tally = Tally::default();
     let mut files = Vec::new();

@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release --example replay -- FILE...` takes JSON Lines of programs with the graphs before and
 //! after (the Embodied Agent Interface's), or, with `--scene`, plain programs to be run in that scene, by one
-//! character or by several. Unreadable files and lines are named and skipped, and the exit status is then 1.
+//! character or by several. Unreadable files and lines are named and skipped, and the exit status is then 1; so it is
+//! when with `--bodies` the bodies contradict the rule.
 //! With `--semantics virtualhome` programs are run by VirtualHome's own transition rule, including its faults,
 //! and every edge is compared.
 
@@ -75,18 +76,14 @@ fn main() -> Result<ExitCode, Complaint> {
         let scene = options.scene.as_deref().ok_or_else(|| Complaint::new("--bodies needs --scene FILE"))?;
         let (plain, records): (Vec<PathBuf>, Vec<PathBuf>) =
             options.files.iter().cloned().partition(|file| plain::is_program(file));
-        let mut all_read = plain.is_empty() || plain::replay(&plain, scene);
+        let mut all_well = plain.is_empty() || plain::replay(&plain, scene);
         if !records.is_empty() {
-            all_read &= bodies::replay(&records, scene)?;
+            all_well &= bodies::replay(&records, scene)?;
         }
-        return Ok(if all_read { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+        return Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE });
     }
     let classes = ClassTable::builtin();
-    let read = |path: &PathBuf| {
-        let text = virtualcity::read_text(path)?;
-        read_scene(&text, &classes).map_err(|e| Complaint::new(format!("{}: {e}", path.display())))
-    };
-    let scene = options.scene.as_ref().map(read).transpose()?;
+    let scene = options.scene.as_ref().map(|path| virtualcity::read_scene(path, &classes)).transpose()?;
     let mut tally = Tally::default();
     for file in &options.files {
         if let Err(complaint) = replay(file, scene.as_ref(), &options, &mut tally) {

@@ -3,9 +3,11 @@
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use flate2::bufread::MultiGzDecoder;
-use vc_graph::format::{LARGEST, unmarked};
+use vc_graph::format::{self, FormatError, LARGEST, unmarked};
+use vc_graph::{ClassTable, SceneGraph};
 
 /// The first bytes of gzipped files.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
@@ -21,6 +23,10 @@ pub struct FileError {
 }
 
 impl FileError {
+    pub(crate) fn new(path: &Path, problem: FileProblem) -> Self {
+        at(path, problem)
+    }
+
     /// The error of a file or folder that cannot be written, with advice.
     pub fn unwritten(path: &Path, error: io::Error) -> Self {
         at(path, FileProblem::Unwritten { advice: advice(error.kind()), error })
@@ -60,6 +66,15 @@ pub enum FileProblem {
     /// The file is not text in UTF-8.
     #[error("this is no text in UTF-8: save it in that encoding")]
     NoText,
+    /// The text is no scene.
+    #[error(transparent)]
+    Scene(#[from] FormatError),
+    /// The file has unfinished results of a run with another recipe.
+    #[error("this is of another run that was broken off: choose another folder, or delete this file")]
+    OtherRun,
+    /// The file is gone although a run still needs it.
+    #[error("this file is gone: another run writes to the same folder; choose another one")]
+    Gone,
     /// The file cannot be written.
     #[error("{error}; {advice}")]
     Unwritten {
@@ -95,6 +110,21 @@ pub fn read_text(path: impl AsRef<Path>) -> Result<String, FileError> {
 pub fn read_bytes(path: impl AsRef<Path>) -> Result<Vec<u8>, FileError> {
     let path = path.as_ref();
     unpacked(path).map_err(|problem| at(path, problem))
+}
+
+/// Reads a scene from a file of any format ([`format::read_scene`]), gzipped or not.
+///
+/// ```no_run
+/// use virtualcity::graph::ClassTable;
+/// let scene = virtualcity::read_scene("scene1.json.gz", &ClassTable::builtin())?;
+/// # Ok::<(), virtualcity::FileError>(())
+/// ```
+///
+/// # Errors
+/// [`FileError`] names the file, also if its text is no scene.
+pub fn read_scene(path: impl AsRef<Path>, classes: &Arc<ClassTable>) -> Result<SceneGraph, FileError> {
+    let path = path.as_ref();
+    format::read_scene(&read_text(path)?, classes).map_err(|error| at(path, FileProblem::Scene(error)))
 }
 
 fn at(path: &Path, problem: FileProblem) -> FileError {
@@ -167,17 +197,20 @@ pub fn remove(path: &Path) -> io::Result<()> {
 /// # Errors
 /// The system's error if the folder cannot be listed, or a file cannot be removed.
 pub fn remove_numbered(folder: &Path, ending: &str, first: u64) -> io::Result<()> {
+    numbered(folder, ending, first)?.iter().try_for_each(std::fs::remove_file)
+}
+
+/// The files that [`remove_numbered`] removes.
+pub(crate) fn numbered(folder: &Path, ending: &str, first: u64) -> io::Result<Vec<PathBuf>> {
     let entries = match std::fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         entries => entries?,
     };
-    for entry in entries {
-        let path = entry?.path();
+    let is_meant = |path: &PathBuf| {
         let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
         let number = Some(stem).filter(|stem| stem.bytes().all(|b| b.is_ascii_digit())).and_then(|s| s.parse().ok());
-        if number.is_some_and(|number: u64| number >= first) && path.extension().is_some_and(|e| e == ending) {
-            std::fs::remove_file(&path)?;
-        }
-    }
-    Ok(())
+        number.is_some_and(|number: u64| number >= first) && path.extension().is_some_and(|e| e == ending)
+    };
+    let paths = entries.map(|entry| Ok(entry?.path()));
+    paths.filter(|path: &io::Result<PathBuf>| path.as_ref().map_or(true, &is_meant)).collect()
 }

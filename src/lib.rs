@@ -61,6 +61,7 @@
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //! | [`Dataset`] | pictures of many homes as one COCO data set |
 //! | [`Page`] | an episode in any world as an HTML page |
+//! | [`JsonLines`], [`ResumableRun`] | results of long runs, written one by one; a run that was broken off goes on |
 //! | [`files`] | reading files, gzipped or not, up to a size limit, and writing them whole or not at all |
 //!
 //! [`guide`] has recipes for the first day.
@@ -79,6 +80,7 @@ mod check;
 #[cfg(feature = "environment")]
 mod environment;
 pub mod files;
+mod json_lines;
 mod page;
 #[cfg(all(feature = "environment", feature = "render"))]
 mod record;
@@ -94,7 +96,8 @@ pub use environment::{
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{PictureOptions, Viewpoint};
-pub use files::{FileError, FileProblem, read_bytes, read_text};
+pub use files::{FileError, FileProblem, read_bytes, read_scene, read_text};
+pub use json_lines::{JsonLines, ResumableRun};
 pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use record::{Dataset, RecordError, RecordOptions, Recorder};

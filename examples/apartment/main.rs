@@ -19,8 +19,6 @@ mod support;
 mod manifest;
 mod one;
 mod record;
-#[path = "../support/resume.rs"]
-mod resume;
 mod set;
 mod sheet;
 mod wishes;

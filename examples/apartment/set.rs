@@ -16,12 +16,12 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
+use virtualcity::ResumableRun;
 use virtualcity::graph::Seed;
 use virtualcity::procgen::{Apartment, Fingerprint, Specification};
 
 use crate::manifest::{self, Failure, Figures, Mark, Sidecar};
 use crate::record::Record;
-use crate::resume::Resume;
 use crate::support::{Complaint, say};
 use crate::wishes::Recipe;
 
@@ -156,11 +156,9 @@ impl Set {
     }
 
     /// The finished batches of a file from an interrupted run.
-    fn unfinished(&self, volume: &Volume) -> Result<Resume<Part>, Complaint> {
-        Resume::open(
-            &self.out.join(format!("{}.unfinished", volume.name())),
-            &(&self.recipe, volume.first, volume.seeds),
-        )
+    fn unfinished(&self, volume: &Volume) -> Result<ResumableRun<Part>, Complaint> {
+        let path = self.out.join(format!("{}.unfinished", volume.name()));
+        Ok(ResumableRun::open(path, &(&self.recipe, volume.first, volume.seeds))?)
     }
 
     /// Homes of some seeds: their lines and statistics.
@@ -227,7 +225,7 @@ struct Workshop<'a> {
 #[derive(Default)]
 struct File {
     parts: Vec<Option<Part>>,
-    unfinished: Option<Arc<Resume<Part>>>,
+    unfinished: Option<Arc<ResumableRun<Part>>>,
     sidecar: Option<Sidecar>,
 }
 
@@ -275,7 +273,7 @@ impl<'a> Workshop<'a> {
     fn batch(&self, file: usize, volume: &Volume, batch: usize) -> Result<(), Complaint> {
         let (seeds, unfinished) = (volume.batch(batch), self.unfinished(file, volume)?);
         let (count, key) = (seeds.end() - seeds.start() + 1, seeds.start().to_string());
-        let part = match unfinished.there.get(&key) {
+        let part = match unfinished.get(&key) {
             Some(there) => {
                 self.resumed.fetch_add(count, Ordering::Relaxed);
                 there.clone()
@@ -294,7 +292,7 @@ impl<'a> Workshop<'a> {
     }
 
     /// The finished batches of a file, opened by the first thread that needs them.
-    fn unfinished(&self, file: usize, volume: &Volume) -> Result<Arc<Resume<Part>>, Complaint> {
+    fn unfinished(&self, file: usize, volume: &Volume) -> Result<Arc<ResumableRun<Part>>, Complaint> {
         let mut file = locked(&self.files[file]);
         match &file.unfinished {
             Some(open) => Ok(open.clone()),
@@ -382,7 +380,9 @@ mod tests {
         let mut cut = std::fs::read(&path).unwrap();
         cut.extend_from_slice(b"[\"27\",{\"lines\":\"{");
         std::fs::write(&path, cut).unwrap();
-        assert_eq!(broken.unfinished(&volume).unwrap().there.keys().collect::<Vec<_>>(), ["7"]);
+        let there = broken.unfinished(&volume).unwrap();
+        assert_eq!(["7", "27"].map(|key| there.get(key).is_some()), [true, false]);
+        drop(there);
         std::fs::remove_file(three.join("homes_000000000007.meta.json")).unwrap();
         run(&broken).unwrap();
         assert_eq!(files(&three), whole);

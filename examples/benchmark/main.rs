@@ -9,8 +9,6 @@
 mod attempt;
 #[path = "../support/chart.rs"]
 mod chart;
-#[path = "../support/resume.rs"]
-mod resume;
 #[path = "../support/mod.rs"]
 mod support;
 mod tables;
@@ -21,11 +19,11 @@ use attempt::{Attempt, attempt, policies};
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
-use resume::Resume;
 use support::{Complaint, say};
-use tables::{Ratios, Tables, WATCH_AND_HELP};
+use tables::{Figures, Ratios, Tables, WATCH_AND_HELP};
 use vc_tasks::library::{Activity, Benchmark};
 use vc_tasks::report::{GroupBy, Report, Run};
+use virtualcity::{FileError, ResumableRun};
 
 /// Random, oracle and both planners on the 145 tasks.
 #[derive(Parser)]
@@ -63,17 +61,18 @@ fn main() -> Result<(), Complaint> {
         ProgressStyle::with_template("{bar:40} {pos}/{len} environments, {eta} left").map_err(Complaint::new)?;
     let bar = ProgressBar::new(jobs.len() as u64).with_style(style);
     let recipe = (env!("CARGO_PKG_VERSION"), options.steps, options.symbolic);
-    let before: Resume<Result<Attempt, String>> = Resume::open(&options.out.join("unfinished.jsonl"), &recipe)?;
+    let before: ResumableRun<Result<Attempt, String>> =
+        ResumableRun::open(options.out.join("unfinished.jsonl"), &recipe)?;
     let done = |(activity, seed): &(&Activity, u64)| {
         let key = format!("{} in home {seed}", activity.id);
-        let tried = match before.there.get(&key) {
+        let tried = match before.get(&key) {
             Some(there) => Ok(there.clone()),
             None => before.add(&key, &attempt(activity, *seed, options.steps, options.symbolic)),
         };
         bar.inc(1);
         tried
     };
-    let tried: Vec<Result<Attempt, String>> = jobs.par_iter().map(done).collect::<Result<_, _>>()?;
+    let tried: Vec<Result<Attempt, String>> = jobs.par_iter().map(done).collect::<Result<_, FileError>>()?;
     bar.finish_and_clear();
     let (made, unmade): (Vec<_>, Vec<_>) = tried.into_iter().partition(Result::is_ok);
     let mut all = Attempt::default();
@@ -93,7 +92,7 @@ fn main() -> Result<(), Complaint> {
     say!("\n{} failures of others than random{}", failed.len(), if failed.is_empty() { "" } else { ":" });
     failed.iter().for_each(|line| say!("  {line}"));
     write(&tables, &all.failures, &options.out)?;
-    before.remove()
+    Ok(before.remove()?)
 }
 
 fn no_such_task(only: &str) -> Complaint {
@@ -108,7 +107,10 @@ fn show(tables: &Tables, environments: usize, unmade: &[String]) {
     say!("{environments} environments, {} of them could not be made", unmade.len());
     unmade.iter().for_each(|why| say!("  {why}"));
     say!("{:<34}{:>12}{:>12}{:>22}", "", "completed", "steps", "steps when completed");
-    let row = |name: &str, [done, steps, won]: [f64; 3]| say!("{name:<34}{done:>11.2}%{steps:>12.2}{won:>22.2}");
+    let row = |name: &str, (done, steps, won): Figures| {
+        let won = won.map_or_else(|| "-".to_owned(), |won| format!("{won:.2}"));
+        say!("{name:<34}{done:>11.2}%{steps:>12.2}{won:>22}");
+    };
     tables.rows().iter().for_each(|(name, figures)| row(name, *figures));
     let solvable: Vec<&Run> = report.runs.iter().filter(|r| r.agent == "oracle" && r.best_steps.is_some()).collect();
     say!("\nThe oracle solves {} of {}. Of these:", solvable.len(), environments - unmade.len());

@@ -5,11 +5,14 @@ use vc_tasks::report::{Report, Run};
 
 use crate::chart::{Bars, Line, bars, lines};
 
-/// The thesis's results: completion in percent, steps, steps of successes.
-const THESIS: [(&str, [f64; 3]); 3] = [
-    ("thesis: random", [16.55, 95.69, 73.96]),
-    ("thesis: GPT-4 (sees everything)", [77.93, 21.90, 10.83]),
-    ("thesis: planner", [82.07, 27.61, 11.80]),
+/// Completion in percent, steps, and steps of successes, if there are any.
+pub(crate) type Figures = (f64, f64, Option<f64>);
+
+/// The thesis's results.
+const THESIS: [(&str, Figures); 3] = [
+    ("thesis: random", (16.55, 95.69, Some(73.96))),
+    ("thesis: GPT-4 (sees everything)", (77.93, 21.90, Some(10.83))),
+    ("thesis: planner", (82.07, 27.61, Some(11.80))),
 ];
 
 /// The mean steps of Watch-And-Help's planner on tasks of five predicates, and of the optimum with full
@@ -32,15 +35,14 @@ pub(crate) struct Ratios {
 
 impl Tables {
     /// The rows of Table 5.2: the thesis's, then those of this run.
-    pub(crate) fn rows(&self) -> Vec<(String, [f64; 3])> {
+    pub(crate) fn rows(&self) -> Vec<(String, Figures)> {
         let thesis = THESIS.iter().map(|(name, figures)| ((*name).to_owned(), *figures));
         let ours = self.names.iter().map(|name| (name.clone(), self.figures(name, |_| true)));
         thesis.chain(ours).collect()
     }
 
-    /// Completion in percent, steps (100 for a task that is not completed, as in the thesis), steps of
-    /// successes.
-    pub(crate) fn figures(&self, name: &str, which: impl Fn(&Run) -> bool) -> [f64; 3] {
+    /// The figures of a policy in some runs. A task that is not completed counts as 100 steps, as in the thesis.
+    pub(crate) fn figures(&self, name: &str, which: impl Fn(&Run) -> bool) -> Figures {
         const NOT_COMPLETED: f64 = 100.0;
         let runs: Vec<&Run> = self.report.runs.iter().filter(|r| r.agent == name && which(r)).collect();
         let won: Vec<f64> = runs.iter().filter(|r| r.outcome == Outcome::Won).map(|r| r.steps as f64).collect();
@@ -48,7 +50,8 @@ impl Tables {
         let all = runs.len().max(1) as f64;
         // An empty sum is -0.
         let sum = won.iter().sum::<f64>() + 0.0;
-        [100.0 * won.len() as f64 / all, (sum + NOT_COMPLETED * failed) / all, sum / won.len().max(1) as f64]
+        let steps_of_won = (!won.is_empty()).then(|| sum / won.len() as f64);
+        (100.0 * won.len() as f64 / all, (sum + NOT_COMPLETED * failed) / all, steps_of_won)
     }
 
     /// All policies but random, which hardly ever succeeds.
@@ -73,14 +76,19 @@ impl Tables {
     }
 
     pub(crate) fn table_csv(&self) -> String {
-        let line =
-            |(name, [done, steps, won]): &(String, [f64; 3])| format!("\"{name}\",{done:.2},{steps:.2},{won:.2}\n");
+        let line = |(name, (done, steps, won)): &(String, Figures)| {
+            let won = won.map_or_else(String::new, |won| format!("{won:.2}"));
+            format!("\"{name}\",{done:.2},{steps:.2},{won}\n")
+        };
         "policy,completed_percent,steps,steps_when_completed\n".to_owned()
             + &self.rows().iter().map(line).collect::<String>()
     }
 
     pub(crate) fn table_svg(&self) -> String {
-        let group = |(name, values): &(String, [f64; 3])| Bars { name: name.clone(), values: values.to_vec() };
+        let group = |(name, (done, steps, won)): &(String, Figures)| Bars {
+            name: name.clone(),
+            values: vec![*done, *steps, won.unwrap_or(0.0)],
+        };
         let groups: Vec<Bars> = self.rows().iter().map(group).collect();
         let measures = [("completed, %", 100.0), ("steps", 100.0), ("steps when completed", 100.0)];
         bars("Table 5.2: the thesis's rows and ours", &measures, &groups)

@@ -2,7 +2,7 @@
 //! a ramp, wood floats and stone sinks.
 //!
 //! `cargo run --release --example drop` writes to `out/drop`: `report.txt`, a summary of the events;
-//! `trajectory.jsonl`, the poses of all objects, one line per tenth of a second; `start.png` and `end.png`,
+//! `poses.jsonl`, the poses of all objects, one line per tenth of a second; `start.png` and `end.png`,
 //! pictures of the scene.
 
 #[path = "../support/seed.rs"]
@@ -61,7 +61,7 @@ fn main() -> Result<(), Complaint> {
     }
     bar.finish_and_clear();
     let settling = world.settle(600);
-    write(&file("trajectory.jsonl"), &lines)?;
+    write(&file("poses.jsonl"), &lines)?;
     draw(&file("end.png"), &draw::picture(&graph, &world, &trails))?;
     let report = report(&world, &graph, &cast, &settling);
     write(&file("report.txt"), &report)?;

@@ -17,7 +17,8 @@ pub(crate) fn choose(options: &Options, world: &dyn World, me: NodeId) -> Result
     }
     let open = |task: &Task| task.obstacles(world.graph()).is_empty() && !task.holds(world, me);
     let all: Vec<Task> = vc_tasks::household().into_iter().filter(open).collect();
-    let wanted = |task: &&Task| options.task.as_ref().is_none_or(|title| task.title.starts_with(title.as_str()));
+    let wanted_title = options.task.as_deref().unwrap_or_default().to_lowercase();
+    let wanted = |task: &&Task| task.title.to_lowercase().starts_with(&wanted_title);
     // Iterates in reverse, since `max_by_key` returns the last of equals.
     let best = all.iter().filter(wanted).rev().max_by_key(|task| to_see(world, me, task));
     let task = best.ok_or_else(|| {

@@ -9,9 +9,10 @@
 //! the start, unless `--lamps as-is` leaves them unchanged; `--finer 3` increases the antialiasing. With
 //! `--agents 2` two agents share the goal and tell each other their observations. At the end all actions are
 //! replayed from the start, and must lead to the same home. `--symbolic` runs without bodies: by default in the
-//! bundled apartment, with the goal of three apples on the kitchen table and the fridge closed; the folder then
-//! has `trajectory.jsonl` and a page with belief and log. A run removes those files of an earlier run from the
-//! folder that it does not write itself. `--list` shows the possible tasks in the home or scene.
+//! bundled apartment, with the goal of three apples on the kitchen table and the fridge closed; the folder, then
+//! `out/symbolic` by default, has `episode.jsonl` and a page with belief and log. A run removes the files of an
+//! earlier run from its folder, and refuses a folder that has files of those names from elsewhere. `--list` shows the
+//! possible tasks in the home or scene.
 
 mod asked;
 mod choose;
@@ -39,7 +40,7 @@ pub(crate) struct Options {
     /// A scene: the thesis's JSON, VirtualHome's environment graph or VirtualCity's JSON.
     #[arg(long)]
     scene: Option<PathBuf>,
-    /// A task of the library, by a prefix of its title.
+    /// A task of the library, by how its title begins, in capitals or not.
     #[arg(long, conflicts_with = "goal")]
     task: Option<String>,
     /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
@@ -48,9 +49,9 @@ pub(crate) struct Options {
     /// Number of agents in the home. Planners share the goal; with other policies only the first agent acts.
     #[arg(long, default_value_t = 1, value_parser = agents)]
     agents: usize,
-    /// The output folder.
-    #[arg(long, default_value = "out/household")]
-    out: PathBuf,
+    /// The output folder; out/household by default, or out/symbolic without bodies.
+    #[arg(long)]
+    out: Option<PathBuf>,
     /// Number of actions after which the run stops.
     #[arg(long, default_value_t = 500)]
     steps: usize,
@@ -95,6 +96,12 @@ enum Lamps {
 impl Options {
     fn seed(&self) -> u64 {
         self.seed.unwrap_or(9)
+    }
+
+    /// The output folder.
+    pub(crate) fn folder(&self) -> PathBuf {
+        let usual = if self.symbolic { "out/symbolic" } else { "out/household" };
+        self.out.clone().unwrap_or_else(|| usual.into())
     }
 }
 

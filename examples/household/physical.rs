@@ -52,7 +52,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let (width, finer) = (options.width.unwrap_or(usual.width), options.finer.unwrap_or(usual.finer));
     let wanted = RecordOptions { width, dataset: options.dataset, finer, daylight };
     let first = home.clone();
-    let mut recorder = Recorder::create(&options.out, home, me, &task, wanted).map_err(Complaint::new)?;
+    let mut recorder = Recorder::create(options.folder(), home, me, &task, wanted).map_err(Complaint::new)?;
     let mut policy = options.policy.policy();
     let episode = match team(options, recorder.environment().graph(), &task) {
         Some(team) => act_together(options, team, &task, &mut recorder)?,

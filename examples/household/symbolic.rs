@@ -1,14 +1,13 @@
 //! The symbolic run: the transition rule alone, in the bundled apartment or any scene.
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use vc_graph::format::read_scene;
 use vc_graph::{Action, ClassTable, NodeId, NodeKind, SceneGraph, Simulator, Verb, Word};
 use vc_planner::{Episode, EpisodeOptions, Header, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
-use virtualcity::{Page, Recorder};
+use virtualcity::{JsonLines, Page, Recorder};
 
 use crate::Options;
 use crate::choose::{choose, told};
@@ -18,14 +17,22 @@ use crate::support::{Complaint, say};
 /// The hand-made apartment that comes with the project.
 const APARTMENT: &str = include_str!("../data/apartment.json");
 
+/// The file of the episode; a record with bodies has another one.
+const EPISODE: &str = "episode.jsonl";
+
+/// All files of a run, the episode's last.
+const FILES: [&str; 3] = ["index.html", "belief.svg", EPISODE];
+
 /// The default goal.
 const GOAL: &str = "On(apple, kitchentable), 3 & Closed(fridge)";
 
 /// Runs the agent in the symbolic simulator.
 pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     let classes = classes(options.classes.as_deref())?;
-    let text = options.scene.as_deref().map_or_else(|| Ok(APARTMENT.to_owned()), virtualcity::read_text)?;
-    let scene = read_scene(&text, &classes).map_err(Complaint::new)?;
+    let scene = match &options.scene {
+        Some(file) => virtualcity::read_scene(file, &classes)?,
+        None => read_scene(APARTMENT, &classes).map_err(Complaint::new)?,
+    };
     let Some(&me) = scene.agents().first() else {
         return Err(Complaint::new("this scene has no agent: add an object of class `character`"));
     };
@@ -56,27 +63,41 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     let mut policy = options.policy.policy();
     let mut world = Simulator::new(scene.clone());
     let run = EpisodeOptions { agent: Some(me), ..EpisodeOptions::seeded(options.seed()) };
-    // Files of an earlier run with bodies would otherwise remain beside those of this run.
-    Recorder::clear(&options.out).map_err(Complaint::new)?;
-    let mut record = Record::create(&options.out.join("trajectory.jsonl"))?;
+    let out = options.folder();
+    clear(&out)?;
+    let mut lines = JsonLines::create(out.join(EPISODE))?;
     let header = Header::new(&run, policy.as_ref(), task, scene);
-    record.line(&header)?;
+    lines.push(&header)?;
     let (mut steps, mut failed) = (Vec::new(), None);
     let episode = run.episode(policy.as_mut(), task, &mut world, &mut |step| {
         show(step);
-        failed = failed.take().or(record.line(step).err());
+        failed = failed.take().or(lines.push(step).err());
         steps.push(step.clone());
     });
     if let Some(error) = failed {
-        return Err(error);
+        return Err(error.into());
     }
     let summary = episode.summary();
-    record.line(&summary)?;
+    lines.push(&summary)?;
     let belief = physical::belief(world.graph(), task, policy.as_ref());
-    write_page(&options.out, &Trajectory { header, steps, summary }, belief.as_deref())?;
+    write_page(&out, &Trajectory { header, steps, summary }, belief.as_deref())?;
     verdict(scene, me, task, &world, &episode)?;
-    say!("look at {}", options.out.join("index.html").display());
+    say!("look at {}", out.join("index.html").display());
     Ok(())
+}
+
+/// Removes the files of an earlier run without bodies, or of one with bodies: they would remain beside those of this
+/// run. Files of others are left, and refused.
+fn clear(out: &Path) -> Result<(), Complaint> {
+    let (_, lines) = match out.join(EPISODE).is_file() {
+        true => JsonLines::resume(out.join(EPISODE))?,
+        false => return Recorder::clear(out).map_err(Complaint::new),
+    };
+    if lines.first().is_none_or(|line| serde_json::from_str::<Header>(line).is_err()) {
+        let path = out.join(EPISODE);
+        return Err(Complaint::new(format!("{} is no episode: choose another --out, or move it", path.display())));
+    }
+    FILES.iter().try_for_each(|name| virtualcity::files::remove(&out.join(name)).map_err(Complaint::new))
 }
 
 /// Writes the page about the run, with the belief.
@@ -86,7 +107,7 @@ fn write_page(folder: &Path, trajectory: &Trajectory, belief: Option<&str>) -> R
         virtualcity::files::write(folder.join("belief.svg"), belief)?;
         page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);
     }
-    let page = page.file("trajectory.jsonl", "every step, with what was seen, believed and planned, as JSON Lines");
+    let page = page.file(EPISODE, "every step, with what was seen, believed and planned, as JSON Lines");
     Ok(virtualcity::files::write(folder.join("index.html"), page.html())?)
 }
 
@@ -153,28 +174,6 @@ fn verdict(scene: &SceneGraph, me: NodeId, task: &Task, world: &Simulator, episo
 
 fn yes(condition: bool, then: &'static str, otherwise: &'static str) -> &'static str {
     if condition { then } else { otherwise }
-}
-
-/// The trajectory, written line by line so that an interrupted run keeps its steps, in the format of
-/// [`Trajectory::read_json_lines`](vc_planner::Trajectory::read_json_lines).
-struct Record {
-    file: std::io::BufWriter<std::fs::File>,
-    path: PathBuf,
-}
-
-impl Record {
-    fn create(path: &Path) -> Result<Self, Complaint> {
-        path.parent().map_or(Ok(()), virtualcity::files::create_folder)?;
-        let file = std::fs::File::create(path).map_err(|e| virtualcity::FileError::unwritten(path, e))?;
-        let file = std::io::BufWriter::new(file);
-        Ok(Self { file, path: path.to_owned() })
-    }
-
-    fn line(&mut self, value: &impl serde::Serialize) -> Result<(), Complaint> {
-        let text = serde_json::to_string(value).map_err(Complaint::new)?;
-        let written = writeln!(self.file, "{text}").and_then(|()| self.file.flush());
-        written.map_err(|e| virtualcity::FileError::unwritten(&self.path, e).into())
-    }
 }
 
 /// Shows the contents of a scene and the possible tasks in it.
@@ -246,13 +245,23 @@ mod tests {
     fn what_an_earlier_run_left_is_removed() {
         let out = std::env::temp_dir().join(format!("vc-household-left-{}", std::process::id()));
         std::fs::create_dir_all(out.join("film")).unwrap();
-        for name in ["film.gif", "map.png", "end.png", "film/000.jpg", "mine.png", "film/mine.txt"] {
+        let old = ["film.gif", "map.png", "end.png", "film/000.jpg"];
+        for name in old.into_iter().chain(["mine.png", "film/mine.txt"]) {
             std::fs::write(out.join(name), "old").unwrap();
         }
-        super::main(&Options::parse_from(["household", "--symbolic", "--out", out.to_str().unwrap()])).unwrap();
+        let run = || super::main(&Options::parse_from(["household", "--symbolic", "--out", out.to_str().unwrap()]));
         let there = |name: &str| out.join(name).exists();
-        assert!(["film.gif", "map.png", "end.png", "film/000.jpg"].iter().all(|name| !there(name)));
-        assert!(["mine.png", "film/mine.txt", "index.html", "trajectory.jsonl"].iter().all(|name| there(name)));
+        // Without the trajectory of a record these are files of somebody else.
+        let refused = format!("{:?}", run().unwrap_err());
+        assert!(refused.contains("end.png is in the way") && old.iter().all(|name| there(name)), "{refused}");
+        std::fs::write(out.join("trajectory.jsonl"), "{\"scene\":\"flat\",\"digest\":\"0\"}\n").unwrap();
+        for _ in 0..2 {
+            run().unwrap();
+            assert!(old.iter().chain(&["trajectory.jsonl"]).all(|name| !there(name)));
+            assert!(["mine.png", "film/mine.txt", "index.html", EPISODE].iter().all(|name| there(name)));
+        }
+        std::fs::write(out.join(EPISODE), "mine\n").unwrap();
+        assert!(format!("{:?}", run().unwrap_err()).contains("is no episode"));
         std::fs::remove_dir_all(out).unwrap();
     }
 
@@ -263,7 +272,7 @@ mod tests {
         for who in ["planner", "oracle"] {
             let words = ["household", "--symbolic", "--policy", who, "--out", out.to_str().unwrap()];
             super::main(&Options::parse_from(words)).unwrap();
-            let text = std::fs::read_to_string(out.join("trajectory.jsonl")).unwrap();
+            let text = std::fs::read_to_string(out.join(EPISODE)).unwrap();
             let trajectory = Trajectory::read_json_lines(&text).unwrap();
             let scene = read_scene(APARTMENT, &ClassTable::builtin()).unwrap();
             let page = std::fs::read_to_string(out.join("index.html")).unwrap();

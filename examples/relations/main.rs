@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use support::{Complaint, say};
-use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Edge, NodeId, Relation, SceneGraph, Word};
 use virtualcity::relations::{Evidence, RelationRule, Relations};
 
@@ -37,7 +36,7 @@ struct Options {
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
     let graph = match &options.scene {
-        Some(file) => read_scene(&virtualcity::read_text(file)?, &ClassTable::builtin()).map_err(Complaint::new)?,
+        Some(file) => virtualcity::read_scene(file, &ClassTable::builtin())?,
         None => kitchen::build().map_err(Complaint::new)?,
     };
     let relations = Relations::new(&graph, RelationRule::Contacts, Evidence::default()).map_err(Complaint::new)?;

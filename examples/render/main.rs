@@ -14,17 +14,17 @@ mod seed;
 mod support;
 
 mod files;
+mod home;
 mod sheet;
 mod time;
 
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
+use home::Home;
 use support::{Complaint, say};
-use virtualcity::graph::class::Category;
-use virtualcity::graph::{ClassTable, Node, NodeId, Property, SceneGraph, Seed, format};
-use virtualcity::procgen::{Apartment, dress};
-use virtualcity::render::{Camera, Daylight, Frame, PathTracing, Renderer, Snapshot, picture};
+use virtualcity::graph::{Node, Property, SceneGraph};
+use virtualcity::render::{Daylight, Frame, PathTracing, Renderer, Snapshot, picture};
 
 /// All modalities of a room.
 #[derive(Parser)]
@@ -91,23 +91,14 @@ impl Hour {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    if ClassTable::builtin().get(&options.room).is_none_or(|class| class.category != Category::Room) {
-        return Err(Complaint::new(format!("--room: there is no class of rooms `{}`", options.room)));
-    }
-    let scene = match &options.scene {
-        Some(path) => {
-            shaped(format::read_scene(&virtualcity::read_text(path)?, &ClassTable::builtin()).map_err(Complaint::new)?)?
-        }
-        None => Apartment::from_seed(Seed(options.seed)).map_err(Complaint::new)?.scene(),
-    };
-    remark::on_walls(&scene);
-    let room = room(&scene, &options.room)?;
+    let home = options.scene.as_deref().map_or_else(|| Home::generated(options.seed), Home::read)?;
+    remark::on_walls(&home.scene);
+    let room = home.room(&options.room)?;
     virtualcity::files::create_folder(&options.out)?;
     let mut renderer = Renderer::new();
-    let mut snapshot = renderer.snapshot(&scene).map_err(Complaint::new)?;
-    switch_lamps(&scene, &mut snapshot, options.daylight == Hour::Night)?;
-    let camera = Camera::with_fov(options.width, options.height, 1.15);
-    let camera = renderer.viewpoint(&snapshot, room, &camera).map_err(Complaint::new)?;
+    let mut snapshot = renderer.snapshot(&home.scene).map_err(Complaint::new)?;
+    switch_lamps(&home.scene, &mut snapshot, options.daylight == Hour::Night)?;
+    let camera = home.camera(room, (&renderer, &snapshot), (options.width, options.height))?;
     let start = std::time::Instant::now();
     let lighting = renderer.light(&snapshot, &options.daylight.daylight());
     say!("{} triangles; light made in {:.0} ms", snapshot.triangles(), 1e3 * start.elapsed().as_secs_f64());
@@ -121,7 +112,7 @@ fn main() -> Result<(), Complaint> {
     write(&options.out.join(format!("{name}.png")), &picture::rgb(&frame))?;
     write(&options.out.join(format!("{name}_sheet.png")), &sheet)?;
     if options.files {
-        files::all(&options.out.join(&name), (&scene, &snapshot), &camera, &lighting, &frame)?;
+        files::all(&options.out.join(&name), (&home.scene, &snapshot), &camera, &lighting, &frame)?;
     }
     let Some(samples) = options.reference else { return Ok(()) };
     let how = PathTracing { samples, denoise: !options.raw, seed: options.noise, ..PathTracing::default() };
@@ -138,12 +129,6 @@ fn main() -> Result<(), Complaint> {
         files::light(&options.out.join(format!("{name}_reference")), &reference_picture)?;
     }
     write(&options.out.join(format!("{name}_reference.png")), &reference_picture.picture())
-}
-
-/// A scene of boxes with the shapes of its classes; a scene with shapes as it is.
-fn shaped(scene: SceneGraph) -> Result<SceneGraph, Complaint> {
-    let bare = scene.assets().is_empty();
-    if bare { dress::dressed(&scene, dress::seed_of(&scene)).map_err(Complaint::new) } else { Ok(scene) }
 }
 
 fn write(path: &std::path::Path, image: &picture::Picture) -> Result<(), Complaint> {
@@ -164,12 +149,4 @@ fn switch_lamps(scene: &SceneGraph, snapshot: &mut Snapshot, night: bool) -> Res
         }
     }
     Ok(())
-}
-
-/// The first room of a class.
-fn room(scene: &SceneGraph, class: &str) -> Result<NodeId, Complaint> {
-    scene.of_class(class).first().copied().ok_or_else(|| {
-        let names: Vec<String> = scene.rooms().iter().map(|r| scene.label(*r).class.to_string()).collect();
-        Complaint::new(format!("the home has no {class}; it has {}", names.join(", ")))
-    })
 }

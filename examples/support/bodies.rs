@@ -11,9 +11,9 @@ use crate::plain::characters;
 use crate::support::{Complaint, say};
 
 /// Runs every program that fits a scene in it, and counts the executable ones, and the reasons why others are
-/// not. Unreadable files and lines are named; returns whether there were none.
+/// not. Unreadable files and lines, and disagreements of bodies and rule, are named; returns whether there were none.
 pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint> {
-    let mut tally = Tally { scene, homes: BTreeMap::new(), all: 0, fit: 0, done: 0, unread: 0, why: BTreeMap::new() };
+    let mut tally = Tally::new(scene);
     for file in files {
         let text = virtualcity::read_text(file).unwrap_or_else(|error| {
             tally.unread(error);
@@ -32,7 +32,10 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> Result<bool, Complaint>
     }
     say!("\n{}: {} of {} programs fit, {} run with bodies", scene.display(), tally.fit, tally.all, tally.done);
     tally.why.iter().for_each(|(reason, count)| say!("  {count} {reason}"));
-    Ok(tally.unread == 0)
+    if tally.disagreements > 0 {
+        say!("  {} stopped because bodies and rule disagree", tally.disagreements);
+    }
+    Ok(tally.unread + tally.disagreements == 0)
 }
 
 struct Tally<'a> {
@@ -44,10 +47,17 @@ struct Tally<'a> {
     done: usize,
     /// Unreadable files and lines.
     unread: usize,
-    why: BTreeMap<String, usize>,
+    /// Programs in which the bodies did something else than the rule says.
+    disagreements: usize,
+    why: BTreeMap<&'static str, usize>,
 }
 
-impl Tally<'_> {
+impl<'a> Tally<'a> {
+    fn new(scene: &'a Path) -> Self {
+        let (homes, why) = (BTreeMap::new(), BTreeMap::new());
+        Self { scene, homes, all: 0, fit: 0, done: 0, unread: 0, disagreements: 0, why }
+    }
+
     fn unread(&mut self, why: impl std::fmt::Display) {
         say!("{why}");
         self.unread += 1;
@@ -64,7 +74,10 @@ impl Tally<'_> {
             Ok(()) => self.done += 1,
             Err((index, error)) => {
                 say!("{} {}: action {}: {error}", record.id, record.title, index + 1);
-                *self.why.entry(reason(&error)).or_default() += 1;
+                match reason(&error) {
+                    Some(reason) => *self.why.entry(reason).or_default() += 1,
+                    None => self.disagreements += 1,
+                }
             }
         }
         Ok(())
@@ -103,15 +116,15 @@ fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionErro
     })
 }
 
-/// The kind of a reason, without names.
-fn reason(error: &ActionError) -> String {
+/// The kind of a refusal, without names; nothing if bodies and rule disagree, which is no refusal.
+fn reason(error: &ActionError) -> Option<&'static str> {
     match error {
-        ActionError::Refused(_) => "refused by the rule".into(),
-        ActionError::Impossible { why: PhysicalRefusal::NoStand(_), .. } => "out of reach".into(),
-        ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. } => "no free spot".into(),
-        ActionError::Impossible { why: PhysicalRefusal::KeepsOpen { .. }, .. } => "would not shut".into(),
-        ActionError::Impossible { .. } => "bodies cannot".into(),
-        ActionError::Disagreement(_) => "bodies and rule disagree".into(),
-        _ => "another".into(),
+        ActionError::Disagreement(_) => None,
+        ActionError::Refused(_) => Some("refused by the rule"),
+        ActionError::Impossible { why: PhysicalRefusal::NoStand(_), .. } => Some("out of reach"),
+        ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. } => Some("no free spot"),
+        ActionError::Impossible { why: PhysicalRefusal::KeepsOpen { .. }, .. } => Some("would not shut"),
+        ActionError::Impossible { .. } => Some("bodies cannot"),
+        _ => Some("another"),
     }
 }

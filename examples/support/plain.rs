@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use vc_graph::format::program::{self, Program};
-use virtualcity::Environment;
+use virtualcity::{ActionError, Environment};
 
 use crate::support::{Complaint, say};
 
@@ -13,17 +13,27 @@ pub(crate) fn is_program(file: &Path) -> bool {
     virtualcity::read_text(file).is_ok_and(|text| !text.trim_start().starts_with('{'))
 }
 
-/// Runs every program in a scene and reports the results. Unreadable programs, and programs for more characters
-/// than the scene has, are named; returns whether there were none.
+/// Why a program stopped.
+struct Stop {
+    told: String,
+    /// Whether the bodies did something else than the rule says.
+    disagreement: bool,
+}
+
+/// Runs every program in a scene and reports the results. Unreadable programs, programs for more characters than the
+/// scene has, and disagreements of bodies and rule are named; returns whether there were none.
 pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
-    let (mut executable, mut unread) = (0, 0);
+    let (mut executable, mut unread, mut disagreements) = (0, 0, 0);
     for file in files {
         match run(file, scene) {
             Ok(Ok(done)) => {
                 executable += 1;
                 say!("{}: executable, {done} actions", file.display());
             }
-            Ok(Err(refusal)) => say!("{}: {refusal}", file.display()),
+            Ok(Err(stop)) => {
+                disagreements += usize::from(stop.disagreement);
+                say!("{}: {}", file.display(), stop.told);
+            }
             Err(complaint) => {
                 unread += 1;
                 say!("{}: {complaint:?}", file.display());
@@ -31,19 +41,24 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
         }
     }
     say!("\n{} programs, {executable} executable with bodies", files.len() - unread);
-    unread == 0
+    if disagreements > 0 {
+        say!("{disagreements} stopped because bodies and rule disagree");
+    }
+    unread + disagreements == 0
 }
 
 /// The number of actions of a program, or the number before one was refused, and the reason.
-fn run(file: &Path, scene: &Path) -> Result<Result<usize, String>, Complaint> {
+fn run(file: &Path, scene: &Path) -> Result<Result<usize, Stop>, Complaint> {
     let program = program::read(&virtualcity::read_text(file)?).map_err(Complaint::new)?;
     let mut home =
         Environment::make(&format!("scene:{}", scene.display()), characters(&program)).map_err(Complaint::new)?;
     let mut done = 0;
     for event in program.cast(home.graph()).map_err(Complaint::new)?.into_iter().flatten() {
         if let Err(error) = home.set_action(event.agent, event.action) {
+            let disagreement = matches!(error, ActionError::Disagreement(_));
+            let ended = if disagreement { "stopped" } else { "refused" };
             let action = event.action.describe(home.graph());
-            return Ok(Err(format!("refused after {done} actions: {action}: {error}")));
+            return Ok(Err(Stop { told: format!("{ended} after {done} actions: {action}: {error}"), disagreement }));
         }
         done += 1;
     }

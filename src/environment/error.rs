@@ -22,17 +22,9 @@ pub enum MakeError {
     /// The home could not be generated.
     #[error(transparent)]
     Generation(#[from] vc_procgen::SpecificationError),
-    /// The scene file could not be read.
+    /// The scene file could not be read, or is no scene.
     #[error(transparent)]
     File(#[from] crate::FileError),
-    /// The scene file is no scene.
-    #[error("{path}: {error}")]
-    Format {
-        /// Which file.
-        path: String,
-        /// Why.
-        error: FormatError,
-    },
     /// Bodies need poses.
     #[error("scene {scene} has no poses: no body can be made of any of its {things} things")]
     NoPoses {

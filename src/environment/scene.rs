@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed};
 use vc_procgen::Apartment;
 use vc_procgen::dress::{self, DressError};
@@ -26,9 +25,9 @@ pub(super) fn named(name: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph,
         let seed = seed.parse().map_err(|_| MakeError::BadSeed(seed.to_owned()))?;
         return Ok(Apartment::from_seed(Seed(seed))?.scene());
     }
-    let path = name.strip_prefix("scene:").ok_or_else(|| MakeError::UnknownName(name.to_owned()))?;
-    let text = crate::read_text(path)?;
-    read_scene(&text, classes).map_err(|error| MakeError::Format { path: path.to_owned(), error })
+    let path = name.strip_prefix("scene:").filter(|path| !path.is_empty());
+    let path = path.ok_or_else(|| MakeError::UnknownName(name.to_owned()))?;
+    Ok(crate::read_scene(path, classes)?)
 }
 
 /// The scene with a shape for every thing that has neither asset nor box and whose class has a generator.

@@ -6,7 +6,7 @@ use vc_render::format::{Coco, CocoPicture, npy};
 use vc_render::{Frame, Modalities, Modality, RenderError, picture};
 
 use super::journal::Journal;
-use super::{RecordError, at, save};
+use super::{RecordError, at, own, save};
 use crate::{Environment, Viewpoint, files};
 
 /// The folder of a data set's pictures.
@@ -20,6 +20,8 @@ const ARRAYS: [(Modality, &str); 4] = [
 ];
 /// The COCO document.
 const DOCUMENT: &str = "annotations.json";
+/// The words at the beginning of a document of this program.
+const OWN: &str = "\"contributor\":\"VirtualCity\"";
 /// The journal of an unfinished data set.
 const JOURNAL: &str = "annotations.jsonl.part";
 
@@ -58,16 +60,17 @@ impl Dataset {
     /// data set are removed.
     ///
     /// # Errors
+    /// [`RecordError::Foreign`] if the folder has files of a data set's names and no data set of this program;
     /// [`RecordError::File`] if the folder cannot be created or an old file cannot be removed.
     pub fn create(folder: impl AsRef<Path>) -> Result<Self, RecordError> {
         let folder = folder.as_ref().to_path_buf();
+        Self::check(&folder)?;
         let frames = folder.join(FRAMES);
         std::fs::create_dir_all(&frames).map_err(at(&frames))?;
         if !folder.join(JOURNAL).is_file() {
             Self::clear(&folder)?;
         }
-        let path = folder.join(JOURNAL);
-        let journal = Journal::open(path.clone()).map_err(at(&path))?;
+        let journal = Journal::open(folder.join(JOURNAL))?;
         Ok(Self { folder, seen: Coco::default(), journal, arrays: Modalities::NONE })
     }
 
@@ -86,10 +89,25 @@ impl Dataset {
         Self { arrays: modalities.into(), ..self }
     }
 
+    /// Whether a folder has a data set of this program, finished or not.
+    fn is_in(folder: &Path) -> bool {
+        folder.join(JOURNAL).is_file() || own::begins_with(&folder.join(DOCUMENT), OWN)
+    }
+
+    /// Refuses a folder with files of a data set's names that are of no data set.
+    pub(super) fn check(folder: &Path) -> Result<(), RecordError> {
+        let arrays = ARRAYS.iter().map(|(_, name)| (*name, "npy"));
+        let numbered: Vec<(&str, &str)> = arrays.chain([(FRAMES, "png")]).collect();
+        if Self::is_in(folder) { Ok(()) } else { own::refuse(folder, &[DOCUMENT], &numbered) }
+    }
+
     /// Removes the files of a data set, finished or not; a folder without a data set stays as it is.
     pub(super) fn clear(folder: &Path) -> Result<(), RecordError> {
-        [DOCUMENT, JOURNAL].iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))?;
-        Self::clear_from(folder, 0)
+        if !Self::is_in(folder) {
+            return Ok(());
+        }
+        Self::clear_from(folder, 0)?;
+        [DOCUMENT, JOURNAL].iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))
     }
 
     /// Removes the pictures and arrays from a number on.
@@ -137,7 +155,7 @@ impl Dataset {
             save(&self.folder.join(&name), &array(&frame, modality)?)?;
             picture = picture.with_file(kind, name);
         }
-        self.journal.note(of, &picture).map_err(at(&self.folder.join(JOURNAL)))?;
+        self.journal.note(of, &picture)?;
         Ok(picture)
     }
 
@@ -161,7 +179,7 @@ impl Dataset {
         // An interrupted run may have left more pictures.
         Self::clear_from(&self.folder, self.seen.pictures() as u64)?;
         save(&path, self.seen.document()?.as_bytes())?;
-        self.journal.remove().map_err(at(&self.folder.join(JOURNAL)))?;
+        self.journal.remove()?;
         Ok(path)
     }
 }

@@ -25,8 +25,8 @@ const JPEG_QUALITY: u8 = 88;
 const CAPTION: (f32, f32) = (36.0, 0.6);
 /// Actions that the strip shows at most.
 const SHOWN: usize = 8;
-/// Pictures in a row in which somebody is not seen well before the corner's camera goes elsewhere.
-const PATIENCE: u32 = 3;
+/// Ticks in which somebody is seen, but not well, before the corner's camera goes elsewhere.
+const PATIENCE: u32 = 3 * EVERY;
 
 /// Pictures of an episode.
 pub(super) struct Film {
@@ -38,7 +38,7 @@ pub(super) struct Film {
     every: u32,
     ticks: u32,
     room: Option<NodeId>,
-    /// The camera in that room, and in how many pictures from it the agent has not been seen well.
+    /// The camera in that room, and for how many ticks the agent has not been seen well from it.
     corner: Option<(Viewpoint, u32)>,
     /// All modalities of the moment that tells most, from the eyes and from the corner.
     modalities: Option<[Picture; 2]>,
@@ -173,10 +173,12 @@ impl Film {
         let Some(room) = room else { return Ok([Viewpoint::Agent(self.me); 2]) };
         let (view, missed) = self.corner.unwrap_or((Viewpoint::Room(room), PATIENCE));
         let glance = home.render(view, Modality::Instance, GLANCE.0, GLANCE.1)?;
-        let now = match (sight_of(&glance, self.me) >= 1.0, missed + 1) {
-            (true, _) => (view, 0),
-            (false, missed) if missed < PATIENCE => (view, missed),
-            _ => (Viewpoint::Free(home.witness(self.me, room, self.size)?), 0),
+        let sight = sight_of(&glance, self.me);
+        let missed = if sight >= 1.0 { 0 } else { missed + self.every };
+        // Somebody who is not in the picture at all is looked for at once.
+        let now = match sight > 0.0 && missed < PATIENCE {
+            true => (view, missed),
+            false => (Viewpoint::Free(home.witness(self.me, room, self.size)?), 0),
         };
         self.corner = Some(now);
         Ok([Viewpoint::Agent(self.me), now.0])
@@ -267,4 +269,33 @@ fn six(frame: &Frame) -> Picture {
         picture::with_boxes(picture::masks(frame), frame, 60),
     ];
     Picture::sheet(&all, 3, 4)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
+mod tests {
+    use vc_graph::{Action, Verb};
+
+    use super::*;
+
+    /// However few pictures a film has, somebody is in each that is made from the corner.
+    #[test]
+    fn corners_show_the_agent() {
+        let mut home = Environment::make("apartment/44756", 1).unwrap();
+        let me = home.agents()[0];
+        let mut film = Film { every: 4 * EVERY, ..Film::new(&home, me, 64) };
+        let (mut ticks, mut sights) = (0, Vec::new());
+        for class in ["fridge", "double_bed", "washbasin", "sofa", "wardrobe", "stove"] {
+            let Some(at) = home.graph().of_class(class).first().copied() else { continue };
+            let walked = home.set_action_in_time(me, Action::one(Verb::Walk, at), |now| {
+                ticks += 1;
+                if ticks % film.every == 0 {
+                    let [_, corner] = film.views(now).unwrap();
+                    sights.push(sight_of(&now.render(corner, Modality::Instance, GLANCE.0, GLANCE.1).unwrap(), me));
+                }
+            });
+            walked.unwrap();
+        }
+        assert!(sights.len() > 20 && sights.iter().all(|sight| *sight > 0.0), "{sights:?}");
+    }
 }

@@ -5,6 +5,7 @@ mod dataset;
 mod film;
 mod journal;
 mod map;
+mod own;
 mod trajectory;
 
 use std::path::{Path, PathBuf};
@@ -34,7 +35,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// | file | what |
 /// |---|---|
 /// | `index.html` | a page that plays the film and shows all of it ([`Page`]) |
-/// | `trajectory.jsonl` | a line about the run, one for each action that was tried, one about its end |
+/// | `trajectory.jsonl` | a line about the run, one for each action that was tried, with time, place and digest, one about its end |
 /// | `film/` | the film's pictures as JPEG, which the page plays and others' tools make a video of: from the agent's eyes and from a corner of the room |
 /// | `film.gif`, `film.png` | the film in half its size at twice the speed, as GIF and as animated PNG |
 /// | `map.png` | the home from above, and the ways the agents went |
@@ -124,6 +125,12 @@ pub enum RecordError {
     /// The scene could not be written as glTF.
     #[error("the scene cannot be written as glTF: {0}")]
     Scene(#[from] vc_gltf::GltfError),
+    /// The folder has a file of a record's name that no record wrote.
+    #[error("{path} is in the way, and no record of an episode wrote it: choose another folder, or move it")]
+    Foreign {
+        /// The path of the file.
+        path: String,
+    },
     /// The agent that is followed is none of the environment's.
     #[error("{agent} is no agent of this environment; it has {}", listed(.there))]
     NoSuchAgent {
@@ -149,8 +156,8 @@ impl Recorder {
     /// there are removed. The camera follows one of its agents.
     ///
     /// # Errors
-    /// [`RecordError::NoSuchAgent`]; [`RecordError::File`] if the folder or a file in it cannot be
-    /// made.
+    /// [`RecordError::NoSuchAgent`]; [`RecordError::Foreign`] if the folder has files of a record's names, such as
+    /// `index.html`, and no record; [`RecordError::File`] if the folder or a file in it cannot be made.
     pub fn create(
         folder: impl AsRef<Path>,
         mut home: Environment,
@@ -175,6 +182,9 @@ impl Recorder {
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
         let folder = folder.as_ref().to_path_buf();
         std::fs::create_dir_all(&folder).map_err(at(&folder))?;
+        if options.dataset {
+            Dataset::check(&folder)?;
+        }
         clear(&folder, options.dataset)?;
         let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
         let dataset = options.dataset.then(|| Dataset::create(&folder)).transpose()?;
@@ -189,7 +199,7 @@ impl Recorder {
     /// another record. [`create`](Self::create) begins with it.
     ///
     /// # Errors
-    /// [`RecordError::File`].
+    /// [`RecordError::Foreign`] if the folder has files of a record's names and no record; [`RecordError::File`].
     pub fn clear(folder: impl AsRef<Path>) -> Result<(), RecordError> {
         clear(folder.as_ref(), false)
     }
@@ -348,11 +358,9 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
     home.world().pose(agent).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
 }
 
-/// The files of a record, besides those of its film and its dataset.
+/// The files of a record, besides those of its film and its dataset. Those by which it is known are removed last.
 const FILES: [&str; 12] = [
     "index.html",
-    trajectory::FILES[0],
-    trajectory::FILES[1],
     "film.gif",
     "film.png",
     "map.png",
@@ -362,11 +370,16 @@ const FILES: [&str; 12] = [
     "end.png",
     "belief.svg",
     "scene.glb",
+    trajectory::FILES[0],
+    trajectory::FILES[1],
 ];
 
 /// Removes what another record wrote: its files would stay among those of this one. A dataset that is not finished
 /// stays if this record has one, as it may go on with that.
 fn clear(folder: &Path, has_dataset: bool) -> Result<(), RecordError> {
+    if !Trajectory::is_in(folder) {
+        own::refuse(folder, &FILES, &[("film", "jpg")])?;
+    }
     files::remove_numbered(&folder.join("film"), "jpg", 0).map_err(at(folder))?;
     FILES.iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))?;
     if has_dataset { Ok(()) } else { Dataset::clear(folder) }

@@ -1,7 +1,5 @@
 //! The trajectory: JSON Lines.
 
-use std::fs::File;
-use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -9,15 +7,15 @@ use vc_graph::NodeId;
 use vc_planner::Summary;
 use vc_tasks::Task;
 
-use super::{RecordError, at};
-use crate::Environment;
+use super::{RecordError, at, own};
+use crate::{Environment, JsonLines};
 
 /// The file of a trajectory until it is whole, and then.
 pub(super) const FILES: [&str; 2] = ["trajectory.jsonl.part", "trajectory.jsonl"];
 
 /// A line about the run, one for each action, and the result.
 pub(super) struct Trajectory {
-    file: BufWriter<File>,
+    lines: JsonLines,
     /// Where it is until it is whole, and then.
     paths: [PathBuf; 2],
 }
@@ -25,13 +23,18 @@ pub(super) struct Trajectory {
 impl Trajectory {
     pub(super) fn begin(folder: &Path, home: &Environment, agent: NodeId, task: &Task) -> Result<Self, RecordError> {
         let paths = FILES.map(|name| folder.join(name));
-        let file = File::create(&paths[0]).map_err(at(&paths[0]))?;
-        let mut all = Self { file: BufWriter::new(file), paths };
+        let mut all = Self { lines: JsonLines::create(&paths[0])?, paths };
         all.line(&json!({
             "scene": home.graph().name(), "digest": home.digest().to_string(),
             "agent": home.graph().label(agent).to_string(), "task": task.title, "goal": task.goal,
         }))?;
         Ok(all)
+    }
+
+    /// Whether a folder has a trajectory, whole or not.
+    pub(super) fn is_in(folder: &Path) -> bool {
+        let is_one = |line: serde_json::Value| line["scene"].is_string() && line["digest"].is_string();
+        FILES.iter().any(|name| own::first_line(&folder.join(name)).is_some_and(is_one))
     }
 
     /// An action that was done, or refused, and what is known of the agent after it.
@@ -68,7 +71,6 @@ impl Trajectory {
 
     /// Each line is on the disk before the next action.
     fn line(&mut self, value: &Value) -> Result<(), RecordError> {
-        let written = writeln!(self.file, "{value}").and_then(|()| self.file.flush());
-        written.map_err(at(&self.paths[0]))
+        Ok(self.lines.push(value)?)
     }
 }

@@ -55,7 +55,9 @@ fn environments_have_the_settings_of_their_builder() {
 
 #[test]
 fn names_that_are_none_are_refused() {
-    assert!(matches!(Environment::make("house/1", 1), Err(MakeError::UnknownName(_))));
+    for name in ["house/1", "scene:", ""] {
+        assert!(matches!(Environment::make(name, 1), Err(MakeError::UnknownName(_))), "{name}");
+    }
     assert!(matches!(Environment::make("apartment/one", 1), Err(MakeError::BadSeed(_))));
     assert!(matches!(Environment::make("scene:no/such/file", 1), Err(MakeError::File { .. })));
     assert!(matches!(Environment::make("apartment/8", 100_000), Err(MakeError::NoRoom { .. })));

@@ -75,6 +75,8 @@ fn an_episode_is_written_down_and_read_again() {
     for name in ["film/900.jpg", "frames/000900.png", "film/notes.txt"] {
         virtualcity::files::write(at.join(name), b"before").unwrap();
     }
+    virtualcity::files::write(at.join("trajectory.jsonl"), br#"{"scene":"flat","digest":"0"}"#).unwrap();
+    virtualcity::files::write(at.join("annotations.json"), br#"{"info":{"contributor":"VirtualCity"}}"#).unwrap();
     let (episode, home) = record(&at);
     assert_eq!(episode.outcome, Outcome::Won);
     let all = files(&at);
@@ -115,6 +117,24 @@ fn an_episode_is_written_down_and_read_again() {
     assert!(!images.is_empty() && !coco["annotations"].as_array().unwrap().is_empty());
     assert!(images.iter().all(|image| all.contains_key(Path::new(image["file_name"].as_str().unwrap()))));
     assert_eq!(&all[Path::new("scene.glb")][..4], b"glTF");
+}
+
+/// Files of other programs stay, whether a record or a data set would have one of that name.
+#[test]
+fn files_of_others_are_not_removed() {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("nothing", "InRoom(me, living_room)".parse().unwrap());
+    for name in ["index.html", "film/000.jpg", "trajectory.jsonl", "annotations.json", "frames/000000.png"] {
+        let at = folder("others");
+        virtualcity::files::write(at.join(name), b"{}").unwrap();
+        let record = Recorder::create(&at, home.clone(), me, &task, SMALL).err().map(|e| e.to_string());
+        let dataset = virtualcity::Dataset::create(&at).err().map(|e| e.to_string());
+        assert!(record.is_some_and(|why| why.contains(name) && why.contains("choose another folder")), "{name}");
+        let is_of_dataset = name.starts_with("frames") || name.starts_with("annotations");
+        assert_eq!(dataset.is_some_and(|why| why.contains(name)), is_of_dataset, "{name}");
+        assert_eq!(std::fs::read(at.join(name)).unwrap(), b"{}");
+    }
 }
 
 /// Independent of the length of an episode and of its film, a data set has six pictures per second.

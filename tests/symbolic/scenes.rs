@@ -11,6 +11,7 @@ use std::io::{Read, Write};
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::format::{native, read_scene, thesis, virtualhome};
 use vc_graph::{ClassTable, NodeKind, Relation, SceneGraph, Violation};
+use virtualcity::ResumableRun;
 
 /// Nodes and edges of each scene, by its file.
 const SIZES: [(u32, usize, usize); 5] =
@@ -173,6 +174,41 @@ fn files_are_read_packed_marked_and_of_any_name() {
     let twice =
         [std::fs::read(file("one.gz", b"[WAL", true)).unwrap(), std::fs::read(file("two.gz", b"K]", true)).unwrap()];
     assert_eq!(virtualcity::read_text(file("both.gz", &twice.concat(), false)).unwrap(), "[WALK]");
+}
+
+#[test]
+fn a_file_that_is_no_scene_is_named() {
+    let broken = file("no_scene.json", b"{\"nodes\": 3}", false);
+    let told = virtualcity::read_scene(&broken, &ClassTable::builtin()).unwrap_err().to_string();
+    assert!(told.starts_with(&format!("{}: ", broken.display())), "{told}");
+}
+
+#[test]
+fn runs_go_on_after_their_last_whole_result() {
+    let at = file("resumable.jsonl", b"", false);
+    let open = |recipe: &str| ResumableRun::<Vec<f32>>::open(&at, &recipe);
+    let run = open("halves").unwrap();
+    assert_eq!(run.add("1", &vec![0.5]).unwrap(), [0.5]);
+    run.add("2", &vec![0.5, 1.0]).unwrap();
+    drop(run);
+    let whole = std::fs::read(&at).unwrap();
+    for cut in 1..whole.len() {
+        std::fs::write(&at, &whole[..cut]).unwrap();
+        let run = open("halves").unwrap();
+        let there = ["1", "2"].map(|key| run.get(key).cloned());
+        let lines = whole[..cut].iter().filter(|byte| **byte == b'\n').count();
+        let expected = [vec![0.5], vec![0.5, 1.0]];
+        assert_eq!(there.iter().flatten().count(), lines.saturating_sub(1), "cut off after {cut} bytes");
+        for (index, key) in ["1", "2"].into_iter().enumerate().skip(lines.saturating_sub(1)) {
+            run.add(key, &expected[index]).unwrap();
+        }
+        assert!(std::fs::read(&at).unwrap() == whole, "cut off after {cut} bytes");
+    }
+    let other = open("thirds").unwrap_err().to_string();
+    assert!(other.contains("resumable.jsonl: this is of another run"), "{other}");
+    let run = open("halves").unwrap();
+    run.remove().unwrap();
+    assert!(run.remove().unwrap_err().to_string().contains("another run writes to the same folder"));
 }
 
 #[test]

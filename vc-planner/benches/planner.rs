@@ -6,7 +6,7 @@
 //! decisions are made in VirtualHome's first scene if the shared data exist (`VC_DATA` or `../shared/data`),
 //! otherwise in the bundled apartment; `benches/README.md` lists the times of comparable planners.
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "benches stop where something is wrong")]
+#![allow(missing_docs, clippy::unwrap_used, reason = "benches stop where something is wrong")]
 
 #[path = "support/homes.rs"]
 mod homes;
@@ -20,6 +20,7 @@ use plot::{Line, svg};
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, Goal, NodeId, SceneGraph, Scope, Simulator};
 use vc_planner::{Agent, Decision, Planner, SearchLimits};
+use vc_testkit::page::{Page, time};
 
 const GOAL: &str = "On(plate, kitchen_table), 2 & Inside(apple, fridge) & Closed(fridge)";
 const GOALS: u64 = 200;
@@ -34,28 +35,41 @@ fn main() {
     // `cargo bench -p vc-planner -- decision` runs only the named benchmarks.
     let only: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
     let wanted = |name: &str| only.is_empty() || only.iter().any(|o| name.contains(o.as_str()));
+    let mut page = Page::new("planner");
+    let mut rows = Vec::new();
     if wanted("plan") {
-        plans();
+        plans(&mut rows);
     }
     if wanted("growth") {
-        growth();
+        growth(&mut rows);
     }
     if wanted("decision") {
-        deciding();
-        moving_in();
+        deciding(&mut rows);
+        moving_in(&mut rows);
     }
+    page.table(&["", "mean", "median", "99th percentile", "minimum"], &rows);
+    page.finish();
 }
+
+/// A row of the table: a name and the figures that were taken.
+fn row(name: String, figures: [Option<Duration>; 4]) -> Vec<String> {
+    let cell = |figure: Option<Duration>| figure.map_or_else(String::new, |figure| time(figure.as_secs_f64()));
+    [vec![name], figures.map(cell).to_vec()].concat()
+}
+
+/// The rows of the table.
+type Rows = Vec<Vec<String>>;
 
 /// The first plans, for the sizes with a required time.
-fn plans() {
+fn plans(rows: &mut Rows) {
     for parts in [6, 12] {
-        planning(500, parts);
+        planning(500, parts, rows);
     }
 }
 
-fn growth() {
-    let by_objects = [100, 300, 500, 1_000, 3_000, 10_000].map(|objects| (objects as f64, planning(objects, 6)));
-    let by_parts = [1, 2, 3, 6, 12, 20, 30].map(|parts| (parts as f64, planning(500, parts)));
+fn growth(rows: &mut Rows) {
+    let by_objects = [100, 300, 500, 1_000, 3_000, 10_000].map(|objects| (objects as f64, planning(objects, 6, rows)));
+    let by_parts = [1, 2, 3, 6, 12, 20, 30].map(|parts| (parts as f64, planning(500, parts, rows)));
     draw("objects", "Objects in the home, 6 predicates", &by_objects);
     draw("predicates", "Predicates, 500 objects", &by_parts);
 }
@@ -78,7 +92,7 @@ fn draw(name: &str, title: &str, figures: &[(f64, (Duration, Duration))]) {
 }
 
 /// The first plans from scratch over many goals.
-fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
+fn planning(objects: usize, parts: usize, rows: &mut Rows) -> (Duration, Duration) {
     let scene = home(objects, 1);
     let me = scene.agents()[0];
     let goals: Vec<Goal> = (0..GOALS).map(|seed| goal(&scene, parts, seed)).collect();
@@ -92,10 +106,8 @@ fn planning(objects: usize, parts: usize) -> (Duration, Duration) {
         }
     }
     let figures = spread(&mut least);
-    println!(
-        "first plan, {objects:>6} objects, {parts:>2} predicates: median {:.2?}, 99th percentile {:.2?}",
-        figures.0, figures.1
-    );
+    let name = format!("first plan, {objects} objects, {parts} predicates");
+    rows.push(row(name, [None, Some(figures.0), Some(figures.1), None]));
     figures
 }
 
@@ -125,26 +137,25 @@ fn episode(scene: &SceneGraph, mut agent: Agent) -> Vec<Duration> {
 }
 
 /// Whole decisions under partial observability.
-fn deciding() {
+fn deciding(rows: &mut Rows) {
     let home = home(500, 1);
     let cases: Vec<(&str, SceneGraph, Vec<Goal>)> = vec![
         ("VirtualHome scene 1", scene(), vec![GOAL.parse().unwrap(); 20]),
         ("500 objects", home.clone(), (0..20).map(|seed| goal(&home, 6, seed)).collect()),
     ];
     for (name, scene, goals) in cases {
-        let best = decisions(&format!("decision, {name}"), &scene, &goals, Agent::in_known_home);
-        let base = decisions("  as in the thesis", &scene, &goals, Agent::faithful);
-        println!("  {:.1} times as fast in the mean", base.as_secs_f64() / best.as_secs_f64());
+        rows.push(decisions(format!("decision, {name}"), &scene, &goals, Agent::in_known_home));
+        rows.push(decisions(format!("the same as in the thesis, {name}"), &scene, &goals, Agent::faithful));
     }
 }
 
-/// Prints the mean decision time of some agents, with details.
+/// The decision times of some agents.
 fn decisions(
-    name: &str,
+    name: String,
     scene: &SceneGraph,
     goals: &[Goal],
     agent: fn(&SceneGraph, NodeId, Goal, u64) -> Agent,
-) -> Duration {
+) -> Vec<String> {
     let mut times = Vec::new();
     for (seed, goal) in (0..).zip(goals) {
         let new = |_| episode(scene, agent(scene, scene.agents()[0], goal.clone(), seed));
@@ -152,9 +163,8 @@ fn decisions(
         times.extend((0..runs[0].len()).map(|i| runs.iter().map(|r| r[i]).min().unwrap()));
     }
     let mean = times.iter().sum::<Duration>() / times.len() as u32;
-    let (count, (median, late)) = (times.len(), spread(&mut times));
-    println!("{name}: mean {mean:.2?}, median {median:.2?}, 99th percentile {late:.2?} of {count}");
-    mean
+    let (median, late) = spread(&mut times);
+    row(name, [Some(mean), Some(median), Some(late), None])
 }
 
 fn best(mut call: impl FnMut()) -> Duration {
@@ -166,12 +176,13 @@ fn best(mut call: impl FnMut()) -> Duration {
     (0..20).map(time).min().unwrap()
 }
 
-fn moving_in() {
+fn moving_in(rows: &mut Rows) {
     let (scene, goal) = (scene(), GOAL.parse::<Goal>().unwrap());
     let me = scene.agents()[0];
     let new = best(|| drop(std::hint::black_box(Agent::in_known_home(&scene, me, goal.clone(), 1))));
     let mut graph = scene.clone();
     let history = vc_graph::History::default();
     let plan = best(|| drop(std::hint::black_box(vc_planner::plan(&mut graph, me, &goal, &history).unwrap())));
-    println!("new agent {new:.2?}; plan to the goal with full knowledge {plan:.2?}");
+    rows.push(row("new agent".into(), [None, None, None, Some(new)]));
+    rows.push(row("plan to the goal with full knowledge".into(), [None, None, None, Some(plan)]));
 }

@@ -12,13 +12,14 @@ use std::hint::black_box;
 
 use cpu::Cpu;
 use cpu_time::ThreadTime;
-use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use criterion::{BenchmarkId, Criterion};
 use nalgebra::Vector3;
 use parry3d::math::{Pose as EnginePose, Rotation as EngineRotation, Vector as EngineVector};
 use parry3d::query::{ShapeCastOptions, cast_shapes};
 use parry3d::shape::{Compound, Cuboid, SharedShape};
 use vc_graph::{NodeId, Pose, SceneGraph};
 use vc_relations::{Evidence, RelationRule, Relations};
+use vc_testkit::page::Page;
 
 const SIZES: [u32; 3] = [100, 500, 2000];
 
@@ -176,9 +177,12 @@ fn beside(c: &mut Criterion<Cpu>) {
     });
 }
 
-criterion_group! {
-    name = benches;
-    config = Criterion::default().with_measurement(Cpu).sample_size(20).measurement_time(std::time::Duration::from_secs(2));
-    targets = all, moved, beside
+fn main() {
+    let mut page = Page::new("relations");
+    let quick = Criterion::default().sample_size(20).measurement_time(std::time::Duration::from_secs(2));
+    let mut criterion = quick.with_measurement(Cpu).configure_from_args();
+    [all, moved, beside].into_iter().for_each(|bench| bench(&mut criterion));
+    criterion.final_summary();
+    page.criterion();
+    page.finish();
 }
-criterion_main!(benches);

@@ -21,6 +21,7 @@ use plot::{Panel, svg};
 use rayon::ThreadPool;
 use stage::{LABELS, SIX, Stage, single, sky};
 use vc_graph::Pose;
+use vc_testkit::page::Page;
 
 /// The sets of modalities that are timed.
 const SETS: [&str; 2] = ["labels, depth, flow", "all six"];
@@ -43,9 +44,10 @@ fn peak() -> Option<f64> {
     Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
 }
 
-fn row(panel: &mut Panel, at: f64, times: [f64; 2], more: &str) {
-    println!("{at:>12}{:>12.2}{:>12.2} ms  {more}", times[0], times[1]);
+/// A row of a table and a point of its plot.
+fn row(panel: &mut Panel, at: f64, times: [f64; 2], more: String) -> Vec<String> {
     panel.points.push((at, times));
+    vec![at.to_string(), format!("{:.2} ms", times[0]), format!("{:.2} ms", times[1]), more]
 }
 
 fn of_homes(
@@ -53,29 +55,32 @@ fn of_homes(
     homes: &[(i32, usize)],
     threads: &ThreadPool,
     at: impl Fn(&Stage, usize) -> f64,
+    page: &mut Page,
 ) -> Panel {
-    let mut panel = Panel::new(title);
-    println!("{title}, 640x480 pixels: {}, {}", SETS[0], SETS[1]);
+    let (mut panel, mut rows) = (Panel::new(title), Vec::new());
     for (fine, objects) in homes {
         let stage = ready(*fine, *objects);
         let bytes = stage.renderer.size().1 as f64 / 1e6;
-        row(&mut panel, at(&stage, *objects), times(&stage, (640, 480), threads), &format!("meshes {bytes:.1} MB"));
+        let times = times(&stage, (640, 480), threads);
+        rows.push(row(&mut panel, at(&stage, *objects), times, format!("{bytes:.1} MB")));
     }
+    page.table(&[&format!("{title}, 640x480 pixels"), SETS[0], SETS[1], "memory of meshes"], &rows);
     panel
 }
 
-fn of_pixels(threads: &ThreadPool) -> Panel {
-    let mut panel = Panel::new("pixels");
-    println!("pixels, 300 objects of 432 triangles: {}, {}", SETS[0], SETS[1]);
+fn of_pixels(threads: &ThreadPool, page: &mut Page) -> Panel {
+    let (mut panel, mut rows) = (Panel::new("pixels"), Vec::new());
     let stage = ready(6, 300);
     for size in [(84, 84), (160, 120), (300, 300), (640, 480), (1280, 960), (1920, 1080)] {
-        row(&mut panel, f64::from(size.0 * size.1), times(&stage, size, threads), "");
+        let times = times(&stage, size, threads);
+        rows.push(row(&mut panel, f64::from(size.0 * size.1), times, format!("{}x{}", size.0, size.1)));
     }
+    page.table(&["pixels, 300 objects of 432 triangles", SETS[0], SETS[1], "size"], &rows);
     panel
 }
 
 /// Wall-clock milliseconds, on all threads, for computing light and for updating it.
-fn of_light() {
+fn of_light(page: &mut Page) {
     let home = home(6, 300);
     let Stage { renderer, mut snapshot, mut lighting, .. } = Stage::new(&home.graph, &home.lamps);
     let timed = |work: &mut dyn FnMut()| {
@@ -90,20 +95,21 @@ fn of_light() {
     let pose = *home.graph.node(table).unwrap().pose().unwrap();
     snapshot.place(table, &(pose * Pose::translation(0.0, 0.0, 0.1))).unwrap();
     let moved = timed(&mut || renderer.relight(&mut lighting, &snapshot).unwrap());
-    println!("light of 300 objects: {anew:.0} ms; a lamp switched, {switched:.0} ms; a table moved, {moved:.0} ms");
+    let row = [anew, switched, moved].map(|ms| format!("{ms:.0} ms"));
+    page.table(&["light of 300 objects, all threads", "a lamp switched", "a table moved"], &[row.to_vec()]);
 }
 
 fn main() {
-    let threads = single();
+    let (threads, mut page) = (single(), Page::new("costs"));
     let triangles = |stage: &Stage, _: usize| stage.snapshot.triangles() as f64;
     let homes = [2, 3, 4, 6, 9, 12, 17].map(|fine| (fine, 300));
-    let fine = of_homes("triangles", &homes, &threads, triangles);
+    let fine = of_homes("triangles", &homes, &threads, triangles, &mut page);
     let homes = [50, 100, 200, 300, 600, 1200].map(|objects| (6, objects));
-    let many = of_homes("objects", &homes, &threads, |_, objects| objects as f64);
-    let panels = [fine, many, of_pixels(&threads)];
-    of_light();
+    let many = of_homes("objects", &homes, &threads, |_, objects| objects as f64, &mut page);
+    let panels = [fine, many, of_pixels(&threads, &mut page)];
+    of_light(&mut page);
     if let Some(peak) = peak() {
-        println!("the process took {peak:.0} MB at its peak");
+        page.table(&["peak memory of the process"], &[vec![format!("{peak:.0} MB")]]);
     }
     let folder = std::env::var("VC_OUT").unwrap_or_else(|_| ".".into());
     let folder = std::path::Path::new(&folder);
@@ -111,4 +117,5 @@ fn main() {
     let path = folder.join("costs.svg");
     std::fs::write(&path, svg(&panels, &SETS)).unwrap();
     println!("plotted in {}", path.display());
+    page.finish();
 }

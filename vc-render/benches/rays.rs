@@ -13,10 +13,11 @@ mod common;
 #[allow(dead_code, reason = "only what stands in it is of use here")]
 mod home;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput};
 use nalgebra::{Point3, Vector3};
 use vc_graph::{NodeId, Pose, Seed};
 use vc_render::{Camera, RayCaster, Renderer, Snapshot};
+use vc_testkit::page::Page;
 
 type Ray = (Point3<f32>, Vector3<f32>);
 
@@ -114,5 +115,11 @@ fn moving(c: &mut Criterion, snapshot: &Snapshot) {
     group.finish();
 }
 
-criterion_group!(benches, home, room);
-criterion_main!(benches);
+fn main() {
+    let mut page = Page::new("rays");
+    let mut criterion = Criterion::default().configure_from_args();
+    [home, room].into_iter().for_each(|bench| bench(&mut criterion));
+    criterion.final_summary();
+    page.criterion();
+    page.finish();
+}

@@ -13,12 +13,13 @@ mod activities;
 use std::hint::black_box;
 use std::sync::Arc;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::Criterion;
 use vc_graph::goal::{Pairing, Situation};
 use vc_graph::{Draft, Goal, History, SceneBuilder, SceneGraph};
 use vc_tasks::compile::{Bits, Compiler, GoalProgram, Tracker};
 use vc_tasks::format::bddl::{ActivityDefinition, Facts, Objects};
 use vc_tasks::score::Scorer;
+use vc_testkit::page::Page;
 
 /// A table with objects on it, some of them in their goal places.
 fn scene() -> SceneGraph {
@@ -136,5 +137,11 @@ fn behavior(c: &mut Criterion) {
     bench_set(c, &Set { name: "behavior", programs, states });
 }
 
-criterion_group!(all, benches, behavior);
-criterion_main!(all);
+fn main() {
+    let mut page = Page::new("goals");
+    let mut criterion = Criterion::default().configure_from_args();
+    [benches, behavior].into_iter().for_each(|bench| bench(&mut criterion));
+    criterion.final_summary();
+    page.criterion();
+    page.finish();
+}

@@ -13,9 +13,11 @@ use criterion::{Criterion, Throughput};
 use vc_graph::goal::Pairing;
 use vc_tasks::format::bddl::{ActivityDefinition, Facts};
 use vc_tasks::lint;
+use vc_testkit::page::Page;
 
 fn main() {
     let Some(texts) = activities::texts() else { return };
+    let mut page = Page::new("parse");
     let mut criterion = Criterion::default().configure_from_args();
     let mut group = criterion.benchmark_group(format!("{} activities", texts.len()));
     group.throughput(Throughput::Bytes(texts.iter().map(|t| t.len() as u64).sum()));
@@ -31,4 +33,6 @@ fn main() {
     group.bench_function("lint", |b| b.iter(|| activities.iter().map(|a| lint::activity(a).len()).sum::<usize>()));
     group.finish();
     criterion.final_summary();
+    page.criterion();
+    page.finish();
 }

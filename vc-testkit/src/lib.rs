@@ -1,5 +1,5 @@
 //! Everything that the tests of several crates use: the shared data, small valid documents, hand-made and random
-//! scenes, edits and goals, and golden files. It is a dev-dependency only and is not published.
+//! scenes, edits and goals, golden files, and the tables of benches. It is a dev-dependency only and is not published.
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
 pub mod data;
@@ -9,6 +9,7 @@ pub mod flat;
 pub mod goals;
 pub mod golden;
 pub mod kitchen;
+pub mod page;
 pub mod scenes;
 
 use std::io::Write;

@@ -101,9 +101,14 @@ pub(crate) fn single() -> ThreadPool {
     rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap()
 }
 
-/// Prints the costs of a home's pictures from some poses, for all sets and sizes.
+/// The heads of the columns of [`rows`] and [`row`].
 #[allow(dead_code, reason = "not all benches print it")]
-pub(crate) fn table(title: &str, stage: &Stage, poses: &[Pose]) {
+pub(crate) const HEAD: [&str; 5] =
+    ["one thread / together / side by side, ms", "84x84", "300x300", "640x480", "1920x1080"];
+
+/// The costs of a home's pictures from some poses, for all sets and sizes.
+#[allow(dead_code, reason = "not all benches print it")]
+pub(crate) fn rows(title: &str, stage: &Stage, poses: &[Pose]) -> Vec<Vec<String>> {
     let seen = Modality::Depth | Modality::Instance;
     let sets = [
         ("depth and nodes", (seen, false)),
@@ -112,21 +117,22 @@ pub(crate) fn table(title: &str, stage: &Stage, poses: &[Pose]) {
         ("colours, depth, nodes", (seen | Modality::Rgb, false)),
         ("all six", SIX),
     ];
-    println!("{title}, {} triangles, {} views", stage.snapshot.triangles(), poses.len());
-    println!("{:30}{:>12}{:>14}{:>14}{:>14}", "", "", "one thread", "all threads", "side by side");
-    sets.into_iter().for_each(|set| row(stage, poses, set));
+    let mut rows: Vec<_> = sets.into_iter().map(|set| row(stage, poses, set)).collect();
+    rows[0][0] = format!("{title}, {} triangles: {}", stage.snapshot.triangles(), sets[0].0);
+    rows
 }
 
-/// Prints the costs of one set in all sizes.
+/// The costs of one set in all sizes.
 #[allow(dead_code, reason = "not all benches print it")]
-pub(crate) fn row(stage: &Stage, poses: &[Pose], (name, wanted): (&str, Wanted)) {
+pub(crate) fn row(stage: &Stage, poses: &[Pose], (name, wanted): (&str, Wanted)) -> Vec<String> {
     let threads = single();
+    let mut row = vec![name.to_owned()];
     for (width, height) in [(84, 84), (300, 300), (640, 480), (1920, 1080)] {
         let camera = Camera::with_fov(width, height, 60_f32.to_radians());
         let cameras: Vec<Camera> = poses.iter().map(|pose| Camera { pose: *pose, ..camera }).collect();
-        let size = format!("{width}x{height}");
         let one = stage.one(&cameras, wanted, &threads);
         let (together, beside) = (stage.together(&cameras, wanted), stage.beside(&cameras, wanted));
-        println!("{name:30}{size:>12}{one:>11.3} ms{together:>11.3} ms{beside:>11.3} ms");
+        row.push(format!("{one:.2} / {together:.2} / {beside:.2}"));
     }
+    row
 }
