@@ -6,7 +6,7 @@ use virtualcity::graph::class::Category;
 use virtualcity::graph::{ClassTable, NodeId, SceneGraph, Seed, did_you_mean};
 use virtualcity::procgen::{Apartment, dress};
 use virtualcity::render::{Camera, Renderer, Snapshot};
-use virtualcity::{Environment, SceneOptions, Viewpoint};
+use virtualcity::{Assets, Environment, Viewpoint};
 
 use crate::support::{Complaint, say};
 
@@ -26,7 +26,7 @@ impl Home {
     /// nobody can stand, such as a table without a floor, is drawn as it is.
     pub(crate) fn read(path: &Path) -> Result<Self, Complaint> {
         let scene = virtualcity::read_scene(path, &ClassTable::builtin())?;
-        match Environment::of_with(scene.clone(), 1, &SceneOptions::default()) {
+        match Environment::builder_of(scene.clone()).assets(Assets::Generated).make() {
             Ok(home) => Ok(Self { scene: without_guests(&home, &scene)?, environment: Some(home) }),
             Err(error) => {
                 say!("remark {}: drawn as it is; {error}", path.display());
