@@ -1,4 +1,4 @@
-//! Whose files a folder has: those of a record or a data set are removed before another one is written, those of
+//! Ownership of files: those of an earlier record or data set are removed before another one is written, those of
 //! other programs are not.
 
 use std::fs::File;
