@@ -127,7 +127,7 @@ fn what_sticks_out_of_a_drawer_keeps_it_open() {
     let rod = scene.add("rolling_pin", rod, at(2.0, 0.0, 0.01));
     let short = scene.cube(0.03, at(2.0, 1.0, 0.03));
     let mut world = scene.world();
-    // What is shut is kept open by nothing.
+    // Nothing keeps open a drawer that is shut.
     assert!(!world.keeps_open(rod, chest, &at(0.3, 0.15, 0.4)).unwrap());
     world.put_open(chest, 0, 1.0).unwrap();
     assert!(world.keeps_open(rod, chest, &at(0.35, 0.15, 0.4)).unwrap());
