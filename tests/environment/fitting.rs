@@ -4,11 +4,11 @@
 
 use std::sync::LazyLock;
 
-use virtualcity::Environment;
 use virtualcity::graph::{Action, NodeId, Place, Relation, SceneGraph, Seed, Verb, Violation};
 use virtualcity::initial::{at_home_that, feasible, generator};
 use virtualcity::tasks::WorldError;
 use virtualcity::tasks::library::Benchmark;
+use virtualcity::{ActionError, Environment, PhysicalRefusal};
 
 /// An environment of a benchmark task whose actions are all possible with bodies.
 fn environment(task: &str) -> (Environment, NodeId) {
@@ -222,4 +222,64 @@ fn a_pot_stands_in_the_dishwasher() {
     later.settle(120);
     let at = |world: &virtualcity::physics::PhysicsWorld| world.pose(pot).unwrap().translation.vector;
     assert!((at(home.world()) - at(&later)).norm() < 0.01, "it stays");
+}
+
+/// Pots and pans, most of them lidded, do not press each other out of shallow wall cabinets.
+#[test]
+fn full_wall_cabinets_shut_again() {
+    let mut home = Environment::make("apartment/13", 1).unwrap();
+    let (agent, pan) = (home.agents()[0], home.graph().of_class("saute_pan")[0]);
+    let cabinet = home.graph().hidden_in(pan).unwrap();
+    act(&mut home, agent, Verb::Walk, &[cabinet]);
+    for verb in [Verb::Open, Verb::Close, Verb::Open, Verb::Close] {
+        act(&mut home, agent, verb, &[cabinet]);
+    }
+}
+
+/// A lamp whose shade reaches out of a shallow cabinet is not put in there, as its door could not shut; what is put in
+/// lets it shut.
+#[test]
+fn what_is_put_in_lets_the_door_shut() {
+    let home = Environment::make("apartment/106", 1).unwrap();
+    let (agent, graph) = (home.agents()[0], home.graph());
+    let (cabinet, lamps) = (graph.of_class("bathroom_cabinet")[0], graph.of_class("table_lamp"));
+    let mut refused = 0;
+    for lamp in lamps {
+        let mut home = home.clone();
+        fetch(&mut home, agent, lamp, cabinet);
+        act(&mut home, agent, Verb::Open, &[cabinet]);
+        match home.set_action(agent, Action::two(Verb::PutIn, lamp, cabinet)) {
+            Ok(_) => act(&mut home, agent, Verb::Close, &[cabinet]),
+            Err(ActionError::Impossible { why: PhysicalRefusal::KeepsOpen { .. }, .. }) => refused += 1,
+            Err(ActionError::Impossible { why: PhysicalRefusal::NoSpot { .. }, .. }) => {}
+            Err(other) => panic!("{other}"),
+        }
+    }
+    assert!(refused > 0);
+}
+
+/// One side of the bed is out of reach: things are put on the other.
+#[test]
+fn things_are_put_where_hands_reach_on_a_bed() {
+    let mut home = Environment::make("apartment/102", 1).unwrap();
+    let (agent, bed) = (home.agents()[0], home.graph().of_class("double_bed")[0]);
+    let novel = first(&home, agent, "novel");
+    assert_eq!(home.has_room(agent, &[(novel, vec![Place { relation: Relation::On, at: bed }])]), Ok(()));
+    fetch(&mut home, agent, novel, bed);
+    act(&mut home, agent, Verb::Place, &[novel, bed]);
+}
+
+/// A pillow fills a corridor: one does not step into its dead end to put the pillow down between oneself and the home.
+#[test]
+fn nobody_shuts_oneself_in() {
+    let mut home = Environment::make("apartment/106", 1).unwrap();
+    let (agent, graph) = (home.agents()[0], home.graph());
+    let narrow = |id: &NodeId| graph.node(*id).and_then(|n| n.aabb()).map_or(f32::INFINITY, |b| b.max.y - b.min.y);
+    let floor = graph.of_class("floor").into_iter().min_by(|a, b| narrow(a).total_cmp(&narrow(b))).unwrap();
+    let (pillow, bed) = (graph.of_class("pillow")[0], graph.of_class("double_bed")[0]);
+    act(&mut home, agent, Verb::Walk, &[pillow]);
+    act(&mut home, agent, Verb::Grab, &[pillow]);
+    act(&mut home, agent, Verb::Walk, &[floor]);
+    act(&mut home, agent, Verb::Place, &[pillow, floor]);
+    act(&mut home, agent, Verb::Walk, &[bed]);
 }

@@ -264,6 +264,12 @@ impl Execution<'_> {
             && (!self.stands() || self.world.is_clear_of_body(self.agent, feet, id, spot).unwrap_or(false))
     }
 
+    /// As [`Self::puts_from`], where the agent does not shut itself in: in the dead end of a corridor, say.
+    fn puts_down_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
+        let at = Point2::from(feet.translation.vector.xy());
+        self.puts_from(feet, id, spot) && self.floor.stays_open(self.world, id, spot, &[at]).unwrap_or(true)
+    }
+
     /// Walks to where a spot at a place can be reached, else to where another one can, else as near to it as one gets.
     /// Returns the spot.
     pub(super) fn step_to(&mut self, id: NodeId, place: Place, spot: Pose) -> Result<Pose, PhysicalRefusal> {
@@ -291,9 +297,9 @@ impl Execution<'_> {
             return Ok(Some((stand, spot)));
         }
         let stands = self.stands_around(room, place.at);
-        let reached = |spot: &Pose| stands.iter().any(|stand| self.puts_from(&stand.feet, id, spot));
+        let reached = |spot: &Pose| stands.iter().any(|stand| self.puts_down_from(&stand.feet, id, spot));
         let found = self.spot_where(id, place, self.near_hands(), reached)?;
-        let stand = |spot: &Pose| stands.iter().find(|stand| self.puts_from(&stand.feet, id, spot)).cloned();
+        let stand = |spot: &Pose| stands.iter().find(|stand| self.puts_down_from(&stand.feet, id, spot)).cloned();
         Ok(found.and_then(|spot| Some((stand(&spot)?, spot))))
     }
 
@@ -319,7 +325,7 @@ impl Execution<'_> {
     ) -> Result<Option<StandingPose>, PhysicalRefusal> {
         let target = Point3::from(spot.translation.vector);
         self.at_need_nudging(|execution| {
-            Ok(execution.nearest_stand(room, target, NEAR, |feet| execution.puts_from(feet, id, spot)))
+            Ok(execution.nearest_stand(room, target, NEAR, |feet| execution.puts_down_from(feet, id, spot)))
         })
     }
 

@@ -259,3 +259,16 @@ fn what_is_deeper_than_a_seat_reaches_over_it_little() {
     let over = world.aabb(pillow).unwrap().max.x - 0.25;
     assert!(over < 0.22, "{over} m over the edge");
 }
+
+/// A bowl with a slanted rim of a millimetre and a half takes up no more room than it has: the pieces of the rim stay
+/// within the circle.
+#[test]
+fn thin_rings_are_as_wide_as_they_are() {
+    let mut scene = Scene::default();
+    let profile = vec![(0.06, 0.0), (0.1, 0.06), (0.09, 0.0615), (0.05, 0.006), (0.0, 0.006), (0.0, 0.0)];
+    let bowl = scene.solid("bowl", Shape::Lathe { profile }, scene.wood);
+    let bowl = scene.add("bowl", bowl, at(0.0, 0.0, 1.0));
+    let (low, high) = scene.world().local_bounds(bowl).unwrap();
+    let wide = [low.x, low.y, high.x, high.y].map(f32::abs).into_iter().fold(0.0, f32::max);
+    assert!((0.094..0.1005).contains(&wide), "{wide} m");
+}

@@ -87,6 +87,82 @@ fn a_drawer_takes_its_content_along() {
     }
 }
 
+/// A chest of a few kilograms: its drawer moves with it and has no motor.
+fn light_chest(scene: &mut Scene) -> NodeId {
+    scene.wood = scene.library.add_material(common::material("balsa", 150.0, 0.5, 0.0)).unwrap();
+    let chest = scene.chest_asset();
+    scene.add("nightstand", chest, at(0.0, 0.0, 0.0))
+}
+
+/// The drawer of a chest that one could push away takes along what is in it, too, and shuts with it.
+#[test]
+fn a_drawer_of_a_light_chest_takes_its_content_along() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let chest = light_chest(&mut scene);
+    let spoon = scene.cube(0.03, at(0.0, 0.05, 0.245));
+    let mut world = scene.world();
+    assert!(!world.moving_parts(chest)[0].has_motor);
+    world.settle(200);
+    let shut = world.pose(spoon).unwrap().translation.vector;
+    for (open, along) in [(1.0, 0.3), (0.0, 0.0), (1.0, 0.3)] {
+        assert!(world.set_openness(chest, open).unwrap(), "{:?}", world.blockers(chest, open));
+        world.settle(100);
+        let moved = world.pose(spoon).unwrap().translation.vector - shut;
+        assert!((moved - Vector3::x() * along).norm() < 0.01, "{open}: {moved:?}");
+    }
+}
+
+/// A rod that lies across a drawer, as far as over its sides and against a wall beside it, keeps it open; one within
+/// does not.
+#[test]
+fn what_sticks_out_of_a_drawer_keeps_it_open() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let chest = scene.chest_asset();
+    let chest = scene.add("kitchen_cabinet", chest, at(0.0, 0.0, 0.0));
+    let beside = scene.solid("wall", block([0.24, 0.1, 0.5]), scene.wood);
+    let beside = scene.add("wall", beside, at(0.0, 0.45, 0.5));
+    let rod = scene.solid("rod", block([0.01, 0.3, 0.01]), scene.wood);
+    let rod = scene.add("rolling_pin", rod, at(2.0, 0.0, 0.01));
+    let short = scene.cube(0.03, at(2.0, 1.0, 0.03));
+    let mut world = scene.world();
+    // Nothing keeps open a drawer that is shut.
+    assert!(!world.keeps_open(rod, chest, &at(0.3, 0.15, 0.4)).unwrap());
+    world.put_open(chest, 0, 1.0).unwrap();
+    assert!(world.keeps_open(rod, chest, &at(0.35, 0.15, 0.4)).unwrap());
+    assert!(!world.keeps_open(short, chest, &at(0.35, 0.15, 0.25)).unwrap());
+    world.place(rod, at(0.35, 0.15, 0.4)).unwrap();
+    world.settle(60);
+    assert!(!world.set_openness(chest, 0.0).unwrap());
+    assert_eq!(world.blockers(chest, 0.0).unwrap(), [beside]);
+}
+
+/// A light box with a heavy lid, whose centre of mass moves by centimetres with the lid, stands still meanwhile.
+#[test]
+fn a_light_box_stands_still_when_its_lid_turns() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let joint =
+        Joint { kind: JointKind::Hinge, anchor: Point3::new(-0.1, 0.0, 0.3), axis: -Vector3::y(), limits: (0.0, 1.5) };
+    let base = part("base", block([0.1, 0.1, 0.15]), at(0.0, 0.0, 0.15), scene.wood);
+    let mut lid = part("lid", block([0.1, 0.1, 0.02]), at(0.0, 0.0, 0.32), scene.wood);
+    lid.joint = Some(joint);
+    let hamper = scene.asset(Asset { name: "hamper".into(), parts: vec![base, lid], ..Asset::default() });
+    let hamper = scene.add("laundry_hamper", hamper, at(0.0, 0.0, 0.0));
+    let mut world = scene.world();
+    assert!(world.settle(200).at_rest);
+    let before = world.pose(hamper).unwrap().translation.vector;
+    for open in [1.0, 0.0, 1.0, 0.0] {
+        world.put_open(hamper, 0, open).unwrap();
+        for step in 0..30 {
+            world.step();
+            let moved = (world.pose(hamper).unwrap().translation.vector - before).norm();
+            assert!(moved < 0.001, "{open}: {moved} m after {step} steps");
+        }
+    }
+}
+
 /// A drawer between two cupboards without any gap still opens, and the cupboards stay in place.
 #[test]
 fn a_drawer_does_not_rub_against_its_neighbours() {
