@@ -50,14 +50,13 @@ pub fn openings(graph: &SceneGraph) -> Vec<WallOpening> {
 /// are. Costs time that grows with the square of the number of walls, and only if rooms are cut off.
 ///
 /// ```
-/// use vc_graph::{Bounds, Draft, Pose, Relation, SceneBuilder};
+/// use vc_graph::{Bounds, Draft, Pose, SceneBuilder};
 /// let mut scene = SceneBuilder::new("two rooms");
 /// let (mut rooms, size) = (Vec::new(), |x: f32, y: f32, z: f32| Bounds::standing([x, y, z].into()));
 /// for (name, middle, wall) in [("kitchen", -2.0, -0.05), ("bedroom", 2.0, 0.05)] {
 ///     let room = scene.add(Draft::new(name))?;
 ///     for (class, at, size) in [("floor", middle, size(4.0, 4.0, 0.01)), ("wall", wall, size(0.1, 4.0, 2.5))] {
-///         let thing = scene.add(Draft::new(class).bounds(size).at(Pose::translation(at, 0.0, 0.0)))?;
-///         scene.link(thing, Relation::InRoom, room)?;
+///         scene.add_in(room, Draft::new(class).bounds(size).at(Pose::translation(at, 0.0, 0.0)))?;
 ///     }
 ///     rooms.push(room);
 /// }
