@@ -30,7 +30,7 @@ impl Noise {
     }
 }
 
-/// From 0 to 1 with level ends: Hermite's cubic polynomial. What lies outside of 0 to 1 counts as the nearer end.
+/// From 0 to 1 with level ends: Hermite's cubic polynomial. Numbers outside of 0 to 1 count as the nearer end.
 pub(super) fn smooth(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)

@@ -47,8 +47,8 @@ fn is_inside(graph: &SceneGraph, id: NodeId, container: NodeId) -> bool {
     graph.climb(id, &mut |place| place.relation == Relation::Inside && place.at == container).is_some()
 }
 
-/// A process that goes on with a thing: a kettle boils, a soup cools. It ends after a time by itself, or before, without
-/// effect, when its conditions end.
+/// A process that goes on with a thing: a kettle boils, a soup cools. It ends after a time by itself, or before,
+/// without effect, when its conditions end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Process {

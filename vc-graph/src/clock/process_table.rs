@@ -13,7 +13,8 @@ use crate::{Node, SceneGraph};
 const COLUMNS: [&str; 9] =
     ["process", "things", "while", "place", "place is", "becomes", "inside", "inside becomes", "after"];
 
-/// What machines and matter do by themselves: a kettle boils, a washing machine washes, food cools, ice melts.
+/// Processes that machines and matter go through by themselves: a kettle boils, a washing machine washes, food cools,
+/// ice melts.
 ///
 /// The built-in table is `data/processes.txt`; [`ProcessTable::parse`] describes its form and
 /// [`ProcessTable::extended`] adds lines. [`Running`](super::Running) lets processes go on in time.
@@ -53,14 +54,14 @@ impl ProcessTable {
     ///
     /// `process | things | while | place | place is | becomes | inside | inside becomes | after`
     ///
-    /// - *process*: its name. If several lines of a name apply to a thing, **the last one counts**: first what holds for
-    ///   a category, then the exceptions by class. A last line that changes nothing switches those before it off.
+    /// - *process*: its name. If several lines of a name apply to a thing, **the last one counts**: first what holds
+    ///   for a category, then the exceptions by class. A last line that changes nothing switches those before it off.
     /// - *things*: kinds of things, separated by spaces. `food` are all things of that class and its kinds,
-    ///   `category:food` those of a category, `affords:washable` those with an affordance, `*` all. Rooms and agents are
-    ///   no things.
+    ///   `category:food` those of a category, `affords:washable` those with an affordance, `*` all. Rooms and agents
+    ///   are no things.
     /// - *while*: the states in which it goes on; after a minus sign, those in which it does not: `hot -on`.
-    /// - *place*: `in` kinds of things: inside one, directly or through others; `at`: inside or on one; `away`: neither.
-    ///   Empty for anywhere.
+    /// - *place*: `in` kinds of things: inside one, directly or through others; `at`: inside or on one; `away`:
+    ///   neither. Empty for anywhere.
     /// - *place is*: the states of that place, as in *while*; `running` stands for a place that is on or has no switch.
     /// - *becomes*: the states that the thing enters at the end; after a minus sign, those that it leaves.
     /// - *inside*, *inside becomes*: kinds of things inside the thing, and their states at the end.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::process_table::ProcessTable;
 use super::tick::{Span, Tick};
-use crate::{ChangeSet, EditError, NodeId, SceneGraph, StateSet};
+use crate::{ChangeSet, EditError, Node, NodeId, SceneGraph, StateSet};
 
 /// Since when a process goes on.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -37,9 +37,9 @@ impl Since {
 /// machine that is switched off begins anew. So does a process that takes another time than before, as a soup does that
 /// comes from the oven into the microwave.
 ///
-/// To advance by many ticks at once gives the same as to advance by each of them. Processes that end in the same tick do
-/// so together: each by the states before that tick, so that the order does not matter; if two set the same state of a
-/// thing against each other, the larger node number has it and then the later name.
+/// To advance by many ticks at once gives the same as to advance by each of them. Processes that end in the same tick
+/// do so together: each by the states before that tick, so that the order does not matter; if two set the same state
+/// of a thing against each other, the larger node number has it and then the later name of the table.
 ///
 /// ```
 /// use vc_graph::clock::{ProcessTable, Running, Span};
@@ -113,8 +113,7 @@ impl Running {
     /// each tick in which a process ended, so it costs a [`Running::notice`] for each of these ticks and one more.
     ///
     /// # Errors
-    /// [`EditError`] if an edit is refused, which is no case known; then graph and processes are as before the tick at
-    /// which that happened.
+    /// [`EditError`] if an edit is refused; then graph and processes are as before the tick at which that happened.
     pub fn advance(&mut self, table: &ProcessTable, graph: &mut SceneGraph, by: Span) -> Result<ChangeSet, EditError> {
         let until = self.tick + by;
         let mut changes = ChangeSet::default();
@@ -131,21 +130,28 @@ impl Running {
         let ended: Vec<(NodeId, Arc<str>)> = self.ending().filter(|s| s.due() <= due).map(key).collect();
         let all = table.processes(graph);
         let ending = all.into_iter().filter(|process| ended.contains(&(process.node, process.name.clone())));
-        let outcomes: Vec<(NodeId, StateSet)> = ending.flat_map(|process| process.changes).collect();
-        let before = graph.clone();
-        let mut edit = graph.edit();
-        for (id, after) in outcomes {
-            let was = before.node(id).map(crate::Node::states).unwrap_or_default();
-            let now = edit.graph().node(id).map(crate::Node::states).unwrap_or_default();
-            let entered = after.minus(was).iter().fold(now.minus(was.minus(after)), StateSet::entering);
-            edit.set_states(id, entered)?;
-        }
-        let changes = edit.commit();
+        let changes = carry_out(graph, ending.flat_map(|process| process.changes))?;
         self.tick = due;
         ended.iter().for_each(|key| _ = self.since.remove(key));
         self.notice(table, graph);
         Ok(changes)
     }
+}
+
+/// Brings about states that were each found in the graph as it is now: the changes of all come true.
+fn carry_out(
+    graph: &mut SceneGraph,
+    outcomes: impl Iterator<Item = (NodeId, StateSet)>,
+) -> Result<ChangeSet, EditError> {
+    let before = graph.clone();
+    let states = |graph: &SceneGraph, id: NodeId| graph.node(id).map(Node::states).unwrap_or_default();
+    let mut edit = graph.edit();
+    for (id, after) in outcomes {
+        let (was, now) = (states(&before, id), states(edit.graph(), id));
+        let left = now.minus(was.minus(after));
+        edit.set_states(id, after.minus(was).iter().fold(left, StateSet::entering))?;
+    }
+    Ok(edit.commit())
 }
 
 fn key(since: Since) -> (NodeId, Arc<str>) {

@@ -37,9 +37,9 @@ impl Weather {
     }
 }
 
-/// The climate, all figures ours: round numbers for a temperate place inland, about 50 degrees north. A test holds a year
-/// of it to a mean of 10 °C, three fifths of the sky in clouds, rain in a tenth of the hours and 800 mm of it, and wind
-/// of 4 m/s.
+/// The climate, all figures ours: round numbers for a temperate place inland, about 50 degrees north. A test holds a
+/// year of it to a mean of 10 °C, three fifths of the sky in clouds, rain in a tenth of the hours and 800 mm of it, and
+/// wind of 4 m/s.
 mod climate {
     /// Mean temperature of the year, °C.
     pub(super) const MEAN: f64 = 10.0;

@@ -1,4 +1,4 @@
-//! What machines and matter do by themselves, and how long actions take.
+//! Processes that machines and matter go through by themselves, and how long actions take.
 #![allow(clippy::unwrap_used)]
 
 use proptest::prelude::*;
@@ -238,15 +238,11 @@ fn saved_processes_go_on_and_odd_ones_do_no_harm() {
     assert!(!changes.is_empty() && copy == graph);
 
     let soup = copy.first_of_class("soup").unwrap().0;
-    for (node, process, begin, after) in [
-        (soup, "cooling", u64::MAX, 144_000),
-        (soup, "cooling", 0, 0),
-        (9999, "cooling", 0, 1),
-        (soup, "?", 5, u64::MAX),
-    ] {
-        let odd = format!(
-            r#"{{"tick": 7, "running": [{{"node": {node}, "process": "{process}", "begin": {begin}, "after": {after}}}]}}"#
-        );
+    let odd =
+        [(soup, "cooling", u64::MAX, 144_000), (soup, "cooling", 0, 0), (9999, "cooling", 0, 1), (soup, "?", 5, 1)];
+    for (node, process, begin, after) in odd {
+        let entry = format!(r#"{{"node": {node}, "process": "{process}", "begin": {begin}, "after": {after}}}"#);
+        let odd = format!(r#"{{"tick": 7, "running": [{entry}]}}"#);
         let mut running: Running = serde_json::from_str(&odd).unwrap();
         running.advance(&table, &mut copy.clone(), minutes(50.0)).unwrap();
         assert_eq!(running.tick(), Tick(7) + minutes(50.0));
