@@ -8,6 +8,7 @@ mod builder;
 mod bulk;
 mod change;
 pub mod class;
+pub mod clock;
 mod digest;
 mod edit;
 pub mod format;

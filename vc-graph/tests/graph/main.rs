@@ -2,6 +2,8 @@
 
 mod assets;
 mod classes;
+mod clock;
+mod clock_processes;
 mod edit_moves;
 mod edits;
 mod goal_pairs;
