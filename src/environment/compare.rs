@@ -97,9 +97,10 @@ impl Outcome<'_> {
     /// Whether a thing that the rule does not move stays where it was. A knife that slides onto another while
     /// its drawer is pulled is still in the drawer: the end of the support chain counts.
     fn stays(&self, id: NodeId, rule: &[Place], bodies: &[Place]) -> bool {
-        let is_built = |graph: &SceneGraph, id| graph.node(id).is_none_or(vc_graph::Node::is_building);
-        let end = |graph: &SceneGraph| graph.support_chain(id).into_iter().rfind(|at| !is_built(graph, *at));
-        let same_end = || end(self.ruled).is_some_and(|at| end(self.observed) == Some(at));
+        let same_end = || {
+            let end = ends(self.ruled, id);
+            !end.is_empty() && end == ends(self.observed, id)
+        };
         // A thing in a lifted bowl is no longer on the table below the bowl.
         let lifted = || self.observed.support_chain(id).iter().any(|at| self.observed.holder(*at).is_some());
         let lost_some = !bodies.is_empty() && bodies.iter().all(|p| rule.contains(p)) && lifted();
@@ -166,6 +167,16 @@ impl Outcome<'_> {
         let words: Vec<String> = places.iter().map(word).collect();
         if words.is_empty() { "on nothing in particular".into() } else { words.join(" and ") }
     }
+}
+
+/// The last things of a node's support chain before the building. A plum in a bowl in a cabinet may be in both.
+fn ends(graph: &SceneGraph, id: NodeId) -> Vec<NodeId> {
+    let is_built = |at: &NodeId| graph.node(*at).is_none_or(vc_graph::Node::is_building);
+    let chain: Vec<NodeId> = graph.support_chain(id).into_iter().filter(|at| !is_built(at)).collect();
+    let rests = |at: &NodeId| graph.places(*at).any(|p| p.at != *at && chain.contains(&p.at));
+    let mut ends: Vec<NodeId> = chain.iter().copied().filter(|at| !rests(at)).collect();
+    ends.sort_unstable();
+    ends
 }
 
 /// Whether a place says no more than that a thing stands on the floor: always for agents, and for things only

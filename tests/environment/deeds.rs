@@ -208,3 +208,16 @@ fn plates_ride_into_the_dishwasher() {
         assert!(within, "{} is before the dishwasher", home.graph().label(id));
     }
 }
+
+/// Contents of a bowl that is put into a cupboard are in both, and the rule and the bodies agree.
+#[test]
+fn a_full_bowl_is_put_into_a_cupboard() {
+    let mut home = home(42, 1);
+    let program = "walk kitchen_cabinet.138; open kitchen_cabinet.138; walk teaspoon.384; grab teaspoon.384; \
+                   walk spice_rack.307; put_in teaspoon.384 spice_rack.307; grab spice_rack.307; walk kitchen_cabinet.131; \
+                   open kitchen_cabinet.131; put_in spice_rack.307 kitchen_cabinet.131; close kitchen_cabinet.131";
+    for line in program.split("; ") {
+        home.set_action(home.agents()[0], line.parse::<ParsedAction>().unwrap().action).unwrap();
+    }
+    assert!(home.graph().hidden_in(NodeId(384)).is_some());
+}
