@@ -27,7 +27,7 @@ impl PhysicsWorld {
     ///     world.teleport(home.person, Pose::translation(0.0, -1.0 - 0.01 * tick as f32, 0.0))?;
     ///     world.step();
     /// }
-    /// assert_eq!(world.pose(home.person), Some(Pose::translation(0.0, -1.59, 0.0)));
+    /// assert!(world.pose(home.person).is_some_and(|feet| (feet.translation.y - -1.59).abs() < 1e-5));
     /// assert_eq!(world.walk(home.person)?, vc_physics::WalkState::Led);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -32,7 +32,7 @@ pub(crate) enum Motion {
 }
 
 impl Motion {
-    /// Nothing is walked any more; who is led stays so.
+    /// The walk is over; an agent that is led stays led.
     pub(crate) fn end(&mut self) {
         if *self != Self::Led {
             *self = Self::Still;
