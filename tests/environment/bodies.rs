@@ -7,7 +7,7 @@ mod dropped;
 
 use nalgebra::{Point2, UnitQuaternion, Vector3};
 use virtualcity::graph::{Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph, Seed};
-use virtualcity::physics::{DoorHandling, Floor, FloorOptions, PhysicsWorld, Settings, ShapeCache};
+use virtualcity::physics::{DoorHandling, Floor, FloorOptions, MovingPart, PhysicsWorld, Settings, ShapeCache};
 use virtualcity::procgen::Apartment;
 use virtualcity::relations::{ContactEvidence, Evidence, RelationRule, Relations, SupportKind};
 
@@ -117,4 +117,32 @@ fn contacts_of_bodies_tell_relations_what_rests_where() {
     assert!(world.contacts_of(ladder).iter().any(|c| (c.a, c.b) == (wall, ladder) && c.impulse > 0.0));
     let leans = relations.between(ladder, wall);
     assert!(leans.contains(&Relation::Touching) && !leans.contains(&Relation::On), "{leans:?}");
+}
+
+/// A plan says of every piece of furniture how far it opens, shuts, or that it does not; the world stays as it is.
+#[test]
+fn plans_of_openness_come_true_in_homes() {
+    let (mut opened, mut stuck) = (0, 0);
+    for graph in (1..4).filter_map(home) {
+        let mut world = build(&graph);
+        world.settle(300);
+        let past: Vec<NodeId> = graph.agents().to_vec();
+        let before = world.digest();
+        for id in world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect::<Vec<_>>() {
+            let mut copy = world.clone();
+            for open in [1.0, 0.3, 0.0] {
+                let plan = copy.plan_openness(id, open, &past).unwrap();
+                let did = copy.set_openness_ignoring(id, open, &past).unwrap();
+                assert_eq!(plan.is_some(), did, "{} of {}, {open}", graph.label(id), graph.name());
+                let now = copy.moving_parts(id);
+                let far = |(plan, part): (&f32, &MovingPart)| (plan - part.open).abs();
+                let most = plan.iter().flatten().zip(&now).map(far).fold(0.0, f32::max);
+                assert!(most < 1e-3, "{} of {}, {open}: {plan:?}, {now:?}", graph.label(id), graph.name());
+                (opened, stuck) = (opened + usize::from(did), stuck + usize::from(!did));
+            }
+            assert_eq!(world.plan_openness(id, 1.0, &past).map(drop), Ok(()));
+        }
+        assert_eq!(world.digest(), before);
+    }
+    assert!(opened > 100, "{opened} opened or shut, {stuck} stuck");
 }

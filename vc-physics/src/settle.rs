@@ -103,7 +103,7 @@ impl PhysicsWorld {
         }
     }
 
-    fn loose(&self) -> impl Iterator<Item = &Thing> {
+    pub(crate) fn loose(&self) -> impl Iterator<Item = &Thing> {
         self.things.iter().filter(|t| t.state.role == BodyRole::Loose)
     }
 

@@ -4,6 +4,7 @@ mod aside;
 mod avoid;
 mod exit;
 mod hands;
+mod lead;
 mod reach;
 mod room;
 mod seat;
@@ -141,7 +142,8 @@ impl PhysicsWorld {
         let agent = self.agent_mut(id)?;
         agent.feet = upright(&feet);
         agent.posture = Posture::Standing;
-        (agent.walk, agent.velocity, agent.fall, agent.grounded) = (Motion::Still, [0.0; 2], 0.0, false);
+        agent.walk.end();
+        (agent.velocity, agent.fall, agent.grounded) = ([0.0; 2], 0.0, false);
         self.step_up(id);
         self.embody(id, true);
         Ok(())

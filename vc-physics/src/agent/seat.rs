@@ -9,7 +9,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
 use crate::convert::facing;
-use crate::state::{Motion, Posture, Thing, upright};
+use crate::state::{Posture, Thing, upright};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError, convert};
 
@@ -125,7 +125,7 @@ impl PhysicsWorld {
         let body = self.agent_mut(agent)?;
         (body.stood, body.feet) = (body.feet, upright(&places[place as usize]));
         body.posture = posture(on, place);
-        body.walk = Motion::Still;
+        body.walk.end();
         self.embody(agent, true);
         Ok(())
     }

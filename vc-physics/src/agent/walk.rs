@@ -25,6 +25,8 @@ pub enum WalkState {
     Walking,
     /// The agent gave up: something is in the way.
     Stuck,
+    /// The agent is [led](PhysicsWorld::lead): its feet are set from outside.
+    Led,
 }
 
 /// # Walking
@@ -71,7 +73,7 @@ impl PhysicsWorld {
     pub fn jump(&mut self, id: NodeId) -> Result<(), AgentError> {
         let speed = (2.0 * self.settings.gravity.max(0.0) * JUMP).sqrt();
         let agent = self.standing(id)?;
-        if agent.grounded {
+        if agent.grounded && agent.walk != Motion::Led {
             (agent.grounded, agent.fall) = (false, -speed);
         }
         Ok(())
@@ -137,6 +139,7 @@ impl PhysicsWorld {
         Ok(match self.agent(id)?.walk {
             Motion::Still => WalkState::Still,
             Motion::Stuck => WalkState::Stuck,
+            Motion::Led => WalkState::Led,
             Motion::Going(_) | Motion::Along { .. } => WalkState::Walking,
         })
     }
@@ -158,7 +161,8 @@ impl PhysicsWorld {
         for (id, wish) in wishes {
             let Some(agent) = self.agents.get(&id) else { continue };
             let still = wish == Vector2::zeros() && agent.grounded;
-            if agent.posture == Posture::Standing && (!still || self.ticks.is_multiple_of(GLANCE)) {
+            let walks = agent.posture == Posture::Standing && agent.walk != Motion::Led;
+            if walks && (!still || self.ticks.is_multiple_of(GLANCE)) {
                 self.stride(id, wish);
             } else if let Some(agent) = self.agents.get_mut(&id) {
                 agent.velocity = [0.0; 2];

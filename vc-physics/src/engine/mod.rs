@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use nalgebra::Vector3;
 use rapier3d::dynamics::{
-    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBodyBuilder,
+    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet, RigidBody, RigidBodyBuilder,
     RigidBodyHandle, RigidBodySet, SoftBodySet, SpringCoefficients,
 };
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
@@ -124,6 +124,13 @@ impl Engine {
     pub(crate) fn is_at_rest(&self) -> bool {
         let moves = |b: RigidBodyHandle| self.bodies.get(b).is_some_and(|b| b.is_dynamic() && !b.is_sleeping());
         !self.awake_bodies().any(moves)
+    }
+
+    /// Whether all bodies that are free to move sleep, those with them that have been disturbed since the last step:
+    /// only the next step counts them among the active ones.
+    pub(crate) fn is_still(&self) -> bool {
+        let sleeps = |b: &RigidBody| !b.is_dynamic() || b.is_sleeping() || !b.is_enabled();
+        self.is_at_rest() && self.bodies.iter().all(|(_, body)| sleeps(body))
     }
 
     /// Moves a kinematic body to a pose in the course of the next step. A body that is there already is left

@@ -3,13 +3,13 @@
 use rapier3d::dynamics::{MotorModel, RigidBodyType};
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Pose as EnginePose;
-use vc_graph::NodeId;
 use vc_graph::asset::JointKind;
+use vc_graph::{NodeId, Pose};
 
 use super::make::{axis, friction, idle};
 use super::motion::{closed, opened};
 use crate::shapes::Link;
-use crate::state::Moving;
+use crate::state::{Moving, Thing};
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert, group};
 
@@ -87,29 +87,32 @@ impl PhysicsWorld {
         let target = self.target(id, part, open)?;
         let index = self.index(id)?;
         self.driven.retain(|d| *d != (id, part));
-        let thing = &mut self.things[index];
-        let moving = thing.state.moving[part];
-        thing.state.moving[part].position = target;
-        let (Some(joint), Some(base)) = (thing.form.links[part + 1].joint, self.engine.pose(thing.state.base)) else {
-            return Ok(());
-        };
-        let (load, after) = (self.load_of_part(id, part), base * joint.motion(target));
-        let before = match moving.body {
-            Some(body) => {
-                let before = self.engine.pose(body).unwrap_or(base);
-                self.engine.place(body, convert::pose(&after));
-                before
-            }
-            None => {
-                self.turn_welded(index, part, target);
-                base * joint.motion(moving.position)
-            }
-        };
+        let leap = self.leap(&self.things[index], part, target);
+        let moving = &mut self.things[index].state.moving[part];
+        moving.position = target;
+        let body = moving.body;
+        let Some((before, after)) = leap else { return Ok(()) };
+        let load = self.load_of_part(id, part);
+        match body {
+            Some(body) => self.engine.place(body, convert::pose(&after)),
+            None => self.turn_welded(index, part, target),
+        }
         self.carry_along(&load, &(after * before.inverse()));
-        if moving.body.is_some() {
+        if body.is_some() {
             self.settle_part(index, part);
         }
         Ok(())
+    }
+
+    /// The pose of a part, and its pose at a position on its joint.
+    pub(super) fn leap(&self, thing: &Thing, part: usize, target: f32) -> Option<(Pose, Pose)> {
+        let (moving, joint) = (thing.state.moving[part], thing.form.links[part + 1].joint?);
+        let base = self.engine.pose(thing.state.base)?;
+        let before = match moving.body {
+            Some(body) => self.engine.pose(body).unwrap_or(base),
+            None => base * joint.motion(moving.position),
+        };
+        Some((before, base * joint.motion(target)))
     }
 
     /// Opens or closes every part of a node at once.

@@ -9,11 +9,13 @@ mod drive;
 mod make;
 mod motion;
 mod openness;
+mod sweep;
 mod travel;
 
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{NodeId, Pose};
 
+use crate::convert;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
@@ -79,6 +81,19 @@ impl PhysicsWorld {
         let Some(body) = moving.body else { return Some(moving.position) };
         let joint = thing.form.links[part + 1].joint?;
         Some(motion::position(&joint, &self.engine.pose(thing.state.base)?, &self.engine.pose(body)?))
+    }
+
+    /// The position of a part after it is put to a fraction of its range.
+    fn position_when_put(&self, thing: &Thing, part: usize, open: f32) -> Option<f32> {
+        let target = self.target(thing.id, part, open).ok()?;
+        if thing.state.moving.get(part)?.body.is_none() {
+            return Some(target);
+        }
+        let (joint, base) = (thing.form.links[part + 1].joint?, self.engine.pose(thing.state.base)?);
+        let (_, leaf) = self.leap(thing, part, target)?;
+        // As the engine keeps it.
+        let leaf = convert::isometry(&convert::pose(&leaf));
+        Some(motion::position(&joint, &base, &leaf))
     }
 
     /// The motion of a part relative to its pose in the asset, in the asset's frame.

@@ -1,11 +1,11 @@
 //! Overlaps that a thing or a box would have at a pose.
 
 use nalgebra::Vector3;
-use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
+use rapier3d::geometry::{Collider, SharedShape};
 use rapier3d::math::Pose as EnginePose;
-use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
+use crate::elsewhere::{Elsewhere, HERE};
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
@@ -34,45 +34,55 @@ impl PhysicsWorld {
         if !convert::is_sound(pose) {
             return Err(PhysicsError::NotFinite("the pose", id));
         }
+        Ok(self.overlapped(thing, pose, &HERE))
+    }
+
+    /// The things that a thing would overlap at a pose, where some bodies are thought elsewhere.
+    pub(crate) fn overlapped(&self, thing: &Thing, pose: &Pose, elsewhere: &Elsewhere) -> Vec<NodeId> {
         let mut found: Vec<NodeId> = Vec::new();
-        self.for_overlaps(thing, pose, &mut |node| {
+        self.for_overlaps_with(thing, pose, elsewhere, &mut |node| {
             found.push(node);
             true
         });
         found.sort_unstable();
         found.dedup();
-        Ok(found)
+        found
     }
 
     /// Calls `found` for each thing that a thing would overlap at a pose, until it returns false; returns whether
     /// it never did.
     pub(crate) fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
-        let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
-        let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
-        bodies.all(|(shape, at)| self.each_overlap(shape, &at, thing.id, found))
+        self.for_overlaps_with(thing, pose, &HERE, found)
     }
 
-    /// Calls `found` for each solid thing but one that a shape would overlap, until it returns false; returns
-    /// whether it never did.
-    pub(super) fn each_overlap(
+    fn for_overlaps_with(
         &self,
-        shape: &SharedShape,
-        at: &EnginePose,
-        but: NodeId,
+        thing: &Thing,
+        pose: &Pose,
+        elsewhere: &Elsewhere,
         found: &mut dyn FnMut(NodeId) -> bool,
     ) -> bool {
-        let other = |_: ColliderHandle, c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
-        let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&other));
-        for (_, collider) in queries.intersect_shape(*at, &**shape) {
-            let between = at.inv_mul(collider.position());
+        let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
+        let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
+        bodies.all(|(shape, at)| self.each_overlap((shape, &at), thing.id, elsewhere, found))
+    }
+
+    /// Calls `found` for each solid thing but one that a shape would overlap, where some bodies are thought elsewhere,
+    /// until it returns false; returns whether it never did.
+    pub(super) fn each_overlap(
+        &self,
+        (shape, at): (&SharedShape, &EnginePose),
+        but: NodeId,
+        elsewhere: &Elsewhere,
+        found: &mut dyn FnMut(NodeId) -> bool,
+    ) -> bool {
+        let other = |c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
+        self.each_met((shape, at), &other, elsewhere, &mut |collider, between| {
             let depth =
                 rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
             let overlaps = depth.ok().flatten().is_none_or(|c| c.dist < -SKIN);
-            if overlaps && !found(group::marked(collider.user_data).0) {
-                return false;
-            }
-        }
-        true
+            !overlaps || found(group::marked(collider.user_data).0)
+        })
     }
 
     /// Whether a thing would overlap nothing at a pose.
@@ -96,7 +106,7 @@ impl PhysicsWorld {
             return false;
         }
         let shape = SharedShape::cuboid(half.x, half.y, half.z);
-        self.each_overlap(&shape, &convert::pose(pose), NodeId(u32::MAX), &mut |_| false)
+        self.each_overlap((&shape, &convert::pose(pose)), NodeId(u32::MAX), &HERE, &mut |_| false)
     }
 }
 

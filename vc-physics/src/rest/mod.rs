@@ -1,6 +1,8 @@
 //! Rest: things come to rest and fall asleep, or are put to sleep where they are known to be at rest.
 
+mod calm;
 mod damping;
+mod island;
 mod sleep;
 
 use rapier3d::dynamics::RigidBodyHandle;
@@ -8,6 +10,8 @@ use vc_graph::{NodeId, Pose};
 
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert};
+
+pub use calm::Calm;
 
 /// # Rest
 impl PhysicsWorld {

@@ -72,10 +72,15 @@ impl PhysicsWorld {
 
     /// The bodies in a set that a body touches or is about to touch.
     fn touched(&self, body: RigidBodyHandle, number: &BTreeMap<u32, usize>) -> Vec<usize> {
+        self.bodies_touched(body).filter_map(|b| number.get(&b.into_raw_parts().0).copied()).collect()
+    }
+
+    /// The bodies that a body touches or is about to touch.
+    pub(super) fn bodies_touched(&self, body: RigidBodyHandle) -> impl Iterator<Item = RigidBodyHandle> + '_ {
         let parent = |c| self.engine.colliders.get(c).and_then(|c| c.parent());
         let pairs = self.pairs_of(body).filter(|p| p.has_any_active_contact());
-        let bodies = pairs.flat_map(|p| [parent(p.collider1), parent(p.collider2)]).flatten();
-        bodies.filter(|b| *b != body).filter_map(|b| number.get(&b.into_raw_parts().0).copied()).collect()
+        let bodies = pairs.flat_map(move |p| [parent(p.collider1), parent(p.collider2)]).flatten();
+        bodies.filter(move |b| *b != body)
     }
 
     fn certainly_rests(&self, body: RigidBodyHandle) -> bool {

@@ -55,6 +55,12 @@ impl Agent {
         self.posture == Posture::Standing && way.xy().norm() < 1e-3 && way.z.abs() < self.plan.step && turn < 1e-2
     }
 
+    /// Whether a step leaves it where it is: it neither walks nor falls.
+    pub(crate) fn is_still(&self) -> bool {
+        let stops = matches!(self.walk, Motion::Still | Motion::Stuck) && self.velocity == [0.0; 2];
+        self.posture != Posture::Standing || self.walk == Motion::Led || (self.grounded && stops)
+    }
+
     pub(crate) fn shoulder(&self) -> Point3<f32> {
         let height = match self.posture {
             Posture::Standing => self.plan.shoulder(),

@@ -9,6 +9,7 @@ mod fitting;
 mod joints;
 mod known_answers;
 mod navigation;
+mod reads;
 mod rest;
 mod scenes;
 mod traps;

@@ -1,0 +1,175 @@
+//! Loads: the things that rest on others, and on what a thing rests.
+
+use nalgebra::Vector3;
+use rapier3d::dynamics::RigidBodyHandle;
+use rapier3d::geometry::ColliderHandle;
+use vc_graph::asset::JointKind;
+use vc_graph::{NodeId, Pose};
+
+use crate::contact::CARRIES;
+use crate::elsewhere::{Elsewhere, HERE};
+use crate::state::Thing;
+use crate::world::PhysicsWorld;
+use crate::{BodyRole, convert, group};
+
+/// Height of a hop of a thing, metres.
+const HOP: f32 = 0.01;
+
+impl PhysicsWorld {
+    /// The things that rest on a body, directly or through others: loose things, and things that are pinned to
+    /// it.
+    pub(crate) fn load_of(&self, body: RigidBodyHandle) -> Vec<NodeId> {
+        self.load_of_body(body, &HERE)
+    }
+
+    fn load_of_body(&self, body: RigidBodyHandle, elsewhere: &Elsewhere) -> Vec<NodeId> {
+        let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
+        part.map_or_else(Vec::new, |part| self.load_above(part, self.colliders_of(body), elsewhere))
+    }
+
+    /// The things that a moving part carries: those on or in a body of its own; and on a part that moves with its
+    /// base, if it is made to hold things, as a drawer is.
+    pub(crate) fn load_of_part(&self, id: NodeId, part: usize) -> Vec<NodeId> {
+        self.load_of_part_with(id, part, &HERE)
+    }
+
+    /// As [`Self::load_of_part`], where some things are thought elsewhere.
+    pub(crate) fn load_of_part_with(&self, id: NodeId, part: usize, elsewhere: &Elsewhere) -> Vec<NodeId> {
+        let Ok(thing) = self.thing(id) else { return Vec::new() };
+        let (Some(moving), Some(link)) = (thing.state.moving.get(part), thing.form.links.get(part + 1)) else {
+            return Vec::new();
+        };
+        let holds = || thing.form.surfaces.iter().any(|surface| surface.joint == link.joint);
+        match moving.body {
+            Some(body) => self.load_of_body(body, elsewhere),
+            None if holds() => {
+                let mark = group::mark(id, part + 1);
+                let own = |c: &ColliderHandle| self.engine.colliders.get(*c).is_some_and(|c| c.user_data == mark);
+                let colliders = self.colliders_of(thing.state.base).into_iter().filter(own).collect();
+                self.load_above((id, part + 1), colliders, elsewhere)
+            }
+            None => Vec::new(),
+        }
+    }
+
+    fn colliders_of(&self, body: RigidBodyHandle) -> Vec<ColliderHandle> {
+        self.engine.bodies.get(body).map_or_else(Vec::new, |body| body.colliders().to_vec())
+    }
+
+    /// The things that rest on some colliders of a node's link.
+    fn load_above(&self, part: (NodeId, usize), colliders: Vec<ColliderHandle>, elsewhere: &Elsewhere) -> Vec<NodeId> {
+        let (own, link) = part;
+        let mut load = self.pinned_on(part);
+        if link > 0 {
+            load.extend(self.hovering_in(&colliders, elsewhere));
+        }
+        let base = |id: &NodeId| self.thing(*id).ok().map(|thing| thing.state.base);
+        let mut open: Vec<_> = load.iter().filter_map(base).map(|body| self.colliders_of(body)).collect();
+        open.push(colliders);
+        while let Some(below) = open.pop() {
+            let pinned = self.pinned_on_base(&below).into_iter();
+            let loose = |id: &NodeId| self.role(*id) == Some(BodyRole::Loose);
+            for above in pinned.chain(self.resting_on(&below, elsewhere).into_iter().filter(loose)) {
+                if above != own && !load.contains(&above) {
+                    load.push(above);
+                    open.extend(base(&above).map(|body| self.colliders_of(body)));
+                }
+            }
+        }
+        load
+    }
+
+    /// The node and link on which a loose thing rests, directly or through others, if that link moves on a
+    /// joint: a drawer, a rack, an open door.
+    pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
+        let turns =
+            |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
+        let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
+        while let Some(body) = open.pop() {
+            let carriers = self.carriers(body);
+            // A thing on the top of a box stays there if a door below the top's edge opens.
+            let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(BodyRole::Fixed));
+            for (below, link) in carriers {
+                let Ok(thing) = self.thing(below) else { continue };
+                if link > 0 && !(stands && turns(thing, link)) {
+                    return Some((below, link));
+                }
+                if thing.state.rides.is_some() {
+                    return thing.state.rides;
+                }
+                if thing.state.role == BodyRole::Loose && !seen.contains(&below) {
+                    seen.push(below);
+                    open.push(thing.state.base);
+                }
+            }
+        }
+        None
+    }
+
+    /// Things that fell asleep during a hop, a millimetre or two above their support: they touch nothing.
+    fn hovering_in(&self, colliders: &[ColliderHandle], elsewhere: &Elsewhere) -> Vec<NodeId> {
+        let Some(around) = self.box_around(colliders.iter().copied()) else { return Vec::new() };
+        let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
+        // A thing that has been moved is awake.
+        let sleeps = |t: &Thing| self.is_asleep(t.id) && elsewhere.get(t.state.base).is_none();
+        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && sleeps(t));
+        let above = |id: NodeId| {
+            let own = self.aabb(id)?;
+            let (centre, foot) = (own.centre(), own.min.z);
+            let over = (low.x..=high.x).contains(&centre.x) && (low.y..=high.y).contains(&centre.y);
+            Some(over && (low.z..=high.z).contains(&foot))
+        };
+        let touches = |base: RigidBodyHandle| self.pairs_of(base).any(|pair| pair.has_any_active_contact());
+        loose.filter(|t| above(t.id) == Some(true) && !touches(t.state.base)).map(|t| t.id).collect()
+    }
+
+    /// The things that were pinned to a node's link.
+    pub(crate) fn pinned_on(&self, part: (NodeId, usize)) -> Vec<NodeId> {
+        self.things.iter().filter(|t| t.state.rides == Some(part)).map(|t| t.id).collect()
+    }
+
+    /// The things that are pinned to the node whose base has some colliders.
+    fn pinned_on_base(&self, colliders: &[ColliderHandle]) -> Vec<NodeId> {
+        let body = colliders.first().and_then(|c| self.engine.colliders.get(*c)?.parent());
+        let part = body.and_then(|body| self.engine.bodies.get(body)).map(|b| group::marked(b.user_data));
+        part.filter(|(_, link)| *link == 0).map_or_else(Vec::new, |part| self.pinned_on(part))
+    }
+
+    /// The nodes and links that push a body from below.
+    fn carriers(&self, body: RigidBodyHandle) -> Vec<(NodeId, usize)> {
+        let mut found = Vec::new();
+        for pair in self.pairs_of(body).filter(|p| p.has_any_active_contact()) {
+            let first = self.engine.colliders.get(pair.collider1).and_then(|c| c.parent()) == Some(body);
+            let sign = if first { -1.0 } else { 1.0 };
+            let up = self.touches(pair).any(|t| t.normal.z * sign > CARRIES);
+            let other = if first { pair.collider2 } else { pair.collider1 };
+            found.extend(self.engine.colliders.get(other).map(|c| group::marked(c.user_data)).filter(|_| up));
+        }
+        found
+    }
+
+    /// The nodes that some colliders of a body push from below.
+    fn resting_on(&self, colliders: &[ColliderHandle], elsewhere: &Elsewhere) -> Vec<NodeId> {
+        let mut found = Vec::new();
+        let pairs = colliders.iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c));
+        for pair in pairs.filter(|p| p.has_any_active_contact()) {
+            let first = colliders.contains(&pair.collider1);
+            let sign = if first { 1.0 } else { -1.0 };
+            let up = self.touches_with(pair, elsewhere).any(|t| t.normal.z * sign > CARRIES);
+            let other = if first { pair.collider2 } else { pair.collider1 };
+            found.extend(self.node_of(other).filter(|_| up));
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// Moves things together, by a motion in the world's frame.
+    pub(crate) fn carry_along(&mut self, load: &[NodeId], motion: &Pose) {
+        for &id in load {
+            let Some(base) = self.thing(id).ok().map(|t| t.state.base) else { continue };
+            if let Some(pose) = self.engine.pose(base) {
+                self.engine.place(base, convert::pose(&(motion * pose)));
+            }
+        }
+    }
+}

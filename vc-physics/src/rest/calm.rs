@@ -1,0 +1,103 @@
+//! Coming to rest, step by step.
+
+use serde::{Deserialize, Serialize};
+use vc_graph::NodeId;
+
+use crate::world::PhysicsWorld;
+
+/// Steps after which things that only tremble or creep are held still.
+const CALM: u32 = 120;
+/// How often that is put off while something still moves fast.
+const AGAIN: u32 = 4;
+/// Steps between looks for what rests already; at first there is one after each.
+const DOZE: u32 = 3;
+/// The speed below which a thing is held still then, metres a second.
+const SLOW: f32 = 0.05;
+
+/// How long a world has been coming to rest, for [`step_awake`](PhysicsWorld::step_awake). Begin a new one when
+/// something is disturbed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Calm {
+    /// Steps since something was disturbed.
+    steps: u32,
+}
+
+impl Calm {
+    /// Steps since something was disturbed; none while all rests.
+    pub fn steps(&self) -> u32 {
+        self.steps
+    }
+
+    /// Whether it is time to look for what rests already.
+    fn looks(self) -> bool {
+        self.steps % CALM < DOZE || self.steps.is_multiple_of(DOZE)
+    }
+
+    /// Whether a round has ended, after which slow things are held still.
+    fn is_long(self) -> bool {
+        self.steps.is_multiple_of(CALM)
+    }
+}
+
+impl PhysicsWorld {
+    /// One step of coming to rest, if anything is awake; returns whether there was such a step. Things that certainly
+    /// rest fall asleep soon ([`put_to_sleep`](Self::put_to_sleep)). After 120 steps things that are slower than 5 cm/s
+    /// are held where they are ([`pin`](Self::pin)) if all are that slow, and after 480 steps all, so that it ends after
+    /// 480 steps at most.
+    ///
+    /// A thing that has lost its support since the last step learns so with the next [`step`](Self::step) only: let that
+    /// come first.
+    ///
+    /// Costs a [`step`](Self::step) and some microseconds for each awake thing.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let mut calm = vc_physics::Calm::default();
+    /// while world.step_awake(&mut calm) {
+    ///     assert!(calm.steps() <= 480);
+    /// }
+    /// assert!(world.awake() == 0 && calm.steps() == 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_awake(&mut self, calm: &mut Calm) -> bool {
+        if self.engine.is_still() {
+            *calm = Calm::default();
+            return false;
+        }
+        self.step();
+        calm.steps += 1;
+        // Things that surely rest need not be watched for longer.
+        if calm.looks() {
+            self.put_to_sleep();
+        }
+        if calm.is_long() {
+            self.hold_slow(calm.steps >= CALM * AGAIN);
+        }
+        true
+    }
+
+    /// Holds still what only trembles or creeps, if nothing moves fast, or in any case.
+    fn hold_slow(&mut self, in_any_case: bool) {
+        let restless = self.restless();
+        let fast = |id: &NodeId| self.velocity(*id).is_some_and(|v| v.norm() > SLOW);
+        if !in_any_case && restless.iter().any(fast) {
+            return;
+        }
+        for id in restless {
+            // It is loose, so it can be held.
+            let _ = self.pin(id);
+        }
+        if !self.engine.is_at_rest() {
+            self.rest();
+        }
+    }
+
+    /// Loose things that are awake.
+    fn restless(&self) -> Vec<NodeId> {
+        if self.engine.is_at_rest() {
+            return Vec::new();
+        }
+        self.loose().map(|thing| thing.id).filter(|id| !self.is_asleep(*id)).collect()
+    }
+}
