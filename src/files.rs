@@ -190,18 +190,3 @@ pub fn remove(path: &Path) -> io::Result<()> {
         _ => Err(error),
     })
 }
-
-/// The files of a folder whose names are a number with the given extension: `000.jpg`, `001.jpg` for `jpg`. A folder
-/// that does not exist counts as empty.
-pub(crate) fn numbered(folder: &Path, ending: &str) -> io::Result<Vec<PathBuf>> {
-    let entries = match std::fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-        entries => entries?,
-    };
-    let is_meant = |path: &PathBuf| {
-        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-        !stem.is_empty() && stem.bytes().all(|b| b.is_ascii_digit()) && path.extension().is_some_and(|e| e == ending)
-    };
-    let paths = entries.map(|entry| Ok(entry?.path()));
-    paths.filter(|path: &io::Result<PathBuf>| path.as_ref().map_or(true, &is_meant)).collect()
-}

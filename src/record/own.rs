@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::OpenOptions;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
 
 use super::{Dataset, RecordError, at, save};
@@ -92,7 +92,7 @@ impl OwnFiles {
         let mut needed: Vec<String> = names.iter().flat_map(|name| with_part(name)).collect();
         for (within, ending) in numbered {
             let folder = self.folder.join(within);
-            let there = files::numbered(&folder, ending).map_err(at(&folder))?;
+            let there = numbered_files(&folder, ending).map_err(at(&folder))?;
             let names = there.iter().filter_map(|path| path.file_name()?.to_str());
             needed.extend(names.map(|name| format!("{within}/{name}")));
         }
@@ -182,6 +182,21 @@ fn with_part(name: &str) -> Vec<String> {
 /// Whether a name leads to a file within the folder: a list may have been changed by hand.
 fn is_within(name: &str) -> bool {
     !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+}
+
+/// The files of a folder whose names are a number with the given extension: `000.jpg`, `001.jpg` for `jpg`. A folder
+/// that does not exist counts as empty.
+fn numbered_files(folder: &Path, ending: &str) -> io::Result<Vec<PathBuf>> {
+    let entries = match std::fs::read_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries?,
+    };
+    let is_meant = |path: &PathBuf| {
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        !stem.is_empty() && stem.bytes().all(|b| b.is_ascii_digit()) && path.extension().is_some_and(|e| e == ending)
+    };
+    let paths = entries.map(|entry| Ok(entry?.path()));
+    paths.filter(|path: &io::Result<PathBuf>| path.as_ref().map_or(true, &is_meant)).collect()
 }
 
 fn foreign(path: &Path) -> RecordError {
