@@ -78,8 +78,8 @@ fn main() -> Result<ExitCode, Complaint> {
     }
     let faults = [
         (failed, format!("{failed} of {} scenes could not be looked at", options.files.len())),
-        (found.unreached, format!("{} rooms could not be reached", found.unreached)),
-        (found.put.disagreed(), format!("bodies and rule disagree about {} actions", found.put.disagreed())),
+        (found.unreached, format!("rooms that could not be reached: {}", found.unreached)),
+        (found.put.disagreed(), format!("actions about which bodies and rule disagree: {}", found.put.disagreed())),
     ];
     faults.iter().filter(|(count, _)| *count > 0).for_each(|(_, words)| say!("{words}"));
     Ok(if faults.iter().all(|(count, _)| *count == 0) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
