@@ -2,10 +2,11 @@
 //!
 //! `cargo run --release --example own_classes`
 
-#![expect(clippy::print_stdout, reason = "an example prints")]
+mod support;
 
 use std::sync::Arc;
 
+use support::{Complaint, say};
 use vc_graph::{ClassTable, Draft, SceneBuilder, Simulator};
 use vc_planner::{PlannerPolicy, run_episode};
 use vc_tasks::{Outcome, Task};
@@ -16,7 +17,7 @@ pill_box | box | pills | prop | graspable | 0.06 0.1 0.03 | 0.05 | | | bathroom/
 robot_dock | | robot_charger | furniture | surface | 0.4 0.4 0.1 | 2 | | | livingroom:1
 ";
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> Result<(), Complaint> {
     let classes = Arc::new(ClassTable::builtin().extended("mine.txt", CLASSES)?);
     let mut scene = SceneBuilder::with_classes("flat", classes);
     let (bathroom, living) = (scene.add(Draft::new("bathroom"))?, scene.add(Draft::new("livingroom"))?);
@@ -27,6 +28,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let task = Task::new("bring the pills", "On(pills, robot_dock)".parse()?);
     let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut Simulator::new(scene.build()));
-    println!("{:?} after {} steps", episode.outcome, episode.steps);
-    if episode.outcome == Outcome::Won { Ok(()) } else { Err("the pills were not brought".into()) }
+    say!("{:?} after {} steps", episode.outcome, episode.steps);
+    if episode.outcome == Outcome::Won { Ok(()) } else { Err(Complaint::new("the pills were not brought")) }
 }

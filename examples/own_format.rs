@@ -2,10 +2,11 @@
 //!
 //! `cargo run --release --example own_format`
 
-#![expect(clippy::print_stdout, reason = "an example prints")]
+mod support;
 
 use std::collections::HashMap;
 
+use support::{Complaint, say};
 use vc_graph::{Draft, Edge, EditError, NodeId, Relation, SceneBuilder, SceneGraph, Simulator};
 
 /// `name: class, where`, the rooms first.
@@ -46,21 +47,21 @@ fn read(text: &str) -> Result<SceneGraph, ReadError> {
     Ok(scene.build())
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> Result<(), Complaint> {
     let mut world = Simulator::new(read(TEXT)?);
     let agent = world.graph().agents()[0];
     for action in ["walk cup.3", "grab cup.3", "walk fridge.4", "open fridge.4", "put_in cup.3 fridge.4"] {
         world.step(agent, &action.parse()?).map_err(|refusals| refusals[0].clone())?;
     }
     let (cup, fridge) = (NodeId(3), NodeId(4));
-    println!(
+    say!(
         "{} is in {}: {}",
         world.graph().label(cup),
         world.graph().label(fridge),
         world.graph().has(Edge::new(cup, Relation::Inside, fridge))
     );
     if let Err(error) = read("k: kitchen\nc: cup beside k") {
-        println!("{error}");
+        say!("{error}");
     }
     Ok(())
 }

@@ -29,6 +29,9 @@ fn samovar(b: &mut Build<'_>) {
 
 fn main() -> Result<(), Complaint> {
     let path = std::env::args().nth(1).unwrap_or_else(|| "out/own_object.png".into());
+    if path.starts_with('-') {
+        return Err(Complaint::new(format!("usage: own_object [PATH]; there are no options such as {path}")));
+    }
     let classes = ClassTable::builtin().extended("own_object.txt", ROW).map_err(Complaint::new)?;
     let mut generators = Generators::default();
     let own = Generator::new("samovar", Realm::Indoor, 1, samovar);

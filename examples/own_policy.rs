@@ -2,10 +2,11 @@
 //!
 //! `cargo run --release --example own_policy` runs it beside the planner on the same goal in the same home.
 
-#![expect(clippy::print_stdout, reason = "an example prints")]
+mod support;
 
 use std::collections::{BTreeSet, VecDeque};
 
+use support::{Complaint, say};
 use virtualcity::graph::{
     Action, Draft, Node, NodeId, Observation, Property, SceneBuilder, Seed, Simulator, State, Verb,
 };
@@ -78,7 +79,7 @@ impl Policy for Sweep {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> Result<(), Complaint> {
     let mut scene = SceneBuilder::from_graph(Apartment::from_seed(Seed(9))?.scene());
     let room = scene.graph().rooms()[0];
     scene.add_in(room, Draft::new("character"))?;
@@ -87,9 +88,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let policies: [&mut dyn Policy; 2] = [&mut Sweep::new("mug"), &mut PlannerPolicy::best()];
     for policy in policies {
         let episode = run_episode(policy, &task, &mut Simulator::new(graph.clone()));
-        println!("{}: {:?} after {} steps", policy.name(), episode.outcome, episode.steps);
+        say!("{}: {:?} after {} steps", policy.name(), episode.outcome, episode.steps);
         if episode.outcome != Outcome::Won {
-            return Err(format!("{} has no mug: {:?}", policy.name(), episode.reason).into());
+            return Err(Complaint::new(format!("{} has no mug: {:?}", policy.name(), episode.reason)));
         }
     }
     Ok(())

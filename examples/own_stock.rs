@@ -2,8 +2,9 @@
 //!
 //! `cargo run --release --example own_stock`
 
-#![expect(clippy::print_stdout, reason = "an example prints")]
+mod support;
 
+use support::{Complaint, say};
 use vc_graph::class::Class;
 use vc_graph::{AssetLibrary, Bounds, Draft, SceneGraph, Seed, Simulator};
 use vc_tasks::initial::{InitialGenerator, PlainStock, Stock};
@@ -21,23 +22,17 @@ impl Stock for Varied {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> Result<(), Complaint> {
     let home = Apartment::from_seed(Seed(9))?.scene();
     let benchmark = Benchmark::v1();
-    let activity = benchmark.get("put_fridge-02").ok_or("the benchmark has no such task")?;
+    let activity = benchmark.get("put_fridge-02").ok_or_else(|| Complaint::new("the benchmark has no such task"))?;
     for seed in 0..3 {
         let initial =
             InitialGenerator::new(&Varied).make(activity, &home, Seed(seed), &mut Simulator::new(home.clone()))?;
         for added in &initial.added {
             let Some(bounds) = initial.scene.node(added.id).and_then(|n| n.aabb()) else { continue };
             let size = bounds.max - bounds.min;
-            println!(
-                "seed {seed}: {}, {:.2} m x {:.2} m x {:.2} m",
-                initial.scene.label(added.id),
-                size.x,
-                size.y,
-                size.z
-            );
+            say!("seed {seed}: {}, {:.2} m x {:.2} m x {:.2} m", initial.scene.label(added.id), size.x, size.y, size.z);
         }
     }
     Ok(())

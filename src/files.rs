@@ -190,27 +190,3 @@ pub fn remove(path: &Path) -> io::Result<()> {
         _ => Err(error),
     })
 }
-
-/// Removes the files of a folder whose names are a number of at least `first` with the given extension:
-/// `000.jpg`, `001.jpg` for `jpg`. A folder that does not exist counts as empty.
-///
-/// # Errors
-/// The system's error if the folder cannot be listed, or a file cannot be removed.
-pub fn remove_numbered(folder: &Path, ending: &str, first: u64) -> io::Result<()> {
-    numbered(folder, ending, first)?.iter().try_for_each(std::fs::remove_file)
-}
-
-/// The files that [`remove_numbered`] removes.
-pub(crate) fn numbered(folder: &Path, ending: &str, first: u64) -> io::Result<Vec<PathBuf>> {
-    let entries = match std::fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-        entries => entries?,
-    };
-    let is_meant = |path: &PathBuf| {
-        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-        let number = Some(stem).filter(|stem| stem.bytes().all(|b| b.is_ascii_digit())).and_then(|s| s.parse().ok());
-        number.is_some_and(|number: u64| number >= first) && path.extension().is_some_and(|e| e == ending)
-    };
-    let paths = entries.map(|entry| Ok(entry?.path()));
-    paths.filter(|path: &io::Result<PathBuf>| path.as_ref().map_or(true, &is_meant)).collect()
-}

@@ -100,7 +100,7 @@ pub use files::{FileError, FileProblem, read_bytes, read_scene, read_text};
 pub use json_lines::{JsonLines, ResumableRun};
 pub use page::{Page, PageAction, PageFigure, PageFilm};
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use record::{Dataset, RecordError, RecordOptions, Recorder};
+pub use record::{Dataset, OwnFiles, RecordError, RecordOptions, Recorder};
 
 #[cfg(all(feature = "environment", feature = "render"))]
 pub mod guide;

@@ -11,8 +11,9 @@
 //! replayed from the start, and must lead to the same home. `--symbolic` runs without bodies: by default in the
 //! bundled apartment, with the goal of three apples on the kitchen table and the fridge closed; the folder, then
 //! `out/symbolic` by default, has `episode.jsonl` and a page with belief and log. A run removes the files of an
-//! earlier run from its folder, and refuses a folder that has files of those names from elsewhere. `--list` shows the
-//! possible tasks in the home or scene.
+//! earlier run from its folder, with bodies or without, as `files.txt` lists them, and refuses a folder that has files
+//! of those names from elsewhere, or a data set unless it writes one. `--list` shows the possible tasks in the home or
+//! scene.
 
 mod asked;
 mod choose;

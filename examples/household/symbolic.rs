@@ -7,7 +7,7 @@ use vc_graph::format::read_scene;
 use vc_graph::{Action, ClassTable, NodeId, NodeKind, SceneGraph, Simulator, Verb, Word};
 use vc_planner::{Episode, EpisodeOptions, Header, Step, Trajectory};
 use vc_tasks::{Outcome, Task};
-use virtualcity::{JsonLines, Page, Recorder};
+use virtualcity::{JsonLines, OwnFiles, Page, RecordError};
 
 use crate::Options;
 use crate::choose::{choose, told};
@@ -20,7 +20,7 @@ const APARTMENT: &str = include_str!("../data/apartment.json");
 /// The file of the episode; a record with bodies has another one.
 const EPISODE: &str = "episode.jsonl";
 
-/// All files of a run, the episode's last.
+/// All files of a run.
 const FILES: [&str; 3] = ["index.html", "belief.svg", EPISODE];
 
 /// The default goal.
@@ -64,7 +64,8 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     let mut world = Simulator::new(scene.clone());
     let run = EpisodeOptions { agent: Some(me), ..EpisodeOptions::seeded(options.seed()) };
     let out = options.folder();
-    clear(&out)?;
+    let mut own = OwnFiles::begin(&out, &FILES).map_err(Complaint::new)?;
+    own.claim([EPISODE]).map_err(Complaint::new)?;
     let mut lines = JsonLines::create(out.join(EPISODE))?;
     let header = Header::new(&run, policy.as_ref(), task, scene);
     lines.push(&header)?;
@@ -80,35 +81,22 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
     let summary = episode.summary();
     lines.push(&summary)?;
     let belief = physical::belief(world.graph(), task, policy.as_ref());
-    write_page(&out, &Trajectory { header, steps, summary }, belief.as_deref())?;
+    write_page(&mut own, &Trajectory { header, steps, summary }, belief.as_deref()).map_err(Complaint::new)?;
     verdict(scene, me, task, &world, &episode)?;
     say!("look at {}", out.join("index.html").display());
     Ok(())
 }
 
-/// Removes the files of an earlier run without bodies, or of one with bodies: they would remain beside those of this
-/// run. Files of others are left, and refused.
-fn clear(out: &Path) -> Result<(), Complaint> {
-    let (_, lines) = match out.join(EPISODE).is_file() {
-        true => JsonLines::resume(out.join(EPISODE))?,
-        false => return Recorder::clear(out).map_err(Complaint::new),
-    };
-    if lines.first().is_none_or(|line| serde_json::from_str::<Header>(line).is_err()) {
-        let path = out.join(EPISODE);
-        return Err(Complaint::new(format!("{} is no episode: choose another --out, or move it", path.display())));
-    }
-    FILES.iter().try_for_each(|name| virtualcity::files::remove(&out.join(name)).map_err(Complaint::new))
-}
-
 /// Writes the page about the run, with the belief.
-fn write_page(folder: &Path, trajectory: &Trajectory, belief: Option<&str>) -> Result<(), Complaint> {
+fn write_page(own: &mut OwnFiles, trajectory: &Trajectory, belief: Option<&str>) -> Result<(), RecordError> {
     let mut page = Page::of(trajectory);
     if let Some(belief) = belief {
-        virtualcity::files::write(folder.join("belief.svg"), belief)?;
+        own.write("belief.svg", belief.as_bytes())?;
         page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);
     }
     let page = page.file(EPISODE, "every step, with what was seen, believed and planned, as JSON Lines");
-    Ok(virtualcity::files::write(folder.join("index.html"), page.html())?)
+    own.write("index.html", page.html().as_bytes())?;
+    own.settle()
 }
 
 fn room(scene: &SceneGraph, id: NodeId) -> String {
@@ -244,24 +232,29 @@ mod tests {
     #[test]
     fn what_an_earlier_run_left_is_removed() {
         let out = std::env::temp_dir().join(format!("vc-household-left-{}", std::process::id()));
-        std::fs::create_dir_all(out.join("film")).unwrap();
         let old = ["film.gif", "map.png", "end.png", "film/000.jpg"];
         for name in old.into_iter().chain(["mine.png", "film/mine.txt"]) {
-            std::fs::write(out.join(name), "old").unwrap();
+            virtualcity::files::write(out.join(name), "old").unwrap();
         }
+        virtualcity::files::write(out.join("index.html"), "old").unwrap();
         let run = || super::main(&Options::parse_from(["household", "--symbolic", "--out", out.to_str().unwrap()]));
         let there = |name: &str| out.join(name).exists();
-        // Without the trajectory of a record these are files of somebody else.
+        // Files that no list names are of somebody else.
         let refused = format!("{:?}", run().unwrap_err());
-        assert!(refused.contains("end.png is in the way") && old.iter().all(|name| there(name)), "{refused}");
-        std::fs::write(out.join("trajectory.jsonl"), "{\"scene\":\"flat\",\"digest\":\"0\"}\n").unwrap();
+        assert!(refused.contains("index.html is in the way") && old.iter().all(|name| there(name)), "{refused}");
+        old.into_iter().chain(["index.html"]).for_each(|name| std::fs::remove_file(out.join(name)).unwrap());
+        let mut record = OwnFiles::begin(&out, &[]).unwrap();
+        old.iter().for_each(|name| record.write(name, b"old").unwrap());
+        record.settle().unwrap();
         for _ in 0..2 {
             run().unwrap();
-            assert!(old.iter().chain(&["trajectory.jsonl"]).all(|name| !there(name)));
+            assert!(old.iter().all(|name| !there(name)));
             assert!(["mine.png", "film/mine.txt", "index.html", EPISODE].iter().all(|name| there(name)));
         }
-        std::fs::write(out.join(EPISODE), "mine\n").unwrap();
-        assert!(format!("{:?}", run().unwrap_err()).contains("is no episode"));
+        // A half of a page that a finished run did not leave.
+        std::fs::write(out.join("index.html.part"), "mine").unwrap();
+        assert!(format!("{:?}", run().unwrap_err()).contains("index.html.part is in the way"));
+        assert!(there("index.html") && there("index.html.part"));
         std::fs::remove_dir_all(out).unwrap();
     }
 

@@ -16,6 +16,7 @@ pub(crate) struct Tally {
     all: usize,
     allowed: usize,
     done: usize,
+    disagreed: usize,
 }
 
 impl Tally {
@@ -23,6 +24,12 @@ impl Tally {
         self.all += other.all;
         self.allowed += other.allowed;
         self.done += other.done;
+        self.disagreed += other.disagreed;
+    }
+
+    /// How often bodies and rule disagreed, which is a fault.
+    pub(crate) fn disagreed(&self) -> usize {
+        self.disagreed
     }
 
     pub(crate) fn say(&self) {
@@ -55,7 +62,10 @@ pub(crate) fn all(home: &Environment) -> Tally {
         tally.allowed += 1;
         match with_bodies(&mut home.clone(), id, place) {
             Ok(()) => tally.done += 1,
-            Err((step, error)) => fail(format!("{step}, {}", kind(&error)), error.to_string()),
+            Err((step, error)) => {
+                tally.disagreed += usize::from(matches!(*error, ActionError::Disagreement(_)));
+                fail(format!("{step}, {}", kind(&error)), error.to_string());
+            }
         }
     }
     tally.say();

@@ -6,8 +6,8 @@ use vc_render::format::{Coco, CocoPicture, npy};
 use vc_render::{Frame, Modalities, Modality, RenderError, picture};
 
 use super::journal::Journal;
-use super::{RecordError, at, own, save};
-use crate::{Environment, Viewpoint, files};
+use super::{OwnFiles, RecordError, at, save};
+use crate::{Environment, Viewpoint};
 
 /// The folder of a data set's pictures.
 const FRAMES: &str = "frames";
@@ -20,13 +20,12 @@ const ARRAYS: [(Modality, &str); 4] = [
 ];
 /// The COCO document.
 const DOCUMENT: &str = "annotations.json";
-/// The words at the beginning of a document of this program.
-const OWN: &str = "\"contributor\":\"VirtualCity\"";
 /// The journal of an unfinished data set.
 const JOURNAL: &str = "annotations.jsonl.part";
 
 /// Pictures of one or many homes with the bounding boxes and masks of everything visible in them, as a folder:
-/// PNG files in `frames`, and one COCO document for `pycocotools`, `annotations.json`.
+/// PNG files in `frames`, one COCO document for `pycocotools`, `annotations.json`, and a list of all that was written,
+/// `files.txt` ([`OwnFiles`]).
 ///
 /// An interrupted program resumes when it is started again: an existing picture is not rendered again if it
 /// shows the same home in the same state, from the same viewpoint, in the same size and the same light as
@@ -49,7 +48,7 @@ const JOURNAL: &str = "annotations.jsonl.part";
 /// ```
 #[derive(Debug)]
 pub struct Dataset {
-    folder: PathBuf,
+    own: OwnFiles,
     seen: Coco,
     journal: Journal,
     arrays: Modalities,
@@ -60,18 +59,20 @@ impl Dataset {
     /// data set are removed.
     ///
     /// # Errors
-    /// [`RecordError::Foreign`] if the folder has files of a data set's names and no data set of this program;
+    /// [`RecordError::Foreign`] if the folder has files of a data set's names that no data set of this program wrote;
     /// [`RecordError::File`] if the folder cannot be created or an old file cannot be removed.
     pub fn create(folder: impl AsRef<Path>) -> Result<Self, RecordError> {
-        let folder = folder.as_ref().to_path_buf();
-        Self::check(&folder)?;
+        let folder = folder.as_ref();
+        let mut own = OwnFiles::open(folder)?;
+        Self::check(&own)?;
         let frames = folder.join(FRAMES);
         std::fs::create_dir_all(&frames).map_err(at(&frames))?;
-        if !folder.join(JOURNAL).is_file() {
-            Self::clear(&folder)?;
+        if !own.has(JOURNAL) {
+            own.remove(Self::is_of_one)?;
         }
+        own.claim([JOURNAL, DOCUMENT])?;
         let journal = Journal::open(folder.join(JOURNAL))?;
-        Ok(Self { folder, seen: Coco::default(), journal, arrays: Modalities::NONE })
+        Ok(Self { own, seen: Coco::default(), journal, arrays: Modalities::NONE })
     }
 
     /// Also writes these modalities of each picture: depth, distance, instance and class, as NumPy arrays beside the
@@ -89,34 +90,22 @@ impl Dataset {
         Self { arrays: modalities.into(), ..self }
     }
 
-    /// Whether a folder has a data set of this program, finished or not.
-    fn is_in(folder: &Path) -> bool {
-        folder.join(JOURNAL).is_file() || own::begins_with(&folder.join(DOCUMENT), OWN)
+    /// Whether a file of this name is of a data set.
+    pub(super) fn is_of_one(name: &str) -> bool {
+        // The journal's name begins as the document's does.
+        name.starts_with(DOCUMENT) || number(name).is_some()
     }
 
     /// Refuses a folder with files of a data set's names that are of no data set.
-    pub(super) fn check(folder: &Path) -> Result<(), RecordError> {
-        let arrays = ARRAYS.iter().map(|(_, name)| (*name, "npy"));
-        let numbered: Vec<(&str, &str)> = arrays.chain([(FRAMES, "png")]).collect();
-        if Self::is_in(folder) { Ok(()) } else { own::refuse(folder, &[DOCUMENT], &numbered) }
+    pub(super) fn check(own: &OwnFiles) -> Result<(), RecordError> {
+        own.refuse(&[DOCUMENT, JOURNAL], &numbered().collect::<Vec<_>>())
     }
 
-    /// Removes the files of a data set, finished or not; a folder without a data set stays as it is.
-    pub(super) fn clear(folder: &Path) -> Result<(), RecordError> {
-        if !Self::is_in(folder) {
-            return Ok(());
-        }
-        Self::clear_from(folder, 0)?;
-        [DOCUMENT, JOURNAL].iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))
-    }
-
-    /// Removes the pictures and arrays from a number on.
-    fn clear_from(folder: &Path, first: u64) -> Result<(), RecordError> {
-        let of = |name: &str, ending: &str| {
-            let folder = folder.join(name);
-            files::remove_numbered(&folder, ending, first).map_err(at(&folder))
-        };
-        ARRAYS.iter().try_for_each(|(_, name)| of(name, "npy")).and_then(|()| of(FRAMES, "png"))
+    /// Refuses a folder with a data set, which is more than what a run without one writes anew.
+    pub(super) fn spare(own: &OwnFiles) -> Result<(), RecordError> {
+        let found = own.names().find(|name| Self::is_of_one(name) && own.has(name));
+        let path = found.map(|name| own.folder().join(name).display().to_string());
+        path.map_or(Ok(()), |path| Err(RecordError::OfDataset { path }))
     }
 
     /// Renders a picture of a home in its present state, `width` by `height` pixels, and keeps its annotations.
@@ -127,7 +116,7 @@ impl Dataset {
         let (version, light) = (env!("CARGO_PKG_VERSION"), home.pictures());
         let mut of = format!("{version} {} {view:?} {width} {height} {light:?}", home.digest());
         self.wanted().for_each(|(_, name)| of = format!("{of} {name}"));
-        let picture = match self.journal.next(&of, &self.folder) {
+        let picture = match self.journal.next(&of, self.own.folder()) {
             Some(picture) => picture,
             None => self.make(home, (view, width, height), &of)?,
         };
@@ -147,12 +136,12 @@ impl Dataset {
         let frame = home.render(view, all, width, height)?;
         let number = self.seen.pictures();
         let name = format!("{FRAMES}/{number:06}.png");
-        save(&self.folder.join(&name), &picture::png(&picture::rgb(&frame))?)?;
+        self.own.write(&name, &picture::png(&picture::rgb(&frame))?)?;
         let picture = CocoPicture::new(name, &frame, &home.snapshot()?)?;
         let mut picture = picture.taken(home.graph().name(), view.describe(home.graph()));
         for (modality, kind) in self.wanted() {
             let name = format!("{kind}/{number:06}.npy");
-            save(&self.folder.join(&name), &array(&frame, modality)?)?;
+            self.own.write(&name, &array(&frame, modality)?)?;
             picture = picture.with_file(kind, name);
         }
         self.journal.note(of, &picture)?;
@@ -174,14 +163,28 @@ impl Dataset {
     ///
     /// # Errors
     /// [`RecordError`] if they cannot be encoded or written.
-    pub fn finish(self) -> Result<PathBuf, RecordError> {
-        let path = self.folder.join(DOCUMENT);
+    pub fn finish(mut self) -> Result<PathBuf, RecordError> {
+        let path = self.own.folder().join(DOCUMENT);
         // An interrupted run may have left more pictures.
-        Self::clear_from(&self.folder, self.seen.pictures() as u64)?;
+        let count = self.seen.pictures();
+        self.own.remove(|name| number(name).is_some_and(|number| number >= count))?;
         save(&path, self.seen.document()?.as_bytes())?;
         self.journal.remove()?;
+        self.own.settle()?;
         Ok(path)
     }
+}
+
+/// The folders of numbered files, with their endings.
+fn numbered() -> impl Iterator<Item = (&'static str, &'static str)> {
+    ARRAYS.iter().map(|(_, name)| (*name, "npy")).chain([(FRAMES, "png")])
+}
+
+/// The number of the picture that a file belongs to.
+fn number(name: &str) -> Option<usize> {
+    let (folder, file) = name.split_once('/')?;
+    let number = file.split('.').next()?.parse().ok()?;
+    numbered().any(|(known, _)| known == folder).then_some(number)
 }
 
 /// A modality of a frame as an array of rows.

@@ -1,7 +1,6 @@
 //! Pictures of an episode: from the agent's eyes, and from a corner of the room it is in.
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use rayon::prelude::*;
 use vc_graph::{Label, NodeId};
@@ -10,7 +9,7 @@ use vc_render::picture::{self, Picture};
 use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
 
 use super::dataset::Dataset;
-use super::{RecordError, feet, save};
+use super::{OwnFiles, RecordError, feet, save};
 use crate::environment::{GLANCE, sight_of};
 use crate::{Environment, PageFilm, PictureOptions, Viewpoint};
 
@@ -114,15 +113,16 @@ impl Film {
     }
 
     /// Writes the film in its formats; none if it has no picture.
-    pub(super) fn write(&self, folder: &Path) -> Result<Option<PageFilm>, RecordError> {
+    pub(super) fn write(&self, own: &mut OwnFiles) -> Result<Option<PageFilm>, RecordError> {
         if self.pictures.is_empty() {
             return Ok(None);
         }
         let small: Vec<Picture> = self.pictures.iter().map(|picture| picture.shrunk(2)).collect();
-        save(&folder.join("film.gif"), &picture::gif(&small, self.rate())?)?;
-        save(&folder.join("film.png"), &picture::apng(&small, self.rate())?)?;
+        own.write("film.gif", &picture::gif(&small, self.rate())?)?;
+        own.write("film.png", &picture::apng(&small, self.rate())?)?;
         let pictures: Vec<String> = (0..self.pictures.len()).map(|i| format!("film/{i:03}.jpg")).collect();
-        let written = pictures.par_iter().zip(&self.pictures);
+        own.claim(pictures.iter().map(String::as_str))?;
+        let (folder, written) = (own.folder(), pictures.par_iter().zip(&self.pictures));
         written.try_for_each(|(name, one)| save(&folder.join(name), &picture::jpeg(one, JPEG_QUALITY)?))?;
         Ok(Some(PageFilm {
             pictures,

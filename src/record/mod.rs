@@ -13,13 +13,14 @@ use std::path::{Path, PathBuf};
 use nalgebra::Point2;
 use vc_graph::{Action, ChangeSet, History, Label, NodeId, SceneGraph};
 use vc_planner::Summary;
-use vc_render::picture::{self, Picture};
+use vc_render::picture;
 use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
 use crate::{Environment, FileError, Page, PageAction, PageFilm, PictureOptions, files};
 pub use dataset::Dataset;
 use film::Film;
+pub use own::OwnFiles;
 use trajectory::Trajectory;
 
 /// The caption of a sheet of six modalities.
@@ -43,6 +44,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// | `eyes.png`, `corner.png` | the six modalities at the moment that tells most |
 /// | `end.png` | the end |
 /// | `belief.svg` | what the agent believed in the end, if it is told |
+/// | `files.txt` | the names of all these files ([`OwnFiles`]): another run removes them, and no others |
 /// | `frames/`, `annotations.json`, `scene.glb` | with [`RecordOptions::dataset`]: see there |
 ///
 /// ```no_run
@@ -70,7 +72,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 pub struct Recorder {
     home: Environment,
     task: Task,
-    folder: PathBuf,
+    own: OwnFiles,
     film: Film,
     dataset: Option<Dataset>,
     trajectory: Trajectory,
@@ -125,10 +127,19 @@ pub enum RecordError {
     /// The scene could not be written as glTF.
     #[error("the scene cannot be written as glTF: {0}")]
     Scene(#[from] vc_gltf::GltfError),
-    /// The folder has a file of a record's name that no record wrote.
-    #[error("{path} is in the way, and no record of an episode wrote it: choose another folder, or move it")]
+    /// The folder has a file of a needed name that is not listed among those that this program wrote.
+    #[error(
+        "{path} is in the way, and no `files.txt` beside it or above lists it as written by this program (earlier \
+         versions kept no list): choose another folder, or move or remove the file"
+    )]
     Foreign {
         /// The path of the file.
+        path: String,
+    },
+    /// The folder has a data set, and the run writes none.
+    #[error("{path} is of a data set, and this run writes none: choose another folder, or remove the data set")]
+    OfDataset {
+        /// The path of one of its files.
         path: String,
     },
     /// The agent that is followed is none of the environment's.
@@ -152,12 +163,13 @@ fn listed(labels: &[Label]) -> String {
 }
 
 impl Recorder {
-    /// Begins to write down what happens in an environment into a folder, which is made; the files of a record that was
-    /// there are removed. The camera follows one of its agents.
+    /// Begins to write down what happens in an environment into a folder, which is made; the files that this program
+    /// wrote there before are removed ([`OwnFiles`]). The camera follows one of its agents.
     ///
     /// # Errors
     /// [`RecordError::NoSuchAgent`]; [`RecordError::Foreign`] if the folder has files of a record's names, such as
-    /// `index.html`, and no record; [`RecordError::File`] if the folder or a file in it cannot be made.
+    /// `index.html`, that this program did not write; [`RecordError::OfDataset`] if it has a data set and this record
+    /// has none; [`RecordError::File`] if the folder or a file in it cannot be made.
     pub fn create(
         folder: impl AsRef<Path>,
         mut home: Environment,
@@ -180,28 +192,18 @@ impl Recorder {
         }
         let daylight = options.daylight.unwrap_or(home.pictures().daylight);
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });
-        let folder = folder.as_ref().to_path_buf();
-        std::fs::create_dir_all(&folder).map_err(at(&folder))?;
-        if options.dataset {
-            Dataset::check(&folder)?;
-        }
-        clear(&folder, options.dataset)?;
-        let trajectory = Trajectory::begin(&folder, &home, agent, task)?;
-        let dataset = options.dataset.then(|| Dataset::create(&folder)).transpose()?;
+        let folder = folder.as_ref();
+        std::fs::create_dir_all(folder).map_err(at(folder))?;
+        let mut own = OwnFiles::open(folder)?;
+        clear(&mut own, options.dataset)?;
+        own.claim([trajectory::FILES[1]])?;
+        let trajectory = Trajectory::begin(folder, &home, agent, task)?;
+        let dataset = options.dataset.then(|| Dataset::create(folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
         let ways = home.agents().iter().map(|agent| vec![feet(&home, *agent)]).collect();
         let task = task.clone();
         let (actions, failed) = (Vec::new(), None);
-        Ok(Self { home, task, folder, film, dataset, trajectory, ways, time: 0.0, actions, failed })
-    }
-
-    /// Removes the files of a record from a folder, if it has any, and no others: they would stay among those of
-    /// another record. [`create`](Self::create) begins with it.
-    ///
-    /// # Errors
-    /// [`RecordError::Foreign`] if the folder has files of a record's names and no record; [`RecordError::File`].
-    pub fn clear(folder: impl AsRef<Path>) -> Result<(), RecordError> {
-        clear(folder.as_ref(), false)
+        Ok(Self { home, task, own, film, dataset, trajectory, ways, time: 0.0, actions, failed })
     }
 
     /// The environment as it is.
@@ -235,26 +237,27 @@ impl Recorder {
         }
         self.trajectory.end(&summary)?;
         let end = self.film.end(&self.home)?;
-        self.picture("end.png", &end)?;
-        self.picture("map.png", &map::of(&self.home, &self.ways)?)?;
+        self.own.write("end.png", &picture::png(&end)?)?;
+        self.own.write("map.png", &picture::png(&map::of(&self.home, &self.ways)?)?)?;
         let words: Vec<String> = self.actions.iter().enumerate().map(|(i, action)| action.caption(i)).collect();
         let strip = self.film.strip(&self.home, &words)?;
-        self.picture("strip.png", &strip)?;
-        let film = self.film.write(&self.folder)?;
+        self.own.write("strip.png", &picture::png(&strip)?)?;
+        let film = self.film.write(&mut self.own)?;
         if let Some([eyes, corner]) = self.film.modalities() {
-            self.picture("eyes.png", eyes)?;
-            self.picture("corner.png", corner)?;
+            self.own.write("eyes.png", &picture::png(eyes)?)?;
+            self.own.write("corner.png", &picture::png(corner)?)?;
         }
         if let Some(belief) = belief {
-            self.bytes("belief.svg", belief.as_bytes())?;
+            self.own.write("belief.svg", belief.as_bytes())?;
         }
         let page = self.page(summary, film, belief.is_some());
         if let Some(dataset) = self.dataset.take() {
             dataset.finish()?;
-            self.bytes("scene.glb", &self.home.gltf()?)?;
+            self.own.write("scene.glb", &self.home.gltf()?)?;
         }
-        self.bytes("index.html", page.html().as_bytes())?;
-        Ok(self.folder.join("index.html"))
+        self.own.write("index.html", page.html().as_bytes())?;
+        self.own.settle()?;
+        Ok(self.own.folder().join("index.html"))
     }
 
     /// The page about the files in the folder.
@@ -284,14 +287,6 @@ impl Recorder {
         }
         page.film = film;
         page
-    }
-
-    fn picture(&self, name: &str, picture: &Picture) -> Result<(), RecordError> {
-        self.bytes(name, &picture::png(picture)?)
-    }
-
-    fn bytes(&self, name: &str, bytes: &[u8]) -> Result<(), RecordError> {
-        save(&self.folder.join(name), bytes)
     }
 
     fn note(&mut self, outcome: Result<(), RecordError>) {
@@ -358,7 +353,7 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
     home.world().pose(agent).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
 }
 
-/// The files of a record, besides those of its film and its dataset. Those by which it is known are removed last.
+/// The files of a record, besides those of its film and its dataset.
 const FILES: [&str; 12] = [
     "index.html",
     "film.gif",
@@ -374,15 +369,16 @@ const FILES: [&str; 12] = [
     trajectory::FILES[1],
 ];
 
-/// Removes what another record wrote: its files would stay among those of this one. A dataset that is not finished
-/// stays if this record has one, as it may go on with that.
-fn clear(folder: &Path, has_dataset: bool) -> Result<(), RecordError> {
-    if !Trajectory::is_in(folder) {
-        own::refuse(folder, &FILES, &[("film", "jpg")])?;
+/// Removes what another run wrote: its files would stay among those of this one. A dataset stays for now if this record
+/// has one, as it may go on with that.
+fn clear(own: &mut OwnFiles, has_dataset: bool) -> Result<(), RecordError> {
+    if has_dataset {
+        Dataset::check(own)?
+    } else {
+        Dataset::spare(own)?
     }
-    files::remove_numbered(&folder.join("film"), "jpg", 0).map_err(at(folder))?;
-    FILES.iter().try_for_each(|name| files::remove(&folder.join(name)).map_err(at(folder)))?;
-    if has_dataset { Ok(()) } else { Dataset::clear(folder) }
+    own.refuse(&FILES, &[("film", "jpg")])?;
+    own.remove(|name| !Dataset::is_of_one(name))
 }
 
 /// The error of a file, or of a folder whose files they are.

@@ -7,7 +7,7 @@ use vc_graph::NodeId;
 use vc_planner::Summary;
 use vc_tasks::Task;
 
-use super::{RecordError, at, own};
+use super::{RecordError, at};
 use crate::{Environment, JsonLines};
 
 /// The file of a trajectory until it is whole, and then.
@@ -29,12 +29,6 @@ impl Trajectory {
             "agent": home.graph().label(agent).to_string(), "task": task.title, "goal": task.goal,
         }))?;
         Ok(all)
-    }
-
-    /// Whether a folder has a trajectory, whole or not.
-    pub(super) fn is_in(folder: &Path) -> bool {
-        let is_one = |line: serde_json::Value| line["scene"].is_string() && line["digest"].is_string();
-        FILES.iter().any(|name| own::first_line(&folder.join(name)).is_some_and(is_one))
     }
 
     /// An action that was done, or refused, and what is known of the agent after it.

@@ -4,7 +4,7 @@
 
 mod resume;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
@@ -12,7 +12,7 @@ use virtualcity::graph::{Action, NodeId, Verb};
 use virtualcity::planner::{Episode, PlannerPolicy, run_episode};
 use virtualcity::render::Daylight;
 use virtualcity::tasks::{Outcome, Task, World};
-use virtualcity::{Environment, PictureOptions, RecordError, RecordOptions, Recorder};
+use virtualcity::{Environment, OwnFiles, PictureOptions, RecordError, RecordOptions, Recorder};
 
 const SMALL: RecordOptions = RecordOptions { width: 64, dataset: true, finer: 2, daylight: None };
 
@@ -72,11 +72,12 @@ fn an_episode_without_actions_shows_the_home() {
 fn an_episode_is_written_down_and_read_again() {
     let at = folder("record");
     // Remains of a longer record, and a file of the user's.
-    for name in ["film/900.jpg", "frames/000900.png", "film/notes.txt"] {
-        virtualcity::files::write(at.join(name), b"before").unwrap();
+    virtualcity::files::write(at.join("film/notes.txt"), b"before").unwrap();
+    let mut longer = OwnFiles::begin(&at, &[]).unwrap();
+    for name in ["film/900.jpg", "frames/000900.png", "trajectory.jsonl", "annotations.json"] {
+        longer.write(name, b"before").unwrap();
     }
-    virtualcity::files::write(at.join("trajectory.jsonl"), br#"{"scene":"flat","digest":"0"}"#).unwrap();
-    virtualcity::files::write(at.join("annotations.json"), br#"{"info":{"contributor":"VirtualCity"}}"#).unwrap();
+    longer.settle().unwrap();
     let (episode, home) = record(&at);
     assert_eq!(episode.outcome, Outcome::Won);
     let all = files(&at);
@@ -117,6 +118,12 @@ fn an_episode_is_written_down_and_read_again() {
     assert!(!images.is_empty() && !coco["annotations"].as_array().unwrap().is_empty());
     assert!(images.iter().all(|image| all.contains_key(Path::new(image["file_name"].as_str().unwrap()))));
     assert_eq!(&all[Path::new("scene.glb")][..4], b"glTF");
+    // The list names what the record wrote, and nothing else.
+    let listed = std::str::from_utf8(&all[Path::new("files.txt")]).unwrap();
+    let listed: BTreeSet<&Path> = listed.lines().skip(1).map(Path::new).collect();
+    let others = ["film/notes.txt", "files.txt"].map(Path::new);
+    let written: BTreeSet<&Path> = all.keys().map(PathBuf::as_path).filter(|name| !others.contains(name)).collect();
+    assert_eq!(listed, written);
 }
 
 /// Files of other programs stay, whether a record or a data set would have one of that name.
@@ -135,6 +142,46 @@ fn files_of_others_are_not_removed() {
         assert_eq!(dataset.is_some_and(|why| why.contains(name)), is_of_dataset, "{name}");
         assert_eq!(std::fs::read(at.join(name)).unwrap(), b"{}");
     }
+}
+
+/// In the folder of an earlier run as in a fresh one.
+#[test]
+fn files_of_others_stay_beside_those_of_an_earlier_run() {
+    let home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let task = Task::new("nothing", "InRoom(me, living_room)".parse().unwrap());
+    let at = folder("others_later");
+    let mut own = OwnFiles::begin(&at, &[]).unwrap();
+    own.write("index.html", b"earlier").unwrap();
+    own.settle().unwrap();
+    let record = |dataset| {
+        let options = RecordOptions { dataset, ..SMALL };
+        Recorder::create(&at, home.clone(), me, &task, options).map(drop).map_err(|e| e.to_string())
+    };
+    for name in ["film/500.jpg", "film/012345.jpg", "frames/999999.png", "index.html.part"] {
+        virtualcity::files::write(at.join(name), b"mine").unwrap();
+        let refused = record(true).unwrap_err();
+        assert!(refused.contains(name) && refused.contains("is in the way"), "{refused}");
+        assert_eq!(std::fs::read(at.join(name)).unwrap(), b"mine");
+        assert_eq!(std::fs::read(at.join("index.html")).unwrap(), b"earlier");
+        std::fs::remove_file(at.join(name)).unwrap();
+    }
+    // A run without a data set does not remove one.
+    own.write("annotations.json", b"boxes").unwrap();
+    assert!(record(false).unwrap_err().contains("annotations.json is of a data set"));
+    assert!(matches!(OwnFiles::begin(&at, &[]), Err(RecordError::OfDataset { .. })));
+    assert!(at.join("index.html").exists() && at.join("annotations.json").exists());
+    // Names that lead out of the folder are not believed, whoever wrote them into the list.
+    let outside = at.with_extension("txt");
+    std::fs::write(&outside, "mine").unwrap();
+    let listed = std::fs::read_to_string(at.join("files.txt")).unwrap();
+    let leading_out = format!("{listed}../others_later.txt\n{}\n", outside.display());
+    std::fs::write(at.join("files.txt"), leading_out).unwrap();
+    record(true).unwrap();
+    assert!(outside.exists() && !at.join("index.html").exists());
+    // A list of somebody else is none.
+    std::fs::write(at.join("files.txt"), "index.html\n").unwrap();
+    assert!(record(true).unwrap_err().contains("files.txt is in the way"));
 }
 
 /// Independent of the length of an episode and of its film, a data set has six pictures per second.
