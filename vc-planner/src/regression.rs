@@ -276,11 +276,16 @@ impl<'a> Regression<'a> {
     }
 
     /// What an action needs. To do something to a thing that has not been found one must
-    /// first come to see it, whatever is supposed about it.
+    /// first come to see it, whatever is supposed about it; what is to be held is seen when it is fetched, and need
+    /// not be near anything else then.
     fn needs(&self, action: &Action) -> Vec<Condition> {
+        let needs = rule::preconditions(action);
         let missing = action.things().filter(|&id| action.verb != Verb::Walk && self.is_missing(id));
-        let sight = missing.flat_map(|id| [Condition::Accessible(id), Condition::Near(id)]);
-        sight.chain(rule::preconditions(action)).collect()
+        let sight = missing.flat_map(|id| match Condition::Holding(id) {
+            held if needs.contains(&held) => vec![held],
+            _ => vec![Condition::Accessible(id), Condition::Near(id)],
+        });
+        sight.chain(needs.iter().copied()).collect()
     }
 
     /// Does an action after making true what it needs, or leaves everything as it

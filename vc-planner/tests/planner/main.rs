@@ -13,6 +13,7 @@ mod behaviour;
 mod belief;
 mod benchmark;
 mod best;
+mod carried;
 mod chances;
 mod everything;
 mod fetched;
