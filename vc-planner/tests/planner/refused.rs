@@ -244,7 +244,7 @@ fn what_is_forbidden_is_not_tried_for_ever() {
     }
 }
 
-/// What stays shut takes nothing: the agent gives up without trying to put something in.
+/// A container that stays shut takes nothing: the agent gives up without trying to put something in.
 #[test]
 fn nothing_is_put_into_what_does_not_open() {
     let mut scene = SceneBuilder::new("flat");
