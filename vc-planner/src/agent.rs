@@ -359,7 +359,9 @@ impl Agent {
         let (properties, id): (&[Property], NodeId) = match (action.verb, action.object, action.target) {
             (Verb::Grab, Some(id), _) => (&[Graspable], id),
             (Verb::Walk | Verb::Run | Verb::Find, Some(id), _) => return self.avoid(id),
-            (Verb::Open | Verb::Close, Some(id), _) => (&[Openable], id),
+            // Nothing gets into what stays shut.
+            (Verb::Open, Some(id), _) => (ENCLOSES, id),
+            (Verb::Close, Some(id), _) => (&[Openable], id),
             (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (&[Switchable], id),
             (Verb::Sit, Some(id), _) => (&[Sittable], id),
             (Verb::Lie, Some(id), _) => (&[Lieable], id),

@@ -1,12 +1,14 @@
 //! An agent learns from each refusal: it does not try a refused action again while nothing has changed, and after
 //! three refusals not at all.
 
-use vc_graph::{Action, Digest, NodeId, Observation, Verb};
+use std::iter::once;
+
+use vc_graph::{Action, Digest, NodeId, Observation, Property, Relation, Verb, rule};
 
 use super::stages::ContractViolation;
-use super::{Agent, Decision};
+use super::{Agent, Decision, Mind};
 use crate::Plan;
-use crate::compile::anchor;
+use crate::compile::{anchor, is_ground};
 use crate::open_condition::Unreachable;
 
 /// After so many refusals an action is not tried any more: what looks different each time may fail all the same.
@@ -84,6 +86,8 @@ impl Agent {
                 return Decision::Act(action, plan);
             }
             vain = Some(action);
+            // It was thought of, and not tried again.
+            self.tried.pop();
             self.forget_plans();
             if let Some(detour) = self.detour(&action) {
                 return detour;
@@ -136,5 +140,39 @@ impl Agent {
             return Some(room);
         }
         graph.in_room(room).find(|&id| id != self.id && self.belief.known().contains(id) && anchor(graph, id) == id)
+    }
+
+    /// Plans to open elsewhere what bodies could not open in its place, as a box in a wardrobe has no room for its lid:
+    /// to take it out, to put it down on a surface of the room or on the floor, and to open it there. Whether the rule
+    /// allows it; the thesis's agent keeps no plan.
+    pub(crate) fn open_elsewhere(&mut self, action: &Action) -> bool {
+        if self.mind == Mind::Faithful {
+            return false;
+        }
+        let graph = self.belief.graph();
+        let shut_in = |id: &NodeId| graph.place(*id).is_some_and(|place| place.relation == Relation::Inside);
+        let Some(id) = action.object.filter(|id| action.verb == Verb::Open && shut_in(id)) else { return false };
+        let on = |at| vec![Action::one(Verb::Walk, at), Action::two(Verb::Place, id, at)];
+        let downs = self.surfaces_here().into_iter().map(on).chain(once(vec![Action::one(Verb::Drop, id)]));
+        let plans = downs.map(|down| [vec![Action::one(Verb::Grab, id)], down, vec![*action]].concat());
+        let Some(plan) = plans.into_iter().find(|plan| self.is_allowed(plan)) else { return false };
+        self.next = plan.into();
+        self.tried.clear();
+        true
+    }
+
+    /// The surfaces that stay in the agent's room and are no seats or beds, in the order of their numbers.
+    fn surfaces_here(&self) -> Vec<NodeId> {
+        let graph = self.belief.graph();
+        let soft = [Property::Graspable, Property::Sittable, Property::Lieable];
+        let stays = |n: &vc_graph::Node| n.affords(Property::Surface) && !soft.iter().any(|p| n.affords(*p));
+        let fits = |id: &NodeId| !is_ground(graph, *id) && graph.node(*id).is_some_and(stays);
+        graph.room_of(self.id).into_iter().flat_map(|room| graph.in_room(room)).filter(fits).collect()
+    }
+
+    /// Whether the rule allows a plan from the state that the agent believes in.
+    fn is_allowed(&self, plan: &[Action]) -> bool {
+        let mut graph = self.belief.graph().clone();
+        plan.iter().all(|action| rule::step(&mut graph, self.id, action).is_ok())
     }
 }

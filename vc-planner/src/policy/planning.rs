@@ -44,14 +44,14 @@ impl Planning {
     }
 
     /// The agent walks up to a thing with which the world could not do an action; after the second refusal it
-    /// expects the action no more.
+    /// opens elsewhere what can be taken out, and else expects the action no more.
     fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
         self.refusals += 1;
         if let Some(agent) = &mut self.agent {
             agent.refused(action);
             match why {
                 WorldError::Failed(_) if self.failed != Some(*action) => agent.go_back_to(action),
-                WorldError::Failed(_) if agent.bar(action) => self.refusals = 0,
+                WorldError::Failed(_) if agent.open_elsewhere(action) || agent.bar(action) => self.refusals = 0,
                 _ => {}
             }
         }

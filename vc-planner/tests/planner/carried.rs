@@ -1,10 +1,10 @@
-//! Goals that put things into or onto what is itself carried about: it has to be found first.
+//! Goals that put things into or onto what is itself carried about: it has to be found first, and to be opened.
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
-use vc_graph::{Draft, NodeId, SceneBuilder, Simulator};
-use vc_planner::{EpisodeOptions, PlannerPolicy, Policy};
-use vc_tasks::{Outcome, Task};
+use vc_graph::{Action, ChangeSet, Draft, History, NodeId, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
+use vc_tasks::{Outcome, Task, World, WorldError};
 
 /// Where the item and its holder may be: two floors, a piece of furniture in each room, a closet.
 const PLACES: usize = 5;
@@ -44,6 +44,54 @@ fn what_is_carried_about_is_filled_wherever_the_two_are() {
                 assert_eq!(episode.outcome, Outcome::Won, "{case}: {:?}", episode.reason);
                 assert!(episode.steps <= 16, "{case}: {} steps", episode.steps);
             }
+        }
+    }
+}
+
+/// A world in which nothing that is inside something opens: there is no room for its lid.
+struct Cramped(Simulator);
+
+impl World for Cramped {
+    fn graph(&self) -> &SceneGraph {
+        World::graph(&self.0)
+    }
+
+    fn history(&self) -> &History {
+        World::history(&self.0)
+    }
+
+    fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
+        let opens = action.object.filter(|_| action.verb == Verb::Open);
+        let place = opens.and_then(|id| self.0.graph().place(id));
+        if place.is_some_and(|place| place.relation == Relation::Inside) {
+            return Err(WorldError::Failed("it stays 0% open".into()));
+        }
+        World::step(&mut self.0, agent, action)
+    }
+
+    fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
+        World::reset(&mut self.0, graph)
+    }
+}
+
+#[test]
+fn a_box_that_has_no_room_to_open_is_taken_out() {
+    for surface in [Some("desk"), None] {
+        let mut scene = SceneBuilder::new("flat");
+        let bedroom = scene.add(Draft::new("bedroom")).unwrap();
+        let closet = scene.add_in(bedroom, Draft::new("closet")).unwrap();
+        let shut_in = scene.add_in(closet, Draft::new("storage_box")).unwrap();
+        scene.add_in(closet, Draft::new("yarn")).unwrap();
+        surface.map(|class| scene.add_in(bedroom, Draft::new(class)).unwrap());
+        scene.add_in(bedroom, Draft::new("character")).unwrap();
+        let scene = scene.build();
+        let task = Task::new("stow", "Inside(yarn, storage_box)".parse().unwrap());
+        let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
+        for mut policy in policies {
+            let mut world = Cramped(Simulator::new(scene.clone()));
+            let episode = EpisodeOptions::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
+            assert_eq!(episode.outcome, Outcome::Won, "{}: {episode:?}", policy.name());
+            assert!(World::graph(&world).place(shut_in).is_none_or(|place| place.at != closet), "{}", policy.name());
         }
     }
 }

@@ -10,7 +10,7 @@ use homes::{GOALS, home};
 use vc_graph::{
     Action, ChangeSet, Draft, History, NodeId, Refusal, SceneBuilder, SceneGraph, Seed, Simulator, State, Stream, Verb,
 };
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
+use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Step};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
 /// A world in which some actions fail, whatever the transition rule says.
@@ -242,4 +242,23 @@ fn what_is_forbidden_is_not_tried_for_ever() {
             assert!(world.failures <= 3, "{}: {} times what is forbidden", policy.name(), world.failures);
         }
     }
+}
+
+/// A container that stays shut takes nothing: the agent gives up without trying to put something in.
+#[test]
+fn nothing_is_put_into_what_does_not_open() {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    let fridge = scene.add_in(kitchen, Draft::new("fridge")).unwrap();
+    let table = scene.add_in(kitchen, Draft::new("kitchen_table")).unwrap();
+    scene.add_on(table, Draft::new("apple")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    let task = Task::new("chill", "Inside(apple, fridge)".parse().unwrap());
+    let cannot = vec![Action::one(Verb::Open, fridge)];
+    let mut world = Clumsy { world: Simulator::new(scene.build()), cannot, forbids: false, failures: 0 };
+    let (mut policy, mut tried) = (OraclePolicy::default(), Vec::new());
+    let mut note = |step: &Step| tried.push(step.action.verb);
+    let episode = EpisodeOptions::seeded(1).episode(&mut policy, &task, &mut world, &mut note);
+    assert!(episode.outcome == Outcome::Lost && world.failures == 2, "{episode:?}");
+    assert!(!tried.contains(&Verb::PutIn), "{tried:?}");
 }
