@@ -175,11 +175,14 @@ impl Environment {
         elsewhere.extend(told);
         let kept = boxes::kept(&traced, &graph, &staying);
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets, passages };
-        Ok(Self::at(Arc::new(start), settings))
+        let environment = Self::at(Arc::new(start));
+        #[cfg(feature = "render")]
+        let environment = Self { pictures: settings.pictures, ..environment };
+        Ok(environment)
     }
 
     /// The environment as it begins.
-    fn at(start: Arc<Start>, settings: &EnvironmentSettings) -> Self {
+    fn at(start: Arc<Start>) -> Self {
         Self {
             graph: start.graph.clone(),
             world: start.world.clone(),
@@ -191,7 +194,7 @@ impl Environment {
             #[cfg(feature = "render")]
             picture_cache: Arc::default(),
             #[cfg(feature = "render")]
-            pictures: settings.pictures,
+            pictures: crate::PictureOptions::default(),
             start,
         }
     }
