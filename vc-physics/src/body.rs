@@ -4,6 +4,7 @@ use nalgebra::{Point3, Vector3};
 use rapier3d::dynamics::{RigidBodyHandle, RigidBodyType};
 use vc_graph::{NodeId, Pose};
 
+use crate::engine::steady;
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert, group};
 
@@ -192,6 +193,9 @@ impl PhysicsWorld {
         };
         let Some(rigid) = self.engine.bodies.get_mut(base) else { return Ok(()) };
         rigid.set_body_type(kind, true);
+        if rigid.is_fixed() {
+            rigid.set_rotation(steady(*rigid.rotation()), true);
+        }
         rigid.set_linvel(rapier3d::math::Vector::ZERO, true);
         rigid.set_angvel(rapier3d::math::Vector::ZERO, true);
         let groups = group::base(role);

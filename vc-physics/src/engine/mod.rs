@@ -12,7 +12,7 @@ use rapier3d::dynamics::{
     RigidBodyHandle, RigidBodySet, SoftBodySet, SpringCoefficients,
 };
 use rapier3d::geometry::{BroadPhaseBvh, Collider, ColliderHandle, ColliderSet, NarrowPhase};
-use rapier3d::math::Pose as EnginePose;
+use rapier3d::math::{Pose as EnginePose, Rotation};
 use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -163,12 +163,12 @@ impl Engine {
         fixed.map(|(handle, body)| (handle, *body.position())).collect()
     }
 
-    /// Puts fixed bodies back to the bit: a body that was pinned while it was awake stays among those that the engine
-    /// integrates, and its rotation creeps by rounding.
+    /// Puts fixed bodies back: a body that was pinned while it was awake stays among those that the engine integrates,
+    /// and its rotation creeps by rounding. A body put back wakes what it touches, so it gets a rotation that stays.
     pub(crate) fn keep(&mut self, fixed: &[(RigidBodyHandle, EnginePose)]) {
         for (handle, pose) in fixed {
             if let Some(body) = self.bodies.get_mut(*handle).filter(|b| b.is_fixed() && b.position() != pose) {
-                body.set_position(*pose, false);
+                body.set_position(EnginePose { rotation: steady(pose.rotation), ..*pose }, false);
             }
         }
     }
@@ -297,4 +297,16 @@ fn parameters(dt: f32) -> IntegrationParameters {
         contact_clustering: false,
         ..IntegrationParameters::default()
     }
+}
+
+/// A rotation next to a given one that is the same to the bit when it is normalized, as the engine does in each step.
+pub(crate) fn steady(rotation: Rotation) -> Rotation {
+    let components = rotation.to_array();
+    let largest = (0..4).max_by(|&i, &j| components[i].abs().total_cmp(&components[j].abs())).unwrap_or_default();
+    let nudged = |by: i32| {
+        let mut near = components;
+        near[largest] = f32::from_bits(near[largest].to_bits().wrapping_add_signed(by));
+        Rotation::from_array(near)
+    };
+    [0, 1, -1, 2, -2, 3, -3].map(nudged).into_iter().find(|near| near.normalize() == *near).unwrap_or(rotation)
 }

@@ -277,18 +277,26 @@ fn flat_blocks_do_not_rock() {
     assert!(report.at_rest, "{awake:?} of 24 are awake");
 }
 
-/// A thing that is pinned while it turns stays to the bit, step after step.
+/// Things that are pinned while they are awake stay to the bit, step after step, and let what lies on them sleep.
 #[test]
 fn what_is_pinned_does_not_creep() {
     let mut scene = Scene::default();
-    scene.floor(5.0, 0.5);
-    let cube = scene.cube(0.1, turned(0.0, 0.0, 1.0, Vector3::new(0.3, 0.5, 0.8), 0.7));
+    scene.floor(9.0, 0.5);
+    let pair = |i: u8| {
+        let (x, y, axis) = (f32::from(i / 16), f32::from(i % 16), Vector3::new(0.3, 0.5, f32::from(i)));
+        let below = scene.cube(0.1, turned(x - 8.0, y - 8.0, 0.11, axis, 0.1 + 0.07 * f32::from(i)));
+        scene.cube(0.05, at(x - 8.0, y - 8.0, 0.27));
+        below
+    };
+    let below: Vec<NodeId> = (0..=255).map(pair).collect();
     let mut world = PhysicsWorld::build(&scene.graph(), &ShapeCache::new(), plain()).unwrap();
-    world.run(40);
-    world.pin(cube).unwrap();
-    let pose = world.pose(cube).unwrap();
+    world.run(5);
+    below.iter().for_each(|id| world.pin(*id).unwrap());
+    let poses = |world: &PhysicsWorld| below.iter().map(|id| world.pose(*id)).collect::<Vec<_>>();
+    let pinned = poses(&world);
     for _ in 0..200 {
         world.step();
-        assert_eq!(world.pose(cube), Some(pose));
+        assert_eq!(poses(&world), pinned);
     }
+    assert_eq!(world.awake(), 0);
 }
