@@ -150,9 +150,8 @@ impl Environment {
         let (before, after) = (self.graph.clone(), ruled.clone());
         let step = Step { before, after, agent, action: *action, care };
         // The floor follows the bodies whenever it is asked.
-        let mut execution = Execution::new(&mut self.world, &mut self.floor, &self.start, &step);
-        let outcome = execution.all(action);
-        let (course, folded) = (std::mem::take(&mut execution.course), std::mem::take(&mut execution.folded));
+        let (course, outcome) = Execution::new(&mut self.world, &mut self.floor, &self.start, &step).all();
+        let folded = course.folded();
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
         let done = done.map_err(|error| unsteady(error, course.balanced()));
         match &done {

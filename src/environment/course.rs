@@ -23,6 +23,16 @@ pub(super) enum BodyMotion {
     Push(Vec<(NodeId, Pose)>),
     /// Puts down what a hand holds.
     Put(Put),
+    /// Puts what was put down elsewhere; held still there if it would not stay.
+    PutAgain(NodeId, Pose, bool),
+    /// Takes what was put down out of the way, and those around it to where they were.
+    ClearAway(NodeId, Vec<(NodeId, Pose)>),
+    /// Takes what was pushed together back to where it rested.
+    PutBack(Vec<(NodeId, Pose)>),
+    /// Waits until what was disturbed rests.
+    ComeToRest,
+    /// Fills a vessel to a share.
+    Fill(NodeId, f32),
     /// Lets go of what a hand holds.
     LetGo(Hand),
     /// Moves doors, lids, drawers.
@@ -66,20 +76,56 @@ pub(super) struct Drive {
 /// What a body does in an action, and what becomes of it by the rule.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Course {
-    pub(super) beats: Vec<BodyMotion>,
-    /// Each effect, and the number of the beat with which it comes true; with the last one where
+    pub(super) motions: Vec<BodyMotion>,
+    /// Each effect, and the number of the motion with which it comes true; with the last one where
     /// there is none of its own.
     pub(super) effects: Vec<(Option<usize>, Effect<NodeId>)>,
 }
 
 impl Course {
-    pub(super) fn push(&mut self, beat: BodyMotion) {
-        self.beats.push(beat);
+    /// Records a motion. Attempts to find a place where a thing stays are not seen, only where it was put in the end.
+    pub(super) fn record(&mut self, motion: BodyMotion) {
+        use BodyMotion::{ClearAway, ComeToRest, Fill, Push, Put, PutAgain, PutBack};
+        let (last, put) = (self.motions.len().saturating_sub(1), matches!(self.motions.last(), Some(Put(_))));
+        match motion {
+            PutAgain(_, pose, balanced) => {
+                if let Some(Put(put)) = self.motions.last_mut() {
+                    (put.pose, put.balanced) = (pose, balanced);
+                }
+            }
+            // Others are pushed before it is put down beside them.
+            Push(_) if put => self.motions.insert(last, motion),
+            PutBack(_) if put && last > 0 && matches!(self.motions[last - 1], Push(_)) => {
+                self.motions.remove(last - 1);
+            }
+            ClearAway(..) | PutBack(_) | ComeToRest | Fill(..) => {}
+            motion => self.motions.push(motion),
+        }
+    }
+
+    /// Records that an effect comes true with the last motion since a number of them that has to do with it.
+    pub(super) fn comes_true(&mut self, effect: Effect<NodeId>, since: usize) {
+        // Stepping up to a thing does nothing to it.
+        let goes = matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_));
+        let does = |motion: &BodyMotion| {
+            goes || !matches!(motion, BodyMotion::Walk { .. } | BodyMotion::Turn(_) | BodyMotion::Nudge(_))
+        };
+        let motion = self.motions.iter().skip(since).rposition(does).map(|i| since + i);
+        self.effects.push((motion, effect));
+    }
+
+    /// The cloth that was folded up, with its scale now.
+    pub(super) fn folded(&self) -> Vec<(NodeId, Vector3<f32>)> {
+        let fold = |motion: &BodyMotion| match motion {
+            BodyMotion::Fold(id, scale) => Some((*id, *scale)),
+            _ => None,
+        };
+        self.motions.iter().filter_map(fold).collect()
     }
 
     /// The thing that was put down last, if it would not stay where it was put.
     pub(super) fn balanced(&self) -> Option<NodeId> {
-        self.beats.iter().rev().find_map(|beat| match beat {
+        self.motions.iter().rev().find_map(|motion| match motion {
             BodyMotion::Put(put) if put.balanced => Some(put.id),
             _ => None,
         })

@@ -1,9 +1,10 @@
 //! Queries to bodies that change nothing: which things are reachable, and where there is room.
 
 use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
+use vc_physics::{Floor, PhysicsWorld};
 
 use super::Environment;
-use super::execute::Execution;
+use super::execute::{Bodies, FreeSpot, Planner};
 use super::step::{RetryOptions, Step};
 
 impl Environment {
@@ -11,18 +12,21 @@ impl Environment {
     /// and, if the thing is inside a closed container, the container too. A lamp under the ceiling is switched
     /// at the wall, so it need only be near.
     ///
-    /// Uses `Floor::standing_pose_where` from the agent's position. Costs a copy of the bodies, a millisecond.
+    /// Uses `Floor::standing_pose_where` from the agent's position. Costs a copy of the free floor and up to a millisecond.
     pub fn can_get_at(&self, agent: NodeId, id: NodeId) -> bool {
-        let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
-        floor.update(&world);
-        let action = Action::one(Verb::Walk, id);
-        let (before, after, care) = (self.graph.clone(), self.graph.clone(), RetryOptions::default());
-        let step = Step { before, after, agent, action, care };
-        self.gets_at(&mut Execution::new(&mut world, &mut floor, &self.start, &step), id)
+        let mut floor = self.floor.clone();
+        floor.update(&self.world);
+        let step = self.unchanged(agent, Action::one(Verb::Walk, id));
+        self.gets_at(&mut Planner::new(&self.world, &mut floor, &self.start, &step), id)
     }
 
-    fn gets_at(&self, execution: &mut Execution<'_>, id: NodeId) -> bool {
-        self.graph.hidden_in(id).is_none_or(|container| execution.can_get_at(container)) && execution.can_get_at(id)
+    fn gets_at(&self, planner: &mut Planner<'_>, id: NodeId) -> bool {
+        self.graph.hidden_in(id).is_none_or(|container| planner.can_get_at(container)) && planner.can_get_at(id)
+    }
+
+    /// An action of which the rule is not asked.
+    fn unchanged(&self, agent: NodeId, action: Action) -> Step {
+        Step { before: self.graph.clone(), after: self.graph.clone(), agent, action, care: RetryOptions::default() }
     }
 
     /// Whether there are free spots for all of some things, each at one of several places. The things are
@@ -38,32 +42,39 @@ impl Environment {
     /// The first thing for which no place has room, or to which no path is left.
     pub fn has_room(&self, agent: NodeId, wants: &[(NodeId, Vec<Place>)]) -> Result<(), NodeId> {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
-        floor.update(&world);
         for (id, places) in wants {
-            let spot = places.iter().find_map(|&place| {
-                let verb = if place.relation == Relation::Inside { Verb::PutIn } else { Verb::Place };
-                let action = Action::two(verb, *id, place.at);
-                let (before, after, care) = (self.graph.clone(), self.graph.clone(), RetryOptions::default());
-                let step = Step { before, after, agent, action, care };
-                let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
-                if place.relation == Relation::Inside && is_shut && !world.set_openness(place.at, 1.0).ok()? {
-                    return None;
-                }
-                floor.update(&world);
-                let mut execution = Execution::new(&mut world, &mut floor, &self.start, &step);
-                if !self.gets_at(&mut execution, *id) {
-                    return None;
-                }
-                let spot = execution.spot(*id, place).ok()?;
-                let stand = execution.stand_for(self.graph.room_of(place.at), *id, place, spot).ok()?;
-                stand.map(|(_, spot)| spot)
-            });
-            // The spot is finite and the thing exists.
-            let put = spot.is_some_and(|spot| world.place(*id, spot).is_ok());
-            if !put {
+            if !places.iter().any(|place| self.puts(&mut world, &mut floor, agent, (*id, *place)).is_some()) {
                 return Err(*id);
             }
         }
         Ok(())
+    }
+
+    /// Puts a thing at a place in a copy of the bodies, if there is room that can be reached.
+    fn puts(
+        &self,
+        world: &mut PhysicsWorld,
+        floor: &mut Floor,
+        agent: NodeId,
+        (id, place): (NodeId, Place),
+    ) -> Option<()> {
+        let inside = place.relation == Relation::Inside;
+        let step = self.unchanged(agent, Action::two(if inside { Verb::PutIn } else { Verb::Place }, id, place.at));
+        let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
+        if inside && is_shut && !world.set_openness(place.at, 1.0).ok()? {
+            return None;
+        }
+        floor.update(world);
+        if !self.gets_at(&mut Planner::new(world, floor, &self.start, &step), id) {
+            return None;
+        }
+        let FreeSpot { spot, first } = Planner::new(world, floor, &self.start, &step).spot(id, place).ok()?;
+        for mut motion in first {
+            Bodies { world, start: &self.start, before: &self.graph, agent }.perform(&mut motion).ok()?;
+        }
+        let room = self.graph.room_of(place.at);
+        let (_, spot) = Planner::new(world, floor, &self.start, &step).stand_for(room, id, place, spot).ok()??;
+        // The spot is finite and the thing exists.
+        world.place(id, spot).ok()
     }
 }

@@ -41,9 +41,8 @@ impl Undo {
         let Some(kept) = &self.kept else { return };
         *world = PhysicsWorld::clone(kept);
         for step in &self.since {
-            let mut execution = Execution::new(world, floor, start, step);
             // The action was done before, so it can be done again.
-            let _ = execution.all(&step.action);
+            drop(Execution::new(world, floor, start, step).all());
             come_to_rest(world);
         }
     }

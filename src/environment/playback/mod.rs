@@ -149,7 +149,7 @@ impl Player {
 
     /// Does what is due in a tick; gives whether there is more to come.
     fn tick(&mut self, show: &mut Environment) -> bool {
-        let Some(beat) = self.course.beats.get(self.next).cloned() else {
+        let Some(beat) = self.course.motions.get(self.next).cloned() else {
             show.poses.remove(&self.agent);
             return false;
         };
@@ -169,7 +169,7 @@ impl Player {
 
     /// What the rule says of this beat is the case from now on.
     fn come_true(&mut self, show: &mut Environment) {
-        let last = self.next + 1 == self.course.beats.len();
+        let last = self.next + 1 == self.course.motions.len();
         let due = |at: &Option<usize>| at.map_or(last, |at| at == self.next);
         let effects: Vec<_> = self.course.effects.extract_if(.., |(at, _)| due(at)).collect();
         for (_, effect) in effects {
@@ -211,6 +211,9 @@ impl Player {
                 true
             }
             BodyMotion::Put(put) => self.put(show, put, before),
+            // A course has only the one that succeeded.
+            BodyMotion::PutAgain(..) | BodyMotion::ClearAway(..) | BodyMotion::PutBack(_) => true,
+            BodyMotion::ComeToRest | BodyMotion::Fill(..) => true,
             BodyMotion::LetGo(hand) => self.at_once(show, before, |show| drop(show.world.drop(agent, *hand))),
             BodyMotion::Dress(id) => self.at_once(show, before, |show| drop(show.world.remove(*id))),
             BodyMotion::Undress(hand, id) => self.at_once(show, before, |show| undress(show, agent, *hand, *id)),

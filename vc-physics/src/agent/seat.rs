@@ -102,7 +102,7 @@ impl PhysicsWorld {
         if self.thing(on)?.state.role == BodyRole::Carried {
             return Err(AgentError::Held(on));
         }
-        let body = self.standing(agent)?;
+        let body = self.standing_mut(agent)?;
         let feet = body.feet;
         let half = if matches!(posture(on, 0), Posture::Lying { .. }) { body.plan.height / 2.0 } else { 0.0 };
         let far = |p: &Pose| {

@@ -1,7 +1,7 @@
 //! Walking: velocities, paths, and avoidance of other walkers.
 
-use nalgebra::{Point2, Vector2};
-use vc_graph::NodeId;
+use nalgebra::{Point2, Point3, UnitQuaternion, Vector2, Vector3};
+use vc_graph::{NodeId, Pose};
 
 use super::avoid::{self, Walker};
 use crate::convert::facing;
@@ -50,7 +50,7 @@ impl PhysicsWorld {
         if !velocity.iter().all(|v| v.is_finite()) {
             return Err(PhysicsError::NotFinite("the velocity", id).into());
         }
-        let agent = self.standing(id)?;
+        let agent = self.standing_mut(id)?;
         let v = velocity * (agent.plan.run / velocity.norm().max(agent.plan.run));
         agent.walk = if v == Vector2::zeros() { Motion::Still } else { Motion::Going([v.x, v.y]) };
         Ok(())
@@ -72,7 +72,7 @@ impl PhysicsWorld {
     /// ```
     pub fn jump(&mut self, id: NodeId) -> Result<(), AgentError> {
         let speed = (2.0 * self.settings.gravity.max(0.0) * JUMP).sqrt();
-        let agent = self.standing(id)?;
+        let agent = self.standing_mut(id)?;
         if agent.grounded && agent.walk != Motion::Led {
             (agent.grounded, agent.fall) = (false, -speed);
         }
@@ -100,7 +100,7 @@ impl PhysicsWorld {
         if path.iter().any(|p| !p.x.is_finite() || !p.y.is_finite()) {
             return Err(PhysicsError::NotFinite("the path", id).into());
         }
-        let agent = self.standing(id)?;
+        let agent = self.standing_mut(id)?;
         let speed = if run { agent.plan.run } else { agent.plan.walk };
         let points: Vec<[f32; 2]> = path.iter().map(|p| [p.x, p.y]).collect();
         agent.walk = if points.is_empty() { Motion::Still } else { Motion::Along { points, next: 0, speed, idle: 0 } };
@@ -120,13 +120,46 @@ impl PhysicsWorld {
     /// assert!(front.y > 0.999);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn face(&mut self, id: NodeId, point: nalgebra::Point3<f32>) -> Result<(), AgentError> {
+    pub fn face(&mut self, id: NodeId, point: Point3<f32>) -> Result<(), AgentError> {
+        let turned = self.turned_to(id, point)?;
+        self.turn(id, turned.rotation)
+    }
+
+    /// The pose of a standing agent's feet after [`face`](Self::face), while the world stays as it is.
+    ///
+    /// # Errors
+    /// As [`Self::go`].
+    pub fn turned_to(&self, id: NodeId, point: Point3<f32>) -> Result<Pose, AgentError> {
         if !convert::is_finite(&point.coords) {
             return Err(PhysicsError::NotFinite("the point", id).into());
         }
-        let agent = self.standing(id)?;
-        let way = point.coords - agent.feet.translation.vector;
-        agent.feet.rotation = facing(way.x, way.y);
+        let feet = self.standing(id)?.feet;
+        let way = point.coords - feet.translation.vector;
+        Ok(Pose::from_parts(feet.translation, facing(way.x, way.y)))
+    }
+
+    /// Turns a standing agent at once to an orientation, of which only the rotation around the vertical counts.
+    ///
+    /// # Errors
+    /// As [`Self::go`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let north = nalgebra::UnitQuaternion::from_axis_angle(&nalgebra::Vector3::z_axis(), 1.5708);
+    /// world.turn(home.person, north)?;
+    /// assert!(world.pose(home.person).is_some_and(|feet| (feet * nalgebra::Point3::new(1.0, 0.0, 0.0)).y > 0.999));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn turn(&mut self, id: NodeId, rotation: UnitQuaternion<f32>) -> Result<(), AgentError> {
+        if !rotation.coords.iter().all(|c| c.is_finite()) {
+            return Err(PhysicsError::NotFinite("the orientation", id).into());
+        }
+        self.standing(id)?;
+        let front = rotation * Vector3::x();
+        // To the bit as it is, if it is about the vertical already.
+        let upright = if rotation.i == 0.0 && rotation.j == 0.0 { rotation } else { facing(front.x, front.y) };
+        self.agent_mut(id)?.feet.rotation = upright;
         self.embody(id, true);
         Ok(())
     }
@@ -144,12 +177,17 @@ impl PhysicsWorld {
         })
     }
 
-    pub(crate) fn standing(&mut self, id: NodeId) -> Result<&mut Agent, AgentError> {
-        let agent = self.agent_mut(id)?;
+    pub(crate) fn standing(&self, id: NodeId) -> Result<&Agent, AgentError> {
+        let agent = self.agent(id)?;
         match agent.posture {
             Posture::Standing => Ok(agent),
             other => Err(AgentError::Posture { agent: id, posture: other.as_str() }),
         }
+    }
+
+    pub(crate) fn standing_mut(&mut self, id: NodeId) -> Result<&mut Agent, AgentError> {
+        self.standing(id)?;
+        Ok(self.agent_mut(id)?)
     }
 
     /// One step of all agents, which avoid each other.

@@ -5,7 +5,8 @@ use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, NodeKind, Place, Pose, Property};
 use vc_physics::{PhysicsWorld, StandingPose};
 
-use super::{Done, Execution, towards};
+use super::planner::{Plan, Planner, Planning};
+use super::towards;
 use crate::environment::PhysicalRefusal;
 use crate::environment::course::BodyMotion;
 use crate::environment::outlook;
@@ -21,13 +22,13 @@ const BETWEEN: f32 = 0.15;
 /// How many of the points in a container must be visible to the agent that opens it.
 const SHOWN: usize = 6;
 
-impl Execution<'_> {
+impl Planner<'_> {
     /// Brings a thing within reach of the hands: by turning, by a step or by a walk.
-    pub(super) fn reach(&mut self, id: NodeId) -> Done {
+    pub(super) fn reach(&mut self, id: NodeId) -> Planning {
         let body = self.body_of(id)?;
-        let reach = self.plan().reach;
+        let reach = self.body().reach;
         if self.world.reach_distance(self.agent, body)? <= reach {
-            return self.face(body);
+            return Ok(self.face(body));
         }
         if !self.stands() {
             let distance = self.world.reach_distance(self.agent, body)?;
@@ -44,13 +45,13 @@ impl Execution<'_> {
         if self.is_overhead(body) || self.has_cord(body) {
             return matches!(self.stand_before(id), Ok(Some(_)));
         }
-        let here = self.world.reach_distance(self.agent, body).is_ok_and(|far| far <= self.plan().reach);
+        let here = self.world.reach_distance(self.agent, body).is_ok_and(|far| far <= self.body().reach);
         here || matches!(self.stand_at(body, self.before.room_of(body)), Ok(Some(_)))
     }
 
     /// Whether a thing is higher than one reaches.
     pub(super) fn is_overhead(&self, id: NodeId) -> bool {
-        let top = self.feet().translation.z + self.plan().shoulder() + self.plan().reach;
+        let top = self.feet().translation.z + self.body().shoulder() + self.body().reach;
         self.world.aabb(id).is_some_and(|aabb| aabb.min.z > top)
     }
 
@@ -61,9 +62,9 @@ impl Execution<'_> {
         id: NodeId,
         room: Option<NodeId>,
     ) -> Result<Option<StandingPose>, PhysicalRefusal> {
-        self.at_need_nudging(|execution| {
-            let found = execution.stand_where(id, room, |feet| execution.sees(feet, id))?;
-            if found.is_some() { Ok(found) } else { execution.stand_where(id, room, |_| true) }
+        self.at_need_nudging(|planner| {
+            let found = planner.stand_where(id, room, |feet| planner.sees(feet, id))?;
+            if found.is_some() { Ok(found) } else { planner.stand_where(id, room, |_| true) }
         })
     }
 
@@ -85,7 +86,7 @@ impl Execution<'_> {
 
     /// Whether one who stands somewhere sees a thing.
     fn sees(&self, feet: &Pose, id: NodeId) -> bool {
-        self.floor.sees(self.world, &self.plan(), feet, id)
+        self.floor.sees(self.world, &self.body(), feet, id)
     }
 
     fn stand_where(
@@ -96,7 +97,7 @@ impl Execution<'_> {
     ) -> Result<Option<StandingPose>, PhysicalRefusal> {
         let from = self.feet().translation.vector.xy().into();
         let good = |feet: &Pose| self.is_good(feet, room) && admits(feet);
-        Ok(self.floor.standing_pose_where(self.world, &self.plan(), from, id, good)?)
+        Ok(self.floor.standing_pose_where(self.world, &self.body(), from, id, good)?)
     }
 
     /// Whether the agent may stand somewhere: in a room, where nobody else is, and free, or by
@@ -121,8 +122,8 @@ impl Execution<'_> {
         others.filter_map(|a| self.world.pose(a)).all(|p| (p.translation.vector.xy() - spot.coords).norm() >= APART)
     }
 
-    /// Walks to a spot at once; what stands open in its way there gives way.
-    pub(super) fn walk(&mut self, stand: StandingPose) -> Done {
+    /// A walk to a spot; what stands open in its way there gives way.
+    pub(super) fn walk(&self, stand: StandingPose) -> Planning {
         let StandingPose { feet, mut route } = stand;
         // A way begins on the free floor, somebody perhaps a step beside it.
         let from = Point2::from(self.feet().translation.vector.xy());
@@ -130,22 +131,18 @@ impl Execution<'_> {
             route.points.insert(0, from);
         }
         let aside = self.world.parts_to_move_aside(self.agent, &feet)?.unwrap_or_default();
-        aside.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
-        self.world.teleport(self.agent, feet)?;
-        if !aside.is_empty() {
-            self.course.push(BodyMotion::Nudge(aside));
-        }
-        self.course.push(BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.run });
-        Ok(())
+        let walk = BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.run };
+        let nudge = (!aside.is_empty()).then_some(BodyMotion::Nudge(aside));
+        Ok(Plan::of(nudge.into_iter().chain([walk])))
     }
 
-    pub(super) fn go_to(&mut self, id: NodeId) -> Done {
+    pub(super) fn go_to(&mut self, id: NodeId) -> Planning {
         self.floor.update(self.world);
         let kind = self.before.node(id).map(vc_graph::Node::kind);
-        let stand = self.at_need_nudging(|execution| match kind {
-            Some(NodeKind::Room) => Ok(execution.stand_in(id)),
-            Some(NodeKind::Agent) => Ok(execution.stand_beside(id, |_| true)),
-            _ => execution.stand_before(id),
+        let stand = self.at_need_nudging(|planner| match kind {
+            Some(NodeKind::Room) => Ok(planner.stand_in(id)),
+            Some(NodeKind::Agent) => Ok(planner.stand_beside(id, |_| true)),
+            _ => planner.stand_before(id),
         })?;
         self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(id)))?)
     }
@@ -154,7 +151,7 @@ impl Execution<'_> {
     /// same for what it is on or in, as long as that is near the thing itself.
     pub(super) fn stand_before(&self, id: NodeId) -> Result<Option<StandingPose>, PhysicalRefusal> {
         for at in std::iter::once(id).chain(self.before.support_chain(id)) {
-            for far in [self.plan().stretch(), NEAR] {
+            for far in [self.body().stretch(), NEAR] {
                 let reach = self.stand_within(id, at, far)?;
                 if reach.is_some() {
                     return Ok(reach);
@@ -243,24 +240,23 @@ impl Execution<'_> {
     }
 
     /// Turns to a thing where the agent stands.
-    pub(super) fn face(&mut self, id: NodeId) -> Done {
-        if !self.stands() {
-            return Ok(());
-        }
+    pub(super) fn face(&self, id: NodeId) -> Plan {
         let node = self.before.node(id);
         let centre = self.world.aabb(id).or_else(|| node?.aabb()).map(|b| b.centre());
-        let Some(centre) = centre.or_else(|| node?.position()) else { return Ok(()) };
-        if (centre.xy() - Point2::from(self.feet().translation.vector.xy())).norm() > 0.05 {
-            self.world.face(self.agent, centre)?;
-            self.course.push(BodyMotion::Turn(self.feet()));
-        }
-        Ok(())
+        let centre = centre.or_else(|| node?.position());
+        let aside = |at: &Point3<f32>| (at.xy() - Point2::from(self.feet().translation.vector.xy())).norm() > 0.05;
+        centre.filter(aside).map_or_else(Plan::default, |at| self.turn_to(at))
+    }
+
+    /// Turns to a point where the agent stands.
+    pub(super) fn turn_to(&self, to: Point3<f32>) -> Plan {
+        Plan::of(self.world.turned_to(self.agent, to).map(BodyMotion::Turn).ok())
     }
 
     /// Whether a thing can be put at a pose by an agent with its feet somewhere: within reach, and not where its
     /// own body is.
     pub(super) fn puts_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
-        self.world.put_distance(self.agent, feet, id, spot).is_ok_and(|far| far <= self.plan().reach)
+        self.world.put_distance(self.agent, feet, id, spot).is_ok_and(|far| far <= self.body().reach)
             && (!self.stands() || self.world.is_clear_of_body(self.agent, feet, id, spot).unwrap_or(false))
     }
 
@@ -270,18 +266,16 @@ impl Execution<'_> {
         self.puts_from(feet, id, spot) && self.floor.stays_open(self.world, id, spot, &[at]).unwrap_or(true)
     }
 
-    /// Walks to where a spot at a place can be reached, else to where another one can, else as near to it as one gets.
-    /// Returns the spot.
-    pub(super) fn step_to(&mut self, id: NodeId, place: Place, spot: Pose) -> Result<Pose, PhysicalRefusal> {
+    /// A walk to where a spot at a place can be reached, else to where another one can, else as near to it as one gets;
+    /// and the spot.
+    pub(super) fn step_to(&mut self, id: NodeId, place: Place, spot: Pose) -> Result<(Plan, Pose), PhysicalRefusal> {
         self.floor.update(self.world);
         let (room, target) = (self.before.room_of(self.agent), Point3::from(spot.translation.vector));
         if let Some((stand, reached)) = self.stand_for(room, id, place, spot)? {
-            self.walk(stand)?;
-            return Ok(reached);
+            return Ok((self.walk(stand)?, reached));
         }
         let near = self.nearest_stand(room, target, NEAR, |_| true);
-        self.walk(near.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(place.at)))?)?;
-        Ok(spot)
+        Ok((self.walk(near.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(place.at)))?)?, spot))
     }
 
     /// Where to stand to put a thing to a spot at a place; if there is no such spot on the floor, to another one, which
@@ -324,38 +318,31 @@ impl Execution<'_> {
         spot: &Pose,
     ) -> Result<Option<StandingPose>, PhysicalRefusal> {
         let target = Point3::from(spot.translation.vector);
-        self.at_need_nudging(|execution| {
-            Ok(execution.nearest_stand(room, target, NEAR, |feet| execution.puts_down_from(feet, id, spot)))
+        self.at_need_nudging(|planner| {
+            Ok(planner.nearest_stand(room, target, NEAR, |feet| planner.puts_down_from(feet, id, spot)))
         })
-    }
-
-    pub(super) fn turn_to(&mut self, spot: &Pose) {
-        let to = Point3::from(spot.translation.vector);
-        if self.stands() && self.world.face(self.agent, to).is_ok() {
-            self.course.push(BodyMotion::Turn(self.feet()));
-        }
     }
 
     /// Moves the agent to a spot from which it reaches a door and where it is not in the door's way while that opens
     /// or closes; if there is no such spot, to one where it is at least not in the way. An agent that opens a
     /// container stands where it sees into it, if there is such a spot.
-    pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Done {
+    pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Planning {
         let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
         let clear_here = self.world.can_stand_with_open(self.agent, &self.feet(), id, &swing)?;
         let free = |feet: &Pose, at: &[f32]| self.world.can_stand_with_open(self.agent, feet, id, at).unwrap_or(false);
         let clear = |feet: &Pose| free(feet, &swing);
         self.floor.update(self.world);
-        let stays = self.world.reach_distance(self.agent, id)? <= self.plan().reach && clear_here;
+        let stays = self.world.reach_distance(self.agent, id)? <= self.body().reach && clear_here;
         let opened = if open > 0.5 { self.opened(id)? } else { None };
         let shows = |feet: &Pose| opened.as_ref().is_none_or(|opened| self.shows_inside(opened, feet, id));
         if stays && shows(&self.feet()) {
-            return self.face(id);
+            return Ok(self.face(id));
         }
         let ends = |feet: &Pose| free(feet, &swing[..1]);
         let room = self.before.room_of(self.agent);
         let mut found = self.stand_where(id, room, |feet| clear(feet) && shows(feet))?;
         if found.is_none() && stays {
-            return self.face(id);
+            return Ok(self.face(id));
         }
         if found.is_none() {
             found = self.stand_where(id, room, |feet| clear(feet) && self.sees(feet, id))?;
@@ -386,12 +373,12 @@ impl Execution<'_> {
     /// Whether somebody who stands somewhere sees into a thing when it stands open.
     fn shows_inside(&self, opened: &PhysicsWorld, feet: &Pose, id: NodeId) -> bool {
         let Some(closed) = self.world.aabb(id) else { return false };
-        outlook::into_thing(opened, self.before, (id, &closed), (feet, self.plan().eye())) >= SHOWN
+        outlook::into_thing(opened, self.before, (id, &closed), (feet, self.body().eye())) >= SHOWN
     }
 
     /// Whether a thing covers a window from above.
     pub(super) fn has_cord(&self, id: NodeId) -> bool {
-        let high = self.feet().translation.z + self.plan().shoulder();
+        let high = self.feet().translation.z + self.body().shoulder();
         self.before.covers_windows(id) && self.world.aabb(id).is_some_and(|aabb| aabb.max.z > high)
     }
 }

@@ -1,0 +1,146 @@
+//! Motions done at once by the bodies of a world.
+
+use vc_graph::asset::JointKind;
+use vc_graph::{NodeId, Pose, SceneGraph};
+use vc_physics::{BodyRole, MovingPart, PhysicsWorld, Posture};
+
+use super::load_of;
+use super::open::WIDE;
+use super::spot::{AWAY, scaled};
+use crate::environment::course::{BodyMotion, Drive, Put};
+use crate::environment::settle::come_to_rest;
+use crate::environment::{PhysicalRefusal, Start};
+
+/// Number of steps after which a moving door counts as stuck.
+const DRIVING: u32 = 300;
+
+type Done = Result<(), PhysicalRefusal>;
+
+/// The bodies that an agent moves.
+pub(in crate::environment) struct Bodies<'a> {
+    pub(in crate::environment) world: &'a mut PhysicsWorld,
+    pub(in crate::environment) start: &'a Start,
+    /// The scene before the action.
+    pub(in crate::environment) before: &'a SceneGraph,
+    pub(in crate::environment) agent: NodeId,
+}
+
+impl Bodies<'_> {
+    /// Does a motion. What is known of it only by then is written into it: how far a door has opened.
+    pub(in crate::environment) fn perform(&mut self, motion: &mut BodyMotion) -> Done {
+        let agent = self.agent;
+        match motion {
+            BodyMotion::Walk { feet, .. } | BodyMotion::GetUp(feet) => self.world.teleport(agent, *feet)?,
+            BodyMotion::Turn(feet) => self.world.turn(agent, feet.rotation)?,
+            BodyMotion::Take(hand, id) => {
+                self.world.grab_with_load(agent, *hand, *id, &load_of(self.before, *id))?;
+            }
+            // The things are loose, so they can be pinned.
+            BodyMotion::Steady(things) => things.iter().for_each(|id| drop(self.world.pin(*id))),
+            BodyMotion::Fold(id, scale) => {
+                let graph = scaled(self.before, *id, *scale)?;
+                self.world.reshape(&graph, *id, &self.start.shapes)?;
+            }
+            BodyMotion::Nudge(parts) => {
+                parts.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
+            }
+            BodyMotion::Push(moved) => self.push(moved)?,
+            BodyMotion::Put(put) => self.put(put)?,
+            BodyMotion::PutAgain(id, pose, held_still) => {
+                self.world.place(*id, *pose)?;
+                if *held_still {
+                    self.world.rest();
+                }
+            }
+            BodyMotion::ClearAway(id, around) => self.clear_away(*id, around)?,
+            BodyMotion::PutBack(poses) => self.world.rest_at(poses)?,
+            BodyMotion::LetGo(hand) => self.world.drop(agent, *hand).map(|_| ())?,
+            BodyMotion::Drive(drive) => self.drive(drive)?,
+            BodyMotion::Rest(id, true) => self.world.lie(agent, *id)?,
+            BodyMotion::Rest(id, false) => self.world.sit(agent, *id)?,
+            BodyMotion::Dress(id) => self.world.remove(*id)?,
+            BodyMotion::Undress(hand, id) => {
+                self.world.insert(self.before, *id, &self.start.shapes)?;
+                let feet = self.world.pose(agent).unwrap_or_else(Pose::identity);
+                self.world.place(*id, feet * Pose::translation(0.3, 0.0, 1.0))?;
+                self.world.grab(agent, *hand, *id)?;
+            }
+            BodyMotion::Fill(id, level) => {
+                // A vessel without a body has no fill level.
+                let _ = self.world.fill(*id, *level);
+            }
+            BodyMotion::ComeToRest => come_to_rest(self.world),
+            BodyMotion::Gesture(..) => {}
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, moved: &[(NodeId, Pose)]) -> Done {
+        moved.iter().try_for_each(|(thing, spot)| self.world.place(*thing, *spot))?;
+        Ok(moved.iter().try_for_each(|(thing, _)| self.world.wake(*thing))?)
+    }
+
+    fn put(&mut self, put: &Put) -> Done {
+        match put.tight {
+            Some(at) => self.world.put_back(&self.start.world, (self.agent, put.hand), put.pose, at)?,
+            None => self.world.put(self.agent, put.hand, put.pose)?,
+        };
+        Ok(())
+    }
+
+    /// Takes a thing out of the way, and brings back those around it. All of them are loose again: one that was pinned
+    /// to the drawer that it came to rest in would stay behind when the drawer moves.
+    fn clear_away(&mut self, id: NodeId, around: &[(NodeId, Pose)]) -> Done {
+        self.world.place(id, Pose::translation(0.0, 0.0, AWAY))?;
+        around.iter().try_for_each(|(id, was)| self.world.place(*id, *was))?;
+        let all = around.iter().map(|(id, _)| *id).chain([id]);
+        let pinned: Vec<NodeId> = all.filter(|id| self.world.role(*id) == Some(BodyRole::Hung)).collect();
+        Ok(pinned.into_iter().try_for_each(|id| self.world.wake(id))?)
+    }
+
+    fn drive(&mut self, drive: &mut Drive) -> Done {
+        let Drive { id, open, .. } = *drive;
+        if self.before.rests_at(id, self.agent) {
+            // Nothing is in the way of what a hand holds.
+            self.world.put_all_open(id, open)?;
+        } else {
+            // A standing agent gives way to a part that swings past it.
+            let stands = self.world.posture(self.agent) == Some(Posture::Standing);
+            let past = if stands { std::slice::from_ref(&self.agent) } else { &[] };
+            drive.pushes = drive.pushes || !self.world.set_openness_ignoring(id, open, past)?;
+            if drive.pushes {
+                self.push_open(id, open)?;
+            }
+        }
+        drive.end = self.world.moving_parts(id).iter().map(|part| part.open).collect();
+        Ok(())
+    }
+
+    /// Opens or closes a thing against obstacles, which may be pushed aside. A part without a motor pushes
+    /// nothing. Drawers behind doors stay where they are if no door opens.
+    fn push_open(&mut self, id: NodeId, open: f32) -> Done {
+        let turns = |part: &MovingPart| part.kind == JointKind::Hinge;
+        if open > 0.0 {
+            self.push_parts(id, open, turns)?;
+            let parts = self.world.moving_parts(id);
+            if parts.iter().any(turns) && !parts.iter().any(|p| turns(p) && p.open >= WIDE) {
+                return Ok(());
+            }
+        }
+        self.push_parts(id, open, |_| true)
+    }
+
+    fn push_parts(&mut self, id: NodeId, open: f32, which: impl Fn(&MovingPart) -> bool) -> Done {
+        let parts = self.world.moving_parts(id);
+        for (part, _) in parts.iter().enumerate().filter(|(_, p)| p.has_motor && which(p)) {
+            self.world.drive(id, part, open)?;
+        }
+        for _ in 0..DRIVING {
+            self.world.step();
+            if !self.world.is_driven(id) {
+                break;
+            }
+        }
+        Ok(())
+    }
+}

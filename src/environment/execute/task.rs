@@ -1,0 +1,127 @@
+//! What is left to do of an action.
+
+use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Relation, State, Verb, rule};
+
+use super::planner::{Plan, Planner, Planning};
+use super::rest::FULL;
+use super::steady::Steadying;
+use crate::environment::PhysicalRefusal;
+use crate::environment::course::BodyMotion;
+
+/// Duration of a gesture, seconds.
+const GESTURE: f32 = 1.5;
+
+/// A part of an action. It becomes motions, and further tasks for when those are done, by the world as it is by then.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Task {
+    /// Holds still what would fall although nobody touches it.
+    HoldStill,
+    /// Comes within reach of what the action is about.
+    ComeNear(Action),
+    /// Brings about an effect of the rule.
+    Effect(Effect<NodeId>),
+    /// What the rule says of an effect holds from now on; motions after this many of the action were made for it.
+    ComesTrue(Effect<NodeId>, usize),
+    /// Shows an action of which no body knows more than how it looks.
+    Gesture(Action),
+    /// Moves the parts of a thing, from where the agent stands.
+    Swing { id: NodeId, open: f32 },
+    /// Looks whether a thing has opened or closed; it was at a pose before.
+    CheckOpen { id: NodeId, open: f32, before: Option<Pose> },
+    /// Looks whether a thing stands as it stood.
+    CheckBalance { id: NodeId, before: Pose },
+    /// Steps to where a spot is within reach, if it is not.
+    StepTo { id: NodeId, place: Place, spot: Pose },
+    /// Looks again for a spot after a step.
+    Arrive { id: NodeId, place: Place, spot: Pose },
+    /// Turns to a spot, and puts a held thing there.
+    PutDown { id: NodeId, place: Place, spot: Pose },
+    /// As the last, when the agent has turned.
+    LayDown { id: NodeId, place: Place, spot: Pose },
+    /// Sees to it that what was put down stays there.
+    Steady(Steadying),
+    /// Lets go of a thing after a step to a spot on the floor.
+    LetGoAt { id: NodeId, spot: Pose },
+    /// Sits or lies down, from standing.
+    RestOn { id: NodeId, lying: bool },
+}
+
+impl Planner<'_> {
+    /// What is to be done for a task now.
+    pub(super) fn plan(&mut self, task: Task) -> Planning {
+        match task {
+            Task::HoldStill => Ok(self.hold_still()),
+            Task::ComeNear(action) => self.come_near(&action),
+            Task::Effect(effect) => self.bring_about(&effect),
+            Task::ComesTrue(..) => Ok(Plan::default()),
+            Task::Gesture(action) => Ok(BodyMotion::Gesture(action, GESTURE).into()),
+            Task::Swing { id, open } => Ok(self.swing(id, open)),
+            Task::CheckOpen { id, open, before } => self.check_open(id, open, before),
+            Task::CheckBalance { id, before } => self.check_balance(id, &before),
+            Task::StepTo { id, place, spot } => self.step_to_put(id, place, spot),
+            Task::Arrive { id, place, spot } => self.arrive_to_put(id, place, spot),
+            Task::PutDown { id, place, spot } => {
+                Ok(self.turn_to(spot.translation.vector.into()).then(Task::LayDown { id, place, spot }))
+            }
+            Task::LayDown { id, place, spot } => self.lay_down(id, place, spot),
+            Task::Steady(steadying) => self.steady(steadying),
+            Task::LetGoAt { id, spot } => self.let_go_at(id, spot),
+            Task::RestOn { id, lying } => self.rest_on(id, lying),
+        }
+    }
+
+    fn hold_still(&self) -> Plan {
+        let steadied = &self.care.steadied;
+        Plan::of((!steadied.is_empty()).then(|| BodyMotion::Steady(steadied.clone())))
+    }
+
+    /// Moves the agent within reach of the action's objects if it stands.
+    fn come_near(&mut self, action: &Action) -> Planning {
+        // Actions that require nearness are done by hand.
+        let by_hand = rule::preconditions(action).iter().any(|c| matches!(c, Condition::Near(_)));
+        let rests = matches!(action.verb, Verb::Sit | Verb::Lie);
+        // Things are put down where there is room, and that spot is searched later.
+        let puts = matches!(action.verb, Verb::Place | Verb::PutIn | Verb::PutBack);
+        match action.things().find(|id| !self.is_mine(*id)) {
+            // A lamp under the ceiling is switched at the wall, wherever the switch is.
+            Some(id) if matches!(action.verb, Verb::SwitchOn | Verb::SwitchOff) && self.is_overhead(id) => {
+                Ok(self.face(id))
+            }
+            Some(id) if by_hand && !rests && !puts && !matches!(action.verb, Verb::Open | Verb::Close) => {
+                self.reach(id)
+            }
+            _ => Ok(Plan::default()),
+        }
+    }
+
+    fn bring_about(&mut self, effect: &Effect<NodeId>) -> Planning {
+        match *effect {
+            Effect::Enter(id, State::Open) => self.open(id, 1.0),
+            Effect::Enter(id, State::Closed) => self.open(id, 0.0),
+            Effect::Approach(id) if self.before.near(self.agent, id) => {
+                Ok(if self.care.stays { Plan::default() } else { self.face(id) })
+            }
+            Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
+            Effect::Face(id) => Ok(self.face(id)),
+            Effect::Hold(id) => self.hold(id),
+            Effect::PutOn(id, at) => self.put(id, Place { relation: Relation::On, at }),
+            Effect::PutInto(id, at) => self.put(id, Place { relation: Relation::Inside, at }),
+            Effect::PutWhereItWas(id) => match self.after.place(id) {
+                Some(place) => self.put(id, place),
+                None => self.let_go(id),
+            },
+            Effect::LetGo(id) => self.let_go(id),
+            Effect::SitOn(id) => self.come_to_rest_on(id, false),
+            Effect::LieOn(id) => self.come_to_rest_on(id, true),
+            Effect::StandUp => self.get_up(),
+            Effect::PourInto(id, into) => self.pour(id, into),
+            Effect::FillWithWater(id) => Ok(Plan::of(self.level(id, FULL))),
+            Effect::PutOnBody(id) => Ok(BodyMotion::Dress(id).into()),
+            Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => Err(PhysicalRefusal::NotModelled(
+                "nobody gets into vehicles here yet: `World::add_vehicle` drives them",
+            )),
+            // States such as dirt, heat and sleep have no body.
+            _ => Ok(Plan::default()),
+        }
+    }
+}
