@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::node::Node;
 use crate::serial::pose;
-use crate::{Edge, Label, NodeId, Pose, SceneGraph, StateSet};
+use crate::{Edge, Label, NodeId, Pose, Relation, SceneGraph, StateSet};
 
 /// One reversible change of a scene.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -167,6 +167,37 @@ pub struct ChangeMismatch {
 }
 
 impl ChangeSet {
+    /// The nodes that came or went, or whose states, contents or places changed; not those that only moved. A node may be
+    /// listed several times.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, State};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let mut graph = scene.build();
+    /// let mut edit = graph.edit();
+    /// edit.enter_state(fridge, State::Open)?;
+    /// assert_eq!(edit.commit().nodes().collect::<Vec<_>>(), [fridge]);
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + '_ {
+        let holds = |r: Relation| matches!(r, Relation::HoldsRight | Relation::HoldsLeft);
+        self.changes()
+            .iter()
+            .flat_map(move |change| match change {
+                Change::Add(node) | Change::Remove(node) => [Some(node.id), None],
+                Change::States { id, .. } | Change::Contents { id, .. } => [Some(*id), None],
+                Change::Link(e) | Change::Unlink(e)
+                    if holds(e.relation) || Relation::places().contains(&e.relation) =>
+                {
+                    [Some(e.from), Some(e.to)]
+                }
+                Change::Pose { .. } | Change::Link(_) | Change::Unlink(_) => [None, None],
+            })
+            .flatten()
+    }
+
     /// The changes, in order.
     pub fn changes(&self) -> &[Change] {
         &self.changes

@@ -117,7 +117,8 @@ impl ProcessTable {
         graph.nodes().flat_map(|node| self.processes_of(graph, node)).collect()
     }
 
-    fn processes_of(&self, graph: &SceneGraph, node: &Node) -> Vec<Process> {
+    /// The processes of one thing.
+    pub(super) fn processes_of(&self, graph: &SceneGraph, node: &Node) -> Vec<Process> {
         let mut last: Vec<&Rule> = Vec::new();
         for rule in self.rules.iter().rev() {
             if last.iter().all(|other| other.group != rule.group) && rule.applies(graph, node) {

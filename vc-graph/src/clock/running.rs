@@ -1,10 +1,11 @@
 //! Processes that go on in time.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::process::Process;
 use super::process_table::ProcessTable;
 use super::tick::{Span, Tick};
 use crate::{ChangeSet, EditError, Node, NodeId, SceneGraph, StateSet};
@@ -102,22 +103,55 @@ impl Running {
     pub fn notice(&mut self, table: &ProcessTable, graph: &SceneGraph) {
         let before = std::mem::take(&mut self.since);
         for process in table.processes(graph) {
-            let key = (process.node, process.name);
-            let same = before.get(&key).filter(|(_, after)| *after == process.after);
-            let begin = same.map_or(self.tick, |(begin, _)| *begin);
-            self.since.insert(key, (begin, process.after));
+            self.goes_on(&before, process);
         }
     }
 
-    /// Lets time pass and returns the changes of all processes that ended. It takes note of the scene first, and after
-    /// each tick in which a process ended, so it costs a [`Running::notice`] for each of these ticks and one more.
+    /// Takes note of changes: as [`notice`](Self::notice), where only some nodes have got other states or places since
+    /// the last one, or have gone or come.
+    ///
+    /// Costs some microseconds for each of them, and for what they carry and are on or in; the size of the scene does not
+    /// matter.
+    pub fn notice_changed(&mut self, table: &ProcessTable, graph: &SceneGraph, nodes: &[NodeId]) {
+        // A process depends on a thing's states, and on those of what it is on or in.
+        let near = |id: &NodeId| graph.carried_with(*id).into_iter().chain(graph.support_chain(*id)).chain([*id]);
+        let all: BTreeSet<NodeId> = nodes.iter().flat_map(near).collect();
+        for id in all {
+            let known: Vec<_> =
+                self.since.range((id, Arc::from(""))..).take_while(|((node, _), _)| *node == id).collect();
+            let before: BTreeMap<_, _> = known.into_iter().map(|(key, value)| (key.clone(), *value)).collect();
+            before.keys().for_each(|key| _ = self.since.remove(key));
+            for process in graph.node(id).into_iter().flat_map(|node| table.processes_of(graph, node)) {
+                self.goes_on(&before, process);
+            }
+        }
+    }
+
+    fn goes_on(&mut self, before: &BTreeMap<(NodeId, Arc<str>), (Tick, Span)>, process: Process) {
+        let key = (process.node, process.name);
+        let same = before.get(&key).filter(|(_, after)| *after == process.after);
+        let begin = same.map_or(self.tick, |(begin, _)| *begin);
+        self.since.insert(key, (begin, process.after));
+    }
+
+    /// Lets time pass and returns the changes of all processes that ended. It takes note of the scene first, so it costs
+    /// a [`Running::notice`] and then as [`pass`](Self::pass).
     ///
     /// # Errors
     /// [`EditError`] if an edit is refused; then graph and processes are as before the tick at which that happened.
     pub fn advance(&mut self, table: &ProcessTable, graph: &mut SceneGraph, by: Span) -> Result<ChangeSet, EditError> {
+        self.notice(table, graph);
+        self.pass(table, graph, by)
+    }
+
+    /// As [`advance`](Self::advance), for a scene that is as noticed before. Costs as [`Running::notice_changed`] for what
+    /// each process changes that ends.
+    ///
+    /// # Errors
+    /// As [`Running::advance`].
+    pub fn pass(&mut self, table: &ProcessTable, graph: &mut SceneGraph, by: Span) -> Result<ChangeSet, EditError> {
         let until = self.tick + by;
         let mut changes = ChangeSet::default();
-        self.notice(table, graph);
         while let Some(due) = self.next_due().filter(|due| *due <= until) {
             changes = changes.then(self.end_at(due, table, graph)?);
         }
@@ -128,12 +162,15 @@ impl Running {
     /// Ends the processes that are due at a tick, and takes note of the scene after them.
     fn end_at(&mut self, due: Tick, table: &ProcessTable, graph: &mut SceneGraph) -> Result<ChangeSet, EditError> {
         let ended: Vec<(NodeId, Arc<str>)> = self.ending().filter(|s| s.due() <= due).map(key).collect();
-        let all = table.processes(graph);
-        let ending = all.into_iter().filter(|process| ended.contains(&(process.node, process.name.clone())));
-        let changes = carry_out(graph, ending.flat_map(|process| process.changes))?;
+        let nodes: BTreeSet<NodeId> = ended.iter().map(|(node, _)| *node).collect();
+        let all = nodes.iter().filter_map(|id| graph.node(*id)).flat_map(|node| table.processes_of(graph, node));
+        let ending: Vec<Process> =
+            all.filter(|process| ended.contains(&(process.node, process.name.clone()))).collect();
+        let changes = carry_out(graph, ending.into_iter().flat_map(|process| process.changes))?;
         self.tick = due;
         ended.iter().for_each(|key| _ = self.since.remove(key));
-        self.notice(table, graph);
+        let changed: Vec<NodeId> = nodes.into_iter().chain(changes.nodes()).collect();
+        self.notice_changed(table, graph, &changed);
         Ok(changes)
     }
 }

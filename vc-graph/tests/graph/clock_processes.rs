@@ -334,3 +334,31 @@ fn an_action_takes_as_long_as_its_last_line_says() {
     assert_eq!((seconds(&Durations::builtin(), eat), seconds(&mine, eat)), (Some(120.0), Some(30.0)));
     assert_eq!((seconds(&Durations::builtin(), sleep), seconds(&mine, sleep)), (Some(28_800.0), Some(1200.0)));
 }
+
+proptest! {
+    #![proptest_config(cases(40))]
+
+    /// To take note of changes gives the same as to look at the whole scene.
+    #[test]
+    fn changes_are_noticed_as_the_whole_scene_is(
+        steps in vc_testkit::scenes::steps(24),
+        plans in vc_testkit::edits::plans(24),
+    ) {
+        let (table, mut graph) = (ProcessTable::builtin(), vc_testkit::scenes::scene(&steps, false));
+        let mut whole = Running::default();
+        whole.notice(&table, &graph);
+        let mut part = whole.clone();
+        for plan in plans {
+            let changes = vc_testkit::edits::apply(&mut graph, plan);
+            let nodes: Vec<NodeId> = changes.nodes().collect();
+            part.notice_changed(&table, &graph, &nodes);
+            whole.notice(&table, &graph);
+            prop_assert_eq!(&part, &whole);
+            let mut other = graph.clone();
+            let by = Span(30 * 60 * 60);
+            prop_assert_eq!(part.pass(&table, &mut graph, by).unwrap(), whole.advance(&table, &mut other, by).unwrap());
+            prop_assert_eq!(&part, &whole);
+            prop_assert_eq!(&graph, &other);
+        }
+    }
+}

@@ -187,7 +187,7 @@ impl PhysicsWorld {
 
     pub(crate) fn standing_mut(&mut self, id: NodeId) -> Result<&mut Agent, AgentError> {
         self.standing(id)?;
-        Ok(self.agent_mut(id)?)
+        self.agent_mut(id)
     }
 
     /// One step of all agents, which avoid each other.
