@@ -14,6 +14,7 @@
 //! 12. [What one may do with what one sees](#what-one-may-do-with-what-one-sees)
 //! 13. [Tasks that are certainly feasible](#tasks-that-are-certainly-feasible)
 //! 14. [Resetting to an edited graph](#resetting-to-an-edited-graph)
+//! 15. [Several agents at the same time](#several-agents-at-the-same-time)
 //!
 //! # Many homes at once
 //!
@@ -483,5 +484,46 @@
 //! // Nothing remains of it after a reset to the start.
 //! home.reset(&home.start().clone())?;
 //! assert_ne!(home.graph().room_of(me), Some(kitchen));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Several agents at the same time
+//!
+//! [`Environment::set_action`](crate::Environment::set_action) acts at once, one agent after the other. With
+//! [`give`](crate::Environment::give) and [`step`](crate::Environment::step) actions take their time and overlap: one
+//! tick is a sixtieth of a second. What ends in a step comes back with its tick; an action that somebody thwarts ends with
+//! an [`Interruption`](crate::Interruption).
+//!
+//! ```
+//! use virtualcity::graph::clock::Span;
+//! use virtualcity::graph::{Action, Relation, Verb};
+//! use virtualcity::{ActionError, Environment};
+//!
+//! let mut home = Environment::make("apartment/42", 2)?;
+//! let (me, you) = (home.agents()[0], home.agents()[1]);
+//! let fridge = home.graph().of_class("fridge")[0];
+//! home.give(me, Action::one(Verb::Walk, fridge));
+//! home.give(you, Action::one(Verb::Walk, fridge));
+//! let minute = Span::from_seconds(60.0);
+//! for ending in home.step_until_idle(minute) {
+//!     println!("{}: {} is there", ending.tick, home.graph().label(ending.agent));
+//! }
+//!
+//! // Both open it; one is faster, or has the lower number.
+//! home.give(me, Action::one(Verb::Open, fridge));
+//! home.give(you, Action::one(Verb::Open, fridge));
+//! while home.is_busy() {
+//!     for ending in home.step(Span(6)) {
+//!         match ending.outcome {
+//!             Ok(_) => println!("{}: {} has done it", ending.tick, home.graph().label(ending.agent)),
+//!             Err(ActionError::Interrupted { why, .. }) => println!("{}: {why}", ending.tick),
+//!             Err(other) => println!("{}: {other}", ending.tick),
+//!         }
+//!     }
+//!     // This tick as it is seen, the door half open; nothing that is done to it changes the home.
+//!     let moment = home.moment();
+//!     let open = moment.world().openness(fridge);
+//!     println!("{}: open {:?}, {} things in it", moment.tick(), open, moment.graph().relating(Relation::Inside, fridge).count());
+//! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

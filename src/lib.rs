@@ -91,8 +91,9 @@ pub use batch::Batch;
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, AlterError, Assets, Difference, Disagreement, Displaced, Environment, EnvironmentBuilder, MakeError,
-    PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, Steering, Unplaced, UnplacedReason,
+    ActionError, AlterError, Assets, Difference, Disagreement, Displaced, Ending, Environment, EnvironmentBuilder,
+    Interruption, MakeError, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, Steering, Unplaced,
+    UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{PictureOptions, Viewpoint};

@@ -99,6 +99,9 @@ impl Environment {
 
     /// Does an action; once more, and with more care, where bodies failed for no fault of its own.
     pub(super) fn act(&mut self, agent: NodeId, action: &Action) -> Result<Done, ActionError> {
+        if self.is_busy() {
+            return Err(ActionError::Busy(self.busy()));
+        }
         let done = self.attempt(agent, action, RetryOptions::default());
         match self.heeding(agent, action, done.as_ref().err()) {
             Some(care) => self.attempt(agent, action, care),
@@ -136,7 +139,7 @@ impl Environment {
 
     /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
     /// on or in one, nor with the agent. A thing on one that is only opened or closed has no part in that.
-    fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
+    pub(super) fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
         let opens = matches!(action.verb, Verb::Open | Verb::Close);
         let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
         let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
@@ -148,14 +151,15 @@ impl Environment {
         let changes = rule::step(&mut ruled, agent, action).map_err(ActionError::Refused)?;
         self.undo.keep(&self.world);
         let (before, after) = (self.graph.clone(), ruled.clone());
-        let step = Step { before, after, agent, action: *action, care };
+        let step = Step { before, after, agent, action: *action, care, claims: Vec::new() };
         // The floor follows the bodies whenever it is asked.
         let (course, outcome) = Execution::new(&mut self.world, &mut self.floor, &self.start, &step).all();
         let folded = course.folded();
         let done = outcome.and_then(|()| self.finish(agent, action, ruled, changes, &folded));
         let done = done.map_err(|error| unsteady(error, course.balanced()));
         match &done {
-            Ok(_) => {
+            Ok(changes) => {
+                self.clock.changed_by(changes);
                 self.history.push(Event { agent, action: *action });
                 self.undo.push(step);
                 if !folded.is_empty() {
@@ -218,7 +222,7 @@ impl Environment {
 
 /// Adds the places that the rule expects below a cover: a plate on a tablecloth is on the table too, as
 /// the rule knows no cloth.
-fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]) -> ChangeSet {
+pub(super) fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]) -> ChangeSet {
     let is_cover = |id: NodeId| observed.node(id).is_some_and(|n| n.affords(Property::Cover));
     let on = |id: NodeId, graph: &SceneGraph| graph.related(id, Relation::On).collect::<Vec<NodeId>>();
     let through = |&id: &NodeId| {
@@ -238,7 +242,7 @@ fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]
 
 /// The error of an action after which only a thing that would not stay where it was put is elsewhere: bodies know
 /// that they cannot do this.
-fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionError {
+pub(super) fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionError {
     let ActionError::Disagreement(both) = error else { return error };
     match both.differences.iter().find(|d| Some(d.thing.id) == balanced) {
         Some(own) if both.differences.iter().all(|d| d.thing.id == own.thing.id) => {
@@ -271,7 +275,7 @@ pub(super) fn holder(change: &vc_graph::Change) -> Option<NodeId> {
 
 /// Keeps what an agent has turned to, as long as it is before it. Relations know of screens and
 /// pictures only that they are faced: one turns to anything.
-fn keep_facing(observed: &mut SceneGraph, ruled: &SceneGraph, agent: NodeId) -> ChangeSet {
+pub(super) fn keep_facing(observed: &mut SceneGraph, ruled: &SceneGraph, agent: NodeId) -> ChangeSet {
     let before =
         |id: &NodeId| !observed.has(Edge::new(agent, Relation::Facing, *id)) && is_before(observed, agent, *id);
     let kept: Vec<NodeId> = ruled.related(agent, Relation::Facing).filter(before).collect();

@@ -349,6 +349,7 @@ impl Environment {
         observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, changed)?;
         self.floor.update(&self.world);
         self.undo = Undo::default();
+        self.clock.scene_changed();
         Ok(())
     }
 

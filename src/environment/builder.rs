@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use vc_graph::clock::{DayTime, Durations, ProcessTable};
 use vc_graph::{ClassTable, SceneGraph};
 use vc_relations::RelationRule;
 
+use super::clock::TimeSettings;
 use super::{Assets, Environment, MakeError, scene};
 
 /// Makes an [`Environment`] with settings of your own: [`Environment::builder`], [`Environment::builder_of`].
@@ -16,6 +18,9 @@ use super::{Assets, Environment, MakeError, scene};
 /// | [`classes`](Self::classes) | [`ClassTable::builtin`] |
 /// | [`physics`](Self::physics), [`gravity`](Self::gravity) | [`vc_physics::Settings::default`]: steps of 1/60 s, 9.81 m/s² |
 /// | [`relations`](Self::relations) | [`RelationRule::Contacts`] |
+/// | [`processes`](Self::processes), [`durations`](Self::durations) | [`ProcessTable::builtin`], [`Durations::builtin`] |
+/// | [`processes_at_once`](Self::processes_at_once) | no: they take their time |
+/// | [`begins_at`](Self::begins_at) | noon of day 0 |
 /// | `pictures`, `hour` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad |
 ///
 /// ```
@@ -46,6 +51,7 @@ pub(super) struct EnvironmentSettings {
     pub(super) classes: Arc<ClassTable>,
     pub(super) physics: vc_physics::Settings,
     pub(super) relations: RelationRule,
+    pub(super) time: TimeSettings,
     #[cfg(feature = "render")]
     pub(super) pictures: crate::PictureOptions,
 }
@@ -57,6 +63,7 @@ impl EnvironmentSettings {
             classes: ClassTable::builtin(),
             physics: vc_physics::Settings::default(),
             relations: RelationRule::Contacts,
+            time: TimeSettings::default(),
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
         }
@@ -102,6 +109,30 @@ impl EnvironmentBuilder {
     /// [`RelationRule::Contacts`]; with the others more actions end in a disagreement of rule and bodies.
     pub fn relations(mut self, rule: RelationRule) -> Self {
         self.settings.relations = rule;
+        self
+    }
+
+    /// What machines and matter do by themselves while time passes, and how long that takes.
+    pub fn processes(mut self, table: impl Into<Arc<ProcessTable>>) -> Self {
+        self.settings.time.processes = table.into();
+        self
+    }
+
+    /// Lets processes end in the tick in which they begin: what a machine washes is clean at once.
+    pub fn processes_at_once(mut self) -> Self {
+        self.settings.time.at_once = true;
+        self
+    }
+
+    /// How long actions take that neither a body's motion nor a process times.
+    pub fn durations(mut self, table: impl Into<Arc<Durations>>) -> Self {
+        self.settings.time.durations = table.into();
+        self
+    }
+
+    /// The day and time at which the environment begins.
+    pub fn begins_at(mut self, time: DayTime) -> Self {
+        self.settings.time.begin = time;
         self
     }
 

@@ -7,7 +7,7 @@ use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_procgen::dress::DressError;
 use vc_relations::InputError;
 
-use super::Disagreement;
+use super::{Disagreement, Interruption};
 
 /// Why there is no environment.
 #[derive(Debug, thiserror::Error)]
@@ -127,6 +127,17 @@ pub enum ActionError {
     /// An agent is to do several things at once.
     #[error("{0} is to do several things at once")]
     Twice(Label),
+    /// Agents are doing something that takes time.
+    #[error("{} {} doing something still: let them with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
+    Busy(Vec<Label>),
+    /// It was begun, and something came between; the world stays as it was then.
+    #[error("{action}: {why}")]
+    Interrupted {
+        /// The action that was being done.
+        action: String,
+        /// The reason.
+        why: Box<Interruption>,
+    },
 }
 
 fn listed(refusals: &[Refusal]) -> String {
@@ -277,6 +288,9 @@ pub enum SaveError {
         /// Of the saved one's.
         found: vc_graph::Digest,
     },
+    /// Agents are doing something that takes time.
+    #[error("{} {} doing something still: let them with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
+    Busy(Vec<Label>),
     /// The scene in them cannot be read.
     #[error(transparent)]
     Format(#[from] FormatError),

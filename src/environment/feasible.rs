@@ -26,7 +26,14 @@ impl Environment {
 
     /// An action of which the rule is not asked.
     fn unchanged(&self, agent: NodeId, action: Action) -> Step {
-        Step { before: self.graph.clone(), after: self.graph.clone(), agent, action, care: RetryOptions::default() }
+        Step {
+            before: self.graph.clone(),
+            after: self.graph.clone(),
+            agent,
+            action,
+            care: RetryOptions::default(),
+            claims: Vec::new(),
+        }
     }
 
     /// Whether there are free spots for all of some things, each at one of several places. The things are

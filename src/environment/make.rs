@@ -9,6 +9,7 @@ use vc_graph::{AssetId, Draft, History, Node, NodeId, NodeKind, ObjectRole, Pose
 use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, ShapeCache};
 use vc_relations::{RelationRule, Relations};
 
+use super::clock::Clock;
 use super::reset::undress;
 use super::settle::come_to_rest;
 use super::undo::Undo;
@@ -174,7 +175,8 @@ impl Environment {
         };
         elsewhere.extend(told);
         let kept = boxes::kept(&traced, &graph, &staying);
-        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets, passages };
+        let time = settings.time.clone();
+        let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets, passages, time };
         let environment = Self::at(Arc::new(start));
         #[cfg(feature = "render")]
         let environment = Self { pictures: settings.pictures, ..environment };
@@ -190,6 +192,7 @@ impl Environment {
             floor: start.floor.clone(),
             history: History::default(),
             undo: Undo::default(),
+            clock: Clock::at(&start.world),
             poses: BTreeMap::new(),
             #[cfg(feature = "render")]
             picture_cache: Arc::default(),

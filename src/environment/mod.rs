@@ -6,6 +6,7 @@ mod astray;
 mod body;
 mod boxes;
 mod builder;
+mod clock;
 mod compare;
 mod course;
 mod error;
@@ -40,6 +41,7 @@ use vc_relations::Relations;
 pub use alter::{AlterError, Spot};
 pub use builder::EnvironmentBuilder;
 use builder::EnvironmentSettings;
+pub use clock::{Ending, Interruption};
 pub use compare::{Difference, Disagreement};
 pub use error::{ActionError, MakeError, PhysicalRefusal, ResetError, SaveError};
 #[cfg(feature = "render")]
@@ -99,6 +101,7 @@ pub struct Environment {
     floor: Floor,
     history: History,
     undo: undo::Undo,
+    clock: clock::Clock,
     /// What bodies are shown to do while an action takes its time.
     poses: std::collections::BTreeMap<NodeId, vc_people::Activity>,
     #[cfg(feature = "render")]
@@ -121,6 +124,8 @@ struct Start {
     /// Which shapes things get that have only boxes.
     assets: Assets,
     passages: Vec<vc_geometry::WallOpening>,
+    /// How time goes.
+    time: clock::TimeSettings,
 }
 
 impl Start {

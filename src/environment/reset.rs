@@ -7,6 +7,7 @@ use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, P
 use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld, SpotOrder};
 use vc_relations::Relations;
 
+use super::clock::Clock;
 use super::settle::come_to_rest;
 use super::undo::Undo;
 use super::{Environment, ResetError, astray, boxes, observe, scene, seats, stale};
@@ -165,6 +166,7 @@ impl Environment {
         }
         if *graph == self.graph && self.world.awake() == 0 {
             (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
+            self.clock = Clock::at(&self.world);
             return Ok(Plan::of(&[&self.start.graph], graph).report(&self.start.graph, graph, graph));
         }
         let shaped = scene::shaped(graph)?;
@@ -203,7 +205,7 @@ impl Environment {
         floor.update(&world);
         let report = plan.report(&start.graph, graph, &wanted);
         (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);
-        (self.history, self.undo) = (History::default(), Undo::default());
+        (self.history, self.undo, self.clock) = (History::default(), Undo::default(), Clock::at(&self.world));
         self.poses = BTreeMap::new();
         #[cfg(feature = "render")]
         if new_shapes || !report.added.is_empty() || !report.removed.is_empty() {
@@ -253,6 +255,7 @@ impl Environment {
         (self.graph, self.world) = (start.graph.clone(), start.world.clone());
         (self.relations, self.floor) = (start.relations.clone(), start.floor.clone());
         (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
+        self.clock = Clock::at(&self.world);
     }
 
     /// Reads the relations of a scene that differs from the start and writes them.

@@ -6,6 +6,7 @@ use vc_graph::format::native;
 use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
 use vc_physics::PhysicsWorld;
 
+use super::clock::Clock;
 use super::undo::Undo;
 use super::{Environment, SaveError, observe};
 
@@ -17,8 +18,11 @@ impl Environment {
     /// bodies (`PhysicsWorld::save`) and the history. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
-    /// [`SaveError::World`].
+    /// [`SaveError::World`], [`SaveError::Busy`] while actions take their time.
     pub fn save(&self) -> Result<Vec<u8>, SaveError> {
+        if self.is_busy() {
+            return Err(SaveError::Busy(self.busy()));
+        }
         let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
         let history: String = self.history.events().iter().map(line).collect();
         let mut bytes = MAGIC.to_vec();
@@ -69,7 +73,7 @@ impl Environment {
         floor.update(&world);
         let none = (History::default(), Undo::default());
         let mut copy = Self { graph, world, relations, floor, history: none.0, undo: none.1, ..self.clone() };
-        copy.poses = BTreeMap::new();
+        (copy.poses, copy.clock) = (BTreeMap::new(), Clock::at(&copy.world));
         for line in text(history)?.lines() {
             let (agent, action) = line.split_once(' ').ok_or(SaveError::NotSaved)?;
             let agent = NodeId(agent.parse().map_err(|_| SaveError::NotSaved)?);

@@ -57,6 +57,7 @@ impl Environment {
         self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
         // Earlier actions cannot be replayed across this tick.
         self.undo = Undo::default();
+        self.clock.scene_changed();
         if steering.jump {
             self.world.jump(agent).map_err(|e| impossible(e.into()))?;
         }

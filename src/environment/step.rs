@@ -1,5 +1,6 @@
 //! An action as it is executed and replayed.
 
+use nalgebra::Point2;
 use vc_graph::{Action, NodeId, SceneGraph};
 
 /// An action whose effect on the bodies can be replayed.
@@ -11,6 +12,8 @@ pub(super) struct Step {
     pub(super) agent: NodeId,
     pub(super) action: Action,
     pub(super) care: RetryOptions,
+    /// The spots where others are going to stand.
+    pub(super) claims: Vec<Point2<f32>>,
 }
 
 /// Precautions for a second attempt at an action that has failed.

@@ -9,6 +9,7 @@ mod alter;
 mod astray;
 mod bodies;
 mod boxes;
+mod clock;
 mod curtains;
 mod deeds;
 mod fitting;
@@ -24,7 +25,6 @@ mod wishes;
 
 use deeds::kept_thing;
 use virtualcity::graph::{Action, NodeId, SceneGraph, Seed, Verb};
-use virtualcity::tasks::World as _;
 use virtualcity::{Batch, Environment, MakeError, check_environment, run};
 
 fn home(seed: u64, agents: usize) -> Environment {
@@ -149,7 +149,7 @@ fn the_planner_works_with_bodies() {
     let class = home.start().node(thing).unwrap().class().clone();
     assert!(SceneGraph::held(home.graph(), me).any(|id| home.graph().node(id).unwrap().class() == &class));
     let start = home.start().clone();
-    home.step(me, &Action::zero(Verb::Dance)).unwrap();
+    virtualcity::tasks::World::step(&mut home, me, &Action::zero(Verb::Dance)).unwrap();
     virtualcity::tasks::World::reset(&mut home, &start).unwrap();
     assert_eq!(home.graph(), &start);
 }

@@ -18,18 +18,17 @@ mod task;
 use std::collections::VecDeque;
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
-use vc_graph::rule;
 use vc_physics::{Floor, PhysicsWorld};
 
 use super::course::{BodyMotion, Course};
 use super::step::Step;
 use super::{ActionError, PhysicalRefusal, Start};
-use task::Task;
 
 pub(super) use perform::Bodies;
-pub(super) use planner::Planner;
+pub(super) use planner::{Plan, Planner};
 pub(super) use put::{comes_along, load_of};
 pub(super) use spot::FreeSpot;
+pub(super) use task::Task;
 
 /// The execution of an agent's action at once: moves bodies and records the course of the action.
 pub(super) struct Execution<'a> {
@@ -49,13 +48,12 @@ impl<'a> Execution<'a> {
     /// Executes all effects that the rule gives for an action; returns their course.
     pub(super) fn all(mut self) -> (Course, Result<(), ActionError>) {
         let (action, before) = (self.step.action, &self.step.before);
-        let effects = rule::effects(&action);
-        self.tasks = [Task::HoldStill, Task::ComeNear(action)].into();
-        self.tasks.extend(effects.iter().copied().map(Task::Effect));
+        self.tasks = Task::of(&action);
         let done = self.run().and_then(|()| {
             // Effects without a motion of bodies are shown by a gesture.
-            let unseen = self.course.effects.iter().any(|(motion, _)| motion.is_none());
-            self.tasks.extend((unseen || effects.is_empty()).then_some(Task::Gesture(action)));
+            let effects = &self.course.effects;
+            let unseen = effects.is_empty() || effects.iter().any(|(motion, _)| motion.is_none());
+            self.tasks.extend(unseen.then_some(Task::Gesture(action)));
             self.run()
         });
         let done = done.map_err(|why| {

@@ -1,6 +1,6 @@
 //! What an agent would do next, read from the world as it is.
 
-use nalgebra::Vector3;
+use nalgebra::{Point2, Vector3};
 use vc_graph::{NodeId, Pose, SceneGraph, Verb};
 use vc_physics::{BodyPlan, Floor, PhysicsWorld, Posture};
 
@@ -21,15 +21,17 @@ pub(in crate::environment) struct Planner<'a> {
     pub(super) agent: NodeId,
     pub(super) run: bool,
     pub(super) care: &'a RetryOptions,
+    /// The spots where others are going to stand.
+    pub(super) claims: &'a [Point2<f32>],
     /// Whether open doors and drawers count as out of the way.
     pub(super) nudges: bool,
 }
 
 /// The next motions of a body, one after the other, and the tasks that are planned when they are done.
 #[derive(Debug, Default)]
-pub(super) struct Plan {
-    pub(super) motions: Vec<BodyMotion>,
-    pub(super) tasks: Vec<Task>,
+pub(in crate::environment) struct Plan {
+    pub(in crate::environment) motions: Vec<BodyMotion>,
+    pub(in crate::environment) tasks: Vec<Task>,
 }
 
 pub(super) type Planning = Result<Plan, PhysicalRefusal>;
@@ -65,15 +67,15 @@ impl<'a> Planner<'a> {
         start: &'a Start,
         step: &'a Step,
     ) -> Self {
-        let Step { before, after, agent, action, care } = step;
+        let Step { before, after, agent, action, care, claims } = step;
         let run = action.verb == Verb::Run;
-        Self { world, floor, start, before, after, agent: *agent, run, care, nudges: false }
+        Self { world, floor, start, before, after, agent: *agent, run, care, claims, nudges: false }
     }
 
     /// The same planner in another world: with some things elsewhere, say.
     pub(super) fn in_world<'b>(&'b mut self, world: &'b PhysicsWorld) -> Planner<'b> {
-        let Planner { start, before, after, agent, run, care, nudges, .. } = *self;
-        Planner { world, floor: self.floor, start, before, after, agent, run, care, nudges }
+        let Planner { start, before, after, agent, run, care, claims, nudges, .. } = *self;
+        Planner { world, floor: self.floor, start, before, after, agent, run, care, claims, nudges }
     }
 
     /// Whether the agent holds or wears a thing, or a thing on which it rests.

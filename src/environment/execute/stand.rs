@@ -118,8 +118,9 @@ impl Planner<'_> {
 
     /// Whether no other agent is at a spot.
     pub(super) fn is_unclaimed(&self, spot: &Point2<f32>) -> bool {
-        let others = self.world.agents().filter(|a| *a != self.agent);
-        others.filter_map(|a| self.world.pose(a)).all(|p| (p.translation.vector.xy() - spot.coords).norm() >= APART)
+        let others = self.world.agents().filter(|a| *a != self.agent).filter_map(|a| self.world.pose(a));
+        let stand = others.map(|feet| Point2::from(feet.translation.vector.xy()));
+        stand.chain(self.claims.iter().copied()).all(|at| (at - spot).norm() >= APART)
     }
 
     /// A walk to a spot; what stands open in its way there gives way.

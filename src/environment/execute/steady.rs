@@ -20,7 +20,7 @@ const ROLLED: f32 = 0.04;
 /// others are pushed together; and if that does not help, it is balanced where it was put. In a container the others are
 /// pushed together for what has tipped over, too.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Steadying {
+pub(in crate::environment) struct Steadying {
     id: NodeId,
     place: Place,
     /// Where it was put at first, and where it has been put now.

@@ -1,5 +1,7 @@
 //! What is left to do of an action.
 
+use std::collections::VecDeque;
+
 use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Relation, State, Verb, rule};
 
 use super::planner::{Plan, Planner, Planning};
@@ -13,7 +15,7 @@ const GESTURE: f32 = 1.5;
 
 /// A part of an action. It becomes motions, and further tasks for when those are done, by the world as it is by then.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Task {
+pub(in crate::environment) enum Task {
     /// Holds still what would fall although nobody touches it.
     HoldStill,
     /// Comes within reach of what the action is about.
@@ -46,9 +48,17 @@ pub(super) enum Task {
     RestOn { id: NodeId, lying: bool },
 }
 
+impl Task {
+    /// The tasks of an action.
+    pub(in crate::environment) fn of(action: &Action) -> VecDeque<Self> {
+        let effects = rule::effects(action).into_iter().map(Self::Effect);
+        [Self::HoldStill, Self::ComeNear(*action)].into_iter().chain(effects).collect()
+    }
+}
+
 impl Planner<'_> {
     /// What is to be done for a task now.
-    pub(super) fn plan(&mut self, task: Task) -> Planning {
+    pub(in crate::environment) fn plan(&mut self, task: Task) -> Planning {
         match task {
             Task::HoldStill => Ok(self.hold_still()),
             Task::ComeNear(action) => self.come_near(&action),

@@ -47,7 +47,7 @@ enum Hold {
 
 impl Player {
     /// Plays the gesture of an action, such as a hand on the action's object or a cup at the mouth.
-    pub(super) fn gesture(&mut self, show: &mut Environment, action: &Action, seconds: f32) -> bool {
+    pub(in crate::environment) fn gesture(&mut self, show: &mut Environment, action: &Action, seconds: f32) -> bool {
         // Cups and books come to where the eyes are while the head is upright.
         let upright = matches!(action.verb, Verb::Drink | Verb::Eat | Verb::Read);
         let gaze = if upright { None } else { show.attended(self.agent, action.things()) };

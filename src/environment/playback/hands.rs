@@ -80,6 +80,35 @@ impl Player {
         self.reach(show, put.hand, put.id)
     }
 
+    /// A hand goes out to a thing, or brings what it has taken.
+    pub(in crate::environment) fn show_taking(&mut self, show: &mut Environment, hand: Hand, id: NodeId) {
+        self.handling.at = show.palm_on(self.agent, hand, id);
+        if self.time >= REACHING {
+            self.handling.rest = show.world.grip(self.agent, hand);
+            self.bring(show, hand);
+        }
+        self.reach(show, hand, id);
+    }
+
+    /// A hand takes a thing to where it is put, or comes back without it.
+    pub(in crate::environment) fn show_putting(&mut self, show: &mut Environment, put: &Put) {
+        self.handling.rest = show.world.grip(self.agent, put.hand);
+        self.handling.out = Some(self.feet(show).inverse() * put.pose);
+        self.handling.at = show.palm_on(self.agent, put.hand, put.id);
+        if self.time < REACHING {
+            self.bring(show, put.hand);
+        }
+        self.reach(show, put.hand, put.id);
+    }
+
+    /// A hand goes out to a door, a drawer or a lid, moves along with it, or comes back.
+    pub(in crate::environment) fn show_driving(&mut self, show: &mut Environment, id: NodeId) {
+        let hand = self.free_hand(show);
+        let from = self.side(show, hand);
+        self.handling.at = show.world.aabb(id).map(|b| b.nearest(&from));
+        self.reach(show, hand, id);
+    }
+
     /// A hand moves a door, a drawer or a lid, and stays at it until it has arrived.
     pub(super) fn drive(&mut self, show: &mut Environment, drive: &Drive, before: f32) -> bool {
         let hand = self.free_hand(show);

@@ -123,7 +123,7 @@ impl Environment {
 }
 
 /// An agent that shows what it did.
-struct Player {
+pub(super) struct Player {
     agent: NodeId,
     course: Course,
     next: usize,
@@ -142,6 +142,13 @@ struct Player {
 }
 
 impl Player {
+    /// Shows a motion at a time since it began, seconds; a hand that comes back brings a thing from a pose against the feet.
+    pub(super) fn at(agent: NodeId, time: f32, out: Option<Pose>) -> Self {
+        let mut player = Self::new(agent, Course::default());
+        (player.time, player.handling.out) = (time, out);
+        player
+    }
+
     fn new(agent: NodeId, course: Course) -> Self {
         let (doors, handling, changed) = (BTreeMap::new(), hands::Handling::default(), Vec::new());
         Self { agent, course, next: 0, time: 0.0, doors, handling, from: None, settling: None, changed }

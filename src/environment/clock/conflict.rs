@@ -1,0 +1,151 @@
+//! Agents in each other's way: the one who comes later waits, and whoever is in a doorway has it.
+
+use nalgebra::Point2;
+use vc_graph::clock::{Span, Tick};
+use vc_graph::{NodeId, Pose};
+
+use super::Interruption;
+use super::schedule::Schedule;
+use super::track::{Leaf, Passage, Track, Way};
+use crate::environment::{ActionError, Environment};
+
+/// Distance that walkers keep from each other, metres.
+const APART: f32 = 0.5;
+/// The longest wait for others, and the steps in which it is looked for.
+const WAITS: Span = Span(600);
+const WAIT: Span = Span(15);
+/// Ticks between poses that are compared.
+const COARSE: usize = 6;
+
+impl Environment {
+    fn others(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Schedule)> {
+        self.clock.running.iter().filter(move |(other, _)| **other != agent).map(|(other, schedule)| (*other, schedule))
+    }
+
+    fn ways(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Way)> {
+        self.others(agent).filter_map(|(other, schedule)| match &schedule.track {
+            Track::Way(way) => Some((other, way)),
+            _ => None,
+        })
+    }
+
+    fn leaves(&self, agent: NodeId) -> impl Iterator<Item = &Leaf> {
+        self.others(agent).filter_map(|(_, schedule)| match &schedule.track {
+            Track::Leaf(leaf) => Some(leaf),
+            _ => None,
+        })
+    }
+
+    /// Others who are on their way.
+    pub(super) fn walkers(&self, agent: NodeId) -> Vec<NodeId> {
+        self.ways(agent).map(|(other, _)| other).collect()
+    }
+
+    /// The spots where others are going to stand.
+    pub(super) fn claims(&self, agent: NodeId) -> Vec<Point2<f32>> {
+        self.ways(agent).map(|(_, way)| way.to.translation.vector.xy().into()).collect()
+    }
+
+    /// A walk, which begins when it meets no other walker, and doors have stopped that others move.
+    pub(super) fn way(
+        &self,
+        agent: NodeId,
+        (points, doors): (&[Point2<f32>], &[NodeId]),
+        (from, to): (Pose, Pose),
+        run: bool,
+    ) -> Way {
+        let plan = self.world.body_plan(agent).copied().unwrap_or_default();
+        let passage = |door: &NodeId| Passage::new(&self.world, &self.graph, points, *door);
+        let mut doors: Vec<Passage> = doors.iter().filter_map(passage).collect();
+        for passage in &mut doors {
+            passage.own = self.own_openness(agent, passage);
+        }
+        let speed = if run { plan.run } else { plan.walk };
+        let now = self.tick();
+        let mut way = Way { points: points.to_vec(), begin: now, speed, from, to, doors };
+        while way.begin <= now + WAITS {
+            if self.is_clear(agent, &way) {
+                return way;
+            }
+            way.begin += WAIT;
+        }
+        // They pass each other, however narrow it is.
+        way.begin = now;
+        way
+    }
+
+    /// How open a door is by itself: one that somebody moves is as that one leaves it; one that somebody passes, as it
+    /// was before that.
+    fn own_openness(&self, agent: NodeId, passage: &Passage) -> f32 {
+        let left = self.leaves(agent).find(|leaf| leaf.id == passage.door).map(Leaf::openness);
+        let mut passed = self.ways(agent).flat_map(|(_, way)| &way.doors).filter(|p| p.door == passage.door);
+        left.or_else(|| passed.next().map(|p| p.own)).unwrap_or(passage.own)
+    }
+
+    fn is_clear(&self, agent: NodeId, way: &Way) -> bool {
+        let apart = |t: Tick, theirs: &Way| {
+            (way.feet(t).translation.vector - theirs.feet(t).translation.vector).xy().norm() >= APART
+        };
+        let clear = |theirs: &Way| ticks(self.tick(), way.end().min(theirs.end())).all(|t| apart(t, theirs));
+        let open = |leaf: &Leaf| match way.in_doorway(leaf.id) {
+            Some((from, _)) => from > leaf.end(),
+            None => way.begin > leaf.end() || !self.meets(agent, way, leaf.id, leaf.openness(), self.tick()),
+        };
+        self.ways(agent).all(|(_, theirs)| clear(theirs)) && self.leaves(agent).all(open)
+    }
+
+    /// The tick from which on nobody's way leads through a thing's parts as they are going to be; now, if that takes too
+    /// long.
+    pub(super) fn after_walkers(&self, agent: NodeId, thing: NodeId, open: f32) -> Tick {
+        let now = self.tick();
+        let met = |from: Tick| {
+            let mut ways = self.ways(agent).filter(|(_, way)| way.in_doorway(thing).is_none());
+            ways.any(|(who, way)| self.meets(who, way, thing, open, from))
+        };
+        let waits = (0..=WAITS.0 / WAIT.0).map(|i| now + WAIT * i);
+        waits.into_iter().find(|from| !met(*from)).unwrap_or(now)
+    }
+
+    /// Whether a way, from a tick on, leads through a thing's parts when they are open by a fraction.
+    fn meets(&self, who: NodeId, way: &Way, thing: NodeId, open: f32, from: Tick) -> bool {
+        let free = |feet: &Pose, at: &[f32]| self.world.can_stand_with_open(who, feet, thing, at).unwrap_or(true);
+        let hit = |feet: Pose| !free(&feet, &[open, 0.5]) && free(&feet, &[]);
+        ticks(from, way.end()).any(|tick| hit(way.feet(tick)))
+    }
+
+    /// Whoever is in the doorway of a door keeps it; whoever would walk into it stops.
+    pub(super) fn heed_passers(&mut self, agent: NodeId, leaf: &Leaf) -> Result<(), ActionError> {
+        let now = self.tick();
+        let met: Vec<_> = self.ways(agent).filter_map(|(who, way)| Some((who, way.in_doorway(leaf.id)?))).collect();
+        for (by, (from, to)) in met {
+            let door = self.graph.label(leaf.id);
+            if from <= now && now <= to {
+                return Err(self.interrupted(agent, Interruption::InDoorway { door, by: self.graph.label(by) }));
+            }
+            if from > now && from <= leaf.end() {
+                self.interrupt_for(by, Interruption::Shut { door, by: self.graph.label(agent) });
+            }
+        }
+        let open = leaf.openness();
+        for schedule in self.clock.running.values_mut() {
+            if let Track::Way(way) = &mut schedule.track {
+                way.doors.iter_mut().filter(|p| p.door == leaf.id).for_each(|p| p.own = open);
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends the actions of others that were to take what an agent has taken.
+    pub(super) fn tell_taken(&mut self, by: NodeId, thing: NodeId) {
+        let needs = |schedule: &Schedule| schedule.truth.is_none() && schedule.action.object == Some(thing);
+        let losers: Vec<NodeId> = self.others(by).filter(|(_, s)| needs(s)).map(|(other, _)| other).collect();
+        for other in losers {
+            let (thing, by) = (self.graph.label(thing), self.graph.label(by));
+            self.interrupt_for(other, Interruption::Taken { thing, by });
+        }
+    }
+}
+
+fn ticks(from: Tick, to: Tick) -> impl Iterator<Item = Tick> {
+    (from.0..to.0.max(from.0 + 1)).step_by(COARSE).map(Tick)
+}

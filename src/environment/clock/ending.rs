@@ -1,0 +1,58 @@
+//! How actions end.
+
+use vc_graph::clock::Tick;
+use vc_graph::{Action, ChangeSet, Label, NodeId, Refusal};
+
+use crate::environment::ActionError;
+
+/// An action that has ended, as [`Environment::step`](crate::Environment::step) reports it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ending {
+    /// The tick in which it ended.
+    pub tick: Tick,
+    /// The agent that did it.
+    pub agent: NodeId,
+    /// The action.
+    pub action: Action,
+    /// The changes of the graph since its effects came true, or the reason for which it ended before that or otherwise.
+    pub outcome: Result<ChangeSet, ActionError>,
+}
+
+/// The reason for which an action ended before its end. The world stays as it was in that tick.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Interruption {
+    /// Somebody else has taken the thing.
+    #[error("{by} has taken {thing}")]
+    Taken {
+        /// The thing.
+        thing: Label,
+        /// The agent that holds it now.
+        by: Label,
+    },
+    /// The door was shut before the walker.
+    #[error("{by} moves {door}, which is on the way")]
+    Shut {
+        /// The door.
+        door: Label,
+        /// The agent that moves it.
+        by: Label,
+    },
+    /// Somebody is in the doorway.
+    #[error("{by} is in the doorway of {door}")]
+    InDoorway {
+        /// The door that was to be moved.
+        door: Label,
+        /// The agent that passes it.
+        by: Label,
+    },
+    /// The transition rule allows the action no longer.
+    #[error("it is no longer allowed: {}", .0.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; "))]
+    NoLonger(Vec<Refusal>),
+    /// It was [interrupted](crate::Environment::interrupt) from outside.
+    #[error("it was interrupted")]
+    Cancelled,
+    /// The agent was given another action.
+    #[error("another action was given: {0}")]
+    Replaced(Action),
+}

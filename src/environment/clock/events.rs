@@ -1,0 +1,343 @@
+//! Beginnings of actions, and the events of their motions.
+
+use vc_graph::clock::Tick;
+use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, rule};
+use vc_physics::Posture;
+
+use super::schedule::{NEVER, Phase, Schedule, Truth, lasts};
+use super::track::{Leaf, Track, Turn};
+use super::{Interruption, track};
+use crate::environment::act::holder;
+use crate::environment::course::{BodyMotion, Drive};
+use crate::environment::execute::{Bodies, Plan, Planner, Task};
+use crate::environment::step::{RetryOptions, Step};
+use crate::environment::{ActionError, Environment, PhysicalRefusal};
+
+/// Ticks after which a door that is pushed counts as stuck.
+const PUSHING: u32 = 300;
+
+type Going = Result<(), ActionError>;
+
+impl Environment {
+    pub(super) fn begin_action(&mut self, agent: NodeId, action: Action) {
+        if self.clock.running.contains_key(&agent) {
+            self.interrupt_for(agent, Interruption::Replaced(action));
+        }
+        let refusals = rule::refusals(&self.graph, agent, &action);
+        if !refusals.is_empty() {
+            return self.end(agent, action, Err(ActionError::Refused(refusals)));
+        }
+        self.clock.running.insert(agent, Schedule::new(action, RetryOptions::default()));
+        self.go_on(agent);
+    }
+
+    /// The event that is due.
+    pub(super) fn fire(&mut self, agent: NodeId) {
+        // Somebody else's event may have ended it in this tick.
+        let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.until <= Tick(self.world.ticks())) else {
+            return;
+        };
+        let done = match schedule.phase {
+            Phase::Out => self.at_hand(agent),
+            Phase::Leaf | Phase::Pushes(_) => self.perform(agent),
+            Phase::Ends => return self.finish_in_time(agent),
+            Phase::Back | Phase::Rests => Ok(()),
+        };
+        match done {
+            Ok(()) => self.go_on(agent),
+            Err(error) => self.stop(agent, error),
+        }
+    }
+
+    /// Goes on to the next motion that takes time.
+    fn go_on(&mut self, agent: NodeId) {
+        loop {
+            let now = self.tick();
+            match self.clock.running.get(&agent) {
+                Some(schedule) if schedule.until <= now => {}
+                _ => return,
+            }
+            match self.next(agent) {
+                Ok(true) => {}
+                Ok(false) => return,
+                Err(error) => return self.stop(agent, error),
+            }
+        }
+    }
+
+    /// Begins the next motion or plans the next task; returns whether there is more to do in this tick.
+    fn next(&mut self, agent: NodeId) -> Result<bool, ActionError> {
+        let Some(schedule) = self.clock.running.get_mut(&agent) else { return Ok(false) };
+        if schedule.phase == Phase::Out && schedule.motion.is_some() {
+            self.at_hand(agent)?;
+            return Ok(true);
+        }
+        if let Some(motion) = schedule.motions.pop_front() {
+            self.begin_motion(agent, motion)?;
+            return Ok(true);
+        }
+        if let Some(task) = schedule.tasks.pop_front() {
+            self.plan_task(agent, task)?;
+            return Ok(true);
+        }
+        if schedule.truth.is_none() {
+            // Effects without a motion of bodies are shown by a gesture.
+            let gesture = Task::Gesture(schedule.action);
+            schedule.tasks.push_back(gesture);
+            return Ok(true);
+        }
+        (schedule.phase, schedule.track, schedule.until) = (Phase::Ends, Track::Still, NEVER);
+        Ok(false)
+    }
+
+    fn plan_task(&mut self, agent: NodeId, task: Task) -> Going {
+        let checks = matches!(task, Task::CheckOpen { .. });
+        let opened = match task {
+            Task::CheckOpen { id, open, .. } => Some((id, open)),
+            _ => None,
+        };
+        let plan = self.plan(agent, task);
+        let jams = matches!(plan, Err(PhysicalRefusal::Stuck { .. }));
+        if let (true, Some((id, open)), Some(schedule)) = (jams, opened, self.clock.running.get_mut(&agent))
+            && !std::mem::replace(&mut schedule.care.pushes, true)
+        {
+            // It is pushed, then.
+            schedule.tasks.push_front(Task::Swing { id, open });
+            return Ok(());
+        }
+        let Plan { motions, tasks } = plan.map_err(|why| self.cannot(agent, why))?;
+        if checks {
+            self.come_true(agent);
+        }
+        let Some(schedule) = self.clock.running.get_mut(&agent) else { return Ok(()) };
+        tasks.into_iter().rev().for_each(|task| schedule.tasks.push_front(task));
+        schedule.motions.extend(motions);
+        Ok(())
+    }
+
+    fn plan(&mut self, agent: NodeId, task: Task) -> Result<Plan, PhysicalRefusal> {
+        let Some(schedule) = self.clock.running.get(&agent) else { return Ok(Plan::default()) };
+        let (before, mut after) = (self.graph.clone(), self.graph.clone());
+        if schedule.truth.is_none() {
+            let effects = rule::effects(&schedule.action);
+            effects.iter().for_each(|effect| drop(rule::carry_out(&mut after, agent, effect)));
+        }
+        let (action, care) = (schedule.action, schedule.care.clone());
+        let step = Step { before, after, agent, action, care, claims: self.claims(agent) };
+        Planner::new(&self.world, &mut self.floor, &self.start, &step).plan(task)
+    }
+
+    pub(super) fn cannot(&self, agent: NodeId, why: PhysicalRefusal) -> ActionError {
+        let action = self.clock.running.get(&agent).map(|s| s.action.describe(&self.graph).to_string());
+        ActionError::Impossible { action: action.unwrap_or_default(), why: why.in_scene(&self.graph) }
+    }
+
+    fn begin_motion(&mut self, agent: NodeId, motion: BodyMotion) -> Going {
+        let (now, from) = (self.tick(), self.world.pose(agent).unwrap_or_else(Pose::identity));
+        let brings_about = self.clock.running.get(&agent).filter(|s| s.truth.is_none() && s.comes_true_with(&motion));
+        let takes = brings_about.and_then(|s| self.start.time.durations.takes(&self.graph, &s.action));
+        let (mut phase, mut track, mut until) = (Phase::Out, Track::Still, now + lasts(&motion, takes).0);
+        match &motion {
+            BodyMotion::ComeToRest => (phase, until) = (Phase::Rests, NEVER),
+            BodyMotion::Turn(to) => {
+                let turn = Turn { from, to: *to, begin: now };
+                until = turn.end();
+                track = Track::Turn(turn);
+            }
+            BodyMotion::Walk { points, doors, feet, run } => {
+                let way = self.way(agent, (points, doors), (from, *feet), *run);
+                until = way.end();
+                track = Track::Way(way);
+            }
+            _ => {}
+        }
+        if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            (schedule.motion, schedule.done) = (Some(motion).filter(|_| phase == Phase::Out), None);
+            (schedule.phase, schedule.begin, schedule.track, schedule.until) = (phase, now, track, until);
+        }
+        Ok(())
+    }
+
+    /// The hand is at what it takes or moves, the feet are where they go: what the motion was for happens, unless a door
+    /// has to be moved for that.
+    fn at_hand(&mut self, agent: NodeId) -> Going {
+        self.still_allowed(agent)?;
+        let Some(schedule) = self.clock.running.get(&agent) else { return Ok(()) };
+        if let Some(BodyMotion::Drive(drive)) = &schedule.motion
+            && !self.graph.rests_at(drive.id, agent)
+        {
+            return self.begin_leaf(agent, drive.clone());
+        }
+        self.perform(agent)
+    }
+
+    /// Whether the rule allows the action as before, if its effects have not come true yet.
+    fn still_allowed(&self, agent: NodeId) -> Going {
+        let Some(schedule) = self.clock.running.get(&agent).filter(|s| s.truth.is_none()) else { return Ok(()) };
+        let refusals = rule::refusals(&self.graph, agent, &schedule.action);
+        if refusals.is_empty() {
+            return Ok(());
+        }
+        let holder = |id: NodeId| Some((id, self.graph.holder(id)?.at));
+        let why = match schedule.action.things().filter_map(holder).find(|(_, by)| *by != agent) {
+            Some((id, by)) => Interruption::Taken { thing: self.graph.label(id), by: self.graph.label(by) },
+            None => Interruption::NoLonger(refusals),
+        };
+        Err(self.interrupted(agent, why))
+    }
+
+    fn begin_leaf(&mut self, agent: NodeId, drive: Drive) -> Going {
+        let now = self.tick();
+        let stands = self.world.posture(agent) == Some(Posture::Standing);
+        let mut past: Vec<NodeId> = self.walkers(agent);
+        past.extend(stands.then_some(agent));
+        let whole = vec![drive.open; self.world.moving_parts(drive.id).len()];
+        self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
+        let planned = self.world.plan_openness(drive.id, drive.open, &past);
+        let ends = planned.map_err(|e| self.cannot(agent, e.into()))?.filter(|_| !drive.pushes);
+        let Some(ends) = ends else { return self.push(agent, &drive) };
+        let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
+        if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            (schedule.until, schedule.phase, schedule.begin) = (leaf.end(), Phase::Leaf, now);
+            schedule.track = Track::Leaf(leaf);
+        }
+        Ok(())
+    }
+
+    /// Motors move what something is in the way of, until they have arrived or given up.
+    fn push(&mut self, agent: NodeId, drive: &Drive) -> Going {
+        for part in 0..self.world.moving_parts(drive.id).len() {
+            let driven = self.world.drive(drive.id, part, drive.open);
+            driven.map_err(|e| self.cannot(agent, e.into()))?;
+        }
+        self.clock.stirred = true;
+        if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            (schedule.until, schedule.phase, schedule.track) = (NEVER, Phase::Pushes(PUSHING), Track::Still);
+        }
+        Ok(())
+    }
+
+    /// Does the motion under way; what follows of it takes its time.
+    fn perform(&mut self, agent: NodeId) -> Going {
+        let now = self.tick();
+        let Some(schedule) = self.clock.running.get_mut(&agent) else { return Ok(()) };
+        let Some(mut motion) = schedule.motion.take() else { return Ok(()) };
+        let pushed = matches!(schedule.phase, Phase::Pushes(_));
+        let track = std::mem::replace(&mut schedule.track, Track::Still);
+        (schedule.phase, schedule.begin, schedule.until) = (Phase::Back, now, now + lasts(&motion, None).1);
+        schedule.done = Some(motion.clone());
+        schedule.picked = match motion {
+            BodyMotion::Take(_, id) => {
+                self.world.pose(agent).zip(self.world.pose(id)).map(|(feet, at)| feet.inverse() * at)
+            }
+            _ => None,
+        };
+        let true_now = schedule.truth.is_none() && schedule.comes_true_with(&motion);
+        if let BodyMotion::PutAgain(id, _, true) = motion {
+            schedule.balanced = Some(id);
+        }
+        if let (BodyMotion::Drive(drive), Track::Leaf(_)) = (&motion, &track) {
+            let drive = drive.clone();
+            return self.end_leaf(agent, drive);
+        }
+        if !pushed {
+            let (world, start, before) = (&mut self.world, &self.start, &self.graph);
+            let done = Bodies { world, start, before, agent }.perform(&mut motion);
+            done.map_err(|why| self.cannot(agent, why))?;
+        }
+        if let BodyMotion::Fold(id, scale) = motion {
+            let mut edit = self.graph.edit();
+            // It is there, and its scale is sound.
+            let _ = edit.set_scale(id, scale);
+            edit.commit();
+            self.look_anew();
+        }
+        if let Track::Way(way) = &track {
+            self.leave_doors(way);
+        }
+        if true_now {
+            self.come_true(agent);
+        }
+        if !matches!(motion, BodyMotion::Gesture(..)) {
+            self.clock.stirred = true;
+            self.clock.changed.push(agent);
+        }
+        if let BodyMotion::Take(_, thing) = motion {
+            self.tell_taken(agent, thing);
+        }
+        Ok(())
+    }
+
+    /// A door is where the hand has moved it; if something has come into its way meanwhile, it is pushed.
+    fn end_leaf(&mut self, agent: NodeId, drive: Drive) -> Going {
+        let past: Vec<NodeId> = self.walkers(agent).into_iter().chain([agent]).collect();
+        let moved = self.world.set_openness_ignoring(drive.id, drive.open, &past);
+        if !moved.map_err(|e| self.cannot(agent, e.into()))? {
+            self.push(agent, &drive)?;
+            if let Some(schedule) = self.clock.running.get_mut(&agent) {
+                schedule.motion = Some(BodyMotion::Drive(drive));
+            }
+        }
+        self.clock.stirred = true;
+        self.clock.changed.push(agent);
+        Ok(())
+    }
+
+    /// The action's effects hold from now on.
+    pub(super) fn come_true(&mut self, agent: NodeId) {
+        let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.truth.is_none()) else { return };
+        let before = self.graph.clone();
+        let effects: Vec<Effect<NodeId>> = rule::effects(&schedule.action);
+        let mut changes = ChangeSet::default();
+        for effect in &effects {
+            // The rule allows the action.
+            changes = changes.then(rule::carry_out(&mut self.graph, agent, effect).unwrap_or_default());
+        }
+        self.clock.changed.extend(changes.changes().iter().filter_map(holder).chain([agent]));
+        self.clock.unseen = true;
+        self.clock.touched.extend(changes.nodes());
+        schedule.truth = Some(Truth { before, ruled: self.graph.clone(), changes, met: Vec::new(), steadied: false });
+    }
+
+    pub(super) fn interrupted(&self, agent: NodeId, why: Interruption) -> ActionError {
+        let action = self.clock.running.get(&agent).map(|s| s.action.describe(&self.graph).to_string());
+        ActionError::Interrupted { action: action.unwrap_or_default(), why: Box::new(why) }
+    }
+
+    pub(super) fn interrupt_for(&mut self, agent: NodeId, why: Interruption) {
+        let error = self.interrupted(agent, why);
+        self.stop(agent, error);
+    }
+
+    /// Ends an action where its motion is.
+    pub(super) fn stop(&mut self, agent: NodeId, error: ActionError) {
+        let now = self.tick();
+        let Some(schedule) = self.clock.running.remove(&agent) else { return };
+        if let Some(feet) = schedule.track.feet(now) {
+            // It stood there before.
+            let _ = self.world.teleport(agent, feet);
+        }
+        match &schedule.track {
+            Track::Way(way) => self.leave_doors(way),
+            Track::Leaf(leaf) => {
+                // The part is there, and nothing is in its way.
+                leaf.open(now).into_iter().for_each(|(part, open)| drop(self.world.put_open(leaf.id, part, open)));
+            }
+            Track::Turn(_) | Track::Still => {}
+        }
+        (self.clock.stirred, self.clock.unseen) = (true, true);
+        self.clock.changed.push(agent);
+        self.end(agent, schedule.action, Err(error));
+    }
+
+    /// Doors that were passed are as open as they are by themselves.
+    fn leave_doors(&mut self, way: &track::Way) {
+        for passage in &way.doors {
+            let now = self.world.openness(passage.door);
+            if now.is_some_and(|now| (now - passage.own).abs() > 1e-3) {
+                // The door was moved in passing.
+                let _ = self.world.put_all_open(passage.door, passage.own);
+            }
+        }
+    }
+}

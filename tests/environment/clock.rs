@@ -1,0 +1,270 @@
+//! Actions that take time: how time is divided changes nothing, and agents in each other's way.
+
+use virtualcity::graph::clock::{Durations, Span, Tick};
+use virtualcity::graph::{Action, NodeId, Place, Property, Relation, Seed, State, Verb};
+use virtualcity::{ActionError, Ending, Environment, Interruption, legal_action};
+
+use super::act;
+
+/// Longer than any action takes.
+const LONG: Span = Span(3600);
+
+/// A home in which actions take no longer than bodies need for them.
+fn home(seed: u64, agents: usize) -> Environment {
+    let builder = Environment::builder(format!("apartment/{seed}")).agents(agents);
+    builder.durations(Durations::default()).make().unwrap()
+}
+
+/// Gives actions, each after a span, and lets time pass in steps of a length until all are done.
+fn run(home: &Environment, orders: &[(Span, NodeId, Action)], step: Span) -> (Environment, Vec<Ending>) {
+    let (mut home, begin, mut endings) = (home.clone(), home.tick(), Vec::new());
+    let mut orders: Vec<_> = orders.to_vec();
+    while home.tick() - begin < LONG && (home.is_busy() || !orders.is_empty()) {
+        let now = home.tick() - begin;
+        for (_, agent, action) in orders.extract_if(.., |order| order.0 <= now) {
+            home.give(agent, action);
+        }
+        let next = orders.iter().map(|order| Span(order.0.0 - now.0)).min().unwrap_or(Span(LONG.0 - now.0));
+        endings.extend(home.step(step.min(next)));
+    }
+    let rest = LONG.0.saturating_sub((home.tick() - begin).0);
+    endings.extend(home.step(Span(rest)));
+    (home, endings)
+}
+
+/// The outcome of some orders, which is the same however time is divided and in which order they are given.
+fn outcome(home: &Environment, orders: &[(Span, NodeId, Action)]) -> (Environment, Vec<Ending>) {
+    let (end, endings) = run(home, orders, LONG);
+    for step in [1, 7] {
+        let reversed: Vec<_> = orders.iter().rev().copied().collect();
+        let (other, told) = run(home, &reversed, Span(step));
+        assert_eq!(told, endings, "in steps of {step}");
+        assert!(other.digest() == end.digest(), "in steps of {step} the homes differ");
+        assert!(other.save().unwrap() == end.save().unwrap(), "in steps of {step} the bodies differ");
+    }
+    (end, endings)
+}
+
+fn now(agent: NodeId, action: Action) -> (Span, NodeId, Action) {
+    (Span(0), agent, action)
+}
+
+fn interruption(ending: &Ending) -> Option<&Interruption> {
+    match &ending.outcome {
+        Err(ActionError::Interrupted { why, .. }) => Some(why),
+        _ => None,
+    }
+}
+
+/// Random legal actions of two agents at once.
+#[test]
+fn how_time_is_divided_changes_nothing() {
+    let (mut done, mut all) = (0, 0);
+    for seed in [8, 42] {
+        let (mut home, mut stream) = (home(seed, 2), Seed(seed).stream());
+        for _ in 0..12 {
+            let agents = home.agents().to_vec();
+            let orders: Vec<_> =
+                agents.iter().map(|agent| now(*agent, legal_action(home.graph(), *agent, &mut stream))).collect();
+            let (end, endings) = outcome(&home, &orders);
+            assert_eq!(endings.len(), 2, "{endings:?}");
+            done += endings.iter().filter(|e| e.outcome.is_ok()).count();
+            all += endings.len();
+            home = end;
+        }
+    }
+    assert!(done * 10 >= all * 9, "{done} of {all} were done");
+}
+
+/// A thing in a home that both agents are near, after they have walked there.
+fn both_near(home: &mut Environment, admits: impl Fn(&Environment, NodeId) -> bool) -> Option<NodeId> {
+    let agents = home.agents().to_vec();
+    let all: Vec<NodeId> = home.graph().nodes().map(|n| n.id()).collect();
+    for id in all.into_iter().filter(|id| admits(home, *id)) {
+        let mut tried = home.clone();
+        let there = agents.iter().all(|agent| tried.set_action(*agent, Action::one(Verb::Walk, id)).is_ok());
+        if there && agents.iter().all(|agent| tried.graph().near(*agent, id)) {
+            *home = tried;
+            return Some(id);
+        }
+    }
+    None
+}
+
+fn on_furniture(home: &Environment, id: NodeId) -> bool {
+    let graph = home.graph();
+    let node = graph.node(id).unwrap();
+    node.affords(Property::Graspable)
+        && graph.related(id, Relation::On).any(|at| graph.node(at).unwrap().affords(Property::Surface))
+        && graph.resting_at(id).next().is_none()
+}
+
+/// One of two has the thing, the other learns by whom it was taken, in the same tick.
+#[test]
+fn one_of_two_gets_a_thing() {
+    let mut home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let thing = both_near(&mut home, on_furniture).unwrap();
+    let grab = Action::one(Verb::Grab, thing);
+    let (end, endings) = outcome(&home, &[now(a, grab), now(b, grab)]);
+    let holder = end.graph().holder(thing).unwrap().at;
+    let lost = endings.iter().find(|e| e.agent != holder).unwrap();
+    let Some(Interruption::Taken { thing: taken, by }) = interruption(lost) else { panic!("{lost:?}") };
+    assert_eq!((taken.id, by.id), (thing, holder));
+    assert!(endings.iter().any(|e| e.agent == holder && e.outcome.is_ok()));
+    // Half a second later it is no longer allowed from the beginning.
+    let (_, endings) = outcome(&home, &[now(a, grab), (Span(120), b, grab)]);
+    assert!(endings.iter().any(|e| e.agent == b && matches!(e.outcome, Err(ActionError::Refused(_)))), "{endings:?}");
+}
+
+/// Two press one switch; who comes second finds it pressed.
+#[test]
+fn a_switch_is_pressed_once() {
+    let mut home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let off = |home: &Environment, id: NodeId| home.graph().node(id).unwrap().is(State::Off);
+    let lamp = both_near(&mut home, |home, id| off(home, id) && home.world().aabb(id).is_some()).unwrap();
+    let on = Action::one(Verb::SwitchOn, lamp);
+    let (end, endings) = outcome(&home, &[now(a, on), now(b, on)]);
+    assert!(end.graph().node(lamp).unwrap().is(State::On));
+    assert_eq!(endings.iter().filter(|e| e.outcome.is_ok()).count(), 1, "{endings:?}");
+}
+
+/// What an agent does ends when it is given something else, or is interrupted; it is then on its way.
+#[test]
+fn actions_are_replaced_and_interrupted() {
+    let mut home = home(42, 1);
+    let me = home.agents()[0];
+    let here = home.graph().room_of(me);
+    let far = home.graph().rooms().iter().copied().rfind(|room| Some(*room) != here).unwrap();
+    let walk = Action::one(Verb::Walk, far);
+    let from = home.world().pose(me).unwrap();
+    let (end, endings) = outcome(&home, &[now(me, walk), (Span(45), me, Action::zero(Verb::Wave))]);
+    assert!(matches!(interruption(&endings[0]), Some(Interruption::Replaced(_))), "{endings:?}");
+    assert!(endings[1].outcome.is_ok() && endings[0].tick < endings[1].tick);
+    let walked = (end.world().pose(me).unwrap().translation.vector - from.translation.vector).norm();
+    assert!(walked > 0.3 && walked < 1.5, "{walked}");
+    home.give(me, walk);
+    home.step(Span(30));
+    assert_eq!(home.current_action(me), Some(&walk));
+    assert!(matches!(home.set_action(me, Action::zero(Verb::Wave)), Err(ActionError::Busy(_))) && home.save().is_err());
+    home.interrupt(me);
+    let endings = home.step(Span(1));
+    assert_eq!(interruption(&endings[0]), Some(&Interruption::Cancelled));
+    assert!(home.current_action(me).is_none() && home.set_action(me, Action::zero(Verb::Wave)).is_ok());
+}
+
+/// Both walk to one thing at once, and stand apart.
+#[test]
+fn walkers_keep_apart() {
+    let home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let fridge = home.graph().of_class("fridge")[0];
+    let walk = Action::one(Verb::Walk, fridge);
+    let (end, endings) = outcome(&home, &[now(a, walk), now(b, walk)]);
+    assert!(endings.iter().all(|e| e.outcome.is_ok()), "{endings:?}");
+    let feet = |agent| end.world().pose(agent).unwrap().translation.vector.xy();
+    assert!((feet(a) - feet(b)).norm() > 0.5);
+    assert!(endings.iter().all(|e| e.tick > Tick(60)));
+}
+
+/// Of two who sit down on one chair one sits.
+#[test]
+fn a_seat_is_taken_once() {
+    let mut home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let chair = both_near(&mut home, |home, id| {
+        home.graph().node(id).unwrap().affords(Property::Sittable) && home.world().seats(id).len() == 1
+    })
+    .unwrap();
+    let sit = Action::one(Verb::Sit, chair);
+    let (end, endings) = outcome(&home, &[now(a, sit), now(b, sit)]);
+    assert_eq!(endings.iter().filter(|e| e.outcome.is_ok()).count(), 1, "{endings:?}");
+    assert_eq!(end.graph().relating(Relation::SittingOn, chair).count(), 1);
+}
+
+/// One shuts the fridge while the other is about to take something out of it.
+#[test]
+fn a_door_shuts_before_a_hand() {
+    let mut home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let fridge = home.graph().of_class("fridge")[0];
+    act(&mut home, a, Verb::Walk, &[fridge]);
+    act(&mut home, a, Verb::Open, &[fridge]);
+    act(&mut home, b, Verb::Walk, &[fridge]);
+    let inside = home.graph().relating(Relation::Inside, fridge).find(|id| home.graph().near(b, *id)).unwrap();
+    let orders = [now(a, Action::one(Verb::Close, fridge)), (Span(20), b, Action::one(Verb::Grab, inside))];
+    let (end, endings) = outcome(&home, &orders);
+    assert_eq!(endings.len(), 2, "{endings:?}");
+    // It was in time, and then nothing was in the way of the door; or the door was.
+    let held = end.graph().holder(inside).is_some_and(|place| place.at == b);
+    let taken = endings.iter().find(|e| e.agent == b).unwrap();
+    assert_eq!(taken.outcome.is_ok(), held, "{endings:?}");
+}
+
+/// Machines and matter go on while time passes, however it is divided; actions take their time.
+#[test]
+fn processes_go_on() {
+    let mut home = Environment::make("apartment/42", 1).unwrap();
+    let me = home.agents()[0];
+    let tables: Vec<NodeId> = home.graph().nodes().filter(|n| n.class().ends_with("table")).map(|n| n.id()).collect();
+    let mut stand = |at: NodeId| home.spawn("coffee_maker", Place { relation: Relation::On, at }).ok();
+    let machine = tables.into_iter().find_map(&mut stand).unwrap();
+    act(&mut home, me, Verb::Walk, &[machine]);
+    let hour = home.day_time().hour();
+    home.give(me, Action::one(Verb::SwitchOn, machine));
+    let (begin, endings) = (home.tick(), home.step(LONG));
+    // The switch takes a second, besides what the body needs.
+    assert!(endings[0].outcome.is_ok() && endings[0].tick - begin >= Span(60), "{endings:?}");
+    assert!(home.processes().any(|p| p.node == machine && &*p.process == "brewing"));
+    let is = |home: &Environment, state| home.graph().node(machine).unwrap().is(state);
+    assert!(is(&home, State::On) && !is(&home, State::Hot));
+    let mut slow = home.clone();
+    home.step(Span::from_seconds(360.0));
+    assert!(is(&home, State::Off) && is(&home, State::Hot));
+    for _ in 0..3600 {
+        slow.step(Span(6));
+    }
+    assert!(slow.digest() == home.digest() && slow.save().unwrap() == home.save().unwrap());
+    home.step(Span::from_seconds(3600.0));
+    assert!(!is(&home, State::Hot) && home.processes().all(|p| p.node != machine));
+    assert!((home.day_time().hour() - hour - 1.12).abs() < 0.02, "{}", home.day_time().hour() - hour);
+}
+
+/// Prints how many random actions of two agents at once are done, why others are not, and their cost against the same
+/// actions one after the other; `HOMES`, `ROUNDS` and `FROM` set the range.
+#[test]
+#[ignore = "takes minutes: proofs/clock"]
+#[allow(clippy::print_stdout, reason = "it is a report")]
+fn random_actions_at_once() {
+    let number =
+        |name: &str, otherwise: u64| std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(otherwise);
+    for seed in number("FROM", 40)..number("FROM", 40) + number("HOMES", 1) {
+        let (mut done, mut all, mut costs) = (0, 0, Vec::new());
+        let (mut home, mut stream) = (Environment::make(&format!("apartment/{seed}"), 2).unwrap(), Seed(seed).stream());
+        for _ in 0..number("ROUNDS", 20) {
+            let agents = home.agents().to_vec();
+            let orders: Vec<_> =
+                agents.iter().map(|agent| (*agent, legal_action(home.graph(), *agent, &mut stream))).collect();
+            let (mut in_turn, start) = (home.clone(), cpu_time::ThreadTime::now());
+            let told = in_turn.set_actions(&orders);
+            let (turns, start) = (start.elapsed(), cpu_time::ThreadTime::now());
+            orders.iter().for_each(|(agent, action)| home.give(*agent, *action));
+            let endings = home.step_until_idle(Span(LONG.0 * 60 * 24));
+            let clock = start.elapsed();
+            let failed: Vec<&Ending> = endings.iter().filter(|e| e.outcome.is_err()).collect();
+            (all, done) = (all + endings.len(), done + endings.len() - failed.len());
+            if failed.is_empty() && told.iter().all(Result::is_ok) {
+                costs.push(clock.as_secs_f64() / turns.as_secs_f64());
+            }
+            for ending in failed {
+                let alone = orders.iter().position(|o| o.0 == ending.agent).map(|i| told[i].is_ok());
+                let alone = if alone == Some(true) { "done in turn" } else { "not done in turn either" };
+                println!("home {seed}: {}; {alone}", ending.outcome.as_ref().unwrap_err());
+            }
+        }
+        costs.sort_by(f64::total_cmp);
+        let median = costs.get(costs.len() / 2).copied().unwrap_or_default();
+        println!("home {seed}, {done} of {all} were done, median cost against the same in turn {median:.2}");
+    }
+}
