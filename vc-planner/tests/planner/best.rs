@@ -14,6 +14,7 @@ use vc_graph::{
 };
 use vc_planner::{Agent, Decision, OraclePolicy, plan, run_episode};
 use vc_tasks::{Outcome, Task};
+use vc_testkit::amount;
 
 /// A small random home, its movable things, and the places where they can be put.
 struct World {
@@ -101,7 +102,7 @@ fn shortest(world: &World, goal: &Goal, below: usize, most: usize) -> Result<Opt
 #[test]
 fn no_plan_is_shorter() {
     let (mut compared, mut worst) = (0, Vec::new());
-    for seed in 0..120 {
+    for seed in 0..amount(40, 120) {
         let world = world(seed);
         let goal = goal(seed);
         let mut scene = world.scene.clone();
@@ -124,7 +125,7 @@ fn no_plan_is_shorter() {
             }
         }
     }
-    assert!(compared >= 60, "{compared}");
+    assert!(compared >= amount(20, 60), "{compared}");
     assert!(worst.is_empty(), "{} of {compared}:\n{}", worst.len(), worst.join("\n"));
 }
 
@@ -147,7 +148,7 @@ const FORMS: [&str; 12] = [
 #[test]
 fn no_form_is_refused_that_can_be_met() {
     let (mut compared, mut ours, mut least) = (0, 0, 0);
-    for (seed, text) in (0..12).flat_map(|seed| FORMS.map(|text| (seed, text))) {
+    for (seed, text) in (0..amount(4, 12)).flat_map(|seed| FORMS.map(|text| (seed, text))) {
         let world = world(seed);
         let goal: Goal = text.parse().unwrap();
         let Ok(Some(length)) = shortest(&world, &goal, 7, 6_000) else { continue };
@@ -156,7 +157,7 @@ fn no_form_is_refused_that_can_be_met() {
         (compared, ours, least) = (compared + 1, ours + found.actions.len(), least + length);
     }
     println!("{compared} compared: {ours} actions against {least}");
-    assert!(compared >= 100, "{compared}");
+    assert!(compared >= amount(33, 100), "{compared}");
     // Regression finds some plan, not the shortest.
     assert!(ours * 100 <= least * 105, "{ours} {least}");
 }
@@ -166,7 +167,7 @@ fn no_form_is_refused_that_can_be_met() {
 #[test]
 fn long_plans_are_improved_on_the_way() {
     let (mut planned, mut done) = (0, 0);
-    for seed in 0..60 {
+    for seed in 0..amount(20, 60) {
         let scene = homes::home(120, seed);
         let me = scene.agents()[0];
         let goal: Goal = homes::errands(&scene, 12, seed).join(" & ").parse().unwrap();
@@ -204,7 +205,7 @@ fn length(scene: &SceneGraph, goal: &Goal) -> usize {
 fn an_errand_of_forty_costs_no_more_than_one_of_twenty() {
     let (mut few, mut many) = (0, 0);
     let (mut done_few, mut done_many) = (0, 0);
-    for seed in 0..20 {
+    for seed in 0..amount(7, 20) {
         let scene = homes::home(200, seed);
         let goal = |parts| homes::errands(&scene, parts, seed).join(" & ").parse::<Goal>().unwrap();
         few += length(&scene, &goal(20));
@@ -242,7 +243,7 @@ fn a_large_goal_about_classes_is_planned_with_both_hands() {
 #[test]
 fn what_holds_is_given_up_where_that_is_best() {
     let (mut compared, mut moved) = (0, 0);
-    for seed in 0..14 {
+    for seed in 0..amount(5, 14) {
         let mut world = world(seed);
         // Only the two apples matter.
         world.items.truncate(2);
@@ -264,7 +265,7 @@ fn what_holds_is_given_up_where_that_is_best() {
         }
     }
     println!("{compared} compared, {moved} of which move both");
-    assert!(compared >= 30 && moved >= 8, "{compared} {moved}");
+    assert!(compared >= amount(10, 30) && moved >= amount(2, 8), "{compared} {moved}");
 }
 
 /// A book and a mug on a desk, and a closed nightstand elsewhere: with both hands full the nightstand cannot be

@@ -2,12 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed};
 use vc_graph::goal::Pairing;
 use vc_tasks::format::alfred::Template;
 use vc_tasks::format::bddl::{self, ActivityDefinition, Facts};
 use vc_tasks::format::{eai, json, pddl, sexpr, thesis, watch_and_help};
 use vc_tasks::lint;
+use vc_testkit::cases;
 
 /// Passes a text to every reader, and uses the results.
 fn read_all(text: &str) {
@@ -111,12 +111,6 @@ const TOKENS: &[&str] = &[
     "_1",
     "x_99999999999",
 ];
-
-fn cases(number: u32) -> Config {
-    let given = Config::default();
-    let cases = std::env::var_os("PROPTEST_CASES").map_or(number, |_| given.cases);
-    Config { cases, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..given }
-}
 
 /// A mutation of a document: position, length of the removed part, and index of the inserted token.
 type Cut = (prop::sample::Index, usize, usize);
