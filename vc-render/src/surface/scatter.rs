@@ -202,7 +202,7 @@ mod tests {
     fn thrown(finish: &Finish, cosine: f32) -> [f32; 2] {
         let back = [(1.0 - cosine * cosine).sqrt(), 0.0, cosine];
         let scatter = Scatter::new(finish, [0.0, 0.0, 1.0], back);
-        let (rows, columns) = (600, 600);
+        let (rows, columns) = (300, 300);
         let mut even = 0.0_f64;
         for i in 0..rows * columns {
             let z = ((i / columns) as f32 + 0.5) / rows as f32;

@@ -214,7 +214,7 @@ fn fast_light_through_a_drawn_cover_is_about_that_of_the_reference() {
             // The tone curve would turn noise into a loss of brightness.
             let how = PathTracing { samples: 256, brightest: f32::INFINITY, ..PathTracing::default() };
             let reference_picture =
-                room.renderer.reference_picture(&lighting, &at_the_floor().resized(32, 24), &how, |_| true).unwrap();
+                room.renderer.reference_picture(&lighting, &at_the_floor().resized(24, 18), &how, |_| true).unwrap();
             let mean = |pixels: &[[u8; 3]]| {
                 pixels.as_flattened().iter().map(|v| f64::from(*v)).sum::<f64>() / (3 * pixels.len()) as f64
             };
@@ -234,7 +234,7 @@ fn few_paths_find_the_light_behind_a_drawn_cover() {
         let made = |samples: u32, seed: u32, brightest: f32| {
             let how = PathTracing { samples, seed, brightest, denoise: false, ..PathTracing::default() };
             let made =
-                room.renderer.reference_picture(&lighting, &at_the_floor().resized(24, 18), &how, |_| true).unwrap();
+                room.renderer.reference_picture(&lighting, &at_the_floor().resized(16, 12), &how, |_| true).unwrap();
             made.light.iter().map(|c| f64::from(c[1])).collect::<Vec<f64>>()
         };
         let mean = |light: &[f64]| light.iter().sum::<f64>() / light.len() as f64;
@@ -255,9 +255,9 @@ fn drawn_covers_glow_in_fast_pictures_as_in_the_reference() {
     for (kind, day) in [(Kind::Blinds, sunny()), (Kind::Curtains, Daylight::overcast())] {
         let room = Room::new(kind, true);
         let lighting = room.renderer.light(&room.snapshot, &day);
-        let camera = at_the_window().resized(48, 36);
+        let camera = at_the_window().resized(32, 24);
         let frame = room.frame(&room.snapshot, &lighting, &camera);
-        let how = PathTracing { samples: 400, brightest: f32::INFINITY, ..PathTracing::default() };
+        let how = PathTracing { samples: 256, brightest: f32::INFINITY, ..PathTracing::default() };
         let reference = room.renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap().picture();
         let mean = |pixels: &[[u8; 3]], cover: bool| {
             let of = |id: &NodeId| room.covers.contains(id) == cover;

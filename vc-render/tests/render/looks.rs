@@ -209,12 +209,12 @@ fn mean(light: &[[f32; 3]]) -> f64 {
 #[test]
 fn smoothing_takes_noise_away_and_leaves_the_light() {
     let (renderer, _, lighting) = lamp_lit();
-    let camera = cameras(64, 48)[1];
+    let camera = cameras(48, 36)[1];
     let of = |samples: u32, seed: u32, denoise: bool| {
         let how = PathTracing { samples, seed, denoise, brightest: f32::INFINITY, ..PathTracing::default() };
         renderer.reference_picture(&lighting, &camera, &how, |_| true).unwrap().light
     };
-    let truth = of(1024, 9, false);
+    let truth = of(512, 9, false);
     // Relative to the brightness at each pixel.
     let error = |light: &[[f32; 3]]| {
         let square = |(a, b): (&[f32; 3], &[f32; 3])| f64::from((a[1] - b[1]) / (b[1] + 0.1)).powi(2);
@@ -295,7 +295,7 @@ fn panes_dim_fast_light_as_they_dim_the_references() {
         let day = if sun { Daylight { towards_sun, ..Daylight::noon() } } else { Daylight::overcast() };
         Shown::new(stage, &day)
     };
-    let camera = Camera::with_fov(48, 36, 1.2).looking(Point3::new(-1.6, -0.4, 2.2), Point3::new(0.2, 0.8, 0.4));
+    let camera = Camera::with_fov(32, 24, 1.2).looking(Point3::new(-1.6, -0.4, 2.2), Point3::new(0.2, 0.8, 0.4));
     for sun in [false, true] {
         let level = |smoked: bool| {
             let shown = dark(smoked, sun);

@@ -72,7 +72,7 @@ fn outlines_are_as_in_the_light_of_many_paths() {
     let made = pillars();
     let camera = Camera::with_fov(SIZE.0 as u32, SIZE.1 as u32, 0.9);
     let camera = camera.looking([2.2, -2.4, 1.9].into(), [0.0, 0.0, 0.6].into());
-    let truth = brightness(&made, &camera, 512, false);
+    let truth = brightness(&made, &camera, 256, false);
     let smooth = brightness(&made, &camera, 8, true);
     let ([mut off, mut count], sky) = ([0.0; 2], truth[0]);
     for (index, light) in smooth.iter().enumerate() {
