@@ -98,7 +98,7 @@ mod tests {
         let things = of(&|n| n.affords(Property::Graspable));
         let tops = of(&|n| n.affords(Property::Surface) && home.world().role(n.id()) == Some(BodyRole::Fixed));
         let mut done = 0;
-        for (thing, top) in things.into_iter().step_by(3).zip(tops.into_iter().cycle()) {
+        for (thing, top) in things.into_iter().step_by(vc_testkit::amount(18, 3)).zip(tops.into_iter().cycle()) {
             let put = Action::with(Verb::Place, &[thing, top]).unwrap();
             for action in
                 [Action::one(Verb::Walk, thing), Action::one(Verb::Grab, thing), Action::one(Verb::Walk, top), put]
@@ -112,6 +112,6 @@ mod tests {
                 home.set_action(me, Action::one(Verb::Drop, held)).unwrap();
             }
         }
-        assert!(done > 60, "{done} actions were done");
+        assert!(done > 10, "{done} actions were done");
     }
 }

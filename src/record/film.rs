@@ -285,7 +285,8 @@ mod tests {
         let me = home.agents()[0];
         let mut film = Film { every: 4 * EVERY, ..Film::new(&home, me, 64) };
         let (mut ticks, mut sights) = (0, Vec::new());
-        for class in ["fridge", "double_bed", "washbasin", "sofa", "wardrobe", "stove"] {
+        let classes = ["fridge", "double_bed", "washbasin", "sofa", "wardrobe", "stove"];
+        for class in classes.into_iter().take(vc_testkit::amount(3, 6)) {
             let Some(at) = home.graph().of_class(class).first().copied() else { continue };
             let walked = home.set_action_in_time(me, Action::one(Verb::Walk, at), |now| {
                 ticks += 1;
@@ -296,6 +297,6 @@ mod tests {
             });
             walked.unwrap();
         }
-        assert!(sights.len() > 20 && sights.iter().all(|sight| *sight > 0.0), "{sights:?}");
+        assert!(sights.len() > 8 && sights.iter().all(|sight| *sight > 0.0), "{sights:?}");
     }
 }

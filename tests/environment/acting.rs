@@ -13,7 +13,7 @@ use virtualcity::physics::{BodyRole, Hand, Posture};
 const SAME: f32 = 0.05;
 
 fn home(seed: u64) -> (Environment, NodeId) {
-    let home = Environment::make(&format!("apartment/{seed}"), 1).unwrap();
+    let home = super::home(seed, 1);
     let me = home.agents()[0];
     (home, me)
 }

@@ -1,5 +1,7 @@
 //! Homes of which only bounding boxes are known.
 
+use std::sync::OnceLock;
+
 use virtualcity::Environment;
 use virtualcity::graph::format::{read_scene, thesis};
 use virtualcity::graph::{
@@ -127,14 +129,22 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
     is_as_read(&home);
 }
 
+/// A home made from a file of VirtualHome, if the shared data exists.
+fn scene(number: u32) -> Option<Environment> {
+    static MADE: [OnceLock<Option<Environment>>; 7] = [const { OnceLock::new() }; 7];
+    let make = || {
+        let file = vc_testkit::data::folder()?.join(format!("virtualhome/scene{number}.json.gz"));
+        Some(Environment::make(&format!("scene:{}", file.display()), 1).unwrap())
+    };
+    MADE[number as usize].get_or_init(make).clone()
+}
+
 /// VirtualHome's scenes: nothing is moved, agents walk to every room, and doors connect the rooms as in the
 /// scenes.
 #[test]
 fn scenes_of_boxes_are_lived_in() {
     for number in vc_testkit::data::SCENES {
-        let Some(data) = vc_testkit::data::folder() else { return };
-        let file = data.join(format!("virtualhome/scene{number}.json.gz"));
-        let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
+        let Some(home) = scene(number) else { return };
         let scene = vc_testkit::data::scene(number).unwrap();
         assert_eq!(home.left_out(), []);
         let off = |n: &&Node| {
@@ -155,9 +165,7 @@ fn scenes_of_boxes_are_lived_in() {
 /// The planner, which does not know the home, performs everyday tasks in a scene of boxes.
 #[test]
 fn the_planner_lives_in_boxes() {
-    let Some(data) = vc_testkit::data::folder() else { return };
-    let file = data.join("virtualhome/scene1.json.gz");
-    let home = Environment::make(&format!("scene:{}", file.display()), 1).unwrap();
+    let Some(home) = scene(1) else { return };
     let goals = Task::read_list(include_str!("../../examples/data/box_goals.txt")).unwrap();
     assert_eq!(goals.len(), 40);
     let wins = |home: &Environment, title: &str| {
@@ -170,7 +178,6 @@ fn the_planner_lives_in_boxes() {
     // A slice is wider than a turntable; only the foot of a bed in a corner is free.
     let hard = [(5, "warm a slice of bread"), (5, "lie down"), (3, "fry something")];
     for (number, title) in hard {
-        let file = data.join(format!("virtualhome/scene{number}.json.gz"));
-        wins(&Environment::make(&format!("scene:{}", file.display()), 1).unwrap(), title);
+        wins(&scene(number).unwrap(), title);
     }
 }

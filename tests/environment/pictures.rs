@@ -8,17 +8,11 @@ mod people;
 mod seen;
 
 use nalgebra::Vector3;
-use virtualcity::graph::{Action, NodeId, State, Verb};
+use virtualcity::graph::{NodeId, State, Verb};
 use virtualcity::render::{Adaptation, Camera, Frame, Modality};
 use virtualcity::{Environment, PictureOptions, Viewpoint};
 
-fn home(seed: u64, agents: usize) -> Environment {
-    Environment::make(&format!("apartment/{seed}"), agents).unwrap()
-}
-
-fn act(home: &mut Environment, agent: NodeId, verb: Verb, things: &[NodeId]) {
-    home.set_action(agent, Action::with(verb, things).unwrap()).unwrap();
-}
+use super::{act, fresh, home};
 
 /// A camera in a room keeps its place whatever moves, and impossible picture sizes are refused.
 #[test]
@@ -31,7 +25,7 @@ fn cameras_in_rooms_are_fixed() {
     act(&mut home, me, Verb::Walk, &[table]);
     assert_eq!(before, camera(&home));
     // The same in an environment without earlier pictures.
-    let mut other = Environment::make("apartment/42", 1).unwrap();
+    let mut other = fresh(42, 1);
     act(&mut other, me, Verb::Walk, &[table]);
     assert_eq!(before, camera(&other));
     // The options' lens is wider, and a robot's eyes are lower.
@@ -53,7 +47,7 @@ fn cameras_in_rooms_are_fixed() {
 #[test]
 fn pictures_have_no_history() {
     // Two separate environments, since clones share what was computed for pictures.
-    let (mut seen, mut unseen) = (home(42, 1), home(42, 1));
+    let (mut seen, mut unseen) = (home(42, 1), fresh(42, 1));
     let (me, table) = (seen.agents()[0], seen.graph().of_class("coffee_table")[0]);
     let door = seen.graph().of_class("door")[0];
     let picture = |home: &Environment| home.render(Viewpoint::Overhead, Modality::Rgb, 96, 72).unwrap().rgb;

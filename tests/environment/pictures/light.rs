@@ -6,7 +6,7 @@ use virtualcity::procgen::Apartment;
 use virtualcity::render::{Adaptation, Camera, Daylight, Frame, Modality, NOTHING, Renderer, Shot};
 use virtualcity::{Environment, PictureOptions, Viewpoint};
 
-use super::{act, home};
+use super::{act, fresh, home};
 
 /// The median brightness, 0 to 255, of a view across each bathroom of a home at noon with all ceiling lamps on.
 fn bathrooms(seed: u64) -> Vec<u8> {
@@ -71,7 +71,7 @@ fn covers_are_drawn_and_light_follows() {
     assert!(seen(&closed) > 2 * seen(&open).max(20), "{} pixels, then {}", seen(&open), seen(&closed));
     assert_ne!(bright(&closed), bright(&open));
     // Earlier pictures make no difference.
-    let mut other = Environment::make("apartment/42", 1).unwrap();
+    let mut other = fresh(42, 1);
     act(&mut other, me, Verb::Walk, &[cover]);
     act(&mut other, me, Verb::Close, &[cover]);
     let fresh = look(&other).unwrap();
@@ -126,7 +126,8 @@ fn what_has_moved_is_lit_where_it_is() {
         moments.push((home.clone(), room));
         act(&mut home, me, Verb::Place, &[thing, table]);
         moments.push((home.clone(), room));
-        for (at, (home, room)) in moments.iter().enumerate() {
+        // In lamplight, how it ends is enough.
+        for (at, (home, room)) in moments.iter().enumerate().skip(if lamps { 2 } else { 0 }) {
             for view in [Viewpoint::Room(*room), Viewpoint::Agent(me)].into_iter().take(2 - at.min(1)) {
                 let now = home.render(view, wanted, 160, 120).unwrap();
                 let anew = home.render_relit(view, wanted, 160, 120).unwrap();
@@ -190,8 +191,8 @@ fn exposure_does_not_jump_in_doors() {
     let exposure = |i: i32| {
         let eye = pose * Point3::new(0.02 * i as f32, 0.0, 0.0);
         let eye = Point3::new(eye.x, eye.y, 1.6);
-        let camera = Camera::with_fov(96, 72, 1.15).looking(eye, eye + pose.rotation * Vector3::x());
-        home.render(Viewpoint::Free(camera), Modality::Rgb, 96, 72).unwrap().exposure[1]
+        let camera = Camera::with_fov(48, 36, 1.15).looking(eye, eye + pose.rotation * Vector3::x());
+        home.render(Viewpoint::Free(camera), Modality::Rgb, 48, 36).unwrap().exposure[1]
     };
     let all: Vec<f32> = (-40..40).map(exposure).collect();
     let step = all.windows(2).map(|pair| (pair[1] / pair[0]).max(pair[0] / pair[1])).fold(1.0, f32::max);

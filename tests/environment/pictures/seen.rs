@@ -9,7 +9,7 @@ use virtualcity::{Environment, Viewpoint};
 const SIZE: (u32, u32) = (80, 60);
 
 fn home(seed: u64) -> Environment {
-    Environment::make(&format!("apartment/{seed}"), 1).unwrap()
+    super::home(seed, 1)
 }
 
 fn seen(home: &Environment, view: Viewpoint) -> Frame {

@@ -7,12 +7,12 @@ use virtualcity::planner::Episode;
 use virtualcity::tasks::{Outcome, Task, World};
 use virtualcity::{Dataset, Environment, RecordError, RecordOptions, Recorder, Viewpoint};
 
-use super::{files, folder};
+use super::{files, folder, home};
 
 const JOURNAL: &str = "annotations.jsonl.part";
 
 fn homes() -> Vec<Environment> {
-    ["apartment/42", "apartment/7"].iter().map(|name| Environment::make(name, 1).unwrap()).collect()
+    [42, 7].map(|seed| home(seed, 1)).to_vec()
 }
 
 /// Pictures of each home, one from each room, up to a number.
@@ -72,7 +72,7 @@ fn pictures_of_something_else_are_made_anew() {
 
 /// Lets an agent walk through some rooms, and returns the record of it.
 fn walk(at: &Path, rooms: usize) -> Recorder {
-    let home = Environment::make("apartment/42", 1).unwrap();
+    let home = home(42, 1);
     let (me, all) = (home.agents()[0], home.graph().rooms().to_vec());
     let options = RecordOptions { width: 32, dataset: true, ..RecordOptions::default() };
     let task = Task::new("to and fro", "Holds(novel)".parse().unwrap());
@@ -115,7 +115,7 @@ fn records_go_on_where_they_were_broken_off() {
 #[test]
 fn datasets_have_arrays_on_wish() {
     use virtualcity::render::Modality;
-    let home = Environment::make("apartment/42", 1).unwrap();
+    let home = home(42, 1);
     let at = folder("dataset_arrays");
     let room = home.graph().rooms()[0];
     let take = |wanted: bool| {
