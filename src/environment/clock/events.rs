@@ -39,7 +39,8 @@ impl Environment {
         };
         let done = match schedule.phase {
             Phase::Out => self.at_hand(agent),
-            Phase::Leaf | Phase::Pushes(_) => self.perform(agent),
+            // Somebody else may have opened or shut it meanwhile.
+            Phase::Leaf | Phase::Pushes(_) => self.still_allowed(agent).and_then(|()| self.perform(agent)),
             Phase::Ends => return self.finish_in_time(agent),
             Phase::Back | Phase::Rests => Ok(()),
         };
@@ -265,7 +266,7 @@ impl Environment {
         if let BodyMotion::Take(_, thing) = motion {
             self.tell_taken(agent, thing);
         }
-        Ok(())
+        if pushed { self.check_opened(agent) } else { Ok(()) }
     }
 
     /// A door is where the hand has moved it; if something has come into its way meanwhile, it is pushed.
@@ -277,10 +278,23 @@ impl Environment {
             if let Some(schedule) = self.clock.running.get_mut(&agent) {
                 schedule.motion = Some(BodyMotion::Drive(drive));
             }
+            return Ok(());
         }
         self.clock.stirred = true;
         self.clock.changed.push(agent);
-        Ok(())
+        self.check_opened(agent)
+    }
+
+    /// Looks at once whether a door has opened or shut: by then it holds for others too, not when the hand is back.
+    fn check_opened(&mut self, agent: NodeId) -> Going {
+        let Some(schedule) = self.clock.running.get_mut(&agent) else { return Ok(()) };
+        match schedule.tasks.pop_front() {
+            Some(task @ Task::CheckOpen { .. }) => self.plan_task(agent, task),
+            other => {
+                other.into_iter().for_each(|task| schedule.tasks.push_front(task));
+                Ok(())
+            }
+        }
     }
 
     /// The action's effects hold from now on.
