@@ -40,8 +40,8 @@ mod vocabulary;
 pub use nalgebra;
 
 pub use action::{
-    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, AimWord, Heading, NameMismatch, ObjectNames, ParsedAction,
-    Side, Verb,
+    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, AimWord, Heading, NameMismatch, ObjectNames,
+    ParsedAction, Side, Verb,
 };
 pub use anthropometry::Anthropometry;
 pub use asset::{Asset, AssetId, AssetLibrary};

@@ -55,7 +55,8 @@ impl Planner<'_> {
         let from = Point2::from(self.feet().translation.vector.xy());
         let route = self.floor.route(from, spot);
         let ends = |end: &Point2<f32>| (end - spot).norm() <= BESIDE;
-        let mut route = route.filter(|route| route.points.last().is_some_and(ends)).ok_or(PhysicalRefusal::NoWay(point))?;
+        let mut route =
+            route.filter(|route| route.points.last().is_some_and(ends)).ok_or(PhysicalRefusal::NoWay(point))?;
         if route.points.last() != Some(&spot) {
             route.points.push(spot);
         }
@@ -74,7 +75,8 @@ impl Planner<'_> {
 
     fn point_taken(&self, point: AimPoint, feet: &Pose) -> Result<PhysicalRefusal, PhysicalRefusal> {
         let spot = feet.translation.vector.xy();
-        let is_there = |id: &NodeId| self.world.pose(*id).is_some_and(|p| (p.translation.vector.xy() - spot).norm() < APART);
+        let is_there =
+            |id: &NodeId| self.world.pose(*id).is_some_and(|p| (p.translation.vector.xy() - spot).norm() < APART);
         let mut by = self.world.obstacles_at(self.agent, feet)?;
         by.extend(self.world.agents().filter(|id| *id != self.agent && is_there(id)));
         by.sort_unstable();
@@ -142,7 +144,9 @@ impl Planner<'_> {
     pub(super) fn let_go_as_asked(&mut self, id: NodeId) -> Planning {
         let room = self.before.room_of(self.agent);
         let role = |id: &NodeId| self.before.node(*id).map(vc_graph::Node::role);
-        let there = |wanted| room.into_iter().flat_map(|room| self.before.in_room(room)).filter(move |id| role(id) == Some(wanted));
+        let there = |wanted| {
+            room.into_iter().flat_map(|room| self.before.in_room(room)).filter(move |id| role(id) == Some(wanted))
+        };
         let grounds: Vec<NodeId> = there(ObjectRole::Rug).chain(there(ObjectRole::Floor)).collect();
         let mut refused = PhysicalRefusal::NoStand(self.before.label(self.agent));
         for at in grounds {
@@ -156,7 +160,8 @@ impl Planner<'_> {
 
     /// Brings a side of a thing within reach of the hands.
     pub(super) fn reach_side(&mut self, id: NodeId, side: Side) -> Planning {
-        let (middle, out) = self.world.side_of(id, side).ok_or_else(|| PhysicalRefusal::NoBody(self.before.label(id)))?;
+        let (middle, out) =
+            self.world.side_of(id, side).ok_or_else(|| PhysicalRefusal::NoBody(self.before.label(id)))?;
         if let Some(&by) = self.world.things_at_side(id, side)?.first() {
             return Err(AgentError::SideTaken { id, side, by }.into());
         }

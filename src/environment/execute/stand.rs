@@ -132,7 +132,8 @@ impl Planner<'_> {
             route.points.insert(0, from);
         }
         let aside = self.world.parts_to_move_aside(self.agent, &feet)?.unwrap_or_default();
-        let walk = BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.action.verb == Verb::Run };
+        let walk =
+            BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.action.verb == Verb::Run };
         let nudge = (!aside.is_empty()).then_some(BodyMotion::Nudge(aside));
         Ok(Plan::of(nudge.into_iter().chain([walk])))
     }

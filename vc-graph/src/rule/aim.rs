@@ -2,13 +2,14 @@
 
 use nalgebra::{Point2, Point3};
 
+use crate::AimWord::{At, By, Seat, Slot, Yaw};
 use crate::asset::Hold;
 use crate::class::SlotKind;
 use crate::rule::effect::Effect;
 use crate::rule::refusal::Refusal;
-use crate::AimWord::{At, By, Seat, Slot, Yaw};
 use crate::{
-    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, NEAR, Node, NodeId, NodeKind, ObjectRole, SceneGraph, State, Verb,
+    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, NEAR, Node, NodeId, NodeKind, ObjectRole, SceneGraph, State,
+    Verb,
 };
 
 /// How far a point of a surface may be beside the surface's box, metres: numbers are rounded.
@@ -86,7 +87,9 @@ impl AimRule {
 
     fn takes(&self, aim: &Aim, alone: bool) -> bool {
         let words = aim.words();
-        self.forms.iter().any(|form| form.alone == alone && form.words.iter().copied().collect::<crate::Set<_>>() == words)
+        self.forms
+            .iter()
+            .any(|form| form.alone == alone && form.words.iter().copied().collect::<crate::Set<_>>() == words)
     }
 
     /// Whether an aim stands for the verb's only object.
@@ -129,7 +132,9 @@ impl AimRule {
             None => (None, None),
             Some(Aimed::Front) => (Some(Effect::TurnAs(aim)), None),
             Some(Aimed::Object) => (action.object.map(|id| Effect::PoseAs(id, aim)), None),
-            Some(Aimed::Feet) => (action.object.is_none().then_some(Effect::GoToPoint(aim)), Some(Effect::StandAs(aim))),
+            Some(Aimed::Feet) => {
+                (action.object.is_none().then_some(Effect::GoToPoint(aim)), Some(Effect::StandAs(aim)))
+            }
         };
         first.into_iter().chain(second)
     }

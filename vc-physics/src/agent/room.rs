@@ -49,7 +49,8 @@ impl PhysicsWorld {
     /// # Errors
     /// [`AgentError::NoSuchAgent`].
     pub fn obstacles_at(&self, agent: NodeId, feet: &Pose) -> Result<Vec<NodeId>, AgentError> {
-        let mut found: Vec<NodeId> = self.overlapped_at(self.agent(agent)?, feet).into_iter().map(|(id, _)| id).collect();
+        let mut found: Vec<NodeId> =
+            self.overlapped_at(self.agent(agent)?, feet).into_iter().map(|(id, _)| id).collect();
         found.dedup();
         Ok(found)
     }

@@ -82,7 +82,8 @@ impl PhysicsWorld {
         let shelves: Vec<SupportSurface> = shelves.filter(is_meant).map(|(_, shelf)| shelf).collect();
         let ways = if inside { &INTO[..] } else { &ONTO[..] };
         let mut fault = SpotFault::OffSurface;
-        for (way, shelf) in ways.iter().filter(|way| !way.across).flat_map(|way| shelves.iter().map(move |s| (way, s))) {
+        for (way, shelf) in ways.iter().filter(|way| !way.across).flat_map(|way| shelves.iter().map(move |s| (way, s)))
+        {
             for turn in self.wished_turns(thing, way, shelf, wish) {
                 match self.wished_on(thing, shelf, (way, &turn), wish, order, &admits) {
                     Ok(spot) => return Ok(Ok(spot)),
