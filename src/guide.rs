@@ -546,8 +546,8 @@
 //! | `grab cup.12 by left` | by the front, back, left, right or top |
 //! | `sit sofa.9 seat 2` | on this seat |
 //!
-//! What is put down rests within one centimetre and two degrees of what was asked for, and so do feet; otherwise the action
-//! is refused with the reason, and nothing has changed.
+//! A thing that is put down rests within one centimetre and two degrees of the pose asked for, and so do feet; otherwise
+//! the action is refused with the reason, and nothing has changed.
 //!
 //! ```
 //! use virtualcity::graph::{Action, Place, Relation};

@@ -122,7 +122,7 @@ fn is_reason(why: &ActionError) -> bool {
     }
 }
 
-/// What was done ends in the same bytes when it is done again, and when it is restored.
+/// A history ends in the same bytes when it is done again, and when it is restored.
 fn same_again(done: &Environment, seed: u64) {
     let mut again = home(seed, done.agents().len());
     for event in done.history().events() {
@@ -393,7 +393,7 @@ fn things_are_put_into_slots() {
     assert!(put > 3, "{put}");
 }
 
-/// What is shown ends as what is done at once.
+/// An action that is shown ends as the same one done at once.
 #[test]
 fn aims_are_shown() {
     let mut home = home(42, 1);

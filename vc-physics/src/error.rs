@@ -157,7 +157,7 @@ pub enum AgentError<N = NodeId> {
         seat: N,
         /// The number of the place, counted from 1.
         number: u32,
-        /// Who is there.
+        /// The agent that is there.
         by: N,
     },
     /// A thing leaves no room for a hand at a side.
@@ -167,7 +167,7 @@ pub enum AgentError<N = NodeId> {
         id: N,
         /// The side.
         side: Side,
-        /// What is there.
+        /// The thing that is there.
         by: N,
     },
     /// There is no path to the target.

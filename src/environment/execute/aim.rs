@@ -1,4 +1,4 @@
-//! What an aim asks of bodies: a point, a heading, a slot, a side.
+//! Points, headings, slots and sides that an action asks for.
 
 use nalgebra::{Point2, Vector2};
 use vc_graph::rule::Aimed;

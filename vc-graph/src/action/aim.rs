@@ -117,7 +117,7 @@ pub enum AimError {
     /// A number that is not finite, or a point that is more than 1,000 km away.
     #[error("{0} is not finite, or more than 1,000 km away")]
     OutOfRange(String),
-    /// What follows a word is missing.
+    /// Nothing follows a word that says more.
     #[error("`{}` is followed by {}", .0, follows(*.0))]
     Missing(AimWord),
     /// A word that belongs to no aim.

@@ -24,7 +24,7 @@ pub struct AimForm {
     pub words: &'static [AimWord],
 }
 
-/// What an aim places.
+/// The part of the scene that an aim places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Aimed {
     /// The agent's feet.
@@ -48,7 +48,7 @@ pub enum Aimed {
 pub struct AimRule {
     /// The combinations of words.
     pub forms: &'static [AimForm],
-    /// What point and heading place, if the verb takes them.
+    /// The part of the scene that point and heading place, if the verb takes them.
     pub places: Option<Aimed>,
 }
 
@@ -124,7 +124,7 @@ impl AimRule {
         Refusal::Aim { verb, takes: self.texts(verb), given }
     }
 
-    /// What the aim of an action brings about besides the effects of its verb.
+    /// The effects of an action's aim, besides those of its verb.
     pub(super) fn effects(&self, action: &Action) -> impl Iterator<Item = Effect<NodeId>> + use<> {
         let aim = action.aim;
         let places = self.places.filter(|_| aim.point().is_some() || aim.heading().is_some());
