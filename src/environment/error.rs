@@ -2,7 +2,7 @@
 
 use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
-use vc_graph::{Aim, AimPoint, EditError, Label, NodeId, Refusal, SceneGraph, Side};
+use vc_graph::{AimPoint, EditError, Label, NodeId, Refusal, SceneGraph, Side};
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_procgen::dress::DressError;
 use vc_relations::InputError;
@@ -206,14 +206,12 @@ pub enum PhysicalRefusal {
         at: Label,
     },
     /// It cannot be put where or as the action asks.
-    #[error("{thing} cannot be put at {at}{aim}: {why}")]
+    #[error("{thing} cannot be put to {at} as asked: {why}")]
     NotAsAsked {
         /// The thing to be put.
         thing: Label,
         /// The surface or container.
         at: Label,
-        /// The point, heading or slot that the action asks for.
-        aim: Aim,
         /// The reason.
         why: SpotRefusal,
     },

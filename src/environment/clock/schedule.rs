@@ -82,7 +82,8 @@ impl Schedule {
     /// Whether the action's effects come true with a motion.
     pub(super) fn comes_true_with(&self, motion: &BodyMotion) -> bool {
         let effects = rule::effects(&self.action);
-        let goes = |e: &Effect<_>| matches!(e, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_)) || is_on_foot(e);
+        let goes =
+            |e: &Effect<_>| matches!(e, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_)) || is_on_foot(e);
         match motion {
             BodyMotion::Take(..)
             | BodyMotion::Put(_)

@@ -125,7 +125,7 @@ impl Planner<'_> {
         let spot = self.world.wished_spot(id, (place.at, inside), &wish, self.near_hands(), admits)?;
         spot.map_err(|fault| {
             let why = self.spot_refusal(fault, inside);
-            PhysicalRefusal::NotAsAsked { thing: self.before.label(id), at: self.before.label(place.at), aim, why }
+            PhysicalRefusal::NotAsAsked { thing: self.before.label(id), at: self.before.label(place.at), why }
         })
     }
 
