@@ -15,6 +15,7 @@
 //! 13. [Tasks that are certainly feasible](#tasks-that-are-certainly-feasible)
 //! 14. [Resetting to an edited graph](#resetting-to-an-edited-graph)
 //! 15. [Several agents at the same time](#several-agents-at-the-same-time)
+//! 16. [Actions at points](#actions-at-points)
 //!
 //! # Many homes at once
 //!
@@ -525,5 +526,46 @@
 //!     let open = moment.world().openness(fridge);
 //!     println!("{}: open {:?}, {} things in it", moment.tick(), open, moment.graph().relating(Relation::Inside, fridge).count());
 //! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Actions at points
+//!
+//! An action may have an [`Aim`](crate::graph::Aim): a coordinate, a rotation, a seat, a slot or a side. Points are in the
+//! world's frame, metres, Z up; headings are degrees counter-clockwise from X. Point and heading of a thing are those of
+//! its pose, those of an agent are of its feet. In the text of an action they come after its objects.
+//!
+//! | text | meaning |
+//! |---|---|
+//! | `walk at 3.20 1.50 yaw 90`, `run at 3.20 1.50` | to a point of the floor, turned so |
+//! | `walk table.3 at 3.20 1.50`, `walk table.3 yaw 90` | to this point near a thing; up to it and turned so |
+//! | `turn_to yaw 90`, `turn_to at 3.20 1.50`, `point_at at 3.20 1.50 1.80` | to a heading, to a point, at a place |
+//! | `place cup.12 table.3 at 1.20 0.40 yaw 90` | at a point of a surface, turned so; `put_in` takes the same |
+//! | `put_in plate.7 dishwasher.4 slot 2`, `place pan.5 stove.6 slot 1` | in this rack, shelf or drawer; on this burner |
+//! | `drop cup.12 at 2.00 1.00` | at a point of the floor |
+//! | `grab cup.12 by left` | by the front, back, left, right or top |
+//! | `sit sofa.9 seat 2` | on this seat |
+//!
+//! A thing that is put down rests within one centimetre and two degrees of the pose asked for, and so do feet; otherwise
+//! the action is refused with the reason, and nothing has changed.
+//!
+//! ```
+//! use virtualcity::graph::{Action, Place, Relation};
+//! use virtualcity::{ActionError, Environment, PhysicalRefusal};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let (me, table) = (home.agents()[0], home.graph().of_class("coffee_table")[0]);
+//! let mug = home.spawn("mug", Place { relation: Relation::On, at: table })?;
+//! home.set_action(me, Action::walk(mug))?;
+//! home.set_action(me, Action::grab(mug))?;
+//! let middle = home.graph().node(table).and_then(|node| node.aabb()).ok_or("no box")?.centre();
+//! let place = format!("place mug.{} coffee_table.{} at {:.3} {:.3} yaw 90", mug.0, table.0, middle.x, middle.y);
+//! home.set_action(me, place.parse()?)?;
+//! let far = home.world().pose(mug).ok_or("no body")?.translation.vector.xy() - middle.coords.xy();
+//! assert!(far.norm() < 0.01);
+//! // The table is in the way.
+//! let walk = format!("walk at {:.3} {:.3}", middle.x, middle.y);
+//! let error = home.set_action(me, walk.parse()?).unwrap_err();
+//! assert!(matches!(error, ActionError::Impossible { why: PhysicalRefusal::PointTaken { .. }, .. }), "{error}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

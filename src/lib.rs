@@ -92,8 +92,8 @@ pub use check::{ContractViolation, Tally, check_environment, legal_action, rando
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Difference, Disagreement, Displaced, Ending, Environment, EnvironmentBuilder,
-    Interruption, MakeError, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, Steering, Unplaced,
-    UnplacedReason,
+    Interruption, MakeError, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, SpotRefusal, Steering,
+    Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{PictureOptions, Viewpoint};

@@ -9,7 +9,7 @@ use vc_relations::threshold::FACING_COSINE;
 use super::astray;
 use super::compare::Outcome;
 use super::course::Course;
-use super::execute::Execution;
+use super::execute::{Execution, off_aim};
 use super::settle::come_to_rest;
 use super::step::{RetryOptions, Step};
 use super::{ActionError, Disagreement, Environment, PhysicalRefusal, observe};
@@ -47,6 +47,9 @@ impl Environment {
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// The coordinate and the rotation of an action are its [`Aim`](vc_graph::Aim): a point of the world, metres, and a
+    /// heading, degrees counter-clockwise from X; see the [guide](crate::guide#actions-at-points).
     ///
     /// # Errors
     /// [`ActionError`]; then nothing has changed.
@@ -184,6 +187,9 @@ impl Environment {
         folded: &[(NodeId, Vector3<f32>)],
     ) -> Result<ChangeSet, ActionError> {
         come_to_rest(&mut self.world);
+        if let Some(why) = off_aim(&self.world, &self.graph, agent, action) {
+            return Err(ActionError::Impossible { action: action.describe(&self.graph).to_string(), why });
+        }
         let mut observed = ruled.clone();
         let mut edit = observed.edit();
         // They are there, and their scales are sound.

@@ -1,7 +1,7 @@
 //! What a body does one after the other in the course of an action.
 
 use nalgebra::{Point2, Vector3};
-use vc_graph::{Action, Effect, NodeId, Pose};
+use vc_graph::{Action, Effect, NodeId, Pose, Side};
 use vc_physics::Hand;
 
 /// One thing a body does. An action at once does them all; an action in time shows them.
@@ -11,8 +11,8 @@ pub(super) enum BodyMotion {
     Walk { points: Vec<Point2<f32>>, doors: Vec<NodeId>, feet: Pose, run: bool },
     /// Turns on the spot.
     Turn(Pose),
-    /// Takes a thing into a hand.
-    Take(Hand, NodeId),
+    /// Takes a thing into a hand, perhaps by a side.
+    Take(Hand, NodeId, Option<Side>),
     /// Things that nobody touches are held where they are: they would fall.
     Steady(Vec<NodeId>),
     /// Folds up cloth that a hand holds, to another scale.
@@ -37,8 +37,8 @@ pub(super) enum BodyMotion {
     LetGo(Hand),
     /// Moves doors, lids, drawers.
     Drive(Drive),
-    /// Sits or lies down.
-    Rest(NodeId, bool),
+    /// Sits or lies down, perhaps on one of the seats, counted from 0.
+    Rest(NodeId, bool, Option<u32>),
     /// Gets up to a pose.
     GetUp(Pose),
     /// Puts on a thing.
@@ -106,7 +106,7 @@ impl Course {
     /// Records that an effect comes true with the last motion since a number of them that has to do with it.
     pub(super) fn comes_true(&mut self, effect: Effect<NodeId>, since: usize) {
         // Stepping up to a thing does nothing to it.
-        let goes = matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_));
+        let goes = matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_)) || is_on_foot(&effect);
         let does = |motion: &BodyMotion| {
             goes || !matches!(motion, BodyMotion::Walk { .. } | BodyMotion::Turn(_) | BodyMotion::Nudge(_))
         };
@@ -130,4 +130,9 @@ impl Course {
             _ => None,
         })
     }
+}
+
+/// Whether an effect is that an agent is at a point, or turned by a heading.
+pub(super) fn is_on_foot(effect: &Effect<NodeId>) -> bool {
+    matches!(effect, Effect::GoToPoint(_) | Effect::StandAs(_) | Effect::TurnAs(_))
 }

@@ -2,7 +2,7 @@
 
 use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
-use vc_graph::{EditError, Label, NodeId, Refusal, SceneGraph};
+use vc_graph::{AimPoint, EditError, Label, NodeId, Refusal, SceneGraph, Side};
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_procgen::dress::DressError;
 use vc_relations::InputError;
@@ -205,6 +205,45 @@ pub enum PhysicalRefusal {
         /// The thing that could not be shut.
         at: Label,
     },
+    /// It cannot be put where or as the action asks.
+    #[error("{thing} cannot be put to {at} as asked: {why}")]
+    NotAsAsked {
+        /// The thing to be put.
+        thing: Label,
+        /// The surface or container.
+        at: Label,
+        /// The reason.
+        why: SpotRefusal,
+    },
+    /// It came to rest elsewhere than the action asks, or turned otherwise.
+    #[error("{thing} would be {metres:.2} m and {degrees:.0} degrees from what is asked for: it does not stay there")]
+    OffAim {
+        /// The thing, or the agent.
+        thing: Label,
+        /// How far from the point, metres.
+        metres: f32,
+        /// How far from the heading, degrees.
+        degrees: f32,
+    },
+    /// Nobody can stand at the point.
+    #[error("nobody can stand at the point {point}{}", taken_up(.by))]
+    PointTaken {
+        /// The point.
+        point: AimPoint,
+        /// The things and people there; none where there is no floor.
+        by: Vec<Label>,
+    },
+    /// There is no way to the point.
+    #[error("there is no way over the floor to the point {0}")]
+    NoWay(AimPoint),
+    /// Nowhere to stand from where the side could be reached.
+    #[error("there is no spot on the floor from which the {side} of {thing} can be reached; take it by another side")]
+    NoSide {
+        /// The thing.
+        thing: Label,
+        /// The side.
+        side: Side,
+    },
     /// It rolls or slides off wherever it is put there.
     #[error("{0} does not stay where it is put there: take out or move what it would lie on")]
     Unsteady(Label),
@@ -241,6 +280,30 @@ pub enum PhysicalRefusal {
     Unreadable(String),
 }
 
+/// The reason why a thing cannot be put where or as an action asks.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SpotRefusal {
+    /// No surface is there.
+    #[error("no surface that carries things is there")]
+    OffSurface,
+    /// Something is too low above it.
+    #[error("it is too high for that place")]
+    TooLow,
+    /// It would reach over an edge.
+    #[error("it would not rest there, but reach too far over an edge")]
+    WouldNotRest,
+    /// A door, lid or drawer could not shut again.
+    #[error("a door, lid or drawer could not be shut again")]
+    KeepsOpen,
+    /// Somebody could not get away any more.
+    #[error("it would shut somebody in")]
+    ShutsIn,
+    /// Other things are there.
+    #[error("there is no room{}", taken_up(.0))]
+    Taken(Vec<Label>),
+}
+
 /// A node of which only the number is known yet.
 fn numbered(id: NodeId) -> Label {
     Label { class: "node".into(), id }
@@ -259,6 +322,11 @@ impl From<PhysicsError> for PhysicalRefusal {
 }
 
 impl PhysicalRefusal {
+    /// Whether no surface is where a thing is to be put.
+    pub(super) fn is_off_surface(&self) -> bool {
+        matches!(self, Self::NotAsAsked { why: SpotRefusal::OffSurface, .. } | Self::Physics(PhysicsError::NoBody(_)))
+    }
+
     /// The same error with a scene's labels for the nodes that bodies know by number.
     pub(super) fn in_scene(self, graph: &SceneGraph) -> Self {
         let label = |known: Label| graph.label(known.id);

@@ -5,6 +5,7 @@
 
 mod acting;
 mod agreement;
+mod aims;
 mod alter;
 mod astray;
 mod bodies;

@@ -39,7 +39,10 @@ mod vocabulary;
 
 pub use nalgebra;
 
-pub use action::{Action, ActionTextError, NameMismatch, ObjectNames, ParsedAction, Verb};
+pub use action::{
+    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, AimWord, Heading, NameMismatch, ObjectNames,
+    ParsedAction, Side, Verb,
+};
 pub use anthropometry::Anthropometry;
 pub use asset::{Asset, AssetId, AssetLibrary};
 pub use builder::SceneBuilder;
@@ -57,7 +60,7 @@ pub use observe::{Observation, Scope};
 pub use property::{Property, PropertySet};
 pub use relation::{Edge, Place, Relation};
 pub use role::ObjectRole;
-pub use rule::{ActionRule, Condition, Effect, Refusal, Semantics};
+pub use rule::{ActionRule, AimForm, AimRule, Condition, Effect, Refusal, Semantics};
 pub use seed::{Seed, Stream};
 pub use simulator::{Event, History, Simulator};
 pub use spelling::{did_you_mean, nearest};

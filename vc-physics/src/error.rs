@@ -1,6 +1,6 @@
 //! Errors of worlds, agents and snapshots.
 
-use vc_graph::NodeId;
+use vc_graph::{NodeId, Side};
 
 /// The reason why a world refuses a call. Nodes are given by their numbers; [`named`](Self::named) replaces
 /// them by labels.
@@ -140,6 +140,36 @@ pub enum AgentError<N = NodeId> {
     /// The node has no place for sitting or lying.
     #[error("{0} has nothing to sit or lie on")]
     NoSeat(N),
+    /// The node has fewer seats.
+    #[error("{seat} has {count} seats: there is no seat {number}")]
+    NoSuchSeat {
+        /// The seat.
+        seat: N,
+        /// The number asked for, counted from 1.
+        number: u32,
+        /// How many it has.
+        count: usize,
+    },
+    /// Somebody is on that place.
+    #[error("{by} sits on seat {number} of {seat}; take another one")]
+    PlaceTaken {
+        /// The seat.
+        seat: N,
+        /// The number of the place, counted from 1.
+        number: u32,
+        /// The agent that is there.
+        by: N,
+    },
+    /// A thing leaves no room for a hand at a side.
+    #[error("{by} is at the {side} of {id}, so no hand fits there; take it by another side")]
+    SideTaken {
+        /// The thing that was to be taken.
+        id: N,
+        /// The side.
+        side: Side,
+        /// The thing that is there.
+        by: N,
+    },
     /// There is no path to the target.
     #[error("there is no path for {agent} to the target")]
     NoWay {
@@ -201,6 +231,9 @@ impl<N> AgentError<N> {
             E::SeatTaken(id) => E::SeatTaken(name(id)),
             E::SeatCovered { seat, by } => E::SeatCovered { seat: name(seat), by: name(by) },
             E::NoSeat(id) => E::NoSeat(name(id)),
+            E::NoSuchSeat { seat, number, count } => E::NoSuchSeat { seat: name(seat), number, count },
+            E::PlaceTaken { seat, number, by } => E::PlaceTaken { seat: name(seat), number, by: name(by) },
+            E::SideTaken { id, side, by } => E::SideTaken { id: name(id), side, by: name(by) },
             E::NoWay { agent } => E::NoWay { agent: name(agent) },
             E::World(error) => E::World(error.named(name)),
         }

@@ -37,7 +37,7 @@ pub use contact::Contact;
 pub use error::{AgentError, PhysicsError, SnapshotError};
 pub use joints::MovingPart;
 pub use nav::{DoorHandling, Floor, FloorOptions, Occupancy, Route, StandingPose};
-pub use place::{SpotOrder, SupportSurface};
+pub use place::{SpotFault, SpotOrder, SpotWish, SupportSurface};
 pub use reset::Reset;
 pub use rest::Calm;
 pub use role::BodyRole;

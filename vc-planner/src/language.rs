@@ -276,6 +276,10 @@ fn read_line(line: &str, graph: &SceneGraph) -> Result<Answer, AnswerError> {
     if line.eq_ignore_ascii_case("done") || line.eq_ignore_ascii_case("stop") {
         return Ok(Answer::Done);
     }
+    // As actions are written, with a point or a heading.
+    if let Some(action) = line.parse().ok().filter(|action: &Action| !action.aim.is_nothing()) {
+        return Ok(Answer::Act(action));
+    }
     if line.starts_with('[') {
         let action: Action = line.parse().map_err(|_| AnswerError::NoAction(clip(line)))?;
         return Ok(Answer::Act(action));

@@ -228,7 +228,7 @@ impl Environment {
         (schedule.phase, schedule.begin, schedule.until) = (Phase::Back, now, now + lasts(&motion, None).1);
         schedule.done = Some(motion.clone());
         schedule.picked = match motion {
-            BodyMotion::Take(_, id) => {
+            BodyMotion::Take(_, id, _) => {
                 self.world.pose(agent).zip(self.world.pose(id)).map(|(feet, at)| feet.inverse() * at)
             }
             _ => None,
@@ -263,7 +263,7 @@ impl Environment {
             self.clock.stirred = true;
             self.clock.changed.push(agent);
         }
-        if let BodyMotion::Take(_, thing) = motion {
+        if let BodyMotion::Take(_, thing, _) = motion {
             self.tell_taken(agent, thing);
         }
         if pushed { self.check_opened(agent) } else { Ok(()) }

@@ -95,7 +95,7 @@ impl Environment {
                 let seconds = (schedule.until - schedule.begin).seconds() as f32;
                 player.gesture(self, action, seconds);
             }
-            BodyMotion::Take(hand, id) | BodyMotion::Undress(hand, id) => player.show_taking(self, *hand, *id),
+            BodyMotion::Take(hand, id, _) | BodyMotion::Undress(hand, id) => player.show_taking(self, *hand, *id),
             BodyMotion::Put(put) => player.show_putting(self, put),
             BodyMotion::Drive(drive) => player.show_driving(self, drive.id),
             _ => {}

@@ -6,6 +6,7 @@ use super::schedule::{NEVER, Phase};
 use super::track::Track;
 use crate::environment::act::{holder, keep_facing, lay_through, unsteady};
 use crate::environment::compare::{Difference, Outcome};
+use crate::environment::execute::off_aim;
 use crate::environment::{ActionError, Disagreement, Environment, PhysicalRefusal, astray, observe};
 
 impl Environment {
@@ -67,6 +68,9 @@ impl Environment {
         }
         let Some(schedule) = self.clock.running.get(&agent) else { return Ok(None) };
         let Some(truth) = schedule.truth.clone() else { return Ok(None) };
+        if let Some(why) = off_aim(&self.world, &self.graph, agent, &schedule.action) {
+            return Err(self.cannot(agent, why));
+        }
         let changed: Vec<NodeId> = truth.changes.changes().iter().filter_map(holder).chain([agent]).collect();
         let graph = &mut self.graph;
         let faced = keep_facing(graph, &truth.ruled, agent).then(lay_through(graph, &truth.ruled, &changed));

@@ -6,7 +6,7 @@ use vc_graph::clock::{Span, Tick};
 use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, rule};
 
 use super::track::{REACHING, Track};
-use crate::environment::course::BodyMotion;
+use crate::environment::course::{BodyMotion, is_on_foot};
 use crate::environment::execute::Task;
 use crate::environment::step::RetryOptions;
 
@@ -82,7 +82,8 @@ impl Schedule {
     /// Whether the action's effects come true with a motion.
     pub(super) fn comes_true_with(&self, motion: &BodyMotion) -> bool {
         let effects = rule::effects(&self.action);
-        let goes = |e: &Effect<_>| matches!(e, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_));
+        let goes =
+            |e: &Effect<_>| matches!(e, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_)) || is_on_foot(e);
         match motion {
             BodyMotion::Take(..)
             | BodyMotion::Put(_)

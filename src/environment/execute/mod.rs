@@ -3,8 +3,10 @@
 //! The effects of the transition rule become [tasks](task), a [planner] makes motions of them by the world as it is, and
 //! [bodies](perform) do those. What comes next is planned when they are done. The planner's parts: [`stand`] is about
 //! where to stand, [`open`] about doors and drawers, [`put`] about hands, [`spot`] about where there is room, [`steady`]
-//! about what would not stay where it was put, and [`rest`] about seats.
+//! about what would not stay where it was put, [`rest`] about seats, and [`aim`] about the
+//! points, headings, slots and sides that an action asks for.
 
+mod aim;
 mod open;
 mod perform;
 mod planner;
@@ -24,6 +26,7 @@ use super::course::{BodyMotion, Course};
 use super::step::Step;
 use super::{ActionError, PhysicalRefusal, Start};
 
+pub(super) use aim::off_aim;
 pub(super) use perform::Bodies;
 pub(super) use planner::{Plan, Planner};
 pub(super) use put::{comes_along, load_of};

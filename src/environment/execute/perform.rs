@@ -32,8 +32,12 @@ impl Bodies<'_> {
         match motion {
             BodyMotion::Walk { feet, .. } | BodyMotion::GetUp(feet) => self.world.teleport(agent, *feet)?,
             BodyMotion::Turn(feet) => self.world.turn(agent, feet.rotation)?,
-            BodyMotion::Take(hand, id) => {
-                self.world.grab_with_load(agent, *hand, *id, &load_of(self.before, *id))?;
+            BodyMotion::Take(hand, id, side) => {
+                let load = load_of(self.before, *id);
+                match side {
+                    Some(side) => self.world.grab_by_side(agent, (*hand, *side), *id, &load)?,
+                    None => self.world.grab_with_load(agent, *hand, *id, &load)?,
+                }
             }
             // The things are loose, so they can be pinned.
             BodyMotion::Steady(things) => things.iter().for_each(|id| drop(self.world.pin(*id))),
@@ -56,8 +60,9 @@ impl Bodies<'_> {
             BodyMotion::PutBack(poses) => self.world.rest_at(poses)?,
             BodyMotion::LetGo(hand) => self.world.drop(agent, *hand).map(|_| ())?,
             BodyMotion::Drive(drive) => self.drive(drive)?,
-            BodyMotion::Rest(id, true) => self.world.lie(agent, *id)?,
-            BodyMotion::Rest(id, false) => self.world.sit(agent, *id)?,
+            BodyMotion::Rest(id, false, Some(seat)) => self.world.sit_at(agent, *id, *seat)?,
+            BodyMotion::Rest(id, true, _) => self.world.lie(agent, *id)?,
+            BodyMotion::Rest(id, false, None) => self.world.sit(agent, *id)?,
             BodyMotion::Dress(id) => self.world.remove(*id)?,
             BodyMotion::Undress(hand, id) => {
                 self.world.insert(self.before, *id, &self.start.shapes)?;

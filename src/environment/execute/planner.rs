@@ -1,7 +1,7 @@
 //! What an agent would do next, read from the world as it is.
 
 use nalgebra::{Point2, Vector3};
-use vc_graph::{NodeId, Pose, SceneGraph, Verb};
+use vc_graph::{Action, NodeId, Pose, SceneGraph};
 use vc_physics::{BodyPlan, Floor, PhysicsWorld, Posture};
 
 use super::task::Task;
@@ -19,7 +19,7 @@ pub(in crate::environment) struct Planner<'a> {
     pub(super) before: &'a SceneGraph,
     pub(super) after: &'a SceneGraph,
     pub(super) agent: NodeId,
-    pub(super) run: bool,
+    pub(super) action: &'a Action,
     pub(super) care: &'a RetryOptions,
     /// The spots where others are going to stand.
     pub(super) claims: &'a [Point2<f32>],
@@ -68,14 +68,13 @@ impl<'a> Planner<'a> {
         step: &'a Step,
     ) -> Self {
         let Step { before, after, agent, action, care, claims } = step;
-        let run = action.verb == Verb::Run;
-        Self { world, floor, start, before, after, agent: *agent, run, care, claims, nudges: false }
+        Self { world, floor, start, before, after, agent: *agent, action, care, claims, nudges: false }
     }
 
     /// The same planner in another world: with some things elsewhere, say.
     pub(super) fn in_world<'b>(&'b mut self, world: &'b PhysicsWorld) -> Planner<'b> {
-        let Planner { start, before, after, agent, run, care, claims, nudges, .. } = *self;
-        Planner { world, floor: self.floor, start, before, after, agent, run, care, claims, nudges }
+        let Planner { start, before, after, agent, action, care, claims, nudges, .. } = *self;
+        Planner { world, floor: self.floor, start, before, after, agent, action, care, claims, nudges }
     }
 
     /// Whether the agent holds or wears a thing, or a thing on which it rests.

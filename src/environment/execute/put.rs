@@ -17,7 +17,7 @@ impl Planner<'_> {
         Hand::BOTH.into_iter().find(|h| graph.has(Edge::new(self.agent, h.relation(), id)))
     }
 
-    fn hand_with(&self, id: NodeId) -> Result<Hand, PhysicalRefusal> {
+    pub(super) fn hand_with(&self, id: NodeId) -> Result<Hand, PhysicalRefusal> {
         self.hand(self.before, id).ok_or(PhysicalRefusal::NotModelled("it is in no hand"))
     }
 
@@ -27,7 +27,7 @@ impl Planner<'_> {
         }
         let hand = self.hand(self.after, id).ok_or(PhysicalRefusal::NotModelled("the rule gives it into no hand"))?;
         if self.world.pose(id).is_some() {
-            return Ok(BodyMotion::Take(hand, id).into());
+            return Ok(BodyMotion::Take(hand, id, self.asked_side()).into());
         }
         let worn = self.before.related(id, Relation::WornBy).next() == Some(self.agent);
         if worn {
@@ -41,6 +41,9 @@ impl Planner<'_> {
     /// there is room nearest to them then.
     pub(super) fn put(&mut self, id: NodeId, place: Place) -> Planning {
         self.hand_with(id)?;
+        if !self.action.aim.is_nothing() {
+            return self.put_as_asked(id, place);
+        }
         let FreeSpot { spot, first } = self.spot(id, place)?;
         Ok(Plan::of(first).then(Task::StepTo { id, place, spot }))
     }
@@ -73,6 +76,9 @@ impl Planner<'_> {
 
     pub(super) fn let_go(&mut self, id: NodeId) -> Planning {
         let hand = self.hand_with(id)?;
+        if !self.action.aim.is_nothing() {
+            return self.let_go_as_asked(id);
+        }
         let Some(ground) = self.before.place(self.agent).filter(|_| self.stands()) else {
             return Ok(BodyMotion::LetGo(hand).into());
         };

@@ -22,7 +22,11 @@ impl Planner<'_> {
     }
 
     pub(super) fn rest_on(&mut self, id: NodeId, lying: bool) -> Planning {
-        let places = if lying { self.world.beds(id) } else { self.world.seats(id) };
+        let seat = self.asked_seat();
+        let mut places = if lying { self.world.beds(id) } else { self.world.seats(id) };
+        if let Some(asked) = seat.and_then(|seat| places.get(seat as usize).copied()) {
+            places = vec![asked];
+        }
         let from = self.feet().translation.vector.xy();
         let nearest = places.iter().map(|p| (p.translation.vector.xy() - from).norm()).fold(f32::INFINITY, f32::min);
         let mut plan = Plan::default();
@@ -32,7 +36,7 @@ impl Planner<'_> {
             let stand = goals(&places, lying).find_map(|to| self.nearest_stand(room, to, BESIDE, |_| true));
             plan = self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(id)))?)?;
         }
-        plan.motions.push(BodyMotion::Rest(id, lying));
+        plan.motions.push(BodyMotion::Rest(id, lying, seat));
         Ok(plan)
     }
 

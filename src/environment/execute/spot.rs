@@ -121,7 +121,7 @@ impl Planner<'_> {
     }
 
     /// Whether a thing may be put to a spot at a place: on others it shuts nobody in, and what it is in shuts again.
-    fn may_be_put(&self, id: NodeId, place: Place, spot: &Pose) -> bool {
+    pub(super) fn may_be_put(&self, id: NodeId, place: Place, spot: &Pose) -> bool {
         match place.relation {
             Relation::Inside => self.world.keeps_open(id, place.at, spot).is_ok_and(|keeps| !keeps),
             _ => self.shuts_nobody_in(id, spot),

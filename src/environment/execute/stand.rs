@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Vector2};
 use vc_graph::asset::JointKind;
-use vc_graph::{NodeId, NodeKind, Place, Pose, Property};
+use vc_graph::{NodeId, NodeKind, Place, Pose, Property, Verb};
 use vc_physics::{PhysicsWorld, StandingPose};
 
 use super::planner::{Plan, Planner, Planning};
@@ -12,7 +12,7 @@ use crate::environment::course::BodyMotion;
 use crate::environment::outlook;
 
 /// Free floor that agents keep from each other, metres.
-const APART: f32 = 0.55;
+pub(super) const APART: f32 = 0.55;
 /// How far an agent keeps from where the next room begins, metres, so that it is plain in which room it is.
 const INNER: f32 = 0.1;
 /// Within this distance a thing counts as near to the agent that walked up to it, metres.
@@ -70,7 +70,7 @@ impl Planner<'_> {
 
     /// Looks for something, first such that doors and drawers that stand open are in the way, then
     /// such that they are moved out of it.
-    fn at_need_nudging<T>(
+    pub(super) fn at_need_nudging<T>(
         &mut self,
         find: impl Fn(&Self) -> Result<Option<T>, PhysicalRefusal>,
     ) -> Result<Option<T>, PhysicalRefusal> {
@@ -89,7 +89,7 @@ impl Planner<'_> {
         self.floor.sees(self.world, &self.body(), feet, id)
     }
 
-    fn stand_where(
+    pub(super) fn stand_where(
         &self,
         id: NodeId,
         room: Option<NodeId>,
@@ -132,12 +132,16 @@ impl Planner<'_> {
             route.points.insert(0, from);
         }
         let aside = self.world.parts_to_move_aside(self.agent, &feet)?.unwrap_or_default();
-        let walk = BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.run };
+        let walk =
+            BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.action.verb == Verb::Run };
         let nudge = (!aside.is_empty()).then_some(BodyMotion::Nudge(aside));
         Ok(Plan::of(nudge.into_iter().chain([walk])))
     }
 
     pub(super) fn go_to(&mut self, id: NodeId) -> Planning {
+        if let Some(point) = self.action.aim.point() {
+            return self.go_to_point(point);
+        }
         self.floor.update(self.world);
         let kind = self.before.node(id).map(vc_graph::Node::kind);
         let stand = self.at_need_nudging(|planner| match kind {
@@ -312,7 +316,7 @@ impl Planner<'_> {
     }
 
     /// The spot in a room nearest to where a thing is to be put, from where it can be.
-    fn stand_to_put(
+    pub(super) fn stand_to_put(
         &mut self,
         room: Option<NodeId>,
         id: NodeId,

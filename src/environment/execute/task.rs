@@ -92,7 +92,11 @@ impl Planner<'_> {
         let rests = matches!(action.verb, Verb::Sit | Verb::Lie);
         // Things are put down where there is room, and that spot is searched later.
         let puts = matches!(action.verb, Verb::Place | Verb::PutIn | Verb::PutBack);
-        match action.things().find(|id| !self.is_mine(*id)) {
+        let about = action.things().find(|id| !self.is_mine(*id));
+        if let Some((id, side)) = about.zip(self.asked_side()) {
+            return self.reach_side(id, side);
+        }
+        match about {
             // A lamp under the ceiling is switched at the wall, wherever the switch is.
             Some(id) if matches!(action.verb, Verb::SwitchOn | Verb::SwitchOff) && self.is_overhead(id) => {
                 Ok(self.face(id))
@@ -112,6 +116,12 @@ impl Planner<'_> {
                 Ok(if self.care.stays { Plan::default() } else { self.face(id) })
             }
             Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
+            Effect::GoToPoint(aim) => aim.point().map_or_else(|| Ok(Plan::default()), |point| self.go_to_point(point)),
+            Effect::StandAs(aim) => Ok(self.stand_as(&aim)),
+            Effect::TurnAs(aim) if self.action.verb == Verb::PointAt => {
+                Ok(self.turn_as(&aim).then(Task::Gesture(*self.action)))
+            }
+            Effect::TurnAs(aim) => Ok(self.turn_as(&aim)),
             Effect::Face(id) => Ok(self.face(id)),
             Effect::Hold(id) => self.hold(id),
             Effect::PutOn(id, at) => self.put(id, Place { relation: Relation::On, at }),

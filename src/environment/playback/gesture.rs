@@ -92,6 +92,11 @@ impl Player {
     /// The hand that an action moves, and its target.
     fn aim(&self, show: &Environment, action: &Action) -> Option<Aim> {
         use Verb::{Cut, Drink, Eat, Fill, PointAt, Pour, Read};
+        if let Some(point) = action.aim.point().filter(|_| action.verb == PointAt) {
+            let height = point.height().unwrap_or(self.feet(show).translation.z);
+            let point = self.towards(show, &Point3::new(point.plan().x, point.plan().y, height))?;
+            return Some(Aim { hand: self.free_hand(show), point, hold: Hold::Tilted(0.0), looks: true });
+        }
         let (x, y) = (action.object?, action.target);
         let hand = match (self.hand_of(show, x), action.verb) {
             (Some(hand), Eat | Drink | Read | Pour | Fill) => hand,
@@ -115,11 +120,7 @@ impl Player {
             Read => (self.before_eyes(show, BOOK), Hold::Shown),
             Pour => (above(&box_of(y?)?, ABOVE), Hold::Tilted(TILT.0)),
             Fill => (box_of(y?)?.nearest(&from), level),
-            PointAt => {
-                let shoulder = self.feet(show) * Point3::new(0.0, 0.0, 1.35);
-                let way = (box_of(x)?.centre() - shoulder).try_normalize(1e-3)?;
-                (shoulder + way * POINTING, level)
-            }
+            PointAt => (self.towards(show, &box_of(x)?.centre())?, level),
             Cut => (above(&box_of(x)?, 0.02 + chop), level),
             Verb::Wipe
             | Verb::Wash
@@ -136,6 +137,12 @@ impl Player {
         // Hands find the mouth without looking.
         let looks = !matches!(action.verb, Drink | Eat);
         Some(Aim { hand, point, hold, looks })
+    }
+
+    /// The place of a hand that points somewhere.
+    fn towards(&self, show: &Environment, to: &Point3<f32>) -> Option<Point3<f32>> {
+        let shoulder = self.feet(show) * Point3::new(0.0, 0.0, 1.35);
+        Some(shoulder + (to - shoulder).try_normalize(1e-3)? * POINTING)
     }
 
     fn before_eyes(&self, show: &Environment, offset: Vector3<f32>) -> Point3<f32> {

@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 use vc_graph::asset::JointKind;
-use vc_graph::{NodeId, Pose};
+use vc_graph::{NodeId, Pose, Side};
 use vc_people::{Activity, BodySide, Reach};
 use vc_physics::Hand;
 
@@ -35,15 +35,26 @@ pub(super) struct Handling {
 
 impl Player {
     /// A hand goes out, closes around a thing, and comes back with it.
-    pub(super) fn take(&mut self, show: &mut Environment, hand: Hand, id: NodeId, before: f32) -> bool {
+    pub(super) fn take(
+        &mut self,
+        show: &mut Environment,
+        (hand, side): (Hand, Option<Side>),
+        id: NodeId,
+        before: f32,
+    ) -> bool {
         let (agent, feet) = (self.agent, self.feet(show));
         if self.handling.at.is_none() {
-            self.handling.at = show.palm_on(agent, hand, id);
+            let middle = side.and_then(|side| show.world.side_of(id, side)).map(|(middle, _)| middle);
+            self.handling.at = middle.or_else(|| show.palm_on(agent, hand, id));
         }
         if before < REACHING && self.time >= REACHING {
             self.handling.out = show.world.pose(id).map(|pose| feet.inverse() * pose);
             let Environment { world, graph, .. } = &mut *show;
-            drop(world.grab_with_load(agent, hand, id, &load_of(graph, id)));
+            let load = load_of(graph, id);
+            drop(match side {
+                Some(side) => world.grab_by_side(agent, (hand, side), id, &load),
+                None => world.grab_with_load(agent, hand, id, &load),
+            });
             self.handling.rest = world.grip(agent, hand);
             self.come_true(show);
         }

@@ -13,11 +13,11 @@ mod walk;
 use std::collections::BTreeMap;
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::{Action, ChangeSet, NodeId, Pose, rule};
+use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, rule};
 use vc_physics::{Hand, Posture};
 
 use super::act::{self, Done};
-use super::course::{BodyMotion, Course};
+use super::course::{BodyMotion, Course, is_on_foot};
 use super::{ActionError, Environment, observe};
 use vc_people::Skeleton;
 use walk::Passage;
@@ -180,8 +180,8 @@ impl Player {
         let due = |at: &Option<usize>| at.map_or(last, |at| at == self.next);
         let effects: Vec<_> = self.course.effects.extract_if(.., |(at, _)| due(at)).collect();
         for (_, effect) in effects {
-            // Where somebody goes, feet say.
-            if matches!(effect, vc_graph::Effect::GoTo(_) | vc_graph::Effect::Approach(_)) {
+            // Where somebody goes, feet say; where a thing is put, the thing.
+            if matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::PoseAs(..)) || is_on_foot(&effect) {
                 continue;
             }
             // The end of the action is known already: what cannot be shown is skipped.
@@ -198,7 +198,7 @@ impl Player {
         match beat {
             BodyMotion::Walk { points, doors, feet, run } => self.walk(show, points, doors, feet, *run),
             BodyMotion::Turn(feet) => self.turn(show, feet),
-            BodyMotion::Take(hand, id) => self.take(show, *hand, *id, before),
+            BodyMotion::Take(hand, id, side) => self.take(show, (*hand, *side), *id, before),
             BodyMotion::Nudge(parts) => {
                 parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, *part, *open)));
                 true
@@ -225,9 +225,13 @@ impl Player {
             BodyMotion::Dress(id) => self.at_once(show, before, |show| drop(show.world.remove(*id))),
             BodyMotion::Undress(hand, id) => self.at_once(show, before, |show| undress(show, agent, *hand, *id)),
             BodyMotion::Drive(drive) => self.drive(show, drive, before),
-            BodyMotion::Rest(id, lying) => self.settle(show, before, |show| {
+            BodyMotion::Rest(id, lying, seat) => self.settle(show, before, |show| {
                 let world = &mut show.world;
-                drop(if *lying { world.lie(agent, *id) } else { world.sit(agent, *id) });
+                drop(match seat {
+                    Some(seat) => world.sit_at(agent, *id, *seat),
+                    None if *lying => world.lie(agent, *id),
+                    None => world.sit(agent, *id),
+                });
             }),
             BodyMotion::GetUp(feet) => self.settle(show, before, |show| drop(show.world.teleport(agent, *feet))),
             BodyMotion::Gesture(action, seconds) => self.gesture(show, action, *seconds),

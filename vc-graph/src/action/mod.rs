@@ -1,5 +1,6 @@
 //! An agent's actions and their text forms.
 
+mod aim;
 mod named;
 
 use std::fmt;
@@ -11,6 +12,7 @@ use crate::{NodeId, SceneGraph};
 mod names;
 mod text;
 
+pub use aim::{Aim, AimError, AimPart, AimPoint, AimWord, Heading, Side};
 pub use names::{NameMismatch, ObjectNames};
 pub use text::ParsedAction;
 
@@ -207,7 +209,7 @@ impl Verb {
         VIRTUALHOME.iter().find(|(_, other)| same_word(other, name)).map(|(verb, _)| *verb)
     }
 
-    /// The number of objects that the verb takes, 0 to 2.
+    /// The number of objects that the verb takes, 0 to 2. An [`Aim`] may stand for the only one: `walk at 3.20 1.50`.
     ///
     /// ```
     /// use vc_graph::Verb;
@@ -218,7 +220,7 @@ impl Verb {
     }
 }
 
-/// A verb with the objects that it acts on.
+/// A verb with the objects that it acts on, and perhaps an [`Aim`] that says where and how.
 ///
 /// Prints with plain numbers, `grab #12`; [`Action::describe`] adds the classes, `grab cup.12`. Both forms can
 /// be parsed. An action parsed from labels is refused if an object is not of the class in its label: see
@@ -239,6 +241,8 @@ pub struct Action {
     pub object: Option<NodeId>,
     /// The second object: the tool, the surface or the container.
     pub target: Option<NodeId>,
+    /// Where and how it is done, as far as it says.
+    pub aim: Aim,
     /// The names of the objects in the text that the action was parsed from.
     pub called: ObjectNames,
 }
@@ -272,6 +276,9 @@ pub enum ActionTextError {
         /// How many objects are given.
         given: usize,
     },
+    /// A badly written aim, or one with numbers that no aim has.
+    #[error(transparent)]
+    Aim(#[from] AimError),
     /// Malformed VirtualHome notation.
     #[error("`{0}` is not of the form `[VERB] <class> (number)`")]
     Notation(String),
@@ -281,12 +288,15 @@ pub enum ActionTextError {
     /// A verb that VirtualHome does not have.
     #[error("VirtualHome has no verb for `{0}`")]
     NotInVirtualHome(Verb),
+    /// An action with an aim, which VirtualHome's notation cannot say.
+    #[error("VirtualHome's notation has no points, headings, seats, slots or sides: leave `{0}` out")]
+    AimNotInVirtualHome(String),
 }
 
 impl Action {
     /// An action without objects: `stand`.
     pub const fn zero(verb: Verb) -> Self {
-        Self { verb, object: None, target: None, called: ObjectNames::NOTHING }
+        Self { verb, object: None, target: None, aim: Aim::NOTHING, called: ObjectNames::NOTHING }
     }
 
     /// An action on one object: `grab #12`.
@@ -319,14 +329,71 @@ impl Action {
     /// # Errors
     /// [`ActionTextError::Arity`] if the verb takes another number of objects.
     pub fn with(verb: Verb, things: &[NodeId]) -> Result<Self, ActionTextError> {
+        Self::with_aim(verb, things, Aim::NOTHING)
+    }
+
+    /// An action on the given objects with an aim, which may stand for the only object: `walk at 3.20 1.50`.
+    ///
+    /// # Errors
+    /// As [`Self::with`]. The transition rule judges whether the verb takes the aim.
+    pub fn with_aim(verb: Verb, things: &[NodeId], aim: Aim) -> Result<Self, ActionTextError> {
         let (takes, given) = (verb.arity(), things.len());
         // VirtualHome writes `[SLEEP]` and `[SLEEP] <bed> (1)` alike.
         let optional = matches!(verb, Verb::Sleep | Verb::WakeUp | Verb::Stand | Verb::Leave) && given <= 1;
-        if takes != given && !optional {
+        let aimed = given == 0 && verb.rule().aims.stands_for_object(&aim);
+        if takes != given && !optional && !aimed {
             return Err(ActionTextError::Arity { verb, takes, given });
         }
         let (object, target) = (things.first().copied(), things.get(1).copied());
-        Ok(Self { object: object.filter(|_| takes > 0), target, ..Self::zero(verb) })
+        Ok(Self { object: object.filter(|_| takes > 0), target, aim, ..Self::zero(verb) })
+    }
+
+    /// The action with another aim.
+    #[must_use]
+    pub const fn aimed(self, aim: Aim) -> Self {
+        Self { aim, ..self }
+    }
+
+    /// The action at a point of the world, metres: where a thing is put, or where somebody goes.
+    ///
+    /// # Errors
+    /// [`AimError::OutOfRange`].
+    pub fn at(self, x: f64, y: f64) -> Result<Self, AimError> {
+        Ok(self.aimed(self.aim.with_point(AimPoint::new(x, y, None)?)))
+    }
+
+    /// As [`Self::at`], with the height of the point, metres: on this shelf, up there.
+    ///
+    /// # Errors
+    /// [`AimError::OutOfRange`].
+    pub fn at_height(self, x: f64, y: f64, z: f64) -> Result<Self, AimError> {
+        Ok(self.aimed(self.aim.with_point(AimPoint::new(x, y, Some(z))?)))
+    }
+
+    /// The action with a heading, degrees counter-clockwise from the world's X.
+    ///
+    /// # Errors
+    /// [`AimError::OutOfRange`].
+    pub fn turned(self, degrees: f64) -> Result<Self, AimError> {
+        Ok(self.aimed(self.aim.with_heading(Heading::new(degrees)?)))
+    }
+
+    /// The action on a place to sit, counted from 1.
+    #[must_use]
+    pub fn on_seat(self, number: u16) -> Self {
+        self.aimed(self.aim.with_part(AimPart::Seat(number)))
+    }
+
+    /// The action on a shelf, drawer, rack or burner, counted from 1.
+    #[must_use]
+    pub fn in_slot(self, number: u16) -> Self {
+        self.aimed(self.aim.with_part(AimPart::Slot(number)))
+    }
+
+    /// The action by a side of the thing.
+    #[must_use]
+    pub fn by_side(self, side: Side) -> Self {
+        self.aimed(self.aim.with_part(AimPart::Side(side)))
     }
 
     /// The objects that the action acts on.
@@ -367,8 +434,11 @@ impl Action {
     /// ```
     ///
     /// # Errors
-    /// [`ActionTextError::NotInVirtualHome`].
+    /// [`ActionTextError::NotInVirtualHome`], [`ActionTextError::AimNotInVirtualHome`].
     pub fn to_virtualhome(&self, graph: &SceneGraph) -> Result<String, ActionTextError> {
+        if !self.aim.is_nothing() {
+            return Err(ActionTextError::AimNotInVirtualHome(self.aim.to_string().trim_start().to_owned()));
+        }
         let verb = self.verb.virtualhome().ok_or(ActionTextError::NotInVirtualHome(self.verb))?;
         let spelled = |id| graph.node(id).map_or("unknown", |n| &n.spec().spelling);
         let things = self.things().map(|id| format!(" <{}> ({})", spelled(id), id.0));
@@ -384,14 +454,16 @@ struct Described<'a> {
 impl fmt::Display for Described<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.action.verb)?;
-        self.action.things().try_for_each(|id| write!(f, " {}", self.graph.label(id)))
+        self.action.things().try_for_each(|id| write!(f, " {}", self.graph.label(id)))?;
+        write!(f, "{}", self.action.aim)
     }
 }
 
 impl fmt::Display for Action {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.verb)?;
-        self.things().try_for_each(|id| write!(f, " {id}"))
+        self.things().try_for_each(|id| write!(f, " {id}"))?;
+        write!(f, "{}", self.aim)
     }
 }
 

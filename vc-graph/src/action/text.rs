@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::{Action, ActionTextError, NameMismatch, Verb};
+use super::{Action, ActionTextError, Aim, AimWord, NameMismatch, Verb};
 use crate::spelling::{clip, unmarked};
 use crate::vocabulary::Word;
 use crate::{Label, LabelError, NodeId, SceneGraph};
@@ -66,13 +66,16 @@ fn character(text: &str) -> Result<(u32, &str), ActionTextError> {
     Ok((number.parse().map_err(|_| bad())?, rest.trim_start()))
 }
 
-/// Parses `grab cup.12`.
+/// Parses `grab cup.12` and `place cup.12 table.3 at 1.20 0.40`.
 fn native(text: &str) -> Result<(Action, Vec<Label>), ActionTextError> {
-    let mut words = text.split_whitespace();
+    let mut words = text.split_whitespace().peekable();
     let verb = Verb::parse(words.next().ok_or(ActionTextError::Empty)?)?;
-    let mut labels = Vec::new();
-    let things = words.map(|word| thing(word, &mut labels)).collect::<Result<Vec<NodeId>, LabelError>>()?;
-    Ok((Action::with(verb, &things)?, labels))
+    let (mut labels, mut things) = (Vec::new(), Vec::new());
+    while let Some(word) = words.next_if(|word| !AimWord::is_one(word)) {
+        things.push(thing(word, &mut labels)?);
+    }
+    let aim = Aim::read(words)?;
+    Ok((Action::with_aim(verb, &things, aim)?, labels))
 }
 
 /// Parses `cup.12` or `#12`.

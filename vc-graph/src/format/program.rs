@@ -14,7 +14,7 @@
 
 use super::{FormatError, FormatProblem, LARGEST, unmarked};
 use crate::simulator::Event;
-use crate::{Action, ActionTextError, Label, NameMismatch, ParsedAction, SceneGraph, Verb, Word};
+use crate::{Action, ActionTextError, AimWord, Label, NameMismatch, ParsedAction, SceneGraph, Verb, Word};
 
 /// A program: a sequence of actions of one or more characters.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -181,9 +181,13 @@ fn is_meant_as_step(line: &str) -> bool {
         Verb::from_virtualhome(word).is_some() || Verb::parse(word).is_ok()
     };
     let labelled = |line: &str| {
-        let mut things = line.split_whitespace().skip(1).peekable();
         let thing = |word: &str| word.parse::<Label>().is_ok() || word.strip_prefix('#').is_some_and(is_number);
-        things.peek().is_some() && things.all(thing)
+        let names = line.split_whitespace().nth(1).is_some_and(thing);
+        let mut words = line.split_whitespace().skip(1).skip_while(|word| thing(word));
+        let (aim, value) = (words.next(), words.next());
+        // `Walk at night` is a title.
+        let says = names || value.is_some_and(|word| word.parse::<f64>().is_ok());
+        says && aim.map_or(names, AimWord::is_one)
     };
     // One whose opening bracket was lost: `WALK] <cup> (12)`.
     let unopened = |line: &str| line.split_once(']').is_some_and(|(word, _)| verb(word));
@@ -218,19 +222,44 @@ fn is_number(text: &str) -> bool {
 /// first one performs all actions.
 ///
 /// # Errors
-/// [`ActionTextError::NotInVirtualHome`] for a verb that VirtualHome does not have.
+/// [`ActionTextError::NotInVirtualHome`] for a verb that VirtualHome does not have,
+/// [`ActionTextError::AimNotInVirtualHome`] for an action with a point, say: [`write_native`] writes these.
 pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionTextError> {
+    written(program, |action| action.to_virtualhome(graph))
+}
+
+/// Writes a program in VirtualCity's notation, with a scene's labels; otherwise as [`write`].
+///
+/// ```
+/// use vc_graph::format::program;
+/// use vc_graph::{Draft, SceneBuilder};
+/// let mut scene = SceneBuilder::new("flat");
+/// let kitchen = scene.add(Draft::new("kitchen"))?;
+/// let graph = scene.build();
+/// let program = program::read("walk at 3.2 1.5 yaw 90\nturn_to #1")?;
+/// let text = program::write_native(&program, &graph);
+/// assert_eq!(text, "walk at 3.20 1.50 yaw 90\nturn_to kitchen.1\n");
+/// assert!(program::read(&text)?.actions().eq(program.actions()));
+/// assert!(program::write(&program, &graph).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_native(program: &Program, graph: &SceneGraph) -> String {
+    let text = written(program, |action| Ok::<_, std::convert::Infallible>(action.describe(graph).to_string()));
+    text.unwrap_or_else(|never| match never {})
+}
+
+fn written<E>(program: &Program, action: impl Fn(&Action) -> Result<String, E>) -> Result<String, E> {
     let mut text: String = program.heading.iter().map(|line| format!("{line}\n")).collect();
     if !text.is_empty() {
         text.push('\n');
     }
     let several = program.steps.iter().flatten().any(|parsed| parsed.character > 0);
     let written = |parsed: &ParsedAction| {
-        let action = parsed.action.to_virtualhome(graph)?;
+        let action = action(&parsed.action)?;
         Ok(if several { format!("<char{}> {action}", parsed.character) } else { action })
     };
     for step in &program.steps {
-        let actions: Vec<String> = step.iter().map(written).collect::<Result<_, ActionTextError>>()?;
+        let actions: Vec<String> = step.iter().map(written).collect::<Result<_, E>>()?;
         text.push_str(&actions.join(" | "));
         text.push('\n');
     }

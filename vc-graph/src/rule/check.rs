@@ -15,8 +15,12 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
         return Some(Refusal::NoAgent(body.label()));
     }
     let (verb, takes, given) = (action.verb, action.verb.arity(), action.things().count());
-    if takes != given {
+    let aims = &verb.rule().aims;
+    if takes != given && !(given == 0 && aims.stands_for_object(&action.aim)) {
         return Some(Refusal::Arity { verb, takes, given });
+    }
+    if !aims.fit(action) {
+        return Some(aims.refusal(action));
     }
     if let Some(missing) = action.things().find(|&id| graph.node(id).is_none()) {
         return Some(Refusal::NoSuchThing(missing));

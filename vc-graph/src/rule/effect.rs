@@ -4,8 +4,9 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::node::NodeKind;
 use crate::portable::Portable;
+use crate::rule::aim::room_at;
 use crate::rule::check::{origin, vehicle_of};
-use crate::{Action, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
+use crate::{Action, Aim, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 
 /// The role of an object in an action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -71,6 +72,14 @@ pub enum Effect<T> {
     Alight,
     /// The first object, with everything in it, moves to the second.
     DriveTo(T, T),
+    /// The agent goes to the point of an aim and takes the objects it holds along.
+    GoToPoint(Aim),
+    /// The agent stands at the point of an aim, if it has one, and is turned by its heading.
+    StandAs(Aim),
+    /// The agent is turned by the heading of an aim, or to its point.
+    TurnAs(Aim),
+    /// The object is at the point of an aim and turned by its heading, as far as it has them.
+    PoseAs(T, Aim),
 }
 
 impl Effect<Argument> {
@@ -100,6 +109,10 @@ impl Effect<Argument> {
             E::Board(t) => E::Board(of(t)?),
             E::Alight => E::Alight,
             E::DriveTo(t, u) => E::DriveTo(of(t)?, of(u)?),
+            E::GoToPoint(aim) => E::GoToPoint(aim),
+            E::StandAs(aim) => E::StandAs(aim),
+            E::TurnAs(aim) => E::TurnAs(aim),
+            E::PoseAs(t, aim) => E::PoseAs(of(t)?, aim),
         })
     }
 }
@@ -150,7 +163,57 @@ pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeI
         }
         Effect::Alight => alight(edit, agent),
         Effect::DriveTo(vehicle, to) => drive(edit, vehicle, to),
+        Effect::GoToPoint(aim) => go_to_point(edit, agent, &aim),
+        Effect::StandAs(aim) => stand_as(edit, agent, &aim),
+        Effect::TurnAs(aim) => turn_as(edit, agent, &aim),
+        Effect::PoseAs(id, aim) => pose_as(edit, id, &aim),
     }
+}
+
+/// Ends nearness to the previous surroundings and takes held objects to a point, which the agent then faces as it came.
+fn go_to_point(edit: &mut Edit<'_>, agent: NodeId, aim: &Aim) -> Result<(), EditError> {
+    let Some(room) = aim.point().and_then(|point| room_at(edit.graph(), &point)) else { return Ok(()) };
+    leave_behind(edit, agent);
+    edit.move_to_room(agent, room)?;
+    let held: Vec<NodeId> = edit.graph().held(agent).collect();
+    held.into_iter().try_for_each(|thing| edit.relate(Edge::new(agent, Relation::Near, thing)))?;
+    turn_as(edit, agent, aim)
+}
+
+fn stand_as(edit: &mut Edit<'_>, agent: NodeId, aim: &Aim) -> Result<(), EditError> {
+    let Some(mut pose) = edit.graph().node(agent).and_then(|n| n.pose()).copied() else { return Ok(()) };
+    if let Some(point) = aim.point() {
+        (pose.translation.x, pose.translation.y) = (point.plan().x, point.plan().y);
+    }
+    pose.rotation = aim.heading().map_or(pose.rotation, |heading| heading.rotation());
+    edit.carry_to(agent, pose)
+}
+
+/// Somebody who sits or lies turns no more than the head.
+fn turn_as(edit: &mut Edit<'_>, agent: NodeId, aim: &Aim) -> Result<(), EditError> {
+    let Some(body) = edit.graph().node(agent) else { return Ok(()) };
+    if body.is(State::Sitting) || body.is(State::Lying) {
+        return Ok(());
+    }
+    let pose = body.pose().copied();
+    edit.unrelate(agent, &[Relation::Facing])?;
+    let Some(pose) = pose else { return Ok(()) };
+    let turn = aim.turn_from(&pose.translation.vector.xy().into()).unwrap_or(pose.rotation);
+    edit.carry_to(agent, Isometry3::from_parts(pose.translation, turn))
+}
+
+/// Puts an object to where an aim says, at the height at which it is.
+fn pose_as(edit: &mut Edit<'_>, id: NodeId, aim: &Aim) -> Result<(), EditError> {
+    let Some(node) = edit.graph().node(id) else { return Ok(()) };
+    let Some(mut pose) = node.pose().copied() else { return Ok(()) };
+    let base = |pose: &Pose| node.spec().bounds.map_or(pose.translation.z, |b| b.aabb(pose).min.z);
+    let stands = aim.point().and_then(|point| point.height()).unwrap_or_else(|| base(&pose));
+    if let Some(point) = aim.point() {
+        (pose.translation.x, pose.translation.y) = (point.plan().x, point.plan().y);
+    }
+    pose.rotation = aim.heading().map_or(pose.rotation, |heading| heading.rotation());
+    pose.translation.z += stands - base(&pose);
+    edit.carry_to(id, pose)
 }
 
 fn enter_with(edit: &mut Edit<'_>, id: NodeId, state: State) -> Result<(), EditError> {

@@ -32,8 +32,13 @@
 //! - clothes that are taken off are in the hand: an agent whose hands are full of them cannot grab anything
 //!   before it puts one down.
 //!
+//! An action may have an [`Aim`](crate::Aim): a point, a heading, a seat, a slot or a side. The table says which verbs
+//! take which; an aim is then a parameter that the rule judges by poses and boxes, as far as the scene has them. In a
+//! scene without poses a point for a thing changes nothing.
+//!
 //! The verdicts of VirtualHome's simulator instead of these are in [`virtual_home`].
 
+mod aim;
 mod check;
 pub mod condition;
 pub mod effect;
@@ -45,6 +50,7 @@ pub mod regress;
 pub mod table;
 pub mod virtual_home;
 
+pub use aim::{AimForm, AimRule, Aimed};
 pub use condition::Condition;
 pub use effect::{Argument, Effect};
 pub use legal::{legal_actions, legal_actions_with};
@@ -76,7 +82,12 @@ pub fn preconditions(action: &Action) -> Vec<Condition> {
 /// # Ok::<(), vc_graph::ActionTextError>(())
 /// ```
 pub fn effects(action: &Action) -> Vec<Effect<NodeId>> {
-    action.verb.rule().effects.iter().filter_map(|e| e.ground(action)).collect()
+    grounded_effects(action).collect()
+}
+
+fn grounded_effects(action: &Action) -> impl Iterator<Item = Effect<NodeId>> {
+    let rule = action.verb.rule();
+    rule.effects.iter().filter_map(|e| e.ground(action)).chain(rule.aims.effects(action))
 }
 
 /// Every reason why an agent cannot perform an action now; empty if it can.
@@ -99,7 +110,8 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
         return vec![refusal];
     }
     let needs = action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action));
-    needs.filter_map(|c| c.check(graph, agent).err()).collect()
+    let unmet = needs.filter_map(|c| c.check(graph, agent).err());
+    unmet.chain(aim::refusals(graph, agent, action)).collect()
 }
 
 /// Whether an agent can perform an action now, that is, whether it has no [`refusals`]. Stops at the first
@@ -118,7 +130,9 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
 /// ```
 pub fn allows(graph: &SceneGraph, agent: NodeId, action: &Action) -> bool {
     let mut needs = action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action));
-    check::check_things(graph, agent, action).is_none() && needs.all(|need| need.holds(graph, agent))
+    check::check_things(graph, agent, action).is_none()
+        && needs.all(|need| need.holds(graph, agent))
+        && aim::refusals(graph, agent, action).is_empty()
 }
 
 /// Performs an agent's action and returns the changes.
@@ -149,7 +163,7 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
         return Err(refusals);
     }
     let mut edit = graph.edit();
-    for effect in action.verb.rule().effects.iter().filter_map(|e| e.ground(action)) {
+    for effect in grounded_effects(action) {
         effect::carry_out(&mut edit, agent, effect).map_err(|e| vec![Refusal::Edit(e)])?;
     }
     Ok(edit.commit())

@@ -1,6 +1,6 @@
 //! Reasons for the refusal of actions.
 
-use crate::{EditError, Label, NodeId, Property, Relation, State, Verb};
+use crate::{AimPoint, EditError, Label, NodeId, Property, Relation, State, Verb};
 
 /// The reason why an action is refused. Every refusal names the objects and the unmet precondition.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
@@ -29,6 +29,63 @@ pub enum Refusal {
         /// The number of objects given.
         given: usize,
     },
+    /// The verb takes no such aim.
+    #[error("`{verb}` {}, not `{given}`", takes_aims(.takes))]
+    Aim {
+        /// The verb.
+        verb: Verb,
+        /// The aims that it takes, as they are written.
+        takes: Vec<String>,
+        /// The aim given.
+        given: String,
+    },
+    /// The point is neither on nor in the object, or not in the room.
+    #[error("the point {point} is not on or in {at}")]
+    PointElsewhere {
+        /// The point.
+        point: AimPoint,
+        /// The surface, the container or the room.
+        at: Label,
+    },
+    /// The point is not near the object that one is to go to.
+    #[error("the point {point} is too far from {thing}: {distance:.1} m")]
+    PointApart {
+        /// The point.
+        point: AimPoint,
+        /// The object.
+        thing: Label,
+        /// Their distance, metres.
+        distance: f32,
+    },
+    /// The point is not within reach.
+    #[error("the point {point} is {distance:.1} m away: walk there first, as in `walk at {point}`")]
+    PointOutOfReach {
+        /// The point.
+        point: AimPoint,
+        /// Its distance, metres.
+        distance: f32,
+    },
+    /// The point is in no room.
+    #[error("the point {0} is in no room of the scene")]
+    OutsideRooms(AimPoint),
+    /// The scene has no poses, so an agent cannot go to a point.
+    #[error("the scene has no poses of rooms: name an object instead of the point {0}")]
+    NoPoses(AimPoint),
+    /// The object has fewer seats or slots.
+    #[error("{thing} has {has} {part}s, numbered from 1: there is no {part} {number}")]
+    NoSuchPart {
+        /// The object.
+        thing: Label,
+        /// The word for its parts: seat, slot.
+        part: crate::AimWord,
+        /// The number asked for.
+        number: u16,
+        /// How many it has.
+        has: u32,
+    },
+    /// VirtualHome's simulator knows no aims.
+    #[error("VirtualHome's simulator has no points, headings, seats, slots or sides: leave `{0}` out")]
+    AimNotInVirtualHome(String),
     /// The object lacks the affordance.
     #[error("{0} is not {1}")]
     NotAfforded(Label, &'static str),
@@ -164,6 +221,10 @@ pub enum Refusal {
     /// The effects could not be carried out.
     #[error(transparent)]
     Edit(#[from] EditError),
+}
+
+fn takes_aims(takes: &[String]) -> String {
+    if takes.is_empty() { "takes no point, heading or part".into() } else { format!("takes `{}`", takes.join("`, `")) }
 }
 
 fn far(distance: Option<f32>) -> String {

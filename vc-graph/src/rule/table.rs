@@ -1,11 +1,12 @@
-//! The rule table: each verb's arity, preconditions and effects.
+//! The rule table: each verb's arity, preconditions, effects and aims.
 
+use crate::rule::aim::{self, AimRule};
 use crate::rule::condition::Condition::{self, *};
 use crate::rule::effect::Argument::{self, X, Y};
 use crate::rule::effect::Effect::{self, *};
 use crate::{Property, State, Verb};
 
-/// A verb's arity, preconditions and effects.
+/// A verb's arity, preconditions, effects and aims.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct ActionRule {
@@ -17,8 +18,17 @@ pub struct ActionRule {
     pub preconditions: &'static [Condition<Argument>],
     /// The effects, in order.
     pub effects: &'static [Effect<Argument>],
+    /// The aims that it takes.
+    pub aims: AimRule,
     /// A description in one sentence.
     pub description: &'static str,
+}
+
+impl ActionRule {
+    /// The rule with aims that the verb takes.
+    const fn aims(self, aims: AimRule) -> Self {
+        Self { aims, ..self }
+    }
 }
 
 impl Verb {
@@ -41,36 +51,44 @@ const fn rule(
     effects: &'static [Effect<Argument>],
     description: &'static str,
 ) -> ActionRule {
-    ActionRule { verb, arity, preconditions, effects, description }
+    ActionRule { verb, arity, preconditions, effects, aims: AimRule::NONE, description }
 }
 
 /// All rules, in the order of the verbs.
 #[rustfmt::skip]
 pub const RULES: &[ActionRule] = &[
     rule(Verb::Walk, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],
-        "Walks to a room, or into the room of a thing and up to it. Doors do not block: one opens and closes them in passing. What was near is no longer."),
+        "Walks to a room, or into the room of a thing and up to it. Doors do not block: one opens and closes them in passing. What was near is no longer.")
+        .aims(aim::GOING),
     rule(Verb::Run, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],
-        "As walk, faster."),
+        "As walk, faster.")
+        .aims(aim::GOING),
     rule(Verb::Find, 1, &[Reachable(X), Other(X), UprightOrNear(X)], &[Approach(X)],
         "Notices a thing that is near, or walks up to it."),
     rule(Verb::TurnTo, 1, &[Other(X)], &[Face(X)],
-        "Turns towards a thing, near or not."),
+        "Turns towards a thing, near or not.")
+        .aims(aim::TURNING),
     rule(Verb::LookAt, 1, &[Facing(X)], &[],
         "Looks at a thing one faces, or that is faced by what one faces."),
     rule(Verb::PointAt, 1, &[Facing(X)], &[],
-        "Points at a thing one faces."),
+        "Points at a thing one faces.")
+        .aims(aim::POINTING),
     rule(Verb::Watch, 1, &[Affords(X, Property::Lookable), SameRoom(X), Accessible(X), Facing(X)], &[],
         "Watches a screen or picture in the same room."),
     rule(Verb::Grab, 1, &[Graspable(X), NotElsewhereHeld(X), Accessible(X), FreeHandOrHolding(X), Near(X)], &[Hold(X)],
-        "Takes a thing into a free hand, with all that lies on it. Grabbing what one holds changes nothing."),
+        "Takes a thing into a free hand, with all that lies on it. Grabbing what one holds changes nothing.")
+        .aims(aim::TAKING),
     rule(Verb::Place, 2, &[Carries(Y), Fits(X, Y), Holding(X), Accessible(Y), Near(Y)], &[PutOn(X, Y)],
-        "Puts a held thing on a surface."),
+        "Puts a held thing on a surface.")
+        .aims(aim::PUTTING),
     rule(Verb::PutIn, 2, &[Encloses(Y), Fits(X, Y), Holding(X), Accessible(Y), Accepts(Y), Near(Y)], &[PutInto(X, Y)],
-        "Puts a held thing into a container, which must be open if it opens."),
+        "Puts a held thing into a container, which must be open if it opens.")
+        .aims(aim::PUTTING),
     rule(Verb::PutBack, 1, &[Holding(X), OriginNear(X)], &[PutWhereItWas(X)],
         "Puts a held thing back where it was taken from; that must be near, and open if it opens."),
     rule(Verb::Drop, 1, &[Holding(X)], &[LetGo(X)],
-        "Lets a held thing go: it is in the room, on nothing in particular."),
+        "Lets a held thing go: it is in the room, on nothing in particular.")
+        .aims(aim::DROPPING),
     rule(Verb::Open, 1, &[Affords(X, Property::Openable), In(X, State::Closed), SafeToOpen(X), FreeHand, Accessible(X), Near(X)],
         &[Enter(X, State::Open)],
         "Opens what is closed; machines only when they are off, fridges and ovens at any time."),
@@ -91,7 +109,8 @@ pub const RULES: &[ActionRule] = &[
         "Pulls the plug of what is off."),
     rule(Verb::Sit, 1, &[Affords(X, Property::Sittable), SeatFree(X), Steady(X), NotSitting, Near(X)],
         &[SitOn(X)],
-        "Sits down; one then faces what the seat faces. One may sit up from lying."),
+        "Sits down; one then faces what the seat faces. One may sit up from lying.")
+        .aims(aim::SITTING),
     rule(Verb::Lie, 1, &[Affords(X, Property::Lieable), BedFree(X), Steady(X), NotLying, Near(X)],
         &[LieOn(X)],
         "Lies down; one may lie down from sitting."),

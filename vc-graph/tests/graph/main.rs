@@ -1,5 +1,6 @@
 //! Tests of the scene graph, the rule, goals and formats, in one program: each program links anew.
 
+mod aims;
 mod assets;
 mod classes;
 mod clock;

@@ -61,7 +61,7 @@ impl PhysicsWorld {
     }
 
     /// Nodes and links that a body would overlap with its feet at a pose.
-    fn overlapped_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
+    pub(super) fn overlapped_at(&self, body: &Agent, feet: &Pose) -> Vec<(NodeId, usize)> {
         let (shape, at) = standing_capsule(&body.plan, feet);
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && c.parent() != Some(body.body);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));

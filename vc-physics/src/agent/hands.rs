@@ -1,8 +1,9 @@
 //! Two hands: grabbing, carrying, putting down.
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::{NodeId, Pose};
+use vc_graph::{NodeId, Pose, Side};
 
+use super::side::side_middle;
 use crate::state::{Agent, Hand, Held, Loaded};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError, convert};
@@ -70,7 +71,7 @@ impl PhysicsWorld {
     ) -> Result<(), AgentError> {
         self.check_reach(agent, id)?;
         let load: Vec<NodeId> = self.load_on(id).into_iter().filter(|load| comes(*load)).collect();
-        self.take(agent, hand, id, &load)
+        self.take(agent, hand, id, &load, None)
     }
 
     /// As [`Self::grab`], but exactly the things of `load` come along, even those that do not touch the grabbed thing,
@@ -80,19 +81,32 @@ impl PhysicsWorld {
     /// As [`Self::grab`].
     pub fn grab_with_load(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
         self.check_reach(agent, id)?;
+        let load = self.load_among(id, load);
+        self.take(agent, hand, id, &load, None)
+    }
+
+    /// Those of some nodes that come along with a thing: what rests on it, and what is free beside it.
+    pub(super) fn load_among(&self, id: NodeId, load: &[NodeId]) -> Vec<NodeId> {
         let resting = self.load_on(id);
         let free = |load: &&NodeId| matches!(self.role(**load), Some(BodyRole::Loose | BodyRole::Hung)) && **load != id;
         let apart = load.iter().filter(|load| !resting.contains(load)).filter(free);
-        let all: Vec<NodeId> = resting.iter().filter(|resting| load.contains(resting)).chain(apart).copied().collect();
-        self.take(agent, hand, id, &all)
+        resting.iter().filter(|resting| load.contains(resting)).chain(apart).copied().collect()
     }
 
-    /// Takes a thing from any distance, with exactly the things of a load; other things on it are left behind.
-    pub(crate) fn take(&mut self, agent: NodeId, hand: Hand, id: NodeId, load: &[NodeId]) -> Result<(), AgentError> {
+    /// Takes a thing from any distance, with exactly the things of a load; other things on it are left behind. The hand
+    /// is at a side of it, or at its middle.
+    pub(super) fn take(
+        &mut self,
+        agent: NodeId,
+        hand: Hand,
+        id: NodeId,
+        load: &[NodeId],
+        side: Option<Side>,
+    ) -> Result<(), AgentError> {
         self.check_may_take(agent, hand, id)?;
         let (body, thing) = (self.agent(agent)?, self.thing(id)?);
         let pose = self.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
-        let grip = grip(body, hand, &pose, thing.form.extent);
+        let grip = grip(body, (hand, side), &pose, thing.form.extent);
         let pinned = |load: NodeId| self.role(load) == Some(BodyRole::Hung);
         let at = |load: NodeId| Some(Loaded { id: load, at: pose.inverse() * self.pose(load)?, pinned: pinned(load) });
         let left: Vec<NodeId> = self.load_on(id).into_iter().filter(|resting| !load.contains(resting)).collect();
@@ -271,14 +285,20 @@ impl PhysicsWorld {
     }
 }
 
-/// The pose in which a thing is held: upright as it was, turned with the agent, its middle in the hand; large things
-/// are farther ahead, clear of the body, and tall ones lower.
-fn grip(agent: &Agent, hand: Hand, pose: &Pose, (low, high): (Point3<f32>, Point3<f32>)) -> Pose {
+/// The pose in which a thing is held: upright as it was, turned with the agent, its middle or the middle of a side in
+/// the hand; large things are farther ahead, clear of the body, and tall ones lower.
+fn grip(
+    agent: &Agent,
+    (hand, side): (Hand, Option<Side>),
+    pose: &Pose,
+    (low, high): (Point3<f32>, Point3<f32>),
+) -> Pose {
     let turn = agent.feet.rotation.inverse() * pose.rotation;
     let (middle, half) = (nalgebra::center(&low, &high), (high - low) / 2.0);
     let along = |axis: Vector3<f32>| (turn.inverse() * axis).abs().dot(&half);
     let (deep, tall) = (along(Vector3::x()), along(Vector3::z()));
-    let mut at = agent.hand(hand).coords;
+    let off = side.map_or_else(Vector3::zeros, |side| turn * (side_middle((low, high), side) - middle));
+    let mut at = agent.hand(hand).coords - off;
     at.x = at.x.max(agent.plan.radius + BEFORE + deep);
     let top = agent.plan.eye() - BELOW * (at.x + deep - agent.plan.radius);
     at.z = at.z.min(top - tall).max(tall + OFF);

@@ -8,6 +8,7 @@ mod lead;
 mod reach;
 mod room;
 mod seat;
+mod side;
 mod stride;
 mod walk;
 
@@ -39,7 +40,7 @@ impl PhysicsWorld {
                 for held in graph.related(id, relation).collect::<Vec<_>>() {
                     // A thing that cannot be held (it has no body, or the hand is full) stays.
                     let load = self.load_on(held);
-                    let _ = self.take(id, hand, held, &load);
+                    let _ = self.take(id, hand, held, &load, None);
                 }
             }
         }

@@ -126,7 +126,7 @@ impl PhysicsWorld {
 
 /// The shoulder of a standing body that reaches for a point: leant towards the point and bent down as far as that
 /// brings it nearer.
-fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
+pub(super) fn leaning(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>) -> Point3<f32> {
     let shoulders = LEANS.map(|share| leant(plan, feet, to, share * ADULT.lean));
     let nearer = |a: Point3<f32>, b: Point3<f32>| if (b - to).norm() < (a - to).norm() { b } else { a };
     shoulders.into_iter().fold(shoulders[0], nearer)

@@ -43,6 +43,18 @@ impl PhysicsWorld {
         Ok(self.fits(self.agent(agent)?, feet))
     }
 
+    /// The things and agents that an agent would overlap with its feet at a pose; none if it
+    /// [can stand](Self::can_stand) there.
+    ///
+    /// # Errors
+    /// [`AgentError::NoSuchAgent`].
+    pub fn obstacles_at(&self, agent: NodeId, feet: &Pose) -> Result<Vec<NodeId>, AgentError> {
+        let mut found: Vec<NodeId> =
+            self.overlapped_at(self.agent(agent)?, feet).into_iter().map(|(id, _)| id).collect();
+        found.dedup();
+        Ok(found)
+    }
+
     /// Whether an agent would stand free with its feet at a pose while the moving parts of a node are open by
     /// each of some fractions of their range (0 closed, 1 open).
     ///

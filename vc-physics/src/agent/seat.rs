@@ -80,7 +80,33 @@ impl PhysicsWorld {
     /// ```
     pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
         let places = self.seats(on);
-        self.settle_down(agent, on, &places, Posture::Sitting)
+        self.settle_down(agent, on, &places, None, Posture::Sitting)
+    }
+
+    /// As [`Self::sit`], on one of the [`seats`](Self::seats), counted from 0.
+    ///
+    /// # Errors
+    /// As [`Self::sit`]; [`AgentError::NoSuchSeat`], [`AgentError::PlaceTaken`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.teleport(home.person, vc_graph::Pose::translation(0.6, 1.5, 0.0))?;
+    /// let none = world.sit_at(home.person, home.chair, 1).unwrap_err();
+    /// assert!(none.to_string().ends_with("has 1 seats: there is no seat 2"));
+    /// world.sit_at(home.person, home.chair, 0)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sit_at(&mut self, agent: NodeId, on: NodeId, seat: u32) -> Result<(), AgentError> {
+        let places = self.seats(on);
+        if places.len() <= seat as usize {
+            return Err(AgentError::NoSuchSeat { seat: on, number: seat + 1, count: places.len() });
+        }
+        let by = self.agents.iter().find(|(_, other)| other.posture.seat() == Some((on, seat))).map(|(id, _)| *id);
+        if let Some(by) = by.filter(|by| *by != agent) {
+            return Err(AgentError::PlaceTaken { seat: on, number: seat + 1, by });
+        }
+        self.settle_down(agent, on, &places, Some(seat), Posture::Sitting)
     }
 
     /// Lays an agent down on a node.
@@ -89,7 +115,7 @@ impl PhysicsWorld {
     /// As [`Self::sit`].
     pub fn lie(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
         let places = self.beds(on);
-        self.settle_down(agent, on, &places, Posture::Lying)
+        self.settle_down(agent, on, &places, None, Posture::Lying)
     }
 
     fn settle_down(
@@ -97,6 +123,7 @@ impl PhysicsWorld {
         agent: NodeId,
         on: NodeId,
         places: &[Pose],
+        only: Option<u32>,
         posture: fn(NodeId, u32) -> Posture,
     ) -> Result<(), AgentError> {
         if self.thing(on)?.state.role == BodyRole::Carried {
@@ -110,7 +137,8 @@ impl PhysicsWorld {
             (own.x.abs() - half).max(0.0).hypotenuse(own.y)
         };
         let taken = |i: u32| self.agents.values().any(|a| a.posture.seat() == Some((on, i)));
-        let mut order: Vec<(f32, u32)> = places.iter().enumerate().map(|(i, p)| (far(p), i as u32)).collect();
+        let each = places.iter().enumerate().map(|(i, p)| (far(p), i as u32));
+        let mut order: Vec<(f32, u32)> = each.filter(|(_, i)| only.is_none_or(|only| only == *i)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         let &(nearest, _) = order.first().ok_or(AgentError::NoSeat(on))?;
         if nearest > STEP {

@@ -76,7 +76,7 @@ impl PhysicsWorld {
     }
 
     /// A top as far as the box of its thing reaches; a surface inside is what it is.
-    fn whole_top(&self, shelf: &SupportSurface) -> SupportSurface {
+    pub(super) fn whole_top(&self, shelf: &SupportSurface) -> SupportSurface {
         let mut whole = shelf.clone();
         let base = self.thing(shelf.id).ok().and_then(|thing| Some((thing, self.engine.pose(thing.state.base)?)));
         if let Some((thing, base)) = base.filter(|_| shelf.hold == Hold::On) {
@@ -90,7 +90,7 @@ impl PhysicsWorld {
 
     /// Whether a thing that stands at a spot is over the top of another: its middle, and points halfway to the
     /// corners of its box.
-    fn is_borne(&self, thing: &Thing, spot: &Pose, by: NodeId) -> bool {
+    pub(super) fn is_borne(&self, thing: &Thing, spot: &Pose, by: NodeId) -> bool {
         let (low, high) = thing.form.extent;
         let (middle, half) = (nalgebra::center(&low, &high), (high - low) * (BORNE / 2.0));
         let filter = |_: ColliderHandle, c: &Collider| group::marked(c.user_data).0 == by;

@@ -9,6 +9,7 @@ mod raster;
 mod search;
 mod surface;
 mod way;
+mod wish;
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::Hold;
@@ -21,6 +22,7 @@ use crate::PhysicsError;
 use crate::world::PhysicsWorld;
 
 pub use surface::SupportSurface;
+pub use wish::{SpotFault, SpotWish};
 
 /// Gap that is left between a thing and its support, metres: the thing is at rest after a millimetre's fall.
 const GAP: f32 = 0.001;

@@ -107,6 +107,24 @@ fn refused_steps_are_skipped() {
     assert_eq!(states[1], states[2]);
 }
 
+/// Headings and points go through records and replays as they are.
+#[test]
+fn aims_are_recorded() {
+    let scene = home(0);
+    let fridge = scene.of_class("fridge")[0];
+    let script = [Action::walk(fridge).turned(-12.5).unwrap(), "turn_to yaw 90".parse().unwrap(), Action::open(fridge)];
+    let trajectory =
+        record(&EpisodeOptions::seeded(0), &mut ScriptedPolicy::new(script.to_vec()), &scene, "Open(fridge)");
+    assert_eq!(trajectory.check(&scene), []);
+    let text = trajectory.to_json_lines().unwrap();
+    assert!(text.contains("yaw -12.5"), "{text}");
+    let again = Trajectory::read_json_lines(&text).unwrap();
+    assert!(again.steps.iter().map(|step| step.action).eq(script));
+    assert_eq!(again.replay(&scene).unwrap().len(), 4);
+    let answer = vc_planner::language::read_answer("1. walk at 1.20 0.40 yaw 90", &scene);
+    assert_eq!(answer, Ok(vc_planner::language::Answer::Act("walk at 1.2 0.4 yaw 90".parse().unwrap())));
+}
+
 #[test]
 fn a_header_is_whole_or_refused() {
     let scene = home(2);

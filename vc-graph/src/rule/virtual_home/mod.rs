@@ -79,6 +79,9 @@ pub(crate) struct Memory {
 impl Memory {
     /// The reasons why VirtualHome's simulator refuses an action.
     pub(crate) fn refusals(&self, graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refusal> {
+        if !action.aim.is_nothing() {
+            return vec![Refusal::AimNotInVirtualHome(action.aim.to_string().trim_start().to_owned())];
+        }
         let judged = match check_things(graph, agent, action) {
             // VirtualHome's simulator permits putting an object into itself.
             Some(Refusal::WithItself(_)) | None => View { graph, agent }.needs(action, self),

@@ -1,0 +1,270 @@
+//! Aims as parameters of actions: which verbs take which, what they bring about, and why one is refused.
+
+use nalgebra::{Point2, Point3};
+
+use crate::AimWord::{At, By, Seat, Slot, Yaw};
+use crate::asset::Hold;
+use crate::class::SlotKind;
+use crate::rule::effect::Effect;
+use crate::rule::refusal::Refusal;
+use crate::{
+    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, NEAR, Node, NodeId, NodeKind, ObjectRole, SceneGraph, State,
+    Verb,
+};
+
+/// How far a point of a surface may be beside the surface's box, metres: numbers are rounded.
+const BESIDE: f32 = 0.01;
+
+/// The words of an aim that a verb takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AimForm {
+    /// Whether it stands for the verb's only object; otherwise it comes with all objects.
+    pub alone: bool,
+    /// Its words.
+    pub words: &'static [AimWord],
+}
+
+/// The part of the scene that an aim places.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Aimed {
+    /// The agent's feet.
+    Feet,
+    /// The direction in which the agent is turned.
+    Front,
+    /// The first object.
+    Object,
+}
+
+/// The aims that a verb takes.
+///
+/// ```
+/// use vc_graph::{NodeId, Verb, rule};
+/// assert_eq!(Verb::Sit.rule().aims.texts(Verb::Sit), ["sit THING seat N"]);
+/// let eat = "eat apple.3 at 1 2".parse()?;
+/// assert!(!Verb::Eat.rule().aims.fit(&eat));
+/// # Ok::<(), vc_graph::ActionTextError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AimRule {
+    /// The combinations of words.
+    pub forms: &'static [AimForm],
+    /// The part of the scene that point and heading place, if the verb takes them.
+    pub places: Option<Aimed>,
+}
+
+const fn with(words: &'static [AimWord]) -> AimForm {
+    AimForm { alone: false, words }
+}
+
+const fn alone(words: &'static [AimWord]) -> AimForm {
+    AimForm { alone: true, words }
+}
+
+/// To a point, or up to an object and turned so, or to this point beside an object.
+pub(super) const GOING: AimRule = AimRule {
+    forms: &[alone(&[At]), alone(&[At, Yaw]), with(&[At]), with(&[Yaw]), with(&[At, Yaw])],
+    places: Some(Aimed::Feet),
+};
+/// To a point or to a heading.
+pub(super) const TURNING: AimRule = AimRule { forms: &[alone(&[At]), alone(&[Yaw])], places: Some(Aimed::Front) };
+/// To a place.
+pub(super) const POINTING: AimRule = AimRule { forms: &[alone(&[At])], places: Some(Aimed::Front) };
+/// At a point of the surface, turned so, or on this shelf of it.
+pub(super) const PUTTING: AimRule = AimRule {
+    forms: &[with(&[At]), with(&[Yaw]), with(&[At, Yaw]), with(&[Slot]), with(&[Yaw, Slot])],
+    places: Some(Aimed::Object),
+};
+/// At a point of the floor, turned so.
+pub(super) const DROPPING: AimRule = AimRule { forms: &[with(&[At]), with(&[At, Yaw])], places: Some(Aimed::Object) };
+/// By a side.
+pub(super) const TAKING: AimRule = AimRule { forms: &[with(&[By])], places: None };
+/// On this seat.
+pub(super) const SITTING: AimRule = AimRule { forms: &[with(&[Seat])], places: None };
+
+impl AimRule {
+    /// No aims.
+    pub(super) const NONE: Self = Self { forms: &[], places: None };
+
+    fn takes(&self, aim: &Aim, alone: bool) -> bool {
+        let words = aim.words();
+        self.forms
+            .iter()
+            .any(|form| form.alone == alone && form.words.iter().copied().collect::<crate::Set<_>>() == words)
+    }
+
+    /// Whether an aim stands for the verb's only object.
+    pub fn stands_for_object(&self, aim: &Aim) -> bool {
+        !aim.is_nothing() && self.takes(aim, true)
+    }
+
+    /// Whether the verb takes the aim that an action has, if any.
+    pub fn fit(&self, action: &Action) -> bool {
+        action.aim.is_nothing() || self.takes(&action.aim, action.object.is_none())
+    }
+
+    /// The aims that a verb takes, as they are written.
+    pub fn texts(&self, verb: Verb) -> Vec<String> {
+        let things = ["", " THING", " THING PLACE"][verb.arity().min(2)];
+        let word = |word: &AimWord| match word {
+            At => " at X Y",
+            Yaw => " yaw DEGREES",
+            Seat => " seat N",
+            Slot => " slot N",
+            By => " by SIDE",
+        };
+        let text = |form: &AimForm| {
+            let words: String = form.words.iter().map(word).collect();
+            format!("{verb}{}{words}", if form.alone { "" } else { things })
+        };
+        self.forms.iter().map(text).collect()
+    }
+
+    pub(super) fn refusal(&self, action: &Action) -> Refusal {
+        let (verb, given) = (action.verb, action.aim.to_string().trim_start().to_owned());
+        Refusal::Aim { verb, takes: self.texts(verb), given }
+    }
+
+    /// The effects of an action's aim, besides those of its verb.
+    pub(super) fn effects(&self, action: &Action) -> impl Iterator<Item = Effect<NodeId>> + use<> {
+        let aim = action.aim;
+        let places = self.places.filter(|_| aim.point().is_some() || aim.heading().is_some());
+        let (first, second) = match places {
+            None => (None, None),
+            Some(Aimed::Front) => (Some(Effect::TurnAs(aim)), None),
+            Some(Aimed::Object) => (action.object.map(|id| Effect::PoseAs(id, aim)), None),
+            Some(Aimed::Feet) => {
+                (action.object.is_none().then_some(Effect::GoToPoint(aim)), Some(Effect::StandAs(aim)))
+            }
+        };
+        first.into_iter().chain(second)
+    }
+}
+
+/// Every reason why the aim of an action cannot be met, as far as poses and boxes tell; its form is not judged.
+pub(super) fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refusal> {
+    let (of, aim) = (Judged { graph, agent, action }, &action.aim);
+    if aim.is_nothing() {
+        return Vec::new();
+    }
+    let places = action.verb.rule().aims.places;
+    let point = aim.point().and_then(|point| match places? {
+        Aimed::Feet => of.standing_at(point),
+        Aimed::Front => None,
+        Aimed::Object => of.putting_at(point),
+    });
+    let part = aim.part().and_then(|part| of.part(part));
+    let turns = action.verb == Verb::TurnTo && !aim.is_nothing();
+    let rests = graph.node(agent).is_some_and(|body| body.is(State::Sitting) || body.is(State::Lying));
+    point.into_iter().chain(part).chain((turns && rests).then_some(Refusal::NotUpright)).collect()
+}
+
+struct Judged<'a> {
+    graph: &'a SceneGraph,
+    agent: NodeId,
+    action: &'a Action,
+}
+
+impl Judged<'_> {
+    /// Going to a point: it is in a room, and near the object to which one goes.
+    fn standing_at(&self, point: AimPoint) -> Option<Refusal> {
+        let (graph, plan) = (self.graph, point.plan());
+        let known = graph.rooms().iter().any(|room| !extents(graph, *room).is_empty());
+        match self.action.object.and_then(|id| graph.node(id)) {
+            None if !known => Some(Refusal::NoPoses(point)),
+            _ if known && room_at(graph, &point).is_none() => Some(Refusal::OutsideRooms(point)),
+            Some(to) => {
+                let room = graph.room_of(to.id()).filter(|room| is_outside(graph, *room, &plan));
+                let elsewhere = room.map(|room| Refusal::PointElsewhere { point, at: graph.label(room) });
+                let far = || distance(to, &plan).filter(|far| *far > NEAR && to.kind() != NodeKind::Room);
+                let apart = |distance| Refusal::PointApart { point, thing: to.label(), distance };
+                elsewhere.or_else(|| far().map(apart))
+            }
+            None => None,
+        }
+    }
+
+    /// Putting a thing to a point: it is on the surface, in the container or in the room, and within reach.
+    fn putting_at(&self, point: AimPoint) -> Option<Refusal> {
+        let (graph, plan) = (self.graph, point.plan());
+        let elsewhere = |at: NodeId| Refusal::PointElsewhere { point, at: graph.label(at) };
+        let beside = match self.action.target {
+            Some(at) => (!graph.node(at)?.has_in_plan(&plan).unwrap_or(true)).then_some(at),
+            None => graph.room_of(self.agent).filter(|room| is_outside(graph, *room, &plan)),
+        };
+        let distance = graph.node(self.agent).and_then(Node::position).map(|feet| (feet.xy() - plan).norm());
+        let far = distance.filter(|distance| *distance > NEAR);
+        beside.map(elsewhere).or_else(|| far.map(|distance| Refusal::PointOutOfReach { point, distance }))
+    }
+
+    fn part(&self, part: AimPart) -> Option<Refusal> {
+        let (word, number, at) = match part {
+            AimPart::Seat(number) => (AimWord::Seat, number, self.action.object?),
+            AimPart::Slot(number) => (AimWord::Slot, number, self.action.target?),
+            AimPart::Side(_) => return None,
+        };
+        let node = self.graph.node(at)?;
+        let has = match part {
+            AimPart::Seat(_) => node.slots(SlotKind::Seat).max(1),
+            _ => self.slots(node)?,
+        };
+        let within = (1..=has).contains(&u32::from(number));
+        (!within).then(|| Refusal::NoSuchPart { thing: node.label(), part: word, number, has })
+    }
+
+    /// The number of level surfaces in or on a thing, if its shape is known.
+    fn slots(&self, node: &Node) -> Option<u32> {
+        let asset = self.graph.assets().get(node.spec().asset?)?;
+        let hold = if self.action.verb == Verb::PutIn { Hold::Inside } else { Hold::On };
+        u32::try_from(asset.surfaces.iter().filter(|s| s.hold == hold).count()).ok()
+    }
+}
+
+/// The room in whose extent a point is deepest.
+pub(super) fn room_at(graph: &SceneGraph, point: &AimPoint) -> Option<NodeId> {
+    let plan = point.plan();
+    let depth = |room: NodeId| {
+        let depths = extents(graph, room).into_iter().filter_map(|node| depth(node, &plan));
+        depths.reduce(f32::max).filter(|depth| *depth >= 0.0)
+    };
+    let rooms = graph.rooms().iter().filter_map(|room| Some((depth(*room)?, *room)));
+    rooms.reduce(|best, next| if next.0 > best.0 { next } else { best }).map(|(_, room)| room)
+}
+
+/// Whether a point is known to be outside a room.
+fn is_outside(graph: &SceneGraph, room: NodeId, plan: &Point2<f32>) -> bool {
+    let extents = extents(graph, room);
+    !extents.is_empty() && !extents.into_iter().any(|node| node.has_in_plan(plan) == Some(true))
+}
+
+/// The nodes whose boxes a room extends over: its floors, or itself.
+fn extents(graph: &SceneGraph, room: NodeId) -> Vec<&Node> {
+    let known = |node: &&Node| node.aabb().is_some();
+    let floors = graph.in_room(room).filter_map(|id| graph.node(id)).filter(|node| node.role() == ObjectRole::Floor);
+    let floors: Vec<&Node> = floors.filter(known).collect();
+    if floors.is_empty() { graph.node(room).into_iter().filter(known).collect() } else { floors }
+}
+
+/// How deep a point is within a node's box in plan, metres; negative outside.
+fn depth(node: &Node, plan: &Point2<f32>) -> Option<f32> {
+    let aabb = node.aabb()?;
+    Some((0..2).map(|i| (plan[i] - aabb.min[i]).min(aabb.max[i] - plan[i])).fold(f32::INFINITY, f32::min))
+}
+
+fn distance(node: &Node, plan: &Point2<f32>) -> Option<f32> {
+    let at = Point3::new(plan.x, plan.y, node.position()?.z);
+    let nearest = node.aabb().map_or_else(|| node.position(), |aabb| Some(aabb.nearest(&at)))?;
+    Some((nearest - at).xy().norm())
+}
+
+impl Node {
+    /// Whether a point is within the node's box in plan, also if it is turned; `None` if the box is not known.
+    fn has_in_plan(&self, plan: &Point2<f32>) -> Option<bool> {
+        let (bounds, pose) = (self.spec().bounds?, self.pose()?);
+        let at = Point3::new(plan.x, plan.y, pose.translation.z);
+        let own = match bounds.frame {
+            BoundsFrame::Object => pose.inverse_transform_point(&at).coords,
+            BoundsFrame::World => at.coords - pose.translation.vector,
+        } - bounds.offset;
+        Some(own.x.abs() <= bounds.half.x + BESIDE && own.y.abs() <= bounds.half.y + BESIDE)
+    }
+}
