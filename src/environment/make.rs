@@ -231,7 +231,8 @@ fn read_relations(
         parts.map(|n| graph.room_of(n.id())).collect::<Vec<Option<NodeId>>>()
     };
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-    let mut relations = Relations::with_tolerance(graph, settings.relations, observe::evidence(world), settings.tolerance)?;
+    let mut relations =
+        Relations::with_tolerance(graph, settings.relations, observe::evidence(world), settings.tolerance)?;
     for _ in 0..READINGS {
         let before = rooms(graph);
         relations.write(graph, &all)?;

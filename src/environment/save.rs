@@ -59,7 +59,8 @@ impl Environment {
         let (scene, rest) = part(rest)?;
         let (world, rest) = part(rest)?;
         let (history, rest) = part(rest)?;
-        let (cameras, rest) = if with_cameras { part(rest).map(|(own, rest)| (Some(own), rest))? } else { (None, rest) };
+        let (cameras, rest) =
+            if with_cameras { part(rest).map(|(own, rest)| (Some(own), rest))? } else { (None, rest) };
         if !rest.is_empty() {
             return Err(SaveError::More(rest.len()));
         }

@@ -103,7 +103,8 @@ impl DepthNoise {
 impl Sensor for NoisyDepth {
     fn sense(&self, view: &SensorView<'_>) -> Result<Reading, SensorError> {
         let range = self.nearest >= 0.0 && self.nearest < self.farthest;
-        let wrong = (!range).then_some("least depth is to be from 0 to below the greatest").or_else(|| self.noise.fault());
+        let wrong =
+            (!range).then_some("least depth is to be from 0 to below the greatest").or_else(|| self.noise.fault());
         if let Some(wrong) = wrong {
             return Err(SensorError::Settings { sensor: "depth camera", wrong });
         }

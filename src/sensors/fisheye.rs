@@ -75,9 +75,8 @@ type Place = (usize, [f32; 2]);
 impl Sensor for Fisheye {
     fn sense(&self, view: &SensorView<'_>) -> Result<Reading, SensorError> {
         self.check()?;
-        let turns = FACES.map(|(axis, quarters)| {
-            UnitQuaternion::from_scaled_axis(axis * quarters * std::f32::consts::FRAC_PI_2)
-        });
+        let turns = FACES
+            .map(|(axis, quarters)| UnitQuaternion::from_scaled_axis(axis * quarters * std::f32::consts::FRAC_PI_2));
         let flat = view.camera(Lens::FieldOfView(self.face()), self.face_side(), self.face_side())?;
         let places = self.places(&flat, &turns);
         let mut faces: Vec<Frame> = Vec::new();
@@ -201,7 +200,8 @@ fn colour(faces: &[Frame], (number, [across, down]): Place) -> [u8; 3] {
     let face = &faces[number];
     let (x, y) = ((across - 0.5).max(0.0), (down - 0.5).max(0.0));
     let (u, v) = (x.fract(), y.fract());
-    let corners = [(0.0, 0.0, (1.0 - u) * (1.0 - v)), (1.0, 0.0, u * (1.0 - v)), (0.0, 1.0, (1.0 - u) * v), (1.0, 1.0, u * v)];
+    let corners =
+        [(0.0, 0.0, (1.0 - u) * (1.0 - v)), (1.0, 0.0, u * (1.0 - v)), (0.0, 1.0, (1.0 - u) * v), (1.0, 1.0, u * v)];
     let mut sum = [0.5; 3];
     for (right, below, weight) in corners {
         let pixel = face.rgb.get(nearest(face, [x.floor() + right, y.floor() + below])).copied().unwrap_or_default();

@@ -109,8 +109,14 @@ impl Lidar {
         let (low, high) = self.elevation;
         let upright = std::f32::consts::FRAC_PI_2;
         let rules = [
-            (low >= -upright && low <= high && high <= upright, "elevation is to rise from -1.5708 rad at least to 1.5708 at most"),
-            (self.nearest >= 0.0 && self.nearest < self.farthest, "least distance is to be from 0 to below the greatest"),
+            (
+                low >= -upright && low <= high && high <= upright,
+                "elevation is to rise from -1.5708 rad at least to 1.5708 at most",
+            ),
+            (
+                self.nearest >= 0.0 && self.nearest < self.farthest,
+                "least distance is to be from 0 to below the greatest",
+            ),
             (self.farthest.is_finite(), "greatest distance is to be finite"),
             (self.noise.is_finite() && self.noise >= 0.0, "noise is to be finite and not negative"),
         ];

@@ -215,12 +215,7 @@ impl Environment {
     /// # Errors
     /// [`CameraError`] if the name is taken, the mount is on something that is not there or is no place, or no picture can
     /// be made with the lens.
-    pub fn add_camera(
-        &mut self,
-        name: impl Into<String>,
-        mount: Mount,
-        lens: Lens,
-    ) -> Result<CameraId, CameraError> {
+    pub fn add_camera(&mut self, name: impl Into<String>, mount: Mount, lens: Lens) -> Result<CameraId, CameraError> {
         let camera = NamedCamera { name: name.into(), mount, lens };
         Ok(self.with_cameras([camera])?[0])
     }
@@ -291,8 +286,7 @@ impl Environment {
     /// # Errors
     /// As [`add_camera`](Self::add_camera); [`CameraError::NotAList`].
     pub fn add_cameras(&mut self, json: &str) -> Result<Vec<CameraId>, CameraError> {
-        let cameras: Vec<NamedCamera> =
-            serde_json::from_str(json).map_err(|e| CameraError::NotAList(e.to_string()))?;
+        let cameras: Vec<NamedCamera> = serde_json::from_str(json).map_err(|e| CameraError::NotAList(e.to_string()))?;
         self.with_cameras(cameras)
     }
 

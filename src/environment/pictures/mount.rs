@@ -21,8 +21,11 @@ const TETHER: f32 = 100.0;
 const WRIST: (f32, f32) = (-0.12, 0.07);
 /// Angles around somebody at which a camera that follows may be, radians from straight behind.
 const AROUND: [f32; 11] = [0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0, 1.5, -1.5, 2.2, -2.2];
-/// How much of its distance such a camera gives up to be a radian nearer to straight behind.
+/// Distance that is enough for such a camera, metres, and the shares of it that it gives up to be a radian nearer to
+/// straight behind, and to be as high as it is to be instead of half as high as it is far.
+const ENOUGH: f32 = 2.0;
 const ASTRAY: f32 = 0.25;
+const RAISED: f32 = 0.3;
 /// Distance that it keeps from what is in its way, metres.
 const KEPT: f32 = 0.15;
 
@@ -71,7 +74,8 @@ pub enum Mount {
         offset: Pose,
     },
     /// Behind an agent's shoulders, looking at them, wherever it goes. Where a wall or something else is in the way, the
-    /// camera is nearer or more to the side: it depends on the present state alone, and jumps where that is better.
+    /// camera is nearer, higher or more to the side: it depends on the present state alone, and jumps where that is
+    /// better.
     Following {
         /// The agent.
         agent: NodeId,
@@ -119,7 +123,9 @@ impl Mount {
     pub(super) fn check(&self) -> Result<(), CameraError> {
         match *self {
             Self::Fixed(pose) if !is_sound(&pose) => Err(CameraError::Pose),
-            Self::Head { offset, .. } | Self::Hand { offset, .. } | Self::Thing { offset, .. } if !is_sound(&offset) => {
+            Self::Head { offset, .. } | Self::Hand { offset, .. } | Self::Thing { offset, .. }
+                if !is_sound(&offset) =>
+            {
                 Err(CameraError::Pose)
             }
             Self::Following { behind, above, .. }
@@ -206,13 +212,17 @@ impl Environment {
         let past: Vec<NodeId> = std::iter::once(agent).chain(self.graph().held(agent)).collect();
         let ahead = feet.rotation * Vector3::x();
         let heading = ahead.y.angle_to(ahead.x) + std::f32::consts::PI;
-        let places = AROUND.map(|turn| {
+        let place = |(turn, height, cost): (f32, f32, f32)| {
             let (sine, cosine) = (heading + turn).sine_cosine();
-            let way = Vector3::new(behind * cosine, behind * sine, above);
+            let way = Vector3::new(behind * cosine, behind * sine, height);
             let share = self.free_share(shoulders, shoulders + way, &past);
-            (share - ASTRAY * turn.abs(), shoulders + way * share)
-        });
-        let best = places.into_iter().reduce(|best, place| if place.0 > best.0 { place } else { best });
+            let enough = way.norm().min(ENOUGH);
+            let score = (share * way.norm()).min(enough) / enough - ASTRAY * turn.abs() - cost;
+            (score, shoulders + way * share)
+        };
+        let heights = [(above, 0.0), (above.max(0.5 * behind), RAISED)];
+        let places = heights.into_iter().flat_map(|(height, cost)| AROUND.map(|turn| place((turn, height, cost))));
+        let best = places.reduce(|best, place| if place.0 > best.0 { place } else { best });
         let eye = best.map_or(shoulders, |(_, eye)| eye);
         Ok(lens.looking(eye, shoulders))
     }

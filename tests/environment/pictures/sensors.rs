@@ -152,7 +152,8 @@ fn readings_are_those_of_the_state() {
         let mut home = Environment::builder("apartment/42").threads(threads).make().unwrap();
         let me = home.agents()[0];
         home.add_sensor("fisheye", Mount::head(me), Fisheye { side: 48, ..Fisheye::default() }).unwrap();
-        home.add_sensor("depth", Mount::head(me), NoisyDepth { width: 40, height: 30, ..NoisyDepth::default() }).unwrap();
+        home.add_sensor("depth", Mount::head(me), NoisyDepth { width: 40, height: 30, ..NoisyDepth::default() })
+            .unwrap();
         home.add_sensor("lidar", hat(me), Lidar { columns: 60, ..Lidar::default() }).unwrap();
         home
     };
@@ -231,13 +232,15 @@ fn impossible_sensors_are_refused() {
     let told = home.add_sensor("a", Mount::head(fridge), lidar).unwrap_err().to_string();
     assert!(told.starts_with(&format!("{} is no agent", home.graph().label(fridge))), "{told}");
     let id = home.add_sensor("lidar", hat(me), lidar).unwrap();
-    assert_eq!(home.add_sensor("lidar", hat(me), lidar), Err(CameraError::NameTaken {
-        kind: "sensor",
-        name: "lidar".into(),
-        free: "lidar 2".into(),
-    }));
+    assert_eq!(
+        home.add_sensor("lidar", hat(me), lidar),
+        Err(CameraError::NameTaken { kind: "sensor", name: "lidar".into(), free: "lidar 2".into() })
+    );
     assert_eq!(home.sensor_named("lidar"), Ok(id));
-    assert_eq!(home.sensor_named("lydar").unwrap_err().to_string(), "there is no sensor `lydar` (did you mean `lidar`?)");
+    assert_eq!(
+        home.sensor_named("lydar").unwrap_err().to_string(),
+        "there is no sensor `lydar` (did you mean `lidar`?)"
+    );
     assert!(Environment::builder("apartment/42").threads(0).make().is_err());
 }
 

@@ -24,7 +24,8 @@ pub fn ply(points: &[[f32; 3]], instance: &[NodeId]) -> Result<Vec<u8>, RenderEr
         return Err(RenderError::BadShape { numbers: instance.len(), shape: vec![points.len()] });
     }
     let properties = ["float x", "float y", "float z", "uint instance"].map(|p| format!("property {p}\n")).concat();
-    let head = format!("ply\nformat binary_little_endian 1.0\nelement vertex {}\n{properties}end_header\n", points.len());
+    let head =
+        format!("ply\nformat binary_little_endian 1.0\nelement vertex {}\n{properties}end_header\n", points.len());
     let mut file = head.into_bytes();
     for (point, node) in points.iter().zip(instance) {
         point.iter().for_each(|v| v.bytes(&mut file));

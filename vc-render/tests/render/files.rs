@@ -312,7 +312,10 @@ fn point_clouds_are_read_back() {
     let head: Vec<&str> = std::str::from_utf8(&file[..body]).unwrap().lines().collect();
     assert_eq!(head[..2], ["ply", "format binary_little_endian 1.0"]);
     assert_eq!(head[2], format!("element vertex {}", points.len()));
-    assert_eq!(head[3..7].iter().map(|l| l.rsplit(' ').next().unwrap()).collect::<Vec<_>>(), ["x", "y", "z", "instance"]);
+    assert_eq!(
+        head[3..7].iter().map(|l| l.rsplit(' ').next().unwrap()).collect::<Vec<_>>(),
+        ["x", "y", "z", "instance"]
+    );
     assert_eq!(file.len() - body, 16 * points.len());
     for ((row, point), node) in file[body..].chunks_exact(16).zip(&points).zip(&nodes) {
         let word = |i: usize| u32::from_le_bytes(row[4 * i..4 * i + 4].try_into().unwrap());
