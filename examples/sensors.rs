@@ -40,13 +40,13 @@ fn main() -> Result<(), Complaint> {
             Reading::Picture(frame) if frame.rgb.is_empty() => write(&folder, &name, &picture::depth(frame, 5.0))?,
             Reading::Picture(frame) => write(&folder, &name, &picture::rgb(frame))?,
             Reading::Scan(scan) => {
-                files::write(&folder.join(format!("{name}.ply")), scan.ply()?)?;
+                files::write(folder.join(format!("{name}.ply")), scan.ply()?)?;
                 write(&folder, &name, &plan(&home, scan)?)?;
             }
             other => say!("{name}: {other:?}"),
         }
     }
-    files::write(&folder.join("cameras.json"), home.cameras_json())?;
+    files::write(folder.join("cameras.json"), home.cameras_json())?;
     say!("{} cameras and {} sensors; written to {}", home.cameras().len(), home.sensors().count(), folder.display());
     Ok(())
 }
@@ -97,5 +97,5 @@ fn plan(home: &Environment, scan: &LidarScan) -> Result<Picture, Complaint> {
 }
 
 fn write(folder: &Path, name: &str, picture: &Picture) -> Result<(), Complaint> {
-    Ok(files::write(&folder.join(format!("{name}.png")), picture::png(picture)?)?)
+    Ok(files::write(folder.join(format!("{name}.png")), picture::png(picture)?)?)
 }
