@@ -401,6 +401,37 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Cameras and sensors of your own
+//!
+//! [`cameras`](crate::Environment::cameras) lists all cameras by number and name. Others are added at a pose, on a head, a
+//! hand or a thing, behind an agent, or above; by a field of view or by intrinsics. [`sensors`](crate::sensors) has a
+//! fisheye, noisy depth and a lidar, and the trait for sensors of your own.
+//!
+//! ```
+//! use virtualcity::graph::Pose;
+//! use virtualcity::physics::Hand;
+//! use virtualcity::render::Modality;
+//! use virtualcity::sensors::Lidar;
+//! use virtualcity::{Environment, Lens, Mount, Viewpoint};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let me = home.agents()[0];
+//! home.add_camera("behind", Mount::Following { agent: me, behind: 1.8, above: 0.7 }, Lens::FieldOfView(1.1))?;
+//! home.add_camera("wrist", Mount::wrist(me, Hand::Right), Lens::Options)?;
+//! for (id, camera) in home.cameras() {
+//!     let frame = home.render(Viewpoint::Camera(id), Modality::Depth, 32, 24)?;
+//!     println!("{id}, {}: {:.2} m in the middle", camera.name, frame.depth[12 * 32 + 16]);
+//! }
+//! // Cameras are kept with `save`, and as a list of their own.
+//! let list: String = home.cameras_json();
+//!
+//! let hat = Mount::Head { agent: me, offset: Pose::translation(-0.14, 0.0, 0.25) };
+//! let lidar = home.add_sensor("lidar", hat, Lidar { columns: 90, ..Lidar::default() })?;
+//! let points = home.sense(lidar)?.scan().map_or(0, |scan| scan.in_home().count());
+//! assert!(points > 1000, "{points} of 1440 rays come back");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # What one may do with what one sees
 //!
 //! [`legal_actions`](crate::Environment::legal_actions) lists all actions that are possible in the whole home.

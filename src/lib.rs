@@ -57,7 +57,8 @@
 //! | [`Environment`] | make, reset, observation, render, set action; save and restore |
 //! | [`Batch`] | many environments, stepped on all cores |
 //! | [`check_environment`] | a test of the contract that environments keep |
-//! | [`Viewpoint`] | the position of a camera |
+//! | [`Viewpoint`] | the position of a camera; [`Mount`] and [`Lens`] of your own |
+//! | [`sensors`] | a fisheye, noisy depth, a lidar, and the trait for others |
 //! | [`Recorder`] | an episode as a folder: trajectory, film, map, page, COCO and glTF |
 //! | [`Dataset`] | pictures of many homes as one COCO data set |
 //! | [`Page`] | an episode in any world as an HTML page |
@@ -96,7 +97,7 @@ pub use environment::{
     Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use environment::{PictureOptions, Viewpoint};
+pub use environment::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureOptions, Viewpoint};
 pub use files::{FileError, FileProblem, read_bytes, read_scene, read_text};
 pub use json_lines::{JsonLines, ResumableRun};
 pub use page::{Page, PageAction, PageFigure, PageFilm};
@@ -107,6 +108,8 @@ pub use record::{Dataset, OwnFiles, RecordError, RecordOptions, Recorder};
 pub mod guide;
 #[cfg(feature = "procgen")]
 pub mod initial;
+#[cfg(all(feature = "environment", feature = "render"))]
+pub mod sensors;
 
 /// The programs of the README, as tests.
 #[cfg(all(doctest, feature = "environment", feature = "render"))]

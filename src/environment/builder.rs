@@ -5,6 +5,7 @@ use std::sync::Arc;
 use vc_graph::clock::{DayTime, Durations, ProcessTable};
 use vc_graph::{ClassTable, SceneGraph};
 use vc_relations::RelationRule;
+use vc_relations::threshold::SUPPORT_GAP;
 
 use super::clock::TimeSettings;
 use super::{Assets, Environment, MakeError, scene};
@@ -21,7 +22,10 @@ use super::{Assets, Environment, MakeError, scene};
 /// | [`processes`](Self::processes), [`durations`](Self::durations) | [`ProcessTable::builtin`], [`Durations::builtin`] |
 /// | [`processes_at_once`](Self::processes_at_once) | no: they take their time |
 /// | [`begins_at`](Self::begins_at) | noon of day 0 |
+/// | [`tolerance`](Self::tolerance) | [`SUPPORT_GAP`](vc_relations::threshold::SUPPORT_GAP): 0.02 m |
 /// | `pictures`, `hour` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad |
+/// | `camera`, `sensor` (feature `render`) | no others than [`cameras`](Environment::cameras) lists in every home |
+/// | `threads` (feature `render`) | those of the rayon pool that pictures are asked for in: as many as there are cores |
 ///
 /// ```
 /// use virtualcity::Environment;
@@ -52,8 +56,15 @@ pub(super) struct EnvironmentSettings {
     pub(super) physics: vc_physics::Settings,
     pub(super) relations: RelationRule,
     pub(super) time: TimeSettings,
+    pub(super) tolerance: f32,
     #[cfg(feature = "render")]
     pub(super) pictures: crate::PictureOptions,
+    #[cfg(feature = "render")]
+    pub(super) cameras: Vec<crate::NamedCamera>,
+    #[cfg(feature = "render")]
+    pub(super) sensors: Vec<crate::sensors::NamedSensor>,
+    #[cfg(feature = "render")]
+    pub(super) threads: Option<usize>,
 }
 
 impl EnvironmentSettings {
@@ -64,8 +75,15 @@ impl EnvironmentSettings {
             physics: vc_physics::Settings::default(),
             relations: RelationRule::Contacts,
             time: TimeSettings::default(),
+            tolerance: SUPPORT_GAP,
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
+            #[cfg(feature = "render")]
+            cameras: Vec::new(),
+            #[cfg(feature = "render")]
+            sensors: Vec::new(),
+            #[cfg(feature = "render")]
+            threads: None,
         }
     }
 }
@@ -136,6 +154,22 @@ impl EnvironmentBuilder {
         self
     }
 
+    /// The distance down to a support up to which a thing is on it, metres: 0 to
+    /// [`BOX_GAP`](vc_relations::threshold::BOX_GAP). With less than some millimetres, things at rest count as on nothing,
+    /// and actions end in disagreements.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// let exact = Environment::builder("apartment/42").tolerance(0.01).make()?;
+    /// assert_eq!(exact.relations().tolerance(), 0.01);
+    /// assert!(Environment::builder("apartment/42").tolerance(-1.0).make().is_err());
+    /// # Ok::<(), virtualcity::MakeError>(())
+    /// ```
+    pub fn tolerance(mut self, tolerance: f32) -> Self {
+        self.settings.tolerance = tolerance;
+        self
+    }
+
     /// The options of pictures: [`Environment::set_pictures`].
     #[cfg(feature = "render")]
     pub fn pictures(mut self, options: crate::PictureOptions) -> Self {
@@ -147,6 +181,45 @@ impl EnvironmentBuilder {
     #[cfg(feature = "render")]
     pub fn hour(mut self, hour: f32) -> Self {
         self.settings.pictures.daylight = vc_render::Daylight::at(hour);
+        self
+    }
+
+    /// Adds a camera: [`Environment::add_camera`]. One on an agent that is still to be made is added afterwards, since
+    /// its number is not known before.
+    #[cfg(feature = "render")]
+    pub fn camera(mut self, name: impl Into<String>, mount: crate::Mount, lens: crate::Lens) -> Self {
+        self.settings.cameras.push(crate::NamedCamera { name: name.into(), mount, lens });
+        self
+    }
+
+    /// Adds a sensor: [`Environment::add_sensor`].
+    ///
+    /// ```
+    /// use virtualcity::graph::Pose;
+    /// use virtualcity::sensors::Lidar;
+    /// use virtualcity::{Environment, Mount};
+    /// let tripod = Mount::Fixed(Pose::translation(2.0, 2.0, 1.2));
+    /// let home = Environment::builder("apartment/42").sensor("lidar", tripod, Lidar::default()).threads(1).make()?;
+    /// assert_eq!(home.sensors().count(), 1);
+    /// # Ok::<(), virtualcity::MakeError>(())
+    /// ```
+    #[cfg(feature = "render")]
+    pub fn sensor(
+        mut self,
+        name: impl Into<String>,
+        mount: crate::Mount,
+        sensor: impl crate::sensors::Sensor + 'static,
+    ) -> Self {
+        self.settings.sensors.push(crate::sensors::NamedSensor { name: name.into(), mount, sensor: Arc::new(sensor) });
+        self
+    }
+
+    /// The number of threads on which pictures are made and sensors are read, shared with clones: 1 to 1,024. Everything
+    /// else an environment does takes one thread, and no result depends on their number. [`Batch`](crate::Batch) runs
+    /// environments side by side.
+    #[cfg(feature = "render")]
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.settings.threads = Some(threads);
         self
     }
 

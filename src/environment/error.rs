@@ -62,6 +62,19 @@ pub enum MakeError {
     /// An agent of the scene cannot be put on free floor.
     #[error(transparent)]
     Agent(#[from] AgentError),
+    /// A camera or sensor cannot be added.
+    #[cfg(feature = "render")]
+    #[error(transparent)]
+    Camera(#[from] crate::CameraError),
+    /// There cannot be so many threads.
+    #[cfg(feature = "render")]
+    #[error("pictures cannot be made on {threads} threads: {why}")]
+    Threads {
+        /// How many were asked for.
+        threads: usize,
+        /// Why not.
+        why: String,
+    },
 }
 
 /// Why an environment was not reset; then it is as it was.
@@ -371,4 +384,8 @@ pub enum SaveError {
     /// The scene's geometry cannot be read.
     #[error(transparent)]
     Relations(#[from] InputError),
+    /// The cameras in them cannot be read.
+    #[cfg(feature = "render")]
+    #[error(transparent)]
+    Cameras(#[from] crate::CameraError),
 }

@@ -7,7 +7,7 @@ use nalgebra::Point2;
 use vc_geometry::WallOpening;
 use vc_graph::{AssetId, Draft, History, Node, NodeId, NodeKind, ObjectRole, Pose, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, ShapeCache};
-use vc_relations::{RelationRule, Relations};
+use vc_relations::Relations;
 
 use super::clock::Clock;
 use super::reset::undress;
@@ -166,7 +166,7 @@ impl Environment {
         let Made { world, floor, shapes, left_out, staying, at_rest, assets, told, passages } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
-        let relations = read_relations(&mut graph, &world, settings.relations)?;
+        let relations = read_relations(&mut graph, &world, settings)?;
         let traced = graph.clone();
         let mut elsewhere = if at_rest {
             boxes::keep_all(&scene, &mut graph).map(|()| Vec::new())?
@@ -179,7 +179,17 @@ impl Environment {
         let start = Start { graph, world, relations, floor, shapes, left_out, elsewhere, kept, assets, passages, time };
         let environment = Self::at(Arc::new(start));
         #[cfg(feature = "render")]
-        let environment = Self { pictures: settings.pictures, ..environment };
+        let environment = environment.equipped(settings)?;
+        Ok(environment)
+    }
+
+    /// The environment with what pictures and sensors of it need.
+    #[cfg(feature = "render")]
+    fn equipped(self, settings: &EnvironmentSettings) -> Result<Self, MakeError> {
+        let threads = settings.threads.map(super::threads::Threads::new).transpose()?.unwrap_or_default();
+        let mut environment = Self { pictures: settings.pictures, threads, ..self };
+        environment.with_cameras(settings.cameras.iter().cloned())?;
+        settings.sensors.iter().try_for_each(|sensor| environment.with_sensor(sensor.clone()).map(drop))?;
         Ok(environment)
     }
 
@@ -198,6 +208,12 @@ impl Environment {
             picture_cache: Arc::default(),
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
+            #[cfg(feature = "render")]
+            cameras: Arc::default(),
+            #[cfg(feature = "render")]
+            sensors: Arc::default(),
+            #[cfg(feature = "render")]
+            threads: super::threads::Threads::default(),
             start,
         }
     }
@@ -205,13 +221,18 @@ impl Environment {
 
 /// Reads all relations and writes them into the graph. A floor that gets its room by that makes the room larger:
 /// then they are read again, so that who reads them from the graph later finds the same rooms.
-fn read_relations(graph: &mut SceneGraph, world: &PhysicsWorld, rule: RelationRule) -> Result<Relations, MakeError> {
+fn read_relations(
+    graph: &mut SceneGraph,
+    world: &PhysicsWorld,
+    settings: &EnvironmentSettings,
+) -> Result<Relations, MakeError> {
     let rooms = |graph: &SceneGraph| {
         let parts = graph.nodes().filter(|n| n.is_building());
         parts.map(|n| graph.room_of(n.id())).collect::<Vec<Option<NodeId>>>()
     };
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
-    let mut relations = Relations::new(graph, rule, observe::evidence(world))?;
+    let mut relations =
+        Relations::with_tolerance(graph, settings.relations, observe::evidence(world), settings.tolerance)?;
     for _ in 0..READINGS {
         let before = rooms(graph);
         relations.write(graph, &all)?;

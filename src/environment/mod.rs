@@ -28,6 +28,8 @@ mod stale;
 mod steer;
 mod step;
 mod survey;
+#[cfg(feature = "render")]
+mod threads;
 mod undo;
 
 use std::sync::Arc;
@@ -47,9 +49,11 @@ pub use error::{ActionError, MakeError, PhysicalRefusal, ResetError, SaveError, 
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 #[cfg(feature = "render")]
+pub use pictures::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureOptions, Viewpoint};
+#[cfg(feature = "render")]
 pub(crate) use pictures::{GLANCE, sight_of};
 #[cfg(feature = "render")]
-pub use pictures::{PictureOptions, Viewpoint};
+pub(crate) use pictures::{Named, Register};
 pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};
 pub use scene::Assets;
 pub use steer::Steering;
@@ -108,6 +112,12 @@ pub struct Environment {
     picture_cache: Arc<pictures::PictureCache>,
     #[cfg(feature = "render")]
     pub(crate) pictures: PictureOptions,
+    #[cfg(feature = "render")]
+    cameras: Arc<pictures::Cameras>,
+    #[cfg(feature = "render")]
+    pub(crate) sensors: Arc<Register<crate::sensors::NamedSensor>>,
+    #[cfg(feature = "render")]
+    pub(crate) threads: threads::Threads,
 }
 
 /// How an environment began; its resets start from here.

@@ -114,7 +114,8 @@ impl Dataset {
     /// [`RecordError`]; the data set is then unchanged.
     pub fn add(&mut self, home: &Environment, view: Viewpoint, width: u32, height: u32) -> Result<(), RecordError> {
         let (version, light) = (env!("CARGO_PKG_VERSION"), home.pictures());
-        let mut of = format!("{version} {} {view:?} {width} {height} {light:?}", home.digest());
+        let camera = home.placed(view).map(|camera| format!(" {camera:?}")).unwrap_or_default();
+        let mut of = format!("{version} {} {view:?}{camera} {width} {height} {light:?}", home.digest());
         self.wanted().for_each(|(_, name)| of = format!("{of} {name}"));
         let picture = match self.journal.next(&of, self.own.folder()) {
             Some(picture) => picture,
@@ -138,7 +139,8 @@ impl Dataset {
         let name = format!("{FRAMES}/{number:06}.png");
         self.own.write(&name, &picture::png(&picture::rgb(&frame))?)?;
         let picture = CocoPicture::new(name, &frame, &home.snapshot()?)?;
-        let mut picture = picture.taken(home.graph().name(), view.describe(home.graph()));
+        let name = home.placed(view).map_or_else(|| view.describe(home.graph()), |camera| camera.name);
+        let mut picture = picture.taken(home.graph().name(), name);
         for (modality, kind) in self.wanted() {
             let name = format!("{kind}/{number:06}.npy");
             self.own.write(&name, &array(&frame, modality)?)?;

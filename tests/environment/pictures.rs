@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod bounds;
+mod cameras;
 mod light;
 mod people;
 mod seen;
+mod sensors;
 
 use nalgebra::Vector3;
 use virtualcity::graph::{NodeId, State, Verb};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Label, Node, NodeId, Relation, SceneGraph};
 
 use crate::evidence::Evidence;
-use crate::threshold::{ROTATION_SLACK, WORLD_REACH};
+use crate::threshold::{BOX_GAP, ROTATION_SLACK, WORLD_REACH};
 
 /// A flaw of a scene, or of the evidence about it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -59,6 +59,9 @@ pub enum InputFlaw {
     /// An edge of the evidence has a relation other than holding and wearing.
     #[error("evidence: {} {:?} {} is neither holding nor wearing", .0.from, .0.relation, .0.to)]
     NotHolding(Edge),
+    /// A distance at which nothing, or too much, would be a support.
+    #[error("a tolerance of {0} m is not from 0 to {BOX_GAP} m")]
+    Tolerance(f32),
 }
 
 /// Formats a number with few digits.

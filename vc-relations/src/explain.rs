@@ -114,7 +114,7 @@ impl Relations {
                 _ if supports.iter().any(|s| s.by == other.id) => TraceOutcome::Counts,
                 _ if inner => TraceOutcome::Content,
                 c if c.normal.z < SUPPORT_NORMAL => TraceOutcome::TooSteep,
-                _ if pair::rest(body, other).is_finite() => TraceOutcome::Outranked,
+                _ if pair::rest(body, other, self.world.tolerance).is_finite() => TraceOutcome::Outranked,
                 c if c.down < -SUPPORT_SINK => TraceOutcome::TooDeep,
                 _ => TraceOutcome::TooFar,
             };

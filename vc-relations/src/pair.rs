@@ -68,9 +68,23 @@ impl Pair {
     }
 }
 
+/// Greatest distance down to a support, metres, where shapes are known.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Tolerance(pub(crate) f32);
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self(SUPPORT_GAP)
+    }
+}
+
 /// Measures two bodies, each from its own point of view; `None` if there are no facts for either. `walls` are
 /// those that can be between the two.
-pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Among<'_>) -> Option<(Pair, Pair)> {
+pub(crate) fn measure(
+    (i, a): (usize, &Body),
+    (j, b): (usize, &Body),
+    (walls, tolerance): (&Among<'_>, Tolerance),
+) -> Option<(Pair, Pair)> {
     if a.traits.fixed && b.traits.fixed {
         return None;
     }
@@ -81,7 +95,7 @@ pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Am
     }
     let (mut ab, mut ba) = (Pair::new(j), Pair::new(i));
     if is_near && a.region.grown(HANG_GAP, BOX_GAP).meets(&b.region) {
-        touch(a, b, &mut ab, &mut ba);
+        touch((a, b), (&mut ab, &mut ba), tolerance);
     }
     if columns_meet {
         let way = |above: Option<(f32, usize)>| above.map_or(f32::INFINITY, |a| a.0);
@@ -99,15 +113,15 @@ pub(crate) fn measure((i, a): (usize, &Body), (j, b): (usize, &Body), walls: &Am
 }
 
 /// Measures all facts that require the two to be in contact or nearly so.
-fn touch(a: &Body, b: &Body, ab: &mut Pair, ba: &mut Pair) {
+fn touch((a, b): (&Body, &Body), (ab, ba): (&mut Pair, &mut Pair), tolerance: Tolerance) {
     (ab.inside, ba.inside) = (holds(b, a), holds(a, b));
     let apart = parts_gap(a, b);
     (ab.gap, ba.gap) = (apart, apart);
     if !ba.inside && !is_within(b, a) {
-        ab.rest = rest(a, b);
+        ab.rest = rest(a, b, tolerance);
     }
     if !ab.inside && !is_within(a, b) {
-        ba.rest = rest(b, a);
+        ba.rest = rest(b, a, tolerance);
     }
     (ab.hooked, ba.hooked) = (hooked(a, b), hooked(b, a));
     (ab.seated, ba.seated) = (seated(a, b), seated(b, a));
@@ -143,8 +157,8 @@ pub(crate) struct Contact {
 }
 
 /// The contact nearest to zero with which one body rests on another.
-pub(crate) fn rest(a: &Body, b: &Body) -> f32 {
-    let limit = if a.traits.boxed || b.traits.boxed { BOX_GAP } else { SUPPORT_GAP };
+pub(crate) fn rest(a: &Body, b: &Body, tolerance: Tolerance) -> f32 {
+    let limit = if a.traits.boxed || b.traits.boxed { BOX_GAP } else { tolerance.0 };
     if a.traits.fixed || a.region.min.z - b.region.max.z > limit {
         return f32::INFINITY;
     }

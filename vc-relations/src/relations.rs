@@ -6,12 +6,14 @@ use nalgebra::Point3;
 use vc_graph::{Edge, NodeId, Relation, SceneGraph};
 
 use crate::edges::Reader;
-use crate::error::{InputError, check_assets, check_evidence, check_scene};
+use crate::error::{InputError, InputFlaw, check_assets, check_evidence, check_scene};
 use crate::evidence::Evidence;
 use crate::facts::Facts;
 use crate::near::NearSide;
+use crate::pair::Tolerance;
 use crate::rule::RelationRule;
 use crate::support::{Support, Supports};
+use crate::threshold::{BOX_GAP, SUPPORT_GAP};
 use crate::world::World;
 use crate::{box_trace, virtual_home};
 
@@ -76,9 +78,46 @@ impl Relations {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(graph: &SceneGraph, rule: RelationRule, evidence: Evidence) -> Result<Self, InputError> {
+        Self::with_tolerance(graph, rule, evidence, SUPPORT_GAP)
+    }
+
+    /// As [`Self::new`], with another distance down to a support up to which a thing is on it, metres, instead of
+    /// [`SUPPORT_GAP`]: 0 to [`BOX_GAP`]. Where only a box is known of one of the two it stays [`BOX_GAP`]; only
+    /// [`RelationRule::Contacts`] asks for it.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut graph = home.graph.clone();
+    /// use vc_graph::Pose;
+    /// use vc_relations::{Evidence, RelationRule, Relations};
+    /// # let higher = Pose::translation(0.0, 0.0, 0.01) * graph.node(home.cup).and_then(|n| n.pose()).ok_or("no pose")?;
+    /// # let mut edit = graph.edit();
+    /// # edit.set_pose(home.cup, Some(higher))?;
+    /// # edit.commit();
+    /// // The cup is a centimetre above the table.
+    /// let on_table = |tolerance: f32| {
+    ///     let read = Relations::with_tolerance(&graph, RelationRule::Contacts, Evidence::default(), tolerance);
+    ///     read.map(|relations| relations.supports(home.cup).iter().any(|support| support.by == home.table))
+    /// };
+    /// assert!(on_table(0.02)? && !on_table(0.005)?);
+    /// assert!(on_table(f32::NAN).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Self::new`], and a tolerance out of range.
+    pub fn with_tolerance(
+        graph: &SceneGraph,
+        rule: RelationRule,
+        evidence: Evidence,
+        tolerance: f32,
+    ) -> Result<Self, InputError> {
+        if !(0.0..=BOX_GAP).contains(&tolerance) {
+            return Err(InputError { flaws: vec![InputFlaw::Tolerance(tolerance)] });
+        }
         check_evidence(graph, &evidence)?;
-        let mut relations =
-            Self { rule, world: World::default(), facts: Facts::default(), evidence, fixed: Arc::default() };
+        let world = World::with(Tolerance(tolerance));
+        let mut relations = Self { rule, world, facts: Facts::default(), evidence, fixed: Arc::default() };
         relations.rebuild(graph)?;
         Ok(relations)
     }
@@ -86,6 +125,11 @@ impl Relations {
     /// The rule by which relations are read.
     pub fn rule(&self) -> RelationRule {
         self.rule
+    }
+
+    /// The distance down to a support up to which a thing is on it, metres.
+    pub fn tolerance(&self) -> f32 {
+        self.world.tolerance.0
     }
 
     /// The evidence that the caller has given beside the geometry.

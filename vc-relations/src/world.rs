@@ -11,7 +11,7 @@ use crate::body::Body;
 use crate::evidence::Evidence;
 use crate::facts::Facts;
 use crate::form::Form;
-use crate::pair::{self, Pair};
+use crate::pair::{self, Pair, Tolerance};
 use crate::room::Rooms;
 use crate::targets::Targets;
 use crate::threshold::{NEAR_REACH, REACH_SLACK, UNDER_REACH};
@@ -30,6 +30,7 @@ pub(crate) struct World {
     pub(crate) tree: BoxTree,
     pub(crate) targets: Targets,
     pub(crate) walls: Walls,
+    pub(crate) tolerance: Tolerance,
     forms: Forms,
 }
 
@@ -70,6 +71,11 @@ fn is_container(node: &Node) -> bool {
 }
 
 impl World {
+    /// An empty world in which supports are so near.
+    pub(crate) fn with(tolerance: Tolerance) -> Self {
+        Self { tolerance, ..Self::default() }
+    }
+
     /// Whether its forms belong to a library.
     pub(crate) fn knows(&self, library: &Arc<AssetLibrary>) -> bool {
         Arc::ptr_eq(&self.forms.library, library)
@@ -138,7 +144,7 @@ impl World {
             walls.gather(a, others().map(|(_, b)| b));
             // In this order every list comes out sorted.
             for (j, b) in others() {
-                if let Some((ab, ba)) = pair::measure((i, a), (j, b), &walls) {
+                if let Some((ab, ba)) = pair::measure((i, a), (j, b), (&walls, self.tolerance)) {
                     pairs[i].push(ab);
                     pairs[j].push(ba);
                 }
@@ -205,7 +211,7 @@ impl World {
         for (j, b) in others() {
             // Measured in the order of a full build, so that the figures are the same to the last bit.
             let (first, second) = if index < j { ((index, a), (j, b)) } else { ((j, b), (index, a)) };
-            if let Some((p, q)) = pair::measure(first, second, &walls) {
+            if let Some((p, q)) = pair::measure(first, second, (&walls, self.tolerance)) {
                 let (ab, ba) = if index < j { (p, q) } else { (q, p) };
                 own.push(ab);
                 theirs.push((j, ba));

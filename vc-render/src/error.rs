@@ -72,6 +72,9 @@ pub enum RenderError<N = NodeId> {
     /// There is no such room in the snapshot, or the graph has no box for it.
     #[error("{0} is not a room of this snapshot, or has no bounding box: ask for one of the graph's rooms")]
     NoRoom(N),
+    /// No camera has this number.
+    #[error("there is no camera {0}: it was never added, or was removed")]
+    NoCamera(u32),
     /// The number of frames differs from the number of shots.
     #[error("{shots} shots need as many frames, but {frames} are given")]
     FrameCount {
@@ -125,6 +128,7 @@ impl<N> RenderError<N> {
             E::NoBody(id) => E::NoBody(name(id)),
             E::NoAgent(id) => E::NoAgent(name(id)),
             E::NoRoom(id) => E::NoRoom(name(id)),
+            E::NoCamera(number) => E::NoCamera(number),
             E::FrameCount { shots, frames } => E::FrameCount { shots, frames },
             E::TooManyClasses { classes } => E::TooManyClasses { classes },
             E::BadShape { numbers, shape } => E::BadShape { numbers, shape },

@@ -1,9 +1,11 @@
 //! Where cameras of an environment are.
 
 use nalgebra::Point3;
-use vc_graph::{Aabb, Anthropometry, Label, NodeId, NodeKind, ObjectRole, SceneGraph};
+use vc_graph::{Aabb, Anthropometry, Label, NodeId, NodeKind, ObjectRole, Pose, SceneGraph};
+use vc_people::Skeleton;
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
+use super::{CameraId, Lens, Mount};
 use crate::Environment;
 
 /// Vertical field of view of eyes and of cameras in rooms unless the options say otherwise, radians.
@@ -46,6 +48,14 @@ pub enum Viewpoint {
     Overhead,
     /// Anywhere; [resized](Camera::resized) to the width and height asked for.
     Free(Camera),
+    /// A camera of the environment by its number: [`Environment::cameras`].
+    Camera(CameraId),
+}
+
+impl From<CameraId> for Viewpoint {
+    fn from(id: CameraId) -> Self {
+        Self::Camera(id)
+    }
 }
 
 impl Viewpoint {
@@ -56,16 +66,12 @@ impl Viewpoint {
             Self::Room(room) => format!("in {}", graph.label(*room)),
             Self::Above(room) => format!("above {}", graph.label(*room)),
             Self::Overhead => "overhead".into(),
+            Self::Camera(id) => id.to_string(),
             Self::Free(camera) => {
                 let at = camera.pose.translation;
                 format!("at {:.2} {:.2} {:.2}", at.x, at.y, at.z)
             }
         }
-    }
-
-    /// Whether it is above rooms whose ceilings are taken off.
-    pub(super) fn is_plan(&self) -> bool {
-        matches!(self, Self::Above(_) | Self::Overhead)
     }
 }
 
@@ -74,51 +80,61 @@ impl Environment {
     /// eyes, `Camera::looking` from a corner of a room, `Camera::overhead`, `Camera::resized`.
     ///
     /// # Errors
-    /// [`RenderError::NoAgent`] for the eyes of something else, [`RenderError::NoRoom`] for a view of something else than
-    /// a room, [`RenderError::NoBody`] for an agent without a body.
+    /// [`RenderError::NoAgent`] for the eyes or hands of something else, [`RenderError::NoRoom`] for a view of something
+    /// else than a room, [`RenderError::NoBody`] for an agent or thing without a body, [`RenderError::NoCamera`].
     pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError<Label>> {
-        let camera = Camera::with_fov(width, height, self.pictures.field_of_view);
-        match view {
-            Viewpoint::Free(free) => Ok(free.resized(width, height)),
-            Viewpoint::Agent(agent) if !self.graph().agents().contains(&agent) => {
-                Err(RenderError::NoAgent(self.graph().label(agent)))
-            }
-            Viewpoint::Agent(agent) => {
-                self.eyes(agent, camera).ok_or_else(|| RenderError::NoBody(self.graph().label(agent)))
-            }
-            Viewpoint::Room(room) => self.corner(room, camera),
-            Viewpoint::Above(room) => {
-                let aabb = self.bounds_of(room)?;
-                Ok(above(camera, aabb.min, aabb.max))
-            }
-            Viewpoint::Overhead => {
-                let boxes = self.graph().rooms().iter().filter_map(|r| self.graph().node(*r)?.aabb());
-                let all = boxes.map(|b| (b.min, b.max)).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
-                let (low, high) = all.unwrap_or((Point3::new(-5.0, -5.0, 0.0), Point3::new(5.0, 5.0, 2.5)));
-                Ok(above(camera, low, high))
-            }
+        if let Viewpoint::Free(free) = view {
+            return Ok(free.resized(width, height));
+        }
+        let (mount, lens) = self.mount_of(view)?;
+        self.mounted(&mount, lens.camera(&self.pictures, width, height))
+    }
+
+    /// The mount and lens of every viewpoint but a free one.
+    fn mount_of(&self, view: Viewpoint) -> Result<(Mount, Lens), RenderError<Label>> {
+        match (view, Mount::of(view)) {
+            (_, Some(mount)) => Ok((mount, Lens::Options)),
+            (Viewpoint::Camera(id), None) => self.device(id).ok_or(RenderError::NoCamera(id.0)),
+            (_, None) => Err(RenderError::BadCamera("viewpoint is free")),
         }
     }
 
+    /// Whether a view is from above rooms whose ceilings are taken off.
+    pub(super) fn is_plan(&self, view: Viewpoint) -> bool {
+        self.mount_of(view).is_ok_and(|(mount, _)| mount.is_plan())
+    }
+
+    /// A camera straight above a room.
+    pub(super) fn above(&self, room: NodeId, lens: Camera) -> Result<Camera, RenderError<Label>> {
+        let aabb = self.bounds_of(room)?;
+        Ok(above(lens, aabb.min, aabb.max))
+    }
+
+    /// A camera straight above the home.
+    pub(super) fn overhead(&self, lens: Camera) -> Camera {
+        let boxes = self.graph().rooms().iter().filter_map(|r| self.graph().node(*r)?.aabb());
+        let all = boxes.map(|b| (b.min, b.max)).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
+        let (low, high) = all.unwrap_or((Point3::new(-5.0, -5.0, 0.0), Point3::new(5.0, 5.0, 2.5)));
+        above(lens, low, high)
+    }
+
     /// The box around a room.
-    fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError<Label>> {
+    pub(super) fn bounds_of(&self, room: NodeId) -> Result<Aabb, RenderError<Label>> {
         let node = self.graph().node(room).filter(|n| n.kind() == NodeKind::Room);
         node.and_then(|n| n.aabb()).ok_or_else(|| RenderError::NoRoom(self.graph().label(room)))
     }
 
-    fn eyes(&self, agent: NodeId, camera: Camera) -> Option<Camera> {
-        let pose = self.graph().node(agent)?.pose()?;
-        let mut eyes = self.skeleton(agent)?.eyes();
+    /// Where the eyes of a figure are, as high as the options say.
+    pub(super) fn eyes(&self, skeleton: &Skeleton) -> Pose {
+        let mut eyes = skeleton.eyes();
         if let Some(height) = self.pictures.eye_height {
             eyes.translation.z += height - Anthropometry::ADULT.view;
         }
-        let mut camera = camera.mounted(&(pose * eyes));
-        camera.near = 0.03;
-        Some(camera)
+        eyes
     }
 
     /// A camera in the corner of a room from which most things in it are seen as the home begins.
-    fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError<Label>> {
+    pub(super) fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError<Label>> {
         let places = self.places(room, camera)?;
         // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
         let known = || self.picture_cache().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);

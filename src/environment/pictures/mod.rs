@@ -1,8 +1,13 @@
 //! What cameras see of an environment.
 
 mod camera;
+mod cameras;
+mod lens;
 mod light;
+mod mount;
 mod options;
+mod rays;
+mod register;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, OnceLock};
@@ -11,12 +16,17 @@ use vc_graph::asset::Joint;
 use vc_graph::{Label, Node, NodeId, NodeKind, ObjectRole, Pose, Property, Relation, State};
 use vc_people::{Bone, clothes};
 use vc_physics::BodyRole;
-use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RenderError, Renderer, Shot, Snapshot};
+use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
 
 pub use self::camera::Viewpoint;
 pub(crate) use self::camera::{GLANCE, sight_of};
+pub(in crate::environment) use self::cameras::Cameras;
+pub use self::cameras::{CameraError, CameraId, NamedCamera};
+pub use self::lens::Lens;
 use self::light::{Lit, lit, switch};
+pub use self::mount::Mount;
 pub use self::options::PictureOptions;
+pub(crate) use self::register::{Named, Register};
 use crate::Environment;
 use crate::environment::position;
 
@@ -31,6 +41,8 @@ pub(crate) struct PictureCache {
     light: Mutex<Vec<(Lit, Lighting)>>,
     /// At which of its places the camera of a room is.
     corners: Mutex<BTreeMap<NodeId, usize>>,
+    /// Rays in the home as it begins.
+    rays: Mutex<Option<RayCaster>>,
 }
 
 #[derive(Debug)]
@@ -145,9 +157,9 @@ impl Environment {
         later: Option<&Self>,
         (view, wanted): (Viewpoint, Modalities),
         (width, height): (u32, u32),
-        light: impl Fn(&Snapshot) -> Result<Lighting, RenderError<Label>>,
+        light: impl Fn(&Snapshot) -> Result<Lighting, RenderError<Label>> + Send,
     ) -> Result<Frame, RenderError<Label>> {
-        let drawn = self.drawn(how, later, (view, wanted), (width, height), light);
+        let drawn = self.threads.run(|| self.drawn(how, later, (view, wanted), (width, height), light));
         drawn.map_err(|e| self.named(e))
     }
 
@@ -164,7 +176,7 @@ impl Environment {
         let then =
             later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
         let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
-        let lighting = lighting.map(|light| if view.is_plan() { light.equalized(EVEN) } else { light });
+        let lighting = lighting.map(|light| if self.is_plan(view) { light.equalized(EVEN) } else { light });
         let mut shot = Shot::new(&snapshot, &camera, wanted).supersampled(how.finer);
         (shot.lighting, shot.adaptation) = (lighting.as_ref(), how.adapts);
         if let Some((snapshot, camera)) = &then {

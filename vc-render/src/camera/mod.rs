@@ -70,9 +70,20 @@ impl Camera {
     /// The camera mounted on a body: it looks along the pose's X, and its left is the pose's Y.
     #[must_use]
     pub fn mounted(self, on: &Pose) -> Self {
-        let axes = Matrix3::new(0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0);
-        let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
-        Self { pose: on * turn, ..self }
+        Self { pose: on * optical_axes(), ..self }
+    }
+
+    /// The pose of the body on which the camera is [mounted](Self::mounted): X is the optical axis, Y the camera's left.
+    ///
+    /// ```
+    /// use vc_graph::Pose;
+    /// use vc_render::Camera;
+    /// let head = Pose::translation(1.0, 2.0, 1.6);
+    /// let body = Camera::with_fov(64, 48, 1.0).mounted(&head).body();
+    /// assert!((body.translation.vector - head.translation.vector).norm() < 1e-6 && body.rotation.angle() < 1e-3);
+    /// ```
+    pub fn body(&self) -> Pose {
+        self.pose * optical_axes().inverse()
     }
 
     /// The camera at `eye`, with `target` in the middle of the image and the world's Z pointing up in it; if it
@@ -263,4 +274,10 @@ impl Camera {
         }
         Ok(())
     }
+}
+
+/// The optical frame in that of a body that looks along X, with its left along Y.
+fn optical_axes() -> UnitQuaternion<f32> {
+    let axes = Matrix3::new(0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0);
+    UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes))
 }

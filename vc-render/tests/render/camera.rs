@@ -171,3 +171,12 @@ fn a_camera_is_written_and_read() {
     assert_eq!(serde_json::from_str::<Camera>(&text).unwrap(), camera);
     assert!(serde_json::from_str::<Camera>(&text.replace("\"rotation\":[", "\"rotation\":[9.0,")).is_err());
 }
+
+/// The body of a camera looks where the camera does, upright.
+#[test]
+fn a_camera_knows_what_it_is_mounted_on() {
+    let (eye, target) = (Point3::new(1.0, 2.0, 1.5), Point3::new(4.0, 2.5, 0.5));
+    let body = Camera::with_fov(64, 48, 1.0).looking(eye, target).body();
+    assert!((body * Point3::new((target - eye).norm(), 0.0, 0.0) - target).norm() < 1e-5);
+    assert!((body.rotation * nalgebra::Vector3::y()).z.abs() < 1e-6);
+}

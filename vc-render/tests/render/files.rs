@@ -5,7 +5,7 @@
 use crate::common;
 
 use common::{Stage, cameras, furnished};
-use vc_render::format::{Coco, exr, npy};
+use vc_render::format::{Coco, exr, npy, ply};
 use vc_render::{Camera, Frame, Modalities, Modality, RenderError, Renderer, Rle, Shot, Snapshot};
 
 fn rendered(wanted: impl Into<Modalities>) -> (Snapshot, Frame) {
@@ -298,4 +298,29 @@ fn gifs_are_read_back() {
     assert!(picture::gif(&[pictures[0].clone(), other], 20).is_err());
     assert!(picture::gif(&[Picture::new(70_000, 1, [0; 3])], 20).is_err());
     assert!(picture::jpeg(&Picture::new(70_000, 1, [0; 3]), 90).is_err());
+}
+
+/// Point clouds are read back: a header of lines, then sixteen bytes a point.
+#[test]
+fn point_clouds_are_read_back() {
+    let (_, frame) = rendered(Modality::Position | Modality::Instance);
+    let points: Vec<[f32; 3]> = frame.points().map(|(_, point)| point.into()).collect();
+    let nodes: Vec<vc_graph::NodeId> = frame.points().map(|(pixel, _)| frame.instance[pixel]).collect();
+    let file = ply(&points, &nodes).unwrap();
+    let end = b"end_header\n";
+    let body = file.windows(end.len()).position(|part| part == end).unwrap() + end.len();
+    let head: Vec<&str> = std::str::from_utf8(&file[..body]).unwrap().lines().collect();
+    assert_eq!(head[..2], ["ply", "format binary_little_endian 1.0"]);
+    assert_eq!(head[2], format!("element vertex {}", points.len()));
+    assert_eq!(
+        head[3..7].iter().map(|l| l.rsplit(' ').next().unwrap()).collect::<Vec<_>>(),
+        ["x", "y", "z", "instance"]
+    );
+    assert_eq!(file.len() - body, 16 * points.len());
+    for ((row, point), node) in file[body..].chunks_exact(16).zip(&points).zip(&nodes) {
+        let word = |i: usize| u32::from_le_bytes(row[4 * i..4 * i + 4].try_into().unwrap());
+        assert_eq!([0, 1, 2].map(|i| f32::from_bits(word(i))), *point);
+        assert_eq!(word(3), node.0);
+    }
+    assert!(points.len() > 1000 && matches!(ply(&points, &nodes[1..]), Err(RenderError::BadShape { .. })));
 }
