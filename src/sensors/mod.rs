@@ -1,6 +1,6 @@
 //! Sensors other than cameras: a trait, and a fisheye, a depth camera with noise and a lidar as examples of it.
 //!
-//! A [`Sensor`] is mounted like a camera ([`Mount`](crate::Mount)), has a number and a name, and gives a [`Reading`] of
+//! A [`Sensor`] is mounted like a camera ([`Mount`]), has a number and a name, and gives a [`Reading`] of
 //! the environment as it is. Noise comes from a seed of the environment, its tick and the sensor's name, never from a
 //! clock: the same state gives the same bytes, on any number of threads.
 //!
