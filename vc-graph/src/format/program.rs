@@ -228,7 +228,7 @@ pub fn write(program: &Program, graph: &SceneGraph) -> Result<String, ActionText
     written(program, |action| action.to_virtualhome(graph))
 }
 
-/// Writes a program in VirtualCity's notation, with a scene's labels; otherwise as [`write`].
+/// Writes a program in VirtualCity's notation, with a scene's labels; otherwise as [`write`](fn@write).
 ///
 /// ```
 /// use vc_graph::format::program;
