@@ -1,6 +1,7 @@
 //! Points, headings, seats, slots and sides of actions, with bodies: they are met, or refused with the reason.
 
 use nalgebra::{Point2, Vector3};
+use virtualcity::graph::clock::Span;
 use virtualcity::graph::{
     Action, Node, NodeId, ObjectRole, Pose, Property, Refusal, Relation, Seed, Side, State, Stream, Verb,
 };
@@ -38,8 +39,12 @@ fn tried(home: &mut Environment, agent: NodeId, action: Action) -> Result<(), Ac
     let before = home.digest();
     let words = action.describe(home.graph()).to_string();
     assert_eq!(words.parse::<Action>().unwrap(), action, "{words}");
+    let mut timed = home.clone();
     let done = home.set_action(agent, action).map(drop);
     assert!(done.is_ok() || home.digest() == before, "{words}: a refusal has changed something");
+    timed.give(agent, action);
+    let endings = timed.step_until_idle(Span(36_000));
+    assert_eq!(endings[0].outcome.is_ok(), done.is_ok(), "{words} in time: {:?}", endings[0].outcome);
     done
 }
 

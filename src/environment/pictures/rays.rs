@@ -14,8 +14,8 @@ const STIR: f32 = 1e-3;
 impl Environment {
     /// A caster of rays in the home as it is now, against what pictures show: for sensors of distance.
     ///
-    /// The first takes about a microsecond for each triangle of the home; the others, also those of clones, some tens of
-    /// microseconds. The result depends on the present state alone, to the last bit.
+    /// The first takes about a microsecond for each triangle of the home; the others, also those of clones, a millisecond
+    /// at most. The result depends on the present state alone, to the last bit.
     ///
     /// ```
     /// use virtualcity::Environment;
