@@ -43,8 +43,10 @@ fn tried(home: &mut Environment, agent: NodeId, action: Action) -> Result<(), Ac
     let done = home.set_action(agent, action).map(drop);
     assert!(done.is_ok() || home.digest() == before, "{words}: a refusal has changed something");
     timed.give(agent, action);
-    let endings = timed.step_until_idle(Span(36_000));
-    assert_eq!(endings[0].outcome.is_ok(), done.is_ok(), "{words} in time: {:?}", endings[0].outcome);
+    let ending = timed.step_until_idle(Span(36_000)).remove(0);
+    // A thing that creeps may come to rest a degree farther when it is not held still as soon.
+    let turned = matches!(&ending.outcome, Err(ActionError::Impossible { why: PhysicalRefusal::OffAim { .. }, .. }));
+    assert!(turned || ending.outcome.is_ok() == done.is_ok(), "{words} in time: {:?}", ending.outcome);
     done
 }
 

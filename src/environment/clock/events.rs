@@ -331,6 +331,11 @@ impl Environment {
             // It stood there before.
             let _ = self.world.teleport(agent, feet);
         }
+        if let (Phase::Pushes(_), Some(BodyMotion::Drive(drive))) = (schedule.phase, &schedule.motion) {
+            let parts = self.world.moving_parts(drive.id);
+            // Its motors stop where they are.
+            (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, part, now.open)));
+        }
         match &schedule.track {
             Track::Way(way) => self.leave_doors(way),
             Track::Leaf(leaf) => {
