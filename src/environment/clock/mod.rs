@@ -76,9 +76,9 @@ impl Environment {
     /// let (me, you) = (home.agents()[0], home.agents()[1]);
     /// let fridge = home.graph().of_class("fridge")[0];
     /// home.give(me, format!("walk fridge.{}", fridge.0).parse()?);
-    /// home.give(you, "dance".parse()?);
+    /// home.give(you, "wave".parse()?);
     /// let endings = home.step(Span::from_seconds(60.0));
-    /// // The dance is over before the walk.
+    /// // Waving is over before the walk.
     /// assert_eq!(endings.iter().map(|e| e.agent).collect::<Vec<_>>(), [you, me]);
     /// assert!(endings.iter().all(|e| e.outcome.is_ok()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

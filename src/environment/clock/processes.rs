@@ -30,15 +30,12 @@ impl Environment {
     ///
     /// ```
     /// use virtualcity::Environment;
-    /// use virtualcity::graph::State;
     /// use virtualcity::graph::clock::Span;
     /// let mut home = Environment::make("apartment/42", 1)?;
-    /// let (me, oven) = (home.agents()[0], home.graph().of_class("oven")[0]);
-    /// for verb in ["walk", "switch_on"] {
-    ///     home.set_action(me, format!("{verb} oven.{}", oven.0).parse()?)?;
-    /// }
     /// home.step(Span(1));
-    /// println!("{} processes go on", home.processes().count());
+    /// for since in home.processes() {
+    ///     println!("{}: {} until {}", home.graph().label(since.node), since.process, since.due());
+    /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn processes(&self) -> impl Iterator<Item = Since> + '_ {
