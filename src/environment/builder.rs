@@ -130,7 +130,7 @@ impl EnvironmentBuilder {
         self
     }
 
-    /// What machines and matter do by themselves while time passes, and how long that takes.
+    /// The processes that machines and matter go through while time passes, and their times.
     pub fn processes(mut self, table: impl Into<Arc<ProcessTable>>) -> Self {
         self.settings.time.processes = table.into();
         self

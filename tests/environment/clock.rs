@@ -130,7 +130,7 @@ fn a_switch_is_pressed_once() {
     assert_eq!(endings.iter().filter(|e| e.outcome.is_ok()).count(), 1, "{endings:?}");
 }
 
-/// What an agent does ends when it is given something else, or is interrupted; it is then on its way.
+/// An action ends when its agent is given something else, or is interrupted; the agent is then on its way.
 #[test]
 fn actions_are_replaced_and_interrupted() {
     let mut home = home(42, 1);
@@ -168,7 +168,7 @@ fn walkers_keep_apart() {
     assert!(endings.iter().all(|e| e.tick > Tick(60)));
 }
 
-/// Of two who sit down on one chair one sits.
+/// One of two sits when both sit down on one chair.
 #[test]
 fn a_seat_is_taken_once() {
     let mut home = home(42, 2);
@@ -269,7 +269,7 @@ fn random_actions_at_once() {
     }
 }
 
-/// What a case needs of a home: nodes, and orders of the two agents.
+/// A case: it finds the nodes that it needs in a home, and gives the orders of the two agents.
 type Case = fn(&mut Environment, [NodeId; 2]) -> Option<Vec<(Span, NodeId, Action)>>;
 
 /// Lets an agent do an action at once, in the making of a case.

@@ -26,8 +26,9 @@ use super::{ActionError, Environment};
 pub use ending::{Ending, Interruption};
 pub(super) use processes::TimeSettings;
 use schedule::Schedule;
+pub(super) use track::along;
 
-/// What agents are doing, and what has to be looked at for that.
+/// The schedules of all agents, and the changes that are not read yet.
 #[derive(Clone, Default)]
 pub(super) struct Clock {
     /// Actions that begin in the next tick.
@@ -40,7 +41,7 @@ pub(super) struct Clock {
     changed: Vec<NodeId>,
     unseen: bool,
     endings: Vec<Ending>,
-    /// What machines and matter are doing; whether that is known of the scene but for some nodes, and these.
+    /// The processes that go on; whether they are known but for some nodes, and these nodes.
     processes: Running,
     noticed: bool,
     touched: Vec<NodeId>,

@@ -1,4 +1,4 @@
-//! What machines and matter do by themselves while time passes.
+//! Processes of machines and matter while time passes.
 
 use std::sync::Arc;
 

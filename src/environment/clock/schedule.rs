@@ -1,4 +1,4 @@
-//! What an agent is doing.
+//! The schedule of an agent's action.
 
 use std::collections::VecDeque;
 

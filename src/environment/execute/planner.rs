@@ -1,4 +1,4 @@
-//! What an agent would do next, read from the world as it is.
+//! The planner of an agent's next motions, which only reads the world.
 
 use nalgebra::{Point2, Vector3};
 use vc_graph::{Action, NodeId, Pose, SceneGraph};

@@ -1,4 +1,4 @@
-//! What hands do: take, put down, let go, dress.
+//! Hands: they take, put down, let go, dress.
 
 use vc_graph::{Edge, NodeId, Place, Pose, Relation, SceneGraph};
 use vc_physics::{BodyRole, Hand, SpotOrder};

@@ -1,4 +1,4 @@
-//! What is left to do of an action.
+//! Tasks: the parts of an action that are left to do.
 
 use std::collections::VecDeque;
 
@@ -22,7 +22,7 @@ pub(in crate::environment) enum Task {
     ComeNear(Action),
     /// Brings about an effect of the rule.
     Effect(Effect<NodeId>),
-    /// What the rule says of an effect holds from now on; motions after this many of the action were made for it.
+    /// An effect holds from now on; the motions after this many of the action were made for it.
     ComesTrue(Effect<NodeId>, usize),
     /// Shows an action of which no body knows more than how it looks.
     Gesture(Action),
@@ -57,7 +57,7 @@ impl Task {
 }
 
 impl Planner<'_> {
-    /// What is to be done for a task now.
+    /// The next motions and tasks for a task.
     pub(in crate::environment) fn plan(&mut self, task: Task) -> Planning {
         match task {
             Task::HoldStill => Ok(self.hold_still()),

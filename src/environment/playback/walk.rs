@@ -1,11 +1,12 @@
 //! Walking along a path, and the doors on it.
 
-use nalgebra::{Point2, Translation3, Vector2};
+use nalgebra::{Point2, Translation3};
 use vc_graph::{NodeId, Pose, Relation};
 use vc_people::Activity;
 
 use super::Player;
 use crate::environment::Environment;
+use crate::environment::clock::along;
 use crate::environment::execute::towards;
 
 /// Distance to a door at which a walker opens it, and at which it shuts it, metres.
@@ -111,17 +112,4 @@ fn passage(show: &Environment, points: &[Point2<f32>], door: NodeId) -> Option<P
     let (_, at) = all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
     let is_room_door = show.graph.related(door, Relation::Between).next().is_some();
     Some(Passage { was, wide: if is_room_door { 1.0 } else { 0.0 }, at })
-}
-
-/// The position and direction after a distance in metres along a path; `None` beyond its end.
-fn along(points: &[Point2<f32>], mut way: f32) -> Option<(Point2<f32>, Vector2<f32>)> {
-    for pair in points.windows(2) {
-        let step = pair[1] - pair[0];
-        let length = step.norm();
-        if way < length {
-            return Some((pair[0] + step * (way / length), step / length));
-        }
-        way -= length;
-    }
-    None
 }
