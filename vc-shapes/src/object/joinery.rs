@@ -4,7 +4,7 @@
 use std::f32::consts::FRAC_PI_2;
 
 use crate::material::MaterialId;
-use crate::solid::{Build, P};
+use crate::solid::{Build, CORNERS, P};
 
 /// The thickness of boards, metres.
 pub(super) const BOARD: f32 = 0.018;
@@ -136,7 +136,7 @@ pub(super) fn drawer(
 pub(super) fn legs(b: &mut Build<'_>, half: (f32, f32), height: f32, thickness: f32, round: bool, mat: MaterialId) {
     let (x, y) = (half.0 - thickness / 2.0, half.1 - thickness / 2.0);
     let r = thickness / 2.0;
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * x, sy * y);
         if round {
             b.lathe("leg", [cx, cy, 0.0], &[(r * 0.7, 0.0), (r, height * 0.9), (r, height)], mat);

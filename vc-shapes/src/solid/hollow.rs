@@ -6,6 +6,7 @@ use super::body::loft_columns;
 use super::build::{Axis, Build, P};
 use super::curve::rounded_ring;
 use super::mesh::blocks;
+use super::outline::CORNERS;
 use super::profile::vessel_profile;
 use crate::material::MaterialId;
 
@@ -37,7 +38,7 @@ pub fn tapered_tub(
 ) {
     let [x, y, z] = base;
     let corner = |(hx, hy): (f32, f32), i: usize, z: f32, inset: f32| {
-        let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][i % 4];
+        let (sx, sy) = CORNERS[i % 4];
         [x + sx * (hx - inset), y + sy * (hy - inset), z]
     };
     for i in 0..4 {

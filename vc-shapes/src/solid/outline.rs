@@ -90,7 +90,7 @@ pub fn band(curve: &[(f32, f32)], by: (f32, f32)) -> Vec<(f32, f32)> {
 pub(crate) fn rounded_by_share(half: (f32, f32), round: f32) -> Vec<(f32, f32)> {
     let r = half.0.min(half.1) * round.clamp(0.02, 0.999);
     let point = |i: usize| {
-        let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][i / CORNER];
+        let (sx, sy) = CORNERS[i / CORNER];
         let (s, c) = TURNS[i];
         (sx * (half.0 - r) + r * c, sy * (half.1 - r) + r * s)
     };

@@ -4,7 +4,7 @@ use vc_graph::asset::JointKind;
 
 use crate::material::*;
 use crate::object::cooker::fitting::*;
-use crate::solid::{Axis, Build, P, case, fit, floor_of, half_dims, loft_levels, oblong, pit, plate_with_hole};
+use crate::solid::{Axis, Build, CORNERS, P, case, fit, floor_of, half_dims, loft_levels, oblong, pit, plate_with_hole};
 
 /// Points of an oval seen from above, with its straight part at the back: `x` and `y` from -1 to 1.
 const BOWL: [(f32, f32); 12] = [
@@ -317,7 +317,7 @@ pub(super) fn bathtub(b: &mut Build<'_>) {
     let loops: Vec<_> = outer.into_iter().chain(hollow).collect();
     loft_levels(b, "tub", &loops, mat);
     if feet {
-        for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+        for (sx, sy) in CORNERS {
             let at = [sx * x * 0.52, sy * y * 0.66, 0.0];
             b.lathe(
                 "foot",

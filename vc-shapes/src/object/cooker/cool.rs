@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 use super::fitting::*;
 use super::heat::{foot_row, glass_door};
 use crate::material::*;
-use crate::solid::{Build, P, basket, case, fit, floor_of, half_dims, pit, tiers};
+use crate::solid::{Build, CORNERS, P, basket, case, fit, floor_of, half_dims, pit, tiers};
 
 /// The compartment behind a door.
 #[derive(Debug, Clone, Copy)]
@@ -280,7 +280,7 @@ pub(super) fn refrigerated_counter(b: &mut Build<'_>) {
 
 /// Legs of steel tube, or castors.
 pub(super) fn steel_legs(b: &mut Build<'_>, half: (f32, f32), height: f32, castors: bool, u: f32) {
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * half.0, sy * half.1);
         if castors {
             let r = height * 0.38;

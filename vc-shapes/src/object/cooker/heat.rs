@@ -2,7 +2,7 @@
 
 use super::fitting::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, P, case, collar, fit, floor_of, half_dims, plate_with_hole, tiers};
+use crate::solid::{Axis, Build, CORNERS, P, case, collar, fit, floor_of, half_dims, plate_with_hole, tiers};
 
 /// How a stove heats its cooktop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -358,7 +358,7 @@ pub(super) fn glass_door(b: &mut Build<'_>, at: Swing, (low, high): (P, P), mats
 
 /// Four small feet.
 pub(super) fn foot_row(b: &mut Build<'_>, half: (f32, f32), radius: f32, height: f32) {
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         b.cylinder("foot", [sx * half.0, sy * half.1, 0.0], radius, height, RUBBER);
     }
 }

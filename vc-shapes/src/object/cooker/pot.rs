@@ -4,7 +4,7 @@ use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
 use crate::solid::{
-    Axis, Build, P, basket, case, collar, fit, half_dims, loft_levels, pit, plate_with_hole, round_floor,
+    Axis, Build, CORNERS, P, basket, case, collar, fit, half_dims, loft_levels, pit, plate_with_hole, round_floor,
 };
 use vc_graph::asset::JointKind;
 
@@ -380,11 +380,10 @@ pub(super) fn slow_cooker(b: &mut Build<'_>) {
 /// Twelve corners of an oval.
 fn twelve(half: (f32, f32)) -> Vec<(f32, f32)> {
     let quarter = [(1.0, 0.27), (0.73, 0.73), (0.27, 1.0)];
-    let turned = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
     let corner = |i: usize| {
         let (q, k) = (i / 3, i % 3);
         let p = quarter[if q % 2 == 0 { k } else { 2 - k }];
-        (p.0 * turned[q].0 * half.0, p.1 * turned[q].1 * half.1)
+        (p.0 * CORNERS[q].0 * half.0, p.1 * CORNERS[q].1 * half.1)
     };
     (0..12).map(corner).collect()
 }

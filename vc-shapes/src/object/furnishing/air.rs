@@ -1,15 +1,8 @@
 //! Fans, air conditioners, air purifiers, humidifiers and dehumidifiers.
 
-use vc_graph::portable::Portable;
-
 use crate::material::*;
 use crate::object::cooker::fitting::*;
-use crate::solid::{Build, P, basket, case, collar, fit, half_dims};
-
-/// The sine and cosine of a position on a circle.
-fn turn(i: usize, count: usize) -> (f32, f32) {
-    (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sine_cosine()
-}
+use crate::solid::{Build, P, basket, case, circle, collar, fit, half_dims};
 
 /// A cage with blades on a stand, low or tall; or a tower.
 pub(super) fn fan(b: &mut Build<'_>) {
@@ -29,7 +22,7 @@ pub(super) fn fan(b: &mut Build<'_>) {
     cage(b, (back, front), z, r, u);
     b.rod("hub", [x * 0.09, 0.0, z], [x * 0.8, 0.0, z], r * 0.16, mat);
     for i in 0..4 {
-        let (s, c) = turn(i, 4);
+        let (s, c) = circle::part(i, 4);
         let at = |k: f32, w: f32, dx: f32| [x * 0.45 + dx, (c * k - s * w) * r, z + (s * k + c * w) * r];
         let points: Vec<P> = [(0.1, -0.08, 0.04), (0.1, 0.08, -0.04), (0.82, -0.22, 0.1), (0.82, 0.26, -0.1)]
             .into_iter()
@@ -55,7 +48,7 @@ fn cage(b: &mut Build<'_>, (back, front): (f32, f32), z: f32, r: f32, u: f32) {
         collar(b, "ring", ([x - w, 0.0, z], [x + w, 0.0, z]), (r * 0.6, r * 0.63), CHROME);
         b.rod("badge", [x - w, 0.0, z], [x + w * 1.5, 0.0, z], r * 0.2, CHROME);
         for i in 0..12 {
-            let (s, c) = turn(i, 12);
+            let (s, c) = circle::part(i, 12);
             let at = |k: f32, x: f32| [x, c * r * k, z + s * r * k];
             b.rod("spoke", at(0.15, x), at(0.62, x), w * 0.7, CHROME);
             b.rod("spoke", at(0.62, x), at(0.98 * k, middle), w * 0.7, CHROME);
@@ -104,7 +97,7 @@ pub(super) fn ceiling_fan(b: &mut Build<'_>) {
     let z = low + motor * 0.5;
     let t = 0.008 * u;
     for i in 0..count {
-        let (s, c) = turn(i, count);
+        let (s, c) = circle::part(i, count);
         let at = |k: f32, w: f32, z: f32| [c * r * k - s * r * w, s * r * k + c * r * w, z];
         let corners = [(0.3, -0.07), (0.3, 0.07), (0.97, -0.11), (0.97, 0.11), (0.99, 0.0)];
         let points: Vec<P> = corners

@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::solid::{Axis, Build, P, at_least, blob, limb, polar, polygon, star};
+use crate::solid::{Axis, Build, CORNERS, P, at_least, blob, limb, polar, polygon, star};
 
 /// A fire of logs in a ring of stones.
 pub(super) fn campfire(b: &mut Build<'_>) {
@@ -172,7 +172,7 @@ pub(super) fn firewood_rack(b: &mut Build<'_>) {
     let roofed = h > 1.0 && b.rng.chance(0.6);
     let top = if roofed { h - 0.1 } else { h };
     let (post, low) = (0.025_f32.min(x * 0.2), 0.08_f32.min(h * 0.1));
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * (x - post - 0.02), sy * (y - post));
         b.block("post", [cx - post, cy - post, 0.0], [cx + post, cy + post, top - 0.001 * (1.0 + sx)], frame);
     }

@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 
 use crate::material::*;
 use crate::object::joinery::{Handle, Side, door};
-use crate::solid::{Axis, Build, P, at_least, limb, polar, spaced};
+use crate::solid::{Axis, Build, CORNERS, P, at_least, limb, polar, spaced};
 
 /// A half tube along Y between two positions, closed at both ends.
 fn trough(
@@ -244,7 +244,7 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
             );
         }
     }
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let (cx, cy) = (middle + sx * (r - 0.06), sy * (body - 0.04));
         b.rod("caster", [cx, cy - 0.015, 0.04], [cx, cy + 0.015, 0.04], 0.04, RUBBER);
         b.block("caster", [cx - 0.012, cy - 0.02, 0.045], [cx + 0.012, cy + 0.02, low + 0.005], IRON);

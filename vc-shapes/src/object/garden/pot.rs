@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use crate::material::*;
-use crate::solid::{Build, at_least, blob, polar, spaced, tapered_tub};
+use crate::solid::{Build, CORNERS, at_least, blob, polar, spaced, tapered_tub};
 
 const POTS: &[MaterialId] =
     &[POTTERY, POTTERY, BLUE_GLAZE, GREEN_GLAZE, STONEWARE, CONCRETE, WHITE_PLASTIC, BLACK_GLAZE, BROWN_PLASTIC];
@@ -90,7 +90,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
     let (ix, iy);
     if boards {
         let post = 0.03_f32.min(x * 0.3);
-        for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+        for (sx, sy) in CORNERS {
             let (cx, cy) = (sx * (x - post), sy * (y - post));
             b.block("post", [cx - post, cy - post, 0.0], [cx + post, cy + post, h], mat);
         }
@@ -122,7 +122,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
     } else {
         let lean = b.vary(0.8, 1.0);
         if legs {
-            for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+            for (sx, sy) in CORNERS {
                 let (cx, cy) = (sx * (x * lean - 0.02), sy * (y * lean - 0.02));
                 b.block("leg", [cx - 0.018, cy - 0.018, 0.0], [cx + 0.018, cy + 0.018, low + 0.004], IRON);
             }

@@ -4,7 +4,7 @@ use std::f32::consts::PI;
 
 use super::shed::House;
 use crate::material::*;
-use crate::solid::{Axis, Build, at_least, spaced};
+use crate::solid::{Axis, Build, CORNERS, at_least, spaced};
 
 /// A carport: posts, beams and a flat, sloping or gabled roof over paved ground.
 pub(super) fn carport(b: &mut Build<'_>) {
@@ -67,7 +67,7 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
     let open = !cloth && b.rng.chance(0.35);
     let eaves = h * if open { b.vary(0.88, 0.92) } else { b.vary(0.68, 0.78) };
     let post = if cloth { 0.025 } else { b.vary(0.045, 0.07) };
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * (x - 0.12), sy * (y - 0.12));
         b.block("post", [cx - post, cy - post, 0.0], [cx + post, cy + post, eaves + 0.01], mat);
         b.block("foot", [cx - post - 0.02, cy - post - 0.02, 0.0], [cx + post + 0.02, cy + post + 0.02, 0.03], mat);

@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 
 use crate::material::*;
 use crate::object::joinery::{Handle, handle};
-use crate::solid::{Axis, Build, at_least, spaced};
+use crate::solid::{Axis, Build, CORNERS, at_least, spaced};
 
 pub(super) const WOODS: &[MaterialId] = &[PINE, OAK, TEAK, GREY_OAK, FOREST, RED, SKY, SAGE, ANTHRACITE, WALNUT];
 
@@ -283,7 +283,7 @@ pub(super) fn rabbit_hutch(b: &mut Build<'_>) {
         2.0 * y,
         roof,
     );
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let cx = if sx > 0.0 { front - t - 0.025 } else { back + 0.025 };
         let cy = sy * (iy - 0.025);
         b.block("leg", [cx - 0.024, cy - 0.024, 0.0], [cx + 0.024, cy + 0.024, floor - t + 0.003], mat);

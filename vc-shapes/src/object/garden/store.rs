@@ -3,7 +3,7 @@
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 use crate::material::*;
-use crate::solid::{Build, at_least, polar, spaced, tapered_tub};
+use crate::solid::{Build, CORNERS, at_least, polar, spaced, tapered_tub};
 
 /// A box for cushions and toys with a lid hinged at the back.
 pub(super) fn storage_box(b: &mut Build<'_>) {
@@ -40,7 +40,7 @@ pub(super) fn composter(b: &mut Build<'_>) {
     if b.rng.chance(0.5) {
         let mat = b.choose(&[PINE, OAK, GREY_OAK, TEAK]);
         let post = 0.025;
-        for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+        for (sx, sy) in CORNERS {
             let (cx, cy) = (sx * (x - post - 0.015), sy * (y - post - 0.015));
             b.block("post", [cx - post, cy - post, 0.0], [cx + post, cy + post, h - 0.035], mat);
         }

@@ -1,10 +1,8 @@
 //! Lamps on ceilings and walls.
 
-use vc_graph::portable::Portable;
-
 use super::{bulb, shade, shade_at, shade_mat, stand_mat};
 use crate::material::*;
-use crate::solid::{Axis, Build, collar, fit, half_dims, plate_with_hole};
+use crate::solid::{Axis, Build, circle, collar, fit, half_dims, plate_with_hole};
 
 /// A lamp flat against the ceiling: a glass bowl, a drum, a light panel, or spots.
 pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
@@ -37,7 +35,7 @@ pub(super) fn ceiling_lamp(b: &mut Build<'_>) {
             b.cylinder("plate", [0.0, 0.0, h - plate], r * 0.5, plate, metal);
             let count = b.rng.count(3, 4);
             for i in 0..count {
-                let (s, c) = turn(i, count);
+                let (s, c) = circle::part(i, count);
                 let at = [c * r * 0.62, s * r * 0.62, h * 0.52];
                 b.bar("arm", [c * r * 0.3, s * r * 0.3, h - plate], [at[0], at[1], at[2] + h * 0.2], h * 0.03, metal);
                 let spot = r * 0.3;
@@ -67,15 +65,10 @@ fn cup_down(r: f32, h: f32) -> [(f32, f32); 5] {
     [(r, 0.0), (r * 0.8, h), (r * 0.3, h), (r - t, t), (r, 0.0)]
 }
 
-/// Sine and cosine of the angle at index `i` of `count` around a circle.
-fn turn(i: usize, count: usize) -> (f32, f32) {
-    (std::f32::consts::TAU * i as f32 / count.max(1) as f32).sine_cosine()
-}
-
 /// Three rods from the axis to a shade.
 fn ring_of_spokes(b: &mut Build<'_>, r: f32, z: f32, thick: f32, mat: MaterialId) {
     for i in 0..3 {
-        let (s, c) = turn(i, 3);
+        let (s, c) = circle::part(i, 3);
         b.rod("spoke", [0.0, 0.0, z], [c * r, s * r, z], thick, mat);
     }
 }
@@ -130,7 +123,7 @@ pub(super) fn pendant_lamp(b: &mut Build<'_>) {
             collar(b, "ring", ([0.0; 3], [0.0, 0.0, z]), (r - t, r), metal);
             collar(b, "light", ([0.0, 0.0, z * 0.2], [0.0, 0.0, z * 0.8]), (r - t * 1.3, r - t * 0.9), WARM_BULB);
             for i in 0..3 {
-                let (s, c) = turn(i, 3);
+                let (s, c) = circle::part(i, 3);
                 let edge = r - t * 0.5;
                 b.rod("wire", [c * edge, s * edge, z * 0.9], [0.0, 0.0, h - rose * 0.6], 0.0025 * u, metal);
             }
@@ -164,7 +157,7 @@ pub(super) fn chandelier(b: &mut Build<'_>) {
     let reach = r - cup_r;
     let mat = shade_mat(b);
     for i in 0..arms {
-        let (s, c) = turn(i, arms);
+        let (s, c) = circle::part(i, arms);
         let at = |k: f32, z: f32| [c * reach * k, s * reach * k, z];
         b.pipe("arm", &[at(0.05, level), at(0.6, level * 0.6), at(1.0, level * 1.05)], 0.008 * u, metal);
         let z = level * 1.05;

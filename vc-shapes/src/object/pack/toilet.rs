@@ -6,8 +6,8 @@ use super::label::{GROWTH, panel};
 use super::look::look;
 use crate::material::*;
 use crate::solid::{
-    Axis, Build, P, arch, dims, flat_ring, level_oval, loft_columns, lump, planar_tube, rounded_by_share, rounded_ring,
-    sweep, tub, turn, vessel_profile,
+    Axis, Build, CORNERS, P, arch, dims, flat_ring, level_oval, loft_columns, lump, planar_tube, rounded_by_share,
+    rounded_ring, sweep, tub, turn, vessel_profile,
 };
 
 const BRIGHT: [MaterialId; 7] =
@@ -330,7 +330,7 @@ pub(super) fn bathroom_scale(b: &mut Build<'_>) {
     let (hx, hy) = (x / 2.0, y / 2.0);
     let plate = b.choose(&[GLASS, BLACK_GLASS, WHITE_PLASTIC, STEEL, BAMBOO]);
     let low = z * 0.45;
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         b.cylinder("foot", [hx * 0.72 * sx, hy * 0.72 * sy, 0.0], hx * 0.12, low * 1.1, GREY_PLASTIC);
     }
     b.prism(

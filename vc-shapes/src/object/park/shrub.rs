@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::solid::{Build, P, Sketch, blob, limb, polar, spaced};
+use crate::solid::{Build, CORNERS, P, Sketch, blob, limb, polar, spaced};
 
 const PETALS: &[MaterialId] = &[PETAL_RED, PETAL_WHITE, PETAL_YELLOW, PETAL_PINK, PETAL_BLUE];
 
@@ -128,7 +128,7 @@ pub(super) fn rock(b: &mut Build<'_>) {
     // These points reach the extents whatever the dents.
     points.extend([-1.0_f32, 1.0].map(|s| [centre[0] + s * x * main, centre[1], centre[2]]));
     points.extend([-1.0_f32, 1.0].map(|s| [centre[0], centre[1] + s * y * main, centre[2]]));
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         points.push([centre[0] + sx * flat.0, centre[1] + sy * flat.1, h]);
         points.push([centre[0] + sx * x * main * 0.6, centre[1] + sy * y * main * 0.6, 0.0]);
     }

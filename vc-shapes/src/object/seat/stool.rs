@@ -5,7 +5,7 @@ use crate::object::joinery::Handle;
 use crate::object::storage::case::{Case, Cell, Look};
 use crate::object::storage::chest::{Chest, chest};
 use crate::object::table::frame::{Four, STAR, baluster};
-use crate::solid::{Axis, Build, Cut, at_least, disc, leg, ribbon};
+use crate::solid::{Axis, Build, CORNERS, Cut, at_least, disc, leg, ribbon};
 
 /// Half depth, half width, height, and the thickness of legs.
 fn measures(b: &mut Build<'_>) -> (f32, f32, f32, f32) {
@@ -237,7 +237,7 @@ pub(super) fn bench(b: &mut Build<'_>) {
             }
         }
         3 => {
-            for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+            for (sx, sy) in CORNERS {
                 baluster(b, "leg", [sx * (x - r - 0.005), sy * (y - r - 0.02), 0.0], r, under, wood);
             }
             aprons(b, (x - r, y - r - 0.02), under, wood);
@@ -298,7 +298,7 @@ pub(super) fn piano_bench(b: &mut Build<'_>) {
     b.block("frame", [-x, -y, h - pad - box_ * 0.55], [x, y, h - pad + 0.006], wood);
     let under = h - pad - box_ * 0.5;
     if b.rng.chance(0.4) {
-        for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+        for (sx, sy) in CORNERS {
             baluster(b, "leg", [sx * (x - r - 0.006), sy * (y - r - 0.006), 0.0], r, under, wood);
         }
     } else {

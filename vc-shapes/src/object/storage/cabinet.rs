@@ -4,7 +4,7 @@ use super::case::{Cell, Column, Look, Piece, Stand};
 use crate::material::*;
 use crate::object::joinery::Handle;
 use crate::object::table::trolley::castor;
-use crate::solid::{Build, at_least};
+use crate::solid::{Build, CORNERS, at_least};
 
 /// Gives a piece the home's style: body, fronts, handles, stand and top.
 fn dressed(b: &mut Build<'_>, columns: Vec<Column>) -> Piece {
@@ -209,7 +209,7 @@ pub(super) fn office_drawers(b: &mut Build<'_>) {
         return piece.lifted(b, 0.05);
     }
     piece.lifted(b, 0.06);
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         castor(b, [sx * x, sy * y, 0.062], 0.025);
     }
 }
@@ -232,7 +232,7 @@ pub(super) fn tool_cabinet(b: &mut Build<'_>) {
     b.size.z = h - rim;
     piece.lifted(b, lift);
     b.size.z = h;
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         castor(b, [sx * (x - 0.08), sy * (y - 0.06), lift + 0.002], 0.05);
     }
     let front = x - Handle::Bar.depth();

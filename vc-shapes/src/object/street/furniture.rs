@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::solid::{Axis, Build, P, at_least, polar, polygon, spaced};
+use crate::solid::{Axis, Build, CORNERS, P, at_least, polar, polygon, spaced};
 
 /// A fire hydrant: a capped pillar with outlets; its spindle rotates.
 pub(super) fn hydrant(b: &mut Build<'_>) {
@@ -77,7 +77,7 @@ pub(super) fn cone(b: &mut Build<'_>) {
     let foot = h * b.vary(0.04, 0.07);
     let base = b.choose(&[ORANGE_PLASTIC, RUBBER, ORANGE_PLASTIC]);
     let bevel = x.min(y) * b.vary(0.1, 0.3);
-    let corner: Vec<(f32, f32)> = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
+    let corner: Vec<(f32, f32)> = CORNERS
         .into_iter()
         .flat_map(|(sx, sy): (f32, f32)| {
             let cut = [(sx * x, sy * (y - bevel)), (sx * (x - bevel), sy * y)];

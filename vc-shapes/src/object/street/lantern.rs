@@ -1,7 +1,7 @@
 //! Street lamps.
 
 use crate::material::*;
-use crate::solid::{Build, P, at_least};
+use crate::solid::{Build, CORNERS, P, at_least};
 use std::f32::consts::FRAC_PI_2;
 use vc_graph::portable::Portable;
 
@@ -127,7 +127,7 @@ fn post_lamp(b: &mut Build<'_>, metal: MaterialId) {
                 tall * 0.52,
                 FROSTED_GLASS,
             );
-            for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+            for (sx, sy) in CORNERS {
                 let at = |share: f32, z: f32| [sx * r * share, sy * r * share, top + tall * z];
                 b.rod("corner", at(0.46, 0.1), at(0.81, 0.62), 0.008, metal);
             }

@@ -2,7 +2,7 @@
 
 use super::sign::poster;
 use crate::material::*;
-use crate::solid::{Axis, Build, P, at_least, polygon, spaced};
+use crate::solid::{Axis, Build, CORNERS, P, at_least, polygon, spaced};
 use std::f32::consts::{FRAC_PI_2, PI};
 use vc_graph::portable::Portable;
 
@@ -136,7 +136,7 @@ pub(super) fn phone_booth(b: &mut Build<'_>) {
     let (roof, floor, w) = (h * b.vary(0.1, 0.15), 0.06, 0.035);
     let top = h - roof;
     b.block("floor", [-x, -y, 0.0], [x, y, floor], CONCRETE);
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         let (cx, cy) = (sx * (x - w - 0.012), sy * (y - w - 0.012));
         b.block("post", [cx - w, cy - w, floor], [cx + w, cy + w, top], mat);
     }

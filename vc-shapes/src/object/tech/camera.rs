@@ -6,7 +6,7 @@ use vc_graph::portable::Portable;
 
 use super::lens;
 use crate::material::*;
-use crate::solid::{Axis, Build, MeshBuilder, P, blocks, half_dims, hoop, oval, spline, tube};
+use crate::solid::{Axis, Build, CORNERS, MeshBuilder, P, blocks, half_dims, hoop, oval, spline, tube};
 
 /// A still camera: compact, reflex, instant or action camera.
 pub(super) fn camera(b: &mut Build<'_>) {
@@ -216,11 +216,7 @@ pub(super) fn softbox(b: &mut Build<'_>) {
         return;
     }
     let back = -x * 0.4;
-    let ring = |px: f32, s: f32| {
-        [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
-            .map(|(a, c)| [px, wide * s * a, middle + wide * s * c])
-            .to_vec()
-    };
+    let ring = |px: f32, s: f32| CORNERS.map(|(a, c)| [px, wide * s * a, middle + wide * s * c]).to_vec();
     crate::solid::loft(b, "box", &[ring(back, 0.22), ring(x * 0.75, 1.0), ring(x * 0.85, 1.0)], BLACK_FABRIC);
     let panel = wide * 0.97;
     b.block("light", [x * 0.83, -panel, middle - panel], [x * 0.87, panel, middle + panel], COOL_BULB);

@@ -4,7 +4,7 @@ use vc_graph::portable::Portable;
 
 use super::{Fold, folded};
 use crate::material::*;
-use crate::solid::{self, Build, MeshBuilder, P, blocks, half_dims, sheet};
+use crate::solid::{self, Build, CORNERS, MeshBuilder, P, blocks, half_dims, sheet};
 
 /// Folded and stacked sheets or pillow cases.
 pub(super) fn sheets(b: &mut Build<'_>) {
@@ -109,7 +109,7 @@ fn tassels(b: &mut Build<'_>, mat: MaterialId) {
     let (x, y, h) = half_dims(b);
     let r = x.min(h) * 0.05;
     let mut shell = MeshBuilder::default();
-    for (sx, sy) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+    for (sx, sy) in CORNERS {
         shell.egg([sx * (x - 2.0 * r), sy * (y - 2.0 * r), h / 2.0], [r * 2.0, r * 2.0, r * 1.6]);
     }
     shell.put(b, "tassel", mat);
