@@ -66,7 +66,8 @@ impl<K, T> AssetCache<K, T> {
         self.libraries.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Gives access to all values of a library under one lock. Values of libraries that are no more are dropped.
+    /// Gives access to all values of a library under one lock. Values of libraries that are no more are dropped. Other
+    /// threads wait for `work`, which must not ask the same cache again.
     pub fn session<R>(&self, library: &Arc<AssetLibrary>, work: impl FnOnce(&mut HashMap<K, Arc<T>>) -> R) -> R {
         let mut libraries = self.lock();
         libraries.retain(|_, l| l.alive.strong_count() > 0);
@@ -77,7 +78,8 @@ impl<K, T> AssetCache<K, T> {
 }
 
 impl<K: Eq + Hash, T> AssetCache<K, T> {
-    /// The value of a key, computed if nobody has asked for it.
+    /// The value of a key, computed if nobody has asked for it. Other threads wait for `make`, which must not ask the
+    /// same cache again.
     pub fn get(&self, library: &Arc<AssetLibrary>, key: K, make: impl FnOnce(&AssetLibrary) -> T) -> Arc<T> {
         self.session(library, |known| known.entry(key).or_insert_with(|| Arc::new(make(library))).clone())
     }

@@ -50,7 +50,7 @@ impl Plane {
     }
 
     /// The plane of a polygon (Newell's sum); `None` if it has no area.
-    fn of(polygon: impl Iterator<Item = Point3<f32>> + Clone) -> Option<Self> {
+    fn from_polygon(polygon: impl Iterator<Item = Point3<f32>> + Clone) -> Option<Self> {
         let first = polygon.clone().next()?;
         let ends = polygon.clone().zip(polygon.cycle().skip(1));
         let area: Vector3<f32> = ends.map(|(a, b)| (a - first).cross(&(b - first))).sum();
@@ -205,6 +205,6 @@ impl Surface {
             let heights = || corners.iter().map(|p| plane.height(p));
             heights().any(|h| h > INWARDS) && heights().any(|h| h < -INWARDS)
         };
-        polygons.iter().filter_map(|p| Plane::of(self.at(p))).find(turns)
+        polygons.iter().filter_map(|p| Plane::from_polygon(self.at(p))).find(turns)
     }
 }

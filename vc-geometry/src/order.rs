@@ -18,7 +18,8 @@ pub fn greater(a: f32, b: f32) -> f32 {
     if b > a { b } else { a }
 }
 
-/// Sorts items by a number, and by their index where it is equal; integer keys compare faster.
+/// Sorts items by a number, as `f32::total_cmp` orders it, and by their index where it is equal; integer keys compare
+/// faster.
 ///
 /// ```
 /// let distances = [(2.5, 0), (-1.0, 1), (2.5, 2)];

@@ -10,7 +10,7 @@ use nalgebra::{Point2, Point3};
 use vc_graph::{Aabb, Node, NodeId, NodeKind, ObjectRole, SceneGraph};
 
 use crate::grid::Raster;
-use crate::opening::{DOORWAY, WallOpening, size, thin};
+use crate::opening::{DOORWAY, WallOpening, overlap, size, thin};
 
 /// Distance up to which the walls of two rooms are the two sides of one wall, metres between their middles.
 const DOUBLE: f32 = 0.35;
@@ -178,8 +178,7 @@ fn barred(graph: &SceneGraph, walls: &[NodeId], clear: &Aabb, across: usize) -> 
         let covers = matches!(node.role(), ObjectRole::Floor | ObjectRole::Ceiling) || walls.contains(&node.id());
         node.kind() == NodeKind::Object && !covers
     };
-    let meets = |aabb: &Aabb| (0..3).all(|i| aabb.min[i] < before.max[i] && before.min[i] < aabb.max[i]);
-    let met = graph.nodes().filter(stands).filter_map(Node::aabb).filter(meets);
+    let met = graph.nodes().filter(stands).filter_map(Node::aabb).filter(|aabb| overlap(aabb, &before));
     let mut barred: Vec<(f32, f32)> = met.map(|aabb| (aabb.min[along], aabb.max[along])).collect();
     barred.sort_by(|p, q| p.0.total_cmp(&q.0));
     barred

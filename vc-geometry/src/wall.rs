@@ -13,6 +13,7 @@ const THICK: f32 = 0.06;
 const CORNER: f32 = 0.5;
 /// How far from a side one looks whether there is floor, metres.
 const BESIDE: f32 = 0.15;
+
 /// The pieces of a wall.
 pub(crate) fn parts(graph: &SceneGraph, node: &Node, block: &Block, openings: &[WallOpening]) -> Vec<Part> {
     let size = block.size();

@@ -8,7 +8,7 @@ use parry3d::math::Vector;
 use parry3d::transformation::vhacd::{VHACD, VHACDParameters};
 use vc_graph::asset::{Part, Shape};
 
-/// The maximal number of corners of a piece.
+/// The number of corners up to which a piece keeps all of them; of more, at most 98 are left.
 const CORNERS: usize = 64;
 /// The share of its hull that a connected part must fill to count as convex.
 const FULL: f32 = 0.97;

@@ -45,9 +45,9 @@ impl ImportedModel {
     }
 }
 
-/// Reads a binary glTF file (.glb) as one asset: rotated to Z up and X forward, with the centre of its
-/// base at the origin, a triangle mesh for each primitive, convex collision pieces, and joints,
-/// surfaces and class as [annotated](super#annotations).
+/// Reads a glTF file as one asset: binary (.glb), or text with its data embedded (.gltf). The asset is
+/// rotated to Z up and X forward, with the centre of its base at the origin, a triangle mesh for each
+/// primitive, convex collision pieces, and joints, surfaces and class as [annotated](super#annotations).
 ///
 /// The collision pieces are the convex hulls of connected parts that nearly fill their hulls; other
 /// parts are decomposed by parry's V-HACD (Mamou, 2016), which takes about a second for a part. The

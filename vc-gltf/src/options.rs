@@ -37,7 +37,7 @@ pub enum ModelSize {
     Within(Vector3<f32>),
 }
 
-/// ImportOptions for reading a model.
+/// Options for reading a model.
 ///
 /// ```
 /// # use vc_graph::asset::{Material, Part, Shape};

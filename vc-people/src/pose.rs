@@ -11,18 +11,18 @@ use super::skeleton::{Skeleton, pitch};
 
 /// Length of a step of two feet, metres.
 const STRIDE: f32 = 1.4;
-/// How far a head turns to the side, and up or down, radians.
+/// The greatest turn of a head to the side, and up or down, radians.
 const NECK: (f32, f32) = (1.2, 1.4);
-/// How much of the way a free arm comes to hang straight down from a bent trunk.
+/// Share of the way from following a bent trunk to hanging straight down, for a free arm.
 const HANGS: f32 = 0.7;
-/// How far down one looks who carries something, radians.
+/// The downward pitch of the head of a person who carries something, radians.
 const GLANCE: f32 = 0.3;
-/// How far from the middle of the view something may be that is kept in view, radians.
+/// The greatest angle from the middle of the view of a point that is kept in view, radians.
 const ASIDE: f32 = 0.3;
 /// From the ankle to the ball of the foot, metres.
 const SOLE: f32 = 0.13;
 
-/// What a body is shown to do beside standing, sitting or lying.
+/// The activity of a body beside standing, sitting or lying.
 ///
 /// ```
 /// use vc_people::{Activity, BodyPosture, Bone, BodySide, Skeleton};
@@ -34,19 +34,19 @@ const SOLE: f32 = 0.13;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Activity {
-    /// How far it has walked, metres.
+    /// The distance walked so far, metres.
     pub walked: Option<f32>,
-    /// A gesture, and since when, seconds.
+    /// A gesture, and the time since it began, seconds.
     pub gesture: Option<(Verb, f32)>,
     /// The point that it keeps in view while it stands.
     pub gaze: Option<Point3<f32>>,
-    /// What a hand reaches for.
+    /// A reaching hand.
     pub reach: Option<Reach>,
-    /// From which pose it comes into this one, and how far it has got, 0 to 1.
+    /// The pose from which it comes into this one, and the share of the way done, 0 to 1.
     pub transition: Option<(Skeleton, f32)>,
 }
 
-/// How a body is: in its own frame, whose origin is between the feet, or on the seat.
+/// The posture of a body, in its own frame: the origin is between the feet, or on the seat.
 ///
 /// ```
 /// use vc_people::{Activity, BodyPosture, Skeleton};
@@ -60,24 +60,24 @@ pub struct Activity {
 pub enum BodyPosture {
     /// On its feet.
     Standing,
-    /// With the floor so far below the seat, metres.
+    /// On a seat at this height above the floor, metres.
     Sitting(f32),
     /// On its back.
     Lying,
 }
 
 impl Skeleton {
-    /// The pose of a body: its attitude, what it does, and where its hands are to be, all in
+    /// The pose of a body: its posture, what it does, and where its hands are to be, all in
     /// its own frame.
-    pub fn new(attitude: BodyPosture, doing: &Activity, hands: [Option<Point3<f32>>; 2]) -> Self {
+    pub fn new(posture: BodyPosture, activity: &Activity, hands: [Option<Point3<f32>>; 2]) -> Self {
         let mut skeleton = Self::rest();
-        match attitude {
-            BodyPosture::Standing => skeleton.stand(doing, hands.iter().any(Option::is_some)),
-            BodyPosture::Sitting(height) => skeleton.sit(height, doing),
+        match posture {
+            BodyPosture::Standing => skeleton.stand(activity, hands.iter().any(Option::is_some)),
+            BodyPosture::Sitting(height) => skeleton.sit(height, activity),
             BodyPosture::Lying => skeleton.lie(),
         }
-        BodySide::BOTH.into_iter().for_each(|side| skeleton.swing_arm(side, doing));
-        if let Some((from, share)) = &doing.transition {
+        BodySide::BOTH.into_iter().for_each(|side| skeleton.swing_arm(side, activity));
+        if let Some((from, share)) = &activity.transition {
             skeleton = from.towards(&skeleton, *share);
         }
         for (side, point) in BodySide::BOTH.into_iter().zip(hands).filter_map(|(side, hand)| Some((side, hand?))) {
@@ -86,30 +86,30 @@ impl Skeleton {
         skeleton
     }
 
-    fn stand(&mut self, doing: &Activity, carries: bool) {
-        let stoop = doing.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, None));
-        let bob = doing.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
+    fn stand(&mut self, activity: &Activity, carries: bool) {
+        let stoop = activity.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, None));
+        let bob = activity.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
         let hips = stoop.hips();
         self.carry(Pose::translation(hips.x, 0.0, hips.z - bob));
-        let forward = if doing.walked.is_some() { pitch(0.06) } else { UnitQuaternion::identity() };
+        let forward = if activity.walked.is_some() { pitch(0.06) } else { UnitQuaternion::identity() };
         self.turn(Bone::Chest, stoop.chest() * forward);
         let glance = if carries { GLANCE } else { 0.0 };
         self.turn(Bone::Head, pitch(glance - 0.4 * stoop.bend));
-        if let Some(point) = doing.gaze {
+        if let Some(point) = activity.gaze {
             self.turn_head(point, glance, ASIDE);
         }
-        self.look(doing);
+        self.look(activity);
         for side in BodySide::BOTH {
-            let ankle = step(side, doing.walked) + Vector3::z() * stoop.toes();
+            let ankle = step(side, activity.walked) + Vector3::z() * stoop.toes();
             self.put_foot(side, ankle, (stoop.toes() / SOLE).arc_sine());
         }
-        self.dance(doing);
+        self.dance(activity);
     }
 
     /// Turns the head towards what is reached for, as far as a neck turns, and upright however the
     /// chest is bent.
-    fn look(&mut self, doing: &Activity) {
-        let Some(Reach { point, looks, .. }) = doing.reach.filter(|reach| reach.looks > 0.0) else { return };
+    fn look(&mut self, activity: &Activity) {
+        let Some(Reach { point, looks, .. }) = activity.reach.filter(|reach| reach.looks > 0.0) else { return };
         let own = |s: &Self| s.motion(Bone::Chest).rotation.inverse() * s.motion(Bone::Head).rotation;
         let rest = own(self);
         self.turn_head(point, 0.0, 0.0);
@@ -125,7 +125,7 @@ impl Skeleton {
         // The eyes move as the head turns.
         for _ in 0..3 {
             let way = point - self.eyes().translation.vector;
-            // Of what is below a bent head, or behind it, one looks down.
+            // A point below a bent head, or behind it, is looked at by looking down.
             let ahead = way.x.max(0.2 * way.coords.norm());
             let yaw = towards(0.0, way.y.angle_to(ahead), NECK.0);
             let down = towards(glance, (-way.z).angle_to(ahead.hypotenuse(way.y)), NECK.1);
@@ -133,20 +133,20 @@ impl Skeleton {
         }
     }
 
-    /// What a gesture does to the trunk.
-    fn dance(&mut self, doing: &Activity) {
-        if let Some((Verb::Dance | Verb::Exercise | Verb::Stretch, time)) = doing.gesture {
+    /// Rolls the trunk in a gesture of the whole body.
+    fn dance(&mut self, activity: &Activity) {
+        if let Some((Verb::Dance | Verb::Exercise | Verb::Stretch, time)) = activity.gesture {
             let roll = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.18 * (6.0 * time).sine());
             self.turn(Bone::Chest, roll);
         }
     }
 
-    fn sit(&mut self, height: f32, doing: &Activity) {
+    fn sit(&mut self, height: f32, activity: &Activity) {
         let seat = Pose::translation(-0.1, 0.0, 0.09 - Bone::Pelvis.anchor().z);
-        let stoop = doing.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, Some(seat)));
+        let stoop = activity.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, Some(seat)));
         self.carry(seat);
         self.turn(Bone::Chest, stoop.chest() * pitch(-0.08));
-        self.look(doing);
+        self.look(activity);
         for side in BodySide::BOTH {
             let knee = LEG[0] - 0.1;
             let floor = (ANKLE - height).max(0.09 - LEG[1]);
@@ -159,20 +159,20 @@ impl Skeleton {
         self.carry(Pose::from_parts(nalgebra::Translation3::new(0.85, 0.0, 0.12), turn));
     }
 
-    /// What an arm does that holds nothing.
-    fn swing_arm(&mut self, side: BodySide, doing: &Activity) {
-        if let Some(reach) = doing.reach.filter(|reach| reach.side == side) {
+    /// Poses an arm that holds nothing: it reaches, makes a gesture, or swings.
+    fn swing_arm(&mut self, side: BodySide, activity: &Activity) {
+        if let Some(reach) = activity.reach.filter(|reach| reach.side == side) {
             let rest = self.motion(Bone::Chest) * palm(side);
             return self.put_hand(side, rest + (reach.point - rest) * reach.share);
         }
-        if let Some(point) = doing.gesture.and_then(|g| gesture(side, g)) {
+        if let Some(point) = activity.gesture.and_then(|g| gesture(side, g)) {
             // Gestures are those of one who stands, and go with the chest.
             return self.put_hand(side, self.motion(Bone::Chest) * point);
         }
-        let swing = doing.walked.map_or(0.0, |way| 0.42 * (phase(way)).sine() * side.sign());
+        let swing = activity.walked.map_or(0.0, |way| 0.42 * (phase(way)).sine() * side.sign());
         let own = pitch(swing) * roll(0.08 * side.sign());
         // While the other one reaches it hangs down.
-        let down = if doing.reach.is_some() { self.motion(Bone::Chest).rotation.inverse() } else { own };
+        let down = if activity.reach.is_some() { self.motion(Bone::Chest).rotation.inverse() } else { own };
         self.turn(Bone::UpperArm(side), own.slerp(&down, HANGS));
         self.turn(Bone::Forearm(side), pitch(-0.25 - 0.5 * (-swing).max(0.0)));
     }
@@ -186,7 +186,7 @@ fn phase(walked: f32) -> f32 {
     std::f32::consts::TAU * walked / STRIDE
 }
 
-/// Where an ankle is in the course of a stride: back with the ground, forth through the air.
+/// The position of an ankle in the course of a stride: back with the ground, forth through the air.
 fn step(side: BodySide, walked: Option<f32>) -> Point3<f32> {
     let rest = Bone::Foot(side).anchor();
     let Some(walked) = walked else { return rest };
@@ -195,7 +195,7 @@ fn step(side: BodySide, walked: Option<f32>) -> Point3<f32> {
     rest + Vector3::new(0.25 * STRIDE * sine, 0.0, 0.1 * cosine.max(0.0))
 }
 
-/// Where a hand is in a gesture that is the body's alone.
+/// The position of a hand in a gesture that is the body's alone.
 fn gesture(side: BodySide, (verb, time): (Verb, f32)) -> Option<Point3<f32>> {
     let beat = (7.0 * time).sine();
     let at = |x: f32, y: f32, z: f32| Some(Point3::new(x, y * side.sign(), z));
@@ -228,18 +228,18 @@ mod tests {
     /// Limbs stay joined whatever the body does, and a hand is where it is to be.
     #[test]
     fn limbs_stay_joined_and_hands_arrive() {
-        let doings = [
+        let activities = [
             Activity::default(),
             Activity { walked: Some(0.4), ..Activity::default() },
             Activity { gesture: Some((Verb::Dance, 0.3)), ..Activity::default() },
             Activity { reach: Some(reach(Point3::new(0.5, 0.0, 0.2))), ..Activity::default() },
         ];
-        for attitude in [BodyPosture::Standing, BodyPosture::Sitting(0.45), BodyPosture::Lying] {
-            for doing in &doings {
+        for posture in [BodyPosture::Standing, BodyPosture::Sitting(0.45), BodyPosture::Lying] {
+            for activity in &activities {
                 let hand = Point3::new(0.35, 0.2, 1.1);
-                let skeleton = Skeleton::new(attitude, doing, [None, Some(hand)]);
-                assert!(joined(&skeleton), "{attitude:?} {doing:?}");
-                if attitude == BodyPosture::Standing && doing.reach.is_none() && doing.gesture.is_none() {
+                let skeleton = Skeleton::new(posture, activity, [None, Some(hand)]);
+                assert!(joined(&skeleton), "{posture:?} {activity:?}");
+                if posture == BodyPosture::Standing && activity.reach.is_none() && activity.gesture.is_none() {
                     let own = skeleton.motion(Bone::Hand(BodySide::Left)) * palm(BodySide::Left);
                     assert!((own - hand).norm() < 0.01, "{own:?} instead of {hand:?}");
                 }
@@ -247,24 +247,24 @@ mod tests {
         }
     }
 
-    /// Who waves has the hand beside the head, seated too.
+    /// A person who waves has the hand beside the head, seated too.
     #[test]
     fn gestures_go_with_the_body() {
-        for attitude in [BodyPosture::Standing, BodyPosture::Sitting(0.45)] {
-            let doing = Activity { gesture: Some((Verb::Wave, 0.0)), ..Activity::default() };
-            let skeleton = Skeleton::new(attitude, &doing, [None, None]);
+        for posture in [BodyPosture::Standing, BodyPosture::Sitting(0.45)] {
+            let activity = Activity { gesture: Some((Verb::Wave, 0.0)), ..Activity::default() };
+            let skeleton = Skeleton::new(posture, &activity, [None, None]);
             let hand = skeleton.motion(Bone::Hand(BodySide::Right)) * palm(BodySide::Right);
             let far = (hand.coords - skeleton.eyes().translation.vector).norm();
-            assert!(far < 0.55, "{attitude:?}: {far} m from the eyes");
+            assert!(far < 0.55, "{posture:?}: {far} m from the eyes");
         }
     }
 
-    /// Who reaches for something looks at it: it is well within the view.
+    /// A person who reaches for something looks at it: it is well within the view.
     #[test]
     fn eyes_follow_the_hand() {
         for point in [Point3::new(0.5, 0.0, 0.3), Point3::new(0.4, -0.3, 1.0), Point3::new(0.35, 0.2, 1.9)] {
-            let doing = Activity { reach: Some(reach(point)), ..Activity::default() };
-            let eyes = Skeleton::new(BodyPosture::Standing, &doing, [None, None]).eyes();
+            let activity = Activity { reach: Some(reach(point)), ..Activity::default() };
+            let eyes = Skeleton::new(BodyPosture::Standing, &activity, [None, None]).eyes();
             let way = eyes.inverse() * point;
             let off = (way.coords.normalize() - Vector3::x()).norm();
             assert!(off < 0.45, "{point}: {way}");
@@ -275,8 +275,8 @@ mod tests {
     #[test]
     fn feet_are_not_in_the_floor() {
         for i in 0..40 {
-            let doing = Activity { walked: Some(i as f32 * 0.05), ..Activity::default() };
-            let skeleton = Skeleton::new(BodyPosture::Standing, &doing, [None, None]);
+            let activity = Activity { walked: Some(i as f32 * 0.05), ..Activity::default() };
+            let skeleton = Skeleton::new(BodyPosture::Standing, &activity, [None, None]);
             for side in BodySide::BOTH {
                 let ankle = skeleton.motion(Bone::Foot(side)) * Bone::Foot(side).anchor();
                 assert!(ankle.z > ANKLE - 0.02, "{ankle:?}");

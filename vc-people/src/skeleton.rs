@@ -8,12 +8,12 @@ use vc_graph::portable::Portable;
 
 use super::bone::{ARM, BodySide, Bone, LEG};
 
-/// How far an arm is stretched at most, as a share of its length.
+/// The greatest stretch of an arm, as a share of its length.
 pub(super) const STRETCH: f32 = 0.985;
-/// Where the eyes are from the neck: before the face.
+/// The eyes' place from the neck: before the face.
 const EYES: Vector3<f32> = Vector3::new(0.14, 0.0, 0.13);
 
-/// Where the bones are: how each has moved from where the asset has it.
+/// The places of the bones: the motion of each from its place in the asset.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skeleton {
     bones: [Pose; Bone::ALL.len()],
@@ -45,12 +45,12 @@ impl Skeleton {
         Self { bones: self.bones.map(|bone| sound(moved * bone)) }
     }
 
-    /// How a bone has moved.
+    /// The motion of a bone from its place in the asset.
     pub fn motion(&self, bone: Bone) -> Pose {
         self.bones[bone.index()]
     }
 
-    /// Where the eyes are, looking along X: before the face, so that it is not seen.
+    /// The eyes' pose, looking along X: before the face, so that it is not seen.
     ///
     /// ```
     /// use vc_people::{Activity, BodyPosture, Skeleton};
@@ -63,7 +63,7 @@ impl Skeleton {
         self.motion(Bone::Head) * Pose::translation(eyes.x, eyes.y, eyes.z)
     }
 
-    /// Turns a bone at its anchor against what it hangs on; what hangs on it follows.
+    /// Turns a bone at its anchor against its parent. The bones that hang on it follow, and lose turns of their own.
     pub(super) fn turn(&mut self, bone: Bone, turn: UnitQuaternion<f32>) {
         let base = bone.parent().map_or_else(Pose::identity, |p| self.motion(p));
         self.bones[bone.index()] = sound(base * about(bone.anchor(), turn));
@@ -118,8 +118,8 @@ pub(super) fn pitch(angle: f32) -> UnitQuaternion<f32> {
     UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle)
 }
 
-/// Bends a limb that hangs straight down so that its end is a way from its root: how far
-/// its joint is bent (elbows forwards, knees backwards), and how it is turned at its root.
+/// Bends a limb that hangs straight down so that its end is a way from its root: the bend of
+/// its joint (elbows forwards, knees backwards), and the turn at its root.
 fn two_bones(way: &Vector3<f32>, [upper, lower]: [f32; 2], forwards: f32) -> (f32, UnitQuaternion<f32>) {
     let far = way.norm().clamp((upper - lower).abs() + 0.02, (upper + lower) * STRETCH);
     let cosine = ((upper * upper + lower * lower - far * far) / (2.0 * upper * lower)).clamp(-1.0, 1.0);

@@ -1,4 +1,4 @@
-//! The catalogue: numbered instances of every class.
+//! The catalogue: numbered instances of every built-in class.
 
 use vc_graph::asset::{Part, Shape};
 use vc_graph::hash::Digester;

@@ -14,9 +14,9 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! [`Generators::register`] adds an object class of your own. [`solid`] is the vocabulary
-//! from which generators build; [`object`] has the built-in ones, [`catalogue`] enumerates instances of all classes, and [`material::library`] is
-//! the library with the materials of all of them.
+//! [`Generators::register`] adds an object class of your own. [`solid`] is the vocabulary from which generators build;
+//! [`object`] has the built-in ones, [`catalogue`] enumerates instances of all built-in classes, and
+//! [`material::library`] is the library with the materials of all of them.
 
 #![warn(clippy::disallowed_methods)]
 

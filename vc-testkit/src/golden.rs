@@ -1,8 +1,8 @@
-//! Files with what a test made once. `VC_GOLDEN=write` writes them anew.
+//! Golden files: the output of a test, kept to compare with. `VC_GOLDEN=write` writes them anew.
 
 use std::path::Path;
 
-/// The content of a golden file, or nothing if it has just been written anew with what was made.
+/// The content of a golden file, or `None` if it has just been written anew from `made`.
 ///
 /// # Panics
 /// Without the file, with the command that makes it.

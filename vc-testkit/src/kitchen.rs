@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Joint, JointKind, Material, Part, Shape, Surface};
-use vc_graph::{Asset, AssetLibrary, Bounds, BoundsFrame, Draft, NodeId, Pose, SceneBuilder, SceneGraph};
+use vc_graph::{Anthropometry, Asset, AssetLibrary, Bounds, BoundsFrame, Draft, NodeId, Pose, SceneBuilder, SceneGraph};
 
 /// A kitchen of 4 by 4 m around the origin with a few things and a person; X is the front of each thing.
 #[derive(Debug, Clone)]
@@ -46,7 +46,9 @@ pub fn kitchen() -> Kitchen {
     let cup = put("cup", cup, 1.0, 0.0, 0.741);
     let cabinet = put("kitchen_cabinet", cabinet, -1.5, 0.0, 0.0);
     let chair = put("kitchen_chair", chair, 0.0, 1.5, 0.0);
-    let body = Draft::new("character").at(Pose::identity()).bounds(Bounds::standing(Vector3::new(0.4, 0.5, 1.7)));
+    let Anthropometry { depth, breadth, stature, .. } = Anthropometry::ADULT;
+    let body = Bounds::standing(Vector3::new(depth, breadth, stature));
+    let body = Draft::new("character").at(Pose::identity()).bounds(body);
     let person = scene.add_in(room, body).unwrap();
     scene.assets(Arc::new(library));
     Kitchen { graph: scene.build(), room, floor, table, cup, cabinet, chair, person }

@@ -25,7 +25,7 @@ struct Measured {
 }
 
 impl Page {
-    /// The tables of a bench that begins now. What criterion wrote earlier does not count.
+    /// The tables of a bench that begins now. Results that criterion wrote earlier do not count.
     pub fn new(bench: &'static str) -> Self {
         Self { bench, begun: SystemTime::now(), machine: machine(), tables: Vec::new() }
     }

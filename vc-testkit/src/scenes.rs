@@ -124,7 +124,7 @@ fn settle(scene: &mut SceneBuilder, id: NodeId, kind: NodeKind, choice: usize, f
     edit.commit();
 }
 
-/// Where a node can be in a sound scene.
+/// The places that a node can have in a sound scene.
 pub fn places_for(graph: &SceneGraph, id: NodeId, kind: NodeKind) -> Vec<Place> {
     let free = |n: &Node, slot, relation| graph.relating(relation, n.id()).count() < n.slots(slot).max(1) as usize;
     let mut found = Vec::new();

@@ -106,7 +106,7 @@ impl BitGrid {
     /// assert!(!free.is_whole_around((9, 11), (9, 11), 3)); // A wall cuts the floor in two.
     /// ```
     pub fn is_whole_around(&self, x: (i32, i32), y: (i32, i32), far: usize) -> bool {
-        let far = far as i32;
+        let far = i32::try_from(far).unwrap_or(i32::MAX);
         let grown = |(low, high): (i32, i32)| (low.saturating_sub(far), high.saturating_add(far));
         let window = (grown(x), grown(y));
         if let Some((near, count)) = self.small_window(window.0, window.1) {

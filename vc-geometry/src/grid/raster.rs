@@ -79,7 +79,7 @@ impl Raster {
         let last = self.index(top + radius - self.low.y, self.cells.height());
         let middle = self.low.y + (first as f32 + 0.5) * self.cell;
         let mut spans = std::mem::take(&mut self.spans);
-        spans.trace(outline, radius, middle, self.cell, last - first);
+        spans.trace(outline, radius, middle, self.cell, last.saturating_sub(first));
         for (row, (left, right)) in spans.covered() {
             let from = self.index(left - self.low.x, self.cells.width());
             let to = self.index(right - self.low.x, self.cells.width());
@@ -142,8 +142,11 @@ impl Raster {
         }
         let (x, y) = self.in_cells(p);
         let reach = (within.max(0.0) / self.cell).min(1e9) as i64 + 1;
-        let rows = (y as i64 - reach).max(0)..(y as i64 + reach + 1).min(self.cells.height() as i64);
-        let columns = (x as i64 - reach).max(0)..(x as i64 + reach + 1).min(self.cells.width() as i64);
+        let around = |middle: f64, most: usize| {
+            let middle = middle as i64;
+            middle.saturating_sub(reach).max(0)..middle.saturating_add(reach + 1).min(most as i64)
+        };
+        let (rows, columns) = (around(y, self.cells.height()), around(x, self.cells.width()));
         let cells = rows.flat_map(|r| columns.clone().map(move |c| (c as usize, r as usize)));
         let middle = |(c, r): (usize, usize)| self.point((c as f64 + 0.5, r as f64 + 0.5));
         let free = cells.filter(|&(c, r)| self.cells.get(c, r)).map(middle).map(|m| ((m - p).norm(), m));

@@ -1,4 +1,4 @@
-//! Which of many boxes overlap: a tree for one box against many, and a sweep for all pairs of a scene at once.
+//! Overlaps among many boxes: a tree for one box against many, and a sweep for all pairs of a scene at once.
 //!
 //! Boxes are compared eight at a time. Pictures have a tree of their own (`vc-render`): it holds triangles, and is
 //! descended by bundles of rays.

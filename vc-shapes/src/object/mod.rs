@@ -154,14 +154,15 @@ impl Object {
         self.bounds.size()
     }
 
-    /// The role that it has in a scene.
+    /// The role that it has in a scene, by the built-in class table; furniture if its class is not in that table.
     pub fn role(&self) -> ObjectRole {
         ClassTable::builtin().get(self.class).map_or(ObjectRole::Furniture, Class::role)
     }
 }
 
 impl Generator {
-    /// A generator from a function that builds the parts; `instances` is the number in the catalogue.
+    /// A generator from a function that builds the parts; `instances` is the number in the catalogue, which has only
+    /// the built-in classes.
     pub const fn new(class: &'static str, realm: Realm, instances: usize, make: fn(&mut Build<'_>)) -> Self {
         Self { class, realm, instances, size: None, make }
     }

@@ -1,6 +1,5 @@
-//! Reveals: as a joiner sets a panel slightly behind its frame, a part that would share a plane
-//! with an earlier one is made slightly smaller on that side, so that it is never arbitrary which
-//! of the two is visible.
+//! Coplanar faces: a part that would share a plane with an earlier one is made slightly smaller on that side, as a
+//! joiner sets a panel slightly behind its frame, so that it is never arbitrary which of the two is visible.
 
 use nalgebra::{Matrix3, Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Part, Shape};
@@ -126,7 +125,7 @@ impl Around {
 
     /// Another box in this one's frame: the axes that are parallel to one of its own, its centre,
     /// and its half extents.
-    fn sight(&self, other: &Self) -> ([bool; 3], Vector3<f32>, Vector3<f32>) {
+    fn own_frame(&self, other: &Self) -> ([bool; 3], Vector3<f32>, Vector3<f32>) {
         if self.straight && other.straight {
             let way = other.pose.translation.vector + other.centre.coords - self.pose.translation.vector;
             return ([true; 3], way - self.centre.coords, other.half);
@@ -140,7 +139,7 @@ impl Around {
     /// A side of this box, as axis and whether it is the higher one, that lies in a plane with the
     /// same side of another box and overlaps it.
     fn flush(&self, other: &Self, same: f32) -> Option<(usize, bool)> {
-        let (upright, middle, reach) = self.sight(other);
+        let (upright, middle, reach) = self.own_frame(other);
         (0..3).find_map(|k| {
             let beside = |m: usize| m != k && middle[m].abs() > self.half[m] + reach[m] - same;
             if !upright[k] || (0..3).any(beside) {

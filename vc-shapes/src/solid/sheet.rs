@@ -80,14 +80,14 @@ pub fn ribbon(b: &mut Build<'_>, name: &str, line: &[(f32, f32)], thickness: f32
     b.prism(name, Axis::Y, [0.0, y.0, 0.0], &outline, y.1 - y.0, mat);
 }
 
-/// One row of a curved sheet: its position, half its width and how far its edges rise.
+/// One row of a curved sheet: its position, half its width and the rise of its edges.
 #[derive(Debug, Clone, Copy)]
 pub struct SheetRow {
     /// X and Z.
     pub at: (f32, f32),
     /// Half the width.
     pub half: f32,
-    /// How far the edges rise above the centre.
+    /// The rise of the edges above the centre, metres.
     pub rise: f32,
 }
 
