@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::Point2;
 use proptest::prelude::*;
-use vc_geometry::grid::{BitGrid, Disc, Raster};
+use vc_geometry::grid::{BitGrid, Disc, Raster, ceiling, floor};
 use vc_geometry::outline::hull;
 use vc_graph::{Seed, Stream};
 
@@ -227,5 +227,10 @@ fn rectangles_at_the_ends_of_numbers_are_clipped() {
     grid.clear_near(all, all, &Disc::within(3.0));
     assert_eq!((grid.count(), grid.largest().count()), (0, 0));
     assert_eq!(BitGrid::new(0, 0).inverted().largest().count(), 0);
+    assert!(grid.is_whole_around(all, all, usize::MAX));
+    assert_eq!((floor(f32::NEG_INFINITY), ceiling(f32::INFINITY)), (i32::MIN, i32::MAX));
     assert!(Raster::over(Point2::origin(), Point2::new(f32::NAN, 1.0), 0.1).is_none());
+    let mut raster = Raster::over(Point2::origin(), Point2::new(1.0, 1.0), 0.1).unwrap();
+    raster.paint(&vc_geometry::outline::rectangle(&Point2::origin(), &Point2::new(1.0, 1.0)), -5.0, true);
+    assert_eq!((raster.cells().count(), raster.nearest(&Point2::new(f32::MAX, 0.0), 1.0)), (0, None));
 }

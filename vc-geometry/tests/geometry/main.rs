@@ -2,17 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
-#[path = "geometry/grids.rs"]
 mod grids;
-#[path = "geometry/hulls.rs"]
 mod hulls;
-#[path = "geometry/outlines.rs"]
 mod outlines;
-#[path = "geometry/profiles.rs"]
 mod profiles;
-#[path = "geometry/trees.rs"]
 mod trees;
-#[path = "geometry/walks.rs"]
 mod walks;
 
 use proptest::prelude::ProptestConfig;
