@@ -4,6 +4,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use vc_gltf::{self as gltf, GltfError, ImportOptions};
 use vc_graph::AssetLibrary;
+use vc_testkit::cases;
 
 use super::{cabinet, edited, library, plain, root};
 
@@ -149,6 +150,8 @@ fn coordinate() -> impl Strategy<Value = f32> {
 }
 
 proptest! {
+    #![proptest_config(cases(1024))]
+
     #[test]
     fn no_bytes_cause_a_panic(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
                               cut in any::<prop::sample::Index>(), keep in any::<bool>()) {
@@ -164,7 +167,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(cases(96))]
 
     #[test]
     fn any_triangles_get_convex_pieces(positions in prop::collection::vec([coordinate(), coordinate(), coordinate()], 3..40),

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use vc_gltf::{self as gltf, ImportOptions, ImportedModel};
 use vc_graph::asset::{Material, Part, Shape, Texture};
 use vc_graph::{Asset, AssetLibrary, Pose};
+use vc_testkit::cases;
 
 const JPEG: &[u8] = include_bytes!("../data/four.jpg");
 
@@ -239,6 +240,8 @@ fn a_model_is_plain_where_its_picture_cannot_be_used() {
 }
 
 proptest! {
+    #![proptest_config(cases(1024))]
+
     #[test]
     fn no_bytes_of_pictures_cause_a_panic(
         jpeg in any::<bool>(),
