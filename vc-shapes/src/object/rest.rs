@@ -17,7 +17,8 @@ const STEPS: usize = 120;
 /// The number of directions in which it may fall.
 const WAYS: usize = 64;
 
-/// Generates an object and lets it settle; if it then exceeds its size, it is generated smaller.
+/// Generates an object and lets it settle; if it then exceeds its size, it is generated smaller. The generator must not
+/// make collision geometry of its own: it would neither be turned nor made anew.
 pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
     const TRIES: usize = 6;
     let (room, rng) = (b.size, b.rng.clone());

@@ -39,6 +39,9 @@
 //! assert!((bounds.size().z - 0.25).abs() < 1e-4);
 //! ```
 
+// `object/play/kit.rs` has some of these solids once more, with positions as fractions of the size: toys and sports gear
+// are built by it.
+
 // Three lofts differ in the order of their triangles, and four rounded rectangles in the number of their points: both
 // are part of what a seed generates.
 mod body;
