@@ -31,7 +31,7 @@ fn name_mismatches(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     goal.name_mismatches(graph).into_iter().map(Obstacle::NameMismatch).collect()
 }
 
-/// The nodes and classes that terms name and that there are not, each once.
+/// The missing nodes and the unknown classes that terms name, each once.
 fn unknown(terms: Vec<Term>, graph: &SceneGraph) -> Vec<Obstacle> {
     let mut found = Vec::new();
     for obstacle in terms.into_iter().filter_map(|term| unknown_term(term, graph)) {
