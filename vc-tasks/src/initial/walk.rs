@@ -30,7 +30,8 @@ pub(super) struct Walk {
 type Span = ((i32, i32), (i32, i32));
 
 impl Walk {
-    /// Builds the grid of a scene; `None` where no room has a bounding box. Doors are no obstacle.
+    /// Builds the grid of a scene; `None` where no room has a bounding box, or where there are more rooms or cells than
+    /// a grid has numbers for. Doors are no obstacle.
     ///
     /// Costs about a millisecond for a home.
     pub(super) fn new(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
@@ -59,7 +60,9 @@ impl Walk {
         let low = Point2::new(cell(hull.min.x) - BODY, cell(hull.min.y) - BODY);
         let (width, depth) = (cell(hull.max.x) + BODY + 1 - low.x, cell(hull.max.y) + BODY + 1 - low.y);
         const LARGEST: i64 = 1 << 24;
-        if width <= 0 || depth <= 0 || i64::from(width) * i64::from(depth) > LARGEST {
+        // Rooms are numbered from one in sixteen bits.
+        let too_many = graph.rooms().len() >= usize::from(u16::MAX);
+        if too_many || width <= 0 || depth <= 0 || i64::from(width) * i64::from(depth) > LARGEST {
             return None;
         }
         let standing = BitGrid::new(width as usize, depth as usize);
