@@ -55,7 +55,7 @@ impl Walk {
 
     fn floors(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
         let hulls = graph.rooms().iter().filter_map(|&r| graph.node(r)?.aabb());
-        let hull = hulls.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) })?;
+        let hull = hulls.reduce(|a, b| a.joined(&b))?;
         let cell = |v: f32| (v * CELLS).floor().clamp(-FARTHEST, FARTHEST) as i32;
         let low = Point2::new(cell(hull.min.x) - BODY, cell(hull.min.y) - BODY);
         let (width, depth) = (cell(hull.max.x) + BODY + 1 - low.x, cell(hull.max.y) + BODY + 1 - low.y);
@@ -113,7 +113,7 @@ impl Walk {
             return false;
         }
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
-        let grown = Aabb { min: aabb.min.map(|v| v - PERSON.ahead), max: aabb.max.map(|v| v + PERSON.ahead) };
+        let grown = aabb.grown(PERSON.ahead, PERSON.ahead);
         let here =
             |&(x, y): &(usize, usize)| self.standing.get(x, y) && index.is_none_or(|i| self.room_at((x, y)) == i);
         self.cells(&grown).filter(here).any(|cell| self.distance(cell, aabb) <= PERSON.ahead)
