@@ -182,14 +182,13 @@ impl ChangeSet {
     /// # Ok::<(), vc_graph::EditError>(())
     /// ```
     pub fn nodes(&self) -> impl Iterator<Item = NodeId> + '_ {
-        let holds = |r: Relation| matches!(r, Relation::HoldsRight | Relation::HoldsLeft);
         self.changes()
             .iter()
-            .flat_map(move |change| match change {
+            .flat_map(|change| match change {
                 Change::Add(node) | Change::Remove(node) => [Some(node.id), None],
                 Change::States { id, .. } | Change::Contents { id, .. } => [Some(*id), None],
                 Change::Link(e) | Change::Unlink(e)
-                    if holds(e.relation) || Relation::places().contains(&e.relation) =>
+                    if Relation::hands().contains(&e.relation) || Relation::places().contains(&e.relation) =>
                 {
                     [Some(e.from), Some(e.to)]
                 }

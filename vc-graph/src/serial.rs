@@ -95,7 +95,7 @@ impl BoundsFile {
 /// use vc_graph::Pose;
 /// #[derive(serde::Serialize, serde::Deserialize)]
 /// struct Mark {
-///     #[serde(with = "vc_graph::format::serial::pose")]
+///     #[serde(with = "vc_graph::serial::pose")]
 ///     at: Pose,
 /// }
 /// let text = serde_json::to_string(&Mark { at: Pose::translation(1.0, 2.0, 0.5) })?;

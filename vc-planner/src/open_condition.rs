@@ -64,7 +64,7 @@ impl std::fmt::Display for OpenCondition {
 pub enum Unreachable {
     /// A label in the goal names a class that differs from that of its node.
     #[error(transparent)]
-    Misnomer(#[from] vc_graph::NameMismatch),
+    NameMismatch(#[from] vc_graph::NameMismatch),
     /// The scene lacks the things that a part of the goal is about.
     #[error("nothing in this scene can satisfy `{0}`")]
     NoInstance(String),

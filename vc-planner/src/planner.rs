@@ -99,8 +99,8 @@ impl Planner {
         goal: &Goal,
         events: &[Event],
     ) -> Result<Plan, Unreachable> {
-        if let Some(misnomer) = goal.name_mismatches(graph).into_iter().next() {
-            return Err(misnomer.into());
+        if let Some(mismatch) = goal.name_mismatches(graph).into_iter().next() {
+            return Err(mismatch.into());
         }
         let is_tidy = self.tidy().is_none_or(|touched| touched.amiss(graph).next().is_none());
         if is_tidy && goal.holds(&Situation { graph, agent, events }) {

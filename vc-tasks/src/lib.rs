@@ -5,8 +5,9 @@
 //! goal cannot make sense in a scene before any attempt, an [`Outcome`] says how an attempt ended,
 //! and [`household`] is a list of everyday tasks. A [`World`] is the environment in which tasks are
 //! executed, symbolic or with bodies; [`GoalProgress`] is the verdict on an episode step by step, and a
-//! [`Trial`] executes a task action by action, with observations and rewards. The [`library`] holds the thesis's hundred tasks and the benchmark of
-//! 145, and [`initial`] prepares a scene for one of them.
+//! [`Trial`] executes a task action by action, with observations and rewards. The [`library`] holds
+//! the thesis's hundred tasks and the benchmark of 145, and [`initial`] prepares a scene for one of
+//! them.
 //!
 //! [`compile`] turns a goal into a flat program over the atoms that matter, kept up to date while a
 //! scene changes. [`score`] says how much of a goal holds, [`explain`] which parts are missing, and

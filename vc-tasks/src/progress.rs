@@ -146,6 +146,5 @@ impl Past {
 
 /// Whether two states of a scene have the same nodes.
 fn has_nodes_of(a: &SceneGraph, b: &SceneGraph) -> bool {
-    let ids = |graph: &SceneGraph| graph.nodes().map(vc_graph::Node::id).collect::<Vec<_>>();
-    a.len() == b.len() && ids(a) == ids(b)
+    a.len() == b.len() && a.nodes().map(vc_graph::Node::id).eq(b.nodes().map(vc_graph::Node::id))
 }

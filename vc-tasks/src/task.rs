@@ -139,8 +139,8 @@ impl Task {
     }
 
     /// The reasons why the goal makes no sense in a scene; empty if it does make sense. Considers the
-    /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels, nodes and
-    /// classes that there are not are reported wherever they stand.
+    /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels of another
+    /// class than their nodes, missing nodes and unknown classes are reported wherever they stand.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -164,7 +164,7 @@ impl Task {
     }
 
     /// The reason why the goal is lost in a scene before anything is done: a label of another class than its node, or a
-    /// node or class that there is not, in a part that must not hold or must hold for all. Such a part would hold at
+    /// missing node or an unknown class in a part that must not hold or must hold for all. Such a part would hold at
     /// once, as nothing on the table is a `mugg`. A known class of which the scene has no object is no such name.
     ///
     /// ```

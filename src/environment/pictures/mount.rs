@@ -46,13 +46,13 @@ const KEPT: f32 = 0.15;
 #[non_exhaustive]
 pub enum Mount {
     /// At a pose of the home.
-    Fixed(#[serde(with = "vc_graph::format::serial::pose")] Pose),
+    Fixed(#[serde(with = "vc_graph::serial::pose")] Pose),
     /// On an agent's head: between its eyes, looking where they look.
     Head {
         /// The agent.
         agent: NodeId,
         /// From the eyes.
-        #[serde(default, with = "vc_graph::format::serial::pose")]
+        #[serde(default, with = "vc_graph::serial::pose")]
         offset: Pose,
     },
     /// On an agent's hand: in the middle of the palm, X along the fingers, Z towards the thumb.
@@ -62,7 +62,7 @@ pub enum Mount {
         /// The hand.
         hand: Hand,
         /// From the palm.
-        #[serde(default, with = "vc_graph::format::serial::pose")]
+        #[serde(default, with = "vc_graph::serial::pose")]
         offset: Pose,
     },
     /// On any other thing, in its own frame.
@@ -70,7 +70,7 @@ pub enum Mount {
         /// The thing.
         thing: NodeId,
         /// From its origin.
-        #[serde(default, with = "vc_graph::format::serial::pose")]
+        #[serde(default, with = "vc_graph::serial::pose")]
         offset: Pose,
     },
     /// Behind an agent's shoulders, looking at them, wherever it goes. Where a wall or something else is in the way, the

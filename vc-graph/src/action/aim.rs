@@ -80,8 +80,9 @@ pub enum AimPart {
 /// millimetres and hundredths of a degree, far below what bodies keep to, so that actions can be compared and their
 /// texts are exact. [`ActionRule::aims`](crate::ActionRule) says which verbs take which aims.
 ///
-/// The point and the heading of a thing are those of its pose: of its origin, which is the middle of the base of
-/// generated things, and of its X, which points to its front. Those of an agent are of its feet.
+/// The point of a thing is that of its origin as seen from above, which is the middle of the base of generated things;
+/// its height, if stated, is that of the surface below the thing. The heading is that of its X, which points to its
+/// front. Those of an agent are of its feet, and a height says nothing about them.
 ///
 /// ```
 /// use vc_graph::{Action, AimPart, NodeId, Verb};

@@ -52,15 +52,13 @@ impl AssetLibrary {
     ///
     /// ```
     /// use vc_graph::AssetLibrary;
-    /// # let material: vc_graph::asset::Material = serde_json::from_str(r#"{"name": "oak", "colour": [0.5, 0.4, 0.3],
-    /// #   "density": 700.0, "friction": 0.5, "restitution": 0.1, "roughness": 0.5, "metallic": 0.0,
-    /// #   "transmission": 0.0, "emission": [0.0, 0.0, 0.0]}"#)?;
+    /// use vc_graph::asset::Material;
     /// let [mut home, mut table] = [AssetLibrary::default(), AssetLibrary::default()];
-    /// home.add_material(vc_graph::asset::Material { name: "paint".into(), ..material.clone() })?;
-    /// table.add_material(material)?;
+    /// home.add_material(Material::new("paint", [0.9; 3]))?;
+    /// table.add_material(Material::new("oak", [0.5, 0.4, 0.3]))?;
     /// assert_eq!(home.merge(&table)?.materials, 1);
     /// assert_eq!(home.merge(&table)?.materials, 1, "the second time it is there");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), vc_graph::asset::AssetError>(())
     /// ```
     ///
     /// # Errors

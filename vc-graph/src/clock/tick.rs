@@ -51,7 +51,7 @@ impl Span {
     /// The longest span.
     pub const MAX: Self = Self(u64::MAX);
 
-    /// The span that is nearest to a number of seconds; zero for negative numbers and what is no number.
+    /// The span that is nearest to a number of seconds; zero for negative numbers and for NaN.
     ///
     /// ```
     /// use vc_graph::clock::Span;

@@ -29,7 +29,6 @@ use crate::EditError;
 
 pub use scene::read_scene;
 
-pub use crate::serial;
 pub use crate::spelling::unmarked;
 
 /// Largest text that a reader accepts, bytes.

@@ -40,13 +40,13 @@ pub enum CastError {
         agents: usize,
     },
     /// An object is of another class than its label says.
-    #[error("action {step}: {misnomer}")]
-    Misnomer {
+    #[error("action {step}: {mismatch}")]
+    NameMismatch {
         /// The step, counted from one.
         step: usize,
         /// The object's label in the program and in the scene.
         #[source]
-        misnomer: NameMismatch,
+        mismatch: NameMismatch,
     },
 }
 
@@ -107,7 +107,7 @@ impl Program {
             let missing =
                 || CastError::NoSuchCharacter { step: step + 1, character: parsed.character, agents: agents.len() };
             let agent = *agents.get(parsed.character as usize).ok_or_else(missing)?;
-            parsed.check(graph).map_err(|misnomer| CastError::Misnomer { step: step + 1, misnomer })?;
+            parsed.check(graph).map_err(|mismatch| CastError::NameMismatch { step: step + 1, mismatch })?;
             Ok(Event { agent, action: parsed.action })
         };
         let step = |(i, actions): (usize, &Vec<ParsedAction>)| actions.iter().map(|parsed| event(i, parsed)).collect();

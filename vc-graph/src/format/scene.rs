@@ -26,7 +26,7 @@ use crate::{ClassTable, SceneGraph};
 /// ```
 ///
 /// # Errors
-/// The [`FormatError`] of the most similar format, and for a text that is no JSON one of none.
+/// The [`FormatError`] of the most similar format; for a text that is no JSON, one that names the known formats.
 pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     if unmarked(text).trim_start().starts_with(|c| !matches!(c, '{' | '[')) {
         return Err(FormatError { format: "scene", line: None, field: String::new(), problem: Box::new(unknown()) });

@@ -51,7 +51,7 @@
 //!
 //! # Time
 //!
-//! A [`EpisodeTrace`] records an episode: a state for each step, and the actions in it. [`Goal::holds_on`] evaluates a
+//! An [`EpisodeTrace`] records an episode: a state for each step, and the actions in it. [`Goal::holds_on`] evaluates a
 //! goal on it by linear temporal logic on finite traces (De Giacomo and Vardi, IJCAI 2013), with one
 //! convention, by which a goal without temporal operators is about the end: a part outside all temporal
 //! operators is evaluated in the last state and with all actions; a part inside one is evaluated at single
@@ -240,7 +240,7 @@ impl Goal {
         let mut found: Vec<NameMismatch> = Vec::new();
         for term in self.terms() {
             let Term::Node(Some(class), id) = term else { continue };
-            found.extend(graph.check_name(&class, id).err().filter(|misnomer| !found.contains(misnomer)));
+            found.extend(graph.check_name(&class, id).err().filter(|mismatch| !found.contains(mismatch)));
         }
         found
     }

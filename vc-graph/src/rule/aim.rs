@@ -153,7 +153,7 @@ pub(super) fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Ve
         Aimed::Object => of.putting_at(point),
     });
     let part = aim.part().and_then(|part| of.part(part));
-    let turns = action.verb == Verb::TurnTo && !aim.is_nothing();
+    let turns = action.verb == Verb::TurnTo;
     let rests = graph.node(agent).is_some_and(|body| body.is(State::Sitting) || body.is(State::Lying));
     point.into_iter().chain(part).chain((turns && rests).then_some(Refusal::NotUpright)).collect()
 }

@@ -34,20 +34,20 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
 
 /// The reason why a precondition is not met, or a marker instead of it if the caller does not need the reason:
 /// formulating a reason costs more than the check.
-pub(super) trait Why: Sized {
+pub(super) trait Reason: Sized {
     fn because(refusal: impl FnOnce() -> Refusal) -> Self;
 }
 
-impl Why for Refusal {
+impl Reason for Refusal {
     fn because(refusal: impl FnOnce() -> Refusal) -> Self {
         refusal()
     }
 }
 
 /// An unmet precondition without a reason.
-pub(super) struct Untold;
+pub(super) struct NoReason;
 
-impl Why for Untold {
+impl Reason for NoReason {
     fn because(_: impl FnOnce() -> Refusal) -> Self {
         Self
     }
@@ -57,7 +57,7 @@ impl Condition {
     /// Whether the condition holds for an agent. Costs less than [`Condition::check`], since no reason is
     /// formulated.
     pub fn holds(&self, graph: &SceneGraph, agent: NodeId) -> bool {
-        self.judged::<Untold>(graph, agent).is_ok()
+        self.judged::<NoReason>(graph, agent).is_ok()
     }
 
     /// Checks whether the condition holds for an agent.
@@ -82,19 +82,19 @@ impl Condition {
         self.judged(graph, agent)
     }
 
-    fn judged<W: Why>(&self, graph: &SceneGraph, agent: NodeId) -> Result<(), W> {
+    fn judged<W: Reason>(&self, graph: &SceneGraph, agent: NodeId) -> Result<(), W> {
         let body = graph.node(agent).ok_or_else(|| W::because(|| Refusal::NoSuchThing(agent)))?;
-        Judge { graph, agent, body, why: PhantomData }.judge(self)
+        Judge { graph, agent, body, reason: PhantomData }.judge(self)
     }
 }
 
 /// A checker of an agent's preconditions without reasons; `None` if the node is not an agent of the scene.
-pub(super) fn judge_of(graph: &SceneGraph, agent: NodeId) -> Option<Judge<'_, Untold>> {
+pub(super) fn judge_of(graph: &SceneGraph, agent: NodeId) -> Option<Judge<'_, NoReason>> {
     let body = graph.node(agent).filter(|body| body.kind() == NodeKind::Agent)?;
-    Some(Judge { graph, agent, body, why: PhantomData })
+    Some(Judge { graph, agent, body, reason: PhantomData })
 }
 
-impl Judge<'_, Untold> {
+impl Judge<'_, NoReason> {
     pub(super) fn meets(&self, need: &Condition) -> bool {
         self.judge(need).is_ok()
     }

@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use crate::class::{SlotKind, Trait};
 use crate::node::{Node, NodeKind};
-use crate::rule::check::{Why, origin, vehicle_of};
+use crate::rule::check::{Reason, origin, vehicle_of};
 use crate::rule::condition::Condition;
 use crate::rule::fit::misfit;
 use crate::rule::refusal::Refusal;
@@ -17,10 +17,10 @@ pub(super) struct Judge<'a, W> {
     pub(super) graph: &'a SceneGraph,
     pub(super) agent: NodeId,
     pub(super) body: &'a Node,
-    pub(super) why: PhantomData<W>,
+    pub(super) reason: PhantomData<W>,
 }
 
-impl<'a, W: Why> Judge<'a, W> {
+impl<'a, W: Reason> Judge<'a, W> {
     pub(super) fn judge(&self, need: &Condition) -> Result<(), W> {
         use Condition as C;
         let (graph, agent) = (self.graph, self.agent);

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::sync::LazyLock;
 
-use crate::rule::check::{Untold, judge_of};
+use crate::rule::check::{NoReason, judge_of};
 use crate::rule::condition::Condition;
 use crate::rule::effect::Argument;
 use crate::rule::judge::Judge;
@@ -136,7 +136,7 @@ struct Open {
 }
 
 impl Open {
-    fn new(now: &Judge<'_, Untold>, verbs: Verbs, things: &[NodeId]) -> Self {
+    fn new(now: &Judge<'_, NoReason>, verbs: Verbs, things: &[NodeId]) -> Self {
         let none = || vec![Vec::new(); Verb::ALL.len()];
         let mut open = Self { first: none(), second: none() };
         for node in things.iter().filter_map(|id| now.graph.node(*id)) {
@@ -148,7 +148,7 @@ impl Open {
     }
 
     /// The actions of a verb with two objects.
-    fn pairs<'a>(&'a self, now: &'a Judge<'_, Untold>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
+    fn pairs<'a>(&'a self, now: &'a Judge<'_, NoReason>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
         let needs = verb.rule().preconditions.iter();
         let of_two: Vec<Condition<Argument>> = needs.filter(|need| is_of_two(**need)).copied().collect();
         let met = move |a: &Action| of_two.iter().filter_map(|need| need.ground(a)).all(|need| now.meets(&need));
@@ -160,7 +160,7 @@ impl Open {
 
 /// The verbs that can have an object as their first and as their second. Each precondition is checked at most
 /// once, and not at all if no remaining verb depends on it.
-fn open_to(now: &Judge<'_, Untold>, verbs: Verbs, node: &Node) -> (Verbs, Verbs) {
+fn open_to(now: &Judge<'_, NoReason>, verbs: Verbs, node: &Node) -> (Verbs, Verbs) {
     let thing = both(node.id());
     let (mut first, mut second) = (verbs.minus(NEEDS.without_first), verbs.minus(NEEDS.without_second));
     for of in &NEEDS.of_node {

@@ -1,7 +1,7 @@
 //! The transition rule: the preconditions and effects of every action, defined once.
 //!
 //! [`table`] lists the verbs; [`condition`] defines their preconditions and [`refusal`] the reasons for
-//! refusals; [`effect`] carries out the effects, and [`regress`] reads the table backwards. All parts of
+//! refusals; [`effect`] defines the effects, and [`regress`] reads the table backwards. All parts of
 //! VirtualCity use this rule: the planner regresses through it, tasks are validated with it, and an environment
 //! with bodies checks it before they move.
 //!
@@ -45,6 +45,7 @@ pub mod effect;
 mod fit;
 mod judge;
 mod legal;
+mod perform;
 pub mod refusal;
 pub mod regress;
 pub mod table;
@@ -164,7 +165,7 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
     }
     let mut edit = graph.edit();
     for effect in grounded_effects(action) {
-        effect::carry_out(&mut edit, agent, effect).map_err(|e| vec![Refusal::Edit(e)])?;
+        perform::carry_out(&mut edit, agent, effect).map_err(|e| vec![Refusal::Edit(e)])?;
     }
     Ok(edit.commit())
 }
@@ -188,6 +189,6 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
 /// [`EditError`] if a node does not exist, or would be inside itself; then nothing has changed.
 pub fn carry_out(graph: &mut SceneGraph, agent: NodeId, effect: &Effect<NodeId>) -> Result<ChangeSet, EditError> {
     let mut edit = graph.edit();
-    effect::carry_out(&mut edit, agent, *effect)?;
+    perform::carry_out(&mut edit, agent, *effect)?;
     Ok(edit.commit())
 }

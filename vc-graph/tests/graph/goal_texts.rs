@@ -168,7 +168,7 @@ fn errors_name_the_form_that_was_meant() {
 
 /// After `did` stands a verb: a state is none, and only verbs are suggested.
 #[test]
-fn deeds_are_of_verbs() {
+fn actions_done_are_of_verbs() {
     assert_eq!(
         fail("did wet(mug)").to_string(),
         "goal, character 1: unknown verb `wet` after `did`; use one such as `did grab(cup)`"

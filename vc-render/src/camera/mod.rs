@@ -45,7 +45,7 @@ pub struct Camera {
     /// Principal point, pixels from the top left corner of the image.
     pub centre: (f32, f32),
     /// The optical frame in the world.
-    #[serde(with = "vc_graph::format::serial::pose")]
+    #[serde(with = "vc_graph::serial::pose")]
     pub pose: Pose,
     /// Near plane: surfaces nearer than this along the axis are not seen, metres.
     pub near: f32,

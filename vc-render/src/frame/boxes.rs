@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Vector3};
 use serde::Serialize;
-use vc_graph::format::serial;
+use vc_graph::serial;
 use vc_graph::{NodeId, Pose};
 
 /// A box of whole pixels; it may reach beyond the border of the image.

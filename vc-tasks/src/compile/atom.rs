@@ -33,7 +33,7 @@ pub struct GroundAtom {
 
 impl GroundAtom {
     /// Whether the atom is about an executed action.
-    pub(crate) fn is_deed(&self) -> bool {
+    pub(crate) fn is_about_action(&self) -> bool {
         matches!(self.predicate, Predicate::Did(_))
     }
 

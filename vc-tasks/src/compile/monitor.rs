@@ -43,7 +43,7 @@ pub struct Monitor {
     /// The goal's conjuncts.
     courses: Arc<Vec<Course>>,
     /// The atoms about executed actions.
-    deeds: Bits,
+    action_atoms: Bits,
     /// For each step the atoms that are true after it; of those about actions, the ones executed in
     /// it.
     atoms: Vec<Bits>,
@@ -64,13 +64,13 @@ impl Monitor {
     /// [`CompileError::TooLarge`]: there are too many choices of objects.
     pub fn new(goal: &Goal, now: &Situation<'_>) -> Result<Self, CompileError> {
         let (courses, program) = Compiler::new().courses(goal, now)?;
-        let mut deeds = program.bits();
-        program.atoms().iter().enumerate().for_each(|(index, atom)| deeds.set(index, atom.is_deed()));
+        let mut action_atoms = program.bits();
+        program.atoms().iter().enumerate().for_each(|(index, atom)| action_atoms.set(index, atom.is_about_action()));
         let (now_held, first) = (vec![false; courses.len()], vec![None; courses.len()]);
         let mut monitor = Self {
             program: Arc::new(program),
             courses: Arc::new(courses),
-            deeds,
+            action_atoms,
             atoms: Vec::new(),
             heads: Vec::new(),
             now: now_held,
@@ -195,8 +195,8 @@ impl Monitor {
     /// The atoms at the end of a stretch, with all actions executed on it.
     fn whole(&self, on: Stretch) -> Bits {
         let mut bits = self.atoms[on.end].clone();
-        bits.remove(&self.deeds);
-        self.atoms[on.since + 1..on.end + 1].iter().for_each(|step| bits.add_of(step, &self.deeds));
+        bits.remove(&self.action_atoms);
+        self.atoms[on.since + 1..on.end + 1].iter().for_each(|step| bits.add_of(step, &self.action_atoms));
         bits
     }
 

@@ -37,7 +37,7 @@ impl GoalProgram {
     pub fn read_seen(&self, now: &Situation<'_>, seen: &Observation) -> Known {
         let mut known = Known::nothing(self);
         for (index, atom) in self.atoms().iter().enumerate() {
-            if atom.is_deed() || atom.things.iter().flatten().all(|&id| seen.sees(id)) {
+            if atom.is_about_action() || atom.things.iter().flatten().all(|&id| seen.sees(id)) {
                 known.learn(index, now.holds(atom.predicate, atom.things));
             }
         }

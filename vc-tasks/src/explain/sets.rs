@@ -37,7 +37,7 @@ pub struct MinimalSets {
 }
 
 /// The limit of gate visits in a search: about a second.
-const LOOKS: usize = 1 << 24;
+const VISITS: usize = 1 << 24;
 
 impl GoalProgram {
     /// The minimal sets of missing conditions that would together make the goal hold: at most `most`, the
@@ -90,14 +90,14 @@ struct Search<'a> {
     open: Bits,
     /// For each gate a lower bound of the changes that make it true, and of those that make it false.
     costs: Vec<[f64; 2]>,
-    looks: usize,
+    visits: usize,
 }
 
 impl<'a> Search<'a> {
     fn new(program: &'a GoalProgram, of: Ref, bits: &Bits) -> Self {
         let mut open = program.bits();
         (0..program.atoms().len()).for_each(|atom| open.set(atom, true));
-        Self { program, of, bits: bits.clone(), open, costs: Vec::new(), looks: 0 }
+        Self { program, of, bits: bits.clone(), open, costs: Vec::new(), visits: 0 }
     }
 
     fn run(&mut self, most: usize) -> MinimalSets {
@@ -106,7 +106,7 @@ impl<'a> Search<'a> {
         let mut complete = true;
         queue.extend(self.bound().map(|least| Reverse((least, 0, Try { changed: Vec::new(), kept: Vec::new() }))));
         while let Some(Reverse((_, _, next))) = queue.pop() {
-            if found.len() == most || self.looks > LOOKS {
+            if found.len() == most || self.visits > VISITS {
                 complete = false;
                 break;
             }
@@ -147,13 +147,13 @@ impl<'a> Search<'a> {
     /// One child for each atom that may keep the goal from holding: that atom changes, and the ones
     /// before it do not.
     fn branches(&mut self, from: &Try) -> Vec<Reverse<(usize, usize, Try)>> {
-        let mut why = Vec::new();
-        self.why(self.of, &mut why);
-        why.sort_unstable();
-        why.dedup();
+        let mut atoms = Vec::new();
+        self.sufficient_atoms(self.of, &mut atoms);
+        atoms.sort_unstable();
+        atoms.dedup();
         let mut tries = Vec::new();
         let mut next = from.clone();
-        for atom in why {
+        for atom in atoms {
             next.changed.push(atom);
             self.enter(&Try { changed: vec![atom], kept: Vec::new() }, true);
             if let Some(least) = self.bound() {
@@ -174,8 +174,8 @@ impl<'a> Search<'a> {
 /// The atoms of which one must change.
 impl Search<'_> {
     /// Open atoms that are together enough to keep a gate or atom at its current value.
-    fn why(&mut self, r: Ref, found: &mut Vec<u32>) {
-        self.looks += 1;
+    fn sufficient_atoms(&mut self, r: Ref, found: &mut Vec<u32>) {
+        self.visits += 1;
         if r.is_constant() {
             return;
         }
@@ -188,14 +188,14 @@ impl Search<'_> {
         inputs.dedup();
         let holds = self.program.value(&self.bits, Ref::gate(r.index()));
         if matches!(gate.kind, GateKind::Exactly(_)) && holds {
-            return inputs.into_iter().for_each(|input| self.why(input, found));
+            return inputs.into_iter().for_each(|input| self.sufficient_atoms(input, found));
         }
         let (number, value) = self.decisive(gate, holds);
         let mut reasons: Vec<Vec<u32>> = Vec::new();
         inputs.retain(|&input| self.program.value(&self.bits, input) == value);
         for input in inputs {
             let mut atoms = Vec::new();
-            self.why(input, &mut atoms);
+            self.sufficient_atoms(input, &mut atoms);
             reasons.push(atoms);
         }
         // The inputs with the fewest atoms to try come first.
@@ -230,7 +230,7 @@ impl Search<'_> {
         self.costs.clear();
         for index in 0..last {
             let gate = self.program.gates()[index];
-            self.looks += 1 + gate.inputs().len();
+            self.visits += 1 + gate.inputs().len();
             let costs = [true, false].map(|wanted| self.gate_cost(gate, wanted));
             self.costs.push(costs);
         }

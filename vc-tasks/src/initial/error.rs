@@ -17,7 +17,7 @@ use crate::world::WorldError;
 /// let (graph, benchmark) = (scene.build(), Benchmark::v1());
 /// let mut world = Simulator::new(graph.clone());
 /// let made = InitialGenerator::new(&PlainStock).make(&benchmark.activities[0], &graph, Seed(1), &mut world);
-/// assert!(made.is_err());
+/// assert!(matches!(made, Err(InitialError::NoRoom(room)) if room == "kitchen"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -135,8 +135,7 @@ fn beside(bounds: &Bounds, depth: f32) -> Bounds {
 
 /// The bounding box of a door and of the floor on both sides of it.
 fn before(door: &Aabb) -> Aabb {
-    let grow = Vector3::new(DOORWAY, DOORWAY, 0.0);
-    Aabb { min: door.min - grow, max: door.max + grow }
+    door.grown(DOORWAY, 0.0)
 }
 
 /// The top or the interior of a bounding box as a surface, in its owner's frame.

@@ -30,7 +30,8 @@ pub(super) struct Walk {
 type Span = ((i32, i32), (i32, i32));
 
 impl Walk {
-    /// Builds the grid of a scene; `None` where no room has a bounding box. Doors are no obstacle.
+    /// Builds the grid of a scene; `None` where no room has a bounding box, or where there are more rooms or cells than
+    /// a grid has numbers for. Doors are no obstacle.
     ///
     /// Costs about a millisecond for a home.
     pub(super) fn new(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
@@ -54,12 +55,14 @@ impl Walk {
 
     fn floors(graph: &SceneGraph, assets: &AssetLibrary) -> Option<Self> {
         let hulls = graph.rooms().iter().filter_map(|&r| graph.node(r)?.aabb());
-        let hull = hulls.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) })?;
+        let hull = hulls.reduce(|a, b| a.joined(&b))?;
         let cell = |v: f32| (v * CELLS).floor().clamp(-FARTHEST, FARTHEST) as i32;
         let low = Point2::new(cell(hull.min.x) - BODY, cell(hull.min.y) - BODY);
         let (width, depth) = (cell(hull.max.x) + BODY + 1 - low.x, cell(hull.max.y) + BODY + 1 - low.y);
         const LARGEST: i64 = 1 << 24;
-        if width <= 0 || depth <= 0 || i64::from(width) * i64::from(depth) > LARGEST {
+        // Rooms are numbered from one in sixteen bits.
+        let too_many = graph.rooms().len() >= usize::from(u16::MAX);
+        if too_many || width <= 0 || depth <= 0 || i64::from(width) * i64::from(depth) > LARGEST {
             return None;
         }
         let standing = BitGrid::new(width as usize, depth as usize);
@@ -110,7 +113,7 @@ impl Walk {
             return false;
         }
         let index = room.and_then(|room| self.rooms.iter().position(|&r| r == room)).map(|i| i as u16 + 1);
-        let grown = Aabb { min: aabb.min.map(|v| v - PERSON.ahead), max: aabb.max.map(|v| v + PERSON.ahead) };
+        let grown = aabb.grown(PERSON.ahead, PERSON.ahead);
         let here =
             |&(x, y): &(usize, usize)| self.standing.get(x, y) && index.is_none_or(|i| self.room_at((x, y)) == i);
         self.cells(&grown).filter(here).any(|cell| self.distance(cell, aabb) <= PERSON.ahead)

@@ -68,7 +68,7 @@ fn unknown(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
 fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let finding = |kind, part| Finding { kind, at: None, part };
     let name_mismatches =
-        goal.name_mismatches(graph).into_iter().map(|m| finding(FindingKind::Misnomer, m.to_string()));
+        goal.name_mismatches(graph).into_iter().map(|m| finding(FindingKind::NameMismatch, m.to_string()));
     let nobody = |id: &NodeId| graph.node(*id).is_none();
     let ids = goal.terms().into_iter().filter_map(|t| if let Term::Node(_, id) = t { Some(id) } else { None });
     let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();

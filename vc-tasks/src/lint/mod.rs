@@ -56,7 +56,7 @@ pub enum FindingKind {
     /// The domain is not known.
     UnknownDomain,
     /// The class of a label is not that of its node in the scene.
-    Misnomer,
+    NameMismatch,
     /// A class of the goal is in no class table, and the scene has no object of it.
     UnknownClass,
     /// The scene lacks something that the goal needs.
@@ -97,7 +97,7 @@ impl FindingKind {
             Self::WithItself => "a thing in relation to itself",
             Self::Circle => "things rest on each other in a circle",
             Self::UnknownDomain => "an unknown domain",
-            Self::Misnomer => "a thing called what it is not",
+            Self::NameMismatch => "a thing called what it is not",
             Self::UnknownClass => "an unknown class",
             Self::Obstacle => "the scene lacks what it needs",
             Self::Stray => "a stray word",

@@ -10,7 +10,7 @@ use crate::compile::{Gate, GateKind, GoalProgram, Ref, Verdict, counts};
 
 /// The limit of gate visits before giving up: about a second. The hardest goal of the 1,016 of
 /// BEHAVIOR-1K takes some thousand.
-const LOOKS: usize = 1 << 24;
+const VISITS: usize = 1 << 24;
 
 /// Whether some state fulfils a goal without two opposite states of one object; unknown if the
 /// limit was reached.
@@ -21,7 +21,7 @@ pub(super) fn satisfiable(program: &GoalProgram) -> Verdict {
     }
     // The stack of the search: known values, and the place that is tried false next.
     let mut open: Vec<(Vec<Verdict>, usize)> = Vec::new();
-    while values.looks < LOOKS {
+    while values.visits < VISITS {
         let Some(place) = values.undecided() else { return Verdict::True };
         open.push((values.known.clone(), place));
         let mut fits = values.learn(place, true) && values.propagate();
@@ -41,13 +41,13 @@ struct Values<'p> {
     known: Vec<Verdict>,
     /// Pairs of atoms of which at most one is true.
     apart: Vec<[usize; 2]>,
-    looks: usize,
+    visits: usize,
 }
 
 impl<'p> Values<'p> {
     fn new(program: &'p GoalProgram) -> Self {
         let known = vec![Verdict::Unknown; program.atoms().len() + program.gates().len()];
-        Self { program, known, apart: apart(program), looks: 0 }
+        Self { program, known, apart: apart(program), visits: 0 }
     }
 
     fn place(&self, r: Ref) -> usize {
@@ -83,7 +83,7 @@ impl<'p> Values<'p> {
         let gates = self.program.gates();
         loop {
             let before = self.open();
-            self.looks += self.known.len();
+            self.visits += self.known.len();
             let up = gates.iter().enumerate().all(|(index, gate)| self.up(index, *gate));
             if !up || !gates.iter().enumerate().rev().all(|(index, gate)| self.down(index, *gate)) || !self.keep_apart()
             {

@@ -13,7 +13,7 @@ pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     let parts = of_parts(goal, graph);
     let lacks = |name: &str| parts.iter().any(|o| matches!(o, Obstacle::TooFew { class, .. } if class == name));
     let is_listed = |o: &Obstacle| matches!(o, Obstacle::UnknownClass { class, .. } if lacks(class));
-    let mut found = misnomers(goal, graph);
+    let mut found = name_mismatches(goal, graph);
     found.extend(unknown(goal.terms(), graph).into_iter().filter(|obstacle| !is_listed(obstacle)));
     found.extend(parts);
     found
@@ -21,17 +21,17 @@ pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
 
 /// The reason why a goal is lost before anything is done; see [`Task::lost`](crate::Task::lost).
 pub(crate) fn lost(goal: &Goal, graph: &SceneGraph) -> Option<Lost> {
-    let mut found = misnomers(goal, graph);
+    let mut found = name_mismatches(goal, graph);
     found.extend(unknown(vacuous::terms(goal), graph));
     (!found.is_empty()).then_some(Lost::Misnamed(found))
 }
 
 /// The labels of a goal that are of another class than their nodes.
-fn misnomers(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
-    goal.name_mismatches(graph).into_iter().map(Obstacle::Misnomer).collect()
+fn name_mismatches(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
+    goal.name_mismatches(graph).into_iter().map(Obstacle::NameMismatch).collect()
 }
 
-/// The nodes and classes that terms name and that there are not, each once.
+/// The missing nodes and the unknown classes that terms name, each once.
 fn unknown(terms: Vec<Term>, graph: &SceneGraph) -> Vec<Obstacle> {
     let mut found = Vec::new();
     for obstacle in terms.into_iter().filter_map(|term| unknown_term(term, graph)) {

@@ -30,7 +30,7 @@ pub enum Obstacle {
     },
     /// Neither the class table nor the scene knows the class.
     UnknownClass {
-        /// The name of none.
+        /// The name, which no class has.
         class: String,
         /// Classes that may have been meant.
         nearest: Vec<String>,
@@ -54,7 +54,7 @@ pub enum Obstacle {
         state: State,
     },
     /// A label of the goal is of another class than its node.
-    Misnomer(NameMismatch),
+    NameMismatch(NameMismatch),
     /// The scene has no node of a number that the goal names.
     NoSuchNode(String),
     /// An agent is to hold more at once than it has hands.
@@ -96,7 +96,7 @@ impl fmt::Display for Obstacle {
             Self::NoAction { part, thing, state } => {
                 write!(f, "`{part}` needs `{thing}` to be {state}, which it is not here, and no action makes it so")
             }
-            Self::Misnomer(misnomer) => misnomer.fmt(f),
+            Self::NameMismatch(mismatch) => mismatch.fmt(f),
             Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
             Self::TooManyHeld { parts, held } => {
                 write!(f, "`{parts}` needs {held} things to be held at once, and an agent has {HANDS} hands")

@@ -40,7 +40,7 @@ impl Credit {
 
 /// The limit of gate visits in a search: about a second. The hardest goal of the 1,016 of
 /// BEHAVIOR-1K takes some thousand.
-const LOOKS: u64 = 1 << 24;
+const VISITS: u64 = 1 << 24;
 
 /// The maximal depth of the search, in fixed atoms and gates.
 const DEEPEST: u32 = 512;
@@ -100,7 +100,7 @@ impl Scorer {
     /// contains no contradiction because all its conditions are true.
     fn best(&mut self, program: &GoalProgram, options: Options, met: Met<'_>, holds: bool) -> Credit {
         let pass = Pass::new(program, options, met, std::mem::take(&mut self.memory));
-        let mut search = Search { pass, sides: &mut self.sides, looks: 0, depth: 0, exact: true };
+        let mut search = Search { pass, sides: &mut self.sides, visits: 0, depth: 0, exact: true };
         let mut found = if holds { search.relaxed(WORTHLESS) } else { search.solve(Worth { p: 1, q: 1 }, WORTHLESS) };
         while let Some(way) = found.filter(|way| way.met < way.of) {
             match search.solve(Worth { p: way.met, q: way.of }, 0) {
@@ -121,7 +121,7 @@ struct Search<'a, 's> {
     pass: Pass<'a>,
     /// For each atom and gate the truth values wanted of it.
     sides: &'s mut Vec<u8>,
-    looks: u64,
+    visits: u64,
     depth: u32,
     exact: bool,
 }
@@ -178,7 +178,7 @@ impl Search<'_, '_> {
         let program = self.pass.program;
         for &part in parts {
             let gates = &program.shape().parts()[part as usize].gates;
-            self.looks += gates.len() as u64 + 1;
+            self.visits += gates.len() as u64 + 1;
             gates.iter().for_each(|&gate| self.pass.run_gate(gate as usize));
         }
         self.sum(parts)
@@ -191,7 +191,7 @@ impl Search<'_, '_> {
 
     /// Fixes an atom or gate to true and to false in turn, its current truth value first.
     fn branch(&mut self, parts: &[u32], torn: Ref, mut floor: i64) -> Option<Way> {
-        if self.looks > LOOKS || self.depth == DEEPEST {
+        if self.visits > VISITS || self.depth == DEEPEST {
             self.exact = false;
             return None;
         }

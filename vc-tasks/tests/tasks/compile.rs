@@ -110,10 +110,10 @@ proptest! {
 fn course(first: &[common::Flip], then: &[(common::Flip, usize)]) -> (Room, EpisodeTrace) {
     let mut room = Room::new(first);
     let mut trace = EpisodeTrace::new(room.graph.clone(), room.me);
-    for &(flip, deed) in then {
+    for &(flip, chosen) in then {
         room.flip(flip);
         let lines = ["", "grab #2", "grab #5", "eat #3", "place #2 #5"];
-        let action = lines[deed % lines.len()].parse::<vc_graph::Action>();
+        let action = lines[chosen % lines.len()].parse::<vc_graph::Action>();
         trace.push(room.graph.clone(), action.map(|action| Event { agent: room.me, action }));
     }
     (room, trace)
@@ -183,14 +183,14 @@ proptest! {
         let me = world.room.me;
         let mut progress = GoalProgress::new(&goal, &world, me);
         let mut trace = EpisodeTrace::new(world.room.graph.clone(), me);
-        for (number, (flip, deed)) in then.into_iter().enumerate() {
+        for (number, (flip, chosen)) in then.into_iter().enumerate() {
             world.room.flip(flip);
             if number == adds {
                 let mut edit = world.room.graph.edit();
                 edit.add(vc_graph::Draft::new("cup")).unwrap();
                 edit.commit();
             }
-            let action = ["grab #2", "grab #5", "eat #3", "place #2 #5"][deed].parse().unwrap();
+            let action = ["grab #2", "grab #5", "eat #3", "place #2 #5"][chosen].parse().unwrap();
             let event = Event { agent: me, action };
             world.room.history.push(event);
             trace.push(world.room.graph.clone(), [event]);
