@@ -186,11 +186,12 @@ impl<'w> Plan<'w> {
         Ok(best)
     }
 
-    /// A part moves, and what it carries moves along, as [`PhysicsWorld::put_open`] lets them.
+    /// Notes that a part moves, and with it the things that it carries, as by [`PhysicsWorld::put_open`].
     fn note(&mut self, part: usize, open: f32) -> Result<(), PhysicsError> {
         self.moves.push((part, open));
         let target = self.world.target(self.id, part, open)?;
-        let Some((before, after)) = self.world.leap(self.world.thing(self.id)?, part, target) else { return Ok(()) };
+        let thing = self.world.thing(self.id)?;
+        let Some((before, after)) = self.world.poses_when_put(thing, part, target) else { return Ok(()) };
         let motion = after * before.inverse();
         for load in self.world.load_of_part_with(self.id, part, &self.moved) {
             let base = self.world.thing(load)?.state.base;

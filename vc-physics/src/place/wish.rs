@@ -20,7 +20,7 @@ const OUT: f32 = 0.005;
 /// A spot that is asked for, as far as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpotWish {
-    /// Where the thing's origin is to be, seen from above, metres.
+    /// The point at which the thing's origin is to be, seen from above, metres.
     pub point: Option<Point2<f32>>,
     /// The height of the surface, metres.
     pub height: Option<f32>,

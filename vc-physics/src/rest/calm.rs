@@ -6,11 +6,11 @@ use vc_graph::NodeId;
 use crate::world::PhysicsWorld;
 
 /// Steps after which things that only tremble or creep are held still.
-const CALM: u32 = 120;
-/// How often that is put off while something still moves fast.
-const AGAIN: u32 = 4;
-/// Steps between looks for what rests already; at first there is one after each.
-const DOZE: u32 = 3;
+const ROUND: u32 = 120;
+/// Number of rounds after which fast things are held still too.
+const ROUNDS: u32 = 4;
+/// Steps between checks for things that rest already; at first there is one after each.
+const CHECK: u32 = 3;
 /// The speed below which a thing is held still then, metres a second.
 const SLOW: f32 = 0.05;
 
@@ -28,14 +28,14 @@ impl Calm {
         self.steps
     }
 
-    /// Whether it is time to look for what rests already.
-    fn looks(self) -> bool {
-        self.steps % CALM < DOZE || self.steps.is_multiple_of(DOZE)
+    /// Whether it is time to check for things that rest already.
+    fn is_check(self) -> bool {
+        self.steps % ROUND < CHECK || self.steps.is_multiple_of(CHECK)
     }
 
     /// Whether a round has ended, after which slow things are held still.
-    fn is_long(self) -> bool {
-        self.steps.is_multiple_of(CALM)
+    fn is_round(self) -> bool {
+        self.steps.is_multiple_of(ROUND)
     }
 }
 
@@ -68,11 +68,11 @@ impl PhysicsWorld {
         self.step();
         calm.steps += 1;
         // Things that surely rest need not be watched for longer.
-        if calm.looks() {
+        if calm.is_check() {
             self.put_to_sleep();
         }
-        if calm.is_long() {
-            self.hold_slow(calm.steps >= CALM * AGAIN);
+        if calm.is_round() {
+            self.hold_slow(calm.steps >= ROUND * ROUNDS);
         }
         true
     }

@@ -65,7 +65,8 @@ fn midway(world: &PhysicsWorld, id: NodeId, open: f32, plan: Option<&[f32]>) -> 
     Some(copy)
 }
 
-/// A plan says what opening at once then does, and where it does nothing whole it says so; the world stays as it is.
+/// A plan says how far opening at once then moves each part, and refuses where that returns false; the world stays as
+/// it is.
 #[test]
 fn plans_of_openness_come_true() {
     let (mut whole, mut part_way, mut none, mut halves) = (0, 0, 0, 0);
