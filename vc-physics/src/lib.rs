@@ -39,7 +39,7 @@ pub use joints::MovingPart;
 pub use nav::{DoorHandling, Floor, FloorOptions, Occupancy, Route, StandingPose};
 pub use place::{SpotFault, SpotOrder, SpotWish, SupportSurface};
 pub use reset::Reset;
-pub use rest::Calm;
+pub use rest::RestProgress;
 pub use role::BodyRole;
 pub use settings::{FixedThings, Settings, UnsupportedThings};
 pub use settle::{Displacement, Settling};

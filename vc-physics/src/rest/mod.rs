@@ -1,8 +1,8 @@
 //! Rest: things come to rest and fall asleep, or are put to sleep where they are known to be at rest.
 
-mod calm;
 mod damping;
 mod island;
+mod progress;
 mod sleep;
 
 use rapier3d::dynamics::RigidBodyHandle;
@@ -11,7 +11,7 @@ use vc_graph::{NodeId, Pose};
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
 
-pub use calm::Calm;
+pub use progress::RestProgress;
 
 /// # Rest
 impl PhysicsWorld {

@@ -17,12 +17,12 @@ const SLOW: f32 = 0.05;
 /// How long a world has been coming to rest, for [`step_awake`](PhysicsWorld::step_awake). Begin a new one when
 /// something is disturbed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Calm {
+pub struct RestProgress {
     /// Steps since something was disturbed.
     steps: u32,
 }
 
-impl Calm {
+impl RestProgress {
     /// Steps since something was disturbed; none while all rests.
     pub fn steps(&self) -> u32 {
         self.steps
@@ -53,26 +53,26 @@ impl PhysicsWorld {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let mut calm = vc_physics::Calm::default();
-    /// while world.step_awake(&mut calm) {
-    ///     assert!(calm.steps() <= 480);
+    /// let mut progress = vc_physics::RestProgress::default();
+    /// while world.step_awake(&mut progress) {
+    ///     assert!(progress.steps() <= 480);
     /// }
-    /// assert!(world.awake() == 0 && calm.steps() == 0);
+    /// assert!(world.awake() == 0 && progress.steps() == 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn step_awake(&mut self, calm: &mut Calm) -> bool {
+    pub fn step_awake(&mut self, progress: &mut RestProgress) -> bool {
         if self.engine.is_still() {
-            *calm = Calm::default();
+            *progress = RestProgress::default();
             return false;
         }
         self.step();
-        calm.steps += 1;
+        progress.steps += 1;
         // Things that surely rest need not be watched for longer.
-        if calm.is_check() {
+        if progress.is_check() {
             self.put_to_sleep();
         }
-        if calm.is_round() {
-            self.hold_slow(calm.steps >= ROUND * ROUNDS);
+        if progress.is_round() {
+            self.hold_slow(progress.steps >= ROUND * ROUNDS);
         }
         true
     }
