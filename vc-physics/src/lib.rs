@@ -7,7 +7,7 @@ mod build;
 mod cloth;
 mod contact;
 mod convert;
-mod elsewhere;
+mod displaced;
 mod engine;
 mod error;
 mod ground;

@@ -8,7 +8,7 @@ use super::raster::{PITCH, spots};
 use super::way::{INTO, ONTO, Way};
 use super::{GAP, SpotOrder, SupportSurface};
 use crate::PhysicsError;
-use crate::elsewhere::HERE;
+use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
@@ -161,7 +161,7 @@ impl PhysicsWorld {
         if !rests {
             return Err(SpotFault::Unsupported);
         }
-        let there = self.overlapped(thing, &spot, &HERE);
+        let there = self.overlapped(thing, &spot, &NONE);
         if there.is_empty() { Ok(spot) } else { Err(SpotFault::Taken(there)) }
     }
 }
