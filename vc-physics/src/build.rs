@@ -192,7 +192,8 @@ impl PhysicsWorld {
         body
     }
 
-    /// Nodes of the graph without a body: they have no pose, or neither asset nor box.
+    /// Nodes of the graph that got no body when the world was built or [reset](Self::reset): they have no pose, or
+    /// neither asset nor box.
     pub fn skipped(&self) -> &[NodeId] {
         &self.skipped
     }

@@ -8,7 +8,7 @@ use rapier3d::geometry::{ColliderHandle, Contact as EngineContact, ContactManifo
 use rapier3d::math::Pose as EnginePose;
 use vc_graph::NodeId;
 
-use crate::elsewhere::{Elsewhere, HERE};
+use crate::displaced::{Displaced, NONE};
 use crate::world::PhysicsWorld;
 use crate::{convert, group};
 
@@ -118,16 +118,16 @@ impl PhysicsWorld {
     /// The points at which a pair touches. The engine keeps points while bodies move little, so their gaps are
     /// computed anew from the bodies' poses.
     pub(crate) fn touches<'a>(&'a self, pair: &'a ContactPair) -> impl Iterator<Item = Touch> + 'a {
-        self.touches_with(pair, &HERE)
+        self.touches_with(pair, &NONE)
     }
 
-    /// As [`Self::touches`], where some bodies are thought elsewhere.
+    /// As [`Self::touches`], where some bodies are displaced.
     pub(crate) fn touches_with<'a>(
         &'a self,
         pair: &'a ContactPair,
-        elsewhere: &Elsewhere,
+        displaced: &Displaced,
     ) -> impl Iterator<Item = Touch> + use<'a> {
-        let place = |c: ColliderHandle| self.collider_pose(c, elsewhere);
+        let place = |c: ColliderHandle| self.collider_pose(c, displaced);
         let both = place(pair.collider1).zip(place(pair.collider2));
         let points = |manifold: &'a ContactManifold| manifold.points.iter().map(move |p| (manifold, p));
         let all = both.into_iter().flat_map(move |both| {

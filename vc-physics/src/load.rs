@@ -7,7 +7,7 @@ use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose};
 
 use crate::contact::CARRIES;
-use crate::elsewhere::{Elsewhere, HERE};
+use crate::displaced::{Displaced, NONE};
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert, group};
@@ -19,34 +19,34 @@ impl PhysicsWorld {
     /// The things that rest on a body, directly or through others: loose things, and things that are pinned to
     /// it.
     pub(crate) fn load_of(&self, body: RigidBodyHandle) -> Vec<NodeId> {
-        self.load_of_body(body, &HERE)
+        self.load_of_body(body, &NONE)
     }
 
-    fn load_of_body(&self, body: RigidBodyHandle, elsewhere: &Elsewhere) -> Vec<NodeId> {
+    fn load_of_body(&self, body: RigidBodyHandle, displaced: &Displaced) -> Vec<NodeId> {
         let part = self.engine.bodies.get(body).map(|b| group::marked(b.user_data));
-        part.map_or_else(Vec::new, |part| self.load_above(part, self.colliders_of(body), elsewhere))
+        part.map_or_else(Vec::new, |part| self.load_above(part, self.colliders_of(body), displaced))
     }
 
     /// The things that a moving part carries: those on or in a body of its own; and on a part that moves with its
     /// base, if it is made to hold things, as a drawer is.
     pub(crate) fn load_of_part(&self, id: NodeId, part: usize) -> Vec<NodeId> {
-        self.load_of_part_with(id, part, &HERE)
+        self.load_of_part_with(id, part, &NONE)
     }
 
-    /// As [`Self::load_of_part`], where some things are thought elsewhere.
-    pub(crate) fn load_of_part_with(&self, id: NodeId, part: usize, elsewhere: &Elsewhere) -> Vec<NodeId> {
+    /// As [`Self::load_of_part`], where some things are displaced.
+    pub(crate) fn load_of_part_with(&self, id: NodeId, part: usize, displaced: &Displaced) -> Vec<NodeId> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
         let (Some(moving), Some(link)) = (thing.state.moving.get(part), thing.form.links.get(part + 1)) else {
             return Vec::new();
         };
         let holds = || thing.form.surfaces.iter().any(|surface| surface.joint == link.joint);
         match moving.body {
-            Some(body) => self.load_of_body(body, elsewhere),
+            Some(body) => self.load_of_body(body, displaced),
             None if holds() => {
                 let mark = group::mark(id, part + 1);
                 let own = |c: &ColliderHandle| self.engine.colliders.get(*c).is_some_and(|c| c.user_data == mark);
                 let colliders = self.colliders_of(thing.state.base).into_iter().filter(own).collect();
-                self.load_above((id, part + 1), colliders, elsewhere)
+                self.load_above((id, part + 1), colliders, displaced)
             }
             None => Vec::new(),
         }
@@ -57,11 +57,11 @@ impl PhysicsWorld {
     }
 
     /// The things that rest on some colliders of a node's link.
-    fn load_above(&self, part: (NodeId, usize), colliders: Vec<ColliderHandle>, elsewhere: &Elsewhere) -> Vec<NodeId> {
+    fn load_above(&self, part: (NodeId, usize), colliders: Vec<ColliderHandle>, displaced: &Displaced) -> Vec<NodeId> {
         let (own, link) = part;
         let mut load = self.pinned_on(part);
         if link > 0 {
-            load.extend(self.hovering_in(&colliders, elsewhere));
+            load.extend(self.hovering_in(&colliders, displaced));
         }
         let base = |id: &NodeId| self.thing(*id).ok().map(|thing| thing.state.base);
         let mut open: Vec<_> = load.iter().filter_map(base).map(|body| self.colliders_of(body)).collect();
@@ -69,7 +69,7 @@ impl PhysicsWorld {
         while let Some(below) = open.pop() {
             let pinned = self.pinned_on_base(&below).into_iter();
             let loose = |id: &NodeId| self.role(*id) == Some(BodyRole::Loose);
-            for above in pinned.chain(self.resting_on(&below, elsewhere).into_iter().filter(loose)) {
+            for above in pinned.chain(self.resting_on(&below, displaced).into_iter().filter(loose)) {
                 if above != own && !load.contains(&above) {
                     load.push(above);
                     open.extend(base(&above).map(|body| self.colliders_of(body)));
@@ -107,11 +107,11 @@ impl PhysicsWorld {
     }
 
     /// Things that fell asleep during a hop, a millimetre or two above their support: they touch nothing.
-    fn hovering_in(&self, colliders: &[ColliderHandle], elsewhere: &Elsewhere) -> Vec<NodeId> {
+    fn hovering_in(&self, colliders: &[ColliderHandle], displaced: &Displaced) -> Vec<NodeId> {
         let Some(around) = self.box_around(colliders.iter().copied()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
         // A thing that has been moved is awake.
-        let sleeps = |t: &Thing| self.is_asleep(t.id) && elsewhere.get(t.state.base).is_none();
+        let sleeps = |t: &Thing| self.is_asleep(t.id) && displaced.get(t.state.base).is_none();
         let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && sleeps(t));
         let above = |id: NodeId| {
             let own = self.aabb(id)?;
@@ -149,13 +149,13 @@ impl PhysicsWorld {
     }
 
     /// The nodes that some colliders of a body push from below.
-    fn resting_on(&self, colliders: &[ColliderHandle], elsewhere: &Elsewhere) -> Vec<NodeId> {
+    fn resting_on(&self, colliders: &[ColliderHandle], displaced: &Displaced) -> Vec<NodeId> {
         let mut found = Vec::new();
         let pairs = colliders.iter().flat_map(|&c| self.engine.narrow.contact_pairs_with(c));
         for pair in pairs.filter(|p| p.has_any_active_contact()) {
             let first = colliders.contains(&pair.collider1);
             let sign = if first { 1.0 } else { -1.0 };
-            let up = self.touches_with(pair, elsewhere).any(|t| t.normal.z * sign > CARRIES);
+            let up = self.touches_with(pair, displaced).any(|t| t.normal.z * sign > CARRIES);
             let other = if first { pair.collider2 } else { pair.collider1 };
             found.extend(self.node_of(other).filter(|_| up));
         }

@@ -40,8 +40,8 @@ impl PhysicsWorld {
         found
     }
 
-    /// The first node that a ray from one point to another hits, and the point of the hit, metres. Nodes in `past` are
-    /// transparent.
+    /// The first node that a ray from one point to another hits, and the point of the hit, metres. Nodes in `ignored`
+    /// are transparent.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -52,12 +52,12 @@ impl PhysicsWorld {
     /// assert_eq!(world.ray(above, below, &[home.cup]).map(|hit| hit.0), Some(home.table));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn ray(&self, from: Point3<f32>, to: Point3<f32>, past: &[NodeId]) -> Option<(NodeId, Point3<f32>)> {
+    pub fn ray(&self, from: Point3<f32>, to: Point3<f32>, ignored: &[NodeId]) -> Option<(NodeId, Point3<f32>)> {
         let way = to - from;
         if !convert::is_finite(&way) || way.norm() < 1e-6 {
             return None;
         }
-        let solid = |_: ColliderHandle, c: &Collider| !past.contains(&group::marked(c.user_data).0);
+        let solid = |_: ColliderHandle, c: &Collider| !ignored.contains(&group::marked(c.user_data).0);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&solid));
         let ray = Ray::new(convert::point(from), convert::vector(way));
         let (collider, at) = queries.cast_ray(&ray, 1.0, true)?;
@@ -91,7 +91,7 @@ impl PhysicsWorld {
         each.reduce(f32::min).ok_or(PhysicsError::NoBody(id))
     }
 
-    pub(crate) fn sees(&self, eye: Point3<f32>, id: NodeId, past: &[NodeId]) -> Result<bool, PhysicsError> {
+    pub(crate) fn sees(&self, eye: Point3<f32>, id: NodeId, ignored: &[NodeId]) -> Result<bool, PhysicsError> {
         self.thing(id)?;
         let aabb = self.aabb(id).ok_or(PhysicsError::NoBody(id))?;
         let (centre, half) = (aabb.centre(), (aabb.max - aabb.min) * 0.45);
@@ -99,7 +99,7 @@ impl PhysicsWorld {
             let sign = |bit: u32| if i >> bit & 1 == 0 { -1.0 } else { 1.0 };
             centre + Vector3::new(sign(0) * half.x, sign(1) * half.y, sign(2) * half.z)
         };
-        let clear = |to: Point3<f32>| match self.ray(eye, to, past) {
+        let clear = |to: Point3<f32>| match self.ray(eye, to, ignored) {
             None => true,
             Some((hit, _)) => hit == id,
         };

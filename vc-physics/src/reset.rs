@@ -40,7 +40,7 @@ impl PhysicsWorld {
     /// Costs a clone, and some microseconds for each difference.
     ///
     /// # Errors
-    /// As [`PhysicsWorld::build`].
+    /// As [`PhysicsWorld::build`]; [`PhysicsError::Locked`] if a part that would have to open or close is locked.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();

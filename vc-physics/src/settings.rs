@@ -88,7 +88,7 @@ impl Settings {
         let rules = [
             (positive(self.dt) && self.dt <= 0.1, "dt must be above 0 and at most 0.1 s"),
             ((1..=64).contains(&self.substeps), "substeps must be 1 to 64"),
-            (self.gravity.is_finite() && self.gravity.abs() <= 1000.0, "gravity must be finite"),
+            (self.gravity.is_finite() && self.gravity.abs() <= 1000.0, "gravity must be from -1000 to 1000 m/s^2"),
             (least(self.heavy), "heavy must be finite and not negative"),
             (least(self.hinge_friction) && least(self.slide_friction), "friction must be finite and not negative"),
         ];

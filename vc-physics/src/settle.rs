@@ -186,7 +186,7 @@ impl PhysicsWorld {
 
     /// Pairs of things with a penetration depth beyond that which the engine leaves at rest, as of the last
     /// step.
-    pub fn overlapping(&self) -> Vec<(NodeId, NodeId, f32)> {
+    fn overlapping(&self) -> Vec<(NodeId, NodeId, f32)> {
         let deep = self.contacts().into_iter().filter(|c| c.depth > DEEP);
         deep.map(|c| (c.a, c.b, c.depth)).collect()
     }

@@ -63,7 +63,7 @@ impl PhysicsWorld {
     /// sink); for a cup the level is only a state.
     ///
     /// # Errors
-    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`]; [`PhysicsError::BadWater`] for a container without depth.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -79,10 +79,12 @@ impl PhysicsWorld {
         }
         let level = level.clamp(0.0, 1.0);
         let basin = (thing.state.role == BodyRole::Fixed).then(|| self.basin(thing, level)).flatten();
+        let basin = basin.filter(|_| level > 0.0);
+        let water = basin.map(|(at, size)| Water::new(at, size, Some(id))).transpose()?;
         self.drain(id);
         self.waters.levels.insert(id, level);
-        if let Some((at, size)) = basin.filter(|_| level > 0.0) {
-            self.pour(Water::new(at, size, Some(id))?);
+        if let Some(water) = water {
+            self.pour(water);
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! The repaired rule: relations from pair facts.
+//! The rule of contacts: relations from pair facts.
 
 use vc_graph::{Edge, Relation};
 

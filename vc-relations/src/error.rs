@@ -57,8 +57,15 @@ pub enum InputFlaw {
         length: f32,
     },
     /// An edge of the evidence has a relation other than holding and wearing.
-    #[error("evidence: {} {:?} {} is neither holding nor wearing", .0.from, .0.relation, .0.to)]
-    NotHolding(Edge),
+    #[error("evidence: {from} {relation} {to} is neither holding nor wearing")]
+    NotHolding {
+        /// The node at which the edge starts.
+        from: Label,
+        /// Its relation.
+        relation: Relation,
+        /// The node at which it ends.
+        to: Label,
+    },
     /// A distance at which nothing, or too much, would be a support.
     #[error("a tolerance of {0} m is not from 0 to {BOX_GAP} m")]
     Tolerance(f32),
@@ -181,13 +188,15 @@ fn check(node: &dyn Fn() -> Label, what: &'static str, numbers: &[f32], least: f
 /// # Errors
 /// Every flaw of the evidence. Nodes that are not in the scene are ignored, as they may be added later.
 pub(crate) fn check_evidence(graph: &SceneGraph, evidence: &Evidence) -> Result<(), InputError> {
-    let not_finite = |id, what| InputFlaw::NotFinite { node: graph.label(id), what };
+    let label = |id| graph.label(id);
+    let not_finite = |id, what| InputFlaw::NotFinite { node: label(id), what };
     let contacts = evidence.contacts.iter().filter(|c| !c.impulse.iter().all(|v| v.is_finite()));
     let positions = evidence.positions.iter().filter(|p| !p.1.is_finite());
     let holding = [Relation::HoldsRight, Relation::HoldsLeft, Relation::WornBy];
     let held = evidence.held.iter().filter(|e| !holding.contains(&e.relation));
     let mut flaws: Vec<InputFlaw> = contacts.map(|c| not_finite(c.between.1, "the impulse of a contact")).collect();
     flaws.extend(positions.map(|(key, _)| not_finite(key.0, "the position of a moving part")));
-    flaws.extend(held.map(|e| InputFlaw::NotHolding(*e)));
+    let not_holding = |e: &Edge| InputFlaw::NotHolding { from: label(e.from), relation: e.relation, to: label(e.to) };
+    flaws.extend(held.map(not_holding));
     refuse_if_any(flaws)
 }

@@ -20,7 +20,7 @@ impl Relations {
     /// the thing has no pose or no shape, or if the other is neither a room nor a thing with both. Costs some
     /// ten microseconds.
     ///
-    /// Hits, supports, seats, hooks and sights are those of the repaired rule, and empty under another rule;
+    /// Hits, supports, seats, hooks and sights are those of [`RelationRule::Contacts`], and empty under another rule;
     /// [`RelationRule::BoxTrace`] has its six traces instead.
     ///
     /// ```
@@ -45,7 +45,7 @@ impl Relations {
 
     /// The facts about one thing by itself and among all others.
     fn alone(&self, index: usize, body: &Body, to: NodeId) -> Explanation {
-        let repaired = self.rule() == RelationRule::Contacts;
+        let contacts = self.rule() == RelationRule::Contacts;
         let reader = Reader::new(&self.world, &self.facts);
         let mut held: Vec<Edge> = reader.supports.held(body.id).copied().collect();
         held.sort_unstable();
@@ -58,9 +58,9 @@ impl Relations {
             to,
             holds: self.between(body.id, to),
             traces: if self.rule() == RelationRule::BoxTrace { self.traces(index) } else { Vec::new() },
-            down: if repaired { self.down(index, body) } else { Vec::new() },
-            up: if repaired { self.up(index, body) } else { Vec::new() },
-            supports: if repaired { self.supports(body.id) } else { Vec::new() },
+            down: if contacts { self.down(index, body) } else { Vec::new() },
+            up: if contacts { self.up(index, body) } else { Vec::new() },
+            supports: if contacts { self.supports(body.id) } else { Vec::new() },
             held,
             seat: None,
             hook: None,

@@ -118,8 +118,8 @@ pub struct BoxTraceHit {
     pub hit: Option<(NodeId, f32)>,
 }
 
-/// Everything that decides the relations from one thing to another. Facts used only by the repaired rule are
-/// empty under another rule.
+/// Everything that decides the relations from one thing to another. Facts used only by
+/// [`RelationRule::Contacts`](crate::RelationRule::Contacts), the rule of contacts, are empty under another rule.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Explanation {
@@ -132,19 +132,19 @@ pub struct Explanation {
     /// By the thesis's rule, its six traces.
     pub traces: Vec<BoxTraceHit>,
     /// Hits of the traces down from the thing's pieces, nearest first: for each other thing the best contact.
-    /// By the repaired rule.
+    /// By the rule of contacts.
     pub down: Vec<Hit>,
-    /// Hits of the trace up from its centre, nearest first. By the repaired rule.
+    /// Hits of the trace up from its centre, nearest first. By the rule of contacts.
     pub up: Vec<Hit>,
-    /// The supports that it rests on in the end, and how they are known. By the repaired rule.
+    /// The supports that it rests on in the end, and how they are known. By the rule of contacts.
     pub supports: Vec<Support>,
     /// Edges of holding or wearing it; if there are any, it rests on nothing.
     pub held: Vec<Edge>,
-    /// The other thing as a seat or bed of an agent; none if the thing is not an agent. By the repaired rule.
+    /// The other thing as a seat or bed of an agent; none if the thing is not an agent. By the rule of contacts.
     pub seat: Option<Seat>,
-    /// The nearest hook of the other thing, if it has any. By the repaired rule.
+    /// The nearest hook of the other thing, if it has any. By the rule of contacts.
     pub hook: Option<Hook>,
-    /// The other thing relative to the front; none between a thing and a room. By the repaired rule.
+    /// The other thing relative to the front; none between a thing and a room. By the rule of contacts.
     pub sight: Option<Sight>,
     /// Depth of its centre within rooms, metres, negative outside, the deepest first: the rooms that it may be
     /// in, and the one in question.

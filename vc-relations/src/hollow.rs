@@ -240,10 +240,10 @@ fn planes((low, high): (f32, f32), solids: &[Solid], axis: usize) -> Vec<f32> {
 }
 
 /// Finds the hollows of an asset between the corners `low` and `high` of the box around its solids. These are free
-/// cells with something below and either four walls, or three walls and a roof (a shelf is open in front). Then, of the remaining cells, those with a floor, a roof and
-/// two opposite walls, if they span most of the asset (a bookcase without a back, but not the strip between two
-/// legs above a table's lower board). There is nothing below the space under a table, and no roof above a sofa.
-/// Costs some hundred microseconds.
+/// cells with something below and either four walls, or three walls and a roof (a shelf is open in front); and of the
+/// remaining cells those with a floor, a roof and two opposite walls, if they span most of the asset (a bookcase
+/// without a back, but not the strip between two legs above a table's lower board). There is nothing below the space
+/// under a table, and no roof above a sofa. Costs some hundred microseconds.
 pub(crate) fn find(solids: &[Solid], low: &Vector3<f32>, high: &Vector3<f32>) -> Vec<Cavity> {
     let Some(mut cells) = Cells::over(low, high, solids) else { return Vec::new() };
     solids.iter().for_each(|s| cells.fill(s));

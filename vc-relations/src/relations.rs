@@ -58,7 +58,7 @@ pub struct Relations {
     pub(crate) world: World,
     pub(crate) evidence: Evidence,
     pub(crate) facts: Facts,
-    /// The edges by the other rules, sorted; those of the repaired rule are read on request.
+    /// The edges by the other rules, sorted; those by [`RelationRule::Contacts`] are read on request.
     fixed: Arc<Vec<Edge>>,
 }
 
@@ -257,7 +257,7 @@ impl Relations {
     }
 
     /// The supports of a thing and how they are known, also if the relation is inside, sitting or lying; empty
-    /// for things that fall and for unknown nodes. By the repaired rule, whichever is selected.
+    /// for things that fall and for unknown nodes. By [`RelationRule::Contacts`], whichever rule is selected.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -272,7 +272,7 @@ impl Relations {
         self.world.index(id).map_or_else(Vec::new, |index| supports.of(index))
     }
 
-    /// The things near a thing, by number. By the repaired rule, whichever is selected.
+    /// The things near a thing, by number. By [`RelationRule::Contacts`], whichever rule is selected.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();

@@ -5,7 +5,7 @@
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum RelationRule {
-    /// The repaired traces, as defined on the front page.
+    /// The traces of parts, joints and contacts, as defined on the front page.
     #[default]
     Contacts,
     /// The thesis's six box traces, to the letter.

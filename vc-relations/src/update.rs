@@ -41,14 +41,15 @@ impl Relations {
         evidence: Evidence,
     ) -> Result<Vec<NodeId>, InputError> {
         check_evidence(graph, &evidence)?;
-        let old = std::mem::replace(&mut self.evidence, evidence);
-        self.facts = Facts::from_scene(graph, &self.evidence);
         let turned = |(key, position): (&(NodeId, u32), &f32), other: &Evidence| {
             (other.positions.get(key) != Some(position)).then_some(key.0)
         };
         let mut changed = changed.to_vec();
-        changed.extend(old.positions.iter().filter_map(|p| turned(p, &self.evidence)));
-        changed.extend(self.evidence.positions.iter().filter_map(|p| turned(p, &old)));
+        changed.extend(self.evidence.positions.iter().filter_map(|p| turned(p, &evidence)));
+        changed.extend(evidence.positions.iter().filter_map(|p| turned(p, &self.evidence)));
+        check_nodes(graph, &changed)?;
+        self.facts = Facts::from_scene(graph, &evidence);
+        self.evidence = evidence;
         self.update(graph, &changed)
     }
 
@@ -61,7 +62,8 @@ impl Relations {
     /// does any change under a rule other than [`RelationRule::Contacts`].
     ///
     /// # Errors
-    /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then.
+    /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then. Where a rebuild is needed,
+    /// other nodes can be refused, too; call [`Self::rebuild`] once they are mended.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();

@@ -27,9 +27,7 @@ impl Walls {
         among.gather(a, std::iter::once(b));
         among.between(a, b)
     }
-}
 
-impl Walls {
     /// Whether part of the building is between the centres of two bodies, whatever rooms they are in.
     pub(crate) fn is_between(&self, a: &Body, b: &Body) -> bool {
         let (from, to) = (a.whole.centre, b.whole.centre);

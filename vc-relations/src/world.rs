@@ -71,12 +71,12 @@ fn is_container(node: &Node) -> bool {
 }
 
 impl World {
-    /// An empty world in which supports are so near.
+    /// An empty world with a tolerance for supports.
     pub(crate) fn with(tolerance: Tolerance) -> Self {
         Self { tolerance, ..Self::default() }
     }
 
-    /// Whether its forms belong to a library.
+    /// Whether its forms are those of a library.
     pub(crate) fn knows(&self, library: &Arc<AssetLibrary>) -> bool {
         Arc::ptr_eq(&self.forms.library, library)
     }

@@ -19,7 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::clock::{Running, Span, Tick};
 use vc_graph::{Action, ChangeSet, Event, Label, NodeId};
-use vc_physics::{Calm, Hand, PhysicsWorld};
+use vc_physics::{Hand, PhysicsWorld, RestProgress};
 
 use super::{ActionError, Environment};
 
@@ -35,7 +35,7 @@ pub(super) struct Clock {
     given: BTreeMap<NodeId, Action>,
     running: BTreeMap<NodeId, Schedule>,
     /// How long bodies have been coming to rest, and whether an event has disturbed them in this tick.
-    calm: Calm,
+    calm: RestProgress,
     stirred: bool,
     /// Nodes that the rule has put elsewhere since relations were read last, and whether bodies have moved since then.
     changed: Vec<NodeId>,
@@ -186,7 +186,7 @@ impl Environment {
         if self.clock.stirred {
             // A thing that has lost its support wakes in this step.
             self.world.step();
-            (self.clock.calm, self.clock.stirred, self.clock.unseen) = (Calm::default(), false, true);
+            (self.clock.calm, self.clock.stirred, self.clock.unseen) = (RestProgress::default(), false, true);
         } else if !self.world.pass(1) {
             self.clock.unseen = true;
             if !self.world.step_awake(&mut self.clock.calm) {

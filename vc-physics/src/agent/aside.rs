@@ -44,7 +44,7 @@ impl PhysicsWorld {
         let body = self.agent(agent)?;
         let aside = |(id, link): (NodeId, usize)| {
             let part = link.checked_sub(1)?;
-            let opens = opens && self.is_shut_by_hand(id, part);
+            let opens = opens && self.is_unlocked_door(id, part);
             Some((id, part, self.part_aside(body, feet, id, part, if opens { 0.0 } else { AJAR })?))
         };
         let overlapped = self.overlapped_at(body, feet);
@@ -55,7 +55,7 @@ impl PhysicsWorld {
     }
 
     /// Whether a part is the leaf of a door between rooms and not locked.
-    fn is_shut_by_hand(&self, id: NodeId, part: usize) -> bool {
+    fn is_unlocked_door(&self, id: NodeId, part: usize) -> bool {
         let free = |thing: &Thing| thing.state.moving.get(part).is_some_and(|m| !m.locked);
         self.thing(id).is_ok_and(|thing| thing.state.door && free(thing))
     }

@@ -72,7 +72,7 @@ impl PhysicsWorld {
         let at = Point3::from(spot.translation.vector);
         let ground = self.ray(at + Vector3::z() * 0.3, at - Vector3::z() * 0.3, &[]);
         let (from, to) = (body.shoulder(), at + Vector3::z() * (body.shoulder().z - at.z).max(0.5));
-        let past: Vec<NodeId> = self.agents.keys().copied().chain([seat]).collect();
-        ground.is_some() && self.ray(from, to, &past).is_none() && self.fits(body, spot)
+        let ignored: Vec<NodeId> = self.agents.keys().copied().chain([seat]).collect();
+        ground.is_some() && self.ray(from, to, &ignored).is_none() && self.fits(body, spot)
     }
 }

@@ -206,7 +206,7 @@ impl PhysicsWorld {
     /// [`former_spot`](Self::former_spot) finds the pose.
     ///
     /// # Errors
-    /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`], [`PhysicsError::NoBody`].
+    /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`], [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
     pub fn put_back(
         &mut self,
         then: &Self,
@@ -214,8 +214,12 @@ impl PhysicsWorld {
         pose: Pose,
         at: NodeId,
     ) -> Result<NodeId, AgentError> {
+        self.thing(at)?;
         let body = self.agent(agent)?;
         let id = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?.id;
+        if !convert::is_sound(&pose) {
+            return Err(PhysicsError::NotFinite("the pose", id).into());
+        }
         let (distance, reach) = (self.put_distance(agent, &body.feet, id, &pose)?, body.plan.reach);
         if distance > reach {
             return Err(AgentError::OutOfReach { agent, id, distance, reach });

@@ -9,8 +9,8 @@ use crate::world::PhysicsWorld;
 /// # Leading
 impl PhysicsWorld {
     /// Leads an agent, or lets go of it. The feet of an agent that is led are where [`teleport`](Self::teleport) has
-    /// set them: no [`step`](Self::step) moves them, nobody pushes them, and they neither fall nor are looked after by
-    /// the check of the ground. Others walk around the agent, and loose things meet its body. An order to walk
+    /// set them: no [`step`](Self::step) moves them, nobody pushes them, they do not fall, and nobody checks the ground
+    /// below them. Others walk around the agent, and loose things meet its body. An order to walk
     /// ([`go`](Self::go), [`follow`](Self::follow)) ends the leading; sitting, lying and getting up do not.
     ///
     /// An agent that is let go stands still, and falls to the floor if its feet are above it.

@@ -112,9 +112,9 @@ impl PhysicsWorld {
         let body = self.agent(agent)?;
         let rise = body.plan.eye() - body.plan.shoulder();
         let eye = body.shoulder() + Vector3::z() * rise;
-        let mut past = vec![agent];
-        past.extend(body.holdings().into_iter().map(|(id, _)| id));
-        Ok(self.sees(eye, id, &past)?)
+        let mut ignored = vec![agent];
+        ignored.extend(body.holdings().into_iter().map(|(id, _)| id));
+        Ok(self.sees(eye, id, &ignored)?)
     }
 
     pub(super) fn check_reach(&self, agent: NodeId, id: NodeId) -> Result<(), AgentError> {

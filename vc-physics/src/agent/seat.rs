@@ -100,7 +100,7 @@ impl PhysicsWorld {
     pub fn sit_at(&mut self, agent: NodeId, on: NodeId, seat: u32) -> Result<(), AgentError> {
         let places = self.seats(on);
         if places.len() <= seat as usize {
-            return Err(AgentError::NoSuchSeat { seat: on, number: seat + 1, count: places.len() });
+            return Err(AgentError::NoSuchSeat { seat: on, number: seat.saturating_add(1), count: places.len() });
         }
         let by = self.agents.iter().find(|(_, other)| other.posture.seat() == Some((on, seat))).map(|(id, _)| *id);
         if let Some(by) = by.filter(|by| *by != agent) {
@@ -178,13 +178,13 @@ impl PhysicsWorld {
         self.load_of(seat.state.base).into_iter().find(|id| stands(id) && heavy(id) && meets(id))
     }
 
-    /// Where an agent that sits or lies stood before.
+    /// The pose at which the feet of an agent that sits or lies stood before.
     pub fn stood_before(&self, agent: NodeId) -> Option<Pose> {
         self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
     }
 
-    /// Sets where an agent that sits or lies [stood before](Self::stood_before), and at which height it gets up: it may
-    /// sit from the start.
+    /// Sets the pose at which an agent that sits or lies [stood before](Self::stood_before), and with it the height at
+    /// which it gets up: an agent may sit from the start.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`PhysicsError::NotFinite`].

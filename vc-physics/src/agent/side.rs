@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, SharedShape};
 use vc_graph::{NodeId, Pose, Side};
 
-use crate::elsewhere::HERE;
+use crate::displaced::NONE;
 use crate::state::{Hand, Posture};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError, convert, group};
@@ -53,7 +53,7 @@ impl PhysicsWorld {
             group::is_solid(c) && other != id && !self.agents.contains_key(&other)
         };
         let (shape, mut found) = (SharedShape::cuboid(HAND.x, HAND.y, HAND.z), Vec::new());
-        self.each_met((&shape, &at), &counts, &HERE, &mut |collider, _| {
+        self.each_met((&shape, &at), &counts, &NONE, &mut |collider, _| {
             found.push(group::marked(collider.user_data).0);
             true
         });

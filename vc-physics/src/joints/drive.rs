@@ -87,11 +87,11 @@ impl PhysicsWorld {
         let target = self.target(id, part, open)?;
         let index = self.index(id)?;
         self.driven.retain(|d| *d != (id, part));
-        let leap = self.leap(&self.things[index], part, target);
+        let poses = self.poses_when_put(&self.things[index], part, target);
         let moving = &mut self.things[index].state.moving[part];
         moving.position = target;
         let body = moving.body;
-        let Some((before, after)) = leap else { return Ok(()) };
+        let Some((before, after)) = poses else { return Ok(()) };
         let load = self.load_of_part(id, part);
         match body {
             Some(body) => self.engine.place(body, convert::pose(&after)),
@@ -105,7 +105,7 @@ impl PhysicsWorld {
     }
 
     /// The pose of a part, and its pose at a position on its joint.
-    pub(super) fn leap(&self, thing: &Thing, part: usize, target: f32) -> Option<(Pose, Pose)> {
+    pub(super) fn poses_when_put(&self, thing: &Thing, part: usize, target: f32) -> Option<(Pose, Pose)> {
         let (moving, joint) = (thing.state.moving[part], thing.form.links[part + 1].joint?);
         let base = self.engine.pose(thing.state.base)?;
         let before = match moving.body {

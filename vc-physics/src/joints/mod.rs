@@ -90,7 +90,7 @@ impl PhysicsWorld {
             return Some(target);
         }
         let (joint, base) = (thing.form.links[part + 1].joint?, self.engine.pose(thing.state.base)?);
-        let (_, leaf) = self.leap(thing, part, target)?;
+        let (_, leaf) = self.poses_when_put(thing, part, target)?;
         // As the engine keeps it.
         let leaf = convert::isometry(&convert::pose(&leaf));
         Some(motion::position(&joint, &base, &leaf))

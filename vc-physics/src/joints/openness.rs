@@ -5,7 +5,7 @@ use vc_graph::asset::JointKind;
 
 use super::motion::fraction;
 use super::travel::POSITIONS;
-use crate::elsewhere::{Elsewhere, HERE};
+use crate::displaced::{Displaced, NONE};
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert};
 
@@ -44,8 +44,8 @@ impl PhysicsWorld {
     ///
     /// # Errors
     /// As [`Self::drive`].
-    pub fn set_openness_ignoring(&mut self, id: NodeId, open: f32, past: &[NodeId]) -> Result<bool, PhysicsError> {
-        let mut plan = Plan::new(self, id, open, past);
+    pub fn set_openness_ignoring(&mut self, id: NodeId, open: f32, ignored: &[NodeId]) -> Result<bool, PhysicsError> {
+        let mut plan = Plan::new(self, id, open, ignored);
         let goes = plan.all()?;
         let moves = plan.moves;
         moves.into_iter().try_for_each(|(part, open)| self.put_open(id, part, open))?;
@@ -66,15 +66,15 @@ impl PhysicsWorld {
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// assert_eq!(world.plan_openness(home.cabinet, 1.0, &[])?, Some(vec![1.0]));
-    /// // The person would be in the way of the drawer, which would go past them on request.
+    /// // The person would be in the way of the drawer, unless they are ignored.
     /// world.teleport(home.person, vc_graph::Pose::translation(-1.0, 0.0, 0.0))?;
     /// assert_eq!(world.plan_openness(home.cabinet, 1.0, &[])?, None);
     /// assert_eq!(world.plan_openness(home.cabinet, 1.0, &[home.person])?, Some(vec![1.0]));
     /// assert_eq!(world.openness(home.cabinet), Some(0.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn plan_openness(&self, id: NodeId, open: f32, past: &[NodeId]) -> Result<Option<Vec<f32>>, PhysicsError> {
-        let mut plan = Plan::new(self, id, open, past);
+    pub fn plan_openness(&self, id: NodeId, open: f32, ignored: &[NodeId]) -> Result<Option<Vec<f32>>, PhysicsError> {
+        let mut plan = Plan::new(self, id, open, ignored);
         let goes = plan.all()?;
         let mut openness: Vec<f32> = self.moving_parts(id).iter().map(|part| part.open).collect();
         for &(part, open) in &plan.moves {
@@ -85,7 +85,7 @@ impl PhysicsWorld {
 
     /// Whether a part meets no obstacle on its way to a fraction of its range.
     pub(crate) fn is_free_way(&self, id: NodeId, part: usize, open: f32) -> bool {
-        self.way(id, part, open).is_ok_and(|way| self.free_share(self.sweep((id, part), way, &[], &HERE)) == 1.0)
+        self.way(id, part, open).is_ok_and(|way| self.free_share(self.sweep((id, part), way, &[], &NONE)) == 1.0)
     }
 
     /// The present position of a part, and its position at a fraction of its range.
@@ -111,7 +111,7 @@ impl PhysicsWorld {
         let mut hits = Vec::new();
         for part in 0..self.thing(id)?.state.moving.len() {
             let way = self.way(id, part, open)?;
-            let Some(sweep) = self.sweep((id, part), way, &[], &HERE) else { continue };
+            let Some(sweep) = self.sweep((id, part), way, &[], &NONE) else { continue };
             let first = (1..=POSITIONS).map(|step| self.obstacles(&sweep, step)).find(|hits| !hits.is_empty());
             hits.extend(first.unwrap_or_default());
         }
@@ -127,16 +127,16 @@ struct Plan<'w> {
     id: NodeId,
     open: f32,
     /// Nodes that are no obstacles.
-    past: &'w [NodeId],
+    ignored: &'w [NodeId],
     /// The parts that move, and how far, 0 to 1.
     moves: Vec<(usize, f32)>,
     /// The things that have moved along by then.
-    moved: Elsewhere,
+    moved: Displaced,
 }
 
 impl<'w> Plan<'w> {
-    fn new(world: &'w PhysicsWorld, id: NodeId, open: f32, past: &'w [NodeId]) -> Self {
-        Self { world, id, open, past, moves: Vec::new(), moved: Elsewhere::default() }
+    fn new(world: &'w PhysicsWorld, id: NodeId, open: f32, ignored: &'w [NodeId]) -> Self {
+        Self { world, id, open, ignored, moves: Vec::new(), moved: Displaced::default() }
     }
 
     /// Plans the motion of every part; whether the node then is as open as it was to be.
@@ -175,7 +175,7 @@ impl<'w> Plan<'w> {
         let mut best: Option<(usize, f32)> = None;
         for (at, &part) in parts.iter().enumerate() {
             let way = self.world.way(self.id, part, self.open)?;
-            let share = self.world.free_share(self.world.sweep((self.id, part), way, self.past, &self.moved));
+            let share = self.world.free_share(self.world.sweep((self.id, part), way, self.ignored, &self.moved));
             if best.is_none_or(|(_, most)| share > most) {
                 best = Some((at, share));
             }
@@ -186,11 +186,12 @@ impl<'w> Plan<'w> {
         Ok(best)
     }
 
-    /// A part moves, and what it carries moves along, as [`PhysicsWorld::put_open`] lets them.
+    /// Notes that a part moves, and with it the things that it carries, as by [`PhysicsWorld::put_open`].
     fn note(&mut self, part: usize, open: f32) -> Result<(), PhysicsError> {
         self.moves.push((part, open));
         let target = self.world.target(self.id, part, open)?;
-        let Some((before, after)) = self.world.leap(self.world.thing(self.id)?, part, target) else { return Ok(()) };
+        let thing = self.world.thing(self.id)?;
+        let Some((before, after)) = self.world.poses_when_put(thing, part, target) else { return Ok(()) };
         let motion = after * before.inverse();
         for load in self.world.load_of_part_with(self.id, part, &self.moved) {
             let base = self.world.thing(load)?.state.base;

@@ -5,7 +5,7 @@ use rapier3d::math::Pose as EnginePose;
 use vc_graph::NodeId;
 
 use super::travel::{POSITIONS, Travel, share};
-use crate::elsewhere::Elsewhere;
+use crate::displaced::Displaced;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{convert, group};
@@ -22,20 +22,20 @@ impl PhysicsWorld {
         (1..=free).rev().find(has_room).map_or(0.0, share)
     }
 
-    /// The motion of a part from one position to another, past some nodes and with some bodies elsewhere; `None` if it
-    /// is there already, or has no joint.
+    /// The motion of a part from one position to another, with some nodes ignored and some bodies displaced; `None` if
+    /// it is there already, or has no joint.
     pub(super) fn sweep<'w>(
         &'w self,
         (id, part): (NodeId, usize),
         way: (f32, f32),
-        past: &'w [NodeId],
-        elsewhere: &'w Elsewhere,
+        ignored: &'w [NodeId],
+        displaced: &'w Displaced,
     ) -> Option<Sweep<'w>> {
         let thing = self.thing(id).ok()?;
         let link = &thing.form.links[part + 1];
         let (joint, base) = (link.joint.filter(|_| way.0 != way.1)?, self.engine.pose(thing.state.base)?);
-        let (travel, load) = (Travel { joint, base, way }, self.load_of_part_with(id, part, elsewhere));
-        Some(Sweep { thing, part, travel, load, past, elsewhere })
+        let (travel, load) = (Travel { joint, base, way }, self.load_of_part_with(id, part, displaced));
+        Some(Sweep { thing, part, travel, load, ignored, displaced })
     }
 
     /// The obstacles of a part and its load at a tested position.
@@ -57,7 +57,7 @@ impl PhysicsWorld {
             group::is_solid(c) && sweep.meets(node) && c.collision_groups().test(own)
         };
         let (at, mut hits) = (convert::pose(&sweep.travel.at(step)) * *local, Vec::new());
-        self.each_met((shape, &at), &other, sweep.elsewhere, &mut |collider, between| {
+        self.each_met((shape, &at), &other, sweep.displaced, &mut |collider, between| {
             let depth =
                 rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
             if !depth.is_ok_and(|c| c.is_none_or(|c| c.dist > -SKIN)) {
@@ -73,10 +73,10 @@ impl PhysicsWorld {
         let motion = sweep.travel.since_start(step);
         let hits = |id: &NodeId| {
             let thing = self.thing(*id).ok();
-            let now = thing.and_then(|thing| Some((thing, self.body_pose(thing.state.base, sweep.elsewhere)?)));
+            let now = thing.and_then(|thing| Some((thing, self.body_pose(thing.state.base, sweep.displaced)?)));
             let there = now.map(|(thing, now)| (thing, motion * convert::isometry(&now)));
             match there.filter(|(_, pose)| convert::is_sound(pose)) {
-                Some((thing, pose)) => self.overlapped(thing, &pose, sweep.elsewhere),
+                Some((thing, pose)) => self.overlapped(thing, &pose, sweep.displaced),
                 // A thing that cannot be there has no room: it counts as its own obstacle.
                 None => return vec![*id],
             }
@@ -96,14 +96,14 @@ pub(super) struct Sweep<'w> {
     /// The things that the part carries.
     load: Vec<NodeId>,
     /// Nodes that are ignored.
-    past: &'w [NodeId],
-    /// The bodies that are thought elsewhere meanwhile.
-    elsewhere: &'w Elsewhere,
+    ignored: &'w [NodeId],
+    /// The bodies that are displaced meanwhile.
+    displaced: &'w Displaced,
 }
 
 impl Sweep<'_> {
     /// Whether a node counts as an obstacle.
     fn meets(&self, id: NodeId) -> bool {
-        id != self.thing.id && !self.load.contains(&id) && !self.past.contains(&id)
+        id != self.thing.id && !self.load.contains(&id) && !self.ignored.contains(&id)
     }
 }

@@ -193,11 +193,6 @@ impl Floor {
         self.raster.as_ref().map_or(0.0, |r| r.cells().count() as f32 * r.cell() * r.cell())
     }
 
-    /// Number of rectangles the free floor consists of.
-    pub fn rectangles(&self) -> usize {
-        self.bands.len()
-    }
-
     /// The shortest path from one point to another. A point up to 0.6 m off the free floor (a person close to a
     /// table) is moved there first. `None` if there is no path.
     pub fn route(&self, from: Point2<f32>, to: Point2<f32>) -> Option<Route> {

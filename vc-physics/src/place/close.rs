@@ -10,7 +10,7 @@ use vc_graph::{NodeId, Pose};
 use super::raster::spots;
 use super::way::{INTO, WITHIN, Way};
 use super::{GAP, SpotOrder, SupportSurface};
-use crate::elsewhere::HERE;
+use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
@@ -67,7 +67,7 @@ impl PhysicsWorld {
                 let at = convert::pose(spot);
                 borne(spot)
                     && self.is_clear(thing, spot)
-                    && self.each_overlap((&column, &at), thing.id, &HERE, &mut |id| !self.is_loose_on(shelf, id))
+                    && self.each_overlap((&column, &at), thing.id, &NONE, &mut |id| !self.is_loose_on(shelf, id))
             };
             spots(thing.form.extent, &whole, turn, (0.0, way.over), PITCH, order)
                 .into_iter()

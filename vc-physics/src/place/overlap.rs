@@ -5,7 +5,7 @@ use rapier3d::geometry::{Collider, SharedShape};
 use rapier3d::math::Pose as EnginePose;
 use vc_graph::{NodeId, Pose};
 
-use crate::elsewhere::{Elsewhere, HERE};
+use crate::displaced::{Displaced, NONE};
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
@@ -34,13 +34,13 @@ impl PhysicsWorld {
         if !convert::is_sound(pose) {
             return Err(PhysicsError::NotFinite("the pose", id));
         }
-        Ok(self.overlapped(thing, pose, &HERE))
+        Ok(self.overlapped(thing, pose, &NONE))
     }
 
-    /// The things that a thing would overlap at a pose, where some bodies are thought elsewhere.
-    pub(crate) fn overlapped(&self, thing: &Thing, pose: &Pose, elsewhere: &Elsewhere) -> Vec<NodeId> {
+    /// The things that a thing would overlap at a pose, where some bodies are displaced.
+    pub(crate) fn overlapped(&self, thing: &Thing, pose: &Pose, displaced: &Displaced) -> Vec<NodeId> {
         let mut found: Vec<NodeId> = Vec::new();
-        self.for_overlaps_with(thing, pose, elsewhere, &mut |node| {
+        self.for_overlaps_with(thing, pose, displaced, &mut |node| {
             found.push(node);
             true
         });
@@ -52,32 +52,32 @@ impl PhysicsWorld {
     /// Calls `found` for each thing that a thing would overlap at a pose, until it returns false; returns whether
     /// it never did.
     pub(crate) fn for_overlaps(&self, thing: &Thing, pose: &Pose, found: &mut dyn FnMut(NodeId) -> bool) -> bool {
-        self.for_overlaps_with(thing, pose, &HERE, found)
+        self.for_overlaps_with(thing, pose, &NONE, found)
     }
 
     fn for_overlaps_with(
         &self,
         thing: &Thing,
         pose: &Pose,
-        elsewhere: &Elsewhere,
+        displaced: &Displaced,
         found: &mut dyn FnMut(NodeId) -> bool,
     ) -> bool {
         let solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
         let mut bodies = solid.map(|(shape, at)| (shape, convert::pose(pose) * *at));
-        bodies.all(|(shape, at)| self.each_overlap((shape, &at), thing.id, elsewhere, found))
+        bodies.all(|(shape, at)| self.each_overlap((shape, &at), thing.id, displaced, found))
     }
 
-    /// Calls `found` for each solid thing but one that a shape would overlap, where some bodies are thought elsewhere,
-    /// until it returns false; returns whether it never did.
+    /// Calls `found` for each solid thing but one that a shape would overlap, where some bodies are displaced, until
+    /// it returns false; returns whether it never did.
     pub(super) fn each_overlap(
         &self,
         (shape, at): (&SharedShape, &EnginePose),
         but: NodeId,
-        elsewhere: &Elsewhere,
+        displaced: &Displaced,
         found: &mut dyn FnMut(NodeId) -> bool,
     ) -> bool {
         let other = |c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
-        self.each_met((shape, at), &other, elsewhere, &mut |collider, between| {
+        self.each_met((shape, at), &other, displaced, &mut |collider, between| {
             let depth =
                 rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
             let overlaps = depth.ok().flatten().is_none_or(|c| c.dist < -SKIN);
@@ -106,7 +106,7 @@ impl PhysicsWorld {
             return false;
         }
         let shape = SharedShape::cuboid(half.x, half.y, half.z);
-        self.each_overlap((&shape, &convert::pose(pose)), NodeId(u32::MAX), &HERE, &mut |_| false)
+        self.each_overlap((&shape, &convert::pose(pose)), NodeId(u32::MAX), &NONE, &mut |_| false)
     }
 }
 

@@ -8,7 +8,7 @@ use vc_graph::{NodeId, Pose};
 use super::raster::{PITCH, is_burner, spots};
 use super::way::{ACROSS, Tip, Way};
 use super::{AROUND, SpotOrder, SupportSurface};
-use crate::elsewhere::HERE;
+use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
@@ -47,7 +47,7 @@ impl PhysicsWorld {
         let around = SharedShape::cuboid(half.x + AROUND, half.y + AROUND, half.z);
         let middle = convert::pose(&Pose::from_parts(nalgebra::center(&low, &high).into(), UnitQuaternion::identity()));
         let clear_around = |spot: &Pose, of: &dyn Fn(NodeId) -> bool| {
-            self.each_overlap((&around, &(convert::pose(spot) * middle)), thing.id, &HERE, &mut |id| !of(id))
+            self.each_overlap((&around, &(convert::pose(spot) * middle)), thing.id, &NONE, &mut |id| !of(id))
         };
         let clear = |spot: &Pose| self.is_clear(thing, spot);
         let loose = |id| self.is_loose_on(shelf, id);

@@ -8,7 +8,7 @@ use super::raster::{PITCH, spots};
 use super::way::{INTO, ONTO, Way};
 use super::{GAP, SpotOrder, SupportSurface};
 use crate::PhysicsError;
-use crate::elsewhere::HERE;
+use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
@@ -20,7 +20,7 @@ const OUT: f32 = 0.005;
 /// A spot that is asked for, as far as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpotWish {
-    /// Where the thing's origin is to be, seen from above, metres.
+    /// The point at which the thing's origin is to be, seen from above, metres.
     pub point: Option<Point2<f32>>,
     /// The height of the surface, metres.
     pub height: Option<f32>,
@@ -161,7 +161,7 @@ impl PhysicsWorld {
         if !rests {
             return Err(SpotFault::Unsupported);
         }
-        let there = self.overlapped(thing, &spot, &HERE);
+        let there = self.overlapped(thing, &spot, &NONE);
         if there.is_empty() { Ok(spot) } else { Err(SpotFault::Taken(there)) }
     }
 }

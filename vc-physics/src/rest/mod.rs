@@ -1,17 +1,17 @@
 //! Rest: things come to rest and fall asleep, or are put to sleep where they are known to be at rest.
 
-mod calm;
 mod damping;
 mod island;
+mod progress;
 mod sleep;
 
 use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{NodeId, Pose};
 
 use crate::world::PhysicsWorld;
-use crate::{PhysicsError, convert};
+use crate::{BodyRole, PhysicsError, convert};
 
-pub use calm::Calm;
+pub use progress::RestProgress;
 
 /// # Rest
 impl PhysicsWorld {
@@ -43,6 +43,14 @@ impl PhysicsWorld {
     /// # Errors
     /// As [`Self::place`].
     pub fn rest_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
+        for (id, pose) in poses {
+            if !self.agents.contains_key(id) && self.thing(*id)?.state.role == BodyRole::Carried {
+                return Err(PhysicsError::NotFree(*id));
+            }
+            if !convert::is_sound(pose) {
+                return Err(PhysicsError::NotFinite("the pose", *id));
+            }
+        }
         for (id, pose) in poses.iter().filter(|(id, _)| !self.agents.contains_key(id)).collect::<Vec<_>>() {
             let rides = self.thing(*id)?.state.rides;
             self.place(*id, *pose)?;

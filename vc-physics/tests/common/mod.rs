@@ -92,10 +92,10 @@ impl Scene {
 
     /// A table of five boards with one surface on top, standing on its origin.
     pub(crate) fn table_asset(&mut self) -> AssetId {
-        let (w, name) = (self.wood, |n: &str| n.to_owned());
+        let w = self.wood;
         let mut parts = vec![part("top", block([0.4, 0.7, 0.02]), at(0.0, 0.0, 0.72), w)];
         for (x, y) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            parts.push(part(&name("leg"), block([0.03, 0.03, 0.35]), at(0.37 * x, 0.67 * y, 0.35), w));
+            parts.push(part("leg", block([0.03, 0.03, 0.35]), at(0.37 * x, 0.67 * y, 0.35), w));
         }
         let surfaces = vec![surface("top", Hold::On, [0.0, 0.0, 0.74], (0.4, 0.7), None)];
         self.asset(Asset { name: "table".into(), parts, surfaces, ..Asset::default() })

@@ -83,7 +83,7 @@ fn burners_are_taken_one_after_the_other() {
     assert!(burners.iter().any(|b| (middles[2] - b).amax() < 0.12), "{middles:?}");
 }
 
-/// What is too tall to stand in the chest is laid on its side, but not with something on it.
+/// A thing that is too tall to stand in the chest is laid on its side, but not with something on it.
 #[test]
 fn what_carries_something_is_not_tipped() {
     let mut scene = Scene::default();
@@ -217,7 +217,7 @@ fn what_has_moving_parts_is_not_reshaped() {
     assert!(world.folded_size(NodeId(999)).is_err());
 }
 
-/// Of two boards on a tray one is said to come along; the other is left where it was, and falls.
+/// One of two boards on a tray is said to come along; the other is left where it was, and falls.
 #[test]
 fn what_does_not_come_along_is_left_behind() {
     let mut scene = Scene::default();

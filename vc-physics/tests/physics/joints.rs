@@ -290,13 +290,13 @@ fn doors_that_leap() {
         }
         (scene.world(), door)
     };
-    let ((mut driven, door), (mut leapt, _)) = (scene(false), scene(false));
+    let ((mut driven, door), (mut at_once, _)) = (scene(false), scene(false));
     driven.drive(door, 0, 1.0).unwrap();
     driven.settle(600);
-    assert!(leapt.set_openness(door, 1.0).unwrap());
-    leapt.settle(100);
+    assert!(at_once.set_openness(door, 1.0).unwrap());
+    at_once.settle(100);
     let angle = |world: &PhysicsWorld| world.moving_parts(door)[0].position;
-    assert!((angle(&driven) - angle(&leapt)).abs() < 0.01, "{} {}", angle(&driven), angle(&leapt));
+    assert!((angle(&driven) - angle(&at_once)).abs() < 0.01, "{} {}", angle(&driven), angle(&at_once));
     let (mut blocked, door) = scene(true);
     let before = blocked.digest();
     assert!(!blocked.set_openness(door, 1.0).unwrap());

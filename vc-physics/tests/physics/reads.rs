@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, turned};
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{Asset, NodeId, Pose, Seed};
-use vc_physics::{AgentError, BodyRole, Calm, PhysicsError, PhysicsWorld, ShapeCache, WalkState};
+use vc_physics::{AgentError, BodyRole, PhysicsError, PhysicsWorld, RestProgress, ShapeCache, WalkState};
 
 /// A cupboard with two sliding boards behind a door with a rack, things at random on all of them and in front, perhaps
 /// a wall beside it, and a person about.
@@ -65,7 +65,8 @@ fn midway(world: &PhysicsWorld, id: NodeId, open: f32, plan: Option<&[f32]>) -> 
     Some(copy)
 }
 
-/// A plan says what opening at once then does, and where it does nothing whole it says so; the world stays as it is.
+/// A plan says how far opening at once then moves each part, and refuses where that returns false; the world stays as
+/// it is.
 #[test]
 fn plans_of_openness_come_true() {
     let (mut whole, mut part_way, mut none, mut halves) = (0, 0, 0, 0);
@@ -267,25 +268,25 @@ fn time_passes_as_it_runs() {
 #[test]
 fn coming_to_rest_ends() {
     let (mut world, things) = falling(9);
-    let (mut calm, mut copy) = (Calm::default(), None);
+    let (mut progress, mut copy) = (RestProgress::default(), None);
     let mut steps = 0;
-    while world.step_awake(&mut calm) {
+    while world.step_awake(&mut progress) {
         steps += 1;
-        assert_eq!(calm.steps(), steps);
+        assert_eq!(progress.steps(), steps);
         if steps == 50 {
-            copy = Some((world.clone(), calm));
+            copy = Some((world.clone(), progress));
         }
     }
-    assert!((50..=480).contains(&steps) && calm == Calm::default(), "{steps}");
+    assert!((50..=480).contains(&steps) && progress == RestProgress::default(), "{steps}");
     assert!(world.awake() == 0 && world.rests(&things));
-    let (mut copy, mut calm) = copy.unwrap();
-    while copy.step_awake(&mut calm) {}
+    let (mut copy, mut progress) = copy.unwrap();
+    while copy.step_awake(&mut progress) {}
     assert_eq!(copy.digest(), world.digest());
     // The ball would roll for another while.
     let ball = things[things.len() - 1];
     world.set_velocity(ball, Vector3::new(0.0, 0.0, 40.0), Vector3::zeros()).unwrap();
     let ticks = world.ticks();
-    while world.step_awake(&mut calm) {}
+    while world.step_awake(&mut progress) {}
     assert_eq!((world.role(ball), world.awake()), (Some(BodyRole::Hung), 0));
     assert!(world.ticks() - ticks >= 480);
 }

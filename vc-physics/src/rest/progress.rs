@@ -6,36 +6,36 @@ use vc_graph::NodeId;
 use crate::world::PhysicsWorld;
 
 /// Steps after which things that only tremble or creep are held still.
-const CALM: u32 = 120;
-/// How often that is put off while something still moves fast.
-const AGAIN: u32 = 4;
-/// Steps between looks for what rests already; at first there is one after each.
-const DOZE: u32 = 3;
+const ROUND: u32 = 120;
+/// Number of rounds after which fast things are held still too.
+const ROUNDS: u32 = 4;
+/// Steps between checks for things that rest already; at first there is one after each.
+const CHECK: u32 = 3;
 /// The speed below which a thing is held still then, metres a second.
 const SLOW: f32 = 0.05;
 
 /// How long a world has been coming to rest, for [`step_awake`](PhysicsWorld::step_awake). Begin a new one when
 /// something is disturbed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Calm {
+pub struct RestProgress {
     /// Steps since something was disturbed.
     steps: u32,
 }
 
-impl Calm {
+impl RestProgress {
     /// Steps since something was disturbed; none while all rests.
     pub fn steps(&self) -> u32 {
         self.steps
     }
 
-    /// Whether it is time to look for what rests already.
-    fn looks(self) -> bool {
-        self.steps % CALM < DOZE || self.steps.is_multiple_of(DOZE)
+    /// Whether it is time to check for things that rest already.
+    fn is_check(self) -> bool {
+        self.steps % ROUND < CHECK || self.steps.is_multiple_of(CHECK)
     }
 
     /// Whether a round has ended, after which slow things are held still.
-    fn is_long(self) -> bool {
-        self.steps.is_multiple_of(CALM)
+    fn is_round(self) -> bool {
+        self.steps.is_multiple_of(ROUND)
     }
 }
 
@@ -53,26 +53,26 @@ impl PhysicsWorld {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let mut calm = vc_physics::Calm::default();
-    /// while world.step_awake(&mut calm) {
-    ///     assert!(calm.steps() <= 480);
+    /// let mut progress = vc_physics::RestProgress::default();
+    /// while world.step_awake(&mut progress) {
+    ///     assert!(progress.steps() <= 480);
     /// }
-    /// assert!(world.awake() == 0 && calm.steps() == 0);
+    /// assert!(world.awake() == 0 && progress.steps() == 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn step_awake(&mut self, calm: &mut Calm) -> bool {
+    pub fn step_awake(&mut self, progress: &mut RestProgress) -> bool {
         if self.engine.is_still() {
-            *calm = Calm::default();
+            *progress = RestProgress::default();
             return false;
         }
         self.step();
-        calm.steps += 1;
+        progress.steps += 1;
         // Things that surely rest need not be watched for longer.
-        if calm.looks() {
+        if progress.is_check() {
             self.put_to_sleep();
         }
-        if calm.is_long() {
-            self.hold_slow(calm.steps >= CALM * AGAIN);
+        if progress.is_round() {
+            self.hold_slow(progress.steps >= ROUND * ROUNDS);
         }
         true
     }

@@ -1,5 +1,5 @@
-//! Bodies that are thought elsewhere than they are: motions that follow each other are planned without a copy of the
-//! world.
+//! Bodies that are displaced in a plan, while the world stays as it is: motions that follow each other are planned
+//! without a copy of the world.
 
 use rapier3d::dynamics::RigidBodyHandle;
 use rapier3d::geometry::{Collider, ColliderHandle, SharedShape};
@@ -9,15 +9,15 @@ use rapier3d::pipeline::QueryFilter;
 
 use crate::world::PhysicsWorld;
 
-/// Bodies, and the poses at which they are thought to be.
+/// Bodies, and the poses at which a plan has them.
 #[derive(Default)]
-pub(crate) struct Elsewhere(Vec<(RigidBodyHandle, EnginePose)>);
+pub(crate) struct Displaced(Vec<(RigidBodyHandle, EnginePose)>);
 
-/// Nothing is thought elsewhere: the world as it is.
-pub(crate) static HERE: Elsewhere = Elsewhere(Vec::new());
+/// No body is displaced: the world as it is.
+pub(crate) static NONE: Displaced = Displaced(Vec::new());
 
-impl Elsewhere {
-    /// Thinks a body at a pose.
+impl Displaced {
+    /// Displaces a body to a pose.
     pub(crate) fn set(&mut self, body: RigidBodyHandle, pose: EnginePose) {
         self.0.retain(|(other, _)| *other != body);
         self.0.push((body, pose));
@@ -33,15 +33,15 @@ impl Elsewhere {
 }
 
 impl PhysicsWorld {
-    /// The pose of a body where some are thought elsewhere.
-    pub(crate) fn body_pose(&self, body: RigidBodyHandle, elsewhere: &Elsewhere) -> Option<EnginePose> {
-        elsewhere.get(body).or_else(|| self.engine.bodies.get(body).map(|b| *b.position()))
+    /// The pose of a body where some are displaced.
+    pub(crate) fn body_pose(&self, body: RigidBodyHandle, displaced: &Displaced) -> Option<EnginePose> {
+        displaced.get(body).or_else(|| self.engine.bodies.get(body).map(|b| *b.position()))
     }
 
-    /// The pose of a collider where some bodies are thought elsewhere.
-    pub(crate) fn collider_pose(&self, collider: ColliderHandle, elsewhere: &Elsewhere) -> Option<EnginePose> {
+    /// The pose of a collider where some bodies are displaced.
+    pub(crate) fn collider_pose(&self, collider: ColliderHandle, displaced: &Displaced) -> Option<EnginePose> {
         let collider = self.engine.colliders.get(collider)?;
-        let moved = collider.parent().and_then(|body| elsewhere.get(body));
+        let moved = collider.parent().and_then(|body| displaced.get(body));
         Some(moved.map_or_else(|| *collider.position(), |body| on_body(collider, &body)))
     }
 
@@ -51,25 +51,25 @@ impl PhysicsWorld {
         &self,
         (shape, at): (&SharedShape, &EnginePose),
         among: &dyn Fn(&Collider) -> bool,
-        elsewhere: &Elsewhere,
+        displaced: &Displaced,
         found: &mut dyn FnMut(&Collider, EnginePose) -> bool,
     ) -> bool {
-        let here = |_: ColliderHandle, c: &Collider| among(c) && !elsewhere.has(c);
+        let here = |_: ColliderHandle, c: &Collider| among(c) && !displaced.has(c);
         let queries = self.engine.queries(QueryFilter::default().exclude_sensors().predicate(&here));
         let mut near = queries.intersect_shape(*at, &**shape);
-        let mut far = self.colliders_of_moved(elsewhere).filter(|(c, pose)| {
+        let mut far = self.colliders_of_moved(displaced).filter(|(c, pose)| {
             let meets = || intersection_test(at, &**shape, pose, c.shape()).is_ok_and(|met| met.intersecting);
             among(c) && !c.is_sensor() && meets()
         });
         near.all(|(_, c)| found(c, at.inv_mul(c.position()))) && far.all(|(c, pose)| found(c, at.inv_mul(&pose)))
     }
 
-    /// The colliders of bodies that are thought elsewhere, with their poses there.
+    /// The colliders of bodies that are displaced, with their poses there.
     fn colliders_of_moved<'a>(
         &'a self,
-        elsewhere: &'a Elsewhere,
+        displaced: &'a Displaced,
     ) -> impl Iterator<Item = (&'a Collider, EnginePose)> + 'a {
-        let moved = elsewhere.0.iter().filter_map(|(body, pose)| Some((self.engine.bodies.get(*body)?, pose)));
+        let moved = displaced.0.iter().filter_map(|(body, pose)| Some((self.engine.bodies.get(*body)?, pose)));
         let colliders = moved.flat_map(|(body, pose)| body.colliders().iter().map(move |c| (*c, pose)));
         colliders.filter_map(|(c, pose)| {
             let collider = self.engine.colliders.get(c)?;
