@@ -111,7 +111,8 @@ fn agents(labels: &[Label]) -> String {
     if labels.is_empty() { "no agents".to_owned() } else { format!("the agents {}", in_a_row(labels)) }
 }
 
-/// Why an action was not done; then nothing has changed.
+/// Why an action was not done. An action at once has changed nothing then; one that takes its time
+/// ([`Environment::step`](crate::Environment::step)) leaves the world as it is in that tick, unless the rule refused it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ActionError {

@@ -244,8 +244,6 @@ fn read_relations(
     Ok(relations)
 }
 
-/// Rooms and feet for the agents that are still missing: in the middles of rooms that can
-/// be walked between, as many rooms as possible.
 /// Height of the floors, metres: the middle one of their tops, and zero where that is about zero.
 fn level(graph: &SceneGraph) -> f32 {
     let mut tops: Vec<f32> = graph.of_role(ObjectRole::Floor).filter_map(Node::aabb).map(|b| b.max.z).collect();
@@ -253,6 +251,8 @@ fn level(graph: &SceneGraph) -> f32 {
     tops.get(tops.len() / 2).copied().filter(|top| top.abs() > GROUND).unwrap_or(0.0)
 }
 
+/// Rooms and feet for the agents that are still missing: in the middles of rooms that can
+/// be walked between, as many rooms as possible.
 fn standing_places(
     graph: &SceneGraph,
     world: &PhysicsWorld,

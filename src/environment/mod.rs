@@ -64,7 +64,7 @@ const WAIST: f32 = 0.9;
 /// A home with bodies, in which agents act: the five endpoints.
 ///
 /// It holds four things that are kept in step: a [`SceneGraph`] that says what is the
-/// case, a physics [`PhysicsWorld`] that says where everything is, [`Relations`] that are read
+/// case, a [`PhysicsWorld`] that says where everything is, [`Relations`] that are read
 /// from where things are, and the walkable [`Floor`].
 ///
 /// | endpoint | what it is made of |
@@ -203,14 +203,14 @@ impl Environment {
         self.graph.agents()
     }
 
-    /// Returns the part of the scene that an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative radius or NaN covers nothing: the
-    /// agent sees only the rooms, itself and the objects it carries. Changes nothing.
+    /// Returns the part of the scene that an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative
+    /// radius or NaN covers nothing: the agent sees only the rooms, itself and the objects it carries. Changes nothing.
     pub fn observation(&self, agent: NodeId, radius: f32) -> Observation {
         self.graph.observe(agent, Scope::Radius(radius))
     }
 
-    /// What an agent sees of its room, as the planner's belief uses it:
-    /// [`SceneGraph::observe`]. Changes nothing.
+    /// Returns the part of its room that an agent sees, as the planner's belief uses it: [`SceneGraph::observe`].
+    /// Changes nothing.
     pub fn room_observation(&self, agent: NodeId) -> Observation {
         self.graph.observe(agent, Scope::Room)
     }

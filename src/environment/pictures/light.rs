@@ -17,7 +17,7 @@ const LIGHTS: usize = 8;
 /// How far a lamp has to be moved to count as moved, metres.
 const ASIDE: f32 = 0.05;
 
-/// Everything that the light that rooms throw back depends on.
+/// Everything on which indirect light depends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lit {
     daylight: Daylight,
