@@ -42,7 +42,7 @@ pub enum MakeError {
         found: usize,
     },
     /// No agent is allowed to be missing.
-    #[error("an environment needs at least one agent")]
+    #[error("an environment needs at least one agent: ask for one, or more")]
     NoAgents,
     /// The bodies cannot be made.
     #[error(transparent)]
@@ -139,10 +139,10 @@ pub enum ActionError {
         of: usize,
     },
     /// An agent is to do several things at once.
-    #[error("{0} is to do several things at once")]
+    #[error("{0} is to do several things at once: give one action for each agent")]
     Twice(Label),
     /// Agents are doing something that takes time.
-    #[error("{} {} doing something still: let them with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
+    #[error("{} {} doing something still: let them finish with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
     Busy(Vec<Label>),
     /// It was begun, and something came between; the world stays as it was then.
     #[error("{action}: {why}")]
@@ -371,7 +371,7 @@ pub enum SaveError {
         found: vc_graph::Digest,
     },
     /// Agents are doing something that takes time.
-    #[error("{} {} doing something still: let them with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
+    #[error("{} {} doing something still: let them finish with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
     Busy(Vec<Label>),
     /// The scene in them cannot be read.
     #[error(transparent)]
