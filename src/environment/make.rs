@@ -147,7 +147,7 @@ impl Environment {
             world.add_agent(id, BodyPlan::default(), feet)?;
         }
         world.run(LANDING);
-        // Who lands may have shaken something; a reset has to find all at rest.
+        // Agents that land may have shaken something; a reset has to find all at rest.
         come_to_rest(&mut world);
         if at_rest {
             boxes::rest_as(&mut world, builder.graph(), &staying)?;
@@ -338,10 +338,10 @@ pub(super) fn base(graph: &SceneGraph, floor: &Floor) -> Option<Point2<f32>> {
     most_joined(floor, middles).first().map(|(_, base)| *base)
 }
 
-/// Of the middles of rooms the most between which one can walk.
+/// The largest group of middles of rooms between which one can walk.
 fn most_joined(floor: &Floor, mut middles: Vec<(NodeId, Point2<f32>)>) -> Vec<(NodeId, Point2<f32>)> {
     let mut most = Vec::new();
-    // Who gets there gets back, so each group is asked of one of its rooms.
+    // A way there is a way back, so each group is asked of one of its rooms.
     while let Some(&(_, from)) = middles.first() {
         let (joined, apart): (Vec<_>, Vec<_>) =
             middles.into_iter().partition(|(_, to)| floor.route(from, *to).is_some());

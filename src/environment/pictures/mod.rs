@@ -1,4 +1,4 @@
-//! What cameras see of an environment.
+//! Pictures of an environment, and the cache that they are made from.
 
 mod camera;
 mod cameras;
@@ -50,12 +50,12 @@ struct Base {
     renderer: Renderer,
     snapshot: Snapshot,
     poses: Vec<(NodeId, Pose)>,
-    /// Whatever can be seen.
+    /// The nodes that can be seen.
     seen: Vec<NodeId>,
-    /// What of it is not fixed.
+    /// Those of them that are not fixed.
     loose: BTreeSet<NodeId>,
     lit: Vec<NodeId>,
-    /// What can be poured into, and whether something is in it.
+    /// Vessels, and whether something is in them.
     vessels: Vec<(NodeId, bool)>,
     /// Nodes with moving parts.
     jointed: Vec<NodeId>,
