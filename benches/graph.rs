@@ -16,8 +16,8 @@ use vc_graph::{Action, ClassTable, Draft, NodeId, SceneBuilder, SceneGraph, Scop
 use vc_testkit::page::{Page, time};
 
 fn scene() -> SceneGraph {
-    let folded_size = include_str!("../examples/data/apartment.json").to_owned();
-    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(folded_size);
+    let bundled = include_str!("../examples/data/apartment.json").to_owned();
+    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(bundled);
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 

@@ -185,8 +185,8 @@ fn execute(scene: SceneGraph, program: &Program, semantics: Semantics) -> Run {
         Err(error) => refused = Some(error.to_string()),
         Ok(steps) => {
             for step in steps {
-                if let Err((deed, refusals)) = world.step_together(&step) {
-                    refused = Some(told(world.graph(), &deed, &refusals));
+                if let Err((event, refusals)) = world.step_together(&step) {
+                    refused = Some(told(world.graph(), &event, &refusals));
                     break;
                 }
                 done += step.len();
@@ -197,10 +197,10 @@ fn execute(scene: SceneGraph, program: &Program, semantics: Semantics) -> Run {
 }
 
 /// A refused action and the reasons, with its agent if there are several.
-fn told(graph: &SceneGraph, deed: &Event, refusals: &[Refusal]) -> String {
+fn told(graph: &SceneGraph, event: &Event, refusals: &[Refusal]) -> String {
     let reasons: Vec<String> = refusals.iter().map(ToString::to_string).collect();
-    let who = if graph.agents().len() > 1 { format!("{} ", graph.label(deed.agent)) } else { String::new() };
-    format!("{who}{}: {}", deed.action.describe(graph), reasons.join("; "))
+    let who = if graph.agents().len() > 1 { format!("{} ", graph.label(event.agent)) } else { String::new() };
+    format!("{who}{}: {}", event.action.describe(graph), reasons.join("; "))
 }
 
 fn describe(difference: &GraphDifference, scene: &SceneGraph, all: bool) -> Vec<String> {

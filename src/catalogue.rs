@@ -7,7 +7,7 @@ use vc_graph::{AssetLibrary, Draft, SceneGraph, Seed};
 use vc_shapes::{material, object};
 use vc_tasks::initial::Stock;
 
-/// The catalogue of every object that `vc-procgen` can make, in any number.
+/// The catalogue of every object that `vc-shapes` can make, in any number.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Catalogue;
 

@@ -11,11 +11,12 @@
 //! 9. [Paths from your own planner](#paths-from-your-own-planner)
 //! 10. [A language model](#a-language-model)
 //! 11. [Pictures as data](#pictures-as-data)
-//! 12. [What one may do with what one sees](#what-one-may-do-with-what-one-sees)
-//! 13. [Tasks that are certainly feasible](#tasks-that-are-certainly-feasible)
-//! 14. [Resetting to an edited graph](#resetting-to-an-edited-graph)
-//! 15. [Several agents at the same time](#several-agents-at-the-same-time)
-//! 16. [Actions at points](#actions-at-points)
+//! 12. [Cameras and sensors of your own](#cameras-and-sensors-of-your-own)
+//! 13. [Legal actions with things in view](#legal-actions-with-things-in-view)
+//! 14. [Tasks that are certainly feasible](#tasks-that-are-certainly-feasible)
+//! 15. [Resetting to an edited graph](#resetting-to-an-edited-graph)
+//! 16. [Several agents at the same time](#several-agents-at-the-same-time)
+//! 17. [Actions at points](#actions-at-points)
 //!
 //! # Many homes at once
 //!
@@ -432,7 +433,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # What one may do with what one sees
+//! # Legal actions with things in view
 //!
 //! [`legal_actions`](crate::Environment::legal_actions) lists all actions that are possible in the whole home.
 //! For an agent that chooses among visible things, `rule::legal_actions_with` takes these things as an

@@ -12,8 +12,9 @@
 //! | `render` | `vc-render` | camera images: colours, depth, flow, normals, masks, boxes (feature `render`, on by default) |
 //! | `shapes` | `vc-shapes` | objects from a seed: generators, materials, styles (feature `procgen`, on by default) |
 //! | `procgen` | `vc-procgen` | apartments from a seed, dressing (feature `procgen`, on by default) |
+//! | `geometry` | `vc-geometry` | shapes for things of which only a box is known, doorways, outlines, hulls (feature `environment`) |
 //! | `gltf` | `vc-gltf` | export and import of models (feature `gltf`, on by default) |
-//! | `people` | `vc-people` | figures of people: bones, poses, clothes (feature `environment`) |
+//! | `people` | `vc-people` | figures of people: bones, poses, reach, clothes (feature `environment`) |
 //! | `initial` | this crate | initial environments for tasks in generated homes (feature `procgen`) |
 //!
 //! An agent that observes only its own room fetches the milk:
@@ -69,8 +70,9 @@
 //!
 //! # Limitations
 //!
-//! Agents do not get into vehicles yet. Cloth, liquids and flames are states, not bodies: dirty, wet and cooked
-//! things look so, but the fill level of a vessel and cuts are not visible. Worn clothes have no body.
+//! Agents do not get into vehicles yet. Cloth, liquids and flames are states, not bodies: dirty, wet, cooked
+//! and sliced things look so, and vessels show what is in them, but neither how full they are nor the shape of a cut is
+//! visible. Worn clothes have no body.
 
 #[cfg(feature = "environment")]
 mod batch;

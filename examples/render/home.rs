@@ -6,7 +6,7 @@ use virtualcity::graph::class::Category;
 use virtualcity::graph::{ClassTable, NodeId, SceneGraph, Seed, did_you_mean};
 use virtualcity::procgen::{Apartment, dress};
 use virtualcity::render::{Camera, Renderer, Snapshot};
-use virtualcity::{Assets, Environment, Viewpoint};
+use virtualcity::{Assets, Environment, PictureOptions, Viewpoint};
 
 use crate::support::{Complaint, say};
 
@@ -60,7 +60,7 @@ impl Home {
         match &self.environment {
             Some(home) => home.camera(Viewpoint::Room(room), width, height).map_err(Complaint::new),
             None => {
-                let camera = Camera::with_fov(width, height, 1.15);
+                let camera = Camera::with_fov(width, height, PictureOptions::default().field_of_view);
                 renderer.viewpoint(snapshot, room, &camera).map_err(Complaint::new)
             }
         }

@@ -109,10 +109,10 @@ fn fits(record: &Record, scene: &SceneGraph) -> Result<bool, Complaint> {
 fn run(home: &mut Environment, record: &Record) -> Result<(), (usize, ActionError)> {
     let agents = home.agents().to_vec();
     let mut numbered = record.program.steps.iter().flatten().enumerate();
-    numbered.try_for_each(|(index, deed)| {
+    numbered.try_for_each(|(index, parsed)| {
         // Characters beyond those that fit in the scene have no node.
-        let agent = agents.get(deed.character as usize).copied().unwrap_or(NodeId(u32::MAX));
-        home.set_action(agent, deed.action).map(drop).map_err(|error| (index, error))
+        let agent = agents.get(parsed.character as usize).copied().unwrap_or(NodeId(u32::MAX));
+        home.set_action(agent, parsed.action).map(drop).map_err(|error| (index, error))
     })
 }
 

@@ -68,6 +68,6 @@ fn run(file: &Path, scene: &Path) -> Result<Result<usize, Stop>, Complaint> {
 /// The number of characters that a program needs.
 pub(crate) fn characters(program: &Program) -> usize {
     const MOST: u32 = 64;
-    let last = program.steps.iter().flatten().map(|deed| deed.character.min(MOST)).max().unwrap_or(0);
+    let last = program.steps.iter().flatten().map(|parsed| parsed.character.min(MOST)).max().unwrap_or(0);
     last as usize + 1
 }

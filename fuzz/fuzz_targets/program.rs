@@ -7,7 +7,7 @@ use vc_graph::{Action, ClassTable, SceneGraph};
 
 /// The title, and each action with its character.
 fn said(program: &Program) -> (&[String], Vec<Vec<(u32, Action)>>) {
-    let steps = program.steps.iter().map(|step| step.iter().map(|deed| (deed.character, deed.action)).collect());
+    let steps = program.steps.iter().map(|step| step.iter().map(|parsed| (parsed.character, parsed.action)).collect());
     (&program.heading, steps.collect())
 }
 

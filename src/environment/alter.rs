@@ -119,11 +119,12 @@ impl From<NodeId> for Spot {
 
 impl Environment {
     /// Adds a thing of a class at a place: on or in something, or on the floor of a room, for which a room stands
-    /// with any of these relations. It looks as the
-    /// generator makes it, the same in the same scene, and comes to rest. The history is kept, and other
-    /// things stay as they are: [`reset`](Self::reset) with an edited graph begins anew instead.
+    /// with any of these relations. It looks as the generator makes it, the same in the same scene, and comes to
+    /// rest. The history is kept, and other things stay as they are: [`reset`](Self::reset) with an edited graph
+    /// begins anew instead.
     ///
-    /// `World::insert`, `World::free_spot_at`, `World::step`, `Relations::rebuild`. Costs some milliseconds.
+    /// `PhysicsWorld::insert`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::step`, `Relations::rebuild`. Costs some
+    /// milliseconds.
     ///
     /// ```
     /// use virtualcity::Environment;
@@ -172,7 +173,8 @@ impl Environment {
     /// Puts a thing at a place at once, together with its load: on or in something, or on the floor of a room.
     /// A thing that hung or was held in place is taken down. The history is kept, and other things stay as they are.
     ///
-    /// `World::free_spot_at`, `World::place`, `World::step`, `Relations::update_with`. Costs a millisecond or two.
+    /// `PhysicsWorld::free_spot_at`, `PhysicsWorld::place`, `PhysicsWorld::step`, `Relations::update_with`. Costs a
+    /// millisecond or two.
     ///
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
@@ -210,7 +212,7 @@ impl Environment {
     /// middle of a room, facing where most of it is in view. The things it holds and wears come along. Where one can
     /// stand only in an open doorway, the door stands open then. The history does not contain this.
     ///
-    /// `Floor::is_free`, `World::teleport`, `Relations::update_with`. Costs a millisecond or two.
+    /// `Floor::is_free`, `PhysicsWorld::teleport`, `Relations::update_with`. Costs a millisecond or two.
     ///
     /// ```
     /// use virtualcity::nalgebra::Point2;

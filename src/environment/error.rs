@@ -42,7 +42,7 @@ pub enum MakeError {
         found: usize,
     },
     /// No agent is allowed to be missing.
-    #[error("an environment needs at least one agent")]
+    #[error("an environment needs at least one agent: ask for one, or more")]
     NoAgents,
     /// The bodies cannot be made.
     #[error(transparent)]
@@ -88,9 +88,9 @@ pub enum ResetError {
         agents(.expected)
     )]
     OtherAgents {
-        /// Of the environment.
+        /// The agents of the environment.
         expected: Vec<Label>,
-        /// Of the graph.
+        /// The agents of the graph.
         found: Vec<Label>,
     },
     /// The bodies cannot be made.
@@ -111,7 +111,8 @@ fn agents(labels: &[Label]) -> String {
     if labels.is_empty() { "no agents".to_owned() } else { format!("the agents {}", in_a_row(labels)) }
 }
 
-/// Why an action was not done; then nothing has changed.
+/// Why an action was not done. An action at once has changed nothing then; one that takes its time
+/// ([`Environment::step`](crate::Environment::step)) leaves the world as it is in that tick, unless the rule refused it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ActionError {
@@ -121,9 +122,9 @@ pub enum ActionError {
     /// The rule allows it, the bodies cannot do it.
     #[error("{action}: {why}")]
     Impossible {
-        /// What was to be done.
+        /// The action that was to be done.
         action: String,
-        /// Why not.
+        /// The reason of the bodies.
         why: PhysicalRefusal,
     },
     /// The bodies did it, and what came out is not what the rule says.
@@ -138,10 +139,10 @@ pub enum ActionError {
         of: usize,
     },
     /// An agent is to do several things at once.
-    #[error("{0} is to do several things at once")]
+    #[error("{0} is to do several things at once: give one action for each agent")]
     Twice(Label),
     /// Agents are doing something that takes time.
-    #[error("{} {} doing something still: let them with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
+    #[error("{} {} doing something still: let them finish with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
     Busy(Vec<Label>),
     /// It was begun, and something came between; the world stays as it was then.
     #[error("{action}: {why}")]
@@ -183,7 +184,7 @@ fn in_a_row(labels: &[Label]) -> String {
     if more == 0 { named.join(", ") } else { format!("{} and {more} more", named.join(", ")) }
 }
 
-/// What bodies cannot do although the transition rule, which knows no shapes, allows it.
+/// Why bodies cannot do an action that the transition rule, which knows no shapes, allows.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PhysicalRefusal {
@@ -193,11 +194,11 @@ pub enum PhysicalRefusal {
     /// No free spot.
     #[error("there is no free spot for {thing} {where_} {at}{}", taken_up(.by))]
     NoSpot {
-        /// What was to be put.
+        /// The thing to be put.
         thing: Label,
-        /// On or in.
+        /// `on` or `in`.
         where_: &'static str,
-        /// What.
+        /// The surface or container.
         at: Label,
         /// The things that are there already.
         by: Vec<Label>,
@@ -288,7 +289,7 @@ pub enum PhysicalRefusal {
     /// The world refuses.
     #[error(transparent)]
     Physics(#[from] PhysicsError<Label>),
-    /// What came out cannot be read.
+    /// Poses or relations cannot be read after the action.
     #[error("the outcome cannot be read: {0}")]
     Unreadable(String),
 }
@@ -366,11 +367,11 @@ pub enum SaveError {
     OtherStart {
         /// Digest of this environment's start.
         expected: vc_graph::Digest,
-        /// Of the saved one's.
+        /// Digest of the saved one's start.
         found: vc_graph::Digest,
     },
     /// Agents are doing something that takes time.
-    #[error("{} {} doing something still: let them with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
+    #[error("{} {} doing something still: let them finish with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
     Busy(Vec<Label>),
     /// The scene in them cannot be read.
     #[error(transparent)]

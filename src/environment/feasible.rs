@@ -42,8 +42,8 @@ impl Environment {
     /// somewhere in the room and let the container shut again, and each thing has to be reachable while the container it
     /// goes into stands open.
     ///
-    /// Uses `World::set_openness`, `World::free_spot_at` and `World::place` on a copy of the bodies. Costs a
-    /// millisecond, and some more for each thing.
+    /// Uses `PhysicsWorld::set_openness`, `PhysicsWorld::free_spot_at` and `PhysicsWorld::place` on a copy of the
+    /// bodies. Costs a millisecond, and some more for each thing.
     ///
     /// # Errors
     /// The first thing for which no place has room, or to which no path is left.

@@ -147,7 +147,7 @@ impl Environment {
             world.add_agent(id, BodyPlan::default(), feet)?;
         }
         world.run(LANDING);
-        // Who lands may have shaken something; a reset has to find all at rest.
+        // Agents that land may have shaken something; a reset has to find all at rest.
         come_to_rest(&mut world);
         if at_rest {
             boxes::rest_as(&mut world, builder.graph(), &staying)?;
@@ -244,8 +244,6 @@ fn read_relations(
     Ok(relations)
 }
 
-/// Rooms and feet for the agents that are still missing: in the middles of rooms that can
-/// be walked between, as many rooms as possible.
 /// Height of the floors, metres: the middle one of their tops, and zero where that is about zero.
 fn level(graph: &SceneGraph) -> f32 {
     let mut tops: Vec<f32> = graph.of_role(ObjectRole::Floor).filter_map(Node::aabb).map(|b| b.max.z).collect();
@@ -253,6 +251,8 @@ fn level(graph: &SceneGraph) -> f32 {
     tops.get(tops.len() / 2).copied().filter(|top| top.abs() > GROUND).unwrap_or(0.0)
 }
 
+/// Rooms and feet for the agents that are still missing: in the middles of rooms that can
+/// be walked between, as many rooms as possible.
 fn standing_places(
     graph: &SceneGraph,
     world: &PhysicsWorld,
@@ -338,10 +338,10 @@ pub(super) fn base(graph: &SceneGraph, floor: &Floor) -> Option<Point2<f32>> {
     most_joined(floor, middles).first().map(|(_, base)| *base)
 }
 
-/// Of the middles of rooms the most between which one can walk.
+/// The largest group of middles of rooms between which one can walk.
 fn most_joined(floor: &Floor, mut middles: Vec<(NodeId, Point2<f32>)>) -> Vec<(NodeId, Point2<f32>)> {
     let mut most = Vec::new();
-    // Who gets there gets back, so each group is asked of one of its rooms.
+    // A way there is a way back, so each group is asked of one of its rooms.
     while let Some(&(_, from)) = middles.first() {
         let (joined, apart): (Vec<_>, Vec<_>) =
             middles.into_iter().partition(|(_, to)| floor.route(from, *to).is_some());

@@ -64,10 +64,10 @@ const WAIST: f32 = 0.9;
 /// A home with bodies, in which agents act: the five endpoints.
 ///
 /// It holds four things that are kept in step: a [`SceneGraph`] that says what is the
-/// case, a physics [`PhysicsWorld`] that says where everything is, [`Relations`] that are read
+/// case, a [`PhysicsWorld`] that says where everything is, [`Relations`] that are read
 /// from where things are, and the walkable [`Floor`].
 ///
-/// | endpoint | what it is made of |
+/// | endpoint | made of |
 /// |---|---|
 /// | [`make`](Self::make) | `Apartment::from_seed`, `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::new`, `PhysicsWorld::add_agent`, `Relations::new`, `Relations::write` |
 /// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
@@ -106,7 +106,7 @@ pub struct Environment {
     history: History,
     undo: undo::Undo,
     clock: clock::Clock,
-    /// What bodies are shown to do while an action takes its time.
+    /// The activities in which bodies are shown while an action takes its time.
     poses: std::collections::BTreeMap<NodeId, vc_people::Activity>,
     #[cfg(feature = "render")]
     picture_cache: Arc<pictures::PictureCache>,
@@ -167,7 +167,7 @@ impl Environment {
         &self.floor
     }
 
-    /// What has been done since the last reset.
+    /// The actions done since the last reset.
     pub fn history(&self) -> &History {
         &self.history
     }
@@ -203,14 +203,14 @@ impl Environment {
         self.graph.agents()
     }
 
-    /// Returns the part of the scene that an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative radius or NaN covers nothing: the
-    /// agent sees only the rooms, itself and the objects it carries. Changes nothing.
+    /// Returns the part of the scene that an agent sees within a radius, metres: [`SceneGraph::observe`]. A negative
+    /// radius or NaN covers nothing: the agent sees only the rooms, itself and the objects it carries. Changes nothing.
     pub fn observation(&self, agent: NodeId, radius: f32) -> Observation {
         self.graph.observe(agent, Scope::Radius(radius))
     }
 
-    /// What an agent sees of its room, as the planner's belief uses it:
-    /// [`SceneGraph::observe`]. Changes nothing.
+    /// Returns the part of its room that an agent sees, as the planner's belief uses it: [`SceneGraph::observe`].
+    /// Changes nothing.
     pub fn room_observation(&self, agent: NodeId) -> Observation {
         self.graph.observe(agent, Scope::Room)
     }
@@ -232,12 +232,12 @@ impl Environment {
         self.start.room_at(point)
     }
 
-    /// What an agent's body does: stands, sits, lies.
+    /// The posture of an agent's body: it stands, sits or lies.
     pub fn posture(&self, agent: NodeId) -> Option<Posture> {
         self.world.posture(agent)
     }
 
-    /// What a body is shown to do now.
+    /// The activity that a body is shown in now.
     pub(crate) fn doing(&self, agent: NodeId) -> vc_people::Activity {
         self.poses.get(&agent).cloned().unwrap_or_default()
     }
@@ -258,7 +258,7 @@ impl Environment {
     }
 
     /// The scene and the bodies as they began, if they are still the same things; else as they are.
-    /// What pictures start from, so that it does not matter when the first was asked for.
+    /// Pictures start from these, so that it does not matter when the first was asked for.
     #[cfg(feature = "render")]
     pub(crate) fn origin(&self) -> (&SceneGraph, &PhysicsWorld) {
         if self.has_first_shapes() { (&self.start.graph, &self.start.world) } else { (&self.graph, &self.world) }

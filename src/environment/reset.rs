@@ -19,7 +19,7 @@ const HOVER: f32 = 0.02;
 pub(super) const BELOW: f32 = -200.0;
 const APART: f32 = 5.0;
 
-/// What a reset did.
+/// The report of a reset.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ResetReport {
     /// Things and agents that are elsewhere than where the environment began, because the graph has them there, and
@@ -287,7 +287,7 @@ impl Environment {
     }
 }
 
-/// What is worn has no body.
+/// Takes away the bodies of worn things, which have none.
 pub(super) fn undress(world: &mut PhysicsWorld, graph: &SceneGraph) -> Result<(), PhysicsError> {
     let worn = graph.agents().iter().flat_map(|&agent| graph.relating(Relation::WornBy, agent));
     let bodies: Vec<NodeId> = worn.filter(|id| world.pose(*id).is_some()).collect();
@@ -304,7 +304,7 @@ fn settle_agents(world: &mut PhysicsWorld, graph: &mut SceneGraph, floor: &Floor
     Ok(told)
 }
 
-/// What is to be placed, and what has become of it.
+/// The things to be placed, and what has become of them.
 struct Plan {
     /// Things to be placed, what carries others first, and those of them that have no pose.
     open: Vec<(NodeId, Option<Place>)>,

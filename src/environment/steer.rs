@@ -24,8 +24,8 @@ impl Environment {
     /// of things that have moved are observed again.
     ///
     /// This serves a person at a keyboard, or a policy for locomotion. It is not an action: the transition rule
-    /// is not asked, and the history does not record it. It uses `World::go`, `World::jump`, `World::step`,
-    /// `World::face` and `Relations::update_with`.
+    /// is not asked, and the history does not record it. It uses `PhysicsWorld::go`, `PhysicsWorld::jump`,
+    /// `PhysicsWorld::step`, `PhysicsWorld::face` and `Relations::update_with`.
     ///
     /// # Errors
     /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite; in

@@ -33,11 +33,11 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// long episodes after every third, and so on, so that a film has no more than 180.
 /// The folder then has
 ///
-/// | file | what |
+/// | file | content |
 /// |---|---|
 /// | `index.html` | a page that plays the film and shows all of it ([`Page`]) |
 /// | `trajectory.jsonl` | a line about the run, one for each action that was tried, with time, place and digest, one about its end |
-/// | `film/` | the film's pictures as JPEG, which the page plays and others' tools make a video of: from the agent's eyes and from a corner of the room |
+/// | `film/` | the film's pictures as JPEG, for the page and for tools that make videos: from the agent's eyes and from a corner of the room |
 /// | `film.gif`, `film.png` | the film in half its size at twice the speed, as GIF and as animated PNG |
 /// | `map.png` | the home from above, and the ways the agents went |
 /// | `strip.png` | a picture of each action with its words, eight at most |
@@ -62,7 +62,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// In the film an eye that comes through a door into other light gets used to it within half a second.
+/// In the film an eye that comes through a door into other light adapts to it within half a second.
 ///
 /// Costs one pair of pictures for each sixth of a second of the home's time: 480 pixels across,
 /// some twenty milliseconds. The same run writes the same files. Each file is written whole or not at all; the
@@ -76,7 +76,7 @@ pub struct Recorder {
     film: Film,
     dataset: Option<Dataset>,
     trajectory: Trajectory,
-    /// Everybody's way, in the order of the agents.
+    /// The paths of all agents, in their order.
     ways: Vec<Vec<Point2<f32>>>,
     /// The home's time, seconds.
     time: f64,
@@ -145,9 +145,9 @@ pub enum RecordError {
     /// The agent that is followed is none of the environment's.
     #[error("{agent} is no agent of this environment; it has {}", listed(.there))]
     NoSuchAgent {
-        /// Who is to be followed.
+        /// The agent that is to be followed.
         agent: Label,
-        /// Who is there.
+        /// The environment's agents.
         there: Vec<Label>,
     },
 }
@@ -211,7 +211,7 @@ impl Recorder {
         &self.home
     }
 
-    /// How far the agents have gone, metres, all together.
+    /// The length of all agents' paths together, metres.
     pub fn metres(&self) -> f32 {
         let length = |way: &Vec<Point2<f32>>| -> f32 { way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum() };
         // A sum of nothing is minus zero.
@@ -223,9 +223,9 @@ impl Recorder {
         self.time
     }
 
-    /// Writes what is made at the end, `belief` (an SVG, as
-    /// [`Belief::to_svg`](vc_planner::Belief::to_svg) draws it) among it, and gives where the page
-    /// is that shows all. `end` is an [`Episode`](vc_planner::Episode), a
+    /// Writes the files that are made at the end, among them `belief` (an SVG, as
+    /// [`Belief::to_svg`](vc_planner::Belief::to_svg) draws it), and returns the path of the page
+    /// that shows them all. `end` is an [`Episode`](vc_planner::Episode), a
     /// [`TeamEpisode`](vc_planner::TeamEpisode) or the summary of one.
     ///
     /// # Errors
@@ -343,7 +343,7 @@ impl World for Recorder {
     }
 }
 
-/// Adds to everybody's way where they are now.
+/// Adds to each agent's path where it is now.
 fn go_on(ways: &mut [Vec<Point2<f32>>], home: &Environment) {
     ways.iter_mut().zip(home.agents()).for_each(|(way, agent)| way.push(feet(home, *agent)));
 }
@@ -369,7 +369,7 @@ const FILES: [&str; 12] = [
     trajectory::FILES[1],
 ];
 
-/// Removes what another run wrote: its files would stay among those of this one. A dataset stays for now if this record
+/// Removes the files of another run, which would stay among those of this one. A dataset stays for now if this record
 /// has one, as it may go on with that.
 fn clear(own: &mut OwnFiles, has_dataset: bool) -> Result<(), RecordError> {
     if has_dataset {

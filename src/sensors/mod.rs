@@ -157,7 +157,7 @@ impl<'a> SensorView<'a> {
         self.seed
     }
 
-    /// Where the sensor is: it looks along X, its left is along Y, its top along Z.
+    /// The pose of the sensor: it looks along X, its left is along Y, its top along Z.
     ///
     /// # Errors
     /// [`RenderError`] if what it is mounted on has gone.

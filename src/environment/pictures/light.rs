@@ -17,15 +17,15 @@ const LIGHTS: usize = 8;
 /// How far a lamp has to be moved to count as moved, metres.
 const ASIDE: f32 = 0.05;
 
-/// Everything that the light that rooms throw back depends on.
+/// Everything on which indirect light depends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lit {
     daylight: Daylight,
-    /// What is on.
+    /// Things that are on.
     on: Vec<NodeId>,
     /// Lamps that are on and stand elsewhere than at first: pose and room.
     moved: Vec<(NodeId, Pose, Option<NodeId>)>,
-    /// What of the building stands open: doors and windows.
+    /// Doors and windows that stand open.
     open: Vec<NodeId>,
     /// Blinds and curtains that are drawn.
     drawn: Vec<NodeId>,

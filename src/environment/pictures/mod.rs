@@ -1,4 +1,4 @@
-//! What cameras see of an environment.
+//! Pictures of an environment, and the cache that they are made from.
 
 mod camera;
 mod cameras;
@@ -50,12 +50,12 @@ struct Base {
     renderer: Renderer,
     snapshot: Snapshot,
     poses: Vec<(NodeId, Pose)>,
-    /// Whatever can be seen.
+    /// The nodes that can be seen.
     seen: Vec<NodeId>,
-    /// What of it is not fixed.
+    /// Those of them that are not fixed.
     loose: BTreeSet<NodeId>,
     lit: Vec<NodeId>,
-    /// What can be poured into, and whether something is in it.
+    /// Vessels, and whether something is in them.
     vessels: Vec<(NodeId, bool)>,
     /// Nodes with moving parts.
     jointed: Vec<NodeId>,
@@ -73,13 +73,13 @@ impl Environment {
     ///
     /// Things that have moved, were opened or are carried are lit where they are, by the room they are in, and throw
     /// their shadows from there: `Renderer::follow`, some milliseconds where that is in the sun or below a lamp, and
-    /// less than one elsewhere. Light that rooms throw back is that of the home as it begins. `Renderer::light` makes
+    /// less than one elsewhere. Indirect light is that of the home as it begins. `Renderer::light` makes
     /// it again when something is switched, when a door between rooms or a window comes to stand open or shut, when a
     /// blind or a curtain is drawn, when a lamp that is on is moved, and for another daylight. That takes about a
     /// second of processor time in a home of 450 nodes; the last few results are kept. It does not change because furniture or people moved:
     /// [`render_relit`](Self::render_relit) makes it anew for that, too. `benches/README.md` has the costs.
     ///
-    /// From above each room is seen about as bright as it is to a person in it: `Lighting::evened`. From all other
+    /// From above each room is seen about as bright as it is to a person in it: `Lighting::equalized`. From all other
     /// viewpoints a room without a window whose lamps are off is dim: it has the light that comes through its doorways,
     /// and around doors that are closed. In the evening people have lamps on:
     /// [`switch_lamps`](Self::switch_lamps).
@@ -98,9 +98,9 @@ impl Environment {
         self.picture(&self.pictures, None, (view, wanted.into()), (width, height))
     }
 
-    /// As [`render`](Self::render), with light that is made for where everything is now: light that rooms throw back
-    /// follows furniture and people too. Takes about a second of processor time for every picture with colours, and nothing is
-    /// kept; without colours it does the same as `render`.
+    /// As [`render`](Self::render), with light that is made for where everything is now: indirect light follows furniture
+    /// and people too. Takes about a second of processor time for every picture with colours, and nothing is kept; without
+    /// colours it does the same as `render`.
     ///
     /// ```no_run
     /// use virtualcity::{Environment, Viewpoint, render::Modality};

@@ -6,7 +6,7 @@ use vc_graph::nearest;
 
 use super::CameraError;
 
-/// Longest name, characters.
+/// Longest name, bytes.
 const LONGEST: usize = 100;
 
 /// A thing with a name.
