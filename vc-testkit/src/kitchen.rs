@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Joint, JointKind, Material, Part, Shape, Surface};
-use vc_graph::{Anthropometry, Asset, AssetLibrary, Bounds, BoundsFrame, Draft, NodeId, Pose, SceneBuilder, SceneGraph};
+use vc_graph::{
+    Anthropometry, Asset, AssetLibrary, Bounds, BoundsFrame, Draft, NodeId, Pose, SceneBuilder, SceneGraph,
+};
 
 /// A kitchen of 4 by 4 m around the origin with a few things and a person; X is the front of each thing.
 #[derive(Debug, Clone)]

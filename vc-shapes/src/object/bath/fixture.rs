@@ -4,7 +4,9 @@ use vc_graph::asset::JointKind;
 
 use crate::material::*;
 use crate::object::cooker::fitting::*;
-use crate::solid::{Axis, Build, CORNERS, P, case, fit, floor_of, half_dims, loft_levels, oblong, pit, plate_with_hole};
+use crate::solid::{
+    Axis, Build, CORNERS, P, case, fit, floor_of, half_dims, loft_levels, oblong, pit, plate_with_hole,
+};
 
 /// Points of an oval seen from above, with its straight part at the back: `x` and `y` from -1 to 1.
 const BOWL: [(f32, f32); 12] = [
