@@ -7,7 +7,6 @@
 //! order of decreasing probability over cost and delivers once both hands are full. All candidates are played
 //! in the same homes, and the worse half is dropped as the number of homes grows (Karnin, Koren and Somekh,
 //! *Almost Optimal Exploration in Multi-Armed Bandits*, 2013).
-//! and Somekh, *Almost Optimal Exploration in Multi-Armed Bandits*, 2013).
 
 mod play;
 mod world;
