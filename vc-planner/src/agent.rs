@@ -141,7 +141,7 @@ impl Agent {
     /// The human-like agent of the thesis: every place is equally likely, one state is
     /// sampled, and one subgoal after the other is pursued.
     pub fn faithful(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::of_known_home(graph, id, seed), Mind::Faithful)
+        Self::with(id, goal, Belief::in_known_home(graph, id, seed), Mind::Faithful)
     }
 
     /// An agent that knows everything there is.

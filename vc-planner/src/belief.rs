@@ -70,13 +70,13 @@ pub struct Learned {
 }
 
 impl Belief {
-    /// The belief of an agent that knows only the plan of a home. `graph` is the true scene: rooms and fixed
-    /// things are taken from it; the places of movable things and all states are forgotten.
-    pub fn of_known_home(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
+    /// The belief of an agent that knows only the plan of a home, to which all places are equally likely. `graph` is the
+    /// true scene: rooms and fixed things are taken from it; the places of movable things and all states are forgotten.
+    pub fn in_known_home(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
         Self::with_prior(graph, agent, seed, Prior::Uniform)
     }
 
-    /// As [`Belief::of_known_home`], with a prior.
+    /// As [`Belief::in_known_home`], with a prior.
     pub fn with_prior(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         belief.prior = prior;

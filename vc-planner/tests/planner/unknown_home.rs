@@ -105,7 +105,7 @@ fn what_can_be_nowhere_is_given_up_at_once() {
             assert!(episode.reason.unwrap().contains("apple"), "{} {goal}", policy.name());
         }
     }
-    let belief = Belief::of_known_home(&scene, me, 0);
+    let belief = Belief::in_known_home(&scene, me, 0);
     assert_eq!(apples.map(|id| belief.distribution(id).len()), [0, 0]);
 }
 
