@@ -70,8 +70,9 @@ pub struct Learned {
 }
 
 impl Belief {
-    /// The belief of an agent that knows only the plan of a home, to which all places are equally likely. `graph` is the
-    /// true scene: rooms and fixed things are taken from it; the places of movable things and all states are forgotten.
+    /// The belief of an agent that knows only the plan of a home, to which all places are equally likely. `graph`
+    /// is the true scene: rooms and fixed things are taken from it; the places of movable things and all states
+    /// are forgotten.
     pub fn in_known_home(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
         Self::with_prior(graph, agent, seed, Prior::Uniform)
     }
